@@ -1,0 +1,38 @@
+// The one error type: what was wrong, where, and what to do about it.
+#pragma once
+
+#include <string>
+#include <tl/expected.hpp>
+#include <utility>
+
+namespace glassbox {
+
+// A refusal of input. `file` and `place` ("node 3", "accessor 7, byte 120", "--fov") may be empty; `cause` and
+// `remedy` never are. The program prints message() on one line and exits with 2.
+struct Error {
+  std::string file;
+  std::string place;
+  std::string cause;
+  std::string remedy;
+
+  // "duck.glb: accessor 7: names buffer view 9 of 4; export the file again"
+  std::string message() const {
+    std::string text;
+    for (const std::string* part : {&file, &place}) {
+      if (!part->empty()) text += *part + ": ";
+    }
+    text += cause;
+    if (!remedy.empty()) text += "; " + remedy;
+    return text;
+  }
+};
+
+// A value or the reason why there is none. Stages and cameras return it; loaders do too.
+template <class T>
+using Result = tl::expected<T, Error>;
+
+inline tl::unexpected<Error> fail(std::string place, std::string cause, std::string remedy) {
+  return tl::unexpected<Error>(Error{{}, std::move(place), std::move(cause), std::move(remedy)});
+}
+
+}  // namespace glassbox

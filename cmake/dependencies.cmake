@@ -1,0 +1,11 @@
+# Everything comes from the system; nothing is vendored. Debian package names are in cmake/packages.txt.
+find_package(glm REQUIRED)
+find_package(tl-expected REQUIRED)
+find_package(fmt REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(PNG REQUIRED)
+find_package(TinyGLTF 2.7 CONFIG REQUIRED)
+find_package(tinyobjloader REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(stb REQUIRED IMPORTED_TARGET stb)

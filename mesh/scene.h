@@ -1,0 +1,127 @@
+// The scene as data: meshes placed in the world, with materials, cameras and lights.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <glassbox/base/spaces.h>
+#include <glassbox/images/image.h>
+#include <glassbox/mesh/mesh.h>
+
+namespace glassbox {
+
+// ---- surfaces ----
+
+enum class Wrap { kRepeat, kMirroredRepeat, kClampToEdge };
+enum class Filter { kNearest, kLinear };
+enum class MipFilter { kNone, kNearest, kLinear };
+
+struct Sampler {
+  Wrap wrap_u = Wrap::kRepeat;
+  Wrap wrap_v = Wrap::kRepeat;
+  Filter magnify = Filter::kLinear;
+  Filter minify = Filter::kLinear;
+  MipFilter mip = MipFilter::kLinear;
+  friend bool operator==(const Sampler&, const Sampler&) = default;
+};
+
+struct Texture {
+  std::uint32_t image = 0;  // index into Scene::images
+  Sampler sampler;
+};
+
+enum class AlphaMode { kOpaque, kMask, kBlend };
+
+// Colours are linear. The reflection model is Blinn-Phong: see raster/shading.h for the formula.
+struct Material {
+  std::string name;
+  Rgba base_color;                      // multiplied by the texture and the vertex colour
+  std::optional<std::uint32_t> texture; // index into Scene::textures
+  std::array<float, 3> specular{0, 0, 0};
+  int shininess = 16;                   // exponent, 1 .. 1024
+  AlphaMode alpha_mode = AlphaMode::kOpaque;
+  float alpha_cutoff = 0.5f;            // kMask: kept where alpha >= cutoff
+  bool double_sided = false;
+  bool unlit = false;
+};
+
+// ---- placement ----
+
+struct Node {
+  std::string name;
+  std::uint32_t parent = kNone;                 // index into Scene::nodes, always smaller than the node's own
+  Transform<World, Object> parent_from_node;    // the node's own matrix (for a root, the parent is the world)
+  Transform<World, Object> world_from_node;     // the product down from the root
+};
+
+// A mesh where it stands. Instances are drawn, and their triangles numbered, in the order of this list.
+struct Instance {
+  std::uint32_t mesh = 0;  // index into Scene::meshes
+  std::uint32_t node = 0;  // index into Scene::nodes
+};
+
+// ---- cameras ----
+
+// Full vertical angle; far may be absent (infinite). The aspect ratio is the viewport's.
+struct PerspectiveLens {
+  double fovy_radians = 0.785398163397448309616;
+  double near = 0.1;
+  std::optional<double> far;
+};
+// Half the vertical extent of the view in world units; the horizontal one follows from the viewport's aspect ratio.
+struct OrthographicLens {
+  double half_height = 1;
+  double near = 0;
+  double far = 1;
+};
+// The window's edges on the near plane, in world units, as glFrustum takes them.
+struct FrustumLens {
+  double left = -1, right = 1, bottom = -1, top = 1;
+  double near = 1;
+  std::optional<double> far;
+};
+using Lens = std::variant<PerspectiveLens, OrthographicLens, FrustumLens>;
+
+struct Camera {
+  std::string name;
+  Lens lens;
+  Transform<World, Eye> world_from_eye;  // rigid
+};
+
+// ---- lights (KHR_lights_punctual) ----
+
+enum class LightKind { kDirectional, kPoint, kSpot };
+
+struct Light {
+  std::string name;
+  LightKind kind = LightKind::kDirectional;
+  std::array<float, 3> color{1, 1, 1};  // linear
+  double intensity = 1;                 // lux (directional), candela (point, spot)
+  std::optional<double> range;          // world units; beyond it nothing arrives
+  double inner_cone_radians = 0;        // spot: full intensity within
+  double outer_cone_radians = 0.785398163397448309616;  // spot: nothing outside
+  Point<World, double> position;        // point, spot
+  Vector<World, double> direction;      // the way the light travels, unit length; directional, spot
+};
+
+// ---- the whole ----
+
+struct Scene {
+  std::string name;
+  std::string file;  // as the user gave it; empty for built-in scenes
+  std::vector<Mesh> meshes;
+  std::vector<Material> materials;  // never empty
+  std::vector<Texture> textures;
+  std::vector<Image<Rgba8>> images;
+  std::vector<Node> nodes;
+  std::vector<Instance> instances;
+  std::vector<Camera> cameras;
+  std::vector<Light> lights;           // none: a default headlight
+  std::vector<std::string> extensions; // named by the file
+  std::vector<std::string> warnings;   // what was ignored or repaired, one sentence each
+};
+
+}  // namespace glassbox

@@ -1,0 +1,50 @@
+// The records of the geometric stages, in the order in which a triangle passes through them:
+//
+//   Point<Object>   the vertex as modelled                                       (mesh/)
+//   Point<World>    world_from_object *                                          affine.h
+//   Point<Eye>      eye_from_world *                                             look_at.h
+//   ClipVertex      clip_from_eye *                                              projection.h
+//   Outcode         on which side of each plane                                  clip.h
+//   ClipPolygon     what is left after clipping: 0, or 3 .. 9 vertices           clip.h
+//   NdcVertex       divided by w                                                 divide.h
+//   ScreenVertex    scaled to the viewport's pixels                              viewport.h
+//
+// raster/stages.h goes on from there.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include <glassbox/base/spaces.h>
+
+namespace glassbox {
+
+// A vertex of a triangle, or a point on it that clipping made: `weights` are its barycentric coordinates in the
+// triangle as it came (they sum to 1), so that attributes follow from the three corners alone.
+struct ClipVertex {
+  Point<Clip> position;
+  std::array<double, 3> weights{};
+};
+
+// One bit for each plane that the vertex lies outside of.
+using Outcode = std::uint32_t;
+
+// A triangle cut by six planes has at most 3 + 6 vertices (Sutherland and Hodgman 1974).
+inline constexpr int kMaxClipVertices = 9;
+
+struct ClipPolygon {
+  std::array<ClipVertex, kMaxClipVertices> vertices;
+  int count = 0;
+};
+
+struct NdcVertex {
+  Point<Ndc> position;
+  float inverse_w = 1;  // 1 / (distance along the gaze); exactly 1 for parallel projections
+};
+
+struct ScreenVertex {
+  Point<Screen> position;  // x, y in pixels; z is the depth of NDC, unchanged
+  float inverse_w = 1;
+};
+
+}  // namespace glassbox
