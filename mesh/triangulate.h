@@ -1,0 +1,43 @@
+// Polygons to triangles: the form in which meshes are drawn.
+//
+// A face of n corners takes n - 2 consecutive numbers whether or not its triangles are kept, so
+// that a triangle's number says where it stands in the file. The choices are deterministic:
+//
+//   triangle   kept as it is, corners in the order of the face
+//   quad       cut along the diagonal that lies inside; if both do, along the shorter one; on a tie
+//   from corner 0 n-gon      ears clipped from the first corner on, in the plane seen along the
+//   largest component of the Newell
+//              normal, with exact orientation tests
+//   otherwise  (the outline crosses itself) what ear clipping leaves is cut as a fan, and the face
+//   is reported
+//
+// Faces and triangles without area yield no triangles but are counted.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <glassbox/mesh/mesh.h>
+
+namespace glassbox {
+
+struct Triangle {
+  std::array<std::uint32_t, 3> corners{};  // indices into Mesh::corners
+  std::uint32_t face = 0;                  // index into Mesh::faces
+  std::uint32_t number = 0;                // in the mesh, from 0, gaps included
+  friend bool operator==(const Triangle&, const Triangle&) = default;
+};
+
+struct Triangulation {
+  std::vector<Triangle> triangles;  // numbers ascend
+  std::uint32_t numbered = 0;       // numbers taken: the sum of n - 2 over the faces
+  std::vector<std::uint32_t>
+      degenerate_faces;  // fewer than 3 distinct positions, or no area; dropped whole
+  std::uint32_t degenerate_triangles = 0;              // dropped from faces that are kept
+  std::vector<std::uint32_t> self_intersecting_faces;  // cut by the fallback
+};
+
+Triangulation triangulate(const Mesh& mesh);
+
+}  // namespace glassbox
