@@ -1,0 +1,41 @@
+// A camera for a scene that names none, and near and far planes for a pose that names none.
+#pragma once
+
+#include <glassbox/base/box.h>
+#include <glassbox/base/error.h>
+#include <glassbox/mesh/scene.h>
+
+namespace glassbox {
+
+struct FramingOptions {
+  double azimuth_degrees =
+      30;  // from the +z axis towards +x: where the eye stands, seen from the box
+  double elevation_degrees =
+      20;                    // above the horizontal plane; y is up; strictly between -90 and 90
+  double fovy_degrees = 45;  // full vertical angle
+  double margin = 1.05;  // radius of the framed sphere over that of the box's bounding sphere; >= 1
+};
+
+// A perspective camera that looks at the box's centre and sees its bounding sphere whole, in width
+// and in height, for an image of `aspect` = width / height. A box without extent is framed as a
+// sphere of radius 1/2 (or 2^-20 of its distance from the origin if that is more). Errors: an empty
+// or non-finite box, an aspect that is not positive.
+Result<Camera> frame(const Box<World>& bounds, double aspect, const FramingOptions& options = {});
+
+struct NearFar {
+  double near = 0.1, far = 100;  // world units along the gaze
+};
+
+// Planes that enclose the box seen from a pose, 1 % beyond it on either side. The near plane is at
+// least far/kMaxDepthRatio, so that what stands closer to the eye than that is cut off: an eye
+// inside the box still gets a usable depth buffer. A box wholly behind the eye gives planes at the
+// scale of the box (there is nothing to see). Errors: an empty or non-finite box or pose.
+inline constexpr double kMaxDepthRatio = 10000;
+Result<NearFar> near_far_for(const Transform<World, Eye>& world_from_eye, const Box<World>& bounds);
+
+// The same for a parallel projection, whose near plane may lie behind the eye: the box's depths and
+// 1 % of their extent on either side.
+Result<NearFar> parallel_near_far_for(const Transform<World, Eye>& world_from_eye,
+                                      const Box<World>& bounds);
+
+}  // namespace glassbox
