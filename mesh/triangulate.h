@@ -5,11 +5,14 @@
 //
 //   triangle   kept as it is, corners in the order of the face
 //   quad       cut along the diagonal that lies inside; if both do, along the shorter one; on a tie
-//   from corner 0 n-gon      ears clipped from the first corner on, in the plane seen along the
+//   from corner 0 n-gon      ears clipped in a fixed order, in the plane seen along the
 //   largest component of the Newell
 //              normal, with exact orientation tests
 //   otherwise  (the outline crosses itself) what ear clipping leaves is cut as a fan, and the face
 //   is reported
+//
+// As long as every triangle cut off turns the same way as its outline, the triangles cover exactly what the outline
+// encloses: cutting a corner off changes no winding number in total, so none can lie twice or outside.
 //
 // Faces and triangles without area yield no triangles but are counted.
 #pragma once
@@ -32,12 +35,15 @@ struct Triangle {
 struct Triangulation {
   std::vector<Triangle> triangles;  // numbers ascend
   std::uint32_t numbered = 0;       // numbers taken: the sum of n - 2 over the faces
-  std::vector<std::uint32_t>
-      degenerate_faces;  // fewer than 3 distinct positions, or no area; dropped whole
-  std::uint32_t degenerate_triangles = 0;              // dropped from faces that are kept
-  std::vector<std::uint32_t> self_intersecting_faces;  // cut by the fallback
+  // Faces without area (exactly zero Newell vector: fewer than 3 distinct corners, collinear ones, bow-ties).
+  std::vector<std::uint32_t> degenerate_faces;
+  std::uint32_t degenerate_triangles = 0;  // dropped from faces that are kept
+  // Outlines that cross themselves (or are too intricate, see below): the end was cut as a fan.
+  std::vector<std::uint32_t> fallback_faces;
 };
 
+// O(n log n) for outlines met in practice; the tests an outline may cost are limited to 2^27 + 2^10 n, after which the
+// rest of it is cut as a fan.
 Triangulation triangulate(const Mesh& mesh);
 
 }  // namespace glassbox

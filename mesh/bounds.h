@@ -1,0 +1,44 @@
+// The boxes around what is drawn.
+#pragma once
+
+#include <glassbox/base/box.h>
+#include <glassbox/mesh/scene.h>
+
+namespace glassbox {
+
+// Calls `visit` with the position of every corner that faces, lines and points name; positions that nothing draws do
+// not count.
+template <class Visit>
+void for_each_drawn_position(const Mesh& mesh, Visit visit) {
+  for (const Corner& corner : mesh.corners) visit(mesh.positions[corner.position]);
+  for (const auto& line : mesh.lines) {
+    for (const Corner& corner : line) visit(mesh.positions[corner.position]);
+  }
+  for (const Corner& corner : mesh.points) visit(mesh.positions[corner.position]);
+}
+
+// Empty where nothing is drawn.
+inline Box<Object> bounds(const Mesh& mesh) {
+  Box<Object> box;
+  for_each_drawn_position(mesh, [&](const Point<Object>& p) { box.include(p); });
+  return box;
+}
+
+// Every position is carried to the world: the box of an object's turned box would be larger than what is drawn.
+inline Box<World> bounds(const Mesh& mesh, const Transform<World, Object>& world_from_object) {
+  Box<World> box;
+  for_each_drawn_position(mesh, [&](const Point<Object>& p) {
+    box.include(world_from_object * Point<Object, double>(p.x, p.y, p.z));
+  });
+  return box;
+}
+
+inline Box<World> bounds(const Scene& scene) {
+  Box<World> box;
+  for (const Instance& instance : scene.instances) {
+    box.include(bounds(scene.meshes[instance.mesh], scene.nodes[instance.node].world_from_node));
+  }
+  return box;
+}
+
+}  // namespace glassbox

@@ -1,0 +1,68 @@
+// Who is next to whom: adjacency derived from the face table, which by itself holds "still no topology information"
+// (S4-17).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <glassbox/mesh/mesh.h>
+
+namespace glassbox {
+
+// kByIndex: corners meet where they name the same position. kByPlace: also where two positions are the same numbers
+// (0 and -0 included), as in glTF, which repeats a position for each normal or texture coordinate it has.
+enum class Weld { kByIndex, kByPlace };
+
+// One face's passage along an edge.
+struct EdgeUse {
+  std::uint32_t face = 0;
+  std::uint32_t corner = 0;  // into Mesh::corners: the one the passage starts from
+  bool ascending = true;     // from the edge's `low` vertex to its `high` one
+  friend bool operator==(const EdgeUse&, const EdgeUse&) = default;
+};
+
+// Two vertices and the faces on either side: uses[first] .. uses[first + count - 1].
+struct Edge {
+  std::uint32_t low = 0, high = 0;  // vertices, low < high
+  std::uint32_t first = 0, count = 0;
+
+  bool boundary() const { return count == 1; }
+  bool non_manifold() const { return count > 2; }
+  friend bool operator==(const Edge&, const Edge&) = default;
+};
+
+// A vertex is a position after welding, named by the lowest index of its positions. Repeated neighbours within a face
+// count once; faces with fewer than three distinct vertices have no edges and take no part.
+struct Topology {
+  std::vector<std::uint32_t> vertex_of_position;
+  std::vector<Edge> edges;    // sorted by (low, high)
+  std::vector<EdgeUse> uses;  // edge by edge, in the order of the faces
+
+  std::uint32_t vertices = 0;            // of the faces that take part
+  std::uint32_t faces = 0;               // that take part
+  std::uint32_t boundary_edges = 0;      // one face only
+  std::uint32_t non_manifold_edges = 0;  // more than two
+  // Two faces that pass in the same direction: one of them is wound the other way.
+  std::uint32_t inconsistent_edges = 0;
+  // Vertices whose faces do not form one fan or one half fan: surfaces that touch in a point.
+  std::uint32_t pinched_vertices = 0;
+  std::uint32_t unused_positions = 0;  // named by no face, line or point
+  std::uint32_t components = 0;        // of faces connected across edges
+
+  // Every edge has two faces (and there are faces).
+  bool closed() const { return faces > 0 && boundary_edges == 0 && non_manifold_edges == 0; }
+  // V - E + F.
+  std::int64_t euler_characteristic() const {
+    return std::int64_t(vertices) - std::int64_t(edges.size()) + std::int64_t(faces);
+  }
+  // The handles of all components together, from V - E + F = 2 (components - genus) (S3-01). Absent unless the mesh is
+  // a closed surface, wound consistently and nowhere pinched.
+  std::optional<std::uint32_t> genus() const;
+};
+
+// O(n log n) in the number of corners.
+Topology find_topology(const Mesh& mesh, Weld weld = Weld::kByIndex);
+
+}  // namespace glassbox
