@@ -13,17 +13,25 @@ struct Rgba8 {
   friend bool operator==(const Rgba8&, const Rgba8&) = default;
 };
 
+// Three floats, for PFM files.
+struct Rgb32f {
+  float r = 0, g = 0, b = 0;
+  friend bool operator==(const Rgb32f&, const Rgb32f&) = default;
+};
+
 template <class Pixel>
 struct Image {
-  int width = 0;   // px
-  int height = 0;  // px
+  int width = 0;              // px
+  int height = 0;             // px
   std::vector<Pixel> pixels;  // width * height, row by row from the top
 
   Image() = default;
   Image(int width_, int height_, Pixel fill = {})
       : width(width_), height(height_), pixels(std::size_t(width_) * std::size_t(height_), fill) {}
 
-  std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(width) + std::size_t(x); }
+  std::size_t index(int x, int y) const {
+    return std::size_t(y) * std::size_t(width) + std::size_t(x);
+  }
   Pixel& at(int x, int y) { return pixels[index(x, y)]; }
   const Pixel& at(int x, int y) const { return pixels[index(x, y)]; }
   friend bool operator==(const Image&, const Image&) = default;
