@@ -5,7 +5,7 @@
 //   Point<Eye>      eye_from_world *                                             look_at.h
 //   ClipVertex      clip_from_eye *                                              projection.h
 //   Outcode         on which side of each plane                                  clip.h
-//   ClipPolygon     what is left after clipping: 0, or 3 .. 9 vertices           clip.h
+//   ClipPolygon     what is left after clipping: 0, or 3 .. 10 vertices          clip.h
 //   NdcVertex       divided by w                                                 divide.h
 //   ScreenVertex    scaled to the viewport's pixels                              viewport.h
 //
@@ -29,8 +29,10 @@ struct ClipVertex {
 // One bit for each plane that the vertex lies outside of.
 using Outcode = std::uint32_t;
 
-// A triangle cut by six planes has at most 3 + 6 vertices (Sutherland and Hodgman 1974).
-inline constexpr int kMaxClipVertices = 9;
+// Every plane adds one vertex at most (Sutherland and Hodgman 1974): nine for the six planes of the frustum, and one
+// more for the eye plane that `render` adds to them.
+inline constexpr int kMaxClipPlanes = 7;
+inline constexpr int kMaxClipVertices = 3 + kMaxClipPlanes;
 
 struct ClipPolygon {
   std::array<ClipVertex, kMaxClipVertices> vertices;

@@ -1,0 +1,168 @@
+// Exact sums and products of doubles, for the few decisions that rounding must not make.
+//
+// A number is held as an expansion: a sum of doubles, smallest first, no two of which share a bit (Dekker 1971, Knuth
+// 1997 4.2.2, Shewchuk 1997). Its sign is the sign of its last term. Capacities are part of the type, so nothing is
+// allocated; only + - * of IEEE doubles are used, rounded to nearest, and no fused multiply-add.
+//
+// Valid inputs are zero or have 2^-200 <= |x| <= 2^200. Every float qualifies (2^-149 .. 2^128). Products of up to
+// four such numbers neither overflow nor lose a bit to underflow: the last bit of the smallest is 4 * (-252) = 2^-1008,
+// and splitting a factor costs another 2^27.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+namespace glassbox {
+
+// A factor that the exact operations accept.
+inline bool is_exactly_computable(double x) {
+  const double magnitude = std::abs(x);
+  return x == 0 || (magnitude >= 0x1p-200 && magnitude <= 0x1p200);  // false for NaN
+}
+
+// `high` is the rounded result, and high + low is the exact one.
+struct TwoTerms {
+  double high;
+  double low;
+};
+
+inline TwoTerms two_sum(double a, double b) {
+  const double sum = a + b;
+  const double b_in_sum = sum - a;
+  const double a_in_sum = sum - b_in_sum;
+  return {sum, (a - a_in_sum) + (b - b_in_sum)};
+}
+
+inline TwoTerms two_difference(double a, double b) {
+  return two_sum(a, -b);
+}
+
+// Two halves of at most 26 bits each (Veltkamp), so that products of halves are exact.
+inline TwoTerms split(double a) {
+  const double shifted = 0x8000001p0 * a;  // 2^27 + 1
+  const double high = shifted - (shifted - a);
+  return {high, a - high};
+}
+
+inline TwoTerms two_product(double a, double b) {
+  const double product = a * b;
+  const TwoTerms x = split(a);
+  const TwoTerms y = split(b);
+  const double missing = ((product - x.high * y.high) - x.low * y.high) - x.high * y.low;
+  return {product, x.low * y.low - missing};
+}
+
+// A number of at most `Capacity` terms; zero terms are left out, so zero has none.
+template <int Capacity>
+struct Expansion {
+  std::array<double, Capacity> terms;
+  int count = 0;
+
+  Expansion() {}  // leaves the unused terms uninitialised: some expansions are long
+  explicit Expansion(double value) { append(value); }
+  explicit Expansion(const TwoTerms& value) {
+    append(value.low);
+    append(value.high);
+  }
+
+  // The next larger term of a number that is being built from its smallest.
+  void append(double term) {
+    if (term != 0) terms[std::size_t(count++)] = term;
+  }
+
+  // Adds one double (Shewchuk's Grow-Expansion). The caller has made room: the capacity is one more than the terms
+  // in use, or as large as the number of bits that the result can span.
+  void add(double value) {
+    const int old_count = count;
+    count = 0;
+    for (int i = 0; i < old_count; ++i) {
+      const TwoTerms sum = two_sum(value, terms[std::size_t(i)]);
+      append(sum.low);  // behind the term that is being read, so nothing is overwritten
+      value = sum.high;
+    }
+    append(value);
+  }
+
+  template <int N>
+  void add(const Expansion<N>& other) {
+    for (int i = 0; i < other.count; ++i) add(other.terms[std::size_t(i)]);
+  }
+
+  int sign() const {
+    if (count == 0) return 0;
+    return terms[std::size_t(count - 1)] > 0 ? 1 : -1;
+  }
+
+  // The number as a double, to a few units in the last place. Its sign is right because the largest terms come
+  // first: a partial sum is exact until it is 2^53 times larger than all that is still to come.
+  double estimate() const {
+    double sum = 0;
+    for (int i = count - 1; i >= 0; --i) sum += terms[std::size_t(i)];
+    return sum;
+  }
+};
+
+template <int N>
+Expansion<N> operator-(const Expansion<N>& a) {
+  Expansion<N> negated = a;
+  for (int i = 0; i < a.count; ++i) negated.terms[std::size_t(i)] = -a.terms[std::size_t(i)];
+  return negated;
+}
+
+template <int N, int M>
+Expansion<N + M> operator+(const Expansion<N>& a, const Expansion<M>& b) {
+  Expansion<N + M> sum;
+  for (int i = 0; i < a.count; ++i) sum.append(a.terms[std::size_t(i)]);
+  sum.add(b);
+  return sum;
+}
+
+template <int N, int M>
+Expansion<N + M> operator-(const Expansion<N>& a, const Expansion<M>& b) {
+  return a + (-b);
+}
+
+template <int N>
+Expansion<2 * N> operator*(const Expansion<N>& a, double factor) {
+  Expansion<2 * N> scaled;
+  for (int i = 0; i < a.count; ++i) {
+    const TwoTerms product = two_product(a.terms[std::size_t(i)], factor);
+    scaled.add(product.low);
+    scaled.add(product.high);
+  }
+  return scaled;
+}
+
+template <int N, int M>
+Expansion<2 * N * M> operator*(const Expansion<N>& a, const Expansion<M>& b) {
+  Expansion<2 * N * M> product;
+  for (int i = 0; i < b.count; ++i) product.add(a * b.terms[std::size_t(i)]);
+  return product;
+}
+
+inline Expansion<2> exact_difference(double a, double b) {
+  return Expansion<2>(two_difference(a, b));
+}
+inline Expansion<2> exact_product(double a, double b) {
+  return Expansion<2>(two_product(a, b));
+}
+
+using Exact2 = std::array<double, 2>;
+using Exact3 = std::array<double, 3>;
+
+// +1 where a, b, c turn counter-clockwise, -1 where clockwise, 0 where they lie on one line: the sign of
+// (a - c) x (b - c). Exact for valid inputs; a static filter (Shewchuk 1997) answers nearly all calls.
+int sign_of_orient2d(const Exact2& a, const Exact2& b, const Exact2& c);
+
+// The sign of the determinant with the rows a - d, b - d, c - d: +1 where d sees a, b, c turn clockwise, 0 where the
+// four lie in one plane. Exact for valid inputs, filtered like the above.
+int sign_of_orient3d(const Exact3& a, const Exact3& b, const Exact3& c, const Exact3& d);
+
+// a[0] b[0] + ... + a[n-1] b[n-1] for at most kMaxProducts pairs: a double of exactly the right sign (0 only where
+// the sum is 0) and right in size to a few units in the last place of the largest product.
+inline constexpr int kMaxProducts = 8;
+double sum_of_products(std::span<const double> a, std::span<const double> b);
+
+}  // namespace glassbox
