@@ -1,0 +1,135 @@
+#include <glassbox/mesh/builtin/scenes.h>
+
+#include <algorithm>
+#include <charconv>
+#include <numeric>
+#include <vector>
+
+#include <glassbox/mesh/builtin/checker.h>
+#include <glassbox/mesh/builtin/cube.h>
+#include <glassbox/mesh/builtin/depth_ladder.h>
+#include <glassbox/mesh/builtin/f_glyph.h>
+#include <glassbox/mesh/builtin/forest.h>
+#include <glassbox/mesh/builtin/room.h>
+#include <glassbox/mesh/builtin/sphere.h>
+#include <glassbox/mesh/builtin/teapot.h>
+
+namespace glassbox {
+namespace {
+
+constexpr BuiltinScene kScenes[] = {
+    {"teapot", "Newell's teapot, 32 Bezier patches at any level",
+     LevelRange{1, kTeapotLevel, kMaxTeapotLevel}, [](int level) { return make_teapot(level); }},
+    {"cube", "a cube of side 2, every face in its own colour", std::nullopt,
+     [](int) { return make_cube(); }},
+    {"sphere", "a smooth ball of radius 1 at any level",
+     LevelRange{2, kSphereLevel, kMaxSphereLevel}, [](int level) { return make_sphere(level); }},
+    {"forest", "150 thin trees, near and far: made for stereo", std::nullopt,
+     [](int) { return make_forest(); }},
+    {"room", "a furnished room from inside, textured, lit by a lamp", std::nullopt,
+     [](int) { return make_room(); }},
+    {"checker", "a checkered floor to the horizon: texture filtering", std::nullopt,
+     [](int) { return make_checker(); }},
+    {"f-glyph", "a thick letter F: shows mirrored and turned pictures", std::nullopt,
+     [](int) { return make_f_glyph(); }},
+    {"depth-ladder", "nearly coplanar squares from 1 to 2^19 away: depth formats", std::nullopt,
+     [](int) { return make_depth_ladder(); }},
+};
+
+std::string_view base_name(std::string_view name_and_level) {
+  return name_and_level.substr(0, name_and_level.find(':'));
+}
+
+char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+}
+
+// Levenshtein's distance, one row of the table at a time.
+std::size_t edits_between(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t(0));
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (lower(a[i - 1]) != lower(b[j - 1]));
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+    }
+  }
+  return row.back();
+}
+
+Result<int> read_level(const BuiltinScene& scene, std::string_view name_and_level) {
+  const std::size_t colon = name_and_level.find(':');
+  if (colon == std::string_view::npos) return scene.levels ? scene.levels->usual : 0;
+  const std::string place(name_and_level), name(scene.name);
+  if (!scene.levels) {
+    return fail(place, "the built-in scene '" + name + "' takes no level", "write '" + name + "'");
+  }
+  const std::string_view digits = name_and_level.substr(colon + 1);
+  int level = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), level);
+  const bool read = error == std::errc() && end == digits.data() + digits.size();
+  if (!read || level < scene.levels->low || level > scene.levels->high) {
+    return fail(place,
+                "the level of '" + name + "' is a whole number from " +
+                    std::to_string(scene.levels->low) + " to " + std::to_string(scene.levels->high),
+                "write for example '" + name + ":" + std::to_string(scene.levels->usual) + "'");
+  }
+  return level;
+}
+
+}  // namespace
+
+std::span<const BuiltinScene> builtin_scenes() {
+  return kScenes;
+}
+
+const BuiltinScene* find_builtin(std::string_view name_and_level) {
+  const std::string_view name = base_name(name_and_level);
+  for (const BuiltinScene& scene : kScenes) {
+    if (scene.name == name) return &scene;
+  }
+  return nullptr;
+}
+
+std::optional<std::string_view> nearest_builtin(std::string_view name) {
+  constexpr std::size_t kMaxEdits = 2, kLongestWord = 64;
+  if (name.size() > kLongestWord) return std::nullopt;
+  std::optional<std::string_view> nearest;
+  std::size_t fewest = kMaxEdits + 1;
+  for (const BuiltinScene& scene : kScenes) {
+    const std::size_t edits = edits_between(name, scene.name);
+    if (edits < fewest) {
+      fewest = edits;
+      nearest = scene.name;
+    }
+  }
+  return nearest;
+}
+
+Result<Scene> make_builtin(std::string_view name_and_level) {
+  const BuiltinScene* scene = find_builtin(name_and_level);
+  if (scene == nullptr) {
+    const std::string name(base_name(name_and_level));
+    const auto nearest = nearest_builtin(name);
+    return fail(name, "there is no such built-in scene",
+                nearest ? "did you mean '" + std::string(*nearest) + "'?"
+                        : "built-in scenes are " + list_builtins());
+  }
+  const Result<int> level = read_level(*scene, name_and_level);
+  if (!level) return tl::unexpected(level.error());
+  return scene->make(*level);
+}
+
+std::string list_builtins() {
+  std::string list;
+  for (const BuiltinScene& scene : kScenes) {
+    if (!list.empty()) list += ", ";
+    list += scene.name;
+  }
+  return list;
+}
+
+}  // namespace glassbox
