@@ -6,13 +6,10 @@
 #include <glassbox/base/error.h>
 #include <glassbox/base/spaces.h>
 #include <glassbox/mesh/scene.h>
+#include <glassbox/pipeline/projection.h>
 #include <glassbox/pipeline/viewport.h>
 
 namespace glassbox {
-
-// kStandard: depth 0 at the near plane, 1 at the far one. kReversed: 1 at the near plane, 0 at the far one, which
-// gives floating-point depth nearly uniform relative precision (SPEC B.3).
-enum class DepthRange { kStandard, kReversed };
 
 // One way of looking at a scene: everything the geometric stages need besides the scene.
 struct View {
@@ -25,9 +22,17 @@ struct View {
   double far = std::numeric_limits<double>::infinity();
 };
 
+// Images have 1 .. kMaxImageSide pixels each way.
+inline constexpr int kMaxImageSide = 16384;
+
+// A pose whose axes are this far from perpendicular unit vectors (entries of R^T R - I) is taken for a rotation with
+// few digits and replaced by the nearest one (C-12); beyond it the pose is refused. Poses within 16 u are used as they
+// are.
+inline constexpr double kRigidTolerance = 0x1p-10;
+
 // Checks the camera (near > 0 for perspective, near < far, 0 < fovy < 180 degrees, a rigid pose, all numbers finite)
 // and composes its matrices for an image of `width` x `height` pixels. Errors name the offending value and the
-// remedy.
+// remedy. Numbers that would overflow or vanish when the matrix is rounded to float are refused too.
 Result<View> make_view(const Camera& camera, int width, int height,
                        DepthRange depth_range = DepthRange::kStandard);
 

@@ -1,0 +1,163 @@
+#include <glassbox/pipeline/look_at.h>
+
+#include <cmath>
+#include <string>
+
+#include <glassbox/pipeline/affine.h>
+#include <glassbox/pipeline/number_text.h>
+#include <glassbox/pipeline/unit_vector.h>
+
+namespace glassbox {
+namespace {
+
+using WorldVector = Vector<World, double>;
+
+std::string text(double x, double y, double z) {
+  return "(" + number_text(x) + ", " + number_text(y) + ", " + number_text(z) + ")";
+}
+
+// What both constructions start from: unit gaze and unit up that are not along one line.
+struct Directions {
+  WorldVector gaze, up;
+};
+
+// The coordinate axis that is farthest from the gaze: always a usable up.
+const char* usable_up(const WorldVector& gaze) {
+  const double x = std::abs(gaze.x), y = std::abs(gaze.y), z = std::abs(gaze.z);
+  if (y <= x && y <= z) return "0,1,0";
+  return z <= x ? "0,0,1" : "1,0,0";
+}
+
+Result<Directions> directions_of(const Point<World, double>& eye, const WorldVector& gaze,
+                                 const WorldVector& up) {
+  if (!std::isfinite(eye.x) || !std::isfinite(eye.y) || !std::isfinite(eye.z)) {
+    return fail("eye", text(eye.x, eye.y, eye.z) + " is not a position",
+                "give three finite numbers");
+  }
+  const auto gaze_unit = unit(gaze);
+  if (!gaze_unit) {
+    return fail("gaze", text(gaze.x, gaze.y, gaze.z) + " is not a direction",
+                "give three finite numbers that are not all zero");
+  }
+  const auto up_unit = unit(up);
+  if (!up_unit) {
+    return fail(
+        "up", text(up.x, up.y, up.z) + " is not a direction",
+        std::string("give one that is not along the view, such as ") + usable_up(*gaze_unit));
+  }
+  const WorldVector across = cross(*gaze_unit, *up_unit);
+  if (!(dot(across, across) >= kMinUpSine * kMinUpSine)) {
+    return fail(
+        "up",
+        text(up.x, up.y, up.z) + " points along the view, so that the picture's roll is undefined",
+        std::string("choose another, such as ") + usable_up(*gaze_unit));
+  }
+  return Directions{*gaze_unit, *up_unit};
+}
+
+Result<WorldVector> gaze_towards(const Point<World, double>& eye,
+                                 const Point<World, double>& target) {
+  if (!std::isfinite(target.x) || !std::isfinite(target.y) || !std::isfinite(target.z)) {
+    return fail("look-at", text(target.x, target.y, target.z) + " is not a position",
+                "give three finite numbers");
+  }
+  if (eye == target) {
+    return fail("look-at",
+                text(target.x, target.y, target.z) +
+                    " is the eye itself, so that there is no direction of view",
+                "move one of the two");
+  }
+  return target - eye;
+}
+
+}  // namespace
+
+Result<Transform<World, Eye>> camera_pose(const Point<World, double>& eye, const WorldVector& gaze,
+                                          const WorldVector& up) {
+  const Result<Directions> directions = directions_of(eye, gaze, up);
+  if (!directions) return tl::unexpected(directions.error());
+  const WorldVector n = -directions->gaze;
+  // Not zero: the sine was checked.
+  const WorldVector u = unit(cross(directions->up, n)).value_or(WorldVector{});
+  const WorldVector v = cross(n, u);
+  Transform<World, Eye> pose;
+  const WorldVector columns[] = {u, v, n, {eye.x, eye.y, eye.z}};
+  for (int column = 0; column < 4; ++column) {
+    pose.at(0, column) = columns[column].x + 0.0;  // -0 becomes 0
+    pose.at(1, column) = columns[column].y + 0.0;
+    pose.at(2, column) = columns[column].z + 0.0;
+  }
+  return pose;
+}
+
+Result<Transform<World, Eye>> camera_pose(const Point<World, double>& eye,
+                                          const Point<World, double>& target,
+                                          const WorldVector& up) {
+  return gaze_towards(eye, target).and_then([&](const WorldVector& gaze) {
+    return camera_pose(eye, gaze, up);
+  });
+}
+
+Result<Transform<Eye, World>> look_at(const Point<World, double>& eye,
+                                      const Point<World, double>& target, const WorldVector& up) {
+  return camera_pose(eye, target, up).map([](const Transform<World, Eye>& pose) {
+    return inverse_rigid(pose);
+  });
+}
+
+namespace {
+
+// Rodrigues about k = v x (-z) = (-vy, vx, 0), with |k| the sine and -vz the cosine of the angle, so that no angle is ever
+// computed: cos I + [k]x + k k^T (1 - cos)/sin^2. The cross product with an axis is exact, and the last factor is written
+// without cancellation for either sign of the cosine.
+Transform<World, World> gaze_to_minus_z(const WorldVector& v) {
+  const double c = -v.z, sine_squared = v.x * v.x + v.y * v.y;
+  if (sine_squared == 0)
+    return scale<World>(c < 0 ? -1 : 1, 1,
+                        c < 0 ? -1 : 1);  // about y, by 180 degrees or not at all
+  const double factor = c > 0 ? 1 / (1 + c) : (1 - c) / sine_squared;
+  const double kx = -v.y, ky = v.x;
+  Transform<World, World> r;
+  r.at(0, 0) = c + kx * kx * factor;
+  r.at(0, 1) = kx * ky * factor;
+  r.at(0, 2) = ky;
+  r.at(1, 0) = kx * ky * factor;
+  r.at(1, 1) = c + ky * ky * factor;
+  r.at(1, 2) = -kx;
+  r.at(2, 0) = -ky;
+  r.at(2, 1) = kx;
+  r.at(2, 2) = c;
+  return r;
+}
+
+// Turns the direction (x, y) to +y.
+Transform<Eye, World> roll_up(double x, double y) {
+  const double length = std::sqrt(x * x + y * y);
+  Transform<Eye, World> r;
+  r.at(0, 0) = y / length;
+  r.at(0, 1) = -(x / length);
+  r.at(1, 0) = x / length;
+  r.at(1, 1) = y / length;
+  return r;
+}
+
+}  // namespace
+
+Result<Transform<Eye, World>> look_at_axis_angle(const Point<World, double>& eye,
+                                                 const Point<World, double>& target,
+                                                 const WorldVector& up) {
+  const Result<WorldVector> gaze = gaze_towards(eye, target);
+  if (!gaze) return tl::unexpected(gaze.error());
+  const Result<Directions> directions = directions_of(eye, *gaze, up);
+  if (!directions) return tl::unexpected(directions.error());
+  const Transform<World, World> turn = gaze_to_minus_z(directions->gaze);
+  const WorldVector turned_up = turn * directions->up;
+  Transform<Eye, World> m = roll_up(turned_up.x, turned_up.y) * turn *
+                            translate<World>(WorldVector{-eye.x, -eye.y, -eye.z});
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 4; ++column) m.at(row, column) += 0.0;  // -0 becomes 0
+  }
+  return m;
+}
+
+}  // namespace glassbox

@@ -1,0 +1,28 @@
+// Directions of length 1, whatever the length they came with.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <glassbox/base/spaces.h>
+
+namespace glassbox {
+
+// v / |v|, each component within 3 u of its own size; nothing for a zero, infinite or NaN vector. The largest component
+// is first brought to [1/2, 1) by a power of two, so that no length overflows or underflows and v and 2^k v give the
+// same bytes. A vector along an axis gives exactly 0 and +-1.
+template <class Space>
+std::optional<Vector<Space, double>> unit(const Vector<Space, double>& v) {
+  if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) return std::nullopt;
+  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  if (largest == 0) return std::nullopt;
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  const Vector<Space, double> scaled{std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent),
+                                     std::ldexp(v.z, -exponent)};
+  const double length = std::sqrt(dot(scaled, scaled));
+  return Vector<Space, double>{scaled.x / length, scaled.y / length, scaled.z / length};
+}
+
+}  // namespace glassbox
