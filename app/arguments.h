@@ -1,0 +1,44 @@
+// Option values: vectors, sizes, colours, choices. A value that is not understood is refused by CLI11 with the text
+// given here.
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include <glassbox/images/image.h>
+
+namespace glassbox::app {
+
+struct Size {
+  int width = 1280;
+  int height = 720;
+};
+
+// "1.5,-2,0": exactly N finite numbers. Throws CLI::ValidationError, which names the option, otherwise.
+template <std::size_t N>
+std::array<double, N> parse_numbers(const std::string& option, const std::string& text);
+
+// "1280x720", each side 1 .. 16384.
+Size parse_size(const std::string& text);
+
+// "r,g,b", each in [0, 1]: the colour as displayed, so that 0.5 becomes byte 128.
+Rgba8 parse_background(const std::string& text);
+
+// A number that may be "inf".
+double parse_distance(const std::string& option, const std::string& text);
+
+// An option that takes one of the names of `choices`.
+template <class Enum>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, Enum& value,
+                        const std::map<std::string, Enum>& choices, const std::string& help) {
+  std::string names;
+  for (const auto& [choice, unused] : choices) names += (names.empty() ? "" : "|") + choice;
+  return app.add_option(name, value, help)
+      ->transform(CLI::CheckedTransformer(choices, CLI::ignore_case).description(""))
+      ->type_name(names);
+}
+
+}  // namespace glassbox::app

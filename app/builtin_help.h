@@ -1,0 +1,25 @@
+// The built-in scenes, as help texts list them.
+#pragma once
+
+#include <string>
+
+#include <fmt/format.h>
+
+#include <glassbox/mesh/builtin/scenes.h>
+
+namespace glassbox::app {
+
+inline std::string builtin_help() {
+  std::string text = "Built-in scenes:\n";
+  for (const BuiltinScene& scene : builtin_scenes()) {
+    text += fmt::format("  {:<14}{}", scene.name, scene.description);
+    if (scene.levels) {
+      text += fmt::format(" ({}:{} .. {}:{})", scene.name, scene.levels->low, scene.name,
+                          scene.levels->high);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace glassbox::app

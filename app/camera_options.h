@@ -1,0 +1,34 @@
+// Which way to look: the camera options of the command line, and the camera that they and the scene give.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include <glassbox/base/error.h>
+#include <glassbox/mesh/scene.h>
+
+namespace glassbox::app {
+
+struct CameraOptions {
+  std::optional<std::string> camera;  // name or index
+  std::optional<std::array<double, 3>> eye;
+  std::optional<std::array<double, 3>> look_at;
+  std::optional<std::array<double, 3>> up;
+  std::optional<double> fov_degrees;
+  std::optional<double> ortho_height;
+  std::optional<std::array<double, 4>> frustum;
+  std::optional<double> near;
+  std::optional<double> far;  // may be infinite
+};
+
+void add_camera_options(CLI::App& app, CameraOptions& options);
+
+// The pose: --camera, else --eye/--look-at/--up, else the scene's first camera, else automatic framing. The lens: that
+// camera's own or, with --fov, --ortho or --frustum, the one asked for. Near and far planes: as asked for, else the
+// camera's, else such that they enclose the scene.
+Result<Camera> choose_camera(const Scene& scene, const CameraOptions& options, double aspect);
+
+}  // namespace glassbox::app

@@ -1,0 +1,242 @@
+#include "app/info_command.h"
+
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "app/builtin_help.h"
+#include "app/exit_codes.h"
+#include "app/output.h"
+
+#include <glassbox/mesh/bounds.h>
+#include <glassbox/mesh/check.h>
+#include <glassbox/mesh/gltf/write.h>
+#include <glassbox/mesh/load.h>
+
+namespace glassbox::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class Space>
+Json bounds_json(const Box<Space>& box) {
+  if (box.empty()) return nullptr;
+  return {{"low", {box.low.x, box.low.y, box.low.z}},
+          {"high", {box.high.x, box.high.y, box.high.z}}};
+}
+
+template <class Space>
+std::string bounds_text(const Box<Space>& box) {
+  if (box.empty()) return "nothing";
+  return fmt::format("({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g})", box.low.x, box.low.y,
+                     box.low.z, box.high.x, box.high.y, box.high.z);
+}
+
+// A name from a file is shown on one line and cannot control the terminal.
+std::string printable(const std::string& name) {
+  std::string text;
+  for (const char c : name) text += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
+  return text;
+}
+
+std::string alpha_name(AlphaMode mode) {
+  switch (mode) {
+    case AlphaMode::kOpaque:
+      return "opaque";
+    case AlphaMode::kMask:
+      return "mask";
+    case AlphaMode::kBlend:
+      return "blend";
+  }
+  return "";
+}
+
+std::string lens_name(const Lens& lens) {
+  if (std::holds_alternative<OrthographicLens>(lens)) return "orthographic";
+  return std::holds_alternative<FrustumLens>(lens) ? "frustum" : "perspective";
+}
+
+// The findings about a mesh, one phrase each; none for a mesh without fault. Open edges are mentioned, but are no fault.
+std::vector<std::string> findings(const MeshReport& report) {
+  std::vector<std::string> found;
+  const auto count = [&](std::uint64_t n, const char* one, const char* many) {
+    if (n > 0) found.push_back(fmt::format("{} {}", n, n == 1 ? one : many));
+  };
+  count(report.open_edges, "open edge", "open edges");
+  count(report.non_manifold_edges, "edge with more than two faces",
+        "edges with more than two faces");
+  count(report.inconsistent_edges, "edge where the winding changes",
+        "edges where the winding changes");
+  count(report.pinched_vertices, "pinched vertex", "pinched vertices");
+  count(report.degenerate_faces, "face without area", "faces without area");
+  count(report.degenerate_triangles, "triangle without area", "triangles without area");
+  count(report.self_intersecting_faces, "face that crosses itself", "faces that cross themselves");
+  count(report.duplicate_faces, "duplicate face", "duplicate faces");
+  if (report.non_planar_faces > 0) {
+    found.push_back(fmt::format("{} bent faces (face {} by {:.3g})", report.non_planar_faces,
+                                report.worst_planarity_face, report.worst_planarity_deviation));
+  }
+  count(report.unused_positions, "unused vertex", "unused vertices");
+  return found;
+}
+
+Json mesh_json(const Mesh& mesh, const MeshReport& report) {
+  Json json{{"name", mesh.name},
+            {"material", mesh.material},
+            {"positions", report.positions},
+            {"vertices", report.vertices},
+            {"faces", report.faces},
+            {"triangles", report.triangles},
+            {"lines", report.lines},
+            {"points", report.points},
+            {"bounds", bounds_json(report.bounds)},
+            {"area", report.area},
+            {"edges", report.edges},
+            {"open_edges", report.open_edges},
+            {"non_manifold_edges", report.non_manifold_edges},
+            {"inconsistent_edges", report.inconsistent_edges},
+            {"pinched_vertices", report.pinched_vertices},
+            {"unused_vertices", report.unused_positions},
+            {"components", report.components},
+            {"euler_characteristic", report.euler_characteristic},
+            {"closed", report.closed}};
+  json["genus"] = report.genus ? Json(*report.genus) : Json(nullptr);
+  json["degenerate_faces"] = report.degenerate_faces;
+  json["degenerate_triangles"] = report.degenerate_triangles;
+  json["self_intersecting_faces"] = report.self_intersecting_faces;
+  json["duplicate_faces"] = report.duplicate_faces;
+  json["non_planar_faces"] = report.non_planar_faces;
+  json["worst_planarity_deviation"] = report.worst_planarity_deviation;
+  json["findings"] = findings(report);
+  return json;
+}
+
+struct Totals {
+  std::uint64_t triangles = 0, lines = 0, points = 0;  // after instancing, as drawn
+};
+
+Totals totals(const Scene& scene, const std::vector<MeshReport>& reports) {
+  Totals sum;
+  for (const Instance& instance : scene.instances) {
+    sum.triangles += reports[instance.mesh].triangles;
+    sum.lines += reports[instance.mesh].lines;
+    sum.points += reports[instance.mesh].points;
+  }
+  return sum;
+}
+
+Json scene_json(const Scene& scene, const std::vector<MeshReport>& reports) {
+  const Totals sum = totals(scene, reports);
+  Json json{{"scene", scene.name},
+            {"file", scene.file},
+            {"instances", scene.instances.size()},
+            {"nodes", scene.nodes.size()},
+            {"triangles", sum.triangles},
+            {"lines", sum.lines},
+            {"points", sum.points},
+            {"bounds", bounds_json(bounds(scene))}};
+  json["meshes"] = Json::array();
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    json["meshes"].push_back(mesh_json(scene.meshes[i], reports[i]));
+  }
+  json["materials"] = Json::array();
+  for (const Material& material : scene.materials) {
+    const Rgba& color = material.base_color;
+    json["materials"].push_back({{"name", material.name},
+                                 {"base_color", {color.r, color.g, color.b, color.a}},
+                                 {"textured", material.texture.has_value()},
+                                 {"alpha_mode", alpha_name(material.alpha_mode)},
+                                 {"double_sided", material.double_sided},
+                                 {"unlit", material.unlit}});
+  }
+  json["images"] = Json::array();
+  for (const Image<Rgba8>& image : scene.images) {
+    json["images"].push_back({{"width", image.width}, {"height", image.height}});
+  }
+  json["cameras"] = Json::array();
+  for (const Camera& camera : scene.cameras) {
+    json["cameras"].push_back({{"name", camera.name}, {"lens", lens_name(camera.lens)}});
+  }
+  json["lights"] = scene.lights.size();
+  json["extensions"] = scene.extensions;
+  json["warnings"] = scene.warnings;
+  return json;
+}
+
+void print_scene(const Scene& scene, const std::vector<MeshReport>& reports) {
+  const Totals sum = totals(scene, reports);
+  fmt::print("{}\n", printable(scene.file.empty() ? scene.name + " (built-in)" : scene.file));
+  fmt::print("  {} instances of {} meshes: {} triangles, {} lines, {} points as drawn\n",
+             scene.instances.size(), scene.meshes.size(), sum.triangles, sum.lines, sum.points);
+  fmt::print("  bounds {}\n", bounds_text(bounds(scene)));
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    const MeshReport& report = reports[i];
+    fmt::print(
+        "  mesh {} '{}': {} faces, {} vertices, {} edges, {} component{}, Euler characteristic {}, "
+        "{}\n",
+        i, printable(scene.meshes[i].name), report.faces, report.vertices, report.edges,
+        report.components, report.components == 1 ? "" : "s", report.euler_characteristic,
+        report.closed ? "closed" : "open");
+    for (const std::string& finding : findings(report)) fmt::print("    - {}\n", finding);
+  }
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    const Material& material = scene.materials[i];
+    fmt::print("  material {} '{}': {}{}{}{}\n", i, printable(material.name),
+               alpha_name(material.alpha_mode), material.texture ? ", textured" : "",
+               material.double_sided ? ", double-sided" : "", material.unlit ? ", unlit" : "");
+  }
+  for (std::size_t i = 0; i < scene.images.size(); ++i) {
+    fmt::print("  image {}: {} x {}\n", i, scene.images[i].width, scene.images[i].height);
+  }
+  for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
+    fmt::print("  camera {} '{}': {}\n", i, printable(scene.cameras[i].name),
+               lens_name(scene.cameras[i].lens));
+  }
+  if (!scene.lights.empty()) fmt::print("  {} lights\n", scene.lights.size());
+  if (!scene.extensions.empty())
+    fmt::print("  extensions: {}\n",
+               printable(fmt::format("{}", fmt::join(scene.extensions, ", "))));
+  for (const std::string& warning : scene.warnings)
+    fmt::print("  warning: {}\n", printable(warning));
+}
+
+}  // namespace
+
+void InfoCommand::add_to(CLI::App& app, int& exit_code) {
+  CLI::App& command = *app.add_subcommand("info", "what is in a scene, and what is wrong with it");
+  command.footer(
+      "Examples:\n"
+      "  glassbox info duck.glb\n"
+      "  glassbox info part.obj --json - | jq '.meshes[0].open_edges'\n"
+      "  glassbox info teapot --write teapot.glb\n\n" +
+      builtin_help());
+  command.add_option("SCENE", scene_, "a glTF, GLB or OBJ file, or the name of a built-in scene")
+      ->required();
+  command.add_option("--json", json_output_, "the same as JSON; - is standard output")
+      ->type_name("FILE|-");
+  command.add_option("--write", glb_output_, "write the scene as GLB")->type_name("FILE.glb");
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+int InfoCommand::run() {
+  const Result<Scene> scene = load_scene(scene_);
+  if (!scene) return refuse(scene.error());
+  std::vector<MeshReport> reports;
+  for (const Mesh& mesh : scene->meshes) reports.push_back(check(mesh));
+
+  if (glb_output_) {
+    if (const auto written = write_glb(*scene, *glb_output_); !written)
+      return refuse(written.error());
+  }
+  if (json_output_) {
+    const auto written = write_json(*json_output_, scene_json(*scene, reports));
+    if (!written) return refuse(written.error());
+  }
+  if (json_output_ != "-") print_scene(*scene, reports);
+  return kSuccess;
+}
+
+}  // namespace glassbox::app

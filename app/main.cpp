@@ -1,0 +1,55 @@
+// glassbox: a software rasterizer you can see through.
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "app/exit_codes.h"
+#include "app/info_command.h"
+#include "app/render_command.h"
+
+namespace glassbox::app {
+
+namespace {
+
+int run(int argc, char** argv) {
+  CLI::App app{"Glassbox: a software rasterizer you can see through.", "glassbox"};
+  app.set_version_flag("--version", std::string("glassbox ") + GLASSBOX_VERSION);
+  app.footer(
+      "Without a subcommand the built-in teapot is rendered to teapot.png.\n"
+      "glassbox SUBCOMMAND --help shows the options and examples.");
+
+  int exit_code = kSuccess;
+  RenderCommand render;
+  InfoCommand info;
+  render.add_to(app, exit_code);
+  info.add_to(app, exit_code);
+  app.require_subcommand(0, 1);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    // Help and version are no errors; anything else is bad usage, whatever code CLI11 has for it.
+    return app.exit(error) == 0 ? kSuccess : kBadInput;
+  }
+  if (app.get_subcommands().empty()) exit_code = render.run_first_time();
+  return exit_code;
+}
+
+}  // namespace
+
+}  // namespace glassbox::app
+
+int main(int argc, char** argv) {
+  try {
+    return glassbox::app::run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "glassbox: out of memory; render a smaller --size or a smaller scene\n");
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "glassbox: {}\n", error.what());
+  }
+  return glassbox::app::kFailure;
+}

@@ -1,0 +1,230 @@
+#include "app/render_command.h"
+
+#include <chrono>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "app/builtin_help.h"
+#include "app/exit_codes.h"
+#include "app/output.h"
+#include "app/stage_report.h"
+
+#include <glassbox/images/atomic_file.h>
+#include <glassbox/images/write.h>
+#include <glassbox/mesh/load.h>
+#include <glassbox/pipeline/view.h>
+#include <glassbox/render/staged.h>
+
+namespace glassbox::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+double elapsed_ms(Clock::time_point since) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - since).count();
+}
+
+// "models/duck.glb" -> "duck.png", beside where the user stands.
+std::string default_output(const std::string& scene) {
+  return std::filesystem::path(scene.substr(0, scene.find(':'))).stem().string() + ".png";
+}
+
+// Every integer up to 2^24 is a float; id 2^24 - 1 is the last whose successor is one as well.
+constexpr std::uint64_t kMaxIdTriangles = (1u << 24) - 1;
+
+std::uint64_t count_triangles(const Scene& scene) {
+  std::uint64_t count = 0;
+  for (const Instance& instance : scene.instances) {
+    for (const Face& face : scene.meshes[instance.mesh].faces)
+      count += face.count < 3 ? 0 : face.count - 2;
+  }
+  return count;
+}
+
+Result<void> write_ids(const std::string& path, const Image<std::uint32_t>& ids) {
+  Image<float> as_floats(ids.width, ids.height);
+  for (std::size_t i = 0; i < ids.pixels.size(); ++i) as_floats.pixels[i] = float(ids.pixels[i]);
+  return write_file(path, encode_pfm(as_floats));
+}
+
+Json camera_json(const Camera& camera, const View& view) {
+  Json matrix = Json::array();
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column)
+      matrix.push_back(camera.world_from_eye.at(row, column));
+  }
+  Json json{{"name", camera.name},
+            {"projection", view.perspective ? "perspective" : "parallel"},
+            {"near", view.near}};
+  json["far"] = std::isinf(view.far) ? Json("inf") : Json(view.far);
+  json["world_from_eye_rows"] = matrix;
+  return json;
+}
+
+constexpr const char* kNext =
+    "try next:\n"
+    "  glassbox render teapot --shade flat -o flat.png      one colour per face\n"
+    "  glassbox render forest --show depth -o depth.png     how far everything is\n"
+    "  glassbox render YOUR.glb --stats                     your own scene (glTF, GLB or OBJ)\n"
+    "  glassbox info YOUR.glb                               what is in it, and what is wrong with "
+    "it\n"
+    "  glassbox render --help                               cameras, shading, depth formats, "
+    "outputs\n";
+
+}  // namespace
+
+void RenderCommand::add_to(CLI::App& app, int& exit_code) {
+  CLI::App& command = *app.add_subcommand("render", "render a scene to an image");
+  command.footer(
+      "Examples:\n"
+      "  glassbox render duck.glb -o duck.png\n"
+      "  glassbox render teapot --eye 3,2,4 --look-at 0,0.5,0 --fov 30 --size 1920x1080\n"
+      "  glassbox render plan.obj --ortho 10 --shade flat --background 1,1,1\n"
+      "  glassbox render room --depth-out room.pfm --id-out ids.pfm --json -\n\n" +
+      builtin_help());
+  command.add_option("SCENE", scene_, "a glTF, GLB or OBJ file, or the name of a built-in scene")
+      ->required();
+  command.add_option("-o,--output", output_, "image file, .png or .ppm [SCENE.png]")
+      ->type_name("FILE");
+  command
+      .add_option_function<std::string>(
+          "--size", [this](const std::string& text) { size_ = parse_size(text); },
+          "image size in pixels [1280x720]")
+      ->type_name("WxH");
+  add_camera_options(command, camera_);
+
+  const std::string picture = "Picture";
+  add_choice(command, "--shade", settings_.shading,
+             {{"unlit", Shading::kUnlit},
+              {"flat", Shading::kFlat},
+              {"gouraud", Shading::kGouraud},
+              {"phong", Shading::kPhong}},
+             "where lighting is computed [phong]")
+      ->group(picture);
+  add_choice(command, "--show", settings_.show,
+             {{"depth", Show::kDepth},
+              {"normal", Show::kNormal},
+              {"uv", Show::kUv},
+              {"id", Show::kId},
+              {"overdraw", Show::kOverdraw}},
+             "a quantity in place of the colours")
+      ->group(picture);
+  add_choice(command, "--cull", settings_.cull,
+             {{"back", Cull::kBack}, {"front", Cull::kFront}, {"none", Cull::kNone}},
+             "faces to leave out [as each material says]")
+      ->group(picture);
+  command.add_flag("--wireframe", settings_.wireframe, "the edges of triangles only")
+      ->group(picture);
+  command
+      .add_option_function<std::string>(
+          "--background",
+          [this](const std::string& text) { settings_.background = parse_background(text); },
+          "background as displayed, each 0 .. 1 [0.1,0.12,0.15]")
+      ->type_name("R,G,B")
+      ->group(picture);
+  add_choice(command, "--transfer", settings_.transfer,
+             {{"srgb", Transfer::kSrgb}, {"none", Transfer::kNone}},
+             "encoding of stored colours [srgb]")
+      ->group(picture);
+  add_choice(command, "--depth", settings_.depth,
+             {{"d32", DepthFormat::kFloat32},
+              {"d32r", DepthFormat::kFloat32Reversed},
+              {"d24", DepthFormat::kUnorm24},
+              {"d16", DepthFormat::kUnorm16}},
+             "depth buffer format; d32r is reversed [d32]")
+      ->group(picture);
+
+  const std::string outputs = "Other outputs";
+  command
+      .add_option("--depth-out", depth_output_,
+                  "distance along the gaze, +inf where nothing was drawn")
+      ->type_name("FILE.pfm")
+      ->group(outputs);
+  command.add_option("--id-out", id_output_, "1 + the number of the triangle seen, 0 for none")
+      ->type_name("FILE.pfm")
+      ->group(outputs);
+  command.add_flag("--stats", stats_, "print what every stage did")->group(outputs);
+  command
+      .add_option("--json", json_output_, "camera, counts and times as JSON; - is standard output")
+      ->type_name("FILE|-")
+      ->group(outputs);
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+int RenderCommand::run_first_time() {
+  stats_ = true;
+  first_time_ = true;
+  return run();
+}
+
+int RenderCommand::run() {
+  const Clock::time_point start = Clock::now();
+  const std::string output = output_.empty() ? default_output(scene_) : output_;
+  if (const auto legal = check_image_path(output); !legal) return refuse(legal.error());
+
+  const Result<Scene> scene = load_scene(scene_, limits_);
+  if (!scene) return refuse(scene.error());
+  for (const std::string& warning : scene->warnings) {
+    fmt::print(stderr, "glassbox: warning: {}\n", warning);
+  }
+  const double load_ms = elapsed_ms(start);
+
+  const Result<Camera> camera =
+      choose_camera(*scene, camera_, double(size_.width) / double(size_.height));
+  if (!camera) return refuse(camera.error());
+  const DepthRange range = settings_.depth == DepthFormat::kFloat32Reversed ? DepthRange::kReversed
+                                                                            : DepthRange::kStandard;
+  const Result<View> view = make_view(*camera, size_.width, size_.height, range);
+  if (!view) return refuse(view.error());
+
+  if (id_output_ && count_triangles(*scene) > kMaxIdTriangles) {
+    return refuse({scene_, "--id-out",
+                   fmt::format("the scene has {} triangles, and floats are exact only up to {}",
+                               count_triangles(*scene), kMaxIdTriangles + 1),
+                   "leave --id-out out, or split the scene"});
+  }
+
+  settings_.want_distance = depth_output_.has_value();
+  settings_.want_id = id_output_.has_value();
+  const Rendering rendering = render_staged(*scene, *view, settings_);
+  if (const auto written = write_image(output, rendering.buffers.color); !written)
+    return refuse(written.error());
+  if (depth_output_) {
+    const auto written = write_file(*depth_output_, encode_pfm(rendering.buffers.distance));
+    if (!written) return refuse(written.error());
+  }
+  if (id_output_) {
+    const auto written = write_ids(*id_output_, rendering.buffers.id);
+    if (!written) return refuse(written.error());
+  }
+  const double total_ms = elapsed_ms(start);
+
+  if (json_output_) {
+    Json json{{"scene", scene_},
+              {"image", output},
+              {"width", size_.width},
+              {"height", size_.height},
+              {"camera", camera_json(*camera, *view)},
+              {"stages", to_json(rendering.statistics)},
+              {"load_ms", load_ms},
+              {"total_ms", total_ms}};
+    if (const auto written = write_json(*json_output_, json); !written)
+      return refuse(written.error());
+  }
+  if (json_output_ == "-") return kSuccess;
+  if (stats_) {
+    fmt::print("{}\n", stage_table(rendering.statistics));
+    fmt::print("  {:<26}{:>12.1f} ms\n", "loading the scene", load_ms);
+    fmt::print("  {:<26}{:>12.1f} ms\n\n", "everything", total_ms);
+  }
+  fmt::print("{} ({} x {}): {} triangles, {:.0f} ms\n", output, size_.width, size_.height,
+             rendering.statistics.triangles, total_ms);
+  if (first_time_) fmt::print("\n{}", kNext);
+  return kSuccess;
+}
+
+}  // namespace glassbox::app

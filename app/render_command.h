@@ -1,0 +1,41 @@
+// glassbox render SCENE: a picture, and the other planes of the framebuffer if asked for.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "app/arguments.h"
+#include "app/camera_options.h"
+
+#include <glassbox/mesh/limits.h>
+#include <glassbox/render/settings.h>
+
+namespace glassbox::app {
+
+class RenderCommand {
+public:
+  // Adds the subcommand; when it is chosen, `exit_code` gets its result.
+  void add_to(CLI::App& app, int& exit_code);
+
+  // What the bare program does: the teapot, its stages, and what to try next.
+  int run_first_time();
+
+private:
+  int run();
+
+  std::string scene_ = "teapot";
+  std::string output_;  // empty: named after the scene
+  Size size_;
+  CameraOptions camera_;
+  RenderSettings settings_;
+  LoadLimits limits_;
+  std::optional<std::string> depth_output_;
+  std::optional<std::string> id_output_;
+  std::optional<std::string> json_output_;
+  bool stats_ = false;
+  bool first_time_ = false;
+};
+
+}  // namespace glassbox::app

@@ -1,0 +1,83 @@
+#include "app/stage_report.h"
+
+#include <fmt/format.h>
+
+namespace glassbox::app {
+
+namespace {
+
+// 1234567 -> "1,234,567".
+std::string grouped(std::uint64_t n) {
+  std::string digits = std::to_string(n);
+  for (int i = int(digits.size()) - 3; i > 0; i -= 3) digits.insert(std::size_t(i), ",");
+  return digits;
+}
+
+std::string row(const std::string& stage, std::uint64_t in, std::uint64_t out,
+                const std::string& notes) {
+  return fmt::format("  {:<26}{:>12} {:>12}   {}\n", stage, grouped(in), grouped(out), notes);
+}
+
+std::string time_row(const std::string& stage, double ms) {
+  return fmt::format("  {:<26}{:>12.1f} ms\n", stage, ms);
+}
+
+}  // namespace
+
+std::string stage_table(const Statistics& s) {
+  const std::uint64_t drawable = s.triangles - s.degenerate;
+  std::string text = fmt::format("  {:<26}{:>12} {:>12}\n", "stage", "in", "out");
+  text += row("triangles of the mesh", s.triangles, drawable,
+              s.degenerate ? grouped(s.degenerate) + " without area" : "");
+  text += row("object -> clip space", s.vertices, s.vertices, "vertices");
+  std::string clipping = grouped(s.rejected + s.clipped_away) + " outside";
+  if (s.clipped > 0) clipping += ", " + grouped(s.clipped) + " cut";
+  text += row("clip", drawable, s.after_clipping, clipping);
+  text += row("divide, viewport, snap", s.after_clipping, s.after_clipping - s.zero_area,
+              grouped(s.zero_area) + " without area on the screen");
+  text += row("back-face cull", s.after_clipping - s.zero_area, s.set_up,
+              grouped(s.culled) + " turned away");
+  if (s.lines + s.points > 0) {
+    text += row("lines and points", s.lines + s.points, s.lines + s.points, "");
+  }
+  text += row("coverage", s.set_up, s.covered, "triangles in, fragments out");
+  text +=
+      row("depth test", s.covered, s.covered - s.depth_failed, grouped(s.depth_failed) + " behind");
+  text += row("texture, light, alpha mask", s.covered - s.depth_failed, s.written,
+              s.discarded ? grouped(s.discarded) + " transparent" : "");
+  text += row("write", s.written, s.written, s.blended ? grouped(s.blended) + " blended" : "");
+  text += "\n";
+  text += time_row("prepare", s.prepare_ms);
+  text += time_row("vertices", s.vertex_ms);
+  text += time_row("triangles", s.triangle_ms);
+  text += time_row("fragments", s.fragment_ms);
+  return text;
+}
+
+nlohmann::ordered_json to_json(const Statistics& s) {
+  return {{"instances", s.instances},
+          {"vertices", s.vertices},
+          {"triangles", s.triangles},
+          {"degenerate", s.degenerate},
+          {"lines", s.lines},
+          {"points", s.points},
+          {"rejected", s.rejected},
+          {"clipped_away", s.clipped_away},
+          {"clipped", s.clipped},
+          {"after_clipping", s.after_clipping},
+          {"zero_area", s.zero_area},
+          {"culled", s.culled},
+          {"set_up", s.set_up},
+          {"covered", s.covered},
+          {"depth_failed", s.depth_failed},
+          {"discarded", s.discarded},
+          {"written", s.written},
+          {"blended", s.blended},
+          {"ms",
+           {{"prepare", s.prepare_ms},
+            {"vertices", s.vertex_ms},
+            {"triangles", s.triangle_ms},
+            {"fragments", s.fragment_ms}}}};
+}
+
+}  // namespace glassbox::app

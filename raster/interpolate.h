@@ -1,0 +1,92 @@
+// Depth and attributes at a pixel centre, from the integer edge functions there.
+//
+// With E_k the edge functions and A their sum, exact integers, `fl` the rounding to float, and every operation rounded:
+//
+//   lambda_k   = fl(E_k) * fl(1 / fl(A))
+//   depth      = d0 + (lambda_1 (d1 - d0) + lambda_2 (d2 - d0))
+//   q          = (lambda_0 / w0 + lambda_1 / w1) + lambda_2 / w2            (the 1/w_k are inputs)
+//   weight_k   = (lambda_k / w_k) * (1 / q)
+//   attribute  = a0 + (weight_1 (a1 - a0) + weight_2 (a2 - a0))
+//
+// Nothing depends on where the walk over the pixels began, so every way of walking gives the same bits.
+//   - Each lambda has a relative error of at most 4u (u = 2^-24), also in the far corner of a sliver.
+//   - Vertex 0 is the one of smallest depth: the differences and their sum are non-negative, so depth has a relative
+//     error of a few u, which a reversed depth range needs near 0; and a flat triangle has exactly its own depth.
+//   - q is a sum of positive numbers: no cancellation however different the w are (C-66).
+//   - An attribute that is equal at the three vertices is exactly that everywhere.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include <glassbox/pipeline/stages.h>
+#include <glassbox/raster/line.h>
+#include <glassbox/raster/stages.h>
+
+namespace glassbox {
+
+// The common part: a fragment from its screen-space weights.
+inline Fragment fragment_from(const std::array<float, 3>& lambda, const std::array<float, 3>& depth,
+                              const std::array<float, 3>& inverse_w, bool affine) {
+  Fragment fragment;
+  fragment.lambda = lambda;
+  const auto& [d0, d1, d2] = depth;
+  fragment.depth = d0 + (lambda[1] * (d1 - d0) + lambda[2] * (d2 - d0));
+  if (affine) {
+    fragment.inverse_w = inverse_w[0];
+    fragment.weights = lambda;
+    return fragment;
+  }
+  const std::array<float, 3> share{lambda[0] * inverse_w[0], lambda[1] * inverse_w[1],
+                                   lambda[2] * inverse_w[2]};
+  fragment.inverse_w = share[0] + share[1] + share[2];
+  const float w = 1.0f / fragment.inverse_w;
+  for (std::size_t k = 0; k < 3; ++k) fragment.weights[k] = share[k] * w;
+  return fragment;
+}
+
+inline Fragment interpolate(const TriangleSetup& triangle, const Coverage& pixel) {
+  std::array<float, 3> lambda;
+  for (std::size_t k = 0; k < 3; ++k) lambda[k] = float(pixel.edges[k]) * triangle.inverse_area;
+  Fragment fragment = fragment_from(lambda, triangle.depth, triangle.inverse_w, triangle.affine);
+  fragment.x = pixel.x;
+  fragment.y = pixel.y;
+  return fragment;
+}
+
+// A line is a triangle whose third vertex has no weight.
+inline Fragment interpolate(const std::array<ScreenVertex, 2>& ends, const LinePixel& pixel) {
+  const float share = 1.0f / float(pixel.steps);
+  const std::array<float, 3> lambda{float(pixel.steps - pixel.step) * share,
+                                    float(pixel.step) * share, 0.0f};
+  const float z0 = ends[0].position.z;
+  const float w0 = ends[0].inverse_w;
+  Fragment fragment = fragment_from(lambda, {z0, ends[1].position.z, z0},
+                                    {w0, ends[1].inverse_w, w0}, w0 == ends[1].inverse_w);
+  fragment.x = pixel.x;
+  fragment.y = pixel.y;
+  return fragment;
+}
+
+template <std::size_t N>
+std::array<float, N> interpolate(const std::array<float, N>& a0, const std::array<float, N>& a1,
+                                 const std::array<float, N>& a2,
+                                 const std::array<float, 3>& weights) {
+  std::array<float, N> a;
+  for (std::size_t i = 0; i < N; ++i) {
+    a[i] = a0[i] + (weights[1] * (a1[i] - a0[i]) + weights[2] * (a2[i] - a0[i]));
+  }
+  return a;
+}
+
+// The varyings of the three vertices are in the order of the setup (TriangleSetup::order).
+inline Varyings interpolate(const std::array<Varyings, 3>& v, const std::array<float, 3>& weights) {
+  return {interpolate(v[0].normal, v[1].normal, v[2].normal, weights),
+          interpolate(v[0].position, v[1].position, v[2].position, weights),
+          interpolate(v[0].diffuse, v[1].diffuse, v[2].diffuse, weights),
+          interpolate(v[0].specular, v[1].specular, v[2].specular, weights),
+          interpolate(v[0].color, v[1].color, v[2].color, weights),
+          interpolate(v[0].texcoord, v[1].texcoord, v[2].texcoord, weights)};
+}
+
+}  // namespace glassbox

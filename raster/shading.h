@@ -1,0 +1,50 @@
+// Light on surfaces, in eye space and linear light. For each light with incoming light E along the unit vector l
+// (pointing at the light), unit normal n, unit vector v at the viewer, h = (l + v) / |l + v| (Blinn 1977):
+//
+//   diffuse  = ambient + sum E max(0, n . l)
+//   specular = sum E max(0, n . h)^shininess          where n . l > 0
+//   colour   = base_color * diffuse + material.specular * specular
+//
+// E is the light's colour times its intensity over pi, so that a white matte surface facing a directional light of pi
+// lux is exactly white; point and spot lights fall off with the square of the distance (KHR_lights_punctual).
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <glassbox/base/spaces.h>
+#include <glassbox/mesh/scene.h>
+#include <glassbox/pipeline/view.h>
+
+namespace glassbox {
+
+struct EyeLight {
+  LightKind kind = LightKind::kDirectional;
+  std::array<float, 3> radiance{};  // colour * intensity / pi
+  Vector<Eye> towards;              // unit vector against the light's travel; directional, spot
+  Point<Eye> position;              // point, spot
+  float inverse_range = 0;          // 0: no limit
+  float cone_scale = 0;             // spot: clamp(cosine * scale + offset, 0, 1)^2
+  float cone_offset = 0;
+};
+
+struct Lighting {
+  std::vector<EyeLight> lights;
+  float ambient = 0.1f;     // the same from everywhere
+  bool perspective = true;  // otherwise the viewer stands infinitely far along +z
+};
+
+struct Reflection {
+  std::array<float, 3> diffuse{};
+  std::array<float, 3> specular{};
+};
+
+// The scene's lights as the view sees them. A scene without any gets a headlight: directional, 0.9 pi lux, from behind
+// the viewer's right shoulder, along (1, 1, 2) in eye space.
+Lighting light_scene(const Scene& scene, const View& view);
+
+// `normal` need not be of unit length; a zero normal receives only the ambient light.
+Reflection illuminate(const Lighting& lighting, const std::array<float, 3>& position_eye,
+                      const std::array<float, 3>& normal_eye, int shininess);
+
+}  // namespace glassbox

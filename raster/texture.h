@@ -1,0 +1,51 @@
+// Images on surfaces: mip chains, and samples from them.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <glassbox/images/image.h>
+#include <glassbox/mesh/scene.h>
+#include <glassbox/raster/stages.h>
+#include <glassbox/raster/transfer.h>
+
+namespace glassbox {
+
+// An image and its halvings down to one texel: level k is max(1, size >> k) on each side.
+struct MipChain {
+  std::vector<Image<Rgba8>> levels;
+};
+
+// Each texel is the mean of the texels it covers, in linear light, re-encoded. `levels` stops after the first when
+// the sampler never looks at the others.
+MipChain make_mip_chain(const Image<Rgba8>& image, Transfer transfer, bool first_level_only);
+
+// How fast texture coordinates change from pixel to pixel: the derivatives of (u, v) along screen x and y, per pixel.
+struct TextureGradient {
+  std::array<float, 2> along_x{};
+  std::array<float, 2> along_y{};
+};
+
+// The plane equations of 1/w, u/w and v/w over the screen, from which the derivatives at a pixel follow analytically
+// (Heckbert and Moreton 1991). Coordinates are taken relative to vertex 0, so large ones lose nothing (C-67).
+struct TexturePlanes {
+  std::array<float, 2> origin{};               // texcoord of vertex 0
+  std::array<std::array<float, 2>, 2> over_w;  // [axis][u, v]: d((u - u0)/w)
+  std::array<float, 2> inverse_w{};            // [axis]: d(1/w)
+};
+
+TexturePlanes texture_planes(const TriangleSetup& triangle,
+                             const std::array<std::array<float, 2>, 3>& texcoords);
+
+TextureGradient texture_gradient(const TexturePlanes& planes, const std::array<float, 2>& texcoord,
+                                 float inverse_w);
+
+// log2 of the longer side of a pixel's footprint, in texels of level 0; at most 0 where the texture is magnified.
+float level_of_detail(const TextureGradient& gradient, int width, int height);
+
+// One filtered sample, in linear light. Coordinates are wrapped before they are scaled. Anything finite or not is
+// legal; a coordinate that is not finite counts as 0.
+Rgba sample(const MipChain& texture, const Sampler& sampler, const std::array<float, 2>& texcoord,
+            float level_of_detail, Transfer transfer);
+
+}  // namespace glassbox

@@ -1,0 +1,20 @@
+// Three snapped vertices become three edge functions (Pineda 1988).
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include <glassbox/pipeline/stages.h>
+#include <glassbox/raster/stages.h>
+
+namespace glassbox {
+
+// The pixels whose centres lie in the box of the three points.
+PixelRect pixels_in_box(const std::array<SnappedVertex, 3>& vertices);
+
+PixelRect intersect(const PixelRect& a, const PixelRect& b);
+
+// Nothing for a triangle whose area is zero after snapping: it covers no pixel.
+std::optional<TriangleSetup> setup_triangle(const std::array<ScreenVertex, 3>& vertices);
+
+}  // namespace glassbox

@@ -1,0 +1,51 @@
+// The scene made ready for one view: what is drawn, in which order, with which matrices.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glassbox/mesh/scene.h>
+#include <glassbox/mesh/triangulate.h>
+#include <glassbox/pipeline/normal_transform.h>
+#include <glassbox/pipeline/view.h>
+#include <glassbox/raster/shading.h>
+#include <glassbox/raster/texture.h>
+#include <glassbox/render/settings.h>
+
+namespace glassbox {
+
+// One instance of a mesh. Pointers lead into the scene and the draw list, which must outlive it.
+struct Draw {
+  const Mesh* mesh = nullptr;
+  const Material* material = nullptr;
+  const MipChain* texture = nullptr;  // null: none
+  const Sampler* sampler = nullptr;
+  const Triangulation* triangulation = nullptr;
+  std::uint32_t instance = 0;
+  std::uint32_t first_number = 0;  // of its first triangle, in the whole scene
+
+  // Positions are taken relative to the anchor, a point near the mesh (see anchor_for), so that meshes modelled far
+  // from their origin do not shake.
+  Vector<Object> anchor;
+  Transform<Clip, Object, float> clip_from_anchored;
+  Transform<Eye, Object, float> eye_from_anchored;
+  NormalTransform<Eye, Object> eye_normal_from_object;
+  bool mirrored = false;  // the determinant is negative: front faces run clockwise
+};
+
+struct DrawList {
+  std::vector<Triangulation> triangulations;  // by mesh
+  std::vector<MipChain> textures;             // by texture
+  std::vector<Draw> draws;  // opaque and masked in file order, then blended far to near
+  Lighting lighting;
+  std::uint32_t triangle_count = 0;  // numbers given out
+};
+
+DrawList make_draw_list(const Scene& scene, const View& view, const RenderSettings& settings);
+
+// A mesh whose box lies further from its origin than eight times its size is carried relative to a point near the box,
+// per axis: subtracting it from a float position there is exact, and what is left is small. Otherwise zero, and the
+// subtraction changes nothing.
+Vector<Object> anchor_for(const Mesh& mesh);
+
+}  // namespace glassbox

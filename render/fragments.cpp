@@ -1,0 +1,179 @@
+#include <glassbox/render/fragments.h>
+
+#include <cmath>
+
+#include <glassbox/raster/blend.h>
+#include <glassbox/raster/coverage.h>
+#include <glassbox/raster/depth.h>
+#include <glassbox/raster/interpolate.h>
+#include <glassbox/raster/line.h>
+#include <glassbox/raster/point.h>
+#include <glassbox/raster/snap.h>
+
+namespace glassbox {
+
+namespace {
+
+PixelRect window_of(const Framebuffer& target) {
+  return {0, 0, target.color.width, target.color.height};
+}
+
+// ---- colour ----
+
+bool has_normal(const std::array<float, 3>& n) {
+  return n[0] != 0 || n[1] != 0 || n[2] != 0;
+}
+
+// Base colour: material times vertex colour times texture.
+Rgba surface_color(const FragmentStage& stage, const Varyings& at, float detail) {
+  const Rgba& base = stage.draw.material->base_color;
+  Rgba color{base.r * at.color[0], base.g * at.color[1], base.b * at.color[2],
+             base.a * at.color[3]};
+  if (stage.draw.texture != nullptr) {
+    const Rgba texel = sample(*stage.draw.texture, *stage.draw.sampler, at.texcoord, detail,
+                              stage.settings.transfer);
+    color = {color.r * texel.r, color.g * texel.g, color.b * texel.b, color.a * texel.a};
+  }
+  return color;
+}
+
+Rgba lit(const FragmentStage& stage, const Rgba& base, const Varyings& at) {
+  const Material& material = *stage.draw.material;
+  // Lines and points without normals shine by themselves (glTF 2.0, 3.7.2.1).
+  if (!needs_normals(stage.draw, stage.settings) || !has_normal(at.normal)) return base;
+  const Reflection light =
+      stage.settings.shading == Shading::kPhong
+          ? illuminate(stage.lighting, at.position, at.normal, material.shininess)
+          : Reflection{at.diffuse, at.specular};
+  return {base.r * light.diffuse[0] + material.specular[0] * light.specular[0],
+          base.g * light.diffuse[1] + material.specular[1] * light.specular[1],
+          base.b * light.diffuse[2] + material.specular[2] * light.specular[2], base.a};
+}
+
+// A direction as a colour: each component from [-1, 1] to [0, 255].
+Rgba8 picture_of_normal(const std::array<float, 3>& n) {
+  const float squared = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+  const float scale = squared > 0.0f ? 0.5f / std::sqrt(squared) : 0.0f;
+  return {encode_unorm8(n[0] * scale + 0.5f), encode_unorm8(n[1] * scale + 0.5f),
+          encode_unorm8(n[2] * scale + 0.5f), 255};
+}
+
+// Texture coordinates modulo 1 as red and green.
+Rgba8 picture_of_texcoord(const std::array<float, 2>& t) {
+  return {encode_unorm8(t[0] - std::floor(t[0])), encode_unorm8(t[1] - std::floor(t[1])), 0, 255};
+}
+
+// ---- one fragment ----
+
+// Along the gaze, in world units: w itself for a perspective view; for a parallel one, between its planes.
+float distance_along_gaze(const View& view, const Fragment& fragment) {
+  if (view.perspective) return 1.0f / fragment.inverse_w;
+  const double from_near = view.depth_range == DepthRange::kReversed ? 1.0 - double(fragment.depth)
+                                                                     : double(fragment.depth);
+  return float(view.near + from_near * (view.far - view.near));
+}
+
+void write(const FragmentStage& stage, const Fragment& fragment, std::uint32_t code,
+           std::uint32_t id, const Rgba8& color, bool writes_depth) {
+  Framebuffer& target = stage.target;
+  const std::size_t pixel = target.color.index(fragment.x, fragment.y);
+  write_masked(stage.settings.mask, color, target.color.pixels[pixel]);
+  if (writes_depth) target.depth.pixels[pixel] = code;
+  if (!target.distance.pixels.empty()) {
+    target.distance.pixels[pixel] = distance_along_gaze(stage.view, fragment);
+  }
+  if (!target.id.pixels.empty()) target.id.pixels[pixel] = id;
+  if (!target.writes.pixels.empty()) ++target.writes.pixels[pixel];
+  ++stage.statistics.written;
+}
+
+// The fate of a covered pixel. `attributes` is asked for the varyings, `detail` for the level of detail, only if they
+// are needed.
+template <class Attributes, class Detail>
+void process(const FragmentStage& stage, const Fragment& fragment, std::uint32_t id,
+             const Attributes& attributes, const Detail& detail) {
+  ++stage.statistics.covered;
+  const std::size_t pixel = stage.target.color.index(fragment.x, fragment.y);
+  const std::uint32_t code = depth_code(stage.settings.depth, fragment.depth);
+  if (!in_front(code, stage.target.depth.pixels[pixel])) {
+    ++stage.statistics.depth_failed;
+    return;
+  }
+
+  const Material& material = *stage.draw.material;
+  const Varyings at = attributes();
+  const Rgba base = surface_color(stage, at, detail(at));
+  if (material.alpha_mode == AlphaMode::kMask && !(base.a >= material.alpha_cutoff)) {
+    ++stage.statistics.discarded;
+    return;
+  }
+  if (stage.settings.show == Show::kNormal) {
+    return write(stage, fragment, code, id, picture_of_normal(at.normal), true);
+  }
+  if (stage.settings.show == Show::kUv) {
+    return write(stage, fragment, code, id, picture_of_texcoord(at.texcoord), true);
+  }
+  Rgba color = lit(stage, base, at);
+  if (material.alpha_mode == AlphaMode::kBlend) {
+    ++stage.statistics.blended;
+    const Rgba8& stored = stage.target.color.pixels[pixel];
+    return write(stage, fragment, code, id, blend_over(stage.settings.transfer, color, stored),
+                 false);
+  }
+  color.a = 1.0f;
+  write(stage, fragment, code, id, encode(stage.settings.transfer, color), true);
+}
+
+}  // namespace
+
+void rasterise(const FragmentStage& stage, const ReadyTriangle& triangle) {
+  TexturePlanes planes;
+  if (stage.draw.texture != nullptr) {
+    planes = texture_planes(triangle.setup,
+                            {triangle.vertices[0].texcoord, triangle.vertices[1].texcoord,
+                             triangle.vertices[2].texcoord});
+  }
+  for_each_covered(triangle.setup, window_of(stage.target), [&](const Coverage& pixel) {
+    const Fragment fragment = interpolate(triangle.setup, pixel);
+    process(
+        stage, fragment, triangle.number + 1,
+        [&] { return interpolate(triangle.vertices, fragment.weights); },
+        [&](const Varyings& at) {
+          if (stage.draw.texture == nullptr) return 0.0f;
+          const Image<Rgba8>& image = stage.draw.texture->levels.front();
+          return level_of_detail(texture_gradient(planes, at.texcoord, fragment.inverse_w),
+                                 image.width, image.height);
+        });
+  });
+}
+
+void rasterise(const FragmentStage& stage, const ReadyLine& line) {
+  const auto no_detail = [](const Varyings&) { return 0.0f; };
+  for_each_line_pixel(
+      snap(line.ends[0]), snap(line.ends[1]), window_of(stage.target), [&](const LinePixel& pixel) {
+        const Fragment fragment = interpolate(line.ends, pixel);
+        process(
+            stage, fragment, line.id,
+            [&] {
+              return interpolate({line.vertices[0], line.vertices[1], line.vertices[0]},
+                                 fragment.weights);
+            },
+            no_detail);
+      });
+}
+
+void rasterise(const FragmentStage& stage, const ReadyPoint& point) {
+  const PointPixel pixel = point_pixel(snap(point.position));
+  const PixelRect window = window_of(stage.target);
+  if (pixel.x < window.x0 || pixel.x >= window.x1 || pixel.y < window.y0 || pixel.y >= window.y1)
+    return;
+  Fragment fragment;
+  fragment.x = pixel.x;
+  fragment.y = pixel.y;
+  fragment.depth = point.position.position.z;
+  fragment.inverse_w = point.position.inverse_w;
+  process(
+      stage, fragment, 0, [&] { return point.vertex; }, [](const Varyings&) { return 0.0f; });
+}
+
+}  // namespace glassbox

@@ -1,0 +1,26 @@
+// Primitives become fragments, and fragments become pixels: coverage, depth test, texture, light, alpha, blend.
+#pragma once
+
+#include <vector>
+
+#include <glassbox/render/draw_list.h>
+#include <glassbox/render/framebuffer.h>
+#include <glassbox/render/primitives.h>
+#include <glassbox/render/statistics.h>
+
+namespace glassbox {
+
+struct FragmentStage {
+  const Draw& draw;
+  const View& view;
+  const RenderSettings& settings;
+  const Lighting& lighting;
+  Framebuffer& target;
+  Statistics& statistics;
+};
+
+void rasterise(const FragmentStage& stage, const ReadyTriangle& triangle);
+void rasterise(const FragmentStage& stage, const ReadyLine& line);
+void rasterise(const FragmentStage& stage, const ReadyPoint& point);
+
+}  // namespace glassbox

@@ -1,0 +1,35 @@
+// What a run writes into. Planes that nobody asked for stay empty.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include <glassbox/images/image.h>
+#include <glassbox/raster/depth.h>
+#include <glassbox/render/settings.h>
+
+namespace glassbox {
+
+struct Framebuffer {
+  Image<Rgba8> color;          // bytes as stored in files
+  Image<std::uint32_t> depth;  // depth_code()
+  Image<float> distance;       // along the gaze, world units; +inf where nothing was drawn
+  Image<std::uint32_t> id;  // 1 + the triangle's number in the scene; 0 where no triangle is seen
+  Image<std::uint32_t> writes;  // how many fragments were written (for Show::kOverdraw)
+};
+
+inline Framebuffer cleared_framebuffer(int width, int height, const RenderSettings& settings) {
+  Framebuffer buffer;
+  buffer.color = Image<Rgba8>(width, height, settings.background);
+  buffer.depth = Image<std::uint32_t>(width, height, kEmptyDepth);
+  if (settings.want_distance || settings.show == Show::kDepth) {
+    buffer.distance = Image<float>(width, height, std::numeric_limits<float>::infinity());
+  }
+  if (settings.want_id || settings.show == Show::kId) {
+    buffer.id = Image<std::uint32_t>(width, height, 0);
+  }
+  if (settings.show == Show::kOverdraw) buffer.writes = Image<std::uint32_t>(width, height, 0);
+  return buffer;
+}
+
+}  // namespace glassbox

@@ -1,0 +1,238 @@
+#include <glassbox/render/primitives.h>
+
+#include <cstddef>
+#include <optional>
+
+#include <glassbox/pipeline/divide.h>
+#include <glassbox/pipeline/viewport.h>
+#include <glassbox/raster/interpolate.h>
+#include <glassbox/raster/snap.h>
+#include <glassbox/raster/triangle_setup.h>
+
+namespace glassbox {
+
+namespace {
+
+std::array<float, 3> components(const Point<Eye>& p) {
+  return {p.x, p.y, p.z};
+}
+std::array<float, 3> components(const Normal<Eye>& n) {
+  return {n.x, n.y, n.z};
+}
+std::array<float, 3> negated(const std::array<float, 3>& v) {
+  return {-v[0], -v[1], -v[2]};
+}
+
+ScreenVertex to_screen(const PrimitiveStage& stage, const ClipVertex& vertex) {
+  return to_screen(divide(vertex), stage.view.viewport);
+}
+
+// ---- facing ----
+
+// Whether a triangle that shows its front or its back is thrown away.
+bool is_culled(const PrimitiveStage& stage, bool front) {
+  switch (stage.settings.cull) {
+    case Cull::kMaterial:
+      return !front && !stage.draw.material->double_sided;
+    case Cull::kBack:
+      return !front;
+    case Cull::kFront:
+      return front;
+    case Cull::kNone:
+      return false;
+  }
+  return false;
+}
+
+// Counter-clockwise in the world is counter-clockwise on the screen: the eye sees what a person there would see. A
+// mirroring model matrix turns the winding round, and the outside with it.
+bool shows_front(const PrimitiveStage& stage, const TriangleSetup& setup) {
+  return setup.clockwise == stage.draw.mirrored;
+}
+
+// ---- attributes ----
+
+std::array<float, 3> centre_of_face(const PrimitiveStage& stage, const Face& face) {
+  std::array<float, 3> sum{};
+  for (std::uint32_t i = 0; i < face.count; ++i) {
+    const Corner& corner = stage.draw.mesh->corners[face.first + i];
+    const Point<Eye>& p = stage.tables.eye[corner.position];
+    sum = {sum[0] + p.x, sum[1] + p.y, sum[2] + p.z};
+  }
+  const float share = 1.0f / float(face.count);
+  return {sum[0] * share, sum[1] * share, sum[2] * share};
+}
+
+// Everything but the lighting.
+Varyings corner_attributes(const PrimitiveStage& stage, const Corner& corner) {
+  const Mesh& mesh = *stage.draw.mesh;
+  Varyings varyings;
+  if (corner.texcoord != kNone) {
+    varyings.texcoord = {mesh.texcoords[corner.texcoord].u, mesh.texcoords[corner.texcoord].v};
+  }
+  if (corner.color != kNone) {
+    const Rgba& color = mesh.colors[corner.color];
+    varyings.color = {color.r, color.g, color.b, color.a};
+  }
+  if (!stage.tables.eye.empty()) varyings.position = components(stage.tables.eye[corner.position]);
+  if (corner.normal != kNone && !stage.tables.normal.empty()) {
+    varyings.normal = components(stage.tables.normal[corner.normal]);
+  }
+  return varyings;
+}
+
+void light(const PrimitiveStage& stage, const std::array<float, 3>& position, Varyings& vertex) {
+  const Reflection reflection =
+      illuminate(stage.lighting, position, vertex.normal, stage.draw.material->shininess);
+  vertex.diffuse = reflection.diffuse;
+  vertex.specular = reflection.specular;
+}
+
+// The three corners as the fragments will interpolate them, lit where the shading is per face or per vertex. Seen from
+// behind, a surface is lit as if its normals pointed the other way.
+std::array<Varyings, 3> triangle_attributes(const PrimitiveStage& stage, const Triangle& triangle,
+                                            bool front) {
+  const Mesh& mesh = *stage.draw.mesh;
+  const Face& face = mesh.faces[triangle.face];
+  const bool lit = !stage.tables.eye.empty();
+  const bool flat = stage.settings.shading == Shading::kFlat;
+
+  std::array<Varyings, 3> vertices;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Corner& corner = mesh.corners[triangle.corners[k]];
+    vertices[k] = corner_attributes(stage, corner);
+    if (!lit) continue;
+    if (flat || corner.normal == kNone) {
+      vertices[k].normal = components(stage.tables.face_normal[triangle.face]);
+    }
+    if (!front) vertices[k].normal = negated(vertices[k].normal);
+    if (flat) light(stage, centre_of_face(stage, face), vertices[k]);
+    if (stage.settings.shading == Shading::kGouraud)
+      light(stage, vertices[k].position, vertices[k]);
+  }
+  return vertices;
+}
+
+// The attributes at a vertex that clipping made, from the corners of the primitive as it came. A corner's own weights
+// are 1, 0, 0, which gives back its attributes to the bit.
+template <std::size_t N>
+std::array<float, N> weigh(const std::array<float, N>& a, const std::array<float, N>& b,
+                           const std::array<float, N>& c, const std::array<double, 3>& weights) {
+  std::array<float, N> result;
+  for (std::size_t i = 0; i < N; ++i) {
+    result[i] =
+        float(weights[0] * double(a[i]) + weights[1] * double(b[i]) + weights[2] * double(c[i]));
+  }
+  return result;
+}
+
+Varyings weigh(const std::array<Varyings, 3>& v, const std::array<double, 3>& weights) {
+  return {weigh(v[0].normal, v[1].normal, v[2].normal, weights),
+          weigh(v[0].position, v[1].position, v[2].position, weights),
+          weigh(v[0].diffuse, v[1].diffuse, v[2].diffuse, weights),
+          weigh(v[0].specular, v[1].specular, v[2].specular, weights),
+          weigh(v[0].color, v[1].color, v[2].color, weights),
+          weigh(v[0].texcoord, v[1].texcoord, v[2].texcoord, weights)};
+}
+
+// ---- lines ----
+
+void ready_segment(const PrimitiveStage& stage, const std::array<ClipVertex, 2>& ends,
+                   const std::array<Varyings, 3>& corners, std::uint32_t id,
+                   std::vector<ReadyLine>& lines) {
+  const std::optional<std::array<ClipVertex, 2>> kept = clip_segment(ends, stage.planes);
+  if (!kept) return;
+  lines.push_back({{to_screen(stage, (*kept)[0]), to_screen(stage, (*kept)[1])},
+                   {weigh(corners, (*kept)[0].weights), weigh(corners, (*kept)[1].weights)},
+                   id});
+}
+
+}  // namespace
+
+PrimitiveStage make_primitive_stage(const Draw& draw, const VertexTables& tables, const View& view,
+                                    const RenderSettings& settings, const Lighting& lighting,
+                                    Statistics& statistics) {
+  return {draw, tables, view, settings, lighting, render_planes(view), statistics};
+}
+
+void ready_triangle(const PrimitiveStage& stage, const Triangle& triangle,
+                    std::vector<ReadyTriangle>& triangles, std::vector<ReadyLine>& lines) {
+  std::array<ClipVertex, 3> corners;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Corner& corner = stage.draw.mesh->corners[triangle.corners[k]];
+    corners[k].position = stage.tables.clip[corner.position];
+    corners[k].weights[k] = 1.0;
+  }
+
+  const std::array<Outcode, 3> codes{outcode(corners[0].position, stage.planes),
+                                     outcode(corners[1].position, stage.planes),
+                                     outcode(corners[2].position, stage.planes)};
+  ClipPolygon polygon{{corners[0], corners[1], corners[2]}, 3};
+  switch (trivial_verdict(codes)) {
+    case ClipVerdict::kReject:
+      ++stage.statistics.rejected;
+      return;
+    case ClipVerdict::kAccept:
+      break;
+    case ClipVerdict::kClip:
+      polygon = clip_triangle(corners, stage.planes);
+      ++(polygon.count == 0 ? stage.statistics.clipped_away : stage.statistics.clipped);
+  }
+
+  // Attributes are gathered when the first piece turns out to be visible.
+  std::optional<std::array<Varyings, 3>> attributes;
+  const std::uint32_t number = stage.draw.first_number + triangle.number;
+
+  for (int i = 0; i < fan_size(polygon); ++i) {
+    ++stage.statistics.after_clipping;
+    const std::array<ClipVertex, 3> piece = fan_triangle(polygon, i);
+    const std::optional<TriangleSetup> setup = setup_triangle(
+        {to_screen(stage, piece[0]), to_screen(stage, piece[1]), to_screen(stage, piece[2])});
+    if (!setup) {
+      ++stage.statistics.zero_area;
+      continue;
+    }
+    const bool front = shows_front(stage, *setup);
+    if (is_culled(stage, front)) {
+      ++stage.statistics.culled;
+      continue;
+    }
+    ++stage.statistics.set_up;
+    if (!attributes) attributes = triangle_attributes(stage, triangle, front);
+    if (stage.settings.wireframe) break;
+
+    ReadyTriangle ready{*setup, {}, number, stage.draw.material->shininess};
+    for (std::size_t k = 0; k < 3; ++k) {
+      ready.vertices[k] = weigh(*attributes, piece[std::size_t(setup->order[k])].weights);
+    }
+    triangles.push_back(ready);
+  }
+
+  if (stage.settings.wireframe && attributes) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      ready_segment(stage, {corners[k], corners[(k + 1) % 3]}, *attributes, number + 1, lines);
+    }
+  }
+}
+
+void ready_line(const PrimitiveStage& stage, const std::array<Corner, 2>& line,
+                std::vector<ReadyLine>& lines) {
+  std::array<ClipVertex, 2> ends;
+  std::array<Varyings, 3> vertices;
+  for (std::size_t k = 0; k < 2; ++k) {
+    ends[k].position = stage.tables.clip[line[k].position];
+    ends[k].weights[k] = 1.0;
+    vertices[k] = corner_attributes(stage, line[k]);
+  }
+  ready_segment(stage, ends, vertices, 0, lines);
+}
+
+void ready_point(const PrimitiveStage& stage, const Corner& point,
+                 std::vector<ReadyPoint>& points) {
+  ClipVertex vertex;
+  vertex.position = stage.tables.clip[point.position];
+  if (!clip_point(vertex.position, stage.planes)) return;
+  points.push_back({to_screen(stage, vertex), corner_attributes(stage, point)});
+}
+
+}  // namespace glassbox

@@ -1,0 +1,59 @@
+// Corners become primitives ready to be rasterised: clip, divide, viewport, snap, setup, cull; then, for those that are
+// left, the attributes of their vertices.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <glassbox/pipeline/clip.h>
+#include <glassbox/raster/stages.h>
+#include <glassbox/render/draw_list.h>
+#include <glassbox/render/statistics.h>
+#include <glassbox/render/vertex_stage.h>
+
+namespace glassbox {
+
+struct ReadyTriangle {
+  TriangleSetup setup;
+  std::array<Varyings, 3> vertices;  // in the order of the setup
+  std::uint32_t number = 0;          // in the whole scene
+  int shininess = 0;
+};
+
+struct ReadyLine {
+  std::array<ScreenVertex, 2> ends;
+  std::array<Varyings, 2> vertices;
+  std::uint32_t id = 0;  // what Framebuffer::id gets
+};
+
+struct ReadyPoint {
+  ScreenVertex position;
+  Varyings vertex;
+};
+
+// What one draw's primitives need to be made ready.
+struct PrimitiveStage {
+  const Draw& draw;
+  const VertexTables& tables;
+  const View& view;
+  const RenderSettings& settings;
+  const Lighting& lighting;
+  std::array<ClipPlane, kMaxClipPlanes> planes;  // render_planes(view)
+  Statistics& statistics;
+};
+
+PrimitiveStage make_primitive_stage(const Draw& draw, const VertexTables& tables, const View& view,
+                                    const RenderSettings& settings, const Lighting& lighting,
+                                    Statistics& statistics);
+
+// Appends what is left of a triangle of the mesh: nothing, itself, or the fan of its clipped polygon. With
+// RenderSettings::wireframe its edges are appended to `lines` instead.
+void ready_triangle(const PrimitiveStage& stage, const Triangle& triangle,
+                    std::vector<ReadyTriangle>& triangles, std::vector<ReadyLine>& lines);
+
+void ready_line(const PrimitiveStage& stage, const std::array<Corner, 2>& line,
+                std::vector<ReadyLine>& lines);
+
+void ready_point(const PrimitiveStage& stage, const Corner& point, std::vector<ReadyPoint>& points);
+
+}  // namespace glassbox

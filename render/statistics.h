@@ -1,0 +1,45 @@
+// What went into every stage and what came out.
+#pragma once
+
+#include <cstdint>
+
+namespace glassbox {
+
+struct Statistics {
+  // Assembly.
+  std::uint64_t instances = 0;
+  std::uint64_t triangles = 0;   // numbered: those without area included
+  std::uint64_t degenerate = 0;  // without area as modelled: never drawn
+  std::uint64_t lines = 0;       // wireframe edges are not counted here
+  std::uint64_t points = 0;
+
+  // Vertex stage.
+  std::uint64_t vertices = 0;  // positions carried to clip space
+
+  // Clipping. Triangles in = rejected + clipped away + clipped + whole.
+  std::uint64_t rejected = 0;      // all corners outside one plane
+  std::uint64_t clipped_away = 0;  // nothing left after clipping
+  std::uint64_t clipped = 0;       // cut, something left
+  std::uint64_t after_clipping =
+      0;  // triangles that go on: whole ones, and the fans of the cut ones
+
+  // Setup. after_clipping = zero_area + culled + set_up.
+  std::uint64_t zero_area = 0;  // after snapping
+  std::uint64_t culled = 0;     // facing the wrong way
+  std::uint64_t set_up = 0;
+
+  // Fragments. covered = depth_failed + discarded + written.
+  std::uint64_t covered = 0;
+  std::uint64_t depth_failed = 0;
+  std::uint64_t discarded = 0;  // by the alpha mask
+  std::uint64_t written = 0;
+  std::uint64_t blended = 0;  // of the written ones
+
+  // Wall-clock time of this run, in milliseconds.
+  double prepare_ms = 0;   // triangulation, mip chains, matrices
+  double vertex_ms = 0;    // object -> clip
+  double triangle_ms = 0;  // clip, divide, viewport, setup, cull
+  double fragment_ms = 0;  // coverage, depth, shading, blending
+};
+
+}  // namespace glassbox

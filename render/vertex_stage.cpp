@@ -1,0 +1,53 @@
+#include <glassbox/render/vertex_stage.h>
+
+#include <algorithm>
+#include <optional>
+
+#include <glassbox/mesh/normals.h>
+
+namespace glassbox {
+
+namespace {
+
+bool needs_face_normals(const Draw& draw, const RenderSettings& settings) {
+  const auto has_none = [](const Corner& corner) { return corner.normal == kNone; };
+  return settings.shading == Shading::kFlat || std::ranges::any_of(draw.mesh->corners, has_none);
+}
+
+}  // namespace
+
+bool needs_normals(const Draw& draw, const RenderSettings& settings) {
+  if (settings.show == Show::kNormal) return true;
+  return settings.show == Show::kColor && settings.shading != Shading::kUnlit &&
+         !draw.material->unlit;
+}
+
+VertexTables transform_vertices(const Draw& draw, const RenderSettings& settings) {
+  const Mesh& mesh = *draw.mesh;
+  const bool lit = needs_normals(draw, settings);
+
+  VertexTables tables;
+  tables.clip.reserve(mesh.positions.size());
+  if (lit) tables.eye.reserve(mesh.positions.size());
+  for (const Point<Object>& position : mesh.positions) {
+    const Point<Object> anchored{position.x - draw.anchor.x, position.y - draw.anchor.y,
+                                 position.z - draw.anchor.z};
+    tables.clip.push_back(draw.clip_from_anchored * anchored);
+    if (lit) tables.eye.push_back(draw.eye_from_anchored * anchored);
+  }
+  if (!lit) return tables;
+
+  for (const Normal<Object>& normal : mesh.normals) {
+    tables.normal.push_back(normalized(draw.eye_normal_from_object * normal));
+  }
+  if (needs_face_normals(draw, settings)) {
+    for (const Face& face : mesh.faces) {
+      const std::optional<Normal<Object>> normal = face_normal(mesh, face);
+      tables.face_normal.push_back(normal ? normalized(draw.eye_normal_from_object * *normal)
+                                          : Normal<Eye>{});
+    }
+  }
+  return tables;
+}
+
+}  // namespace glassbox
