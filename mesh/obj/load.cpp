@@ -1,0 +1,82 @@
+#include <glassbox/mesh/obj/load.h>
+
+#include <filesystem>
+#include <system_error>
+
+#include <glassbox/images/read.h>
+#include <glassbox/mesh/obj/build.h>
+#include <glassbox/mesh/obj/directory.h>
+#include <glassbox/mesh/obj/materials.h>
+#include <glassbox/mesh/obj/parse.h>
+
+namespace glassbox {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct MtlText {
+  std::string_view text;
+};
+
+// The steps of both ways in. `mtl` is the only library where it is given.
+Result<Scene> load_text(std::string_view text, const MtlText* mtl, obj::Directory directory,
+                        const LoadLimits& limits) {
+  obj::Warnings warnings;
+  const auto tables = obj::parse_obj(text, limits, warnings);
+  if (!tables) return tl::unexpected(tables.error());
+  Scene scene;
+  obj::MaterialMaker materials(scene, directory, limits, warnings);
+  if (mtl != nullptr) {
+    materials.add_library(mtl->text, "the MTL text");
+  } else {
+    for (const std::string& names : tables->libraries) materials.read_libraries(names);
+  }
+  obj::build_meshes(*tables, materials, scene, warnings);
+  scene.warnings = warnings.take();
+  return scene;
+}
+
+Result<std::vector<std::byte>> read_obj(const std::string& path, const LoadLimits& limits) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) return fail("", "there is no such file", "check the path");
+  // A pipe or device would never end.
+  if (!fs::is_regular_file(status)) {
+    return fail("", "is not a regular file", "give the path of a file");
+  }
+  return read_file(path, limits.max_file_bytes);
+}
+
+Result<Scene> load_named(const std::string& path, const LoadLimits& limits) {
+  const auto bytes = read_obj(path, limits);
+  if (!bytes) return tl::unexpected(bytes.error());
+  const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+  const fs::path file(path);
+  auto scene =
+      load_text(text, nullptr, obj::Directory(file.parent_path(), limits.max_file_bytes), limits);
+  if (!scene) return scene;
+  scene->name = file.stem().string();
+  scene->file = path;
+  return scene;
+}
+
+}  // namespace
+
+Result<Scene> load_obj(const std::string& path, const LoadLimits& limits) {
+  auto scene = load_named(path, limits);
+  if (!scene) scene.error().file = path;
+  return scene;
+}
+
+Result<Scene> load_obj_memory(std::string_view obj_text, std::string_view mtl,
+                              const LoadLimits& limits) {
+  if (obj_text.size() > limits.max_file_bytes || mtl.size() > limits.max_file_bytes) {
+    return fail("",
+                "has more than the limit of " + std::to_string(limits.max_file_bytes) + " bytes",
+                "raise the limit if the file can be trusted");
+  }
+  const MtlText library{mtl};
+  return load_text(obj_text, &library, obj::Directory(), limits);
+}
+
+}  // namespace glassbox

@@ -1,0 +1,204 @@
+#include <glassbox/mesh/obj/materials.h>
+
+#include <algorithm>
+
+#include <glassbox/images/decode.h>
+
+namespace glassbox::obj {
+namespace {
+
+// A map's file name may end in a comment, but may also hold a '#' of its own: the latter is tried
+// first.
+Result<std::filesystem::path> find_map(const Directory& directory, std::string_view file) {
+  auto found = directory.find(file);
+  if (found) return found;
+  const std::string_view shorter = without_comment(file);
+  if (shorter.empty() || shorter == file) return found;
+  if (auto second = directory.find(shorter); second) return second;
+  return found;
+}
+
+// "a.mtl b\ c.mtl" -> "a.mtl", "b c.mtl"
+std::vector<std::string> split_names(std::string_view text) {
+  std::vector<std::string> names(1);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool escapes = text[i] == '\\' && i + 1 < text.size() && text[i + 1] == ' ';
+    if (escapes) {
+      names.back() += text[++i];
+    } else if (text[i] == ' ' || text[i] == '\t') {
+      if (!names.back().empty()) names.emplace_back();
+    } else {
+      names.back() += text[i];
+    }
+  }
+  return names;
+}
+
+std::string bounded_name(std::string_view name) {
+  constexpr std::size_t kMaxLength = 255;
+  const std::string_view short_name = without_comment(name);
+  return std::string((short_name.empty() ? name : short_name).substr(0, kMaxLength));
+}
+
+// Ns is a real number from 0; the scene's exponents are integers from 1.
+int shininess_from(float exponent) {
+  return int(std::clamp(double(exponent), 1.0, 1024.0) + 0.5);
+}
+
+}  // namespace
+
+void MaterialMaker::add_library(std::string_view text, std::string_view name) {
+  const std::size_t before = written_.size();
+  parse_mtl(text, name, written_, warnings_);
+  for (std::size_t i = before; i < written_.size(); ++i) {
+    const auto [first, is_first] = written_by_name_.try_emplace(written_[i].name, i);
+    if (!is_first) {
+      warnings_.add("the material " + in_quotes(written_[i].name) +
+                    " is defined more than once; the first counts");
+    }
+  }
+  for (std::size_t i = before; i < written_.size(); ++i) {
+    written_by_name_.try_emplace(std::string(without_comment(written_[i].name)), i);
+  }
+}
+
+bool MaterialMaker::read_library(std::string_view name) {
+  const auto found = directory_.find(name);
+  if (!found) return false;
+  if (!libraries_read_.emplace(found->string(), true).second) return true;
+  const auto bytes = directory_.read(*found);
+  if (!bytes) {
+    warnings_.add("the material library " + in_quotes(name) +
+                  " was not read: " + bytes.error().cause);
+    return true;
+  }
+  add_library({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, name);
+  return true;
+}
+
+void MaterialMaker::read_libraries(std::string_view names) {
+  const std::string_view uncommented = without_comment(names);
+  if (read_library(names) || read_library(uncommented)) return;
+  // A line may name as many files as fit on it; this many are looked for.
+  constexpr std::size_t kMaxNames = 64;
+  const std::vector<std::string> all = split_names(uncommented);
+  bool any = false;
+  for (std::size_t i = 0; i < std::min(all.size(), kMaxNames); ++i) {
+    if (!all[i].empty() && read_library(all[i])) any = true;
+  }
+  if (!any && !uncommented.empty()) warnings_.add(directory_.find(uncommented).error().cause);
+}
+
+const MtlMaterial* MaterialMaker::find(std::string_view name) const {
+  auto found = written_by_name_.find(name);
+  if (found == written_by_name_.end()) found = written_by_name_.find(without_comment(name));
+  return found == written_by_name_.end() ? nullptr : &written_[found->second];
+}
+
+std::array<float, 3> MaterialMaker::clamped(const std::array<float, 3>& color,
+                                            const std::string& material) {
+  std::array<float, 3> within{};
+  for (std::size_t i = 0; i < 3; ++i) within[i] = std::clamp(color[i], 0.0f, 1.0f);
+  if (within != color) {
+    warnings_.add("the material " + in_quotes(material) +
+                  " has a colour outside [0, 1], which was clamped");
+  }
+  return within;
+}
+
+void MaterialMaker::set_opacity(const MtlMaterial& written, Material& material) {
+  const float opacity = written.opacity        ? *written.opacity
+                        : written.transparency ? 1.0f - *written.transparency
+                                               : 1.0f;
+  material.base_color.a = std::clamp(opacity, 0.0f, 1.0f);
+  if (material.base_color.a < 1.0f) material.alpha_mode = AlphaMode::kBlend;
+  if (!written.opacity_map) return;
+  // One file for both is how exporters say that the picture's own alpha counts.
+  if (written.diffuse_map && written.diffuse_map->file == written.opacity_map->file) {
+    if (material.texture) material.alpha_mode = AlphaMode::kBlend;
+  } else {
+    warnings_.add("the material " + in_quotes(written.name) +
+                  " has a map_d of its own, which was ignored");
+  }
+}
+
+MaterialMaker::Made MaterialMaker::make(const std::string& name) {
+  if (const MtlMaterial* const written = name.empty() ? nullptr : find(name)) {
+    const auto [known, is_first] = made_.try_emplace(written);
+    if (is_first) known->second = made_from(*written);
+    return known->second;
+  }
+  if (!name.empty()) {
+    warnings_.add("the material " + in_quotes(name) + " is not defined; a default one stands in");
+  }
+  const auto index = std::uint32_t(scene_.materials.size());
+  scene_.materials.emplace_back().name = name.empty() ? "default" : bounded_name(name);
+  return {index, {}};
+}
+
+MaterialMaker::Made MaterialMaker::made_from(const MtlMaterial& written) {
+  Made made;
+  Material material;
+  material.name = bounded_name(written.name);
+  if (written.diffuse) {
+    const auto kd = clamped(*written.diffuse, written.name);
+    material.base_color = {kd[0], kd[1], kd[2], 1};
+  }
+  const std::int64_t illumination = written.illumination.value_or(2);
+  material.unlit = illumination == 0;
+  if (written.specular && illumination >= 2) {
+    material.specular = clamped(*written.specular, written.name);
+  }
+  if (written.exponent) material.shininess = shininess_from(*written.exponent);
+  if (written.diffuse_map) {
+    material.texture = texture(*written.diffuse_map);
+    if (material.texture) {
+      made.texcoord_map = {written.diffuse_map->offset, written.diffuse_map->scale};
+    }
+  }
+  set_opacity(written, material);
+  made.index = std::uint32_t(scene_.materials.size());
+  scene_.materials.push_back(std::move(material));
+  return made;
+}
+
+std::optional<std::uint32_t> MaterialMaker::texture(const MapStatement& map) {
+  const auto path = find_map(directory_, map.file);
+  if (!path) {
+    warnings_.add("a texture was left out: " + path.error().cause);
+    return std::nullopt;
+  }
+  const auto pixels = image(*path);
+  if (!pixels) return std::nullopt;
+  const auto [known, is_first] =
+      textures_.try_emplace(std::pair(*pixels, map.clamp), std::uint32_t(scene_.textures.size()));
+  if (is_first) {
+    Texture made;
+    made.image = *pixels;
+    made.sampler.wrap_u = made.sampler.wrap_v = map.clamp ? Wrap::kClampToEdge : Wrap::kRepeat;
+    scene_.textures.push_back(made);
+  }
+  return known->second;
+}
+
+std::optional<std::uint32_t> MaterialMaker::image(const std::filesystem::path& path) {
+  const auto [known, is_first] = images_.try_emplace(path.string());
+  if (!is_first) return known->second;
+  const auto refuse = [&](const std::string& cause) {
+    warnings_.add("the texture " + in_quotes(path.filename().string()) + " was left out: " + cause);
+    return std::nullopt;
+  };
+  const auto bytes = directory_.read(path);
+  if (!bytes) return refuse(bytes.error().cause);
+  DecodeLimits decode_limits;
+  decode_limits.max_pixels = pixels_left_;
+  decode_limits.max_side = limits_.max_image_side;
+  auto decoded = decode_image(*bytes, decode_limits);
+  if (!decoded) return refuse(decoded.error().cause);
+  pixels_left_ -= std::min<std::uint64_t>(pixels_left_, decoded->pixels.size());
+  known->second = std::uint32_t(scene_.images.size());
+  scene_.images.push_back(std::move(*decoded));
+  return known->second;
+}
+
+}  // namespace glassbox::obj

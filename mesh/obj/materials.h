@@ -1,0 +1,73 @@
+// Materials by name to materials and textures of the scene.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <glassbox/mesh/limits.h>
+#include <glassbox/mesh/obj/directory.h>
+#include <glassbox/mesh/obj/mtl.h>
+#include <glassbox/mesh/scene.h>
+
+namespace glassbox::obj {
+
+// How map_Kd moves texture coordinates, v up: (u, v) to (s_u u + o_u, s_v v + o_v).
+struct TexCoordMap {
+  std::array<float, 2> offset{0, 0};
+  std::array<float, 2> scale{1, 1};
+};
+
+// Finds materials by their names and puts those that are asked for into the scene, with the images
+// they need.
+class MaterialMaker {
+public:
+  MaterialMaker(Scene& scene, Directory& directory, const LoadLimits& limits, Warnings& warnings)
+      : scene_(scene),
+        directory_(directory),
+        limits_(limits),
+        warnings_(warnings),
+        pixels_left_(limits.max_image_pixels) {}
+
+  // Of two materials with one name the first counts.
+  void add_library(std::string_view text, std::string_view name);
+  // What follows mtllib: one name that may hold blanks, or several, with blanks in them escaped.
+  void read_libraries(std::string_view names);
+
+  struct Made {
+    std::uint32_t index = 0;  // in scene.materials
+    TexCoordMap texcoord_map;
+  };
+  // The material that usemtl calls `name`; a default one where it is defined nowhere.
+  Made make(const std::string& name);
+
+private:
+  bool read_library(std::string_view name);
+  Made made_from(const MtlMaterial& written);
+  const MtlMaterial* find(std::string_view name) const;
+  std::optional<std::uint32_t> texture(const MapStatement& map);
+  std::optional<std::uint32_t> image(const std::filesystem::path& path);
+  void set_opacity(const MtlMaterial& written, Material& material);
+  std::array<float, 3> clamped(const std::array<float, 3>& color, const std::string& material);
+
+  Scene& scene_;
+  Directory& directory_;
+  const LoadLimits& limits_;
+  Warnings& warnings_;
+  std::uint64_t pixels_left_;
+
+  std::vector<MtlMaterial> written_;
+  std::map<const MtlMaterial*, Made> made_;
+  std::map<std::string, std::size_t, std::less<>> written_by_name_;
+  std::map<std::string, bool> libraries_read_;  // by canonical path
+  // By canonical path; nothing where decoding failed, so that it is tried once.
+  std::map<std::string, std::optional<std::uint32_t>> images_;
+  std::map<std::pair<std::uint32_t, bool>, std::uint32_t> textures_;  // by image and clamping
+};
+
+}  // namespace glassbox::obj

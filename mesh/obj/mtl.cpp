@@ -1,0 +1,156 @@
+#include <glassbox/mesh/obj/mtl.h>
+
+#include <cstddef>
+
+namespace glassbox::obj {
+namespace {
+
+// Options of map statements and how many arguments each takes at most. Those of more than one take
+// only as many words as are numbers.
+struct MapOption {
+  std::string_view name;
+  int max_arguments;
+};
+constexpr MapOption kMapOptions[] = {
+    {"-o", 3},      {"-s", 3},      {"-t", 3},       {"-mm", 2},         {"-clamp", 1},
+    {"-blendu", 1}, {"-blendv", 1}, {"-cc", 1},      {"-bm", 1},         {"-boost", 1},
+    {"-texres", 1}, {"-type", 1},   {"-imfchan", 1}, {"-colorspace", 1},
+};
+
+const MapOption* find_option(std::string_view word) {
+  for (const MapOption& option : kMapOptions) {
+    if (option.name == word) return &option;
+  }
+  return nullptr;
+}
+
+void set_pair(std::array<float, 2>& pair, const std::vector<float>& numbers) {
+  for (std::size_t i = 0; i < pair.size() && i < numbers.size(); ++i) pair[i] = numbers[i];
+}
+
+// Takes the arguments of an option off `words`. Numbers beyond the first may be left out, so that a
+// word that is none starts the file name.
+void read_option(const MapOption& option, Words& words, MapStatement& map) {
+  if (option.max_arguments == 1) {
+    const std::string_view argument = words.next();
+    if (option.name == "-clamp") map.clamp = argument == "on";
+    return;
+  }
+  std::vector<float> numbers;
+  while (int(numbers.size()) < option.max_arguments) {
+    Words ahead = words;
+    const Number number = parse_number(ahead.next());
+    // The last word is the file name, even where it is a number.
+    if (number.kind != Number::Kind::kFinite || ahead.rest().empty()) break;
+    numbers.push_back(number.value);
+    words = ahead;
+  }
+  if (option.name == "-o") set_pair(map.offset, numbers);
+  if (option.name == "-s") set_pair(map.scale, numbers);
+}
+
+class MtlParser {
+public:
+  MtlParser(std::string_view text, std::string_view library, std::vector<MtlMaterial>& materials,
+            Warnings& warnings)
+      : lines_(text), library_(library), materials_(materials), warnings_(warnings) {}
+
+  void run() {
+    const std::size_t before = materials_.size();
+    while (lines_.next()) {
+      Words words(lines_.text());
+      const std::string_view keyword = words.next();
+      if (keyword == "newmtl") {
+        materials_.emplace_back().name = words.rest();
+      } else if (materials_.size() > before) {
+        statement(keyword, words, materials_.back());
+      }
+    }
+    unreadable_.report(("statements of " + in_quotes(library_) + " could not be read").c_str(),
+                       warnings_);
+  }
+
+private:
+  void statement(std::string_view keyword, Words words, MtlMaterial& material) {
+    if (keyword == "Kd") read_color(words, material.diffuse);
+    if (keyword == "Ks") read_color(words, material.specular);
+    if (keyword == "Ns") read_number(words, material.exponent);
+    if (keyword == "Tr") read_number(words, material.transparency);
+    if (keyword == "d") read_number(words, material.opacity);
+    if (keyword == "illum") {
+      material.illumination = parse_integer(words.next());
+      if (!material.illumination) unreadable_.add(lines_.number());
+    }
+    if (keyword == "map_Kd") read_map(words, material.diffuse_map);
+    if (keyword == "map_d") read_map(words, material.opacity_map);
+  }
+
+  // r [g b]: g and b are r where they are left out. The forms "spectral" and "xyz" are not read.
+  void read_color(Words words, std::optional<std::array<float, 3>>& color) {
+    const Number r = parse_number(words.next());
+    const std::string_view second = words.next();
+    const std::string_view third = words.next();
+    const Number g = second.empty() ? r : parse_number(second);
+    const Number b = third.empty() ? r : parse_number(third);
+    for (const Number& channel : {r, g, b}) {
+      if (channel.kind != Number::Kind::kFinite) return unreadable_.add(lines_.number());
+    }
+    color = {r.value, g.value, b.value};
+  }
+
+  // "d -halo factor" is read as "d factor": the halo depends on the view.
+  void read_number(Words words, std::optional<float>& value) {
+    std::string_view word = words.next();
+    if (word == "-halo") word = words.next();
+    const Number number = parse_number(word);
+    if (number.kind != Number::Kind::kFinite) return unreadable_.add(lines_.number());
+    value = number.value;
+  }
+
+  void read_map(Words words, std::optional<MapStatement>& map) {
+    MapStatement statement = parse_map(words.rest());
+    if (statement.file.empty()) return unreadable_.add(lines_.number());
+    map = std::move(statement);
+  }
+
+  Lines lines_;
+  std::string_view library_;
+  std::vector<MtlMaterial>& materials_;
+  Warnings& warnings_;
+  Tally unreadable_;
+};
+
+}  // namespace
+
+MapStatement parse_map(std::string_view arguments) {
+  MapStatement map;
+  Words words(arguments);
+  // The file name: from its first word to the end of its last, with the blanks between as written.
+  const char* file_begin = nullptr;
+  const char* file_end = nullptr;
+  while (!words.rest().empty()) {
+    Words ahead = words;
+    // A word of the rest, not Words::next(): a file name may hold a '#'.
+    const std::string_view rest = words.rest();
+    const std::string_view word = rest.substr(0, rest.find_first_of(" \t\v\f"));
+    const MapOption* const option = find_option(word);
+    if (option != nullptr) {
+      ahead.next();
+      read_option(*option, ahead, map);
+      words = ahead;
+      continue;
+    }
+    if (file_begin == nullptr) file_begin = word.data();
+    file_end = word.data() + word.size();
+    words = Words(rest.substr(word.size()));
+  }
+  if (file_begin != nullptr) map.file.assign(file_begin, file_end);
+  return map;
+}
+
+void parse_mtl(std::string_view text, std::string_view library, std::vector<MtlMaterial>& materials,
+               Warnings& warnings) {
+  MtlParser(text, library, materials, warnings).run();
+}
+
+}  // namespace glassbox::obj

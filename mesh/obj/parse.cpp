@@ -1,0 +1,401 @@
+#include <glassbox/mesh/obj/parse.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include <glassbox/images/srgb.h>
+
+namespace glassbox::obj {
+namespace {
+
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+
+std::string line_place(std::uint64_t line) {
+  return "line " + std::to_string(line);
+}
+
+// Statements of the format that draw no polygon, line or point.
+bool is_free_form(std::string_view keyword) {
+  constexpr std::string_view kKeywords[] = {
+      "vp",   "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim",  "hole",
+      "scrv", "sp",     "end", "con",  "bsp",  "bzp",  "cdc",   "cdp",  "res",  "ctech", "stech"};
+  return std::find(std::begin(kKeywords), std::end(kKeywords), keyword) != std::end(kKeywords);
+}
+
+// Statements that say how to render, which the scene has no use for.
+bool is_render_state(std::string_view keyword) {
+  constexpr std::string_view kKeywords[] = {"s",          "mg",       "bevel",  "c_interp",
+                                            "lod",        "d_interp", "maplib", "usemap",
+                                            "shadow_obj", "trace_obj"};
+  return std::find(std::begin(kKeywords), std::end(kKeywords), keyword) != std::end(kKeywords);
+}
+
+// One of the tables that corners index. An index may name an entry that only follows later in the
+// file, so the largest one is kept and compared with the final size.
+struct IndexedTable {
+  const char* name;
+  std::uint64_t size = 0;
+  std::int64_t largest = -1;  // from 0
+  std::uint64_t line_of_largest = 0;
+};
+
+class Parser {
+public:
+  Parser(std::string_view text, const LoadLimits& limits, Warnings& warnings)
+      : lines_(text), limits_(limits), warnings_(warnings) {}
+
+  Result<Tables> run();
+
+private:
+  using Status = Result<void>;
+
+  Status statement(std::string_view keyword, Words words);
+  Status vertex(Words words);
+  void vertex_color(const std::array<Number, 3>& channels);
+  void texcoord(Words words);
+  void normal(Words words);
+  Status element(ElementKind kind, Words words);
+  Result<Reference> reference(ElementKind kind, std::string_view word);
+  Result<std::uint32_t> index(std::string_view digits, IndexedTable& table);
+  std::uint32_t texcoord_of_line(std::string_view digits);
+  void library(std::string_view text);
+
+  Status check_forward_references() const;
+  Status check_unreadable_vertices();
+  void drop_missing_texcoords_of_lines();
+  void report_oddities();
+
+  tl::unexpected<Error> refuse(std::string cause, std::string remedy) const {
+    return fail(line_place(lines_.number()), std::move(cause), std::move(remedy));
+  }
+
+  Lines lines_;
+  const LoadLimits& limits_;
+  Warnings& warnings_;
+  Tables tables_;
+  std::map<Part, std::uint32_t> part_numbers_;
+  std::set<std::string, std::less<>> libraries_seen_;
+  Part part_;
+  std::uint64_t corners_ = 0;  // in meshes: a polyline's inner vertices count twice
+
+  IndexedTable positions_{"vertex"};
+  IndexedTable texcoords_{"texture coordinate"};
+  IndexedTable normals_{"normal"};
+
+  Tally short_faces_, short_lines_, free_form_, unknown_, odd_texcoords_, odd_normals_, weights_,
+      odd_colors_, more_numbers_, many_libraries_, line_texcoords_;
+  std::string first_unknown_;
+};
+
+Parser::Status Parser::statement(std::string_view keyword, Words words) {
+  if (keyword == "v") return vertex(words);
+  if (keyword == "f" || keyword == "fo") return element(ElementKind::kFace, words);
+  if (keyword == "l") return element(ElementKind::kPolyline, words);
+  if (keyword == "p") return element(ElementKind::kPoints, words);
+  if (keyword == "vt") {
+    texcoord(words);
+  } else if (keyword == "vn") {
+    normal(words);
+  } else if (keyword == "usemtl") {
+    part_.material = tables_.names.number_of(words.rest());
+  } else if (keyword == "g") {
+    part_.group = tables_.names.number_of(without_comment(words.rest()));
+  } else if (keyword == "o") {
+    part_.object = tables_.names.number_of(without_comment(words.rest()));
+  } else if (keyword == "mtllib") {
+    library(words.rest());
+  } else if (is_free_form(keyword)) {
+    free_form_.add(lines_.number());
+  } else if (!is_render_state(keyword)) {
+    if (first_unknown_.empty()) first_unknown_ = in_quotes(keyword);
+    unknown_.add(lines_.number());
+  }
+  return {};
+}
+
+// v x y z [w] [r g b]
+Parser::Status Parser::vertex(Words words) {
+  std::array<Number, 7> numbers;
+  std::size_t count = 0;
+  bool readable = true;
+  for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+    if (count == numbers.size()) {
+      more_numbers_.add(lines_.number());
+      break;
+    }
+    numbers[count] = parse_number(word);
+    if (count < 3 && numbers[count].kind == Number::Kind::kNotFinite) {
+      return refuse("vertex " + std::to_string(positions_.size + 1) + " has the coordinate " +
+                        in_quotes(word) + ", which is not a finite number",
+                    "export the file again or correct the line");
+    }
+    readable = readable && (count >= 3 || numbers[count].kind == Number::Kind::kFinite);
+    ++count;
+  }
+  if (positions_.size == kNone) {
+    return refuse("the file has more than 2^32 - 1 vertices", "split the file");
+  }
+  if (count < 3 || !readable) {
+    tables_.unreadable.push_back({std::uint32_t(positions_.size), lines_.number()});
+    tables_.positions.emplace_back(kNaN, kNaN, kNaN);
+  } else {
+    tables_.positions.emplace_back(numbers[0].value, numbers[1].value, numbers[2].value);
+  }
+  const bool weighted = count == 4;
+  if (weighted && numbers[3].value != 1.0f) weights_.add(lines_.number());
+  if (count == 5) more_numbers_.add(lines_.number());
+  if (count >= 6) vertex_color({numbers[3], numbers[4], numbers[5]});
+  if (!tables_.colors.empty()) tables_.colors.resize(tables_.positions.size());
+  ++positions_.size;
+  return {};
+}
+
+// Of the vertex just read.
+void Parser::vertex_color(const std::array<Number, 3>& channels) {
+  VertexColor color;
+  color.given = true;
+  std::uint8_t* const codes[] = {&color.r, &color.g, &color.b};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const float value = channels[i].value;
+    if (channels[i].kind != Number::Kind::kFinite) {
+      odd_colors_.add(lines_.number());
+      return;
+    }
+    if (value < 0.0f || value > 1.0f) odd_colors_.add(lines_.number());
+    *codes[i] = encode_unorm8(value);
+  }
+  tables_.colors.resize(tables_.positions.size());
+  tables_.colors.back() = color;
+}
+
+// vt u [v] [w]
+void Parser::texcoord(Words words) {
+  const Number u = parse_number(words.next());
+  const std::string_view second = words.next();
+  const Number v = second.empty() ? Number{Number::Kind::kFinite, 0} : parse_number(second);
+  const bool readable = u.kind == Number::Kind::kFinite && v.kind == Number::Kind::kFinite;
+  if (!readable) odd_texcoords_.add(lines_.number());
+  tables_.texcoords.push_back(readable ? TexCoord{u.value, v.value} : TexCoord{kNaN, kNaN});
+  ++texcoords_.size;
+}
+
+// vn x y z
+void Parser::normal(Words words) {
+  std::array<float, 3> n{};
+  bool readable = true;
+  for (float& component : n) {
+    const Number number = parse_number(words.next());
+    readable = readable && number.kind == Number::Kind::kFinite;
+    component = number.value;
+  }
+  const bool zero = n[0] == 0 && n[1] == 0 && n[2] == 0;
+  if (!readable || zero) odd_normals_.add(lines_.number());
+  tables_.normals.push_back(readable ? Normal<Object>(n[0], n[1], n[2]) : Normal<Object>());
+  ++normals_.size;
+}
+
+Parser::Status Parser::element(ElementKind kind, Words words) {
+  const std::size_t first = tables_.references.size();
+  for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+    auto corner = reference(kind, word);
+    if (!corner) return tl::unexpected(corner.error());
+    tables_.references.push_back(*corner);
+    if (tables_.references.size() == kNone) {
+      return refuse("the file has more than 2^32 - 2 corners", "split the file");
+    }
+  }
+  const std::size_t count = tables_.references.size() - first;
+  const std::size_t needed = kind == ElementKind::kFace       ? 3
+                             : kind == ElementKind::kPolyline ? 2
+                                                              : 1;
+  if (count < needed) {
+    (kind == ElementKind::kFace ? short_faces_ : short_lines_).add(lines_.number());
+    tables_.references.resize(first);
+    return {};
+  }
+  corners_ += kind == ElementKind::kPolyline ? 2 * (count - 1) : count;
+  if (corners_ > limits_.max_corners) {
+    return refuse(
+        "the file has more than the limit of " + std::to_string(limits_.max_corners) + " corners",
+        "raise the limit if the file can be trusted");
+  }
+  const auto [known, is_first] =
+      part_numbers_.try_emplace(part_, std::uint32_t(tables_.parts.size()));
+  if (is_first) tables_.parts.push_back(part_);
+  tables_.elements.push_back({std::uint32_t(first), std::uint32_t(count), known->second, kind});
+  return {};
+}
+
+// i, i/j, i//k or i/j/k; an index that is left out after a slash is none.
+Result<Reference> Parser::reference(ElementKind kind, std::string_view word) {
+  std::array<std::string_view, 3> fields;
+  std::size_t count = 0;
+  std::string_view rest = word;
+  for (bool more = true; more; ++count) {
+    if (count == fields.size()) {
+      return refuse("the corner " + in_quotes(word) + " has more than three indices",
+                    "write vertex/texture/normal");
+    }
+    const std::size_t slash = rest.find('/');
+    fields[count] = rest.substr(0, slash);
+    more = slash != std::string_view::npos;
+    if (more) rest.remove_prefix(slash + 1);
+  }
+  Reference corner;
+  const auto position = index(fields[0], positions_);
+  if (!position) return tl::unexpected(position.error());
+  corner.position = *position;
+  if (!fields[1].empty() && kind == ElementKind::kFace) {
+    const auto texcoord = index(fields[1], texcoords_);
+    if (!texcoord) return tl::unexpected(texcoord.error());
+    corner.texcoord = *texcoord;
+  } else if (!fields[1].empty()) {
+    corner.texcoord = texcoord_of_line(fields[1]);
+  }
+  if (!fields[2].empty()) {
+    const auto normal = index(fields[2], normals_);
+    if (!normal) return tl::unexpected(normal.error());
+    corner.normal = *normal;
+  }
+  return corner;
+}
+
+Result<std::uint32_t> Parser::index(std::string_view digits, IndexedTable& table) {
+  const std::string remedy = "export the file again or correct the line";
+  const auto written = parse_integer(digits);
+  if (!written) return refuse(in_quotes(digits) + " is no index of a " + table.name, remedy);
+  if (*written == 0) {
+    return refuse(std::string("names ") + table.name + " 0, but numbers start at 1", remedy);
+  }
+  // Negative numbers count back from the latest entry, -1.
+  const std::int64_t from_zero = *written > 0 ? *written - 1 : std::int64_t(table.size) + *written;
+  if (from_zero < 0 || from_zero >= std::int64_t(kNone)) {
+    return refuse(std::string("names ") + table.name + " " + std::to_string(*written) + ", but " +
+                      std::to_string(table.size) + " are there",
+                  remedy);
+  }
+  if (from_zero >= std::int64_t(table.size) && from_zero > table.largest) {
+    table.largest = from_zero;
+    table.line_of_largest = lines_.number();
+  }
+  return std::uint32_t(from_zero);
+}
+
+// Lines and points need no texture coordinates, and files exist whose lines name ones that are not
+// there: those are left out.
+std::uint32_t Parser::texcoord_of_line(std::string_view digits) {
+  const std::int64_t written = parse_integer(digits).value_or(0);
+  const std::int64_t from_zero =
+      written > 0 ? written - 1 : std::int64_t(texcoords_.size) + written;
+  if (written != 0 && from_zero >= 0 && from_zero < std::int64_t(kNone)) {
+    if (from_zero >= std::int64_t(texcoords_.size)) line_texcoords_.add(lines_.number());
+    return std::uint32_t(from_zero);
+  }
+  line_texcoords_.add(lines_.number());
+  return kNone;
+}
+
+void Parser::library(std::string_view text) {
+  constexpr std::size_t kMaxLibraries = 256;
+  if (text.empty() || libraries_seen_.contains(text)) return;
+  if (tables_.libraries.size() == kMaxLibraries) {
+    many_libraries_.add(lines_.number());
+    return;
+  }
+  libraries_seen_.emplace(text);
+  tables_.libraries.emplace_back(text);
+}
+
+Parser::Status Parser::check_forward_references() const {
+  for (const IndexedTable* table : {&positions_, &texcoords_, &normals_}) {
+    if (table->largest >= std::int64_t(table->size)) {
+      return fail(line_place(table->line_of_largest),
+                  std::string("names ") + table->name + " " + std::to_string(table->largest + 1) +
+                      ", but the file has " + std::to_string(table->size),
+                  "export the file again or correct the line");
+    }
+  }
+  return {};
+}
+
+Parser::Status Parser::check_unreadable_vertices() {
+  if (tables_.unreadable.empty()) return {};
+  for (const Reference& corner : tables_.references) {
+    if (std::isfinite(tables_.positions[corner.position].x)) continue;
+    const auto vertex =
+        std::lower_bound(tables_.unreadable.begin(), tables_.unreadable.end(), corner.position,
+                         [](const UnreadableVertex& v, std::uint32_t i) { return v.index < i; });
+    return fail(line_place(vertex->line),
+                "vertex " + std::to_string(vertex->index + 1) + " does not have three numbers",
+                "export the file again or correct the line");
+  }
+  Tally unreadable;
+  for (const UnreadableVertex& vertex : tables_.unreadable) unreadable.add(vertex.line);
+  unreadable.report("vertices that nothing uses do not have three numbers", warnings_);
+  return {};
+}
+
+void Parser::drop_missing_texcoords_of_lines() {
+  for (const Element& element : tables_.elements) {
+    if (element.kind == ElementKind::kFace) continue;
+    for (std::uint32_t i = element.first; i < element.first + element.count; ++i) {
+      Reference& corner = tables_.references[i];
+      if (corner.texcoord != kNone && corner.texcoord >= texcoords_.size) corner.texcoord = kNone;
+    }
+  }
+}
+
+void Parser::report_oddities() {
+  short_faces_.report("faces of fewer than three corners were left out", warnings_);
+  short_lines_.report("lines or points without enough vertices were left out", warnings_);
+  free_form_.report("statements of free-form curves and surfaces were ignored", warnings_);
+  weights_.report("vertex weights other than 1 were ignored: polygons have none", warnings_);
+  more_numbers_.report(
+      "vertices have more numbers than x y z w or x y z r g b; the rest was ignored", warnings_);
+  odd_colors_.report("vertex colours are not numbers in [0, 1] and were clamped or left out",
+                     warnings_);
+  odd_texcoords_.report("texture coordinates are not finite numbers and were left out", warnings_);
+  odd_normals_.report("normals are zero or not finite and were left out", warnings_);
+  line_texcoords_.report(
+      "texture coordinates of lines or points may not be in the file; missing ones were left out",
+      warnings_);
+  many_libraries_.report("material libraries beyond the first 256 were ignored", warnings_);
+  if (!first_unknown_.empty()) {
+    unknown_.report(("unknown statements were ignored, " + first_unknown_ + " among them").c_str(),
+                    warnings_);
+  }
+}
+
+Result<Tables> Parser::run() {
+  while (lines_.next()) {
+    Words words(lines_.text());
+    const std::string_view keyword = words.next();
+    if (auto status = statement(keyword, words); !status) return tl::unexpected(status.error());
+  }
+  if (auto status = check_forward_references(); !status) return tl::unexpected(status.error());
+  if (auto status = check_unreadable_vertices(); !status) return tl::unexpected(status.error());
+  drop_missing_texcoords_of_lines();
+  report_oddities();
+  if (tables_.elements.empty()) {
+    return fail("", "has no faces, lines or points", "give an OBJ file with something to draw");
+  }
+  return std::move(tables_);
+}
+
+}  // namespace
+
+std::uint32_t Names::number_of(std::string_view name) {
+  if (const auto known = numbers_.find(name); known != numbers_.end()) return known->second;
+  const auto number = std::uint32_t(names_.size());
+  names_.push_back(&numbers_.emplace(name, number).first->first);
+  return number;
+}
+
+Result<Tables> parse_obj(std::string_view text, const LoadLimits& limits, Warnings& warnings) {
+  return Parser(text, limits, warnings).run();
+}
+
+}  // namespace glassbox::obj

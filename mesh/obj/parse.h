@@ -1,0 +1,85 @@
+// OBJ text to tables: every statement read and checked, nothing yet arranged for drawing.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glassbox/base/error.h>
+#include <glassbox/mesh/limits.h>
+#include <glassbox/mesh/mesh.h>
+#include <glassbox/mesh/obj/text.h>
+
+namespace glassbox::obj {
+
+// Names as numbers. Number 0 is the empty name.
+class Names {
+public:
+  Names() { number_of(""); }
+  Names(Names&&) = default;
+  Names& operator=(Names&&) = default;
+
+  std::uint32_t number_of(std::string_view name);
+  const std::string& operator[](std::uint32_t number) const { return *names_[number]; }
+
+private:
+  std::map<std::string, std::uint32_t, std::less<>> numbers_;
+  std::vector<const std::string*> names_;  // keys of the map, which stay where they are
+};
+
+// The indices at one corner, from 0; kNone where there is none.
+struct Reference {
+  std::uint32_t position = kNone;
+  std::uint32_t texcoord = kNone;
+  std::uint32_t normal = kNone;
+};
+
+enum class ElementKind : std::uint8_t { kFace, kPolyline, kPoints };
+
+// One f, l or p statement: references[first] .. references[first + count - 1].
+struct Element {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+  std::uint32_t part = 0;
+  ElementKind kind = ElementKind::kFace;
+};
+
+// What becomes one mesh: all that is drawn under the same names.
+struct Part {
+  std::uint32_t object = 0, group = 0, material = 0;  // in Tables::names
+  auto operator<=>(const Part&) const = default;
+};
+
+// An sRGB code for each channel, where the file gives one.
+struct VertexColor {
+  std::uint8_t r = 255, g = 255, b = 255;
+  bool given = false;
+};
+
+// A vertex whose coordinates are not numbers is an error only where something is drawn with it.
+struct UnreadableVertex {
+  std::uint32_t index = 0;
+  std::uint64_t line = 0;
+};
+
+struct Tables {
+  std::vector<Point<Object>> positions;      // NaN where unreadable, else finite
+  std::vector<UnreadableVertex> unreadable;  // ascending
+  std::vector<VertexColor> colors;           // as many as positions, or none at all
+  std::vector<TexCoord> texcoords;      // v = 0 at the bottom, as in the file; NaN where unreadable
+  std::vector<Normal<Object>> normals;  // of any length; zero where unreadable
+
+  std::vector<Reference> references;  // all within the tables
+  std::vector<Element> elements;
+  std::vector<Part> parts;  // each has an element
+
+  Names names;
+  std::vector<std::string> libraries;  // the text after mtllib, each once
+};
+
+Result<Tables> parse_obj(std::string_view text, const LoadLimits& limits, Warnings& warnings);
+
+}  // namespace glassbox::obj

@@ -1,0 +1,96 @@
+// Lines, words and numbers of OBJ and MTL text.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glassbox::obj {
+
+// Names come from hostile files: for one line of a terminal, control characters become '?' and long
+// text is cut.
+std::string in_quotes(std::string_view text);
+
+std::string_view trimmed(std::string_view text);
+
+// Without a comment at its end. A '#' inside a word ("Material#25") starts none.
+std::string_view without_comment(std::string_view text);
+
+// The lines of a text, whatever their endings (LF, CR LF or CR). A backslash at the end of a line
+// joins the next one to it, except in a comment: there it ends a Windows path more often than not.
+class Lines {
+public:
+  explicit Lines(std::string_view text);
+
+  // Moves to the next line that is neither blank nor a comment; false at the end of the text.
+  bool next();
+
+  std::string_view text() const { return line_; }       // trimmed; valid until next()
+  std::uint64_t number() const { return first_line_; }  // of its first line, from 1
+
+private:
+  std::string_view take_physical_line();
+
+  std::string_view rest_;
+  std::string_view line_;
+  std::string joined_;
+  std::uint64_t first_line_ = 0;
+  std::uint64_t lines_taken_ = 0;
+};
+
+// The words of one line, from left to right, up to a word that starts with '#'.
+class Words {
+public:
+  explicit Words(std::string_view line) : rest_(trimmed(line)) {}
+
+  // The next word; empty at the end.
+  std::string_view next();
+  // What follows the words taken, trimmed, comments included.
+  std::string_view rest() const { return rest_; }
+
+private:
+  std::string_view rest_;
+};
+
+// The float nearest to a decimal number; what rounds to infinity, and "inf" and "nan" themselves,
+// are not finite; everything else is text.
+struct Number {
+  enum class Kind { kFinite, kNotFinite, kText };
+  Kind kind = Kind::kText;
+  float value = 0;  // where finite
+};
+Number parse_number(std::string_view word);
+
+std::optional<std::int64_t> parse_integer(std::string_view word);
+
+// What was ignored or repaired. A hostile file has a million of everything: only the first few are
+// kept, and the others counted.
+class Warnings {
+public:
+  void add(std::string text);
+  std::vector<std::string> take();
+
+private:
+  static constexpr std::size_t kMaxKept = 64;
+  std::vector<std::string> kept_;
+  std::uint64_t dropped_ = 0;
+};
+
+// Counts occurrences of one oddity, for one warning that names the first.
+class Tally {
+public:
+  void add(std::uint64_t line) {
+    if (count_++ == 0) first_line_ = line;
+  }
+  // Says "<count> <what> (first in line <n>)" where there was any.
+  void report(const char* what, Warnings& warnings) const;
+
+private:
+  std::uint64_t count_ = 0;
+  std::uint64_t first_line_ = 0;
+};
+
+}  // namespace glassbox::obj
