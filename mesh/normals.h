@@ -4,11 +4,13 @@
 // at one corner is what a first course shows, and fails where that corner is reflex (C-23) or nearly straight (C-21).
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
 
 #include <glassbox/base/spaces.h>
+#include <glassbox/base/trig.h>
 #include <glassbox/mesh/mesh.h>
 
 namespace glassbox {
@@ -45,6 +47,15 @@ template <class T>
 Vector<Object, T> three_point_normal(const Point<Object, T>& v1, const Point<Object, T>& v2,
                                      const Point<Object, T>& v3) {
   return cross(v2 - v1, v3 - v2);
+}
+
+// The angle between two vectors, in [0, pi]; 0 if one of them is zero (S4-14). The arccosine of the slide's normalised
+// dot product loses half the digits near 0 and pi, where the cosine is flat; the arctangent of |a x b| / (a . b) is
+// right to a few ulps everywhere.
+template <class Space>
+double angle_between(const Vector<Space, double>& a, const Vector<Space, double>& b) {
+  const Vector<Space, double> across = cross(a, b);
+  return arctan2(std::sqrt(dot(across, across)), dot(a, b));
 }
 
 // Unit length, computed in double and rounded once; absent where the vector is zero or not finite.
