@@ -1,0 +1,48 @@
+// Random cameras for property tests.
+#pragma once
+
+#include <tests/support/random.h>
+
+#include <cmath>
+
+#include <glassbox/base/spaces.h>
+
+namespace glassbox::test {
+
+struct LookAtCase {
+  Point<World, double> eye, target;
+  Vector<World, double> up;
+  double up_sine = 1;  // of the angle between up and the gaze
+};
+
+inline double length(const Vector<World, double>& v) {
+  return std::sqrt(dot(v, v));
+}
+
+// Eyes within 100 of the origin, targets within 10, ups in all directions but the 3 degrees around the gaze.
+inline LookAtCase random_look_at(Random& random) {
+  LookAtCase c;
+  do {
+    c.eye = {random.between(-100, 100), random.between(-100, 100), random.between(-100, 100)};
+    c.target = {random.between(-10, 10), random.between(-10, 10), random.between(-10, 10)};
+    c.up = {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
+    const Vector<World, double> gaze = c.target - c.eye;
+    c.up_sine = length(cross(gaze, c.up)) / (length(gaze) * length(c.up));
+  } while (!(c.up_sine > 0.05));
+  return c;
+}
+
+struct LensCase {
+  double fovy_degrees = 45, aspect = 1, near = 0.1, far = 100;
+};
+
+inline LensCase random_lens(Random& random) {
+  LensCase c;
+  c.fovy_degrees = random.between(1, 175);
+  c.aspect = std::ldexp(random.between(1, 2), int(random.integer(-3, 2)));
+  c.near = std::ldexp(random.between(1, 2), int(random.integer(-10, 3)));
+  c.far = c.near * std::ldexp(random.between(1, 2), int(random.integer(1, 20)));
+  return c;
+}
+
+}  // namespace glassbox::test

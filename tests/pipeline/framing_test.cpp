@@ -1,0 +1,151 @@
+#include <tests/support/catch.h>
+#include <tests/support/random.h>
+
+#include <cmath>
+#include <limits>
+
+#include <glassbox/pipeline/framing.h>
+#include <glassbox/pipeline/look_at.h>
+#include <glassbox/pipeline/view.h>
+
+namespace glassbox {
+namespace {
+
+using test::Random;
+
+Box<World> box_of(const Point<World, double>& low, const Point<World, double>& high) {
+  Box<World> box;
+  box.include(low);
+  box.include(high);
+  return box;
+}
+
+bool inside(const Point<Clip, double>& c) {
+  return std::abs(c.x) <= c.w && std::abs(c.y) <= c.w && c.z >= 0 && c.z <= c.w;
+}
+
+TEST_CASE("the framed box is wholly in the picture, for any shape of box and picture") {
+  Random random(70);
+  for (int i = 0; i < 2000; ++i) {
+    const double size = std::ldexp(1.0, int(random.integer(-20, 20)));
+    const Point<World, double> low{random.between(-9, 9) * size, random.between(-9, 9) * size,
+                                   random.between(-9, 9) * size};
+    const Box<World> box =
+        box_of(low, low + Vector<World, double>{random.unit() * size, random.unit() * size,
+                                                random.unit() * size});
+    const int width = int(random.integer(1, 2000)), height = int(random.integer(1, 2000));
+    const auto camera = frame(box, double(width) / height);
+    REQUIRE(camera);
+    const auto view = make_view(*camera, width, height);
+    CAPTURE(i, width, height);
+    REQUIRE(view);
+    for (int corner = 0; corner < 8; ++corner) {
+      CHECK(inside(view->clip_from_eye * view->eye_from_world * box.corner(corner)));
+    }
+    // In the middle of it, and with planes that leave depth its digits.
+    const Point<Clip, double> centre = view->clip_from_eye * view->eye_from_world * box.center();
+    CHECK(std::abs(centre.x / centre.w) < 1e-6);
+    CHECK(std::abs(centre.y / centre.w) < 1e-6);
+    CHECK(view->far / view->near <= kMaxDepthRatio);
+  }
+}
+
+TEST_CASE("a single point gets a camera too, wherever it is") {
+  for (double offset : {0.0, 1.0, 1e6, 1e20}) {
+    const Point<World, double> p{offset, -offset, offset};
+    const auto camera = frame(box_of(p, p), 1.5);
+    REQUIRE(camera);
+    const auto view = make_view(*camera, 1280, 720);
+    REQUIRE(view);
+    const Point<Clip, double> c = view->clip_from_eye * view->eye_from_world * p;
+    CHECK(inside(c));
+  }
+}
+
+TEST_CASE("the default view is from the front, right and above") {
+  const auto camera = frame(box_of({-1, -1, -1}, {1, 1, 1}), 1);
+  REQUIRE(camera);
+  CHECK(camera->world_from_eye.at(0, 3) > 0);
+  CHECK(camera->world_from_eye.at(1, 3) > 0);
+  CHECK(camera->world_from_eye.at(2, 3) > 0);
+  CHECK(camera->world_from_eye.at(1, 1) > 0.9);  // upright
+}
+
+TEST_CASE("nothing, infinite boxes and senseless options are refused") {
+  const double inf = std::numeric_limits<double>::infinity();
+  const Box<World> unit = box_of({0, 0, 0}, {1, 1, 1});
+  CHECK(frame({}, 1).error().message() ==
+        "scene bounds: there is nothing to look at; give a scene with at least one vertex");
+  CHECK(!frame(box_of({0, 0, 0}, {inf, 1, 1}), 1));
+  CHECK(!frame(box_of({0, 0, 0}, {1e300, 1, 1}), 1));
+  for (double aspect : {0.0, -1.0, inf, std::nan("")}) CHECK(!frame(unit, aspect));
+  FramingOptions options;
+  options.elevation_degrees = 90;
+  CHECK(!frame(unit, 1, options));
+  options = {};
+  options.fovy_degrees = 180;
+  CHECK(!frame(unit, 1, options));
+  options = {};
+  options.margin = 0.5;
+  CHECK(!frame(unit, 1, options));
+}
+
+TEST_CASE("near and far enclose the box from any pose that sees all of it") {
+  Random random(71);
+  for (int i = 0; i < 1000; ++i) {
+    const Box<World> box =
+        box_of({-1, -2, -3}, {random.between(0, 4), random.between(0, 4), random.between(0, 4)});
+    const Point<World, double> eye{random.between(-50, 50), random.between(10, 50),
+                                   random.between(-50, 50)};
+    const auto pose = camera_pose(eye, Point<World, double>{0, 0, 0}, {0, 1, 0});
+    REQUIRE(pose);
+    const auto planes = near_far_for(*pose, box);
+    REQUIRE(planes);
+    const auto eye_from_world = look_at(eye, {0, 0, 0}, {0, 1, 0});
+    CHECK(planes->near > 0);
+    for (int corner = 0; corner < 8; ++corner) {
+      const double distance = -(*eye_from_world * box.corner(corner)).z;
+      CHECK((distance > planes->near || planes->near == planes->far / kMaxDepthRatio));
+      CHECK(distance < planes->far);
+    }
+  }
+}
+
+TEST_CASE("an eye inside the box, and one that looks away, get usable planes") {
+  const Box<World> box = box_of({-1, -1, -1}, {1, 1, 1});
+  const auto inside_pose =
+      camera_pose(Point<World, double>{0, 0, 0}, Vector<World, double>{0, 0, -1}, {0, 1, 0});
+  REQUIRE(inside_pose);
+  const auto planes = near_far_for(*inside_pose, box);
+  REQUIRE(planes);
+  CHECK(planes->far == 1.02);
+  CHECK(planes->near == 1.02 / kMaxDepthRatio);
+  const auto away =
+      camera_pose(Point<World, double>{0, 0, 50}, Vector<World, double>{0, 0, 1}, {0, 1, 0});
+  REQUIRE(away);
+  const auto behind = near_far_for(*away, box);
+  REQUIRE(behind);
+  CHECK(behind->near > 0);
+  CHECK(behind->far > behind->near);
+  const auto parallel = parallel_near_far_for(*away, box);
+  REQUIRE(parallel);
+  CHECK(parallel->near < -51);
+  CHECK(parallel->far > -49);
+  CHECK(parallel->near < parallel->far);
+  CHECK(!near_far_for(*away, {}));
+}
+
+TEST_CASE("a plane that faces the eye still has room between near and far") {
+  const Box<World> wall = box_of({-1, -1, 0}, {1, 1, 0});
+  const auto pose =
+      camera_pose(Point<World, double>{0, 0, 10}, Vector<World, double>{0, 0, -1}, {0, 1, 0});
+  REQUIRE(pose);
+  for (const auto& planes : {near_far_for(*pose, wall), parallel_near_far_for(*pose, wall)}) {
+    REQUIRE(planes);
+    CHECK(planes->near < 10);
+    CHECK(planes->far > 10);
+  }
+}
+
+}  // namespace
+}  // namespace glassbox
