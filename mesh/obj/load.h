@@ -34,7 +34,8 @@ namespace glassbox {
 // proportion to the files read, within `limits`. A statement that cannot be drawn as written (an
 // index out of range, a coordinate that is no finite number, nothing to draw at all) is an error
 // with its line. What can be drawn without (a missing library or texture, unknown statements, faces
-// of fewer than three corners) is a warning of the scene.
+// of fewer than three corners, indices of normals in a file without normals) is a warning of the
+// scene.
 Result<Scene> load_obj(const std::string& path, const LoadLimits& limits = {});
 
 // The same from memory, with `mtl` as the only material library; no file is read, so that textures

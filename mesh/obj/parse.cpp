@@ -58,14 +58,13 @@ private:
   void texcoord(Words words);
   void normal(Words words);
   Status element(ElementKind kind, Words words);
-  Result<Reference> reference(ElementKind kind, std::string_view word);
+  Result<Reference> reference(std::string_view word);
   Result<std::uint32_t> index(std::string_view digits, IndexedTable& table);
-  std::uint32_t texcoord_of_line(std::string_view digits);
   void library(std::string_view text);
 
   Status check_forward_references() const;
   Status check_unreadable_vertices();
-  void drop_missing_texcoords_of_lines();
+  void drop_references_to(IndexedTable& absent, std::uint32_t Reference::*index);
   void report_oddities();
 
   tl::unexpected<Error> refuse(std::string cause, std::string remedy) const {
@@ -86,7 +85,7 @@ private:
   IndexedTable normals_{"normal"};
 
   Tally short_faces_, short_lines_, free_form_, unknown_, odd_texcoords_, odd_normals_, weights_,
-      odd_colors_, more_numbers_, many_libraries_, line_texcoords_;
+      odd_colors_, more_numbers_, many_libraries_;
   std::string first_unknown_;
 };
 
@@ -200,7 +199,7 @@ void Parser::normal(Words words) {
 Parser::Status Parser::element(ElementKind kind, Words words) {
   const std::size_t first = tables_.references.size();
   for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
-    auto corner = reference(kind, word);
+    auto corner = reference(word);
     if (!corner) return tl::unexpected(corner.error());
     tables_.references.push_back(*corner);
     if (tables_.references.size() == kNone) {
@@ -230,7 +229,7 @@ Parser::Status Parser::element(ElementKind kind, Words words) {
 }
 
 // i, i/j, i//k or i/j/k; an index that is left out after a slash is none.
-Result<Reference> Parser::reference(ElementKind kind, std::string_view word) {
+Result<Reference> Parser::reference(std::string_view word) {
   std::array<std::string_view, 3> fields;
   std::size_t count = 0;
   std::string_view rest = word;
@@ -248,12 +247,10 @@ Result<Reference> Parser::reference(ElementKind kind, std::string_view word) {
   const auto position = index(fields[0], positions_);
   if (!position) return tl::unexpected(position.error());
   corner.position = *position;
-  if (!fields[1].empty() && kind == ElementKind::kFace) {
+  if (!fields[1].empty()) {
     const auto texcoord = index(fields[1], texcoords_);
     if (!texcoord) return tl::unexpected(texcoord.error());
     corner.texcoord = *texcoord;
-  } else if (!fields[1].empty()) {
-    corner.texcoord = texcoord_of_line(fields[1]);
   }
   if (!fields[2].empty()) {
     const auto normal = index(fields[2], normals_);
@@ -282,20 +279,6 @@ Result<std::uint32_t> Parser::index(std::string_view digits, IndexedTable& table
     table.line_of_largest = lines_.number();
   }
   return std::uint32_t(from_zero);
-}
-
-// Lines and points need no texture coordinates, and files exist whose lines name ones that are not
-// there: those are left out.
-std::uint32_t Parser::texcoord_of_line(std::string_view digits) {
-  const std::int64_t written = parse_integer(digits).value_or(0);
-  const std::int64_t from_zero =
-      written > 0 ? written - 1 : std::int64_t(texcoords_.size) + written;
-  if (written != 0 && from_zero >= 0 && from_zero < std::int64_t(kNone)) {
-    if (from_zero >= std::int64_t(texcoords_.size)) line_texcoords_.add(lines_.number());
-    return std::uint32_t(from_zero);
-  }
-  line_texcoords_.add(lines_.number());
-  return kNone;
 }
 
 void Parser::library(std::string_view text) {
@@ -338,14 +321,15 @@ Parser::Status Parser::check_unreadable_vertices() {
   return {};
 }
 
-void Parser::drop_missing_texcoords_of_lines() {
-  for (const Element& element : tables_.elements) {
-    if (element.kind == ElementKind::kFace) continue;
-    for (std::uint32_t i = element.first; i < element.first + element.count; ++i) {
-      Reference& corner = tables_.references[i];
-      if (corner.texcoord != kNone && corner.texcoord >= texcoords_.size) corner.texcoord = kNone;
-    }
-  }
+// Some exporters write the indices of normals or texture coordinates but not these themselves. If
+// there are none in the whole file, what is meant is clear.
+void Parser::drop_references_to(IndexedTable& absent, std::uint32_t Reference::*index) {
+  if (absent.size > 0 || absent.largest < 0) return;
+  for (Reference& corner : tables_.references) corner.*index = kNone;
+  warnings_.add(std::string("corners name ") + absent.name +
+                "s, but the file has none (the last in line " +
+                std::to_string(absent.line_of_largest) + ")");
+  absent.largest = -1;
 }
 
 void Parser::report_oddities() {
@@ -359,9 +343,6 @@ void Parser::report_oddities() {
                      warnings_);
   odd_texcoords_.report("texture coordinates are not finite numbers and were left out", warnings_);
   odd_normals_.report("normals are zero or not finite and were left out", warnings_);
-  line_texcoords_.report(
-      "texture coordinates of lines or points may not be in the file; missing ones were left out",
-      warnings_);
   many_libraries_.report("material libraries beyond the first 256 were ignored", warnings_);
   if (!first_unknown_.empty()) {
     unknown_.report(("unknown statements were ignored, " + first_unknown_ + " among them").c_str(),
@@ -375,9 +356,10 @@ Result<Tables> Parser::run() {
     const std::string_view keyword = words.next();
     if (auto status = statement(keyword, words); !status) return tl::unexpected(status.error());
   }
+  drop_references_to(texcoords_, &Reference::texcoord);
+  drop_references_to(normals_, &Reference::normal);
   if (auto status = check_forward_references(); !status) return tl::unexpected(status.error());
   if (auto status = check_unreadable_vertices(); !status) return tl::unexpected(status.error());
-  drop_missing_texcoords_of_lines();
   report_oddities();
   if (tables_.elements.empty()) {
     return fail("", "has no faces, lines or points", "give an OBJ file with something to draw");
