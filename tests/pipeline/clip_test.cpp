@@ -1,0 +1,714 @@
+// Clipping in homogeneous clip space, against rational arithmetic and against what goes wrong without it.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <glassbox/pipeline/clip.h>
+#include <glassbox/pipeline/divide.h>
+
+#include "tests/pipeline/rational_geometry.h"
+#include "tests/support/catch.h"
+#include "tests/support/random.h"
+
+namespace {
+
+using namespace glassbox;
+using glassbox::test::Random;
+using glassbox::test::Rational;
+using glassbox::test::RationalPoint;
+using glassbox::test::RationalPolygon;
+
+using Triangle3 = std::array<ClipVertex, 3>;
+
+Triangle3 triangle(const Point<Clip>& a, const Point<Clip>& b, const Point<Clip>& c) {
+  return {ClipVertex{a, {1, 0, 0}}, ClipVertex{b, {0, 1, 0}}, ClipVertex{c, {0, 0, 1}}};
+}
+
+Point<Clip> random_position(Random& random, double w_low, double w_high) {
+  return {float(random.between(-1.5, 1.5)), float(random.between(-1.5, 1.5)),
+          float(random.between(-0.5, 1.5)), float(random.between(w_low, w_high))};
+}
+
+// A float with any finite bit pattern.
+float random_bits(Random& random) {
+  for (;;) {
+    const float x = std::bit_cast<float>(std::uint32_t(random.bits()));
+    if (std::isfinite(x)) return x;
+  }
+}
+
+View perspective_view(float width, float height, double near) {
+  View view;
+  view.viewport = {0, 0, width, height};
+  view.near = near;
+  return view;
+}
+
+bool contains(const ClipPolygon& polygon, const Point<Clip>& position) {
+  return std::any_of(polygon.vertices.begin(), polygon.vertices.begin() + polygon.count,
+                     [&](const ClipVertex& v) { return v.position == position; });
+}
+
+bool repeats_a_vertex(const ClipPolygon& polygon) {
+  for (int i = 0; i < polygon.count; ++i) {
+    const std::size_t here = std::size_t(i), next = std::size_t((i + 1) % polygon.count);
+    if (polygon.vertices[here].position == polygon.vertices[next].position) return true;
+  }
+  return false;
+}
+
+std::string in_words(const Triangle3& t) {
+  std::string text;
+  for (const ClipVertex& v : t) {
+    text += "(" + Catch::Detail::stringify(v.position.x) + ", " +
+            Catch::Detail::stringify(v.position.y) + ", " + Catch::Detail::stringify(v.position.z) +
+            ", " + Catch::Detail::stringify(v.position.w) + ") ";
+  }
+  return text;
+}
+
+// near, left, right, bottom, top: without the far plane, which can meet a triangle at any small angle and has then no
+// useful bound on the area.
+std::vector<ClipPlane> planes_without_far() {
+  std::vector<ClipPlane> planes;
+  for (const ClipPlane& plane : frustum_planes()) {
+    if (std::string(plane.name) != "far") planes.push_back(plane);
+  }
+  return planes;
+}
+
+}  // namespace
+
+TEST_CASE("a triangle through the eye plane is cut to exactly what lies in front (C-32)") {
+  // z - w is -1/2 everywhere, so z = 0 at w = 1/2. All crossings have few bits: nothing is rounded.
+  const std::vector<ClipPlane> near{frustum_planes()[0]};
+  const Point<Clip> front{0, 0.25f, 0.5f, 1}, front2{0.5f, 0, 0.5f, 1};
+  const Point<Clip> behind{-1, -1, -1.5f, -1}, behind2{1, -1, -1.5f, -1};
+
+  for (const auto& [t, count] : {std::pair{triangle(front, behind, behind2), 3},
+                                 std::pair{triangle(front, front2, behind), 4}}) {
+    INFO(in_words(t));
+    const ClipPolygon polygon = clip_triangle(t, near);
+    REQUIRE(polygon.count == count);
+    const Rational expected = test::twice_ndc_area(test::clip(test::exactly(t), near));
+    CHECK(test::twice_ndc_area(test::exactly(polygon)) == expected);
+    for (int i = 0; i < count; ++i) CHECK(polygon.vertices[std::size_t(i)].position.w >= 0.5f);
+    // The trap: dividing first maps what is behind the eye to the front.
+    CHECK(test::twice_ndc_area(test::exactly(t)) != expected);
+  }
+}
+
+TEST_CASE("objects behind the observer do not come to the front (S3-13)") {
+  // w = -1: x/w, y/w, z/w lie in the middle of the screen, at a legal depth.
+  const Point<Clip> behind{-0.25f, 0.25f, -0.5f, -1};
+  const NdcVertex naive = divide(behind);
+  CHECK(std::abs(naive.position.x) < 1);
+  CHECK(naive.position.z == 0.5f);
+  CHECK_FALSE(clip_point(behind, frustum_planes()));
+  const Triangle3 t = triangle(behind, {0.25f, 0, -0.5f, -1}, {0, -0.25f, -0.5f, -1});
+  CHECK(clip_triangle(t, frustum_planes()).count == 0);
+}
+
+TEST_CASE("clipped areas are the rational ones for all eight patterns of signs of w (C-34)") {
+  const std::uint64_t seed = 11;
+  INFO("seed " << seed);
+  Random random(seed);
+  const std::vector<ClipPlane> planes = planes_without_far();
+  // Coordinates are below 1.5 and w is at least 1/16 where it counts, so one rounding moves a point of NDC by less than
+  // 1.5 * 2 * 16 u per coordinate; an edge is cut by at most five planes; moving the edges of a polygon inside NDC's
+  // square (perimeter at most 8) by 5 * 48 u * sqrt(2) changes twice its area by less than 16 * 340 u.
+  const double tolerance = 16 * 340 * 0x1p-24;
+  for (int signs = 0; signs < 8; ++signs) {
+    int drawn = 0;
+    for (int i = 0; i < 1500; ++i) {
+      std::array<Point<Clip>, 3> p;
+      for (int k = 0; k < 3; ++k) {
+        const bool behind = (signs >> k & 1) != 0;
+        p[std::size_t(k)] = behind ? random_position(random, -1, 0) : random_position(random, 0, 1);
+      }
+      const Triangle3 t = triangle(p[0], p[1], p[2]);
+      const RationalPolygon exact = test::clip(test::exactly(t), planes);
+      const bool too_near = std::any_of(
+          exact.begin(), exact.end(), [](const RationalPoint& v) { return v.w < Rational(1, 16); });
+      const ClipPolygon polygon = clip_triangle(t, planes);
+      if (signs == 7) {
+        // Everything behind the eye: -w <= x <= w cannot hold.
+        REQUIRE(polygon.count == 0);
+        REQUIRE(exact.empty());
+      }
+      if (too_near || exact.empty()) continue;
+      INFO("w signs " << signs << ": " << in_words(t));
+      ++drawn;
+      const Rational difference =
+          test::twice_ndc_area(test::exactly(polygon)) - test::twice_ndc_area(exact);
+      REQUIRE(std::abs(double(difference)) <= tolerance);
+    }
+    CHECK((signs == 7) == (drawn == 0));
+  }
+}
+
+TEST_CASE("neither the first corner nor the winding nor the order of planes matters") {
+  const std::uint64_t seed = 12;
+  INFO("seed " << seed);
+  Random random(seed);
+  const std::vector<ClipPlane> planes = planes_without_far();
+  std::vector<ClipPlane> reversed(planes.rbegin(), planes.rend());
+  int compared = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const std::array<Point<Clip>, 3> p{random_position(random, -0.5, 1),
+                                       random_position(random, -0.5, 1),
+                                       random_position(random, -0.5, 1)};
+    const Triangle3 t = triangle(p[0], p[1], p[2]);
+    INFO(in_words(t));
+    const ClipPolygon polygon = clip_triangle(t, planes);
+    for (const ClipPolygon& other : {clip_triangle(triangle(p[1], p[2], p[0]), planes),
+                                     clip_triangle(triangle(p[0], p[2], p[1]), planes)}) {
+      REQUIRE(other.count == polygon.count);
+      for (int k = 0; k < polygon.count; ++k) {
+        REQUIRE(contains(other, polygon.vertices[std::size_t(k)].position));
+      }
+    }
+    if (i % 20 != 0) continue;
+    const ClipPolygon other = clip_triangle(t, reversed);
+    const auto near_eye = [](const ClipPolygon& q) {
+      return std::any_of(q.vertices.begin(), q.vertices.begin() + q.count,
+                         [](const ClipVertex& v) { return v.position.w < 0x1p-4f; });
+    };
+    if (polygon.count == 0 || near_eye(polygon) || near_eye(other)) continue;
+    ++compared;
+    const Rational difference =
+        test::twice_ndc_area(test::exactly(polygon)) - test::twice_ndc_area(test::exactly(other));
+    REQUIRE(std::abs(double(difference)) <=
+            2 * 16 * 340 * 0x1p-24);  // twice the bound derived above
+  }
+  CHECK(compared > 200);
+}
+
+TEST_CASE("both triangles at an edge cut it at the same bits, and a + t (b - a) does not (C-38)") {
+  const std::uint64_t seed = 13;
+  INFO("seed " << seed);
+  Random random(seed);
+  const auto render = render_planes(perspective_view(1280, 720, 0.125));
+  const auto frustum = frustum_planes();
+  int cut_edges = 0, mismatches = 0, cut_twice = 0;
+  int naive_edges = 0, naive_mismatches = 0;
+
+  const auto naive_crossing = [](const Point<Clip>& a, const Point<Clip>& b) {
+    const float t = a.z / (a.z - b.z);
+    return Point<Clip>{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), 0, a.w + t * (b.w - a.w)};
+  };
+  // Vertices on the edge of corners 0 and 1 have no weight of corner 2.
+  const auto missing = [](const ClipPolygon& from, const ClipPolygon& in) {
+    int count = 0;
+    for (int i = 0; i < from.count; ++i) {
+      const ClipVertex& v = from.vertices[std::size_t(i)];
+      count += v.weights[2] == 0 && !contains(in, v.position);
+    }
+    return count;
+  };
+  const auto made_on_edge = [](const ClipPolygon& polygon) {
+    int count = 0;
+    for (int i = 0; i < polygon.count; ++i) {
+      const auto& weights = polygon.vertices[std::size_t(i)].weights;
+      count += weights[2] == 0 && weights[0] != 0 && weights[1] != 0;
+    }
+    return count;
+  };
+
+  while (cut_edges < 100000) {
+    const bool wide = random.integer(0, 1) == 0;
+    const auto position = [&] {
+      const double size = wide ? 1e6 : 10;  // leaves the guard band or the frustum
+      return Point<Clip>{float(random.between(-size, size)), float(random.between(-size, size)),
+                         float(random.between(-5, 5)), float(random.between(-2, 10))};
+    };
+    const Point<Clip> a = position(), b = position(), c = position(), d = position();
+    const std::span<const ClipPlane> planes = wide ? std::span<const ClipPlane>(render) : frustum;
+    const ClipPolygon left = clip_triangle(triangle(a, b, c), planes);
+    const ClipPolygon right = clip_triangle(triangle(b, a, d), planes);
+    if (made_on_edge(left) == 0 && made_on_edge(right) == 0) continue;
+    ++cut_edges;
+    cut_twice += made_on_edge(left) > 1;
+    mismatches += missing(left, right) + missing(right, left);
+    if ((a.z < 0) != (b.z < 0)) {
+      ++naive_edges;
+      naive_mismatches += !(naive_crossing(a, b) == naive_crossing(b, a));
+    }
+  }
+  CHECK(mismatches == 0);
+  CHECK(cut_twice > 1000);
+  CHECK(naive_mismatches * 10 > naive_edges);  // the catalogue measured 46.8 %
+}
+
+TEST_CASE("vertices on planes are inside and are not repeated (C-35)") {
+  const auto planes = frustum_planes();
+  std::vector<Point<Clip>> lattice;
+  for (int x = -1; x <= 1; ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      for (int z = 0; z <= 2; ++z) lattice.push_back({float(x), float(y), float(z) / 2, 1});
+    }
+  }
+  SECTION("nothing on the surface of the box is changed") {
+    for (const Point<Clip>& a : lattice) {
+      CHECK(clip_point(a, planes));
+      for (const Point<Clip>& b : lattice) {
+        for (const Point<Clip>& c : lattice) {
+          if (a == b || b == c || c == a) continue;
+          const ClipPolygon polygon = clip_triangle(triangle(a, b, c), planes);
+          REQUIRE(polygon.count == 3);
+          REQUIRE(polygon.vertices[0].position == a);
+          REQUIRE(polygon.vertices[1].position == b);
+          REQUIRE(polygon.vertices[2].position == c);
+        }
+      }
+    }
+  }
+  SECTION("what touches the box from outside along an edge or in a corner leaves nothing") {
+    CHECK(
+        clip_triangle(triangle({1, 0, 0.5f, 1}, {2, 0, 0.5f, 1}, {2, 1, 0.5f, 1}), planes).count ==
+        0);
+    CHECK(
+        clip_triangle(triangle({1, 0, 0.5f, 1}, {1, 1, 0.5f, 1}, {2, 1, 0.5f, 1}), planes).count ==
+        0);
+    CHECK(clip_triangle(triangle({1, 1, 1, 1}, {2, 1, 1, 1}, {1, 2, 1, 1}), planes).count == 0);
+  }
+  SECTION(
+      "a vertex on one plane and one beyond the opposite one give a triangle, not a "
+      "quadrilateral") {
+    const ClipPolygon polygon =
+        clip_triangle(triangle({-1, 0, 0.5f, 1}, {3, -0.5f, 0.5f, 1}, {3, 0.5f, 0.5f, 1}), planes);
+    CHECK(polygon.count == 3);
+    CHECK(polygon.vertices[1].position == Point<Clip>{1, -0.25f, 0.5f, 1});
+  }
+  SECTION("a lattice that reaches beyond the box has no repeated vertices, and at most nine") {
+    const std::uint64_t seed = 14;
+    INFO("seed " << seed);
+    Random random(seed);
+    int corners_hit = 0;
+    for (int i = 0; i < 50000; ++i) {
+      const auto position = [&] {
+        return Point<Clip>{float(random.integer(-4, 4)) / 2, float(random.integer(-4, 4)) / 2,
+                           float(random.integer(-2, 4)) / 2, float(random.integer(1, 2))};
+      };
+      const Triangle3 t = triangle(position(), position(), position());
+      INFO(in_words(t));
+      const ClipPolygon polygon = clip_triangle(t, planes);
+      REQUIRE((polygon.count == 0 || (polygon.count >= 3 && polygon.count <= 9)));
+      REQUIRE_FALSE((polygon.count > 0 && repeats_a_vertex(polygon)));
+      for (int k = 0; k < polygon.count; ++k) {
+        const Point<Clip>& p = polygon.vertices[std::size_t(k)].position;
+        REQUIRE(outcode(p, planes) == 0);  // monotonic rounding never leaves the frustum again
+        corners_hit += std::abs(p.x) == p.w && std::abs(p.y) == p.w;
+      }
+    }
+    CHECK(corners_hit > 100);
+  }
+}
+
+TEST_CASE("all six planes cut a triangle to nine vertices, and no triangle to more (C-36)") {
+  const auto planes = frustum_planes();
+  // The plane x + y + z' = 0 (z' = 2z - 1) meets the box in a regular hexagon; this triangle cuts three of its corners.
+  const float r = 1.875f;
+  const Triangle3 t = triangle({-r, r, 0.5f, 1}, {0, -r, (r + 1) / 2, 1}, {r, 0, (1 - r) / 2, 1});
+  const ClipPolygon polygon = clip_triangle(t, planes);
+  CHECK(polygon.count == 9);
+  CHECK(fan_size(polygon) == 7);
+  CHECK(fan_triangle(polygon, 6)[0].position == polygon.vertices[0].position);
+  CHECK(fan_triangle(polygon, 6)[2].position == polygon.vertices[8].position);
+
+  SECTION("a triangle that contains the whole screen becomes the screen exactly") {
+    const ClipPolygon screen = clip_triangle(
+        triangle({-64, -64, 0.5f, 1}, {192, -64, 0.5f, 1}, {-64, 192, 0.5f, 1}), planes);
+    REQUIRE(screen.count == 4);
+    for (const float x : {-1.0f, 1.0f}) {
+      for (const float y : {-1.0f, 1.0f}) CHECK(contains(screen, {x, y, 0.5f, 1}));
+    }
+    CHECK(test::twice_ndc_area(test::exactly(screen)) == 8);
+  }
+}
+
+TEST_CASE("each plane adds one vertex at most, even where rounding has bent the polygon") {
+  const std::uint64_t seed = 15;
+  INFO("seed " << seed);
+  Random random(seed);
+  // All but in the plane 2^16 w = 1366 x, on either side of it, and cut by others first: crossings that are rounded once
+  // more lie now inside, now outside.
+  const auto guard = guard_band_planes({0, 0, 1366, 768});
+  const std::array<ClipPlane, 3> planes{frustum_planes()[0], frustum_planes()[1], guard[1]};
+  const std::span<const ClipPlane> first_two(planes.data(), 2);
+  const auto all = render_planes(perspective_view(1366, 768, 0.125));
+  int bent = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const auto position = [&] {
+      const float w = float(random.between(0.5, 3));
+      const float x = float(65536.0 / 1366 * w) * (1 + float(random.integer(-1, 1)) * 0x1p-23f);
+      const float y = i % 2 == 0 ? -float(65536.0 / 768 * w) : float(random.between(-1, 1));
+      return Point<Clip>{x, y, float(random.between(-1, 4)), w};
+    };
+    const Triangle3 t = triangle(position(), position(), position());
+    INFO(in_words(t));
+    const ClipPolygon before = clip_triangle(t, first_two);
+    const auto outside = [&](int k) {
+      const Point<Clip>& p = before.vertices[std::size_t(k % before.count)].position;
+      return signed_distance(guard[1], p) < 0;
+    };
+    int changes = 0;
+    for (int k = 0; k < before.count; ++k) changes += outside(k) != outside(k + 1);
+    bent += changes > 2;
+    REQUIRE(clip_triangle(t, planes).count <= before.count + 1);
+    REQUIRE(clip_triangle(t, all).count <= kMaxClipVertices);
+  }
+  CHECK(bent > 100);
+}
+
+TEST_CASE("any finite triangle divides to finite pixels (C-33, C-40)") {
+  const std::uint64_t seed = 16;
+  INFO("seed " << seed);
+  Random random(seed);
+  View view = perspective_view(1920, 1080, 0.01);
+  int drawn = 0;
+  const auto check = [&](const Triangle3& t) {
+    INFO(in_words(t));
+    const ClipPolygon polygon = clip_triangle(t, render_planes(view));
+    for (int k = 0; k < polygon.count; ++k) {
+      const ClipVertex& v = polygon.vertices[std::size_t(k)];
+      REQUIRE(v.position.w >= float(view.near / 2));
+      const NdcVertex ndc = divide(v);
+      const ScreenVertex screen = to_screen(ndc, view.viewport);
+      // A rounded crossing, a rounded quotient, and the two roundings of the viewport: 4 u of less than 2^16.
+      REQUIRE(std::abs(double(screen.position.x) - 960) <= kGuardBandPx + 0x1p-6);
+      REQUIRE(std::abs(double(screen.position.y) - 540) <= kGuardBandPx + 0x1p-6);
+      REQUIRE(screen.position.z >= 0);
+      REQUIRE(screen.position.z <= 2);
+      REQUIRE(std::isfinite(screen.inverse_w));
+      double sum = 0;
+      for (const double weight : v.weights) {
+        REQUIRE(weight >= 0);
+        sum += weight;
+      }
+      // Four roundings for each of up to seven planes, in double.
+      REQUIRE(std::abs(sum - 1) <= 64 * 0x1p-53);
+    }
+    drawn += polygon.count > 0;
+  };
+  SECTION("random bits") {
+    for (const double far : {100.0, std::numeric_limits<double>::infinity()}) {
+      for (const DepthRange range : {DepthRange::kStandard, DepthRange::kReversed}) {
+        view.far = far;
+        view.depth_range = range;
+        for (int i = 0; i < 20000; ++i) {
+          const auto position = [&] {
+            Point<Clip> p{random_bits(random), random_bits(random), random_bits(random),
+                          random_bits(random)};
+            // Some that can be seen: all four of one size.
+            if (random.integer(0, 3) != 0) {
+              const float size = std::abs(p.w);
+              p = {size * float(random.between(-1, 1)), size * float(random.between(-1, 1)),
+                   size * float(random.unit()), size};
+            }
+            return p;
+          };
+          check(triangle(position(), position(), position()));
+        }
+      }
+    }
+    CHECK(drawn > 5000);
+  }
+  SECTION("w close to zero") {
+    for (const float w : {1e-38f, 1e-45f, 0.0f, -1e-45f, -1e-38f}) {
+      check(triangle({1, 0, w, w}, {0, 1, 0.5f, 1}, {-1, -1, 0.5f, 1}));
+      check(triangle({0, 0, 0, w}, {0, 0, w, w}, {w, w, w, w}));
+    }
+    CHECK(drawn == 5);
+  }
+  SECTION("what is not finite is not drawn") {
+    const float infinity = std::numeric_limits<float>::infinity();
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    for (const float bad : {infinity, -infinity, nan}) {
+      CHECK(
+          clip_triangle(triangle({bad, 0, 0.5f, 1}, {0, 1, 0.5f, 1}, {1, 0, 0.5f, 1}), {}).count ==
+          0);
+      CHECK_FALSE(clip_point({0, 0, bad, 1}, {}));
+      const std::array<Outcode, 3> codes{outcode({0, bad, 0, 1}, {}), 0, 0};
+      CHECK(trivial_verdict(codes) == ClipVerdict::kReject);
+    }
+  }
+}
+
+TEST_CASE("the guard band keeps what it can hold and cuts the rest at its edge (C-40)") {
+  // 1024 px: pixels to NDC and back are exact. NDC x of a screen position relative to the centre.
+  const Viewport viewport{0, 0, 1024, 1024};
+  const auto planes = guard_band_planes(viewport);
+  const auto at = [](double px, double py) {
+    return Point<Clip>{float(px / 512), float(py / 512), 0.5f, 1};
+  };
+  for (const double px : {32767.99, 32768.0}) {
+    CHECK(clip_point(at(px, 0), planes));
+    CHECK(clip_point(at(-px, px), planes));
+    const ClipPolygon kept = clip_triangle(triangle(at(-px, 0), at(px, -px), at(0, px)), planes);
+    CHECK(kept.count == 3);
+    CHECK(kept.vertices[1].position == at(px, -px));
+  }
+  CHECK_FALSE(clip_point(at(32768.01, 0), planes));
+  for (const double px : {32768.01, 1e6, 1e30}) {
+    const Triangle3 t = triangle(at(-100, -100), at(px, 100), at(-100, 300));
+    const ClipPolygon polygon = clip_triangle(t, planes);
+    REQUIRE(polygon.count == 4);
+    for (int i = 0; i < 4; ++i) {
+      const Point<Clip>& p = polygon.vertices[std::size_t(i)].position;
+      CHECK(double(p.x) * 512 <= 32768);
+      if (p.x == at(-100, 0).x) continue;
+      CHECK(p.x == 64.0f * p.w);
+      // On the edge it came from, to half an ulp of a coordinate of less than 300 px.
+      const RationalPoint q = test::exactly(p);
+      const RationalPoint from = test::exactly(t[p.y > at(0, 100).y ? 2 : 0].position);
+      const RationalPoint to = test::exactly(t[1].position);
+      const Rational y = from.y + (to.y - from.y) * (q.x - from.x) / (to.x - from.x);
+      CHECK(std::abs(double(q.y - y)) * 512 <= 300 * 0x1p-24);
+    }
+  }
+}
+
+TEST_CASE(
+    "OpenGL's near plane is another one: mixing dialects moves it by a factor of two (E16, C-41)") {
+  const double n = 1, f = 1024;
+  const auto at_depth = [&](double depth, bool opengl) {
+    const double z = opengl ? ((f + n) * depth - 2 * f * n) / (f - n) : f * (depth - n) / (f - n);
+    return Point<Clip>{0, 0, float(z), float(depth)};
+  };
+  const std::vector<ClipPlane> canonical{frustum_planes()[0]}, opengl{opengl_near_plane()};
+  // Just behind the near plane: seen in both dialects by their own plane.
+  CHECK(clip_point(at_depth(1.5, false), canonical));
+  CHECK(clip_point(at_depth(1.5, true), opengl));
+  CHECK_FALSE(clip_point(at_depth(0.75, false), canonical));
+  CHECK_FALSE(clip_point(at_depth(0.75, true), opengl));
+  // The wrong plane cuts at 2 f n / (f + n), nearly twice as far, or at f n / (2 f - n), nearly half as far.
+  CHECK_FALSE(clip_point(at_depth(1.5, true), canonical));
+  CHECK(clip_point(at_depth(2.0, true), canonical));
+  CHECK(clip_point(at_depth(0.75, false), opengl));
+  // With large w, z = 0 and z = -w are far apart; on the planes themselves both are exact.
+  CHECK(clip_point({0, 0, 0, 1e30f}, canonical));
+  CHECK(clip_point({0, 0, -1e30f, 1e30f}, opengl));
+  CHECK_FALSE(clip_point({0, 0, -1e30f, 1e30f}, canonical));
+}
+
+TEST_CASE("a right-handed view times a left-handed projection shows only what is behind (E12)") {
+  // S4.18's T_pers, d = 1, f = 10, h = 1, expects depth to be positive; the view of S4.5 gives -z in front.
+  const double d = 1, f = 10;
+  Transform<Clip, Eye> t_pers;
+  t_pers.columns = glm::dmat4(0.0);
+  t_pers.at(0, 0) = t_pers.at(1, 1) = d;
+  t_pers.at(2, 2) = f / (f - d);
+  t_pers.at(2, 3) = -d * f / (f - d);
+  t_pers.at(3, 2) = 1;
+  Transform<Eye, Eye> adaptor;  // S = diag(1, 1, -1, 1)
+  adaptor.at(2, 2) = -1;
+  const Transform<Clip, Eye, float> wrong = round_to_float(t_pers);
+  const Transform<Clip, Eye, float> right = round_to_float(t_pers * adaptor);
+
+  const std::uint64_t seed = 17;
+  INFO("seed " << seed);
+  Random random(seed);
+  const auto planes = frustum_planes();
+  int seen_right = 0, seen_wrong = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const float z = -float(random.between(1.01, 9.99));
+    const float x = z * float(random.between(-0.9, 0.9)), y = z * float(random.between(-0.9, 0.9));
+    const Point<Eye> front{x, y, z}, behind{x, y, -z};
+    REQUIRE((wrong * front).w < 0);
+    REQUIRE((wrong * behind).w > 0);
+    seen_right += clip_point(right * front, planes) && !clip_point(right * behind, planes);
+    seen_wrong += clip_point(wrong * behind, planes) && !clip_point(wrong * front, planes);
+  }
+  CHECK(seen_right == 1000);
+  CHECK(seen_wrong == 1000);
+}
+
+TEST_CASE("what is trivially accepted is not changed by clipping (C-42)") {
+  const std::uint64_t seed = 18;
+  INFO("seed " << seed);
+  Random random(seed);
+  const auto planes = render_planes(perspective_view(1280, 720, 0.25));
+  int accepted = 0, rejected = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const auto position = [&] {
+      return Point<Clip>{float(random.between(-200, 200)), float(random.between(-200, 200)),
+                         float(random.between(-0.5, 2)), float(random.between(-0.5, 4))};
+    };
+    const Triangle3 t = triangle(position(), position(), position());
+    const std::array<Outcode, 3> codes{outcode(t[0].position, planes),
+                                       outcode(t[1].position, planes),
+                                       outcode(t[2].position, planes)};
+    const ClipVerdict verdict = trivial_verdict(codes);
+    const ClipPolygon polygon = clip_triangle(t, planes);
+    INFO(in_words(t));
+    if (verdict == ClipVerdict::kAccept) {
+      ++accepted;
+      REQUIRE(polygon.count == 3);
+      for (std::size_t k = 0; k < 3; ++k) {
+        REQUIRE(polygon.vertices[k].position == t[k].position);
+        REQUIRE(polygon.vertices[k].weights == t[k].weights);
+      }
+    }
+    if (verdict == ClipVerdict::kReject) {
+      ++rejected;
+      REQUIRE(polygon.count == 0);
+    }
+  }
+  CHECK(accepted > 100);
+  CHECK(rejected > 100);
+}
+
+TEST_CASE("a box is accepted or rejected only if every vertex in it is") {
+  const std::uint64_t seed = 19;
+  INFO("seed " << seed);
+  Random random(seed);
+  const auto planes = frustum_planes();
+  int accepted = 0, rejected = 0, undecided = 0;
+  for (int i = 0; i < 20000; ++i) {
+    Transform<Clip, Object, float> m;
+    for (int row = 0; row < 4; ++row) {
+      for (int column = 0; column < 4; ++column) {
+        const double size = row < 3 ? 1 : (column < 3 ? 0.25 : 4);
+        m.at(row, column) = float(random.between(-size, size));
+      }
+    }
+    Box<Object> box;
+    const Point<Object> centre{float(random.between(-2, 2)), float(random.between(-2, 2)),
+                               float(random.between(-2, 2))};
+    // Some boxes are points, so that rounding alone is at stake.
+    const double half = i % 4 == 0 ? 0 : random.between(0, 0.5);
+    const auto vertex = [&] {
+      return Point<Object>{float(centre.x + random.between(-half, half)),
+                           float(centre.y + random.between(-half, half)),
+                           float(centre.z + random.between(-half, half))};
+    };
+    std::array<Point<Object>, 8> vertices;
+    for (Point<Object>& v : vertices) box.include(v = vertex());
+    if (i % 4 == 0) {
+      // Through a plane exactly, as far as floats go: w = x.
+      const Point<Clip> p = m * centre;
+      m.at(3, 3) += p.x - p.w;
+    }
+    Outcode all = ~Outcode{0}, any = 0;
+    for (const Point<Object>& v : vertices) {
+      const Outcode code = outcode(m * v, planes);
+      all &= code;
+      any |= code;
+    }
+    const ClipVerdict verdict = classify_box(box, m, planes);
+    if (verdict == ClipVerdict::kAccept) REQUIRE(any == 0);
+    if (verdict == ClipVerdict::kReject) REQUIRE(all != 0);
+    accepted += verdict == ClipVerdict::kAccept;
+    rejected += verdict == ClipVerdict::kReject;
+    undecided += verdict == ClipVerdict::kClip;
+  }
+  CHECK(accepted > 100);
+  CHECK(rejected > 1000);
+  CHECK(undecided > 1000);
+  CHECK(classify_box({}, {}, planes) == ClipVerdict::kReject);
+  Box<Object> huge;
+  huge.include(Point<Object>{3e38f, 3e38f, 3e38f});
+  CHECK(classify_box(huge, {}, planes) == ClipVerdict::kClip);  // positions may overflow
+}
+
+TEST_CASE("the sign of a distance is exact") {
+  const std::uint64_t seed = 20;
+  INFO("seed " << seed);
+  Random random(seed);
+  int zeros = 0;
+  for (int i = 0; i < 20000; ++i) {
+    Point<Clip> p{random_bits(random), random_bits(random), random_bits(random),
+                  random_bits(random)};
+    ClipPlane plane = frustum_planes()[std::size_t(random.integer(0, 5))];
+    if (i % 3 == 0) plane = guard_band_planes({0, 0, 1366, 767})[std::size_t(random.integer(0, 3))];
+    if (i % 3 == 1) {
+      // A slanted plane through the point, as far as one more double coefficient allows.
+      p = {float(random.between(-1, 1)), float(random.between(-1, 1)), float(random.between(-1, 1)),
+           float(random.between(0.5, 1))};
+      plane = {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1), 0, 0};
+      plane.d = -(plane.a * p.x + plane.b * p.y + plane.c * p.z) / p.w;
+    }
+    if (i % 7 == 0) p.w = p.z = p.x;
+    const int expected = test::distance(plane, test::exactly(p)).sign();
+    const double d = signed_distance(plane, p);
+    CAPTURE(plane.name, p.x, p.y, p.z, p.w, d);
+    REQUIRE((d > 0) - (d < 0) == expected);
+    zeros += expected == 0;
+  }
+  CHECK(zeros > 100);
+}
+
+TEST_CASE("after an infinite far plane nothing distant is lost, and w is never too small") {
+  const View view = perspective_view(1280, 720, 0.001);
+  const auto planes = render_planes(view);
+  // z = w - near, rounded: it may come out an ulp beyond w for distant points.
+  CHECK(clip_point({0, 0, std::nextafter(1e5f, 1e6f), 1e5f}, planes));
+  CHECK_FALSE(clip_point({0, 0, std::nextafter(1e5f, 1e6f), 1e5f}, frustum_planes()));
+  // A large offset may round z to above 0 where w has come out negative or zero.
+  CHECK_FALSE(clip_point({0, 0, 0.001f, -0.001f}, planes));
+  CHECK_FALSE(clip_point({0, 0, 0, 0}, planes));
+  CHECK(clip_point({0, 0, 0, 1}, render_planes([] {
+                     View parallel;
+                     parallel.perspective = false;
+                     parallel.near = -1;
+                     parallel.far = 1;
+                     return parallel;
+                   }())));
+}
+
+TEST_CASE("parallel projections keep w = 1 through clipping") {
+  const std::uint64_t seed = 21;
+  INFO("seed " << seed);
+  Random random(seed);
+  for (int i = 0; i < 5000; ++i) {
+    const Triangle3 t = triangle(random_position(random, 1, 1), random_position(random, 1, 1),
+                                 random_position(random, 1, 1));
+    const ClipPolygon polygon = clip_triangle(t, frustum_planes());
+    for (int k = 0; k < polygon.count; ++k)
+      REQUIRE(polygon.vertices[std::size_t(k)].position.w == 1);
+  }
+}
+
+TEST_CASE("a segment is cut like an edge, the same from both ends") {
+  const std::uint64_t seed = 22;
+  INFO("seed " << seed);
+  Random random(seed);
+  const auto planes = frustum_planes();
+  int visible = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const std::array<ClipVertex, 2> ends{ClipVertex{random_position(random, -1, 2), {1, 0, 0}},
+                                         ClipVertex{random_position(random, -1, 2), {0, 1, 0}}};
+    const auto there = clip_segment(ends, planes);
+    const auto back = clip_segment({ends[1], ends[0]}, planes);
+    REQUIRE(there.has_value() == back.has_value());
+    if (!there) continue;
+    ++visible;
+    for (std::size_t k = 0; k < 2; ++k) {
+      REQUIRE((*there)[k].position == (*back)[1 - k].position);
+      REQUIRE((*there)[k].weights == (*back)[1 - k].weights);
+      REQUIRE(clip_point((*there)[k].position, planes));
+    }
+  }
+  CHECK(visible > 1000);
+
+  const auto vertex = [](float x, float y) { return ClipVertex{{x, y, 0.5f, 1}, {}}; };
+  CHECK_FALSE(clip_segment({vertex(1, 0), vertex(2, 0)}, planes).has_value());  // touches
+  CHECK_FALSE(clip_segment({vertex(-2, 1.5f), vertex(2, 1.5f)}, planes).has_value());
+  CHECK(clip_segment({vertex(1, -1), vertex(1, 1)}, planes).has_value());  // in the plane
+  CHECK(clip_segment({vertex(0.5f, 0), vertex(0.5f, 0)}, planes)
+            .has_value());  // a point that was one
+}
+
+TEST_CASE("reversed depth has the same half-spaces under swapped names") {
+  const auto standard = frustum_planes(DepthRange::kStandard);
+  const auto reversed = frustum_planes(DepthRange::kReversed);
+  CHECK(std::string(reversed[0].name) == "near");
+  CHECK(std::string(reversed[1].name) == "far");
+  CHECK(signed_distance(reversed[0], {0, 0, 1, 1}) == 0);
+  CHECK(signed_distance(reversed[1], {0, 0, 0, 1}) == 0);
+  CHECK(signed_distance(standard[0], {0, 0, 0, 1}) == 0);
+  CHECK(signed_distance(standard[1], {0, 0, 1, 1}) == 0);
+}
