@@ -122,9 +122,7 @@ TEST_CASE("bounds 1 to 3 hold for every vertex, and stable vertices snap where t
   CHECK(unstable > 100);
 }
 
-TEST_CASE(
-    "a product formed in double and rounded once adds u |M||x|; formed in float it breaks that "
-    "bound") {
+TEST_CASE("a product formed in double adds u |M||x|; formed in float it breaks that bound") {
   const std::uint64_t seed = 52;
   INFO("seed " << seed);
   Random random(seed);
