@@ -1,0 +1,27 @@
+# `cmake --install`: the program, the headers, the archives, and what find_package(glassbox) reads.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(parts base images mesh pipeline raster render)
+foreach(part ${parts})
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${part} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/glassbox
+    FILES_MATCHING PATTERN "*.h")
+endforeach()
+
+set(targets ${parts})
+list(TRANSFORM targets PREPEND glassbox_)
+set_target_properties(glassbox_flags PROPERTIES EXPORT_NAME flags)
+install(TARGETS glassbox glassbox_flags ${targets} EXPORT glassbox
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS glassbox_program DESTINATION ${CMAKE_INSTALL_BINDIR})
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/glassbox)
+install(EXPORT glassbox FILE glassbox-targets.cmake NAMESPACE glassbox:: DESTINATION ${package_dir})
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/glassbox-config.cmake.in
+  ${PROJECT_BINARY_DIR}/glassbox-config.cmake INSTALL_DESTINATION ${package_dir}
+  NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/glassbox-config-version.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/glassbox-config.cmake
+  ${PROJECT_BINARY_DIR}/glassbox-config-version.cmake DESTINATION ${package_dir})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

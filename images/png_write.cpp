@@ -13,7 +13,7 @@ namespace {
 // Fixed, so that the same picture gives the same bytes: rendered pictures have runs and slopes, which the filter Up
 // turns into runs; a fast level of zlib finds those.
 constexpr int kFilters = PNG_FILTER_UP;
-constexpr int kCompressionLevel = 3;
+constexpr int kCompressionLevel = 2;
 
 struct Sink {
   std::vector<std::byte> bytes;

@@ -1,5 +1,6 @@
 #include "tests/support/catch.h"
 
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 
@@ -118,6 +119,26 @@ TEST_CASE("BMP and TGA decode, and a file cut off anywhere is refused") {
       CAPTURE(size, whole.size());
       CHECK_FALSE(decode(Bytes(whole.begin(), whole.begin() + std::ptrdiff_t(size))));
     }
+  }
+}
+
+TEST_CASE("a JPEG decodes, and cut off at any length is refused") {
+  const auto whole = read_file(GLASSBOX_SOURCE_DIR "/tests/fuzz/corpus/image/baseline.jpg").value();
+  const auto image = decode_image(whole);
+  REQUIRE(image);
+  REQUIRE(image->width == 16);
+  REQUIRE(image->height == 8);
+  // One colour throughout, (200, 100, 50) before quality 90. Its quantisation step of 3 moves a block's mean by 3/16 at
+  // most, rounding luma and chroma by 1/2, and blue is luma + 1.772 chroma, rounded: 2.772 * 11/16 + 1/2 < 3.
+  for (const Rgba8& pixel : image->pixels) {
+    CHECK(std::abs(pixel.r - 200) <= 3);
+    CHECK(std::abs(pixel.g - 100) <= 3);
+    CHECK(std::abs(pixel.b - 50) <= 3);
+    CHECK(int(pixel.a) == 255);
+  }
+  for (std::size_t size = 0; size < whole.size(); ++size) {
+    CAPTURE(size, whole.size());
+    CHECK_FALSE(decode_image(std::span(whole).first(size)));
   }
 }
 

@@ -1,0 +1,34 @@
+// Hostile image files: PNG, JPEG, BMP, TGA by decode_image; PPM, PGM and PFM by their own readers.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <span>
+
+#include <glassbox/images/decode.h>
+#include <glassbox/images/read.h>
+
+namespace {
+
+constexpr glassbox::DecodeLimits kLimits{.max_pixels = 1 << 16, .max_side = 4096};
+
+template <class Pixel>
+void check(const glassbox::Result<glassbox::Image<Pixel>>& image) {
+  if (!image) {
+    if (image.error().cause.empty() || image.error().remedy.empty()) std::abort();
+    return;
+  }
+  const auto pixels = std::uint64_t(image->width) * std::uint64_t(image->height);
+  if (image->width < 1 || image->height < 1 || pixels > kLimits.max_pixels) std::abort();
+  if (image->pixels.size() != pixels) std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const auto bytes = std::as_bytes(std::span(data, size));
+  check(glassbox::decode_image(bytes, kLimits));
+  check(glassbox::decode_pnm(bytes, kLimits));
+  check(glassbox::decode_pfm(bytes, kLimits));
+  check(glassbox::decode_pfm_rgb(bytes, kLimits));
+  return 0;
+}

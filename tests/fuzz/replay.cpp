@@ -1,0 +1,26 @@
+// Runs a fuzz target over the files of a corpus, where there is no libFuzzer: replay FOLDER...
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <vector>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+int main(int argc, char** argv) {
+  int count = 0;
+  for (int i = 1; i < argc; ++i) {
+    for (const auto& entry : std::filesystem::directory_iterator(argv[i])) {
+      std::ifstream stream(entry.path(), std::ios::binary);
+      const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), {}};
+      // The name comes first, so that a crash says which file it was.
+      std::fprintf(stderr, "%s\n", entry.path().filename().c_str());
+      LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+      ++count;
+    }
+  }
+  std::fprintf(stderr, "%d inputs replayed\n", count);
+  return count > 0 ? 0 : 1;
+}

@@ -1,0 +1,17 @@
+# Called by tests/install/CMakeLists.txt with build, consumer, work, compiler, flags, generator.
+function(run)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "${ARGV}\nended with ${result}:\n${output}")
+  endif()
+  message("${output}")
+endfunction()
+
+set(prefix "${work}/a prefix")
+file(REMOVE_RECURSE ${prefix} ${work}/consumer-build)
+run(${CMAKE_COMMAND} --install ${build} --prefix ${prefix})
+run(${prefix}/bin/glassbox --version)
+run(${CMAKE_COMMAND} -S ${consumer} -B ${work}/consumer-build -G ${generator}
+  -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_CXX_FLAGS=${flags})
+run(${CMAKE_COMMAND} --build ${work}/consumer-build)
+run(${work}/consumer-build/consumer ${work}/consumer.png)

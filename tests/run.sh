@@ -1,0 +1,158 @@
+#!/bin/sh
+# The tests: ./glassbox test [--all]. The last line is "N passed, N failed", with ", N skipped" where parts were left
+# out. Ends with 0 if nothing failed.
+set -eu
+
+root=$(CDPATH='' cd -- "$(dirname -- "$(readlink -f -- "$0")")/.." && pwd -P)
+. "$root/cmake/setup.sh"
+
+fuzz_seconds=60 # for each target of --all
+passed=0
+failed=0
+skipped=0
+
+usage() {
+  cat <<'TEXT'
+usage: ./glassbox test [--all]
+
+Builds the tests with g++ and runs them. --all adds what needs more tools and time: clang++, no optimisation, sanitizers,
+a minute of each fuzzer, and the format of the sources.
+TEXT
+}
+
+# count NAME STATUS: one check that is not a Catch2 test.
+count() {
+  if [ "$2" = 0 ]; then
+    passed=$((passed + 1))
+    say "  $1: passed"
+  else
+    failed=$((failed + 1))
+    say "  $1: FAILED"
+  fi
+}
+
+skip() {
+  skipped=$((skipped + 1))
+  say "skipped: $*"
+}
+
+# summarise LOG: one line "passed failed" from the log of ctest. A suite counts as many tests as Catch2 says that it
+# has; what is no Catch2 suite, or ended before its summary, counts as one.
+summarise() {
+  awk '
+    function close_test() {
+      if (name == "") return
+      if (ok && bad > 0) ok = 0
+      if (!ok && bad == 0) bad = 1
+      if (ok && good == 0) good = 1
+      passed += good; failed += bad
+      name = ""
+    }
+    /^[0-9]+\/[0-9]+ Test: / { close_test(); name = $3; good = 0; bad = 0; ok = 0 }
+    /^All tests passed \(/ { for (i = 2; i <= NF; i++) if ($i ~ /^test$/) good += $(i - 1) }
+    /^test cases: / {
+      for (i = 2; i <= NF; i++) {
+        if ($i == "passed") good += $(i - 1)
+        if ($i == "failed") bad += $(i - 1)
+      }
+    }
+    /^Test Passed\.$/ { ok = 1 }
+    END { close_test(); print passed + 0, failed + 0 }
+  ' "$1"
+}
+
+# run_suites PRESET WORDS: builds the preset and runs its suites.
+run_suites() {
+  say "$2: building ..."
+  if ! build_preset "$1"; then
+    count "$2: build" 1
+    return 0
+  fi
+  say "$2: testing ..."
+  directory=$root/build/$1
+  rm -f "$directory/Testing/Temporary/LastTest.log"
+  status=0
+  (cd "$directory" && ctest --output-on-failure --timeout 900 -j "$(getconf _NPROCESSORS_ONLN)") \
+    >"$directory/test.log" 2>&1 </dev/null || status=$?
+  if [ "$status" != 0 ]; then tail -n 200 "$directory/test.log" >&2; fi
+  log=$directory/Testing/Temporary/LastTest.log
+  if [ ! -f "$log" ]; then
+    count "$2: ctest" 1
+    return 0
+  fi
+  # shellcheck disable=SC2046  # two numbers
+  set -- "$2" $(summarise "$log")
+  if [ "$status" != 0 ] && [ "$3" = 0 ]; then set -- "$1" "$2" 1; fi
+  passed=$((passed + $2))
+  failed=$((failed + $3))
+  sed -n 's/^ *\(skipped: .*\)/  \1/p' "$log" | sort -u >&2
+  say "$1: $2 passed, $3 failed"
+}
+
+have() { command -v "$1" >/dev/null 2>&1; }
+
+# Each fuzzer starts from a copy of its corpus, and leaves what it finds in build/fuzz.
+run_fuzzers() {
+  have clang++ || { skip "fuzzers (no clang++)"; return 0; }
+  say "fuzzers: building ..."
+  if ! build_preset fuzz; then
+    count "fuzzers: build" 1
+    return 0
+  fi
+  for fuzzer in "$root"/build/fuzz/tests/fuzz/fuzz_*; do
+    [ -f "$fuzzer" ] && [ -x "$fuzzer" ] || continue
+    name=${fuzzer##*/fuzz_}
+    say "fuzzing $name for $fuzz_seconds s ..."
+    found=$root/build/fuzz/found-$name
+    mkdir -p "$found/corpus"
+    status=0
+    (cd "$found" && "$fuzzer" -max_total_time="$fuzz_seconds" -timeout=20 -rss_limit_mb=2048 \
+      corpus "$root/tests/fuzz/corpus/$name") >"$found/log" 2>&1 </dev/null || status=$?
+    if [ "$status" != 0 ]; then tail -n 40 "$found/log" >&2; fi
+    count "fuzz $name" "$status"
+  done
+}
+
+check_format() {
+  have clang-format || { skip "format (no clang-format)"; return 0; }
+  status=0
+  find "$root" \( -path "$root/build" -o -path "$root/.git" \) -prune -o \
+    \( -name '*.h' -o -name '*.cpp' \) -exec clang-format --dry-run -Werror {} + >&2 || status=$?
+  count "format" "$status"
+}
+
+all=no
+for word in "$@"; do
+  case $word in
+  --all) all=yes ;;
+  --help | -h)
+    usage
+    exit 0
+    ;;
+  *)
+    usage >&2
+    exit 2
+    ;;
+  esac
+done
+
+locked install_packages needed tests || exit
+if [ "$all" = yes ]; then
+  locked install_packages needed tests all || say "going on without what is missing"
+fi
+
+run_suites test "g++ -O3"
+if [ "$all" = yes ]; then
+  run_suites debug "g++ -O0"
+  if have clang++; then run_suites clang "clang++ -O3"; else skip "clang++ -O3 (no clang++)"; fi
+  run_suites sanitize "sanitizers"
+  run_fuzzers
+  check_format
+fi
+
+if [ "$skipped" = 0 ]; then
+  echo "$passed passed, $failed failed"
+else
+  echo "$passed passed, $failed failed, $skipped skipped"
+fi
+[ "$failed" = 0 ] && [ "$passed" -gt 0 ]
