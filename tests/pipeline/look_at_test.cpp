@@ -13,6 +13,10 @@
 #include <glassbox/pipeline/projection.h>
 #include <glassbox/pipeline/unit_vector.h>
 
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
 namespace glassbox {
 namespace {
 
@@ -337,6 +341,42 @@ TEST_CASE(
     CHECK(*scaled == *plain);
   }
 }
+
+#if defined(__SSE2__)
+// The processor's modes in which subnormal numbers are zero, for the length of a scope.
+class FlushToZero {
+public:
+  FlushToZero() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040); }
+  ~FlushToZero() { _mm_setcsr(before_); }
+  FlushToZero(const FlushToZero&) = delete;
+  FlushToZero& operator=(const FlushToZero&) = delete;
+
+private:
+  unsigned before_;
+};
+
+TEST_CASE(
+    "what is accepted gives the same bytes where subnormal numbers are flushed to zero (C-03)") {
+  Random random(46);
+  for (int i = 0; i < 500; ++i) {
+    const LookAtCase c = test::random_look_at(random);
+    const test::LensCase lens = test::random_lens(random);
+    // From subnormal over tiny to ordinary lengths of up.
+    const WorldVector up = c.up * std::ldexp(1.0, -int(random.integer(0, 1080)));
+    const auto plain = look_at(c.eye, c.target, up);
+    const auto plain_lens =
+        perspective_degrees(lens.fovy_degrees, lens.aspect, {lens.near, lens.far});
+    const FlushToZero mode;
+    const auto flushed = look_at(c.eye, c.target, up);
+    const auto flushed_lens =
+        perspective_degrees(lens.fovy_degrees, lens.aspect, {lens.near, lens.far});
+    CAPTURE(i, c.up_sine);
+    CHECK(bool(plain) == bool(flushed));
+    if (plain && flushed) CHECK(*plain == *flushed);
+    CHECK(plain_lens.value() == flushed_lens.value());
+  }
+}
+#endif
 
 TEST_CASE("a camera far from the origin sees near things as exactly as one at the origin (C-13)") {
   // An object placed at the offset and an eye beside it: composed in double and rounded once, then applied in float.
