@@ -163,6 +163,14 @@ MaterialMaker::Made MaterialMaker::made_from(const MtlMaterial& written) {
 }
 
 std::optional<std::uint32_t> MaterialMaker::texture(const MapStatement& map) {
+  // Looking for a file takes far longer than naming it, and names are cheap in a hostile library.
+  constexpr int kMaxTexturesSought = 4096;
+  if (textures_sought_ == kMaxTexturesSought) {
+    warnings_.add("a texture was left out: only the first " + std::to_string(kMaxTexturesSought) +
+                  " are looked for");
+    return std::nullopt;
+  }
+  ++textures_sought_;
   const auto path = find_map(directory_, map.file);
   if (!path) {
     warnings_.add("a texture was left out: " + path.error().cause);

@@ -60,6 +60,7 @@ private:
   const LoadLimits& limits_;
   Warnings& warnings_;
   std::uint64_t pixels_left_;
+  int textures_sought_ = 0;
 
   std::vector<MtlMaterial> written_;
   std::map<const MtlMaterial*, Made> made_;

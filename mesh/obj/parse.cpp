@@ -270,8 +270,8 @@ Result<std::uint32_t> Parser::index(std::string_view digits, IndexedTable& table
   // Negative numbers count back from the latest entry, -1.
   const std::int64_t from_zero = *written > 0 ? *written - 1 : std::int64_t(table.size) + *written;
   if (from_zero < 0 || from_zero >= std::int64_t(kNone)) {
-    return refuse(std::string("names ") + table.name + " " + std::to_string(*written) + ", but " +
-                      std::to_string(table.size) + " are there",
+    return refuse(std::string("names ") + table.name + " " + std::to_string(*written) +
+                      ", but only " + std::to_string(table.size) + " are defined",
                   remedy);
   }
   if (from_zero >= std::int64_t(table.size) && from_zero > table.largest) {
