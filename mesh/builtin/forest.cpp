@@ -23,9 +23,9 @@ Mesh make_trunk() {
 Mesh make_crown() {
   Mesh mesh;
   mesh.name = "crown";
-  add_cone(mesh, 0.16, 0.22, 0.58, 12);
-  add_cone(mesh, 0.125, 0.42, 0.78, 12);
-  add_cone(mesh, 0.085, 0.62, 1.0, 12);
+  add_cone(mesh, 0.16, 0.35, 0.66, 12);
+  add_cone(mesh, 0.125, 0.52, 0.83, 12);
+  add_cone(mesh, 0.085, 0.7, 1.0, 12);
   return mesh;
 }
 
@@ -48,7 +48,7 @@ std::vector<Spot> choose_spots() {
   std::vector<Spot> spots;
   for (std::uint64_t i = 0; spots.size() < kTrees; ++i) {
     const double t = random_unit(1, i);
-    const double distance = 4 + 86 * t * t * t;
+    const double distance = 4 + 86 * t * t;
     const double side = 2 * random_unit(2, i) - 1;
     const Spot spot = {side * 0.75 * distance, -distance};
     if (is_free(spot, spots)) spots.push_back(spot);
@@ -70,8 +70,16 @@ Scene make_forest() {
   Mesh ground;
   ground.name = "ground";
   ground.material = moss;
-  add_rectangle(ground, {-128, 0, 64}, {256, 0, 0}, {0, 0, -256}, 64, 64);
+  add_rectangle(ground, {-128, 0, 64}, {256, 0, 0}, {0, 0, -192}, 64, 48);
   add_object(scene, std::move(ground));
+
+  // A bright backdrop, against which every trunk has an edge.
+  Mesh sky;
+  sky.name = "sky";
+  sky.material = add_material(scene, "sky", {0.42f, 0.6f, 0.85f, 1});
+  scene.materials[sky.material].unlit = true;
+  add_rectangle(sky, {-256, -8, -128}, {512, 0, 0}, {0, 200, 0});
+  add_object(scene, std::move(sky));
 
   const auto trunk = std::uint32_t(scene.meshes.size()), crown = trunk + 1;
   scene.meshes.push_back(make_trunk());
@@ -80,8 +88,8 @@ Scene make_forest() {
   scene.meshes[crown].material = needles;
   const std::vector<Spot> spots = choose_spots();
   for (std::size_t i = 0; i < spots.size(); ++i) {
-    const double height = 4 + 4 * random_unit(3, i);
-    const double girth = height * (0.7 + 0.5 * random_unit(4, i));
+    const double height = 4 + 3 * random_unit(3, i);
+    const double girth = height * (0.4 + 0.3 * random_unit(4, i));
     const double turn_degrees = 360 * random_unit(5, i);
     const Transform<World, Object> stand =
         place({spots[i].x, 0, spots[i].z}, turn_degrees, {girth, height, girth});
