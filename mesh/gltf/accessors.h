@@ -1,0 +1,29 @@
+// Accessors: typed arrays in the bytes of a buffer, strided or sparse, with every read checked beforehand.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <glassbox/base/error.h>
+#include <glassbox/mesh/gltf/asset.h>
+
+namespace glassbox::gltf {
+
+// Checks all accessors of the file, used or not: offsets, strides and counts against the buffer views, and counts of
+// accessors without data (which are all zeros) against the size of the file, so that a short file cannot ask for much
+// memory.
+Result<void> check_accessors(const Asset& asset);
+
+// Components per element: 3 for VEC3.
+std::size_t components(const tinygltf::Accessor& accessor);
+
+// The elements one after the other, as double, in which every component type is exact. Normalised integers become
+// c / max, at least -1 (glTF 2.0, section 3.6.2.2). Sparse accessors are resolved. Not for matrices of bytes or shorts,
+// whose columns are padded.
+Result<std::vector<double>> read_numbers(const Asset& asset, std::size_t accessor);
+
+// An accessor of unsigned integers.
+Result<std::vector<std::uint32_t>> read_indices(const Asset& asset, std::size_t accessor);
+
+}  // namespace glassbox::gltf

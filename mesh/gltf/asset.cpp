@@ -1,0 +1,171 @@
+#include <glassbox/mesh/gltf/asset.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include <glassbox/mesh/gltf/container.h>
+#include <glassbox/mesh/gltf/schema.h>
+#include <glassbox/mesh/gltf/text.h>
+
+namespace glassbox::gltf {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::array<std::string_view, 4> kSupported = {
+    "KHR_lights_punctual", "KHR_materials_unlit", "KHR_mesh_quantization", "KHR_texture_transform"};
+
+// Warnings and names of extensions are kept up to this many: hostile files would fill memory with them.
+constexpr std::size_t kMaxWarnings = 100;
+
+Result<void> check_extensions(Asset& asset) {
+  for (const char* list : {"extensionsRequired", "extensionsUsed"}) {
+    for (const json& item : asset.document.value(list, json::array())) {
+      const std::string& name = item.get_ref<const std::string&>();
+      if (std::ranges::find(asset.extensions, name) != asset.extensions.end()) continue;
+      if (!is_supported(name)) {
+        if (list == std::string_view("extensionsRequired")) {
+          return fail(
+              "extensionsRequired",
+              "the file needs the extension " + in_quotes(name) + ", which is not supported",
+              "export it without this extension");
+        }
+        asset.warn("the extension " + in_quotes(name) + " is not supported and was ignored");
+      }
+      if (asset.extensions.size() >= kMaxWarnings) {
+        return fail("extensionsUsed",
+                    "names more than " + std::to_string(kMaxWarnings) + " extensions",
+                    "remove what is not used");
+      }
+      asset.extensions.push_back(printable(name));
+    }
+  }
+  return {};
+}
+
+Result<std::shared_ptr<const Bytes>> read_buffer(Asset& asset, std::size_t index,
+                                                 std::optional<std::span<const std::byte>> binary) {
+  const json& buffer = asset.document["buffers"][index];
+  if (buffer.contains("uri"))
+    return asset.resources.read(buffer["uri"].get_ref<const std::string&>());
+  if (index == 0 && binary) return std::make_shared<const Bytes>(binary->begin(), binary->end());
+  return std::shared_ptr<const Bytes>();
+}
+
+Result<void> read_buffers(Asset& asset, std::optional<std::span<const std::byte>> binary) {
+  const std::size_t count = asset.document.value("buffers", json::array()).size();
+  for (std::size_t i = 0; i < count; ++i) {
+    auto data = read_buffer(asset, i, binary);
+    if (!data) return fail(entry("buffer", i), data.error().cause, data.error().remedy);
+    const std::uint64_t length = asset.document["buffers"][i]["byteLength"];
+    if (*data && (*data)->size() < length) {
+      return fail(entry("buffer", i),
+                  "says " + std::to_string(length) + " bytes where there are " +
+                      std::to_string((*data)->size()),
+                  "the file is cut short or damaged: export it again");
+    }
+    // A GLB chunk is padded to a multiple of four bytes.
+    if (*data && (*data)->size() > length + 3)
+      asset.warn(entry("buffer", i) + " has more data than it says");
+    asset.buffers.push_back(std::move(*data));
+  }
+  return {};
+}
+
+Result<void> check_buffer_views(const Asset& asset) {
+  const std::vector<tinygltf::BufferView>& views = asset.model.bufferViews;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const std::uint64_t length =
+        asset.document["buffers"][std::size_t(views[i].buffer)]["byteLength"];
+    if (views[i].byteOffset > length || views[i].byteLength > length - views[i].byteOffset) {
+      return fail(entry("bufferView", i),
+                  "reaches beyond the " + std::to_string(length) + " bytes of " +
+                      entry("buffer", std::size_t(views[i].buffer)),
+                  "the file is damaged: export it again");
+    }
+  }
+  return {};
+}
+
+// tinygltf turns the checked document into its records. Buffers and images stay with us: it would read files by its own
+// rules and decode images without bound. An accessor without a buffer view is a legal list of indices, but tinygltf
+// refuses that, so that such accessors name a view behind the last one while it reads.
+Result<void> parse_model(Asset& asset) {
+  json document = asset.document;
+  document.erase("buffers");
+  document.erase("images");
+  const std::size_t views = document.value("bufferViews", json::array()).size();
+  document["bufferViews"].push_back({{"buffer", 0}, {"byteLength", 1}});
+  if (document.contains("accessors")) {
+    for (json& accessor : document["accessors"]) {
+      if (!accessor.contains("bufferView")) accessor["bufferView"] = views;
+    }
+  }
+  const std::string text = document.dump(-1, ' ', false, json::error_handler_t::replace);
+  std::string error;
+  std::string warning;
+  tinygltf::TinyGLTF reader;
+  reader.SetFsCallbacks(tinygltf::FsCallbacks{});
+  if (!reader.LoadASCIIFromString(&asset.model, &error, &warning, text.c_str(),
+                                  unsigned(text.size()), "", 0)) {
+    return fail("", "cannot be read as glTF: " + printable(error),
+                "correct the file or export it again");
+  }
+  asset.model.bufferViews.pop_back();
+  for (tinygltf::Accessor& accessor : asset.model.accessors) {
+    if (std::size_t(accessor.bufferView) == views) accessor.bufferView = -1;
+  }
+  return {};
+}
+
+}  // namespace
+
+bool is_supported(const std::string& extension) {
+  return std::ranges::find(kSupported, extension) != kSupported.end();
+}
+
+bool Asset::uses(const std::string& extension) const {
+  return std::ranges::find(extensions, extension) != extensions.end();
+}
+
+void Asset::warn(std::string text) {
+  if (warnings.size() > kMaxWarnings || std::ranges::find(warnings, text) != warnings.end()) return;
+  warnings.push_back(warnings.size() < kMaxWarnings ? std::move(text)
+                                                    : "further warnings were left out");
+}
+
+Result<Asset> open_asset(std::span<const std::byte> bytes, const std::string& directory,
+                         const LoadLimits& limits) {
+  constexpr std::size_t kMaxJsonBytes = std::size_t(1) << 29;
+  Result<Container> container = open_container(bytes);
+  if (!container) return tl::unexpected(container.error());
+  if (container->json.size() > kMaxJsonBytes) {
+    return fail("JSON", "has more than 512 MB", "keep the data in a buffer instead of in the text");
+  }
+  Result<json> document = read_document(container->json);
+  if (!document) return tl::unexpected(document.error());
+
+  Asset asset{{}, std::move(*document), {}, Resources(directory, limits), limits, 0,
+              {}, container->warnings};
+  if (auto done = check_extensions(asset); !done) return tl::unexpected(done.error());
+  if (auto done = parse_model(asset); !done) return tl::unexpected(done.error());
+  if (auto done = read_buffers(asset, container->binary); !done)
+    return tl::unexpected(done.error());
+  if (auto done = check_buffer_views(asset); !done) return tl::unexpected(done.error());
+  asset.bytes = bytes.size() + asset.resources.total_bytes();
+  return asset;
+}
+
+Result<std::span<const std::byte>> view_bytes(const Asset& asset, std::size_t buffer_view) {
+  const tinygltf::BufferView& view = asset.model.bufferViews[buffer_view];
+  const auto& buffer = asset.buffers[std::size_t(view.buffer)];
+  if (!buffer) {
+    return fail(entry("buffer", std::size_t(view.buffer)), "has no data in this file",
+                "put the file with the data beside it and name it in the buffer's 'uri'");
+  }
+  return std::span<const std::byte>(*buffer).subspan(view.byteOffset, view.byteLength);
+}
+
+}  // namespace glassbox::gltf

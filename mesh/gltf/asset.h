@@ -1,0 +1,46 @@
+// A glTF file taken in: its description by tinygltf, and the bytes it speaks of.
+#pragma once
+
+#include <tiny_gltf.h>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glassbox/base/error.h>
+#include <glassbox/mesh/gltf/files.h>
+#include <glassbox/mesh/limits.h>
+
+namespace glassbox::gltf {
+
+struct Asset {
+  // Where an index names something, it exists (schema.h). Buffers and images are not in the model.
+  tinygltf::Model model;
+  nlohmann::json document;  // the same, as checked; for extensions, extras and images
+  std::vector<std::shared_ptr<const Bytes>>
+      buffers;  // null: a buffer for which the file has no data
+  Resources resources;
+  LoadLimits limits;
+  std::uint64_t bytes = 0;  // of the file and the buffers: what memory is to be in proportion to
+  std::vector<std::string> extensions;
+  std::vector<std::string> warnings;
+
+  // Whether the file lists the extension as used or required.
+  bool uses(const std::string& extension) const;
+  void warn(std::string text);  // the same warning is kept once
+};
+
+// The extensions that are honoured; required others are errors, used others warnings.
+bool is_supported(const std::string& extension);
+
+// From the bytes of a file to its checked parts. Accessors and images are not looked at yet.
+Result<Asset> open_asset(std::span<const std::byte> bytes, const std::string& directory,
+                         const LoadLimits& limits);
+
+// The bytes of a buffer view; an error where its buffer has no data.
+Result<std::span<const std::byte>> view_bytes(const Asset& asset, std::size_t buffer_view);
+
+}  // namespace glassbox::gltf

@@ -1,0 +1,62 @@
+// Vertex attributes of a primitive: which forms each may have, and their numbers.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glassbox/base/error.h>
+#include <glassbox/mesh/gltf/asset.h>
+
+namespace glassbox::gltf {
+
+enum class Semantic {
+  kPosition,
+  kNormal,
+  kTexCoord,
+  kColor,
+  kJoints,
+  kWeights,
+  kPositionDelta,
+  kNormalDelta,
+  kIndices
+};
+
+struct Attribute {
+  std::size_t accessor = 0;
+  std::size_t width = 0;        // components per vertex
+  std::vector<double> numbers;  // finite
+};
+
+// The attributes of one primitive, or of one of its morph targets.
+class Attributes {
+public:
+  // `place` ("mesh 2, primitive 0") begins the place of every error. `count` is the number of vertices that every
+  // attribute must have.
+  Attributes(const Asset& asset, const std::map<std::string, int>& accessors, std::string place,
+             std::size_t count)
+      : asset_(asset), accessors_(accessors), place_(std::move(place)), count_(count) {}
+
+  bool has(const std::string& name) const { return accessors_.contains(name); }
+
+  // Checks type, component type and count, reads, and refuses numbers that are not finite, naming the vertex. Nothing
+  // where the primitive has no such attribute.
+  Result<std::optional<Attribute>> read(const std::string& name, Semantic semantic) const;
+
+private:
+  const Asset& asset_;
+  const std::map<std::string, int>& accessors_;
+  std::string place_;
+  std::size_t count_;
+};
+
+// An error where the accessor's type is none that glTF allows for this use (with KHR_mesh_quantization where the file
+// uses it).
+Result<void> check_form(const Asset& asset, std::size_t accessor, Semantic semantic);
+
+// Whether the bytes of the accessor are in the file. Buffers without data are legal, and what needs them is not drawn.
+bool has_data(const Asset& asset, std::size_t accessor);
+
+}  // namespace glassbox::gltf

@@ -1,0 +1,177 @@
+#include <glassbox/mesh/gltf/cameras_lights.h>
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include <glassbox/base/trig.h>
+#include <glassbox/mesh/gltf/text.h>
+
+namespace glassbox::gltf {
+namespace {
+
+using Direction = Vector<World, double>;
+
+// Lengths and angles as far from exact as sums of three products leave them are taken for exact, so that a rigid pose
+// and a unit direction come through without a changed bit. 64 roundings of 2^-53 are 2^-47.
+constexpr double kRigidTolerance = 0x1p-46;
+
+Direction column(const Transform<World, Object>& m, int i) {
+  return {m.at(0, i), m.at(1, i), m.at(2, i)};
+}
+
+// The greatest component's size is taken out first, so that no square overflows or vanishes.
+std::optional<Direction> normalized(const Direction& v) {
+  const double size = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  if (!(size > 0) || !std::isfinite(size)) return std::nullopt;
+  const Direction scaled{v.x / size, v.y / size, v.z / size};
+  const double length = std::sqrt(dot(scaled, scaled));
+  return Direction{scaled.x / length, scaled.y / length, scaled.z / length};
+}
+
+bool is_unit(const Direction& v) {
+  return std::abs(dot(v, v) - 1) <= kRigidTolerance;
+}
+
+bool is_rigid(const Transform<World, Object>& m) {
+  const Direction x = column(m, 0), y = column(m, 1), z = column(m, 2);
+  return is_unit(x) && is_unit(y) && is_unit(z) && std::abs(dot(x, y)) <= kRigidTolerance &&
+         std::abs(dot(y, z)) <= kRigidTolerance && std::abs(dot(z, x)) <= kRigidTolerance &&
+         dot(cross(x, y), z) > 0;
+}
+
+// Keeps the gaze (-z); up is what the y axis has perpendicular to it.
+Result<Transform<World, Eye>> rigid_pose(const Transform<World, Object>& node, std::size_t index) {
+  Transform<World, Eye> pose(node.columns);
+  if (is_rigid(node)) return pose;
+  const auto refuse = [&] {
+    return fail(entry("node", index),
+                "carries a camera but has no usable orientation: an axis has length zero, or up is "
+                "along the gaze",
+                "give the camera a node of its own, without scale");
+  };
+  const auto z = normalized(column(node, 2));
+  const auto up = normalized(column(node, 1));
+  if (!z || !up) return refuse();
+  const auto x = normalized(cross(*up, *z));
+  if (!x || dot(cross(*up, *z), cross(*up, *z)) < 0x1p-40) return refuse();
+  const Direction y = cross(*z, *x);
+  const Direction axes[3] = {*x, y, *z};
+  for (int i = 0; i < 3; ++i) {
+    pose.at(0, i) = axes[i].x;
+    pose.at(1, i) = axes[i].y;
+    pose.at(2, i) = axes[i].z;
+  }
+  return pose;
+}
+
+tl::unexpected<Error> refuse_camera(std::size_t index, std::string cause) {
+  return fail(entry("camera", index), std::move(cause), "correct the camera in the file");
+}
+
+Result<Lens> perspective(const Asset& asset, std::size_t index) {
+  const tinygltf::PerspectiveCamera& camera = asset.model.cameras[index].perspective;
+  if (!(camera.yfov > 0 && camera.yfov < kPi)) {
+    return refuse_camera(index, "its field of view of " + std::to_string(camera.yfov) +
+                                    " radians is not between 0 and pi");
+  }
+  if (!(camera.znear > 0)) return refuse_camera(index, "its near plane is not in front of the eye");
+  PerspectiveLens lens;
+  lens.fovy_radians = camera.yfov;
+  lens.near = camera.znear;
+  if (asset.document["cameras"][index]["perspective"].contains("zfar")) {
+    if (!(camera.zfar > camera.znear))
+      return refuse_camera(index, "its far plane is not behind the near plane");
+    lens.far = camera.zfar;
+  }
+  return lens;
+}
+
+// xmag is half the width in world units. The viewport's aspect ratio decides the width here, as it does for perspective
+// cameras, so that xmag is only checked.
+Result<Lens> orthographic(const Asset& asset, std::size_t index) {
+  const tinygltf::OrthographicCamera& camera = asset.model.cameras[index].orthographic;
+  if (camera.xmag == 0 || !(camera.ymag > 0))
+    return refuse_camera(index, "its magnification is not greater than zero");
+  if (!(camera.znear >= 0 && camera.zfar > camera.znear)) {
+    return refuse_camera(
+        index, "its far plane is not behind the near plane, or the near plane behind the eye");
+  }
+  return OrthographicLens{camera.ymag, camera.znear, camera.zfar};
+}
+
+std::string name_of(const std::string& own, const std::string& node, const char* kind,
+                    std::size_t number) {
+  if (!own.empty()) return printable(own);
+  return node.empty() ? entry(kind, number) : printable(node);
+}
+
+Result<void> place_camera(const Asset& asset, const NodeTree& tree, std::uint32_t node,
+                          Scene& scene) {
+  const std::size_t index = std::size_t(asset.model.nodes[node].camera);
+  const tinygltf::Camera& described = asset.model.cameras[index];
+  const auto lens =
+      described.type == "perspective" ? perspective(asset, index) : orthographic(asset, index);
+  if (!lens) return tl::unexpected(lens.error());
+  const auto pose = rigid_pose(tree.world_from_node[node], node);
+  if (!pose) return tl::unexpected(pose.error());
+  scene.cameras.push_back(
+      {name_of(described.name, asset.model.nodes[node].name, "camera", scene.cameras.size()), *lens,
+       *pose});
+  return {};
+}
+
+Result<void> place_light(const Asset& asset, const NodeTree& tree, std::uint32_t node,
+                         std::size_t index, Scene& scene) {
+  const tinygltf::Light& described = asset.model.lights[index];
+  const nlohmann::json& document =
+      asset.document["extensions"]["KHR_lights_punctual"]["lights"][index];
+  Light light;
+  light.name = name_of(described.name, asset.model.nodes[node].name, "light", scene.lights.size());
+  light.kind = described.type == "point"  ? LightKind::kPoint
+               : described.type == "spot" ? LightKind::kSpot
+                                          : LightKind::kDirectional;
+  for (std::size_t i = 0; i < described.color.size(); ++i)
+    light.color[i] = float(described.color[i]);
+  light.intensity = document.value("intensity", 1.0);
+  if (document.contains("range")) light.range = document["range"].get<double>();
+  if (light.kind == LightKind::kSpot) {
+    const nlohmann::json& spot = document["spot"];
+    light.inner_cone_radians = spot.value("innerConeAngle", light.inner_cone_radians);
+    light.outer_cone_radians = spot.value("outerConeAngle", light.outer_cone_radians);
+    if (!(light.inner_cone_radians < light.outer_cone_radians)) {
+      return fail(entry("light", index), "its inner cone is not narrower than the outer one",
+                  "correct the cone angles");
+    }
+  }
+  const Transform<World, Object>& matrix = tree.world_from_node[node];
+  light.position = {matrix.at(0, 3), matrix.at(1, 3), matrix.at(2, 3)};
+  const Direction gaze = -column(matrix, 2);
+  const auto direction = is_unit(gaze) ? gaze : normalized(gaze);
+  if (!direction && light.kind != LightKind::kPoint) {
+    return fail(entry("node", node),
+                "carries a light that shines nowhere: its z axis has length zero",
+                "give the light a node without scale");
+  }
+  if (direction) light.direction = *direction;
+  scene.lights.push_back(std::move(light));
+  return {};
+}
+
+}  // namespace
+
+Result<void> place_cameras_and_lights(const Asset& asset, const NodeTree& tree, Scene& scene) {
+  for (const std::uint32_t node : tree.drawn) {
+    if (asset.model.nodes[node].camera >= 0) {
+      if (auto done = place_camera(asset, tree, node, scene); !done) return done;
+    }
+    const nlohmann::json& document = asset.document["nodes"][node];
+    if (document.contains("extensions") && document["extensions"].contains("KHR_lights_punctual")) {
+      const std::size_t light = document["extensions"]["KHR_lights_punctual"]["light"];
+      if (auto done = place_light(asset, tree, node, light, scene); !done) return done;
+    }
+  }
+  return {};
+}
+
+}  // namespace glassbox::gltf

@@ -1,0 +1,47 @@
+// The bytes that a file names: data URIs, and files inside its own directory.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glassbox/base/error.h>
+#include <glassbox/mesh/limits.h>
+
+namespace glassbox::gltf {
+
+using Bytes = std::vector<std::byte>;
+
+// A regular file as a whole. Directories, pipes and devices are refused, and so is more than `max_bytes`.
+Result<Bytes> read_whole_file(const std::string& path, std::uint64_t max_bytes);
+
+// "QUJD" -> "ABC", strictly: the alphabet of RFC 4648, padded to whole groups of four, nothing in between.
+Result<Bytes> decode_base64(std::string_view text);
+
+class Resources {
+public:
+  // `directory` "" forbids every external file.
+  Resources(std::string directory, const LoadLimits& limits)
+      : directory_(std::move(directory)), limits_(limits) {}
+
+  // What `uri` names. Of URIs with a scheme only data URIs are read (base64 or per cent codes, RFC 2397); everything else is a path relative to the
+  // directory, which it must not leave, not even through a symbolic link. A file named twice is read once.
+  Result<std::shared_ptr<const Bytes>> read(std::string_view uri);
+
+  // How many bytes have been read.
+  std::uint64_t total_bytes() const { return total_bytes_; }
+
+private:
+  Result<std::shared_ptr<const Bytes>> read_inside_directory(const std::string& relative);
+
+  std::string directory_;
+  LoadLimits limits_;
+  std::map<std::string, std::shared_ptr<const Bytes>> files_;  // by canonical path
+  std::uint64_t total_bytes_ = 0;
+};
+
+}  // namespace glassbox::gltf

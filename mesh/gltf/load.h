@@ -1,0 +1,30 @@
+// glTF 2.0 and GLB files in.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include <glassbox/base/error.h>
+#include <glassbox/mesh/limits.h>
+#include <glassbox/mesh/scene.h>
+
+namespace glassbox {
+
+// Reads the default scene of a .gltf or .glb file (the first scene where none is named, every root node where there are
+// no scenes). Morph targets stand at their default weights, skins in the pose of their nodes; animations are ignored.
+//
+// Metallic-roughness materials become Blinn-Phong ones:
+//   specular  = mix(0.2, base colour, metallic) * (1 - roughness)^2
+//   shininess = round(2 / max(roughness, 0.1)^4 - 2), kept within 4 .. 256
+//
+// The file is taken to be hostile: whatever is read is checked against the bytes that exist, external files come only
+// from the file's own directory, and memory stays in proportion to the files read, within `limits`. Errors name the
+// file, the place in it, the cause and a remedy. A scene with nothing to draw is an error.
+Result<Scene> load_gltf(const std::string& path, const LoadLimits& limits = {});
+
+// The same from memory. External files are looked for in `directory`; "" means that there are none at all.
+Result<Scene> load_gltf_memory(std::span<const std::byte> bytes, const std::string& directory,
+                               const LoadLimits& limits = {});
+
+}  // namespace glassbox

@@ -1,0 +1,239 @@
+#include <glassbox/mesh/gltf/materials.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <glassbox/base/trig.h>
+#include <glassbox/mesh/gltf/images.h>
+#include <glassbox/mesh/gltf/text.h>
+
+namespace glassbox::gltf {
+namespace {
+
+using nlohmann::json;
+
+// The member at the end of the path, or null.
+const json* find(const json& value, std::initializer_list<const char*> path) {
+  const json* at = &value;
+  for (const char* name : path) {
+    const auto found = at->find(name);
+    if (found == at->end()) return nullptr;
+    at = &*found;
+  }
+  return at;
+}
+
+// Reflectance of glass and plastics at normal incidence is about 0.04 in linear light; Blinn-Phong without a Fresnel
+// term looks dull with it, so that 0.2 stands in for dielectrics.
+constexpr double kDielectricSpecular = 0.2;
+
+// The exponent whose highlight is about as wide as that of a GGX lobe of the same roughness: 2/alpha^2 - 2 with
+// alpha = roughness^2.
+int shininess_of(double roughness) {
+  const double r = std::max(roughness, 0.1);
+  const double exponent = std::floor(2 / ((r * r) * (r * r)) - 2 + 0.5);
+  return int(std::clamp(exponent, 4.0, 256.0));
+}
+
+void set_specular(Material& material, double metallic, double roughness) {
+  const double smooth = (1 - roughness) * (1 - roughness);
+  const double base[3] = {material.base_color.r, material.base_color.g, material.base_color.b};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double reflected = kDielectricSpecular * (1 - metallic) + base[i] * metallic;
+    material.specular[i] = float(reflected * smooth);
+  }
+  material.shininess = shininess_of(roughness);
+}
+
+// What write_glb left in the extras, for which metallic-roughness has no exact counterpart.
+void restore_specular(Material& material, const json& exact) {
+  for (std::size_t i = 0; i < 3; ++i)
+    material.specular[i] = float(exact["specular"][i].get<double>());
+  material.shininess = exact["shininess"].get<int>();
+}
+
+Material convert(const tinygltf::Material& described, const json& document) {
+  Material material;
+  const tinygltf::PbrMetallicRoughness& pbr = described.pbrMetallicRoughness;
+  material.name = printable(described.name);
+  if (pbr.baseColorFactor.size() == 4) {
+    material.base_color = {float(pbr.baseColorFactor[0]), float(pbr.baseColorFactor[1]),
+                           float(pbr.baseColorFactor[2]), float(pbr.baseColorFactor[3])};
+  }
+  material.alpha_mode = described.alphaMode == "MASK"    ? AlphaMode::kMask
+                        : described.alphaMode == "BLEND" ? AlphaMode::kBlend
+                                                         : AlphaMode::kOpaque;
+  material.alpha_cutoff = float(described.alphaCutoff);
+  material.double_sided = described.doubleSided;
+  material.unlit = find(document, {"extensions", "KHR_materials_unlit"}) != nullptr;
+  if (const json* exact = find(document, {"extras", "glassbox"})) {
+    restore_specular(material, *exact);
+  } else {
+    set_specular(material, pbr.metallicFactor, pbr.roughnessFactor);
+  }
+  return material;
+}
+
+TexCoordTransform read_transform(const json& described) {
+  const json offset = described.value("offset", json{0.0, 0.0});
+  const json scale = described.value("scale", json{1.0, 1.0});
+  const SinCos turn = sin_cos(described.value("rotation", 0.0));
+  const double u_scale = scale[0], v_scale = scale[1];
+  TexCoordTransform transform;
+  // Counter-clockwise on the image as it is seen, v downwards.
+  transform.matrix[0][0] = turn.cos * u_scale;
+  transform.matrix[0][1] = turn.sin * v_scale;
+  transform.matrix[0][2] = offset[0];
+  transform.matrix[1][0] = -turn.sin * u_scale;
+  transform.matrix[1][1] = turn.cos * v_scale;
+  transform.matrix[1][2] = offset[1];
+  return transform;
+}
+
+Result<TexCoordSource> texcoord_source(const json& texture_info, std::size_t material) {
+  TexCoordSource source;
+  source.textured = true;
+  source.set = texture_info.value("texCoord", 0u);
+  if (const json* transform = find(texture_info, {"extensions", "KHR_texture_transform"})) {
+    source.set = transform->value("texCoord", source.set);
+    source.transform = read_transform(*transform);
+    for (const auto& row : source.transform->matrix) {
+      for (const double number : row) {
+        if (!std::isfinite(number)) {
+          return fail(
+              entry("material", material),
+              "the transform of its texture has numbers that are not finite or a rotation of "
+              "too many turns",
+              "correct KHR_texture_transform");
+        }
+      }
+    }
+  }
+  return source;
+}
+
+Result<Wrap> wrap_of(int code, std::size_t sampler) {
+  switch (code) {
+    case TINYGLTF_TEXTURE_WRAP_REPEAT:
+      return Wrap::kRepeat;
+    case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
+      return Wrap::kMirroredRepeat;
+    case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
+      return Wrap::kClampToEdge;
+    default:
+      return fail(entry("sampler", sampler), "has the unknown wrap mode " + std::to_string(code),
+                  "use 10497, 33071 or 33648");
+  }
+}
+
+Result<Sampler> convert_sampler(const tinygltf::Sampler& described, std::size_t index) {
+  Sampler sampler;
+  const auto wrap_u = wrap_of(described.wrapS, index);
+  const auto wrap_v = wrap_of(described.wrapT, index);
+  if (!wrap_u) return tl::unexpected(wrap_u.error());
+  if (!wrap_v) return tl::unexpected(wrap_v.error());
+  sampler.wrap_u = *wrap_u;
+  sampler.wrap_v = *wrap_v;
+  if (described.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST) sampler.magnify = Filter::kNearest;
+  const auto minify = [&](Filter filter, MipFilter mip) {
+    sampler.minify = filter;
+    sampler.mip = mip;
+  };
+  switch (described.minFilter) {
+    case -1:
+      break;  // none given: the best there is
+    case TINYGLTF_TEXTURE_FILTER_NEAREST:
+      minify(Filter::kNearest, MipFilter::kNone);
+      break;
+    case TINYGLTF_TEXTURE_FILTER_LINEAR:
+      minify(Filter::kLinear, MipFilter::kNone);
+      break;
+    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST:
+      minify(Filter::kNearest, MipFilter::kNearest);
+      break;
+    case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST:
+      minify(Filter::kLinear, MipFilter::kNearest);
+      break;
+    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR:
+      minify(Filter::kNearest, MipFilter::kLinear);
+      break;
+    case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR:
+      minify(Filter::kLinear, MipFilter::kLinear);
+      break;
+    default:
+      return fail(entry("sampler", index),
+                  "has the unknown filter " + std::to_string(described.minFilter),
+                  "use 9728, 9729 or 9984 to 9987");
+  }
+  return sampler;
+}
+
+// Puts textures into the scene as materials ask for them, each once.
+class TextureTable {
+public:
+  TextureTable(Asset& asset, Scene& scene)
+      : asset_(asset), scene_(scene), images_(asset, scene), known_(asset.model.textures.size()) {}
+
+  // The index in Scene::textures; nothing where the texture has no image that could be drawn.
+  Result<std::optional<std::uint32_t>> add(std::size_t index) {
+    if (known_[index]) return known_[index];
+    const tinygltf::Texture& described = asset_.model.textures[index];
+    if (described.source < 0) {
+      asset_.warn(entry("texture", index) + " has no image in a supported format and was left out");
+      return std::optional<std::uint32_t>();
+    }
+    Texture texture;
+    if (described.sampler >= 0) {
+      const auto sampler = convert_sampler(asset_.model.samplers[std::size_t(described.sampler)],
+                                           std::size_t(described.sampler));
+      if (!sampler) return tl::unexpected(sampler.error());
+      texture.sampler = *sampler;
+    }
+    const auto image = images_.add(std::size_t(described.source));
+    if (!image) return tl::unexpected(image.error());
+    texture.image = *image;
+    known_[index] = std::uint32_t(scene_.textures.size());
+    scene_.textures.push_back(texture);
+    return known_[index];
+  }
+
+private:
+  Asset& asset_;
+  Scene& scene_;
+  ImageTable images_;
+  std::vector<std::optional<std::uint32_t>> known_;
+};
+
+}  // namespace
+
+Result<Materials> convert_materials(Asset& asset, const std::vector<bool>& used, Scene& scene) {
+  Materials materials;
+  TextureTable textures(asset, scene);
+  for (std::size_t i = 0; i < asset.model.materials.size(); ++i) {
+    const json& document = asset.document["materials"][i];
+    Material material = convert(asset.model.materials[i], document);
+    TexCoordSource source;
+    if (const json* info = find(document, {"pbrMetallicRoughness", "baseColorTexture"});
+        info && used[i]) {
+      const auto texcoords = texcoord_source(*info, i);
+      if (!texcoords) return tl::unexpected(texcoords.error());
+      const auto texture = textures.add((*info)["index"].get<std::size_t>());
+      if (!texture) return tl::unexpected(texture.error());
+      material.texture = *texture;
+      if (*texture) source = *texcoords;
+    }
+    if (used[i] && find(document, {"pbrMetallicRoughness", "metallicRoughnessTexture"}) &&
+        !material.unlit) {
+      asset.warn("metallic-roughness textures were ignored; their factors were used");
+    }
+    scene.materials.push_back(std::move(material));
+    materials.texcoords.push_back(source);
+  }
+  // For primitives without a material: glTF's default, which is white, metallic and entirely rough.
+  scene.materials.push_back(convert(tinygltf::Material(), json::object()));
+  materials.texcoords.emplace_back();
+  return materials;
+}
+
+}  // namespace glassbox::gltf

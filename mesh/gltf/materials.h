@@ -1,0 +1,35 @@
+// Materials, textures, samplers and images: from metallic-roughness to Blinn-Phong.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <glassbox/base/error.h>
+#include <glassbox/mesh/gltf/asset.h>
+#include <glassbox/mesh/scene.h>
+
+namespace glassbox::gltf {
+
+// (u, v) -> offset + rotation * (scale * (u, v)), KHR_texture_transform.
+struct TexCoordTransform {
+  double matrix[2][3] = {{1, 0, 0}, {0, 1, 0}};
+};
+
+// How a mesh of a material is to make its texture coordinates.
+struct TexCoordSource {
+  std::uint32_t set = 0;  // TEXCOORD_set
+  std::optional<TexCoordTransform> transform;
+  bool textured = false;
+};
+
+struct Materials {
+  std::vector<TexCoordSource> texcoords;  // one for each of Scene::materials
+};
+
+// Fills scene.materials with the file's materials in their order and one for primitives that name none, and
+// scene.textures and scene.images with what the materials named in `used` need: images that nothing drawn uses are not
+// decoded. `used` has one entry per material of the file.
+Result<Materials> convert_materials(Asset& asset, const std::vector<bool>& used, Scene& scene);
+
+}  // namespace glassbox::gltf

@@ -1,0 +1,333 @@
+#include <glassbox/mesh/gltf/primitive.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <glassbox/mesh/gltf/accessors.h>
+#include <glassbox/mesh/gltf/attributes.h>
+#include <glassbox/mesh/gltf/text.h>
+
+namespace glassbox::gltf {
+namespace {
+
+// Normals as far from unit length as rounding to float makes them (3 components, each within 2^-24 relative: |n|^2
+// within 2^-22) are kept bit by bit.
+constexpr double kUnitTolerance = 0x1p-21;
+
+std::string place_of(const Asset& asset, PrimitiveId id) {
+  const std::string& name = asset.model.meshes[id.mesh].name;
+  return entry("mesh", id.mesh) + (name.empty() ? "" : " " + in_quotes(name)) + ", " +
+         entry("primitive", id.primitive);
+}
+
+std::string mesh_name(const tinygltf::Mesh& mesh, PrimitiveId id) {
+  const std::string name = mesh.name.empty() ? entry("mesh", id.mesh) : printable(mesh.name);
+  if (mesh.primitives.size() == 1) return name;
+  return std::string(name).append("[").append(std::to_string(id.primitive)).append("]");
+}
+
+// Every accessor that drawing the primitive reads; the first is that of the positions.
+std::vector<std::size_t> accessors_of(const tinygltf::Primitive& primitive) {
+  std::vector<std::size_t> accessors{std::size_t(primitive.attributes.at("POSITION"))};
+  for (const auto& [name, accessor] : primitive.attributes)
+    accessors.push_back(std::size_t(accessor));
+  if (primitive.indices >= 0) accessors.push_back(std::size_t(primitive.indices));
+  for (const auto& target : primitive.targets) {
+    for (const auto& [name, accessor] : target) accessors.push_back(std::size_t(accessor));
+  }
+  return accessors;
+}
+
+bool is_compressed(const Asset& asset, PrimitiveId id) {
+  const nlohmann::json& primitive = asset.document["meshes"][id.mesh]["primitives"][id.primitive];
+  return primitive.contains("extensions") &&
+         primitive["extensions"].contains("KHR_draco_mesh_compression");
+}
+
+// ---- vertices ----
+
+// The positions and normals before they are rounded: morphed and skinned.
+Result<Vertices> read_vertices(Asset& asset, const tinygltf::Primitive& primitive,
+                               const Attributes& attributes, const std::string& place,
+                               std::size_t count, const Pose& pose, Budget& budget) {
+  auto positions = attributes.read("POSITION", Semantic::kPosition);
+  if (!positions) return tl::unexpected(positions.error());
+  auto normals = attributes.read("NORMAL", Semantic::kNormal);
+  if (!normals) return tl::unexpected(normals.error());
+  Vertices vertices;
+  vertices.positions = std::move((*positions)->numbers);
+  if (*normals) vertices.normals = std::move((*normals)->numbers);
+
+  for (std::size_t i = 0; i < pose.weights.size() && i < primitive.targets.size(); ++i) {
+    if (pose.weights[i] == 0) continue;
+    if (!budget.take(count)) {
+      return fail(place, "its morph targets need more work than the file's size allows",
+                  "bake the targets into the mesh");
+    }
+    const Attributes deltas(asset, primitive.targets[i], place + ", target " + std::to_string(i),
+                            count);
+    const auto moved = deltas.read("POSITION", Semantic::kPositionDelta);
+    if (!moved) return tl::unexpected(moved.error());
+    if (*moved) add_target(vertices.positions, (*moved)->numbers, pose.weights[i]);
+    const auto turned = deltas.read("NORMAL", Semantic::kNormalDelta);
+    if (!turned) return tl::unexpected(turned.error());
+    if (*turned && !vertices.normals.empty())
+      add_target(vertices.normals, (*turned)->numbers, pose.weights[i]);
+  }
+
+  if (!pose.joints) return vertices;
+  std::vector<Influences> sets;
+  for (std::size_t set = 0;; ++set) {
+    const std::string joints_name = "JOINTS_" + std::to_string(set);
+    const std::string weights_name = "WEIGHTS_" + std::to_string(set);
+    if (!attributes.has(joints_name) || !attributes.has(weights_name)) break;
+    auto joints = attributes.read(joints_name, Semantic::kJoints);
+    if (!joints) return tl::unexpected(joints.error());
+    auto weights = attributes.read(weights_name, Semantic::kWeights);
+    if (!weights) return tl::unexpected(weights.error());
+    sets.push_back({std::move((*joints)->numbers), std::move((*weights)->numbers)});
+  }
+  if (sets.empty())
+    return fail(place, "is skinned but has no joints and weights", "export the skin again");
+  if (const auto skinned = apply_skin(vertices, sets, *pose.joints); !skinned) {
+    return fail(place + ", " + skinned.error().place, skinned.error().cause,
+                skinned.error().remedy);
+  }
+  return vertices;
+}
+
+Result<void> set_positions(Mesh& mesh, const Vertices& vertices, const std::string& place) {
+  mesh.positions.reserve(vertices.count());
+  for (std::size_t i = 0; i < vertices.count(); ++i) {
+    const double* p = vertices.positions.data() + i * 3;
+    const Point<Object> position{float(p[0]), float(p[1]), float(p[2])};
+    if (!std::isfinite(position.x) || !std::isfinite(position.y) || !std::isfinite(position.z)) {
+      return fail(place + ", vertex " + std::to_string(i),
+                  "its position in this pose is beyond what a float can hold",
+                  "check the morph weights and the skin");
+    }
+    mesh.positions.push_back(position);
+  }
+  return {};
+}
+
+// Unit normals. The entry of a vertex whose normal has no direction is not used by its corners, which are flat.
+std::vector<bool> set_normals(Asset& asset, Mesh& mesh, const Vertices& vertices,
+                              const std::string& place) {
+  std::vector<bool> usable;
+  std::size_t without_direction = 0;
+  mesh.normals.reserve(vertices.normals.size() / 3);
+  for (std::size_t i = 0; i < vertices.normals.size() / 3; ++i) {
+    const double* n = vertices.normals.data() + i * 3;
+    const double squared = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+    // Squares of floats neither overflow nor vanish in double; morphed and skinned numbers could.
+    const bool good = squared > 0x1p-1000 && std::isfinite(squared);
+    const double length = std::abs(squared - 1) <= kUnitTolerance ? 1 : std::sqrt(squared);
+    usable.push_back(good);
+    without_direction += good ? 0 : 1;
+    mesh.normals.push_back(
+        good ? Normal<Object>(float(n[0] / length), float(n[1] / length), float(n[2] / length))
+             : Normal<Object>(0, 0, 1));
+  }
+  if (without_direction > 0) {
+    asset.warn(place + ": " + std::to_string(without_direction) +
+               " normals of length zero were left out; their corners are shaded flat");
+  }
+  return usable;
+}
+
+Result<void> set_texcoords(Asset& asset, Mesh& mesh, const Attributes& attributes,
+                           const TexCoordSource& source, const std::string& place) {
+  const std::string name = "TEXCOORD_" + std::to_string(source.set);
+  const auto read = attributes.read(name, Semantic::kTexCoord);
+  if (!read) return tl::unexpected(read.error());
+  if (!*read) {
+    if (source.textured)
+      asset.warn(place + ": has a texture but no " + name +
+                 ", so that one texel colours all of it");
+    return {};
+  }
+  const std::vector<double>& numbers = (*read)->numbers;
+  mesh.texcoords.reserve(numbers.size() / 2);
+  for (std::size_t i = 0; i < numbers.size() / 2; ++i) {
+    double u = numbers[i * 2], v = numbers[i * 2 + 1];
+    if (source.transform) {
+      const auto& m = source.transform->matrix;
+      const double u0 = u, v0 = v;
+      u = m[0][0] * u0 + m[0][1] * v0 + m[0][2];
+      v = m[1][0] * u0 + m[1][1] * v0 + m[1][2];
+    }
+    const TexCoord texcoord{float(u), float(v)};
+    if (!std::isfinite(texcoord.u) || !std::isfinite(texcoord.v)) {
+      return fail(place + ", " + name + ", element " + std::to_string(i),
+                  "is beyond what a float can hold after its transform",
+                  "correct KHR_texture_transform");
+    }
+    mesh.texcoords.push_back(texcoord);
+  }
+  return {};
+}
+
+Result<void> set_colors(Mesh& mesh, const Attributes& attributes) {
+  const auto read = attributes.read("COLOR_0", Semantic::kColor);
+  if (!read) return tl::unexpected(read.error());
+  if (!*read) return {};
+  const std::size_t width = (*read)->width;
+  const std::vector<double>& numbers = (*read)->numbers;
+  mesh.colors.reserve(numbers.size() / width);
+  for (std::size_t i = 0; i < numbers.size(); i += width) {
+    mesh.colors.push_back({float(numbers[i]), float(numbers[i + 1]), float(numbers[i + 2]),
+                           width == 4 ? float(numbers[i + 3]) : 1.0f});
+  }
+  return {};
+}
+
+// ---- connectivity ----
+
+Result<std::vector<std::uint32_t>> vertex_order(const Asset& asset,
+                                                const tinygltf::Primitive& primitive,
+                                                const std::string& place, std::size_t count) {
+  std::vector<std::uint32_t> order;
+  if (primitive.indices < 0) {
+    for (std::size_t i = 0; i < count; ++i) order.push_back(std::uint32_t(i));
+    return order;
+  }
+  const std::size_t index = std::size_t(primitive.indices);
+  const std::string where = place + ", indices, " + entry("accessor", index);
+  const auto read = read_indices(asset, index);
+  if (!read)
+    return fail(place + ", indices, " + read.error().place, read.error().cause,
+                read.error().remedy);
+  const int type = asset.model.accessors[index].componentType;
+  const std::uint32_t restart = type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE    ? 0xffu
+                                : type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ? 0xffffu
+                                                                                 : 0xffffffffu;
+  for (std::size_t i = 0; i < read->size(); ++i) {
+    const std::uint32_t vertex = (*read)[i];
+    if (vertex == restart) {
+      return fail(where + ", element " + std::to_string(i),
+                  "is the primitive restart value, which glTF forbids",
+                  "write separate primitives");
+    }
+    if (vertex >= count) {
+      return fail(where + ", element " + std::to_string(i),
+                  "names vertex " + std::to_string(vertex) + " of " + std::to_string(count),
+                  "export the file again");
+    }
+  }
+  return *read;
+}
+
+void add_face(Mesh& mesh, const std::vector<Corner>& vertices, std::size_t a, std::size_t b,
+              std::size_t c) {
+  mesh.faces.push_back({std::uint32_t(mesh.corners.size()), 3});
+  for (const std::size_t i : {a, b, c}) mesh.corners.push_back(vertices[i]);
+}
+
+// glTF 2.0, section 3.7.2.1: which vertices make which triangle, line or point. `vertices` is in drawing order.
+void connect(Asset& asset, Mesh& mesh, int mode, const std::vector<Corner>& v,
+             const std::string& place) {
+  const std::size_t n = v.size();
+  const auto leftover = [&](std::size_t per_shape) {
+    if (n % per_shape != 0)
+      asset.warn(place + ": " + std::to_string(n % per_shape) +
+                 " vertices at its end are left over");
+  };
+  switch (mode) {
+    case TINYGLTF_MODE_POINTS:
+      mesh.points = v;
+      break;
+    case TINYGLTF_MODE_LINE:
+      leftover(2);
+      for (std::size_t i = 0; i + 1 < n; i += 2) mesh.lines.push_back({v[i], v[i + 1]});
+      break;
+    case TINYGLTF_MODE_LINE_LOOP:
+    case TINYGLTF_MODE_LINE_STRIP:
+      for (std::size_t i = 0; i + 1 < n; ++i) mesh.lines.push_back({v[i], v[i + 1]});
+      if (mode == TINYGLTF_MODE_LINE_LOOP && n >= 2) mesh.lines.push_back({v[n - 1], v[0]});
+      break;
+    case TINYGLTF_MODE_TRIANGLES:
+      leftover(3);
+      for (std::size_t i = 0; i + 2 < n; i += 3) add_face(mesh, v, i, i + 1, i + 2);
+      break;
+    case TINYGLTF_MODE_TRIANGLE_STRIP:
+      // Every second triangle swaps two corners, so that all turn the same way.
+      for (std::size_t i = 0; i + 2 < n; ++i) add_face(mesh, v, i, i + 1 + i % 2, i + 2 - i % 2);
+      break;
+    case TINYGLTF_MODE_TRIANGLE_FAN:
+      for (std::size_t i = 0; i + 2 < n; ++i) add_face(mesh, v, i + 1, i + 2, 0);
+      break;
+    default:
+      break;  // schema.h lets nothing else pass
+  }
+}
+
+}  // namespace
+
+Result<std::optional<Mesh>> convert_primitive(Asset& asset, PrimitiveId id, const Pose& pose,
+                                              const TexCoordSource& texcoords, Budget& budget) {
+  const tinygltf::Mesh& described = asset.model.meshes[id.mesh];
+  const tinygltf::Primitive& primitive = described.primitives[id.primitive];
+  const std::string place = place_of(asset, id);
+  const auto skip = [&](const std::string& why) {
+    asset.warn(place + ": " + why + ", so that it is not drawn");
+    return std::optional<Mesh>();
+  };
+  if (!primitive.attributes.contains("POSITION")) return skip("has no positions");
+  const std::vector<std::size_t> accessors = accessors_of(primitive);
+  if (is_compressed(asset, id) && asset.model.accessors[accessors[0]].bufferView < 0) {
+    return fail(place,
+                "is compressed with KHR_draco_mesh_compression, which is not supported, and has no "
+                "other data",
+                "export it without this extension");
+  }
+  for (const std::size_t accessor : accessors) {
+    if (!has_data(asset, accessor))
+      return skip(entry("accessor", accessor) + " reads a buffer that has no data");
+  }
+  if (primitive.indices >= 0) {
+    if (auto form = check_form(asset, std::size_t(primitive.indices), Semantic::kIndices); !form) {
+      return fail(place + ", indices, " + form.error().place, form.error().cause,
+                  form.error().remedy);
+    }
+  }
+
+  const std::size_t count = asset.model.accessors[accessors[0]].count;
+  const std::size_t drawn =
+      primitive.indices < 0 ? count : asset.model.accessors[std::size_t(primitive.indices)].count;
+  // A strip makes three corners of every vertex.
+  if (!budget.take(count + 3 * std::uint64_t(drawn))) {
+    return fail(place,
+                "the meshes have more vertices than the size of the file and the limits allow",
+                "share meshes between nodes instead of accessors between meshes, or raise the "
+                "limit on corners");
+  }
+  const Attributes attributes(asset, primitive.attributes, place, count);
+  const auto vertices = read_vertices(asset, primitive, attributes, place, count, pose, budget);
+  if (!vertices) return tl::unexpected(vertices.error());
+
+  Mesh mesh;
+  mesh.name = mesh_name(described, id);
+  if (auto done = set_positions(mesh, *vertices, place); !done) return tl::unexpected(done.error());
+  const std::vector<bool> has_normal = set_normals(asset, mesh, *vertices, place);
+  if (auto done = set_texcoords(asset, mesh, attributes, texcoords, place); !done)
+    return tl::unexpected(done.error());
+  if (auto done = set_colors(mesh, attributes); !done) return tl::unexpected(done.error());
+
+  const auto order = vertex_order(asset, primitive, place, count);
+  if (!order) return tl::unexpected(order.error());
+  std::vector<Corner> corners;
+  corners.reserve(order->size());
+  for (const std::uint32_t vertex : *order) {
+    corners.push_back({vertex, !has_normal.empty() && has_normal[vertex] ? vertex : kNone,
+                       mesh.texcoords.empty() ? kNone : vertex,
+                       mesh.colors.empty() ? kNone : vertex});
+  }
+  connect(asset, mesh, primitive.mode, corners, place);
+  if (mesh.faces.empty() && mesh.lines.empty() && mesh.points.empty())
+    return skip("has too few vertices");
+  return mesh;
+}
+
+}  // namespace glassbox::gltf

@@ -1,0 +1,48 @@
+// One primitive of a glTF mesh to one Mesh: attributes to tables, modes to faces, lines and points.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <glassbox/base/error.h>
+#include <glassbox/mesh/gltf/asset.h>
+#include <glassbox/mesh/gltf/materials.h>
+#include <glassbox/mesh/gltf/skin_morph.h>
+#include <glassbox/mesh/mesh.h>
+
+namespace glassbox::gltf {
+
+// How many vertices and corners may still be made. Primitives may share accessors, so that a short file could ask for
+// any amount of them.
+class Budget {
+public:
+  explicit Budget(std::uint64_t elements) : left_(elements) {}
+  bool take(std::uint64_t elements) {
+    if (elements > left_) return false;
+    left_ -= elements;
+    return true;
+  }
+
+private:
+  std::uint64_t left_;
+};
+
+// Where a primitive stands in the file, for messages.
+struct PrimitiveId {
+  std::size_t mesh = 0;
+  std::size_t primitive = 0;
+};
+
+// What a primitive is drawn with besides what it says itself.
+struct Pose {
+  std::vector<double> weights;            // of the morph targets; empty: the primitive as it is
+  const JointMatrices* joints = nullptr;  // null: not skinned
+};
+
+// Nothing where there is nothing to draw (no positions, no data, too few vertices); asset.warnings says so.
+Result<std::optional<Mesh>> convert_primitive(Asset& asset, PrimitiveId id, const Pose& pose,
+                                              const TexCoordSource& texcoords, Budget& budget);
+
+}  // namespace glassbox::gltf

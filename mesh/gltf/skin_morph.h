@@ -1,0 +1,41 @@
+// Morph targets at fixed weights and skins in a fixed pose, evaluated in double.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <glassbox/base/error.h>
+#include <glassbox/mesh/gltf/asset.h>
+#include <glassbox/mesh/gltf/nodes.h>
+
+namespace glassbox::gltf {
+
+// world_from_joint * inverse bind matrix of each joint: carries vertices as modelled to where the pose puts them.
+using JointMatrices = std::vector<Transform<World, Object>>;
+
+Result<JointMatrices> joint_matrices(const Asset& asset, const NodeTree& tree, std::size_t skin);
+
+// The numbers of one primitive while they are still exact: three per vertex, normals empty where there are none.
+struct Vertices {
+  std::vector<double> positions;
+  std::vector<double> normals;
+  std::size_t count() const { return positions.size() / 3; }
+};
+
+// vertex += weight * delta of the target. `deltas` has three numbers per vertex.
+void add_target(std::vector<double>& numbers, const std::vector<double>& deltas, double weight);
+
+// Four joints and weights per vertex and set.
+struct Influences {
+  std::vector<double> joints;
+  std::vector<double> weights;
+};
+
+// Moves the vertices by the weighted mean of their joints' matrices; normals by its cofactors, which keep them
+// perpendicular. Weights are taken relative to their sum; a vertex without weight follows its first joint. Errors name
+// the vertex whose joint does not exist.
+Result<void> apply_skin(Vertices& vertices, const std::vector<Influences>& sets,
+                        const JointMatrices& joints);
+
+}  // namespace glassbox::gltf

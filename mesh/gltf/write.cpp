@@ -1,0 +1,515 @@
+#include <glassbox/mesh/gltf/write.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include <glassbox/images/atomic_file.h>
+#include <glassbox/images/write.h>
+#include <glassbox/mesh/gltf/text.h>
+#include <glassbox/mesh/gltf/unified_mesh.h>
+
+namespace glassbox {
+namespace {
+
+using gltf::entry;
+using gltf::UnifiedPrimitive;
+using nlohmann::json;
+
+// glTF's numbers for types.
+constexpr int kFloat = 5126;
+constexpr int kUnsignedInt = 5125;
+constexpr int kVertexData = 34962;
+constexpr int kIndexData = 34963;
+
+// ---- the binary chunk ----
+
+class BinaryChunk {
+public:
+  void append(std::uint32_t word) {
+    for (int i = 0; i < 4; ++i) bytes_.push_back(std::byte(word >> (8 * i) & 0xff));
+  }
+  void append(float number) { append(std::bit_cast<std::uint32_t>(number)); }
+  void append(std::span<const std::byte> data) {
+    bytes_.insert(bytes_.end(), data.begin(), data.end());
+    while (bytes_.size() % 4 != 0) bytes_.push_back(std::byte(0));
+  }
+  std::size_t size() const { return bytes_.size(); }
+  const std::vector<std::byte>& bytes() const { return bytes_; }
+
+private:
+  std::vector<std::byte> bytes_;
+};
+
+// ---- the document ----
+
+class Writer {
+public:
+  explicit Writer(const Scene& scene) : scene_(scene) {}
+
+  Result<std::vector<std::byte>> encode() {
+    document_["asset"] = {{"version", "2.0"}, {"generator", "Glassbox"}};
+    if (auto done = write_images(); !done) return tl::unexpected(done.error());
+    write_textures();
+    for (const Material& material : scene_.materials)
+      document_["materials"].push_back(describe(material));
+    if (auto done = write_meshes(); !done) return tl::unexpected(done.error());
+    write_nodes();
+    if (auto done = write_cameras(); !done) return tl::unexpected(done.error());
+    write_lights();
+    json scene{{"nodes", roots_}};
+    if (!scene_.name.empty()) scene["name"] = scene_.name;
+    document_["scene"] = 0;
+    document_["scenes"].push_back(scene);
+    if (!used_.empty()) document_["extensionsUsed"] = used_;
+    if (binary_.size() > 0) document_["buffers"].push_back({{"byteLength", binary_.size()}});
+    return assemble();
+  }
+
+private:
+  // -- pictures --
+
+  Result<void> write_images() {
+    for (std::size_t i = 0; i < scene_.images.size(); ++i) {
+      const auto png = encode_png(scene_.images[i]);
+      if (!png) return fail(entry("image", i), png.error().cause, png.error().remedy);
+      const std::size_t offset = binary_.size();
+      binary_.append(*png);
+      document_["images"].push_back(
+          {{"mimeType", "image/png"}, {"bufferView", add_view(offset, png->size(), std::nullopt)}});
+    }
+    return {};
+  }
+
+  static int wrap_code(Wrap wrap) {
+    return wrap == Wrap::kRepeat ? 10497 : wrap == Wrap::kMirroredRepeat ? 33648 : 33071;
+  }
+  static int minify_code(const Sampler& sampler) {
+    const int linear = sampler.minify == Filter::kLinear ? 1 : 0;
+    switch (sampler.mip) {
+      case MipFilter::kNone:
+        return 9728 + linear;
+      case MipFilter::kNearest:
+        return 9984 + linear;
+      case MipFilter::kLinear:
+        break;
+    }
+    return 9986 + linear;
+  }
+
+  void write_textures() {
+    for (const Texture& texture : scene_.textures) {
+      const Sampler& sampler = texture.sampler;
+      document_["textures"].push_back(
+          {{"sampler", document_["samplers"].size()}, {"source", texture.image}});
+      document_["samplers"].push_back(
+          {{"magFilter", sampler.magnify == Filter::kLinear ? 9729 : 9728},
+           {"minFilter", minify_code(sampler)},
+           {"wrapS", wrap_code(sampler.wrap_u)},
+           {"wrapT", wrap_code(sampler.wrap_v)}});
+    }
+  }
+
+  // The reflection model has no exact counterpart in glTF: other programs see a rough dielectric, and the extras bring
+  // the numbers back.
+  json describe(const Material& material) {
+    const Rgba& base = material.base_color;
+    json pbr{{"baseColorFactor", {base.r, base.g, base.b, base.a}},
+             {"metallicFactor", 0.0},
+             {"roughnessFactor", 1.0}};
+    if (material.texture) pbr["baseColorTexture"] = {{"index", *material.texture}};
+    json described;
+    if (!material.name.empty()) described["name"] = material.name;
+    described["pbrMetallicRoughness"] = pbr;
+    if (material.alpha_mode != AlphaMode::kOpaque) {
+      described["alphaMode"] = material.alpha_mode == AlphaMode::kMask ? "MASK" : "BLEND";
+    }
+    if (material.alpha_mode == AlphaMode::kMask) described["alphaCutoff"] = material.alpha_cutoff;
+    if (material.double_sided) described["doubleSided"] = true;
+    if (material.unlit) {
+      described["extensions"]["KHR_materials_unlit"] = json::object();
+      use("KHR_materials_unlit");
+    }
+    described["extras"]["glassbox"] = {{"specular", material.specular},
+                                       {"shininess", material.shininess}};
+    return described;
+  }
+
+  // -- meshes --
+
+  std::size_t add_view(std::size_t offset, std::size_t size, std::optional<int> target) {
+    json view{{"buffer", 0}, {"byteOffset", offset}, {"byteLength", size}};
+    if (target) view["target"] = *target;
+    document_["bufferViews"].push_back(view);
+    return document_["bufferViews"].size() - 1;
+  }
+
+  // The binary data since `offset` as one accessor.
+  json& add_accessor(std::size_t offset, int component_type, const char* type, std::size_t count,
+                     int target) {
+    const std::size_t view = add_view(offset, binary_.size() - offset, target);
+    document_["accessors"].push_back({{"bufferView", view},
+                                      {"componentType", component_type},
+                                      {"count", count},
+                                      {"type", type}});
+    return document_["accessors"].back();
+  }
+
+  std::size_t last_accessor() { return document_["accessors"].size() - 1; }
+
+  std::size_t write_positions(const Mesh& mesh, const UnifiedPrimitive& primitive) {
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    std::array<float, 3> low{kInfinity, kInfinity, kInfinity},
+        high{-kInfinity, -kInfinity, -kInfinity};
+    const std::size_t offset = binary_.size();
+    for (const Corner& vertex : primitive.vertices) {
+      const Point<Object>& p = mesh.positions[vertex.position];
+      const std::array<float, 3> numbers{p.x, p.y, p.z};
+      for (std::size_t i = 0; i < 3; ++i) {
+        binary_.append(numbers[i]);
+        low[i] = std::min(low[i], numbers[i]);
+        high[i] = std::max(high[i], numbers[i]);
+      }
+    }
+    json& accessor = add_accessor(offset, kFloat, "VEC3", primitive.vertices.size(), kVertexData);
+    accessor["min"] = low;
+    accessor["max"] = high;
+    return last_accessor();
+  }
+
+  std::size_t write_normals(const Mesh& mesh, const UnifiedPrimitive& primitive) {
+    const std::size_t offset = binary_.size();
+    for (const Corner& vertex : primitive.vertices) {
+      const Normal<Object>& n = mesh.normals[vertex.normal];
+      for (const float number : {n.x, n.y, n.z}) binary_.append(number);
+    }
+    add_accessor(offset, kFloat, "VEC3", primitive.vertices.size(), kVertexData);
+    return last_accessor();
+  }
+
+  std::size_t write_texcoords(const Mesh& mesh, const UnifiedPrimitive& primitive) {
+    const std::size_t offset = binary_.size();
+    for (const Corner& vertex : primitive.vertices) {
+      const TexCoord t = vertex.texcoord == kNone ? TexCoord{} : mesh.texcoords[vertex.texcoord];
+      for (const float number : {t.u, t.v}) binary_.append(number);
+    }
+    add_accessor(offset, kFloat, "VEC2", primitive.vertices.size(), kVertexData);
+    return last_accessor();
+  }
+
+  std::size_t write_colors(const Mesh& mesh, const UnifiedPrimitive& primitive) {
+    const std::size_t offset = binary_.size();
+    for (const Corner& vertex : primitive.vertices) {
+      const Rgba c = vertex.color == kNone ? Rgba{} : mesh.colors[vertex.color];
+      for (const float number : {c.r, c.g, c.b, c.a}) binary_.append(number);
+    }
+    add_accessor(offset, kFloat, "VEC4", primitive.vertices.size(), kVertexData);
+    return last_accessor();
+  }
+
+  json describe(const Mesh& mesh, const UnifiedPrimitive& primitive) {
+    json attributes{{"POSITION", write_positions(mesh, primitive)}};
+    if (primitive.has_normals) attributes["NORMAL"] = write_normals(mesh, primitive);
+    if (primitive.has_texcoords) attributes["TEXCOORD_0"] = write_texcoords(mesh, primitive);
+    if (primitive.has_colors) attributes["COLOR_0"] = write_colors(mesh, primitive);
+    const std::size_t offset = binary_.size();
+    for (const std::uint32_t index : primitive.indices) binary_.append(index);
+    add_accessor(offset, kUnsignedInt, "SCALAR", primitive.indices.size(), kIndexData);
+    return {{"attributes", attributes},
+            {"indices", last_accessor()},
+            {"material", mesh.material},
+            {"mode", primitive.mode}};
+  }
+
+  Result<void> write_meshes() {
+    for (const Mesh& mesh : scene_.meshes) {
+      const auto primitives = gltf::unify(mesh);
+      if (!primitives) return tl::unexpected(primitives.error());
+      mesh_numbers_.push_back(std::nullopt);
+      if (primitives->empty()) continue;  // glTF has no empty meshes
+      json described;
+      if (!mesh.name.empty()) described["name"] = mesh.name;
+      for (const UnifiedPrimitive& primitive : *primitives)
+        described["primitives"].push_back(describe(mesh, primitive));
+      mesh_numbers_.back() = document_["meshes"].size();
+      document_["meshes"].push_back(described);
+    }
+    return {};
+  }
+
+  // -- nodes --
+
+  static json numbers(const glm::dmat4& columns) {
+    json list = json::array();
+    for (int column = 0; column < 4; ++column) {
+      for (int row = 0; row < 4; ++row) list.push_back(columns[column][row]);
+    }
+    return list;
+  }
+
+  std::size_t add_node(const std::string& name) {
+    json node = json::object();
+    if (!name.empty()) node["name"] = name;
+    document_["nodes"].push_back(node);
+    return document_["nodes"].size() - 1;
+  }
+
+  json& node(std::size_t index) { return document_["nodes"][index]; }
+
+  std::size_t add_root(const std::string& name, const glm::dmat4& columns) {
+    const std::size_t index = add_node(name);
+    node(index)["matrix"] = numbers(columns);
+    roots_.push_back(index);
+    return index;
+  }
+
+  // The instances of each node.
+  std::vector<std::vector<std::size_t>> instances_by_node() const {
+    std::vector<std::vector<std::size_t>> by_node(scene_.nodes.size());
+    for (std::size_t i = 0; i < scene_.instances.size(); ++i)
+      by_node[scene_.instances[i].node].push_back(i);
+    return by_node;
+  }
+
+  std::vector<std::vector<std::size_t>> children_by_node() const {
+    std::vector<std::vector<std::size_t>> by_node(scene_.nodes.size());
+    for (std::size_t i = 0; i < scene_.nodes.size(); ++i) {
+      if (scene_.nodes[i].parent != kNone) by_node[scene_.nodes[i].parent].push_back(i);
+    }
+    return by_node;
+  }
+
+  // Whether a walk over the hierarchy, parents first, meets the instances in the order in which they are drawn.
+  bool order_follows_hierarchy() const {
+    const auto instances = instances_by_node();
+    const auto children = children_by_node();
+    std::vector<std::size_t> stack;
+    for (std::size_t i = scene_.nodes.size(); i-- > 0;) {
+      if (scene_.nodes[i].parent == kNone) stack.push_back(i);
+    }
+    std::size_t next = 0;
+    while (!stack.empty()) {
+      const std::size_t at = stack.back();
+      stack.pop_back();
+      for (const std::size_t instance : instances[at]) {
+        if (instance != next++) return false;
+      }
+      stack.insert(stack.end(), children[at].rbegin(), children[at].rend());
+    }
+    return true;
+  }
+
+  void write_nodes() {
+    if (order_follows_hierarchy()) {
+      write_hierarchy();
+    } else {
+      write_flat();
+    }
+  }
+
+  // A glTF node carries one mesh: a node of several instances gets a child for each, before its other children.
+  void write_hierarchy() {
+    for (const Node& described : scene_.nodes) {
+      const std::size_t index = add_node(described.name);
+      if (described.parent_from_node != Transform<World, Object>()) {
+        node(index)["matrix"] = numbers(described.parent_from_node.columns);
+      }
+    }
+    const auto instances = instances_by_node();
+    for (std::size_t i = 0; i < scene_.nodes.size(); ++i) {
+      if (instances[i].size() == 1) {
+        set_mesh(i, instances[i][0]);
+        continue;
+      }
+      for (const std::size_t instance : instances[i]) {
+        const std::size_t child = add_node("");
+        set_mesh(child, instance);
+        node(i)["children"].push_back(child);
+      }
+    }
+    for (std::size_t i = 0; i < scene_.nodes.size(); ++i) {
+      if (scene_.nodes[i].parent == kNone) {
+        roots_.push_back(i);
+      } else {
+        node(scene_.nodes[i].parent)["children"].push_back(i);
+      }
+    }
+  }
+
+  // Every instance under a root of its own: the hierarchy is lost, the picture is not.
+  void write_flat() {
+    for (std::size_t i = 0; i < scene_.instances.size(); ++i) {
+      const Node& described = scene_.nodes[scene_.instances[i].node];
+      set_mesh(add_root(described.name, described.world_from_node.columns), i);
+    }
+  }
+
+  void set_mesh(std::size_t at, std::size_t instance) {
+    const auto& number = mesh_numbers_[scene_.instances[instance].mesh];
+    if (number) node(at)["mesh"] = *number;
+  }
+
+  // -- cameras and lights: each under a root of its own --
+
+  Result<void> write_cameras() {
+    for (std::size_t i = 0; i < scene_.cameras.size(); ++i) {
+      const Camera& camera = scene_.cameras[i];
+      json described;
+      if (!camera.name.empty()) described["name"] = camera.name;
+      if (const auto* perspective = std::get_if<PerspectiveLens>(&camera.lens)) {
+        described["type"] = "perspective";
+        described["perspective"] = {{"yfov", perspective->fovy_radians},
+                                    {"znear", perspective->near}};
+        if (perspective->far) described["perspective"]["zfar"] = *perspective->far;
+      } else if (const auto* orthographic = std::get_if<OrthographicLens>(&camera.lens)) {
+        described["type"] = "orthographic";
+        described["orthographic"] = {{"xmag", orthographic->half_height},
+                                     {"ymag", orthographic->half_height},
+                                     {"znear", orthographic->near},
+                                     {"zfar", orthographic->far}};
+      } else {
+        return fail("camera " + std::to_string(i) + " " + gltf::in_quotes(camera.name),
+                    "is given by the edges of a window, which glTF cannot hold",
+                    "use a symmetric perspective camera");
+      }
+      node(add_root(camera.name, camera.world_from_eye.columns))["camera"] = i;
+      document_["cameras"].push_back(described);
+    }
+    return {};
+  }
+
+  // A node at the light's position whose -z axis is its direction, bit by bit; the other axes are any that complete it.
+  static glm::dmat4 pose(const Light& light) {
+    glm::dmat4 columns(1.0);
+    const Vector<World, double> z = -light.direction;
+    if (light.kind != LightKind::kPoint) {
+      const double ax = std::abs(z.x), ay = std::abs(z.y), az = std::abs(z.z);
+      const Vector<World, double> other = ax <= ay && ax <= az ? Vector<World, double>{1, 0, 0}
+                                          : ay <= az           ? Vector<World, double>{0, 1, 0}
+                                                               : Vector<World, double>{0, 0, 1};
+      Vector<World, double> x = cross(other, z);
+      x = x * (1 / std::sqrt(dot(x, x)));
+      const Vector<World, double> y = cross(z, x);
+      const Vector<World, double> axes[3] = {x, y, z};
+      for (int i = 0; i < 3; ++i) columns[i] = {axes[i].x, axes[i].y, axes[i].z, 0};
+    }
+    columns[3] = {light.position.x, light.position.y, light.position.z, 1};
+    return columns;
+  }
+
+  void write_lights() {
+    if (scene_.lights.empty()) return;
+    use("KHR_lights_punctual");
+    json& list = document_["extensions"]["KHR_lights_punctual"]["lights"];
+    for (const Light& light : scene_.lights) {
+      json described;
+      if (!light.name.empty()) described["name"] = light.name;
+      described["type"] = light.kind == LightKind::kDirectional ? "directional"
+                          : light.kind == LightKind::kPoint     ? "point"
+                                                                : "spot";
+      described["color"] = light.color;
+      described["intensity"] = light.intensity;
+      if (light.range) described["range"] = *light.range;
+      if (light.kind == LightKind::kSpot) {
+        described["spot"] = {{"innerConeAngle", light.inner_cone_radians},
+                             {"outerConeAngle", light.outer_cone_radians}};
+      }
+      node(add_root(light.name, pose(light)))["extensions"]["KHR_lights_punctual"]["light"] =
+          list.size();
+      list.push_back(described);
+    }
+  }
+
+  void use(const char* extension) {
+    if (std::ranges::find(used_, extension) == used_.end()) used_.push_back(extension);
+  }
+
+  // -- the file --
+
+  Result<std::vector<std::byte>> assemble() {
+    // Doubles are printed with the fewest digits that read back as the same double.
+    std::string text = document_.dump(-1, ' ', false, json::error_handler_t::replace);
+    while (text.size() % 4 != 0) text += ' ';
+    const std::uint64_t length =
+        12 + 8 + text.size() + (binary_.size() > 0 ? 8 + binary_.size() : 0);
+    if (length > 0xffffffffu) {
+      return fail("", "the scene needs more than the 4 GB that a GLB file can have",
+                  "write fewer meshes or smaller textures");
+    }
+    BinaryChunk file;
+    for (const std::uint32_t word : {0x46546c67u, 2u, std::uint32_t(length)}) file.append(word);
+    file.append(std::uint32_t(text.size()));
+    file.append(0x4e4f534au);
+    file.append(std::as_bytes(std::span(text)));
+    if (binary_.size() > 0) {
+      file.append(std::uint32_t(binary_.size()));
+      file.append(0x004e4942u);
+      file.append(std::span(binary_.bytes()));
+    }
+    return file.bytes();
+  }
+
+  const Scene& scene_;
+  json document_;
+  BinaryChunk binary_;
+  std::vector<std::optional<std::size_t>> mesh_numbers_;  // by Scene::meshes; none: nothing to draw
+  std::vector<std::size_t> roots_;
+  std::vector<std::string> used_;
+};
+
+// JSON would turn numbers that are not finite into null.
+Result<void> check_finite(const Scene& scene) {
+  const auto refuse = [](std::string place) {
+    return fail(std::move(place), "has numbers that are not finite",
+                "repair the scene before writing it");
+  };
+  const auto matrix_is_finite = [](const glm::dmat4& columns) {
+    for (int i = 0; i < 16; ++i) {
+      if (!std::isfinite(columns[i / 4][i % 4])) return false;
+    }
+    return true;
+  };
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    if (!matrix_is_finite(scene.nodes[i].parent_from_node.columns) ||
+        !matrix_is_finite(scene.nodes[i].world_from_node.columns)) {
+      return refuse(entry("node", i));
+    }
+  }
+  for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
+    if (!matrix_is_finite(scene.cameras[i].world_from_eye.columns))
+      return refuse(entry("camera", i));
+  }
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    for (const Point<Object>& p : scene.meshes[i].positions) {
+      if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+        return refuse(entry("mesh", i));
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<std::vector<std::byte>> encode_glb(const Scene& scene) {
+  if (auto finite = check_finite(scene); !finite) return tl::unexpected(finite.error());
+  return Writer(scene).encode();
+}
+
+Result<void> write_glb(const Scene& scene, const std::string& path) {
+  const auto bytes = encode_glb(scene);
+  if (!bytes) {
+    Error error = bytes.error();
+    error.file = path;
+    return tl::unexpected(std::move(error));
+  }
+  return write_file(path, *bytes);
+}
+
+}  // namespace glassbox
