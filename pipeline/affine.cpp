@@ -149,9 +149,7 @@ namespace affine {
 Result<glm::dmat4> rotation(const glm::dvec3& axis, double degrees) {
   const auto a = unit3(axis);
   if (!a) {
-    return fail("rotation axis",
-                "(" + number_text(axis.x) + ", " + number_text(axis.y) + ", " +
-                    number_text(axis.z) + ") is not a direction",
+    return fail("rotation axis", triple_text(axis.x, axis.y, axis.z) + " is not a direction",
                 "give three finite numbers that are not all zero");
   }
   const SinCos angle = sin_cos_degrees(degrees);

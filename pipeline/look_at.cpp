@@ -12,10 +12,6 @@ namespace {
 
 using WorldVector = Vector<World, double>;
 
-std::string text(double x, double y, double z) {
-  return "(" + number_text(x) + ", " + number_text(y) + ", " + number_text(z) + ")";
-}
-
 // What both constructions start from: unit gaze and unit up that are not along one line.
 struct Directions {
   WorldVector gaze, up;
@@ -31,26 +27,26 @@ const char* usable_up(const WorldVector& gaze) {
 Result<Directions> directions_of(const Point<World, double>& eye, const WorldVector& gaze,
                                  const WorldVector& up) {
   if (!std::isfinite(eye.x) || !std::isfinite(eye.y) || !std::isfinite(eye.z)) {
-    return fail("eye", text(eye.x, eye.y, eye.z) + " is not a position",
+    return fail("eye", triple_text(eye.x, eye.y, eye.z) + " is not a position",
                 "give three finite numbers");
   }
   const auto gaze_unit = unit(gaze);
   if (!gaze_unit) {
-    return fail("gaze", text(gaze.x, gaze.y, gaze.z) + " is not a direction",
+    return fail("gaze", triple_text(gaze.x, gaze.y, gaze.z) + " is not a direction",
                 "give three finite numbers that are not all zero");
   }
   const auto up_unit = unit(up);
   if (!up_unit) {
     return fail(
-        "up", text(up.x, up.y, up.z) + " is not a direction",
+        "up", triple_text(up.x, up.y, up.z) + " is not a direction",
         std::string("give one that is not along the view, such as ") + usable_up(*gaze_unit));
   }
   const WorldVector across = cross(*gaze_unit, *up_unit);
   if (!(dot(across, across) >= kMinUpSine * kMinUpSine)) {
-    return fail(
-        "up",
-        text(up.x, up.y, up.z) + " points along the view, so that the picture's roll is undefined",
-        std::string("choose another, such as ") + usable_up(*gaze_unit));
+    return fail("up",
+                triple_text(up.x, up.y, up.z) +
+                    " points along the view, so that the picture's roll is undefined",
+                std::string("choose another, such as ") + usable_up(*gaze_unit));
   }
   return Directions{*gaze_unit, *up_unit};
 }
@@ -58,12 +54,12 @@ Result<Directions> directions_of(const Point<World, double>& eye, const WorldVec
 Result<WorldVector> gaze_towards(const Point<World, double>& eye,
                                  const Point<World, double>& target) {
   if (!std::isfinite(target.x) || !std::isfinite(target.y) || !std::isfinite(target.z)) {
-    return fail("look-at", text(target.x, target.y, target.z) + " is not a position",
+    return fail("look-at", triple_text(target.x, target.y, target.z) + " is not a position",
                 "give three finite numbers");
   }
   if (eye == target) {
     return fail("look-at",
-                text(target.x, target.y, target.z) +
+                triple_text(target.x, target.y, target.z) +
                     " is the eye itself, so that there is no direction of view",
                 "move one of the two");
   }
