@@ -14,7 +14,8 @@ enum class DepthFormat { kFloat32, kFloat32Reversed, kUnorm24, kUnorm16 };
 // what lies exactly on the far plane, and with an infinite far plane whatever rounds to it.)
 inline constexpr std::uint32_t kEmptyDepth = 0xffffffffu;
 
-// round-half-up of z (2^bits - 1). Exact: 24-bit z times at most 24 bits, plus a half, fits a double.
+// round-half-up of z (2^bits - 1). Exact: 24-bit z times at most 24 bits fits a double, and so does the sum with a half
+// wherever it could reach the next integer.
 inline std::uint32_t quantise_depth(float z, int bits) {
   const double steps = double((1u << bits) - 1u);
   return std::uint32_t(std::floor(double(z) * steps + 0.5));

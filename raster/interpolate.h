@@ -9,11 +9,16 @@
 //   attribute  = a0 + (weight_1 (a1 - a0) + weight_2 (a2 - a0))
 //
 // Nothing depends on where the walk over the pixels began, so every way of walking gives the same bits.
-//   - Each lambda has a relative error of at most 4u (u = 2^-24), also in the far corner of a sliver.
-//   - Vertex 0 is the one of smallest depth: the differences and their sum are non-negative, so depth has a relative
-//     error of a few u, which a reversed depth range needs near 0; and a flat triangle has exactly its own depth.
-//   - q is a sum of positive numbers: no cancellation however different the w are (C-66).
-//   - An attribute that is equal at the three vertices is exactly that everywhere.
+// Errors to first order in u = 2^-24, relative to the exact value for the snapped triangle and the 1/w_k as given
+// (tests/raster/interpolate_test.cpp holds them against rationals):
+//   - lambda: 4u (E_k, A, 1/A and the product are rounded), also in the far corner of a sliver.
+//   - depth: 8u, which a reversed depth range needs near 0. Vertex 0 is the one of smallest depth, so nothing cancels:
+//     4u of lambda, then a difference, a product and two sums of numbers that are not negative. Never below the
+//     smallest depth; and a flat triangle has exactly its own.
+//   - q: 7u. A sum of positive numbers: no cancellation however different the w are (C-66).
+//   - weight: 10u. The rounding of A and 1/A divides out, which leaves 3u of lambda_k / w_k, 5u of q and two operations.
+//   - attribute: 13u (weight_1 |a1 - a0| + weight_2 |a2 - a0|) + u |attribute|, absolute. One that is equal at the three
+//     vertices is exactly that everywhere.
 #pragma once
 
 #include <array>
@@ -54,15 +59,15 @@ inline Fragment interpolate(const TriangleSetup& triangle, const Coverage& pixel
   return fragment;
 }
 
-// A line is a triangle whose third vertex has no weight.
+// A line is a triangle whose vertex 0 has no weight, and the smaller of the two depths. Its attributes follow from the
+// weights with those of the first end in place of vertex 0.
 inline Fragment interpolate(const std::array<ScreenVertex, 2>& ends, const LinePixel& pixel) {
   const float share = 1.0f / float(pixel.steps);
-  const std::array<float, 3> lambda{float(pixel.steps - pixel.step) * share,
-                                    float(pixel.step) * share, 0.0f};
-  const float z0 = ends[0].position.z;
-  const float w0 = ends[0].inverse_w;
-  Fragment fragment = fragment_from(lambda, {z0, ends[1].position.z, z0},
-                                    {w0, ends[1].inverse_w, w0}, w0 == ends[1].inverse_w);
+  const std::array<float, 3> lambda{0.0f, float(pixel.steps - pixel.step) * share,
+                                    float(pixel.step) * share};
+  const float za = ends[0].position.z, zb = ends[1].position.z;
+  const float wa = ends[0].inverse_w, wb = ends[1].inverse_w;
+  Fragment fragment = fragment_from(lambda, {za < zb ? za : zb, za, zb}, {wa, wa, wb}, wa == wb);
   fragment.x = pixel.x;
   fragment.y = pixel.y;
   return fragment;

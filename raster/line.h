@@ -1,11 +1,14 @@
 // Which pixels a line covers: the diamond-exit rule of OpenGL and Direct3D, decided exactly on integers.
 //
-// A pixel is drawn where the line leaves the diamond |x - xc| + |y - yc| < 1/2 around its centre. Lines that join end
-// to end draw no pixel twice. Ties are broken as OpenGL does, by thinking of the line as moved by (-e, +e^2) pixels
-// with e infinitely small (y down).
+// A pixel is drawn where the line leaves the diamond |x - xc| + |y - yc| < 1/2 around its centre. Lines that go on from
+// one another, to the right say, draw no pixel of their joint twice. Ties are broken as OpenGL does, by thinking of the
+// line as moved by (-e, +e^2) pixels with e infinitely small (y down).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <cstdlib>
+#include <utility>
 
 #include <glassbox/raster/stages.h>
 
@@ -18,12 +21,12 @@ struct LinePixel {
   std::int64_t step = 0, steps = 1;
 };
 
-// Inside the diamond of pixel (i, j), after the move. On its border |x - xc| + |y - yc| = 1/2 the move by -e along x
+// Inside the diamond of pixel (x, y), after the move. On its border |x - xc| + |y - yc| = 1/2 the move by -e along x
 // decides: inwards on the right of the centre, outwards elsewhere.
-inline bool in_diamond(const SnappedVertex& p, std::int64_t i, std::int64_t j) {
-  const std::int64_t dx = p.x - (i * kSubpixels + kPixelCentre);
-  const std::int64_t dy = p.y - (j * kSubpixels + kPixelCentre);
-  const std::int64_t distance = (dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy);
+inline bool in_diamond(const SnappedVertex& p, int x, int y) {
+  const std::int64_t dx = p.x - (std::int64_t(x) * kSubpixels + kPixelCentre);
+  const std::int64_t dy = p.y - (std::int64_t(y) * kSubpixels + kPixelCentre);
+  const std::int64_t distance = std::abs(dx) + std::abs(dy);
   return distance < kPixelCentre || (distance == kPixelCentre && dx > 0);
 }
 
@@ -31,88 +34,81 @@ inline std::int64_t floor_divide(std::int64_t n, std::int64_t positive) {
   return n >= 0 ? n / positive : -((-n + positive - 1) / positive);
 }
 
-// The row in which a mostly horizontal line passes the centre of column i. Exactly between two rows the move decides:
-// up for a line that rises on the screen, else down.
-inline std::int64_t row_at_column(const SnappedVertex& a, const SnappedVertex& b, std::int64_t i) {
-  std::int64_t dx = b.x - a.x;
-  std::int64_t dy = b.y - a.y;
-  if (dx < 0) dx = -dx, dy = -dy;
-  const std::int64_t centre = i * kSubpixels + kPixelCentre;
-  const std::int64_t y_dx = std::int64_t(a.y) * dx + (centre - a.x) * dy;  // y * dx, exact
-  const std::int64_t row = floor_divide(y_dx, dx * kSubpixels);
-  const bool on_border = y_dx == row * dx * kSubpixels;
-  return on_border && dy < 0 ? row - 1 : row;
-}
+// A line whose longer axis is called major (x or y) and the other one minor. A line crosses the centre of a diamond, in
+// the sense of passing from one half of it into the other, once for every pixel of the major axis between its ends.
+struct LineSetup {
+  bool x_major = true;
+  bool ascending = true;  // from its first end to its second, along the major axis
+  SnappedVertex low,
+      high;  // the ends in ascending order; .x is along the major axis, .y along the minor one
+  int first = 0, end = 0;  // the pixels of the major axis whose centre is passed: first .. end - 1
+  bool border_is_low =
+      true;  // a line that passes exactly between two pixels belongs to the one of lower index
 
-// The column in which a mostly vertical line passes the centre of row j. Exactly between two columns: the left one.
-inline std::int64_t column_at_row(const SnappedVertex& a, const SnappedVertex& b, std::int64_t j) {
-  std::int64_t dx = b.x - a.x;
-  std::int64_t dy = b.y - a.y;
-  if (dy < 0) dx = -dx, dy = -dy;
-  const std::int64_t centre = j * kSubpixels + kPixelCentre;
-  const std::int64_t x_dy = std::int64_t(a.x) * dy + (centre - a.y) * dx;
-  const std::int64_t column = floor_divide(x_dy, dy * kSubpixels);
-  const bool on_border = x_dy == column * dy * kSubpixels;
-  return on_border ? column - 1 : column;
+  std::int64_t steps() const { return high.x - low.x; }
+
+  // How far along the major axis the centre of pixel `major` is from the first end.
+  std::int64_t step_at(int major) const {
+    const std::int64_t centre = std::int64_t(major) * kSubpixels + kPixelCentre;
+    return std::clamp<std::int64_t>(ascending ? centre - low.x : high.x - centre, 0, steps());
+  }
+
+  // The pixel along the minor axis in which the line passes the centre of pixel `major` < end.
+  int minor_at(int major) const {
+    const std::int64_t run = high.x - low.x;
+    const std::int64_t rise = high.y - low.y;
+    const std::int64_t centre = std::int64_t(major) * kSubpixels + kPixelCentre;
+    const std::int64_t minor_run = low.y * run + (centre - low.x) * rise;  // minor * run, exact
+    return int(floor_divide(minor_run - (border_is_low ? 1 : 0), run * kSubpixels));
+  }
+};
+
+inline LineSetup setup_line(const SnappedVertex& a, const SnappedVertex& b) {
+  LineSetup line;
+  line.x_major = std::abs(b.x - a.x) >= std::abs(b.y - a.y);
+  line.low = line.x_major ? a : SnappedVertex{a.y, a.x};
+  line.high = line.x_major ? b : SnappedVertex{b.y, b.x};
+  line.ascending = line.low.x <= line.high.x;
+  if (!line.ascending) std::swap(line.low, line.high);
+
+  // The move along x goes back, so a centre at the low end is passed and one at the high end is not; along y it goes
+  // forth, and it is the other way round.
+  const int closed_below = line.x_major ? 1 : 0;
+  line.first = (line.low.x + kPixelCentre - closed_below) >> kSubpixelBits;
+  line.end = (line.high.x + kPixelCentre - closed_below) >> kSubpixelBits;
+
+  // At the same x, a mostly horizontal line of slope m is moved by m e + e^2: up only if it rises to the right. At the
+  // same y, a mostly vertical one is moved to the left.
+  line.border_is_low = !line.x_major || line.high.y < line.low.y;
+  return line;
 }
 
 // Calls visit(LinePixel) for the pixels of the line from a to b within `window`, in no particular direction.
 template <class Visit>
 void for_each_line_pixel(const SnappedVertex& a, const SnappedVertex& b, const PixelRect& window,
                          Visit&& visit) {
-  const std::int64_t dx = b.x - a.x;
-  const std::int64_t dy = b.y - a.y;
-  const std::int64_t length_x = dx < 0 ? -dx : dx;
-  const std::int64_t length_y = dy < 0 ? -dy : dy;
-  const bool horizontal = length_x >= length_y;
-  const std::int64_t steps = horizontal ? length_x : length_y;
-  if (steps == 0) return;
+  const LineSetup line = setup_line(a, b);
+  if (line.steps() == 0) return;
 
-  const auto draw = [&](std::int64_t i, std::int64_t j) {
-    if (in_diamond(b, i, j)) return;  // the line ends here: it does not leave
-    if (i < window.x0 || i >= window.x1 || j < window.y0 || j >= window.y1) return;
-    std::int64_t step = horizontal ? (i * kSubpixels + kPixelCentre - a.x) * (dx < 0 ? -1 : 1)
-                                   : (j * kSubpixels + kPixelCentre - a.y) * (dy < 0 ? -1 : 1);
-    if (step < 0) step = 0;
-    if (step > steps) step = steps;
-    visit(LinePixel{int(i), int(j), step, steps});
+  const auto draw = [&](int x, int y) {
+    if (in_diamond(b, x, y)) return;  // the line ends here: it does not leave
+    if (x < window.x0 || x >= window.x1 || y < window.y0 || y >= window.y1) return;
+    visit(LinePixel{x, y, line.step_at(line.x_major ? x : y), line.steps()});
   };
 
-  // A line that starts inside a diamond, but past its centre, leaves it without crossing the centre.
-  const std::int64_t start_i = floor_divide(a.x, kSubpixels);
-  const std::int64_t start_j = floor_divide(a.y, kSubpixels);
+  // A line that starts inside a diamond, but past its centre, leaves it without passing the centre. The moved start can
+  // be inside no diamond but that of its own pixel.
+  const int start_x = (a.x - 1) >> kSubpixelBits;
+  const int start_y = a.y >> kSubpixelBits;
+  const int start = line.x_major ? start_x : start_y;
+  const bool passes_start = start >= line.first && start < line.end;
+  if (in_diamond(a, start_x, start_y) && !passes_start) draw(start_x, start_y);
 
-  if (horizontal) {
-    // Columns whose centre c satisfies min <= c < max: the move by -e puts a centre at the left end inside, one at the
-    // right end outside.
-    const std::int64_t low = dx < 0 ? b.x : a.x;
-    const std::int64_t high = dx < 0 ? a.x : b.x;
-    std::int64_t first = floor_divide(low - kPixelCentre + kSubpixels - 1, kSubpixels);
-    std::int64_t end = floor_divide(high - kPixelCentre + kSubpixels - 1, kSubpixels);
-    const auto crossed = [&](std::int64_t i) { return i >= first && i < end; };
-    for (std::int64_t i = start_i - 1; i <= start_i + 1; ++i) {
-      for (std::int64_t j = start_j - 1; j <= start_j + 1; ++j) {
-        if (in_diamond(a, i, j) && !crossed(i)) draw(i, j);
-      }
-    }
-    if (first < window.x0) first = window.x0;
-    if (end > window.x1) end = window.x1;
-    for (std::int64_t i = first; i < end; ++i) draw(i, row_at_column(a, b, i));
-  } else {
-    // Rows whose centre c satisfies min < c <= max: the move by +e^2 goes down.
-    const std::int64_t low = dy < 0 ? b.y : a.y;
-    const std::int64_t high = dy < 0 ? a.y : b.y;
-    std::int64_t first = floor_divide(low - kPixelCentre, kSubpixels) + 1;
-    std::int64_t end = floor_divide(high - kPixelCentre, kSubpixels) + 1;
-    const auto crossed = [&](std::int64_t j) { return j >= first && j < end; };
-    for (std::int64_t i = start_i - 1; i <= start_i + 1; ++i) {
-      for (std::int64_t j = start_j - 1; j <= start_j + 1; ++j) {
-        if (in_diamond(a, i, j) && !crossed(j)) draw(i, j);
-      }
-    }
-    if (first < window.y0) first = window.y0;
-    if (end > window.y1) end = window.y1;
-    for (std::int64_t j = first; j < end; ++j) draw(column_at_row(a, b, j), j);
+  const int first = std::max(line.first, line.x_major ? window.x0 : window.y0);
+  const int end = std::min(line.end, line.x_major ? window.x1 : window.y1);
+  for (int major = first; major < end; ++major) {
+    const int minor = line.minor_at(major);
+    line.x_major ? draw(major, minor) : draw(minor, major);
   }
 }
 

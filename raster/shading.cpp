@@ -9,6 +9,10 @@ namespace glassbox {
 
 namespace {
 
+// The most light there is, so that no product of two such numbers overflows: infinity times 0 would make the brightest
+// places black.
+constexpr float kBrightest = 1e18f;
+
 Vector<Eye> normalised(const Vector<Eye>& v) {
   const float length = std::sqrt(dot(v, v));
   return length > 0.0f ? v * (1.0f / length) : Vector<Eye>{};
@@ -24,7 +28,8 @@ EyeLight eye_light(const Light& light, const Transform<Eye, World>& eye_from_wor
   EyeLight eye;
   eye.kind = light.kind;
   for (std::size_t i = 0; i < 3; ++i) {
-    eye.radiance[i] = float(double(light.color[i]) * light.intensity / kPi);
+    eye.radiance[i] =
+        float(std::min(double(light.color[i]) * light.intensity / kPi, double(kBrightest)));
   }
   eye.towards = eye_direction(eye_from_world, -light.direction);
   const Point<Eye, double> position = eye_from_world * light.position;
@@ -67,7 +72,7 @@ Arrival arrive(const EyeLight& light, const Point<Eye>& at) {
   const Vector<Eye> path = light.position - at;
   const float squared = dot(path, path);
   if (!(squared > 0.0f)) return {{}, 0.0f};
-  Arrival arrival{normalised(path), 1.0f / squared};
+  Arrival arrival{normalised(path), std::min(1.0f / squared, kBrightest)};
   if (light.inverse_range > 0.0f) {
     const float reach = squared * light.inverse_range * light.inverse_range;
     arrival.fraction *= std::max(0.0f, 1.0f - reach * reach);

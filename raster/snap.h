@@ -16,7 +16,7 @@ inline std::int32_t snap(float pixels) {
   return std::int32_t(below) + (subpixels - below >= 0.5f ? 1 : 0);
 }
 
-// |position| < 2^17 pixels, which clipping to the guard band guarantees.
+// |position| < 2^16 pixels (SnappedVertex), which clipping to the guard band guarantees.
 inline SnappedVertex snap(const ScreenVertex& vertex) {
   return {snap(vertex.position.x), snap(vertex.position.y)};
 }

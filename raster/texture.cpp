@@ -36,8 +36,8 @@ void add_scaled(Rgba& sum, const Rgba& color, float weight) {
 // The texels of a longer row that texel `i` of a shorter one covers, and how much of each.
 struct Footprint {
   int first = 0;
-  int count = 0;                  // at most 4: a halved side of odd length is 2 to 3 times shorter
-  std::array<float, 4> weight{};  // sums to 1
+  int count = 0;  // at most 3: 2n + 1 texels over n, each of which starts i/n texels late
+  std::array<float, 3> weight{};  // sums to 1
 };
 
 Footprint footprint(int i, int short_side, int long_side) {
@@ -78,7 +78,7 @@ Image<Rgba8> half(const Image<Rgba8>& image, Transfer transfer) {
 
 // log2 of a positive finite number: the exponent, and a series in s = (m - 1)/(m + 1) for the mantissa m in
 // [sqrt(1/2), sqrt(2)): log2 m = 2/ln 2 (s + s^3/3 + s^5/5 + s^7/7 + ...), |s| < 0.1716. What is left out is below
-// 2e-7; a level of detail needs no more.
+// 5e-8; a level of detail needs no more.
 float log2_positive(float x) {
   int exponent = 0;
   float m = std::frexp(x, &exponent);  // [1/2, 1)
@@ -94,12 +94,13 @@ float log2_positive(float x) {
 
 // ---- sampling ----
 
-// The coordinate within one period of its wrap mode: [0, 1], or [0, 2] where every second copy is mirrored.
+// The coordinate within one period of its wrap mode: [0, 1), or [0, 2] where every second copy is mirrored, or [0, 1].
+// Exact but for negative ones near 0, which the sum may round up to the whole period: to the first texel's side.
 float wrap_coordinate(Wrap wrap, float t) {
   if (!std::isfinite(t)) return 0.0f;
   switch (wrap) {
     case Wrap::kRepeat:
-      return t - std::floor(t);
+      return std::min(t - std::floor(t), 0x1.fffffep-1f);
     case Wrap::kMirroredRepeat:
       return t - 2.0f * std::floor(t * 0.5f);
     case Wrap::kClampToEdge:

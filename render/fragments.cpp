@@ -155,7 +155,7 @@ void rasterise(const FragmentStage& stage, const ReadyLine& line) {
         process(
             stage, fragment, line.id,
             [&] {
-              return interpolate({line.vertices[0], line.vertices[1], line.vertices[0]},
+              return interpolate({line.vertices[0], line.vertices[0], line.vertices[1]},
                                  fragment.weights);
             },
             no_detail);
