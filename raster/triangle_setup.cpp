@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <utility>
 
+#include <glassbox/raster/fan.h>
 #include <glassbox/raster/snap.h>
 
 namespace glassbox {
 
 namespace {
-
-// Twice the signed area; positive when a, b, c run clockwise as seen on the screen (y points down).
-std::int64_t double_area(const SnappedVertex& a, const SnappedVertex& b, const SnappedVertex& c) {
-  return std::int64_t(b.x - a.x) * (c.y - a.y) - std::int64_t(c.x - a.x) * (b.y - a.y);
-}
 
 // The edge from `from` to `to` of a triangle that runs clockwise on the screen. Its top edges point right and its left
 // edges point up.

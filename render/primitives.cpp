@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 
 #include <glassbox/pipeline/divide.h>
 #include <glassbox/pipeline/viewport.h>
+#include <glassbox/raster/fan.h>
 #include <glassbox/raster/interpolate.h>
 #include <glassbox/raster/snap.h>
 #include <glassbox/raster/triangle_setup.h>
@@ -25,6 +27,32 @@ std::array<float, 3> negated(const std::array<float, 3>& v) {
 
 ScreenVertex to_screen(const PrimitiveStage& stage, const ClipVertex& vertex) {
   return to_screen(divide(vertex), stage.view.viewport);
+}
+
+// A clipped polygon on the screen, cut into a fan of triangles.
+struct ScreenPolygon {
+  std::array<ScreenVertex, kMaxClipVertices> vertices;
+  std::size_t count = 0;
+  std::size_t apex = 0;
+
+  // The vertices of triangle i = 0 .. count - 3.
+  std::array<std::size_t, 3> fan_triangle(int i) const {
+    return {apex, (apex + std::size_t(i) + 1) % count, (apex + std::size_t(i) + 2) % count};
+  }
+};
+
+ScreenPolygon to_screen(const PrimitiveStage& stage, const ClipPolygon& polygon) {
+  ScreenPolygon screen;
+  screen.count = std::size_t(polygon.count);
+  std::array<SnappedVertex, kMaxClipVertices> snapped;
+  for (std::size_t k = 0; k < screen.count; ++k) {
+    screen.vertices[k] = to_screen(stage, polygon.vertices[k]);
+    snapped[k] = snap(screen.vertices[k]);
+  }
+  if (screen.count > 3) {
+    screen.apex = std::size_t(fan_apex(std::span(snapped).first(screen.count)));
+  }
+  return screen;
 }
 
 // ---- facing ----
@@ -183,11 +211,12 @@ void ready_triangle(const PrimitiveStage& stage, const Triangle& triangle,
   std::optional<std::array<Varyings, 3>> attributes;
   const std::uint32_t number = stage.draw.first_number + triangle.number;
 
+  const ScreenPolygon screen = to_screen(stage, polygon);
   for (int i = 0; i < fan_size(polygon); ++i) {
     ++stage.statistics.after_clipping;
-    const std::array<ClipVertex, 3> piece = fan_triangle(polygon, i);
+    const std::array<std::size_t, 3> piece = screen.fan_triangle(i);
     const std::optional<TriangleSetup> setup = setup_triangle(
-        {to_screen(stage, piece[0]), to_screen(stage, piece[1]), to_screen(stage, piece[2])});
+        {screen.vertices[piece[0]], screen.vertices[piece[1]], screen.vertices[piece[2]]});
     if (!setup) {
       ++stage.statistics.zero_area;
       continue;
@@ -203,7 +232,8 @@ void ready_triangle(const PrimitiveStage& stage, const Triangle& triangle,
 
     ReadyTriangle ready{*setup, {}, number, stage.draw.material->shininess};
     for (std::size_t k = 0; k < 3; ++k) {
-      ready.vertices[k] = weigh(*attributes, piece[std::size_t(setup->order[k])].weights);
+      const std::size_t vertex = piece[std::size_t(setup->order[k])];
+      ready.vertices[k] = weigh(*attributes, polygon.vertices[vertex].weights);
     }
     triangles.push_back(ready);
   }

@@ -1,0 +1,37 @@
+// From which vertex a clipped polygon is cut into triangles.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include <glassbox/raster/stages.h>
+
+namespace glassbox {
+
+// Twice the signed area; positive when a, b, c run clockwise as seen on the screen (y points down). Exact: the factors
+// have at most 26 bits.
+inline std::int64_t double_area(const SnappedVertex& a, const SnappedVertex& b,
+                                const SnappedVertex& c) {
+  return std::int64_t(b.x - a.x) * (c.y - a.y) - std::int64_t(c.x - a.x) * (b.y - a.y);
+}
+
+// The vertex whose fan (apex, apex + i + 1, apex + i + 2) has no two triangles that turn opposite ways. A convex
+// polygon may be bent inwards a little by the snap; the fan from vertex 0 could then fold back on itself and cover
+// pixels twice. The first vertex that will do, and 0 where none does: that takes a sliver that crosses itself.
+inline int fan_apex(std::span<const SnappedVertex> polygon) {
+  const int count = int(polygon.size());
+  const auto vertex = [&](int i) { return polygon[std::size_t(i % count)]; };
+  for (int apex = 0; apex < count; ++apex) {
+    bool clockwise = false;
+    bool counter_clockwise = false;
+    for (int i = 1; i + 1 < count; ++i) {
+      const std::int64_t area = double_area(vertex(apex), vertex(apex + i), vertex(apex + i + 1));
+      clockwise = clockwise || area > 0;
+      counter_clockwise = counter_clockwise || area < 0;
+    }
+    if (!(clockwise && counter_clockwise)) return apex;
+  }
+  return 0;
+}
+
+}  // namespace glassbox
