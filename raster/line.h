@@ -71,11 +71,10 @@ inline LineSetup setup_line(const SnappedVertex& a, const SnappedVertex& b) {
   line.ascending = line.low.x <= line.high.x;
   if (!line.ascending) std::swap(line.low, line.high);
 
-  // The move along x goes back, so a centre at the low end is passed and one at the high end is not; along y it goes
-  // forth, and it is the other way round.
-  const int closed_below = line.x_major ? 1 : 0;
-  line.first = (line.low.x + kPixelCentre - closed_below) >> kSubpixelBits;
-  line.end = (line.high.x + kPixelCentre - closed_below) >> kSubpixelBits;
+  // The move along x goes back, so a centre at the low end is passed and one at the high end is not. For a mostly vertical
+  // line it may as well be so: an end exactly at the height of a centre lies inside a diamond, which decides.
+  line.first = (line.low.x + kPixelCentre - 1) >> kSubpixelBits;
+  line.end = (line.high.x + kPixelCentre - 1) >> kSubpixelBits;
 
   // At the same x, a mostly horizontal line of slope m is moved by m e + e^2: up only if it rises to the right. At the
   // same y, a mostly vertical one is moved to the left.
