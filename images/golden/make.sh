@@ -1,0 +1,14 @@
+#!/bin/sh
+# Makes the golden images anew. Usage: make.sh PROGRAM [FILE...]; without FILE, all of them.
+set -eu
+program=$(realpath "$1")
+shift
+cd "$(dirname "$0")"
+tab=$(printf '\t')
+grep -v '^#' commands.txt | while IFS="$tab" read -r file arguments; do
+  case " ${*:-$file} " in
+    *" $file "*)
+      # shellcheck disable=SC2086  # the arguments are words without blanks in them
+      "$program" render $arguments -o "$file" </dev/null ;;
+  esac
+done
