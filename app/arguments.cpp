@@ -13,7 +13,7 @@ namespace glassbox::app {
 namespace {
 
 // The whole of `text` as a number, or nothing.
-bool parse_number(std::string_view text, double& value) {
+bool read_number(std::string_view text, double& value) {
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   return error == std::errc() && end == text.data() + text.size() && !text.empty();
@@ -39,7 +39,7 @@ std::array<double, N> parse_numbers(const std::string& option, const std::string
   std::array<double, N> numbers{};
   bool good = parts.size() == N;
   for (std::size_t i = 0; good && i < N; ++i) {
-    good = parse_number(parts[i], numbers[i]) && std::isfinite(numbers[i]);
+    good = read_number(parts[i], numbers[i]) && std::isfinite(numbers[i]);
   }
   if (!good) {
     throw CLI::ValidationError(
@@ -59,7 +59,7 @@ Size parse_size(const std::string& text) {
   const auto legal = [](double side) {
     return side >= 1 && side <= kMaxSide && side == std::floor(side);
   };
-  if (parts.size() != 2 || !parse_number(parts[0], width) || !parse_number(parts[1], height) ||
+  if (parts.size() != 2 || !read_number(parts[0], width) || !read_number(parts[1], height) ||
       !legal(width) || !legal(height)) {
     throw CLI::ValidationError(
         "--size",
@@ -81,9 +81,17 @@ Rgba8 parse_background(const std::string& text) {
           255};
 }
 
+double parse_number(const std::string& option, const std::string& text) {
+  double value = 0;
+  if (!read_number(text, value)) {
+    throw CLI::ValidationError(option, fmt::format("needs a number, not '{}'", text));
+  }
+  return value;
+}
+
 double parse_distance(const std::string& option, const std::string& text) {
   double value = 0;
-  if (!parse_number(text, value) || std::isnan(value)) {
+  if (!read_number(text, value) || std::isnan(value)) {
     throw CLI::ValidationError(option, fmt::format("needs a number or 'inf', not '{}'", text));
   }
   return value;

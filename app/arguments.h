@@ -3,8 +3,9 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -27,17 +28,33 @@ Size parse_size(const std::string& text);
 // "r,g,b", each in [0, 1]: the colour as displayed, so that 0.5 becomes byte 128.
 Rgba8 parse_background(const std::string& text);
 
+// A number, which may be "nan" or "inf": what is asked of it is for the camera to say.
+double parse_number(const std::string& option, const std::string& text);
+
 // A number that may be "inf".
 double parse_distance(const std::string& option, const std::string& text);
 
-// An option that takes one of the names of `choices`.
+// An option that takes one of the names of `choices`, in either case.
+template <class Enum>
+using Choices = std::vector<std::pair<std::string, Enum>>;
+
 template <class Enum>
 CLI::Option* add_choice(CLI::App& app, const std::string& name, Enum& value,
-                        const std::map<std::string, Enum>& choices, const std::string& help) {
+                        const Choices<Enum>& choices, const std::string& help) {
   std::string names;
   for (const auto& [choice, unused] : choices) names += (names.empty() ? "" : "|") + choice;
-  return app.add_option(name, value, help)
-      ->transform(CLI::CheckedTransformer(choices, CLI::ignore_case).description(""))
+  return app
+      .add_option_function<std::string>(
+          name,
+          [&value, name, choices, names](const std::string& text) {
+            for (const auto& [choice, meaning] : choices) {
+              if (CLI::detail::to_lower(text) != choice) continue;
+              value = meaning;
+              return;
+            }
+            throw CLI::ValidationError(name, "needs one of " + names + ", not '" + text + "'");
+          },
+          help)
       ->type_name(names);
 }
 

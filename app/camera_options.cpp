@@ -29,6 +29,14 @@ CLI::Option* add_numbers(CLI::App& app, const std::string& name,
       ->type_name(form);
 }
 
+CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<double>& value,
+                        const std::string& form, const std::string& help) {
+  return app
+      .add_option_function<std::string>(
+          name, [&value, name](const std::string& text) { value = parse_number(name, text); }, help)
+      ->type_name(form);
+}
+
 CLI::Option* add_distance(CLI::App& app, const std::string& name, std::optional<double>& value,
                           const std::string& form, const std::string& help) {
   return app
@@ -177,11 +185,11 @@ void add_camera_options(CLI::App& app, CameraOptions& options) {
               "the point it looks at [the scene's centre]")
       ->group(group);
   add_numbers(app, "--up", options.up, "X,Y,Z", "what is up in the picture [0,1,0]")->group(group);
-  app.add_option("--fov", options.fov_degrees, "full vertical angle of a perspective view [45]")
-      ->type_name("DEGREES")
+  add_number(app, "--fov", options.fov_degrees, "DEGREES",
+             "full vertical angle of a perspective view [45]")
       ->group(group);
-  app.add_option("--ortho", options.ortho_height, "parallel view of this full height (world units)")
-      ->type_name("HEIGHT")
+  add_number(app, "--ortho", options.ortho_height, "HEIGHT",
+             "parallel view of this full height (world units)")
       ->group(group);
   add_numbers(app, "--frustum", options.frustum, "L,R,B,T",
               "window edges on the near plane, as glFrustum")

@@ -42,6 +42,11 @@ std::string printable(const std::string& name) {
   return text;
 }
 
+// "1 face", "2 faces".
+std::string counted(std::uint64_t n, const std::string& one, const std::string& many = "") {
+  return fmt::format("{} {}", n, n == 1 ? one : many.empty() ? one + "s" : many);
+}
+
 std::string alpha_name(AlphaMode mode) {
   switch (mode) {
     case AlphaMode::kOpaque:
@@ -63,7 +68,7 @@ std::string lens_name(const Lens& lens) {
 std::vector<std::string> findings(const MeshReport& report) {
   std::vector<std::string> found;
   const auto count = [&](std::uint64_t n, const char* one, const char* many) {
-    if (n > 0) found.push_back(fmt::format("{} {}", n, n == 1 ? one : many));
+    if (n > 0) found.push_back(counted(n, one, many));
   };
   count(report.open_edges, "open edge", "open edges");
   count(report.non_manifold_edges, "edge with more than two faces",
@@ -76,7 +81,8 @@ std::vector<std::string> findings(const MeshReport& report) {
   count(report.self_intersecting_faces, "face that crosses itself", "faces that cross themselves");
   count(report.duplicate_faces, "duplicate face", "duplicate faces");
   if (report.non_planar_faces > 0) {
-    found.push_back(fmt::format("{} bent faces (face {} by {:.3g})", report.non_planar_faces,
+    found.push_back(fmt::format("{} (face {} by {:.3g})",
+                                counted(report.non_planar_faces, "bent face"),
                                 report.worst_planarity_face, report.worst_planarity_deviation));
   }
   count(report.unused_positions, "unused vertex", "unused vertices");
@@ -169,17 +175,17 @@ Json scene_json(const Scene& scene, const std::vector<MeshReport>& reports) {
 void print_scene(const Scene& scene, const std::vector<MeshReport>& reports) {
   const Totals sum = totals(scene, reports);
   fmt::print("{}\n", printable(scene.file.empty() ? scene.name + " (built-in)" : scene.file));
-  fmt::print("  {} instances of {} meshes: {} triangles, {} lines, {} points as drawn\n",
-             scene.instances.size(), scene.meshes.size(), sum.triangles, sum.lines, sum.points);
+  fmt::print("  {} of {}: {}, {}, {} as drawn\n", counted(scene.instances.size(), "instance"),
+             counted(scene.meshes.size(), "mesh", "meshes"), counted(sum.triangles, "triangle"),
+             counted(sum.lines, "line"), counted(sum.points, "point"));
   fmt::print("  bounds {}\n", bounds_text(bounds(scene)));
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     const MeshReport& report = reports[i];
-    fmt::print(
-        "  mesh {} '{}': {} faces, {} vertices, {} edges, {} component{}, Euler characteristic {}, "
-        "{}\n",
-        i, printable(scene.meshes[i].name), report.faces, report.vertices, report.edges,
-        report.components, report.components == 1 ? "" : "s", report.euler_characteristic,
-        report.closed ? "closed" : "open");
+    fmt::print("  mesh {} '{}': {}, {}, {}, {}, Euler characteristic {}, {}\n", i,
+               printable(scene.meshes[i].name), counted(report.faces, "face"),
+               counted(report.vertices, "vertex", "vertices"), counted(report.edges, "edge"),
+               counted(report.components, "component"), report.euler_characteristic,
+               report.closed ? "closed" : "open");
     for (const std::string& finding : findings(report)) fmt::print("    - {}\n", finding);
   }
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
@@ -195,7 +201,7 @@ void print_scene(const Scene& scene, const std::vector<MeshReport>& reports) {
     fmt::print("  camera {} '{}': {}\n", i, printable(scene.cameras[i].name),
                lens_name(scene.cameras[i].lens));
   }
-  if (!scene.lights.empty()) fmt::print("  {} lights\n", scene.lights.size());
+  if (!scene.lights.empty()) fmt::print("  {}\n", counted(scene.lights.size(), "light"));
   if (!scene.extensions.empty())
     fmt::print("  extensions: {}\n",
                printable(fmt::format("{}", fmt::join(scene.extensions, ", "))));
@@ -222,6 +228,10 @@ void InfoCommand::add_to(CLI::App& app, int& exit_code) {
 }
 
 int InfoCommand::run() {
+  if (glb_output_) {
+    if (const auto legal = check_extension(*glb_output_, ".glb"); !legal)
+      return refuse(legal.error());
+  }
   const Result<Scene> scene = load_scene(scene_);
   if (!scene) return refuse(scene.error());
   std::vector<MeshReport> reports;

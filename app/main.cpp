@@ -15,6 +15,16 @@ namespace glassbox::app {
 
 namespace {
 
+// One line: what is wrong, and where help is.
+int bad_usage(const CLI::App& app, const CLI::ParseError& error) {
+  const auto chosen = app.get_subcommands();
+  const std::string command = chosen.empty() ? "glassbox" : "glassbox " + chosen[0]->get_name();
+  const bool no_command = chosen.empty() && error.get_name() == "ExtrasError";
+  fmt::print(stderr, "glassbox: {}{}; {} --help shows what there is\n", error.what(),
+             no_command ? " (the subcommands are render and info)" : "", command);
+  return kBadInput;
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"Glassbox: a software rasterizer you can see through.", "glassbox"};
   app.set_version_flag("--version", std::string("glassbox ") + GLASSBOX_VERSION);
@@ -33,7 +43,8 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     // Help and version are no errors; anything else is bad usage, whatever code CLI11 has for it.
-    return app.exit(error) == 0 ? kSuccess : kBadInput;
+    if (error.get_exit_code() == 0) return app.exit(error), kSuccess;
+    return bad_usage(app, error);
   }
   if (app.get_subcommands().empty()) exit_code = render.run_first_time();
   return exit_code;

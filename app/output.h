@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -11,5 +12,12 @@ namespace glassbox::app {
 
 // `target` is a path, or "-" for standard output.
 Result<void> write_json(const std::string& target, const nlohmann::ordered_json& json);
+
+// An error if `path` does not end in `extension` (".pfm"), in either case.
+Result<void> check_extension(const std::string& path, const std::string& extension);
+
+// What can be known before a long run: an error if the directory of one of the paths does not exist, or if two of them
+// are the same file.
+Result<void> check_outputs(const std::vector<std::string>& paths);
 
 }  // namespace glassbox::app

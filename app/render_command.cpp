@@ -9,6 +9,7 @@
 #include "app/builtin_help.h"
 #include "app/exit_codes.h"
 #include "app/output.h"
+#include "app/progress.h"
 #include "app/stage_report.h"
 
 #include <glassbox/images/atomic_file.h>
@@ -161,15 +162,29 @@ int RenderCommand::run_first_time() {
   return run();
 }
 
+Result<void> RenderCommand::check_other_outputs(const std::string& image) const {
+  std::vector<std::string> paths{image};
+  for (const std::optional<std::string>& plane : {depth_output_, id_output_}) {
+    if (!plane) continue;
+    if (const auto legal = check_extension(*plane, ".pfm"); !legal) return legal;
+    paths.push_back(*plane);
+  }
+  if (json_output_ && *json_output_ != "-") paths.push_back(*json_output_);
+  return check_outputs(paths);
+}
+
 int RenderCommand::run() {
   const Clock::time_point start = Clock::now();
   const std::string output = output_.empty() ? default_output(scene_) : output_;
   if (const auto legal = check_image_path(output); !legal) return refuse(legal.error());
+  if (const auto legal = check_other_outputs(output); !legal) return refuse(legal.error());
+  Progress progress;
 
+  progress.phase("loading " + scene_);
   const Result<Scene> scene = load_scene(scene_, limits_);
   if (!scene) return refuse(scene.error());
   for (const std::string& warning : scene->warnings) {
-    fmt::print(stderr, "glassbox: warning: {}\n", warning);
+    progress.say("warning: " + warning);
   }
   const double load_ms = elapsed_ms(start);
 
@@ -190,7 +205,9 @@ int RenderCommand::run() {
 
   settings_.want_distance = depth_output_.has_value();
   settings_.want_id = id_output_.has_value();
+  progress.phase(fmt::format("rendering {} triangles", count_triangles(*scene)));
   const Rendering rendering = render_staged(*scene, *view, settings_);
+  progress.phase("writing " + output);
   if (const auto written = write_image(output, rendering.buffers.color); !written)
     return refuse(written.error());
   if (depth_output_) {
@@ -200,6 +217,12 @@ int RenderCommand::run() {
   if (id_output_) {
     const auto written = write_ids(*id_output_, rendering.buffers.id);
     if (!written) return refuse(written.error());
+  }
+  progress.done();
+  if (rendering.statistics.covered == 0) {
+    fmt::print(stderr,
+               "glassbox: note: nothing of the scene is in this picture; without camera options it "
+               "is framed whole\n");
   }
   const double total_ms = elapsed_ms(start);
 

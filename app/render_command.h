@@ -9,6 +9,7 @@
 #include "app/arguments.h"
 #include "app/camera_options.h"
 
+#include <glassbox/base/error.h>
 #include <glassbox/mesh/limits.h>
 #include <glassbox/render/settings.h>
 
@@ -24,6 +25,8 @@ public:
 
 private:
   int run();
+  // The paths of all outputs, as far as they can be judged before anything is computed.
+  Result<void> check_other_outputs(const std::string& image) const;
 
   std::string scene_ = "teapot";
   std::string output_;  // empty: named after the scene
