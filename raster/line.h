@@ -38,12 +38,11 @@ inline std::int64_t floor_divide(std::int64_t n, std::int64_t positive) {
 // the sense of passing from one half of it into the other, once for every pixel of the major axis between its ends.
 struct LineSetup {
   bool x_major = true;
-  bool ascending = true;  // from its first end to its second, along the major axis
-  SnappedVertex low,
-      high;  // the ends in ascending order; .x is along the major axis, .y along the minor one
-  int first = 0, end = 0;  // the pixels of the major axis whose centre is passed: first .. end - 1
-  bool border_is_low =
-      true;  // a line that passes exactly between two pixels belongs to the one of lower index
+  bool ascending = true;    // from its first end to its second, along the major axis
+  SnappedVertex low, high;  // the ends in ascending order; .x is along the major axis, .y across it
+  int first = 0, end = 0;   // the pixels of the major axis whose centre is passed: first .. end - 1
+  // A line that passes exactly between two pixels belongs to the one of lower index.
+  bool border_is_low = true;
 
   std::int64_t steps() const { return high.x - low.x; }
 
