@@ -1,24 +1,25 @@
 #include <glassbox/mesh/gltf/write.h>
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
+#include <array>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <string_view>
 #include <utility>
 
 #include <glassbox/images/atomic_file.h>
 #include <glassbox/images/write.h>
+#include <glassbox/mesh/gltf/describe.h>
+#include <glassbox/mesh/gltf/glb_bytes.h>
 #include <glassbox/mesh/gltf/text.h>
 #include <glassbox/mesh/gltf/unified_mesh.h>
 
 namespace glassbox {
 namespace {
 
+using gltf::BinaryChunk;
+using gltf::check_finite;
 using gltf::entry;
 using gltf::UnifiedPrimitive;
 using nlohmann::json;
@@ -28,25 +29,6 @@ constexpr int kFloat = 5126;
 constexpr int kUnsignedInt = 5125;
 constexpr int kVertexData = 34962;
 constexpr int kIndexData = 34963;
-
-// ---- the binary chunk ----
-
-class BinaryChunk {
-public:
-  void append(std::uint32_t word) {
-    for (int i = 0; i < 4; ++i) bytes_.push_back(std::byte(word >> (8 * i) & 0xff));
-  }
-  void append(float number) { append(std::bit_cast<std::uint32_t>(number)); }
-  void append(std::span<const std::byte> data) {
-    bytes_.insert(bytes_.end(), data.begin(), data.end());
-    while (bytes_.size() % 4 != 0) bytes_.push_back(std::byte(0));
-  }
-  std::size_t size() const { return bytes_.size(); }
-  const std::vector<std::byte>& bytes() const { return bytes_; }
-
-private:
-  std::vector<std::byte> bytes_;
-};
 
 // ---- the document ----
 
@@ -58,8 +40,10 @@ public:
     document_["asset"] = {{"version", "2.0"}, {"generator", "Glassbox"}};
     if (auto done = write_images(); !done) return tl::unexpected(done.error());
     write_textures();
-    for (const Material& material : scene_.materials)
-      document_["materials"].push_back(describe(material));
+    for (const Material& material : scene_.materials) {
+      document_["materials"].push_back(gltf::describe(material));
+      if (material.unlit) use("KHR_materials_unlit");
+    }
     if (auto done = write_meshes(); !done) return tl::unexpected(done.error());
     write_nodes();
     if (auto done = write_cameras(); !done) return tl::unexpected(done.error());
@@ -70,7 +54,7 @@ public:
     document_["scenes"].push_back(scene);
     if (!used_.empty()) document_["extensionsUsed"] = used_;
     if (binary_.size() > 0) document_["buffers"].push_back({{"byteLength", binary_.size()}});
-    return assemble();
+    return assemble_glb(document_, binary_);
   }
 
 private:
@@ -88,58 +72,12 @@ private:
     return {};
   }
 
-  static int wrap_code(Wrap wrap) {
-    return wrap == Wrap::kRepeat ? 10497 : wrap == Wrap::kMirroredRepeat ? 33648 : 33071;
-  }
-  static int minify_code(const Sampler& sampler) {
-    const int linear = sampler.minify == Filter::kLinear ? 1 : 0;
-    switch (sampler.mip) {
-      case MipFilter::kNone:
-        return 9728 + linear;
-      case MipFilter::kNearest:
-        return 9984 + linear;
-      case MipFilter::kLinear:
-        break;
-    }
-    return 9986 + linear;
-  }
-
   void write_textures() {
     for (const Texture& texture : scene_.textures) {
-      const Sampler& sampler = texture.sampler;
       document_["textures"].push_back(
           {{"sampler", document_["samplers"].size()}, {"source", texture.image}});
-      document_["samplers"].push_back(
-          {{"magFilter", sampler.magnify == Filter::kLinear ? 9729 : 9728},
-           {"minFilter", minify_code(sampler)},
-           {"wrapS", wrap_code(sampler.wrap_u)},
-           {"wrapT", wrap_code(sampler.wrap_v)}});
+      document_["samplers"].push_back(gltf::describe(texture.sampler));
     }
-  }
-
-  // The reflection model has no exact counterpart in glTF: other programs see a rough dielectric, and the extras bring
-  // the numbers back.
-  json describe(const Material& material) {
-    const Rgba& base = material.base_color;
-    json pbr{{"baseColorFactor", {base.r, base.g, base.b, base.a}},
-             {"metallicFactor", 0.0},
-             {"roughnessFactor", 1.0}};
-    if (material.texture) pbr["baseColorTexture"] = {{"index", *material.texture}};
-    json described;
-    if (!material.name.empty()) described["name"] = material.name;
-    described["pbrMetallicRoughness"] = pbr;
-    if (material.alpha_mode != AlphaMode::kOpaque) {
-      described["alphaMode"] = material.alpha_mode == AlphaMode::kMask ? "MASK" : "BLEND";
-    }
-    if (material.alpha_mode == AlphaMode::kMask) described["alphaCutoff"] = material.alpha_cutoff;
-    if (material.double_sided) described["doubleSided"] = true;
-    if (material.unlit) {
-      described["extensions"]["KHR_materials_unlit"] = json::object();
-      use("KHR_materials_unlit");
-    }
-    described["extras"]["glassbox"] = {{"specular", material.specular},
-                                       {"shininess", material.shininess}};
-    return described;
   }
 
   // -- meshes --
@@ -240,6 +178,10 @@ private:
         described["primitives"].push_back(describe(mesh, primitive));
       mesh_numbers_.back() = document_["meshes"].size();
       document_["meshes"].push_back(described);
+    }
+    if (!document_.contains("meshes")) {
+      return fail("", "the scene has nothing to draw: no triangle has an area",
+                  "add a mesh before writing the scene");
     }
     return {};
   }
@@ -361,47 +303,15 @@ private:
   Result<void> write_cameras() {
     for (std::size_t i = 0; i < scene_.cameras.size(); ++i) {
       const Camera& camera = scene_.cameras[i];
-      json described;
-      if (!camera.name.empty()) described["name"] = camera.name;
-      if (const auto* perspective = std::get_if<PerspectiveLens>(&camera.lens)) {
-        described["type"] = "perspective";
-        described["perspective"] = {{"yfov", perspective->fovy_radians},
-                                    {"znear", perspective->near}};
-        if (perspective->far) described["perspective"]["zfar"] = *perspective->far;
-      } else if (const auto* orthographic = std::get_if<OrthographicLens>(&camera.lens)) {
-        described["type"] = "orthographic";
-        described["orthographic"] = {{"xmag", orthographic->half_height},
-                                     {"ymag", orthographic->half_height},
-                                     {"znear", orthographic->near},
-                                     {"zfar", orthographic->far}};
-      } else {
-        return fail("camera " + std::to_string(i) + " " + gltf::in_quotes(camera.name),
-                    "is given by the edges of a window, which glTF cannot hold",
-                    "use a symmetric perspective camera");
+      auto described = gltf::describe(camera);
+      if (!described) {
+        return fail(entry("camera", i) + " " + gltf::in_quotes(camera.name),
+                    described.error().cause, described.error().remedy);
       }
       node(add_root(camera.name, camera.world_from_eye.columns))["camera"] = i;
-      document_["cameras"].push_back(described);
+      document_["cameras"].push_back(std::move(*described));
     }
     return {};
-  }
-
-  // A node at the light's position whose -z axis is its direction, bit by bit; the other axes are any that complete it.
-  static glm::dmat4 pose(const Light& light) {
-    glm::dmat4 columns(1.0);
-    const Vector<World, double> z = -light.direction;
-    if (light.kind != LightKind::kPoint) {
-      const double ax = std::abs(z.x), ay = std::abs(z.y), az = std::abs(z.z);
-      const Vector<World, double> other = ax <= ay && ax <= az ? Vector<World, double>{1, 0, 0}
-                                          : ay <= az           ? Vector<World, double>{0, 1, 0}
-                                                               : Vector<World, double>{0, 0, 1};
-      Vector<World, double> x = cross(other, z);
-      x = x * (1 / std::sqrt(dot(x, x)));
-      const Vector<World, double> y = cross(z, x);
-      const Vector<World, double> axes[3] = {x, y, z};
-      for (int i = 0; i < 3; ++i) columns[i] = {axes[i].x, axes[i].y, axes[i].z, 0};
-    }
-    columns[3] = {light.position.x, light.position.y, light.position.z, 1};
-    return columns;
   }
 
   void write_lights() {
@@ -409,51 +319,14 @@ private:
     use("KHR_lights_punctual");
     json& list = document_["extensions"]["KHR_lights_punctual"]["lights"];
     for (const Light& light : scene_.lights) {
-      json described;
-      if (!light.name.empty()) described["name"] = light.name;
-      described["type"] = light.kind == LightKind::kDirectional ? "directional"
-                          : light.kind == LightKind::kPoint     ? "point"
-                                                                : "spot";
-      described["color"] = light.color;
-      described["intensity"] = light.intensity;
-      if (light.range) described["range"] = *light.range;
-      if (light.kind == LightKind::kSpot) {
-        described["spot"] = {{"innerConeAngle", light.inner_cone_radians},
-                             {"outerConeAngle", light.outer_cone_radians}};
-      }
-      node(add_root(light.name, pose(light)))["extensions"]["KHR_lights_punctual"]["light"] =
-          list.size();
-      list.push_back(described);
+      const std::size_t at = add_root(light.name, gltf::pose_of(light));
+      node(at)["extensions"]["KHR_lights_punctual"]["light"] = list.size();
+      list.push_back(gltf::describe(light));
     }
   }
 
   void use(const char* extension) {
     if (std::ranges::find(used_, extension) == used_.end()) used_.push_back(extension);
-  }
-
-  // -- the file --
-
-  Result<std::vector<std::byte>> assemble() {
-    // Doubles are printed with the fewest digits that read back as the same double.
-    std::string text = document_.dump(-1, ' ', false, json::error_handler_t::replace);
-    while (text.size() % 4 != 0) text += ' ';
-    const std::uint64_t length =
-        12 + 8 + text.size() + (binary_.size() > 0 ? 8 + binary_.size() : 0);
-    if (length > 0xffffffffu) {
-      return fail("", "the scene needs more than the 4 GB that a GLB file can have",
-                  "write fewer meshes or smaller textures");
-    }
-    BinaryChunk file;
-    for (const std::uint32_t word : {0x46546c67u, 2u, std::uint32_t(length)}) file.append(word);
-    file.append(std::uint32_t(text.size()));
-    file.append(0x4e4f534au);
-    file.append(std::as_bytes(std::span(text)));
-    if (binary_.size() > 0) {
-      file.append(std::uint32_t(binary_.size()));
-      file.append(0x004e4942u);
-      file.append(std::span(binary_.bytes()));
-    }
-    return file.bytes();
   }
 
   const Scene& scene_;
@@ -463,37 +336,6 @@ private:
   std::vector<std::size_t> roots_;
   std::vector<std::string> used_;
 };
-
-// JSON would turn numbers that are not finite into null.
-Result<void> check_finite(const Scene& scene) {
-  const auto refuse = [](std::string place) {
-    return fail(std::move(place), "has numbers that are not finite",
-                "repair the scene before writing it");
-  };
-  const auto matrix_is_finite = [](const glm::dmat4& columns) {
-    for (int i = 0; i < 16; ++i) {
-      if (!std::isfinite(columns[i / 4][i % 4])) return false;
-    }
-    return true;
-  };
-  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    if (!matrix_is_finite(scene.nodes[i].parent_from_node.columns) ||
-        !matrix_is_finite(scene.nodes[i].world_from_node.columns)) {
-      return refuse(entry("node", i));
-    }
-  }
-  for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
-    if (!matrix_is_finite(scene.cameras[i].world_from_eye.columns))
-      return refuse(entry("camera", i));
-  }
-  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-    for (const Point<Object>& p : scene.meshes[i].positions) {
-      if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-        return refuse(entry("mesh", i));
-    }
-  }
-  return {};
-}
 
 }  // namespace
 

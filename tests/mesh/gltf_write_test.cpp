@@ -265,6 +265,18 @@ TEST_CASE("what glTF cannot hold is an error, and no file is written") {
   scene = mixed_scene();
   scene.meshes[0].positions[0].x = std::numeric_limits<float>::infinity();
   CHECK_FALSE(write_glb(scene, path));
+  scene = mixed_scene();
+  scene.lights[0].direction = {0, 0, 0};
+  done = write_glb(scene, path);
+  REQUIRE_FALSE(done);
+  CHECK(mentions(done.error().message(), "light 0: has numbers that are not finite"));
+  scene = mixed_scene();
+  scene.meshes.resize(1);
+  scene.meshes[0].faces.clear();
+  scene.meshes[0].lines.clear();
+  scene.meshes[0].points.clear();
+  scene.instances = {{0, 0}};
+  CHECK(mentions(write_glb(scene, path).error().message(), "nothing to draw"));
   CHECK(temporary.names().empty());
   CHECK(write_glb(mixed_scene(), path));
   CHECK(load_gltf(path));
