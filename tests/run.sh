@@ -48,7 +48,8 @@ summarise() {
       passed += good; failed += bad
       name = ""
     }
-    /^[0-9]+\/[0-9]+ Test: / { close_test(); name = $3; good = 0; bad = 0; ok = 0 }
+    /^[0-9]+\/[0-9]+ Test: / { close_test(); name = $3; good = 0; bad = 0; ok = 0; absent = 0 }
+    /^Command: ""$/ { absent = 1 } # a program that was not built; ctest goes on to write "Test Passed."
     /^All tests passed \(/ { for (i = 2; i <= NF; i++) if ($i ~ /^test$/) good += $(i - 1) }
     /^test cases: / {
       for (i = 2; i <= NF; i++) {
@@ -56,7 +57,7 @@ summarise() {
         if ($i == "failed") bad += $(i - 1)
       }
     }
-    /^Test Passed\.$/ { ok = 1 }
+    /^Test Passed\.$/ { ok = !absent }
     END { close_test(); print passed + 0, failed + 0 }
   ' "$1"
 }
