@@ -47,6 +47,7 @@ public:
         joints_(asset.model.skins.size()),
         building_(
             std::min(asset.limits.max_corners, kFreeElements + kElementsPerByte * asset.bytes)),
+        instances_(kFreeInstances + asset.bytes),
         instancing_(asset.limits.max_corners) {}
 
   Result<void> add_instances(std::uint32_t node) {
@@ -54,7 +55,7 @@ public:
     const std::size_t mesh = std::size_t(described.mesh);
     const bool skinned = described.skin >= 0;
     for (std::size_t i = 0; i < asset_.model.meshes[mesh].primitives.size(); ++i) {
-      if (!building_.take(1)) {
+      if (!instances_.take(1)) {
         return fail(entry("node", node),
                     "the nodes draw more primitives than the size of the file allows",
                     "join the primitives of each mesh");
@@ -76,9 +77,11 @@ public:
   }
 
 private:
-  // Spheres of a hundred materials that share their accessors make ten corners of a byte; this leaves room beyond.
-  static constexpr std::uint64_t kFreeElements = std::uint64_t(1) << 23;
-  static constexpr std::uint64_t kElementsPerByte = 64;
+  // Legal files share: a hundred spheres over the same accessors make ten corners of each byte. An element of a mesh
+  // takes up to 48 bytes of memory, an instance eight.
+  static constexpr std::uint64_t kFreeElements = std::uint64_t(1) << 22;
+  static constexpr std::uint64_t kElementsPerByte = 16;
+  static constexpr std::uint64_t kFreeInstances = std::uint64_t(1) << 20;
 
   // mesh, primitive, skin or -1, the weights of morph targets where the node has its own
   using Key = std::tuple<std::size_t, std::size_t, int, std::vector<double>>;
@@ -145,6 +148,7 @@ private:
   std::map<Key, std::optional<std::uint32_t>> known_;
   std::optional<std::uint32_t> identity_;
   Budget building_;
+  Budget instances_;
   Budget instancing_;
 };
 

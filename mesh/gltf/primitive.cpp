@@ -17,8 +17,9 @@ constexpr double kUnitTolerance = 0x1p-21;
 
 std::string place_of(const Asset& asset, PrimitiveId id) {
   const std::string& name = asset.model.meshes[id.mesh].name;
-  return entry("mesh", id.mesh) + (name.empty() ? "" : " " + in_quotes(name)) + ", " +
-         entry("primitive", id.primitive);
+  std::string place = entry("mesh", id.mesh);
+  if (!name.empty()) place.append(" ").append(in_quotes(name));
+  return place.append(", ").append(entry("primitive", id.primitive));
 }
 
 std::string mesh_name(const tinygltf::Mesh& mesh, PrimitiveId id) {
@@ -296,8 +297,10 @@ Result<std::optional<Mesh>> convert_primitive(Asset& asset, PrimitiveId id, cons
   const std::size_t count = asset.model.accessors[accessors[0]].count;
   const std::size_t drawn =
       primitive.indices < 0 ? count : asset.model.accessors[std::size_t(primitive.indices)].count;
-  // A strip makes three corners of every vertex.
-  if (!budget.take(count + 3 * std::uint64_t(drawn))) {
+  // Each vertex of a strip, fan or loop makes up to three corners.
+  const std::uint64_t corners_per_vertex =
+      primitive.mode == TINYGLTF_MODE_TRIANGLES || primitive.mode == TINYGLTF_MODE_POINTS ? 1 : 3;
+  if (!budget.take(count + corners_per_vertex * drawn)) {
     return fail(place,
                 "the meshes have more vertices than the size of the file and the limits allow",
                 "share meshes between nodes instead of accessors between meshes, or raise the "

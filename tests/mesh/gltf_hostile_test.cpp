@@ -213,6 +213,16 @@ TEST_CASE("short files cannot ask for many corners by sharing accessors, meshes 
   for (int i = 0; i < 2000; ++i) b.document["meshes"][0]["primitives"].push_back(primitive);
   CHECK(mentions(error_of(b.load()), "more vertices than the size of the file"));
 
+  GltfBuilder crossed;
+  json& small = crossed.document["meshes"];
+  crossed.triangle();
+  const json point = small[0]["primitives"][0];
+  for (int i = 0; i < 2000; ++i) {
+    small[0]["primitives"].push_back(point);
+    crossed.document["nodes"].push_back({{"mesh", 0}});
+  }
+  CHECK(mentions(error_of(crossed.load()), "more primitives than the size of the file"));
+
   GltfBuilder instances;
   instances.triangle();
   for (int i = 0; i < 1000; ++i) instances.document["nodes"].push_back({{"mesh", 0}});
