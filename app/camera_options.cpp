@@ -209,7 +209,7 @@ Result<Camera> choose_camera(const Scene& scene, const CameraOptions& options, d
   const bool legal_fov =
       options.fov_degrees && *options.fov_degrees > 0 && *options.fov_degrees < 180;
   if (legal_fov && !has_pose(options)) framing.fovy_degrees = *options.fov_degrees;
-  const Result<Camera> automatic = frame(box, aspect, framing);
+  const Result<Camera> automatic = frame(scene, aspect, framing);
   if (!automatic) return automatic;
 
   Result<Camera> camera = automatic;

@@ -24,20 +24,21 @@ inline Box<Object> bounds(const Mesh& mesh) {
   return box;
 }
 
-// Every position is carried to the world: the box of an object's turned box would be larger than what is drawn.
-inline Box<World> bounds(const Mesh& mesh, const Transform<World, Object>& world_from_object) {
-  Box<World> box;
-  for_each_drawn_position(mesh, [&](const Point<Object>& p) {
-    box.include(world_from_object * Point<Object, double>(p.x, p.y, p.z));
-  });
-  return box;
+// The same for all instances of a scene, in the world.
+template <class Visit>
+void for_each_drawn_position(const Scene& scene, Visit visit) {
+  for (const Instance& instance : scene.instances) {
+    const Transform<World, Object>& world_from_object = scene.nodes[instance.node].world_from_node;
+    for_each_drawn_position(scene.meshes[instance.mesh], [&](const Point<Object>& p) {
+      visit(world_from_object * Point<Object, double>(p.x, p.y, p.z));
+    });
+  }
 }
 
+// Every position is carried to the world: the box of an object's turned box would be larger than what is drawn.
 inline Box<World> bounds(const Scene& scene) {
   Box<World> box;
-  for (const Instance& instance : scene.instances) {
-    box.include(bounds(scene.meshes[instance.mesh], scene.nodes[instance.node].world_from_node));
-  }
+  for_each_drawn_position(scene, [&](const Point<World, double>& p) { box.include(p); });
   return box;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include <glassbox/base/trig.h>
+#include <glassbox/mesh/bounds.h>
 #include <glassbox/pipeline/affine.h>
 #include <glassbox/pipeline/look_at.h>
 #include <glassbox/pipeline/number_text.h>
@@ -34,14 +35,15 @@ double length(double x, double y, double z) {
   return std::sqrt(x * x + y * y + z * z);
 }
 
-// Radius of the sphere to frame. A box smaller than float's resolution at its place is a point.
-double framed_radius(const Box<World>& bounds) {
+// The box itself, or a cube around it where it is smaller than float's resolution at its place.
+Box<World> with_extent(const Box<World>& bounds) {
   const Point<World, double> c = bounds.center();
-  const double radius = 0.5 * length(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y,
-                                     bounds.high.z - bounds.low.z);
+  const double size = length(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y,
+                             bounds.high.z - bounds.low.z);
   const double offset = length(c.x, c.y, c.z);
-  const double smallest = std::max(offset * 0x1p-24, 0x1p-60);
-  return radius > smallest ? radius : std::max(0.5, offset * 0x1p-20);
+  if (size > std::max(offset * 0x1p-23, 0x1p-59)) return bounds;
+  const double half = std::max(0.5, offset * 0x1p-20);
+  return {{c.x - half, c.y - half, c.z - half}, {c.x + half, c.y + half, c.z + half}};
 }
 
 struct Interval {
@@ -73,10 +75,9 @@ double margin_of(const Interval& depths) {
   return 0.01 * (distance > 0 ? distance : 1);
 }
 
-}  // namespace
-
-Result<Camera> frame(const Box<World>& bounds, double aspect, const FramingOptions& options) {
-  if (const Result<void> ok = check_bounds(bounds); !ok) return tl::unexpected(ok.error());
+// What is wrong with the request, if anything.
+Result<void> check_request(const Box<World>& bounds, double aspect, const FramingOptions& options) {
+  if (const Result<void> ok = check_bounds(bounds); !ok) return ok;
   if (!(aspect > 0) || std::isinf(aspect)) {
     return fail("aspect ratio", "it is " + number_text(aspect) + ", which is not a positive number",
                 "give width/height");
@@ -85,9 +86,8 @@ Result<Camera> frame(const Box<World>& bounds, double aspect, const FramingOptio
     return fail("field of view", "it is " + number_text(options.fovy_degrees) + " degrees",
                 "give a full vertical angle between 0 and 180 degrees, such as 45");
   }
-  const SinCos azimuth = sin_cos_degrees(options.azimuth_degrees);
-  const SinCos elevation = sin_cos_degrees(options.elevation_degrees);
-  if (!(elevation.cos > 0) || std::isnan(azimuth.sin) || !(options.margin >= 1)) {
+  const bool upright = options.elevation_degrees > -90 && options.elevation_degrees < 90;
+  if (!upright || !(std::abs(options.azimuth_degrees) <= kMaxDegrees) || !(options.margin >= 1)) {
     return fail(
         "framing",
         "azimuth " + number_text(options.azimuth_degrees) + ", elevation " +
@@ -95,30 +95,75 @@ Result<Camera> frame(const Box<World>& bounds, double aspect, const FramingOptio
             " do not make a view",
         "give a finite azimuth, an elevation between -90 and 90 degrees, a margin of at least 1");
   }
+  return {};
+}
 
-  // A sphere of radius r at distance D touches the planes of a half-angle h where sin h = r/D; the narrower of the two
-  // directions decides.
-  const double radius = framed_radius(bounds) * options.margin;
-  const SinCos vertical = sin_cos_degrees(options.fovy_degrees * 0.5);
-  const double across =
-      aspect * (vertical.sin / vertical.cos);  // tangent of the horizontal half-angle
-  const double horizontal_sin = across / std::sqrt(1 + across * across);
-  const double distance = radius / std::min(vertical.sin, horizontal_sin);
-
-  const Point<World, double> center = bounds.center();
+// The camera that sees every point that for_each_point(visit) visits.
+template <class ForEachPoint>
+Result<Camera> frame_points(const ForEachPoint& for_each_point, double aspect,
+                            const FramingOptions& options) {
+  const SinCos azimuth = sin_cos_degrees(options.azimuth_degrees);
+  const SinCos elevation = sin_cos_degrees(options.elevation_degrees);
   const Vector<World, double> towards_eye{elevation.cos * azimuth.sin, elevation.sin,
                                           elevation.cos * azimuth.cos};
-  const Result<Transform<World, Eye>> pose =
-      camera_pose(center + towards_eye * distance, -towards_eye, Vector<World, double>{0, 1, 0});
-  if (!pose) return tl::unexpected(pose.error());
+  const Result<Transform<World, Eye>> turned_pose =
+      camera_pose(Point<World, double>{}, -towards_eye, Vector<World, double>{0, 1, 0});
+  if (!turned_pose) return tl::unexpected(turned_pose.error());
 
-  const double far = distance + radius;
-  const double near = std::max(distance - radius, far / kMaxDepthRatio);
+  // The box of the points along the axes of the eye, whose directions are known before its place.
+  const Transform<Eye, World> turned = inverse_rigid(*turned_pose);
+  Box<Eye> box;
+  for_each_point([&](const Point<World, double>& p) { box.include(turned * p); });
+  const Point<Eye, double> center = box.center();
+
+  // From a distance D of the centre, a point that lies x across and z towards the eye is within the picture if
+  // |x| <= (D - z) tan(half the angle); likewise its height.
+  const double up = tan_half_degrees(options.fovy_degrees) / options.margin;
+  const double across = aspect * up;
+  double distance = 0;
+  for_each_point([&](const Point<World, double>& p) {
+    const Vector<Eye, double> from_center = turned * p - center;
+    const double needed = std::max(std::abs(from_center.x) / across, std::abs(from_center.y) / up);
+    distance = std::max(distance, from_center.z + needed);
+  });
+
   Camera camera;
   camera.name = "framing";
+  camera.world_from_eye = *turned_pose;
+  const Point<World, double> eye =
+      *turned_pose * Point<Eye, double>{center.x, center.y, center.z + distance};
+  camera.world_from_eye.at(0, 3) = eye.x;
+  camera.world_from_eye.at(1, 3) = eye.y;
+  camera.world_from_eye.at(2, 3) = eye.z;
+
+  // 1 % of the distance of the nearest and of the farthest point is left over.
+  const double half_depth = box.high.z - center.z;
+  const double far = 1.01 * (distance + half_depth);
+  const double near = std::max(0.99 * (distance - half_depth), far / kMaxDepthRatio);
   camera.lens = PerspectiveLens{radians_from_degrees(options.fovy_degrees), near, far};
-  camera.world_from_eye = *pose;
   return camera;
+}
+
+}  // namespace
+
+Result<Camera> frame(const Box<World>& bounds, double aspect, const FramingOptions& options) {
+  if (const Result<void> ok = check_request(bounds, aspect, options); !ok) {
+    return tl::unexpected(ok.error());
+  }
+  const Box<World> box = with_extent(bounds);
+  const auto corners = [&](auto visit) {
+    for (int i = 0; i < 8; ++i) visit(box.corner(i));
+  };
+  return frame_points(corners, aspect, options);
+}
+
+Result<Camera> frame(const Scene& scene, double aspect, const FramingOptions& options) {
+  const Box<World> box = bounds(scene);
+  if (const Result<void> ok = check_request(box, aspect, options); !ok) {
+    return tl::unexpected(ok.error());
+  }
+  if (!(with_extent(box) == box)) return frame(box, aspect, options);
+  return frame_points([&](auto visit) { for_each_drawn_position(scene, visit); }, aspect, options);
 }
 
 Result<NearFar> near_far_for(const Transform<World, Eye>& world_from_eye,

@@ -9,18 +9,19 @@ namespace glassbox {
 
 struct FramingOptions {
   double azimuth_degrees =
-      30;  // from the +z axis towards +x: where the eye stands, seen from the box
+      30;  // where the eye stands, seen from the box: from the +z axis towards +x
   double elevation_degrees =
-      20;                    // above the horizontal plane; y is up; strictly between -90 and 90
+      20;                    // above the horizontal plane (y is up); strictly between -90 and 90
   double fovy_degrees = 45;  // full vertical angle
-  double margin = 1.05;  // radius of the framed sphere over that of the box's bounding sphere; >= 1
+  double margin = 1.1;       // size of the picture over that of the box in it; >= 1
 };
 
-// A perspective camera that looks at the box's centre and sees its bounding sphere whole, in width
-// and in height, for an image of `aspect` = width / height. A box without extent is framed as a
-// sphere of radius 1/2 (or 2^-20 of its distance from the origin if that is more). Errors: an empty
-// or non-finite box, an aspect that is not positive.
+// A perspective camera that sees all of the box, or all that the scene draws, from as near as the margin allows, in an
+// image of `aspect` = width / height; what it sees is in the middle of the picture. What has no extent is framed as a
+// cube of side 1 (or 2^-19 of its distance from the origin if that is more). Errors: nothing to see, bounds that are not
+// finite, an aspect that is not positive.
 Result<Camera> frame(const Box<World>& bounds, double aspect, const FramingOptions& options = {});
+Result<Camera> frame(const Scene& scene, double aspect, const FramingOptions& options = {});
 
 struct NearFar {
   double near = 0.1, far = 100;  // world units along the gaze

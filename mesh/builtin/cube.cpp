@@ -18,7 +18,6 @@ Scene make_cube() {
   add_box(mesh, {-1, -1, -1}, {1, 1, 1}, colors);
   mesh.material = add_material(scene, "painted", {1, 1, 1, 1});
   add_object(scene, std::move(mesh));
-  add_perspective(scene, "corner", 30, 0.5, look_at_pose({3.8, 3.2, 5.5}, {0, 0, 0}));
   return scene;
 }
 

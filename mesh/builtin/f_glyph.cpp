@@ -31,7 +31,6 @@ Scene make_f_glyph() {
   }
   mesh.material = add_material(scene, "painted", {1, 1, 1, 1});
   add_object(scene, std::move(mesh));
-  add_perspective(scene, "front", 30, 0.5, look_at_pose({4.5, 4.5, 11}, {1.5, 2.5, 0.5}));
   return scene;
 }
 

@@ -83,7 +83,6 @@ Scene make_sphere(int level) {
   Mesh mesh = Ball(level).run();
   mesh.material = material;
   add_object(scene, std::move(mesh));
-  add_perspective(scene, "front", 30, 0.5, look_at_pose({1.6, 1.4, 4.4}, {0, 0, 0}));
   add_directional(scene, "key", {-1, -1, -1}, 2.8);
   return scene;
 }

@@ -152,7 +152,6 @@ Scene make_teapot(int level) {
   Mesh mesh = tessellate_teapot(level);
   mesh.material = glaze;
   add_object(scene, std::move(mesh));
-  add_perspective(scene, "front", 30, 0.5, look_at_pose({3.4, 4.6, 9.6}, {0.25, 1.42, 0}));
   add_directional(scene, "key", {-0.6, -1, -0.7}, 2.4);
   add_directional(scene, "fill", {1, -0.25, -0.5}, 0.7, {0.75f, 0.85f, 1});
   return scene;

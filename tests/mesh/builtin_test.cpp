@@ -108,12 +108,16 @@ TEST_CASE("every built-in scene is finite, in range and without faults") {
   }
 }
 
-TEST_CASE("every built-in scene has a rigid camera that looks at something") {
+TEST_CASE(
+    "built-in scenes with a place to stand have a rigid camera there; single objects are framed") {
   for (const BuiltinScene& builtin : builtin_scenes()) {
     const std::string name(builtin.name);
     CAPTURE(name);
     const Scene scene = *make_builtin(name);
-    REQUIRE(scene.cameras.size() == 1);
+    const bool is_place =
+        name == "forest" || name == "room" || name == "checker" || name == "depth-ladder";
+    REQUIRE(scene.cameras.size() == (is_place ? 1 : 0));
+    if (!is_place) continue;
     const Transform<World, Eye>& pose = scene.cameras[0].world_from_eye;
     std::array<Vector<World, double>, 3> axes;
     for (int i = 0; i < 3; ++i)

@@ -1,9 +1,12 @@
 #include <tests/support/catch.h>
 #include <tests/support/random.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include <glassbox/mesh/bounds.h>
+#include <glassbox/mesh/builtin/scenes.h>
 #include <glassbox/pipeline/framing.h>
 #include <glassbox/pipeline/look_at.h>
 #include <glassbox/pipeline/view.h>
@@ -50,6 +53,24 @@ TEST_CASE("the framed box is wholly in the picture, for any shape of box and pic
   }
 }
 
+TEST_CASE("a scene fills the picture up to the margin and no further") {
+  const Scene scene = *make_builtin("teapot:3");
+  for (const double aspect : {0.25, 1.0, 16.0 / 9, 4.0}) {
+    CAPTURE(aspect);
+    const auto camera = frame(scene, aspect);
+    REQUIRE(camera);
+    const auto view = make_view(*camera, int(std::lround(720 * aspect)), 720);
+    REQUIRE(view);
+    double reach = 0;  // of the outermost point, 1 at the edge of the picture
+    for_each_drawn_position(scene, [&](const Point<World, double>& p) {
+      const Point<Clip, double> c = view->clip_from_eye * view->eye_from_world * p;
+      CHECK(inside(c));
+      reach = std::max({reach, std::abs(c.x / c.w), std::abs(c.y / c.w)});
+    });
+    CHECK(std::abs(reach * FramingOptions{}.margin - 1) < 1e-12);
+  }
+}
+
 TEST_CASE("a single point gets a camera too, wherever it is") {
   for (double offset : {0.0, 1.0, 1e6, 1e20}) {
     const Point<World, double> p{offset, -offset, offset};
@@ -74,7 +95,7 @@ TEST_CASE("the default view is from the front, right and above") {
 TEST_CASE("nothing, infinite boxes and senseless options are refused") {
   const double inf = std::numeric_limits<double>::infinity();
   const Box<World> unit = box_of({0, 0, 0}, {1, 1, 1});
-  CHECK(frame({}, 1).error().message() ==
+  CHECK(frame(Box<World>{}, 1).error().message() ==
         "scene bounds: there is nothing to look at; give a scene with at least one vertex");
   CHECK(!frame(box_of({0, 0, 0}, {inf, 1, 1}), 1));
   CHECK(!frame(box_of({0, 0, 0}, {1e300, 1, 1}), 1));

@@ -4,8 +4,10 @@
 #include <array>
 #include <vector>
 
+#include <glassbox/mesh/bounds.h>
 #include <glassbox/mesh/scene.h>
 #include <glassbox/pipeline/affine.h>
+#include <glassbox/pipeline/framing.h>
 #include <glassbox/pipeline/look_at.h>
 #include <glassbox/pipeline/view.h>
 
@@ -67,6 +69,11 @@ inline Mesh star_shaped_surface(int n, double roughness, Random& random) {
     }
   }
   return mesh;
+}
+
+// The scene's first camera, or the automatic one.
+inline Camera camera_for(const Scene& scene, double aspect) {
+  return scene.cameras.empty() ? *frame(bounds(scene), aspect) : scene.cameras.front();
 }
 
 // A camera at `eye` that looks along a random direction.

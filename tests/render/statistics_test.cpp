@@ -11,7 +11,7 @@ TEST_CASE("the counts of the stages add up for every built-in scene") {
   for (const BuiltinScene& builtin : builtin_scenes()) {
     INFO(builtin.name);
     const Scene scene = *make_builtin(builtin.name);
-    const auto view = make_view(scene.cameras.front(), 160, 90);
+    const auto view = make_view(test::camera_for(scene, 16.0 / 9), 160, 90);
     REQUIRE(view);
     const Rendering rendering = render_staged(scene, *view, {});
     const Statistics& s = rendering.statistics;
