@@ -157,17 +157,23 @@ Result<Planes> enclosing_planes(const Camera& camera, const Box<World>& bounds) 
   return Planes{planes->near, planes->far};
 }
 
-// With one plane asked for and the other found, the found one must not stand on the wrong side.
-Planes asked_planes(const CameraOptions& options, Planes found) {
+// With one plane asked for and the other found, the found one must not stand on the wrong side. A plane asked for that
+// cannot be is left for make_view to refuse.
+Planes asked_planes(const CameraOptions& options, Planes found, bool parallel) {
   constexpr double kMaxRatio = 1000;
+  const double extent = found.far.value_or(0) - found.near;
   if (options.far) {
     found.far = std::isinf(*options.far) && *options.far > 0 ? std::nullopt : options.far;
-    if (!options.near && found.far && !(found.near < *found.far))
-      found.near = *found.far / kMaxRatio;
+    if (!options.near && found.far && !(found.near < *found.far)) {
+      if (parallel) found.near = *found.far - extent;
+      if (!parallel && *found.far > 0) found.near = *found.far / kMaxRatio;
+    }
   }
   if (options.near) {
     found.near = *options.near;
-    if (!options.far && found.far && !(found.near < *found.far)) found.far = found.near * kMaxRatio;
+    if (!options.far && found.far && !(found.near < *found.far)) {
+      found.far = parallel ? found.near + extent : found.near * kMaxRatio;
+    }
   }
   return found;
 }
@@ -234,7 +240,7 @@ Result<Camera> choose_camera(const Scene& scene, const CameraOptions& options, d
     if (!enclosing) return tl::unexpected(enclosing.error());
     found = *enclosing;
   }
-  set_planes(camera->lens, asked_planes(options, found));
+  set_planes(camera->lens, asked_planes(options, found, is_parallel(*lens)));
   return camera;
 }
 

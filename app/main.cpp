@@ -19,7 +19,8 @@ namespace {
 int bad_usage(const CLI::App& app, const CLI::ParseError& error) {
   const auto chosen = app.get_subcommands();
   const std::string command = chosen.empty() ? "glassbox" : "glassbox " + chosen[0]->get_name();
-  const bool no_command = chosen.empty() && error.get_name() == "ExtrasError";
+  const bool no_command =
+      chosen.empty() && dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
   fmt::print(stderr, "glassbox: {}{}; {} --help shows what there is\n", error.what(),
              no_command ? " (the subcommands are render and info)" : "", command);
   return kBadInput;

@@ -35,7 +35,8 @@ Result<void> check_outputs(const std::vector<std::string>& paths) {
   std::set<std::filesystem::path> seen;
   for (const std::string& path : paths) {
     std::error_code ignored;
-    const std::filesystem::path whole = std::filesystem::weakly_canonical(path, ignored);
+    const std::filesystem::path whole =
+        std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
     const std::filesystem::path directory = std::filesystem::path(path).parent_path();
     if (!directory.empty() && !std::filesystem::is_directory(directory, ignored)) {
       return tl::unexpected(Error{path, "", "its directory does not exist", "make it first"});

@@ -66,6 +66,14 @@ Json camera_json(const Camera& camera, const View& view) {
   return json;
 }
 
+// What to tell somebody whose picture shows the background only.
+const char* why_empty(const Statistics& s) {
+  if (s.culled > 0) {
+    return "every face in view is turned away; --cull none shows it from behind";
+  }
+  return "nothing of the scene is in this picture; without camera options it is framed whole";
+}
+
 constexpr const char* kNext =
     "try next:\n"
     "  glassbox render teapot --shade flat -o flat.png      one colour per face\n"
@@ -220,9 +228,7 @@ int RenderCommand::run() {
   }
   progress.done();
   if (rendering.statistics.covered == 0) {
-    fmt::print(stderr,
-               "glassbox: note: nothing of the scene is in this picture; without camera options it "
-               "is framed whole\n");
+    fmt::print(stderr, "glassbox: note: {}\n", why_empty(rendering.statistics));
   }
   const double total_ms = elapsed_ms(start);
 

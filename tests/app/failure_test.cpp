@@ -1,0 +1,106 @@
+// Files that are not there, cannot be read or cannot be written: one line, exit code 2, and nothing half done.
+#include "tests/support/catch.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/app/run.h"
+
+namespace glassbox::test {
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+void check_refused(const Outcome& outcome, const std::vector<std::string>& parts) {
+  INFO(outcome.err);
+  CHECK(outcome.exit_code == 2);
+  CHECK(outcome.out.empty());
+  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+  for (const std::string& part : parts) {
+    INFO("expected: " << part);
+    CHECK(contains(outcome.err, part));
+  }
+}
+
+TEST_CASE("a scene that cannot be had is refused by name, with a remedy") {
+  const Workplace here;
+  std::filesystem::create_directory(here.file("folder"));
+  here.write("notes.txt", "hello");
+  here.write("empty.obj", "");
+  here.write("empty.glb", "");
+  here.write("nan.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n");
+  here.write("range.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n");
+  const auto before = here.names();
+  const std::vector<std::pair<std::string, std::vector<std::string>>> cases{
+      {"missing.glb", {"missing.glb", "no such file"}},
+      {"folder", {"folder"}},
+      {"./folder", {"directory"}},
+      {"notes.txt", {"notes.txt", ".obj"}},
+      {"tepot", {"did you mean 'teapot'"}},
+      {"dept-ladder", {"depth-ladder"}},
+      {"teapot:0", {"teapot:0", "1 to 256"}},
+      {"cube:2", {"takes no level"}},
+      {"empty.obj", {"empty.obj"}},
+      {"empty.glb", {"empty.glb"}},
+      {"nan.obj", {"nan.obj", "2"}},
+      {"range.obj", {"range.obj", "4"}}};
+  for (const auto& [scene, parts] : cases) {
+    check_refused(here.run("render " + scene + " --size 8x8"), parts);
+    check_refused(here.run("info " + scene), parts);
+  }
+  CHECK(here.names() == before);
+}
+
+TEST_CASE("a GLB cut short anywhere is refused") {
+  const Workplace here;
+  REQUIRE(here.run("info f-glyph --write f.glb").exit_code == 0);
+  const std::string whole = here.read("f.glb");
+  for (const std::size_t size : {std::size_t(4), std::size_t(11), std::size_t(12), std::size_t(19),
+                                 std::size_t(200), whole.size() / 2, whole.size() - 1}) {
+    here.write("cut.glb", whole.substr(0, size));
+    INFO(size << " of " << whole.size() << " bytes");
+    check_refused(here.run("render cut.glb --size 8x8"), {"cut.glb"});
+  }
+  CHECK(!std::filesystem::exists(here.file("cut.png")));
+}
+
+TEST_CASE("an output that cannot be written is refused before anything is") {
+  const Workplace here;
+  std::filesystem::create_directory(here.file("folder.png"));
+  const auto before = here.names();
+  const std::vector<std::pair<std::string, std::vector<std::string>>> cases{
+      {"-o x.bmp", {"x.bmp", ".png or .ppm"}},
+      {"-o x", {"x", ".png or .ppm"}},
+      {"-o -", {".png or .ppm"}},
+      {"-o nowhere/x.png", {"nowhere/x.png", "directory"}},
+      {"-o folder.png", {"folder.png", "directory"}},
+      {"--depth-out nowhere/x.pfm", {"nowhere/x.pfm"}},
+      {"--id-out nowhere/x.pfm", {"nowhere/x.pfm"}},
+      {"--json nowhere/x.json", {"nowhere/x.json"}},
+      {"--depth-out x.png", {"x.png", ".pfm"}},
+      {"--id-out -", {".pfm"}},
+      {"--depth-out x.pfm --id-out ./x.pfm", {"two outputs"}}};
+  for (const auto& [options, parts] : cases) {
+    check_refused(here.run("render cube --size 8x8 " + options), parts);
+    CHECK(here.names() == before);
+  }
+  check_refused(here.run("info cube --write cube.obj"), {"cube.obj", ".glb"});
+  check_refused(here.run("info cube --write nowhere/cube.glb"), {"nowhere/cube.glb"});
+  check_refused(here.run("info cube --json nowhere/cube.json"), {"nowhere/cube.json"});
+  CHECK(here.names() == before);
+}
+
+TEST_CASE("a picture that was there before survives a run that fails") {
+  const Workplace here;
+  here.write("cube.png", "mine");
+  check_refused(here.run("render cube --near 3 --far 2"), {"far plane"});
+  CHECK(here.read("cube.png") == "mine");
+}
+
+}  // namespace
+}  // namespace glassbox::test
