@@ -1,29 +1,38 @@
-// A user's first program: places of the pipeline as types, a picture written and read back.
+// A user's first program: a scene loaded, framed, rendered and written, and the picture read back.
 #include <cstdio>
 
-#include <glassbox/base/spaces.h>
 #include <glassbox/images/read.h>
 #include <glassbox/images/write.h>
+#include <glassbox/mesh/load.h>
+#include <glassbox/pipeline/framing.h>
+#include <glassbox/pipeline/view.h>
+#include <glassbox/render/staged.h>
+
+namespace {
+
+int refuse(const glassbox::Error& error) {
+  std::fprintf(stderr, "%s\n", error.message().c_str());
+  return 1;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
   using namespace glassbox;
+  constexpr int kWidth = 320, kHeight = 180;
 
-  Transform<World, Object> world_from_object;
-  world_from_object.at(0, 3) = 2;
-  Transform<Eye, World> eye_from_world;
-  eye_from_world.at(2, 3) = -5;
-  const auto p_eye = eye_from_world * world_from_object * Point<Object, double>(1, 0, 0);
-  if (p_eye != Point<Eye, double>(3, 0, -5)) {
-    std::fprintf(stderr, "(%g, %g, %g) instead of (3, 0, -5)\n", p_eye.x, p_eye.y, p_eye.z);
-    return 1;
-  }
+  const Result<Scene> scene = load_scene("teapot");
+  if (!scene) return refuse(scene.error());
+  const Result<Camera> camera = frame(*scene, double(kWidth) / kHeight);
+  if (!camera) return refuse(camera.error());
+  const Result<View> view = make_view(*camera, kWidth, kHeight);
+  if (!view) return refuse(view.error());
 
-  const Image<Rgba8> picture(8, 4, {200, 100, 50, 255});
-  if (const auto written = write_image(argv[1], picture); !written) {
-    std::fprintf(stderr, "%s\n", written.error().message().c_str());
-    return 1;
+  const Rendering rendering = render_staged(*scene, *view, RenderSettings{});
+  if (const auto written = write_image(argv[1], rendering.buffers.color); !written) {
+    return refuse(written.error());
   }
   const auto back = read_image(argv[1]);
-  return back && *back == picture ? 0 : 1;
+  return back && *back == rendering.buffers.color && rendering.statistics.written > 0 ? 0 : 1;
 }
