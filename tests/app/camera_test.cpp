@@ -89,7 +89,7 @@ TEST_CASE("without a camera the whole scene is in the picture, whatever its size
       const Workplace here;
       // A diamond without flat sides along the view; coordinates as OBJ text, scaled by their exponents.
       const std::string s(scale), o(offset);
-      const std::string e = s == "1" ? "" : s.substr(1);
+      const std::string e = s == "1" ? std::string() : s.substr(1);
       const auto v = [&](int x, int y, int z) {
         const int shift = std::stoi(o);
         return "v " + std::to_string(x + shift) + e + " " + std::to_string(y + shift) + e + " " +

@@ -52,19 +52,19 @@ std::string difference(const Image<Rgba8>& golden, const Image<Rgba8>& found) {
     return text.str();
   }
   std::size_t count = 0;
-  std::string first;
+  std::ostringstream first;
   for (int y = 0; y < golden.height; ++y) {
     for (int x = 0; x < golden.width; ++x) {
       const Rgba8& expected = golden.at(x, y);
       const Rgba8& pixel = found.at(x, y);
       if (expected == pixel) continue;
       if (count++ == 0) {
-        first = "(" + std::to_string(x) + ", " + std::to_string(y) + "): golden " +
-                text_of(expected) + ", found " + text_of(pixel);
+        first << '(' << x << ", " << y << "): golden " << text_of(expected) << ", found "
+              << text_of(pixel);
       }
     }
   }
-  if (count > 0) text << count << " pixels differ, the first at " << first;
+  if (count > 0) text << count << " pixels differ, the first at " << first.str();
   return text.str();
 }
 
