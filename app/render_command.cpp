@@ -1,6 +1,7 @@
 #include "app/render_command.h"
 
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -74,15 +75,20 @@ const char* why_empty(const Statistics& s) {
   return "nothing of the scene is in this picture; without camera options it is framed whole";
 }
 
-constexpr const char* kNext =
-    "try next:\n"
-    "  glassbox render teapot --shade flat -o flat.png      one colour per face\n"
-    "  glassbox render forest --show depth -o depth.png     how far everything is\n"
-    "  glassbox render YOUR.glb --stats                     your own scene (glTF, GLB or OBJ)\n"
-    "  glassbox info YOUR.glb                               what is in it, and what is wrong with "
-    "it\n"
-    "  glassbox render --help                               cameras, shading, depth formats, "
-    "outputs\n";
+// What to try after the first picture, by the name under which the user called the program: the launcher in a clone
+// hands over its own.
+std::string next_steps() {
+  const char* invoked_as = std::getenv("GLASSBOX_INVOKED_AS");
+  const std::string program = invoked_as != nullptr ? invoked_as : "glassbox";
+  const auto line = [&](const std::string& arguments, const std::string& purpose) {
+    return fmt::format("  {:<56}{}\n", program + " " + arguments, purpose);
+  };
+  return "try next:\n" + line("render teapot --shade flat -o flat.png", "one colour per face") +
+         line("render forest --show depth -o depth.png", "how far everything is") +
+         line("render YOUR.glb --stats", "your own scene (glTF, GLB or OBJ)") +
+         line("info YOUR.glb", "what is in it, and what is wrong with it") +
+         line("render --help", "cameras, shading, depth formats, outputs");
+}
 
 }  // namespace
 
@@ -252,7 +258,7 @@ int RenderCommand::run() {
   }
   fmt::print("{} ({} x {}): {} triangles, {:.0f} ms\n", output, size_.width, size_.height,
              rendering.statistics.triangles, total_ms);
-  if (first_time_) fmt::print("\n{}", kNext);
+  if (first_time_) fmt::print("\n{}", next_steps());
   return kSuccess;
 }
 

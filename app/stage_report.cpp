@@ -9,7 +9,7 @@ namespace {
 // 1234567 -> "1,234,567".
 std::string grouped(std::uint64_t n) {
   std::string digits = std::to_string(n);
-  for (int i = int(digits.size()) - 3; i > 0; i -= 3) digits.insert(std::size_t(i), ",");
+  for (int i = int(digits.size()) - 3; i > 0; i -= 3) digits.insert(std::size_t(i), 1, ',');
   return digits;
 }
 

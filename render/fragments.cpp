@@ -1,5 +1,6 @@
 #include <glassbox/render/fragments.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <glassbox/raster/blend.h>
@@ -116,6 +117,7 @@ void process(const FragmentStage& stage, const Fragment& fragment, std::uint32_t
   Rgba color = lit(stage, base, at);
   if (material.alpha_mode == AlphaMode::kBlend) {
     ++stage.statistics.blended;
+    color.a = std::clamp(color.a, 0.0f, 1.0f);  // vertex colours may exceed 1
     const Rgba8& stored = stage.target.color.pixels[pixel];
     return write(stage, fragment, code, id, blend_over(stage.settings.transfer, color, stored),
                  false);

@@ -25,7 +25,8 @@ namespace glassbox {
 //     light. Values outside [0, 1] are clamped;
 //   - "w" of a vertex is the weight of free-form curves and does not move a polygon's corner;
 //   - "d" is the opacity, "Tr" one minus it; where both stand, "d" counts. Below 1 a surface blends;
-//   - illum 0 is drawn unlit, illum 1 without highlight.
+//   - illum 0 is drawn unlit, illum 1 without highlight;
+//   - faces are seen from both sides: the format does not say which is the outside.
 //
 // The text is read here and not by a library, because numbers must become the nearest float on
 // every machine, and errors must name the line; tests compare the result with tinyobjloader's.

@@ -45,6 +45,14 @@ int shininess_from(float exponent) {
   return int(std::clamp(double(exponent), 1.0, 1024.0) + 0.5);
 }
 
+// OBJ does not say which side of a face is its outside, and files disagree: both are drawn.
+Material plain_material(std::string name) {
+  Material material;
+  material.name = std::move(name);
+  material.double_sided = true;
+  return material;
+}
+
 }  // namespace
 
 void MaterialMaker::add_library(std::string_view text, std::string_view name) {
@@ -132,14 +140,13 @@ MaterialMaker::Made MaterialMaker::make(const std::string& name) {
     warnings_.add("the material " + in_quotes(name) + " is not defined; a default one stands in");
   }
   const auto index = std::uint32_t(scene_.materials.size());
-  scene_.materials.emplace_back().name = name.empty() ? "default" : bounded_name(name);
+  scene_.materials.push_back(plain_material(name.empty() ? "default" : bounded_name(name)));
   return {index, {}};
 }
 
 MaterialMaker::Made MaterialMaker::made_from(const MtlMaterial& written) {
   Made made;
-  Material material;
-  material.name = bounded_name(written.name);
+  Material material = plain_material(bounded_name(written.name));
   if (written.diffuse) {
     const auto kd = clamped(*written.diffuse, written.name);
     material.base_color = {kd[0], kd[1], kd[2], 1};
