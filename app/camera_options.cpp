@@ -198,7 +198,7 @@ void add_camera_options(CLI::App& app, CameraOptions& options) {
              "parallel view of this full height (world units)")
       ->group(group);
   add_numbers(app, "--frustum", options.frustum, "L,R,B,T",
-              "window edges on the near plane, as glFrustum")
+              "window edges on the near plane (see --near), as glFrustum")
       ->group(group);
   add_distance(app, "--near", options.near, "N", "distance of the near plane")->group(group);
   add_distance(app, "--far", options.far, "F|inf", "distance of the far plane")->group(group);

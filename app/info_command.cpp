@@ -10,6 +10,7 @@
 #include "app/exit_codes.h"
 #include "app/output.h"
 
+#include <glassbox/base/printable.h>
 #include <glassbox/mesh/bounds.h>
 #include <glassbox/mesh/check.h>
 #include <glassbox/mesh/gltf/write.h>
@@ -35,12 +36,8 @@ std::string bounds_text(const Box<Space>& box) {
                      box.low.z, box.high.x, box.high.y, box.high.z);
 }
 
-// A name from a file is shown on one line and cannot control the terminal.
-std::string printable(const std::string& name) {
-  std::string text;
-  for (const char c : name) text += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
-  return text;
-}
+// Warnings and paths are shown whole, within reason.
+constexpr std::size_t kLongText = 1000;
 
 // "1 face", "2 faces".
 std::string counted(std::uint64_t n, const std::string& one, const std::string& many = "") {
@@ -174,7 +171,8 @@ Json scene_json(const Scene& scene, const std::vector<MeshReport>& reports) {
 
 void print_scene(const Scene& scene, const std::vector<MeshReport>& reports) {
   const Totals sum = totals(scene, reports);
-  fmt::print("{}\n", printable(scene.file.empty() ? scene.name + " (built-in)" : scene.file));
+  fmt::print("{}\n",
+             printable(scene.file.empty() ? scene.name + " (built-in)" : scene.file, kLongText));
   fmt::print("  {} of {}: {}, {}, {} as drawn\n", counted(scene.instances.size(), "instance"),
              counted(scene.meshes.size(), "mesh", "meshes"), counted(sum.triangles, "triangle"),
              counted(sum.lines, "line"), counted(sum.points, "point"));
@@ -204,9 +202,9 @@ void print_scene(const Scene& scene, const std::vector<MeshReport>& reports) {
   if (!scene.lights.empty()) fmt::print("  {}\n", counted(scene.lights.size(), "light"));
   if (!scene.extensions.empty())
     fmt::print("  extensions: {}\n",
-               printable(fmt::format("{}", fmt::join(scene.extensions, ", "))));
+               printable(fmt::format("{}", fmt::join(scene.extensions, ", ")), kLongText));
   for (const std::string& warning : scene.warnings)
-    fmt::print("  warning: {}\n", printable(warning));
+    fmt::print("  warning: {}\n", printable(warning, kLongText));
 }
 
 }  // namespace

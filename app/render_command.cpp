@@ -97,7 +97,7 @@ void RenderCommand::add_to(CLI::App& app, int& exit_code) {
   command.footer(
       "Examples:\n"
       "  glassbox render duck.glb -o duck.png\n"
-      "  glassbox render teapot --eye 3,2,4 --look-at 0,0.5,0 --fov 30 --size 1920x1080\n"
+      "  glassbox render teapot --eye 5,5,11 --look-at 0,1.5,0 --fov 30 --size 1920x1080\n"
       "  glassbox render plan.obj --ortho 10 --shade flat --background 1,1,1\n"
       "  glassbox render room --depth-out room.pfm --id-out ids.pfm --json -\n\n" +
       builtin_help());

@@ -18,7 +18,7 @@ struct World {};   // right-handed; cameras and lights live here
 struct Eye {};     // x right, y up, the camera looks down -z
 struct Clip {};    // homogeneous; w is the distance along the gaze (1 for parallel projections)
 struct Ndc {};     // x, y in [-1, 1], y up, z in [0, 1]
-struct Screen {};  // pixels from the top left corner, y down, pixel (i, j) centred at (i + 1/2, j + 1/2)
+struct Screen {};  // pixels from the top left, y down; (i, j) has its centre at (i + 1/2, j + 1/2)
 
 // A position in an affine space.
 template <class Space, class T = float>
@@ -140,7 +140,8 @@ struct Transform {
 
 // Row times column, summed from left to right: the one written order (DESIGN 3).
 template <class A, class B, class C, class T>
-Transform<A, C, T> operator*(const Transform<A, B, T>& a_from_b, const Transform<B, C, T>& b_from_c) {
+Transform<A, C, T> operator*(const Transform<A, B, T>& a_from_b,
+                             const Transform<B, C, T>& b_from_c) {
   Transform<A, C, T> a_from_c;
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 4; ++column) {

@@ -38,12 +38,12 @@ enum class AlphaMode { kOpaque, kMask, kBlend };
 // Colours are linear. The reflection model is Blinn-Phong: see raster/shading.h for the formula.
 struct Material {
   std::string name;
-  Rgba base_color;                      // multiplied by the texture and the vertex colour
-  std::optional<std::uint32_t> texture; // index into Scene::textures
+  Rgba base_color;                       // multiplied by the texture and the vertex colour
+  std::optional<std::uint32_t> texture;  // index into Scene::textures
   std::array<float, 3> specular{0, 0, 0};
-  int shininess = 16;                   // exponent, 1 .. 1024
+  int shininess = 16;  // exponent, 1 .. 1024
   AlphaMode alpha_mode = AlphaMode::kOpaque;
-  float alpha_cutoff = 0.5f;            // kMask: kept where alpha >= cutoff
+  float alpha_cutoff = 0.5f;  // kMask: kept where alpha >= cutoff
   bool double_sided = false;
   bool unlit = false;
 };
@@ -52,9 +52,10 @@ struct Material {
 
 struct Node {
   std::string name;
-  std::uint32_t parent = kNone;                 // index into Scene::nodes, always smaller than the node's own
-  Transform<World, Object> parent_from_node;    // the node's own matrix (for a root, the parent is the world)
-  Transform<World, Object> world_from_node;     // the product down from the root
+  // Index into Scene::nodes, always smaller than the node's own; kNone for a root, whose parent is the world.
+  std::uint32_t parent = kNone;
+  Transform<World, Object> parent_from_node;
+  Transform<World, Object> world_from_node;  // the product down from the root
 };
 
 // A mesh where it stands. Instances are drawn, and their triangles numbered, in the order of this list.
@@ -98,13 +99,13 @@ enum class LightKind { kDirectional, kPoint, kSpot };
 struct Light {
   std::string name;
   LightKind kind = LightKind::kDirectional;
-  std::array<float, 3> color{1, 1, 1};  // linear
-  double intensity = 1;                 // lux (directional), candela (point, spot)
-  std::optional<double> range;          // world units; beyond it nothing arrives
-  double inner_cone_radians = 0;        // spot: full intensity within
+  std::array<float, 3> color{1, 1, 1};                  // linear
+  double intensity = 1;                                 // lux (directional), candela (point, spot)
+  std::optional<double> range;                          // world units; beyond it nothing arrives
+  double inner_cone_radians = 0;                        // spot: full intensity within
   double outer_cone_radians = 0.785398163397448309616;  // spot: nothing outside
-  Point<World, double> position;        // point, spot
-  Vector<World, double> direction;      // the way the light travels, unit length; directional, spot
+  Point<World, double> position;                        // point, spot
+  Vector<World, double> direction;  // the way the light travels, unit length; directional, spot
 };
 
 // ---- the whole ----
@@ -119,9 +120,9 @@ struct Scene {
   std::vector<Node> nodes;
   std::vector<Instance> instances;
   std::vector<Camera> cameras;
-  std::vector<Light> lights;           // none: a default headlight
-  std::vector<std::string> extensions; // named by the file
-  std::vector<std::string> warnings;   // what was ignored or repaired, one sentence each
+  std::vector<Light> lights;            // none: a default headlight
+  std::vector<std::string> extensions;  // named by the file
+  std::vector<std::string> warnings;    // what was ignored or repaired, one sentence each
 };
 
 }  // namespace glassbox

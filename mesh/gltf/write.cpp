@@ -305,7 +305,7 @@ private:
       const Camera& camera = scene_.cameras[i];
       auto described = gltf::describe(camera);
       if (!described) {
-        return fail(entry("camera", i) + " " + gltf::in_quotes(camera.name),
+        return fail(entry("camera", i) + " " + in_quotes(camera.name),
                     described.error().cause, described.error().remedy);
       }
       node(add_root(camera.name, camera.world_from_eye.columns))["camera"] = i;

@@ -40,17 +40,6 @@ bool is_too_large(std::string_view number) {
 
 }  // namespace
 
-std::string in_quotes(std::string_view text) {
-  constexpr std::size_t kMaxLength = 60;
-  std::string out = "'";
-  for (const char c : text.substr(0, kMaxLength)) {
-    const auto byte = static_cast<unsigned char>(c);
-    out += byte < 0x20 || byte == 0x7f ? '?' : c;
-  }
-  if (text.size() > kMaxLength) out += "...";
-  return out + "'";
-}
-
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(kBlanks);
   if (first == std::string_view::npos) return {};

@@ -8,11 +8,9 @@
 #include <string_view>
 #include <vector>
 
-namespace glassbox::obj {
+#include <glassbox/base/printable.h>
 
-// Names come from hostile files: for one line of a terminal, control characters become '?' and long
-// text is cut.
-std::string in_quotes(std::string_view text);
+namespace glassbox::obj {
 
 std::string_view trimmed(std::string_view text);
 

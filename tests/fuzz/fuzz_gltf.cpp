@@ -15,7 +15,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto bytes = std::as_bytes(std::span(data, size));
   const auto scene = glassbox::load_gltf_memory(bytes, "", limits);
   if (!scene) {
-    if (scene.error().cause.empty() || scene.error().message().find('\n') != std::string::npos) std::abort();
+    if (scene.error().cause.empty() || scene.error().message().find('\n') != std::string::npos)
+      std::abort();
     return 0;
   }
   // What the loader promises to later stages.

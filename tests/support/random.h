@@ -7,7 +7,7 @@ namespace glassbox::test {
 
 // SplitMix64 (Steele, Lea and Flood 2014).
 class Random {
- public:
+public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
 
   std::uint64_t bits() {
@@ -25,7 +25,7 @@ class Random {
     return low + std::int64_t(bits() % std::uint64_t(high - low + 1));
   }
 
- private:
+private:
   std::uint64_t state_;
 };
 
