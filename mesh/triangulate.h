@@ -4,12 +4,12 @@
 // that a triangle's number says where it stands in the file. The choices are deterministic:
 //
 //   triangle   kept as it is, corners in the order of the face
-//   quad       cut along the diagonal that lies inside; if both do, along the shorter one; on a tie
-//   from corner 0 n-gon      ears clipped in a fixed order, in the plane seen along the
-//   largest component of the Newell
-//              normal, with exact orientation tests
+//   quad       cut along the diagonal that lies inside; if both do, along the shorter one; on a
+//              tie from corner 0
+//   n-gon      ears clipped in a fixed order, in the plane seen along the largest component of the
+//              Newell normal, with exact orientation tests
 //   otherwise  (the outline crosses itself) what ear clipping leaves is cut as a fan, and the face
-//   is reported
+//              is reported
 //
 // As long as every triangle cut off turns the same way as its outline, the triangles cover exactly what the outline
 // encloses: cutting a corner off changes no winding number in total, so none can lie twice or outside.

@@ -84,14 +84,23 @@ std::array<float, N> interpolate(const std::array<float, N>& a0, const std::arra
   return a;
 }
 
+// mix(a0, a1, a2) for each attribute of three vertices.
+template <class Mix>
+Varyings combine(const std::array<Varyings, 3>& v, const Mix& mix) {
+  return {mix(v[0].normal, v[1].normal, v[2].normal),
+          mix(v[0].position, v[1].position, v[2].position),
+          mix(v[0].diffuse, v[1].diffuse, v[2].diffuse),
+          mix(v[0].specular, v[1].specular, v[2].specular),
+          mix(v[0].color, v[1].color, v[2].color),
+          mix(v[0].texcoord, v[1].texcoord, v[2].texcoord)};
+}
+
 // The varyings of the three vertices are in the order of the setup (TriangleSetup::order).
-inline Varyings interpolate(const std::array<Varyings, 3>& v, const std::array<float, 3>& weights) {
-  return {interpolate(v[0].normal, v[1].normal, v[2].normal, weights),
-          interpolate(v[0].position, v[1].position, v[2].position, weights),
-          interpolate(v[0].diffuse, v[1].diffuse, v[2].diffuse, weights),
-          interpolate(v[0].specular, v[1].specular, v[2].specular, weights),
-          interpolate(v[0].color, v[1].color, v[2].color, weights),
-          interpolate(v[0].texcoord, v[1].texcoord, v[2].texcoord, weights)};
+inline Varyings interpolate(const std::array<Varyings, 3>& vertices,
+                            const std::array<float, 3>& weights) {
+  return combine(vertices, [&](const auto& a0, const auto& a1, const auto& a2) {
+    return interpolate(a0, a1, a2, weights);
+  });
 }
 
 }  // namespace glassbox

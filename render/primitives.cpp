@@ -55,6 +55,37 @@ ScreenPolygon to_screen(const PrimitiveStage& stage, const ClipPolygon& polygon)
   return screen;
 }
 
+// ---- clipping ----
+
+std::array<ClipVertex, 3> clip_vertices(const PrimitiveStage& stage, const Triangle& triangle) {
+  std::array<ClipVertex, 3> corners;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Corner& corner = stage.draw.mesh->corners[triangle.corners[k]];
+    corners[k].position = stage.tables.clip[corner.position];
+    corners[k].weights[k] = 1.0;
+  }
+  return corners;
+}
+
+// What the view's planes leave of a triangle; most are left whole, or nothing of them.
+ClipPolygon clip_to_view(const PrimitiveStage& stage, const std::array<ClipVertex, 3>& corners) {
+  const std::array<Outcode, 3> codes{outcode(corners[0].position, stage.planes),
+                                     outcode(corners[1].position, stage.planes),
+                                     outcode(corners[2].position, stage.planes)};
+  switch (trivial_verdict(codes)) {
+    case ClipVerdict::kAccept:
+      return {{corners[0], corners[1], corners[2]}, 3};
+    case ClipVerdict::kReject:
+      ++stage.statistics.rejected;
+      return {};
+    case ClipVerdict::kClip:
+      break;
+  }
+  const ClipPolygon polygon = clip_triangle(corners, stage.planes);
+  ++(polygon.count == 0 ? stage.statistics.clipped_away : stage.statistics.clipped);
+  return polygon;
+}
+
 // ---- facing ----
 
 // Whether a triangle that shows its front or its back is thrown away.
@@ -76,6 +107,30 @@ bool is_culled(const PrimitiveStage& stage, bool front) {
 // mirroring model matrix turns the winding round, and the outside with it.
 bool shows_front(const PrimitiveStage& stage, const TriangleSetup& setup) {
   return setup.clockwise == stage.draw.mirrored;
+}
+
+struct Visible {
+  TriangleSetup setup;
+  bool front = true;
+};
+
+// A piece of a polygon, set up; nothing where it has no area on the screen or is culled.
+std::optional<Visible> setup_visible(const PrimitiveStage& stage, const ScreenPolygon& screen,
+                                     const std::array<std::size_t, 3>& piece) {
+  ++stage.statistics.after_clipping;
+  const std::optional<TriangleSetup> setup = setup_triangle(
+      {screen.vertices[piece[0]], screen.vertices[piece[1]], screen.vertices[piece[2]]});
+  if (!setup) {
+    ++stage.statistics.zero_area;
+    return std::nullopt;
+  }
+  const bool front = shows_front(stage, *setup);
+  if (is_culled(stage, front)) {
+    ++stage.statistics.culled;
+    return std::nullopt;
+  }
+  ++stage.statistics.set_up;
+  return Visible{*setup, front};
 }
 
 // ---- attributes ----
@@ -154,13 +209,10 @@ std::array<float, N> weigh(const std::array<float, N>& a, const std::array<float
   return result;
 }
 
-Varyings weigh(const std::array<Varyings, 3>& v, const std::array<double, 3>& weights) {
-  return {weigh(v[0].normal, v[1].normal, v[2].normal, weights),
-          weigh(v[0].position, v[1].position, v[2].position, weights),
-          weigh(v[0].diffuse, v[1].diffuse, v[2].diffuse, weights),
-          weigh(v[0].specular, v[1].specular, v[2].specular, weights),
-          weigh(v[0].color, v[1].color, v[2].color, weights),
-          weigh(v[0].texcoord, v[1].texcoord, v[2].texcoord, weights)};
+Varyings weigh(const std::array<Varyings, 3>& corners, const std::array<double, 3>& weights) {
+  return combine(corners, [&](const auto& a, const auto& b, const auto& c) {
+    return weigh(a, b, c, weights);
+  });
 }
 
 // ---- lines ----
@@ -185,54 +237,24 @@ PrimitiveStage make_primitive_stage(const Draw& draw, const VertexTables& tables
 
 void ready_triangle(const PrimitiveStage& stage, const Triangle& triangle,
                     std::vector<ReadyTriangle>& triangles, std::vector<ReadyLine>& lines) {
-  std::array<ClipVertex, 3> corners;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Corner& corner = stage.draw.mesh->corners[triangle.corners[k]];
-    corners[k].position = stage.tables.clip[corner.position];
-    corners[k].weights[k] = 1.0;
-  }
-
-  const std::array<Outcode, 3> codes{outcode(corners[0].position, stage.planes),
-                                     outcode(corners[1].position, stage.planes),
-                                     outcode(corners[2].position, stage.planes)};
-  ClipPolygon polygon{{corners[0], corners[1], corners[2]}, 3};
-  switch (trivial_verdict(codes)) {
-    case ClipVerdict::kReject:
-      ++stage.statistics.rejected;
-      return;
-    case ClipVerdict::kAccept:
-      break;
-    case ClipVerdict::kClip:
-      polygon = clip_triangle(corners, stage.planes);
-      ++(polygon.count == 0 ? stage.statistics.clipped_away : stage.statistics.clipped);
-  }
-
-  // Attributes are gathered when the first piece turns out to be visible.
-  std::optional<std::array<Varyings, 3>> attributes;
+  const std::array<ClipVertex, 3> corners = clip_vertices(stage, triangle);
+  const ClipPolygon polygon = clip_to_view(stage, corners);
+  const ScreenPolygon screen = to_screen(stage, polygon);
   const std::uint32_t number = stage.draw.first_number + triangle.number;
 
-  const ScreenPolygon screen = to_screen(stage, polygon);
+  // Gathered when the first piece turns out to be visible.
+  std::optional<std::array<Varyings, 3>> attributes;
+
   for (int i = 0; i < fan_size(polygon); ++i) {
-    ++stage.statistics.after_clipping;
     const std::array<std::size_t, 3> piece = screen.fan_triangle(i);
-    const std::optional<TriangleSetup> setup = setup_triangle(
-        {screen.vertices[piece[0]], screen.vertices[piece[1]], screen.vertices[piece[2]]});
-    if (!setup) {
-      ++stage.statistics.zero_area;
-      continue;
-    }
-    const bool front = shows_front(stage, *setup);
-    if (is_culled(stage, front)) {
-      ++stage.statistics.culled;
-      continue;
-    }
-    ++stage.statistics.set_up;
-    if (!attributes) attributes = triangle_attributes(stage, triangle, front);
+    const std::optional<Visible> visible = setup_visible(stage, screen, piece);
+    if (!visible) continue;
+    if (!attributes) attributes = triangle_attributes(stage, triangle, visible->front);
     if (stage.settings.wireframe) break;
 
-    ReadyTriangle ready{*setup, {}, number, stage.draw.material->shininess};
+    ReadyTriangle ready{visible->setup, {}, number};
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t vertex = piece[std::size_t(setup->order[k])];
+      const std::size_t vertex = piece[std::size_t(visible->setup.order[k])];
       ready.vertices[k] = weigh(*attributes, polygon.vertices[vertex].weights);
     }
     triangles.push_back(ready);

@@ -17,7 +17,6 @@ struct ReadyTriangle {
   TriangleSetup setup;
   std::array<Varyings, 3> vertices;  // in the order of the setup
   std::uint32_t number = 0;          // in the whole scene
-  int shininess = 0;
 };
 
 struct ReadyLine {
