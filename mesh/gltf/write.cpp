@@ -305,8 +305,8 @@ private:
       const Camera& camera = scene_.cameras[i];
       auto described = gltf::describe(camera);
       if (!described) {
-        return fail(entry("camera", i) + " " + in_quotes(camera.name),
-                    described.error().cause, described.error().remedy);
+        return fail(entry("camera", i) + " " + in_quotes(camera.name), described.error().cause,
+                    described.error().remedy);
       }
       node(add_root(camera.name, camera.world_from_eye.columns))["camera"] = i;
       document_["cameras"].push_back(std::move(*described));
