@@ -131,7 +131,7 @@ Result<Bytes> decode_base64(std::string_view text) {
     }
     for (const int shift : {16, 8, 0}) bytes.push_back(std::byte(bits >> shift & 0xff));
   }
-  bytes.resize(bytes.size() - padding);
+  for (; padding > 0; --padding) bytes.pop_back();
   return bytes;
 }
 
