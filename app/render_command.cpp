@@ -16,6 +16,7 @@
 #include <glassbox/images/atomic_file.h>
 #include <glassbox/images/write.h>
 #include <glassbox/mesh/load.h>
+#include <glassbox/mesh/triangulate.h>
 #include <glassbox/pipeline/view.h>
 #include <glassbox/render/staged.h>
 
@@ -41,8 +42,7 @@ constexpr std::uint64_t kMaxIdTriangles = (1u << 24) - 1;
 std::uint64_t count_triangles(const Scene& scene) {
   std::uint64_t count = 0;
   for (const Instance& instance : scene.instances) {
-    for (const Face& face : scene.meshes[instance.mesh].faces)
-      count += face.count < 3 ? 0 : face.count - 2;
+    for (const Face& face : scene.meshes[instance.mesh].faces) count += numbers_of(face);
   }
   return count;
 }

@@ -167,10 +167,9 @@ public:
 
   Triangulation run() {
     for (face_ = 0; face_ < mesh_.faces.size(); ++face_) {
-      const std::uint32_t corners = mesh_.faces[face_].count;
       first_number_ = result_.numbered;
       cut_face();
-      if (corners >= 3) result_.numbered += corners - 2;
+      result_.numbered += numbers_of(mesh_.faces[face_]);
     }
     return std::move(result_);
   }

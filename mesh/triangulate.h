@@ -32,6 +32,11 @@ struct Triangle {
   friend bool operator==(const Triangle&, const Triangle&) = default;
 };
 
+// How many numbers a face takes.
+inline std::uint32_t numbers_of(const Face& face) {
+  return face.count < 3 ? 0 : face.count - 2;
+}
+
 struct Triangulation {
   std::vector<Triangle> triangles;  // numbers ascend
   std::uint32_t numbered = 0;       // numbers taken: the sum of n - 2 over the faces

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
-#include <glassbox/base/box.h>
+#include <glm/matrix.hpp>
+
 #include <glassbox/mesh/bounds.h>
+#include <glassbox/pipeline/affine.h>
 
 namespace glassbox {
 
@@ -29,21 +30,12 @@ double size_of(const Box<Object>& box) {
   return std::max({box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z});
 }
 
-Transform<Object, Object> translation(const Vector<Object>& by) {
-  Transform<Object, Object> moved;
-  moved.at(0, 3) = double(by.x);
-  moved.at(1, 3) = double(by.y);
-  moved.at(2, 3) = double(by.z);
-  return moved;
+Vector<Object, double> in_double(const Vector<Object>& v) {
+  return {v.x, v.y, v.z};
 }
 
-double determinant3(const Transform<World, Object>& m) {
-  return m.at(0, 0) * (m.at(1, 1) * m.at(2, 2) - m.at(1, 2) * m.at(2, 1)) -
-         m.at(0, 1) * (m.at(1, 0) * m.at(2, 2) - m.at(1, 2) * m.at(2, 0)) +
-         m.at(0, 2) * (m.at(1, 0) * m.at(2, 1) - m.at(1, 1) * m.at(2, 0));
-}
-
-Draw make_draw(const Scene& scene, const View& view, std::uint32_t instance) {
+Draw make_draw(const Scene& scene, const View& view, std::uint32_t instance,
+               const Box<Object>& box) {
   const Instance& placed = scene.instances[instance];
   const Transform<World, Object>& world_from_object = scene.nodes[placed.node].world_from_node;
   const Transform<Eye, Object> eye_from_object = view.eye_from_world * world_from_object;
@@ -52,36 +44,29 @@ Draw make_draw(const Scene& scene, const View& view, std::uint32_t instance) {
   draw.mesh = &scene.meshes[placed.mesh];
   draw.material = &scene.materials[draw.mesh->material];
   draw.instance = instance;
-  draw.anchor = anchor_for(*draw.mesh);
-  const Transform<Eye, Object> eye_from_anchored = eye_from_object * translation(draw.anchor);
+  draw.anchor = anchor_for(box);
+  const Transform<Eye, Object> eye_from_anchored =
+      eye_from_object * translate<Object, Object>(in_double(draw.anchor));
   draw.eye_from_anchored = round_to_float(eye_from_anchored);
   draw.clip_from_anchored = round_to_float(view.clip_from_eye * eye_from_anchored);
   draw.eye_normal_from_object = normal_transform(eye_from_object);
-  draw.mirrored = determinant3(world_from_object) < 0;
+  draw.mirrored = glm::determinant(glm::dmat3(world_from_object.columns)) < 0;
+  if (!box.empty()) draw.distance_of_centre = -(eye_from_object * box.center()).z;
   return draw;
 }
 
-// How far along the gaze the centre of the draw's box lies.
-double distance_of_centre(const Draw& draw, const Scene& scene, const View& view) {
-  const Point<Object, double> centre = bounds(*draw.mesh).center();
-  const Transform<World, Object>& world_from_object =
-      scene.nodes[scene.instances[draw.instance].node].world_from_node;
-  return -(view.eye_from_world * (world_from_object * centre)).z;
-}
-
-void sort_blended(std::vector<Draw>& draws, const Scene& scene, const View& view) {
+void sort_blended(std::vector<Draw>& draws) {
   const auto first_blended = std::stable_partition(
       draws.begin(), draws.end(),
       [](const Draw& draw) { return draw.material->alpha_mode != AlphaMode::kBlend; });
-  std::stable_sort(first_blended, draws.end(), [&](const Draw& a, const Draw& b) {
-    return distance_of_centre(a, scene, view) > distance_of_centre(b, scene, view);
+  std::stable_sort(first_blended, draws.end(), [](const Draw& a, const Draw& b) {
+    return a.distance_of_centre > b.distance_of_centre;
   });
 }
 
 }  // namespace
 
-Vector<Object> anchor_for(const Mesh& mesh) {
-  const Box<Object> box = bounds(mesh);
+Vector<Object> anchor_for(const Box<Object>& box) {
   if (box.empty()) return {};
   const double size = size_of(box);
   return {anchor_coordinate(box.low.x, box.high.x, size),
@@ -93,7 +78,11 @@ DrawList make_draw_list(const Scene& scene, const View& view, const RenderSettin
   DrawList list;
   list.lighting = light_scene(scene, view);
   list.triangulations.reserve(scene.meshes.size());
-  for (const Mesh& mesh : scene.meshes) list.triangulations.push_back(triangulate(mesh));
+  std::vector<Box<Object>> boxes;
+  for (const Mesh& mesh : scene.meshes) {
+    list.triangulations.push_back(triangulate(mesh));
+    boxes.push_back(bounds(mesh));
+  }
   list.textures.reserve(scene.textures.size());
   for (const Texture& texture : scene.textures) {
     list.textures.push_back(make_mip_chain(scene.images[texture.image], settings.transfer,
@@ -101,7 +90,7 @@ DrawList make_draw_list(const Scene& scene, const View& view, const RenderSettin
   }
 
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
-    Draw draw = make_draw(scene, view, i);
+    Draw draw = make_draw(scene, view, i, boxes[scene.instances[i].mesh]);
     draw.triangulation = &list.triangulations[scene.instances[i].mesh];
     draw.first_number = list.triangle_count;
     list.triangle_count += draw.triangulation->numbered;
@@ -111,7 +100,7 @@ DrawList make_draw_list(const Scene& scene, const View& view, const RenderSettin
     }
     list.draws.push_back(draw);
   }
-  sort_blended(list.draws, scene, view);
+  sort_blended(list.draws);
   return list;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <glassbox/base/box.h>
 #include <glassbox/mesh/scene.h>
 #include <glassbox/mesh/triangulate.h>
 #include <glassbox/pipeline/normal_transform.h>
@@ -30,7 +31,8 @@ struct Draw {
   Transform<Clip, Object, float> clip_from_anchored;
   Transform<Eye, Object, float> eye_from_anchored;
   NormalTransform<Eye, Object> eye_normal_from_object;
-  bool mirrored = false;  // the determinant is negative: front faces run clockwise
+  double distance_of_centre = 0;  // of the box, along the gaze: the order of blended draws
+  bool mirrored = false;          // the determinant is negative: front faces run clockwise
 };
 
 struct DrawList {
@@ -46,6 +48,6 @@ DrawList make_draw_list(const Scene& scene, const View& view, const RenderSettin
 // A mesh whose box lies further from its origin than eight times its size is carried relative to a point near the box,
 // per axis: subtracting it from a float position there is exact, and what is left is small. Otherwise zero, and the
 // subtraction changes nothing.
-Vector<Object> anchor_for(const Mesh& mesh);
+Vector<Object> anchor_for(const Box<Object>& bounds);
 
 }  // namespace glassbox
