@@ -1,6 +1,7 @@
 // Whole runs: from inside a closed surface every pixel is covered exactly once, whatever the clipper has to cut.
 #include <algorithm>
 
+#include <glassbox/base/trig.h>
 #include <glassbox/render/staged.h>
 
 #include "tests/render/scenes.h"
@@ -69,6 +70,22 @@ TEST_CASE(
     const Count count = count_coverage(scene, camera, 64, 48);
     CHECK(count.gaps == 0);
     CHECK(count.doubles == 0);
+  }
+}
+
+TEST_CASE("edges that run exactly through pixel centres have one owner in whole pictures (C-43)") {
+  // Square pictures with 90 degrees of view, along an axis: grid lines and the diagonals of the quads meet centres.
+  test::Random random(43);
+  for (const int size : {33, 64, 65}) {
+    for (const int n : {1, 2, 4}) {
+      INFO(size << " x " << size << ", grid " << n);
+      const Scene scene = test::scene_of(test::star_shaped_surface(n, 0.0, random));
+      const PerspectiveLens lens{kHalfPi, 0.001, 100.0};
+      const Camera camera{"axis", lens, inverse_rigid(*look_at({0, 0, 0}, {0, 0, -1}, {0, 1, 0}))};
+      const Count count = count_coverage(scene, camera, size, size);
+      CHECK(count.gaps == 0);
+      CHECK(count.doubles == 0);
+    }
   }
 }
 
