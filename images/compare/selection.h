@@ -1,0 +1,49 @@
+// Which pixels a comparison looks at: all but those that a mask or a box leaves out.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glassbox/base/error.h>
+#include <glassbox/images/stored_image.h>
+
+namespace glassbox {
+
+// Pixels [x, x + width) x [y, y + height).
+struct PixelBox {
+  int x = 0, y = 0;
+  int width = 0, height = 0;
+  friend bool operator==(const PixelBox&, const PixelBox&) = default;
+};
+
+// "x,y,wxh", the origin top-left: four whole numbers, the size above zero.
+Result<PixelBox> parse_pixel_box(const std::string& text);
+std::string to_string(const PixelBox& box);
+
+class Selection {
+public:
+  // All pixels.
+  Selection(int width, int height);
+
+  // Leaves out the pixels of the box. An error where the box lies outside of the picture altogether: it is a slip then.
+  Result<void> leave_out(const PixelBox& box);
+  // Leaves out the pixels that are black in `mask`: every colour sample 0 (alpha is not looked at). An error where its
+  // size is not the picture's.
+  Result<void> leave_out_black(const StoredImage& mask);
+
+  bool everything() const { return left_out_.empty(); }
+  bool compares(int x, int y) const {
+    return left_out_.empty() || !left_out_[std::size_t(y) * std::size_t(width_) + std::size_t(x)];
+  }
+  std::uint64_t compared_pixels() const { return compared_; }
+
+private:
+  int width_, height_;
+  std::uint64_t compared_;
+  std::vector<bool> left_out_;  // empty: none
+};
+
+}  // namespace glassbox

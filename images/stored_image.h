@@ -1,0 +1,49 @@
+// An image exactly as its file stores it: for comparing, where nothing may be rounded on the way in.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <glassbox/base/error.h>
+#include <glassbox/images/decode.h>
+#include <glassbox/images/image.h>
+
+namespace glassbox {
+
+// Samples of pixel (x, y) start at channels * (y * width + x): row by row from the top, the channels of a pixel together.
+struct StoredImage {
+  int width = 0;     // px
+  int height = 0;    // px
+  int channels = 0;  // 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA
+  std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>, std::vector<float>> samples;
+
+  std::size_t pixels() const { return std::size_t(width) * std::size_t(height); }
+  friend bool operator==(const StoredImage&, const StoredImage&) = default;
+};
+
+// "8 bits", "16 bits", "32-bit floats".
+std::string format_name(const StoredImage& image);
+// "grey", "grey and alpha", "RGB", "RGBA".
+std::string channel_names(const StoredImage& image);
+
+// 2^28 pixels: 16384 x 16384.
+inline constexpr DecodeLimits kCompareLimits{.max_pixels = std::uint64_t(1) << 28};
+
+// PNG, JPEG, BMP, TGA, PPM, PGM or PFM, recognised by the content. Palettes and 1, 2 or 4 bits become the 8-bit colours
+// or greys that they stand for, tRNS becomes alpha; a PPM or PGM whose largest value is neither 255 nor 65535 becomes the
+// nearest 8 or 16 bits. Nothing else is converted. Errors as of decode_image.
+Result<StoredImage> decode_stored(std::span<const std::byte> bytes,
+                                  const DecodeLimits& limits = kCompareLimits);
+Result<StoredImage> read_stored(const std::string& path,
+                                const DecodeLimits& limits = kCompareLimits);
+
+// The image as encode_png and encode_pfm store it: RGB where every alpha is 255, else RGBA.
+StoredImage as_stored(const Image<Rgba8>& image);
+StoredImage as_stored(const Image<float>& image);
+StoredImage as_stored(const Image<Rgb32f>& image);
+
+}  // namespace glassbox
