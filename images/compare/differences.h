@@ -27,8 +27,8 @@ struct PicturePair {
 std::uint32_t ulp_distance(float a, float b, bool nan_equals_nan);
 
 // The largest difference of a channel in each pixel of row y, in steps; 0 where the selection leaves the pixel out.
-// `steps` has one place a pixel.
-void row_differences(const PicturePair& pair, int y, std::span<std::uint32_t> steps);
+// `steps` has one place a pixel. False if no step can be above 0, which is known sooner than the steps.
+bool row_differences(const PicturePair& pair, int y, std::span<std::uint32_t> steps);
 
 struct PixelAt {
   int x = 0, y = 0;

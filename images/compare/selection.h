@@ -35,12 +35,15 @@ public:
   Result<void> leave_out_black(const StoredImage& mask);
 
   bool everything() const { return left_out_.empty(); }
-  bool compares(int x, int y) const {
-    return left_out_.empty() || !left_out_[std::size_t(y) * std::size_t(width_) + std::size_t(x)];
-  }
+  bool compares(int x, int y) const { return left_out_.empty() || !left_out_[index(x, y)]; }
   std::uint64_t compared_pixels() const { return compared_; }
 
 private:
+  std::size_t index(int x, int y) const {
+    return std::size_t(y) * std::size_t(width_) + std::size_t(x);
+  }
+  void leave_out(std::size_t pixel);
+
   int width_, height_;
   std::uint64_t compared_;
   std::vector<bool> left_out_;  // empty: none
