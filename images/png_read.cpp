@@ -3,10 +3,13 @@
 #include <png.h>
 
 #include <algorithm>
+#include <bit>
 #include <csetjmp>
 #include <cstring>
 #include <string>
-#include <utility>
+#include <vector>
+
+#include <glassbox/images/image_size.h>
 
 namespace glassbox {
 namespace {
@@ -36,14 +39,27 @@ void read_bytes(png_structp png, png_bytep target, png_size_t size) {
   png_longjmp(png, 1);
 }
 
-void on_warning(png_structp, png_const_charp) {}
+// What libpng only warns about does no harm, except to tRNS: it would be left out, and with it the alpha.
+void on_warning(png_structp png, png_const_charp message) {
+  if (std::strncmp(message, "tRNS", 4) == 0) png_error(png, message);
+}
 
 struct Header {
   png_uint_32 width = 0, height = 0;
-  int bits_per_pixel = 0;
+  int bits_per_pixel = 0;  // in the file
 };
 
-// Both functions return false after an error, whose message is in the source.
+enum class Form { kRgba8, kStored };
+
+// How libpng hands over the pixels.
+struct Rows {
+  int passes = 0;
+  int channels = 0;
+  int bits_per_channel = 0;  // 8 or 16
+  std::size_t bytes_per_row = 0;
+};
+
+// The functions that call libpng return false after an error, whose message is in the source.
 bool read_header(png_structp png, png_infop info, Header& header) {
   if (setjmp(png_jmpbuf(png))) return false;
   png_read_info(png, info);
@@ -53,19 +69,31 @@ bool read_header(png_structp png, png_infop info, Header& header) {
   return true;
 }
 
-bool read_pixels(png_structp png, png_infop info, png_uint_32 height, Rgba8* pixels,
-                 std::size_t width) {
+bool start_rows(png_structp png, png_infop info, Form form, Rows& rows) {
   if (setjmp(png_jmpbuf(png))) return false;
-  png_set_expand(png);    // palettes, 1, 2 and 4 bits, tRNS
-  png_set_scale_16(png);  // the nearest 8-bit value
-  png_set_gray_to_rgb(png);
-  png_set_add_alpha(png, 255, PNG_FILLER_AFTER);
-  const int passes = png_set_interlace_handling(png);
+  png_set_expand(png);  // palettes, 1, 2 and 4 bits, tRNS
+  if (form == Form::kRgba8) {
+    png_set_scale_16(png);  // the nearest 8-bit value
+    png_set_gray_to_rgb(png);
+    png_set_add_alpha(png, 255, PNG_FILLER_AFTER);
+  } else if (std::endian::native == std::endian::little) {
+    png_set_swap(png);  // 16 bits are big-endian in the file
+  }
+  rows.passes = png_set_interlace_handling(png);
   png_read_update_info(png, info);
-  if (png_get_rowbytes(png, info) != width * sizeof(Rgba8)) png_error(png, "unexpected row size");
-  for (int pass = 0; pass < passes; ++pass) {
+  rows.channels = png_get_channels(png, info);
+  rows.bits_per_channel = png_get_bit_depth(png, info);
+  rows.bytes_per_row = png_get_rowbytes(png, info);
+  return true;
+}
+
+bool read_rows(png_structp png, const Rows& rows, png_uint_32 height, void* pixels,
+               std::size_t size) {
+  if (setjmp(png_jmpbuf(png))) return false;
+  if (rows.bytes_per_row * height != size) png_error(png, "unexpected row size");
+  for (int pass = 0; pass < rows.passes; ++pass) {
     for (png_uint_32 y = 0; y < height; ++y) {
-      png_read_row(png, reinterpret_cast<png_bytep>(pixels + y * width), nullptr);
+      png_read_row(png, static_cast<png_bytep>(pixels) + y * rows.bytes_per_row, nullptr);
     }
   }
   png_read_end(png, nullptr);
@@ -84,36 +112,40 @@ struct Reader {
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
   ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+
+  Error error() const {
+    return {{}, {}, std::string("not a valid PNG: ") + source.message, "save the image again"};
+  }
 };
 
-tl::unexpected<Error> bad_png(const Reader& reader) {
-  return fail("", std::string("not a valid PNG: ") + reader.source.message, "save the image again");
+// Everything before the pixels: afterwards the size is within the limits.
+Result<Header> start(Reader& reader, Form form, Rows& rows, const DecodeLimits& limits) {
+  if (!reader.info) return fail("", "libpng does not start", "free some memory");
+  const std::uint64_t bytes = reader.source.rest.size();
+  png_set_read_fn(reader.png, &reader.source, read_bytes);
+  // Comments, colour profiles, gamma and the like are skipped unread: samples are taken as stored, and what is skipped
+  // can be a bomb of its own. libpng still reads tRNS.
+  png_set_keep_unknown_chunks(reader.png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
+  png_set_user_limits(reader.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // check_image_size decides
+
+  Header header;
+  if (!read_header(reader.png, reader.info, header)) return tl::unexpected<Error>(reader.error());
+  const auto bits = std::uint64_t(std::max(header.bits_per_pixel, 1));
+  const auto fits =
+      check_image_size(header.width, header.height, bytes, kDeflateMaxRatio * 8 / bits, limits);
+  if (!fits) return tl::unexpected<Error>(fits.error());
+  if (!start_rows(reader.png, reader.info, form, rows)) {
+    return tl::unexpected<Error>(reader.error());
+  }
+  return header;
+}
+
+template <class T>
+bool fill(Reader& reader, const Header& header, const Rows& rows, std::vector<T>& pixels) {
+  return read_rows(reader.png, rows, header.height, pixels.data(), pixels.size() * sizeof(T));
 }
 
 }  // namespace
-
-Result<void> check_image_size(std::uint64_t width, std::uint64_t height, std::uint64_t bytes,
-                              std::uint64_t pixels_per_byte, const DecodeLimits& limits) {
-  const std::string size = std::to_string(width) + " x " + std::to_string(height) + " pixels";
-  if (width == 0 || height == 0) return fail("", "image of " + size, "give it a size above zero");
-  if (width > limits.max_side || height > limits.max_side) {
-    return fail(
-        "", "image of " + size + ", sides above the limit of " + std::to_string(limits.max_side),
-        "scale it down or raise the limit on the side");
-  }
-  // Sides are 32-bit numbers, so the product cannot overflow.
-  if (width * height > limits.max_pixels) {
-    return fail("",
-                "image of " + size + ", more than the limit of " +
-                    std::to_string(limits.max_pixels) + " in all",
-                "scale it down or raise the limit on pixels");
-  }
-  if (width * height / pixels_per_byte > bytes) {
-    return fail("", "image of " + size + " cannot fit into " + std::to_string(bytes) + " bytes",
-                "the file is cut off or its size field is wrong: save it again");
-  }
-  return {};
-}
 
 bool is_png(std::span<const std::byte> bytes) {
   return bytes.size() >= 8 &&
@@ -122,23 +154,27 @@ bool is_png(std::span<const std::byte> bytes) {
 
 Result<Image<Rgba8>> decode_png(std::span<const std::byte> bytes, const DecodeLimits& limits) {
   Reader reader(bytes);
-  if (!reader.info) return fail("", "libpng does not start", "free some memory");
-  png_set_read_fn(reader.png, &reader.source, read_bytes);
-  // Comments, colour profiles and the like are skipped unread: they can be bombs of their own.
-  png_set_keep_unknown_chunks(reader.png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
-  png_set_user_limits(reader.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // check_image_size decides
+  Rows rows;
+  const auto header = start(reader, Form::kRgba8, rows, limits);
+  if (!header) return tl::unexpected<Error>(header.error());
+  Image<Rgba8> image(int(header->width), int(header->height));
+  if (!fill(reader, *header, rows, image.pixels)) return tl::unexpected<Error>(reader.error());
+  return image;
+}
 
-  Header header;
-  if (!read_header(reader.png, reader.info, header)) return bad_png(reader);
-  const auto bits = std::uint64_t(std::max(header.bits_per_pixel, 1));
-  const auto fits = check_image_size(header.width, header.height, bytes.size(),
-                                     kDeflateMaxRatio * 8 / bits, limits);
-  if (!fits) return tl::unexpected<Error>(fits.error());
-
-  Image<Rgba8> image(int(header.width), int(header.height));
-  if (!read_pixels(reader.png, reader.info, header.height, image.pixels.data(), header.width)) {
-    return bad_png(reader);
-  }
+Result<StoredImage> decode_png_stored(std::span<const std::byte> bytes,
+                                      const DecodeLimits& limits) {
+  Reader reader(bytes);
+  Rows rows;
+  const auto header = start(reader, Form::kStored, rows, limits);
+  if (!header) return tl::unexpected<Error>(header.error());
+  StoredImage image{int(header->width), int(header->height), rows.channels, {}};
+  const std::size_t count = image.pixels() * std::size_t(image.channels);
+  const bool read =
+      rows.bits_per_channel == 16
+          ? fill(reader, *header, rows, image.samples.emplace<std::vector<std::uint16_t>>(count))
+          : fill(reader, *header, rows, image.samples.emplace<std::vector<std::uint8_t>>(count));
+  if (!read) return tl::unexpected<Error>(reader.error());
   return image;
 }
 

@@ -1,11 +1,15 @@
 #include <glassbox/images/pnm.h>
 
 #include <bit>
-#include <cctype>
 #include <charconv>
+#include <concepts>
 #include <cstring>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
 
-#include <glassbox/images/png_read.h>
+#include <glassbox/images/image_size.h>
 #include <glassbox/images/read.h>
 #include <glassbox/images/write.h>
 
@@ -24,103 +28,46 @@ std::string size_line(int width, int height) {
   return std::to_string(width) + " " + std::to_string(height) + "\n";
 }
 
-void put_float(std::byte*& out, float value) {  // little-endian on every machine
-  const auto bits = std::bit_cast<std::uint32_t>(value);
-  for (int shift = 0; shift < 32; shift += 8) *out++ = std::byte(bits >> shift & 0xff);
-}
-void put(std::byte*& out, float pixel) {
-  put_float(out, pixel);
-}
-void put(std::byte*& out, const Rgb32f& pixel) {
-  put_float(out, pixel.r);
-  put_float(out, pixel.g);
-  put_float(out, pixel.b);
+// Floats of a file: little-endian where `little`.
+void copy_floats(const std::byte* from, bool little, std::byte* to, std::size_t count) {
+  if (little == (std::endian::native == std::endian::little)) {
+    std::memcpy(to, from, count * sizeof(float));
+    return;
+  }
+  // As bytes, so that no NaN passes through a register that would change it.
+  for (std::size_t i = 0; i < count; ++i, from += 4, to += 4) {
+    for (int k = 0; k < 4; ++k) to[k] = from[3 - k];
+  }
 }
 
-template <class Pixel>
-std::vector<std::byte> encode_pfm_as(const char* magic, const Image<Pixel>& image) {
+// Floats in memory, rows top-down, to a file with its rows bottom-up.
+std::vector<std::byte> encode_floats(int width, int height, int channels, const void* samples) {
   const std::string header =
-      std::string(magic) + "\n" + size_line(image.width, image.height) + "-1.0\n";
-  std::vector<std::byte> bytes = with_header(header, image.pixels.size() * sizeof(Pixel));
+      (channels == 1 ? "Pf\n" : "PF\n") + size_line(width, height) + "-1.0\n";
+  const std::size_t row = std::size_t(width) * std::size_t(channels);
+  const std::size_t rows = std::size_t(height);
+  std::vector<std::byte> bytes = with_header(header, row * rows * sizeof(float));
   std::byte* out = bytes.data() + header.size();
-  for (int y = image.height; y-- > 0;) {
-    for (int x = 0; x < image.width; ++x) put(out, image.at(x, y));
+  for (std::size_t y = rows; y-- > 0; out += row * sizeof(float)) {
+    const auto* in = static_cast<const std::byte*>(samples) + y * row * sizeof(float);
+    copy_floats(in, true, out, row);  // swapping is the same in both directions
   }
   return bytes;
-}
-
-float get_float(const std::byte* in, bool little_endian) {
-  std::uint32_t bits = 0;
-  for (int i = 0; i < 4; ++i) bits = bits << 8 | std::uint32_t(in[little_endian ? 3 - i : i]);
-  return std::bit_cast<float>(bits);
-}
-void get(const std::byte*& in, bool little_endian, float& pixel) {
-  pixel = get_float(in, little_endian);
-  in += 4;
-}
-void get(const std::byte*& in, bool little_endian, Rgb32f& pixel) {
-  for (float* channel : {&pixel.r, &pixel.g, &pixel.b}) get(in, little_endian, *channel);
 }
 
 tl::unexpected<Error> bad_header() {
   return fail("", "not a valid PPM, PGM or PFM header", "save the image again");
 }
 
-Result<void> check_samples(const NetpbmHeader& header, Bytes bytes, std::uint64_t pixel_bytes) {
-  const std::uint64_t needed = header.width * header.height * pixel_bytes;
-  if (bytes.size() - header.size >= needed) return {};
-  return fail("",
-              "the file is cut off: " + std::to_string(bytes.size() - header.size) + " of " +
-                  std::to_string(needed) + " bytes of samples",
-              "save the image again");
-}
+struct NetpbmHeader {
+  std::string magic;        // "P6"
+  std::uint64_t width = 0;  // px
+  std::uint64_t height = 0;
+  std::string last;      // the largest sample of PPM and PGM, the scale of PFM
+  std::size_t size = 0;  // bytes before the first sample
+};
 
-template <class Pixel>
-Result<Image<Pixel>> decode_pfm_as(const char* magic, Bytes bytes, const DecodeLimits& limits) {
-  const auto header = read_netpbm_header(bytes, limits);
-  if (!header) return tl::unexpected<Error>(header.error());
-  if (header->magic != magic) {
-    return fail("", "a " + header->magic + " file where " + magic + " is expected",
-                "Pf is PFM with one channel, PF with three");
-  }
-  double scale = 0;
-  const char* end = header->last.data() + header->last.size();
-  const auto parsed = std::from_chars(header->last.data(), end, scale);
-  if (parsed.ec != std::errc{} || parsed.ptr != end || !(scale < 0 || scale > 0)) {
-    return bad_header();
-  }
-  const auto whole = check_samples(*header, bytes, sizeof(Pixel));
-  if (!whole) return tl::unexpected<Error>(whole.error());
-
-  Image<Pixel> image(int(header->width), int(header->height));
-  const std::byte* in = bytes.data() + header->size;
-  for (int y = image.height; y-- > 0;) {
-    for (int x = 0; x < image.width; ++x) get(in, scale < 0, image.at(x, y));
-  }
-  return image;
-}
-
-}  // namespace
-
-std::vector<std::byte> encode_ppm(const Image<Rgba8>& image) {
-  const std::string header = "P6\n" + size_line(image.width, image.height) + "255\n";
-  std::vector<std::byte> bytes = with_header(header, image.pixels.size() * 3);
-  std::byte* out = bytes.data() + header.size();
-  for (const Rgba8& pixel : image.pixels) {
-    *out++ = std::byte{pixel.r};
-    *out++ = std::byte{pixel.g};
-    *out++ = std::byte{pixel.b};
-  }
-  return bytes;
-}
-
-std::vector<std::byte> encode_pfm(const Image<float>& image) {
-  return encode_pfm_as("Pf", image);
-}
-std::vector<std::byte> encode_pfm(const Image<Rgb32f>& image) {
-  return encode_pfm_as("PF", image);
-}
-
+// Reads the header and checks the size against the limits.
 Result<NetpbmHeader> read_netpbm_header(Bytes bytes, const DecodeLimits& limits) {
   constexpr std::size_t kLongestWord = 32;
   NetpbmHeader header;
@@ -158,17 +105,84 @@ Result<NetpbmHeader> read_netpbm_header(Bytes bytes, const DecodeLimits& limits)
   // Exactly one separator stands before the samples, which may look like white space themselves.
   if (header.last.empty() || !is_space(character())) return bad_header();
   header.size = at + 1;
-  // At least a byte a pixel; check_samples knows how many.
+  // At least a byte a pixel; sample_bytes_of knows how many.
   const auto fits = check_image_size(header.width, header.height, bytes.size(), 1, limits);
   if (!fits) return tl::unexpected<Error>(fits.error());
   return header;
 }
 
-Result<Image<Rgba8>> decode_pnm(Bytes bytes, const DecodeLimits& limits) {
+// The bytes after the header, when there are enough of them.
+Result<const std::byte*> samples_of(const NetpbmHeader& header, Bytes bytes,
+                                    std::uint64_t pixel_bytes) {
+  const std::uint64_t needed = header.width * header.height * pixel_bytes;
+  const Bytes rest = bytes.subspan(header.size);
+  if (rest.size() >= needed) return rest.data();
+  return fail("",
+              "the file is cut off: " + std::to_string(rest.size()) + " of " +
+                  std::to_string(needed) + " bytes of samples",
+              "save the image again");
+}
+
+struct PfmFile {
+  int width = 0, height = 0, channels = 0;
+  bool little_endian = false;
+  const std::byte* samples = nullptr;
+};
+
+Result<PfmFile> open_pfm(Bytes bytes, const DecodeLimits& limits) {
   const auto header = read_netpbm_header(bytes, limits);
   if (!header) return tl::unexpected<Error>(header.error());
-  const bool colour = header->magic == "P6";
-  if (!colour && header->magic != "P5") {
+  if (header->magic != "Pf" && header->magic != "PF") {
+    return fail("", "a " + header->magic + " file where Pf or PF is expected",
+                "Pf is PFM with one channel, PF with three");
+  }
+  double scale = 0;
+  const char* end = header->last.data() + header->last.size();
+  const auto parsed = std::from_chars(header->last.data(), end, scale);
+  if (parsed.ec != std::errc{} || parsed.ptr != end || !(scale < 0 || scale > 0)) {
+    return bad_header();
+  }
+  const int channels = header->magic == "Pf" ? 1 : 3;
+  const auto samples = samples_of(*header, bytes, std::uint64_t(channels) * sizeof(float));
+  if (!samples) return tl::unexpected<Error>(samples.error());
+  return PfmFile{int(header->width), int(header->height), channels, scale < 0, *samples};
+}
+
+// `pixels` has room for every sample.
+void read_floats(const PfmFile& file, void* pixels) {
+  const std::size_t row = std::size_t(file.width) * std::size_t(file.channels);
+  const std::byte* in = file.samples;
+  for (std::size_t y = std::size_t(file.height); y-- > 0; in += row * sizeof(float)) {
+    auto* out = static_cast<std::byte*>(pixels) + y * row * sizeof(float);
+    copy_floats(in, file.little_endian, out, row);
+  }
+}
+
+template <class Pixel>
+Result<Image<Pixel>> decode_pfm_as(const char* magic, Bytes bytes, const DecodeLimits& limits) {
+  static_assert(sizeof(Rgb32f) == 3 * sizeof(float));
+  const auto file = open_pfm(bytes, limits);
+  if (!file) return tl::unexpected<Error>(file.error());
+  if (std::size_t(file->channels) * sizeof(float) != sizeof(Pixel)) {
+    const std::string other = file->channels == 1 ? "Pf" : "PF";
+    return fail("", "a " + other + " file where " + magic + " is expected",
+                "Pf is PFM with one channel, PF with three");
+  }
+  Image<Pixel> image(file->width, file->height);
+  read_floats(*file, image.pixels.data());
+  return image;
+}
+
+struct PnmFile {
+  int width = 0, height = 0, channels = 0;
+  std::uint32_t largest = 0;  // the sample that stands for full
+  const std::byte* samples = nullptr;
+};
+
+Result<PnmFile> open_pnm(Bytes bytes, const DecodeLimits& limits) {
+  const auto header = read_netpbm_header(bytes, limits);
+  if (!header) return tl::unexpected<Error>(header.error());
+  if (header->magic != "P5" && header->magic != "P6") {
     return fail("", "a " + header->magic + " file where P5 or P6 is expected", "convert it to PNG");
   }
   std::uint32_t largest = 0;
@@ -177,22 +191,104 @@ Result<Image<Rgba8>> decode_pnm(Bytes bytes, const DecodeLimits& limits) {
   if (parsed.ec != std::errc{} || parsed.ptr != end || largest == 0 || largest > 65535) {
     return bad_header();
   }
-  const std::size_t sample_bytes = largest > 255 ? 2 : 1;  // big-endian
-  const auto whole = check_samples(*header, bytes, sample_bytes * (colour ? 3 : 1));
-  if (!whole) return tl::unexpected<Error>(whole.error());
+  const int channels = header->magic == "P6" ? 3 : 1;
+  const auto samples =
+      samples_of(*header, bytes, std::uint64_t(channels) * (largest > 255 ? 2 : 1));
+  if (!samples) return tl::unexpected<Error>(samples.error());
+  return PnmFile{int(header->width), int(header->height), channels, largest, *samples};
+}
 
-  const std::byte* in = bytes.data() + header->size;
-  const auto sample = [&] {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < sample_bytes; ++i) value = value << 8 | std::uint32_t(*in++);
-    value = value < largest ? value : largest;
-    return std::uint8_t((value * 255 + largest / 2) / largest);  // to the nearest
-  };
-  Image<Rgba8> image(int(header->width), int(header->height));
+// The samples of a file one by one, as the nearest of 0 ... the largest Sample.
+template <std::unsigned_integral Sample>
+class SampleReader {
+public:
+  explicit SampleReader(const PnmFile& file) : in_(file.samples), largest_(file.largest) {}
+
+  Sample next() {
+    std::uint32_t value = std::uint32_t(*in_++);
+    if (largest_ > 255) value = value << 8 | std::uint32_t(*in_++);  // big-endian
+    value = value < largest_ ? value : largest_;
+    return Sample((value * kFull + largest_ / 2) / largest_);  // below 2^16 * 2^16
+  }
+
+private:
+  static constexpr std::uint32_t kFull = std::numeric_limits<Sample>::max();
+  const std::byte* in_;
+  std::uint32_t largest_;
+};
+
+template <class Sample>
+std::vector<Sample> read_samples(const PnmFile& file, std::size_t count) {
+  std::vector<Sample> samples(count);
+  SampleReader<Sample> reader(file);
+  for (Sample& sample : samples) sample = reader.next();
+  return samples;
+}
+
+}  // namespace
+
+bool is_pnm(Bytes bytes) {
+  return bytes.size() >= 2 && bytes[0] == std::byte{'P'} &&
+         (bytes[1] == std::byte{'5'} || bytes[1] == std::byte{'6'});
+}
+
+bool is_pfm(Bytes bytes) {
+  return bytes.size() >= 2 && bytes[0] == std::byte{'P'} &&
+         (bytes[1] == std::byte{'f'} || bytes[1] == std::byte{'F'});
+}
+
+std::vector<std::byte> encode_ppm(const Image<Rgba8>& image) {
+  const std::string header = "P6\n" + size_line(image.width, image.height) + "255\n";
+  std::vector<std::byte> bytes = with_header(header, image.pixels.size() * 3);
+  std::byte* out = bytes.data() + header.size();
+  for (const Rgba8& pixel : image.pixels) {
+    *out++ = std::byte{pixel.r};
+    *out++ = std::byte{pixel.g};
+    *out++ = std::byte{pixel.b};
+  }
+  return bytes;
+}
+
+std::vector<std::byte> encode_pfm(const Image<float>& image) {
+  return encode_floats(image.width, image.height, 1, image.pixels.data());
+}
+std::vector<std::byte> encode_pfm(const Image<Rgb32f>& image) {
+  return encode_floats(image.width, image.height, 3, image.pixels.data());
+}
+Result<std::vector<std::byte>> encode_pfm(const StoredImage& image) {
+  const auto* samples = std::get_if<std::vector<float>>(&image.samples);
+  if (!samples || (image.channels != 1 && image.channels != 3)) {
+    return fail("", channel_names(image) + " of " + format_name(image) + " cannot be a PFM",
+                "write a PNG instead");
+  }
+  if (samples->size() != image.pixels() * std::size_t(image.channels)) {
+    return fail("", "the image has not as many samples as its size says", "fill all of it");
+  }
+  return encode_floats(image.width, image.height, image.channels, samples->data());
+}
+
+Result<Image<Rgba8>> decode_pnm(Bytes bytes, const DecodeLimits& limits) {
+  const auto file = open_pnm(bytes, limits);
+  if (!file) return tl::unexpected<Error>(file.error());
+  Image<Rgba8> image(file->width, file->height);
+  SampleReader<std::uint8_t> reader(*file);
   for (Rgba8& pixel : image.pixels) {
-    pixel.r = sample();
-    pixel.g = colour ? sample() : pixel.r;
-    pixel.b = colour ? sample() : pixel.r;
+    pixel.r = reader.next();
+    pixel.g = file->channels == 3 ? reader.next() : pixel.r;
+    pixel.b = file->channels == 3 ? reader.next() : pixel.r;
+  }
+  return image;
+}
+
+Result<StoredImage> decode_pnm_stored(Bytes bytes, const DecodeLimits& limits) {
+  const auto file = open_pnm(bytes, limits);
+  if (!file) return tl::unexpected<Error>(file.error());
+  StoredImage image{file->width, file->height, file->channels, {}};
+  const std::size_t count = image.pixels() * std::size_t(image.channels);
+  if (file->largest > 255) {
+    image.samples = read_samples<std::uint16_t>(*file, count);
+  } else {
+    image.samples = read_samples<std::uint8_t>(*file, count);
   }
   return image;
 }
@@ -202,6 +298,15 @@ Result<Image<float>> decode_pfm(Bytes bytes, const DecodeLimits& limits) {
 }
 Result<Image<Rgb32f>> decode_pfm_rgb(Bytes bytes, const DecodeLimits& limits) {
   return decode_pfm_as<Rgb32f>("PF", bytes, limits);
+}
+Result<StoredImage> decode_pfm_stored(Bytes bytes, const DecodeLimits& limits) {
+  const auto file = open_pfm(bytes, limits);
+  if (!file) return tl::unexpected<Error>(file.error());
+  StoredImage image{file->width, file->height, file->channels, {}};
+  std::vector<float> samples(image.pixels() * std::size_t(image.channels));
+  read_floats(*file, samples.data());
+  image.samples = std::move(samples);
+  return image;
 }
 
 }  // namespace glassbox

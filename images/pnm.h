@@ -1,25 +1,18 @@
-// What the PPM and PFM readers share: a header of words and numbers, then raw samples.
+// The PPM, PGM and PFM part of read.h and stored_image.h.
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
-#include <string>
 
 #include <glassbox/images/decode.h>
+#include <glassbox/images/stored_image.h>
 
 namespace glassbox {
 
-struct NetpbmHeader {
-  std::string magic;        // "P6"
-  std::uint64_t width = 0;  // px
-  std::uint64_t height = 0;
-  std::string last;      // the largest sample of PPM and PGM, the scale of PFM
-  std::size_t size = 0;  // bytes before the first sample
-};
+bool is_pnm(std::span<const std::byte> bytes);  // starts with P5 or P6
+bool is_pfm(std::span<const std::byte> bytes);  // starts with Pf or PF
 
-// Reads the header and checks the size against the limits.
-Result<NetpbmHeader> read_netpbm_header(std::span<const std::byte> bytes,
-                                        const DecodeLimits& limits);
+Result<StoredImage> decode_pnm_stored(std::span<const std::byte> bytes, const DecodeLimits& limits);
+Result<StoredImage> decode_pfm_stored(std::span<const std::byte> bytes, const DecodeLimits& limits);
 
 }  // namespace glassbox

@@ -8,6 +8,10 @@
 #include <cstring>
 #include <memory>
 
+#include <glassbox/images/out_of_memory.h>
+#include <glassbox/images/pnm.h>
+#include <glassbox/images/stored_image.h>
+
 namespace glassbox {
 namespace {
 
@@ -16,21 +20,29 @@ tl::unexpected<Error> file_error(const std::string& path, std::string cause, std
 }
 
 // Reads a file, decodes it and names it in the error.
-template <class Pixel>
-Result<Image<Pixel>> read_as(const std::string& path, const DecodeLimits& limits,
-                             Result<Image<Pixel>> (*decode)(std::span<const std::byte>,
-                                                            const DecodeLimits&)) {
-  const auto bytes = read_file(path);
-  if (!bytes) return tl::unexpected<Error>(bytes.error());
-  auto image = decode(*bytes, limits);
-  if (!image) image.error().file = path;
-  return image;
+template <class Picture>
+Result<Picture> read_as(const std::string& path, const DecodeLimits& limits,
+                        Result<Picture> (*decode)(std::span<const std::byte>, const DecodeLimits&),
+                        std::uint64_t max_bytes = std::uint64_t(1) << 30) {
+  auto picture = unless_out_of_memory([&]() -> Result<Picture> {
+    const auto bytes = read_file(path, max_bytes);
+    if (!bytes) return tl::unexpected<Error>(bytes.error());
+    return decode(*bytes, limits);
+  });
+  if (!picture) picture.error().file = path;
+  return picture;
 }
 
 Result<Image<Rgba8>> decode_any(std::span<const std::byte> bytes, const DecodeLimits& limits) {
-  const bool pnm = bytes.size() >= 2 && bytes[0] == std::byte{'P'} &&
-                   (bytes[1] == std::byte{'5'} || bytes[1] == std::byte{'6'});
-  return pnm ? decode_pnm(bytes, limits) : decode_image(bytes, limits);
+  return is_pnm(bytes) ? decode_pnm(bytes, limits) : decode_image(bytes, limits);
+}
+
+// The longest file of an image within the limits: the widest pixel is three floats, and a sixteenth and a MiB more hold
+// headers, filter bytes, text, and what deflate adds to noise.
+std::uint64_t longest_file(const DecodeLimits& limits) {
+  constexpr std::uint64_t kMostPixels = std::uint64_t(1) << 32;  // keeps the product small
+  const std::uint64_t samples = std::min(limits.max_pixels, kMostPixels) * sizeof(Rgb32f);
+  return samples + samples / 16 + (std::uint64_t(1) << 20);
 }
 
 }  // namespace
@@ -46,6 +58,11 @@ Result<std::vector<std::byte>> read_file(const std::string& path, std::uint64_t 
     return file_error(path, std::string("cannot be opened: ") + std::strerror(errno),
                       "check the name and the permissions");
   }
+  const auto too_long = [&] {
+    return file_error(path, "has more than " + std::to_string(max_bytes) + " bytes",
+                      "use a smaller file or raise the limit");
+  };
+  if (S_ISREG(status.st_mode) && std::uint64_t(status.st_size) > max_bytes) return too_long();
   // In growing pieces, because a pipe has no size and a size may lie.
   std::vector<std::byte> bytes;
   std::size_t piece = S_ISREG(status.st_mode) ? std::size_t(status.st_size) + 1 : 65536;
@@ -60,23 +77,23 @@ Result<std::vector<std::byte>> read_file(const std::string& path, std::uint64_t 
       return file_error(path, std::string("cannot be read: ") + std::strerror(errno),
                         "check the disk");
     }
-    if (bytes.size() > max_bytes) {
-      return file_error(path, "has more than " + std::to_string(max_bytes) + " bytes",
-                        "use a smaller file or raise the limit");
-    }
+    if (bytes.size() > max_bytes) return too_long();
     if (!full) return bytes;
     piece = std::max<std::size_t>(bytes.size(), 65536);
   }
 }
 
 Result<Image<Rgba8>> read_image(const std::string& path, const DecodeLimits& limits) {
-  return read_as<Rgba8>(path, limits, &decode_any);
+  return read_as<Image<Rgba8>>(path, limits, &decode_any);
 }
 Result<Image<float>> read_pfm(const std::string& path, const DecodeLimits& limits) {
-  return read_as<float>(path, limits, &decode_pfm);
+  return read_as<Image<float>>(path, limits, &decode_pfm);
 }
 Result<Image<Rgb32f>> read_pfm_rgb(const std::string& path, const DecodeLimits& limits) {
-  return read_as<Rgb32f>(path, limits, &decode_pfm_rgb);
+  return read_as<Image<Rgb32f>>(path, limits, &decode_pfm_rgb);
+}
+Result<StoredImage> read_stored(const std::string& path, const DecodeLimits& limits) {
+  return read_as<StoredImage>(path, limits, &decode_stored, longest_file(limits));
 }
 
 }  // namespace glassbox

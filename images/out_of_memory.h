@@ -1,0 +1,26 @@
+// Where a picture may be larger than the memory: an error instead of an exception.
+#pragma once
+
+#include <new>
+#include <stdexcept>
+
+#include <glassbox/base/error.h>
+
+namespace glassbox {
+
+// What `make` returns, a Result.
+template <class Make>
+auto unless_out_of_memory(Make make) -> decltype(make()) {
+  const auto refused = [] {
+    return fail("", "needs more memory than there is", "free some memory or scale it down");
+  };
+  try {
+    return make();
+  } catch (const std::bad_alloc&) {
+    return refused();
+  } catch (const std::length_error&) {
+    return refused();
+  }
+}
+
+}  // namespace glassbox

@@ -1,0 +1,20 @@
+// The JPEG, BMP and TGA part of decode.h and stored_image.h.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include <glassbox/images/decode.h>
+#include <glassbox/images/stored_image.h>
+
+namespace glassbox {
+
+// Whether the bytes start like a JPEG, BMP or TGA file. TGA has no signature: a plausible header is all there is.
+bool is_stb_format(std::span<const std::byte> bytes);
+
+// Of such bytes.
+Result<Image<Rgba8>> decode_with_stb(std::span<const std::byte> bytes, const DecodeLimits& limits);
+Result<StoredImage> decode_stored_with_stb(std::span<const std::byte> bytes,
+                                           const DecodeLimits& limits);
+
+}  // namespace glassbox
