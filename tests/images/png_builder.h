@@ -25,6 +25,10 @@ inline std::uint32_t crc32(std::span<const std::uint8_t> bytes) {
   return ~crc;
 }
 
+inline Bytes png_signature() {
+  return {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+}
+
 inline void put_chunk(Bytes& png, const std::string& type, const Bytes& data) {
   put32(png, std::uint32_t(data.size()));
   Bytes checked(type.begin(), type.end());
@@ -60,16 +64,20 @@ struct PngParts {
   Bytes palette = {};            // PLTE, left out when empty
   Bytes transparency = {};       // tRNS, left out when empty
   Bytes rows = {};               // each row with its filter byte before it
+  bool interlaced = false;       // the rows are then those of the seven passes
+  Bytes extra = {};              // whole chunks, put before PLTE
 };
 
 inline Bytes build_png(const PngParts& parts) {
-  Bytes png{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+  Bytes png = png_signature();
   Bytes header;
   put32(header, parts.width);
   put32(header, parts.height);
   for (const std::uint8_t byte : {parts.bit_depth, parts.colour_type}) header.push_back(byte);
-  header.resize(13);  // deflate, adaptive filters, not interlaced
+  header.resize(13);  // deflate, adaptive filters
+  header[12] = parts.interlaced ? 1 : 0;
   put_chunk(png, "IHDR", header);
+  png.insert(png.end(), parts.extra.begin(), parts.extra.end());
   if (!parts.palette.empty()) put_chunk(png, "PLTE", parts.palette);
   if (!parts.transparency.empty()) put_chunk(png, "tRNS", parts.transparency);
   put_chunk(png, "IDAT", stored(parts.rows));
