@@ -48,6 +48,7 @@ std::array<double, N> parse_numbers(const std::string& option, const std::string
   return numbers;
 }
 
+template std::array<double, 2> parse_numbers<2>(const std::string&, const std::string&);
 template std::array<double, 3> parse_numbers<3>(const std::string&, const std::string&);
 template std::array<double, 4> parse_numbers<4>(const std::string&, const std::string&);
 

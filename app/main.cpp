@@ -7,8 +7,10 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "app/diff_command.h"
 #include "app/exit_codes.h"
 #include "app/info_command.h"
+#include "app/pixel_command.h"
 #include "app/render_command.h"
 
 namespace glassbox::app {
@@ -22,7 +24,7 @@ int bad_usage(const CLI::App& app, const CLI::ParseError& error) {
   const bool no_command =
       chosen.empty() && dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
   fmt::print(stderr, "glassbox: {}{}; {} --help shows what there is\n", error.what(),
-             no_command ? " (the subcommands are render and info)" : "", command);
+             no_command ? " (the subcommands are render, info, pixel and diff)" : "", command);
   return kBadInput;
 }
 
@@ -36,8 +38,12 @@ int run(int argc, char** argv) {
   int exit_code = kSuccess;
   RenderCommand render;
   InfoCommand info;
+  PixelCommand pixel;
+  DiffCommand diff;
   render.add_to(app, exit_code);
   info.add_to(app, exit_code);
+  pixel.add_to(app, exit_code);
+  diff.add_to(app, exit_code);
   app.require_subcommand(0, 1);
 
   try {

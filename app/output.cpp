@@ -12,15 +12,18 @@
 
 namespace glassbox::app {
 
-Result<void> write_json(const std::string& target, const nlohmann::ordered_json& json) {
-  // Names come from files and may be anything but UTF-8; they are written with replacement characters then.
-  const std::string text =
-      json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+Result<void> write_text(const std::string& target, const std::string& text) {
   if (target == "-") {
     fmt::print("{}", text);
     return {};
   }
   return write_file(target, std::as_bytes(std::span(text)));
+}
+
+Result<void> write_json(const std::string& target, const nlohmann::ordered_json& json) {
+  // Names come from files and may be anything but UTF-8; they are written with replacement characters then.
+  return write_text(
+      target, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 Result<void> check_extension(const std::string& path, const std::string& extension) {

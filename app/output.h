@@ -13,6 +13,9 @@ namespace glassbox::app {
 // `target` is a path, or "-" for standard output.
 Result<void> write_json(const std::string& target, const nlohmann::ordered_json& json);
 
+// The same for text that stands as it is.
+Result<void> write_text(const std::string& target, const std::string& text);
+
 // An error if `path` does not end in `extension` (".pfm"), in either case.
 Result<void> check_extension(const std::string& path, const std::string& extension);
 

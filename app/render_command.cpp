@@ -1,7 +1,6 @@
 #include "app/render_command.h"
 
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -10,10 +9,12 @@
 #include "app/builtin_help.h"
 #include "app/exit_codes.h"
 #include "app/output.h"
+#include "app/program_name.h"
 #include "app/progress.h"
 #include "app/stage_report.h"
 
 #include <glassbox/images/atomic_file.h>
+#include <glassbox/images/recipe.h>
 #include <glassbox/images/write.h>
 #include <glassbox/mesh/load.h>
 #include <glassbox/mesh/triangulate.h>
@@ -75,11 +76,9 @@ const char* why_empty(const Statistics& s) {
   return "nothing of the scene is in this picture; without camera options it is framed whole";
 }
 
-// What to try after the first picture, by the name under which the user called the program: the launcher in a clone
-// hands over its own.
+// What to try after the first picture.
 std::string next_steps() {
-  const char* invoked_as = std::getenv("GLASSBOX_INVOKED_AS");
-  const std::string program = invoked_as != nullptr ? invoked_as : "glassbox";
+  const std::string program = program_name();
   const auto line = [&](const std::string& arguments, const std::string& purpose) {
     return fmt::format("  {:<56}{}\n", program + " " + arguments, purpose);
   };
@@ -105,53 +104,7 @@ void RenderCommand::add_to(CLI::App& app, int& exit_code) {
       ->required();
   command.add_option("-o,--output", output_, "image file, .png or .ppm [SCENE.png]")
       ->type_name("FILE");
-  command
-      .add_option_function<std::string>(
-          "--size", [this](const std::string& text) { size_ = parse_size(text); },
-          "image size in pixels [1280x720]")
-      ->type_name("WxH");
-  add_camera_options(command, camera_);
-
-  const std::string picture = "Picture";
-  add_choice(command, "--shade", settings_.shading,
-             {{"unlit", Shading::kUnlit},
-              {"flat", Shading::kFlat},
-              {"gouraud", Shading::kGouraud},
-              {"phong", Shading::kPhong}},
-             "where lighting is computed [phong]")
-      ->group(picture);
-  add_choice(command, "--show", settings_.show,
-             {{"depth", Show::kDepth},
-              {"normal", Show::kNormal},
-              {"uv", Show::kUv},
-              {"id", Show::kId},
-              {"overdraw", Show::kOverdraw}},
-             "a quantity in place of the colours")
-      ->group(picture);
-  add_choice(command, "--cull", settings_.cull,
-             {{"back", Cull::kBack}, {"front", Cull::kFront}, {"none", Cull::kNone}},
-             "faces to leave out [as each material says]")
-      ->group(picture);
-  command.add_flag("--wireframe", settings_.wireframe, "the edges of triangles only")
-      ->group(picture);
-  command
-      .add_option_function<std::string>(
-          "--background",
-          [this](const std::string& text) { settings_.background = parse_background(text); },
-          "background as displayed, each 0 .. 1 [0.1,0.12,0.15]")
-      ->type_name("R,G,B")
-      ->group(picture);
-  add_choice(command, "--transfer", settings_.transfer,
-             {{"srgb", Transfer::kSrgb}, {"none", Transfer::kNone}},
-             "encoding of stored colours [srgb]")
-      ->group(picture);
-  add_choice(command, "--depth", settings_.depth,
-             {{"d32", DepthFormat::kFloat32},
-              {"d32r", DepthFormat::kFloat32Reversed},
-              {"d24", DepthFormat::kUnorm24},
-              {"d16", DepthFormat::kUnorm16}},
-             "depth buffer format; d32r is reversed [d32]")
-      ->group(picture);
+  add_picture_options(command, picture_);
 
   const std::string outputs = "Other outputs";
   command
@@ -187,6 +140,11 @@ Result<void> RenderCommand::check_other_outputs(const std::string& image) const 
   return check_outputs(paths);
 }
 
+// So that others can tell how the picture was made.
+std::vector<TextEntry> RenderCommand::recipe_text() const {
+  return to_text(Recipe{scene_, words_given(picture_), GLASSBOX_VERSION});
+}
+
 int RenderCommand::run() {
   const Clock::time_point start = Clock::now();
   const std::string output = output_.empty() ? default_output(scene_) : output_;
@@ -202,13 +160,8 @@ int RenderCommand::run() {
   }
   const double load_ms = elapsed_ms(start);
 
-  const Result<Camera> camera =
-      choose_camera(*scene, camera_, double(size_.width) / double(size_.height));
-  if (!camera) return refuse(camera.error());
-  const DepthRange range = settings_.depth == DepthFormat::kFloat32Reversed ? DepthRange::kReversed
-                                                                            : DepthRange::kStandard;
-  const Result<View> view = make_view(*camera, size_.width, size_.height, range);
-  if (!view) return refuse(view.error());
+  const Result<ChosenView> chosen = choose_view(*scene, picture_);
+  if (!chosen) return refuse(chosen.error());
 
   if (id_output_ && count_triangles(*scene) > kMaxIdTriangles) {
     return refuse({scene_, "--id-out",
@@ -217,13 +170,15 @@ int RenderCommand::run() {
                    "leave --id-out out, or split the scene"});
   }
 
-  settings_.want_distance = depth_output_.has_value();
-  settings_.want_id = id_output_.has_value();
+  RenderSettings settings = picture_.settings;
+  settings.want_distance = depth_output_.has_value();
+  settings.want_id = id_output_.has_value();
   progress.phase(fmt::format("rendering {} triangles", count_triangles(*scene)));
-  const Rendering rendering = render_staged(*scene, *view, settings_);
+  const Rendering rendering = render_staged(*scene, chosen->view, settings);
   progress.phase("writing " + output);
-  if (const auto written = write_image(output, rendering.buffers.color); !written)
+  if (const auto written = write_image(output, rendering.buffers.color, recipe_text()); !written) {
     return refuse(written.error());
+  }
   if (depth_output_) {
     const auto written = write_file(*depth_output_, encode_pfm(rendering.buffers.distance));
     if (!written) return refuse(written.error());
@@ -241,9 +196,9 @@ int RenderCommand::run() {
   if (json_output_) {
     Json json{{"scene", scene_},
               {"image", output},
-              {"width", size_.width},
-              {"height", size_.height},
-              {"camera", camera_json(*camera, *view)},
+              {"width", picture_.size.width},
+              {"height", picture_.size.height},
+              {"camera", camera_json(chosen->camera, chosen->view)},
               {"stages", to_json(rendering.statistics)},
               {"load_ms", load_ms},
               {"total_ms", total_ms}};
@@ -256,8 +211,8 @@ int RenderCommand::run() {
     fmt::print("  {:<26}{:>12.1f} ms\n", "loading the scene", load_ms);
     fmt::print("  {:<26}{:>12.1f} ms\n\n", "everything", total_ms);
   }
-  fmt::print("{} ({} x {}): {} triangles, {:.0f} ms\n", output, size_.width, size_.height,
-             rendering.statistics.triangles, total_ms);
+  fmt::print("{} ({} x {}): {} triangles, {:.0f} ms\n", output, picture_.size.width,
+             picture_.size.height, rendering.statistics.triangles, total_ms);
   if (first_time_) fmt::print("\n{}", next_steps());
   return kSuccess;
 }

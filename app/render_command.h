@@ -3,15 +3,15 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
-#include "app/arguments.h"
-#include "app/camera_options.h"
+#include "app/picture_options.h"
 
 #include <glassbox/base/error.h>
+#include <glassbox/images/write.h>
 #include <glassbox/mesh/limits.h>
-#include <glassbox/render/settings.h>
 
 namespace glassbox::app {
 
@@ -25,14 +25,13 @@ public:
 
 private:
   int run();
+  std::vector<TextEntry> recipe_text() const;
   // The paths of all outputs, as far as they can be judged before anything is computed.
   Result<void> check_other_outputs(const std::string& image) const;
 
   std::string scene_ = "teapot";
   std::string output_;  // empty: named after the scene
-  Size size_;
-  CameraOptions camera_;
-  RenderSettings settings_;
+  PictureOptions picture_;
   LoadLimits limits_;
   std::optional<std::string> depth_output_;
   std::optional<std::string> id_output_;

@@ -2,32 +2,42 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <glassbox/base/error.h>
 #include <glassbox/images/compare/differences.h>
+#include <glassbox/images/compare/pairing.h>
+#include <glassbox/images/compare/selection.h>
 #include <glassbox/images/compare/tolerance.h>
 #include <glassbox/images/metrics/metric.h>
+#include <glassbox/images/recipe.h>
 
 namespace glassbox {
 
 enum class Verdict : std::uint8_t {
   kSame,             // every compared sample
-  kWithinTolerance,  // different, and a tolerance that was asked for allows it
+  kWithinTolerance,  // different, and the tolerance that was asked for allows it
   kDifferent,
-  kNew,      // there is no reference
-  kMissing,  // there is no test picture, or one of the two cannot be compared: see `error`
+  kNew,         // there is no reference
+  kMissing,     // there is no test picture
+  kUncompared,  // one of the two cannot be read, or an option does not fit them: see `error`
 };
+
+inline bool passes(Verdict verdict) {
+  return verdict == Verdict::kSame || verdict == Verdict::kWithinTolerance;
+}
 
 struct CompareOptions {
   Tolerance tolerance;
+  std::vector<MetricRequest> metrics;
   std::vector<PixelBox> ignore;
   std::string mask;  // file; empty: none
   bool nan_equals_nan = false;
-  std::vector<MetricRequest> metrics;
-  bool use_sidecar = true;
+  // The command that shows how a pixel of a picture made by this recipe came about; empty where there is none.
+  std::function<std::string(const Recipe& recipe, PixelAt pixel)> inspect_command;
 };
 
 // What is known of a picture before its samples are looked at.
@@ -43,7 +53,7 @@ struct Comparison {
       name;  // what people call the pair: its path below the two directories, or the test's path
   PictureFacts reference, test;
   Verdict verdict = Verdict::kSame;
-  std::optional<Error> error;              // of kMissing
+  std::optional<Error> error;              // of kNew, kMissing and kUncompared
   std::optional<Differences> differences;  // none where sizes, channels or formats differ
   std::vector<MetricValue> metrics;
   std::vector<std::string>
@@ -52,13 +62,26 @@ struct Comparison {
       hints;  // what may be behind it: a shift, a flip, swapped channels, another recipe
   std::vector<std::string>
       notes;              // about the test itself: a stale tolerance, an option that was overruled
-  std::string tolerance;  // the one that applied, as written; empty: none
+  std::string tolerance;  // the one that applied, as it would be written; empty: none
   std::string tolerance_reason;  // of the sidecar
   std::string inspect_command;  // shows how glassbox made the first differing pixel; empty: unknown
+  std::vector<PixelBox> ignore;  // what was left out, the sidecar's boxes included
+  std::string mask;              // file
+  bool nan_equals_nan = false;
 };
 
-// Reads both files and compares them. Whatever stands in the way of a verdict is in `error`.
+// Reads both files and compares them. The sidecar of the reference adds its boxes and its mask; its tolerance applies
+// where the options have none (options win, and a note says so). Pictures pass if they are the same, or if a fuzzy
+// annotation, a number of ulps or limits on metrics are given and all of them hold. Whatever stands in the way of a
+// verdict is in `error`.
 Comparison compare_files(const std::string& reference, const std::string& test,
                          const CompareOptions& options = {});
+
+// The same under the pair's name; kNew or kMissing where one of the two is not there.
+Comparison compare_pair(const PicturePaths& paths, const CompareOptions& options = {});
+
+// The pixels that a comparison looked at, for whoever shows them.
+Result<Selection> selection_of(const StoredImage& reference, const std::vector<PixelBox>& ignore,
+                               const std::string& mask);
 
 }  // namespace glassbox

@@ -1,10 +1,15 @@
 #include <glassbox/images/compare/tolerance.h>
 
+#include <algorithm>
 #include <charconv>
 #include <string_view>
+#include <utility>
 
 namespace glassbox {
 namespace {
+
+constexpr std::string_view kMaxDifference = "maxDifference";
+constexpr std::string_view kTotalPixels = "totalPixels";
 
 std::string_view trim(std::string_view text) {
   constexpr std::string_view kBlanks = " \t\r\n";
@@ -32,12 +37,18 @@ bool read_range(std::string_view text, CountRange& range) {
          read_count(text.substr(dash + 1), range.highest) && range.lowest <= range.highest;
 }
 
-// Takes "name =" off the front, if it is there.
-bool take_name(std::string_view& text, std::string_view name) {
+struct Part {
+  std::string_view name;  // empty: by its place
+  CountRange range;
+};
+
+// "name=range" or "range".
+bool read_part(std::string_view text, Part& part) {
   const auto equals = text.find('=');
-  if (equals == std::string_view::npos || trim(text.substr(0, equals)) != name) return false;
-  text.remove_prefix(equals + 1);
-  return true;
+  if (equals == std::string_view::npos) return read_range(text, part.range);
+  part.name = trim(text.substr(0, equals));
+  const bool known = part.name == kMaxDifference || part.name == kTotalPixels;
+  return known && read_range(text.substr(equals + 1), part.range);
 }
 
 std::string to_string(const CountRange& range) {
@@ -49,24 +60,28 @@ std::string to_string(const CountRange& range) {
 
 Result<Fuzzy> parse_fuzzy(const std::string& text) {
   const std::string_view whole = text;
-  const auto semicolon = whole.find(';');
-  std::string_view first = whole.substr(0, semicolon);
-  std::string_view second =
-      semicolon == std::string_view::npos ? std::string_view{} : whole.substr(semicolon + 1);
-  // The two may change places where they are named.
-  if (take_name(first, "totalPixels")) {
-    std::swap(first, second);
-    if (!take_name(first, "maxDifference")) first = {};
-  } else if (take_name(first, "maxDifference") && !take_name(second, "totalPixels")) {
-    second = {};
-  }
-  Fuzzy fuzzy;
-  if (!read_range(first, fuzzy.max_difference) || !read_range(second, fuzzy.total_pixels)) {
+  const auto semicolon = std::min(whole.find(';'), whole.size());
+  Part first, second;
+  const bool good = semicolon < whole.size() && read_part(whole.substr(0, semicolon), first) &&
+                    read_part(whole.substr(semicolon + 1), second) &&
+                    (first.name.empty() || first.name != second.name);
+  if (!good) {
     return fail("", "not a tolerance: '" + text + "'",
                 "write maxDifference=0-1;totalPixels=0-4 (ranges inclusive; a single number means "
                 "exactly that number)");
   }
-  return fuzzy;
+  // Named parts may stand in either order.
+  const bool swapped = first.name == kTotalPixels || second.name == kMaxDifference;
+  if (swapped) std::swap(first, second);
+  return Fuzzy{first.range, second.range};
+}
+
+Result<std::uint32_t> parse_max_ulp(const std::string& text) {
+  std::uint64_t ulps = 0;
+  if (!read_count(text, ulps) || ulps >= kUnbounded) {
+    return fail("", "not a number of ulps: '" + text + "'", "write a whole number, as in 4");
+  }
+  return std::uint32_t(ulps);
 }
 
 std::string to_string(const Fuzzy& fuzzy) {
@@ -77,7 +92,7 @@ std::string to_string(const Fuzzy& fuzzy) {
 bool allows(const Fuzzy& fuzzy, const Differences& differences) {
   const bool none_is_fine = fuzzy.max_difference.lowest == 0 || fuzzy.total_pixels.lowest == 0;
   if (differences.differing == 0) return none_is_fine;
-  return fuzzy.max_difference.has(differences.largest) &&
+  return differences.largest != kUnbounded && fuzzy.max_difference.has(differences.largest) &&
          fuzzy.total_pixels.has(differences.differing);
 }
 

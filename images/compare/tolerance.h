@@ -27,12 +27,13 @@ struct Fuzzy {
   friend bool operator==(const Fuzzy&, const Fuzzy&) = default;
 };
 
-// "maxDifference=0-1;totalPixels=0-4", the names optional when both are left out ("0-1;0-4"), blanks allowed. A single
+// "maxDifference=0-1;totalPixels=0-4"; a name may be left out ("0-1;0-4"), and named parts may change places. A single
 // number means exactly that number.
 Result<Fuzzy> parse_fuzzy(const std::string& text);
 std::string to_string(const Fuzzy& fuzzy);
 
-// Both numbers within their ranges; pictures that do not differ at all pass where one of the ranges starts at 0.
+// Both numbers within their ranges; pictures that do not differ at all pass where one of the ranges starts at 0, and no
+// range allows kUnbounded.
 bool allows(const Fuzzy& fuzzy, const Differences& differences);
 
 // The annotation that allows these differences and no others.
@@ -40,7 +41,12 @@ Fuzzy tightest(const Differences& differences);
 
 struct Tolerance {
   std::optional<Fuzzy> fuzzy;
-  std::optional<std::uint32_t> max_ulp;  // for floats: the largest distance of two samples
+  std::optional<std::uint32_t>
+      max_ulp;  // the largest distance of two samples; of pictures of floats only
+  bool empty() const { return !fuzzy && !max_ulp; }
 };
+
+// A whole number of ulps below kUnbounded.
+Result<std::uint32_t> parse_max_ulp(const std::string& text);
 
 }  // namespace glassbox

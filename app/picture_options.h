@@ -1,0 +1,39 @@
+// The options that decide on a picture: its size, the camera, and how it is drawn. Every subcommand that makes a picture
+// takes them, and a picture's recipe is made of them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "app/arguments.h"
+#include "app/camera_options.h"
+
+#include <glassbox/base/error.h>
+#include <glassbox/mesh/scene.h>
+#include <glassbox/pipeline/view.h>
+#include <glassbox/render/settings.h>
+
+namespace glassbox::app {
+
+struct PictureOptions {
+  Size size;
+  CameraOptions camera;
+  RenderSettings settings;
+  std::vector<const CLI::Option*> options;  // those that add_picture_options has added
+};
+
+void add_picture_options(CLI::App& command, PictureOptions& picture);
+
+// The options that the user gave, as words: "--size", "640x480". Whoever gives these words gets this picture.
+std::vector<std::string> words_given(const PictureOptions& picture);
+
+// The view of the scene that the options ask for, and the camera it comes from.
+struct ChosenView {
+  Camera camera;
+  View view;
+};
+Result<ChosenView> choose_view(const Scene& scene, const PictureOptions& picture);
+
+}  // namespace glassbox::app

@@ -1,0 +1,209 @@
+#include "app/pixel_command.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "app/arguments.h"
+#include "app/builtin_help.h"
+#include "app/exit_codes.h"
+#include "app/output.h"
+#include "app/program_name.h"
+#include "app/progress.h"
+
+#include <glassbox/base/printable.h>
+#include <glassbox/mesh/load.h>
+#include <glassbox/mesh/triangulate.h>
+#include <glassbox/pipeline/unproject.h>
+#include <glassbox/render/staged.h>
+
+namespace glassbox::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Where a triangle's number in the scene leads.
+struct SeenTriangle {
+  std::uint32_t number = 0;    // in the scene, from 0
+  std::uint32_t instance = 0;  // index into Scene::instances
+  std::uint32_t face = 0;      // index into the mesh's faces
+};
+
+// `number` is below the scene's count of triangles.
+SeenTriangle find_triangle(const Scene& scene, std::uint32_t number) {
+  SeenTriangle seen{number, 0, 0};
+  std::uint32_t left = number;
+  for (const Instance& instance : scene.instances) {
+    seen.face = 0;
+    for (const Face& face : scene.meshes[instance.mesh].faces) {
+      if (left < numbers_of(face)) return seen;
+      left -= numbers_of(face);
+      ++seen.face;
+    }
+    ++seen.instance;
+  }
+  return seen;
+}
+
+// The point of the world that lies `distance` along the gaze behind the pixel's centre.
+Result<Point<World, double>> world_point(const View& view, PixelAt pixel, double distance) {
+  const auto& m = view.clip_from_eye;
+  const double clip_z = double(m.at(2, 2)) * -distance + double(m.at(2, 3));
+  const double ndc_z = view.perspective ? clip_z / distance : clip_z;
+  return unproject(view, {pixel.x + 0.5, pixel.y + 0.5, ndc_z});
+}
+
+struct SeenPixel {
+  Rgba8 color;
+  std::optional<SeenTriangle> triangle;  // none: the background
+  double distance = 0;
+  std::optional<Point<World, double>> world;
+};
+
+SeenPixel look(const Scene& scene, const View& view, const RenderSettings& settings, PixelAt at) {
+  const Framebuffer buffers = render_staged(scene, view, settings).buffers;
+  SeenPixel seen;
+  seen.color = buffers.color.at(at.x, at.y);
+  const std::uint32_t id = buffers.id.at(at.x, at.y);
+  if (id == 0) return seen;
+  seen.triangle = find_triangle(scene, id - 1);
+  seen.distance = double(buffers.distance.at(at.x, at.y));
+  if (const auto world = world_point(view, at, seen.distance)) seen.world = *world;
+  return seen;
+}
+
+// "mesh 'teapot' (instance 0), face 12".
+std::string place_of(const Scene& scene, const SeenTriangle& triangle) {
+  const Mesh& mesh = scene.meshes[scene.instances[triangle.instance].mesh];
+  return fmt::format("face {} of mesh {} (instance {})", triangle.face, in_quotes(mesh.name),
+                     triangle.instance);
+}
+
+std::string text_of(const Scene& scene, const SeenPixel& seen) {
+  const Rgba8& c = seen.color;
+  std::string text = fmt::format("  colour    ({}, {}, {}), alpha {}\n", c.r, c.g, c.b, c.a);
+  if (!seen.triangle) return text + "  nothing was drawn here: this is the background\n";
+  text +=
+      fmt::format("  triangle  {}: {}\n", seen.triangle->number, place_of(scene, *seen.triangle));
+  text += fmt::format("  distance  {:.9g} along the gaze\n", seen.distance);
+  if (seen.world) {
+    text += fmt::format("  world     ({:.9g}, {:.9g}, {:.9g})\n", seen.world->x, seen.world->y,
+                        seen.world->z);
+  }
+  return text;
+}
+
+Json json_of(const Scene& scene, const SeenPixel& seen) {
+  const Rgba8& c = seen.color;
+  Json json{{"color", {c.r, c.g, c.b, c.a}}};
+  if (!seen.triangle) return json;
+  const Instance& instance = scene.instances[seen.triangle->instance];
+  json["triangle"] = seen.triangle->number;
+  json["instance"] = seen.triangle->instance;
+  json["mesh"] = scene.meshes[instance.mesh].name;
+  json["face"] = seen.triangle->face;
+  json["distance"] = seen.distance;
+  if (seen.world) json["world"] = {seen.world->x, seen.world->y, seen.world->z};
+  return json;
+}
+
+PixelAt parse_pixel(const std::string& text) {
+  const auto [x, y] = parse_numbers<2>("--at", text);
+  constexpr double kEnd = 1 << 20;
+  if (!(x >= 0 && y >= 0 && x < kEnd && y < kEnd && x == int(x) && y == int(y))) {
+    throw CLI::ValidationError("--at",
+                               "needs X,Y in whole pixels from the top left, not '" + text + "'");
+  }
+  return {int(x), int(y)};
+}
+
+// Whether add_picture_options knows these words, and nothing else is among them.
+bool are_picture_options(std::vector<std::string> words) {
+  CLI::App app;
+  PictureOptions picture;
+  add_picture_options(app, picture);
+  std::reverse(words.begin(), words.end());  // as CLI11 wants a vector
+  try {
+    app.parse(std::move(words));
+  } catch (const CLI::Error&) {
+    return false;  // --help, too
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string pixel_command_line(const Recipe& recipe, PixelAt pixel) {
+  if (recipe.scene.starts_with('-') || !are_picture_options(recipe.options)) return {};
+  std::vector<std::string> words{"pixel", recipe.scene};
+  words.insert(words.end(), recipe.options.begin(), recipe.options.end());
+  std::string line = program_name();
+  for (const std::string& word : words) {
+    const auto quoted = shell_quoted(word);
+    if (!quoted) return {};
+    line += " " + *quoted;
+  }
+  return line + fmt::format(" --at {},{}", pixel.x, pixel.y);
+}
+
+void PixelCommand::add_to(CLI::App& app, int& exit_code) {
+  CLI::App& command = *app.add_subcommand("pixel", "what is seen in one pixel of a picture");
+  command.footer(
+      "Examples:\n"
+      "  glassbox pixel teapot --at 640,360\n"
+      "  glassbox pixel room --size 320x180 --shade flat --at 12,34 --json -\n\n"
+      "The options are those of glassbox render: the same words show the same picture.\n\n" +
+      builtin_help());
+  command.add_option("SCENE", scene_, "a glTF, GLB or OBJ file, or the name of a built-in scene")
+      ->required();
+  command
+      .add_option_function<std::string>(
+          "--at", [this](const std::string& text) { at_ = parse_pixel(text); },
+          "the pixel, counted from 0 at the top left")
+      ->type_name("X,Y")
+      ->required();
+  add_picture_options(command, picture_);
+  command.add_option("--json", json_output_, "the same as JSON; - is standard output")
+      ->type_name("FILE|-")
+      ->group("Other outputs");
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+int PixelCommand::run() {
+  const auto [width, height] = picture_.size;
+  if (at_.x >= width || at_.y >= height) {
+    return refuse({"", fmt::format("--at {},{}", at_.x, at_.y),
+                   fmt::format("the picture has {} x {} pixels", width, height),
+                   "name a pixel in it, or another --size"});
+  }
+  Progress progress;
+  progress.phase("loading " + scene_);
+  const Result<Scene> scene = load_scene(scene_, limits_);
+  if (!scene) return refuse(scene.error());
+  const Result<ChosenView> chosen = choose_view(*scene, picture_);
+  if (!chosen) return refuse(chosen.error());
+  RenderSettings settings = picture_.settings;
+  settings.want_distance = true;
+  settings.want_id = true;
+  progress.phase("rendering " + scene_);
+  const SeenPixel seen = look(*scene, chosen->view, settings, at_);
+  progress.done();
+
+  if (json_output_) {
+    Json json = json_of(*scene, seen);
+    json["scene"] = scene_;
+    json["x"] = at_.x;
+    json["y"] = at_.y;
+    if (const auto written = write_json(*json_output_, json); !written) {
+      return refuse(written.error());
+    }
+    if (*json_output_ == "-") return kSuccess;
+  }
+  fmt::print("pixel ({}, {}) of {}, {} x {}\n{}", at_.x, at_.y, printable(scene_), width, height,
+             text_of(*scene, seen));
+  return kSuccess;
+}
+
+}  // namespace glassbox::app

@@ -1,0 +1,267 @@
+#include <glassbox/images/compare/explanation.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <glassbox/images/srgb.h>
+
+namespace glassbox {
+namespace {
+
+// "Channel c of the test's pixel (x, y) is value(c, channel source[c] of the reference's pixel
+// (x_sign x + x_offset, y_sign y + y_offset))."
+template <class Sample>
+struct Hypothesis {
+  std::string words;
+  int x_sign = 1, x_offset = 0;
+  int y_sign = 1, y_offset = 0;
+  std::array<int, 4> source = {0, 1, 2, 3};
+  std::function<Sample(int channel, Sample)> value = {};  // none: the sample itself
+};
+
+template <class Sample>
+using Hypotheses = std::vector<Hypothesis<Sample>>;
+
+bool has_colour(const StoredImage& image) {
+  return image.channels >= 3;
+}
+bool is_alpha(int channel, int channels) {
+  return channels % 2 == 0 && channel == channels - 1;
+}
+
+template <class Sample>
+const Sample* pixel_at(const StoredImage& image, int x, int y) {
+  const auto& samples = std::get<std::vector<Sample>>(image.samples);
+  const auto pixel = std::size_t(y) * std::size_t(image.width) + std::size_t(x);
+  return samples.data() + pixel * std::size_t(image.channels);
+}
+
+template <class Sample>
+bool foretells(const Hypothesis<Sample>& hypothesis, const Sample* from, const Sample* to,
+               int channels) {
+  for (int channel = 0; channel < channels; ++channel) {
+    const Sample sample = from[hypothesis.source[std::size_t(channel)]];
+    if ((hypothesis.value ? hypothesis.value(channel, sample) : sample) != to[channel])
+      return false;
+  }
+  return true;
+}
+
+// Compared pixels of the test that are not as the hypothesis says; those that it takes from outside of the reference
+// are left open. Stops above `limit`.
+template <class Sample>
+std::uint64_t count_misses(const PicturePair& pair, const Hypothesis<Sample>& hypothesis,
+                           std::uint64_t limit) {
+  const StoredImage& reference = pair.reference;
+  std::uint64_t misses = 0;
+  for (int y = 0; y < reference.height && misses <= limit; ++y) {
+    const int from_y = hypothesis.y_sign * y + hypothesis.y_offset;
+    if (from_y < 0 || from_y >= reference.height) continue;
+    for (int x = 0; x < reference.width && misses <= limit; ++x) {
+      const int from_x = hypothesis.x_sign * x + hypothesis.x_offset;
+      if (from_x < 0 || from_x >= reference.width || !pair.selection.compares(x, y)) continue;
+      const bool hit = foretells(hypothesis, pixel_at<Sample>(reference, from_x, from_y),
+                                 pixel_at<Sample>(pair.test, x, y), reference.channels);
+      misses += hit ? 0 : 1;
+    }
+  }
+  return misses;
+}
+
+constexpr int kFarthestMove = 2;  // px
+
+template <class Sample>
+void add_moves(Hypotheses<Sample>& all) {
+  for (int dy = -kFarthestMove; dy <= kFarthestMove; ++dy) {
+    for (int dx = -kFarthestMove; dx <= kFarthestMove; ++dx) {
+      if (dx == 0 && dy == 0) continue;
+      all.push_back({fmt::format("the test is the reference moved by ({:+}, {:+}) pixels", dx, dy),
+                     1, -dx, 1, -dy});
+    }
+  }
+}
+
+template <class Sample>
+void add_mirrorings(Hypotheses<Sample>& all, int width, int height) {
+  all.push_back({"the test is the reference upside down", 1, 0, -1, height - 1});
+  all.push_back({"the test is the reference mirrored left to right", -1, width - 1, 1, 0});
+  all.push_back({"the test is the reference turned by 180 degrees", -1, width - 1, -1, height - 1});
+}
+
+template <class Sample>
+void add_swapped_channels(Hypotheses<Sample>& all) {
+  Hypothesis<Sample> swapped{"red and blue have changed places"};
+  swapped.source = {2, 1, 0, 3};
+  all.push_back(swapped);
+}
+
+template <class Sample>
+Sample clamped_sum(Sample sample, int offset) {
+  return Sample(std::clamp(int(sample) + offset, 0, int(std::numeric_limits<Sample>::max())));
+}
+
+// The constant is read off the first pixel that differs.
+template <class Sample>
+void add_constant(Hypotheses<Sample>& all, const PicturePair& pair, PixelAt first) {
+  const int channels = pair.reference.channels;
+  const Sample* from = pixel_at<Sample>(pair.reference, first.x, first.y);
+  const Sample* to = pixel_at<Sample>(pair.test, first.x, first.y);
+  std::array<int, 4> offset{};
+  std::string words;
+  for (int channel = 0; channel < channels; ++channel) {
+    offset[std::size_t(channel)] = int(to[channel]) - int(from[channel]);
+    words += fmt::format("{}{:+}", channel == 0 ? "" : ", ", offset[std::size_t(channel)]);
+  }
+  Hypothesis<Sample> constant{fmt::format("every pixel is the reference's with ({}) added", words)};
+  constant.value = [offset](int channel, Sample sample) {
+    return clamped_sum(sample, offset[std::size_t(channel)]);
+  };
+  all.push_back(constant);
+}
+
+// `change` for the colours, alpha as it is.
+template <class Sample, class Change>
+Hypothesis<Sample> of_colours(std::string words, int channels, Change change) {
+  Hypothesis<Sample> hypothesis{std::move(words)};
+  hypothesis.value = [channels, change](int channel, Sample sample) {
+    return is_alpha(channel, channels) ? sample : change(sample);
+  };
+  return hypothesis;
+}
+
+void add_encodings(Hypotheses<std::uint8_t>& all, int channels) {
+  all.push_back(of_colours<std::uint8_t>(
+      "the test's colours are sRGB-encoded once more than the reference's", channels,
+      [](std::uint8_t byte) { return encode_srgb(decode_unorm8(byte)); }));
+  all.push_back(of_colours<std::uint8_t>(
+      "the test's colours are sRGB-encoded once less than the reference's", channels,
+      [](std::uint8_t byte) { return encode_unorm8(decode_srgb(byte)); }));
+}
+
+template <class Sample>
+Hypotheses<Sample> hypotheses(const PicturePair& pair, PixelAt first) {
+  Hypotheses<Sample> all;
+  const int channels = pair.reference.channels;
+  if constexpr (std::is_integral_v<Sample>) {
+    add_constant(all, pair, first);
+    all.push_back(of_colours<Sample>(
+        "the test's colours are the reference's inverted", channels,
+        [](Sample sample) { return Sample(std::numeric_limits<Sample>::max() - sample); }));
+  }
+  if constexpr (std::is_same_v<Sample, std::uint8_t>) add_encodings(all, channels);
+  if (has_colour(pair.reference)) add_swapped_channels(all);
+  add_mirrorings(all, pair.reference.width, pair.reference.height);
+  add_moves(all);
+  return all;
+}
+
+std::string but_for(std::uint64_t misses) {
+  if (misses == 0) return {};
+  return fmt::format(" (but for {} pixel{})", misses, misses == 1 ? "" : "s");
+}
+
+// The hypothesis with the fewest misses, if it explains nine of ten of what differs.
+template <class Sample>
+std::optional<std::string> best_explanation(const PicturePair& pair,
+                                            const Differences& differences) {
+  constexpr std::uint64_t kOneIn = 10;
+  std::uint64_t limit = differences.differing / kOneIn;
+  std::optional<std::string> best;
+  for (const auto& hypothesis : hypotheses<Sample>(pair, differences.first)) {
+    const std::uint64_t misses = count_misses(pair, hypothesis, limit);
+    if (misses > limit || (best && misses == limit)) continue;
+    best = hypothesis.words + but_for(misses);
+    limit = misses;
+  }
+  return best;
+}
+
+// "only alpha differs", "only green differs".
+template <class Sample>
+std::optional<std::string> only_channel(const PicturePair& pair) {
+  constexpr std::array kNames{"red", "green", "blue", "alpha"};
+  const int channels = pair.reference.channels;
+  std::array<bool, 4> differs{};
+  for (int y = 0; y < pair.reference.height; ++y) {
+    for (int x = 0; x < pair.reference.width; ++x) {
+      if (!pair.selection.compares(x, y)) continue;
+      const Sample* from = pixel_at<Sample>(pair.reference, x, y);
+      const Sample* to = pixel_at<Sample>(pair.test, x, y);
+      for (int c = 0; c < channels; ++c) differs[std::size_t(c)] |= from[c] != to[c];
+    }
+  }
+  if (channels == 1 || std::count(differs.begin(), differs.end(), true) != 1) return {};
+  const auto channel = int(std::find(differs.begin(), differs.end(), true) - differs.begin());
+  if (is_alpha(channel, channels)) return "only alpha differs";
+  return channels == 2 ? "only grey differs"
+                       : fmt::format("only {} differs", kNames[std::size_t(channel)]);
+}
+
+std::string size_of(const StoredImage& image) {
+  return fmt::format("{} x {}", image.width, image.height);
+}
+
+bool opaque(const StoredImage& image) {
+  return std::visit(
+      [&](const auto& samples) {
+        using Sample = typename std::decay_t<decltype(samples)>::value_type;
+        const auto step = std::size_t(image.channels);
+        const Sample full = std::is_integral_v<Sample> ? std::numeric_limits<Sample>::max() : 1;
+        for (std::size_t i = step - 1; i < samples.size(); i += step) {
+          if (samples[i] != full) return false;
+        }
+        return true;
+      },
+      image.samples);
+}
+
+}  // namespace
+
+std::vector<std::string> explain_differences(const PicturePair& pair,
+                                             const Differences& differences) {
+  if (differences.differing == 0) return {};
+  return std::visit(
+      [&](const auto& samples) {
+        using Sample = typename std::decay_t<decltype(samples)>::value_type;
+        std::vector<std::string> hints;
+        if (auto best = best_explanation<Sample>(pair, differences)) hints.push_back(*best);
+        if (auto only = only_channel<Sample>(pair)) hints.push_back(*only);
+        return hints;
+      },
+      pair.reference.samples);
+}
+
+std::vector<std::string> explain_shapes(const StoredImage& reference, const StoredImage& test) {
+  std::vector<std::string> sentences;
+  if (reference.width != test.width || reference.height != test.height) {
+    sentences.push_back(
+        fmt::format("the reference has {} pixels, the test {}", size_of(reference), size_of(test)));
+    if (reference.width == test.height && reference.height == test.width) {
+      sentences.push_back("width and height have changed places");
+    }
+  }
+  if (reference.channels != test.channels) {
+    sentences.push_back(fmt::format("the reference is {}, the test {}", channel_names(reference),
+                                    channel_names(test)));
+    const StoredImage& more = reference.channels > test.channels ? reference : test;
+    if (std::abs(reference.channels - test.channels) == 1 && more.channels % 2 == 0 &&
+        opaque(more)) {
+      sentences.push_back("the alpha channel is opaque everywhere");
+    }
+  }
+  if (reference.samples.index() != test.samples.index()) {
+    sentences.push_back(fmt::format("the reference has {} a sample, the test {}",
+                                    format_name(reference), format_name(test)));
+  }
+  return sentences;
+}
+
+}  // namespace glassbox

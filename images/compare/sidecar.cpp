@@ -1,0 +1,105 @@
+#include <glassbox/images/compare/sidecar.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+#include <utility>
+
+#include <glassbox/base/printable.h>
+#include <glassbox/images/read.h>
+
+namespace glassbox {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kMaxBytes = 64 * 1024;
+
+std::string_view trim(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r";
+  const auto first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+// "key: value"; without a key the annotation itself.
+std::pair<std::string, std::string> split_line(std::string_view line) {
+  const auto colon = line.find(':');
+  if (colon == std::string_view::npos) return {"fuzzy", std::string(line)};
+  return {std::string(trim(line.substr(0, colon))), std::string(trim(line.substr(colon + 1)))};
+}
+
+Result<void> read_line(Sidecar& sidecar, const std::string& key, const std::string& value) {
+  if (key == "fuzzy") {
+    const auto fuzzy = parse_fuzzy(value);
+    if (!fuzzy) return tl::unexpected(fuzzy.error());
+    sidecar.tolerance.fuzzy = *fuzzy;
+  } else if (key == "max-ulp") {
+    const auto ulps = parse_max_ulp(value);
+    if (!ulps) return tl::unexpected(ulps.error());
+    sidecar.tolerance.max_ulp = *ulps;
+  } else if (key == "metric") {
+    const auto metrics = parse_metrics(value);
+    if (!metrics) return tl::unexpected(metrics.error());
+    sidecar.metrics.insert(sidecar.metrics.end(), metrics->begin(), metrics->end());
+  } else if (key == "ignore") {
+    const auto box = parse_pixel_box(value);
+    if (!box) return tl::unexpected(box.error());
+    sidecar.ignore.push_back(*box);
+  } else if (key == "mask") {
+    sidecar.mask = (fs::path(sidecar.path).parent_path() / value).string();
+  } else if (key == "reason") {
+    sidecar.reason = printable(value, 1000);
+  } else {
+    return fail("", "an unknown key " + in_quotes(key),
+                "the keys are fuzzy, max-ulp, metric, ignore, mask and reason");
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<Sidecar> parse_sidecar(const std::string& path, const std::string& text) {
+  Sidecar sidecar;
+  sidecar.path = path;
+  int number = 0;
+  for (std::size_t start = 0; start < text.size();) {
+    const std::size_t end = std::min(text.find('\n', start), text.size());
+    const std::string_view line = trim(std::string_view(text).substr(start, end - start));
+    start = end + 1;
+    ++number;
+    if (line.empty() || line.front() == '#') continue;
+    const auto [key, value] = split_line(line);
+    const auto read = read_line(sidecar, key, value);
+    if (!read) {
+      return tl::unexpected(
+          Error{path, "line " + std::to_string(number), read.error().cause, read.error().remedy});
+    }
+  }
+  if (sidecar.reason.empty()) {
+    return tl::unexpected(Error{path, "", "has no reason", "add a line \"reason: ...\""});
+  }
+  return sidecar;
+}
+
+Result<std::optional<Sidecar>> find_sidecar(const std::string& reference) {
+  const std::string full = reference + ".fuzzy";
+  const std::string stem = fs::path(reference).replace_extension(".fuzzy").string();
+  std::error_code ignored;
+  const bool has_full = fs::exists(full, ignored);
+  const bool has_stem = stem != full && fs::exists(stem, ignored);
+  if (has_full && has_stem) {
+    return tl::unexpected(
+        Error{full, "", "there is " + in_quotes(stem) + ", too", "keep one of the two"});
+  }
+  if (!has_full && !has_stem) return std::optional<Sidecar>{};
+  const std::string path = has_full ? full : stem;
+  const auto bytes = read_file(path, kMaxBytes);
+  if (!bytes) return tl::unexpected(bytes.error());
+  auto sidecar =
+      parse_sidecar(path, std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()));
+  if (!sidecar) return tl::unexpected(sidecar.error());
+  return std::optional<Sidecar>(std::move(*sidecar));
+}
+
+}  // namespace glassbox
