@@ -1,0 +1,30 @@
+// A mean that does not depend on the order in which its values come: a sum of whole multiples of 2^-32.
+#pragma once
+
+#include <cstdint>
+
+namespace glassbox {
+
+// Each value in [-1, 1] is rounded to a multiple of 2^-32, which moves the mean by at most 2^-33 (1.2e-10). Sums of whole
+// numbers are exact, so threads may add what they have in any order. 2^30 values have room.
+class FixedSum {
+public:
+  // 3 * 2^51 pushes everything behind the ones' place out of a double of this size, rounding to nearest.
+  void add(double value) {
+    constexpr double kRound = 0x1.8p52;
+    sum_ += std::int64_t(value * 0x1p32 + kRound - kRound);
+    ++count_;
+  }
+  void add(const FixedSum& other) {
+    sum_ += other.sum_;
+    count_ += other.count_;
+  }
+  std::uint64_t count() const { return count_; }
+  double mean() const { return double(sum_) * 0x1p-32 / double(count_); }  // where count() > 0
+
+private:
+  std::int64_t sum_ = 0;
+  std::uint64_t count_ = 0;
+};
+
+}  // namespace glassbox
