@@ -1,0 +1,237 @@
+#include <glassbox/images/report/page.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <glassbox/images/atomic_file.h>
+#include <glassbox/images/compare/heat_map.h>
+#include <glassbox/images/out_of_memory.h>
+#include <glassbox/images/recipe.h>
+#include <glassbox/images/report/json.h>
+#include <glassbox/images/report/page_blob.h>
+#include <glassbox/images/stored_image.h>
+
+#include "page_parts.h"  // made by page/embed.cmake
+
+namespace glassbox {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// The files of one comparison that can be read, as they were when they were compared.
+struct Pictures {
+  std::optional<StoredImage> reference, test;
+};
+
+std::optional<StoredImage> read_again(const PictureFacts& facts) {
+  auto image = read_stored(facts.path);
+  if (!image) return {};
+  const bool known = facts.width > 0;
+  const bool changed = image->width != facts.width || image->height != facts.height ||
+                       channel_names(*image) != facts.channels ||
+                       format_name(*image) != facts.format;
+  if (known && changed) return {};
+  return std::move(*image);
+}
+
+// Files that have changed since they were compared are not shown: the numbers would be of others.
+std::optional<Pictures> read_pictures(const Comparison& comparison) {
+  Pictures pictures{read_again(comparison.reference), read_again(comparison.test)};
+  const bool both = pictures.reference && pictures.test;
+  if (comparison.error ? !pictures.reference && !pictures.test : !both) return {};
+  return pictures;
+}
+
+std::optional<StoredImage> heat_of(const Comparison& comparison, const Pictures& pictures) {
+  if (!comparison.differences || !pictures.reference || !pictures.test) return {};
+  const auto selection = selection_of(*pictures.reference, comparison.ignore, comparison.mask);
+  if (!selection) return {};
+  auto levels =
+      heat_map({*pictures.reference, *pictures.test, *selection, comparison.nan_equals_nan});
+  return StoredImage{levels.width, levels.height, 1, std::move(levels.pixels)};
+}
+
+// The worst first, otherwise in the order given.
+std::vector<const Comparison*> worst_first(std::span<const Comparison> comparisons) {
+  std::vector<const Comparison*> order;
+  for (const Comparison& one : comparisons) order.push_back(&one);
+  const auto badness = [](const Comparison* one) {
+    constexpr std::array kVerdicts{Verdict::kSame,       Verdict::kWithinTolerance,
+                                   Verdict::kNew,        Verdict::kMissing,
+                                   Verdict::kUncompared, Verdict::kDifferent};
+    const auto verdict = std::find(kVerdicts.begin(), kVerdicts.end(), one->verdict);
+    // Pictures of different sizes have no differences: nothing is worse.
+    const auto steps = one->differences ? one->differences->largest : kUnbounded;
+    const auto pixels = one->differences ? one->differences->differing : ~std::uint64_t(0);
+    return std::tuple(verdict - kVerdicts.begin(), steps, pixels);
+  };
+  std::stable_sort(order.begin(), order.end(), [&](const Comparison* a, const Comparison* b) {
+    return badness(a) > badness(b);
+  });
+  return order;
+}
+
+std::string_view type_name(const StoredImage& image) {
+  constexpr std::array<std::string_view, 3> kNames{"u8", "u16", "f32"};
+  return kNames[image.samples.index()];
+}
+
+std::uint64_t bytes_in(const StoredImage& image, std::span<const PixelBox> boxes) {
+  std::uint64_t pixels = 0;
+  for (const PixelBox& box : boxes) pixels += std::uint64_t(box.width) * std::uint64_t(box.height);
+  return pixels * std::uint64_t(image.channels) * sample_bytes(image);
+}
+
+// Collects the samples of a page and what its script needs to know of them.
+class PageWriter {
+public:
+  explicit PageWriter(const PageOptions& options) : options_(options), left_(options.max_bytes) {}
+
+  // The pictures of the pair as the script reads them, or the reason why they are not there.
+  Result<void> add_pictures(const Comparison& comparison, Json& pair) {
+    if (least_bytes(comparison) > left_) return leave_out(comparison, pair);
+    const auto pictures = read_pictures(comparison);
+    if (!pictures) {
+      pair["left_out"] = comparison.error ? "There is no picture to show."
+                                          : "The files have changed since they were compared.";
+      return {};
+    }
+    const auto heat = heat_of(comparison, *pictures);
+    const std::array<std::pair<const char*, const std::optional<StoredImage>*>, 3> all{
+        {{"reference", &pictures->reference}, {"test", &pictures->test}, {"heat", &heat}}};
+    const Differences* differences = comparison.differences ? &*comparison.differences : nullptr;
+    std::uint64_t bytes = 0;
+    for (const auto& [name, image] : all) {
+      if (*image)
+        bytes += bytes_in(**image,
+                          crops_of((*image)->width, (*image)->height, differences, options_.crops));
+    }
+    if (bytes > left_) return leave_out(comparison, pair);
+    left_ -= bytes;
+    for (const auto& [name, image] : all) {
+      if (!*image) continue;
+      auto added = add_picture(**image, differences);
+      if (!added) return tl::unexpected(added.error());
+      pair["pictures"][name] = std::move(*added);
+    }
+    return {};
+  }
+
+  const std::string& blobs() const { return blobs_; }
+
+private:
+  // A byte a pixel of either picture and of the heat map, where they are not cropped.
+  std::uint64_t least_bytes(const Comparison& comparison) const {
+    std::uint64_t bytes = 0;
+    for (const PictureFacts* facts : {&comparison.reference, &comparison.test}) {
+      const auto pixels = std::uint64_t(facts->width) * std::uint64_t(facts->height);
+      if (pixels <= options_.crops.whole_pixels) bytes += pixels;
+    }
+    return bytes;
+  }
+
+  Result<void> leave_out(const Comparison& comparison, Json& pair) {
+    pair["left_out"] =
+        "The pictures of this pair would make the page too large. This makes a page of them alone:";
+    pair["alone_command"] =
+        "glassbox diff " + shell_quoted(comparison.reference.path).value_or("REFERENCE") + " " +
+        shell_quoted(comparison.test.path).value_or("TEST") + " --html pair.html";
+    return {};
+  }
+
+  Result<Json> add_picture(const StoredImage& image, const Differences* differences) {
+    const auto tiles = crops_of(image.width, image.height, differences, options_.crops);
+    const auto blob = encode_blob(image, tiles);
+    if (!blob) return tl::unexpected(blob.error());
+    const std::string id = fmt::format("blob-{}", blob_count_++);
+    blobs_ += fmt::format("<script type=\"application/octet-stream\" id=\"{}\">", id) + *blob +
+              "</script>\n";
+    Json json{{"width", image.width},
+              {"height", image.height},
+              {"channels", image.channels},
+              {"type", type_name(image)},
+              {"blob", id}};
+    for (const auto& [x, y, width, height] : tiles) json["tiles"].push_back({x, y, width, height});
+    return json;
+  }
+
+  const PageOptions& options_;
+  std::uint64_t left_;  // bytes
+  int blob_count_ = 0;
+  std::string blobs_;
+};
+
+Json colour_names() {
+  Json names = Json::array();
+  for (const Rgba8& colour : heat_colours()) {
+    names.push_back(fmt::format("#{:02x}{:02x}{:02x}", colour.r, colour.g, colour.b));
+  }
+  return names;
+}
+
+// JSON that can stand in a script element: ASCII, and without "<", which only strings have. Bytes that are not UTF-8
+// become U+FFFD.
+std::string script_text(const Json& json) {
+  const std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
+  std::string safe;
+  safe.reserve(text.size());
+  for (const char c : text) safe += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  return safe;
+}
+
+void replace(std::string& text, std::string_view mark, std::string_view value) {
+  const std::size_t at = text.find(mark);
+  text.replace(at, mark.size(), value);
+}
+
+std::string assemble(const Json& manifest, const std::string& blobs) {
+  std::string page(kPageHtml);
+  replace(page, "{STYLE_HASH}", kPageStyleHash);
+  replace(page, "{SCRIPT_HASH}", kPageScriptHash);
+  replace(page, "{STYLE}", kPageStyle);
+  replace(page, "{SCRIPT}", kPageScript);
+  replace(page, "{DATA}",
+          "<script type=\"application/json\" id=\"manifest\">" + script_text(manifest) +
+              "</script>\n" + blobs);
+  return page;
+}
+
+Result<std::string> make_page(std::span<const Comparison> comparisons, const PageOptions& options) {
+  PageWriter writer(options);
+  Json manifest{{"title", options.title},     {"program", options.program},
+                {"command", options.command}, {"heat_colours", colour_names()},
+                {"pairs", Json::array()},     {"same", Json::array()}};
+  for (const Comparison* comparison : worst_first(comparisons)) {
+    if (comparison->verdict == Verdict::kSame && comparisons.size() > 1) {
+      manifest["same"].push_back(comparison->name);
+      continue;
+    }
+    Json pair = to_json(*comparison);
+    pair["nan_equals_nan"] = comparison->nan_equals_nan;
+    if (auto added = writer.add_pictures(*comparison, pair); !added) {
+      return tl::unexpected(added.error());
+    }
+    manifest["pairs"].push_back(std::move(pair));
+  }
+  return assemble(manifest, writer.blobs());
+}
+
+}  // namespace
+
+Result<void> write_page(const std::string& path, std::span<const Comparison> comparisons,
+                        const PageOptions& options) {
+  return unless_out_of_memory([&]() -> Result<void> {
+    const auto page = make_page(comparisons, options);
+    if (!page) return tl::unexpected(page.error());
+    return write_file(path, std::as_bytes(std::span(*page)));
+  });
+}
+
+}  // namespace glassbox

@@ -1,0 +1,88 @@
+// From the data blocks of the page to exact samples.
+
+const sampleTypes = {u8: Uint8Array, u16: Uint16Array, f32: Float32Array};
+
+function bytesOfBase64(text) {
+  const binary = atob(text);
+  const bytes = new Uint8Array(binary.length);
+  for (let i = 0; i < bytes.length; i++) bytes[i] = binary.charCodeAt(i);
+  return bytes;
+}
+
+async function inflate(bytes) {
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+// Every row but the first is stored as its difference from the row above, byte by byte.
+function undoRowDifferences(bytes, stride) {
+  for (let i = stride; i < bytes.length; i++) bytes[i] += bytes[i - stride];
+}
+
+// A picture of the manifest with its samples. They lie in tiles, boxes [x, x + width) x [y, y + height) of the
+// picture: one for the whole of it, or several crops.
+async function decodePicture(facts) {
+  const bytes = await inflate(bytesOfBase64(document.getElementById(facts.blob).textContent));
+  const Samples = sampleTypes[facts.type];
+  let offset = 0;
+  const tiles = facts.tiles.map(([x, y, width, height]) => {
+    const stride = width * facts.channels * Samples.BYTES_PER_ELEMENT;
+    const part = bytes.slice(offset, offset + stride * height);
+    offset += part.length;
+    undoRowDifferences(part, stride);
+    return {x, y, width, height, samples: new Samples(part.buffer)};
+  });
+  return {...facts, tiles};
+}
+
+// The samples of a pixel, one a channel; null where the page does not have it.
+function samplesAt(picture, x, y) {
+  for (const tile of picture?.tiles ?? []) {
+    if (x < tile.x || y < tile.y || x >= tile.x + tile.width || y >= tile.y + tile.height) continue;
+    const start = ((y - tile.y) * tile.width + (x - tile.x)) * picture.channels;
+    return tile.samples.subarray(start, start + picture.channels);
+  }
+  return null;
+}
+
+// The shortest decimal that reads back as the same 32-bit float.
+function floatText(value) {
+  if (Number.isNaN(value)) return "NaN";
+  if (!Number.isFinite(value)) return value > 0 ? "+∞" : "−∞";
+  if (Object.is(value, -0)) return "−0";
+  let digits = 1;
+  while (Math.fround(Number(value.toPrecision(digits))) !== value) digits++;
+  return String(Number(value.toPrecision(digits))).replace("-", "−");
+}
+
+const sampleText = (picture, value) => (picture.type === "f32" ? floatText(value) : String(value));
+
+const channelLetters = {1: [""], 2: ["", "A"], 3: ["R", "G", "B"], 4: ["R", "G", "B", "A"]};
+
+// Floats as integers in their order, neighbours one apart, -0 one below +0.
+const floatStore = new Float32Array(1);
+const bitsStore = new Int32Array(floatStore.buffer);
+function orderOfFloat(value) {
+  floatStore[0] = value;
+  const bits = bitsStore[0];
+  return bits < 0 ? ~bits - 2 ** 31 : bits;
+}
+
+// How many floats the second lies above the first; NaN where no number of steps leads there.
+function ulpsBetween(a, b, nanEqualsNan) {
+  if (Number.isNaN(a) && Number.isNaN(b)) return nanEqualsNan ? 0 : NaN;
+  if (Number.isFinite(a) && Number.isFinite(b)) return orderOfFloat(b) - orderOfFloat(a);
+  return a === b ? 0 : NaN;
+}
+
+// Test minus reference in steps of the format; NaN where that is no number.
+function stepsBetween(picture, a, b) {
+  return picture.type === "f32" ? ulpsBetween(a, b, state.facts.nan_equals_nan) : b - a;
+}
+
+function stepsText(steps) {
+  if (Number.isNaN(steps)) return "∞";
+  return steps === 0 ? "0" : (steps > 0 ? "+" : "−") + Math.abs(steps);
+}
+
+const unitOf = {u8: "/255", u16: "/65535", f32: " ulp"};

@@ -1,0 +1,255 @@
+// Where a pixel of the picture lands on the screen, and the drawing of the panes.
+//
+// A pane is a rectangle of the canvas in device pixels; it shows layers, of which the wipe has two. All panes share
+// `view`: the point of the picture at the centre of a pane, and the scale in CSS pixels a picture pixel.
+
+const canvas = document.getElementById("view");
+const context = canvas.getContext("2d");
+
+const scales = [1 / 16, 1 / 8, 1 / 4, 1 / 2, 1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96];
+const largestScale = () => (state.pair.pictures[0].type === "f32" ? 96 : 64);
+
+const stripHeight = () => Math.round(24 * devicePixelRatio); // the title of a pane
+
+// Device pixels a picture pixel: whole from 1 upwards, so that all pixels are of one size.
+function cellSize() {
+  const size = view.scale * devicePixelRatio;
+  return size < 1 ? size : Math.round(size);
+}
+
+// Left and top of picture pixel (0, 0) in the pane.
+function originOf(pane) {
+  const cell = cellSize();
+  return {
+    x: Math.round(pane.x + pane.width / 2 - view.x * cell),
+    y: Math.round(pane.y + pane.height / 2 - view.y * cell),
+  };
+}
+
+// The picture's point under a point of the pane.
+function pointUnder(pane, x, y) {
+  const origin = originOf(pane), cell = cellSize();
+  return {x: (x - origin.x) / cell, y: (y - origin.y) / cell};
+}
+
+// Boxes for `count` panes, in as many columns as show the picture largest.
+function paneBoxes(count, size) {
+  const gap = Math.round(8 * devicePixelRatio), strip = stripHeight();
+  const inColumns = (columns) => {
+    const rows = Math.ceil(count / columns);
+    const width = Math.floor((canvas.width - gap * (columns - 1)) / columns);
+    const height = Math.floor((canvas.height - gap * (rows - 1)) / rows) - strip;
+    return {columns, width, height, scale: Math.min(width / size.width, height / size.height)};
+  };
+  const {columns, width, height} = Array.from({length: count}, (_, i) => inColumns(count - i))
+    .reduce((best, other) => (other.scale > best.scale ? other : best));
+  return Array.from({length: count}, (_, i) => ({
+    x: (i % columns) * (width + gap),
+    y: Math.floor(i / columns) * (height + strip + gap) + strip,
+    width,
+    height,
+  }));
+}
+
+// The scale that shows all of the picture, a whole number where it is larger than 1.
+function fitScale() {
+  const pane = state.panes[0];
+  const scale = Math.min(pane.width / state.pair.width, pane.height / state.pair.height) / devicePixelRatio;
+  return scale < 1 ? scale : scales.findLast((step) => step <= Math.min(scale, largestScale()));
+}
+
+function draw() {
+  context.fillStyle = colourVariable("--stage");
+  context.fillRect(0, 0, canvas.width, canvas.height);
+  for (const pane of state.panes) drawPane(pane);
+}
+
+function drawPane(pane) {
+  drawTitle(pane);
+  for (const layer of pane.layers) {
+    context.save();
+    context.beginPath();
+    context.rect(pane.x + pane.width * layer.from, pane.y, pane.width * (layer.to - layer.from), pane.height);
+    context.clip();
+    drawLayer(pane, layer);
+    context.restore();
+  }
+  context.save();
+  context.beginPath();
+  context.rect(pane.x, pane.y, pane.width, pane.height);
+  context.clip();
+  if (state.showBoxes) drawBoxes(pane);
+  if (pane.layers.length > 1) drawDivider(pane);
+  drawCrosshair(pane);
+  context.restore();
+}
+
+function drawTitle(pane) {
+  const strip = stripHeight();
+  context.font = `600 ${Math.round(strip * 0.54)}px system-ui, sans-serif`;
+  context.textBaseline = "middle";
+  for (const {title, colour, from, to} of pane.layers) {
+    const right = pane.layers.length > 1 && to === 1;
+    context.textAlign = right ? "right" : "left";
+    const x = right ? pane.x + pane.width : pane.x + pane.width * from;
+    context.fillStyle = colourVariable(colour);
+    context.fillRect(right ? x - strip * 0.18 : x, pane.y - strip * 0.85, strip * 0.18, strip * 0.6);
+    context.fillStyle = colourVariable("--text");
+    context.fillText(title, x + (right ? -1 : 1) * strip * 0.4, pane.y - strip * 0.55);
+  }
+}
+
+function drawLayer(pane, layer) {
+  const origin = originOf(pane), cell = cellSize();
+  const seen = visiblePixels(pane, origin, cell, layer.picture);
+  if (!layer.picture.opaque && layer.picture.channels % 2 === 0) drawChecks(layer.picture, origin, cell, pane);
+  for (const tile of layer.picture.tiles) {
+    if (tile.halvings && cell < 1) drawHalving(tile, origin, cell);
+    else drawTile(tile, origin, cell, seen);
+  }
+  if (cell >= 12 * devicePixelRatio) drawGrid(seen, origin, cell);
+  if (cell >= 20 * devicePixelRatio) drawValues(layer, seen, origin, cell);
+}
+
+// The box of pixels of which something is on the pane.
+function visiblePixels(pane, origin, cell, picture) {
+  return {
+    left: clamp(Math.floor((pane.x - origin.x) / cell), 0, picture.width),
+    top: clamp(Math.floor((pane.y - origin.y) / cell), 0, picture.height),
+    right: clamp(Math.ceil((pane.x + pane.width - origin.x) / cell), 0, picture.width),
+    bottom: clamp(Math.ceil((pane.y + pane.height - origin.y) / cell), 0, picture.height),
+  };
+}
+
+// Only the part that is seen: browsers lose precision far outside of the canvas.
+function drawTile(tile, origin, cell, seen) {
+  const left = Math.max(tile.x, seen.left), right = Math.min(tile.x + tile.width, seen.right);
+  const top = Math.max(tile.y, seen.top), bottom = Math.min(tile.y + tile.height, seen.bottom);
+  if (left >= right || top >= bottom) return;
+  context.imageSmoothingEnabled = cell < 1;
+  context.imageSmoothingQuality = "high";
+  context.drawImage(tile.canvas, left - tile.x, top - tile.y, right - left, bottom - top,
+    origin.x + left * cell, origin.y + top * cell, (right - left) * cell, (bottom - top) * cell);
+}
+
+// The version of the heat map of which a pixel covers at least one of the screen.
+function drawHalving(tile, origin, cell) {
+  const times = Math.min(Math.ceil(-Math.log2(cell)), tile.halvings.length - 1);
+  const {canvas: half, width, height} = tile.halvings[times];
+  const size = cell * 2 ** times;
+  context.imageSmoothingEnabled = false;
+  context.drawImage(half, origin.x + tile.x * cell, origin.y + tile.y * cell, width * size, height * size);
+}
+
+function drawChecks(picture, origin, cell, pane) {
+  const size = Math.round(8 * devicePixelRatio);
+  const checks = newCanvas(2 * size, 2 * size), paint = checks.getContext("2d");
+  paint.fillStyle = "#fff";
+  paint.fillRect(0, 0, 2 * size, 2 * size);
+  paint.fillStyle = "#ccc";
+  paint.fillRect(0, 0, size, size);
+  paint.fillRect(size, size, size, size);
+  context.fillStyle = context.createPattern(checks, "repeat");
+  for (const {x, y, width, height} of picture.tiles) {
+    const left = Math.max(origin.x + x * cell, pane.x), right = origin.x + (x + width) * cell;
+    const top = Math.max(origin.y + y * cell, pane.y), bottom = origin.y + (y + height) * cell;
+    context.fillRect(left, top, Math.min(right, pane.x + pane.width) - left,
+      Math.min(bottom, pane.y + pane.height) - top);
+  }
+}
+
+function drawGrid(seen, origin, cell) {
+  context.fillStyle = "rgb(128 128 128 / 0.4)";
+  const height = (seen.bottom - seen.top) * cell, width = (seen.right - seen.left) * cell;
+  for (let x = seen.left; x <= seen.right; x++) context.fillRect(origin.x + x * cell, origin.y + seen.top * cell, 1, height);
+  for (let y = seen.top; y <= seen.bottom; y++) context.fillRect(origin.x + seen.left * cell, origin.y + y * cell, width, 1);
+}
+
+// The lines of text that a layer has for a pixel, printed in it in one size for all that is seen; nothing where they
+// would be too small to read.
+function drawValues(layer, seen, origin, cell) {
+  const cells = [];
+  let longest = 3, lines = 1;
+  for (let y = seen.top; y < seen.bottom; y++) {
+    for (let x = seen.left; x < seen.right; x++) {
+      const text = layer.textAt(x, y);
+      if (!text) continue;
+      cells.push({x, y, text});
+      lines = Math.max(lines, text.length);
+      for (const line of text) longest = Math.max(longest, line.length);
+    }
+  }
+  const size = Math.floor(Math.min((cell * 0.94) / (longest * 0.61), (cell * 0.94) / (lines * 1.15), 14 * devicePixelRatio));
+  if (size < 7 * devicePixelRatio) return;
+  context.font = `${size}px ui-monospace, Menlo, Consolas, monospace`;
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  for (const {x, y, text} of cells) {
+    context.fillStyle = layer.isBright(x, y) ? "#000" : "#fff";
+    text.forEach((line, i) => context.fillText(line, origin.x + (x + 0.5) * cell,
+      origin.y + (y + 0.5) * cell + (i - (text.length - 1) / 2) * size * 1.15));
+  }
+}
+
+// A light line between dark ones is seen on every colour.
+function outline(x, y, width, height, colour) {
+  const unit = Math.max(1, Math.round(devicePixelRatio));
+  context.lineWidth = 3 * unit;
+  context.strokeStyle = "rgb(0 0 0 / 0.6)";
+  context.strokeRect(x - 1.5 * unit, y - 1.5 * unit, width + 3 * unit, height + 3 * unit);
+  context.lineWidth = unit;
+  context.strokeStyle = colour;
+  context.strokeRect(x - 1.5 * unit, y - 1.5 * unit, width + 3 * unit, height + 3 * unit);
+}
+
+// A box is at least a few pixels of the screen large, so that a single wrong pixel is found from any distance; of several
+// that would cover each other, the worst is drawn.
+function drawBoxes(pane) {
+  const origin = originOf(pane), cell = cellSize(), least = 8 * devicePixelRatio;
+  const taken = new Set();
+  state.pair.regions.forEach(({box}, i) => {
+    const width = Math.max(box.width * cell, least), height = Math.max(box.height * cell, least);
+    const x = origin.x + (box.x + box.width / 2) * cell - width / 2;
+    const y = origin.y + (box.y + box.height / 2) * cell - height / 2;
+    const place = [x, y, width, height].map((value) => Math.round(value / (2 * least))).join();
+    if (taken.has(place) && i !== state.region) return;
+    taken.add(place);
+    outline(x, y, width, height, i === state.region ? "#ffe14d" : "#fff");
+  });
+}
+
+function drawCrosshair(pane) {
+  if (!state.cursor) return;
+  const origin = originOf(pane), cell = cellSize();
+  const x = origin.x + state.cursor.x * cell, y = origin.y + state.cursor.y * cell;
+  outline(x, y, Math.max(cell, 1), Math.max(cell, 1), "#3df5ff");
+  if (cell >= 12 * devicePixelRatio) return;
+  const near = 8 * devicePixelRatio, far = 20 * devicePixelRatio, centre = cell / 2;
+  for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
+    for (const [colour, width] of [["rgb(0 0 0 / 0.6)", 3], ["#3df5ff", 1]]) {
+      context.strokeStyle = colour;
+      context.lineWidth = width * Math.max(1, Math.round(devicePixelRatio));
+      context.beginPath();
+      context.moveTo(x + centre + dx * near, y + centre + dy * near);
+      context.lineTo(x + centre + dx * far, y + centre + dy * far);
+      context.stroke();
+    }
+  }
+}
+
+function drawDivider(pane) {
+  const unit = Math.max(1, Math.round(devicePixelRatio));
+  const x = Math.round(pane.x + pane.width * state.divider), middle = pane.y + pane.height / 2;
+  context.fillStyle = "rgb(0 0 0 / 0.6)";
+  context.fillRect(x - 2 * unit, pane.y, 4 * unit, pane.height);
+  context.fillStyle = "#fff";
+  context.fillRect(x - unit, pane.y, 2 * unit, pane.height);
+  context.beginPath();
+  context.arc(x, middle, 9 * unit, 0, 2 * Math.PI);
+  context.fill();
+  context.fillStyle = "#333";
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  context.font = `${11 * unit}px sans-serif`;
+  context.fillText("◂▸", x, middle + unit);
+}
