@@ -210,7 +210,7 @@ std::vector<Comparison> DiffCommand::compare(const Pairing& pairing) const {
 
 Result<void> DiffCommand::write_heat_maps(const std::vector<Comparison>& comparisons) const {
   for (const Comparison& one : comparisons) {
-    if (directories_ && passes(one.verdict)) continue;
+    if (directories_ && (passes(one.verdict) || one.error)) continue;
     if (!one.differences) {
       fmt::print(stderr, "glassbox: note: no heat map of {}: the two have no pixels to compare\n",
                  printable(one.name));

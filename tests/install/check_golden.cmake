@@ -1,0 +1,59 @@
+# Builds tests/install/golden against the installed package and lives through its day: no golden image yet, approval, a pass, a
+# defect found, approval refused on a server. Included by check_install.cmake.
+set(source ${work}/golden-example)  # a copy: golden images are kept beside the tests
+set(build ${work}/golden-example-build)
+file(REMOVE_RECURSE ${source} ${build})
+file(COPY ${example}/ DESTINATION ${source})
+
+# run_tests(EXPECTED EXIT CODE, TEXT THAT IT SAYS, ENVIRONMENT...): both programs.
+function(run_tests expected says)
+  foreach(program with_catch2 with_gtest)
+    execute_process(COMMAND ${CMAKE_COMMAND} -E env --unset=CI --unset=GLASSBOX_APPROVE ${ARGN} ${build}/${program}
+      WORKING_DIRECTORY ${build} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+    if(result EQUAL 0)
+      set(outcome passes)
+    else()
+      set(outcome fails)
+    endif()
+    if(NOT outcome STREQUAL expected OR NOT output MATCHES "${says}")
+      message(FATAL_ERROR "${program} with ${ARGN}: ${outcome}, expected that it ${expected} and says '${says}':\n${output}")
+    endif()
+  endforeach()
+endfunction()
+
+function(expect_file path)
+  if(NOT EXISTS ${path})
+    message(FATAL_ERROR "${path} is missing")
+  endif()
+endfunction()
+
+run(${CMAKE_COMMAND} -S ${source} -B ${build} -G ${generator} -D CMAKE_PREFIX_PATH=${prefix}
+  -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_CXX_FLAGS=${flags})
+run(${CMAKE_COMMAND} --build ${build})
+
+run_tests(fails "no[ \n]+such[ \n]+reference" A=B)
+run_tests(fails "CI[ \n]+is[ \n]+set" GLASSBOX_APPROVE=1 CI=true)
+if(EXISTS ${source}/images/disc.png)
+  message(FATAL_ERROR "a golden image was approved with CI set")
+endif()
+run_tests(passes "" GLASSBOX_APPROVE=1)
+expect_file(${source}/images/disc.png)
+expect_file(${source}/images/distances.pfm)
+run_tests(passes "" A=B)
+
+file(SHA256 ${source}/images/disc.png approved)
+# Catch2 breaks long lines.
+run_tests(fails "1[ \n]+of[ \n]+6144[ \n]+pixels[ \n]+differ,[ \n]+by[ \n]+up[ \n]+to[ \n]+1/255" PLANT_A_DEFECT=1)
+foreach(trace disc.png disc.heat.png disc.html)
+  expect_file(${build}/golden-failures/images/${trace})
+endforeach()
+run_tests(fails "CI[ \n]+is[ \n]+set" PLANT_A_DEFECT=1 GLASSBOX_APPROVE=1 CI=true)
+file(SHA256 ${source}/images/disc.png kept)
+if(NOT approved STREQUAL kept)
+  message(FATAL_ERROR "the golden image has changed though nobody approved it")
+endif()
+
+run_tests(passes "" PLANT_A_DEFECT=1 GLASSBOX_APPROVE=1)
+run_tests(passes "" PLANT_A_DEFECT=1)
+run_tests(fails "different" A=B)
+message("golden-image example: all as it should be")

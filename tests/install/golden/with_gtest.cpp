@@ -1,0 +1,13 @@
+#include <glassbox/images/testing/gtest.h>
+
+#include "renderer.h"
+
+using glassbox::MatchesGolden;
+
+TEST(Disc, IsDrawnAsItWasApproved) {
+  ASSERT_THAT(render_disc(), MatchesGolden("images/disc.png"));
+}
+
+TEST(Disc, HasTheDistancesItHad) {
+  EXPECT_THAT(render_distances(), MatchesGolden("images/distances.pfm"));
+}
