@@ -9,7 +9,7 @@
 
 namespace glassbox {
 
-// Whether the bytes start like a JPEG, BMP or TGA file. TGA has no signature: a plausible header is all there is.
+// Whether the bytes start like a JPEG, BMP or TGA file. TGA has no signature, only a plausible header.
 bool is_stb_format(std::span<const std::byte> bytes);
 
 // Of such bytes.

@@ -1,0 +1,154 @@
+#include <glassbox/images/stb_check.h>
+
+#include <algorithm>
+#include <string>
+
+namespace glassbox {
+namespace {
+
+using Bytes = std::span<const std::byte>;
+
+std::uint64_t number_at(Bytes bytes, std::size_t offset, std::size_t size) {  // little-endian
+  std::uint64_t value = 0;
+  for (std::size_t i = size; i-- > 0;) value = value << 8 | std::uint64_t(bytes[offset + i]);
+  return value;
+}
+
+tl::unexpected<Error> cut_off(const char* format) {
+  return fail("", std::string("the ") + format + " file is cut off", "save the image again");
+}
+
+// The Huffman tables of one segment. stb writes behind its own where a table has more than 256 codes
+// (github.com/nothings/stb, issue 1289).
+bool has_sound_tables(Bytes segment) {
+  constexpr std::size_t kHeadBytes = 17,
+                        kMostCodes = 256;  // the kind and number of a table, 16 counts
+  while (!segment.empty()) {
+    if (segment.size() < kHeadBytes) return false;
+    std::size_t codes = 0;
+    for (const std::byte count : segment.subspan(1, 16)) codes += std::size_t(count);
+    if (codes > kMostCodes || segment.size() - kHeadBytes < codes) return false;
+    segment = segment.subspan(kHeadBytes + codes);
+  }
+  return true;
+}
+
+// The bytes before the marker that ends the coded data of a scan: not FF 00, which stands for FF, and no restart.
+std::size_t coded_bytes(Bytes bytes) {
+  for (std::size_t i = 0; i + 1 < bytes.size(); ++i) {
+    const auto next = unsigned(bytes[i + 1]);
+    const bool restart = next >= 0xd0 && next <= 0xd7;
+    if (bytes[i] == std::byte{0xff} && next != 0 && next != 0xff && !restart) return i;
+  }
+  return bytes.size();
+}
+
+// Rows of 1, 4 or 8 bits that choose one of so many colours.
+bool chooses_at_most(Bytes rows, std::uint64_t row_bytes, std::uint64_t width, unsigned bits,
+                     std::int64_t colours) {
+  if (colours >= std::int64_t(1) << bits) return true;
+  for (; rows.size() >= row_bytes; rows = rows.subspan(row_bytes)) {
+    for (std::uint64_t x = 0; x < width; ++x) {
+      const unsigned byte = unsigned(rows[x * bits / 8]);
+      const unsigned index = byte >> (8 - bits - x * bits % 8) & ((1u << bits) - 1);
+      if (std::int64_t(index) >= colours) return false;
+    }
+  }
+  return true;
+}
+
+// The bytes of run-length packets that hold so many pixels: a count and one pixel, or a count and as many pixels.
+std::uint64_t packed_bytes(Bytes packets, std::uint64_t pixels, std::uint64_t pixel_bytes) {
+  std::uint64_t at = 0;
+  while (pixels > 0 && at < packets.size()) {
+    const std::uint64_t head = std::uint64_t(packets[at]);
+    const std::uint64_t run = std::min(head % 128 + 1, pixels);
+    at += 1 + (head >= 128 ? 1 : run) * pixel_bytes;
+    pixels -= run;
+  }
+  return pixels == 0 ? at : packets.size() + 1;
+}
+
+}  // namespace
+
+Result<void> check_jpeg(Bytes bytes) {
+  constexpr int kMaxScans =
+      500;  // an encoder writes about ten; each one costs a pass over the image
+  const auto broken = [](const std::string& cause) {
+    return fail("", "JPEG with " + cause, "save the image again");
+  };
+  int scans = 0;
+  Bytes rest = bytes.subspan(std::min<std::size_t>(bytes.size(), 2));  // start of image
+  for (;;) {
+    // Markers are FF and a byte that says which; more FF and padding may come before.
+    while (rest.size() >= 2 && (rest[0] != std::byte{0xff} || rest[1] == std::byte{0xff})) {
+      rest = rest.subspan(1);
+    }
+    if (rest.size() < 2) return cut_off("JPEG");
+    const auto marker = unsigned(rest[1]);
+    constexpr unsigned kEnd = 0xd9, kScan = 0xda, kTables = 0xc4;
+    if (marker == kEnd) return {};
+    // Markers without a length, restarts in the wrong place: stb refuses them, too.
+    const bool has_length = marker >= 0xc0 && marker != 0xff && !(marker >= 0xd0 && marker <= 0xd8);
+    if (!has_length) return broken("a marker that does not belong there");
+    if (rest.size() < 4) return cut_off("JPEG");
+    const std::size_t length = std::size_t(rest[2]) << 8 | std::size_t(rest[3]);
+    if (length < 2) return broken("a segment shorter than its length field");
+    if (rest.size() < 2 + length) return cut_off("JPEG");
+    const Bytes segment = rest.subspan(4, length - 2);
+    rest = rest.subspan(2 + length);
+    if (marker == kTables && !has_sound_tables(segment)) return broken("a bad Huffman table");
+    if (marker == kScan) {
+      if (++scans > kMaxScans) return broken("more than " + std::to_string(kMaxScans) + " scans");
+      rest = rest.subspan(coded_bytes(rest));
+    }
+  }
+}
+
+Result<void> check_bmp(Bytes bytes, std::uint64_t width, std::uint64_t height) {
+  constexpr std::uint64_t kFileHeaderBytes = 14;
+  if (bytes.size() < 30) return cut_off("BMP");
+  const std::uint64_t info_bytes = number_at(bytes, 14, 4);
+  const bool os2 = info_bytes == 12;
+  const std::uint64_t bits = number_at(bytes, os2 ? 24 : 28, 2);
+  const std::uint64_t row_bytes = (width * bits + 31) / 32 * 4;
+  const std::uint64_t pixels_at = number_at(bytes, 10, 4);
+  if (pixels_at + row_bytes * height > bytes.size()) return cut_off("BMP");
+  if (bits == 1 || bits == 4 || bits == 8) {
+    // As stb counts; of a palette of OS/2 it loses the last four.
+    const std::int64_t palette_bytes =
+        std::int64_t(pixels_at) - std::int64_t(kFileHeaderBytes + (os2 ? 24 : info_bytes));
+    const Bytes rows = bytes.subspan(pixels_at, row_bytes * height);
+    if (!chooses_at_most(rows, row_bytes, width, unsigned(bits), palette_bytes / (os2 ? 3 : 4))) {
+      return fail("", "BMP with a pixel behind the end of its palette", "convert it to PNG");
+    }
+  }
+  return {};
+}
+
+Result<void> check_tga(Bytes bytes, std::uint64_t width, std::uint64_t height) {
+  constexpr std::uint64_t kHeaderBytes = 18;
+  if (bytes.size() < kHeaderBytes) return cut_off("TGA");
+  const bool has_palette = number_at(bytes, 1, 1) != 0;
+  const bool packed = number_at(bytes, 2, 1) >= 9;
+  const std::uint64_t pixel_bytes = (number_at(bytes, 16, 1) + 7) / 8;
+  const std::uint64_t palette_bytes =
+      has_palette ? number_at(bytes, 5, 2) * ((number_at(bytes, 7, 1) + 7) / 8) : 0;
+  // stb takes the number of the palette's first entry for bytes to skip, and every row to run from left to right.
+  const bool shifted = has_palette && number_at(bytes, 3, 2) != 0;
+  const bool other_order = (number_at(bytes, 17, 1) & 0xd0) != 0;
+  if (shifted || other_order) {
+    return fail("", shifted ? "TGA with a palette that does not start at 0" : "TGA in an odd order",
+                "convert it to PNG");
+  }
+  const std::uint64_t pixels_at = kHeaderBytes + number_at(bytes, 0, 1) + palette_bytes;
+  if (pixels_at > bytes.size()) return cut_off("TGA");
+  const Bytes samples = bytes.subspan(pixels_at);
+  const std::uint64_t pixels = width * height;
+  const std::uint64_t needed =
+      packed ? packed_bytes(samples, pixels, pixel_bytes) : pixels * pixel_bytes;
+  if (needed > samples.size()) return cut_off("TGA");
+  return {};
+}
+
+}  // namespace glassbox
