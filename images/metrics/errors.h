@@ -7,9 +7,9 @@
 
 namespace glassbox {
 
-// Over all samples, alpha too, of the pixels that are compared. Bytes count 1/255, 16-bit samples 1/65535, so that both lie in
-// [0, 1]; floats are as they are. Where exactly one sample is NaN, or infinities differ, both numbers are infinite; so they
-// are for NaN in both, unless the pair's nan_equals_nan.
+// Over all samples, alpha too, of the pixels that are compared. Bytes count 1/255, 16-bit samples 1/65535, so that both
+// lie in [0, 1]; floats are as they are. Where exactly one sample is NaN, or infinities differ, both numbers are
+// infinite; so they are for NaN in both, unless the pair's nan_equals_nan.
 struct SampleErrors {
   std::uint64_t samples = 0;
   double absmax = 0;

@@ -11,8 +11,8 @@ template <class Real, std::size_t radius>
 using Taps = std::array<Real, radius>;
 
 // out[x] = the weighted sum of in[x - radius * step] ... in[x + radius * step], the weights the same on both sides and
-// `sum` all together. Written as sum * centre + weights * (both sides - 2 centre), a constant picture comes out exactly: as
-// it is for a sum of 1, as 0 for a sum of 0. The far and small weights are added first.
+// `sum` all together. Written as sum * centre + weights * (both sides - 2 centre), a constant picture comes out
+// exactly: as it is for a sum of 1, as 0 for a sum of 0. The far and small weights are added first.
 template <std::ptrdiff_t step, class Real, std::size_t radius>
 inline void filter_even(const Real* in, int count, const Taps<Real, radius>& weights, Real sum,
                         Real* out) {

@@ -5,8 +5,8 @@
 
 namespace glassbox {
 
-// Each value in [-1, 1] is rounded to a multiple of 2^-32, which moves the mean by at most 2^-33 (1.2e-10). Sums of whole
-// numbers are exact, so threads may add what they have in any order. 2^30 values have room.
+// Each value in [-1, 1] is rounded to a multiple of 2^-32, which moves the mean by at most 2^-33 (1.2e-10). Sums of
+// whole numbers are exact, so threads may add what they have in any order. 2^30 values have room.
 class FixedSum {
 public:
   // 3 * 2^51 pushes everything behind the ones' place out of a double of this size, rounding to nearest.

@@ -1,7 +1,7 @@
 // LDR-FLIP: how different two pictures look when they are shown in turns.
 //
-// Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström, Fairchild: FLIP: A Difference Evaluator for Alternating Images.
-// Proceedings of the ACM on Computer Graphics and Interactive Techniques 3(2), 2020.
+// Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström, Fairchild: FLIP: A Difference Evaluator for Alternating
+// Images. Proceedings of the ACM on Computer Graphics and Interactive Techniques 3(2), 2020.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +22,8 @@ struct FlipErrors {
   double max = 0;
 };
 
-// Colours are sRGB, grey stands for r = g = b; 16-bit samples are used as they are. Where a pixel of either picture is not
-// opaque, both are laid over black and over white and the larger error counts. Seen at 67 pixels per degree. The
+// Colours are sRGB, grey stands for r = g = b; 16-bit samples are used as they are. Where a pixel of either picture is
+// not opaque, both are laid over black and over white and the larger error counts. Seen at 67 pixels per degree. The
 // pair must not have floats.
 //
 // Memory: 3 MB a thread beyond the pictures. `tiles` (at most kLargestFlipTile) and the number of threads have no

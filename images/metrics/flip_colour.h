@@ -57,8 +57,8 @@ inline Colour times(const Matrix& matrix, Colour colour) {
   return {row(0), row(1), row(2)};
 }
 
-// YCxCz, without its scales and its offset, which filters leave as they are: Y/Yn, X/Xn - Y/Yn and Y/Yn - Z/Zn. The paper's Y is
-// 116 times the first less 16, its Cx and Cz are 500 and 200 times the others.
+// YCxCz, without its scales and its offset, which filters leave as they are: Y/Yn, X/Xn - Y/Yn and Y/Yn - Z/Zn. The
+// paper's Y is 116 times the first less 16, its Cx and Cz are 500 and 200 times the others.
 inline Colour opponent_of_linear(Colour rgb) {
   const Colour relative = times(kRelativeFromRgb, rgb);
   return {relative.y, relative.x - relative.y, relative.y - relative.z};

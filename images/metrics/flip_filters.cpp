@@ -10,7 +10,8 @@ constexpr double square(double value) {
   return value * value;
 }
 
-// Contrast sensitivity of one opponent colour: amplitude a and width b (square degrees) of a Gaussian, table 1 of the paper.
+// Contrast sensitivity of one opponent colour: amplitude a and width b (square degrees) of a Gaussian, table 1 of the
+// paper.
 constexpr double kLightnessWidth = 0.0047;
 constexpr double kRedGreenWidth = 0.0053;
 constexpr double kWideAmplitude = 34.1, kWideWidth = 0.04;

@@ -23,8 +23,8 @@ struct FlipFilters {
   Taps<float, kColourRadius> wide_blue_yellow, narrow_blue_yellow;
   float wide_share = 0, narrow_share = 0;
 
-  // Feature detection (section 4.2): a Gaussian, and its first and second derivative with the positive weights scaled to
-  // sum up to 1 and the negative ones to -1.
+  // Feature detection (section 4.2): a Gaussian, and its first and second derivative with the positive weights scaled
+  // to sum up to 1 and the negative ones to -1.
   Taps<float, kFeatureRadius> smooth, slope, bend;
 };
 

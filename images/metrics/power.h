@@ -8,8 +8,8 @@
 namespace glassbox {
 
 // The cube root of a float in [2^-80, 2^100], relative error below 2^-23. A third of the exponent is within 3.3 % of it
-// (Kahan's first guess); Halley's iteration cubes the relative error and multiplies it by 2/3: 2.4e-5, then 1e-14, which
-// leaves the rounding of the last step.
+// (Kahan's first guess); Halley's iteration cubes the relative error and multiplies it by 2/3: 2.4e-5, then 1e-14,
+// which leaves the rounding of the last step.
 inline float cube_root(float value) {
   const float bits = float(std::bit_cast<std::int32_t>(value));
   float root = std::bit_cast<float>(std::int32_t(bits * (1.0f / 3.0f)) + 709958130);

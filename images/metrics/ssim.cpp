@@ -54,7 +54,8 @@ double similarity(double sum, double difference, double sum_square, double diffe
          (((mean_s + mean_d) / 2 + kC1) * ((variance_s + variance_d) / 2 + kC2));
 }
 
-// Samples x, x + 1, ... of one channel of a row, scaled to [0, 1]. Pixels that are not compared come from the reference.
+// Samples x, x + 1, ... of one channel of a row, scaled to [0, 1]. Pixels that are not compared come from the
+// reference.
 void load(const PicturePair& pair, int x, int y, int count, int channel, Parts<Row>& row) {
   const double scale = full_scale(pair.reference);
   const auto channels = std::size_t(pair.reference.channels);

@@ -24,8 +24,8 @@ struct SsimValues {
 // K1 = 0.01, K2 = 0.03 and L = 1 on samples scaled to [0, 1]; the pair must not have floats. No windows where
 // the picture is smaller than one. The same pictures give exactly 1.
 //
-// Variances come as E[v^2] - E[v]^2, of the sum and the difference of the two pictures: v^2 is at most 4, and 22 roundings of
-// 2^-53 each in either term leave an error below 2 * 22 * 4 * 2^-53 = 2e-14. The denominator is at least
+// Variances come as E[v^2] - E[v]^2, of the sum and the difference of the two pictures: v^2 is at most 4, and 22
+// roundings of 2^-53 each in either term leave an error below 2 * 22 * 4 * 2^-53 = 2e-14. The denominator is at least
 // K2^2 = 9e-4, so a window is off by less than 5e-11.
 //
 // Memory: 0.5 MB a thread beyond the pictures. `tiles` (at most kLargestSsimTile) and the number of threads have no

@@ -76,7 +76,8 @@ TEST_CASE("visible differences have the same bits for any tiles and threads", "[
 }
 
 TEST_CASE("a tile of opaque pixels in a transparent picture is as in an opaque one", "[metrics]") {
-  // The left half is opaque and the right one is not, so tiles of 10 pixels skip the second background on the left only.
+  // The left half is opaque and the right one is not, so tiles of 10 pixels skip the second background on the left
+  // only.
   const auto half = [](int x, int y, int c) {
     return c == 3 && x < 60 ? 255 : test::noise(x, y, c, 3);
   };

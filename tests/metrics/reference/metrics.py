@@ -186,6 +186,12 @@ def cases():
     def to_the_right(x, y, c):
         return blocks(np.maximum(x, 1) - np.uint32(1), y, c)
 
+    def saturated(x, y, c):
+        return 255 * (blocks(x, y, c) // 128)
+
+    def saturated_to_the_right(x, y, c):
+        return 255 * (to_the_right(x, y, c) // 128)
+
     def slope(x, y, c):
         return 90 + (x.astype(int) + y.astype(int)) // 2
 
@@ -209,6 +215,7 @@ def cases():
 
     yield "noise on a gradient", *[picture(67, 41, 3, s) for s in (gradient, speckled(gradient, 5, 8))], 255
     yield "blocks moved by a pixel", *[picture(96, 64, 3, s) for s in (blocks, to_the_right)], 255
+    yield "saturated blocks moved", *[picture(96, 64, 3, s) for s in (saturated, saturated_to_the_right)], 255
     yield "one magenta pixel", *[picture(48, 40, 3, s) for s in (slope, magenta_dot)], 255
     yield "one step brighter", *[picture(40, 30, 1, s) for s in (grey, lambda *p: grey(*p) + 1)], 255
     yield "16 bits", *[picture(67, 41, 3, s) for s in (deep, speckled(deep, 6, 100, 65535))], 65535
