@@ -37,11 +37,16 @@ bool is_alpha(int channel, int channels) {
   return channels % 2 == 0 && channel == channels - 1;
 }
 
+// Row y; pixel x of it starts at channels * x.
 template <class Sample>
-const Sample* pixel_at(const StoredImage& image, int x, int y) {
+const Sample* row_of(const StoredImage& image, int y) {
   const auto& samples = std::get<std::vector<Sample>>(image.samples);
-  const auto pixel = std::size_t(y) * std::size_t(image.width) + std::size_t(x);
-  return samples.data() + pixel * std::size_t(image.channels);
+  return samples.data() + std::size_t(y) * std::size_t(image.width) * std::size_t(image.channels);
+}
+
+template <class Sample>
+const Sample* pixel_at(const StoredImage& image, PixelAt at) {
+  return row_of<Sample>(image, at.y) + std::ptrdiff_t(at.x) * image.channels;
 }
 
 template <class Sample>
@@ -56,22 +61,32 @@ bool foretells(const Hypothesis<Sample>& hypothesis, const Sample* from, const S
 }
 
 // Compared pixels of the test that are not as the hypothesis says; those that it takes from outside of the reference
-// are left open. Stops above `limit`.
+// are left open.
+template <class Sample>
+std::uint64_t row_misses(const PicturePair& pair, const Hypothesis<Sample>& hypothesis, int y) {
+  const int width = pair.reference.width, channels = pair.reference.channels;
+  const int from_y = hypothesis.y_sign * y + hypothesis.y_offset;
+  if (from_y < 0 || from_y >= pair.reference.height) return 0;
+  const Sample* from = row_of<Sample>(pair.reference, from_y);
+  const Sample* to = row_of<Sample>(pair.test, y);
+  std::uint64_t misses = 0;
+  for (int x = 0; x < width; ++x, to += channels) {
+    const int from_x = hypothesis.x_sign * x + hypothesis.x_offset;
+    if (from_x < 0 || from_x >= width || !pair.selection.compares(x, y)) continue;
+    const Sample* source = from + std::ptrdiff_t(from_x) * channels;
+    misses += foretells(hypothesis, source, to, channels) ? 0 : 1;
+  }
+  return misses;
+}
+
+// In all rows, from the first that differs, where a wrong hypothesis soon fails. Stops above `limit`.
 template <class Sample>
 std::uint64_t count_misses(const PicturePair& pair, const Hypothesis<Sample>& hypothesis,
-                           std::uint64_t limit) {
-  const StoredImage& reference = pair.reference;
+                           int first_row, std::uint64_t limit) {
+  const int height = pair.reference.height;
   std::uint64_t misses = 0;
-  for (int y = 0; y < reference.height && misses <= limit; ++y) {
-    const int from_y = hypothesis.y_sign * y + hypothesis.y_offset;
-    if (from_y < 0 || from_y >= reference.height) continue;
-    for (int x = 0; x < reference.width && misses <= limit; ++x) {
-      const int from_x = hypothesis.x_sign * x + hypothesis.x_offset;
-      if (from_x < 0 || from_x >= reference.width || !pair.selection.compares(x, y)) continue;
-      const bool hit = foretells(hypothesis, pixel_at<Sample>(reference, from_x, from_y),
-                                 pixel_at<Sample>(pair.test, x, y), reference.channels);
-      misses += hit ? 0 : 1;
-    }
+  for (int i = 0; i < height && misses <= limit; ++i) {
+    misses += row_misses(pair, hypothesis, (first_row + i) % height);
   }
   return misses;
 }
@@ -112,8 +127,8 @@ Sample clamped_sum(Sample sample, int offset) {
 template <class Sample>
 void add_constant(Hypotheses<Sample>& all, const PicturePair& pair, PixelAt first) {
   const int channels = pair.reference.channels;
-  const Sample* from = pixel_at<Sample>(pair.reference, first.x, first.y);
-  const Sample* to = pixel_at<Sample>(pair.test, first.x, first.y);
+  const Sample* from = pixel_at<Sample>(pair.reference, first);
+  const Sample* to = pixel_at<Sample>(pair.test, first);
   std::array<int, 4> offset{};
   std::string words;
   for (int channel = 0; channel < channels; ++channel) {
@@ -176,7 +191,7 @@ std::optional<std::string> best_explanation(const PicturePair& pair,
   std::uint64_t limit = differences.differing / kOneIn;
   std::optional<std::string> best;
   for (const auto& hypothesis : hypotheses<Sample>(pair, differences.first)) {
-    const std::uint64_t misses = count_misses(pair, hypothesis, limit);
+    const std::uint64_t misses = count_misses(pair, hypothesis, differences.first.y, limit);
     if (misses > limit || (best && misses == limit)) continue;
     best = hypothesis.words + but_for(misses);
     limit = misses;
@@ -191,10 +206,10 @@ std::optional<std::string> only_channel(const PicturePair& pair) {
   const int channels = pair.reference.channels;
   std::array<bool, 4> differs{};
   for (int y = 0; y < pair.reference.height; ++y) {
-    for (int x = 0; x < pair.reference.width; ++x) {
+    const Sample* from = row_of<Sample>(pair.reference, y);
+    const Sample* to = row_of<Sample>(pair.test, y);
+    for (int x = 0; x < pair.reference.width; ++x, from += channels, to += channels) {
       if (!pair.selection.compares(x, y)) continue;
-      const Sample* from = pixel_at<Sample>(pair.reference, x, y);
-      const Sample* to = pixel_at<Sample>(pair.test, x, y);
       for (int c = 0; c < channels; ++c) differs[std::size_t(c)] |= from[c] != to[c];
     }
   }
