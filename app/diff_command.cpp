@@ -93,8 +93,7 @@ void DiffCommand::add_to(CLI::App& app, int& exit_code) {
           [this](const std::string& text) {
             options_.tolerance.fuzzy = value_or_refuse("--fuzzy", parse_fuzzy(text));
           },
-          "largest difference in steps of the format (1/255, 1/65535, ulps), and number of pixels; "
-          "ranges are inclusive, a single number means exactly that number")
+          "largest difference in steps (1/255, 1/65535, ulps) and number of pixels that differ")
       ->type_name("'maxDifference=A-B;totalPixels=C-D'")
       ->group(tolerance);
   command
@@ -255,6 +254,10 @@ bool DiffCommand::silent() const {
 }
 
 void DiffCommand::print(const std::vector<Comparison>& comparisons, const Pairing& pairing) const {
+  if (!directories_ && comparisons.front().error) {
+    refuse(*comparisons.front().error);
+    return;
+  }
   if (silent()) return;
   for (const Comparison& one : comparisons) {
     const std::string more = details(one);
