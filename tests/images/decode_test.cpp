@@ -8,6 +8,7 @@
 #include <glassbox/images/read.h>
 #include <glassbox/images/write.h>
 
+#include "tests/images/plain_builder.h"
 #include "tests/images/png_builder.h"
 #include "tests/support/random.h"
 
@@ -29,36 +30,13 @@ Rgba8 only_pixel(const PngParts& parts) {
   return image->pixels[0];
 }
 
-// Uncompressed 24-bit BMP and TGA, rows bottom-up, of one colour given as blue, green, red.
-Bytes build_bmp(std::uint32_t width, std::uint32_t height) {
-  Bytes bytes(54);
-  const auto put = [&](std::size_t at, std::uint32_t value) {
-    for (std::size_t i = 0; i < 4; ++i) bytes[at + i] = std::uint8_t(value >> 8 * i);
-  };
-  const std::uint32_t row = (width * 3 + 3) / 4 * 4;
-  bytes[0] = 'B';
-  bytes[1] = 'M';
-  put(2, 54 + row * height);
-  put(10, 54);
-  put(14, 40);
-  put(18, width);
-  put(22, height);
-  bytes[26] = 1;
-  bytes[28] = 24;
-  for (std::uint32_t y = 0; y < height; ++y) {
-    for (std::uint32_t i = 0; i < row; ++i) bytes.push_back(std::uint8_t(10 * (i % 3 + 1)));
-  }
-  return bytes;
+// 24 bits a pixel, of one colour.
+Bytes plain_bmp(std::uint32_t width, std::uint32_t height) {
+  return test::build_bmp(width, height, 24, test::one_colour(height, (width * 3 + 3) / 4 * 4));
 }
-
-Bytes build_tga(std::uint8_t width, std::uint8_t height) {
-  Bytes bytes(18);
-  bytes[2] = 2;
-  bytes[12] = width;
-  bytes[14] = height;
-  bytes[16] = 24;
-  for (int i = 0; i < width * height * 3; ++i) bytes.push_back(std::uint8_t(10 * (i % 3 + 1)));
-  return bytes;
+Bytes plain_tga(std::uint16_t width, std::uint16_t height) {
+  return test::build_tga(2, width, height, 24,
+                         test::one_colour(1, std::size_t(width) * height * 3));
 }
 
 }  // namespace
@@ -109,7 +87,7 @@ TEST_CASE("16 bits a channel become the nearest 8, for every value") {
 
 TEST_CASE("BMP and TGA decode, and a file cut off anywhere is refused") {
   const Rgba8 colour{30, 20, 10, 255};
-  for (const Bytes& whole : {build_bmp(5, 3), build_tga(5, 3)}) {
+  for (const Bytes& whole : {plain_bmp(5, 3), plain_tga(5, 3)}) {
     const auto image = decode(whole);
     REQUIRE(image);
     CHECK(image->width == 5);
@@ -179,8 +157,8 @@ TEST_CASE("images above the limits are refused with the limit and the remedy") {
   CHECK(decode(png, {.max_pixels = 199}).error().message() ==
         "image of 20 x 10 pixels, more than the limit of 199 in all; scale it down or raise the "
         "limit on pixels");
-  CHECK_FALSE(decode(build_bmp(20, 10), {.max_pixels = 199}));
-  CHECK_FALSE(decode(build_tga(20, 10), {.max_side = 19}));
+  CHECK_FALSE(decode(plain_bmp(20, 10), {.max_pixels = 199}));
+  CHECK_FALSE(decode(plain_tga(20, 10), {.max_side = 19}));
 }
 
 TEST_CASE("an image that claims more pixels than its bytes can hold is refused at once") {
@@ -194,7 +172,7 @@ TEST_CASE("an image that claims more pixels than its bytes can hold is refused a
   const PngParts large{
       .width = 14008, .height = 14008, .bit_depth = 1, .colour_type = 0, .rows = Bytes(60000)};
   CHECK(decode(build_png(large)).error().cause.find("more than the limit") != std::string::npos);
-  Bytes bmp = build_bmp(4, 4);
+  Bytes bmp = plain_bmp(4, 4);
   bmp[20] = 0x10;  // a width of 2^20 + 4
   CHECK_FALSE(decode(bmp, {.max_side = 1u << 30}));
 }

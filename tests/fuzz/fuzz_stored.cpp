@@ -1,0 +1,145 @@
+// Hostile image files as stored, the text in PNGs, and the recipe in that text.
+#include <zlib.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <span>
+#include <variant>
+
+#include <glassbox/images/decode.h>
+#include <glassbox/images/png_text.h>
+#include <glassbox/images/read.h>
+#include <glassbox/images/recipe.h>
+#include <glassbox/images/stored_image.h>
+#include <glassbox/images/utf8.h>
+#include <glassbox/images/write.h>
+
+namespace {
+
+using namespace glassbox;
+using Bytes = std::span<const std::byte>;
+
+constexpr DecodeLimits kLimits{.max_pixels = 1 << 16, .max_side = 4096};
+
+void require(bool holds, const char* what) {
+  if (holds) return;
+  std::fprintf(stderr, "a promise is broken: %s\n", what);
+  std::abort();
+}
+
+template <class T>
+void require_explained(const Result<T>& result) {
+  if (result) return;
+  require(!result.error().cause.empty() && !result.error().remedy.empty(), "cause and remedy");
+  require(result.error().message().find('\n') == std::string::npos, "one line");
+}
+
+std::uint8_t nearest_8(std::uint8_t sample) {
+  return sample;
+}
+std::uint8_t nearest_8(std::uint16_t sample) {
+  return std::uint8_t((sample + 128u) / 257u);  // of sample * 255 / 65535; no ties
+}
+std::uint8_t nearest_8(float) {
+  return 0;  // decode_image and decode_pnm read no floats
+}
+
+// The RGBA of a pixel that starts at `sample`.
+template <class Sample>
+Rgba8 rgba_of(const Sample* sample, int channels) {
+  const bool colour = channels >= 3, alpha = channels % 2 == 0;
+  return {nearest_8(sample[0]), nearest_8(sample[colour ? 1 : 0]),
+          nearest_8(sample[colour ? 2 : 0]),
+          alpha ? nearest_8(sample[channels - 1]) : std::uint8_t(255)};
+}
+
+void check(const StoredImage& image, Bytes bytes) {
+  require(image.width >= 1 && image.height >= 1, "a size above zero");
+  require(image.width <= 4096 && image.height <= 4096, "sides within the limit");
+  require(image.pixels() <= kLimits.max_pixels, "pixels within the limit");
+  require(image.channels >= 1 && image.channels <= 4, "one to four channels");
+  const bool pnm = bytes[0] == std::byte{'P'};
+  const auto same = pnm ? decode_pnm(bytes, kLimits) : decode_image(bytes, kLimits);
+  std::visit(
+      [&]<class Sample>(const std::vector<Sample>& samples) {
+        const auto channels = std::size_t(image.channels);
+        require(samples.size() == image.pixels() * channels, "as many samples as the size says");
+        if (std::is_same_v<Sample, float>) return;
+        require(same.has_value(), "what decodes as stored decodes to RGBA");
+        require(same->width == image.width && same->height == image.height, "the same size");
+        // The nearest 8 bits of a largest value that is neither 255 nor 65535 is not the nearest of the nearest 16.
+        if (pnm && sizeof(Sample) == 2) return;
+        for (std::size_t i = 0; i < image.pixels(); ++i) {
+          require(same->pixels[i] == rgba_of(samples.data() + i * channels, image.channels),
+                  "the same pixels");
+        }
+      },
+      image.samples);
+
+  if (image.samples.index() == 2) {
+    require(encode_pfm(image).has_value(), "floats can be written");
+    require(!encode_png(image).has_value(), "floats are no PNG");
+  } else {
+    const auto png = encode_png(image);
+    require(png && decode_stored(*png, kLimits) == image, "a PNG gives back what it was made of");
+  }
+}
+
+void check_text(const std::vector<TextEntry>& entries) {
+  require(entries.size() <= kMaxTextEntries, "not too many texts");
+  for (const auto& [keyword, text] : entries) {
+    require(!keyword.empty() && is_utf8(keyword) && is_utf8(text), "texts in UTF-8");
+    require(text.size() <= 2 * kMaxTextBytes, "short texts");
+    require(text.find('\0') == std::string::npos, "no zero bytes");
+    if (const auto quoted = shell_quoted(text)) require(quoted->size() >= text.size(), "quoted");
+  }
+  if (const auto recipe = recipe_of(entries)) {
+    require(recipe_of(to_text(*recipe)) == recipe, "a recipe comes back");
+  }
+}
+
+}  // namespace
+
+#ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
+// The check sums of the chunks set right after most mutations, or none would come further than those.
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                               std::size_t max_size, unsigned seed) {
+  size = LLVMFuzzerMutate(data, size, max_size);
+  if (size < 8 || data[0] != 0x89 || seed % 8 == 0) return size;
+  const auto number_at = [&](std::size_t at) {
+    return std::size_t(data[at]) << 24 | std::size_t(data[at + 1]) << 16 |
+           std::size_t(data[at + 2]) << 8 | data[at + 3];
+  };
+  for (std::size_t at = 8; size - at >= 12;) {
+    const std::size_t length = number_at(at);
+    if (length > size - at - 12) break;
+    const auto crc = ::crc32(0, data + at + 4, uInt(4 + length));
+    for (std::size_t i = 0; i < 4; ++i)
+      data[at + 8 + length + i] = std::uint8_t(crc >> (24 - 8 * i));
+    at += 12 + length;
+  }
+  return size;
+}
+#endif
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const Bytes bytes = std::as_bytes(std::span(data, size));
+  const auto image = decode_stored(bytes, kLimits);
+  require_explained(image);
+  if (image) check(*image, bytes);
+  const auto entries = read_png_text(bytes);
+  require_explained(entries);
+  if (entries) check_text(*entries);
+
+  // The chunks' check sums keep mutations from reaching the recipe: the input as its options, too.
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  const std::vector<TextEntry> recipe{
+      {"Software", "glassbox 1"}, {"glassbox scene", "scene"}, {"glassbox options", text}};
+  check_text(is_utf8(text) && text.find('\0') == std::string::npos && size <= kMaxTextBytes
+                 ? recipe
+                 : std::vector<TextEntry>{});
+  return 0;
+}

@@ -1,0 +1,374 @@
+#include "tests/support/catch.h"
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+
+#include <glassbox/images/png_text.h>
+#include <glassbox/images/read.h>
+#include <glassbox/images/stored_image.h>
+#include <glassbox/images/write.h>
+
+#include "tests/images/plain_builder.h"
+#include "tests/images/stored_builder.h"
+
+namespace {
+
+using namespace glassbox;
+using namespace std::string_literals;
+using test::Bytes;
+using test::stored;
+
+Result<StoredImage> decode(const Bytes& bytes, const DecodeLimits& limits = kCompareLimits) {
+  return decode_stored(std::as_bytes(std::span(bytes)), limits);
+}
+
+Bytes bytes_of(const std::string& text) {
+  return Bytes(text.begin(), text.end());
+}
+Bytes bytes_of(const std::vector<std::byte>& bytes) {
+  Bytes result;
+  for (const std::byte byte : bytes) result.push_back(std::uint8_t(byte));
+  return result;
+}
+
+struct File {
+  std::string name;
+  Bytes bytes;
+};
+
+// One small file of each kind that the corpus of the fuzzer has: every format, depth and channel count.
+std::vector<File> small_files() {
+  std::vector<File> files;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(GLASSBOX_SOURCE_DIR "/tests/fuzz/corpus/stored")) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("found-") || entry.path().extension() == ".txt") continue;
+    files.push_back({name, bytes_of(read_file(entry.path().string()).value())});
+  }
+  std::sort(files.begin(), files.end(),
+            [](const File& a, const File& b) { return a.name < b.name; });
+  return files;
+}
+
+void require_explained(const Result<StoredImage>& image) {
+  REQUIRE_FALSE(image);
+  REQUIRE_FALSE(image.error().cause.empty());
+  REQUIRE_FALSE(image.error().remedy.empty());
+}
+
+void require_whole(const StoredImage& image) {
+  std::visit(
+      [&](const auto& samples) {
+        REQUIRE(samples.size() == image.pixels() * std::size_t(image.channels));
+      },
+      image.samples);
+}
+
+// What `work` returns (below 128) in a process of its own, and how much that process grew at most.
+struct Run {
+  int result = 0;
+  long grown_kib = 0;
+};
+template <class Work>
+Run in_child(Work work) {
+  const auto resident_kib = [] {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;
+  };
+  int pipe_ends[2];
+  REQUIRE(::pipe(pipe_ends) == 0);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const long before = resident_kib();
+    const int result = work();
+    const long grown = resident_kib() - before;
+    const bool told = ::write(pipe_ends[1], &grown, sizeof grown) == sizeof grown;
+    ::_exit(told ? result : 127);
+  }
+  ::close(pipe_ends[1]);
+  Run run;
+  if (::read(pipe_ends[0], &run.grown_kib, sizeof run.grown_kib) != sizeof run.grown_kib) {
+    run.grown_kib = -1;
+  }
+  ::close(pipe_ends[0]);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  run.result = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+  return run;
+}
+
+// A claim of `width` x `height` in a file of a few hundred bytes.
+std::vector<File> bombs(std::uint32_t width, std::uint32_t height) {
+  const std::string size = std::to_string(width) + " " + std::to_string(height);
+  std::vector<File> files;
+  for (const std::uint8_t colour_type : std::initializer_list<std::uint8_t>{0, 2, 3, 4, 6}) {
+    const bool palette = colour_type == 3;
+    for (const bool interlaced : {false, true}) {
+      files.push_back({"PNG", test::build_png({.width = width,
+                                               .height = height,
+                                               .bit_depth = std::uint8_t(palette ? 1 : 16),
+                                               .colour_type = colour_type,
+                                               .palette = palette ? Bytes(6) : Bytes(),
+                                               .rows = Bytes(300),
+                                               .interlaced = interlaced})});
+    }
+  }
+  for (const char* magic : {"P5 ", "P6 "}) {
+    files.push_back({"PNM", bytes_of(magic + size + " 65535\n" + std::string(300, 'x'))});
+  }
+  for (const char* magic : {"Pf ", "PF "}) {
+    files.push_back({"PFM", bytes_of(magic + size + " -1\n" + std::string(300, 'x'))});
+  }
+  const auto narrow = std::uint16_t(width), low = std::uint16_t(height);
+  for (const std::uint32_t bits : {1u, 8u, 24u, 32u}) {
+    files.push_back(
+        {"BMP", test::build_bmp(width, height, bits, Bytes(300), bits < 24 ? Bytes(8) : Bytes())});
+  }
+  files.push_back({"TGA", test::build_tga(2, narrow, low, 32, Bytes(300))});
+  files.push_back({"TGA", test::build_tga(10, narrow, low, 32, Bytes(300, 0xff))});
+  for (const char* name : {"grey.jpg", "progressive.jpg"}) {
+    const auto small = small_files();
+    Bytes jpeg = std::find_if(small.begin(), small.end(), [&](const File& file) {
+                   return file.name == name;
+                 })->bytes;
+    // The frame header: FF C0 or FF C2, a length of two bytes, the depth, then height and width.
+    std::size_t at = 2;
+    while (jpeg[at] != 0xff || (jpeg[at + 1] != 0xc0 && jpeg[at + 1] != 0xc2)) ++at;
+    jpeg[at + 5] = std::uint8_t(height >> 8);
+    jpeg[at + 6] = std::uint8_t(height);
+    jpeg[at + 7] = std::uint8_t(width >> 8);
+    jpeg[at + 8] = std::uint8_t(width);
+    files.push_back({name, jpeg});
+  }
+  return files;
+}
+
+}  // namespace
+
+TEST_CASE("a small file of every format, cut off anywhere, is refused") {
+  const auto files = small_files();
+  REQUIRE(files.size() >= 36);
+  for (const auto& [name, bytes] : files) {
+    REQUIRE(decode(bytes));
+    for (std::size_t size = 0; size < bytes.size(); ++size) {
+      CAPTURE(name, size, bytes.size());
+      require_explained(decode(Bytes(bytes.begin(), bytes.begin() + std::ptrdiff_t(size))));
+    }
+  }
+}
+
+TEST_CASE("a small file of every format with one byte changed decodes whole or is refused") {
+  const std::uint64_t seed = 59;
+  CAPTURE(seed);
+  test::Random random(seed);
+  for (const auto& [name, bytes] : small_files()) {
+    for (std::size_t at = 0; at < bytes.size(); ++at) {
+      for (int round = 0; round < 4; ++round) {
+        Bytes changed = bytes;
+        changed[at] = std::uint8_t(random.bits());
+        CAPTURE(name, at, int(changed[at]));
+        const auto image = decode(changed, {.max_pixels = 1 << 20});
+        if (image) {
+          require_whole(*image);
+        } else {
+          require_explained(image);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("a tiny file that claims to be huge is refused at once, without the memory") {
+  for (const auto& [width, height] :
+       {std::pair(16384u, 16384u), std::pair(60000u, 60000u), std::pair(16384u, 16383u)}) {
+    for (const auto& [name, bytes] : bombs(width, height)) {
+      CAPTURE(name, width, height, bytes.size());
+      const auto start = std::chrono::steady_clock::now();
+      const Run run = in_child([&, &file = bytes] { return decode(file) ? 1 : 0; });
+      const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+      CHECK(run.result == 0);
+      // The smallest of them would be 256 MiB; a process that only looks at headers needs a few pages.
+      CHECK(run.grown_kib >= 0);
+      CHECK(run.grown_kib < 32 * 1024);
+      CHECK(seconds.count() < 5);
+    }
+  }
+}
+
+TEST_CASE("more pixels than the limit allows are refused before they are decoded") {
+  for (const auto& [name, bytes] : small_files()) {
+    CAPTURE(name);
+    const auto image = decode(bytes);
+    REQUIRE(image);
+    const auto pixels = std::uint64_t(image->pixels());
+    CHECK(decode(bytes, {.max_pixels = pixels}));
+    require_explained(decode(bytes, {.max_pixels = pixels - 1}));
+    const auto side = std::uint32_t(std::max(image->width, image->height));
+    CHECK(decode(bytes, {.max_side = side}));
+    require_explained(decode(bytes, {.max_side = side - 1}));
+  }
+}
+
+TEST_CASE("a wrong check sum matters where it guards samples, and nowhere else") {
+  test::PngParts parts{
+      .colour_type = 3, .palette = {1, 2, 3, 4, 5, 6}, .transparency = {7, 8}, .rows = {0, 1}};
+  test::put_chunk(parts.extra, "gAMA", {0, 0, 0xb1, 0x8f});
+  test::put_chunk(parts.extra, "tEXt", bytes_of("Key\0text"s));
+  const Bytes whole = test::build_png(parts);
+  const StoredImage expected = stored<std::uint8_t>(1, 1, 4, {4, 5, 6, 8});
+  REQUIRE(decode(whole).value() == expected);
+  for (const char* type : {"IHDR", "PLTE", "tRNS", "IDAT", "IEND", "gAMA", "tEXt"}) {
+    CAPTURE(type);
+    const std::string name = type;
+    const auto found = std::search(whole.begin(), whole.end(), name.begin(), name.end());
+    REQUIRE(found != whole.end());
+    const auto at = std::size_t(found - whole.begin());
+    const std::size_t length = whole[at - 1];  // below 256
+    Bytes changed = whole;
+    changed[at + 4 + length] ^= 1;
+    if (name == "gAMA" || name == "tEXt") {
+      CHECK(decode(changed).value() == expected);
+    } else {
+      require_explained(decode(changed));
+    }
+  }
+}
+
+TEST_CASE("a tRNS that libpng would leave out is refused: the alpha would be gone") {
+  const test::PngParts palette{.colour_type = 3, .palette = {1, 2, 3}, .rows = {0, 0}};
+  test::PngParts parts = palette;
+  parts.transparency = {1, 2};  // longer than the palette
+  require_explained(decode(test::build_png(parts)));
+  parts = {.colour_type = 2, .transparency = {0, 1, 0, 2}, .rows = {0, 1, 2, 3}};  // too short
+  require_explained(decode(test::build_png(parts)));
+  parts = {.colour_type = 6, .transparency = {0, 1}, .rows = {0, 1, 2, 3, 4}};  // has an alpha
+  require_explained(decode(test::build_png(parts)));
+  parts = palette;
+  test::put_chunk(parts.extra, "tRNS", {1});  // before the palette
+  require_explained(decode(test::build_png(parts)));
+}
+
+TEST_CASE("a JPEG with more codes in a table than the format has is refused") {
+  // 16 counts of codes that add up to 257 and more, and as many values behind them.
+  for (const int codes : {257, 600, 4080}) {
+    Bytes jpeg{0xff, 0xd8, 0xff, 0xc4};
+    const int length = 2 + 17 + codes;
+    jpeg.push_back(std::uint8_t(length >> 8));
+    jpeg.push_back(std::uint8_t(length));
+    jpeg.push_back(0);
+    for (int i = 0; i < 16; ++i) {
+      jpeg.push_back(std::uint8_t(std::clamp(codes - i * 255, 0, 255)));
+    }
+    jpeg.resize(jpeg.size() + std::size_t(codes));
+    jpeg.push_back(0xff);
+    jpeg.push_back(0xd9);
+    CAPTURE(codes);
+    const auto image = decode(jpeg);
+    REQUIRE_FALSE(image);
+    CHECK(image.error().cause == "JPEG with a bad Huffman table");
+    CHECK_FALSE(decode_image(std::as_bytes(std::span(jpeg))));
+    // With FF before its start it is no file that stb may see.
+    jpeg.insert(jpeg.begin(), 0xff);
+    require_explained(decode(jpeg));
+  }
+}
+
+TEST_CASE("a BMP that chooses colours behind the end of its palette is refused") {
+  const Bytes palette(4 * 3);  // colours 0, 1 and 2
+  CHECK(decode(test::build_bmp(3, 1, 8, {0, 1, 2, 0}, palette)));
+  require_explained(decode(test::build_bmp(3, 1, 8, {0, 3, 2, 0}, palette)));
+  CHECK(decode(test::build_bmp(3, 1, 8, {0, 1, 2, 99}, palette)));  // only the padding does
+  CHECK(decode(test::build_bmp(3, 2, 4, {0x01, 0x2f, 0, 0, 0x10, 0x20, 0, 0}, palette)));
+  require_explained(
+      decode(test::build_bmp(3, 2, 4, {0x01, 0x20, 0, 0, 0x10, 0x30, 0, 0}, palette)));
+  require_explained(decode(test::build_bmp(9, 1, 1, {0, 0x80, 0, 0}, Bytes(4))));
+}
+
+TEST_CASE("a TGA that stb would read in another order is refused") {
+  const Bytes samples{1, 2, 3, 4, 5, 6};
+  REQUIRE(decode(test::build_tga(2, 2, 1, 24, samples)));
+  for (const std::uint8_t order : std::initializer_list<std::uint8_t>{0x10, 0x40, 0x80}) {
+    Bytes tga = test::build_tga(2, 2, 1, 24, samples);
+    tga[17] = order;  // from the right, or every second or fourth row first
+    CHECK(decode(tga).error().cause == "TGA in an odd order");
+  }
+  Bytes shifted = test::build_tga(1, 2, 1, 8, {0, 1}, samples);
+  REQUIRE(decode(shifted));
+  shifted[3] = 1;
+  CHECK(decode(shifted).error().cause == "TGA with a palette that does not start at 0");
+}
+
+TEST_CASE("garbage behind the first bytes of every format decodes whole or is refused") {
+  const std::uint64_t seed = 61;
+  CAPTURE(seed);
+  test::Random random(seed);
+  const std::vector<std::string> starts{"",
+                                        "\x89PNG\r\n\x1a\n",
+                                        "\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR"s,
+                                        "\xff\xd8",
+                                        "\xff\xd8\xff",
+                                        "BM",
+                                        "P5 3 3 255\n",
+                                        "P6 2 2 999\n",
+                                        "Pf 2 2 1\n",
+                                        "PF 1 1 -1\n",
+                                        "P5",
+                                        "Pf ",
+                                        "\0\0\2"s,
+                                        "\0\0\x0a"s,
+                                        "\0\1\1"s,
+                                        "GIF89a",
+                                        "8BPS",
+                                        "#?RADIANCE\n",
+                                        "\x53\x80\xf6\x34"};
+  for (int round = 0; round < 20000; ++round) {
+    Bytes bytes = bytes_of(starts[std::size_t(round) % starts.size()]);
+    for (std::int64_t n = random.integer(0, 120); n > 0; --n) {
+      bytes.push_back(std::uint8_t(random.bits()));
+    }
+    const auto image = decode(bytes, {.max_pixels = 1 << 20});
+    CAPTURE(round);
+    if (image) {
+      require_whole(*image);
+    } else {
+      require_explained(image);
+    }
+    static_cast<void>(read_png_text(std::as_bytes(std::span(bytes))));
+  }
+}
+
+TEST_CASE("16384 x 16384 grey pixels come back from a PNG") {
+  constexpr int kSide = 16384;
+  // Slopes and steps that are cheap to pack; no two rows alike near each other.
+  const auto sample_at = [](int x, int y) { return std::uint8_t((x >> 4) + y * 3 + (y >> 8)); };
+  std::vector<std::byte> png;
+  {
+    std::vector<std::uint8_t> samples(std::size_t(kSide) * kSide);
+    for (int y = 0; y < kSide; ++y) {
+      for (int x = 0; x < kSide; ++x) {
+        samples[std::size_t(y) * kSide + std::size_t(x)] = sample_at(x, y);
+      }
+    }
+    png = encode_png(stored(kSide, kSide, 1, std::move(samples))).value();
+  }
+  const auto image = decode_stored(png);
+  REQUIRE(image);
+  REQUIRE(image->width == kSide);
+  REQUIRE(image->height == kSide);
+  REQUIRE(image->channels == 1);
+  const auto& samples = std::get<std::vector<std::uint8_t>>(image->samples);
+  std::size_t wrong = 0;
+  for (int y = 0; y < kSide; ++y) {
+    for (int x = 0; x < kSide; ++x) {
+      wrong += samples[std::size_t(y) * kSide + std::size_t(x)] != sample_at(x, y) ? 1 : 0;
+    }
+  }
+  CHECK(wrong == 0);
+  CHECK_FALSE(decode_image(png));  // above the default limit of the reader of RGBA
+}
