@@ -186,7 +186,8 @@ TEST_CASE("words that would not look like what they are, are not quoted at all")
   for (const std::string& word :
        {"a\nb"s, "\t"s, "\x1b[31m"s, "a\0b"s, "\x7f"s, "\xc2\x9b"s /* CSI in one character */,
         "\xe2\x80\xae.png"s /* right to left */, "\xe2\x81\xa6"s, "\xe2\x80\xa8"s /* line */,
-        "\xd8\x9c"s, "\xff"s, "a\xc3"s, "\xc0\xaf"s, "\xf4\x90\x80\x80"s}) {
+        "\xd8\x9c"s, "\xff"s, "a\xc3"s, "\xc0\xaf"s, "\xe0\x80\xaf"s, "\xf0\x80\x80\xaf"s,
+        "\xf4\x90\x80\x80"s}) {
     CAPTURE(word);
     CHECK_FALSE(shell_quoted(word));
   }

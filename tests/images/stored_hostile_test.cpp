@@ -255,6 +255,9 @@ TEST_CASE("a tRNS that libpng would leave out is refused: the alpha would be gon
 }
 
 TEST_CASE("a JPEG with more codes in a table than the format has is refused") {
+  const auto files = small_files();
+  const auto grey = std::find_if(files.begin(), files.end(),
+                                 [](const File& file) { return file.name == "grey.jpg"; });
   // 16 counts of codes that add up to 257 and more, and as many values behind them.
   for (const int codes : {257, 600, 4080}) {
     Bytes jpeg{0xff, 0xd8, 0xff, 0xc4};
@@ -273,6 +276,10 @@ TEST_CASE("a JPEG with more codes in a table than the format has is refused") {
     REQUIRE_FALSE(image);
     CHECK(image.error().cause == "JPEG with a bad Huffman table");
     CHECK_FALSE(decode_image(std::as_bytes(std::span(jpeg))));
+    // Behind a scan, too.
+    Bytes late(grey->bytes.begin(), grey->bytes.end() - 2);  // without the last marker
+    late.insert(late.end(), jpeg.begin() + 2, jpeg.end());
+    CHECK(decode(late).error().cause == "JPEG with a bad Huffman table");
     // With FF before its start it is no file that stb may see.
     jpeg.insert(jpeg.begin(), 0xff);
     require_explained(decode(jpeg));
