@@ -202,9 +202,10 @@ function listenToMouse() {
 }
 
 function pointAt(at) {
-  if (!at) return;
-  const point = pointUnder(at.pane, at.x, at.y), x = Math.floor(point.x), y = Math.floor(point.y);
-  if (x >= 0 && y >= 0 && x < state.pair.width && y < state.pair.height) state.cursor = {x, y};
+  const point = at && pointUnder(at.pane, at.x, at.y);
+  const x = Math.floor(point?.x), y = Math.floor(point?.y);
+  const inside = x >= 0 && y >= 0 && x < state.pair?.width && y < state.pair?.height;
+  state.cursor = inside ? {x, y} : null;
   update();
 }
 

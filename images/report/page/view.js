@@ -102,8 +102,10 @@ function drawTitle(pane) {
 function drawLayer(pane, layer) {
   const origin = originOf(pane), cell = cellSize();
   const seen = visiblePixels(pane, origin, cell, layer.picture);
-  if (!layer.picture.opaque && layer.picture.channels % 2 === 0) drawChecks(layer.picture, origin, cell, pane);
+  fillPixels(colourVariable("--absent"), {x: 0, y: 0, ...layer.picture}, origin, cell, pane);
+  const transparent = !layer.picture.opaque && layer.picture.channels % 2 === 0;
   for (const tile of layer.picture.tiles) {
+    if (transparent) fillPixels(checks(), tile, origin, cell, pane);
     if (tile.halvings && cell < 1) drawHalving(tile, origin, cell);
     else drawTile(tile, origin, cell, seen);
   }
@@ -141,21 +143,25 @@ function drawHalving(tile, origin, cell) {
   context.drawImage(half, origin.x + tile.x * cell, origin.y + tile.y * cell, width * size, height * size);
 }
 
-function drawChecks(picture, origin, cell, pane) {
+// Fills a box of pixels, as far as it is on the pane.
+function fillPixels(fill, {x, y, width, height}, origin, cell, pane) {
+  const left = Math.max(origin.x + x * cell, pane.x), top = Math.max(origin.y + y * cell, pane.y);
+  const right = Math.min(origin.x + (x + width) * cell, pane.x + pane.width);
+  const bottom = Math.min(origin.y + (y + height) * cell, pane.y + pane.height);
+  context.fillStyle = fill;
+  if (left < right && top < bottom) context.fillRect(left, top, right - left, bottom - top);
+}
+
+// Squares of light grey that show through what is transparent.
+function checks() {
   const size = Math.round(8 * devicePixelRatio);
-  const checks = newCanvas(2 * size, 2 * size), paint = checks.getContext("2d");
+  const tile = newCanvas(2 * size, 2 * size), paint = tile.getContext("2d");
   paint.fillStyle = "#fff";
   paint.fillRect(0, 0, 2 * size, 2 * size);
   paint.fillStyle = "#ccc";
   paint.fillRect(0, 0, size, size);
   paint.fillRect(size, size, size, size);
-  context.fillStyle = context.createPattern(checks, "repeat");
-  for (const {x, y, width, height} of picture.tiles) {
-    const left = Math.max(origin.x + x * cell, pane.x), right = origin.x + (x + width) * cell;
-    const top = Math.max(origin.y + y * cell, pane.y), bottom = origin.y + (y + height) * cell;
-    context.fillRect(left, top, Math.min(right, pane.x + pane.width) - left,
-      Math.min(bottom, pane.y + pane.height) - top);
-  }
+  return context.createPattern(tile, "repeat");
 }
 
 function drawGrid(seen, origin, cell) {
