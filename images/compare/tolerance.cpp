@@ -5,6 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include <glassbox/base/printable.h>
+
 namespace glassbox {
 namespace {
 
@@ -66,7 +68,7 @@ Result<Fuzzy> parse_fuzzy(const std::string& text) {
                     read_part(whole.substr(semicolon + 1), second) &&
                     (first.name.empty() || first.name != second.name);
   if (!good) {
-    return fail("", "not a tolerance: '" + text + "'",
+    return fail("", "not a tolerance: " + in_quotes(text),
                 "write maxDifference=0-1;totalPixels=0-4 (ranges inclusive; a single number means "
                 "exactly that number)");
   }
@@ -79,7 +81,7 @@ Result<Fuzzy> parse_fuzzy(const std::string& text) {
 Result<std::uint32_t> parse_max_ulp(const std::string& text) {
   std::uint64_t ulps = 0;
   if (!read_count(text, ulps) || ulps >= kUnbounded) {
-    return fail("", "not a number of ulps: '" + text + "'", "write a whole number, as in 4");
+    return fail("", "not a number of ulps: " + in_quotes(text), "write a whole number, as in 4");
   }
   return std::uint32_t(ulps);
 }
