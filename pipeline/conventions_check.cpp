@@ -53,7 +53,7 @@ struct Judged {
         view(facts_of(s.view.m)),
         projection(projection_facts(projection_part(s.projection), s.dialect.depth)),
         projection_sound(projection.kind != ProjectionKind::kNone && !projection.depth_lost &&
-                         facts_of(s.projection.m).rank == 4),
+                         !projection.looks_transposed && facts_of(s.projection.m).rank == 4),
         eye(view.affine ? eyepoint_of(s.view) : std::nullopt) {}
 
   // 0: not what it claims to be.
@@ -190,7 +190,8 @@ public:
     for (const Slip& slip : slips()) {
       if (is_tried(slip)) try_changes(slip, nullptr);
     }
-    if (report_.alternatives.empty() && before_.visible == 0) try_pairs();
+    for (const Alternative& one : report_.alternatives) most_ = std::max(most_, one.points);
+    if (before_.visible == 0 && most_ < report_.points) try_pairs();
     std::stable_sort(report_.alternatives.begin(), report_.alternatives.end(),
                      [](const Alternative& a, const Alternative& b) {
                        return a.points != b.points ? a.points > b.points : a.score > b.score;
@@ -220,7 +221,7 @@ private:
     }
     tried_.push_back(changed);
     const Landing after = send(changed, viewport_, points_);
-    if (after.visible <= before_.visible) return;
+    if (after.visible <= (second == nullptr ? before_.visible : most_)) return;
     const Judged judged(changed);
     if (judged.spoils(judged_)) {
       ++report_.spoiling;
@@ -252,6 +253,7 @@ private:
   const Judged judged_;
   const Landing before_;
   bool expects_ = false;
+  int most_ = 0;  // points that a single change brings in
   std::vector<MatrixSetup> tried_;
   ConventionsReport report_;
 };

@@ -25,7 +25,7 @@ inline constexpr double kExpectedWithinPx = 1.5;
 
 struct Alternative {
   Change change;
-  std::optional<Change> second;  // where no single change does
+  std::optional<Change> second;  // of two together
   const char* id = "";           // of `change`: stable
   const char* second_id = "";
   std::string what, remedy;          // "transpose every matrix"
@@ -43,7 +43,8 @@ struct ConventionsReport {
   int spoiling = 0;                       // changes that would do, too, but spoil a sound matrix
 };
 
-// Two changes together are tried where no single one brings a point into the picture.
+// Two changes together are tried where no point is visible and no single one brings them all into the picture; those that
+// bring more of them than any single one are reported.
 ConventionsReport check_conventions(const MatrixSetup& setup, const Viewport& viewport,
                                     std::span<const CheckedPoint> points);
 

@@ -161,7 +161,9 @@ private:
 
   void check_projection() {
     const GivenMatrix& given = setup_.projection;
-    if (lens_.kind == ProjectionKind::kNone) return check_unknown_projection();
+    if (lens_.kind == ProjectionKind::kNone || lens_.looks_transposed) {
+      return check_unknown_projection();
+    }
     const bool leftover = lens_.kind == ProjectionKind::kPerspective && lens_.w_offset != 0;
     if (leftover && given.m[3][3] == 1) {
       alarm("w-leftover", "projection",
@@ -249,6 +251,12 @@ private:
         setup_.dialect.z_from_minus_w ? lens_.minus_one_to_one : lens_.zero_to_one;
     const DepthReading& other =
         setup_.dialect.z_from_minus_w ? lens_.zero_to_one : lens_.minus_one_to_one;
+    if (!ours.possible && !other.possible) {
+      return alarm("planes", "projection",
+                   "no near and far plane in front of the eye give these entries: they would be " +
+                       brief(ours.near) + " and " + brief(ours.far),
+                   "near and far are distances along the gaze, 0 < near < far");
+    }
     if (reversed != expected) {
       return alarm(
           "depth-direction", "projection",
@@ -277,12 +285,6 @@ private:
           setup_.dialect.z_from_minus_w
               ? "make it for depth -1 .. 1, or say --dialect d3d or vulkan"
               : "make it for depth 0 .. 1 (GLM: define GLM_FORCE_DEPTH_ZERO_TO_ONE)");
-    }
-    if (!ours.possible) {
-      alarm("planes", "projection",
-            "no near and far plane give these entries: they would be " + brief(ours.near) +
-                " and " + brief(ours.far),
-            "near and far are distances along the gaze, 0 < near < far");
     }
   }
 

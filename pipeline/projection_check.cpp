@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 #include <glassbox/base/trig.h>
 #include <glassbox/pipeline/decimal.h>
@@ -53,12 +54,17 @@ DepthReading reading(const ProjectionFacts& p, bool from_minus_one) {
   r.from_minus_one = from_minus_one;
   if (p.depth_lost) return r;
   r.reversed = p.depth_reversed();
-  const Plane low = plane_of_depth(p, from_minus_one ? -1 : 0), high = plane_of_depth(p, 1);
-  const Plane& near = r.reversed ? high : low;
-  const Plane& far = r.reversed ? low : high;
+  Plane near = plane_of_depth(p, from_minus_one ? -1 : 0), far = plane_of_depth(p, 1);
+  if (r.reversed) std::swap(near, far);
+  r.possible =
+      p.kind == ProjectionKind::kParallel || (near.distance > 0 && near.distance < far.distance);
+  if (!r.possible && r.reversed) {
+    // Depth falls with distance because one of the planes is behind the eye.
+    std::swap(near, far);
+    r.reversed = false;
+  }
   r.near = near.distance, r.near_uncertainty = near.uncertainty;
   r.far = far.distance, r.far_uncertainty = far.uncertainty;
-  r.possible = p.kind == ProjectionKind::kParallel || (r.near > 0 && r.near < r.far);
   r.digits = simplest_decimal(r.near, r.near_uncertainty).digits +
              simplest_decimal(r.far, r.far_uncertainty).digits;
   return r;
@@ -77,9 +83,10 @@ bool is_whole(const Decimal& number) {
   return number.digits <= 3 && number.value == std::floor(number.value);
 }
 
-// cot(D/2) with D, meant as degrees, taken for radians. Whatever computed it rounded a few times to float: 2^-21.
+// cot(D/2) with D, meant as degrees, taken for radians: 1, 2 and 3 are angles in radians already. Whatever computed it
+// rounded a few times to float: 2^-21.
 std::optional<int> degrees_taken_as_radians(double scale, double uncertainty) {
-  for (int degrees = 1; degrees < 180; ++degrees) {
+  for (int degrees = 4; degrees < 180; ++degrees) {
     const SinCos half = sin_cos(degrees * 0.5);
     const double cotangent = half.cos / half.sin;
     if (std::abs(cotangent - scale) <= uncertainty + 0x1p-21 * std::abs(cotangent)) return degrees;
@@ -119,10 +126,10 @@ ProjectionKind kind_of(const glm::dmat4& m) {
 
 }  // namespace
 
-const DepthReading* ProjectionFacts::likely_range() const {
+const DepthReading* ProjectionFacts::likely_range(int digits) const {
   const DepthReading &a = zero_to_one, &b = minus_one_to_one;
   if (a.possible != b.possible) return a.possible ? &a : &b;
-  if (!a.possible || std::abs(a.digits - b.digits) < 3) return nullptr;
+  if (!a.possible || std::abs(a.digits - b.digits) < digits) return nullptr;
   return a.digits < b.digits ? &a : &b;
 }
 
@@ -137,6 +144,7 @@ ProjectionFacts projection_facts(const GivenMatrix& matrix, DepthRange expected)
   const glm::dmat4 uncertainty = matrix.uncertainty / p.w_scale;
   if (perspective) {
     p.looks_down_minus_z = at(m, 3, 2) < 0;
+    p.looks_transposed = p.w_scale != 1 && std::abs(at(matrix.m, 2, 3)) == 1;
     p.w_offset = is_small(m, 3, 3) ? 0 : at(m, 3, 3);
   } else {
     p.looks_down_minus_z = (at(m, 2, 2) < 0) == (expected == DepthRange::kStandard);
@@ -251,7 +259,11 @@ GuessedDialect guess_dialect(const GivenMatrix& projection) {
     }
     return &api_dialects().front();
   };
-  const ProjectionFacts facts = projection_facts(projection_part(projection));
+  ProjectionFacts facts = projection_facts(projection_part(projection));
+  if (facts.looks_transposed || facts.kind == ProjectionKind::kNone) {
+    const ProjectionFacts turned = projection_facts(projection_part(transposed(projection)));
+    if (turned.kind != ProjectionKind::kNone) facts = turned;
+  }
   if (!projection.given || facts.kind == ProjectionKind::kNone || facts.depth_lost) {
     return {named("opengl"), "nothing tells; say --dialect for another"};
   }
@@ -259,7 +271,7 @@ GuessedDialect guess_dialect(const GivenMatrix& projection) {
       facts.zero_to_one.possible) {
     return {named("reversed"), "the projection's depth falls with distance"};
   }
-  const DepthReading* likely = facts.likely_range();
+  const DepthReading* likely = facts.likely_range(1);
   if (likely == nullptr) {
     return {named("opengl"), "the projection may be for either range of depth; say --dialect"};
   }

@@ -43,7 +43,9 @@ struct ProjectionFacts {
   glm::dvec2 scale{1}, centre{0};
   double alpha = 0, beta = 0;  // depth, see above
   double alpha_uncertainty = 0, beta_uncertainty = 0;
-  bool depth_lost = false;     // the same depth at all distances: rank 3 (E15)
+  bool depth_lost = false;  // the same depth at all distances: rank 3 (E15)
+  // Perspective: w is made with an odd factor and the z row ends in 1 or -1, which belongs into the last row.
+  bool looks_transposed = false;
   bool oblique_depth = false;  // depth depends on x and y, as with a near plane tilted on purpose
   DepthReading zero_to_one, minus_one_to_one;
 
@@ -56,11 +58,11 @@ struct ProjectionFacts {
   bool depth_reversed() const {
     return kind == ProjectionKind::kPerspective ? beta > 0 : alpha < 0;
   }
-  // The reading with the rounder planes, if it is rounder by three digits or the only possible one.
-  const DepthReading* likely_range() const;
+  // The reading with the rounder planes, if it is rounder by so many digits, or the only possible one.
+  const DepthReading* likely_range(int digits = 3) const;
 
   // The whole angle of view that was meant, where the angle in the entries is what its number of degrees makes as radians,
-  // or its number of radians as degrees. Whole degrees only.
+  // or its number of radians as degrees. Whole degrees only, from 4 on.
   std::optional<int> degrees_taken_as_radians, radians_taken_as_degrees;
 };
 
