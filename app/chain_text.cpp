@@ -48,7 +48,7 @@ std::array<std::string, 4> entry_rows(const glm::dmat4& m, int digits) {
     for (int row = 0; row < 4; ++row) entries.push_back(brief(m[column][row], digits));
     const std::size_t width = widest(entries);
     for (std::size_t row = 0; row < 4; ++row) {
-      if (column > 0) rows[row] += "  ";
+      if (column > 0) rows[row] += digits > 3 ? "  " : " ";
       rows[row] += fmt::format("{:>{}}", entries[row], width);
     }
   }
@@ -58,7 +58,7 @@ std::array<std::string, 4> entry_rows(const glm::dmat4& m, int digits) {
 // [ matrix ] [ before ]   [ after ] +- bound, with as many digits as the width allows.
 std::string product_text(const TransformStep& step, bool bits) {
   std::string text;
-  for (const int digits : {6, 5, 4, 3}) {
+  for (const int digits : {6, 5, 4, 3, 2}) {
     text.clear();
     const auto rows = entry_rows(glm::dmat4(step.matrix), digits);
     std::vector<std::string> before, after;
@@ -193,10 +193,9 @@ std::string decision_text(const VertexChain& chain, const ChainSetting& setting)
     case Fate::kOutside: {
       text += planes_table(chain);
       const PlaneStep& plane = chain.planes[std::size_t(chain.deciding_plane)];
-      std::string why = fmt::format("decided: outside the {} plane by {} (w = {})",
-                                    plane.plane.name, brief(-plane.distance), brief(w));
-      const std::string frustum = frustum_sentence(chain, setting);
-      return text + wrapped("     ", frustum.empty() ? why : why + "; " + frustum);
+      const std::string why = fmt::format("decided: outside the {} plane by {} (w = {})",
+                                          plane.plane.name, brief(-plane.distance), brief(w));
+      return text + wrapped("     ", why);
     }
     case Fate::kVisible:
       break;
@@ -313,7 +312,7 @@ Json matrix_json(const glm::dmat4& m) {
   return rows;
 }
 
-std::string fate_text(const VertexChain& chain) {
+std::string fate_text(const VertexChain& chain, const ChainSetting& setting) {
   switch (chain.fate) {
     case Fate::kVisible:
       return "visible";
@@ -323,9 +322,11 @@ std::string fate_text(const VertexChain& chain) {
       return "in the plane of the eye (w = 0)";
     case Fate::kBehindEye:
       return fmt::format("behind the eye (w = {})", brief(double(chain.clip.w)));
-    case Fate::kOutside:
-      return fmt::format("outside the {} plane",
-                         chain.planes[std::size_t(chain.deciding_plane)].plane.name);
+    case Fate::kOutside: {
+      const char* plane = chain.planes[std::size_t(chain.deciding_plane)].plane.name;
+      const std::string frustum = frustum_sentence(chain, setting);
+      return fmt::format("outside the {} plane{}", plane, frustum.empty() ? "" : ": " + frustum);
+    }
   }
   return "";
 }

@@ -29,7 +29,7 @@ nlohmann::ordered_json chain_json(const VertexChain& chain, const ChainSetting& 
 std::string matrix_rows(const glm::dmat4& m, const std::string& indent, int digits = 6);
 nlohmann::ordered_json matrix_json(const glm::dmat4& m);  // an array of rows
 
-// "outside the near plane", "behind the eye"
-std::string fate_text(const VertexChain& chain);
+// "outside the near plane: its distance along the gaze is 0.05, and ...", "behind the eye (w = -3)"
+std::string fate_text(const VertexChain& chain, const ChainSetting& setting);
 
 }  // namespace glassbox::app

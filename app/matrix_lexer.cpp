@@ -145,6 +145,10 @@ private:
 
   // Digits with a point and an exponent (e, or Fortran's d), then perhaps a C suffix.
   Result<void> take_number(std::size_t sign) {
+    const char before = at_ > 0 ? text_[at_ - 1] : ' ';
+    if (sign > 0 && (before == ')' || before == ']' || is_letter(before))) {
+      return refuse(word_length(), "continues an expression", "print its value instead");
+    }
     std::string plain = negative(sign) ? "-" : "";  // as from_chars wants it
     std::size_t length = sign;
     int point = -1, digits = 0, decimals = 0;

@@ -18,8 +18,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Coordinates that are rounding beside the largest are shown as 0.
 std::string triple(const glm::dvec3& v, int digits = 6) {
-  return brief_triple(v.x, v.y, v.z, digits);
+  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  const auto shown = [&](double x) { return std::abs(x) < 1e-6 * largest ? 0 : x; };
+  return brief_triple(shown(v.x), shown(v.y), shown(v.z), digits);
 }
 
 // A number that the digits of the text leave open by `uncertainty`, as round as that allows.
@@ -119,8 +122,8 @@ std::string affine_sentence(const MatrixFacts& facts) {
 }
 
 std::string heading(const char* name, const char* from_to, const std::string& origin) {
-  return fmt::format("{:<11} {}{}\n", name, from_to,
-                     origin.empty() ? ": none given, the identity" : "; " + origin);
+  return wrapped(fmt::format("{:<11} ", name),
+                 from_to + (origin.empty() ? ": none given, the identity" : "; " + origin));
 }
 
 std::string sentence(const std::string& text) {
@@ -133,11 +136,9 @@ std::string model_text(const GivenMatrix& model, const std::string& origin) {
   return text + matrix_rows(model.m, "  ") + sentence(affine_sentence(facts_of(model.m)));
 }
 
-std::string view_text(const GivenMatrix& view, const std::string& origin) {
-  std::string text = heading("VIEW", "eye from world", origin);
-  if (!view.given) return text;
+std::string view_sentences(const GivenMatrix& view) {
   const MatrixFacts facts = facts_of(view.m);
-  text += matrix_rows(view.m, "  ") + sentence(affine_sentence(facts));
+  std::string text = sentence(affine_sentence(facts));
   const auto eye = facts.affine ? eyepoint_of(view) : std::nullopt;
   if (!eye) return text;
   const auto at = [&](double x) { return simplest_decimal(x, eye->uncertainty).value; };
@@ -148,6 +149,12 @@ std::string view_text(const GivenMatrix& view, const std::string& origin) {
   return text + sentence(fmt::format("it looks along {} if its eye looks down -z, the other way if "
                                      "down +z: the projection decides",
                                      triple(-eye->back, 4)));
+}
+
+std::string view_text(const GivenMatrix& view, const std::string& origin) {
+  std::string text = heading("VIEW", "eye from world", origin);
+  if (!view.given) return text;
+  return text + matrix_rows(view.m, "  ") + view_sentences(view);
 }
 
 // "depth 0 at near 0.1, 1 at far 100"
@@ -204,10 +211,7 @@ std::string projection_text(const GivenMatrix& given, const ApiDialect& dialect,
     return text + lens_text(plain, dialect);
   if (const auto parts = factor_projection(given); parts && plain.kind == ProjectionKind::kNone) {
     text += sentence("a projection with a view in it. The view's part:");
-    const auto eye = eyepoint_of(parts->view);
-    text += eye && plain.kind == ProjectionKind::kNone
-                ? sentence(fmt::format("  {}", affine_sentence(facts_of(parts->view.m))))
-                : "";
+    text += view_sentences(parts->view);
     return text + sentence("The projection's part:") +
            lens_text(projection_facts(parts->projection, dialect.depth), dialect);
   }

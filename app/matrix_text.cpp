@@ -234,7 +234,9 @@ Result<NamedText> read_matrix_source(const std::string& source) {
   std::error_code ignored;
   const bool is_text = source.find_first_of(" ,\n\t") != std::string::npos;
   if (is_text && (source.size() > 4096 || !fs::exists(source, ignored))) {
-    return checked({in_quotes(printable(source, 30)), source});
+    std::string name = source.substr(0, 31);
+    std::replace(name.begin(), name.end(), '\n', ' ');
+    return checked({in_quotes(printable(name, 30)), source});
   }
   if (fs::is_directory(source, ignored)) {
     return tl::unexpected(Error{source, "", "is a directory", "name a file with a matrix"});

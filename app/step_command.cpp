@@ -21,7 +21,11 @@ namespace {
 constexpr double kLargest = double(std::numeric_limits<float>::max());
 
 glm::dvec4 parse_point(const std::string& text) {
-  const bool homogeneous = std::count(text.begin(), text.end(), ',') == 3;
+  const auto commas = std::count(text.begin(), text.end(), ',');
+  if (commas != 2 && commas != 3) {
+    throw CLI::ValidationError("--point", "needs X,Y,Z or X,Y,Z,W, not '" + text + "'");
+  }
+  const bool homogeneous = commas == 3;
   glm::dvec4 point(0, 0, 0, 1);
   if (homogeneous) {
     const auto [x, y, z, w] = parse_numbers<4>("--point", text);
@@ -62,9 +66,8 @@ const ApiDialect& dialect_named(const std::string& name) {
 }
 
 std::string point_text(const glm::vec4& p) {
-  std::string text = brief_triple(double(p.x), double(p.y), double(p.z), 9);
-  if (p.w != 1) text.insert(text.size() - 1, ", " + brief(double(p.w), 9));
-  return text;
+  return p.w == 1 ? fmt::format("({}, {}, {})", p.x, p.y, p.z)
+                  : fmt::format("({}, {}, {}, {})", p.x, p.y, p.z, p.w);
 }
 
 const char* order_word(NumberOrder order) {
@@ -115,7 +118,7 @@ void StepCommand::add_to(CLI::App& app, int& exit_code) {
             }
             order_ = text == "rows" ? NumberOrder::kRows : NumberOrder::kColumns;
           },
-          "what the numbers list first: the rows of p' = M p, or its columns (also rows of p M)")
+          "what the numbers list first: rows of p' = M p, or columns (rows of p M)")
       ->type_name("rows|columns")
       ->group("Matrices");
   std::string names;
@@ -132,7 +135,7 @@ void StepCommand::add_to(CLI::App& app, int& exit_code) {
                                          "needs one of " + names + ", not '" + text + "'");
             }
           },
-          "whose clip space and window; where it is not given, what the projection looks made for")
+          "whose clip space and window; else what the projection looks made for")
       ->type_name(names)
       ->group("Conventions");
   command
@@ -147,17 +150,16 @@ void StepCommand::add_to(CLI::App& app, int& exit_code) {
           "the handedness of your world, if you know it")
       ->type_name("right|left")
       ->group("Conventions");
-  CLI::Option* size =
-      command
-          .add_option_function<std::string>(
-              "--size",
-              [this](const std::string& text) {
-                const Size parsed = parse_size(text);
-                window_ = {0, 0, double(parsed.width), double(parsed.height)};
-              },
-              "the picture in pixels; 1280x720 where neither this nor --viewport is given")
-          ->type_name("WxH")
-          ->group("Window");
+  CLI::Option* size = command
+                          .add_option_function<std::string>(
+                              "--size",
+                              [this](const std::string& text) {
+                                const Size parsed = parse_size(text);
+                                window_ = {0, 0, double(parsed.width), double(parsed.height)};
+                              },
+                              "the picture in pixels, if not 1280x720")
+                          ->type_name("WxH")
+                          ->group("Window");
   command
       .add_option_function<std::string>(
           "--viewport", [this](const std::string& text) { window_ = parse_window(text); },
@@ -174,7 +176,7 @@ void StepCommand::add_to(CLI::App& app, int& exit_code) {
               expected_.push_back({x, y});
             }
           },
-          "where in the window the point ought to appear; again for further points, in their order")
+          "where the point ought to appear; again for further points, in order")
       ->type_name("X,Y")
       ->allow_extra_args(false)
       ->group("Window");
@@ -234,10 +236,15 @@ Viewport StepCommand::viewport() const {
   return window_rectangle(setup_.dialect, float(x), float(y), float(width), float(height));
 }
 
+ChainSetting StepCommand::chain_setting() const {
+  return {setup_.dialect, viewport(), projection_facts(setup_.projection, setup_.dialect.depth),
+          bits_, std::nullopt};
+}
+
 std::string StepCommand::verdict(const std::vector<VertexChain>& chains) const {
   std::string text = "VERDICT\n";
   for (const VertexChain& chain : chains) {
-    std::string line = point_text(chain.object) + " is " + fate_text(chain);
+    std::string line = point_text(chain.object) + " is " + fate_text(chain, chain_setting());
     if (chain.fate == Fate::kVisible) {
       const Point<Screen>& p = chain.screen->screen.position;
       line += fmt::format(" at ({:.2f}, {:.2f})", p.x, p.y);
@@ -252,10 +259,14 @@ std::string StepCommand::verdict(const std::vector<VertexChain>& chains) const {
         "  ", fmt::format("w is negative for {} of {} points", report_.behind_eye, report_.points));
   }
   if (report_.alternatives.empty()) {
+    const bool alarmed =
+        std::any_of(findings_.begin(), findings_.end(),
+                    [](const Finding& finding) { return finding.severity == Severity::kAlarm; });
     return text +
-           wrapped("  ",
-                   "No change of convention that is tried here brings it into the picture: look at "
-                   "the numbers above, where it stands and what the camera sees");
+           wrapped("  ", alarmed ? "No other change of convention brings it into the picture: mend "
+                                   "what is wrong first"
+                                 : "No change of convention that is tried here brings it into the "
+                                   "picture: look where it stands, and what the camera sees");
   }
   const bool pairs = report_.alternatives.front().second.has_value();
   const char* where = expected_.empty() ? "in the picture" : "where it is expected";
@@ -275,9 +286,7 @@ std::string StepCommand::text(const std::vector<VertexChain>& chains) const {
       "", fmt::format("{} ({}), window {} x {} pixels{}", setup_.dialect.title, dialect_reason_,
                       width, height, x == 0 && y == 0 ? "" : fmt::format(" at ({}, {})", x, y)));
   text += "\n" + matrices_text(setup_, origins_);
-  ChainSetting setting{setup_.dialect, viewport(),
-                       projection_facts(setup_.projection, setup_.dialect.depth), bits_,
-                       std::nullopt};
+  ChainSetting setting = chain_setting();
   for (std::size_t i = 0; i < chains.size(); ++i) {
     const VertexChain& chain = chains[i];
     setting.open_px = open_px_[i];
@@ -293,7 +302,7 @@ nlohmann::ordered_json StepCommand::json(const std::vector<VertexChain>& chains)
                               {"dialect_reason", dialect_reason_},
                               {"viewport", {x, y, width, height}}};
   json["matrices"] = matrices_json(setup_, origins_);
-  ChainSetting setting{setup_.dialect, viewport(), {}, bits_, std::nullopt};
+  ChainSetting setting = chain_setting();
   json["points"] = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < chains.size(); ++i) {
     setting.open_px = open_px_[i];
@@ -327,7 +336,7 @@ double StepCommand::open_px(const glm::vec4& point, const VertexChain& chain) co
 
 int StepCommand::run() {
   if (!model_ && !view_ && !projection_) {
-    return refuse({"", "glassbox step", "there is no matrix",
+    return refuse({"", "", "there is no matrix to go through",
                    "give at least one of --model, --view and --proj"});
   }
   if (expected_.size() > points_.size()) {

@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/chain_text.h"
 #include "app/matrix_report.h"
 #include "app/matrix_text.h"
 
@@ -29,6 +30,7 @@ private:
   ChainMatrices chain_matrices() const;
   double open_px(const glm::vec4& point, const VertexChain& chain) const;
   Viewport viewport() const;
+  ChainSetting chain_setting() const;
   std::string text(const std::vector<VertexChain>& chains) const;
   std::string verdict(const std::vector<VertexChain>& chains) const;
   nlohmann::ordered_json json(const std::vector<VertexChain>& chains) const;

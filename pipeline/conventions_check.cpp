@@ -212,6 +212,13 @@ private:
     }
   }
 
+  // With two changes a single point goes nearly anywhere: something in the matrices has to speak for them, or more points.
+  bool is_credible(const Alternative& pair) const {
+    constexpr double kSomethingInTheMatrices = 4;
+    return pair.score >= kSomethingInTheMatrices ||
+           (pair.points >= 3 && pair.points == report_.points);
+  }
+
   void try_changes(const Slip& slip, const Slip* second) {
     MatrixSetup changed = setup_;
     if (!apply(slip.change, changed)) return;
@@ -244,6 +251,7 @@ private:
     weigh_eyepoint(judged_, judged, found);
     weigh(slip.change, changed, judged_, before_, after, found);
     if (second != nullptr) weigh(second->change, changed, judged_, before_, after, found);
+    if (second != nullptr && !is_credible(found)) return;
     report_.alternatives.push_back(std::move(found));
   }
 

@@ -25,7 +25,8 @@ std::string brief(double value, int digits) {
   char text[40];
   const auto end =
       std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits);
-  return value == 0 ? "0" : std::string(text, end.ptr);
+  if (value == 0) return "0";  // no -0
+  return std::isnan(value) ? "nan" : std::string(text, end.ptr);
 }
 
 std::string brief_triple(double x, double y, double z, int digits) {

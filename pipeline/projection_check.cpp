@@ -164,6 +164,45 @@ ProjectionFacts projection_facts(const GivenMatrix& matrix, DepthRange expected)
   return p;
 }
 
+namespace {
+
+// What is left open in the factors of matrix = projection * view, generously: each is made of two rows.
+double row_uncertainty(const GivenMatrix& matrix, int row) {
+  double largest = 0;
+  for (int column = 0; column < 3; ++column) {
+    largest = std::max(largest, matrix.uncertainty[column][row]);
+  }
+  return largest;
+}
+
+glm::dmat4 projection_uncertainty(const GivenMatrix& matrix, const glm::dmat4& projection,
+                                  double eye_depth, double k) {
+  glm::dmat4 u(0);
+  for (int row : {0, 1}) u[row][row] = u[2][row] = 2 * row_uncertainty(matrix, row) / k;
+  const double alpha = std::abs(projection[2][2]);
+  u[2][2] = 2 * (row_uncertainty(matrix, 2) + alpha * row_uncertainty(matrix, 3)) / k;
+  u[3][2] = (matrix.uncertainty[3][2] + alpha * matrix.uncertainty[3][3]) / k +
+            std::abs(eye_depth) * u[2][2];
+  return u;
+}
+
+glm::dmat4 view_uncertainty(const GivenMatrix& matrix, const glm::dmat4& projection, double k) {
+  glm::dmat4 u(0);
+  for (int row = 0; row < 3; ++row) {
+    const double size = row < 2 ? projection[row][row] : 1;
+    const double centre = row < 2 ? std::abs(projection[2][row]) : 0;
+    const int from = row < 2 ? row : 3;
+    for (int column = 0; column < 4; ++column) {
+      u[column][row] = 2 *
+                       (matrix.uncertainty[column][from] + centre * matrix.uncertainty[column][3]) /
+                       (k * size);
+    }
+  }
+  return u;
+}
+
+}  // namespace
+
 std::optional<ProjectionAndView> factor_projection(const GivenMatrix& matrix) {
   if (first_not_finite(matrix.m)) return std::nullopt;
   const glm::dmat4& m = matrix.m;
@@ -214,8 +253,9 @@ std::optional<ProjectionAndView> factor_projection(const GivenMatrix& matrix) {
   }
   const MatrixFacts facts = facts_of(view);
   if (!facts.rigid() || facts.shape == Shape::kIdentity) return std::nullopt;
-  glm::dmat4 uncertainty = matrix.uncertainty;
-  return ProjectionAndView{{projection, uncertainty / k, true}, {view, uncertainty / k, true}};
+  return ProjectionAndView{
+      {projection, projection_uncertainty(matrix, projection, back.w, k), true},
+      {view, view_uncertainty(matrix, projection, k), true}};
 }
 
 std::string planes_text(const DepthReading& r) {
