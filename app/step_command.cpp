@@ -221,6 +221,16 @@ Result<void> StepCommand::read_matrices() {
 }
 
 void StepCommand::choose_dialect() {
+  guess_or_ask();
+  if (!window_ || (*window_)[3] > 0) return;
+  // A viewport of negative height, as Vulkan has it, turns y over: the same as a clip space with y the other way.
+  auto& [x, y, width, height] = *window_;
+  y += height;
+  height = -height;
+  setup_.dialect.ndc_y_down = !setup_.dialect.ndc_y_down;
+}
+
+void StepCommand::guess_or_ask() {
   if (dialect_) {
     setup_.dialect = dialect_named(*dialect_);
     dialect_reason_ = "as asked";
@@ -346,7 +356,9 @@ int StepCommand::run() {
   if (const auto read = read_matrices(); !read) return refuse(read.error());
   choose_dialect();
   setup_.world = world_;
-  if (window_) setup_.picture = glm::ivec2(int((*window_)[2]), int(std::abs((*window_)[3])));
+  if (window_ && (*window_)[2] >= 1 && (*window_)[3] >= 1) {
+    setup_.picture = glm::ivec2(int((*window_)[2]), int((*window_)[3]));
+  }
 
   const ChainMatrices matrices = chain_matrices();
   std::vector<VertexChain> chains;

@@ -27,6 +27,7 @@ private:
   Result<void> read_matrix(const char* option, const std::optional<std::string>& source,
                            GivenMatrix& matrix, std::string& origin);
   void choose_dialect();
+  void guess_or_ask();
   ChainMatrices chain_matrices() const;
   double open_px(const glm::vec4& point, const VertexChain& chain) const;
   Viewport viewport() const;

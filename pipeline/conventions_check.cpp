@@ -165,10 +165,16 @@ void weigh(Change change, const MatrixSetup& changed, const Judged& judged, cons
   }
 }
 
-bool same_map(const MatrixSetup& a, const MatrixSetup& b) {
-  return a.projection.m * a.view.m * a.model.m == b.projection.m * b.view.m * b.model.m &&
-         a.dialect.z_from_minus_w == b.dialect.z_from_minus_w;
-}
+// What a setup does to points, however it is made up.
+struct Map {
+  glm::dmat4 clip_from_object;
+  bool z_from_minus_w;
+
+  explicit Map(const MatrixSetup& s)
+      : clip_from_object(s.projection.m * s.view.m * s.model.m),
+        z_from_minus_w(s.dialect.z_from_minus_w) {}
+  friend bool operator==(const Map&, const Map&) = default;
+};
 
 class Search {
 public:
@@ -178,7 +184,7 @@ public:
         points_(points),
         judged_(setup),
         before_(send(setup, viewport, points)),
-        tried_{setup} {
+        tried_{Map(setup)} {
     for (const CheckedPoint& point : points) expects_ = expects_ || point.expected;
   }
 
@@ -223,10 +229,9 @@ private:
     MatrixSetup changed = setup_;
     if (!apply(slip.change, changed)) return;
     if (second != nullptr && !apply(second->change, changed)) return;
-    for (const MatrixSetup& one : tried_) {
-      if (same_map(one, changed)) return;
-    }
-    tried_.push_back(changed);
+    const Map map(changed);
+    if (std::find(tried_.begin(), tried_.end(), map) != tried_.end()) return;
+    tried_.push_back(map);
     const Landing after = send(changed, viewport_, points_);
     if (after.visible <= (second == nullptr ? before_.visible : most_)) return;
     const Judged judged(changed);
@@ -262,7 +267,7 @@ private:
   const Landing before_;
   bool expects_ = false;
   int most_ = 0;  // points that a single change brings in
-  std::vector<MatrixSetup> tried_;
+  std::vector<Map> tried_;
   ConventionsReport report_;
 };
 

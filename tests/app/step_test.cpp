@@ -301,6 +301,21 @@ TEST_CASE("the chain is that of a second computation, within its bounds, in ever
   }
 }
 
+TEST_CASE("a viewport of negative height turns y over, and is no picture upside down") {
+  const Workplace here;
+  const Rows d3d = book::perspective_d3d_right(book::radians(60), 1.5, 0.1, 100);
+  const Rows vulkan = book::perspective_vulkan(book::radians(60), 1.5, 0.1, 100);
+  const Json negated = step_json(
+      here, {kModel, kView, vulkan, "--dialect vulkan --point 0.5,1,0 --viewport 0,0,600,400"});
+  const Json turned = step_json(
+      here, {kModel, kView, d3d, "--dialect vulkan --point 0.5,1,0 --viewport 0,400,600,-400"});
+  CHECK(findings(turned, "hint") == Ids());
+  CHECK(negated["points"][0]["window"]["position"] == turned["points"][0]["window"]["position"]);
+  // Less than a pixel is no picture whose aspect ratio could be compared.
+  const Outcome thin = step(here, {kModel, kView, d3d, "--point 0.5,1,0 --viewport 0,0,600,0.5"});
+  CHECK(thin.exit_code == 0);
+}
+
 TEST_CASE("bits, bounds, conditions and the deciding plane are printed, within 100 columns") {
   const Workplace here;
   const Outcome outcome =
