@@ -219,7 +219,7 @@ function drawBoxes(pane) {
     const width = Math.max(box.width * cell, least), height = Math.max(box.height * cell, least);
     const x = origin.x + (box.x + box.width / 2) * cell - width / 2;
     const y = origin.y + (box.y + box.height / 2) * cell - height / 2;
-    const place = [x, y, width, height].map((value) => Math.round(value / (2 * least))).join();
+    const place = [x - origin.x, y - origin.y, width, height].map((value) => Math.round(value / (2 * least))).join();
     if (taken.has(place) && i !== state.region) return;
     taken.add(place);
     outline(x, y, width, height, i === state.region ? "#ffe14d" : "#fff");
