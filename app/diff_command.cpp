@@ -263,7 +263,7 @@ Result<void> DiffCommand::write_reports(const std::vector<Comparison>& compariso
   }
   if (page_) {
     PageOptions options;
-    options.title = directories_ ? reference_ + " and " + test_ : test_;
+    options.title = directories_ ? reference_ + " and " + test_ : "glassbox diff";
     options.program = std::string("glassbox ") + GLASSBOX_VERSION;
     options.command = command_line();
     if (const auto written = write_page(*page_, comparisons, options); !written) return written;
