@@ -16,7 +16,7 @@ usage() {
 usage: ./glassbox test [--all]
 
 Builds the tests with g++ and runs them. --all adds what needs more tools and time: clang++, no optimisation, sanitizers,
-a minute of each fuzzer, and the format of the sources.
+a minute of each fuzzer, the HTML pages in a browser, and the format of the sources.
 TEXT
 }
 
@@ -114,6 +114,29 @@ run_fuzzers() {
   done
 }
 
+# The pages of diff --html in Chromium. What drives it, playwright-core, goes to build/browser; so do the screenshots.
+run_browser() {
+  have chromium || locked install_packages browser || true
+  { have node && have npm; } || locked install_packages node || true
+  for command in chromium node npm; do
+    have "$command" || { skip "browser (no $command)"; return 0; }
+  done
+  say "browser: testing ..."
+  directory=$root/build/browser
+  mkdir -p "$directory"
+  cp "$root"/tests/browser/* "$directory"
+  if ! (cd "$directory" && npm install --no-audit --no-fund) >"$directory/npm.log" 2>&1 </dev/null; then
+    tail -n 5 "$directory/npm.log" >&2
+    skip "browser (npm could not install playwright-core)"
+    return 0
+  fi
+  status=0
+  (cd "$directory" && CHROMIUM=$(command -v chromium) node run.mjs "$root/build/test/app/glassbox" pages) \
+    >"$directory/log" 2>&1 </dev/null || status=$?
+  if [ "$status" != 0 ]; then tail -n 60 "$directory/log" >&2; fi
+  count "browser" "$status"
+}
+
 check_format() {
   have clang-format || { skip "format (no clang-format)"; return 0; }
   status=0
@@ -148,6 +171,7 @@ if [ "$all" = yes ]; then
   if have clang++; then run_suites clang "clang++ -O3"; else skip "clang++ -O3 (no clang++)"; fi
   run_suites sanitize "sanitizers"
   run_fuzzers
+  run_browser
   check_format
 fi
 

@@ -30,12 +30,13 @@ std::vector<std::string> broken_limits(const CompareOptions& options, const Pict
   std::vector<std::string> broken;
   const auto& [fuzzy, max_ulp] = options.tolerance;
   if (fuzzy && !allows(*fuzzy, found)) {
-    broken.push_back(
-        fmt::format("{} is not within {}", to_string(tightest(found)), to_string(*fuzzy)));
+    const std::string needed = found.largest == kUnbounded ? steps_text(kUnbounded, pair.reference)
+                                                           : to_string(tightest(found));
+    broken.push_back(fmt::format("{} is not within {}", needed, to_string(*fuzzy)));
   }
   if (max_ulp && is_float(pair.reference) && found.largest > *max_ulp) {
-    broken.push_back(fmt::format("{} are more than the {} allowed",
-                                 steps_text(found.largest, pair.reference), *max_ulp));
+    broken.push_back(fmt::format("{} is not within {}", steps_text(found.largest, pair.reference),
+                                 steps_text(*max_ulp, pair.reference)));
   }
   for (const MetricValue& metric : metrics) {
     if (metric.passes) continue;
@@ -94,7 +95,7 @@ void consult_recipes(Comparison& comparison, const CompareOptions& options) {
     comparison.hints.push_back("the reference was rendered by glassbox " + reference->version +
                                ", the test by " + test->version);
   }
-  if (options.inspect_command && comparison.differences) {
+  if (options.inspect_command && comparison.differences && comparison.differences->differing > 0) {
     comparison.inspect_command = options.inspect_command(*test, comparison.differences->first);
   }
 }

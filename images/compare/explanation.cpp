@@ -16,15 +16,15 @@
 namespace glassbox {
 namespace {
 
-// "Channel c of the test's pixel (x, y) is value(c, channel source[c] of the reference's pixel
-// (x_sign x + x_offset, y_sign y + y_offset))."
+// "Channel c of the test's pixel (x, y) fits channel source[c] of the reference's pixel
+// (x_sign x + x_offset, y_sign y + y_offset)."
 template <class Sample>
 struct Hypothesis {
   std::string words;
   int x_sign = 1, x_offset = 0;
   int y_sign = 1, y_offset = 0;
   std::array<int, 4> source = {0, 1, 2, 3};
-  std::function<Sample(int channel, Sample)> value = {};  // none: the sample itself
+  std::function<bool(int channel, Sample from, Sample to)> fits = {};  // none: if they are the same
 };
 
 template <class Sample>
@@ -49,46 +49,113 @@ const Sample* pixel_at(const StoredImage& image, PixelAt at) {
   return row_of<Sample>(image, at.y) + std::ptrdiff_t(at.x) * image.channels;
 }
 
+// As find_differences sees it.
 template <class Sample>
-bool foretells(const Hypothesis<Sample>& hypothesis, const Sample* from, const Sample* to,
-               int channels) {
-  for (int channel = 0; channel < channels; ++channel) {
-    const Sample sample = from[hypothesis.source[std::size_t(channel)]];
-    if ((hypothesis.value ? hypothesis.value(channel, sample) : sample) != to[channel])
-      return false;
+bool same_sample(const PicturePair& pair, Sample a, Sample b) {
+  if constexpr (std::is_integral_v<Sample>) {
+    return a == b;
+  } else {
+    return ulp_distance(a, b, pair.nan_equals_nan) == 0;
+  }
+}
+
+template <class Sample>
+bool same_pixel(const PicturePair& pair, const Sample* from, const Sample* to) {
+  for (int channel = 0; channel < pair.reference.channels; ++channel) {
+    if (!same_sample(pair, from[channel], to[channel])) return false;
   }
   return true;
 }
 
-// Compared pixels of the test that are not as the hypothesis says; those that it takes from outside of the reference
-// are left open.
 template <class Sample>
-std::uint64_t row_misses(const PicturePair& pair, const Hypothesis<Sample>& hypothesis, int y) {
-  const int width = pair.reference.width, channels = pair.reference.channels;
-  const int from_y = hypothesis.y_sign * y + hypothesis.y_offset;
-  if (from_y < 0 || from_y >= pair.reference.height) return 0;
-  const Sample* from = row_of<Sample>(pair.reference, from_y);
-  const Sample* to = row_of<Sample>(pair.test, y);
-  std::uint64_t misses = 0;
-  for (int x = 0; x < width; ++x, to += channels) {
-    const int from_x = hypothesis.x_sign * x + hypothesis.x_offset;
-    if (from_x < 0 || from_x >= width || !pair.selection.compares(x, y)) continue;
-    const Sample* source = from + std::ptrdiff_t(from_x) * channels;
-    misses += foretells(hypothesis, source, to, channels) ? 0 : 1;
+bool foretells(const PicturePair& pair, const Hypothesis<Sample>& hypothesis, const Sample* from,
+               const Sample* to) {
+  for (int channel = 0; channel < pair.reference.channels; ++channel) {
+    const Sample sample = from[hypothesis.source[std::size_t(channel)]];
+    const bool fits = hypothesis.fits ? hypothesis.fits(channel, sample, to[channel])
+                                      : same_sample(pair, sample, to[channel]);
+    if (!fits) return false;
   }
-  return misses;
+  return true;
 }
 
-// In all rows, from the first that differs, where a wrong hypothesis soon fails. Stops above `limit`.
+// Compared pixels of the test ...
+struct Score {
+  std::uint64_t misses = 0;  // that are not as the hypothesis says
+  std::uint64_t open = 0;    // that differ, and come or go beyond the edge
+};
+
+bool is_within(int place, int size) {
+  return place >= 0 && place < size;
+}
+
 template <class Sample>
-std::uint64_t count_misses(const PicturePair& pair, const Hypothesis<Sample>& hypothesis,
-                           int first_row, std::uint64_t limit) {
-  const int height = pair.reference.height;
-  std::uint64_t misses = 0;
-  for (int i = 0; i < height && misses <= limit; ++i) {
-    misses += row_misses(pair, hypothesis, (first_row + i) % height);
+void score_row(const PicturePair& pair, const Hypothesis<Sample>& hypothesis, int y, Score& score) {
+  const int x_sign = hypothesis.x_sign, x_offset = hypothesis.x_offset;
+  const int y_sign = hypothesis.y_sign, y_offset = hypothesis.y_offset;
+  const int width = pair.reference.width, height = pair.reference.height;
+  const int channels = pair.reference.channels;
+  const int from_y = y_sign * y + y_offset, to_y = y_sign * (y - y_offset);
+  const Sample* reference = row_of<Sample>(pair.reference, y);
+  const Sample* test = row_of<Sample>(pair.test, y);
+  const Sample* from_row =
+      is_within(from_y, height) ? row_of<Sample>(pair.reference, from_y) : nullptr;
+  for (int x = 0; x < width; ++x, reference += channels, test += channels) {
+    if (!pair.selection.compares(x, y)) continue;
+    const int from_x = x_sign * x + x_offset, to_x = x_sign * (x - x_offset);
+    const Sample* from = from_row && is_within(from_x, width)
+                             ? from_row + std::ptrdiff_t(from_x) * channels
+                             : nullptr;
+    if (from) score.misses += foretells(pair, hypothesis, from, test) ? 0 : 1;
+    if (!from || !is_within(to_x, width) || !is_within(to_y, height)) {
+      score.open += same_pixel(pair, reference, test) ? 0 : 1;
+    }
   }
-  return misses;
+}
+
+// Of all rows, from the first that differs, where a wrong hypothesis soon fails. Stops above `limit` misses.
+template <class Sample>
+Score score_of(const PicturePair& pair, const Hypothesis<Sample>& hypothesis, int first_row,
+               std::uint64_t limit) {
+  const int height = pair.reference.height;
+  Score score;
+  for (int i = 0; i < height && score.misses <= limit; ++i) {
+    score_row(pair, hypothesis, (first_row + i) % height, score);
+  }
+  return score;
+}
+
+// Whether the pixel has changed as the hypothesis says, away from the ends of the range: there, clamping makes any
+// large constant fit.
+template <class Sample>
+bool is_evidence(const PicturePair& pair, const Hypothesis<Sample>& hypothesis, const Sample* from,
+                 const Sample* to) {
+  for (int channel = 0; channel < pair.reference.channels; ++channel) {
+    const Sample sample = to[channel];
+    if (sample == from[channel]) continue;
+    if (sample == 0 || sample == std::numeric_limits<Sample>::max()) return false;
+  }
+  return !same_pixel(pair, from, to) && foretells(pair, hypothesis, from, to);
+}
+
+// A change of values that explains all pixels has to be seen in two colours. If only one has changed, an object has
+// another colour, or has vanished before a black background.
+template <class Sample>
+bool is_seen_in_two_colours(const PicturePair& pair, const Hypothesis<Sample>& hypothesis,
+                            const Differences& differences) {
+  if (differences.differing == differences.compared) return true;
+  const int channels = pair.reference.channels;
+  const Sample* seen = nullptr;
+  for (int y = differences.first.y; y < pair.reference.height; ++y) {
+    const Sample* from = row_of<Sample>(pair.reference, y);
+    const Sample* to = row_of<Sample>(pair.test, y);
+    for (int x = 0; x < pair.reference.width; ++x, from += channels, to += channels) {
+      if (!pair.selection.compares(x, y) || !is_evidence(pair, hypothesis, from, to)) continue;
+      if (seen && !std::equal(from, from + channels, seen)) return true;
+      seen = from;
+    }
+  }
+  return false;
 }
 
 constexpr int kFarthestMove = 2;  // px
@@ -136,29 +203,36 @@ void add_constant(Hypotheses<Sample>& all, const PicturePair& pair, PixelAt firs
     words += fmt::format("{}{:+}", channel == 0 ? "" : ", ", offset[std::size_t(channel)]);
   }
   Hypothesis<Sample> constant{fmt::format("every pixel is the reference's with ({}) added", words)};
-  constant.value = [offset](int channel, Sample sample) {
-    return clamped_sum(sample, offset[std::size_t(channel)]);
+  constant.fits = [offset](int channel, Sample from, Sample to) {
+    return to == clamped_sum(from, offset[std::size_t(channel)]);
   };
   all.push_back(constant);
 }
 
-// `change` for the colours, alpha as it is.
-template <class Sample, class Change>
-Hypothesis<Sample> of_colours(std::string words, int channels, Change change) {
+// `fits` for the colours, alpha as it is.
+template <class Sample, class Fits>
+Hypothesis<Sample> of_colours(std::string words, int channels, Fits fits) {
   Hypothesis<Sample> hypothesis{std::move(words)};
-  hypothesis.value = [channels, change](int channel, Sample sample) {
-    return is_alpha(channel, channels) ? sample : change(sample);
+  hypothesis.fits = [channels, fits](int channel, Sample from, Sample to) {
+    return is_alpha(channel, channels) ? from == to : fits(from, to);
   };
   return hypothesis;
+}
+
+// Whether `encoded` may be the sRGB encoding of a number that is stored as `linear` without it: each byte stands for
+// the numbers that are rounded to it.
+bool is_encoding(std::uint8_t linear, std::uint8_t encoded) {
+  return encode_srgb((float(linear) - 0.5f) / 255) <= encoded &&
+         encoded <= encode_srgb((float(linear) + 0.5f) / 255);
 }
 
 void add_encodings(Hypotheses<std::uint8_t>& all, int channels) {
   all.push_back(of_colours<std::uint8_t>(
       "the test's colours are sRGB-encoded once more than the reference's", channels,
-      [](std::uint8_t byte) { return encode_srgb(decode_unorm8(byte)); }));
+      [](std::uint8_t from, std::uint8_t to) { return is_encoding(from, to); }));
   all.push_back(of_colours<std::uint8_t>(
       "the test's colours are sRGB-encoded once less than the reference's", channels,
-      [](std::uint8_t byte) { return encode_unorm8(decode_srgb(byte)); }));
+      [](std::uint8_t from, std::uint8_t to) { return is_encoding(to, from); }));
 }
 
 template <class Sample>
@@ -169,7 +243,7 @@ Hypotheses<Sample> hypotheses(const PicturePair& pair, PixelAt first) {
     add_constant(all, pair, first);
     all.push_back(of_colours<Sample>(
         "the test's colours are the reference's inverted", channels,
-        [](Sample sample) { return Sample(std::numeric_limits<Sample>::max() - sample); }));
+        [](Sample from, Sample to) { return to == std::numeric_limits<Sample>::max() - from; }));
   }
   if constexpr (std::is_same_v<Sample, std::uint8_t>) add_encodings(all, channels);
   if (has_colour(pair.reference)) add_swapped_channels(all);
@@ -183,7 +257,7 @@ std::string but_for(std::uint64_t misses) {
   return fmt::format(" (but for {} pixel{})", misses, misses == 1 ? "" : "s");
 }
 
-// The hypothesis with the fewest misses, if it explains nine of ten of what differs.
+// The hypothesis with the fewest misses, if it explains nine of ten of what differs and leaves at most half of it open.
 template <class Sample>
 std::optional<std::string> best_explanation(const PicturePair& pair,
                                             const Differences& differences) {
@@ -191,8 +265,9 @@ std::optional<std::string> best_explanation(const PicturePair& pair,
   std::uint64_t limit = differences.differing / kOneIn;
   std::optional<std::string> best;
   for (const auto& hypothesis : hypotheses<Sample>(pair, differences.first)) {
-    const std::uint64_t misses = count_misses(pair, hypothesis, differences.first.y, limit);
-    if (misses > limit || (best && misses == limit)) continue;
+    const auto [misses, open] = score_of(pair, hypothesis, differences.first.y, limit);
+    if (misses > limit || (best && misses == limit) || open > differences.differing / 2) continue;
+    if (hypothesis.fits && !is_seen_in_two_colours(pair, hypothesis, differences)) continue;
     best = hypothesis.words + but_for(misses);
     limit = misses;
   }
@@ -210,7 +285,9 @@ std::optional<std::string> only_channel(const PicturePair& pair) {
     const Sample* to = row_of<Sample>(pair.test, y);
     for (int x = 0; x < pair.reference.width; ++x, from += channels, to += channels) {
       if (!pair.selection.compares(x, y)) continue;
-      for (int c = 0; c < channels; ++c) differs[std::size_t(c)] |= from[c] != to[c];
+      for (int c = 0; c < channels; ++c) {
+        differs[std::size_t(c)] |= !same_sample(pair, from[c], to[c]);
+      }
     }
   }
   if (channels == 1 || std::count(differs.begin(), differs.end(), true) != 1) return {};

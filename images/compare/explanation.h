@@ -8,10 +8,10 @@
 
 namespace glassbox {
 
-// Sentences about `differences`, the likeliest first; empty where no known slip explains nine of ten differing pixels.
-// Tried are moves by up to two pixels, mirrorings, red and blue in each other's place, a constant added to every
-// sample, inverted colours, and an sRGB encoding too many or too few. Each costs at most a pass over the picture, and ends
-// as soon as it has failed.
+// Sentences about `differences`, the likeliest first; empty where no known slip explains nine of ten differing pixels
+// and more than one channel differs. Tried are moves by up to two pixels, mirrorings, red and blue in each other's place,
+// a constant added to every sample, inverted colours, and an sRGB encoding too many or too few. Each costs at most two
+// passes over the picture, and ends as soon as it has failed.
 std::vector<std::string> explain_differences(const PicturePair& pair,
                                              const Differences& differences);
 

@@ -50,7 +50,7 @@ Result<std::set<std::string>> files_below(const std::string& directory) {
 
 bool has_picture(const std::string& sidecar, const std::set<std::string>& names) {
   const fs::path stem = fs::path(sidecar).replace_extension();  // teapot.png.fuzzy or teapot.fuzzy
-  if (is_picture(stem)) return names.count(stem.generic_string()) > 0;
+  if (is_picture(stem) && names.count(stem.generic_string()) > 0) return true;
   return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
     return is_picture(name) && fs::path(name).replace_extension() == stem;
   });

@@ -119,8 +119,9 @@ void RegionFinder::keep(const Region& region) {
 std::vector<Region> RegionFinder::worst() {
   std::vector<Run> none;
   close_all_but(none);
-  std::sort_heap(closed_.begin(), closed_.end(), worse);
-  return closed_;
+  std::vector<Region> sorted = closed_;
+  std::sort_heap(sorted.begin(), sorted.end(), worse);
+  return sorted;
 }
 
 }  // namespace glassbox

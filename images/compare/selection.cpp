@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include <glassbox/base/printable.h>
+
 namespace glassbox {
 namespace {
 
@@ -41,7 +43,7 @@ Result<PixelBox> parse_pixel_box(const std::string& text) {
                     take(rest, ',') && take_number(rest, box.width) && take(rest, 'x') &&
                     take_number(rest, box.height) && rest.empty();
   if (!good || box.width <= 0 || box.height <= 0) {
-    return fail("", "not a box of pixels: '" + text + "'",
+    return fail("", "not a box of pixels: " + in_quotes(text),
                 "write x,y,widthxheight in whole numbers, as in 10,20,64x32");
   }
   return box;

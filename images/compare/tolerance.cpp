@@ -5,21 +5,17 @@
 #include <string_view>
 #include <utility>
 
+#include <glassbox/base/printable.h>
+#include <glassbox/base/trimmed.h>
+
 namespace glassbox {
 namespace {
 
 constexpr std::string_view kMaxDifference = "maxDifference";
 constexpr std::string_view kTotalPixels = "totalPixels";
 
-std::string_view trim(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r\n";
-  const auto first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
-
 bool read_count(std::string_view text, std::uint64_t& count) {
-  text = trim(text);
+  text = trimmed(text);
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, count);
   return error == std::errc{} && stop == end;
@@ -46,7 +42,7 @@ struct Part {
 bool read_part(std::string_view text, Part& part) {
   const auto equals = text.find('=');
   if (equals == std::string_view::npos) return read_range(text, part.range);
-  part.name = trim(text.substr(0, equals));
+  part.name = trimmed(text.substr(0, equals));
   const bool known = part.name == kMaxDifference || part.name == kTotalPixels;
   return known && read_range(text.substr(equals + 1), part.range);
 }
@@ -66,7 +62,7 @@ Result<Fuzzy> parse_fuzzy(const std::string& text) {
                     read_part(whole.substr(semicolon + 1), second) &&
                     (first.name.empty() || first.name != second.name);
   if (!good) {
-    return fail("", "not a tolerance: '" + text + "'",
+    return fail("", "not a tolerance: " + in_quotes(text),
                 "write maxDifference=0-1;totalPixels=0-4 (ranges inclusive; a single number means "
                 "exactly that number)");
   }
@@ -79,7 +75,7 @@ Result<Fuzzy> parse_fuzzy(const std::string& text) {
 Result<std::uint32_t> parse_max_ulp(const std::string& text) {
   std::uint64_t ulps = 0;
   if (!read_count(text, ulps) || ulps >= kUnbounded) {
-    return fail("", "not a number of ulps: '" + text + "'", "write a whole number, as in 4");
+    return fail("", "not a number of ulps: " + in_quotes(text), "write a whole number, as in 4");
   }
   return std::uint32_t(ulps);
 }

@@ -26,7 +26,7 @@ struct FlipErrors {
 // not opaque, both are laid over black and over white and the larger error counts. Seen at 67 pixels per degree. The
 // pair must not have floats.
 //
-// Memory: 3 MB a thread beyond the pictures. `tiles` (at most kLargestFlipTile) and the number of threads have no
+// Memory: 2 MB a thread beyond the pictures. `tiles` (at most kLargestFlipTile) and the number of threads have no
 // influence on the result.
 FlipErrors flip(const PicturePair& pair, TileSize tiles = kLargestFlipTile);
 

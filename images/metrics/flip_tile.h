@@ -1,6 +1,7 @@
 // FLIP of one tile of a picture, with what lies around the tile as far as its filters reach.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <string_view>
 
+#include <glassbox/base/trimmed.h>
+
 namespace glassbox {
 namespace {
 
@@ -38,13 +40,6 @@ std::string known_names() {
 std::string_view family(std::string_view name) {
   const std::size_t dot = name.find('.');
   return dot == std::string_view::npos ? std::string_view() : name.substr(0, dot);
-}
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t";
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
 bool wants_larger(LimitKind kind) {
@@ -100,10 +95,9 @@ Result<Word> parse_word(std::string_view word) {
 Result<void> check_direction(const KnownMetric& known, const Word& word, std::string_view text) {
   const bool larger = known.better == Better::kLarger;
   if (!word.limit || wants_larger(word.limit->kind) == larger) return {};
-  return fail(
-      "--metric", fmt::format("'{}' lets bad pictures pass and refuses good ones", text),
-      fmt::format("{} is the better the {} it is: write {}{}{}", word.name,
-                  larger ? "larger" : "smaller", word.name, larger ? '>' : '<', word.limit->value));
+  return fail("--metric", fmt::format("'{}' lets bad pictures pass and refuses good ones", text),
+              fmt::format("{} is better for {}: write {}{}{}", larger ? "larger" : "smaller",
+                          word.name, word.name, larger ? '>' : '<', word.limit->value));
 }
 
 // Appends what one word asks for: one number, or all of a family with the limit on the mean.

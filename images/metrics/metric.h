@@ -25,8 +25,8 @@ struct MetricRequest {
 };
 
 // A list separated by commas: "absmax,psnr>40,flip.mean<0.05". "ssim" and "flip" ask for all numbers of the metric; a
-// limit on them is a limit on their mean. An error names the word: an unknown name, a limit that is no finite number, or
-// one in the direction that lets bad pictures pass ("psnr<40").
+// limit on them is a limit on their mean. An error names the word: an unknown name, a limit that is no finite number,
+// or one in the direction that lets bad pictures pass ("psnr<40").
 Result<std::vector<MetricRequest>> parse_metrics(const std::string& text);
 std::string to_string(const MetricRequest& request);  // as written
 

@@ -28,7 +28,7 @@ struct SsimValues {
 // roundings of 2^-53 each in either term leave an error below 2 * 22 * 4 * 2^-53 = 2e-14. The denominator is at least
 // K2^2 = 9e-4, so a window is off by less than 5e-11.
 //
-// Memory: 0.5 MB a thread beyond the pictures. `tiles` (at most kLargestSsimTile) and the number of threads have no
+// Memory: 0.2 MB a thread beyond the pictures. `tiles` (at most kLargestSsimTile) and the number of threads have no
 // influence on the result.
 SsimValues ssim(const PicturePair& pair, TileSize tiles = kLargestSsimTile);
 

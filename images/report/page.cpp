@@ -25,37 +25,52 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The files of one comparison that can be read, as they were when they were compared.
-struct Pictures {
-  std::optional<StoredImage> reference, test;
+// A picture of a pair as the page's script knows it: "reference", "test" or "heat".
+struct Picture {
+  const char* name;
+  StoredImage image;
 };
 
+// The picture, unless it cannot be read or is not what was compared.
 std::optional<StoredImage> read_again(const PictureFacts& facts) {
   auto image = read_stored(facts.path);
   if (!image) return {};
-  const bool known = facts.width > 0;
   const bool changed = image->width != facts.width || image->height != facts.height ||
                        channel_names(*image) != facts.channels ||
                        format_name(*image) != facts.format;
-  if (known && changed) return {};
+  const bool was_read = facts.width > 0;
+  if (was_read && changed) return {};
   return std::move(*image);
 }
 
-// Files that have changed since they were compared are not shown: the numbers would be of others.
-std::optional<Pictures> read_pictures(const Comparison& comparison) {
-  Pictures pictures{read_again(comparison.reference), read_again(comparison.test)};
-  const bool both = pictures.reference && pictures.test;
-  if (comparison.error ? !pictures.reference && !pictures.test : !both) return {};
-  return pictures;
+// The levels of the heat map as a picture; none where other pixels differ than when they were compared.
+std::optional<StoredImage> heat_of(const Comparison& comparison, const StoredImage& reference,
+                                   const StoredImage& test) {
+  const auto selection = selection_of(reference, comparison.ignore, comparison.mask);
+  if (!selection) return {};
+  auto levels = heat_map({reference, test, *selection, comparison.nan_equals_nan});
+  const auto differing =
+      std::count_if(levels.pixels.begin(), levels.pixels.end(),
+                    [](std::uint8_t level) { return level != kHeatSame && level != kHeatLeftOut; });
+  if (std::uint64_t(differing) != comparison.differences->differing) return {};
+  return StoredImage{levels.width, levels.height, 1, std::move(levels.pixels)};
 }
 
-std::optional<StoredImage> heat_of(const Comparison& comparison, const Pictures& pictures) {
-  if (!comparison.differences || !pictures.reference || !pictures.test) return {};
-  const auto selection = selection_of(*pictures.reference, comparison.ignore, comparison.mask);
-  if (!selection) return {};
-  auto levels =
-      heat_map({*pictures.reference, *pictures.test, *selection, comparison.nan_equals_nan});
-  return StoredImage{levels.width, levels.height, 1, std::move(levels.pixels)};
+// What there is to show of a comparison; nothing where the files have changed since, as its numbers would be of others.
+std::vector<Picture> pictures_of(const Comparison& comparison) {
+  auto reference = read_again(comparison.reference);
+  auto test = read_again(comparison.test);
+  if (!comparison.error && (!reference || !test)) return {};
+  std::optional<StoredImage> heat;
+  if (comparison.differences && reference && test) {
+    heat = heat_of(comparison, *reference, *test);
+    if (!heat) return {};
+  }
+  std::vector<Picture> pictures;
+  if (reference) pictures.push_back({"reference", std::move(*reference)});
+  if (test) pictures.push_back({"test", std::move(*test)});
+  if (heat) pictures.push_back({"heat", std::move(*heat)});
+  return pictures;
 }
 
 // The worst first, otherwise in the order given.
@@ -94,30 +109,22 @@ class PageWriter {
 public:
   explicit PageWriter(const PageOptions& options) : options_(options), left_(options.max_bytes) {}
 
-  // The pictures of the pair as the script reads them, or the reason why they are not there.
+  // Adds the pictures to what the script knows of the pair, or the reason why they are not there.
   Result<void> add_pictures(const Comparison& comparison, Json& pair) {
     if (least_bytes(comparison) > left_) return leave_out(comparison, pair);
-    const auto pictures = read_pictures(comparison);
-    if (!pictures) {
+    const std::vector<Picture> pictures = pictures_of(comparison);
+    if (pictures.empty()) {
       pair["left_out"] = comparison.error ? "There is no picture to show."
                                           : "The files have changed since they were compared.";
       return {};
     }
-    const auto heat = heat_of(comparison, *pictures);
-    const std::array<std::pair<const char*, const std::optional<StoredImage>*>, 3> all{
-        {{"reference", &pictures->reference}, {"test", &pictures->test}, {"heat", &heat}}};
-    const Differences* differences = comparison.differences ? &*comparison.differences : nullptr;
     std::uint64_t bytes = 0;
-    for (const auto& [name, image] : all) {
-      if (*image)
-        bytes += bytes_in(**image,
-                          crops_of((*image)->width, (*image)->height, differences, options_.crops));
-    }
+    for (const Picture& picture : pictures)
+      bytes += bytes_in(picture.image, crops(comparison, picture.image));
     if (bytes > left_) return leave_out(comparison, pair);
     left_ -= bytes;
-    for (const auto& [name, image] : all) {
-      if (!*image) continue;
-      auto added = add_picture(**image, differences);
+    for (const auto& [name, image] : pictures) {
+      auto added = add_picture(image, crops(comparison, image));
       if (!added) return tl::unexpected(added.error());
       pair["pictures"][name] = std::move(*added);
     }
@@ -127,7 +134,12 @@ public:
   const std::string& blobs() const { return blobs_; }
 
 private:
-  // A byte a pixel of either picture and of the heat map, where they are not cropped.
+  std::vector<PixelBox> crops(const Comparison& comparison, const StoredImage& image) const {
+    const Differences* differences = comparison.differences ? &*comparison.differences : nullptr;
+    return crops_of(image.width, image.height, differences, options_.crops);
+  }
+
+  // What the pictures take at the very least, known before they are read: a byte a pixel where they are not cropped.
   std::uint64_t least_bytes(const Comparison& comparison) const {
     std::uint64_t bytes = 0;
     for (const PictureFacts* facts : {&comparison.reference, &comparison.test}) {
@@ -146,8 +158,7 @@ private:
     return {};
   }
 
-  Result<Json> add_picture(const StoredImage& image, const Differences* differences) {
-    const auto tiles = crops_of(image.width, image.height, differences, options_.crops);
+  Result<Json> add_picture(const StoredImage& image, const std::vector<PixelBox>& tiles) {
     const auto blob = encode_blob(image, tiles);
     if (!blob) return tl::unexpected(blob.error());
     const std::string id = fmt::format("blob-{}", blob_count_++);

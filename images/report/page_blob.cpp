@@ -34,8 +34,8 @@ void append_row_differences(Bytes& out, const StoredImage& image, const PixelBox
 Result<Bytes> deflated(const Bytes& bytes) {
   uLongf size = compressBound(uLong(bytes.size()));
   Bytes out(size);
-  // Level 3: a fifth larger than the best, in a fifth of the time.
-  if (compress2(out.data(), &size, bytes.data(), uLong(bytes.size()), 3) != Z_OK) {
+  // Level 4: on renders at most a tenth larger than the usual 6, in a quarter of the time.
+  if (compress2(out.data(), &size, bytes.data(), uLong(bytes.size()), 4) != Z_OK) {
     return fail("", "zlib could not compress a picture", "free some memory");
   }
   out.resize(size);

@@ -4,6 +4,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <glassbox/images/compare/heat_map.h>
@@ -241,6 +242,53 @@ TEST_CASE("the filters' short radii leave out less than 2^-32 of their weight", 
   // One tap less would be too few.
   CHECK(beyond(0.0047, filters.lightness.size() - 1) > 0x1p-32);
   CHECK(beyond(0.0053, filters.red_green.size() - 1) > 0x1p-32);
+}
+
+TEST_CASE("the separable filters multiply out to the kernels of the paper", "[metrics]") {
+  // The centre's weight is what the others leave of 1.
+  const auto tap = [](const auto& taps, int r) {
+    double centre = 1;
+    for (const float weight : taps) centre -= 2 * double(weight);
+    const auto at = std::size_t(std::abs(r));
+    return at == 0 ? centre : at <= taps.size() ? double(taps[at - 1]) : 0.0;
+  };
+  // Table 1: a Gaussian of amplitude a and width b, at a squared distance in square degrees.
+  const auto gaussian = [](double a, double b, double square) {
+    constexpr double kPi = std::numbers::pi;
+    return a * std::sqrt(kPi / b) * std::exp(-kPi * kPi * square / b);
+  };
+  struct Kernel {
+    std::array<double, 3> sums{};
+    std::array<double, 3> at(int x, int y) const {
+      return values[std::size_t(y + 10)][std::size_t(x + 10)];
+    }
+    std::array<std::array<std::array<double, 3>, 21>, 21> values{};
+  } kernel;
+  for (int y = -10; y <= 10; ++y) {
+    for (int x = -10; x <= 10; ++x) {
+      const double square = (x * x + y * y) / (kPixelsPerDegree * kPixelsPerDegree);
+      const std::array<double, 3> values{
+          gaussian(1, 0.0047, square), gaussian(1, 0.0053, square),
+          gaussian(34.1, 0.04, square) + gaussian(13.5, 0.025, square)};
+      kernel.values[std::size_t(y + 10)][std::size_t(x + 10)] = values;
+      for (std::size_t i = 0; i < 3; ++i) kernel.sums[i] += values[i];
+    }
+  }
+  const FlipFilters& filters = flip_filters();
+  for (int y = -10; y <= 10; ++y) {
+    for (int x = -10; x <= 10; ++x) {
+      const auto product = [&](const auto& taps) { return tap(taps, x) * tap(taps, y); };
+      const std::array<double, 3> products{
+          product(filters.lightness), product(filters.red_green),
+          double(filters.wide_share) * product(filters.wide_blue_yellow) +
+              double(filters.narrow_share) * product(filters.narrow_blue_yellow)};
+      for (std::size_t i = 0; i < 3; ++i) {
+        INFO("kernel " << i << " at " << x << ", " << y);
+        // Up to 20 weights below 1/4, each rounded by 2^-27 at most, make the centre's; it is below 1/2.
+        CHECK(std::abs(products[i] - kernel.at(x, y)[i] / kernel.sums[i]) < 20 * 0x1p-27);
+      }
+    }
+  }
 }
 
 TEST_CASE("the median and the 95th percentile are ranks", "[metrics]") {

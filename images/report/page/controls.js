@@ -13,7 +13,8 @@ function paneUnder(event) {
 function zoomBy(steps, at = null) {
   if (!state.pair?.pictures.length) return;
   const usable = scales.filter((scale) => scale <= largestScale());
-  const up = usable.find((scale) => scale > view.scale * 1.001), down = usable.findLast((scale) => scale < view.scale * 0.999);
+  const up = usable.find((scale) => scale > view.scale * 1.001);
+  const down = usable.findLast((scale) => scale < view.scale * 0.999);
   zoomTo((steps > 0 ? up : Math.max(down ?? 0, Math.min(fitScale(), 1))) ?? view.scale, at);
 }
 
@@ -202,9 +203,10 @@ function listenToMouse() {
 }
 
 function pointAt(at) {
-  if (!at) return;
-  const point = pointUnder(at.pane, at.x, at.y), x = Math.floor(point.x), y = Math.floor(point.y);
-  if (x >= 0 && y >= 0 && x < state.pair.width && y < state.pair.height) state.cursor = {x, y};
+  const point = at && pointUnder(at.pane, at.x, at.y);
+  const x = Math.floor(point?.x), y = Math.floor(point?.y);
+  const inside = x >= 0 && y >= 0 && x < state.pair?.width && y < state.pair?.height;
+  state.cursor = inside ? {x, y} : null;
   update();
 }
 

@@ -58,7 +58,7 @@ function offerControls() {
   byId("cropped").hidden = !state.pair.tiled;
   byId("opaque-label").hidden = !pictures.some(({channels}) => channels % 2 === 0);
   byId("range").hidden = byId("marks").hidden = pictures[0]?.type !== "f32";
-  byId("readout").classList.toggle("tall", pictures[0]?.type === "f32");
+  byId("readout").classList.toggle("tall", pictures[0]?.type === "f32" || pictures[0]?.channels === 4);
   for (const end of ["low", "high"]) Object.assign(byId(`${end}-slider`), {min: range.low, max: range.high});
   byId("hottest").textContent = {u8: "255", u16: "65,535", f32: "2²⁴ ulp or more"}[pictures[0]?.type];
   if (heat) paintHeat(heat, heatColours);
@@ -104,7 +104,7 @@ const brightness = ([red, green, blue], alpha) =>
   ((red * 0.299 + green * 0.587 + blue * 0.114) * alpha + 230 * (255 - alpha)) / 255;
 
 const valueLines = (picture, values, text) => values && Array.from(values, (value, channel) =>
-  `${channelLetters[picture.channels][channel]} ${text(value)}`.trim());
+  `${channelLetters[picture.channels][channel]}\u00a0${text(value)}`.trim());
 
 // Test minus reference, one a channel; null where that is not known, or was left out of the comparison.
 function differenceAt(x, y) {
@@ -176,7 +176,7 @@ function differenceText() {
   if (!state.cursor || !state.pair?.heat) return "–";
   const {x, y} = state.cursor, {reference, heat} = state.pair, steps = differenceAt(x, y);
   if (!steps) return samplesAt(heat, x, y)?.[0] === leftOut ? "not compared" : "not in this page";
-  return valueLines(reference, steps, stepsText).join("  ") + unitOf[reference.type].replace("/255", "").replace("/65535", "");
+  return valueLines(reference, steps, stepsText).join("  ") + (reference.type === "f32" ? " ulp" : "");
 }
 
 const heatColours = manifest.heat_colours.map(packedColour);

@@ -125,11 +125,11 @@ def ssim(reference, test):
     return inside.mean(), inside.min()
 
 
-def report(name, reference, test):
+def values(reference, test):
     errors = flip(reference, test).ravel()
     difference = reference - test
     rmse = np.sqrt(np.mean(difference**2))
-    values = {
+    found = {
         "absmax": np.abs(difference).max(),
         "rmse": rmse,
         "psnr": -20 * np.log10(rmse) if rmse else np.inf,
@@ -139,8 +139,12 @@ def report(name, reference, test):
         "flip.max": errors.max(),
     }
     if min(reference.shape[:2]) >= 11:
-        values["ssim.mean"], values["ssim.min"] = ssim(reference, test)
-    for key, value in values.items():
+        found["ssim.mean"], found["ssim.min"] = ssim(reference, test)
+    return found
+
+
+def report(name, reference, test):
+    for key, value in values(reference, test).items():
         print(f"{name}\t{key}\t{value:.17g}")
 
 

@@ -1,0 +1,107 @@
+// A page in Chromium, watched: what it asks for, what goes wrong in it, and what it draws.
+import {chromium} from "playwright-core";
+
+const running = await chromium.launch({
+  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+  args: process.getuid() === 0 ? ["--no-sandbox"] : [],
+});
+export const closeBrowser = () => running.close();
+
+// Notes what the page draws into its canvas in the last frame: texts with their places, and where the crosshair is.
+function watchCanvas() {
+  const {fillText, fillRect, strokeRect} = CanvasRenderingContext2D.prototype;
+  Object.assign(window, {texts: [], crosshairs: []});
+  CanvasRenderingContext2D.prototype.fillText = function (text, x, y, ...rest) {
+    if (this.canvas.id === "view") window.texts.push({text, x, y});
+    return fillText.call(this, text, x, y, ...rest);
+  };
+  CanvasRenderingContext2D.prototype.strokeRect = function (x, y, width, height) {
+    const line = 3 * Math.max(1, Math.round(devicePixelRatio)); // the outline's width, half of it on either side
+    if (this.strokeStyle === "#3df5ff") window.crosshairs.push([x + width / 2, y + height / 2, width - line]);
+    return strokeRect.call(this, x, y, width, height);
+  };
+  CanvasRenderingContext2D.prototype.fillRect = function (x, y, width, height) {
+    const all = this.canvas.id === "view" && width === this.canvas.width && height === this.canvas.height;
+    if (all) Object.assign(window, {texts: [], crosshairs: []});
+    return fillRect.call(this, x, y, width, height);
+  };
+}
+
+// Opens the file; settings are Playwright's. `problems` has what no page may do.
+export async function openPage(file, settings = {}) {
+  const context = await running.newContext({
+    viewport: {width: 1280, height: 800}, reducedMotion: "reduce", colorScheme: "light", ...settings});
+  const page = await context.newPage(), problems = [], address = "file://" + encodeURI(file);
+  page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
+  page.on("pageerror", (error) => problems.push(error.message));
+  page.on("dialog", (dialog) => { problems.push("a dialog: " + dialog.message()); dialog.dismiss(); });
+  page.on("request", (request) => {
+    const url = request.url();
+    if (url !== address && !url.startsWith("data:")) problems.push("a request: " + url);
+  });
+  await page.addInitScript(watchCanvas);
+  await page.goto(address);
+  await settled(page);
+  return {page, problems, close: () => context.close()};
+}
+
+// Until the pictures are decoded and drawn.
+export async function settled(page) {
+  await page.waitForFunction(() => document.getElementById("message").textContent !== "Decoding …");
+  await drawn(page);
+}
+
+// The page draws in the next frame.
+const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => setTimeout(done))));
+
+export async function press(page, ...keys) {
+  for (const key of keys) await page.keyboard.press(key);
+  await settled(page);
+}
+
+export async function hover(page, x, y) {
+  await page.mouse.move(x, y);
+  await drawn(page);
+}
+
+// The readout: the pixel, and what stands under each heading.
+export function readout(page) {
+  return page.evaluate(() => {
+    const text = (id) => document.getElementById(id).textContent.replaceAll("\u00a0", " ");
+    const [x, y] = text("at").split(", ").map(Number);
+    return {x, y, reference: text("reference-value"), test: text("test-value"), difference: text("difference-value")};
+  });
+}
+
+// The box of the canvas on the page, in CSS pixels.
+export const canvasBox = (page) => page.locator("#view").boundingBox();
+
+// Red, green and blue of the canvas under a point of the page.
+export function colourAt(page, x, y) {
+  return page.evaluate(([px, py]) => {
+    const canvas = document.getElementById("view"), box = canvas.getBoundingClientRect();
+    const at = [(px - box.left) * devicePixelRatio, (py - box.top) * devicePixelRatio].map(Math.floor);
+    return Array.from(canvas.getContext("2d").getImageData(...at, 1, 1).data.slice(0, 3));
+  }, [x, y]);
+}
+
+// The centre of the pixel with the crosshair, as a point of the page, and the pixel's size on it: of the panes, the one
+// nearest to a point.
+export function crosshair(page, nearX = 0, nearY = 0) {
+  return page.evaluate(([x, y]) => {
+    const box = document.getElementById("view").getBoundingClientRect();
+    return window.crosshairs.map((at) => at.map((value) => value / devicePixelRatio))
+      .map(([cx, cy, size]) => [cx + box.left, cy + box.top, size])
+      .sort((a, b) => Math.hypot(a[0] - x, a[1] - y) - Math.hypot(b[0] - x, b[1] - y))[0];
+  }, [nearX, nearY]);
+}
+
+// What is printed in a pixel of the picture with this centre and size.
+export function textsAround(page, x, y, size) {
+  return page.evaluate(([px, py, reach]) => {
+    const box = document.getElementById("view").getBoundingClientRect();
+    const near = (text) => Math.abs(text.x / devicePixelRatio + box.left - px) < reach / 2 &&
+      Math.abs(text.y / devicePixelRatio + box.top - py) < reach / 2;
+    return window.texts.filter(near).map(({text}) => text.replaceAll("\u00a0", " "));
+  }, [x, y, size]);
+}

@@ -1,0 +1,30 @@
+// The pages of `glassbox diff --html` in a browser.
+//
+//     node run.mjs PROGRAM DIRECTORY [WORDS]
+//
+// PROGRAM makes the pages from pictures made here; DIRECTORY takes pictures, pages and screenshots. With WORDS, only
+// tests with these in their name. Ends with 0 if nothing failed.
+import assert from "node:assert/strict";
+import {closeBrowser} from "./browser.mjs";
+import {tests} from "./cases.mjs";
+import "./drawing_tests.mjs";
+import "./using_tests.mjs";
+
+let failed = 0;
+const chosen = tests.filter(({name}) => name.includes(process.argv[4] ?? ""));
+for (const {name, body} of chosen) {
+  try {
+    const opened = await body();
+    if (opened) {
+      assert.deepEqual(opened.problems, [], "nothing goes wrong, and nothing is asked of the network");
+      await opened.close();
+    }
+    console.log(`passed: ${name}`);
+  } catch (error) {
+    failed++;
+    console.log(`FAILED: ${name}\n${error.stack}`);
+  }
+}
+await closeBrowser();
+console.log(`${chosen.length - failed} passed, ${failed} failed`);
+process.exitCode = failed || !chosen.length ? 1 : 0;

@@ -1,0 +1,181 @@
+// Two directories, paired by name.
+#include "tests/support/catch.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "tests/images/temporary_directory.h"
+
+#include <glassbox/images/compare/pairing.h>
+
+namespace glassbox::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class TwoFolders {
+public:
+  TwoFolders() {
+    fs::create_directory(ref());
+    fs::create_directory(out());
+  }
+  std::string ref() const { return directory_.file("ref"); }
+  std::string out() const { return directory_.file("out"); }
+  // An empty file "ref/..." or "out/...", with its folders.
+  void add(const std::string& name) const {
+    const fs::path path = directory_.file(name);
+    fs::create_directories(path.parent_path());
+    std::ofstream(path) << "";
+  }
+  Pairing pairs() const {
+    const auto pairing = pair_directories(ref(), out());
+    INFO((pairing ? "" : pairing.error().message()));
+    REQUIRE(pairing);
+    return *pairing;
+  }
+
+private:
+  TemporaryDirectory directory_;
+};
+
+// "a.png +-": the name, then whether there is a reference and a test.
+std::vector<std::string> summary(const Pairing& pairing) {
+  std::vector<std::string> lines;
+  for (const PicturePaths& paths : pairing.pictures) {
+    lines.push_back(paths.name + " " + (paths.has_reference ? '+' : '-') +
+                    (paths.has_test ? '+' : '-'));
+  }
+  return lines;
+}
+
+using Lines = std::vector<std::string>;
+
+TEST_CASE("pictures are paired by name, subfolders included, in order of their names") {
+  const TwoFolders here;
+  for (const char* name : {"ref/b.png", "ref/a.png", "ref/sub/deep/c.ppm", "ref/gone.png",
+                           "out/a.png", "out/b.png", "out/sub/deep/c.ppm", "out/sub/fresh.pfm"}) {
+    here.add(name);
+  }
+  const Pairing pairing = here.pairs();
+  CHECK(summary(pairing) ==
+        Lines{"a.png ++", "b.png ++", "gone.png +-", "sub/deep/c.ppm ++", "sub/fresh.pfm -+"});
+  CHECK(pairing.pictures[3].reference == here.ref() + "/sub/deep/c.ppm");
+  CHECK(pairing.pictures[3].test == here.out() + "/sub/deep/c.ppm");
+  // Where the missing one would be.
+  CHECK(pairing.pictures[4].reference == here.ref() + "/sub/fresh.pfm");
+  CHECK(pairing.orphans.empty());
+}
+
+TEST_CASE("names do not depend on how the directories are written") {
+  const TwoFolders here;
+  here.add("ref/sub/a.png");
+  here.add("out/sub/a.png");
+  for (const char* end : {"", "/", "//", "/.", "/sub/.."}) {
+    const auto pairing = pair_directories(here.ref() + end, here.out() + end);
+    INFO(end);
+    REQUIRE(pairing);
+    CHECK(summary(*pairing) == Lines{"sub/a.png ++"});
+    CHECK(fs::exists(pairing->pictures[0].reference));
+  }
+  const fs::path before = fs::current_path();
+  fs::current_path(here.ref());
+  const auto pairing = pair_directories(".", "../out");
+  fs::current_path(before);
+  REQUIRE(pairing);
+  CHECK(summary(*pairing) == Lines{"sub/a.png ++"});
+}
+
+TEST_CASE("a picture is known by its extension, in either case") {
+  const TwoFolders here;
+  for (const char* name : {"a.png", "b.PNG", "c.Jpg", "d.JPEG", "e.bmp", "f.tga", "g.ppm", "h.pgm",
+                           "i.pfm", "j.txt", "k", "png", ".png", "l.png.bak", "m.exr", "n.png~"}) {
+    here.add(std::string("ref/") + name);
+    here.add(std::string("out/") + name);
+  }
+  CHECK(summary(here.pairs()) == Lines{"a.png ++", "b.PNG ++", "c.Jpg ++", "d.JPEG ++", "e.bmp ++",
+                                       "f.tga ++", "g.ppm ++", "h.pgm ++", "i.pfm ++"});
+}
+
+TEST_CASE("names that differ in case or extension are two pictures") {
+  const TwoFolders here;
+  here.add("ref/a.png");
+  here.add("out/A.png");
+  here.add("out/a.PNG");
+  here.add("out/a.ppm");
+  CHECK(summary(here.pairs()) == Lines{"A.png -+", "a.PNG -+", "a.png +-", "a.ppm -+"});
+}
+
+TEST_CASE("a sidecar without its picture is an orphan") {
+  const TwoFolders here;
+  for (const char* name :
+       {"ref/a.png", "ref/a.png.fuzzy", "ref/b.png", "ref/b.fuzzy", "ref/x.y.png", "ref/x.y.fuzzy",
+        "ref/d.jpg.png", "ref/d.jpg.fuzzy", "ref/sub/c.png", "ref/sub/c.png.fuzzy", "out/a.png",
+        // The orphans: nothing, another extension, another folder.
+        "ref/gone.png.fuzzy", "ref/lost.fuzzy", "ref/a.jpg.fuzzy", "ref/c.png.fuzzy",
+        "ref/sub/a.fuzzy",
+        // The test directory has no sidecars.
+        "out/other.fuzzy"}) {
+    here.add(name);
+  }
+  auto orphans = here.pairs().orphans;
+  std::sort(orphans.begin(), orphans.end());
+  CHECK(orphans == Lines{here.ref() + "/a.jpg.fuzzy", here.ref() + "/c.png.fuzzy",
+                         here.ref() + "/gone.png.fuzzy", here.ref() + "/lost.fuzzy",
+                         here.ref() + "/sub/a.fuzzy"});
+}
+
+TEST_CASE("links to folders are not followed, so loops end; links to pictures are pictures") {
+  const TwoFolders here;
+  here.add("ref/sub/a.png");
+  here.add("out/sub/a.png");
+  fs::create_directory_symlink(here.ref(), here.ref() + "/sub/loop");
+  fs::create_directory_symlink("..", here.out() + "/sub/up");
+  fs::create_symlink(here.ref() + "/sub/a.png", here.ref() + "/linked.png");
+  fs::create_symlink("nowhere.png", here.ref() + "/dangling.png");
+  fs::create_symlink("self.png", here.ref() + "/self.png");
+  CHECK(summary(here.pairs()) == Lines{"linked.png +-", "sub/a.png ++"});
+}
+
+TEST_CASE("a folder with a picture's name is no picture") {
+  const TwoFolders here;
+  here.add("ref/a.png/b.png");
+  here.add("out/a.png/b.png");
+  CHECK(summary(here.pairs()) == Lines{"a.png/b.png ++"});
+}
+
+TEST_CASE("two directories without a picture are an error, not a success") {
+  const TwoFolders here;
+  here.add("ref/notes.txt");
+  const auto pairing = pair_directories(here.ref(), here.out());
+  REQUIRE(!pairing);
+  CHECK(pairing.error().message().find(here.ref()) != std::string::npos);
+  CHECK(pairing.error().message().find(here.out()) != std::string::npos);
+  here.add("out/a.png");
+  CHECK(summary(here.pairs()) == Lines{"a.png -+"});
+}
+
+TEST_CASE("a directory that cannot be listed is an error") {
+  const TwoFolders here;
+  here.add("ref/a.png");
+  const std::string nowhere = here.ref() + "/nowhere";
+  for (const auto& pairing :
+       {pair_directories(nowhere, here.out()), pair_directories(here.ref(), nowhere),
+        pair_directories(here.ref() + "/a.png", here.out())}) {
+    REQUIRE(!pairing);
+    CHECK(pairing.error().cause.find("cannot be listed") != std::string::npos);
+  }
+}
+
+TEST_CASE("names that are no text are paired, too") {
+  const TwoFolders here;
+  const std::string odd = "\xff\n\x1b.png";
+  here.add("ref/" + odd);
+  here.add("out/" + odd);
+  CHECK(summary(here.pairs()) == Lines{odd + " ++"});
+}
+
+}  // namespace
+}  // namespace glassbox::test

@@ -1,0 +1,157 @@
+// Options and a sidecar together, and tolerances that are wider than needed.
+#include "tests/support/catch.h"
+
+#include <string>
+#include <vector>
+
+#include <glassbox/images/compare/rules.h>
+
+namespace glassbox::test {
+namespace {
+
+Sidecar sidecar(const std::string& text) {
+  const auto parsed = parse_sidecar("a.png.fuzzy", text + "\nreason: ties\n");
+  REQUIRE(parsed);
+  return *parsed;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+Differences differences(std::uint32_t largest, std::uint64_t pixels) {
+  Differences found;
+  found.largest = largest;
+  found.differing = pixels;
+  return found;
+}
+
+std::string stale(const std::string& text, const Differences& found) {
+  std::vector<std::string> notes;
+  return stale_text(combine({}, sidecar(text), notes), found);
+}
+
+TEST_CASE("without options the sidecar's rules apply") {
+  std::vector<std::string> notes;
+  const Rules rules = combine(
+      {}, sidecar("fuzzy: 0-1;0-4\nmax-ulp: 2\nmetric: psnr>40\nignore: 1,2,3x4\nmask: m.png"),
+      notes);
+  CHECK(rules.tolerance_of_sidecar);
+  CHECK(rules.reason == "ties");
+  CHECK(rules.options.ignore == std::vector<PixelBox>{{1, 2, 3, 4}});
+  CHECK(rules.options.mask == "m.png");
+  CHECK(tolerance_text(rules.options) == "maxDifference=0-1;totalPixels=0-4, 2 ulps, psnr>40");
+  CHECK(notes.empty());
+}
+
+TEST_CASE("a tolerance among the options overrules the sidecar's, with a note") {
+  CompareOptions fuzzy, ulps, metric;
+  fuzzy.tolerance.fuzzy = Fuzzy{{0, 9}, {0, 9}};
+  ulps.tolerance.max_ulp = 9;
+  metric.metrics = *parse_metrics("psnr>10");
+  for (const CompareOptions& options : {fuzzy, ulps, metric}) {
+    std::vector<std::string> notes;
+    const Rules rules = combine(
+        options, sidecar("fuzzy: 0-1;0-4\nmetric: psnr>40\nignore: 1,2,3x4\nmask: m.png"), notes);
+    CHECK(!rules.tolerance_of_sidecar);
+    CHECK(rules.reason.empty());
+    CHECK(tolerance_text(rules.options) == tolerance_text(options));
+    // What is compared does not change.
+    CHECK(rules.options.ignore == std::vector<PixelBox>{{1, 2, 3, 4}});
+    CHECK(rules.options.mask == "m.png");
+    REQUIRE(notes.size() == 1);
+    CHECK(contains(notes[0], "a.png.fuzzy"));
+    CHECK(contains(notes[0], "overruled"));
+  }
+}
+
+TEST_CASE("a sidecar without a tolerance has none to overrule") {
+  CompareOptions options;
+  options.tolerance.fuzzy = Fuzzy{{0, 9}, {0, 9}};
+  std::vector<std::string> notes;
+  combine(options, sidecar("ignore: 1,2,3x4\nmetric: rmse"), notes);
+  CHECK(notes.empty());
+}
+
+TEST_CASE("a metric that is only reported overrules nothing") {
+  CompareOptions options;
+  options.metrics = *parse_metrics("rmse");
+  std::vector<std::string> notes;
+  const Rules rules = combine(options, sidecar("fuzzy: 0-1;0-4"), notes);
+  CHECK(rules.tolerance_of_sidecar);
+  CHECK(notes.empty());
+}
+
+TEST_CASE("boxes add up, and a mask given takes the place of the sidecar's") {
+  CompareOptions options;
+  options.ignore = {{9, 9, 1, 1}};
+  options.mask = "mine.png";
+  std::vector<std::string> notes;
+  const Rules rules = combine(options, sidecar("ignore: 1,2,3x4\nmask: m.png"), notes);
+  CHECK(rules.options.ignore == std::vector<PixelBox>{{9, 9, 1, 1}, {1, 2, 3, 4}});
+  CHECK(rules.options.mask == "mine.png");
+}
+
+TEST_CASE("without a sidecar the options stand as they are") {
+  CompareOptions options;
+  options.tolerance.max_ulp = 3;
+  std::vector<std::string> notes;
+  const Rules rules = combine(options, std::nullopt, notes);
+  CHECK(!rules.tolerance_of_sidecar);
+  CHECK(tolerance_text(rules.options) == "3 ulps");
+  CHECK(tolerance_text({}).empty());
+}
+
+TEST_CASE("a tolerance that is used up to its ends is not stale") {
+  CHECK(stale("fuzzy: 0-3;0-7", differences(3, 7)).empty());
+  CHECK(stale("fuzzy: 3;7", differences(3, 7)).empty());
+  CHECK(stale("fuzzy: 1-3;2-7", differences(3, 7)).empty());
+  CHECK(stale("max-ulp: 3", differences(3, 7)).empty());
+  CHECK(stale("fuzzy: 0-3;0-7\nmax-ulp: 3", differences(3, 7)).empty());
+  CHECK(stale("metric: rmse<0.5", differences(3, 7)).empty());
+  CHECK(stale("ignore: 1,2,3x4", differences(0, 0)).empty());
+  CHECK(stale("metric: rmse", differences(0, 0)).empty());
+}
+
+TEST_CASE("a tolerance wider than needed is stale, and the one that is enough is named") {
+  for (const char* text : {"fuzzy: 0-4;0-7", "fuzzy: 0-3;0-8", "fuzzy: 0-99;0-99"}) {
+    const std::string note = stale(text, differences(3, 7));
+    INFO(note);
+    CHECK(contains(note, "stale"));
+    CHECK(contains(note, "a.png.fuzzy"));
+    CHECK(contains(note, "maxDifference=0-3;totalPixels=0-7"));
+    // Whoever follows the advice is not told again.
+    CHECK(stale("fuzzy: maxDifference=0-3;totalPixels=0-7", differences(3, 7)).empty());
+  }
+  const std::string ulps = stale("max-ulp: 4", differences(3, 7));
+  CHECK(contains(ulps, "max-ulp: 3"));
+  const std::string both = stale("fuzzy: 0-9;0-9\nmax-ulp: 4", differences(3, 7));
+  CHECK(contains(both, "maxDifference=0-3;totalPixels=0-7"));
+  CHECK(contains(both, "max-ulp: 3"));
+  const std::string one = stale("fuzzy: 0-3;0-7\nmax-ulp: 4", differences(3, 7));
+  CHECK(!contains(one, "maxDifference"));
+  CHECK(contains(one, "max-ulp: 3"));
+}
+
+TEST_CASE("a tolerance of pictures that are the same is not needed") {
+  for (const char* text :
+       {"fuzzy: 0-4;0-7", "fuzzy: 0;0", "max-ulp: 0", "max-ulp: 4", "metric: flip.mean<0.05"}) {
+    const std::string note = stale(text, differences(0, 0));
+    INFO(text << ": " << note);
+    CHECK(contains(note, "stale"));
+    CHECK(contains(note, "not needed"));
+    CHECK(contains(note, "delete the file"));
+  }
+}
+
+TEST_CASE("a sidecar that also says what to leave out is not to be deleted") {
+  for (const char* text : {"fuzzy: 0-4;0-7\nignore: 1,2,3x4", "fuzzy: 0-4;0-7\nmask: m.png"}) {
+    const std::string note = stale(text, differences(0, 0));
+    INFO(text << ": " << note);
+    CHECK(contains(note, "not needed"));
+    CHECK(!contains(note, "delete the file"));
+  }
+}
+
+}  // namespace
+}  // namespace glassbox::test
