@@ -71,6 +71,9 @@ public:
   // Whether the piece shows its front, and is thrown away.
   virtual void faced(const TriangleSetup& /*setup*/, bool /*front*/, bool& /*culled*/) {}
 
+  // The end of every triangle for which clipped() was called.
+  virtual void prepared(const Triangle& /*triangle*/) {}
+
   // ---- fragments ----
 
   // A covered pixel centre: depth and weights there.

@@ -274,6 +274,7 @@ void ready_triangle(const PrimitiveStage& stage, const Triangle& triangle,
       ready_segment(stage, {corners[k], corners[(k + 1) % 3]}, *attributes, number + 1, lines);
     }
   }
+  if (stage.observer != nullptr) stage.observer->prepared(triangle);
 }
 
 void ready_line(const PrimitiveStage& stage, const std::array<Corner, 2>& line,
