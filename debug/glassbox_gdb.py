@@ -3,8 +3,8 @@
 #   (gdb) source debug/glassbox_gdb.py
 #
 # One printer for each record, in the order of base/spaces.h, pipeline/stages.h and raster/stages.h. A printer is called
-# with the value of a record and has to_string(), one line of text, or children(), what belongs to it, or both. Floats and
-# doubles are written with the fewest digits that read back as the same number: what you see is what is there.
+# with the value of a record and has to_string(), a text, or children(), what belongs to it, or both. Floats and doubles
+# are written with the fewest digits that read back as the same number: what you see is what is there.
 import struct
 
 import gdb
@@ -281,6 +281,8 @@ def glassbox(value):
 
 gdb.printing.register_pretty_printer(None, glassbox, replace=True)
 gdb.execute("set print pretty on")  # one line for each child
+# `step` goes into Glassbox's own functions.
+gdb.execute("skip -rfunction ^(std|glm|tl|__gnu_cxx)::|::Stopwatch::", to_string=True)
 
 
 # ---- commands ----

@@ -28,7 +28,7 @@ LEFT_OUT = (
 
 
 def answer(command):
-    """The lines that say where the program stopped are not part of a command's own output, so standard output is caught."""
+    """All of standard output: the lines that say where the program stopped are no part of a command's own output."""
     gdb.flush()
     output = os.dup(1)
     with tempfile.TemporaryFile("w+") as caught:
