@@ -179,25 +179,25 @@ std::string decision_text(const VertexChain& chain, const ChainSetting& setting)
                   setting.dialect.z_from_minus_w ? "-w" : "0");
   const double w = double(chain.clip.w);
   switch (chain.fate) {
-    case Fate::kNotFinite:
+    case VertexFate::kNotFinite:
       return text + wrapped("     ", "decided: a coordinate is not finite, so nothing can be said");
-    case Fate::kBehindEye:
+    case VertexFate::kBehindEye:
       return text + wrapped("     ", fmt::format("decided: w = {} is negative: behind the eye. "
                                                  "Dividing by it would turn the point round to the "
                                                  "front (S3-11)",
                                                  brief(w)));
-    case Fate::kInEyePlane:
+    case VertexFate::kInEyePlane:
       return text + wrapped("     ",
                             "decided: w = 0: the point lies in the plane of the eye, and "
                             "its image at infinity");
-    case Fate::kOutside: {
+    case VertexFate::kOutside: {
       text += planes_table(chain);
       const PlaneStep& plane = chain.planes[std::size_t(chain.deciding_plane)];
       const std::string why = fmt::format("decided: outside the {} plane by {} (w = {})",
                                           plane.plane.name, brief(-plane.distance), brief(w));
       return text + wrapped("     ", why);
     }
-    case Fate::kVisible:
+    case VertexFate::kVisible:
       break;
   }
   return text + planes_table(chain) + "     decided: inside all six planes\n";
@@ -280,17 +280,17 @@ Json step_json(const char* space, const TransformStep& step) {
           {"bound", {step.bound.x, step.bound.y, step.bound.z, step.bound.w}}};
 }
 
-const char* fate_id(Fate fate) {
+const char* fate_id(VertexFate fate) {
   switch (fate) {
-    case Fate::kVisible:
+    case VertexFate::kVisible:
       return "visible";
-    case Fate::kNotFinite:
+    case VertexFate::kNotFinite:
       return "not-finite";
-    case Fate::kInEyePlane:
+    case VertexFate::kInEyePlane:
       return "in-eye-plane";
-    case Fate::kBehindEye:
+    case VertexFate::kBehindEye:
       return "behind-eye";
-    case Fate::kOutside:
+    case VertexFate::kOutside:
       return "outside";
   }
   return "";
@@ -314,15 +314,15 @@ Json matrix_json(const glm::dmat4& m) {
 
 std::string fate_text(const VertexChain& chain, const ChainSetting& setting) {
   switch (chain.fate) {
-    case Fate::kVisible:
+    case VertexFate::kVisible:
       return "visible";
-    case Fate::kNotFinite:
+    case VertexFate::kNotFinite:
       return "not finite";
-    case Fate::kInEyePlane:
+    case VertexFate::kInEyePlane:
       return "in the plane of the eye (w = 0)";
-    case Fate::kBehindEye:
+    case VertexFate::kBehindEye:
       return fmt::format("behind the eye (w = {})", brief(double(chain.clip.w)));
-    case Fate::kOutside: {
+    case VertexFate::kOutside: {
       const char* plane = chain.planes[std::size_t(chain.deciding_plane)].plane.name;
       const std::string frustum = frustum_sentence(chain, setting);
       return fmt::format("outside the {} plane{}", plane, frustum.empty() ? "" : ": " + frustum);
@@ -339,7 +339,7 @@ std::string chain_text(const VertexChain& chain, const ChainSetting& setting) {
   text += step_text(3, "eye -> clip", "projection", chain.to_clip, setting.bits);
   text += at_once_text(chain);
   text += decision_text(chain, setting);
-  if (chain.fate != Fate::kVisible && chain.fate != Fate::kOutside) return text;
+  if (chain.fate != VertexFate::kVisible && chain.fate != VertexFate::kOutside) return text;
   return text + divide_text(chain, setting.bits) + screen_text(chain, setting);
 }
 
@@ -351,7 +351,7 @@ Json chain_json(const VertexChain& chain, const ChainSetting& setting) {
   json["fate"] = fate_id(chain.fate);
   json["outside"] = Json::array();
   json["planes"] = Json::array();
-  if (chain.fate != Fate::kNotFinite) {
+  if (chain.fate != VertexFate::kNotFinite) {
     for (const PlaneStep& step : chain.planes) {
       json["planes"].push_back(
           {{"name", step.plane.name},

@@ -10,8 +10,8 @@
 #include "app/exit_codes.h"
 #include "app/output.h"
 #include "app/pixel_command.h"
-#include "app/program_name.h"
 #include "app/progress.h"
+#include "app/shell_line.h"
 
 #include <glassbox/base/printable.h>
 #include <glassbox/images/atomic_file.h>
@@ -57,9 +57,22 @@ int exit_code_of(const std::vector<Comparison>& comparisons) {
   return worst;
 }
 
-// "out/teapot.heat.png" for "teapot.png": where the heat map of a pair goes that is one of many.
+// "out/teapot.png.heat.png" for "teapot.png", which may stand beside teapot.pfm: where the heat map of a pair goes that
+// is one of many.
 std::string heat_path(const std::string& folder, const std::string& name) {
-  return (fs::path(folder) / fs::path(name).replace_extension(".heat.png")).string();
+  return (fs::path(folder) / (name + ".heat.png")).string();
+}
+
+bool is_same_file(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  return fs::equivalent(a, b, ignored);
+}
+
+// Whether writing to `path` would destroy a picture of the pair or its sidecar.
+bool is_input(const std::string& path, const PicturePaths& pair) {
+  const std::string stem = fs::path(pair.reference).replace_extension(".fuzzy").string();
+  return is_same_file(path, pair.reference) || is_same_file(path, pair.test) ||
+         is_same_file(path, pair.reference + ".fuzzy") || is_same_file(path, stem);
 }
 
 }  // namespace
@@ -86,6 +99,7 @@ void DiffCommand::add_to(CLI::App& app, int& exit_code) {
   command.add_option("TEST", test_, "the picture to judge, or a directory of the same names")
       ->required();
 
+  const std::size_t before = command.get_options().size();
   const std::string tolerance = "Tolerance (without one, every sample has to be the same)";
   command
       .add_option_function<std::string>(
@@ -115,7 +129,7 @@ void DiffCommand::add_to(CLI::App& app, int& exit_code) {
             }
           },
           "report absmax, rmse, psnr, ssim, flip; with a limit (flip.mean<0.05) also a tolerance")
-      ->expected(1)
+      ->allow_extra_args(false)
       ->type_name("LIST")
       ->group(tolerance);
   command.add_flag("--nan-equal", options_.nan_equals_nan, "NaN is the same as NaN")
@@ -131,12 +145,15 @@ void DiffCommand::add_to(CLI::App& app, int& exit_code) {
             }
           },
           "a box of pixels to leave out; may be given again")
-      ->expected(1)
+      ->allow_extra_args(false)
       ->type_name("X,Y,WxH")
       ->group(selection);
   command.add_option("--mask", options_.mask, "a picture whose black pixels are left out")
       ->type_name("FILE")
       ->group(selection);
+
+  const auto all = command.get_options();
+  comparing_.assign(all.begin() + std::ptrdiff_t(before), all.end());
 
   const std::string reports = "Reports";
   command
@@ -169,9 +186,10 @@ Result<Pairing> DiffCommand::pair_up() const {
   return Pairing{{{test_, reference_, test_, exists(reference_), exists(test_)}}, {}};
 }
 
-Result<void> DiffCommand::check_output_paths() const {
+Result<void> DiffCommand::check_output_paths(const Pairing& pairing) const {
   std::vector<std::string> files;
-  for (const auto& path : {page_, json_, junit_}) {
+  if (page_) files.push_back(*page_);
+  for (const auto& path : {json_, junit_}) {
     if (path && *path != "-") files.push_back(*path);
   }
   if (heat_ && !directories_) {
@@ -182,14 +200,23 @@ Result<void> DiffCommand::check_output_paths() const {
     return tl::unexpected(
         Error{*heat_, "-o", "is a file, and two directories have many heat maps", "name a folder"});
   }
+  if (heat_ && directories_ && (is_same_file(*heat_, reference_) || is_same_file(*heat_, test_))) {
+    return tl::unexpected(Error{*heat_, "-o", "is one of the directories to compare",
+                                "name another folder for the heat maps"});
+  }
+  if (page_ == "-") {
+    return fail("--html", "the page goes to a file only", "name a file");
+  }
   if (json_ == "-" && junit_ == "-") {
     return fail("--json, --junit", "both would go to standard output", "give one a file");
   }
   for (const std::string& path : files) {
-    std::error_code ignored;
-    if (fs::equivalent(path, reference_, ignored) || fs::equivalent(path, test_, ignored)) {
+    const bool input = is_same_file(path, options_.mask) ||
+                       std::any_of(pairing.pictures.begin(), pairing.pictures.end(),
+                                   [&](const PicturePaths& pair) { return is_input(path, pair); });
+    if (input) {
       return tl::unexpected(
-          Error{path, "", "is one of the pictures to compare", "give the report its own name"});
+          Error{path, "", "is one of the files to compare", "give the report its own name"});
     }
   }
   return check_outputs(files);
@@ -210,6 +237,11 @@ std::vector<Comparison> DiffCommand::compare(const Pairing& pairing) const {
 Result<void> DiffCommand::write_heat_maps(const std::vector<Comparison>& comparisons) const {
   for (const Comparison& one : comparisons) {
     if (directories_ && (passes(one.verdict) || one.error)) continue;
+    if (directories_ && heat_of_ == HeatOf::kFlip && one.reference.format == "32-bit floats") {
+      fmt::print(stderr, "glassbox: note: no heat map of {}: FLIP is not defined for floats\n",
+                 printable(one.name));
+      continue;
+    }
     if (!one.differences) {
       fmt::print(stderr, "glassbox: note: no heat map of {}: the two have no pixels to compare\n",
                  printable(one.name));
@@ -231,7 +263,7 @@ Result<void> DiffCommand::write_reports(const std::vector<Comparison>& compariso
   }
   if (page_) {
     PageOptions options;
-    options.title = directories_ ? reference_ + " and " + test_ : test_;
+    options.title = directories_ ? reference_ + " and " + test_ : "glassbox diff";
     options.program = std::string("glassbox ") + GLASSBOX_VERSION;
     options.command = command_line();
     if (const auto written = write_page(*page_, comparisons, options); !written) return written;
@@ -245,8 +277,16 @@ Result<void> DiffCommand::write_reports(const std::vector<Comparison>& compariso
 
 // The words that compare the same again.
 std::string DiffCommand::command_line() const {
-  return program_name() + " diff " + shell_quoted(reference_).value_or("REFERENCE") + " " +
-         shell_quoted(test_).value_or("TEST");
+  std::vector<std::string> words{"diff", shell_quoted(reference_) ? reference_ : "REFERENCE",
+                                 shell_quoted(test_) ? test_ : "TEST"};
+  for (const CLI::Option* option : comparing_) {
+    const bool flag = option->get_expected_max() == 0;
+    if (flag && option->count() > 0) words.push_back(option->get_name());
+    for (std::size_t i = 0; !flag && i < option->count(); ++i) {
+      words.insert(words.end(), {option->get_name(), option->results()[i]});
+    }
+  }
+  return shell_line(words).value_or("");
 }
 
 bool DiffCommand::silent() const {
@@ -254,7 +294,8 @@ bool DiffCommand::silent() const {
 }
 
 void DiffCommand::print(const std::vector<Comparison>& comparisons, const Pairing& pairing) const {
-  if (!directories_ && comparisons.front().error) {
+  const bool is_approved = approve_ && comparisons.front().verdict == Verdict::kNew;
+  if (!directories_ && comparisons.front().error && !is_approved) {
     refuse(*comparisons.front().error);
     return;
   }
@@ -298,10 +339,10 @@ int DiffCommand::run() {
                    "is no directory, and the other is one",
                    "name two pictures or two directories"});
   }
-  if (const auto legal = check_output_paths(); !legal) return refuse(legal.error());
-  options_.inspect_command = pixel_command_line;
   const auto pairing = pair_up();
   if (!pairing) return refuse(pairing.error());
+  if (const auto legal = check_output_paths(*pairing); !legal) return refuse(legal.error());
+  options_.inspect_command = pixel_command_line;
   const std::vector<Comparison> comparisons = compare(*pairing);
   if (const auto written = write_reports(comparisons); !written) return refuse(written.error());
   print(comparisons, *pairing);

@@ -21,7 +21,7 @@ public:
 private:
   int run();
   Result<Pairing> pair_up() const;
-  Result<void> check_output_paths() const;
+  Result<void> check_output_paths(const Pairing& pairing) const;
   std::vector<Comparison> compare(const Pairing& pairing) const;
   Result<void> write_reports(const std::vector<Comparison>& comparisons) const;
   Result<void> write_heat_maps(const std::vector<Comparison>& comparisons) const;
@@ -37,6 +37,7 @@ private:
   HeatOf heat_of_ = HeatOf::kSteps;
   bool approve_ = false;
   bool suggest_ = false;
+  std::vector<const CLI::Option*> comparing_;  // the options that decide on the verdict
 };
 
 }  // namespace glassbox::app

@@ -14,6 +14,8 @@
 #include "app/render_command.h"
 #include "app/step_command.h"
 
+#include <glassbox/base/printable.h>
+
 namespace glassbox::app {
 
 namespace {
@@ -22,10 +24,12 @@ namespace {
 int bad_usage(const CLI::App& app, const CLI::ParseError& error) {
   const auto chosen = app.get_subcommands();
   const std::string command = chosen.empty() ? "glassbox" : "glassbox " + chosen[0]->get_name();
+  const std::string what = printable(error.what(), 2000);  // it repeats the word that is wrong
   const bool no_command =
       chosen.empty() && dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
-  fmt::print(stderr, "glassbox: {}{}; {} --help shows what there is\n", error.what(),
-             no_command ? " (the subcommands are render, info, step, pixel and diff)" : "", command);
+  fmt::print(stderr, "glassbox: {}{}; {} --help shows what there is\n", what,
+             no_command ? " (the subcommands are render, info, step, pixel and diff)" : "",
+             command);
   return kBadInput;
 }
 

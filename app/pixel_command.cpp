@@ -1,7 +1,5 @@
 #include "app/pixel_command.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -9,8 +7,8 @@
 #include "app/builtin_help.h"
 #include "app/exit_codes.h"
 #include "app/output.h"
-#include "app/program_name.h"
 #include "app/progress.h"
+#include "app/shell_line.h"
 
 #include <glassbox/base/printable.h>
 #include <glassbox/mesh/load.h>
@@ -119,18 +117,19 @@ PixelAt parse_pixel(const std::string& text) {
   return {int(x), int(y)};
 }
 
-// Whether add_picture_options knows these words, and nothing else is among them.
-bool are_picture_options(std::vector<std::string> words) {
+// Whether these are the words of options that add_picture_options knows, as words_given has them, and nothing else is among
+// them: no "--" or "++" that would change what the words after it mean.
+bool are_picture_options(const std::vector<std::string>& words) {
   CLI::App app;
   PictureOptions picture;
   add_picture_options(app, picture);
-  std::reverse(words.begin(), words.end());  // as CLI11 wants a vector
   try {
-    app.parse(std::move(words));
+    app.parse(
+        std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 wants the last first
   } catch (const CLI::Error&) {
     return false;  // --help, too
   }
-  return true;
+  return words_given(picture) == words;
 }
 
 }  // namespace
@@ -139,13 +138,8 @@ std::string pixel_command_line(const Recipe& recipe, PixelAt pixel) {
   if (recipe.scene.starts_with('-') || !are_picture_options(recipe.options)) return {};
   std::vector<std::string> words{"pixel", recipe.scene};
   words.insert(words.end(), recipe.options.begin(), recipe.options.end());
-  std::string line = program_name();
-  for (const std::string& word : words) {
-    const auto quoted = shell_quoted(word);
-    if (!quoted) return {};
-    line += " " + *quoted;
-  }
-  return line + fmt::format(" --at {},{}", pixel.x, pixel.y);
+  words.insert(words.end(), {"--at", fmt::format("{},{}", pixel.x, pixel.y)});
+  return shell_line(words).value_or("");
 }
 
 void PixelCommand::add_to(CLI::App& app, int& exit_code) {

@@ -255,7 +255,7 @@ std::string StepCommand::verdict(const std::vector<VertexChain>& chains) const {
   std::string text = "VERDICT\n";
   for (const VertexChain& chain : chains) {
     std::string line = point_text(chain.object) + " is " + fate_text(chain, chain_setting());
-    if (chain.fate == Fate::kVisible) {
+    if (chain.fate == VertexFate::kVisible) {
       const Point<Screen>& p = chain.screen->screen.position;
       line += fmt::format(" at ({:.2f}, {:.2f})", p.x, p.y);
     }

@@ -39,17 +39,17 @@ bool is_finite(const Point<Clip>& p) {
 
 void decide(VertexChain& chain) {
   if (!is_finite(chain.clip)) {
-    chain.fate = Fate::kNotFinite;
+    chain.fate = VertexFate::kNotFinite;
   } else if (chain.clip.w < 0) {
-    chain.fate = Fate::kBehindEye;
+    chain.fate = VertexFate::kBehindEye;
   } else if (chain.clip.w == 0) {
-    chain.fate = Fate::kInEyePlane;
+    chain.fate = VertexFate::kInEyePlane;
   } else {
     double deepest = 0;
     for (std::size_t i = 0; i < chain.planes.size(); ++i) {
       if (chain.planes[i].distance >= deepest) continue;
       deepest = chain.planes[i].distance;
-      chain.fate = Fate::kOutside;
+      chain.fate = VertexFate::kOutside;
       chain.deciding_plane = int(i);
     }
   }
@@ -88,7 +88,7 @@ VertexChain walk(const glm::vec4& object, const ChainMatrices& matrices, const A
     }
   }
   decide(chain);
-  if (chain.fate == Fate::kNotFinite || chain.fate == Fate::kInEyePlane) return chain;
+  if (chain.fate == VertexFate::kNotFinite || chain.fate == VertexFate::kInEyePlane) return chain;
 
   DivideStep& divided = chain.divide.emplace();
   divided.ndc = divide(chain.clip);

@@ -41,7 +41,7 @@ struct PlaneStep {
   bool sure() const { return distance < 0 ? -distance > bound : distance >= bound; }
 };
 
-enum class Fate { kVisible, kNotFinite, kInEyePlane, kBehindEye, kOutside };
+enum class VertexFate { kVisible, kNotFinite, kInEyePlane, kBehindEye, kOutside };
 
 struct DivideStep {
   NdcVertex ndc;
@@ -62,7 +62,7 @@ struct VertexChain {
   Point<Clip> clip;     // to_clip.after
   Point<Clip> at_once;  // by one matrix, composed in double and rounded once, as `render` does it
   std::array<PlaneStep, 6> planes;
-  Fate fate = Fate::kVisible;
+  VertexFate fate = VertexFate::kVisible;
   int deciding_plane =
       -1;  // kOutside: the plane that it is furthest outside of, as seen after the divide
   std::optional<DivideStep> divide;  // where w is finite and not 0, behind the eye too

@@ -88,42 +88,76 @@ void write(const FragmentStage& stage, const Fragment& fragment, std::uint32_t c
   ++stage.statistics.written;
 }
 
-// The fate of a covered pixel. `attributes` is asked for the varyings, `detail` for the level of detail, only if they
-// are needed.
-template <class Attributes, class Detail>
-void process(const FragmentStage& stage, const Fragment& fragment, std::uint32_t id,
-             const Attributes& attributes, const Detail& detail) {
-  ++stage.statistics.covered;
+bool passes_depth_test(const FragmentStage& stage, const FragmentSource& source,
+                       const Fragment& fragment, std::uint32_t code) {
   const std::size_t pixel = stage.target.color.index(fragment.x, fragment.y);
-  const std::uint32_t code = depth_code(stage.settings.depth, fragment.depth);
-  if (!in_front(code, stage.target.depth.pixels[pixel])) {
-    ++stage.statistics.depth_failed;
-    return;
+  const std::uint32_t stored = stage.target.depth.pixels[pixel];
+  bool passes = in_front(code, stored);
+  if (stage.observer != nullptr) {
+    stage.observer->compared(source, fragment, code, stored, passes);
   }
+  return passes;
+}
 
-  const Material& material = *stage.draw.material;
-  const Varyings at = attributes();
-  const Rgba base = surface_color(stage, at, detail(at));
-  if (material.alpha_mode == AlphaMode::kMask && !(base.a >= material.alpha_cutoff)) {
-    ++stage.statistics.discarded;
-    return;
-  }
-  if (stage.settings.show == Show::kNormal) {
-    return write(stage, fragment, code, id, picture_of_normal(at.normal), true);
-  }
-  if (stage.settings.show == Show::kUv) {
-    return write(stage, fragment, code, id, picture_of_texcoord(at.texcoord), true);
-  }
-  Rgba color = lit(stage, base, at);
-  if (material.alpha_mode == AlphaMode::kBlend) {
-    ++stage.statistics.blended;
+// What the pixel shows of a fragment: its light, or the quantity asked for in its place.
+Rgba8 encoded(const FragmentStage& stage, const Varyings& at, const Rgba& surface,
+              const Rgba8& before) {
+  if (stage.settings.show == Show::kNormal) return picture_of_normal(at.normal);
+  if (stage.settings.show == Show::kUv) return picture_of_texcoord(at.texcoord);
+  Rgba color = lit(stage, surface, at);
+  if (stage.observer != nullptr) stage.observer->lit(at, surface, color);
+  if (stage.draw.material->alpha_mode == AlphaMode::kBlend) {
     color.a = std::clamp(color.a, 0.0f, 1.0f);  // vertex colours may exceed 1
-    const Rgba8& stored = stage.target.color.pixels[pixel];
-    return write(stage, fragment, code, id, blend_over(stage.settings.transfer, color, stored),
-                 false);
+    return blend_over(stage.settings.transfer, color, before);
   }
   color.a = 1.0f;
-  write(stage, fragment, code, id, encode(stage.settings.transfer, color), true);
+  return encode(stage.settings.transfer, color);
+}
+
+bool is_discarded(const Material& material, const Rgba& surface) {
+  return material.alpha_mode == AlphaMode::kMask && !(surface.a >= material.alpha_cutoff);
+}
+
+// Pictures of normals and texture coordinates are opaque.
+bool is_blended(const FragmentStage& stage) {
+  return stage.draw.material->alpha_mode == AlphaMode::kBlend &&
+         stage.settings.show != Show::kNormal && stage.settings.show != Show::kUv;
+}
+
+// The way of a covered pixel through the last stages. `attributes` is asked for the varyings, `detail` for the level of
+// detail, only if they are needed.
+template <class Attributes, class Detail>
+Fate process(const FragmentStage& stage, const FragmentSource& source, const Fragment& fragment,
+             std::uint32_t id, const Attributes& attributes, const Detail& detail) {
+  ++stage.statistics.covered;
+  const std::uint32_t code = depth_code(stage.settings.depth, fragment.depth);
+  if (!passes_depth_test(stage, source, fragment, code)) {
+    ++stage.statistics.depth_failed;
+    return Fate::kHidden;
+  }
+  const Varyings at = attributes();
+  Rgba surface = surface_color(stage, at, detail(at));
+  if (stage.observer != nullptr) stage.observer->textured(at, surface);
+  if (is_discarded(*stage.draw.material, surface)) {
+    ++stage.statistics.discarded;
+    return Fate::kDiscarded;
+  }
+  const std::size_t pixel = stage.target.color.index(fragment.x, fragment.y);
+  const Rgba8 before = stage.target.color.pixels[pixel];
+  Rgba8 after = encoded(stage, at, surface, before);
+  if (stage.observer != nullptr) stage.observer->encoded(fragment, before, after);
+  const bool blended = is_blended(stage);
+  if (blended) ++stage.statistics.blended;
+  write(stage, fragment, code, id, after, !blended);
+  return blended ? Fate::kBlended : Fate::kWritten;
+}
+
+template <class Attributes, class Detail>
+void process_observed(const FragmentStage& stage, const FragmentSource& source,
+                      const Fragment& fragment, std::uint32_t id, const Attributes& attributes,
+                      const Detail& detail) {
+  const Fate fate = process(stage, source, fragment, id, attributes, detail);
+  if (stage.observer != nullptr) stage.observer->ended(source, fragment, fate);
 }
 
 }  // namespace
@@ -135,10 +169,12 @@ void rasterise(const FragmentStage& stage, const ReadyTriangle& triangle) {
                             {triangle.vertices[0].texcoord, triangle.vertices[1].texcoord,
                              triangle.vertices[2].texcoord});
   }
+  const FragmentSource source{triangle.number, triangle.piece, true};
   for_each_covered(triangle.setup, window_of(stage.target), [&](const Coverage& pixel) {
-    const Fragment fragment = interpolate(triangle.setup, pixel);
-    process(
-        stage, fragment, triangle.number + 1,
+    Fragment fragment = interpolate(triangle.setup, pixel);
+    if (stage.observer != nullptr) stage.observer->interpolated(source, pixel, fragment);
+    process_observed(
+        stage, source, fragment, triangle.number + 1,
         [&] { return interpolate(triangle.vertices, fragment.weights); },
         [&](const Varyings& at) {
           if (stage.draw.texture == nullptr) return 0.0f;
@@ -154,8 +190,8 @@ void rasterise(const FragmentStage& stage, const ReadyLine& line) {
   for_each_line_pixel(
       snap(line.ends[0]), snap(line.ends[1]), window_of(stage.target), [&](const LinePixel& pixel) {
         const Fragment fragment = interpolate(line.ends, pixel);
-        process(
-            stage, fragment, line.id,
+        process_observed(
+            stage, {0, 0, false}, fragment, line.id,
             [&] {
               return interpolate({line.vertices[0], line.vertices[0], line.vertices[1]},
                                  fragment.weights);
@@ -174,8 +210,9 @@ void rasterise(const FragmentStage& stage, const ReadyPoint& point) {
   fragment.y = pixel.y;
   fragment.depth = point.position.position.z;
   fragment.inverse_w = point.position.inverse_w;
-  process(
-      stage, fragment, 0, [&] { return point.vertex; }, [](const Varyings&) { return 0.0f; });
+  process_observed(
+      stage, {0, 0, false}, fragment, 0, [&] { return point.vertex; },
+      [](const Varyings&) { return 0.0f; });
 }
 
 }  // namespace glassbox

@@ -5,6 +5,7 @@
 
 #include <glassbox/render/draw_list.h>
 #include <glassbox/render/framebuffer.h>
+#include <glassbox/render/observer.h>
 #include <glassbox/render/primitives.h>
 #include <glassbox/render/statistics.h>
 
@@ -17,6 +18,7 @@ struct FragmentStage {
   const Lighting& lighting;
   Framebuffer& target;
   Statistics& statistics;
+  Observer* observer = nullptr;
 };
 
 void rasterise(const FragmentStage& stage, const ReadyTriangle& triangle);

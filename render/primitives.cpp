@@ -26,7 +26,11 @@ std::array<float, 3> negated(const std::array<float, 3>& v) {
 }
 
 ScreenVertex to_screen(const PrimitiveStage& stage, const ClipVertex& vertex) {
-  return to_screen(divide(vertex), stage.view.viewport);
+  NdcVertex ndc = divide(vertex);
+  if (stage.observer != nullptr) stage.observer->divided(vertex, ndc);
+  ScreenVertex screen = to_screen(ndc, stage.view.viewport);
+  if (stage.observer != nullptr) stage.observer->placed(ndc, screen);
+  return screen;
 }
 
 // A clipped polygon on the screen, cut into a fan of triangles.
@@ -116,16 +120,20 @@ struct Visible {
 
 // A piece of a polygon, set up; nothing where it has no area on the screen or is culled.
 std::optional<Visible> setup_visible(const PrimitiveStage& stage, const ScreenPolygon& screen,
-                                     const std::array<std::size_t, 3>& piece) {
+                                     int number, const std::array<std::size_t, 3>& piece) {
   ++stage.statistics.after_clipping;
-  const std::optional<TriangleSetup> setup = setup_triangle(
-      {screen.vertices[piece[0]], screen.vertices[piece[1]], screen.vertices[piece[2]]});
+  const std::array<ScreenVertex, 3> vertices{screen.vertices[piece[0]], screen.vertices[piece[1]],
+                                             screen.vertices[piece[2]]};
+  std::optional<TriangleSetup> setup = setup_triangle(vertices);
+  if (stage.observer != nullptr) stage.observer->set_up(std::uint32_t(number), vertices, setup);
   if (!setup) {
     ++stage.statistics.zero_area;
     return std::nullopt;
   }
   const bool front = shows_front(stage, *setup);
-  if (is_culled(stage, front)) {
+  bool culled = is_culled(stage, front);
+  if (stage.observer != nullptr) stage.observer->faced(*setup, front, culled);
+  if (culled) {
     ++stage.statistics.culled;
     return std::nullopt;
   }
@@ -231,14 +239,15 @@ void ready_segment(const PrimitiveStage& stage, const std::array<ClipVertex, 2>&
 
 PrimitiveStage make_primitive_stage(const Draw& draw, const VertexTables& tables, const View& view,
                                     const RenderSettings& settings, const Lighting& lighting,
-                                    Statistics& statistics) {
-  return {draw, tables, view, settings, lighting, render_planes(view), statistics};
+                                    Statistics& statistics, Observer* observer) {
+  return {draw, tables, view, settings, lighting, render_planes(view), statistics, observer};
 }
 
 void ready_triangle(const PrimitiveStage& stage, const Triangle& triangle,
                     std::vector<ReadyTriangle>& triangles, std::vector<ReadyLine>& lines) {
   const std::array<ClipVertex, 3> corners = clip_vertices(stage, triangle);
-  const ClipPolygon polygon = clip_to_view(stage, corners);
+  ClipPolygon polygon = clip_to_view(stage, corners);
+  if (stage.observer != nullptr) stage.observer->clipped(stage, triangle, corners, polygon);
   const ScreenPolygon screen = to_screen(stage, polygon);
   const std::uint32_t number = stage.draw.first_number + triangle.number;
 
@@ -247,12 +256,12 @@ void ready_triangle(const PrimitiveStage& stage, const Triangle& triangle,
 
   for (int i = 0; i < fan_size(polygon); ++i) {
     const std::array<std::size_t, 3> piece = screen.fan_triangle(i);
-    const std::optional<Visible> visible = setup_visible(stage, screen, piece);
+    const std::optional<Visible> visible = setup_visible(stage, screen, i, piece);
     if (!visible) continue;
     if (!attributes) attributes = triangle_attributes(stage, triangle, visible->front);
     if (stage.settings.wireframe) break;
 
-    ReadyTriangle ready{visible->setup, {}, number};
+    ReadyTriangle ready{visible->setup, {}, number, std::uint32_t(i)};
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t vertex = piece[std::size_t(visible->setup.order[k])];
       ready.vertices[k] = weigh(*attributes, polygon.vertices[vertex].weights);
@@ -265,6 +274,7 @@ void ready_triangle(const PrimitiveStage& stage, const Triangle& triangle,
       ready_segment(stage, {corners[k], corners[(k + 1) % 3]}, *attributes, number + 1, lines);
     }
   }
+  if (stage.observer != nullptr) stage.observer->prepared(triangle);
 }
 
 void ready_line(const PrimitiveStage& stage, const std::array<Corner, 2>& line,

@@ -8,6 +8,7 @@
 #include <glassbox/pipeline/clip.h>
 #include <glassbox/raster/stages.h>
 #include <glassbox/render/draw_list.h>
+#include <glassbox/render/observer.h>
 #include <glassbox/render/statistics.h>
 #include <glassbox/render/vertex_stage.h>
 
@@ -17,6 +18,7 @@ struct ReadyTriangle {
   TriangleSetup setup;
   std::array<Varyings, 3> vertices;  // in the order of the setup
   std::uint32_t number = 0;          // in the whole scene
+  std::uint32_t piece = 0;           // of the fan that clipping left of the triangle
 };
 
 struct ReadyLine {
@@ -39,11 +41,12 @@ struct PrimitiveStage {
   const Lighting& lighting;
   std::array<ClipPlane, kMaxClipPlanes> planes;  // render_planes(view)
   Statistics& statistics;
+  Observer* observer = nullptr;
 };
 
 PrimitiveStage make_primitive_stage(const Draw& draw, const VertexTables& tables, const View& view,
                                     const RenderSettings& settings, const Lighting& lighting,
-                                    Statistics& statistics);
+                                    Statistics& statistics, Observer* observer = nullptr);
 
 // Appends what is left of a triangle of the mesh: nothing, itself, or the fan of its clipped polygon. With
 // RenderSettings::wireframe its edges are appended to `lines` instead.

@@ -41,15 +41,17 @@ void rasterise_all(const FragmentStage& stage, std::vector<Primitive>& primitive
 }
 
 void render_draw(const Draw& draw, const View& view, const RenderSettings& settings,
-                 const Lighting& lighting, Framebuffer& target, Statistics& statistics) {
+                 const Lighting& lighting, Framebuffer& target, Statistics& statistics,
+                 Observer* observer) {
+  if (observer != nullptr) observer->draw(draw);
   VertexTables tables;
   {
     const Stopwatch watch(statistics.vertex_ms);
-    tables = transform_vertices(draw, settings);
+    tables = transform_vertices(draw, settings, observer);
   }
   const PrimitiveStage primitives =
-      make_primitive_stage(draw, tables, view, settings, lighting, statistics);
-  const FragmentStage fragments{draw, view, settings, lighting, target, statistics};
+      make_primitive_stage(draw, tables, view, settings, lighting, statistics, observer);
+  const FragmentStage fragments{draw, view, settings, lighting, target, statistics, observer};
 
   std::vector<ReadyTriangle> triangles;
   std::vector<ReadyLine> lines;
@@ -82,7 +84,8 @@ void count_input(const Draw& draw, Statistics& statistics) {
 
 }  // namespace
 
-Rendering render_staged(const Scene& scene, const View& view, const RenderSettings& settings) {
+Rendering render_staged(const Scene& scene, const View& view, const RenderSettings& settings,
+                        Observer* observer) {
   Rendering rendering;
   Statistics& statistics = rendering.statistics;
   DrawList list;
@@ -94,7 +97,7 @@ Rendering render_staged(const Scene& scene, const View& view, const RenderSettin
   }
   for (const Draw& draw : list.draws) {
     count_input(draw, statistics);
-    render_draw(draw, view, settings, list.lighting, rendering.buffers, statistics);
+    render_draw(draw, view, settings, list.lighting, rendering.buffers, statistics, observer);
   }
   show(settings.show, rendering.buffers);
   return rendering;

@@ -5,6 +5,7 @@
 #include <glassbox/mesh/scene.h>
 #include <glassbox/pipeline/view.h>
 #include <glassbox/render/framebuffer.h>
+#include <glassbox/render/observer.h>
 #include <glassbox/render/settings.h>
 #include <glassbox/render/statistics.h>
 
@@ -16,7 +17,9 @@ struct Rendering {
 };
 
 // An image of the viewport's size. The view comes from make_view (which checks the camera), with
-// DepthRange::kReversed if and only if the settings' depth format is reversed.
-Rendering render_staged(const Scene& scene, const View& view, const RenderSettings& settings);
+// DepthRange::kReversed if and only if the settings' depth format is reversed. `observer` (none: nullptr) is called at every
+// stage.
+Rendering render_staged(const Scene& scene, const View& view, const RenderSettings& settings,
+                        Observer* observer = nullptr);
 
 }  // namespace glassbox

@@ -22,7 +22,8 @@ bool needs_normals(const Draw& draw, const RenderSettings& settings) {
          !draw.material->unlit;
 }
 
-VertexTables transform_vertices(const Draw& draw, const RenderSettings& settings) {
+VertexTables transform_vertices(const Draw& draw, const RenderSettings& settings,
+                                Observer* observer) {
   const Mesh& mesh = *draw.mesh;
   const bool lit = needs_normals(draw, settings);
 
@@ -32,7 +33,11 @@ VertexTables transform_vertices(const Draw& draw, const RenderSettings& settings
   for (const Point<Object>& position : mesh.positions) {
     const Point<Object> anchored{position.x - draw.anchor.x, position.y - draw.anchor.y,
                                  position.z - draw.anchor.z};
-    tables.clip.push_back(draw.clip_from_anchored * anchored);
+    Point<Clip> clip = draw.clip_from_anchored * anchored;
+    if (observer != nullptr) {
+      observer->projected(draw, std::uint32_t(tables.clip.size()), clip);
+    }
+    tables.clip.push_back(clip);
     if (lit) tables.eye.push_back(draw.eye_from_anchored * anchored);
   }
   if (!lit) return tables;

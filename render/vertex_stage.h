@@ -5,6 +5,7 @@
 
 #include <glassbox/pipeline/stages.h>
 #include <glassbox/render/draw_list.h>
+#include <glassbox/render/observer.h>
 
 namespace glassbox {
 
@@ -20,6 +21,7 @@ struct VertexTables {
 // True where the draw's colour depends on normals: lit shading of a lit material, or a picture of the normals.
 bool needs_normals(const Draw& draw, const RenderSettings& settings);
 
-VertexTables transform_vertices(const Draw& draw, const RenderSettings& settings);
+VertexTables transform_vertices(const Draw& draw, const RenderSettings& settings,
+                                Observer* observer = nullptr);
 
 }  // namespace glassbox

@@ -30,12 +30,13 @@ std::vector<std::string> broken_limits(const CompareOptions& options, const Pict
   std::vector<std::string> broken;
   const auto& [fuzzy, max_ulp] = options.tolerance;
   if (fuzzy && !allows(*fuzzy, found)) {
-    broken.push_back(
-        fmt::format("{} is not within {}", to_string(tightest(found)), to_string(*fuzzy)));
+    const std::string needed = found.largest == kUnbounded ? steps_text(kUnbounded, pair.reference)
+                                                           : to_string(tightest(found));
+    broken.push_back(fmt::format("{} is not within {}", needed, to_string(*fuzzy)));
   }
-  if (max_ulp && is_float(pair.reference) && found.largest > *max_ulp) {
-    broken.push_back(fmt::format("{} are more than the {} allowed",
-                                 steps_text(found.largest, pair.reference), *max_ulp));
+  if (max_ulp && found.largest > *max_ulp) {
+    broken.push_back(fmt::format("{} is not within {}", steps_text(found.largest, pair.reference),
+                                 steps_text(*max_ulp, pair.reference)));
   }
   for (const MetricValue& metric : metrics) {
     if (metric.passes) continue;
@@ -47,9 +48,8 @@ std::vector<std::string> broken_limits(const CompareOptions& options, const Pict
   return broken;
 }
 
-bool gates(const CompareOptions& options, const PicturePair& pair) {
-  return options.tolerance.fuzzy || (options.tolerance.max_ulp && is_float(pair.reference)) ||
-         has_limit(options.metrics);
+bool gates(const CompareOptions& options) {
+  return !options.tolerance.empty() || has_limit(options.metrics);
 }
 
 void judge(Comparison& comparison, const CompareOptions& options, const PicturePair& pair) {
@@ -57,7 +57,7 @@ void judge(Comparison& comparison, const CompareOptions& options, const PictureP
   const bool same = found.differing == 0;
   comparison.verdict = same ? Verdict::kSame : Verdict::kDifferent;
   if (!same) comparison.reasons.push_back(differences_text(pair, found));
-  if (!gates(options, pair)) return;
+  if (!gates(options)) return;
   const auto broken = broken_limits(options, pair, found, comparison.metrics);
   comparison.reasons.insert(comparison.reasons.begin(), broken.begin(), broken.end());
   if (!broken.empty()) {
@@ -94,7 +94,7 @@ void consult_recipes(Comparison& comparison, const CompareOptions& options) {
     comparison.hints.push_back("the reference was rendered by glassbox " + reference->version +
                                ", the test by " + test->version);
   }
-  if (options.inspect_command && comparison.differences) {
+  if (options.inspect_command && comparison.differences && comparison.differences->differing > 0) {
     comparison.inspect_command = options.inspect_command(*test, comparison.differences->first);
   }
 }
@@ -150,7 +150,8 @@ Comparison compare_files(const std::string& reference_path, const std::string& t
     consult_recipes(comparison, options);
     return comparison;
   }
-  const Rules rules = combine(options, *sidecar, comparison.notes);
+  Rules rules = combine(options, *sidecar, comparison.notes);
+  if (!is_float(*reference)) rules.options.tolerance.max_ulp.reset();  // it is about floats only
   comparison.tolerance = tolerance_text(rules.options);
   comparison.tolerance_reason = rules.reason;
   comparison.ignore = rules.options.ignore;

@@ -1,21 +1,14 @@
 #include <glassbox/images/compare/differences.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstring>
 
+#include <glassbox/base/rounding.h>
 #include <glassbox/images/compare/regions.h>
 
 namespace glassbox {
 namespace {
-
-// Floats in order as integers in order: -inf < ... < -0 < +0 < ... < +inf, neighbours 1 apart.
-std::int64_t ordered(float value) {
-  const auto bits = std::bit_cast<std::uint32_t>(value);
-  const std::uint32_t magnitude = bits & 0x7fffffffu;
-  return bits >> 31 ? -1 - std::int64_t(magnitude) : std::int64_t(magnitude);
-}
 
 template <class Sample>
 std::uint32_t steps_between(Sample a, Sample b, bool) {
@@ -76,10 +69,12 @@ std::uint32_t ulp_distance(float a, float b, bool nan_equals_nan) {
   if (std::isnan(a) || std::isnan(b)) {
     return nan_equals_nan && std::isnan(a) && std::isnan(b) ? 0 : kUnbounded;
   }
-  if (a == b && std::signbit(a) == std::signbit(b)) return 0;
+  const bool across_zero =
+      std::signbit(a) != std::signbit(b);  // -0 and +0 count as two floats here
+  if (a == b && !across_zero) return 0;
   if (std::isinf(a) || std::isinf(b)) return kUnbounded;
   // At most 2 * 0x7f7fffff + 1 between the two largest finite floats: below kUnbounded.
-  return std::uint32_t(std::abs(ordered(a) - ordered(b)));
+  return std::uint32_t(ulp_distance(a, b)) + (across_zero ? 1 : 0);
 }
 
 bool row_differences(const PicturePair& pair, int y, std::span<std::uint32_t> steps) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <glassbox/base/printable.h>
+#include <glassbox/base/trimmed.h>
 #include <glassbox/images/read.h>
 
 namespace glassbox {
@@ -15,18 +16,12 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMaxBytes = 64 * 1024;
 
-std::string_view trim(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r";
-  const auto first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
-
 // "key: value"; without a key the annotation itself.
 std::pair<std::string, std::string> split_line(std::string_view line) {
   const auto colon = line.find(':');
   if (colon == std::string_view::npos) return {"fuzzy", std::string(line)};
-  return {std::string(trim(line.substr(0, colon))), std::string(trim(line.substr(colon + 1)))};
+  return {std::string(trimmed(line.substr(0, colon))),
+          std::string(trimmed(line.substr(colon + 1)))};
 }
 
 // Whether the key, of those that a sidecar has once, has been there before.
@@ -79,7 +74,7 @@ Result<Sidecar> parse_sidecar(const std::string& path, const std::string& text) 
   for (std::size_t start = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
        start < text.size();) {
     const std::size_t end = std::min(text.find('\n', start), text.size());
-    const std::string_view line = trim(std::string_view(text).substr(start, end - start));
+    const std::string_view line = trimmed(std::string_view(text).substr(start, end - start));
     start = end + 1;
     ++number;
     if (line.empty() || line.front() == '#') continue;

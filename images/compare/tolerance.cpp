@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <glassbox/base/printable.h>
+#include <glassbox/base/trimmed.h>
 
 namespace glassbox {
 namespace {
@@ -13,15 +14,8 @@ namespace {
 constexpr std::string_view kMaxDifference = "maxDifference";
 constexpr std::string_view kTotalPixels = "totalPixels";
 
-std::string_view trim(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r\n";
-  const auto first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
-
 bool read_count(std::string_view text, std::uint64_t& count) {
-  text = trim(text);
+  text = trimmed(text);
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, count);
   return error == std::errc{} && stop == end;
@@ -48,7 +42,7 @@ struct Part {
 bool read_part(std::string_view text, Part& part) {
   const auto equals = text.find('=');
   if (equals == std::string_view::npos) return read_range(text, part.range);
-  part.name = trim(text.substr(0, equals));
+  part.name = trimmed(text.substr(0, equals));
   const bool known = part.name == kMaxDifference || part.name == kTotalPixels;
   return known && read_range(text.substr(equals + 1), part.range);
 }

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <string_view>
 
+#include <glassbox/base/trimmed.h>
+
 namespace glassbox {
 namespace {
 
@@ -38,13 +40,6 @@ std::string known_names() {
 std::string_view family(std::string_view name) {
   const std::size_t dot = name.find('.');
   return dot == std::string_view::npos ? std::string_view() : name.substr(0, dot);
-}
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t";
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
 bool wants_larger(LimitKind kind) {

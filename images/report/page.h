@@ -21,8 +21,8 @@ struct PageOptions {
 };
 
 // Writes the page, wholly or not at all. Pairs that differ come with their exact samples, the worst first, until
-// max_bytes are used up; the page says which are left out, and how to get a page of them. Pictures that are the same are
-// only names, unless one is all there is. The files are read again, a pair at a time.
+// max_bytes are used up; the page says which are left out, and how to get a page of them. Pictures that are the same
+// are only names, unless one is all there is. The files are read again, a pair at a time.
 Result<void> write_page(const std::string& path, std::span<const Comparison> comparisons,
                         const PageOptions& options = {});
 

@@ -16,8 +16,8 @@ struct CropLimits {
   std::size_t count = 8;
 };
 
-// Boxes inside of a picture of width x height pixels: one box of all of it, or crops around the worst regions, each with
-// its surroundings. Where nothing is known to differ (`differences` may be null), the top left corner.
+// Boxes inside of a picture of width x height pixels: one box of all of it, or crops around the worst regions, each
+// with its surroundings. Where nothing is known to differ (`differences` may be null), the top left corner.
 std::vector<PixelBox> crops_of(int width, int height, const Differences* differences,
                                const CropLimits& limits);
 

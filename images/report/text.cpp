@@ -65,7 +65,10 @@ std::string details(const Comparison& comparison) {
     text += line(metric.name, value_text(metric));
   for (const std::string& hint : comparison.hints) text += line("likely", hint);
   for (const std::string& note : comparison.notes) text += line("note", note);
-  if (!comparison.inspect_command.empty()) text += line("inspect", comparison.inspect_command);
+  // As it stands: a command that is cut off is another command.
+  if (!comparison.inspect_command.empty()) {
+    text += fmt::format("  inspect: {}\n", comparison.inspect_command);
+  }
   return text;
 }
 

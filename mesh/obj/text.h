@@ -9,10 +9,9 @@
 #include <vector>
 
 #include <glassbox/base/printable.h>
+#include <glassbox/base/trimmed.h>
 
 namespace glassbox::obj {
-
-std::string_view trimmed(std::string_view text);
 
 // Without a comment at its end. A '#' inside a word ("Material#25") starts none.
 std::string_view without_comment(std::string_view text);

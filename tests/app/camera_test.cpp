@@ -46,10 +46,10 @@ void write_two_scenes(const Workplace& here) {
 }
 
 std::string rendered(const Workplace& here, const std::string& options) {
-  const Outcome outcome = here.run("render two.gltf --size 32x32 -o p.png " + options);
+  const Outcome outcome = here.run("render two.gltf --size 32x32 -o p.ppm " + options);
   INFO(options << ": " << outcome.err);
   REQUIRE(outcome.exit_code == 0);
-  return here.read("p.png");
+  return here.read("p.ppm");
 }
 
 TEST_CASE("a camera is chosen by name or index; the first one is the default") {

@@ -27,13 +27,13 @@ Image<Rgba8> picture(const Workplace& here, const std::string& name) {
   return *image;
 }
 
-// The bytes of the PNG that these options give.
+// The bytes of the PPM that these options give; a PNG would have the options in it.
 std::string rendered(const std::string& options) {
   const Workplace here;
-  const Outcome outcome = here.run("render " + options + " --size 48x32 -o p.png");
+  const Outcome outcome = here.run("render " + options + " --size 48x32 -o p.ppm");
   INFO(options << ": " << outcome.err);
   REQUIRE(outcome.exit_code == 0);
-  return here.read("p.png");
+  return here.read("p.ppm");
 }
 
 TEST_CASE("a picture is named after its scene and written where the user stands") {
@@ -216,7 +216,7 @@ TEST_CASE("a picture of backs only says how to see them") {
 TEST_CASE("bad usage exits with 2, says on one line what is wrong, and writes nothing") {
   const std::vector<std::pair<std::string, std::string>> cases{
       {"render", "SCENE"},
-      {"bogus", "render and info"},
+      {"bogus", "render, info, step, pixel and diff"},
       {"render cube another", "another"},
       {"render cube --bogus", "--bogus"},
       {"render cube --shade shiny", "--shade: needs one of unlit|flat|gouraud|phong, not 'shiny'"},

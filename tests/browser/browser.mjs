@@ -16,7 +16,8 @@ function watchCanvas() {
     return fillText.call(this, text, x, y, ...rest);
   };
   CanvasRenderingContext2D.prototype.strokeRect = function (x, y, width, height) {
-    if (this.strokeStyle === "#3df5ff") window.crosshairs.push([x + width / 2, y + height / 2, width - 3 * Math.max(1, Math.round(devicePixelRatio))]);
+    const line = 3 * Math.max(1, Math.round(devicePixelRatio)); // the outline's width, half of it on either side
+    if (this.strokeStyle === "#3df5ff") window.crosshairs.push([x + width / 2, y + height / 2, width - line]);
     return strokeRect.call(this, x, y, width, height);
   };
   CanvasRenderingContext2D.prototype.fillRect = function (x, y, width, height) {

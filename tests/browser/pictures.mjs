@@ -49,7 +49,8 @@ export function encodePng({width, height, channels, bits, samples}) {
     if (bits === 8) rows[at] = value;
     else rows.writeUInt16BE(value, at);
   });
-  return Buffer.concat([signature, chunk("IHDR", header), chunk("IDAT", deflateSync(rows)), chunk("IEND", Buffer.alloc(0))]);
+  const chunks = [chunk("IHDR", header), chunk("IDAT", deflateSync(rows)), chunk("IEND", Buffer.alloc(0))];
+  return Buffer.concat([signature, ...chunks]);
 }
 
 // PFM has its rows bottom-up.

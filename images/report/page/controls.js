@@ -13,7 +13,8 @@ function paneUnder(event) {
 function zoomBy(steps, at = null) {
   if (!state.pair?.pictures.length) return;
   const usable = scales.filter((scale) => scale <= largestScale());
-  const up = usable.find((scale) => scale > view.scale * 1.001), down = usable.findLast((scale) => scale < view.scale * 0.999);
+  const up = usable.find((scale) => scale > view.scale * 1.001);
+  const down = usable.findLast((scale) => scale < view.scale * 0.999);
   zoomTo((steps > 0 ? up : Math.max(down ?? 0, Math.min(fitScale(), 1))) ?? view.scale, at);
 }
 

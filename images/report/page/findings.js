@@ -88,13 +88,13 @@ const sentences = (texts) =>
 
 function toleranceText({tolerance, tolerance_reason}) {
   if (!tolerance) return null;
-  return element("div", {}, element("code", {}, tolerance), tolerance_reason ? element("p", {}, tolerance_reason) : null);
+  return element("div", {}, element("code", {}, tolerance), element("p", {}, tolerance_reason ?? ""));
 }
 
 function metricsTable(metrics) {
   if (!metrics) return null;
   const row = ({name, value, why_not, limit, passes = true}) => element("tr", {className: passes ? "" : "fails"},
-    element("th", {scope: "row"}, name), element("td", {}, typeof value === "number" ? String(Number(value.toPrecision(6))) : value ?? why_not),
+    element("th", {scope: "row"}, name), element("td", {}, metricText(value) ?? why_not),
     element("td", {}, limit ? `${limit.slice(name.length)} ${passes ? "✓" : "✗"}` : ""));
   return element("table", {}, element("tbody", {}, ...metrics.map(row)));
 }
@@ -105,6 +105,8 @@ function factsTable({reference, test}) {
       element("span", {className: "quiet"}, width ? `${width} × ${height}, ${channels}, ${format}` : "")));
   return element("table", {}, element("tbody", {}, row("Reference", reference), row("Test", test)));
 }
+
+const metricText = (value) => (typeof value === "number" ? String(Number(value.toPrecision(6))) : value);
 
 // A command line with a button that copies it.
 function command(text) {

@@ -176,7 +176,7 @@ function differenceText() {
   if (!state.cursor || !state.pair?.heat) return "–";
   const {x, y} = state.cursor, {reference, heat} = state.pair, steps = differenceAt(x, y);
   if (!steps) return samplesAt(heat, x, y)?.[0] === leftOut ? "not compared" : "not in this page";
-  return valueLines(reference, steps, stepsText).join("  ") + unitOf[reference.type].replace("/255", "").replace("/65535", "");
+  return valueLines(reference, steps, stepsText).join("  ") + (reference.type === "f32" ? " ulp" : "");
 }
 
 const heatColours = manifest.heat_colours.map(packedColour);

@@ -166,9 +166,10 @@ function checks() {
 
 function drawGrid(seen, origin, cell) {
   context.fillStyle = "rgb(128 128 128 / 0.4)";
-  const height = (seen.bottom - seen.top) * cell, width = (seen.right - seen.left) * cell;
-  for (let x = seen.left; x <= seen.right; x++) context.fillRect(origin.x + x * cell, origin.y + seen.top * cell, 1, height);
-  for (let y = seen.top; y <= seen.bottom; y++) context.fillRect(origin.x + seen.left * cell, origin.y + y * cell, width, 1);
+  const left = origin.x + seen.left * cell, right = origin.x + seen.right * cell;
+  const top = origin.y + seen.top * cell, bottom = origin.y + seen.bottom * cell;
+  for (let x = left; x <= right; x += cell) context.fillRect(x, top, 1, bottom - top);
+  for (let y = top; y <= bottom; y += cell) context.fillRect(left, y, right - left, 1);
 }
 
 // The lines of text that a layer has for a pixel, printed in it in one size for all that is seen; nothing where they
@@ -185,7 +186,8 @@ function drawValues(layer, seen, origin, cell) {
       for (const line of text) longest = Math.max(longest, line.length);
     }
   }
-  const size = Math.floor(Math.min((cell * 0.94) / (longest * 0.61), (cell * 0.94) / (lines * 1.15), 14 * devicePixelRatio));
+  const room = cell * 0.94;
+  const size = Math.floor(Math.min(room / (longest * 0.61), room / (lines * 1.15), 14 * devicePixelRatio));
   if (size < 7 * devicePixelRatio) return;
   context.font = `${size}px ui-monospace, Menlo, Consolas, monospace`;
   context.textAlign = "center";
@@ -208,8 +210,8 @@ function outline(x, y, width, height, colour) {
   context.strokeRect(x - 1.5 * unit, y - 1.5 * unit, width + 3 * unit, height + 3 * unit);
 }
 
-// A box is at least a few pixels of the screen large, so that a single wrong pixel is found from any distance; of several
-// that would cover each other, the worst is drawn.
+// A box is at least a few pixels of the screen large, so that a single wrong pixel is found from any distance; of
+// several that would cover each other, the worst is drawn.
 function drawBoxes(pane) {
   const origin = originOf(pane), cell = cellSize(), least = 8 * devicePixelRatio;
   const taken = new Set();
@@ -217,7 +219,7 @@ function drawBoxes(pane) {
     const width = Math.max(box.width * cell, least), height = Math.max(box.height * cell, least);
     const x = origin.x + (box.x + box.width / 2) * cell - width / 2;
     const y = origin.y + (box.y + box.height / 2) * cell - height / 2;
-    const place = [x, y, width, height].map((value) => Math.round(value / (2 * least))).join();
+    const place = [x - origin.x, y - origin.y, width, height].map((value) => Math.round(value / (2 * least))).join();
     if (taken.has(place) && i !== state.region) return;
     taken.add(place);
     outline(x, y, width, height, i === state.region ? "#ffe14d" : "#fff");

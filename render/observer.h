@@ -1,0 +1,101 @@
+// Watching a run, and taking part in it: one method for each stage, called with what went in and what came out.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include <glassbox/mesh/triangulate.h>
+#include <glassbox/pipeline/clip.h>
+#include <glassbox/pipeline/stages.h>
+#include <glassbox/raster/stages.h>
+#include <glassbox/raster/texture.h>
+
+namespace glassbox {
+
+struct Draw;
+struct PrimitiveStage;
+struct FragmentStage;
+
+// What became of a fragment.
+enum class Fate : std::uint8_t {
+  kHidden,     // something nearer was there already
+  kDiscarded,  // its alpha lies below the material's cutoff
+  kWritten,    // it is what the pixel shows, for the time being
+  kBlended,    // it was laid over what was there
+};
+
+// Where a fragment comes from.
+struct FragmentSource {
+  std::uint32_t number =
+      0;  // of the triangle, in the whole scene; of no meaning for lines and points
+  std::uint32_t piece = 0;  // of the fan that clipping left of it
+  bool is_triangle = true;
+};
+
+// Derive from it and override the stages of interest. What a stage has made comes by reference: whoever changes it has
+// replaced the stage, and the run goes on with what it finds. The defaults change nothing, so a run that is watched only
+// gives the same bytes as one that is not; without an observer a stage pays one comparison with null.
+//
+// Calls come draw by draw; within a draw all vertices first, then triangles in batches, each followed by the fragments of the
+// batch. For one triangle they come in the order in which they stand here.
+class Observer {
+public:
+  virtual ~Observer() = default;
+
+  // ---- once for each draw ----
+
+  virtual void draw(const Draw& /*draw*/) {}
+
+  // ---- vertices ----
+
+  // Object to clip space, for entry `index` of the mesh's positions.
+  virtual void projected(const Draw& /*draw*/, std::uint32_t /*index*/, Point<Clip>& /*clip*/) {}
+
+  // ---- triangles ----
+
+  // The triangle as it comes to the clipper, and what the clipper left of it.
+  virtual void clipped(const PrimitiveStage& /*stage*/, const Triangle& /*triangle*/,
+                       const std::array<ClipVertex, 3>& /*corners*/, ClipPolygon& /*polygon*/) {}
+
+  // A vertex of that polygon, divided by w.
+  virtual void divided(const ClipVertex& /*clip*/, NdcVertex& /*ndc*/) {}
+
+  // The same on the screen.
+  virtual void placed(const NdcVertex& /*ndc*/, ScreenVertex& /*screen*/) {}
+
+  // A piece of the polygon, snapped and set up; nothing where its area is zero.
+  virtual void set_up(std::uint32_t /*piece*/, const std::array<ScreenVertex, 3>& /*vertices*/,
+                      std::optional<TriangleSetup>& /*setup*/) {}
+
+  // Whether the piece shows its front, and is thrown away.
+  virtual void faced(const TriangleSetup& /*setup*/, bool /*front*/, bool& /*culled*/) {}
+
+  // The end of every triangle for which clipped() was called.
+  virtual void prepared(const Triangle& /*triangle*/) {}
+
+  // ---- fragments ----
+
+  // A covered pixel centre: depth and weights there.
+  virtual void interpolated(const FragmentSource& /*source*/, const Coverage& /*coverage*/,
+                            Fragment& /*fragment*/) {}
+
+  // The depth test: the incoming code against the stored one.
+  virtual void compared(const FragmentSource& /*source*/, const Fragment& /*fragment*/,
+                        std::uint32_t /*code*/, std::uint32_t /*stored*/, bool& /*in_front*/) {}
+
+  // The surface's own colour: material times vertex colour times texture.
+  virtual void textured(const Varyings& /*at*/, Rgba& /*surface*/) {}
+
+  // The colour in the light, still linear.
+  virtual void lit(const Varyings& /*at*/, const Rgba& /*surface*/, Rgba& /*color*/) {}
+
+  // What is stored, before the colour mask; `before` is what the pixel held.
+  virtual void encoded(const Fragment& /*fragment*/, const Rgba8& /*before*/, Rgba8& /*after*/) {}
+
+  // The end of every fragment for which compared() was called.
+  virtual void ended(const FragmentSource& /*source*/, const Fragment& /*fragment*/,
+                     Fate /*fate*/) {}
+};
+
+}  // namespace glassbox

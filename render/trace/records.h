@@ -1,0 +1,94 @@
+// What a trace holds: the records of pipeline/stages.h and raster/stages.h, as a run made them, with what was decided.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <glassbox/base/spaces.h>
+#include <glassbox/pipeline/clip.h>
+#include <glassbox/pipeline/stages.h>
+#include <glassbox/raster/stages.h>
+#include <glassbox/render/observer.h>
+
+namespace glassbox {
+
+// ---- draws ----
+
+// One instance of a mesh, as the run draws it.
+struct TracedDraw {
+  std::uint32_t instance = 0;      // index into Scene::instances
+  std::uint32_t first_number = 0;  // of its first triangle, in the whole scene
+  Vector<Object> anchor;           // subtracted from positions first, exactly
+  Transform<Clip, Object, float> clip_from_anchored;
+  Transform<Eye, Object, float> eye_from_anchored;
+  bool mirrored = false;  // front faces run clockwise
+};
+
+// ---- triangles ----
+
+struct TracedCorner {
+  std::uint32_t corner = 0;    // index into Mesh::corners
+  std::uint32_t position = 0;  // index into Mesh::positions
+  Point<Object> object;        // as modelled
+  Point<World, double> world;  // world_from_object * object, in double
+  Point<Eye, double> eye;      // eye_from_world * world, in double
+  Point<Clip> clip;            // as the run computed it, by one float matrix
+  Outcode outcode = 0;         // against the planes of the run
+  friend bool operator==(const TracedCorner&, const TracedCorner&) = default;
+};
+
+// A vertex of what clipping left.
+struct TracedVertex {
+  ClipVertex clip;
+  NdcVertex ndc;
+  ScreenVertex screen;
+};
+
+// One triangle of the fan that the clipped polygon is cut into.
+struct TracedPiece {
+  std::array<ScreenVertex, 3> vertices;
+  std::optional<TriangleSetup> setup;  // none: no area after snapping
+  bool front = false;                  // where it is set up
+  bool culled = false;
+};
+
+struct TracedTriangle {
+  std::uint32_t number = 0;    // in the whole scene
+  std::uint32_t instance = 0;  // index into Scene::instances
+  std::uint32_t face = 0;      // index into Mesh::faces
+  std::array<TracedCorner, 3> corners;
+  std::vector<TracedVertex> polygon;  // after clipping; empty: nothing was left
+  std::vector<TracedPiece> pieces;
+};
+
+// ---- fragments ----
+
+struct TracedFragment {
+  FragmentSource source;
+  std::uint32_t instance = 0;
+  Coverage coverage;  // of triangles: the integer edge functions
+  Fragment fragment;
+  std::uint32_t code = 0;    // its depth, as the buffer stores it
+  std::uint32_t stored = 0;  // what the buffer held
+  Fate fate = Fate::kHidden;
+  // Where it passed the depth test:
+  Varyings at;
+  Rgba surface;
+  // Where it was written or blended:
+  Rgba light;  // linear; of pictures of light only
+  Rgba8 before, after;
+};
+
+// ---- the whole ----
+
+struct Trace {
+  std::vector<ClipPlane> planes;  // what the run clipped by
+  std::vector<TracedDraw> draws;  // in drawing order; all of them, whatever the filter
+  std::vector<TracedTriangle> triangles;
+  std::vector<TracedFragment> fragments;  // in the order in which they came
+  bool complete = true;                   // false: the filter's bytes were used up
+};
+
+}  // namespace glassbox
