@@ -12,6 +12,7 @@
 #include "app/info_command.h"
 #include "app/pixel_command.h"
 #include "app/render_command.h"
+#include "app/step_command.h"
 
 #include <glassbox/base/printable.h>
 
@@ -27,7 +28,8 @@ int bad_usage(const CLI::App& app, const CLI::ParseError& error) {
   const bool no_command =
       chosen.empty() && dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
   fmt::print(stderr, "glassbox: {}{}; {} --help shows what there is\n", what,
-             no_command ? " (the subcommands are render, info, pixel and diff)" : "", command);
+             no_command ? " (the subcommands are render, info, step, pixel and diff)" : "",
+             command);
   return kBadInput;
 }
 
@@ -41,10 +43,12 @@ int run(int argc, char** argv) {
   int exit_code = kSuccess;
   RenderCommand render;
   InfoCommand info;
+  StepCommand step;
   PixelCommand pixel;
   DiffCommand diff;
   render.add_to(app, exit_code);
   info.add_to(app, exit_code);
+  step.add_to(app, exit_code);
   pixel.add_to(app, exit_code);
   diff.add_to(app, exit_code);
   app.require_subcommand(0, 1);

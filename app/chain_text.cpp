@@ -1,0 +1,391 @@
+#include "app/chain_text.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "app/text_layout.h"
+
+#include <glassbox/pipeline/decimal.h>
+
+namespace glassbox::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kAxes[] = {"x", "y", "z", "w"};
+
+std::string bound_text(double bound) {
+  if (bound == 0) return "exact";
+  if (!std::isfinite(bound)) return "+- unknown";
+  return fmt::format("+- {:.1e}", bound);
+}
+
+std::string bits_text(float value) {
+  return fmt::format("{:08x}", std::bit_cast<std::uint32_t>(value));
+}
+
+bool is_identity(const glm::mat4& m) {
+  return m == glm::mat4(1);
+}
+
+std::size_t widest(const std::vector<std::string>& texts) {
+  std::size_t width = 0;
+  for (const std::string& text : texts) width = std::max(width, text.size());
+  return width;
+}
+
+// The four rows, each entry as wide as its column.
+std::array<std::string, 4> entry_rows(const glm::dmat4& m, int digits) {
+  std::array<std::string, 4> rows;
+  for (int column = 0; column < 4; ++column) {
+    std::vector<std::string> entries;
+    for (int row = 0; row < 4; ++row) entries.push_back(brief(m[column][row], digits));
+    const std::size_t width = widest(entries);
+    for (std::size_t row = 0; row < 4; ++row) {
+      if (column > 0) rows[row] += digits > 3 ? "  " : " ";
+      rows[row] += fmt::format("{:>{}}", entries[row], width);
+    }
+  }
+  return rows;
+}
+
+// [ matrix ] [ before ]   [ after ] +- bound, with as many digits as the width allows.
+std::string product_text(const TransformStep& step, bool bits) {
+  std::string text;
+  for (const int digits : {6, 5, 4, 3, 2}) {
+    text.clear();
+    const auto rows = entry_rows(glm::dmat4(step.matrix), digits);
+    std::vector<std::string> before, after;
+    for (int i = 0; i < 4; ++i) {
+      before.push_back(brief(double(step.before[i]), digits));
+      after.push_back(brief(double(step.after[i]), 9));
+    }
+    const std::size_t before_width = widest(before), after_width = widest(after);
+    std::size_t longest = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::string line = fmt::format("     [ {} ] [ {:>{}} ] {} {} {:>{}}  {}{}", rows[i],
+                                           before[i], before_width, i == 1 ? "=" : " ", kAxes[i],
+                                           after[i], after_width, bound_text(step.bound[int(i)]),
+                                           bits ? "  " + bits_text(step.after[int(i)]) : "");
+      longest = std::max(longest, line.size());
+      text += line + "\n";
+    }
+    if (longest <= kTextWidth) break;
+  }
+  return text;
+}
+
+std::string step_text(int number, const char* from_to, const char* matrix,
+                      const TransformStep& step, bool bits) {
+  std::string text = fmt::format("  {}  {}, by the {} matrix", number, from_to, matrix);
+  if (is_identity(step.matrix)) return text + ": the identity, nothing changes\n";
+  return text + "\n" + product_text(step, bits);
+}
+
+// Where the eye sees it, in words.
+std::string eye_sentence(const VertexChain& chain, const ChainSetting& setting) {
+  const glm::vec4& eye = chain.to_eye.after;
+  const ProjectionFacts& p = setting.projection;
+  if (p.kind == ProjectionKind::kNone || eye.w != 1 || !std::isfinite(eye.x + eye.y + eye.z)) {
+    return {};
+  }
+  const double along = p.looks_down_minus_z ? -double(eye.z) : double(eye.z);
+  const auto side = [](double x, const char* plus, const char* minus) {
+    return brief(std::abs(x)) + (x < 0 ? minus : plus);
+  };
+  return wrapped("     ",
+                 fmt::format("seen from the eye, which looks down {}z: {}, {}, {}",
+                             p.looks_down_minus_z ? "-" : "+", side(along, " in front", " behind"),
+                             side(double(eye.x), " to the right", " to the left"),
+                             side(double(eye.y), " up", " down")));
+}
+
+// The way through one matrix, which most programs take.
+std::string at_once_text(const VertexChain& chain) {
+  const int factors = int(!is_identity(chain.to_world.matrix)) +
+                      int(!is_identity(chain.to_eye.matrix)) +
+                      int(!is_identity(chain.to_clip.matrix));
+  const glm::dvec4 apart =
+      glm::abs(glm::dvec4(to_glm(chain.at_once)) - glm::dvec4(chain.to_clip.after));
+  const double most = std::max({apart.x, apart.y, apart.z, apart.w});
+  if (factors < 2 || !std::isfinite(most)) return {};
+  return fmt::format(
+      "     multiplied first in double and rounded once, the matrices give the same{}\n",
+      most == 0 ? " bits" : fmt::format(" to within {:.1e}", most));
+}
+
+// "z + w" of the plane 0 <= z + w.
+std::string plane_form(const ClipPlane& plane) {
+  std::string form;
+  for (const auto& [coefficient, name] :
+       {std::pair{plane.a, "x"}, {plane.b, "y"}, {plane.c, "z"}, {plane.d, "w"}}) {
+    if (coefficient == 0) continue;
+    if (form.empty()) {
+      form = coefficient < 0 ? std::string("-") + name : name;
+    } else {
+      form += std::string(coefficient < 0 ? " - " : " + ") + name;
+    }
+  }
+  // w - x reads better than -x + w.
+  if (form.size() == 6 && form[0] == '-') form = std::string("w - ") + form[1];
+  return form;
+}
+
+std::string planes_table(const VertexChain& chain) {
+  std::string text;
+  for (const PlaneStep& step : chain.planes) {
+    text += fmt::format("     {:<7}{:>5} = {:<15} {:<12} {}{}\n", step.plane.name,
+                        plane_form(step.plane), brief(step.distance, 9), bound_text(step.bound),
+                        step.outside() ? "outside" : "inside",
+                        step.sure() ? "" : ", as far as rounding lets one tell");
+  }
+  return text;
+}
+
+// The window of the frustum at the vertex's distance, against where it is: why an x or y plane decided so.
+std::string frustum_sentence(const VertexChain& chain, const ChainSetting& setting) {
+  const ProjectionFacts& p = setting.projection;
+  const std::size_t plane = std::size_t(chain.deciding_plane);
+  const glm::vec4& eye = chain.to_eye.after;
+  if (p.kind == ProjectionKind::kNone || eye.w != 1 || p.w_offset != 0) return {};
+  const double distance = p.looks_down_minus_z ? -double(eye.z) : double(eye.z);
+  if (plane < 2) {
+    const DepthReading& reading =
+        setting.dialect.z_from_minus_w ? p.minus_one_to_one : p.zero_to_one;
+    if (!reading.possible || p.oblique_depth) return {};
+    return fmt::format("its distance along the gaze is {}, and this projection shows {} to {}",
+                       brief(distance), brief(reading.near), brief(reading.far));
+  }
+  const int axis = plane < 4 ? 0 : 1;
+  const double reach = p.kind == ProjectionKind::kPerspective ? distance : 1;
+  const double a = (-1 - p.centre[axis]) / p.scale[axis] * reach;
+  const double b = (1 - p.centre[axis]) / p.scale[axis] * reach;
+  return fmt::format(
+      "{} distance {} the picture spans {} from {} to {} in the eye's space, and the "
+      "point is at {}",
+      p.kind == ProjectionKind::kPerspective ? "at its" : "at any", brief(distance), kAxes[axis],
+      brief(std::min(a, b)), brief(std::max(a, b)), brief(double(eye[axis])));
+}
+
+std::string decision_text(const VertexChain& chain, const ChainSetting& setting) {
+  std::string text =
+      fmt::format("  4  clip: {} shows -w <= x, y <= w and {} <= z <= w\n", setting.dialect.title,
+                  setting.dialect.z_from_minus_w ? "-w" : "0");
+  const double w = double(chain.clip.w);
+  switch (chain.fate) {
+    case VertexFate::kNotFinite:
+      return text + wrapped("     ", "decided: a coordinate is not finite, so nothing can be said");
+    case VertexFate::kBehindEye:
+      return text + wrapped("     ", fmt::format("decided: w = {} is negative: behind the eye. "
+                                                 "Dividing by it would turn the point round to the "
+                                                 "front (S3-11)",
+                                                 brief(w)));
+    case VertexFate::kInEyePlane:
+      return text + wrapped("     ",
+                            "decided: w = 0: the point lies in the plane of the eye, and "
+                            "its image at infinity");
+    case VertexFate::kOutside: {
+      text += planes_table(chain);
+      const PlaneStep& plane = chain.planes[std::size_t(chain.deciding_plane)];
+      const std::string why = fmt::format("decided: outside the {} plane by {} (w = {})",
+                                          plane.plane.name, brief(-plane.distance), brief(w));
+      return text + wrapped("     ", why);
+    }
+    case VertexFate::kVisible:
+      break;
+  }
+  return text + planes_table(chain) + "     decided: inside all six planes\n";
+}
+
+std::string divide_text(const VertexChain& chain, bool bits) {
+  const DivideStep& d = *chain.divide;
+  std::string text = "  5  clip -> NDC: divide by w\n";
+  const float numerators[] = {chain.clip.x, chain.clip.y, chain.clip.z};
+  const float values[] = {d.ndc.position.x, d.ndc.position.y, d.ndc.position.z};
+  const std::string w = brief(double(chain.clip.w), 9);
+  for (int i = 0; i < 3; ++i) {
+    text += fmt::format("     {} = {:>13} / {} = {:<15}{:<12} condition {}{}\n", kAxes[i],
+                        brief(double(numerators[i]), 9), w, brief(double(values[i]), 9),
+                        bound_text(d.bound.position[i]), brief(d.condition[i], 3),
+                        bits ? "  " + bits_text(values[i]) : "");
+  }
+  return text;
+}
+
+std::string snap_text(const SnapStability& snap) {
+  if (!std::isfinite(snap.snapped)) return {};
+  return fmt::format("snapped to {} ({})", brief(snap.snapped, 10),
+                     snap.stable
+                         ? fmt::format("stable: {:.1e} px from the next step", snap.to_boundary)
+                         : fmt::format("not stable: rounding may send it to a neighbour, {:.1e} "
+                                       "px off",
+                                       snap.to_boundary));
+}
+
+std::string screen_text(const VertexChain& chain, const ChainSetting& setting) {
+  const ScreenStep& s = *chain.screen;
+  const Viewport& v = setting.viewport;
+  std::string text = fmt::format("  6  NDC -> window: pixels from the {} left, y {}\n",
+                                 setting.dialect.window_y_up ? "lower" : "upper",
+                                 setting.dialect.window_y_up ? "up" : "down");
+  const auto line = [&](const char* name, float ndc, float from, float to, float value,
+                        double bound, const SnapStability& snap) {
+    text += fmt::format("     {} = {} * {} + {} = {} {} px{}\n", name, brief(double(ndc), 7),
+                        brief(double((to - from) * 0.5f)), brief(double((to + from) * 0.5f)),
+                        brief(double(value), 9), bound_text(bound),
+                        setting.bits ? "  " + bits_text(value) : "");
+    text += fmt::format("         {}\n", snap_text(snap));
+  };
+  const Point<Ndc>& ndc = chain.divide->ndc.position;
+  line("x", ndc.x, v.left, v.right, s.screen.position.x, s.bound.x, s.snap_x);
+  line("y", ndc.y, v.bottom, v.top, s.screen.position.y, s.bound.y, s.snap_y);
+  const double scale = setting.dialect.z_from_minus_w ? 0.5 : 1;
+  text += fmt::format("     depth {} {}", brief(s.depth, 9), bound_text(s.bound.z * scale));
+  const ProjectionFacts& p = setting.projection;
+  // The derivative of alpha + beta/d turned round (SPEC C, bound 8).
+  if (p.kind == ProjectionKind::kPerspective && !p.depth_lost && p.w_offset == 0) {
+    const double w = double(chain.clip.w) / p.w_scale;
+    text += fmt::format(": known to {:.1e} of distance", s.bound.z * w * w / std::abs(p.beta));
+  }
+  text += "\n";
+  // Beneath the bounds it would not be seen.
+  if (setting.open_px && *setting.open_px > 2 * std::max(s.bound.x, s.bound.y)) {
+    text += wrapped(
+        "     ", fmt::format("the digits of the matrices as printed leave this open by {:.1e} px "
+                             "more (%.9g prints a float without loss)",
+                             *setting.open_px));
+  }
+  return text;
+}
+
+Json homogeneous_json(const glm::vec4& v) {
+  return {v.x, v.y, v.z, v.w};
+}
+
+Json bits_json(const glm::vec4& v) {
+  return {bits_text(v.x), bits_text(v.y), bits_text(v.z), bits_text(v.w)};
+}
+
+Json step_json(const char* space, const TransformStep& step) {
+  return {{"space", space},
+          {"matrix", matrix_json(glm::dmat4(step.matrix))},
+          {"position", homogeneous_json(step.after)},
+          {"bits", bits_json(step.after)},
+          {"bound", {step.bound.x, step.bound.y, step.bound.z, step.bound.w}}};
+}
+
+const char* fate_id(VertexFate fate) {
+  switch (fate) {
+    case VertexFate::kVisible:
+      return "visible";
+    case VertexFate::kNotFinite:
+      return "not-finite";
+    case VertexFate::kInEyePlane:
+      return "in-eye-plane";
+    case VertexFate::kBehindEye:
+      return "behind-eye";
+    case VertexFate::kOutside:
+      return "outside";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string matrix_rows(const glm::dmat4& m, const std::string& indent, int digits) {
+  std::string text;
+  for (const std::string& row : entry_rows(m, digits)) text += indent + "[ " + row + " ]\n";
+  return text;
+}
+
+Json matrix_json(const glm::dmat4& m) {
+  Json rows = Json::array();
+  for (int row = 0; row < 4; ++row) {
+    rows.push_back({m[0][row], m[1][row], m[2][row], m[3][row]});
+  }
+  return rows;
+}
+
+std::string fate_text(const VertexChain& chain, const ChainSetting& setting) {
+  switch (chain.fate) {
+    case VertexFate::kVisible:
+      return "visible";
+    case VertexFate::kNotFinite:
+      return "not finite";
+    case VertexFate::kInEyePlane:
+      return "in the plane of the eye (w = 0)";
+    case VertexFate::kBehindEye:
+      return fmt::format("behind the eye (w = {})", brief(double(chain.clip.w)));
+    case VertexFate::kOutside: {
+      const char* plane = chain.planes[std::size_t(chain.deciding_plane)].plane.name;
+      const std::string frustum = frustum_sentence(chain, setting);
+      return fmt::format("outside the {} plane{}", plane, frustum.empty() ? "" : ": " + frustum);
+    }
+  }
+  return "";
+}
+
+std::string chain_text(const VertexChain& chain, const ChainSetting& setting) {
+  std::string text;
+  text += step_text(1, "object -> world", "model", chain.to_world, setting.bits);
+  text += step_text(2, "world -> eye", "view", chain.to_eye, setting.bits);
+  text += eye_sentence(chain, setting);
+  text += step_text(3, "eye -> clip", "projection", chain.to_clip, setting.bits);
+  text += at_once_text(chain);
+  text += decision_text(chain, setting);
+  if (chain.fate != VertexFate::kVisible && chain.fate != VertexFate::kOutside) return text;
+  return text + divide_text(chain, setting.bits) + screen_text(chain, setting);
+}
+
+Json chain_json(const VertexChain& chain, const ChainSetting& setting) {
+  Json json{{"object", homogeneous_json(chain.object)}};
+  json["steps"] = {step_json("world", chain.to_world), step_json("eye", chain.to_eye),
+                   step_json("clip", chain.to_clip)};
+  json["clip_at_once"] = {chain.at_once.x, chain.at_once.y, chain.at_once.z, chain.at_once.w};
+  json["fate"] = fate_id(chain.fate);
+  json["outside"] = Json::array();
+  json["planes"] = Json::array();
+  if (chain.fate != VertexFate::kNotFinite) {
+    for (const PlaneStep& step : chain.planes) {
+      json["planes"].push_back(
+          {{"name", step.plane.name},
+           {"coefficients", {step.plane.a, step.plane.b, step.plane.c, step.plane.d}},
+           {"distance", step.distance},
+           {"bound", step.bound}});
+      if (step.outside()) json["outside"].push_back(step.plane.name);
+    }
+  }
+  json["deciding_plane"] = chain.deciding_plane < 0
+                               ? Json(nullptr)
+                               : Json(chain.planes[std::size_t(chain.deciding_plane)].plane.name);
+  if (chain.divide) {
+    const DivideStep& d = *chain.divide;
+    const Point<Ndc>& p = d.ndc.position;
+    json["ndc"] = {{"position", {p.x, p.y, p.z}},
+                   {"bits", {bits_text(p.x), bits_text(p.y), bits_text(p.z)}},
+                   {"bound", {d.bound.position.x, d.bound.position.y, d.bound.position.z}},
+                   {"condition", {d.condition.x, d.condition.y, d.condition.z}},
+                   {"inverse_w", d.ndc.inverse_w}};
+  }
+  if (chain.screen) {
+    const ScreenStep& s = *chain.screen;
+    const Point<Screen>& p = s.screen.position;
+    json["window"] = {{"position", {p.x, p.y}},
+                      {"bits", {bits_text(p.x), bits_text(p.y)}},
+                      {"bound", {s.bound.x, s.bound.y}},
+                      {"y_up", setting.dialect.window_y_up},
+                      {"depth", s.depth},
+                      {"snapped", {s.snap_x.snapped, s.snap_y.snapped}},
+                      {"snap_stable", {s.snap_x.stable, s.snap_y.stable}}};
+    if (setting.open_px) json["window"]["open_by_digits"] = *setting.open_px;
+  }
+  return json;
+}
+
+}  // namespace glassbox::app

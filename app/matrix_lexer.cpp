@@ -1,0 +1,273 @@
+#include "app/matrix_lexer.h"
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include <glassbox/base/printable.h>
+
+namespace glassbox::app {
+
+namespace {
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+
+bool equals_ignoring_case(std::string_view a, std::string_view lower) {
+  if (a.size() != lower.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const char c = a[i] >= 'A' && a[i] <= 'Z' ? char(a[i] - 'A' + 'a') : a[i];
+    if (c != lower[i]) return false;
+  }
+  return true;
+}
+
+class Lexer {
+public:
+  Lexer(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+
+  Result<std::vector<MatrixToken>> run() {
+    while (skip_to_token(), at_ < text_.size()) {
+      const Result<void> taken = take();
+      if (!taken) return tl::unexpected(taken.error());
+    }
+    return std::move(tokens_);
+  }
+
+private:
+  char peek(std::size_t ahead = 0) const {
+    return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
+  }
+  bool starts_with(std::string_view word) const { return text_.substr(at_).starts_with(word); }
+
+  void advance(std::size_t count = 1) {
+    for (; count > 0 && at_ < text_.size(); --count, ++at_) {
+      if (text_[at_] == '\n') {
+        ++line_;
+        column_ = 1;
+      } else if ((static_cast<unsigned char>(text_[at_]) & 0xc0) != 0x80) {
+        ++column_;  // not for the later bytes of a character in UTF-8
+      }
+    }
+  }
+  void advance_past(std::string_view end) {
+    const std::size_t found = text_.find(end, at_);
+    advance((found == std::string_view::npos ? text_.size() : found + end.size()) - at_);
+  }
+
+  // Blanks, comments, and the brackets that some programs draw.
+  void skip_to_token() {
+    for (;;) {
+      const char c = peek();
+      if (at_ == text_.size()) return;
+      if (c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v') {
+        advance();
+      } else if (c == '#' || starts_with("//")) {
+        advance_past("\n");
+      } else if (starts_with("/*")) {
+        advance(2);
+        advance_past("*/");
+      } else if (const std::size_t drawn = drawn_separator()) {
+        advance(drawn);
+      } else {
+        return;
+      }
+    }
+  }
+
+  // The length of a no-break space, byte order mark, box-drawing character or piece of a tall bracket; 0 for none.
+  std::size_t drawn_separator() const {
+    if (starts_with("\u00a0")) return 2;
+    if (starts_with("\ufeff")) return 3;
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(peek(i)); };
+    const bool box = byte(0) == 0xe2 && (byte(1) == 0x94 || byte(1) == 0x95);    // 2500 .. 257f
+    const bool bracket = byte(0) == 0xe2 && byte(1) == 0x8e && byte(2) >= 0x9b;  // 239b ..
+    return box || bracket ? 3 : 0;
+  }
+
+  // U+2212, which typesetting and some libraries write, counts as '-'.
+  std::size_t sign_length() const {
+    if (peek() == '+' || peek() == '-') return 1;
+    return starts_with("\u2212") ? 3 : 0;
+  }
+
+  Result<void> take() {
+    const std::size_t sign = sign_length();
+    const char first = peek(sign);
+    if (is_digit(first) || (first == '.' && is_digit(peek(sign + 1)))) return take_number(sign);
+    if (is_letter(first)) return take_name(sign);
+    if (sign == 0 && std::string_view("()[]{}<>,;:=|&'\"").find(first) != std::string_view::npos &&
+        first != '\0') {
+      push(MatrixToken::Kind::kMark, 1);
+      return {};
+    }
+    if (first == '*' && sign == 0) {
+      return refuse(1, "looks like a factor for the whole matrix",
+                    "print the numbers without one (MATLAB: format long g)");
+    }
+    return refuse(word_length(), "is neither a number nor a separator",
+                  "leave only the sixteen numbers, with blanks or commas between them");
+  }
+
+  // nan and inf are numbers; other names are kept as labels.
+  Result<void> take_name(std::size_t sign) {
+    std::size_t length = sign;
+    while (is_letter(peek(length)) || is_digit(peek(length)) || peek(length) == '.') ++length;
+    const std::string_view word = text_.substr(at_ + sign, length - sign);
+    const bool nan = equals_ignoring_case(word, "nan");
+    const bool infinite =
+        equals_ignoring_case(word, "inf") || equals_ignoring_case(word, "infinity");
+    if (nan || infinite) {
+      // "nan(ind)", "nan(0x400000)"
+      if (nan && peek(length) == '(') {
+        const std::size_t end = text_.find(')', at_ + length);
+        if (end != std::string_view::npos) length = end + 1 - at_;
+      }
+      const double magnitude =
+          nan ? std::numeric_limits<double>::quiet_NaN() : std::numeric_limits<double>::infinity();
+      push(MatrixToken::Kind::kNumber, length).value = negative(sign) ? -magnitude : magnitude;
+      return {};
+    }
+    if (sign > 0) {
+      return refuse(word_length(), "is an expression, not a number", "print its value instead");
+    }
+    push(MatrixToken::Kind::kName, length);
+    return {};
+  }
+
+  bool negative(std::size_t sign) const { return sign == 3 || (sign == 1 && peek() == '-'); }
+
+  // Digits with a point and an exponent (e, or Fortran's d), then perhaps a C suffix.
+  Result<void> take_number(std::size_t sign) {
+    const char before = at_ > 0 ? text_[at_ - 1] : ' ';
+    if (sign > 0 && (before == ')' || before == ']' || is_letter(before))) {
+      return refuse(word_length(), "continues an expression", "print its value instead");
+    }
+    std::string plain = negative(sign) ? "-" : "";  // as from_chars wants it
+    std::size_t length = sign;
+    int point = -1, digits = 0, decimals = 0;
+    bool leading = true;
+    for (; is_digit(peek(length)) || (peek(length) == '.' && point < 0); ++length) {
+      const char c = peek(length);
+      plain += c;
+      if (c == '.') {
+        point = int(length);
+        continue;
+      }
+      decimals += point >= 0;
+      leading = leading && c == '0';
+      digits += !leading;
+    }
+    for (const char* special : {"#INF", "#IND", "#QNAN", "#SNAN"}) {
+      if (starts_with_at(length, special)) return take_old_special(sign, length);
+    }
+    int exponent = 0;
+    const bool has_exponent = exponent_at(length);
+    if (has_exponent) {
+      plain += 'e';
+      ++length;
+      std::string power;
+      if (peek(length) == '-') power += '-';
+      if (peek(length) == '-' || peek(length) == '+') ++length;
+      for (; is_digit(peek(length)); ++length) power += peek(length);
+      plain += power;
+      std::from_chars(power.data(), power.data() + power.size(), exponent);
+    }
+    if (peek(length) == 'f' || peek(length) == 'F' || peek(length) == 'l' || peek(length) == 'L') {
+      ++length;
+    }
+    if (!ends_at(length)) {
+      return refuse(word_length(), "is no number",
+                    peek(length) == 'j' || peek(length) == 'i'
+                        ? "print the real part alone"
+                        : "separate numbers by blanks or commas, with a point before decimals");
+    }
+    double value = 0;
+    const auto [end, error] = std::from_chars(plain.data(), plain.data() + plain.size(), value);
+    if (error == std::errc::result_out_of_range) {
+      // Too large, or so small that it is 0.
+      value = exponent > 0 ? std::numeric_limits<double>::infinity() : 0;
+      if (plain[0] == '-') value = -value;
+    }
+    MatrixToken& token = push(MatrixToken::Kind::kNumber, length);
+    token.value = value;
+    token.digits = digits;
+    token.decimals = point >= 0 && !has_exponent ? decimals : -1;
+    token.last_digit = exponent - decimals;
+    return {};
+  }
+
+  bool starts_with_at(std::size_t offset, std::string_view word) const {
+    return text_.substr(std::min(text_.size(), at_ + offset)).starts_with(word);
+  }
+
+  // "1.#INF", "-1.#IND", "1.#QNAN0": what old C libraries of Windows print.
+  Result<void> take_old_special(std::size_t sign, std::size_t length) {
+    const bool infinite = starts_with_at(length, "#INF");
+    const double magnitude = infinite ? std::numeric_limits<double>::infinity()
+                                      : std::numeric_limits<double>::quiet_NaN();
+    const double value = negative(sign) ? -magnitude : magnitude;
+    ++length;
+    while (is_letter(peek(length)) || is_digit(peek(length))) ++length;
+    push(MatrixToken::Kind::kNumber, length).value = value;
+    return {};
+  }
+
+  bool exponent_at(std::size_t length) const {
+    const char c = peek(length);
+    if (c != 'e' && c != 'E' && c != 'd' && c != 'D') return false;
+    const char next = peek(length + 1);
+    return is_digit(next) || ((next == '+' || next == '-') && is_digit(peek(length + 2)));
+  }
+
+  // What may follow a number. '*' is refused with it: a factor for the whole matrix, or an expression.
+  bool ends_at(std::size_t length) const {
+    const char c = peek(length);
+    if (starts_with_at(length, "//") || starts_with_at(length, "/*")) return true;
+    return !is_letter(c) && !is_digit(c) && !starts_with_at(length, "\u2212") &&
+           (c == '\0' || std::string_view(".+-*/^%").find(c) == std::string_view::npos);
+  }
+
+  std::size_t word_length() const {
+    std::size_t length = 0;
+    while (at_ + length < text_.size() && length < 40) {
+      const char c = peek(length);
+      if (length > 0 && std::string_view(" \t\r\n,;()[]{}").find(c) != std::string_view::npos)
+        break;
+      ++length;
+    }
+    return length;
+  }
+
+  MatrixToken& push(MatrixToken::Kind kind, std::size_t length) {
+    tokens_.push_back({kind, text_.substr(at_, length), line_, column_});
+    advance(length);
+    return tokens_.back();
+  }
+
+  Result<void> refuse(std::size_t length, const std::string& why, const std::string& remedy) const {
+    return tl::unexpected(Error{name_, fmt::format("line {}, column {}", line_, column_),
+                                in_quotes(std::string(text_.substr(at_, length))) + " " + why,
+                                remedy});
+  }
+
+  std::string_view text_;
+  const std::string& name_;
+  std::size_t at_ = 0;
+  int line_ = 1, column_ = 1;
+  std::vector<MatrixToken> tokens_;
+};
+
+}  // namespace
+
+Result<std::vector<MatrixToken>> matrix_tokens(std::string_view text, const std::string& name) {
+  return Lexer(text, name).run();
+}
+
+}  // namespace glassbox::app

@@ -1,0 +1,253 @@
+#include "app/matrix_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "app/matrix_lexer.h"
+
+#include <glassbox/base/printable.h>
+#include <glassbox/base/rounding.h>
+
+namespace glassbox::app {
+
+namespace {
+
+using Kind = MatrixToken::Kind;
+using Tokens = std::vector<MatrixToken>;
+
+constexpr std::size_t kMaxBytes = 1 << 16;
+
+// A number, and the name before it: "x" of "x = 1" and "x: 1", the constructor's of "mat4(1".
+struct Labelled {
+  MatrixToken token;
+  std::string_view label;
+};
+
+bool is_mark(const Tokens& tokens, std::size_t i, std::string_view marks) {
+  return i < tokens.size() && tokens[i].kind == Kind::kMark &&
+         marks.find(tokens[i].text[0]) != std::string_view::npos;
+}
+
+bool is_count(const Tokens& tokens, std::size_t i) {
+  if (i >= tokens.size() || tokens[i].kind != Kind::kNumber) return false;
+  const std::string_view text = tokens[i].text;
+  return std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+// "[3]" that counts elements and is none: after a name ("m[16]", "m[4][4]"), or before '=' ("[0] = 1").
+bool is_subscript(const Tokens& tokens, std::size_t i, bool after_name) {
+  if (!is_mark(tokens, i, "[") || !is_count(tokens, i + 1) || !is_mark(tokens, i + 2, "]")) {
+    return false;
+  }
+  return after_name || is_mark(tokens, i + 3, "=");
+}
+
+// The 0 of "row 0: 1 0 0 0", and the keys of {"0": 1, "1": 0, ...}, as JavaScript writes typed arrays.
+bool is_key(const Tokens& tokens, std::size_t i) {
+  return is_count(tokens, i) && (is_mark(tokens, i + 1, ":") ||
+                                 (is_mark(tokens, i + 1, "\"'") && is_mark(tokens, i + 2, ":")));
+}
+
+Error count_error(const std::string& name, std::size_t count) {
+  std::string remedy = "give one matrix of four rows and four columns";
+  if (count == 32) remedy = "two matrices? give each its own; or decimal commas? print points";
+  if (count == 48) remedy = "three matrices? give each its own file or text";
+  if (count == 12) remedy = "if the last row is missing, add 0 0 0 1";
+  if (count == 9) remedy = "a 3x3 matrix becomes one of ours with a column 0 0 0 and a row 0 0 0 1";
+  return {name, "",
+          fmt::format("has {}{} number{}", count > 64 ? "more than " : "",
+                      std::min<std::size_t>(count, 64), count == 1 ? "" : "s") +
+              ", and a matrix has 16",
+          remedy};
+}
+
+Error error_at(const std::string& name, const MatrixToken& token, const std::string& cause,
+               const std::string& remedy) {
+  return {name, fmt::format("line {}, column {}", token.line, token.column), cause, remedy};
+}
+
+// gdb's "0 <repeats 15 times>": how often; nothing where something else stands there.
+std::optional<double> repeats_at(const Tokens& tokens, std::size_t i) {
+  const bool is_one = is_mark(tokens, i, "<") && i + 4 < tokens.size() &&
+                      tokens[i + 1].text == "repeats" && is_count(tokens, i + 2) &&
+                      tokens[i + 3].text == "times" && is_mark(tokens, i + 4, ">");
+  if (!is_one) return std::nullopt;
+  return tokens[i + 2].value;
+}
+
+Result<std::vector<Labelled>> numbers_of(const Tokens& tokens, const std::string& name) {
+  std::vector<Labelled> numbers;
+  std::string_view label;
+  bool after_name = false;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    const MatrixToken& token = tokens[i];
+    if (is_subscript(tokens, i, after_name)) {
+      i += 2;  // and after_name stays: m[4][4]
+      continue;
+    }
+    if (const auto repeats = repeats_at(tokens, i)) {
+      if (numbers.empty() || !(is_count(tokens, i - 1) || tokens[i - 1].kind == Kind::kNumber)) {
+        return tl::unexpected(error_at(name, token, "what is repeated is not a number",
+                                       "set print repeats 0 in gdb"));
+      }
+      const Labelled last = numbers.back();
+      for (double k = 1; k < *repeats && numbers.size() <= 64; ++k) numbers.push_back(last);
+      i += 4;
+      continue;
+    }
+    after_name = token.kind == Kind::kName;
+    if (token.kind == Kind::kName) label = token.text;
+    if (is_mark(tokens, i, ",;)]}")) label = {};
+    if (token.kind != Kind::kNumber || is_key(tokens, i)) continue;
+    if (numbers.size() <= 64) numbers.push_back({token, label});
+    label = {};
+  }
+  return numbers;
+}
+
+// gdb shows the members of GLM's unions by each of their names, x = r = s and so on; one is enough.
+void drop_second_names(std::vector<Labelled>& numbers) {
+  const auto is = [](const Labelled& n, std::string_view names) {
+    return n.label.size() == 1 && names.find(n.label[0]) != std::string_view::npos;
+  };
+  const bool named_by_axis =
+      std::any_of(numbers.begin(), numbers.end(), [&](const Labelled& n) { return is(n, "x"); });
+  if (!named_by_axis || numbers.size() != 48) return;
+  std::erase_if(numbers, [&](const Labelled& n) { return is(n, "rgbastpq"); });
+}
+
+// The layouts whose order is known: constructors, members with known names.
+void recognise(const Tokens& tokens, MatrixText& matrix) {
+  const auto lower = [](std::string_view text) {
+    std::string word(text);
+    for (char& c : word) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+    return word;
+  };
+  const auto columns = [&](const char* by) {
+    matrix.order = NumberOrder::kColumns;
+    matrix.recognised = by;
+  };
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (tokens[i].kind != Kind::kName) continue;
+    const std::string word = lower(tokens[i].text);
+    const bool called = is_mark(tokens, i + 1, "(");
+    if (called && (word == "mat4" || word.ends_with("mat4x4"))) {
+      return columns("a matrix of GLM or GLSL");
+    }
+    if (called && word == "dmat4") return columns("a matrix of GLM or GLSL");
+    if (word == "value" && is_mark(tokens, i + 1, "=") && is_mark(tokens, i + 2, "{")) {
+      return columns("GLM in a debugger");
+    }
+    if (word == "x_axis") return columns("a matrix of glam");
+    if (word == "elements") return columns("a matrix of three.js");
+    if (word == "m11" && is_mark(tokens, i + 1, ":")) {
+      return columns("a matrix of System.Numerics, for row vectors");
+    }
+  }
+}
+
+// Half a unit of the last digit, counted for all numbers alike: in fixed notation by decimals; otherwise by the significant
+// digits of the longest, because programs leave out zeros at the end. Four digits or fewer were typed, and mean what they
+// say. Never less than float's own rounding.
+void estimate_uncertainty(const std::vector<Labelled>& numbers, MatrixText& matrix) {
+  const int decimals = numbers.front().token.decimals;
+  bool fixed = decimals > 0;
+  int digits = 0;
+  for (const Labelled& n : numbers) {
+    fixed = fixed && n.token.decimals == decimals;
+    digits = std::max(digits, n.token.digits);
+  }
+  matrix.digits = digits;
+  for (std::size_t i = 0; i < 16; ++i) {
+    const double size = std::abs(matrix.numbers[i]);
+    double open = 0;
+    if (fixed && decimals > 4) {
+      open = 0.5 * std::pow(10.0, -decimals);
+    } else if (!fixed && digits > 4 && size > 0 && std::isfinite(size)) {
+      open = 0.5 * std::pow(10.0, std::floor(std::log10(size)) + 1 - digits);
+    }
+    matrix.uncertainty[i] = std::max(open, double(unit_roundoff<float>) * size);
+  }
+}
+
+}  // namespace
+
+Result<MatrixText> parse_matrix_text(std::string_view text, const std::string& name) {
+  const auto tokens = matrix_tokens(text, name);
+  if (!tokens) return tl::unexpected(tokens.error());
+  auto numbers = numbers_of(*tokens, name);
+  if (!numbers) return tl::unexpected(numbers.error());
+  drop_second_names(*numbers);
+  if (numbers->size() != 16) return tl::unexpected(count_error(name, numbers->size()));
+  MatrixText matrix;
+  for (std::size_t i = 0; i < 16; ++i) {
+    const MatrixToken& token = (*numbers)[i].token;
+    // The stages work in float.
+    if (std::isfinite(token.value) && std::isinf(float(token.value))) {
+      return tl::unexpected(error_at(name, token,
+                                     in_quotes(token.text) + " is too large for a float",
+                                     "numbers go up to 3.4e38"));
+    }
+    matrix.numbers[i] = token.value;
+  }
+  recognise(*tokens, matrix);
+  estimate_uncertainty(*numbers, matrix);
+  return matrix;
+}
+
+NumberOrder order_of(const MatrixText& text, std::optional<NumberOrder> asked) {
+  return asked.value_or(text.order.value_or(NumberOrder::kRows));
+}
+
+GivenMatrix to_matrix(const MatrixText& text, NumberOrder order) {
+  GivenMatrix matrix;
+  matrix.given = true;
+  for (int i = 0; i < 16; ++i) {
+    const int row = order == NumberOrder::kRows ? i / 4 : i % 4;
+    const int column = order == NumberOrder::kRows ? i % 4 : i / 4;
+    matrix.m[column][row] = text.numbers[std::size_t(i)];
+    matrix.uncertainty[column][row] = text.uncertainty[std::size_t(i)];
+  }
+  return matrix;
+}
+
+Result<NamedText> read_matrix_source(const std::string& source) {
+  namespace fs = std::filesystem;
+  const auto contents = [](std::istream& in) {
+    std::string text(kMaxBytes + 1, '\0');
+    in.read(text.data(), std::streamsize(text.size()));
+    text.resize(std::size_t(in.gcount()));
+    return text;
+  };
+  const auto checked = [](NamedText read) -> Result<NamedText> {
+    if (read.text.size() <= kMaxBytes) return read;
+    return tl::unexpected(Error{read.name, "", fmt::format("is longer than {} bytes", kMaxBytes),
+                                "give the matrix alone"});
+  };
+  if (source == "-") return checked({"standard input", contents(std::cin)});
+  std::error_code ignored;
+  const bool is_text = source.find_first_of(" ,\n\t") != std::string::npos;
+  if (is_text && (source.size() > 4096 || !fs::exists(source, ignored))) {
+    std::string name = source.substr(0, 31);
+    std::replace(name.begin(), name.end(), '\n', ' ');
+    return checked({in_quotes(printable(name, 30)), source});
+  }
+  if (fs::is_directory(source, ignored)) {
+    return tl::unexpected(Error{source, "", "is a directory", "name a file with a matrix"});
+  }
+  std::ifstream in(source, std::ios::binary);
+  if (!in) {
+    return tl::unexpected(Error{source, "",
+                                fs::exists(source, ignored) ? "cannot be read" : "no such file",
+                                "name a file, - for standard input, or give the sixteen numbers"});
+  }
+  return checked({source, contents(in)});
+}
+
+}  // namespace glassbox::app

@@ -1,0 +1,36 @@
+#include <glassbox/pipeline/decimal.h>
+
+#include <charconv>
+#include <cmath>
+
+namespace glassbox {
+
+Decimal simplest_decimal(double value, double uncertainty) {
+  constexpr int kMaxDigits = 17;  // enough for every double
+  if (std::isnan(value)) return {value, kMaxDigits};
+  if (std::isinf(value)) return {value, 1};
+  if (std::abs(value) <= uncertainty) return {0, 0};
+  for (int digits = 1; digits < kMaxDigits; ++digits) {
+    char text[40];
+    const auto end =
+        std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, digits - 1);
+    double rounded = 0;
+    std::from_chars(text, end.ptr, rounded);
+    if (std::abs(rounded - value) <= uncertainty) return {rounded, digits};
+  }
+  return {value, kMaxDigits};
+}
+
+std::string brief(double value, int digits) {
+  char text[40];
+  const auto end =
+      std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits);
+  if (value == 0) return "0";  // no -0
+  return std::isnan(value) ? "nan" : std::string(text, end.ptr);
+}
+
+std::string brief_triple(double x, double y, double z, int digits) {
+  return "(" + brief(x, digits) + ", " + brief(y, digits) + ", " + brief(z, digits) + ")";
+}
+
+}  // namespace glassbox

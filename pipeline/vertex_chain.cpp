@@ -1,0 +1,106 @@
+#include <glassbox/pipeline/vertex_chain.h>
+
+#include <cmath>
+
+#include <glassbox/pipeline/divide.h>
+
+namespace glassbox {
+namespace {
+
+TransformStep first_step(const glm::mat4& m, const glm::dmat4& m_bound, const glm::vec4& object) {
+  return {m, object, apply(m, object), transform_bound(m, object, glm::dvec4(0), m_bound),
+          magnitude(m, object)};
+}
+
+TransformStep next_step(const glm::mat4& m, const glm::dmat4& m_bound,
+                        const TransformStep& previous) {
+  return {m, previous.after, apply(m, previous.after),
+          transform_bound(m, previous.after, previous.bound, m_bound),
+          magnitude(m, previous.magnitude)};
+}
+
+PlaneStep test_plane(const ClipPlane& plane, const Point<Clip>& clip, const glm::dvec4& bound) {
+  const auto part = [](double coefficient, double b) {
+    return coefficient == 0 ? 0 : std::abs(coefficient) * b;
+  };
+  return {plane, signed_distance(plane, clip),
+          part(plane.a, bound.x) + part(plane.b, bound.y) + part(plane.c, bound.z) +
+              part(plane.d, bound.w)};
+}
+
+template <class Target, class Source>
+Transform<Target, Source> in_double(const Transform<Target, Source, float>& m) {
+  return Transform<Target, Source>(glm::dmat4(m.columns));
+}
+
+bool is_finite(const Point<Clip>& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(p.w);
+}
+
+void decide(VertexChain& chain) {
+  if (!is_finite(chain.clip)) {
+    chain.fate = VertexFate::kNotFinite;
+  } else if (chain.clip.w < 0) {
+    chain.fate = VertexFate::kBehindEye;
+  } else if (chain.clip.w == 0) {
+    chain.fate = VertexFate::kInEyePlane;
+  } else {
+    double deepest = 0;
+    for (std::size_t i = 0; i < chain.planes.size(); ++i) {
+      if (chain.planes[i].distance >= deepest) continue;
+      deepest = chain.planes[i].distance;
+      chain.fate = VertexFate::kOutside;
+      chain.deciding_plane = int(i);
+    }
+  }
+}
+
+}  // namespace
+
+glm::vec4 apply(const glm::mat4& m, const glm::vec4& v) {
+  glm::vec4 product;
+  for (int row = 0; row < 4; ++row) {
+    product[row] = m[0][row] * v.x + m[1][row] * v.y + m[2][row] * v.z + m[3][row] * v.w;
+  }
+  return product;
+}
+
+VertexChain walk(const glm::vec4& object, const ChainMatrices& matrices, const ApiDialect& dialect,
+                 const Viewport& viewport) {
+  VertexChain chain;
+  chain.object = object;
+  chain.to_world =
+      first_step(matrices.world_from_object.columns, matrices.world_from_object_bound, object);
+  chain.to_eye =
+      next_step(matrices.eye_from_world.columns, matrices.eye_from_world_bound, chain.to_world);
+  chain.to_clip =
+      next_step(matrices.clip_from_eye.columns, matrices.clip_from_eye_bound, chain.to_eye);
+  chain.clip = Point<Clip>(chain.to_clip.after);
+  const Transform<Clip, Object> composed = in_double(matrices.clip_from_eye) *
+                                           in_double(matrices.eye_from_world) *
+                                           in_double(matrices.world_from_object);
+  chain.at_once = Point<Clip>(apply(round_to_float(composed).columns, object));
+
+  const std::array<ClipPlane, 6> planes = clip_planes(dialect);
+  if (is_finite(chain.clip)) {
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      chain.planes[i] = test_plane(planes[i], chain.clip, chain.to_clip.bound);
+    }
+  }
+  decide(chain);
+  if (chain.fate == VertexFate::kNotFinite || chain.fate == VertexFate::kInEyePlane) return chain;
+
+  DivideStep& divided = chain.divide.emplace();
+  divided.ndc = divide(chain.clip);
+  divided.bound = divide_bound(chain.clip, chain.to_clip.bound);
+  divided.condition = divide_condition(chain.clip, chain.to_clip.magnitude);
+  ScreenStep& shown = chain.screen.emplace();
+  shown.screen = to_screen(divided.ndc, viewport);
+  shown.bound = screen_bound(divided.ndc.position, divided.bound.position, viewport);
+  shown.depth = window_depth(dialect, double(divided.ndc.position.z));
+  shown.snap_x = snap_stability(shown.screen.position.x, shown.bound.x);
+  shown.snap_y = snap_stability(shown.screen.position.y, shown.bound.y);
+  return chain;
+}
+
+}  // namespace glassbox

@@ -1,0 +1,78 @@
+// One vertex through every space, with nothing thrown away: each number with its bound, each decision with its distance.
+//
+// The matrices may be anything, so positions keep their w everywhere; the stages themselves (spaces.h, clip.h, divide.h,
+// viewport.h) do the arithmetic, in float.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include <glassbox/base/spaces.h>
+#include <glassbox/pipeline/api_dialects.h>
+#include <glassbox/pipeline/bounds.h>
+#include <glassbox/pipeline/clip.h>
+#include <glassbox/pipeline/stages.h>
+
+namespace glassbox {
+
+struct ChainMatrices {
+  Transform<World, Object, float> world_from_object;
+  Transform<Eye, World, float> eye_from_world;
+  Transform<Clip, Eye, float> clip_from_eye;
+  // How far each entry may be from what is meant, beyond these floats: 0 where they are what is meant.
+  glm::dmat4 world_from_object_bound{0}, eye_from_world_bound{0}, clip_from_eye_bound{0};
+};
+
+// after = matrix * before.
+struct TransformStep {
+  glm::mat4 matrix{1};
+  glm::vec4 before{0, 0, 0, 1}, after{0, 0, 0, 1};
+  glm::dvec4 bound{0};      // of `after`, since the object's coordinates, which count as exact
+  glm::dvec4 magnitude{0};  // |matrix| ... |matrices before|| |object|
+};
+
+// On which side of a clip plane the vertex is.
+struct PlaneStep {
+  ClipPlane plane;
+  double distance = 0;  // in clip units: negative outside
+  double bound = 0;     // of the distance
+  bool outside() const { return distance < 0; }
+  // Rounding might have decided it. A coordinate that lies exactly on the plane, without error, is sure.
+  bool sure() const { return distance < 0 ? -distance > bound : distance >= bound; }
+};
+
+enum class VertexFate { kVisible, kNotFinite, kInEyePlane, kBehindEye, kOutside };
+
+struct DivideStep {
+  NdcVertex ndc;
+  DivideBound bound;
+  glm::dvec3 condition{0};
+};
+
+struct ScreenStep {
+  ScreenVertex screen;
+  glm::dvec3 bound{0};  // pixels, pixels, depth of NDC
+  double depth = 0;     // as the depth buffer of the dialect holds it
+  SnapStability snap_x, snap_y;
+};
+
+struct VertexChain {
+  glm::vec4 object{0, 0, 0, 1};
+  TransformStep to_world, to_eye, to_clip;
+  Point<Clip> clip;     // to_clip.after
+  Point<Clip> at_once;  // by one matrix, composed in double and rounded once, as `render` does it
+  std::array<PlaneStep, 6> planes;
+  VertexFate fate = VertexFate::kVisible;
+  int deciding_plane =
+      -1;  // kOutside: the plane that it is furthest outside of, as seen after the divide
+  std::optional<DivideStep> divide;  // where w is finite and not 0, behind the eye too
+  std::optional<ScreenStep> screen;
+};
+
+VertexChain walk(const glm::vec4& object, const ChainMatrices& matrices, const ApiDialect& dialect,
+                 const Viewport& viewport);
+
+// Row times column from left to right, the order of transform_row; w is multiplied too, which changes no bit where it is 1.
+glm::vec4 apply(const glm::mat4& m, const glm::vec4& v);
+
+}  // namespace glassbox
