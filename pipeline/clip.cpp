@@ -58,7 +58,7 @@ ClipVertex crossing(const ClipPlane& plane, const ClipVertex& p, double p_distan
   return cut;
 }
 
-using Distances = std::array<double, kMaxClipVertices>;
+using Distances = decltype(ClipStep::distances);
 
 // In exact arithmetic the vertices outside a plane follow each other, because the polygon is convex and flat. Earlier
 // crossings were rounded, so a polygon that all but lies in the plane may dip through it twice. Then the deepest dip is
@@ -82,25 +82,31 @@ void append(ClipPolygon& polygon, const ClipVertex& vertex) {
   polygon.vertices[std::size_t(polygon.count++)] = vertex;
 }
 
-ClipPolygon clip_by_plane(const ClipPolygon& polygon, const ClipPlane& plane) {
-  Distances distances;
+// One plane's work on a polygon.
+ClipStep clip_by_plane(const ClipPolygon& polygon, const ClipPlane& plane) {
+  ClipStep step;
   bool any_outside = false;
   for (int i = 0; i < polygon.count; ++i) {
-    distances[std::size_t(i)] = signed_distance(plane, polygon.vertices[std::size_t(i)].position);
-    any_outside = any_outside || distances[std::size_t(i)] < 0;
+    double& distance = step.distances[std::size_t(i)];
+    distance = signed_distance(plane, polygon.vertices[std::size_t(i)].position);
+    any_outside = any_outside || distance < 0;
   }
-  if (!any_outside) return polygon;
-  keep_deepest_dip(distances, polygon.count);
-  ClipPolygon kept;
+  if (any_outside) keep_deepest_dip(step.distances, polygon.count);
+  const auto keep = [&step](const ClipVertex& vertex, int from, int to) {
+    step.sources[std::size_t(step.after.count)] = {from, to};
+    append(step.after, vertex);
+  };
   for (int i = 0; i < polygon.count; ++i) {
-    const std::size_t here = std::size_t(i), next = std::size_t((i + 1) % polygon.count);
-    const double d_here = distances[here], d_next = distances[next];
-    if (d_here >= 0) append(kept, polygon.vertices[here]);
+    const int j = (i + 1) % polygon.count;
+    const ClipVertex& here = polygon.vertices[std::size_t(i)];
+    const ClipVertex& next = polygon.vertices[std::size_t(j)];
+    const double d_here = step.distances[std::size_t(i)], d_next = step.distances[std::size_t(j)];
+    if (d_here >= 0) keep(here, i, i);
     if ((d_here > 0 && d_next < 0) || (d_here < 0 && d_next > 0)) {
-      append(kept, crossing(plane, polygon.vertices[here], d_here, polygon.vertices[next], d_next));
+      keep(crossing(plane, here, d_here, next, d_next), i, j);
     }
   }
-  return kept;
+  return step;
 }
 
 // Drops vertices at the position of the one before them, and polygons of less than a triangle.
@@ -226,14 +232,16 @@ ClipVerdict classify_box(const Box<Object>& box,
 }
 
 ClipPolygon clip_triangle(const std::array<ClipVertex, 3>& triangle,
-                          std::span<const ClipPlane> planes) {
+                          std::span<const ClipPlane> planes, std::vector<ClipStep>* steps) {
   ClipPolygon polygon;
   for (const ClipVertex& vertex : triangle) {
     if (!is_finite(vertex.position)) return {};
     append(polygon, vertex);
   }
   for (const ClipPlane& plane : planes) {
-    polygon = clip_by_plane(polygon, plane);
+    const ClipStep step = clip_by_plane(polygon, plane);
+    if (steps != nullptr) steps->push_back(step);
+    polygon = step.after;
     if (polygon.count == 0) return polygon;
   }
   return without_repetitions(polygon);

@@ -12,6 +12,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include <glassbox/base/box.h>
 #include <glassbox/base/spaces.h>
@@ -73,6 +74,14 @@ ClipVerdict classify_box(const Box<Object>& box,
                          const Transform<Clip, Object, float>& clip_from_object,
                          std::span<const ClipPlane> planes);
 
+// What one plane did to a polygon.
+struct ClipStep {
+  std::array<double, kMaxClipVertices> distances{};  // of the vertices that came; negative: outside
+  ClipPolygon after;
+  // Where each vertex of `after` comes from: {i, i}, vertex i as it came; {i, j}, the crossing of the edge from i to j.
+  std::array<std::array<int, 2>, kMaxClipVertices> sources{};
+};
+
 // The part of a triangle inside all planes (at most kMaxClipPlanes): a convex polygon of 3 .. 3 + planes vertices in the triangle's
 // order, beginning with its first corner that is kept; or none. A vertex exactly on a plane is inside and is not
 // repeated; vertices whose positions coincide after rounding are merged (C-35). Nothing is kept where less than a
@@ -82,8 +91,12 @@ ClipVerdict classify_box(const Box<Object>& box,
 // 0, z = w, x = -w, x = round(k w), ...), with none of them w is. Its other coordinates lie between those of its ends,
 // and whatever both ends satisfy of x <= w, -w <= x, 0 <= z and so on they satisfy too, since rounding is monotonic. For
 // finite input nothing becomes infinite or NaN.
+//
+// `steps`, unless null, is given what each plane did, until one leaves nothing. The last one's polygon may still repeat
+// positions.
 ClipPolygon clip_triangle(const std::array<ClipVertex, 3>& triangle,
-                          std::span<const ClipPlane> planes);
+                          std::span<const ClipPlane> planes,
+                          std::vector<ClipStep>* steps = nullptr);
 
 // A polygon is drawn as the triangles (0, i + 1, i + 2), i = 0 .. fan_size - 1.
 int fan_size(const ClipPolygon& polygon);

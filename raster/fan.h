@@ -1,6 +1,8 @@
 // From which vertex a clipped polygon is cut into triangles.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -32,6 +34,12 @@ inline int fan_apex(std::span<const SnappedVertex> polygon) {
     if (!(clockwise && counter_clockwise)) return apex;
   }
   return 0;
+}
+
+// Which vertices of a polygon of `count` make triangle i = 0 .. count - 3 of its fan.
+inline std::array<std::size_t, 3> fan_vertices(int apex, int count, int i) {
+  return {std::size_t(apex), std::size_t((apex + i + 1) % count),
+          std::size_t((apex + i + 2) % count)};
 }
 
 }  // namespace glassbox

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <glassbox/raster/blend.h>
 #include <glassbox/raster/coverage.h>
@@ -124,27 +125,40 @@ bool is_blended(const FragmentStage& stage) {
          stage.settings.show != Show::kNormal && stage.settings.show != Show::kUv;
 }
 
-// The way of a covered pixel through the last stages. `attributes` is asked for the varyings, `detail` for the level of
-// detail, only if they are needed.
-template <class Attributes, class Detail>
+// What a primitive brings for each of its fragments.
+struct Surface {
+  std::array<Varyings, 3> vertices;      // interpolated with Fragment::weights
+  std::optional<TexturePlanes> texture;  // of textured triangles
+};
+
+// Base-2 level of the mip chain that suits the fragment; 0 for lines and points.
+float detail_at(const FragmentStage& stage, const Surface& surface, const Varyings& at,
+                const Fragment& fragment) {
+  if (!surface.texture) return 0.0f;
+  const Image<Rgba8>& image = stage.draw.texture->levels.front();
+  return level_of_detail(texture_gradient(*surface.texture, at.texcoord, fragment.inverse_w),
+                         image.width, image.height);
+}
+
+// The way of a covered pixel through the last stages.
 Fate process(const FragmentStage& stage, const FragmentSource& source, const Fragment& fragment,
-             std::uint32_t id, const Attributes& attributes, const Detail& detail) {
+             std::uint32_t id, const Surface& surface) {
   ++stage.statistics.covered;
   const std::uint32_t code = depth_code(stage.settings.depth, fragment.depth);
   if (!passes_depth_test(stage, source, fragment, code)) {
     ++stage.statistics.depth_failed;
     return Fate::kHidden;
   }
-  const Varyings at = attributes();
-  Rgba surface = surface_color(stage, at, detail(at));
-  if (stage.observer != nullptr) stage.observer->textured(at, surface);
-  if (is_discarded(*stage.draw.material, surface)) {
+  const Varyings at = interpolate(surface.vertices, fragment.weights);
+  Rgba base = surface_color(stage, at, detail_at(stage, surface, at, fragment));
+  if (stage.observer != nullptr) stage.observer->textured(at, base);
+  if (is_discarded(*stage.draw.material, base)) {
     ++stage.statistics.discarded;
     return Fate::kDiscarded;
   }
   const std::size_t pixel = stage.target.color.index(fragment.x, fragment.y);
   const Rgba8 before = stage.target.color.pixels[pixel];
-  Rgba8 after = encoded(stage, at, surface, before);
+  Rgba8 after = encoded(stage, at, base, before);
   if (stage.observer != nullptr) stage.observer->encoded(fragment, before, after);
   const bool blended = is_blended(stage);
   if (blended) ++stage.statistics.blended;
@@ -152,52 +166,38 @@ Fate process(const FragmentStage& stage, const FragmentSource& source, const Fra
   return blended ? Fate::kBlended : Fate::kWritten;
 }
 
-template <class Attributes, class Detail>
 void process_observed(const FragmentStage& stage, const FragmentSource& source,
-                      const Fragment& fragment, std::uint32_t id, const Attributes& attributes,
-                      const Detail& detail) {
-  const Fate fate = process(stage, source, fragment, id, attributes, detail);
+                      const Fragment& fragment, std::uint32_t id, const Surface& surface) {
+  const Fate fate = process(stage, source, fragment, id, surface);
   if (stage.observer != nullptr) stage.observer->ended(source, fragment, fate);
 }
+
+constexpr FragmentSource kNoTriangle{0, 0, false};
 
 }  // namespace
 
 void rasterise(const FragmentStage& stage, const ReadyTriangle& triangle) {
-  TexturePlanes planes;
+  Surface surface{triangle.vertices, {}};
   if (stage.draw.texture != nullptr) {
-    planes = texture_planes(triangle.setup,
-                            {triangle.vertices[0].texcoord, triangle.vertices[1].texcoord,
-                             triangle.vertices[2].texcoord});
+    surface.texture = texture_planes(triangle.setup,
+                                     {triangle.vertices[0].texcoord, triangle.vertices[1].texcoord,
+                                      triangle.vertices[2].texcoord});
   }
   const FragmentSource source{triangle.number, triangle.piece, true};
   for_each_covered(triangle.setup, window_of(stage.target), [&](const Coverage& pixel) {
     Fragment fragment = interpolate(triangle.setup, pixel);
     if (stage.observer != nullptr) stage.observer->interpolated(source, pixel, fragment);
-    process_observed(
-        stage, source, fragment, triangle.number + 1,
-        [&] { return interpolate(triangle.vertices, fragment.weights); },
-        [&](const Varyings& at) {
-          if (stage.draw.texture == nullptr) return 0.0f;
-          const Image<Rgba8>& image = stage.draw.texture->levels.front();
-          return level_of_detail(texture_gradient(planes, at.texcoord, fragment.inverse_w),
-                                 image.width, image.height);
-        });
+    process_observed(stage, source, fragment, triangle.number + 1, surface);
   });
 }
 
 void rasterise(const FragmentStage& stage, const ReadyLine& line) {
-  const auto no_detail = [](const Varyings&) { return 0.0f; };
-  for_each_line_pixel(
-      snap(line.ends[0]), snap(line.ends[1]), window_of(stage.target), [&](const LinePixel& pixel) {
-        const Fragment fragment = interpolate(line.ends, pixel);
-        process_observed(
-            stage, {0, 0, false}, fragment, line.id,
-            [&] {
-              return interpolate({line.vertices[0], line.vertices[0], line.vertices[1]},
-                                 fragment.weights);
-            },
-            no_detail);
-      });
+  const Surface surface{{line.vertices[0], line.vertices[0], line.vertices[1]}, {}};
+  for_each_line_pixel(snap(line.ends[0]), snap(line.ends[1]), window_of(stage.target),
+                      [&](const LinePixel& pixel) {
+                        const Fragment fragment = interpolate(line.ends, pixel);
+                        process_observed(stage, kNoTriangle, fragment, line.id, surface);
+                      });
 }
 
 void rasterise(const FragmentStage& stage, const ReadyPoint& point) {
@@ -210,9 +210,8 @@ void rasterise(const FragmentStage& stage, const ReadyPoint& point) {
   fragment.y = pixel.y;
   fragment.depth = point.position.position.z;
   fragment.inverse_w = point.position.inverse_w;
-  process_observed(
-      stage, {0, 0, false}, fragment, 0, [&] { return point.vertex; },
-      [](const Varyings&) { return 0.0f; });
+  const Surface surface{{point.vertex, point.vertex, point.vertex}, {}};
+  process_observed(stage, kNoTriangle, fragment, 0, surface);
 }
 
 }  // namespace glassbox

@@ -25,7 +25,7 @@ std::array<float, 3> negated(const std::array<float, 3>& v) {
   return {-v[0], -v[1], -v[2]};
 }
 
-ScreenVertex to_screen(const PrimitiveStage& stage, const ClipVertex& vertex) {
+ScreenVertex vertex_on_screen(const PrimitiveStage& stage, const ClipVertex& vertex) {
   NdcVertex ndc = divide(vertex);
   if (stage.observer != nullptr) stage.observer->divided(vertex, ndc);
   ScreenVertex screen = to_screen(ndc, stage.view.viewport);
@@ -36,26 +36,20 @@ ScreenVertex to_screen(const PrimitiveStage& stage, const ClipVertex& vertex) {
 // A clipped polygon on the screen, cut into a fan of triangles.
 struct ScreenPolygon {
   std::array<ScreenVertex, kMaxClipVertices> vertices;
-  std::size_t count = 0;
-  std::size_t apex = 0;
-
-  // The vertices of triangle i = 0 .. count - 3.
-  std::array<std::size_t, 3> fan_triangle(int i) const {
-    return {apex, (apex + std::size_t(i) + 1) % count, (apex + std::size_t(i) + 2) % count};
-  }
+  int count = 0;
+  int apex = 0;
 };
 
-ScreenPolygon to_screen(const PrimitiveStage& stage, const ClipPolygon& polygon) {
+ScreenPolygon polygon_on_screen(const PrimitiveStage& stage, const ClipPolygon& polygon) {
   ScreenPolygon screen;
-  screen.count = std::size_t(polygon.count);
+  screen.count = polygon.count;
   std::array<SnappedVertex, kMaxClipVertices> snapped;
-  for (std::size_t k = 0; k < screen.count; ++k) {
-    screen.vertices[k] = to_screen(stage, polygon.vertices[k]);
+  const std::size_t count = std::size_t(polygon.count);
+  for (std::size_t k = 0; k < count; ++k) {
+    screen.vertices[k] = vertex_on_screen(stage, polygon.vertices[k]);
     snapped[k] = snap(screen.vertices[k]);
   }
-  if (screen.count > 3) {
-    screen.apex = std::size_t(fan_apex(std::span(snapped).first(screen.count)));
-  }
+  if (count > 3) screen.apex = fan_apex(std::span(snapped).first(count));
   return screen;
 }
 
@@ -230,7 +224,7 @@ void ready_segment(const PrimitiveStage& stage, const std::array<ClipVertex, 2>&
                    std::vector<ReadyLine>& lines) {
   const std::optional<std::array<ClipVertex, 2>> kept = clip_segment(ends, stage.planes);
   if (!kept) return;
-  lines.push_back({{to_screen(stage, (*kept)[0]), to_screen(stage, (*kept)[1])},
+  lines.push_back({{vertex_on_screen(stage, (*kept)[0]), vertex_on_screen(stage, (*kept)[1])},
                    {weigh(corners, (*kept)[0].weights), weigh(corners, (*kept)[1].weights)},
                    id});
 }
@@ -248,14 +242,14 @@ void ready_triangle(const PrimitiveStage& stage, const Triangle& triangle,
   const std::array<ClipVertex, 3> corners = clip_vertices(stage, triangle);
   ClipPolygon polygon = clip_to_view(stage, corners);
   if (stage.observer != nullptr) stage.observer->clipped(stage, triangle, corners, polygon);
-  const ScreenPolygon screen = to_screen(stage, polygon);
+  const ScreenPolygon screen = polygon_on_screen(stage, polygon);
   const std::uint32_t number = stage.draw.first_number + triangle.number;
 
   // Gathered when the first piece turns out to be visible.
   std::optional<std::array<Varyings, 3>> attributes;
 
   for (int i = 0; i < fan_size(polygon); ++i) {
-    const std::array<std::size_t, 3> piece = screen.fan_triangle(i);
+    const std::array<std::size_t, 3> piece = fan_vertices(screen.apex, screen.count, i);
     const std::optional<Visible> visible = setup_visible(stage, screen, i, piece);
     if (!visible) continue;
     if (!attributes) attributes = triangle_attributes(stage, triangle, visible->front);
@@ -294,7 +288,7 @@ void ready_point(const PrimitiveStage& stage, const Corner& point,
   ClipVertex vertex;
   vertex.position = stage.tables.clip[point.position];
   if (!clip_point(vertex.position, stage.planes)) return;
-  points.push_back({to_screen(stage, vertex), corner_attributes(stage, point)});
+  points.push_back({vertex_on_screen(stage, vertex), corner_attributes(stage, point)});
 }
 
 }  // namespace glassbox
