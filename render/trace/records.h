@@ -9,8 +9,10 @@
 #include <glassbox/base/spaces.h>
 #include <glassbox/pipeline/clip.h>
 #include <glassbox/pipeline/stages.h>
+#include <glassbox/pipeline/view.h>
 #include <glassbox/raster/stages.h>
 #include <glassbox/render/observer.h>
+#include <glassbox/render/settings.h>
 
 namespace glassbox {
 
@@ -20,7 +22,8 @@ namespace glassbox {
 struct TracedDraw {
   std::uint32_t instance = 0;      // index into Scene::instances
   std::uint32_t first_number = 0;  // of its first triangle, in the whole scene
-  Vector<Object> anchor;           // subtracted from positions first, exactly
+  Transform<World, Object> world_from_object;
+  Vector<Object> anchor;  // subtracted from positions first, exactly
   Transform<Clip, Object, float> clip_from_anchored;
   Transform<Eye, Object, float> eye_from_anchored;
   bool mirrored = false;  // front faces run clockwise
@@ -44,10 +47,12 @@ struct TracedVertex {
   ClipVertex clip;
   NdcVertex ndc;
   ScreenVertex screen;
+  SnappedVertex snapped;
 };
 
 // One triangle of the fan that the clipped polygon is cut into.
 struct TracedPiece {
+  std::array<std::size_t, 3> polygon{};  // which of the polygon's vertices
   std::array<ScreenVertex, 3> vertices;
   std::optional<TriangleSetup> setup;  // none: no area after snapping
   bool front = false;                  // where it is set up
@@ -59,9 +64,22 @@ struct TracedTriangle {
   std::uint32_t instance = 0;  // index into Scene::instances
   std::uint32_t face = 0;      // index into Mesh::faces
   std::array<TracedCorner, 3> corners;
+  // What each of Trace::planes did, in order, until nothing was left. Empty where none of them had anything to do: all
+  // corners inside, or all outside one plane.
+  std::vector<ClipStep> clipping;
   std::vector<TracedVertex> polygon;  // after clipping; empty: nothing was left
   std::vector<TracedPiece> pieces;
 };
+
+// The corners as they come to the clipper.
+inline std::array<ClipVertex, 3> clip_vertices(const TracedTriangle& triangle) {
+  std::array<ClipVertex, 3> vertices;
+  for (std::size_t k = 0; k < 3; ++k) {
+    vertices[k].position = triangle.corners[k].clip;
+    vertices[k].weights[k] = 1.0;
+  }
+  return vertices;
+}
 
 // ---- fragments ----
 
@@ -84,6 +102,8 @@ struct TracedFragment {
 // ---- the whole ----
 
 struct Trace {
+  View view;
+  RenderSettings settings;
   std::vector<ClipPlane> planes;  // what the run clipped by
   std::vector<TracedDraw> draws;  // in drawing order; all of them, whatever the filter
   std::vector<TracedTriangle> triangles;

@@ -2,8 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
 #include <utility>
 
+#include <glassbox/pipeline/divide.h>
+#include <glassbox/pipeline/viewport.h>
+#include <glassbox/raster/fan.h>
+#include <glassbox/raster/snap.h>
 #include <glassbox/raster/triangle_setup.h>
 #include <glassbox/render/draw_list.h>
 #include <glassbox/render/primitives.h>
@@ -19,41 +25,55 @@ bool contains(const PixelRect& rect, int x, int y) {
   return x >= rect.x0 && x < rect.x1 && y >= rect.y0 && y < rect.y1;
 }
 
-// The pixels that the box of a piece reaches into, whether or not it covers their centres.
-PixelRect pixels_touched(const std::array<ScreenVertex, 3>& vertices) {
-  const auto [left, right] =
-      std::minmax({vertices[0].position.x, vertices[1].position.x, vertices[2].position.x});
-  const auto [top, bottom] =
-      std::minmax({vertices[0].position.y, vertices[1].position.y, vertices[2].position.y});
-  // The guard band keeps positions well inside of int.
-  return {int(std::floor(left)), int(std::floor(top)), int(std::floor(right)) + 1,
-          int(std::floor(bottom)) + 1};
+// The pixels that the box of some points of the screen reaches into, whether or not it covers their centres.
+template <class Vertices>
+PixelRect pixels_touched(const Vertices& vertices) {
+  PixelRect box{std::numeric_limits<int>::max(), std::numeric_limits<int>::max(),
+                std::numeric_limits<int>::min(), std::numeric_limits<int>::min()};
+  for (const ScreenVertex& vertex : vertices) {
+    // The guard band keeps positions well inside of int.
+    const int x = int(std::floor(vertex.position.x)), y = int(std::floor(vertex.position.y));
+    box = {std::min(box.x0, x), std::min(box.y0, y), std::max(box.x1, x + 1),
+           std::max(box.y1, y + 1)};
+  }
+  return box;
 }
 
 class Tracer : public Observer {
 public:
-  Tracer(const Scene& scene, const View& view, const TraceFilter& filter)
+  Tracer(const Scene& scene, const View& view, const RenderSettings& settings,
+         const TraceFilter& filter)
       : scene_(scene), view_(view), filter_(filter) {
-    const auto planes = render_planes(view);
-    trace_.planes.assign(planes.begin(), planes.end());
+    trace_.view = view;
+    trace_.settings = settings;
+    for (const ClipPlane& plane : render_planes(view)) {
+      trace_.planes.push_back(plane);
+      const bool bounds_depth = plane.c != 0;
+      if (!bounds_depth) side_planes_.push_back(plane);
+    }
   }
 
   Trace take() { return std::move(trace_); }
 
   void draw(const Draw& draw) override {
     draw_ = &draw;
-    trace_.draws.push_back({draw.instance, draw.first_number, draw.anchor, draw.clip_from_anchored,
-                            draw.eye_from_anchored, draw.mirrored});
+    trace_.draws.push_back({draw.instance, draw.first_number,
+                            scene_.nodes[scene_.instances[draw.instance].node].world_from_node,
+                            draw.anchor, draw.clip_from_anchored, draw.eye_from_anchored,
+                            draw.mirrored});
     draw_wanted_ = !filter_.instance || *filter_.instance == draw.instance;
   }
 
   // ---- triangles ----
 
   void clipped(const PrimitiveStage&, const Triangle& triangle,
-               const std::array<ClipVertex, 3>& corners, ClipPolygon&) override {
+               const std::array<ClipVertex, 3>& corners, ClipPolygon& polygon) override {
     const std::uint32_t number = draw_->first_number + triangle.number;
     watching_ = filter_.triangles && is_wanted(number);
     if (!watching_) return;
+    was_cut_ = polygon.count != 3 || polygon.vertices[0].position != corners[0].position ||
+               polygon.vertices[1].position != corners[1].position ||
+               polygon.vertices[2].position != corners[2].position;
     current_.number = number;
     current_.instance = draw_->instance;
     current_.face = triangle.face;
@@ -61,12 +81,13 @@ public:
       current_.corners[k].corner = triangle.corners[k];
       current_.corners[k].clip = corners[k].position;
     }
+    current_.clipping.clear();
     current_.polygon.clear();
     current_.pieces.clear();
   }
 
   void divided(const ClipVertex& clip, NdcVertex& ndc) override {
-    if (watching_) current_.polygon.push_back({clip, ndc, {}});
+    if (watching_) current_.polygon.push_back({clip, ndc, {}, {}});
   }
 
   void placed(const NdcVertex&, ScreenVertex& screen) override {
@@ -75,7 +96,7 @@ public:
 
   void set_up(std::uint32_t, const std::array<ScreenVertex, 3>& vertices,
               std::optional<TriangleSetup>& setup) override {
-    if (watching_) current_.pieces.push_back({vertices, setup});
+    if (watching_) current_.pieces.push_back({{}, vertices, setup});
   }
 
   void faced(const TriangleSetup&, bool front, bool& culled) override {
@@ -87,12 +108,12 @@ public:
   void prepared(const Triangle&) override {
     if (!watching_ || !reaches_wanted_pixels()) return;
     watching_ = false;
+    complete_current();
     const std::uint64_t bytes = sizeof(TracedTriangle) +
+                                current_.clipping.size() * sizeof(ClipStep) +
                                 current_.polygon.size() * sizeof(TracedVertex) +
                                 current_.pieces.size() * sizeof(TracedPiece);
-    if (!has_room(bytes)) return;
-    for (TracedCorner& corner : current_.corners) place(corner);
-    trace_.triangles.push_back(current_);
+    if (has_room(bytes)) trace_.triangles.push_back(current_);
   }
 
   // ---- fragments ----
@@ -149,11 +170,27 @@ private:
 
   bool reaches_wanted_pixels() const {
     if (!filter_.pixels) return true;
-    if (current_.pieces.empty()) return filter_.triangle.has_value();
+    if (was_cut_) return would_reach_wanted_pixels();
     return std::any_of(current_.pieces.begin(), current_.pieces.end(),
                        [this](const TracedPiece& piece) {
                          return overlap(pixels_touched(piece.vertices), *filter_.pixels);
                        });
+  }
+
+  // The same for the triangle as it would be without the near and the far plane.
+  bool would_reach_wanted_pixels() const {
+    std::array<Outcode, 3> codes;
+    for (std::size_t k = 0; k < 3; ++k) {
+      codes[k] = outcode(current_.corners[k].clip, side_planes_);
+    }
+    if (trivial_verdict(codes) == ClipVerdict::kReject) return false;
+    const ClipPolygon polygon = clip_triangle(clip_vertices(current_), side_planes_);
+    std::vector<ScreenVertex> vertices;
+    for (int i = 0; i < polygon.count; ++i) {
+      const NdcVertex ndc = divide(polygon.vertices[std::size_t(i)]);
+      vertices.push_back(to_screen(ndc, view_.viewport));
+    }
+    return !vertices.empty() && overlap(pixels_touched(vertices), *filter_.pixels);
   }
 
   bool has_room(std::uint64_t bytes) {
@@ -163,13 +200,34 @@ private:
     return true;
   }
 
+  // What the run does not need to know, or does not tell.
+  void complete_current() {
+    std::array<Outcode, 3> codes;
+    for (std::size_t k = 0; k < 3; ++k) {
+      place(current_.corners[k]);
+      codes[k] = current_.corners[k].outcode;
+    }
+    if (trivial_verdict(codes) == ClipVerdict::kClip) {
+      clip_triangle(clip_vertices(current_), trace_.planes, &current_.clipping);
+    }
+    std::array<SnappedVertex, kMaxClipVertices> snapped;
+    for (std::size_t i = 0; i < current_.polygon.size(); ++i) {
+      snapped[i] = snap(current_.polygon[i].screen);
+      current_.polygon[i].snapped = snapped[i];
+    }
+    const int count = int(current_.polygon.size());
+    const int apex = fan_apex(std::span(snapped).first(std::size_t(count)));
+    for (std::size_t i = 0; i < current_.pieces.size(); ++i) {
+      current_.pieces[i].polygon = fan_vertices(count > 3 ? apex : 0, count, int(i));
+    }
+  }
+
   // Where the corner is in the spaces that the run does not visit.
   void place(TracedCorner& corner) const {
     corner.position = draw_->mesh->corners[corner.corner].position;
     corner.object = draw_->mesh->positions[corner.position];
-    const Instance& instance = scene_.instances[draw_->instance];
     const Point<Object, double> object{corner.object.x, corner.object.y, corner.object.z};
-    corner.world = scene_.nodes[instance.node].world_from_node * object;
+    corner.world = trace_.draws.back().world_from_object * object;
     corner.eye = view_.eye_from_world * corner.world;
     corner.outcode = outcode(corner.clip, trace_.planes);
   }
@@ -181,9 +239,11 @@ private:
   std::uint64_t bytes_ = 0;
   const Draw* draw_ = nullptr;
   bool draw_wanted_ = true;
-  bool watching_ = false;   // the current triangle
-  TracedTriangle current_;  // reused, so that what is not kept costs no allocation
-  bool tracing_ = false;    // the current fragment
+  std::vector<ClipPlane> side_planes_;  // all but near and far
+  bool watching_ = false;               // the current triangle
+  bool was_cut_ = false;                // it is not what it was before clipping
+  TracedTriangle current_;              // reused, so that what is not kept costs no allocation
+  bool tracing_ = false;                // the current fragment
   Coverage coverage_;
 };
 
@@ -191,7 +251,7 @@ private:
 
 TracedRun trace(const Scene& scene, const View& view, const RenderSettings& settings,
                 const TraceFilter& filter) {
-  Tracer tracer(scene, view, filter);
+  Tracer tracer(scene, view, settings, filter);
   TracedRun run;
   run.rendering = render_staged(scene, view, settings, &tracer);
   run.trace = tracer.take();

@@ -14,8 +14,8 @@ namespace glassbox {
 struct TraceFilter {
   std::optional<std::uint32_t> instance;  // index into Scene::instances
   std::optional<std::uint32_t> triangle;  // number in the whole scene
-  // Fragments of these pixels, and triangles with a piece whose box on the screen reaches into them. Triangles of which
-  // clipping left nothing are kept only if they are asked for by number.
+  // Fragments of these pixels, and triangles whose box on the screen reaches into them, or would if they had not been
+  // clipped at the near and far planes.
   std::optional<PixelRect> pixels;
   bool triangles = true;
   bool fragments = true;

@@ -1,0 +1,198 @@
+#include <glassbox/render/trace/bounds.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <glassbox/base/rounding.h>
+#include <glassbox/pipeline/affine.h>
+#include <glassbox/raster/snap.h>
+
+namespace glassbox {
+namespace {
+
+constexpr double kRoundUp = 1 + 0x1p-40;
+
+// Bound 1 for a matrix with last row 0 0 0 1 in double.
+glm::dvec3 affine_bound(const glm::dmat4& m, const glm::dvec3& point,
+                        const glm::dvec3& point_bound) {
+  const glm::dvec3 size(magnitude(m, glm::dvec4(point, 1)));
+  const glm::dvec3 inherited(magnitude(m, glm::dvec4(point_bound, 0)));
+  return (gamma<double>(4) * size + inherited) * kRoundUp;
+}
+
+glm::vec4 anchored(const TracedCorner& corner, const TracedDraw& draw) {
+  return {corner.object.x - draw.anchor.x, corner.object.y - draw.anchor.y,
+          corner.object.z - draw.anchor.z, 1.0f};
+}
+
+// What the subtraction of the anchor lost: nothing, if the anchor is well chosen.
+glm::dvec4 anchoring_bound(const TracedCorner& corner, const TracedDraw& draw) {
+  const glm::vec4 rounded = anchored(corner, draw);
+  return {std::abs(double(corner.object.x) - double(draw.anchor.x) - double(rounded.x)),
+          std::abs(double(corner.object.y) - double(draw.anchor.y) - double(rounded.y)),
+          std::abs(double(corner.object.z) - double(draw.anchor.z) - double(rounded.z)), 0};
+}
+
+CornerBounds corner_bounds(const Trace& trace, const TracedCorner& corner, const TracedDraw& draw,
+                           const DrawBounds& draw_bounds) {
+  const glm::dmat4 world = draw.world_from_object.columns;
+  const glm::dmat4 eye = trace.view.eye_from_world.columns;
+  CornerBounds bounds;
+  bounds.world = affine_bound(world, glm::dvec3(to_glm(corner.object)), glm::dvec3(0));
+  bounds.eye = affine_bound(eye, to_glm(corner.world), bounds.world);
+  const glm::mat4 clip = draw.clip_from_anchored.columns;
+  const glm::vec4 x = anchored(corner, draw);
+  bounds.clip =
+      transform_bound(clip, x, anchoring_bound(corner, draw), draw_bounds.clip_from_anchored);
+  bounds.clip_magnitude = magnitude(clip, x);
+  return bounds;
+}
+
+// ---- the clipped polygon ----
+
+std::vector<ClipVertexBound> corners_in_clip(const std::array<CornerBounds, 3>& corners) {
+  std::vector<ClipVertexBound> bounds;
+  for (const CornerBounds& corner : corners) bounds.push_back({corner.clip, glm::dvec3(0)});
+  return bounds;
+}
+
+std::vector<ClipVertexBound> after_step(const ClipPlane& plane, const ClipPolygon& before,
+                                        const std::vector<ClipVertexBound>& bounds,
+                                        const ClipStep& step) {
+  std::vector<ClipVertexBound> after;
+  for (int i = 0; i < step.after.count; ++i) {
+    const std::size_t from = std::size_t(step.sources[std::size_t(i)][0]);
+    const std::size_t to = std::size_t(step.sources[std::size_t(i)][1]);
+    after.push_back(from == to
+                        ? bounds[from]
+                        : crossing_bound(plane, before.vertices[from], bounds[from],
+                                         step.distances[from], before.vertices[to], bounds[to],
+                                         step.distances[to], step.after.vertices[std::size_t(i)]));
+  }
+  return after;
+}
+
+// The polygon that is left has the vertices of the last step, in order, without repetitions.
+std::vector<ClipVertexBound> without_repetitions(const std::vector<TracedVertex>& polygon,
+                                                 const ClipPolygon& last,
+                                                 const std::vector<ClipVertexBound>& bounds) {
+  std::vector<ClipVertexBound> kept;
+  int i = 0;
+  for (const TracedVertex& vertex : polygon) {
+    while (i < last.count && last.vertices[std::size_t(i)].position != vertex.clip.position) ++i;
+    if (i == last.count) break;  // an observer has replaced the clipper
+    kept.push_back(bounds[std::size_t(i++)]);
+  }
+  kept.resize(polygon.size());
+  return kept;
+}
+
+std::vector<ClipVertexBound> polygon_in_clip(const Trace& trace, const TracedTriangle& triangle,
+                                             const std::array<CornerBounds, 3>& corners) {
+  std::vector<ClipVertexBound> bounds = corners_in_clip(corners);
+  const std::array<ClipVertex, 3> whole = clip_vertices(triangle);
+  ClipPolygon polygon{{whole[0], whole[1], whole[2]}, 3};
+  for (std::size_t i = 0; i < triangle.clipping.size(); ++i) {
+    bounds = after_step(trace.planes[i], polygon, bounds, triangle.clipping[i]);
+    polygon = triangle.clipping[i].after;
+  }
+  return without_repetitions(triangle.polygon, polygon, bounds);
+}
+
+// ---- on the screen ----
+
+VertexBounds vertex_bounds(const Trace& trace, const TracedVertex& vertex,
+                           const ClipVertexBound& clip) {
+  VertexBounds bounds;
+  bounds.clip = clip;
+  bounds.ndc = divide_bound(vertex.clip.position, clip.position);
+  bounds.screen = screen_bound(vertex.ndc.position, bounds.ndc.position, trace.view.viewport);
+  bounds.snap_x = snap_stability(vertex.screen.position.x, bounds.screen.x);
+  bounds.snap_y = snap_stability(vertex.screen.position.y, bounds.screen.y);
+  return bounds;
+}
+
+double largest_displacement(const TracedPiece& piece, const std::vector<VertexBounds>& polygon) {
+  constexpr double kSnap = 0.5 / kSubpixels;
+  double largest = 0;
+  for (const std::size_t k : piece.polygon) {
+    largest = std::max({largest, polygon[k].screen.x, polygon[k].screen.y});
+  }
+  return largest + kSnap;
+}
+
+// The condition of the divide, known for the triangle's own corners.
+void add_conditions(const TracedTriangle& triangle, TriangleBounds& bounds) {
+  for (std::size_t i = 0; i < triangle.polygon.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (triangle.polygon[i].clip.weights[k] != 1) continue;
+      bounds.polygon[i].condition =
+          divide_condition(triangle.polygon[i].clip.position, bounds.corners[k].clip_magnitude);
+    }
+  }
+}
+
+}  // namespace
+
+DrawBounds bounds_of(const TracedDraw& draw, const View& view) {
+  // The products of make_draw (draw_list.cpp), in its order.
+  const Transform<Eye, Object> eye_from_object = view.eye_from_world * draw.world_from_object;
+  const Vector<Object, double> anchor{draw.anchor.x, draw.anchor.y, draw.anchor.z};
+  const glm::dmat4 from_anchored = translate<Object, Object>(anchor).columns;
+  const glm::dmat4 eye = eye_from_object.columns * from_anchored;
+  const glm::dmat4 clip = view.clip_from_eye.columns * eye;
+  const glm::dmat4 eye_bound =
+      product_bound(eye_from_object.columns, from_anchored,
+                    product_bound(view.eye_from_world.columns, draw.world_from_object.columns));
+  DrawBounds bounds;
+  bounds.eye_from_anchored = eye_bound + rounding_bound(eye);
+  bounds.clip_from_anchored =
+      product_bound(view.clip_from_eye.columns, eye, glm::dmat4(0), eye_bound) +
+      rounding_bound(clip);
+  bounds.viewer = viewer_in_object_space(eye_from_object, view.perspective);
+  return bounds;
+}
+
+TriangleBounds bounds_of(const Trace& trace, const TracedTriangle& triangle, const TracedDraw& draw,
+                         const DrawBounds& draw_bounds) {
+  TriangleBounds bounds;
+  std::array<Point<Object>, 3> corners;
+  for (std::size_t k = 0; k < 3; ++k) {
+    bounds.corners[k] = corner_bounds(trace, triangle.corners[k], draw, draw_bounds);
+    corners[k] = triangle.corners[k].object;
+  }
+  const std::vector<ClipVertexBound> clip = polygon_in_clip(trace, triangle, bounds.corners);
+  for (std::size_t i = 0; i < triangle.polygon.size(); ++i) {
+    bounds.polygon.push_back(vertex_bounds(trace, triangle.polygon[i], clip[i]));
+  }
+  add_conditions(triangle, bounds);
+  for (const TracedPiece& piece : triangle.pieces) {
+    bounds.double_area.push_back(
+        area_bound(piece.vertices, largest_displacement(piece, bounds.polygon)));
+  }
+  if (draw_bounds.viewer) bounds.back_face = test_back_face(corners, *draw_bounds.viewer);
+  return bounds;
+}
+
+std::array<PlaneDistance, kMaxClipPlanes> plane_distances(const Trace& trace,
+                                                          const TracedCorner& corner,
+                                                          const CornerBounds& bounds) {
+  std::array<PlaneDistance, kMaxClipPlanes> distances;
+  for (std::size_t i = 0; i < trace.planes.size(); ++i) {
+    distances[i] = {signed_distance(trace.planes[i], corner.clip),
+                    distance_bound(trace.planes[i], bounds.clip)};
+  }
+  return distances;
+}
+
+SetupBounds setup_bounds(const TracedPiece& piece, const TriangleBounds& bounds) {
+  SetupBounds setup;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const VertexBounds& vertex = bounds.polygon[piece.polygon[std::size_t(piece.setup->order[k])]];
+    setup.depth[k] = vertex.screen.z;
+    setup.inverse_w[k] = vertex.ndc.inverse_w;
+  }
+  return setup;
+}
+
+}  // namespace glassbox
