@@ -12,13 +12,14 @@
 
 #include <glassbox/images/atomic_file.h>
 #include <glassbox/images/compare/heat_map.h>
+#include <glassbox/images/html/blob.h>
 #include <glassbox/images/out_of_memory.h>
 #include <glassbox/images/recipe.h>
 #include <glassbox/images/report/json.h>
 #include <glassbox/images/report/page_blob.h>
 #include <glassbox/images/stored_image.h>
 
-#include "page_parts.h"  // made by page/embed.cmake
+#include "page_parts.h"  // made by html/embed.cmake
 
 namespace glassbox {
 namespace {
@@ -162,8 +163,7 @@ private:
     const auto blob = encode_blob(image, tiles);
     if (!blob) return tl::unexpected(blob.error());
     const std::string id = fmt::format("blob-{}", blob_count_++);
-    blobs_ += fmt::format("<script type=\"application/octet-stream\" id=\"{}\">", id) + *blob +
-              "</script>\n";
+    blobs_ += data_block(id, *blob);
     Json json{{"width", image.width},
               {"height", image.height},
               {"channels", image.channels},
@@ -187,33 +187,6 @@ Json colour_names() {
   return names;
 }
 
-// JSON that can stand in a script element: ASCII, and without "<", which only strings have. Bytes that are not UTF-8
-// become U+FFFD.
-std::string script_text(const Json& json) {
-  const std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
-  std::string safe;
-  safe.reserve(text.size());
-  for (const char c : text) safe += c == '<' ? std::string("\\u003c") : std::string(1, c);
-  return safe;
-}
-
-void replace(std::string& text, std::string_view mark, std::string_view value) {
-  const std::size_t at = text.find(mark);
-  text.replace(at, mark.size(), value);
-}
-
-std::string assemble(const Json& manifest, const std::string& blobs) {
-  std::string page(kPageHtml);
-  replace(page, "{STYLE_HASH}", kPageStyleHash);
-  replace(page, "{SCRIPT_HASH}", kPageScriptHash);
-  replace(page, "{STYLE}", kPageStyle);
-  replace(page, "{SCRIPT}", kPageScript);
-  replace(page, "{DATA}",
-          "<script type=\"application/json\" id=\"manifest\">" + script_text(manifest) +
-              "</script>\n" + blobs);
-  return page;
-}
-
 Result<std::string> make_page(std::span<const Comparison> comparisons, const PageOptions& options) {
   PageWriter writer(options);
   Json manifest{{"title", options.title},     {"program", options.program},
@@ -231,7 +204,8 @@ Result<std::string> make_page(std::span<const Comparison> comparisons, const Pag
     }
     manifest["pairs"].push_back(std::move(pair));
   }
-  return assemble(manifest, writer.blobs());
+  return assemble_page(kPageHtml, kPageStyle, kPageScript, kPageStyleHash, kPageScriptHash,
+                       json_block("manifest", manifest) + writer.blobs());
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include <zlib.h>
+#include <glassbox/images/html/blob.h>
 
 namespace glassbox {
 namespace {
@@ -31,31 +31,6 @@ void append_row_differences(Bytes& out, const StoredImage& image, const PixelBox
   }
 }
 
-Result<Bytes> deflated(const Bytes& bytes) {
-  uLongf size = compressBound(uLong(bytes.size()));
-  Bytes out(size);
-  // Level 4: on renders at most a tenth larger than the usual 6, in a quarter of the time.
-  if (compress2(out.data(), &size, bytes.data(), uLong(bytes.size()), 4) != Z_OK) {
-    return fail("", "zlib could not compress a picture", "free some memory");
-  }
-  out.resize(size);
-  return out;
-}
-
-std::string base64(const Bytes& bytes) {
-  constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t j = 0; j < 3; ++j)
-      group = group << 8 | (i + j < bytes.size() ? bytes[i + j] : 0u);
-    for (int shift = 18; shift >= 0; shift -= 6) text += kDigits[group >> shift & 63];
-  }
-  for (std::size_t i = 0; i < (3 - bytes.size() % 3) % 3; ++i) text[text.size() - 1 - i] = '=';
-  return text;
-}
-
 }  // namespace
 
 std::size_t sample_bytes(const StoredImage& image) {
@@ -68,9 +43,7 @@ Result<std::string> encode_blob(const StoredImage& image, std::span<const PixelB
   Bytes bytes;
   bytes.reserve(pixels * std::size_t(image.channels) * sample_bytes(image));
   for (const PixelBox& box : boxes) append_row_differences(bytes, image, box);
-  const auto packed = deflated(bytes);
-  if (!packed) return tl::unexpected(packed.error());
-  return base64(*packed);
+  return packed_text(bytes);
 }
 
 }  // namespace glassbox

@@ -2,18 +2,6 @@
 
 const sampleTypes = {u8: Uint8Array, u16: Uint16Array, f32: Float32Array};
 
-function bytesOfBase64(text) {
-  const binary = atob(text);
-  const bytes = new Uint8Array(binary.length);
-  for (let i = 0; i < bytes.length; i++) bytes[i] = binary.charCodeAt(i);
-  return bytes;
-}
-
-async function inflate(bytes) {
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
-}
-
 // Every row but the first is stored as its difference from the row above, byte by byte.
 function undoRowDifferences(bytes, stride) {
   for (let i = stride; i < bytes.length; i++) bytes[i] += bytes[i - stride];
@@ -43,16 +31,6 @@ function samplesAt(picture, x, y) {
     return tile.samples.subarray(start, start + picture.channels);
   }
   return null;
-}
-
-// The shortest decimal that reads back as the same 32-bit float.
-function floatText(value) {
-  if (Number.isNaN(value)) return "NaN";
-  if (!Number.isFinite(value)) return value > 0 ? "+∞" : "−∞";
-  if (Object.is(value, -0)) return "−0";
-  let digits = 1;
-  while (Math.fround(Number(value.toPrecision(digits))) !== value) digits++;
-  return String(Number(value.toPrecision(digits))).replace("-", "−");
 }
 
 const sampleText = (picture, value) => (picture.type === "f32" ? floatText(value) : String(value));

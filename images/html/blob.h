@@ -1,0 +1,30 @@
+// Data in an HTML page: bytes as text, and JSON that can stand in a script element.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+#include <glassbox/base/error.h>
+
+namespace glassbox {
+
+// One zlib stream in base64. html/inflate.js is the way back.
+Result<std::string> packed_text(std::span<const std::uint8_t> bytes);
+
+// <script type="application/octet-stream" id=ID>TEXT</script> and a line's end.
+std::string data_block(std::string_view id, std::string_view text);
+
+// <script type="application/json" id=ID> with JSON in ASCII and without "<", which only strings have. Bytes that are not
+// UTF-8 become U+FFFD.
+std::string json_block(std::string_view id, const nlohmann::ordered_json& json);
+
+// A page made of the parts that html/embed.cmake embeds: {STYLE}, {SCRIPT}, their hashes and {DATA} filled in.
+std::string assemble_page(std::string_view html, std::string_view style,
+                          std::span<const std::string_view> script, std::string_view style_hash,
+                          std::string_view script_hash, std::string_view data);
+
+}  // namespace glassbox
