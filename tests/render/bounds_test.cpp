@@ -1,0 +1,399 @@
+// The bounds of a trace against arithmetic of 320 bits: every error within its bound, and no bound more than 100 times the
+// worst error that was seen. 10^6 vertices altogether, from object space to the screen, and the fragments of their triangles;
+// the ratios are printed.
+#include <glassbox/render/trace/bounds.h>
+
+#include <algorithm>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include <glassbox/pipeline/affine.h>
+#include <glassbox/pipeline/look_at.h>
+#include <glassbox/render/trace/tracer.h>
+
+#include "tests/render/scenes.h"
+#include "tests/support/catch.h"
+#include "tests/support/random.h"
+
+namespace glassbox {
+namespace {
+
+namespace mp = boost::multiprecision;
+// Products of four doubles and sums of some are exact in it, or as good as that: what it rounds is 2^-250 of any bound.
+using Big = mp::number<mp::cpp_bin_float<320, mp::digit_base_2>, mp::et_off>;
+
+using test::Random;
+
+// The largest error in units of its bound. A bound of 0 admits no error.
+class Worst {
+public:
+  explicit Worst(const char* name) : name_(name) {}
+  void see(const Big& error, double bound) {
+    ++count_;
+    if (!std::isfinite(bound)) {
+      ++unbounded_;
+      return;
+    }
+    const double size = double(mp::abs(error));
+    // The error itself is rounded to double, by 2^-53 of its size; and the oracle, to 2^-320 of numbers below 2^40.
+    if (!(size <= bound * (1 + 0x1p-50) + 0x1p-250)) ++broken_;
+    if (bound > 0) ratio_ = std::max(ratio_, size / bound);
+  }
+  // Bounds that are never met by a hundredth say nothing.
+  void check() const {
+    std::printf("  %-36s %8d numbers, %5d without bound, largest error / bound = %.3f\n", name_,
+                count_, unbounded_, ratio_);
+    CAPTURE(name_, count_, broken_, ratio_);
+    CHECK(count_ > 500);
+    CHECK(broken_ == 0);
+    CHECK(ratio_ >= 0.01);
+    CHECK(unbounded_ < count_ / 100);
+  }
+
+private:
+  const char* name_;
+  int count_ = 0, broken_ = 0, unbounded_ = 0;
+  double ratio_ = 0;
+};
+
+struct Ratios {
+  Worst world{"world, in double"}, eye{"eye, in double"}, clip{"clip, of corners"},
+      crossing{"clip, of crossings"}, weights{"weights of crossings"}, ndc{"NDC"}, inverse_w{"1/w"},
+      screen{"screen x, y"}, area{"twice the area, after the snap"}, lambda{"lambda"},
+      depth{"depth"}, fragment_inverse_w{"1/w of fragments"},
+      fragment_weights{"weights of fragments"}, distance{"distance along the gaze"},
+      texcoord{"texture coordinates"};
+  int wrongly_stable = 0;
+
+  void check() const {
+    for (const Worst* one :
+         {&world, &eye, &clip, &crossing, &weights, &ndc, &inverse_w, &screen, &area, &lambda,
+          &depth, &fragment_inverse_w, &fragment_weights, &distance, &texcoord}) {
+      one->check();
+    }
+    CHECK(wrongly_stable == 0);
+  }
+};
+
+// ---- the exact way ----
+
+using BigVector = std::array<Big, 4>;
+using BigMatrix = std::array<BigVector, 4>;  // [row][column]
+
+BigMatrix exactly(const glm::dmat4& m) {
+  BigMatrix exact;
+  for (std::size_t row = 0; row < 4; ++row) {
+    for (std::size_t column = 0; column < 4; ++column)
+      exact[row][column] = m[int(column)][int(row)];
+  }
+  return exact;
+}
+
+BigMatrix operator*(const BigMatrix& a, const BigMatrix& b) {
+  BigMatrix product;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      for (std::size_t k = 0; k < 4; ++k) product[i][j] += a[i][k] * b[k][j];
+    }
+  }
+  return product;
+}
+
+BigVector operator*(const BigMatrix& m, const Point<Object>& p) {
+  BigVector product;
+  for (std::size_t i = 0; i < 4; ++i) {
+    product[i] = m[i][0] * Big(p.x) + m[i][1] * Big(p.y) + m[i][2] * Big(p.z) + m[i][3];
+  }
+  return product;
+}
+
+struct ExactMatrices {
+  BigMatrix world, eye, clip;  // from object space
+};
+
+struct ExactVertex {
+  BigVector clip;
+  std::array<Big, 3> weights;
+};
+
+Big distance_from(const ClipPlane& plane, const BigVector& p) {
+  return Big(plane.a) * p[0] + Big(plane.b) * p[1] + Big(plane.c) * p[2] + Big(plane.d) * p[3] +
+         Big(plane.e);
+}
+
+ExactVertex exact_crossing(const ClipPlane& plane, const ExactVertex& p, const ExactVertex& q) {
+  const Big dp = distance_from(plane, p.clip), dq = distance_from(plane, q.clip);
+  const Big s = dp / (dp - dq);
+  ExactVertex cut;
+  for (std::size_t i = 0; i < 4; ++i) cut.clip[i] = p.clip[i] + s * (q.clip[i] - p.clip[i]);
+  for (std::size_t i = 0; i < 3; ++i)
+    cut.weights[i] = p.weights[i] + s * (q.weights[i] - p.weights[i]);
+  return cut;
+}
+
+// The polygon that is left, cut exactly along the edges that the run cut; in the order of TracedTriangle::polygon.
+std::vector<ExactVertex> exact_polygon(const Trace& trace, const TracedTriangle& triangle,
+                                       const std::array<BigVector, 3>& corners) {
+  std::vector<ExactVertex> polygon;
+  for (std::size_t k = 0; k < 3; ++k) {
+    polygon.push_back({corners[k], {}});
+    polygon.back().weights[k] = 1;
+  }
+  for (std::size_t i = 0; i < triangle.clipping.size(); ++i) {
+    const ClipStep& step = triangle.clipping[i];
+    std::vector<ExactVertex> after;
+    for (int j = 0; j < step.after.count; ++j) {
+      const auto [from, to] = step.sources[std::size_t(j)];
+      const ExactVertex& p = polygon[std::size_t(from)];
+      after.push_back(from == to ? p
+                                 : exact_crossing(trace.planes[i], p, polygon[std::size_t(to)]));
+    }
+    polygon = after;
+  }
+  if (triangle.clipping.empty()) return polygon;
+  const ClipPolygon& last = triangle.clipping.back().after;
+  std::vector<ExactVertex> kept;
+  for (int i = 0; i < last.count && kept.size() < triangle.polygon.size(); ++i) {
+    if (last.vertices[std::size_t(i)].position == triangle.polygon[kept.size()].clip.position) {
+      kept.push_back(polygon[std::size_t(i)]);
+    }
+  }
+  return kept;
+}
+
+std::array<Big, 2> exact_screen(const BigVector& clip, const Viewport& viewport) {
+  const auto place = [](const Big& ndc, float from, float to) {
+    return ndc * (Big(to) - Big(from)) / 2 + (Big(to) + Big(from)) / 2;
+  };
+  return {place(clip[0] / clip[3], viewport.left, viewport.right),
+          place(clip[1] / clip[3], viewport.bottom, viewport.top)};
+}
+
+std::int32_t snapped(const Big& pixels) {
+  return std::int32_t(mp::floor(pixels * kSubpixels + Big(0.5)));
+}
+
+// ---- comparisons ----
+
+void compare_corner(const TracedCorner& corner, const CornerBounds& bounds,
+                    const ExactMatrices& exact, const BigVector& clip, Ratios& ratios) {
+  const BigVector world = exact.world * corner.object, eye = exact.eye * corner.object;
+  const glm::dvec3 in_world = to_glm(corner.world), in_eye = to_glm(corner.eye);
+  const glm::vec4 in_clip = to_glm(corner.clip);
+  for (int i = 0; i < 4; ++i) {
+    const std::size_t k = std::size_t(i);
+    ratios.clip.see(Big(in_clip[i]) - clip[k], bounds.clip[i]);
+    if (i == 3) break;
+    ratios.world.see(Big(in_world[i]) - world[k], bounds.world[i]);
+    ratios.eye.see(Big(in_eye[i]) - eye[k], bounds.eye[i]);
+  }
+}
+
+void compare_vertex(const TracedVertex& vertex, const VertexBounds& bounds,
+                    const ExactVertex& exact, const Viewport& viewport, Ratios& ratios) {
+  const bool is_corner =
+      std::count(vertex.clip.weights.begin(), vertex.clip.weights.end(), 1.0) == 1;
+  const glm::vec4 clip = to_glm(vertex.clip.position);
+  const glm::vec3 ndc = to_glm(vertex.ndc.position);
+  for (int i = 0; i < 4; ++i) {
+    const std::size_t k = std::size_t(i);
+    if (!is_corner) ratios.crossing.see(Big(clip[i]) - exact.clip[k], bounds.clip.position[i]);
+    if (i == 3) break;
+    if (!is_corner)
+      ratios.weights.see(Big(vertex.clip.weights[k]) - exact.weights[k], bounds.clip.weights[i]);
+    ratios.ndc.see(Big(ndc[i]) - exact.clip[k] / exact.clip[3], bounds.ndc.position[i]);
+  }
+  ratios.inverse_w.see(Big(vertex.ndc.inverse_w) - 1 / exact.clip[3], bounds.ndc.inverse_w);
+  const auto screen = exact_screen(exact.clip, viewport);
+  ratios.screen.see(Big(vertex.screen.position.x) - screen[0], bounds.screen.x);
+  ratios.screen.see(Big(vertex.screen.position.y) - screen[1], bounds.screen.y);
+  ratios.wrongly_stable += int(bounds.snap_x.stable && snapped(screen[0]) != vertex.snapped.x);
+  ratios.wrongly_stable += int(bounds.snap_y.stable && snapped(screen[1]) != vertex.snapped.y);
+}
+
+void compare_area(const TracedPiece& piece, double bound, const std::vector<ExactVertex>& polygon,
+                  const Viewport& viewport, Ratios& ratios) {
+  std::array<std::array<Big, 2>, 3> p;
+  for (std::size_t k = 0; k < 3; ++k) p[k] = exact_screen(polygon[piece.polygon[k]].clip, viewport);
+  const Big exact =
+      (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[2][0] - p[0][0]) * (p[1][1] - p[0][1]);
+  const std::int64_t area = piece.setup ? piece.setup->double_area : 0;
+  const bool clockwise = piece.setup && piece.setup->clockwise;
+  ratios.area.see(Big(clockwise ? area : -area) / (kSubpixels * kSubpixels) - exact, bound);
+}
+
+struct ExactFragment {
+  std::array<Big, 3> lambda, weights;
+  Big depth, inverse_w;
+};
+
+// Of the snapped triangle, which is exact, with the exact depth and w of its vertices.
+ExactFragment exact_fragment(const TracedFragment& traced, const TriangleSetup& setup,
+                             const std::array<const ExactVertex*, 3>& vertices) {
+  ExactFragment exact;
+  exact.depth = exact.inverse_w = 0;
+  std::array<Big, 3> share;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const BigVector& clip = vertices[k]->clip;
+    exact.lambda[k] = Big(traced.coverage.edges[k]) / Big(setup.double_area);
+    exact.depth += exact.lambda[k] * clip[2] / clip[3];
+    share[k] = exact.lambda[k] / clip[3];
+    exact.inverse_w += share[k];
+  }
+  for (std::size_t k = 0; k < 3; ++k) exact.weights[k] = share[k] / exact.inverse_w;
+  return exact;
+}
+
+void compare_fragment(const TracedFragment& traced, const TracedTriangle& triangle,
+                      const TriangleBounds& bounds, const std::vector<ExactVertex>& polygon,
+                      const Mesh& mesh, Ratios& ratios) {
+  const TracedPiece& piece = triangle.pieces[traced.source.piece];
+  const TriangleSetup& setup = *piece.setup;
+  std::array<const ExactVertex*, 3> vertices{};
+  std::array<std::size_t, 3> at{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    at[k] = piece.polygon[std::size_t(setup.order[k])];
+    vertices[k] = &polygon[at[k]];
+  }
+  const SetupBounds inherited = setup_bounds(piece, bounds);
+  const FragmentBounds bound = fragment_bounds(setup, traced.fragment, inherited);
+  const ExactFragment exact = exact_fragment(traced, setup, vertices);
+  for (std::size_t k = 0; k < 3; ++k) {
+    ratios.lambda.see(Big(traced.fragment.lambda[k]) - exact.lambda[k], bound.lambda[k]);
+    ratios.fragment_weights.see(Big(traced.fragment.weights[k]) - exact.weights[k],
+                                bound.weights[k]);
+  }
+  ratios.depth.see(Big(traced.fragment.depth) - exact.depth, bound.depth);
+  ratios.fragment_inverse_w.see(Big(traced.fragment.inverse_w) - exact.inverse_w, bound.inverse_w);
+  ratios.distance.see(1 / Big(traced.fragment.inverse_w) - 1 / exact.inverse_w, bound.distance);
+
+  if (traced.fate == Fate::kHidden) return;
+  std::array<float, 3> values{};
+  std::array<double, 3> value_bounds{};
+  Big texcoord = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    Big here = 0;
+    double computed = 0, open = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const float u = mesh.texcoords[mesh.corners[triangle.corners[c].corner].texcoord].u;
+      here += vertices[k]->weights[c] * Big(u);
+      computed += triangle.polygon[at[k]].clip.weights[c] * double(u);
+      open += bounds.polygon[at[k]].clip.weights[int(c)] * std::abs(double(u));
+    }
+    values[k] = float(computed);
+    const bool is_corner = triangle.clipping.empty();
+    value_bounds[k] = is_corner ? 0 : open + 0x1p-24 * std::abs(computed) + 0x1p-50;
+    texcoord += exact.weights[k] * here;
+  }
+  ratios.texcoord.see(Big(traced.at.texcoord[0]) - texcoord,
+                      attribute_bound(values, value_bounds, setup, traced.fragment, inherited));
+}
+
+// ---- scenes ----
+
+constexpr int kWidth = 80, kHeight = 60;
+
+// Triangles all around the eye, a tenth of them much larger than what is seen, so that all planes have to cut.
+Scene soup(int triangles, Random& random) {
+  Mesh mesh;
+  mesh.name = "soup";
+  const double offset = random.unit() < 0.3 ? 1e4 : 0;  // far from its origin: an anchor is chosen
+  for (int i = 0; i < triangles; ++i) {
+    const double size = random.unit() < 0.1 ? 20 : 0.4;
+    const std::array<double, 3> centre{random.between(-4, 4), random.between(-4, 4),
+                                       random.between(-4, 4)};
+    for (int k = 0; k < 3; ++k) {
+      mesh.positions.push_back({float(centre[0] + offset + random.between(-size, size)),
+                                float(centre[1] + random.between(-size, size)),
+                                float(centre[2] - offset + random.between(-size, size))});
+      mesh.texcoords.push_back({float(random.between(-2, 2)), float(random.between(0, 1))});
+      mesh.corners.push_back({std::uint32_t(mesh.positions.size() - 1), kNone,
+                              std::uint32_t(mesh.texcoords.size() - 1), kNone});
+    }
+    mesh.faces.push_back({std::uint32_t(3 * i), 3});
+  }
+  Scene scene = test::scene_of(std::move(mesh));
+  const auto turn = rotate_degrees<World>(
+      Vector<Object, double>{random.between(-1, 1), random.between(-1, 1), 0.5},
+      random.between(-180, 180));
+  REQUIRE(turn);
+  scene.nodes[0].world_from_node =
+      *turn * translate<Object, Object>(Vector<Object, double>{-offset, 0, offset});
+  return scene;
+}
+
+View random_view(Random& random) {
+  const Point<World, double> eye{random.between(-3, 3), random.between(-3, 3),
+                                 random.between(-3, 3)};
+  const double near = std::pow(10, random.between(-3, 0));
+  PerspectiveLens lens{random.between(0.3, 2), near, {}};
+  const bool infinite = random.unit() < 0.3;
+  if (!infinite) lens.far = near + random.between(2, 1000);
+  const Camera camera = test::random_gaze(eye, lens, random);
+  const auto view = make_view(camera, kWidth, kHeight,
+                              random.unit() < 0.3 ? DepthRange::kReversed : DepthRange::kStandard);
+  REQUIRE(view);
+  return *view;
+}
+
+void compare_scene(const Scene& scene, const View& view, Ratios& ratios) {
+  RenderSettings settings;
+  settings.shading = Shading::kUnlit;
+  settings.cull = Cull::kNone;
+  if (view.depth_range == DepthRange::kReversed) settings.depth = DepthFormat::kFloat32Reversed;
+  const Trace recorded = trace(scene, view, settings, {}).trace;
+  REQUIRE(recorded.complete);
+  const TracedDraw& draw = recorded.draws.front();
+  const DrawBounds draw_bounds = bounds_of(draw, view);
+  const BigMatrix world = exactly(draw.world_from_object.columns);
+  const BigMatrix eye = exactly(view.eye_from_world.columns) * world;
+  const ExactMatrices exact{world, eye, exactly(view.clip_from_eye.columns) * eye};
+
+  std::vector<std::vector<const TracedFragment*>> fragments(recorded.triangles.size());
+  for (std::size_t i = 0; i < recorded.fragments.size(); i += 97) {  // one in 97
+    fragments[recorded.fragments[i].source.number].push_back(&recorded.fragments[i]);
+  }
+  for (const TracedTriangle& triangle : recorded.triangles) {
+    const TriangleBounds bounds = bounds_of(recorded, triangle, draw, draw_bounds);
+    std::array<BigVector, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners[k] = exact.clip * triangle.corners[k].object;
+      compare_corner(triangle.corners[k], bounds.corners[k], exact, corners[k], ratios);
+    }
+    if (triangle.polygon.empty()) continue;
+    const std::vector<ExactVertex> polygon = exact_polygon(recorded, triangle, corners);
+    REQUIRE(polygon.size() == triangle.polygon.size());
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      compare_vertex(triangle.polygon[i], bounds.polygon[i], polygon[i], view.viewport, ratios);
+    }
+    for (std::size_t i = 0; i < triangle.pieces.size(); ++i) {
+      compare_area(triangle.pieces[i], bounds.double_area[i], polygon, view.viewport, ratios);
+    }
+    for (const TracedFragment* fragment : fragments[triangle.number]) {
+      compare_fragment(*fragment, triangle, bounds, polygon, scene.meshes.front(), ratios);
+    }
+  }
+}
+
+#ifdef __OPTIMIZE__
+constexpr int kScenes = 170;
+#else
+constexpr int kScenes =
+    12;  // for builds that take ten times as long, and check the code rather than the bounds
+#endif
+constexpr int kTriangles = 1961;  // 170 times three times that: 1,000,110 corners
+
+TEST_CASE("every number of a trace lies within its bound, and no bound is idle: 10^6 vertices") {
+  Random random(20260407);
+  Ratios ratios;
+  for (int i = 0; i < kScenes; ++i) {
+    CAPTURE(i);
+    compare_scene(soup(kTriangles, random), random_view(random), ratios);
+  }
+  ratios.check();
+}
+
+}  // namespace
+}  // namespace glassbox
