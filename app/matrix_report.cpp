@@ -1,46 +1,23 @@
 #include "app/matrix_report.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "app/chain_text.h"
 #include "app/text_layout.h"
 
-#include <glassbox/base/rounding.h>
 #include <glassbox/base/trig.h>
-#include <glassbox/pipeline/decimal.h>
+#include <glassbox/pipeline/matrices/decimal.h>
+#include <glassbox/pipeline/matrices/projection_factors.h>
 
 namespace glassbox::app {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-// Coordinates that are rounding beside the largest are shown as 0.
-std::string triple(const glm::dvec3& v, int digits = 6) {
-  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  const auto shown = [&](double x) { return std::abs(x) < 1e-6 * largest ? 0 : x; };
-  return brief_triple(shown(v.x), shown(v.y), shown(v.z), digits);
-}
-
-// A number that the digits of the text leave open by `uncertainty`, as round as that allows.
-std::string rounded(double value, double uncertainty) {
-  return brief(simplest_decimal(value, uncertainty).value);
-}
-
-// "2^-21.3"
-std::string power_of_two(double error) {
-  if (error == 0) return "0";
-  return fmt::format("2^{:.1f}", std::log2(error));
-}
-
 std::string turn_text(const MatrixFacts& facts) {
   if (!facts.rotation || facts.rotation->radians < kSmall) return {};
   return fmt::format("a turn by {} degrees about {}",
                      brief(degrees_from_radians(facts.rotation->radians), 5),
-                     triple(facts.rotation->axis, 4));
+                     brief_triple(facts.rotation->axis, 4));
 }
 
 std::string joined(std::initializer_list<std::string> parts) {
@@ -51,42 +28,14 @@ std::string joined(std::initializer_list<std::string> parts) {
   return text;
 }
 
-const char* shape_id(Shape shape) {
-  switch (shape) {
-    case Shape::kNotFinite:
-      return "not-finite";
-    case Shape::kIdentity:
-      return "identity";
-    case Shape::kTranslation:
-      return "translation";
-    case Shape::kRigid:
-      return "rigid";
-    case Shape::kSimilarity:
-      return "similarity";
-    case Shape::kScaled:
-      return "scaled";
-    case Shape::kScaledAfter:
-      return "scaled-after-rotation";
-    case Shape::kSheared:
-      return "sheared";
-    case Shape::kFlat:
-      return "flat";
-    case Shape::kProjective:
-      return "projective";
-  }
-  return "";
-}
-
-// How far from a rotation, in the units in which floats round.
 std::string rigidity_text(const MatrixFacts& facts) {
-  if (facts.orthogonality == 0) return "exactly";
-  return fmt::format("to within {} ({} ulp of a float 1)", power_of_two(facts.orthogonality),
-                     brief(facts.orthogonality / std::numeric_limits<float>::epsilon(), 2));
+  return facts.orthogonality == 0 ? "exactly" : "to within " + brief(facts.orthogonality, 2);
 }
 
 std::string affine_sentence(const MatrixFacts& facts) {
-  const std::string moved =
-      facts.translation == glm::dvec3(0) ? "" : "a translation by " + triple(facts.translation);
+  const std::string moved = facts.translation == glm::dvec3(0)
+                                ? ""
+                                : "a translation by " + brief_triple(facts.translation);
   const std::string mirror =
       facts.mirror() ? fmt::format("; it mirrors (determinant {})", brief(facts.determinant, 4))
                      : "";
@@ -105,7 +54,7 @@ std::string affine_sentence(const MatrixFacts& facts) {
       return joined({"a scale by " + brief(std::abs(facts.scale.x)), turn_text(facts), moved}) +
              mirror;
     case Shape::kScaled:
-      return joined({"scales by " + triple(facts.scale) + " along the axes", turn_text(facts),
+      return joined({"scales by " + brief_triple(facts.scale) + " along the axes", turn_text(facts),
                      moved}) +
              mirror;
     case Shape::kScaledAfter:
@@ -123,7 +72,7 @@ std::string affine_sentence(const MatrixFacts& facts) {
 
 std::string heading(const char* name, const char* from_to, const std::string& origin) {
   return wrapped(fmt::format("{:<11} ", name),
-                 from_to + (origin.empty() ? ": none given, the identity" : "; " + origin));
+                 from_to + (origin.empty() ? ": none given" : "; " + origin));
 }
 
 std::string sentence(const std::string& text) {
@@ -136,25 +85,33 @@ std::string model_text(const GivenMatrix& model, const std::string& origin) {
   return text + matrix_rows(model.m, "  ") + sentence(affine_sentence(facts_of(model.m)));
 }
 
-std::string view_sentences(const GivenMatrix& view) {
+// `lens`: the projection that goes with the view; ProjectionKind::kNone where none is known.
+std::string view_sentences(const GivenMatrix& view, const ProjectionFacts& lens) {
   const MatrixFacts facts = facts_of(view.m);
   std::string text = sentence(affine_sentence(facts));
   const auto eye = facts.affine ? eyepoint_of(view) : std::nullopt;
   if (!eye) return text;
-  const auto at = [&](double x) { return simplest_decimal(x, eye->uncertainty).value; };
-  text +=
-      sentence(fmt::format("the eye stands at {}; right is {}, up {}",
-                           triple({at(eye->position.x), at(eye->position.y), at(eye->position.z)}),
-                           triple(eye->right, 4), triple(eye->up, 4)));
-  return text + sentence(fmt::format("it looks along {} if its eye looks down -z, the other way if "
-                                     "down +z: the projection decides",
-                                     triple(-eye->back, 4)));
+  text += sentence(fmt::format("the eye stands at {}; right is {}, up {}", position_text(*eye),
+                               brief_triple(eye->right, 4), brief_triple(eye->up, 4)));
+  if (lens.kind == ProjectionKind::kNone) {
+    return text + sentence(fmt::format("it looks along {} if it looks down -z, and the other way "
+                                       "if down +z: a projection decides",
+                                       brief_triple(-eye->back, 4)));
+  }
+  return text +
+         sentence(fmt::format("it looks along {}, because the projection looks down {}z",
+                              brief_triple(lens.looks_down_minus_z ? -eye->back : eye->back, 4),
+                              lens.looks_down_minus_z ? "-" : "+"));
 }
 
-std::string view_text(const GivenMatrix& view, const std::string& origin) {
+std::string view_text(const MatrixSetup& setup, const std::string& origin) {
   std::string text = heading("VIEW", "eye from world", origin);
-  if (!view.given) return text;
-  return text + matrix_rows(view.m, "  ") + view_sentences(view);
+  if (!setup.view.given) return text;
+  ProjectionFacts lens;
+  if (setup.projection.given && !is_transposed_projection(setup.projection)) {
+    lens = projection_facts(projection_part(setup.projection), setup.dialect.depth);
+  }
+  return text + matrix_rows(setup.view.m, "  ") + view_sentences(setup.view, lens);
 }
 
 // "depth 0 at near 0.1, 1 at far 100"
@@ -176,29 +133,38 @@ std::string depth_text(const ProjectionFacts& p, const ApiDialect& dialect) {
                               other.from_minus_one ? "-1 .. 1" : "0 .. 1", reading_text(other)));
 }
 
-std::string lens_text(const ProjectionFacts& p, const ApiDialect& dialect) {
-  std::string text;
-  if (p.kind == ProjectionKind::kPerspective) {
-    text += sentence(p.looks_down_minus_z
-                         ? "perspective; w grows along -z: a right-handed eye, looking down -z"
-                         : "perspective; w grows along +z: a left-handed eye, looking down +z");
-    text +=
-        sentence(fmt::format("vertical angle of view {} degrees, aspect ratio {}{}",
-                             rounded(p.fovy_degrees, p.fovy_uncertainty), brief(p.aspect, 5),
-                             p.off_centre() ? "; off-centre: the gaze meets the picture at NDC (" +
-                                                  brief(p.centre.x) + ", " + brief(p.centre.y) + ")"
-                                            : ""));
-  } else {
-    text += sentence("parallel: w is the same everywhere");
-    const auto edge = [&](int axis, double side) {
-      return brief((side - p.centre[axis]) / p.scale[axis]);
-    };
-    text += sentence(fmt::format("the window is x from {} to {}, y from {} to {}", edge(0, -1),
-                                 edge(0, 1), edge(1, -1), edge(1, 1)));
-    text += sentence(fmt::format("with depth as {} has it, the eye looks down {}z", dialect.title,
-                                 p.looks_down_minus_z ? "-" : "+"));
+std::string perspective_text(const ProjectionFacts& p) {
+  std::string text = sentence(
+      p.looks_down_minus_z ? "perspective; w grows along -z: a right-handed eye, looking down -z"
+                           : "perspective; w grows along +z: a left-handed eye, looking down +z");
+  std::string window = fmt::format("vertical angle of view {} degrees, aspect ratio {}",
+                                   rounded(p.fovy_degrees, p.fovy_uncertainty), brief(p.aspect, 5));
+  if (p.off_centre()) {
+    window += fmt::format("; off-centre: the gaze meets the picture at NDC ({}, {})",
+                          brief(p.centre.x), brief(p.centre.y));
   }
-  return text + depth_text(p, dialect);
+  if (p.shift != glm::dvec2(0)) {
+    window += fmt::format("; the eye is moved to x = {}, y = {}", brief(-p.shift.x / p.scale.x),
+                          brief(-p.shift.y / p.scale.y));
+  }
+  return text + sentence(window);
+}
+
+std::string parallel_text(const ProjectionFacts& p, const ApiDialect& dialect) {
+  const auto edge = [&](int axis, double side) {
+    return brief((side - p.centre[axis]) / p.scale[axis]);
+  };
+  return sentence("parallel: w is the same everywhere") +
+         sentence(fmt::format("the window is x from {} to {}, y from {} to {}", edge(0, -1),
+                              edge(0, 1), edge(1, -1), edge(1, 1))) +
+         sentence(fmt::format("with depth as {} has it, the eye looks down {}z", dialect.title,
+                              p.looks_down_minus_z ? "-" : "+"));
+}
+
+std::string lens_text(const ProjectionFacts& p, const ApiDialect& dialect) {
+  return (p.kind == ProjectionKind::kPerspective ? perspective_text(p)
+                                                 : parallel_text(p, dialect)) +
+         depth_text(p, dialect);
 }
 
 std::string projection_text(const GivenMatrix& given, const ApiDialect& dialect,
@@ -207,132 +173,41 @@ std::string projection_text(const GivenMatrix& given, const ApiDialect& dialect,
   if (!given.given) return text;
   text += matrix_rows(given.m, "  ");
   const ProjectionFacts plain = projection_facts(given, dialect.depth);
-  if (plain.kind != ProjectionKind::kNone && plain.w_offset == 0)
+  if (plain.kind != ProjectionKind::kNone && !plain.looks_transposed) {
     return text + lens_text(plain, dialect);
-  if (const auto parts = factor_projection(given); parts && plain.kind == ProjectionKind::kNone) {
-    text += sentence("a projection with a view in it. The view's part:");
-    text += view_sentences(parts->view);
-    return text + sentence("The projection's part:") +
-           lens_text(projection_facts(parts->projection, dialect.depth), dialect);
   }
-  if (plain.kind != ProjectionKind::kNone) return text + lens_text(plain, dialect);
+  if (const auto parts = factor_projection(given); parts && !plain.looks_transposed) {
+    const ProjectionFacts lens = projection_facts(parts->projection, dialect.depth);
+    return text + sentence("a projection with a view in it. The view's part:") +
+           view_sentences(parts->view, lens) + sentence("The projection's part:") +
+           lens_text(lens, dialect);
+  }
   const MatrixFacts facts = facts_of(given.m);
   return text + sentence(facts.affine
                              ? "as a matrix: " + affine_sentence(facts)
                              : fmt::format("no projection as it stands (rank {})", facts.rank));
 }
 
-const char* severity_id(Severity severity) {
-  switch (severity) {
-    case Severity::kNote:
-      return "note";
-    case Severity::kHint:
-      return "hint";
-    case Severity::kAlarm:
-      return "alarm";
-  }
-  return "";
-}
-
-Json affine_json(const GivenMatrix& given, const std::string& origin) {
-  Json json{{"given", given.given}, {"origin", origin}, {"rows", matrix_json(given.m)}};
-  const MatrixFacts facts = facts_of(given.m);
-  json["shape"] = shape_id(facts.shape);
-  json["affine"] = facts.affine;
-  json["rank"] = facts.rank;
-  json["determinant3"] = facts.determinant;
-  json["mirror"] = facts.mirror();
-  json["orthogonality_error"] = facts.orthogonality;
-  json["scale"] = {facts.scale.x, facts.scale.y, facts.scale.z};
-  json["translation"] = {facts.translation.x, facts.translation.y, facts.translation.z};
-  if (facts.rotation) {
-    const glm::dvec3& axis = facts.rotation->axis;
-    json["rotation"] = {{"axis", {axis.x, axis.y, axis.z}},
-                        {"degrees", degrees_from_radians(facts.rotation->radians)}};
-  }
-  return json;
-}
-
-Json view_json(const GivenMatrix& view, const std::string& origin) {
-  Json json = affine_json(view, origin);
-  const auto eye = facts_of(view.m).affine ? eyepoint_of(view) : std::nullopt;
-  if (!eye) return json;
-  const auto vector = [](const glm::dvec3& v) { return Json{v.x, v.y, v.z}; };
-  json["eye"] = {{"position", vector(eye->position)},
-                 {"right", vector(eye->right)},
-                 {"up", vector(eye->up)},
-                 {"back", vector(eye->back)}};
-  return json;
-}
-
-Json reading_json(const DepthReading& r) {
-  if (!r.possible) return nullptr;
-  Json json{{"near", r.near}, {"reversed", r.reversed}};
-  json["far"] = std::isfinite(r.far) ? Json(r.far) : Json("infinity");
-  return json;
-}
-
-Json projection_json(const GivenMatrix& given, const ApiDialect& dialect,
-                     const std::string& origin) {
-  Json json{{"given", given.given}, {"origin", origin}, {"rows", matrix_json(given.m)}};
-  json["rank"] = first_not_finite(given.m) ? 0 : rank_of(given.m);
-  const GivenMatrix part = projection_part(given);
-  const ProjectionFacts p = projection_facts(part, dialect.depth);
-  if (p.kind == ProjectionKind::kNone) {
-    json["kind"] = nullptr;
-    return json;
-  }
-  const bool perspective = p.kind == ProjectionKind::kPerspective;
-  json["kind"] = perspective ? "perspective" : "parallel";
-  json["contains_view"] = part.m != given.m;
-  json["looks_down"] = p.looks_down_minus_z ? "-z" : "+z";
-  if (perspective) json["fovy_degrees"] = p.fovy_degrees;
-  json["aspect"] = p.aspect;
-  json["centre"] = {p.centre.x, p.centre.y};
-  json["depth_lost"] = p.depth_lost;
-  json["depth_0_1"] = reading_json(p.zero_to_one);
-  json["depth_minus1_1"] = reading_json(p.minus_one_to_one);
-  return json;
-}
-
 }  // namespace
 
 std::string matrices_text(const MatrixSetup& setup, const MatrixOrigins& origins) {
-  return model_text(setup.model, origins.model) + "\n" + view_text(setup.view, origins.view) +
-         "\n" + projection_text(setup.projection, setup.dialect, origins.projection);
-}
-
-Json matrices_json(const MatrixSetup& setup, const MatrixOrigins& origins) {
-  return {{"model", affine_json(setup.model, origins.model)},
-          {"view", view_json(setup.view, origins.view)},
-          {"projection", projection_json(setup.projection, setup.dialect, origins.projection)}};
+  return model_text(setup.model, origins.model) + "\n" + view_text(setup, origins.view) + "\n" +
+         projection_text(setup.projection, setup.dialect, origins.projection);
 }
 
 std::string findings_text(const std::vector<Finding>& findings) {
   std::string text;
-  for (const Severity severity : {Severity::kAlarm, Severity::kHint, Severity::kNote}) {
+  constexpr std::pair<Severity, const char*> kWords[] = {
+      {Severity::kAlarm, "  WRONG "}, {Severity::kHint, "  hint  "}, {Severity::kNote, "  note  "}};
+  for (const auto& [severity, word] : kWords) {
     for (const Finding& finding : findings) {
       if (finding.severity != severity) continue;
       const std::string place = *finding.matrix == '\0' ? "" : std::string(finding.matrix) + ": ";
-      text += wrapped(
-          fmt::format("  {:<6}", severity == Severity::kAlarm ? "WRONG" : severity_id(severity)),
-          place + finding.cause);
+      text += wrapped(word, place + finding.cause);
       if (!finding.remedy.empty()) text += wrapped("        -> ", finding.remedy);
     }
   }
   return text;
-}
-
-Json findings_json(const std::vector<Finding>& findings) {
-  Json json = Json::array();
-  for (const Finding& finding : findings) {
-    json.push_back({{"severity", severity_id(finding.severity)},
-                    {"id", finding.id},
-                    {"matrix", finding.matrix},
-                    {"cause", finding.cause},
-                    {"remedy", finding.remedy}});
-  }
-  return json;
 }
 
 std::string alternatives_text(const ConventionsReport& report) {
@@ -354,18 +229,6 @@ std::string alternatives_text(const ConventionsReport& report) {
                                 report.spoiling, report.spoiling == 1 ? "s" : ""));
   }
   return text;
-}
-
-Json alternatives_json(const ConventionsReport& report) {
-  Json json = Json::array();
-  for (const Alternative& a : report.alternatives) {
-    Json one{{"ids", Json::array({a.id})}, {"what", a.what},       {"remedy", a.remedy},
-             {"points", a.points},         {"reasons", a.reasons}, {"score", a.score}};
-    if (a.second) one["ids"].push_back(a.second_id);
-    if (a.window) one["window"] = {a.window->x, a.window->y};
-    json.push_back(std::move(one));
-  }
-  return json;
 }
 
 }  // namespace glassbox::app

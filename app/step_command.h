@@ -4,16 +4,10 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 
-#include "app/chain_text.h"
-#include "app/matrix_report.h"
-#include "app/matrix_text.h"
-
-#include <glassbox/base/error.h>
-#include <glassbox/pipeline/vertex_chain.h>
+#include "app/point_step.h"
 
 namespace glassbox::app {
 
@@ -23,35 +17,9 @@ public:
 
 private:
   int run();
-  Result<void> read_matrices();
-  Result<void> read_matrix(const char* option, const std::optional<std::string>& source,
-                           GivenMatrix& matrix, std::string& origin);
-  void choose_dialect();
-  void guess_or_ask();
-  ChainMatrices chain_matrices() const;
-  double open_px(const glm::vec4& point, const VertexChain& chain) const;
-  Viewport viewport() const;
-  ChainSetting chain_setting() const;
-  std::string text(const std::vector<VertexChain>& chains) const;
-  std::string verdict(const std::vector<VertexChain>& chains) const;
-  nlohmann::ordered_json json(const std::vector<VertexChain>& chains) const;
 
-  std::vector<glm::dvec4> points_;
-  std::vector<glm::dvec2> expected_;
-  std::optional<std::string> model_, view_, projection_;
-  std::optional<NumberOrder> order_;
-  std::optional<std::string> dialect_;
-  std::optional<std::array<double, 4>> window_;  // x, y, width, height
-  std::optional<Hand> world_;
-  bool bits_ = false;
+  PointStepOptions options_;
   std::optional<std::string> json_output_;
-
-  MatrixSetup setup_;
-  MatrixOrigins origins_;
-  std::string dialect_reason_;
-  std::vector<double> open_px_;  // per point
-  std::vector<Finding> findings_;
-  ConventionsReport report_;
 };
 
 }  // namespace glassbox::app

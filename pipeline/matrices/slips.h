@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include <glassbox/pipeline/matrix_findings.h>
+#include <glassbox/pipeline/matrices/matrix_setup.h>
 
 namespace glassbox {
 
@@ -19,6 +19,7 @@ enum class Change {
   kClearCorner,  // [3][3] = 0
   kDepthRange,   // clipped at -w <= z instead of 0 <= z, or the other way round
   kEyeHand,      // z of the eye negated, between view and projection
+  kTurnRound,    // x and z of the eye negated, in the view
   kInvertView,
   kViewFactors,       // T R became R T
   kViewFactorsBack,   // R T became T R
