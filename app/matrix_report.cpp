@@ -84,43 +84,6 @@ std::string rigidity_text(const MatrixFacts& facts) {
                      brief(facts.orthogonality / std::numeric_limits<float>::epsilon(), 2));
 }
 
-std::string affine_sentence(const MatrixFacts& facts) {
-  const std::string moved =
-      facts.translation == glm::dvec3(0) ? "" : "a translation by " + triple(facts.translation);
-  const std::string mirror =
-      facts.mirror() ? fmt::format("; it mirrors (determinant {})", brief(facts.determinant, 4))
-                     : "";
-  switch (facts.shape) {
-    case Shape::kNotFinite:
-      return "not all of its entries are finite";
-    case Shape::kIdentity:
-      return "the identity";
-    case Shape::kTranslation:
-      return moved + ", and nothing else";
-    case Shape::kRigid:
-      return fmt::format("rigid {}: {}{}", rigidity_text(facts),
-                         joined({facts.mirror() ? "a reflection" : turn_text(facts), moved}),
-                         mirror);
-    case Shape::kSimilarity:
-      return joined({"a scale by " + brief(std::abs(facts.scale.x)), turn_text(facts), moved}) +
-             mirror;
-    case Shape::kScaled:
-      return joined({"scales by " + triple(facts.scale) + " along the axes", turn_text(facts),
-                     moved}) +
-             mirror;
-    case Shape::kScaledAfter:
-      return joined({"a turn, then scales along fixed axes: a shear", moved}) + mirror;
-    case Shape::kSheared:
-      return joined({"affine, with a shear", moved}) + mirror;
-    case Shape::kFlat:
-      return fmt::format("affine, but flat: rank {}, determinant {}", facts.rank,
-                         brief(facts.determinant, 3));
-    case Shape::kProjective:
-      return fmt::format("not affine: the last row is not 0 0 0 1 (rank {})", facts.rank);
-  }
-  return "";
-}
-
 std::string heading(const char* name, const char* from_to, const std::string& origin) {
   return wrapped(fmt::format("{:<11} ", name),
                  from_to + (origin.empty() ? ": none given, the identity" : "; " + origin));
@@ -296,6 +259,43 @@ Json projection_json(const GivenMatrix& given, const ApiDialect& dialect,
 }
 
 }  // namespace
+
+std::string affine_sentence(const MatrixFacts& facts) {
+  const std::string moved =
+      facts.translation == glm::dvec3(0) ? "" : "a translation by " + triple(facts.translation);
+  const std::string mirror =
+      facts.mirror() ? fmt::format("; it mirrors (determinant {})", brief(facts.determinant, 4))
+                     : "";
+  switch (facts.shape) {
+    case Shape::kNotFinite:
+      return "not all of its entries are finite";
+    case Shape::kIdentity:
+      return "the identity";
+    case Shape::kTranslation:
+      return moved + ", and nothing else";
+    case Shape::kRigid:
+      return fmt::format("rigid {}: {}{}", rigidity_text(facts),
+                         joined({facts.mirror() ? "a reflection" : turn_text(facts), moved}),
+                         mirror);
+    case Shape::kSimilarity:
+      return joined({"a scale by " + brief(std::abs(facts.scale.x)), turn_text(facts), moved}) +
+             mirror;
+    case Shape::kScaled:
+      return joined({"scales by " + triple(facts.scale) + " along the axes", turn_text(facts),
+                     moved}) +
+             mirror;
+    case Shape::kScaledAfter:
+      return joined({"a turn, then scales along fixed axes: a shear", moved}) + mirror;
+    case Shape::kSheared:
+      return joined({"affine, with a shear", moved}) + mirror;
+    case Shape::kFlat:
+      return fmt::format("affine, but flat: rank {}, determinant {}", facts.rank,
+                         brief(facts.determinant, 3));
+    case Shape::kProjective:
+      return fmt::format("not affine: the last row is not 0 0 0 1 (rank {})", facts.rank);
+  }
+  return "";
+}
 
 std::string matrices_text(const MatrixSetup& setup, const MatrixOrigins& origins) {
   return model_text(setup.model, origins.model) + "\n" + view_text(setup.view, origins.view) +

@@ -78,9 +78,12 @@ const char* order_word(NumberOrder order) {
 
 void StepCommand::add_to(CLI::App& app, int& exit_code) {
   CLI::App& command = *app.add_subcommand(
-      "step", "a point through your own matrices, space by space, and what is wrong with them");
+      "step", "a triangle of a scene, or a point through your own matrices, through every space");
   command.footer(
       "Examples:\n"
+      "  glassbox step teapot --triangle 1000\n"
+      "  glassbox step room --size 320x180 --pick 160,90 --bits\n"
+      "  glassbox step model.glb --triangle 7 --vertex 0 --json trace.json\n"
       "  glassbox step --point 0,0,0 --view view.txt --proj proj.txt --size 1280x720\n"
       "  glassbox step --point 1,2,3 --model m.txt --view v.txt --proj p.txt --dialect vulkan\n"
       "  glassbox step --point 0,0,-5 --proj '1 0 0 0  0 1 0 0  0 0 -1.02 -0.202  0 0 -1 0'\n"
@@ -92,6 +95,7 @@ void StepCommand::add_to(CLI::App& app, int& exit_code) {
       "p' = M p, unless --order columns is given or the layout says otherwise (GLM's to_string "
       "does).\n"
       "Several points tell more than one. docs/step.md has the whole story.");
+  scene_.add_to(command);
   command
       .add_option_function<std::vector<std::string>>(
           "--point",
@@ -101,10 +105,10 @@ void StepCommand::add_to(CLI::App& app, int& exit_code) {
           "the point in object space; again for more points")
       ->type_name("X,Y,Z[,W]")
       ->allow_extra_args(false)
-      ->required();
+      ->group("Your own matrices");
   const auto add_matrix = [&](const char* name, std::optional<std::string>& source,
                               const char* help) {
-    command.add_option(name, source, help)->type_name("FILE|-|NUMBERS")->group("Matrices");
+    command.add_option(name, source, help)->type_name("FILE|-|NUMBERS")->group("Your own matrices");
   };
   add_matrix("--model", model_, "world from object; the identity where it is not given");
   add_matrix("--view", view_, "eye from world");
@@ -120,7 +124,7 @@ void StepCommand::add_to(CLI::App& app, int& exit_code) {
           },
           "what the numbers list first: rows of p' = M p, or columns (rows of p M)")
       ->type_name("rows|columns")
-      ->group("Matrices");
+      ->group("Your own matrices");
   std::string names;
   for (const ApiDialect& dialect : api_dialects()) {
     names += (names.empty() ? "" : "|") + std::string(dialect.name);
@@ -137,7 +141,7 @@ void StepCommand::add_to(CLI::App& app, int& exit_code) {
           },
           "whose clip space and window; else what the projection looks made for")
       ->type_name(names)
-      ->group("Conventions");
+      ->group("Your own matrices");
   command
       .add_option_function<std::string>(
           "--world",
@@ -149,24 +153,14 @@ void StepCommand::add_to(CLI::App& app, int& exit_code) {
           },
           "the handedness of your world, if you know it")
       ->type_name("right|left")
-      ->group("Conventions");
-  CLI::Option* size = command
-                          .add_option_function<std::string>(
-                              "--size",
-                              [this](const std::string& text) {
-                                const Size parsed = parse_size(text);
-                                window_ = {0, 0, double(parsed.width), double(parsed.height)};
-                              },
-                              "the picture in pixels, if not 1280x720")
-                          ->type_name("WxH")
-                          ->group("Window");
+      ->group("Your own matrices");
   command
       .add_option_function<std::string>(
           "--viewport", [this](const std::string& text) { window_ = parse_window(text); },
           "the window's rectangle, as glViewport takes it")
       ->type_name("X,Y,W,H")
-      ->group("Window")
-      ->excludes(size);
+      ->group("Your own matrices")
+      ->excludes(command.get_option("--size"));
   command
       .add_option_function<std::vector<std::string>>(
           "--expect",
@@ -179,7 +173,7 @@ void StepCommand::add_to(CLI::App& app, int& exit_code) {
           "where the point ought to appear; again for further points, in order")
       ->type_name("X,Y")
       ->allow_extra_args(false)
-      ->group("Window");
+      ->group("Your own matrices");
   command.add_flag("--bits", bits_, "the bits of each float, too, in hexadecimal")
       ->group("Other outputs");
   command.add_option("--json", json_output_, "the same as JSON; - is standard output")
@@ -345,6 +339,23 @@ double StepCommand::open_px(const glm::vec4& point, const VertexChain& chain) co
 }
 
 int StepCommand::run() {
+  if (scene_.is_asked_for() && !points_.empty()) {
+    return refuse({"", "--point", "a scene is named, too",
+                   "give a scene and a triangle, or points and matrices"});
+  }
+  if (scene_.is_asked_for()) return scene_.run(bits_, json_output_);
+  if (points_.empty()) {
+    return refuse({"", "", "there is nothing to step through",
+                   "give a scene and --triangle N, or --point X,Y,Z and your matrices"});
+  }
+  return step_points();
+}
+
+int StepCommand::step_points() {
+  const std::vector<std::string> words = words_given(scene_.picture());
+  if (std::find(words.begin(), words.end(), "--size") != words.end()) {
+    window_ = {0, 0, double(scene_.picture().size.width), double(scene_.picture().size.height)};
+  }
   if (!model_ && !view_ && !projection_) {
     return refuse({"", "", "there is no matrix to go through",
                    "give at least one of --model, --view and --proj"});

@@ -1,3 +1,4 @@
+// glassbox step SCENE --triangle N: see app/step/scene_step.h.
 // glassbox step --point x,y,z --model FILE --view FILE --proj FILE: a point through one's own matrices, space by space, with
 // a check of each matrix, and where the point vanishes the convention that would make it visible.
 #pragma once
@@ -11,6 +12,7 @@
 #include "app/chain_text.h"
 #include "app/matrix_report.h"
 #include "app/matrix_text.h"
+#include "app/step/scene_step.h"
 
 #include <glassbox/base/error.h>
 #include <glassbox/pipeline/vertex_chain.h>
@@ -23,6 +25,7 @@ public:
 
 private:
   int run();
+  int step_points();
   Result<void> read_matrices();
   Result<void> read_matrix(const char* option, const std::optional<std::string>& source,
                            GivenMatrix& matrix, std::string& origin);
@@ -36,6 +39,7 @@ private:
   std::string verdict(const std::vector<VertexChain>& chains) const;
   nlohmann::ordered_json json(const std::vector<VertexChain>& chains) const;
 
+  SceneStep scene_;
   std::vector<glm::dvec4> points_;
   std::vector<glm::dvec2> expected_;
   std::optional<std::string> model_, view_, projection_;
