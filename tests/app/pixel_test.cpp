@@ -166,9 +166,14 @@ TEST_CASE("people read the same") {
   }
   const Outcome background = here.run("pixel cube --size 40x30 --at 0,0 --background 1,0,0.5");
   CHECK(background.exit_code == 0);
-  CHECK(background.out ==
-        "pixel (0, 0) of cube, 40 x 30\n  colour    (255, 0, 128), alpha 255\n"
-        "  nothing was drawn here: this is the background\n");
+  CHECK(
+      background.out ==
+      "pixel (0, 0) of cube, 40 x 30\n  colour    (255, 0, 128), alpha 255\n"
+      "  nothing was drawn here: this is the background\n\n"
+      "      triangle  face of mesh, material      fate         distance    depth     pixel after\n"
+      "                                            cleared                  ffffffff  (255, 0, "
+      "128, 255)\n\n"
+      "the picture shows (255, 0, 128, 255): the background\n");
   CHECK(here.names().empty());
 }
 
