@@ -10,6 +10,7 @@
 #include "app/diff_command.h"
 #include "app/exit_codes.h"
 #include "app/info_command.h"
+#include "app/inspect_command.h"
 #include "app/pixel_command.h"
 #include "app/render_command.h"
 #include "app/step_command.h"
@@ -29,7 +30,7 @@ int bad_usage(const CLI::App& app, const CLI::ParseError& error) {
   const bool no_command =
       chosen.empty() && dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
   fmt::print(stderr, "glassbox: {}{}; {} --help shows what there is\n", what,
-             no_command ? " (the subcommands are render, info, step, pixel, why and diff)" : "",
+             no_command ? " (the subcommands are render, info, inspect, step, pixel, why and diff)" : "",
              command);
   return kBadInput;
 }
@@ -44,12 +45,14 @@ int run(int argc, char** argv) {
   int exit_code = kSuccess;
   RenderCommand render;
   InfoCommand info;
+  InspectCommand inspect;
   StepCommand step;
   PixelCommand pixel;
   WhyCommand why;
   DiffCommand diff;
   render.add_to(app, exit_code);
   info.add_to(app, exit_code);
+  inspect.add_to(app, exit_code);
   step.add_to(app, exit_code);
   pixel.add_to(app, exit_code);
   why.add_to(app, exit_code);
