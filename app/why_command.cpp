@@ -69,9 +69,18 @@ std::string WhyCommand::triangle_text(const Scene& scene, const View& view,
     text += wrapped(label, paragraph);
     label = "         ";
   }
+  std::vector<std::string> lines;
   if (const auto at = telling_pixel(verdict)) {
-    const std::string line = command("pixel", "--at", fmt::format("{},{}", (*at)[0], (*at)[1]));
-    if (!line.empty()) text += "  look   " + line + "\n";
+    lines.push_back(command("pixel", "--at", fmt::format("{},{}", (*at)[0], (*at)[1])));
+  }
+  if (verdict.traced) {
+    lines.push_back(command("step", "--triangle", std::to_string(triangle.number)));
+  }
+  label = "  look   ";
+  for (const std::string& line : lines) {
+    if (line.empty()) continue;
+    text += label + line + "\n";
+    label = "         ";
   }
   return text;
 }
@@ -87,6 +96,17 @@ std::string WhyCommand::scene_text(const SceneVerdict& found) const {
     text += fmt::format("  {:>10}  {:<23}{:<13}{}\n", group.triangles, words_for(End(i)),
                         stage_of(End(i)), group.example);
   }
+  const std::optional<End> loss = found.commonest_loss();
+  if (!loss) return text;
+  const SceneVerdict::Group& lost = found.at(*loss);
+  text +=
+      wrapped("  ", fmt::format("{}: {}.",
+                                lost.triangles == found.triangles
+                                    ? std::string("All of them end there")
+                                    : fmt::format("Most that are lost end as {}", words_for(*loss)),
+                                meaning_of(*loss)));
+  const std::string line = command("why", "--triangle", std::to_string(lost.example));
+  if (!found.all_lost() && !line.empty()) text += "  look   " + line + "\n";
   return text;
 }
 
@@ -114,6 +134,28 @@ void WhyCommand::add_to(CLI::App& app, int& exit_code) {
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 
+Result<WhyCommand::Report> WhyCommand::report_triangle(const Scene& scene, const View& view,
+                                                       std::uint64_t number) const {
+  const Result<TriangleVerdict> found = triangle_verdict(scene, view, picture_.settings, number);
+  if (!found) return tl::unexpected(found.error());
+  Report report{to_json(*found), triangle_text(scene, view, *found)};
+  report.json["why"] = explain(view, *found);
+  return report;
+}
+
+// Where nothing is seen, one triangle stands for those that end as most do.
+Result<WhyCommand::Report> WhyCommand::report_scene(const Scene& scene, const View& view) const {
+  const SceneVerdict found = scene_verdict(scene, view, picture_.settings);
+  Report report{to_json(found), scene_text(found)};
+  const std::optional<End> loss = found.commonest_loss();
+  if (!loss || !found.all_lost()) return report;
+  const Result<Report> example = report_triangle(scene, view, found.at(*loss).example);
+  if (!example) return tl::unexpected(example.error());
+  report.json["example"] = example->json;
+  report.text += "\n" + example->text;
+  return report;
+}
+
 int WhyCommand::run() {
   Progress progress;
   progress.phase("loading " + scene_);
@@ -122,56 +164,22 @@ int WhyCommand::run() {
   const Result<ChosenView> chosen = choose_view(*scene, picture_);
   if (!chosen) return refuse(chosen.error());
   const View& view = chosen->view;
-  const RenderSettings& settings = picture_.settings;
   progress.phase("rendering " + scene_);
 
-  Json json{{"scene", scene_}, {"width", picture_.size.width}, {"height", picture_.size.height}};
-  std::string text;
-  const auto judge = [&](std::uint64_t number) -> Result<void> {
-    const Result<TriangleVerdict> found = triangle_verdict(*scene, view, settings, number);
-    if (!found) return tl::unexpected(found.error());
-    Json one = to_json(*found);
-    one["why"] = explain(view, *found);
-    if (triangle_) {
-      json.update(one);
-    } else {
-      json["example"] = one;
-      text += "\n";
-    }
-    text += triangle_text(*scene, view, *found);
-    return {};
-  };
-  if (triangle_) {
-    if (const auto judged = judge(*triangle_); !judged) return refuse(judged.error());
-  } else {
-    const SceneVerdict found = scene_verdict(*scene, view, settings);
-    json.update(to_json(found));
-    text = scene_text(found);
-    if (const auto loss = found.commonest_loss()) {
-      const SceneVerdict::Group& group = found.at(*loss);
-      const std::string line =
-          command("why", "--triangle", std::to_string(found.at(*loss).example));
-      const char* who = group.triangles == found.triangles ? "All" : "Most of those that are lost";
-      text += wrapped("  ", fmt::format("{} {}: {}.", who,
-                                        group.triangles == found.triangles
-                                            ? "of them end here"
-                                            : fmt::format("({}) end here", group.triangles),
-                                        meaning_of(*loss)));
-      static_cast<void>(line);
-      if (found.all_lost()) {
-        if (const auto judged = judge(group.example); !judged) return refuse(judged.error());
-      }
-    }
-  }
+  const Result<Report> report =
+      triangle_ ? report_triangle(*scene, view, *triangle_) : report_scene(*scene, view);
+  if (!report) return refuse(report.error());
   progress.done();
 
   if (json_output_) {
+    Json json{{"scene", scene_}, {"width", picture_.size.width}, {"height", picture_.size.height}};
+    json.update(report->json);
     if (const auto written = write_json(*json_output_, json); !written) {
       return refuse(written.error());
     }
     if (*json_output_ == "-") return kSuccess;
   }
-  fmt::print("{}", text);
+  fmt::print("{}", report->text);
   return kSuccess;
 }
 

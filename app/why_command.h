@@ -6,9 +6,11 @@
 #include <string>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "app/picture_options.h"
 
+#include <glassbox/base/error.h>
 #include <glassbox/mesh/limits.h>
 #include <glassbox/render/trace/verdict.h>
 
@@ -19,7 +21,14 @@ public:
   void add_to(CLI::App& app, int& exit_code);
 
 private:
+  struct Report {
+    nlohmann::ordered_json json;
+    std::string text;
+  };
+
   int run();
+  Result<Report> report_triangle(const Scene& scene, const View& view, std::uint64_t number) const;
+  Result<Report> report_scene(const Scene& scene, const View& view) const;
   std::string triangle_text(const Scene& scene, const View& view,
                             const TriangleVerdict& verdict) const;
   std::string scene_text(const SceneVerdict& found) const;

@@ -1,15 +1,19 @@
 // A pixel's history is what happened there: it ends in the picture's bytes, and leaves no fragment out.
 #include <glassbox/render/trace/history.h>
 
+#include <cmath>
 #include <string>
+#include <variant>
 
 #include <nlohmann/json.hpp>
 
 #include <glassbox/mesh/builtin/scenes.h>
+#include <glassbox/raster/triangle_setup.h>
 #include <glassbox/render/trace/history_json.h>
 
 #include "tests/render/scenes.h"
 #include "tests/support/catch.h"
+#include "tests/support/random.h"
 
 namespace glassbox::test {
 namespace {
@@ -126,18 +130,15 @@ TEST_CASE("a pixel's history ends in the picture's bytes and has every fragment,
           if (!is_fragment(event)) continue;
           ++sums.covered;
           REQUIRE(event.stored == depth);
+          REQUIRE(event.stored ==
+                  (event.stored_by ? history.events[*event.stored_by].code : kEmptyDepth));
           sums.depth_failed += event.touch == Touch::kHidden ? 1 : 0;
           sums.discarded += event.touch == Touch::kDiscarded ? 1 : 0;
           if (event.touch < Touch::kMasked) continue;
           ++written;
           REQUIRE(event.before == bytes);
           bytes = event.after;
-          if (event.touch == Touch::kWritten ||
-              (event.touch == Touch::kMasked && event.code < depth &&
-               c.scene.materials[c.scene.meshes[event.instance].material].alpha_mode !=
-                   AlphaMode::kBlend)) {
-            depth = event.code;
-          }
+          if (event.writes_depth) depth = event.code;
         }
         REQUIRE(bytes == history.shown);
         REQUIRE(written == writes.at(x, y));
@@ -165,6 +166,141 @@ TEST_CASE("a run that is traced for one pixel tells the history that a full trac
       }
     }
   }
+}
+
+// ---- what left no fragment ----
+
+// Screen x = 32 + 32 x/w, y = 32 - 32 y/w on 64 x 64 px, w = -z, near 1, far 2.
+View exact_view() {
+  const auto view = make_view({"", FrustumLens{-1, 1, -1, 1, 1, 2.0}, {}}, 64, 64);
+  REQUIRE(view);
+  return *view;
+}
+
+Point<Object> at(double x, double y, double w) {
+  return {float((x - 32) / 32 * w), float((32 - y) / 32 * w), float(-w)};
+}
+
+Scene triangles(const std::vector<Point<Object>>& corners, Material look = {}) {
+  Mesh mesh;
+  mesh.positions = corners;
+  for (std::uint32_t i = 0; i + 2 < corners.size(); i += 3) add_face(mesh, {i, i + 1, i + 2});
+  look.unlit = true;
+  return scene_of(mesh, look);
+}
+
+PixelHistory history_at(const Scene& scene, int x, int y, const RenderSettings& settings = {}) {
+  return pixel_history(scene, exact_view(), settings, x, y);
+}
+
+TEST_CASE(
+    "a triangle that was turned away is in the history of the pixels that it would have covered") {
+  const Scene scene = triangles({at(8, 8, 1.5), at(24, 8, 1.5), at(8, 24, 1.5)});
+  const PixelHistory inside = history_at(scene, 10, 10);
+  REQUIRE(inside.events.size() == 1);
+  CHECK(inside.events[0].touch == Touch::kTurnedAway);
+  CHECK(inside.events[0].area_px2 == -128);
+  CHECK(!inside.events[0].front);
+  CHECK(!inside.shows);
+  CHECK(inside.shown == RenderSettings{}.background);
+  const PixelHistory beside = history_at(scene, 22, 22);
+  CHECK(beside.events.empty());
+  CHECK(beside.misses.empty());
+}
+
+TEST_CASE("what a plane cut off is in the history of the pixels that it would have covered") {
+  // A wall from w = 0.5 at the top to 1.5 at the bottom of the picture: the near plane keeps its lower part.
+  const std::vector<Point<Object>> wall{{-1, 0.5f, -0.5f}, {-3, -1.5f, -1.5f}, {3, -1.5f, -1.5f}};
+  const Scene scene = triangles(wall);
+  int kept = 0, cut = 0;
+  for (int y = 0; y < 64; ++y) {
+    const PixelHistory history = history_at(scene, 8, y);
+    if (history.events.empty()) continue;
+    REQUIRE(history.events.size() == 1);
+    const PixelEvent& event = history.events[0];
+    // In the plane of the wall y = 1.5 - 2 w, and the pixel's centre looks along y = (31.5 - row)/32 w.
+    const double w = 1.5 / (2 + (31.5 - y) / 32);
+    CHECK(double(event.distance) == Approx(w).epsilon(1e-6));
+    if (event.touch == Touch::kClipped) {
+      ++cut;
+      CHECK(std::string(event.plane) == "near");
+      CHECK(w < 1);
+      CHECK(event.inside == Approx(2 * w - 2).epsilon(1e-6));
+      CHECK(event.front);
+    } else {
+      ++kept;
+      CHECK(event.touch == Touch::kWritten);
+      CHECK(w >= 1);
+    }
+  }
+  CHECK(kept == 16);  // w >= 1 from row 48 on
+  CHECK(cut == 28);   // the wall begins at w = 3/4.734, in row 20
+
+  // Wholly nearer than the near plane, and wholly further than the far one.
+  const Scene gone = triangles(
+      {at(8, 8, 0.5), at(8, 24, 0.5), at(24, 8, 0.5), at(8, 8, 3), at(8, 24, 3), at(24, 8, 3)});
+  const PixelHistory history = history_at(gone, 10, 10);
+  REQUIRE(history.events.size() == 2);
+  CHECK(std::string(history.events[0].plane) == "near");
+  CHECK(history.events[0].distance == 0.5f);
+  CHECK(history.events[0].inside == -1);
+  CHECK(std::string(history.events[1].plane) == "far");
+  CHECK(history.events[1].distance == 3);
+  CHECK(history.events[1].inside == -1);
+  CHECK(history_at(gone, 40, 40).events.empty());
+}
+
+TEST_CASE("triangles that miss a pixel's centre are told by how much, the nearest first") {
+  // Edges 26 and 52 steps right of the centre of pixel (10, 10), and one through it that ends there.
+  const double near = 10.5 + 26.0 / 256, far = 10.5 + 52.0 / 256;
+  const Scene scene = triangles({at(far, 4, 1), at(far, 20, 1), at(40, 4, 1),    //
+                                 at(near, 4, 1), at(near, 20, 1), at(40, 4, 1),  //
+                                 at(10.5, 4, 1), at(2, 4, 1), at(10.5, 20, 1),   //
+                                 at(13, 4, 1), at(13, 20, 1), at(40, 4, 1)});
+  const PixelHistory history = history_at(scene, 10, 10);
+  CHECK(history.events.empty());
+  REQUIRE(history.misses.size() == 3);
+  CHECK(history.misses[0].number == 2);
+  CHECK(history.misses[0].miss.value == 0);
+  CHECK(history.misses[0].miss.subpixels == 0);
+  CHECK(history.misses[1].number == 1);
+  CHECK(history.misses[1].miss.subpixels == 26);
+  CHECK(history.misses[1].miss.value == -26 * 16 * 256);
+  CHECK(history.misses[2].number == 0);
+  CHECK(history.misses[2].miss.subpixels == 52);
+}
+
+TEST_CASE("the nearest miss is the least of the misses of all pixels") {
+  Random random(7);
+  int compared = 0;
+  for (int round = 0; round < 4000; ++round) {
+    std::array<ScreenVertex, 3> vertices;
+    const double width = random.between(0, 12), height = random.between(0, 0.2);
+    for (ScreenVertex& vertex : vertices) {
+      vertex.position.x = float(6 + random.between(0, width));
+      vertex.position.y =
+          float(8.02 + random.between(0, height) + 0.25 * double(vertex.position.x));
+    }
+    const auto setup = setup_triangle(vertices);
+    if (!setup) continue;
+    const PixelRect pixels{0, 0, 24, 20};
+    std::optional<double> least;
+    bool covered = false;
+    for (int y = 0; y < pixels.y1; ++y) {
+      for (int x = 0; x < pixels.x1; ++x) {
+        const auto miss = miss_at(*setup, x, y);
+        covered = covered || !miss;
+        if (miss && (!least || miss->subpixels < *least)) least = miss->subpixels;
+      }
+    }
+    if (covered) continue;
+    ++compared;
+    const Miss nearest = nearest_miss(*setup, pixels);
+    CAPTURE(round, nearest.x, nearest.y);
+    REQUIRE(nearest.subpixels == *least);
+    REQUIRE(miss_at(*setup, nearest.x, nearest.y)->value == nearest.value);
+  }
+  CHECK(compared > 500);
 }
 
 }  // namespace
