@@ -10,9 +10,11 @@
 #include "app/diff_command.h"
 #include "app/exit_codes.h"
 #include "app/info_command.h"
+#include "app/inspect_command.h"
 #include "app/pixel_command.h"
 #include "app/render_command.h"
 #include "app/step_command.h"
+#include "app/why_command.h"
 
 #include <glassbox/base/printable.h>
 
@@ -28,7 +30,7 @@ int bad_usage(const CLI::App& app, const CLI::ParseError& error) {
   const bool no_command =
       chosen.empty() && dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
   fmt::print(stderr, "glassbox: {}{}; {} --help shows what there is\n", what,
-             no_command ? " (the subcommands are render, info, step, pixel and diff)" : "",
+             no_command ? " (the subcommands are render, info, inspect, step, pixel, why and diff)" : "",
              command);
   return kBadInput;
 }
@@ -43,13 +45,17 @@ int run(int argc, char** argv) {
   int exit_code = kSuccess;
   RenderCommand render;
   InfoCommand info;
+  InspectCommand inspect;
   StepCommand step;
   PixelCommand pixel;
+  WhyCommand why;
   DiffCommand diff;
   render.add_to(app, exit_code);
   info.add_to(app, exit_code);
+  inspect.add_to(app, exit_code);
   step.add_to(app, exit_code);
   pixel.add_to(app, exit_code);
+  why.add_to(app, exit_code);
   diff.add_to(app, exit_code);
   app.require_subcommand(0, 1);
 

@@ -6,44 +6,23 @@
 #include "app/arguments.h"
 #include "app/builtin_help.h"
 #include "app/exit_codes.h"
+#include "app/history_text.h"
 #include "app/output.h"
 #include "app/progress.h"
 #include "app/shell_line.h"
 
 #include <glassbox/base/printable.h>
 #include <glassbox/mesh/load.h>
-#include <glassbox/mesh/triangulate.h>
 #include <glassbox/pipeline/unproject.h>
-#include <glassbox/render/staged.h>
+#include <glassbox/render/trace/history_json.h>
+#include <glassbox/render/trace/numbering.h>
+#include <glassbox/render/trace/verdict_text.h>
 
 namespace glassbox::app {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// Where a triangle's number in the scene leads.
-struct SeenTriangle {
-  std::uint32_t number = 0;    // in the scene, from 0
-  std::uint32_t instance = 0;  // index into Scene::instances
-  std::uint32_t face = 0;      // index into the mesh's faces
-};
-
-// `number` is below the scene's count of triangles.
-SeenTriangle find_triangle(const Scene& scene, std::uint32_t number) {
-  SeenTriangle seen{number, 0, 0};
-  std::uint32_t left = number;
-  for (const Instance& instance : scene.instances) {
-    seen.face = 0;
-    for (const Face& face : scene.meshes[instance.mesh].faces) {
-      if (left < numbers_of(face)) return seen;
-      left -= numbers_of(face);
-      ++seen.face;
-    }
-    ++seen.instance;
-  }
-  return seen;
-}
 
 // The point of the world that lies `distance` along the gaze behind the pixel's centre.
 Result<Point<World, double>> world_point(const View& view, PixelAt pixel, double distance) {
@@ -53,15 +32,15 @@ Result<Point<World, double>> world_point(const View& view, PixelAt pixel, double
   return unproject(view, {pixel.x + 0.5, pixel.y + 0.5, ndc_z});
 }
 
+// What the picture has at the pixel in the end.
 struct SeenPixel {
   Rgba8 color;
-  std::optional<SeenTriangle> triangle;  // none: the background
+  std::optional<NumberedTriangle> triangle;  // none: the background
   double distance = 0;
   std::optional<Point<World, double>> world;
 };
 
-SeenPixel look(const Scene& scene, const View& view, const RenderSettings& settings, PixelAt at) {
-  const Framebuffer buffers = render_staged(scene, view, settings).buffers;
+SeenPixel seen_at(const Scene& scene, const View& view, const Framebuffer& buffers, PixelAt at) {
   SeenPixel seen;
   seen.color = buffers.color.at(at.x, at.y);
   const std::uint32_t id = buffers.id.at(at.x, at.y);
@@ -72,19 +51,12 @@ SeenPixel look(const Scene& scene, const View& view, const RenderSettings& setti
   return seen;
 }
 
-// "mesh 'teapot' (instance 0), face 12".
-std::string place_of(const Scene& scene, const SeenTriangle& triangle) {
-  const Mesh& mesh = scene.meshes[scene.instances[triangle.instance].mesh];
-  return fmt::format("face {} of mesh {} (instance {})", triangle.face, in_quotes(mesh.name),
-                     triangle.instance);
-}
-
 std::string text_of(const Scene& scene, const SeenPixel& seen) {
   const Rgba8& c = seen.color;
   std::string text = fmt::format("  colour    ({}, {}, {}), alpha {}\n", c.r, c.g, c.b, c.a);
   if (!seen.triangle) return text + "  nothing was drawn here: this is the background\n";
-  text +=
-      fmt::format("  triangle  {}: {}\n", seen.triangle->number, place_of(scene, *seen.triangle));
+  text += fmt::format("  triangle  {}: {}\n", seen.triangle->number,
+                      place_of(scene, seen.triangle->instance, seen.triangle->face));
   text += fmt::format("  distance  {:.9g} along the gaze\n", seen.distance);
   if (seen.world) {
     text += fmt::format("  world     ({:.9g}, {:.9g}, {:.9g})\n", seen.world->x, seen.world->y,
@@ -143,11 +115,15 @@ std::string pixel_command_line(const Recipe& recipe, PixelAt pixel) {
 }
 
 void PixelCommand::add_to(CLI::App& app, int& exit_code) {
-  CLI::App& command = *app.add_subcommand("pixel", "what is seen in one pixel of a picture");
+  CLI::App& command =
+      *app.add_subcommand("pixel", "what is seen in one pixel of a picture, and its whole history");
   command.footer(
       "Examples:\n"
       "  glassbox pixel teapot --at 640,360\n"
       "  glassbox pixel room --size 320x180 --shade flat --at 12,34 --json -\n\n"
+      "The history has every fragment that touched the pixel, in drawing order, and the triangles "
+      "that were culled\n"
+      "or clipped where they would have covered it, or that miss its centre.\n"
       "The options are those of glassbox render: the same words show the same picture.\n\n" +
       builtin_help());
   command.add_option("SCENE", scene_, "a glTF, GLB or OBJ file, or the name of a built-in scene")
@@ -158,6 +134,8 @@ void PixelCommand::add_to(CLI::App& app, int& exit_code) {
           "the pixel, counted from 0 at the top left")
       ->type_name("X,Y")
       ->required();
+  command.add_flag("--all", all_,
+                   "list all triangles that miss the pixel's centre, not the nearest few");
   add_picture_options(command, picture_);
   command.add_option("--json", json_output_, "the same as JSON; - is standard output")
       ->type_name("FILE|-")
@@ -182,7 +160,10 @@ int PixelCommand::run() {
   settings.want_distance = true;
   settings.want_id = true;
   progress.phase("rendering " + scene_);
-  const SeenPixel seen = look(*scene, chosen->view, settings, at_);
+  Rendering rendering;
+  const PixelHistory history =
+      pixel_history(*scene, chosen->view, settings, at_.x, at_.y, &rendering);
+  const SeenPixel seen = seen_at(*scene, chosen->view, rendering.buffers, at_);
   progress.done();
 
   if (json_output_) {
@@ -190,13 +171,14 @@ int PixelCommand::run() {
     json["scene"] = scene_;
     json["x"] = at_.x;
     json["y"] = at_.y;
+    json["history"] = to_json(*scene, history);
     if (const auto written = write_json(*json_output_, json); !written) {
       return refuse(written.error());
     }
     if (*json_output_ == "-") return kSuccess;
   }
-  fmt::print("pixel ({}, {}) of {}, {} x {}\n{}", at_.x, at_.y, printable(scene_), width, height,
-             text_of(*scene, seen));
+  fmt::print("pixel ({}, {}) of {}, {} x {}\n{}\n{}", at_.x, at_.y, printable(scene_), width,
+             height, text_of(*scene, seen), history_text(*scene, history, all_));
   return kSuccess;
 }
 

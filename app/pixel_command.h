@@ -1,4 +1,4 @@
-// glassbox pixel SCENE --at X,Y: what is seen in one pixel of a picture.
+// glassbox pixel SCENE --at X,Y: what is seen in one pixel of a picture, and how it came about.
 #pragma once
 
 #include <optional>
@@ -23,6 +23,7 @@ private:
 
   std::string scene_;
   PixelAt at_;
+  bool all_ = false;  // list all near misses
   PictureOptions picture_;
   LoadLimits limits_;
   std::optional<std::string> json_output_;

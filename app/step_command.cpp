@@ -14,6 +14,8 @@ namespace glassbox::app {
 
 namespace {
 
+constexpr const char* kGroup = "Your own matrices";
+
 glm::dvec4 parse_point(const std::string& text) {
   constexpr double kLargest = double(std::numeric_limits<float>::max());
   const auto commas = std::count(text.begin(), text.end(), ',');
@@ -62,7 +64,7 @@ void add_points(CLI::App& command, PointStepOptions& o) {
           "the point in object space; again for more points")
       ->type_name("X,Y,Z[,W]")
       ->allow_extra_args(false)
-      ->required();
+      ->group(kGroup);
   command
       .add_option_function<std::vector<std::string>>(
           "--expect",
@@ -75,12 +77,12 @@ void add_points(CLI::App& command, PointStepOptions& o) {
           "where the point ought to appear; again for further points, in order")
       ->type_name("X,Y")
       ->allow_extra_args(false)
-      ->group("Window");
+      ->group(kGroup);
 }
 
 void add_matrices(CLI::App& command, PointStepOptions& o) {
   const auto add = [&](const char* name, std::optional<std::string>& source, const char* help) {
-    command.add_option(name, source, help)->type_name("FILE|-|NUMBERS")->group("Matrices");
+    command.add_option(name, source, help)->type_name("FILE|-|NUMBERS")->group(kGroup);
   };
   add("--model", o.model, "world from object; the identity where it is not given");
   add("--view", o.view, "eye from world; the identity where it is not given");
@@ -89,7 +91,7 @@ void add_matrices(CLI::App& command, PointStepOptions& o) {
       command, "--order", o.order,
       {{"rows", NumberOrder::kRows}, {"columns", NumberOrder::kColumns}},
       "what the numbers list first: rows of p' = M p, or columns (rows of p M)")
-      ->group("Matrices");
+      ->group(kGroup);
 }
 
 void add_conventions(CLI::App& command, PointStepOptions& o) {
@@ -98,35 +100,29 @@ void add_conventions(CLI::App& command, PointStepOptions& o) {
   add_choice<const ApiDialect*>(
       command, "--dialect", o.dialect, dialects,
       "whose clip space and window; else what the projection looks made for")
-      ->group("Conventions");
+      ->group(kGroup);
   add_choice<std::optional<Hand>>(command, "--world", o.world,
                                   {{"right", Hand::kRight}, {"left", Hand::kLeft}},
                                   "the handedness of your world, if you know it")
-      ->group("Conventions");
+      ->group(kGroup);
 }
 
+// --size is among the picture's options.
 void add_window(CLI::App& command, PointStepOptions& o) {
-  CLI::Option* size = command
-                          .add_option_function<std::string>(
-                              "--size",
-                              [&o](const std::string& text) {
-                                const auto [width, height] = parse_size(text);
-                                o.window = {0, 0, double(width), double(height)};
-                              },
-                              "the picture in pixels, if not 1280x720")
-                          ->type_name("WxH")
-                          ->group("Window");
   command
       .add_option_function<std::string>(
           "--viewport", [&o](const std::string& text) { o.window = parse_window(text); },
           "the window's rectangle, as glViewport takes it")
       ->type_name("X,Y,W,H")
-      ->group("Window")
-      ->excludes(size);
+      ->group(kGroup)
+      ->excludes(command.get_option("--size"));
 }
 
 constexpr const char* kFooter =
     "Examples:\n"
+    "  glassbox step teapot --triangle 1000\n"
+    "  glassbox step room --size 320x180 --pick 160,90 --bits\n"
+    "  glassbox step model.glb --triangle 7 --vertex 0 --json trace.json\n"
     "  glassbox step --point 0,0,0 --view view.txt --proj proj.txt --size 1280x720\n"
     "  glassbox step --point 1,2,3 --model m.txt --view v.txt --proj p.txt --dialect vulkan\n"
     "  glassbox step --point 0,0,-5 --proj '1 0 0 0  0 1 0 0  0 0 -1.02 -0.202  0 0 -1 0'\n"
@@ -141,13 +137,14 @@ constexpr const char* kFooter =
 
 void StepCommand::add_to(CLI::App& app, int& exit_code) {
   CLI::App& command = *app.add_subcommand(
-      "step", "a point through your own matrices, space by space, and what is wrong with them");
+      "step", "a triangle of a scene, or a point through your own matrices, through every space");
   command.footer(kFooter);
-  add_points(command, options_);
-  add_matrices(command, options_);
-  add_conventions(command, options_);
-  add_window(command, options_);
-  command.add_flag("--bits", options_.bits, "the bits of each float, too, in hexadecimal")
+  scene_.add_to(command);
+  add_points(command, points_);
+  add_matrices(command, points_);
+  add_conventions(command, points_);
+  add_window(command, points_);
+  command.add_flag("--bits", bits_, "the bits of each float, too, in hexadecimal")
       ->group("Other outputs");
   command.add_option("--json", json_output_, "the same as JSON; - is standard output")
       ->type_name("FILE|-")
@@ -156,7 +153,26 @@ void StepCommand::add_to(CLI::App& app, int& exit_code) {
 }
 
 int StepCommand::run() {
-  const auto step = step_points(options_);
+  if (scene_.is_asked_for() && !points_.points.empty()) {
+    return refuse({"", "--point", "a scene is named, too",
+                   "give a scene and a triangle, or points and matrices"});
+  }
+  if (scene_.is_asked_for()) return scene_.run(bits_, json_output_);
+  if (points_.points.empty()) {
+    return refuse({"", "", "there is nothing to step through",
+                   "give a scene and --triangle N, or --point X,Y,Z and your matrices"});
+  }
+  return run_points();
+}
+
+int StepCommand::run_points() {
+  const std::vector<std::string> words = words_given(scene_.picture());
+  if (std::find(words.begin(), words.end(), "--size") != words.end()) {
+    const auto [width, height] = scene_.picture().size;
+    points_.window = {0, 0, double(width), double(height)};
+  }
+  points_.bits = bits_;
+  const auto step = step_points(points_);
   if (!step) return refuse(step.error());
   if (json_output_) {
     if (const auto written = write_json(*json_output_, point_step_json(*step)); !written) {

@@ -1,5 +1,6 @@
+// glassbox step SCENE --triangle N: see app/step/scene_step.h.
 // glassbox step --point x,y,z --model FILE --view FILE --proj FILE: a point through one's own matrices, space by space, with
-// a check of each matrix, and where the point vanishes the convention that would make it visible.
+// a check of each matrix, and where the point vanishes the convention that would make it visible; see app/step/point_step.h.
 #pragma once
 
 #include <optional>
@@ -7,7 +8,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/point_step.h"
+#include "app/step/point_step.h"
+#include "app/step/scene_step.h"
 
 namespace glassbox::app {
 
@@ -17,8 +19,11 @@ public:
 
 private:
   int run();
+  int run_points();
 
-  PointStepOptions options_;
+  SceneStep scene_;
+  PointStepOptions points_;
+  bool bits_ = false;
   std::optional<std::string> json_output_;
 };
 

@@ -11,6 +11,7 @@
 #include <glassbox/raster/line.h>
 #include <glassbox/raster/point.h>
 #include <glassbox/raster/snap.h>
+#include <glassbox/render/distance.h>
 
 namespace glassbox {
 
@@ -67,14 +68,6 @@ Rgba8 picture_of_texcoord(const std::array<float, 2>& t) {
 
 // ---- one fragment ----
 
-// Along the gaze, in world units: w itself for a perspective view; for a parallel one, between its planes.
-float distance_along_gaze(const View& view, const Fragment& fragment) {
-  if (view.perspective) return 1.0f / fragment.inverse_w;
-  const double from_near = view.depth_range == DepthRange::kReversed ? 1.0 - double(fragment.depth)
-                                                                     : double(fragment.depth);
-  return float(view.near + from_near * (view.far - view.near));
-}
-
 void write(const FragmentStage& stage, const Fragment& fragment, std::uint32_t code,
            std::uint32_t id, const Rgba8& color, bool writes_depth) {
   Framebuffer& target = stage.target;
@@ -82,7 +75,8 @@ void write(const FragmentStage& stage, const Fragment& fragment, std::uint32_t c
   write_masked(stage.settings.mask, color, target.color.pixels[pixel]);
   if (writes_depth) target.depth.pixels[pixel] = code;
   if (!target.distance.pixels.empty()) {
-    target.distance.pixels[pixel] = distance_along_gaze(stage.view, fragment);
+    target.distance.pixels[pixel] =
+        distance_along_gaze(stage.view, fragment.depth, fragment.inverse_w);
   }
   if (!target.id.pixels.empty()) target.id.pixels[pixel] = id;
   if (!target.writes.pixels.empty()) ++target.writes.pixels[pixel];

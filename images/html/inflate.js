@@ -12,6 +12,11 @@ async function inflate(bytes) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
+// Every row but the first is stored as its difference from the row above, byte by byte.
+function undoRowDifferences(bytes, stride) {
+  for (let i = stride; i < bytes.length; i++) bytes[i] += bytes[i - stride];
+}
+
 // The shortest decimal that reads back as the same 32-bit float.
 function floatText(value) {
   if (Number.isNaN(value)) return "NaN";

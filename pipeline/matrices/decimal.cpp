@@ -35,8 +35,9 @@ std::string brief(double value, int digits) {
 }
 
 std::string brief_triple(const glm::dvec3& v, int digits) {
-  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  const auto shown = [&](double x) { return brief(std::abs(x) < 1e-6 * largest ? 0 : x, digits); };
+  const double last =
+      std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) * std::pow(10.0, -digits);
+  const auto shown = [&](double x) { return brief(std::abs(x) < last ? 0 : x, digits); };
   return "(" + shown(v.x) + ", " + shown(v.y) + ", " + shown(v.z) + ")";
 }
 

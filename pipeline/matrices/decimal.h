@@ -20,7 +20,7 @@ std::string rounded(double value, double uncertainty);
 
 // At most `digits` significant ones, without trailing zeros: "0.1", "1.5e-09", "inf".
 std::string brief(double value, int digits = 6);
-// "(1, 2, 3)". Coordinates that are rounding beside the largest are shown as 0.
+// "(1, 2, 3)". Coordinates whose first digit comes after the last of the largest one are shown as 0.
 std::string brief_triple(const glm::dvec3& v, int digits = 6);
 
 }  // namespace glassbox

@@ -12,12 +12,28 @@ namespace {
 
 constexpr double kRoundUp = 1 + 0x1p-40;
 
-// Bound 1 for a matrix with last row 0 0 0 1 in double.
+bool is_power_of_two(double x) {
+  int exponent = 0;
+  return std::abs(std::frexp(x, &exponent)) == 0.5;
+}
+
+// Bound 1 for a matrix with last row 0 0 0 1 in double. A row with a single product by a power of two rounds nothing.
 glm::dvec3 affine_bound(const glm::dmat4& m, const glm::dvec3& point,
                         const glm::dvec3& point_bound) {
-  const glm::dvec3 size(magnitude(m, glm::dvec4(point, 1)));
-  const glm::dvec3 inherited(magnitude(m, glm::dvec4(point_bound, 0)));
-  return (gamma<double>(4) * size + inherited) * kRoundUp;
+  const glm::dvec4 x(point, 1);
+  const glm::dvec4 size = magnitude(m, x), inherited = magnitude(m, glm::dvec4(point_bound, 0));
+  glm::dvec3 bound;
+  for (int row = 0; row < 3; ++row) {
+    int products = 0, last = 0;
+    for (int column = 0; column < 4; ++column) {
+      if (m[column][row] == 0 || x[column] == 0) continue;
+      ++products;
+      last = column;
+    }
+    const bool exact = products == 0 || (products == 1 && is_power_of_two(m[last][row]));
+    bound[row] = ((exact ? 0 : gamma<double>(products) * size[row]) + inherited[row]) * kRoundUp;
+  }
+  return bound;
 }
 
 glm::vec4 anchored(const TracedCorner& corner, const TracedDraw& draw) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <unordered_set>
 #include <utility>
 
 #include <glassbox/pipeline/divide.h>
@@ -41,26 +42,21 @@ PixelRect pixels_touched(const Vertices& vertices) {
 
 class Tracer : public Observer {
 public:
-  Tracer(const Scene& scene, const View& view, const RenderSettings& settings,
-         const TraceFilter& filter)
-      : scene_(scene), view_(view), filter_(filter) {
-    trace_.view = view;
-    trace_.settings = settings;
-    for (const ClipPlane& plane : render_planes(view)) {
-      trace_.planes.push_back(plane);
+  Tracer(const Scene& scene, const View& view, const TraceFilter& filter, TraceSink& sink)
+      : scene_(scene), view_(view), filter_(filter), sink_(sink), planes_(render_planes(view)) {
+    for (const ClipPlane& plane : planes_) {
       const bool bounds_depth = plane.c != 0;
       if (!bounds_depth) side_planes_.push_back(plane);
     }
   }
 
-  Trace take() { return std::move(trace_); }
+  bool complete() const { return complete_; }
 
   void draw(const Draw& draw) override {
     draw_ = &draw;
-    trace_.draws.push_back({draw.instance, draw.first_number,
-                            scene_.nodes[scene_.instances[draw.instance].node].world_from_node,
-                            draw.anchor, draw.clip_from_anchored, draw.eye_from_anchored,
-                            draw.mirrored});
+    world_from_object_ = scene_.nodes[scene_.instances[draw.instance].node].world_from_node;
+    sink_.draw({draw.instance, draw.first_number, world_from_object_, draw.anchor,
+                draw.clip_from_anchored, draw.eye_from_anchored, draw.mirrored});
     draw_wanted_ = !filter_.instance || *filter_.instance == draw.instance;
   }
 
@@ -69,7 +65,9 @@ public:
   void clipped(const PrimitiveStage&, const Triangle& triangle,
                const std::array<ClipVertex, 3>& corners, ClipPolygon& polygon) override {
     const std::uint32_t number = draw_->first_number + triangle.number;
-    watching_ = filter_.triangles && is_wanted(number);
+    const bool wanted = is_wanted(number) && has_wanted_vertex(triangle);
+    if (wanted && filter_.position) with_wanted_vertex_.insert(number);
+    watching_ = wanted && filter_.triangles;
     if (!watching_) return;
     was_cut_ = polygon.count != 3 || polygon.vertices[0].position != corners[0].position ||
                polygon.vertices[1].position != corners[1].position ||
@@ -113,7 +111,7 @@ public:
                                 current_.clipping.size() * sizeof(ClipStep) +
                                 current_.polygon.size() * sizeof(TracedVertex) +
                                 current_.pieces.size() * sizeof(TracedPiece);
-    if (has_room(bytes)) trace_.triangles.push_back(current_);
+    if (has_room(bytes)) sink_.triangle(current_);
   }
 
   // ---- fragments ----
@@ -126,33 +124,35 @@ public:
                 std::uint32_t stored, bool&) override {
     tracing_ = is_wanted(source, fragment) && has_room(sizeof(TracedFragment));
     if (!tracing_) return;
-    TracedFragment& traced = trace_.fragments.emplace_back();
-    traced.source = source;
-    traced.instance = draw_->instance;
-    if (source.is_triangle) traced.coverage = coverage_;
-    traced.fragment = fragment;
-    traced.code = code;
-    traced.stored = stored;
+    fragment_ = {};
+    fragment_.source = source;
+    fragment_.instance = draw_->instance;
+    if (source.is_triangle) fragment_.coverage = coverage_;
+    fragment_.fragment = fragment;
+    fragment_.code = code;
+    fragment_.stored = stored;
   }
 
   void textured(const Varyings& at, Rgba& surface) override {
-    if (!tracing_) return;
-    trace_.fragments.back().at = at;
-    trace_.fragments.back().surface = surface;
+    if (!tracing_ || !filter_.colors) return;
+    fragment_.at = at;
+    fragment_.surface = surface;
   }
 
   void lit(const Varyings&, const Rgba&, Rgba& color) override {
-    if (tracing_) trace_.fragments.back().light = color;
+    if (tracing_ && filter_.colors) fragment_.light = color;
   }
 
   void encoded(const Fragment&, const Rgba8& before, Rgba8& after) override {
-    if (!tracing_) return;
-    trace_.fragments.back().before = before;
-    trace_.fragments.back().after = after;
+    if (!tracing_ || !filter_.colors) return;
+    fragment_.before = before;
+    fragment_.after = after;
   }
 
   void ended(const FragmentSource&, const Fragment&, Fate fate) override {
-    if (tracing_) trace_.fragments.back().fate = fate;
+    if (!tracing_) return;
+    fragment_.fate = fate;
+    sink_.fragment(fragment_);
   }
 
 private:
@@ -160,9 +160,19 @@ private:
     return draw_wanted_ && (!filter_.triangle || *filter_.triangle == number);
   }
 
+  bool has_wanted_vertex(const Triangle& triangle) const {
+    return !filter_.position ||
+           std::any_of(triangle.corners.begin(), triangle.corners.end(), [this](std::uint32_t k) {
+             return draw_->mesh->corners[k].position == *filter_.position;
+           });
+  }
+
   bool is_wanted(const FragmentSource& source, const Fragment& fragment) const {
     if (!filter_.fragments || !draw_wanted_) return false;
     if (filter_.triangle && !(source.is_triangle && source.number == *filter_.triangle)) {
+      return false;
+    }
+    if (filter_.position && !(source.is_triangle && with_wanted_vertex_.contains(source.number))) {
       return false;
     }
     return !filter_.pixels || contains(*filter_.pixels, fragment.x, fragment.y);
@@ -194,8 +204,8 @@ private:
   }
 
   bool has_room(std::uint64_t bytes) {
-    if (bytes_ + bytes > filter_.max_bytes) trace_.complete = false;
-    if (!trace_.complete) return false;
+    if (bytes_ + bytes > filter_.max_bytes) complete_ = false;
+    if (!complete_) return false;
     bytes_ += bytes;
     return true;
   }
@@ -208,7 +218,7 @@ private:
       codes[k] = current_.corners[k].outcode;
     }
     if (trivial_verdict(codes) == ClipVerdict::kClip) {
-      clip_triangle(clip_vertices(current_), trace_.planes, &current_.clipping);
+      clip_triangle(clip_vertices(current_), planes_, &current_.clipping);
     }
     std::array<SnappedVertex, kMaxClipVertices> snapped;
     for (std::size_t i = 0; i < current_.polygon.size(); ++i) {
@@ -227,34 +237,62 @@ private:
     corner.position = draw_->mesh->corners[corner.corner].position;
     corner.object = draw_->mesh->positions[corner.position];
     const Point<Object, double> object{corner.object.x, corner.object.y, corner.object.z};
-    corner.world = trace_.draws.back().world_from_object * object;
+    corner.world = world_from_object_ * object;
     corner.eye = view_.eye_from_world * corner.world;
-    corner.outcode = outcode(corner.clip, trace_.planes);
+    corner.outcode = outcode(corner.clip, planes_);
   }
 
   const Scene& scene_;
   const View& view_;
   const TraceFilter& filter_;
-  Trace trace_;
+  TraceSink& sink_;
+  const std::array<ClipPlane, kMaxClipPlanes> planes_;
+  std::vector<ClipPlane> side_planes_;  // all but near and far
   std::uint64_t bytes_ = 0;
+  bool complete_ = true;
   const Draw* draw_ = nullptr;
   bool draw_wanted_ = true;
-  std::vector<ClipPlane> side_planes_;  // all but near and far
-  bool watching_ = false;               // the current triangle
-  bool was_cut_ = false;                // it is not what it was before clipping
-  TracedTriangle current_;              // reused, so that what is not kept costs no allocation
-  bool tracing_ = false;                // the current fragment
+  Transform<World, Object> world_from_object_;
+  std::unordered_set<std::uint32_t> with_wanted_vertex_;  // numbers; of filters by position
+  bool watching_ = false;                                 // the current triangle
+  bool was_cut_ = false;                                  // it is not what it was before clipping
+  TracedTriangle current_;  // reused, so that what is not kept costs no allocation
+  bool tracing_ = false;    // the current fragment
+  TracedFragment fragment_;
   Coverage coverage_;
+};
+
+class Collector : public TraceSink {
+public:
+  explicit Collector(Trace& trace) : trace_(trace) {}
+  void draw(const TracedDraw& draw) override { trace_.draws.push_back(draw); }
+  void triangle(const TracedTriangle& triangle) override { trace_.triangles.push_back(triangle); }
+  void fragment(const TracedFragment& fragment) override { trace_.fragments.push_back(fragment); }
+
+private:
+  Trace& trace_;
 };
 
 }  // namespace
 
+SunkRun trace(const Scene& scene, const View& view, const RenderSettings& settings,
+              const TraceFilter& filter, TraceSink& sink) {
+  Tracer tracer(scene, view, filter, sink);
+  Rendering rendering = render_staged(scene, view, settings, &tracer);
+  return {std::move(rendering), tracer.complete()};
+}
+
 TracedRun trace(const Scene& scene, const View& view, const RenderSettings& settings,
                 const TraceFilter& filter) {
-  Tracer tracer(scene, view, settings, filter);
   TracedRun run;
-  run.rendering = render_staged(scene, view, settings, &tracer);
-  run.trace = tracer.take();
+  run.trace.view = view;
+  run.trace.settings = settings;
+  const auto planes = render_planes(view);
+  run.trace.planes.assign(planes.begin(), planes.end());
+  Collector collector(run.trace);
+  SunkRun sunk = trace(scene, view, settings, filter, collector);
+  run.rendering = std::move(sunk.rendering);
+  run.trace.complete = sunk.complete;
   return run;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -166,10 +167,73 @@ TEST_CASE("people read the same") {
   }
   const Outcome background = here.run("pixel cube --size 40x30 --at 0,0 --background 1,0,0.5");
   CHECK(background.exit_code == 0);
-  CHECK(background.out ==
-        "pixel (0, 0) of cube, 40 x 30\n  colour    (255, 0, 128), alpha 255\n"
-        "  nothing was drawn here: this is the background\n");
+  CHECK(
+      background.out ==
+      "pixel (0, 0) of cube, 40 x 30\n  colour    (255, 0, 128), alpha 255\n"
+      "  nothing was drawn here: this is the background\n\n"
+      "      triangle  face of mesh, material      fate         distance    depth     pixel after\n"
+      "                                            cleared                  ffffffff  (255, 0, "
+      "128, 255)\n\n"
+      "the picture shows (255, 0, 128, 255): the background\n");
   CHECK(here.names().empty());
+}
+
+TEST_CASE("the last line has the picture's bytes, whatever the picture shows") {
+  const Workplace here;
+  for (const char* words :
+       {"room", "room --cull none --near 2", "forest --depth d16", "cube --wireframe",
+        "teapot:2 --show normal", "room --show depth", "cube --background 1,1,1"}) {
+    const Rendered whole = rendered(here, words);
+    for (int y = 1; y < kHeight; y += 9) {
+      for (int x = y % 5; x < kWidth; x += 11) {
+        const std::string at = std::to_string(x) + "," + std::to_string(y);
+        const Outcome outcome =
+            here.run(std::string("pixel ") + words + " --size 40x30 --at " + at);
+        INFO(words << " at " << at << "\n" << outcome.out << outcome.err);
+        REQUIRE(outcome.exit_code == 0);
+        const std::string last =
+            outcome.out.substr(outcome.out.rfind('\n', outcome.out.size() - 2) + 1);
+        const Rgba8 c = whole.color.at(x, y);
+        const std::string bytes = "(" + std::to_string(c.r) + ", " + std::to_string(c.g) + ", " +
+                                  std::to_string(c.b) + ", " + std::to_string(c.a) + ")";
+        CHECK(last.find("the picture shows " + bytes + ": ") == 0);
+        std::istringstream lines(outcome.out);
+        for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);
+      }
+    }
+  }
+}
+
+TEST_CASE("the history in JSON ends in the picture's colour, and --all lists every miss") {
+  const Workplace here;
+  int fragments = 0, misses = 0;
+  for (int y = 2; y < kHeight; y += 8) {
+    for (int x = 3; x < kWidth; x += 8) {
+      const Json json = pixel(here, "forest", x, y);
+      const Json& history = json["history"];
+      CHECK(history["shown"] == json["color"]);
+      CHECK(history["complete"] == true);
+      if (json.contains("triangle")) {
+        const Json& shows = history["events"][history["shows"].get<std::size_t>()];
+        CHECK(shows["triangle"] == json["triangle"]);
+        CHECK(shows["face"] == json["face"]);
+        CHECK(shows["after"] == json["color"]);
+        CHECK(shows["distance"] == json["distance"]);
+      } else {
+        CHECK(history["shows"].is_null());
+      }
+      fragments += int(history["events"].size());
+      misses = std::max(misses, int(history["misses"].size()));
+    }
+  }
+  CHECK(fragments > 20);
+  REQUIRE(misses > 3);
+  const std::string words = "pixel forest --size 40x30 --at 19,18";
+  const int few = int(std::ranges::count(here.run(words).out, '\n'));
+  const int all = int(std::ranges::count(here.run(words + " --all").out, '\n'));
+  const int more = int(pixel(here, "forest", 19, 18)["history"]["misses"].size()) - 3;
+  CHECK(more > 0);
+  CHECK(all - few == more);
 }
 
 TEST_CASE("JSON goes to a file beside what people read, or alone to standard output") {

@@ -1,14 +1,5 @@
 // Mouse, keys and the tool bar.
 
-// The pane under a mouse event, with the point in it in device pixels.
-function paneUnder(event) {
-  const box = canvas.getBoundingClientRect();
-  const x = (event.clientX - box.left) * devicePixelRatio, y = (event.clientY - box.top) * devicePixelRatio;
-  const pane = state.panes.find((each) =>
-    x >= each.x && x < each.x + each.width && y >= each.y && y < each.y + each.height);
-  return pane && {pane, x, y};
-}
-
 // Zooms by one step; what is under the given point of a pane stays there.
 function zoomBy(steps, at = null) {
   if (!state.pair?.pictures.length) return;

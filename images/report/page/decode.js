@@ -2,11 +2,6 @@
 
 const sampleTypes = {u8: Uint8Array, u16: Uint16Array, f32: Float32Array};
 
-// Every row but the first is stored as its difference from the row above, byte by byte.
-function undoRowDifferences(bytes, stride) {
-  for (let i = stride; i < bytes.length; i++) bytes[i] += bytes[i - stride];
-}
-
 // A picture of the manifest with its samples. They lie in tiles, boxes [x, x + width) x [y, y + height) of the
 // picture: one for the whole of it, or several crops.
 async function decodePicture(facts) {

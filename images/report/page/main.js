@@ -1,6 +1,5 @@
 // What is shown, and what happens when a pair is opened.
 
-const view = {x: 0, y: 0, scale: 1};
 const state = {
   facts: null,   // the open pair in the manifest
   pair: null,    // its pictures, decoded: see decodePair

@@ -3,53 +3,9 @@
 // A pane is a rectangle of the canvas in device pixels; it shows layers, of which the wipe has two. All panes share
 // `view`: the point of the picture at the centre of a pane, and the scale in CSS pixels a picture pixel.
 
-const canvas = document.getElementById("view");
-const context = canvas.getContext("2d");
-
-const scales = [1 / 16, 1 / 8, 1 / 4, 1 / 2, 1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96];
 const largestScale = () => (state.pair.pictures[0].type === "f32" ? 96 : 64);
 
 const stripHeight = () => Math.round(24 * devicePixelRatio); // the title of a pane
-
-// Device pixels a picture pixel: whole from 1 upwards, so that all pixels are of one size.
-function cellSize() {
-  const size = view.scale * devicePixelRatio;
-  return size < 1 ? size : Math.round(size);
-}
-
-// Left and top of picture pixel (0, 0) in the pane.
-function originOf(pane) {
-  const cell = cellSize();
-  return {
-    x: Math.round(pane.x + pane.width / 2 - view.x * cell),
-    y: Math.round(pane.y + pane.height / 2 - view.y * cell),
-  };
-}
-
-// The picture's point under a point of the pane.
-function pointUnder(pane, x, y) {
-  const origin = originOf(pane), cell = cellSize();
-  return {x: (x - origin.x) / cell, y: (y - origin.y) / cell};
-}
-
-// Boxes for `count` panes, in as many columns as show the picture largest.
-function paneBoxes(count, size) {
-  const gap = Math.round(8 * devicePixelRatio), strip = stripHeight();
-  const inColumns = (columns) => {
-    const rows = Math.ceil(count / columns);
-    const width = Math.floor((canvas.width - gap * (columns - 1)) / columns);
-    const height = Math.floor((canvas.height - gap * (rows - 1)) / rows) - strip;
-    return {columns, width, height, scale: Math.min(width / size.width, height / size.height)};
-  };
-  const {columns, width, height} = Array.from({length: count}, (_, i) => inColumns(count - i))
-    .reduce((best, other) => (other.scale > best.scale ? other : best));
-  return Array.from({length: count}, (_, i) => ({
-    x: (i % columns) * (width + gap),
-    y: Math.floor(i / columns) * (height + strip + gap) + strip,
-    width,
-    height,
-  }));
-}
 
 // The scale that shows all of the picture, a whole number where it is larger than 1.
 function fitScale() {
@@ -113,16 +69,6 @@ function drawLayer(pane, layer) {
   if (cell >= 20 * devicePixelRatio) drawValues(layer, seen, origin, cell);
 }
 
-// The box of pixels of which something is on the pane.
-function visiblePixels(pane, origin, cell, picture) {
-  return {
-    left: clamp(Math.floor((pane.x - origin.x) / cell), 0, picture.width),
-    top: clamp(Math.floor((pane.y - origin.y) / cell), 0, picture.height),
-    right: clamp(Math.ceil((pane.x + pane.width - origin.x) / cell), 0, picture.width),
-    bottom: clamp(Math.ceil((pane.y + pane.height - origin.y) / cell), 0, picture.height),
-  };
-}
-
 // Only the part that is seen: browsers lose precision far outside of the canvas.
 function drawTile(tile, origin, cell, seen) {
   const left = Math.max(tile.x, seen.left), right = Math.min(tile.x + tile.width, seen.right);
@@ -164,14 +110,6 @@ function checks() {
   return context.createPattern(tile, "repeat");
 }
 
-function drawGrid(seen, origin, cell) {
-  context.fillStyle = "rgb(128 128 128 / 0.4)";
-  const left = origin.x + seen.left * cell, right = origin.x + seen.right * cell;
-  const top = origin.y + seen.top * cell, bottom = origin.y + seen.bottom * cell;
-  for (let x = left; x <= right; x += cell) context.fillRect(x, top, 1, bottom - top);
-  for (let y = top; y <= bottom; y += cell) context.fillRect(left, y, right - left, 1);
-}
-
 // The lines of text that a layer has for a pixel, printed in it in one size for all that is seen; nothing where they
 // would be too small to read.
 function drawValues(layer, seen, origin, cell) {
@@ -199,17 +137,6 @@ function drawValues(layer, seen, origin, cell) {
   }
 }
 
-// A light line between dark ones is seen on every colour.
-function outline(x, y, width, height, colour) {
-  const unit = Math.max(1, Math.round(devicePixelRatio));
-  context.lineWidth = 3 * unit;
-  context.strokeStyle = "rgb(0 0 0 / 0.6)";
-  context.strokeRect(x - 1.5 * unit, y - 1.5 * unit, width + 3 * unit, height + 3 * unit);
-  context.lineWidth = unit;
-  context.strokeStyle = colour;
-  context.strokeRect(x - 1.5 * unit, y - 1.5 * unit, width + 3 * unit, height + 3 * unit);
-}
-
 // A box is at least a few pixels of the screen large, so that a single wrong pixel is found from any distance; of
 // several that would cover each other, the worst is drawn.
 function drawBoxes(pane) {
@@ -224,25 +151,6 @@ function drawBoxes(pane) {
     taken.add(place);
     outline(x, y, width, height, i === state.region ? "#ffe14d" : "#fff");
   });
-}
-
-function drawCrosshair(pane) {
-  if (!state.cursor) return;
-  const origin = originOf(pane), cell = cellSize();
-  const x = origin.x + state.cursor.x * cell, y = origin.y + state.cursor.y * cell;
-  outline(x, y, Math.max(cell, 1), Math.max(cell, 1), "#3df5ff");
-  if (cell >= 12 * devicePixelRatio) return;
-  const near = 8 * devicePixelRatio, far = 20 * devicePixelRatio, centre = cell / 2;
-  for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
-    for (const [colour, width] of [["rgb(0 0 0 / 0.6)", 3], ["#3df5ff", 1]]) {
-      context.strokeStyle = colour;
-      context.lineWidth = width * Math.max(1, Math.round(devicePixelRatio));
-      context.beginPath();
-      context.moveTo(x + centre + dx * near, y + centre + dy * near);
-      context.lineTo(x + centre + dx * far, y + centre + dy * far);
-      context.stroke();
-    }
-  }
 }
 
 function drawDivider(pane) {

@@ -1,4 +1,4 @@
-#include "app/matrix_text.h"
+#include "app/step/matrix_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "app/matrix_lexer.h"
+#include "app/step/matrix_lexer.h"
 
 #include <glassbox/base/printable.h>
 #include <glassbox/base/rounding.h>

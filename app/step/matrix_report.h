@@ -16,6 +16,9 @@ struct MatrixOrigins {
   std::string model, view, projection;
 };
 
+// "rigid exactly: a turn by 30 degrees about (0, 1, 0), then a translation by (1, 2, 3)".
+std::string affine_sentence(const MatrixFacts& facts);
+
 std::string matrices_text(const MatrixSetup& setup, const MatrixOrigins& origins);
 nlohmann::ordered_json matrices_json(const MatrixSetup& setup, const MatrixOrigins& origins);
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "app/chain_text.h"
-#include "app/point_step.h"
+#include "app/step/chain_text.h"
+#include "app/step/point_step.h"
 #include "app/text_layout.h"
 
 #include <glassbox/pipeline/matrices/decimal.h>

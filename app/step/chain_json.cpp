@@ -1,5 +1,5 @@
-#include "app/chain_text.h"
-#include "app/float_bits.h"
+#include "app/step/chain_text.h"
+#include "app/step/numbers_text.h"
 
 namespace glassbox::app {
 

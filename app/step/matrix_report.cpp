@@ -1,8 +1,8 @@
-#include "app/matrix_report.h"
+#include "app/step/matrix_report.h"
 
 #include <fmt/format.h>
 
-#include "app/chain_text.h"
+#include "app/step/chain_text.h"
 #include "app/text_layout.h"
 
 #include <glassbox/base/trig.h>
@@ -30,44 +30,6 @@ std::string joined(std::initializer_list<std::string> parts) {
 
 std::string rigidity_text(const MatrixFacts& facts) {
   return facts.orthogonality == 0 ? "exactly" : "to within " + brief(facts.orthogonality, 2);
-}
-
-std::string affine_sentence(const MatrixFacts& facts) {
-  const std::string moved = facts.translation == glm::dvec3(0)
-                                ? ""
-                                : "a translation by " + brief_triple(facts.translation);
-  const std::string mirror =
-      facts.mirror() ? fmt::format("; it mirrors (determinant {})", brief(facts.determinant, 4))
-                     : "";
-  switch (facts.shape) {
-    case Shape::kNotFinite:
-      return "not all of its entries are finite";
-    case Shape::kIdentity:
-      return "the identity";
-    case Shape::kTranslation:
-      return moved + ", and nothing else";
-    case Shape::kRigid:
-      return fmt::format("rigid {}: {}{}", rigidity_text(facts),
-                         joined({facts.mirror() ? "a reflection" : turn_text(facts), moved}),
-                         mirror);
-    case Shape::kSimilarity:
-      return joined({"a scale by " + brief(std::abs(facts.scale.x)), turn_text(facts), moved}) +
-             mirror;
-    case Shape::kScaled:
-      return joined({"scales by " + brief_triple(facts.scale) + " along the axes", turn_text(facts),
-                     moved}) +
-             mirror;
-    case Shape::kScaledAfter:
-      return joined({"a turn, then scales along fixed axes: a shear", moved}) + mirror;
-    case Shape::kSheared:
-      return joined({"affine, with a shear", moved}) + mirror;
-    case Shape::kFlat:
-      return fmt::format("affine, but flat: rank {}, determinant {}", facts.rank,
-                         brief(facts.determinant, 3));
-    case Shape::kProjective:
-      return fmt::format("not affine: the last row is not 0 0 0 1 (rank {})", facts.rank);
-  }
-  return "";
 }
 
 std::string heading(const char* name, const char* from_to, const std::string& origin) {
@@ -189,6 +151,44 @@ std::string projection_text(const GivenMatrix& given, const ApiDialect& dialect,
 }
 
 }  // namespace
+
+std::string affine_sentence(const MatrixFacts& facts) {
+  const std::string moved = facts.translation == glm::dvec3(0)
+                                ? ""
+                                : "a translation by " + brief_triple(facts.translation);
+  const std::string mirror =
+      facts.mirror() ? fmt::format("; it mirrors (determinant {})", brief(facts.determinant, 4))
+                     : "";
+  switch (facts.shape) {
+    case Shape::kNotFinite:
+      return "not all of its entries are finite";
+    case Shape::kIdentity:
+      return "the identity";
+    case Shape::kTranslation:
+      return moved + ", and nothing else";
+    case Shape::kRigid:
+      return fmt::format("rigid {}: {}{}", rigidity_text(facts),
+                         joined({facts.mirror() ? "a reflection" : turn_text(facts), moved}),
+                         mirror);
+    case Shape::kSimilarity:
+      return joined({"a scale by " + brief(std::abs(facts.scale.x)), turn_text(facts), moved}) +
+             mirror;
+    case Shape::kScaled:
+      return joined({"scales by " + brief_triple(facts.scale) + " along the axes", turn_text(facts),
+                     moved}) +
+             mirror;
+    case Shape::kScaledAfter:
+      return joined({"a turn, then scales along fixed axes: a shear", moved}) + mirror;
+    case Shape::kSheared:
+      return joined({"affine, with a shear", moved}) + mirror;
+    case Shape::kFlat:
+      return fmt::format("affine, but flat: rank {}, determinant {}", facts.rank,
+                         brief(facts.determinant, 3));
+    case Shape::kProjective:
+      return fmt::format("not affine: the last row is not 0 0 0 1 (rank {})", facts.rank);
+  }
+  return "";
+}
 
 std::string matrices_text(const MatrixSetup& setup, const MatrixOrigins& origins) {
   return model_text(setup.model, origins.model) + "\n" + view_text(setup, origins.view) + "\n" +

@@ -8,8 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/matrix_report.h"
-#include "app/matrix_text.h"
+#include "app/step/matrix_report.h"
+#include "app/step/matrix_text.h"
 
 #include <glassbox/base/error.h>
 #include <glassbox/pipeline/matrices/conventions_check.h>

@@ -1,4 +1,4 @@
-#include "app/chain_text.h"
+#include "app/step/chain_text.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "app/float_bits.h"
+#include "app/step/numbers_text.h"
 #include "app/text_layout.h"
 
 #include <glassbox/pipeline/matrices/decimal.h>
@@ -17,12 +17,6 @@ namespace glassbox::app {
 namespace {
 
 constexpr const char* kAxes[] = {"x", "y", "z", "w"};
-
-std::string bound_text(double bound) {
-  if (bound == 0) return "exact";
-  if (!std::isfinite(bound)) return "+- unknown";
-  return fmt::format("+- {:.1e}", bound);
-}
 
 bool is_identity(const glm::mat4& m) {
   return m == glm::mat4(1);

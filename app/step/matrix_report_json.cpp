@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "app/chain_text.h"
-#include "app/matrix_report.h"
+#include "app/step/chain_text.h"
+#include "app/step/matrix_report.h"
 
 #include <glassbox/base/trig.h>
 #include <glassbox/pipeline/matrices/projection_factors.h>

@@ -1,4 +1,4 @@
-#include "app/point_step.h"
+#include "app/step/point_step.h"
 
 #include <algorithm>
 

@@ -1,0 +1,90 @@
+// Running error bounds (SPEC C, generic bounds 1 to 5): pipeline/bounds.cpp and raster/bounds.cpp once more. Each is absolute,
+// in the unit of its number.
+
+const unitFloat = 2 ** -24, unitDouble = 2 ** -53, halfSubnormal = 2 ** -150, roundUp = 1 + 2 ** -40;
+const gammaOf = (unit, k) => (k * unit) / (1 - k * unit);
+const timesOrZero = (a, b) => (a === 0 || b === 0 ? 0 : a * b);
+
+// |M||x|, for a row.
+function magnitudeOfRow(m, row, x) {
+  let sum = 0;
+  for (let k = 0; k < 4; k++) sum += Math.abs(timesOrZero(m[4 * row + k], x[k]));
+  return sum * roundUp;
+}
+
+// Matrices with the last row 0 0 0 1, in double.
+function affineBound(m, point, pointBound) {
+  return [0, 1, 2].map((row) => (gammaOf(unitDouble, 4) * magnitudeOfRow(m, row, [...point, 1]) +
+    magnitudeOfRow(m, row, [...pointBound, 0])) * roundUp);
+}
+
+function transformBound(m, x, xBound, mBound) {
+  return [0, 1, 2, 3].map((row) => {
+    let products = 0, last = 0, size = 0, inherited = 0;
+    for (let k = 0; k < 4; k++) {
+      const entry = Math.abs(m[4 * row + k]), coordinate = Math.abs(x[k]);
+      if (entry !== 0 && coordinate !== 0) {
+        products++;
+        last = k;
+        size += entry * coordinate;
+      }
+      inherited += timesOrZero(entry, xBound[k]);
+      inherited += timesOrZero(mBound[4 * row + k], coordinate + xBound[k]);
+    }
+    const product = m[4 * row + last] * x[last];
+    const own = products === 1 ? Math.abs(product - f32(product)) :
+      gammaOf(unitFloat, products) * size + products * halfSubnormal;
+    return (own + inherited) * roundUp;
+  });
+}
+
+function divideBound(clip, clipBound) {
+  const w = Math.abs(clip[3]), smallest = w - clipBound[3];
+  if (!(smallest > 0)) return {position: [Infinity, Infinity, Infinity], inverseW: Infinity};
+  const rounding = clip[3] === 1 ? 0 : unitFloat, underflow = clip[3] === 1 ? 0 : halfSubnormal;
+  const bound = (coordinate, coordinateBound) => {
+    const quotient = Math.abs(coordinate) / w;
+    return ((coordinateBound + timesOrZero(quotient, clipBound[3])) / smallest + rounding * quotient + underflow) * roundUp;
+  };
+  return {position: [0, 1, 2].map((k) => bound(clip[k], clipBound[k])), inverseW: bound(1, 0)};
+}
+
+// How a relative change of what came in is magnified by the divide.
+function divideCondition(clip, magnitude) {
+  const w = Math.abs(clip[3]);
+  if (!(w > 0)) return [Infinity, Infinity, Infinity];
+  return [0, 1, 2].map((k) => (magnitude[k] + (Math.abs(clip[k]) / w) * magnitude[3]) / w);
+}
+
+function screenBound(ndc, ndcBound, [left, top, right, bottom]) {
+  const bound = (coordinate, coordinateBound, from, to) => {
+    const scale = f32(f32(to - from) * 0.5), centre = f32(f32(to + from) * 0.5);
+    const scaleBound = Math.abs(scale - (to - from) / 2), centreBound = Math.abs(centre - (to + from) / 2);
+    const x = Math.abs(coordinate);
+    return (Math.abs(scale) * coordinateBound + timesOrZero(scaleBound, x + coordinateBound) + centreBound +
+      2 * unitFloat * (Math.abs(scale) * x * (1 + unitFloat) + Math.abs(centre)) + halfSubnormal) * roundUp;
+  };
+  return [bound(ndc[0], ndcBound[0], left, right), bound(ndc[1], ndcBound[1], bottom, top), ndcBound[2]];
+}
+
+// How far a position is from where the snap jumps, in pixels; within the bound nothing else could have come out of it.
+function snapStability(pixels, bound) {
+  const scaled = pixels * 256 + 0.5, below = Math.floor(scaled);
+  const toBoundary = Math.min(scaled - below, below + 1 - scaled) / 256;
+  return {toBoundary, stable: toBoundary > bound};
+}
+
+// Given the bounds of depth and 1/w at the vertices, in the order of the setup.
+function fragmentBounds(setup, fragment, vertices) {
+  const round = 1 + 2 ** -18;
+  const r = Math.max(...setup.inverseW.map((each, k) => vertices.inverseW[k] / Math.abs(each)));
+  const share = r < 1 ? (2 * r) / (1 - r) : Infinity;
+  const sum = (bounds) => bounds.reduce((total, each, k) => total + timesOrZero(Math.abs(fragment.lambda[k]), each), 0);
+  return {
+    lambda: fragment.lambda.map((each) => 4 * unitFloat * Math.abs(each) * round),
+    weights: fragment.weights.map((each) =>
+      ((setup.affine ? 4 : 10) * unitFloat * Math.abs(each) + timesOrZero(Math.abs(each), share)) * round),
+    depth: (8 * unitFloat * Math.abs(fragment.depth) + sum(vertices.depth)) * round,
+    inverseW: ((setup.affine ? 0 : 7 * unitFloat * Math.abs(fragment.inverseW)) + sum(vertices.inverseW)) * round,
+  };
+}

@@ -1,0 +1,218 @@
+// The right side: the pixel's fragments, and the chain of the chosen triangle, vertex and fragment.
+
+function showPanel() {
+  showPixel();
+  const run = state.runs[0], fragment = state.fragment === null ? null : fragmentOf(run, state.fragment);
+  const other = state.runs[1] && counterpart(state.runs[1], fragment);
+  const chain = fragment?.chain ?? (state.triangle === null ? null : chainOf(run, state.triangle));
+  const steps = chain ? chainSections(run, chain, fragment, other?.chain) : [];
+  byId("chain").replaceChildren(...(chain ? chainHeading(run, chain) : [nothingChosen(fragment)]), ...steps,
+    ...(fragment ? fragmentSections(run, fragment, other?.fragment) : []), ...recordSections(run, fragment));
+}
+
+// The same fragment, and the same triangle, of the second run.
+function counterpart(run, fragment) {
+  const there = state.fragment !== null && state.fragment < run.fragmentCount ? fragmentOf(run, state.fragment) : null;
+  const same = there && fragment && there.x === fragment.x && there.y === fragment.y && there.number === fragment.number;
+  const number = fragment?.number ?? state.triangle;
+  return {fragment: same ? there : null, chain: number === null ? null : chainOf(run, number)};
+}
+
+function nothingChosen(fragment) {
+  return element("p", {className: "quiet"}, fragment ? "This fragment comes from a line or a point: no triangle leads to it." :
+    "Choose a pixel in the picture, or a triangle by its number.");
+}
+
+// ---- the pixel ----
+
+function showPixel() {
+  const {cursor} = state, run = state.runs[0];
+  byId("pixel-fragments").replaceChildren();
+  byId("pixel-title").textContent = cursor ? `Pixel (${cursor.x}, ${cursor.y})` : "Pixel";
+  if (!cursor) {
+    byId("pixel-note").textContent = "None is chosen.";
+    return;
+  }
+  const list = fragmentsAt(run, cursor.x, cursor.y), at = 4 * (cursor.y * run.width + cursor.x);
+  const bytes = Array.from(state.playbacks[0].picture.subarray(at, at + 4));
+  byId("pixel-note").textContent = `${count(list.length, "fragment")}; shows ${bytesText(bytes)}`;
+  const shown = list.length > 200 ? list.slice(0, 200) : list;
+  byId("pixel-fragments").append(...Array.from(shown, (i) => element("li", {}, fragmentButton(run, i))));
+}
+const bytesText = ([r, g, b, a]) => `(${r}, ${g}, ${b})` + (a === 255 ? "" : ` alpha ${a}`);
+
+function fragmentButton(run, i) {
+  const number = run.columns["fragment.triangle"][i], fate = fates[run.columns["fragment.fate"][i]];
+  const button = element("button", {type: "button", onclick: () => chooseFragment(i)},
+    element("span", {}, number === noTriangle ? "line or point" : `triangle ${number}`),
+    element("span", {className: `fate ${fate}`}, fate),
+    element("small", {}, `fragment ${(i + 1).toLocaleString("en")}`));
+  if (i === state.fragment) button.setAttribute("aria-current", "true");
+  if (i >= state.at) button.classList.add("later");
+  return button;
+}
+
+// ---- the chain ----
+
+function chainHeading(run, chain) {
+  const {draw} = chain, mesh = run.facts.meshes[draw.mesh].name;
+  return [element("h2", {}, `Triangle ${chain.number}`),
+    element("p", {className: "quiet"}, `Face ${chain.face} of mesh ${mesh || draw.mesh}, instance ${draw.instance}` +
+      (draw.material ? `, material ${draw.material}` : "")),
+    element("p", {id: "verdict"}, verdictOf(run, chain)), vertexChoice(chain)];
+}
+
+// The triangle's corners and, where it was cut, the vertices of the polygon.
+function vertexChoice(chain) {
+  const names = [...["A", "B", "C"].map((name, k) => [k, name]),
+    ...(chain.marks & marks.cut ? chain.polygon.map((_, k) => [3 + k, `V${k}`]) : [])];
+  return element("fieldset", {className: "segments", id: "vertices"}, element("legend", {className: "hidden"}, "Vertex"),
+    ...names.map(([value, name]) => {
+      const input = element("input", {type: "radio", name: "vertex", value, checked: state.vertex === value,
+        onchange: () => change({vertex: value}, "vertex")});
+      input.setAttribute("aria-label", value < 3 ? `Corner ${name}` : `Vertex ${name} after clipping`);
+      return element("label", {}, input, element("span", {}, name));
+    }));
+}
+
+const step = (name, ...content) => element("section", {className: "step"}, element("h3", {}, name), ...content);
+
+function chainSections(run, chain, fragment, other) {
+  const {facts} = run, vertexOfCorner = (c, k) => c?.polygon.find(({corner}) => corner === c.corners[k]);
+  const isCorner = state.vertex < 3, k = isCorner ? state.vertex : 0;
+  const corner = isCorner ? chain.corners[k] : null, otherCorner = isCorner ? other?.corners[k] : null;
+  const vertex = isCorner ? vertexOfCorner(chain, k) : chain.polygon[state.vertex - 3];
+  const otherVertex = isCorner ? vertexOfCorner(other, k) : other?.polygon[state.vertex - 3];
+  const sections = [];
+  if (corner) {
+    sections.push(
+      step(`Object (position ${corner.position})`, numbersTable("object", coordinateRows(corner.object, "float", null, otherCorner?.object)),
+        modelMatrix(chain.draw)),
+      step("World", numbersTable("world", coordinateRows(corner.world, "double", corner.bound.world, otherCorner?.world)), viewMatrix(facts)),
+      step("Eye", numbersTable("eye", coordinateRows(corner.eye, "double", corner.bound.eye, otherCorner?.eye)), projectionMatrix(facts),
+        composedMatrix(chain.draw)),
+      step("Clip", numbersTable("clip", coordinateRows(corner.clip, "float", corner.bound.clip, otherCorner?.clip)),
+        planesOpened(facts, corner)));
+  } else {
+    sections.push(step("Clip, made by clipping", numbersTable("clip", coordinateRows(vertex.clip, "float", null, otherVertex?.clip)),
+      numbersTable("weights of the corners", vertex.weights.map((value, i) => ({name: "ABC"[i], value, kind: "double"})))));
+  }
+  if (chain.marks & marks.cut) sections.push(polygonSection(chain));
+  if (!vertex) return sections;
+  const {ndc, screen, snapped, bound} = vertex;
+  sections.push(
+    step("NDC: divided by w", numbersTable("NDC", [...coordinateRows(ndc.position, "float", bound?.ndc.position, otherVertex?.ndc.position),
+      {name: "1/w", value: ndc.inverseW, kind: "float", bound: bound?.ndc.inverseW, other: otherVertex?.ndc.inverseW}]),
+    vertex.condition ? element("p", {className: "quiet"}, `A relative change of what came in is magnified by ${vertex.condition.map(shortNumber).join(", ")}.`) :
+      element("p", {className: "quiet"}, "Bounds are not carried through a cut."), viewportMatrix(facts)),
+    step("Screen, pixels", numbersTable("screen", coordinateRows(screen.position, "float", bound?.screen, otherVertex?.screen.position))),
+    step("Snapped, 1/256 pixel", numbersTable("snapped", coordinateRows(snapped, "integer", null, otherVertex?.snapped)),
+      bound ? element("p", {className: "quiet"}, snapText(bound.snap)) : null));
+  sections.push(...pieceSections(chain, fragment));
+  return sections;
+}
+
+function snapText(stabilities) {
+  return stabilities.map(({toBoundary, stable}, k) => `${letters[k]} would ${stable ? "not " : ""}snap elsewhere within its bound: ` +
+    `the next place is ${shortNumber(toBoundary)} pixels away`).join("; ") + ".";
+}
+
+function planesOpened({planes}, corner) {
+  const outside = planes.filter((plane) => signedDistance(plane, corner.clip) < 0).map(({name}) => name);
+  return opened(outside.length ? `Outside: ${outside.join(", ")}` : "Inside all planes", "planes",
+    numbersTable("distances", planes.map((plane) => ({name: plane.name, value: signedDistance(plane, corner.clip), kind: "double"}))));
+}
+
+function polygonSection(chain) {
+  return step("Clipped polygon", element("ol", {}, ...chain.polygon.map(({clip, weights}, k) =>
+    element("li", {}, `V${k} (${clip.map((value) => floatText(value)).join(", ")})`,
+      element("small", {}, weights.includes(1) ? ` corner ${"ABC"[weights.indexOf(1)]}` : " made by a plane")))));
+}
+
+function pieceSections(chain, fragment) {
+  const piece = fragment?.piece ?? chain.pieces[0];
+  if (!piece) return [];
+  const {setup} = piece, name = chain.pieces.length > 1 ? ` (piece ${chain.pieces.indexOf(piece) + 1} of ${chain.pieces.length})` : "";
+  if (!setup) return [step("Facing" + name, element("p", {}, "No area: nothing to face."))];
+  return [step("Facing" + name, element("p", {}, `${setup.clockwise ? "Clockwise" : "Counter-clockwise"} on the screen, ` +
+    `${doubleText(setup.doubleArea / 131072)} square pixels: shows its ${piece.front ? "front" : "back"}, ` +
+    (piece.culled ? "culled." : "kept."))),
+  step("Edges", numbersTable("edges", setup.edges.flatMap(({a, b, c}, k) =>
+    [["a", a], ["b", b], ["c", c]].map(([factor, value]) => ({name: `${factor}${k}`, value, kind: "integer"})))),
+  element("p", {className: "quiet"}, "E = a x + b y + c in 1/65536 square pixel; positive inside."))];
+}
+
+// ---- the fragment ----
+
+function fragmentSections(run, fragment, other) {
+  const sections = [];
+  if (fragment.chain) {
+    const {bound} = fragment;
+    sections.push(
+      step(`Fragment at (${fragment.x}, ${fragment.y})`,
+        numbersTable("edge functions at the pixel's centre", fragment.edges.map((value, k) =>
+          ({name: `E${k}`, value, kind: "integer", other: other?.edges[k]}))),
+        numbersTable("weights on the screen", fragment.lambda.map((value, k) =>
+          ({name: `λ${k}`, value, kind: "float", bound: bound?.lambda[k], other: other?.lambda[k]}))),
+        numbersTable("weights in space", fragment.weights.map((value, k) =>
+          ({name: `weight ${"ABC"[fragment.piece.setup.order[k]] ?? k}`, value, kind: "float", bound: bound?.weights[k], other: other?.weights[k]}))),
+        numbersTable("depth and 1/w", [
+          {name: "depth", value: fragment.depth, kind: "float", bound: bound?.depth, other: other?.depth},
+          {name: "1/w", value: fragment.inverseW, kind: "float", bound: bound?.inverseW, other: other?.inverseW}])));
+  }
+  sections.push(step("Depth test", element("p", {}, depthText(run, fragment))), step("Colour", colourText(fragment)));
+  return sections;
+}
+
+function depthText(run, {code, stored, fate}) {
+  const readable = (value) => (value === emptyDepth ? "nothing" : `0x${hexOf(value, 8)}` +
+    (run.facts.depth_format === "d32" ? ` = ${floatText(floatOfBits(value))}` : ""));
+  return `${readable(code)} against ${readable(stored.code)}` +
+    (stored.by >= 0 ? ` of fragment ${(stored.by + 1).toLocaleString("en")}` : " stored") +
+    `: ${fate === "hidden" ? "not in front" : "in front"}.`;
+}
+function floatOfBits(bits) {
+  bitStore.setUint32(0, bits);
+  return bitStore.getFloat32(0);
+}
+
+function colourText({fate, before, after}) {
+  const patch = (bytes) => {
+    const made = element("i", {className: "patch"});
+    made.style.background = `rgb(${bytes.slice(0, 3)})`;
+    return made;
+  };
+  if (fate === "hidden" || fate === "discarded") return element("p", {}, `${fate === "hidden" ? "Hidden" : "Discarded by the alpha mask"}: the pixel keeps `, patch(before), bytesText(before));
+  return element("p", {}, `${fate === "blended" ? "Blended" : "Written"}: `, patch(before), bytesText(before), " → ", patch(after), bytesText(after));
+}
+
+// ---- all records, where the page has them ----
+
+function recordSections(run, fragment) {
+  const at = fragment && recordOf(run, fragment);
+  if (at === undefined || at === null || at < 0) return [];
+  const row = (name, size, names = letters) => Array.from(run.columns[`record.${name}`].subarray(size * at, size * (at + 1)),
+    (value, k) => ({name: names[k], value, kind: "float"}));
+  if (fragment.fate === "hidden") return [];
+  const colour = ["r", "g", "b", "a"];
+  return [step("Attributes", ...[["normal", 3], ["position", 3], ["color", 4, colour], ["texcoord", 2, ["u", "v"]]].flatMap(([name, size, names]) =>
+    [element("h4", {}, {normal: "normal, eye space", position: "position, eye space", color: "vertex colour", texcoord: "texture coordinates"}[name]),
+      numbersTable(name, row(name, size, names))])),
+  step("Surface: material · vertex colour · texture", numbersTable("surface", row("surface", 4, colour))),
+  step("Light: linear", numbersTable("light", row("light", 4, colour)))];
+}
+
+// Where the records of a fragment stand: those of the recorded pixels, in order. -1: the page does not have them.
+function recordOf(run, {index}) {
+  if (!run.facts.records_complete) return -1;
+  run.recorded ??= new Map(recordedFragments(run).map((each, at) => [each, at]));
+  return run.recorded.get(index) ?? -1;
+}
+function recordedFragments(run) {
+  const [x0, y0, x1, y1] = run.facts.recorded, found = [];
+  const x = run.columns["fragment.x"], y = run.columns["fragment.y"];
+  for (let i = 0; i < run.fragmentCount; i++) {
+    if (x[i] >= x0 && x[i] < x1 && y[i] >= y0 && y[i] < y1) found.push(i);
+  }
+  return found;
+}

@@ -1,0 +1,266 @@
+// The geometry in one space, in three dimensions: the run's triangles, the frustum or the unit cube, the chosen triangle.
+
+const spaceCanvas = byId("space"), gl = spaceCanvas.getContext("webgl2", {antialias: true, preserveDrawingBuffer: true});
+const turn = {yaw: 0.6, pitch: 0.35, zoom: 1};
+
+const vertexShader = `#version 300 es
+in vec3 position;
+uniform mat3 turned; // to x right, y up, z away
+uniform vec2 scale;
+out vec3 at;
+void main() {
+  at = turned * position;
+  gl_Position = vec4(at.xy * scale, at.z * 0.4, 1.0 + 0.25 * at.z);
+}`;
+const fragmentShader = `#version 300 es
+precision highp float;
+in vec3 at;
+uniform vec4 colour;
+uniform float shaded;
+out vec4 pixel;
+void main() {
+  vec3 n = normalize(cross(dFdx(at), dFdy(at)));
+  float light = mix(1.0, 0.35 + 0.65 * abs(n.z), shaded);
+  pixel = vec4(colour.rgb * light, colour.a);
+}`;
+
+let program = null;
+function startWebGl() {
+  if (!gl) return false;
+  const compile = (type, source) => {
+    const shader = gl.createShader(type);
+    gl.shaderSource(shader, source);
+    gl.compileShader(shader);
+    return shader;
+  };
+  program = gl.createProgram();
+  gl.attachShader(program, compile(gl.VERTEX_SHADER, vertexShader));
+  gl.attachShader(program, compile(gl.FRAGMENT_SHADER, fragmentShader));
+  gl.linkProgram(program);
+  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) return false;
+  gl.useProgram(program);
+  gl.enable(gl.DEPTH_TEST);
+  return true;
+}
+const hasWebGl = startWebGl();
+
+// ---- the spaces ----
+
+// Where a corner lies in a space; null where it has no place there. Screens are as wide as the cube, their depth too.
+const spaces = {
+  object: {name: "Object", place: (corner) => corner.object, frame: () => []},
+  world: {name: "World", place: (corner) => corner.world, frame: (run) => frustumLines(run).map(worldFromEye(run))},
+  eye: {name: "Eye", place: (corner) => corner.eye, frame: frustumLines},
+  clip: {name: "Clip (x, y, w)", place: ({clip: [x, y, , w]}) => [x, y, w], frame: clipLines, fixed: true},
+  ndc: {name: "NDC", place: ({clip}) => (clip[3] > 0 ? clip.slice(0, 3).map((value) => value / clip[3]) : null),
+    frame: () => boxLines([-1, -1, 0], [1, 1, 1]), fixed: true, flip: true},
+  screen: {name: "Screen", place: ({clip}, run) => (clip[3] > 0 ? screenPlace(divide(clip), run) : null),
+    frame: (run) => boxLines([0, 0, 0], [run.width, run.height, screenDepth(run)]), fixed: true, flip: true, down: true},
+};
+const screenDepth = (run) => Math.min(run.width, run.height); // what depth 1 is drawn as, in pixels
+function screenPlace(ndc, run) {
+  const [x, y, z] = toScreen(ndc, run.facts.view.viewport).position;
+  return [x, y, z * screenDepth(run)];
+}
+
+// The twelve edges of a box whose corners a function places, as points two by two.
+function edgesOf(place) {
+  const points = [];
+  for (let i = 0; i < 8; i++) {
+    for (const bit of [1, 2, 4]) if (!(i & bit)) points.push(place(i), place(i | bit));
+  }
+  return points;
+}
+const boxLines = (low, high) => edgesOf((i) => [0, 1, 2].map((k) => (i & (1 << k) ? high[k] : low[k])));
+
+const farOf = ({facts: {view: v}}) => (v.far === "inf" ? 20 * Math.max(v.near, 1e-6) : v.far);
+// x, y at a depth along the gaze from those of NDC: the projection has no shear but that of an off-centre window.
+function frustumLines(run) {
+  const {clip_from_eye: m, near, perspective} = run.facts.view;
+  return edgesOf((i) => {
+    const distance = i & 4 ? farOf(run) : near, w = perspective ? distance : 1;
+    const x = (i & 1 ? 1 : -1) * w, y = (i & 2 ? 1 : -1) * w;
+    return [(x + m[2] * distance - m[3]) / m[0], (y + m[6] * distance - m[7]) / m[5], -distance];
+  });
+}
+function worldFromEye(run) {
+  const m = run.facts.camera.world_from_eye;
+  return (p) => affineDouble(m, p);
+}
+// |x| <= w, |y| <= w between the planes: a pyramid.
+function clipLines(run) {
+  const {near, perspective} = run.facts.view;
+  if (!perspective) return boxLines([-1, -1, 1], [1, 1, 1]);
+  return edgesOf((i) => {
+    const w = i & 4 ? farOf(run) : near;
+    return [(i & 1 ? 1 : -1) * w, (i & 2 ? 1 : -1) * w, w];
+  });
+}
+
+// ---- what is drawn ----
+
+// Places of all triangles' corners as one array, and where the drawing is to be centred.
+function meshIn(run, name) {
+  run.spaces ??= {};
+  if (run.spaces[name]) return run.spaces[name];
+  const {place} = spaces[name], c = run.columns, points = [];
+  const chosenDraw = name === "object" ? chosenDrawOf(run) : null;
+  for (const draw of run.facts.draws) {
+    if (chosenDraw && draw !== chosenDraw) continue;
+    const places = Array.from({length: run.facts.meshes[draw.mesh].positions}, (_, i) => placeOf(run, draw, i, place));
+    for (let row = draw.firstRow; row < draw.firstRow + draw.triangles; row++) {
+      const three = corners.map((corner) => places[c[`triangle.${corner}`][row]]);
+      if (three.every(Boolean)) points.push(...three);
+    }
+  }
+  const mesh = {points, frame: spaces[name].frame(run)};
+  Object.assign(mesh, centreOf(spaces[name].fixed ? mesh.frame : points.length ? points : mesh.frame));
+  return (run.spaces[name] = mesh);
+}
+const chosenDrawOf = (run) => {
+  const row = run.rowOf.get(state.triangle ?? -1);
+  return row === undefined ? run.facts.draws[0] : drawOfRow(run, row);
+};
+
+// A corner's place without its bounds, which nobody asks for here.
+function placeOf(run, draw, index, place) {
+  const {object} = positionOf(run, draw, index);
+  const corner = {
+    object,
+    get world() { return affineDouble(draw.world_from_object, object); },
+    get eye() { return affineDouble(run.facts.view.eye_from_world, this.world); },
+    get clip() { return clipFrom(draw.clip_from_anchored, anchoredFrom(draw, object)); },
+  };
+  return place(corner, run);
+}
+
+function centreOf(points) {
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  for (const point of points) {
+    for (let k = 0; k < 3; k++) {
+      if (point[k] < low[k]) low[k] = point[k];
+      if (point[k] > high[k]) high[k] = point[k];
+    }
+  }
+  const size = Math.max(...[0, 1, 2].map((k) => high[k] - low[k]), 1e-30);
+  return {centre: low.map((value, k) => (value + high[k]) / 2), scale: 1.25 / size};
+}
+
+function flatten(points, {centre, scale}) {
+  const out = new Float32Array(3 * points.length);
+  points.forEach((point, i) => { for (let k = 0; k < 3; k++) out[3 * i + k] = (point[k] - centre[k]) * scale; });
+  return out;
+}
+
+function bufferOf(numbers) {
+  const buffer = gl.createBuffer();
+  gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+  gl.bufferData(gl.ARRAY_BUFFER, numbers, gl.STATIC_DRAW);
+  return {buffer, count: numbers.length / 3};
+}
+
+// Column by column, as WebGL takes it: first to x right, y up, z away (NDC and the screen run into the picture with z, the
+// screen downwards with y), then yaw about y and pitch about x.
+function turnMatrix({flip, down}) {
+  const [cy, sy, cp, sp] = [Math.cos(turn.yaw), Math.sin(turn.yaw), Math.cos(turn.pitch), Math.sin(turn.pitch)];
+  const y = down ? -1 : 1, z = flip ? 1 : -1;
+  return new Float32Array([cy, -sy * sp, -sy * cp, 0, y * cp, -y * sp, z * sy, z * cy * sp, z * cy * cp]);
+}
+function turnScale() {
+  const aspect = spaceCanvas.width / spaceCanvas.height;
+  return [turn.zoom / Math.max(aspect, 1), turn.zoom * Math.min(aspect, 1)];
+}
+
+function drawThings({buffer, count: points}, mode, colour, shaded) {
+  gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+  const position = gl.getAttribLocation(program, "position");
+  gl.enableVertexAttribArray(position);
+  gl.vertexAttribPointer(position, 3, gl.FLOAT, false, 0, 0);
+  gl.uniform4fv(gl.getUniformLocation(program, "colour"), colour);
+  gl.uniform1f(gl.getUniformLocation(program, "shaded"), shaded);
+  gl.drawArrays(mode, 0, points);
+}
+
+function drawSpace() {
+  byId("no-webgl").hidden = hasWebGl;
+  spaceCanvas.hidden = !hasWebGl;
+  if (!hasWebGl || byId("space-panel").hidden) return;
+  const box = spaceCanvas.getBoundingClientRect();
+  spaceCanvas.width = Math.max(1, Math.round(box.width * devicePixelRatio));
+  spaceCanvas.height = Math.max(1, Math.round(box.height * devicePixelRatio));
+  const run = state.runs[0], space = spaces[state.space], mesh = meshIn(run, state.space);
+  mesh.triangles ??= bufferOf(flatten(mesh.points, mesh));
+  mesh.lines ??= bufferOf(flatten(mesh.frame, mesh));
+  const colour = (name) => [...packedColour(colourVariable(name)).map((byte) => byte / 255), 1];
+  gl.viewport(0, 0, spaceCanvas.width, spaceCanvas.height);
+  gl.clearColor(...colour("--stage"));
+  gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+  gl.uniformMatrix3fv(gl.getUniformLocation(program, "turned"), false, turnMatrix(space));
+  gl.uniform2fv(gl.getUniformLocation(program, "scale"), turnScale());
+  drawThings(mesh.triangles, gl.TRIANGLES, colour("--mesh"), 1);
+  drawThings(mesh.lines, gl.LINES, colour("--accent"), 0);
+  drawChosen(run, space, mesh, colour("--mark"));
+}
+
+// The chosen triangle, seen through whatever lies before it.
+function drawChosen(run, {place}, mesh, colour) {
+  const chain = state.triangle === null ? null : cachedChain(run, state.triangle);
+  const three = chain?.corners.map((corner) => place(corner, run)) ?? [];
+  if (three.length < 3 || !three.every(Boolean)) return;
+  const [a, b, c] = three, chosen = three[state.vertex] ?? a, arm = 0.04 / mesh.scale / turn.zoom;
+  const cross = [0, 1, 2].flatMap((k) => [-arm, arm].map((step) => chosen.map((value, i) => value + (i === k ? step : 0))));
+  gl.disable(gl.DEPTH_TEST);
+  for (const [points, mode] of [[three, gl.TRIANGLES], [[a, b, b, c, c, a, ...cross], gl.LINES]]) {
+    const things = bufferOf(flatten(points, mesh));
+    drawThings(things, mode, colour, 0);
+    gl.deleteBuffer(things.buffer);
+  }
+  gl.enable(gl.DEPTH_TEST);
+}
+
+const packedColour = (text) => {
+  const digits = text.trim().replace("#", ""), all = digits.length === 3 ? [...digits].map((d) => d + d).join("") : digits;
+  return [0, 2, 4].map((at) => parseInt(all.slice(at, at + 2), 16));
+};
+
+// ---- turning ----
+
+function turnBy(yaw, pitch) {
+  turn.yaw += yaw;
+  turn.pitch = clamp(turn.pitch + pitch, -Math.PI / 2, Math.PI / 2);
+  drawSpace();
+}
+function zoomSpace(factor) {
+  turn.zoom = clamp(turn.zoom * factor, 0.2, 50);
+  drawSpace();
+}
+
+function listenToSpace() {
+  for (const [name, {name: label}] of Object.entries(spaces)) {
+    byId("space-name").append(element("option", {value: name, textContent: label}));
+  }
+  byId("space-name").addEventListener("change", ({target}) => change({space: target.value}));
+  let held = null;
+  spaceCanvas.addEventListener("pointerdown", (event) => {
+    held = [event.clientX, event.clientY];
+    spaceCanvas.setPointerCapture(event.pointerId);
+  });
+  spaceCanvas.addEventListener("pointermove", (event) => {
+    if (!held) return;
+    turnBy((event.clientX - held[0]) * 0.01, (event.clientY - held[1]) * 0.01);
+    held = [event.clientX, event.clientY];
+  });
+  for (const end of ["pointerup", "pointercancel"]) spaceCanvas.addEventListener(end, () => { held = null; });
+  spaceCanvas.addEventListener("wheel", (event) => {
+    event.preventDefault();
+    zoomSpace(event.deltaY < 0 ? 1.15 : 1 / 1.15);
+  }, {passive: false});
+  spaceCanvas.addEventListener("keydown", (event) => {
+    const keys = {ArrowLeft: () => turnBy(-0.1, 0), ArrowRight: () => turnBy(0.1, 0), ArrowUp: () => turnBy(0, -0.1),
+      ArrowDown: () => turnBy(0, 0.1), "+": () => zoomSpace(1.15), "-": () => zoomSpace(1 / 1.15)};
+    if (event.ctrlKey || event.altKey || event.metaKey || !keys[event.key]) return;
+    event.preventDefault();
+    event.stopPropagation();
+    keys[event.key]();
+  });
+}

@@ -1,0 +1,95 @@
+#include "app/step/fragment_text.h"
+
+#include <fmt/format.h>
+
+#include "app/step/numbers_text.h"
+#include "app/text_layout.h"
+
+#include <glassbox/pipeline/matrices/decimal.h>
+
+namespace glassbox::app {
+
+namespace {
+
+std::string sentence(const std::string& text) {
+  return wrapped("     ", text);
+}
+
+std::string line(const std::string& text) {
+  return "     " + text + "\n";
+}
+
+std::string color_text(const Rgba& c) {
+  return fmt::format("({}, {}, {}, {})", brief(double(c.r)), brief(double(c.g)), brief(double(c.b)),
+                     brief(double(c.a)));
+}
+
+std::string bytes_text(const Rgba8& c) {
+  return fmt::format("({}, {}, {}, {})", c.r, c.g, c.b, c.a);
+}
+
+std::string weights_text(const TracedFragment& traced, const TriangleSetup& setup,
+                         const FragmentBounds& bounds) {
+  std::string text = sentence(
+      "at each corner, in the order of the setup: E, E over twice the area (lambda), and the "
+      "weight after perspective");
+  for (std::size_t k = 0; k < 3; ++k) {
+    text += line(fmt::format(
+        "  {}  {:>16} / {}   {:>12} {:<11} {:>12} {}", setup.order[k], traced.coverage.edges[k],
+        setup.double_area, brief(double(traced.fragment.lambda[k])), bound_text(bounds.lambda[k]),
+        brief(double(traced.fragment.weights[k])), bound_text(bounds.weights[k])));
+  }
+  return text;
+}
+
+std::string depth_text(const SteppedTriangle& stepped, const TracedFragment& traced,
+                       const FragmentBounds& bounds, bool bits) {
+  const View& view = stepped.chosen.view;
+  const Fragment& f = traced.fragment;
+  std::string text = line(number_line("z", f.depth, bounds.depth, bits) + "  depth of NDC");
+  text += line(number_line("1/w", f.inverse_w, bounds.inverse_w, bits));
+  if (view.perspective) {
+    const double distance = 1 / double(f.inverse_w);
+    text += line(fmt::format("{:<4} {:>16}  {:<12}  distance along the gaze", "w",
+                             brief(distance, 9), bound_text(bounds.distance)));
+    text += sentence(
+        fmt::format("the bound of z stands for a distance of {} here",
+                    brief(distance_of_depth(distance, view.near, view.far, bounds.depth), 2)));
+  }
+  const bool empty = traced.stored == kEmptyDepth;
+  text += sentence(fmt::format(
+      "depth test: {} < {}: {}", traced.code, empty ? "empty" : std::to_string(traced.stored),
+      traced.fate == Fate::kHidden ? "no, something nearer is there" : "yes"));
+  return text;
+}
+
+std::string colour_text(const TracedFragment& traced, const RenderSettings& settings) {
+  std::string text = sentence("surface " + color_text(traced.surface) +
+                              ", linear: material, vertex colour, texture");
+  if (traced.fate == Fate::kDiscarded)
+    return text + sentence("its alpha is below the material's cutoff: discarded");
+  if (settings.show == Show::kColor)
+    text += line("lit      " + color_text(traced.light) + ", linear");
+  text += sentence(
+      fmt::format("pixel   {} -> {}{}", bytes_text(traced.before), bytes_text(traced.after),
+                  traced.fate == Fate::kBlended ? ", blended over what was there" : ""));
+  return text;
+}
+
+}  // namespace
+
+std::string fragment_text(const SteppedTriangle& stepped, const TracedFragment& traced, bool bits) {
+  const TracedPiece& piece = stepped.triangle->pieces[traced.source.piece];
+  const FragmentBounds bounds =
+      fragment_bounds(*piece.setup, traced.fragment, setup_bounds(piece, stepped.bounds));
+  std::string text = sentence(fmt::format(
+      "the fragment of pixel ({}, {}){}", traced.fragment.x, traced.fragment.y,
+      stepped.triangle->pieces.size() > 1 ? fmt::format(", of piece {}", traced.source.piece)
+                                          : ""));
+  text += weights_text(traced, *piece.setup, bounds);
+  text += depth_text(stepped, traced, bounds, bits);
+  if (traced.fate != Fate::kHidden) text += colour_text(traced, stepped.trace.settings);
+  return text;
+}
+
+}  // namespace glassbox::app

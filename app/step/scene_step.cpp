@@ -1,0 +1,154 @@
+#include "app/step/scene_step.h"
+
+#include <iostream>
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "app/exit_codes.h"
+#include "app/output.h"
+#include "app/progress.h"
+#include "app/step/stepper.h"
+
+#include <glassbox/base/printable.h>
+#include <glassbox/mesh/load.h>
+#include <glassbox/render/trace/json.h>
+
+namespace glassbox::app {
+
+namespace {
+
+std::array<int, 2> parse_pick(const std::string& text) {
+  const auto [x, y] = parse_numbers<2>("--pick", text);
+  constexpr double kEnd = 1 << 20;
+  if (!(x >= 0 && y >= 0 && x < kEnd && y < kEnd && x == int(x) && y == int(y))) {
+    throw CLI::ValidationError("--pick",
+                               "needs X,Y in whole pixels from the top left, not '" + text + "'");
+  }
+  return {int(x), int(y)};
+}
+
+bool on_a_terminal() {
+  return isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
+}
+
+std::string all_stages(const std::vector<StageText>& stages) {
+  std::string text;
+  for (const StageText& stage : stages) text += "\n" + stage.text;
+  return text;
+}
+
+}  // namespace
+
+void SceneStep::add_to(CLI::App& command) {
+  const std::string group = "A triangle of a scene";
+  command.add_option("SCENE", scene_, "a glTF, GLB or OBJ file, or the name of a built-in scene");
+  CLI::Option* triangle =
+      command.add_option("--triangle", triangle_, "its number in the scene, counted from 0")
+          ->type_name("N")
+          ->group(group);
+  command
+      .add_option_function<std::string>(
+          "--pick", [this](const std::string& text) { pick_ = parse_pick(text); },
+          "the triangle that is seen in this pixel, and its fragment there")
+      ->type_name("X,Y")
+      ->group(group)
+      ->excludes(triangle);
+  command.add_option("--vertex", vertex_, "only this corner of it: 0, 1 or 2")
+      ->type_name("K")
+      ->check(CLI::Range(0, 2))
+      ->group(group);
+  command
+      .add_flag("--interactive", interactive_,
+                "stage by stage, even where the input is no terminal")
+      ->group(group);
+  add_picture_options(command, picture_);
+}
+
+Result<StepTarget> SceneStep::find_target(const Scene& scene) const {
+  StepTarget target;
+  target.vertex = vertex_;
+  target.pixel = pick_;
+  if (pick_) {
+    const auto [x, y] = *pick_;
+    if (x >= picture_.size.width || y >= picture_.size.height) {
+      return fail(
+          fmt::format("--pick {},{}", x, y),
+          fmt::format("the picture has {} x {} pixels", picture_.size.width, picture_.size.height),
+          "name a pixel in it, or another --size");
+    }
+    const auto picked = pick(scene, picture_, x, y);
+    if (!picked) return tl::unexpected(picked.error());
+    target.triangle = *picked;
+    return target;
+  }
+  if (!triangle_) {
+    return fail("", "no triangle is named",
+                "give --triangle N, or --pick X,Y for what a pixel shows");
+  }
+  if (!find_triangle(scene, *triangle_)) {
+    return fail(fmt::format("--triangle {}", *triangle_),
+                fmt::format("the scene has {} triangles", count_triangles(scene)),
+                "they are numbered from 0");
+  }
+  target.triangle = *triangle_;
+  return target;
+}
+
+Result<std::vector<StageText>> SceneStep::restage(const Scene& scene, const StepTarget& target,
+                                                  bool bits,
+                                                  const std::vector<std::string>& words) const {
+  CLI::App app;
+  PictureOptions picture;
+  add_picture_options(app, picture);
+  for (CLI::Option* option : app.get_options())
+    option->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  try {
+    app.parse(
+        std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 wants the last first
+  } catch (const CLI::Error& error) {
+    return fail("", error.what(), "glassbox step --help lists the picture options");
+  }
+  const auto stepped = step_through(scene, picture, target.triangle);
+  if (!stepped) return tl::unexpected(stepped.error());
+  return stage_texts(scene, *stepped, target, bits);
+}
+
+std::string SceneStep::heading(const SteppedTriangle& stepped) const {
+  return fmt::format("triangle {} of {}, {} x {}\n", stepped.place.number, printable(scene_),
+                     picture_.size.width, picture_.size.height);
+}
+
+int SceneStep::run(bool bits, const std::optional<std::string>& json_output) {
+  Progress progress;
+  progress.phase("loading " + scene_);
+  const Result<Scene> scene = load_scene(scene_, limits_);
+  if (!scene) return refuse(scene.error());
+  progress.phase("rendering " + scene_);
+  const Result<StepTarget> target = find_target(*scene);
+  if (!target) return refuse(target.error());
+  const Result<SteppedTriangle> stepped = step_through(*scene, picture_, target->triangle);
+  if (!stepped) return refuse(stepped.error());
+  progress.done();
+
+  if (json_output) {
+    nlohmann::ordered_json json = to_json(*scene, stepped->trace);
+    json["scene"] = scene_;
+    if (const auto written = write_json(*json_output, json); !written)
+      return refuse(written.error());
+    if (*json_output == "-") return kSuccess;
+  }
+  std::vector<StageText> stages = stage_texts(*scene, *stepped, *target, bits);
+  fmt::print("{}", heading(*stepped));
+  if (!interactive_ && !(on_a_terminal() && !json_output)) {
+    fmt::print("{}", all_stages(stages));
+    return kSuccess;
+  }
+  step_by_hand(
+      std::cin, std::move(stages), words_given(picture_),
+      [&](const std::vector<std::string>& words) { return restage(*scene, *target, bits, words); });
+  return kSuccess;
+}
+
+}  // namespace glassbox::app

@@ -1,0 +1,42 @@
+// A triangle of a scene, carried through every stage for one camera: what `glassbox step SCENE` shows.
+#pragma once
+
+#include <optional>
+
+#include "app/picture_options.h"
+
+#include <glassbox/base/error.h>
+#include <glassbox/mesh/scene.h>
+#include <glassbox/render/trace/bounds.h>
+#include <glassbox/render/trace/numbering.h>
+#include <glassbox/render/trace/tracer.h>
+
+namespace glassbox::app {
+
+struct StepTarget {
+  std::uint32_t triangle = 0;               // number in the whole scene
+  std::optional<int> vertex;                // 0, 1 or 2: of the triangle's corners
+  std::optional<std::array<int, 2>> pixel;  // the fragment to look at
+};
+
+struct SteppedTriangle {
+  ChosenView chosen;
+  Trace trace;  // of this triangle alone
+  NumberedTriangle place;
+  // None: the triangle has no area as modelled, and is not drawn.
+  std::optional<TracedTriangle> triangle;
+  DrawBounds draw_bounds;
+  TriangleBounds bounds;
+  int seen = 0;  // pixels of the finished picture that show it
+};
+
+// One run. The number exists.
+Result<SteppedTriangle> step_through(const Scene& scene, const PictureOptions& picture,
+                                     std::uint32_t triangle);
+
+// The number of the triangle that is seen in a pixel; an error where none is.
+Result<std::uint32_t> pick(const Scene& scene, const PictureOptions& picture, int x, int y);
+
+const TracedDraw& draw_of(const SteppedTriangle& stepped);
+
+}  // namespace glassbox::app

@@ -1,0 +1,139 @@
+#include <glassbox/render/trace/columns.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <glassbox/raster/blend.h>
+#include <glassbox/raster/triangle_setup.h>
+#include <glassbox/render/draw_list.h>
+#include <glassbox/render/primitives.h>
+
+namespace glassbox {
+namespace {
+
+bool contains(const PixelRect& rect, int x, int y) {
+  return x >= rect.x0 && x < rect.x1 && y >= rect.y0 && y < rect.y1;
+}
+
+class ColumnRecorder : public Observer {
+public:
+  ColumnRecorder(const Scene& scene, const View& view, const RenderSettings& settings,
+                 const ColumnFilter& filter, ColumnRun& run)
+      : scene_(scene), settings_(settings), filter_(filter), run_(run) {
+    const auto planes = render_planes(view);
+    run_.planes.assign(planes.begin(), planes.end());
+  }
+
+  void draw(const Draw& draw) override {
+    draw_ = &draw;
+    TracedDraw& traced = run_.draws.emplace_back();
+    traced.instance = draw.instance;
+    traced.first_number = draw.first_number;
+    traced.world_from_object = scene_.nodes[scene_.instances[draw.instance].node].world_from_node;
+    traced.anchor = draw.anchor;
+    traced.clip_from_anchored = draw.clip_from_anchored;
+    traced.eye_from_anchored = draw.eye_from_anchored;
+    traced.mirrored = draw.mirrored;
+    run_.triangles_of_draw.push_back(0);
+  }
+
+  // ---- triangles ----
+
+  void clipped(const PrimitiveStage& stage, const Triangle&,
+               const std::array<ClipVertex, 3>& corners, ClipPolygon& polygon) override {
+    std::array<Outcode, 3> codes;
+    for (std::size_t k = 0; k < 3; ++k) codes[k] = outcode(corners[k].position, stage.planes);
+    const ClipVerdict verdict = trivial_verdict(codes);
+    marks_ = verdict == ClipVerdict::kAccept   ? 0
+             : verdict == ClipVerdict::kReject ? kMarkRejected
+             : polygon.count == 0              ? kMarkClippedAway
+                                               : kMarkCut;
+    polygon_ = &polygon;
+    reaches_ = !filter_.pixels.has_value();
+  }
+
+  void set_up(std::uint32_t, const std::array<ScreenVertex, 3>& vertices,
+              std::optional<TriangleSetup>& setup) override {
+    if (!setup) marks_ |= kMarkZeroArea;
+    if (reaches_) return;
+    // The guard band keeps positions well inside of int.
+    const auto [left, right] =
+        std::minmax({vertices[0].position.x, vertices[1].position.x, vertices[2].position.x});
+    const auto [top, bottom] =
+        std::minmax({vertices[0].position.y, vertices[1].position.y, vertices[2].position.y});
+    const PixelRect touched{int(std::floor(left)), int(std::floor(top)), int(std::floor(right)) + 1,
+                            int(std::floor(bottom)) + 1};
+    reaches_ = !intersect(touched, *filter_.pixels).empty();
+  }
+
+  void faced(const TriangleSetup&, bool, bool& culled) override {
+    marks_ |= culled ? kMarkCulled : kMarkSetUp;
+  }
+
+  void prepared(const Triangle& triangle) override {
+    if (!reaches_ || ++run_.triangle_count > filter_.max_triangles) return;
+    TriangleColumns& columns = run_.triangles;
+    const std::uint32_t number = draw_->first_number + triangle.number;
+    columns.number.push_back(number);
+    columns.face.push_back(triangle.face);
+    for (std::size_t k = 0; k < 3; ++k) {
+      columns.position[k].push_back(draw_->mesh->corners[triangle.corners[k]].position);
+    }
+    columns.marks.push_back(marks_);
+    ++run_.triangles_of_draw.back();
+    if (marks_ & kMarkCut) run_.cut.push_back({number, *polygon_});
+  }
+
+  // ---- fragments ----
+
+  void compared(const FragmentSource& source, const Fragment& fragment, std::uint32_t code,
+                std::uint32_t, bool&) override {
+    recording_ = (!filter_.pixels || contains(*filter_.pixels, fragment.x, fragment.y)) &&
+                 ++run_.fragment_count <= filter_.max_fragments;
+    if (!recording_) return;
+    FragmentColumns& columns = run_.fragments;
+    columns.triangle.push_back(source.is_triangle ? source.number : kNoTriangle);
+    columns.piece.push_back(std::uint8_t(source.piece));  // at most kMaxClipVertices - 3
+    columns.x.push_back(std::uint16_t(fragment.x));       // below kMaxImageSide
+    columns.y.push_back(std::uint16_t(fragment.y));
+    if (!source.is_triangle) columns.code.push_back(code);
+  }
+
+  void encoded(const Fragment&, const Rgba8& before, Rgba8& after) override {
+    if (!recording_) return;
+    Rgba8 pixel = before;
+    write_masked(settings_.mask, after, pixel);
+    auto& [r, g, b, a] = run_.fragments.written;
+    r.push_back(pixel.r);
+    g.push_back(pixel.g);
+    b.push_back(pixel.b);
+    a.push_back(pixel.a);
+  }
+
+  void ended(const FragmentSource&, const Fragment&, Fate fate) override {
+    if (recording_) run_.fragments.fate.push_back(std::uint8_t(fate));
+  }
+
+private:
+  const Scene& scene_;
+  const RenderSettings& settings_;
+  const ColumnFilter& filter_;
+  ColumnRun& run_;
+  const Draw* draw_ = nullptr;
+  const ClipPolygon* polygon_ = nullptr;  // of the current triangle, until prepared()
+  std::uint8_t marks_ = 0;
+  bool reaches_ = true;
+  bool recording_ = false;
+};
+
+}  // namespace
+
+ColumnRun record_columns(const Scene& scene, const View& view, const RenderSettings& settings,
+                         const ColumnFilter& filter) {
+  ColumnRun run;
+  ColumnRecorder recorder(scene, view, settings, filter, run);
+  run.rendering = render_staged(scene, view, settings, &recorder);
+  return run;
+}
+
+}  // namespace glassbox

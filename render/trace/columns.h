@@ -1,0 +1,77 @@
+// A run in little space: of every triangle what became of it, of every fragment where it came from and what it wrote.
+// Everything between can be computed again from the scene's positions and the matrices, to the bit.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <glassbox/mesh/scene.h>
+#include <glassbox/render/staged.h>
+#include <glassbox/render/trace/records.h>
+
+namespace glassbox {
+
+// What became of a triangle, as bits: the pieces of a cut one may go different ways.
+enum TriangleMark : std::uint8_t {
+  kMarkRejected = 1,     // all corners outside one plane
+  kMarkClippedAway = 2,  // nothing left after clipping
+  kMarkCut = 4,          // a polygon is left
+  kMarkZeroArea = 8,     // a piece has no area after snapping
+  kMarkCulled = 16,      // a piece faces the wrong way
+  kMarkSetUp = 32,       // a piece went on to be rasterised
+};
+
+// Triangles that came to the clipper, in drawing order: those of a draw follow each other.
+struct TriangleColumns {
+  std::vector<std::uint32_t> number;                   // in the whole scene
+  std::vector<std::uint32_t> face;                     // index into Mesh::faces
+  std::array<std::vector<std::uint32_t>, 3> position;  // indices into Mesh::positions
+  std::vector<std::uint8_t> marks;                     // TriangleMark
+};
+
+// What clipping left of a triangle that it cut.
+struct CutTriangle {
+  std::uint32_t number = 0;
+  ClipPolygon polygon;
+};
+
+inline constexpr std::uint32_t kNoTriangle = 0xffffffffu;
+
+// Fragments in the order in which they came.
+struct FragmentColumns {
+  std::vector<std::uint32_t>
+      triangle;  // its number in the whole scene; kNoTriangle for lines and points
+  std::vector<std::uint8_t> piece;
+  std::vector<std::uint16_t> x, y;
+  std::vector<std::uint8_t> fate;  // Fate
+  std::array<std::vector<std::uint8_t>, 4>
+      written;                      // r, g, b, a: the pixel after each fragment written or blended
+  std::vector<std::uint32_t> code;  // depth, of fragments of lines and points
+};
+
+struct ColumnFilter {
+  // Only fragments of these pixels, and triangles with a piece whose box on the screen reaches into them.
+  std::optional<PixelRect> pixels;
+  std::uint64_t max_triangles = 1'000'000;
+  std::uint64_t max_fragments = 4'000'000;
+};
+
+struct ColumnRun {
+  Rendering rendering;  // the same bytes as those of a run that nobody watches
+  std::vector<ClipPlane> planes;
+  std::vector<TracedDraw> draws;
+  std::vector<std::uint32_t> triangles_of_draw;  // how many of the triangles below, by draw
+  TriangleColumns triangles;
+  std::vector<CutTriangle> cut;
+  FragmentColumns fragments;
+  // How many there were to record; more than the columns hold where the filter's limits were met.
+  std::uint64_t triangle_count = 0;
+  std::uint64_t fragment_count = 0;
+};
+
+ColumnRun record_columns(const Scene& scene, const View& view, const RenderSettings& settings,
+                         const ColumnFilter& filter);
+
+}  // namespace glassbox

@@ -1,0 +1,280 @@
+#include <glassbox/render/trace/history.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include <glassbox/raster/blend.h>
+#include <glassbox/render/distance.h>
+
+namespace glassbox {
+
+namespace {
+
+// ---- what clipping cut off ----
+
+double determinant(const std::array<double, 3>& a, const std::array<double, 3>& b,
+                   const std::array<double, 3>& c) {
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) - b[0] * (a[1] * c[2] - a[2] * c[1]) +
+         c[0] * (a[1] * b[2] - a[2] * b[1]);
+}
+
+bool mirrored(const Trace& trace, std::uint32_t instance) {
+  return std::any_of(trace.draws.begin(), trace.draws.end(), [&](const TracedDraw& draw) {
+    return draw.instance == instance && draw.mirrored;
+  });
+}
+
+struct SeenPoint {
+  Point<Clip, double> clip;
+  bool counter_clockwise = true;  // the triangle's corners, as seen on the screen there
+};
+
+// The point of the triangle, as it came to the clipper, that is seen through the pixel's centre, in front of the eye:
+// the combination of its corners with non-negative weights that is a multiple of (x, y, ., 1) (Olano and Greer 1997).
+// Nothing where the triangle does not lie there.
+std::optional<SeenPoint> seen_through(const TracedTriangle& triangle, const Viewport& window, int x,
+                                      int y) {
+  const std::array<double, 3> centre{
+      2 * (x + 0.5 - double(window.left)) / double(window.width()) - 1,
+      1 - 2 * (y + 0.5 - double(window.top)) / double(window.height()), 1};
+  std::array<std::array<double, 3>, 3> c;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point<Clip>& p = triangle.corners[k].clip;
+    c[k] = {p.x, p.y, p.w};
+  }
+  const double whole = determinant(c[0], c[1], c[2]);
+  const std::array<double, 3> parts{determinant(centre, c[1], c[2]),
+                                    determinant(c[0], centre, c[2]),
+                                    determinant(c[0], c[1], centre)};
+  if (whole == 0 || !std::isfinite(whole)) return std::nullopt;
+  double sum = 0;
+  for (const double part : parts) {
+    if (!(part / whole >= 0)) return std::nullopt;
+    sum += part / whole;
+  }
+  if (!(sum > 0)) return std::nullopt;
+  Point<Clip, double> point{0, 0, 0, 0};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point<Clip>& p = triangle.corners[k].clip;
+    const double weight = parts[k] / whole / sum;
+    point.x += weight * p.x;
+    point.y += weight * p.y;
+    point.z += weight * p.z;
+    point.w += weight * p.w;
+  }
+  return SeenPoint{point, whole > 0};
+}
+
+std::optional<PixelEvent> cut_off(const TracedTriangle& triangle, const Trace& trace, int x,
+                                  int y) {
+  const auto seen = seen_through(triangle, trace.view.viewport, x, y);
+  if (!seen) return std::nullopt;
+  const Point<Clip, double>& point = seen->clip;
+  for (const ClipPlane& plane : trace.planes) {
+    const double inside =
+        plane.a * point.x + plane.b * point.y + plane.c * point.z + plane.d * point.w + plane.e;
+    if (inside >= 0) continue;
+    PixelEvent event;
+    event.touch = Touch::kClipped;
+    event.plane = plane.name;
+    event.inside = inside;
+    event.front = seen->counter_clockwise != mirrored(trace, triangle.instance);
+    event.distance = distance_along_gaze(trace.view, float(point.z / point.w), float(1 / point.w));
+    return event;
+  }
+  return std::nullopt;
+}
+
+// ---- triangles ----
+
+bool was_cut(const TracedTriangle& triangle) {
+  return triangle.pieces.empty() || !triangle.clipping.empty();
+}
+
+// What a triangle did to the pixel without a fragment.
+std::optional<PixelEvent> event_without_fragment(const TracedTriangle& triangle, const Trace& trace,
+                                                 int x, int y) {
+  for (std::uint32_t i = 0; i < triangle.pieces.size(); ++i) {
+    const TracedPiece& piece = triangle.pieces[i];
+    if (!piece.setup || miss_at(*piece.setup, x, y)) continue;
+    if (!piece.culled) return std::nullopt;  // a fragment it is
+    PixelEvent event;
+    event.touch = Touch::kTurnedAway;
+    event.source.piece = i;
+    const double area = double(piece.setup->double_area) / (2.0 * kSubpixels * kSubpixels);
+    event.area_px2 = piece.setup->clockwise ? -area : area;
+    event.front = piece.front;
+    return event;
+  }
+  return was_cut(triangle) ? cut_off(triangle, trace, x, y) : std::nullopt;
+}
+
+// Whether the box of the piece on the screen has a part of the pixel.
+bool reaches(const TracedPiece& piece, int x, int y) {
+  const auto [left, right] = std::minmax(
+      {piece.vertices[0].position.x, piece.vertices[1].position.x, piece.vertices[2].position.x});
+  const auto [top, bottom] = std::minmax(
+      {piece.vertices[0].position.y, piece.vertices[1].position.y, piece.vertices[2].position.y});
+  return std::floor(left) <= float(x) && float(x) <= right && std::floor(top) <= float(y) &&
+         float(y) <= bottom;
+}
+
+// The smallest miss of its pieces; nothing where one of them covers the pixel, or none comes near.
+std::optional<Miss> miss_of(const TracedTriangle& triangle, int x, int y) {
+  std::optional<Miss> nearest;
+  for (const TracedPiece& piece : triangle.pieces) {
+    if (!piece.setup || piece.culled || !reaches(piece, x, y)) continue;
+    const auto miss = miss_at(*piece.setup, x, y);
+    if (!miss) return std::nullopt;
+    if (!nearest || miss->subpixels < nearest->subpixels) nearest = miss;
+  }
+  return nearest;
+}
+
+bool has_no_area_at(const TracedTriangle& triangle, int x, int y) {
+  return std::any_of(triangle.pieces.begin(), triangle.pieces.end(),
+                     [&](const TracedPiece& piece) { return reaches(piece, x, y); }) &&
+         std::none_of(triangle.pieces.begin(), triangle.pieces.end(),
+                      [](const TracedPiece& piece) { return piece.setup.has_value(); });
+}
+
+// ---- fragments ----
+
+bool lets_nothing_through(const ColorMask& mask) {
+  return !mask.r && !mask.g && !mask.b && !mask.a;
+}
+
+Touch touch_of(Fate fate, const ColorMask& mask) {
+  if (fate == Fate::kHidden) return Touch::kHidden;
+  if (fate == Fate::kDiscarded) return Touch::kDiscarded;
+  if (lets_nothing_through(mask)) return Touch::kMasked;
+  return fate == Fate::kBlended ? Touch::kBlended : Touch::kWritten;
+}
+
+PixelEvent fragment_event(const Scene& scene, const Trace& trace, const TracedFragment& traced) {
+  PixelEvent event;
+  event.touch = touch_of(traced.fate, trace.settings.mask);
+  event.source = traced.source;
+  event.instance = traced.instance;
+  event.distance =
+      distance_along_gaze(trace.view, traced.fragment.depth, traced.fragment.inverse_w);
+  event.code = traced.code;
+  event.stored = traced.stored;
+  event.writes_depth = traced.fate == Fate::kWritten;
+  event.alpha = traced.surface.a;
+  event.cutoff =
+      scene.materials[scene.meshes[scene.instances[traced.instance].mesh].material].alpha_cutoff;
+  event.light = traced.light;
+  event.before = event.after = traced.before;
+  if (event.touch >= Touch::kMasked) write_masked(trace.settings.mask, traced.after, event.after);
+  return event;
+}
+
+// ---- in order ----
+
+// Where in the run it came: the draw, the triangle, the piece. Lines and points come after the triangles of their draw.
+using Place = std::tuple<std::size_t, std::uint32_t, std::uint32_t>;
+
+std::vector<PixelEvent> in_order(std::vector<std::pair<Place, PixelEvent>> placed) {
+  std::stable_sort(placed.begin(), placed.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<PixelEvent> events;
+  for (auto& [place, event] : placed) events.push_back(std::move(event));
+  return events;
+}
+
+// Who wrote the depth that a fragment met, and who wrote over whom.
+void connect(std::vector<PixelEvent>& events) {
+  std::optional<std::size_t> nearest;
+  std::vector<std::size_t> showing;
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    PixelEvent& event = events[i];
+    if (!is_fragment(event)) continue;
+    event.stored_by = nearest;
+    const bool opaque =
+        event.touch == Touch::kWritten || (event.touch == Touch::kBlended && event.alpha >= 1);
+    if (opaque) {
+      for (const std::size_t under : showing) events[under].overwritten_by = i;
+      showing.clear();
+    }
+    if (event.touch >= Touch::kBlended) showing.push_back(i);
+    if (event.writes_depth) nearest = i;
+  }
+}
+
+}  // namespace
+
+const char* name_of(Touch touch) {
+  constexpr const char* kNames[] = {"clipped", "turned-away", "hidden", "discarded",
+                                    "masked",  "blended",     "written"};
+  return kNames[std::size_t(touch)];
+}
+
+PixelHistory pixel_history(const Scene& scene, const TracedRun& run, int x, int y) {
+  const Trace& trace = run.trace;
+  PixelHistory history;
+  history.x = x;
+  history.y = y;
+  history.cleared = trace.settings.background;
+  history.shown = run.rendering.buffers.color.at(x, y);
+  history.complete = trace.complete;
+  const Show show = trace.settings.show;
+  history.shows_bytes = show == Show::kColor || show == Show::kNormal || show == Show::kUv;
+
+  std::vector<std::size_t> turn(scene.instances.size());  // of each instance among the draws
+  for (std::size_t i = 0; i < trace.draws.size(); ++i) turn[trace.draws[i].instance] = i;
+
+  std::vector<std::pair<Place, PixelEvent>> placed;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>>
+      faces;  // of the traced triangles: number, face
+  for (const TracedTriangle& triangle : trace.triangles) {
+    faces.emplace_back(triangle.number, triangle.face);
+    if (auto event = event_without_fragment(triangle, trace, x, y)) {
+      event->source.number = triangle.number;
+      event->instance = triangle.instance;
+      event->face = triangle.face;
+      placed.push_back({{turn[triangle.instance], triangle.number, event->source.piece}, *event});
+    } else if (const auto miss = miss_of(triangle, x, y)) {
+      history.misses.push_back({triangle.number, triangle.instance, triangle.face, *miss});
+    } else {
+      history.without_area += has_no_area_at(triangle, x, y) ? 1 : 0;
+    }
+  }
+  std::sort(faces.begin(), faces.end());
+  for (const TracedFragment& traced : trace.fragments) {
+    if (traced.fragment.x != x || traced.fragment.y != y) continue;
+    PixelEvent event = fragment_event(scene, trace, traced);
+    std::uint32_t number = std::numeric_limits<std::uint32_t>::max();
+    if (traced.source.is_triangle) {
+      number = traced.source.number;
+      const auto found = std::lower_bound(faces.begin(), faces.end(), std::pair{number, 0u});
+      if (found != faces.end() && found->first == number) event.face = found->second;
+    }
+    placed.push_back({{turn[traced.instance], number, traced.source.piece}, std::move(event)});
+  }
+  std::stable_sort(
+      history.misses.begin(), history.misses.end(),
+      [](const PixelMiss& a, const PixelMiss& b) { return a.miss.subpixels < b.miss.subpixels; });
+  history.events = in_order(std::move(placed));
+  connect(history.events);
+  for (std::size_t i = 0; i < history.events.size(); ++i) {
+    if (survives(history.events[i])) history.shows = i;
+  }
+  return history;
+}
+
+PixelHistory pixel_history(const Scene& scene, const View& view, const RenderSettings& settings,
+                           int x, int y, Rendering* rendering) {
+  TraceFilter filter;
+  filter.pixels = PixelRect{x, y, x + 1, y + 1};
+  TracedRun run = trace(scene, view, settings, filter);
+  PixelHistory history = pixel_history(scene, run, x, y);
+  if (rendering != nullptr) *rendering = std::move(run.rendering);
+  return history;
+}
+
+}  // namespace glassbox

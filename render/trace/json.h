@@ -1,0 +1,29 @@
+// Traces as JSON, schema "glassbox-trace/1" (docs/trace.md): the records with their error bounds.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <glassbox/mesh/scene.h>
+#include <glassbox/render/trace/bounds.h>
+#include <glassbox/render/trace/records.h>
+
+namespace glassbox {
+
+inline constexpr const char* kTraceSchema = "glassbox-trace/1";
+
+// Numbers that are not finite become null. Names come from files and may be anything but UTF-8: dump with
+// error_handler_t::replace.
+nlohmann::ordered_json to_json(const Scene& scene, const Trace& trace);
+
+// The parts, for those who want them alone.
+nlohmann::ordered_json to_json(const View& view);
+nlohmann::ordered_json to_json(const Trace& trace, const TracedTriangle& triangle,
+                               const TriangleBounds& bounds);
+// `triangle` and its bounds: null where the trace does not have it; the fragment's bounds are left out then.
+nlohmann::ordered_json to_json(const Trace& trace, const TracedFragment& fragment,
+                               const TracedTriangle* triangle, const TriangleBounds* bounds);
+
+// For programs: "hidden", "discarded", "written", "blended".
+const char* name_of(Fate fate);
+
+}  // namespace glassbox

@@ -1,0 +1,276 @@
+#include <glassbox/render/trace/ledger.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <limits>
+#include <utility>
+
+#include <glassbox/raster/blend.h>
+#include <glassbox/render/distance.h>
+#include <glassbox/render/draw_list.h>
+#include <glassbox/render/trace/outside.h>
+
+namespace glassbox {
+
+namespace {
+
+std::vector<ClipPlane> planes_of(const View& view) {
+  const auto planes = render_planes(view);
+  return {planes.begin(), planes.end()};
+}
+
+std::optional<std::uint32_t> number_or_none(std::uint32_t number) {
+  if (number == kNone) return std::nullopt;
+  return number;
+}
+
+std::vector<Rival> most_first(const std::unordered_map<std::uint32_t, std::uint32_t>& counts) {
+  std::vector<Rival> rivals;
+  for (const auto& [number, pixels] : counts) rivals.push_back({number_or_none(number), pixels});
+  std::sort(rivals.begin(), rivals.end(), [](const Rival& a, const Rival& b) {
+    return a.pixels != b.pixels ? a.pixels > b.pixels : a.number < b.number;
+  });
+  return rivals;
+}
+
+}  // namespace
+
+// ---- ends ----
+
+End end_before_fragments(const TracedTriangle& triangle, std::span<const ClipPlane> planes,
+                         const RenderSettings& settings, const PixelRect& picture) {
+  if (triangle.pieces.empty()) {
+    std::array<Outcode, 3> codes;
+    bool behind = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      codes[k] = outcode(triangle.corners[k].clip, planes);
+      behind = behind && triangle.corners[k].clip.w <= 0;
+    }
+    if (((codes[0] | codes[1] | codes[2]) & kNotFinite) != 0) return End::kNotFinite;
+    if (behind) return End::kBehindEye;
+    return (codes[0] & codes[1] & codes[2]) != 0 ? End::kOutsidePlane : End::kClippedAway;
+  }
+  bool any_area = false, any_kept = false, any_inside = false;
+  for (const TracedPiece& piece : triangle.pieces) {
+    any_area = any_area || piece.setup.has_value();
+    if (!piece.setup || piece.culled) continue;
+    any_kept = true;
+    any_inside = any_inside || !outside_of(piece, picture);
+  }
+  if (!any_area) return End::kNoScreenArea;
+  if (!any_kept) return End::kTurnedAway;
+  if (settings.wireframe) return End::kLines;
+  return any_inside ? End::kBetweenCentres : End::kOutsidePicture;
+}
+
+End end_of(const FragmentTally& t, End before) {
+  if (t.covered == 0) return before;
+  if (t.visible > 0) {
+    if (t.unchanged == t.visible) return End::kUnchanged;
+    return t.visible == t.covered ? End::kVisible : End::kPartlyVisible;
+  }
+  const std::pair<std::uint32_t, End> losses[] = {{t.hidden, End::kHidden},
+                                                  {t.discarded, End::kDiscarded},
+                                                  {t.masked, End::kMasked},
+                                                  {t.overwritten, End::kOverwritten}};
+  return std::max_element(std::begin(losses), std::end(losses),
+                          [](const auto& a, const auto& b) { return a.first < b.first; })
+      ->second;
+}
+
+// ---- triangles ----
+
+Ledger::Ledger(const View& view, const RenderSettings& settings,
+               std::optional<std::uint32_t> subject)
+    : view_(view),
+      settings_(settings),
+      subject_(subject),
+      planes_(planes_of(view)),
+      width_(int(view.viewport.width())),
+      height_(int(view.viewport.height())),
+      nearest_(std::size_t(width_) * std::size_t(height_), Nearest{kNone, 0}),
+      tops_(nearest_.size(), kNone),
+      free_(kNone) {}
+
+void Ledger::draw(const Draw& draw) {
+  draw_ = &draw;
+  const std::size_t end = std::size_t(draw.first_number) + draw.triangulation->numbered;
+  if (entries_.size() < end) entries_.resize(end);
+}
+
+void Ledger::clipped(const PrimitiveStage&, const Triangle&,
+                     const std::array<ClipVertex, 3>& corners, ClipPolygon&) {
+  for (std::size_t k = 0; k < 3; ++k) current_.corners[k].clip = corners[k].position;
+  current_.pieces.clear();
+}
+
+void Ledger::set_up(std::uint32_t, const std::array<ScreenVertex, 3>& vertices,
+                    std::optional<TriangleSetup>& setup) {
+  TracedPiece& piece = current_.pieces.emplace_back();
+  piece.vertices = vertices;
+  piece.setup = setup;
+}
+
+void Ledger::faced(const TriangleSetup&, bool front, bool& culled) {
+  current_.pieces.back().front = front;
+  current_.pieces.back().culled = culled;
+}
+
+void Ledger::prepared(const Triangle& triangle) {
+  entries_[draw_->first_number + triangle.number].before =
+      end_before_fragments(current_, planes_, settings_, {0, 0, width_, height_});
+}
+
+// ---- fragments ----
+
+void Ledger::compared(const FragmentSource& source, const Fragment&, std::uint32_t code,
+                      std::uint32_t stored, bool&) {
+  code_ = code;
+  stored_ = stored;
+  if (source.is_triangle) ++entries_[source.number].fragments.covered;
+}
+
+void Ledger::textured(const Varyings&, Rgba& surface) {
+  alpha_ = surface.a;
+}
+
+void Ledger::encoded(const Fragment&, const Rgba8& before, Rgba8& after) {
+  before_ = before;
+  after_ = after;
+}
+
+void Ledger::ended(const FragmentSource& source, const Fragment& fragment, Fate fate) {
+  switch (fate) {
+    case Fate::kHidden:
+      return count_hidden(source, fragment);
+    case Fate::kDiscarded:
+      return count_discarded(source, fragment);
+    case Fate::kWritten:
+    case Fate::kBlended:
+      return count_written(source, fragment, fate);
+  }
+}
+
+void Ledger::count_hidden(const FragmentSource& source, const Fragment& fragment) {
+  if (!source.is_triangle) return;
+  ++entries_[source.number].fragments.hidden;
+  if (source.number != subject_) return;
+  const Nearest& by = nearest_[pixel_of(fragment)];
+  ++hidden_by_[by.number];
+  auto& closest = details_.closest_hidden;
+  if (closest && closest->code - closest->stored <= code_ - stored_) return;
+  closest = {fragment.x,
+             fragment.y,
+             code_,
+             stored_,
+             distance_along_gaze(view_, fragment.depth, fragment.inverse_w),
+             by.distance,
+             number_or_none(by.number)};
+}
+
+void Ledger::count_discarded(const FragmentSource& source, const Fragment& fragment) {
+  if (!source.is_triangle) return;
+  ++entries_[source.number].fragments.discarded;
+  if (source.number != subject_) return;
+  auto& closest = details_.closest_discarded;
+  if (closest && closest->alpha >= alpha_) return;
+  closest = {fragment.x, fragment.y, alpha_, draw_->material->alpha_cutoff};
+}
+
+void Ledger::count_written(const FragmentSource& source, const Fragment& fragment, Fate fate) {
+  const std::size_t pixel = pixel_of(fragment);
+  const std::uint32_t number = source.is_triangle ? source.number : kNone;
+  if (fate == Fate::kWritten) {
+    nearest_[pixel] = {number, distance_along_gaze(view_, fragment.depth, fragment.inverse_w)};
+  }
+  const ColorMask& mask = settings_.mask;
+  if (!mask.r && !mask.g && !mask.b && !mask.a) {
+    if (number != kNone) ++entries_[number].fragments.masked;
+    return;
+  }
+  const bool hides_what_was_there = fate == Fate::kWritten || alpha_ >= 1;
+  if (hides_what_was_there) bury(pixel, number);
+  Rgba8 stored = before_;
+  write_masked(mask, after_, stored);
+  lay(pixel, number, stored == before_);
+  if (number == subject_ && stored == before_ && !details_.unchanged) {
+    details_.unchanged = {fragment.x, fragment.y, fate == Fate::kBlended, alpha_, before_};
+  }
+}
+
+// ---- layers ----
+
+void Ledger::lay(std::size_t pixel, std::uint32_t number, bool unchanged) {
+  std::uint32_t slot = free_;
+  if (slot == kNone) {
+    slot = std::uint32_t(layers_.size());
+    layers_.emplace_back();
+  } else {
+    free_ = layers_[slot].next;
+  }
+  layers_[slot] = {number, tops_[pixel], unchanged};
+  tops_[pixel] = slot;
+}
+
+void Ledger::bury(std::size_t pixel, std::uint32_t by) {
+  while (tops_[pixel] != kNone) {
+    const std::uint32_t slot = tops_[pixel];
+    const std::uint32_t number = layers_[slot].number;
+    if (number != kNone) ++entries_[number].fragments.overwritten;
+    if (number == subject_) {
+      ++overwritten_by_[by];
+      details_.overwritten_at = {int(pixel) % width_, int(pixel) / width_};
+    }
+    tops_[pixel] = layers_[slot].next;
+    layers_[slot].next = free_;
+    free_ = slot;
+  }
+}
+
+void Ledger::finish() {
+  for (std::size_t pixel = 0; pixel < tops_.size(); ++pixel) {
+    for (std::uint32_t slot = tops_[pixel]; slot != kNone; slot = layers_[slot].next) {
+      const Layer& layer = layers_[slot];
+      if (layer.number == kNone) continue;
+      FragmentTally& tally = entries_[layer.number].fragments;
+      ++tally.visible;
+      tally.unchanged += layer.unchanged ? 1 : 0;
+      tally.veiled += slot != tops_[pixel] ? 1 : 0;
+    }
+  }
+  details_.hidden_by = most_first(hidden_by_);
+  details_.overwritten_by = most_first(overwritten_by_);
+  if (subject_) find_visible();
+}
+
+bool Ledger::shows_subject(int x, int y) const {
+  std::uint32_t slot = tops_[std::size_t(y) * std::size_t(width_) + std::size_t(x)];
+  while (slot != kNone && layers_[slot].number != subject_) slot = layers_[slot].next;
+  return slot != kNone;
+}
+
+void Ledger::find_visible() {
+  PixelRect box{width_, height_, 0, 0};
+  for (int y = 0; y < height_; ++y) {
+    for (int x = 0; x < width_; ++x) {
+      if (!shows_subject(x, y)) continue;
+      box = {std::min(box.x0, x), std::min(box.y0, y), std::max(box.x1, x + 1),
+             std::max(box.y1, y + 1)};
+    }
+  }
+  if (box.empty()) return;
+  details_.visible_box = box;
+  int least = std::numeric_limits<int>::max();  // twice the distance, |dx| + |dy|
+  for (int y = box.y0; y < box.y1; ++y) {
+    for (int x = box.x0; x < box.x1; ++x) {
+      const int away =
+          std::abs(2 * x + 1 - box.x0 - box.x1) + std::abs(2 * y + 1 - box.y0 - box.y1);
+      if (away >= least || !shows_subject(x, y)) continue;
+      least = away;
+      details_.example = {x, y};
+    }
+  }
+}
+
+}  // namespace glassbox

@@ -1,0 +1,157 @@
+// What became of every triangle of a run, counted; of one of them, at whose hands.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include <glassbox/images/image.h>
+#include <glassbox/pipeline/view.h>
+#include <glassbox/render/observer.h>
+#include <glassbox/render/settings.h>
+#include <glassbox/render/trace/end.h>
+#include <glassbox/render/trace/records.h>
+
+namespace glassbox {
+
+// Where a triangle ends that has no fragments: it, its pieces and the planes as a trace records them.
+End end_before_fragments(const TracedTriangle& triangle, std::span<const ClipPlane> planes,
+                         const RenderSettings& settings, const PixelRect& picture);
+
+// The fragments of a triangle. covered = hidden + discarded + masked + overwritten + visible.
+struct FragmentTally {
+  std::uint32_t covered = 0;
+  std::uint32_t hidden = 0;       // failed the depth test
+  std::uint32_t discarded = 0;    // alpha below the cutoff
+  std::uint32_t masked = 0;       // no channel may be written
+  std::uint32_t overwritten = 0;  // by something opaque that came later
+  std::uint32_t visible = 0;      // part of what the picture shows in the end
+  std::uint32_t unchanged = 0;    // of the visible ones: left the bytes as they were
+  std::uint32_t veiled = 0;       // of the visible ones: something translucent lies over them
+};
+
+// Where a triangle with such fragments ends; `before` if it has none.
+End end_of(const FragmentTally& fragments, End before);
+
+// Another triangle that was in the way, and at how many pixels; no number for lines and points.
+struct Rival {
+  std::optional<std::uint32_t> number;
+  std::uint32_t pixels = 0;
+};
+
+// Of one triangle.
+struct FragmentDetails {
+  std::vector<Rival> hidden_by, overwritten_by;  // those with the most pixels first
+
+  // The fragment that came closest to passing the depth test.
+  struct Hidden {
+    int x = 0, y = 0;
+    std::uint32_t code = 0, stored = 0;       // depth_code: the smaller is nearer
+    float distance = 0, stored_distance = 0;  // along the gaze, world units
+    std::optional<std::uint32_t> by;
+  };
+  std::optional<Hidden> closest_hidden;
+
+  // The one that came closest to passing the alpha test.
+  struct Discarded {
+    int x = 0, y = 0;
+    float alpha = 0, cutoff = 0;
+  };
+  std::optional<Discarded> closest_discarded;
+
+  // One that left the bytes as they were.
+  struct Unchanged {
+    int x = 0, y = 0;
+    bool blended = false;
+    float alpha = 0;
+    Rgba8 bytes;
+  };
+  std::optional<Unchanged> unchanged;
+
+  std::optional<std::array<int, 2>> overwritten_at;  // one of the pixels
+  PixelRect visible_box;                             // of its visible pixels
+  std::optional<std::array<int, 2>> example;  // the visible pixel nearest to the middle of the box
+};
+
+class Ledger : public Observer {
+public:
+  // The details are those of triangle `subject`. Memory: 12 bytes for each pixel, 8 for each write that still shows, 36 for
+  // each triangle.
+  Ledger(const View& view, const RenderSettings& settings, std::optional<std::uint32_t> subject);
+
+  void draw(const Draw& draw) override;
+  void clipped(const PrimitiveStage&, const Triangle& triangle,
+               const std::array<ClipVertex, 3>& corners, ClipPolygon& polygon) override;
+  void set_up(std::uint32_t piece, const std::array<ScreenVertex, 3>& vertices,
+              std::optional<TriangleSetup>& setup) override;
+  void faced(const TriangleSetup& setup, bool front, bool& culled) override;
+  void prepared(const Triangle& triangle) override;
+  void compared(const FragmentSource& source, const Fragment& fragment, std::uint32_t code,
+                std::uint32_t stored, bool& in_front) override;
+  void textured(const Varyings& at, Rgba& surface) override;
+  void encoded(const Fragment& fragment, const Rgba8& before, Rgba8& after) override;
+  void ended(const FragmentSource& source, const Fragment& fragment, Fate fate) override;
+
+  // After the run, once: counts what is visible.
+  void finish();
+
+  struct Entry {
+    End before = End::kNoArea;  // where it ends if it has no fragments
+    FragmentTally fragments;
+    End end() const { return end_of(fragments, before); }
+  };
+  const std::vector<Entry>& entries() const { return entries_; }  // by triangle number
+  const FragmentDetails& details() const { return details_; }
+
+private:
+  // What a write left in a pixel, as long as nothing opaque has come over it.
+  struct Layer {
+    std::uint32_t number = 0;
+    std::uint32_t next = 0;  // the one below; kNone: the background
+    bool unchanged = false;
+  };
+  struct Nearest {
+    std::uint32_t number = 0;
+    float distance = 0;
+  };
+  using Counts = std::unordered_map<std::uint32_t, std::uint32_t>;
+
+  void count_hidden(const FragmentSource& source, const Fragment& fragment);
+  void count_discarded(const FragmentSource& source, const Fragment& fragment);
+  void count_written(const FragmentSource& source, const Fragment& fragment, Fate fate);
+  void bury(std::size_t pixel, std::uint32_t by);
+  void lay(std::size_t pixel, std::uint32_t number, bool unchanged);
+  bool shows_subject(int x, int y) const;
+  void find_visible();
+  std::size_t pixel_of(const Fragment& fragment) const {
+    return std::size_t(fragment.y) * std::size_t(width_) + std::size_t(fragment.x);
+  }
+
+  const View& view_;
+  const RenderSettings& settings_;
+  const std::optional<std::uint32_t> subject_;
+  const std::vector<ClipPlane> planes_;
+  const int width_, height_;
+
+  const Draw* draw_ = nullptr;
+  TracedTriangle current_;  // reused
+  std::vector<Entry> entries_;
+
+  std::uint32_t code_ = 0, stored_ = 0;  // of the current fragment
+  float alpha_ = 1;
+  Rgba8 before_, after_;
+
+  std::vector<Nearest> nearest_;     // by pixel: who wrote the depth
+  std::vector<std::uint32_t> tops_;  // by pixel: its uppermost layer
+  std::vector<Layer> layers_;
+  std::uint32_t free_ = 0;  // a list of unused layers
+
+  Counts hidden_by_, overwritten_by_;
+  FragmentDetails details_;
+};
+
+}  // namespace glassbox

@@ -1,0 +1,29 @@
+#include <glassbox/render/trace/numbering.h>
+
+#include <glassbox/mesh/triangulate.h>
+
+namespace glassbox {
+
+std::uint64_t count_triangles(const Scene& scene) {
+  std::uint64_t count = 0;
+  for (const Instance& instance : scene.instances) {
+    for (const Face& face : scene.meshes[instance.mesh].faces) count += numbers_of(face);
+  }
+  return count;
+}
+
+std::optional<NumberedTriangle> find_triangle(const Scene& scene, std::uint64_t number) {
+  std::uint64_t left = number;
+  for (std::uint32_t instance = 0; instance < scene.instances.size(); ++instance) {
+    const Mesh& mesh = scene.meshes[scene.instances[instance].mesh];
+    for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
+      if (left < numbers_of(mesh.faces[face])) {
+        return NumberedTriangle{std::uint32_t(number), instance, face};
+      }
+      left -= numbers_of(mesh.faces[face]);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace glassbox
