@@ -45,7 +45,7 @@ function fragmentButton(run, i) {
   const number = run.columns["fragment.triangle"][i], fate = fates[run.columns["fragment.fate"][i]];
   const button = element("button", {type: "button", onclick: () => chooseFragment(i)},
     element("span", {}, number === noTriangle ? "line or point" : `triangle ${number}`),
-    element("span", {className: `fate ${fate}`}, fate),
+    element("span", {className: `fate fate-${fate}`}, fate),
     element("small", {}, `fragment ${(i + 1).toLocaleString("en")}`));
   if (i === state.fragment) button.setAttribute("aria-current", "true");
   if (i >= state.at) button.classList.add("later");
