@@ -201,10 +201,13 @@ struct KnownTriangle {
 std::map<std::uint32_t, KnownTriangle> bounds_of_all(const Trace& trace) {
   std::map<std::uint32_t, KnownTriangle> known;
   std::map<std::uint32_t, const TracedDraw*> draws;
-  for (const TracedDraw& draw : trace.draws) draws[draw.instance] = &draw;
+  std::map<std::uint32_t, DrawBounds> of_draw;
+  for (const TracedDraw& draw : trace.draws) {
+    draws[draw.instance] = &draw;
+    of_draw[draw.instance] = bounds_of(draw, trace.view);
+  }
   for (const TracedTriangle& t : trace.triangles) {
-    const TracedDraw& draw = *draws.at(t.instance);
-    known[t.number] = {&t, bounds_of(trace, t, draw, bounds_of(draw, trace.view))};
+    known[t.number] = {&t, bounds_of(trace, t, *draws.at(t.instance), of_draw.at(t.instance))};
   }
   return known;
 }
