@@ -188,6 +188,12 @@ function turnScale() {
   return [turn.zoom / Math.max(aspect, 1), turn.zoom * Math.min(aspect, 1)];
 }
 
+function edgesOfTriangles(points) {
+  const edges = [];
+  for (let i = 0; i < points.length; i += 3) edges.push(points[i], points[i + 1], points[i + 1], points[i + 2], points[i + 2], points[i]);
+  return edges;
+}
+
 function drawThings({buffer, count: points}, mode, colour, shaded) {
   gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
   const position = gl.getAttribLocation(program, "position");
@@ -215,7 +221,8 @@ function drawSpace() {
   gl.uniformMatrix3fv(gl.getUniformLocation(program, "turned"), false, turnMatrix(space));
   gl.uniform2fv(gl.getUniformLocation(program, "scale"), turnScale());
   gl.uniform1f(gl.getUniformLocation(program, "reach"), space.divided ? 1 : 1e30);
-  drawThings(mesh.triangles, gl.TRIANGLES, colour("--mesh"), 1);
+  if (byId("edges-only").checked) drawThings((mesh.edges ??= bufferOf(flatten(edgesOfTriangles(mesh.points), mesh))), gl.LINES, colour("--mesh"), 0);
+  else drawThings(mesh.triangles, gl.TRIANGLES, colour("--mesh"), 1);
   drawThings(mesh.lines, gl.LINES, colour("--accent"), 0);
   drawChosen(run, space, mesh, colour("--mark"));
 }
@@ -257,6 +264,7 @@ function listenToSpace() {
   for (const [name, {name: label}] of Object.entries(spaces)) {
     byId("space-name").append(element("option", {value: name, textContent: label}));
   }
+  byId("edges-only").addEventListener("change", drawSpace);
   byId("space-name").addEventListener("change", ({target}) => change({space: target.value}));
   let held = null;
   spaceCanvas.addEventListener("pointerdown", (event) => {

@@ -264,6 +264,9 @@ test("inspect: the keyboard reaches everything and is never caught, and the 3-D 
     await settled(page);
     assert.notEqual(await look(), last, name);
   }
+  const faces = await look();
+  await page.check("#edges-only");
+  assert.notEqual(await look(), faces, "edges in place of faces");
   await page.locator("#view").focus();
   await press(page, "d", "s");
   assert.deepEqual([await page.inputValue("#pixel-x"), await page.inputValue("#pixel-y")], ["161", "91"]);
