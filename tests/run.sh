@@ -114,7 +114,7 @@ run_fuzzers() {
   done
 }
 
-# The pages of diff --html in Chromium. What drives it, playwright-core, goes to build/browser; so do the screenshots.
+# The pages of diff --html and inspect in Chromium. What drives it, playwright-core, goes to build/browser; so do the screenshots.
 run_browser() {
   have chromium || locked install_packages browser || true
   { have node && have npm; } || locked install_packages node || true

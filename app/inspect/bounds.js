@@ -12,10 +12,19 @@ function magnitudeOfRow(m, row, x) {
   return sum * roundUp;
 }
 
-// Matrices with the last row 0 0 0 1, in double.
+// Matrices with the last row 0 0 0 1, in double. A row with a single product by a power of two rounds nothing.
 function affineBound(m, point, pointBound) {
-  return [0, 1, 2].map((row) => (gammaOf(unitDouble, 4) * magnitudeOfRow(m, row, [...point, 1]) +
-    magnitudeOfRow(m, row, [...pointBound, 0])) * roundUp);
+  const x = [...point, 1];
+  return [0, 1, 2].map((row) => {
+    const factors = [0, 1, 2, 3].filter((k) => m[4 * row + k] !== 0 && x[k] !== 0).map((k) => m[4 * row + k]);
+    const exact = !factors.length || (factors.length === 1 && isPowerOfTwo(factors[0]));
+    return ((exact ? 0 : gammaOf(unitDouble, factors.length) * magnitudeOfRow(m, row, x)) +
+      magnitudeOfRow(m, row, [...pointBound, 0])) * roundUp;
+  });
+}
+function isPowerOfTwo(value) {
+  bitStore.setFloat64(0, value);
+  return (bitStore.getUint32(0) & 0xfffff) === 0 && bitStore.getUint32(4) === 0;
 }
 
 function transformBound(m, x, xBound, mBound) {

@@ -153,6 +153,7 @@ async function start() {
   state.at = run.fragmentCount;
   showTitle();
   showStages();
+  offerCheck();
   listenToControls();
   listenToPicture();
   listenToSpace();

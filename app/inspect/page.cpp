@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <map>
 #include <span>
 #include <utility>
 
@@ -15,6 +15,7 @@
 #include <glassbox/images/html/blob.h>
 #include <glassbox/images/report/page_blob.h>
 #include <glassbox/render/staged.h>
+#include <glassbox/render/trace/bounds.h>
 #include <glassbox/render/trace/column_pack.h>
 #include <glassbox/render/trace/columns.h>
 #include <glassbox/render/trace/tracer.h>
@@ -191,6 +192,67 @@ void add_fragment_records(const Trace& trace, ColumnPack& pack) {
   pack.add("record.after", after);
 }
 
+// What is known of a triangle besides its record.
+struct KnownTriangle {
+  const TracedTriangle* triangle = nullptr;
+  TriangleBounds bounds;
+};
+
+std::map<std::uint32_t, KnownTriangle> bounds_of_all(const Trace& trace) {
+  std::map<std::uint32_t, KnownTriangle> known;
+  std::map<std::uint32_t, const TracedDraw*> draws;
+  std::map<std::uint32_t, DrawBounds> of_draw;
+  for (const TracedDraw& draw : trace.draws) {
+    draws[draw.instance] = &draw;
+    of_draw[draw.instance] = bounds_of(draw, trace.view);
+  }
+  for (const TracedTriangle& t : trace.triangles) {
+    known[t.number] = {&t, bounds_of(trace, t, *draws.at(t.instance), of_draw.at(t.instance))};
+  }
+  return known;
+}
+
+void append(std::vector<double>& column, const glm::dvec3& v) {
+  column.insert(column.end(), {v.x, v.y, v.z});
+}
+void append(std::vector<double>& column, const glm::dvec4& v) {
+  column.insert(column.end(), {v.x, v.y, v.z, v.w});
+}
+
+void add_bounds(const Trace& trace, ColumnPack& pack) {
+  const auto known = bounds_of_all(trace);
+  std::vector<double> world, eye, clip, ndc, screen, fragment;
+  for (const TracedTriangle& t : trace.triangles) {
+    const TriangleBounds& bounds = known.at(t.number).bounds;
+    for (const CornerBounds& corner : bounds.corners) {
+      append(world, corner.world);
+      append(eye, corner.eye);
+      append(clip, corner.clip);
+    }
+    for (const VertexBounds& vertex : bounds.polygon) {
+      append(ndc, glm::dvec4(vertex.ndc.position, vertex.ndc.inverse_w));
+      append(screen, vertex.screen);
+    }
+  }
+  for (const TracedFragment& f : trace.fragments) {
+    FragmentBounds bounds;
+    if (const auto found = known.find(f.source.number);
+        f.source.is_triangle && found != known.end()) {
+      const TracedPiece& piece = found->second.triangle->pieces[f.source.piece];
+      bounds = fragment_bounds(*piece.setup, f.fragment, setup_bounds(piece, found->second.bounds));
+    }
+    fragment.insert(fragment.end(), bounds.lambda.begin(), bounds.lambda.end());
+    fragment.insert(fragment.end(), bounds.weights.begin(), bounds.weights.end());
+    fragment.insert(fragment.end(), {bounds.depth, bounds.inverse_w});
+  }
+  pack.add("bound.world", world);
+  pack.add("bound.eye", eye);
+  pack.add("bound.clip", clip);
+  pack.add("bound.ndc", ndc);
+  pack.add("bound.screen", screen);
+  pack.add("bound.fragment", fragment);
+}
+
 void add_triangle_records(const Trace& trace, ColumnPack& pack) {
   std::vector<std::uint32_t> number, outcode;
   std::vector<std::uint8_t> vertices, pieces, flags;
@@ -313,6 +375,7 @@ Result<PageFacts> make_inspect_page(const Scene& scene, const Camera& camera, co
     if (trace.complete) {
       add_fragment_records(trace, pack);
       add_triangle_records(trace, pack);
+      add_bounds(trace, pack);
     }
   }
   manifest["columns"] = entries_json(pack);

@@ -15,7 +15,7 @@ function counterpart(run, fragment) {
   const there = state.fragment !== null && state.fragment < run.fragmentCount ? fragmentOf(run, state.fragment) : null;
   const same = there && fragment && there.x === fragment.x && there.y === fragment.y && there.number === fragment.number;
   const number = fragment?.number ?? state.triangle;
-  return {fragment: same ? there : null, chain: number === null ? null : chainOf(run, number)};
+  return {fragment: same ? {...there, name: run.name} : null, chain: number === null ? null : chainOf(run, number)};
 }
 
 function nothingChosen(fragment) {
@@ -45,7 +45,7 @@ function fragmentButton(run, i) {
   const number = run.columns["fragment.triangle"][i], fate = fates[run.columns["fragment.fate"][i]];
   const button = element("button", {type: "button", onclick: () => chooseFragment(i)},
     element("span", {}, number === noTriangle ? "line or point" : `triangle ${number}`),
-    element("span", {className: `fate ${fate}`}, fate),
+    element("span", {className: `fate fate-${fate}`}, fate),
     element("small", {}, `fragment ${(i + 1).toLocaleString("en")}`));
   if (i === state.fragment) button.setAttribute("aria-current", "true");
   if (i >= state.at) button.classList.add("later");
@@ -113,8 +113,8 @@ function chainSections(run, chain, fragment, other) {
 }
 
 function snapText(stabilities) {
-  return stabilities.map(({toBoundary, stable}, k) => `${letters[k]} would ${stable ? "not " : ""}snap elsewhere within its bound: ` +
-    `the next place is ${shortNumber(toBoundary)} pixels away`).join("; ") + ".";
+  return stabilities.map(({toBoundary, stable}, k) => `${letters[k]} is ${shortNumber(toBoundary)} pixels from where it would snap ` +
+    `elsewhere, ${stable ? "beyond" : "within"} its bound`).join("; ") + ".";
 }
 
 function planesOpened({planes}, corner) {
@@ -160,7 +160,7 @@ function fragmentSections(run, fragment, other) {
           {name: "depth", value: fragment.depth, kind: "float", bound: bound?.depth, other: other?.depth},
           {name: "1/w", value: fragment.inverseW, kind: "float", bound: bound?.inverseW, other: other?.inverseW}])));
   }
-  sections.push(step("Depth test", element("p", {}, depthText(run, fragment))), step("Colour", colourText(fragment)));
+  sections.push(step("Depth test", element("p", {}, depthText(run, fragment))), step("Colour", colourText(fragment), ...(other ? [element("p", {className: "quiet"}, other.name), colourText(other)] : [])));
   return sections;
 }
 

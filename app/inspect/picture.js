@@ -20,7 +20,7 @@ function paintPictures() {
     notes.push(note(run, paint ? paint(playback, image.data) : {}));
     playback.canvas.getContext("2d").putImageData(image, 0, 0);
   }
-  byId("overlay-note").textContent = notes.join(" | ");
+  byId("overlay-note").textContent = notes.filter(Boolean).join(" | ");
 }
 
 function layOut() {

@@ -7,18 +7,21 @@ const vertexShader = `#version 300 es
 in vec3 position;
 uniform mat3 turned; // to x right, y up, z away
 uniform vec2 scale;
-out vec3 at;
+out vec3 place, at;
 void main() {
+  place = position;
   at = turned * position;
   gl_Position = vec4(at.xy * scale, at.z * 0.4, 1.0 + 0.25 * at.z);
 }`;
 const fragmentShader = `#version 300 es
 precision highp float;
-in vec3 at;
+in vec3 place, at;
+uniform float reach; // what lies farther out is left away
 uniform vec4 colour;
 uniform float shaded;
 out vec4 pixel;
 void main() {
+  if (any(greaterThan(abs(place), vec3(reach)))) discard;
   vec3 n = normalize(cross(dFdx(at), dFdy(at)));
   float light = mix(1.0, 0.35 + 0.65 * abs(n.z), shaded);
   pixel = vec4(colour.rgb * light, colour.a);
@@ -53,9 +56,9 @@ const spaces = {
   eye: {name: "Eye", place: (corner) => corner.eye, frame: frustumLines},
   clip: {name: "Clip (x, y, w)", place: ({clip: [x, y, , w]}) => [x, y, w], frame: clipLines, fixed: true},
   ndc: {name: "NDC", place: ({clip}) => (clip[3] > 0 ? clip.slice(0, 3).map((value) => value / clip[3]) : null),
-    frame: () => boxLines([-1, -1, 0], [1, 1, 1]), fixed: true, flip: true},
+    frame: () => boxLines([-1, -1, 0], [1, 1, 1]), fixed: true, flip: true, divided: true},
   screen: {name: "Screen", place: ({clip}, run) => (clip[3] > 0 ? screenPlace(divide(clip), run) : null),
-    frame: (run) => boxLines([0, 0, 0], [run.width, run.height, screenDepth(run)]), fixed: true, flip: true, down: true},
+    frame: (run) => boxLines([0, 0, 0], [run.width, run.height, screenDepth(run)]), fixed: true, flip: true, down: true, divided: true},
 };
 const screenDepth = (run) => Math.min(run.width, run.height); // what depth 1 is drawn as, in pixels
 function screenPlace(ndc, run) {
@@ -73,7 +76,19 @@ function edgesOf(place) {
 }
 const boxLines = (low, high) => edgesOf((i) => [0, 1, 2].map((k) => (i & (1 << k) ? high[k] : low[k])));
 
-const farOf = ({facts: {view: v}}) => (v.far === "inf" ? 20 * Math.max(v.near, 1e-6) : v.far);
+// How far the frustum is drawn: to its far plane, or a little beyond all that there is.
+function farOf(run) {
+  const {near, far} = run.facts.view;
+  if (run.reachesTo === undefined) {
+    run.reachesTo = near;
+    for (const draw of run.facts.draws) {
+      for (let i = 0; i < run.facts.meshes[draw.mesh].positions; i++) {
+        run.reachesTo = Math.max(run.reachesTo, -placeOf(run, draw, i, (corner) => corner.eye)[2]);
+      }
+    }
+  }
+  return Math.min(far === "inf" ? Infinity : far, near + 1.2 * (run.reachesTo - near) + 0.1 * Math.abs(near));
+}
 // x, y at a depth along the gaze from those of NDC: the projection has no shear but that of an off-centre window.
 function frustumLines(run) {
   const {clip_from_eye: m, near, perspective} = run.facts.view;
@@ -109,8 +124,10 @@ function meshIn(run, name) {
     if (chosenDraw && draw !== chosenDraw) continue;
     const places = Array.from({length: run.facts.meshes[draw.mesh].positions}, (_, i) => placeOf(run, draw, i, place));
     for (let row = draw.firstRow; row < draw.firstRow + draw.triangles; row++) {
-      const three = corners.map((corner) => places[c[`triangle.${corner}`][row]]);
-      if (three.every(Boolean)) points.push(...three);
+      const cut = spaces[name].divided && run.cut.get(c["triangle.number"][row]);
+      const polygon = cut ? cut.map((vertex) => place(vertex, run)) : corners.map((corner) => places[c[`triangle.${corner}`][row]]);
+      if (!polygon.every(Boolean)) continue;
+      for (let k = 2; k < polygon.length; k++) points.push(polygon[0], polygon[k - 1], polygon[k]);
     }
   }
   const mesh = {points, frame: spaces[name].frame(run)};
@@ -171,6 +188,12 @@ function turnScale() {
   return [turn.zoom / Math.max(aspect, 1), turn.zoom * Math.min(aspect, 1)];
 }
 
+function edgesOfTriangles(points) {
+  const edges = [];
+  for (let i = 0; i < points.length; i += 3) edges.push(points[i], points[i + 1], points[i + 1], points[i + 2], points[i + 2], points[i]);
+  return edges;
+}
+
 function drawThings({buffer, count: points}, mode, colour, shaded) {
   gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
   const position = gl.getAttribLocation(program, "position");
@@ -197,7 +220,9 @@ function drawSpace() {
   gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
   gl.uniformMatrix3fv(gl.getUniformLocation(program, "turned"), false, turnMatrix(space));
   gl.uniform2fv(gl.getUniformLocation(program, "scale"), turnScale());
-  drawThings(mesh.triangles, gl.TRIANGLES, colour("--mesh"), 1);
+  gl.uniform1f(gl.getUniformLocation(program, "reach"), space.divided ? 1 : 1e30);
+  if (byId("edges-only").checked) drawThings((mesh.edges ??= bufferOf(flatten(edgesOfTriangles(mesh.points), mesh))), gl.LINES, colour("--mesh"), 0);
+  else drawThings(mesh.triangles, gl.TRIANGLES, colour("--mesh"), 1);
   drawThings(mesh.lines, gl.LINES, colour("--accent"), 0);
   drawChosen(run, space, mesh, colour("--mark"));
 }
@@ -239,6 +264,7 @@ function listenToSpace() {
   for (const [name, {name: label}] of Object.entries(spaces)) {
     byId("space-name").append(element("option", {value: name, textContent: label}));
   }
+  byId("edges-only").addEventListener("change", drawSpace);
   byId("space-name").addEventListener("change", ({target}) => change({space: target.value}));
   let held = null;
   spaceCanvas.addEventListener("pointerdown", (event) => {

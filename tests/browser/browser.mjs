@@ -27,8 +27,8 @@ function watchCanvas() {
   };
 }
 
-// Opens the file; settings are Playwright's. `problems` has what no page may do.
-export async function openPage(file, settings = {}) {
+// Opens the file; settings are Playwright's, `script` runs before those of the page. `problems` has what no page may do.
+export async function openPage(file, settings = {}, hash = "", script = null) {
   const context = await running.newContext({
     viewport: {width: 1280, height: 800}, reducedMotion: "reduce", colorScheme: "light", ...settings});
   const page = await context.newPage(), problems = [], address = "file://" + encodeURI(file);
@@ -37,10 +37,11 @@ export async function openPage(file, settings = {}) {
   page.on("dialog", (dialog) => { problems.push("a dialog: " + dialog.message()); dialog.dismiss(); });
   page.on("request", (request) => {
     const url = request.url();
-    if (url !== address && !url.startsWith("data:")) problems.push("a request: " + url);
+    if (url.split("#")[0] !== address && !url.startsWith("data:")) problems.push("a request: " + url);
   });
   await page.addInitScript(watchCanvas);
-  await page.goto(address);
+  if (script) await page.addInitScript(script);
+  await page.goto(address + hash);
   await settled(page);
   return {page, problems, close: () => context.close()};
 }
@@ -104,4 +105,11 @@ export function textsAround(page, x, y, size) {
       Math.abs(text.y / devicePixelRatio + box.top - py) < reach / 2;
     return window.texts.filter(near).map(({text}) => text.replaceAll("\u00a0", " "));
   }, [x, y, size]);
+}
+
+// Controls of which a screen reader would not know what to say.
+export function namelessControls(page) {
+  return page.evaluate(() => [...document.querySelectorAll("button, input, select, canvas[tabindex]")]
+    .filter((control) => !(control.ariaLabel || control.textContent.trim() && control.tagName === "BUTTON" || control.labels?.[0]?.textContent.trim()))
+    .map((control) => control.id || control.outerHTML.slice(0, 80)));
 }

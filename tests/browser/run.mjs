@@ -1,13 +1,14 @@
-// The pages of `glassbox diff --html` in a browser.
+// The pages of `glassbox diff --html` and `glassbox inspect` in a browser.
 //
 //     node run.mjs PROGRAM DIRECTORY [WORDS]
 //
-// PROGRAM makes the pages from pictures made here; DIRECTORY takes pictures, pages and screenshots. With WORDS, only
+// PROGRAM makes the pages; DIRECTORY takes pictures, pages and screenshots. With WORDS, only
 // tests with these in their name. Ends with 0 if nothing failed.
 import assert from "node:assert/strict";
 import {closeBrowser} from "./browser.mjs";
 import {tests} from "./cases.mjs";
 import "./drawing_tests.mjs";
+import "./inspect_tests.mjs";
 import "./using_tests.mjs";
 
 let failed = 0;

@@ -1,7 +1,7 @@
 // What people do with the pages: by mouse, by keys, with many pairs, on any screen.
 import assert from "node:assert/strict";
 import fs from "node:fs";
-import {canvasBox, crosshair, hover, openPage, press, readout, settled} from "./browser.mjs";
+import {canvasBox, crosshair, hover, namelessControls, openPage, press, readout, settled} from "./browser.mjs";
 import {changedColours, checkDrawn, colours, file, goTo, hostile, makePage, openPair, test, write,
   writeFolder} from "./cases.mjs";
 import {pixelOf} from "./pictures.mjs";
@@ -220,10 +220,7 @@ test("nothing is wider than a narrow window, and every control has a name", asyn
     await settled(page);
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), name);
   }
-  const nameless = await page.evaluate(() => [...document.querySelectorAll("button, input, canvas[tabindex]")]
-    .filter((control) => !(control.ariaLabel || control.textContent.trim() || control.labels?.[0]?.textContent.trim()))
-    .map((control) => control.id));
-  assert.deepEqual(nameless, []);
+  assert.deepEqual(await namelessControls(page), []);
   return {problems, close};
 });
 
