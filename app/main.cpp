@@ -9,6 +9,7 @@
 
 #include "app/diff_command.h"
 #include "app/exit_codes.h"
+#include "app/explain_command.h"
 #include "app/info_command.h"
 #include "app/inspect_command.h"
 #include "app/pixel_command.h"
@@ -29,9 +30,12 @@ int bad_usage(const CLI::App& app, const CLI::ParseError& error) {
   const std::string what = printable(error.what(), 2000);  // it repeats the word that is wrong
   const bool no_command =
       chosen.empty() && dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
-  fmt::print(stderr, "glassbox: {}{}; {} --help shows what there is\n", what,
-             no_command ? " (the subcommands are render, info, inspect, step, pixel, why and diff)" : "",
-             command);
+  fmt::print(
+      stderr, "glassbox: {}{}; {} --help shows what there is\n", what,
+      no_command
+          ? " (the subcommands are render, info, explain, step, pixel, why, inspect and diff)"
+          : "",
+      command);
   return kBadInput;
 }
 
@@ -45,17 +49,19 @@ int run(int argc, char** argv) {
   int exit_code = kSuccess;
   RenderCommand render;
   InfoCommand info;
-  InspectCommand inspect;
+  ExplainCommand explain;
   StepCommand step;
   PixelCommand pixel;
   WhyCommand why;
+  InspectCommand inspect;
   DiffCommand diff;
   render.add_to(app, exit_code);
   info.add_to(app, exit_code);
-  inspect.add_to(app, exit_code);
+  explain.add_to(app, exit_code);
   step.add_to(app, exit_code);
   pixel.add_to(app, exit_code);
   why.add_to(app, exit_code);
+  inspect.add_to(app, exit_code);
   diff.add_to(app, exit_code);
   app.require_subcommand(0, 1);
 

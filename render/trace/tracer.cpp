@@ -72,6 +72,7 @@ public:
     was_cut_ = polygon.count != 3 || polygon.vertices[0].position != corners[0].position ||
                polygon.vertices[1].position != corners[1].position ||
                polygon.vertices[2].position != corners[2].position;
+    polygon_count_ = polygon.count;
     current_.number = number;
     current_.instance = draw_->instance;
     current_.face = triangle.face;
@@ -84,12 +85,14 @@ public:
     current_.pieces.clear();
   }
 
+  // The polygon's vertices come first; after them, in pictures of edges, the ends of edges.
   void divided(const ClipVertex& clip, NdcVertex& ndc) override {
-    if (watching_) current_.polygon.push_back({clip, ndc, {}, {}});
+    of_polygon_ = watching_ && int(current_.polygon.size()) < polygon_count_;
+    if (of_polygon_) current_.polygon.push_back({clip, ndc, {}, {}});
   }
 
   void placed(const NdcVertex&, ScreenVertex& screen) override {
-    if (watching_) current_.polygon.back().screen = screen;
+    if (of_polygon_) current_.polygon.back().screen = screen;
   }
 
   void set_up(std::uint32_t, const std::array<ScreenVertex, 3>& vertices,
@@ -256,8 +259,10 @@ private:
   std::unordered_set<std::uint32_t> with_wanted_vertex_;  // numbers; of filters by position
   bool watching_ = false;                                 // the current triangle
   bool was_cut_ = false;                                  // it is not what it was before clipping
-  TracedTriangle current_;  // reused, so that what is not kept costs no allocation
-  bool tracing_ = false;    // the current fragment
+  TracedTriangle current_;   // reused, so that what is not kept costs no allocation
+  bool tracing_ = false;     // the current fragment
+  int polygon_count_ = 0;    // vertices that clipping left of it
+  bool of_polygon_ = false;  // the vertex that is divided is one of them
   TracedFragment fragment_;
   Coverage coverage_;
 };

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include <glassbox/base/printable.h>
-#include <glassbox/pipeline/matrices/slips.h>
+#include <glassbox/pipeline/convention_changes.h>
 
 namespace glassbox {
 

@@ -1,0 +1,2 @@
+#pragma once
+#include <glassbox/pipeline/matrices/slips.h>
