@@ -18,6 +18,13 @@ std::span<const ApiDialect> api_dialects() {
   return kDialects;
 }
 
+const ApiDialect* find_dialect(std::string_view name) {
+  for (const ApiDialect& dialect : api_dialects()) {
+    if (name == dialect.name) return &dialect;
+  }
+  return nullptr;
+}
+
 std::array<ClipPlane, 6> clip_planes(const ApiDialect& dialect) {
   std::array<ClipPlane, 6> planes = frustum_planes(dialect.depth);
   if (dialect.z_from_minus_w) {

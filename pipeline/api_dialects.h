@@ -4,6 +4,7 @@
 
 #include <array>
 #include <span>
+#include <string_view>
 
 #include <glassbox/pipeline/clip.h>
 #include <glassbox/pipeline/projection.h>
@@ -22,6 +23,7 @@ struct ApiDialect {
 
 // OpenGL, Direct3D, Vulkan, Metal, WebGPU, reversed depth (in Direct3D's window), and Glassbox itself.
 std::span<const ApiDialect> api_dialects();
+const ApiDialect* find_dialect(std::string_view name);  // nullptr: there is none
 
 // near, far, left, right, bottom, top. With y down, "bottom" and "top" are those of the picture.
 std::array<ClipPlane, 6> clip_planes(const ApiDialect& dialect);

@@ -95,6 +95,7 @@ DivideBound divide_bound(const Point<Clip>& clip, const glm::dvec4& clip_bound) 
   const double rounding = clip.w == 1 ? 0 : kU;
   const double underflow = clip.w == 1 ? 0 : kHalfSubnormal;
   const auto bound = [&](double coordinate, double coordinate_bound) {
+    if (coordinate == 0 && coordinate_bound == 0) return 0.0;
     const double quotient = std::abs(coordinate) / w;
     return ((coordinate_bound + times(quotient, clip_bound.w)) / smallest_w + rounding * quotient +
             underflow) *

@@ -5,7 +5,7 @@
 #include "app/step/numbers_text.h"
 #include "app/text_layout.h"
 
-#include <glassbox/pipeline/decimal.h>
+#include <glassbox/pipeline/matrices/decimal.h>
 
 namespace glassbox::app {
 

@@ -6,14 +6,14 @@
 
 #include <fmt/format.h>
 
-#include "app/chain_text.h"
-#include "app/matrix_report.h"
+#include "app/step/chain_text.h"
+#include "app/step/matrix_report.h"
 #include "app/step/numbers_text.h"
 #include "app/text_layout.h"
 
 #include <glassbox/base/printable.h>
 #include <glassbox/base/trig.h>
-#include <glassbox/pipeline/decimal.h>
+#include <glassbox/pipeline/matrices/decimal.h>
 
 namespace glassbox::app {
 
@@ -26,7 +26,7 @@ std::string sentence(const std::string& text) {
 }
 
 std::string triple(const glm::dvec3& v) {
-  return brief_triple(v.x, v.y, v.z, 9);
+  return brief_triple(v, 9);
 }
 
 // From the root down to the node.

@@ -14,7 +14,7 @@
 
 #include <glassbox/base/printable.h>
 #include <glassbox/base/rounding.h>
-#include <glassbox/pipeline/decimal.h>
+#include <glassbox/pipeline/matrices/decimal.h>
 
 namespace glassbox::app {
 

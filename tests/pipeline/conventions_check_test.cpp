@@ -1,6 +1,6 @@
 // Slips are planted in textbook matrices; the change that undoes each must be among those that are reported, and first where
 // the matrices tell. Nothing is reported where nothing is wrong.
-#include <glassbox/pipeline/conventions_check.h>
+#include <glassbox/pipeline/matrices/conventions_check.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // What a matrix is, and what is wrong with it: textbook matrices are read back as what they were made from, planted slips
 // are named, and correct sets raise no alarm.
-#include <glassbox/pipeline/matrix_check.h>
+#include <glassbox/pipeline/matrices/matrix_facts.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,10 @@
 #include <string>
 
 #include <glassbox/base/trig.h>
-#include <glassbox/pipeline/decimal.h>
-#include <glassbox/pipeline/matrix_findings.h>
-#include <glassbox/pipeline/projection_check.h>
+#include <glassbox/pipeline/matrices/decimal.h>
+#include <glassbox/pipeline/matrices/dialect_guess.h>
+#include <glassbox/pipeline/matrices/findings.h>
+#include <glassbox/pipeline/matrices/projection_factors.h>
 
 #include "tests/pipeline/textbook.h"
 #include "tests/support/catch.h"

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include <glassbox/pipeline/matrix_check.h>
+#include <glassbox/pipeline/matrices/matrix_facts.h>
 
 namespace glassbox::test::textbook {
 

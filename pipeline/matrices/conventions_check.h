@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <glassbox/pipeline/convention_changes.h>
-#include <glassbox/pipeline/matrix_findings.h>
+#include <glassbox/pipeline/matrices/slips.h>
 
 namespace glassbox {
 

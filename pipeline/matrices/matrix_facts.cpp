@@ -1,10 +1,10 @@
-#include <glassbox/pipeline/matrix_check.h>
+#include <glassbox/pipeline/matrices/matrix_facts.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include <glassbox/base/rounding.h>
-#include <glassbox/pipeline/decimal.h>
+#include <glassbox/pipeline/matrices/decimal.h>
 #include <glassbox/pipeline/view.h>
 
 namespace glassbox {
@@ -69,6 +69,20 @@ Shape shape_of(const glm::dmat3& a, const MatrixFacts& facts) {
 }
 
 }  // namespace
+
+bool is_small(const glm::dmat4& m, int row, int column) {
+  double largest = 0;
+  for (int c = 0; c < 4; ++c) largest = std::max(largest, std::abs(at(m, row, c)));
+  return is_small(at(m, row, column), largest);
+}
+
+std::string row_text(const glm::dmat4& m, int row) {
+  std::string text;
+  for (int column = 0; column < 4; ++column) {
+    text += (column == 0 ? "(" : ", ") + brief(at(m, row, column));
+  }
+  return text + ")";
+}
 
 GivenMatrix transposed(const GivenMatrix& matrix) {
   return {glm::transpose(matrix.m), glm::transpose(matrix.uncertainty), matrix.given};
@@ -180,6 +194,12 @@ std::optional<Eyepoint> eyepoint_of(const GivenMatrix& view) {
   const double length = std::sqrt(glm::dot(eye.right, eye.right));
   eye.level = is_small(eye.right.y, length) || is_small(eye.right.z, length);
   return eye;
+}
+
+std::string position_text(const Eyepoint& eye) {
+  const auto text = [&](double x) { return rounded(x, eye.uncertainty); };
+  return "(" + text(eye.position.x) + ", " + text(eye.position.y) + ", " + text(eye.position.z) +
+         ")";
 }
 
 }  // namespace glassbox

@@ -11,7 +11,7 @@
 #include <string>
 
 #include <glassbox/pipeline/api_dialects.h>
-#include <glassbox/pipeline/matrix_check.h>
+#include <glassbox/pipeline/matrices/matrix_facts.h>
 #include <glassbox/pipeline/projection.h>
 
 namespace glassbox {
@@ -38,9 +38,9 @@ struct ProjectionFacts {
   bool looks_down_minus_z = true;
   double w_scale = 1;   // k above
   double w_offset = 0;  // w = k (d + w_offset): 0 for a projection that begins at the eye
-  // x_ndc = scale x/d + centre (perspective) or scale x + centre (parallel): the gaze meets the picture at `centre`, which is 0
-  // for a symmetric frustum.
-  glm::dvec2 scale{1}, centre{0};
+  // x_ndc = (scale x + shift)/d + centre (perspective) or scale x + centre (parallel): the gaze meets the picture at `centre`,
+  // which is 0 for a symmetric frustum, and a shift is that of one eye of a stereo pair.
+  glm::dvec2 scale{1}, shift{0}, centre{0};
   double alpha = 0, beta = 0;  // depth, see above
   double alpha_uncertainty = 0, beta_uncertainty = 0;
   bool depth_lost = false;  // the same depth at all distances: rank 3 (E15)
@@ -58,37 +58,28 @@ struct ProjectionFacts {
   bool depth_reversed() const {
     return kind == ProjectionKind::kPerspective ? beta > 0 : alpha < 0;
   }
+  // Where the shift and the skewed frustum cancel: the distance without parallax, negative behind the eye (S0.21, E2).
+  std::optional<double> without_parallax() const {
+    if (shift.x == 0 || centre.x == 0) return std::nullopt;
+    return -shift.x / centre.x;
+  }
+  // Of the planes in the rounder reading that is possible; many where none is.
+  int fewest_digits() const;
+  // Perspective: the planes in the order that the dialect wants, where they are round ones; nullptr otherwise.
+  const DepthReading* round_planes(DepthRange expected) const;
   // The reading with the rounder planes, if it is rounder by so many digits, or the only possible one.
   const DepthReading* likely_range(int digits = 3) const;
 
   // The whole angle of view that was meant, where the angle in the entries is what its number of degrees makes as radians,
   // or its number of radians as degrees. Whole degrees only, from 4 on.
   std::optional<int> degrees_taken_as_radians, radians_taken_as_degrees;
+  // Likewise where the window is twice as large as that angle makes it (E13), across or up and down.
+  std::optional<int> degrees_of_half_window;
 };
 
-// ProjectionKind::kNone unless x and y are scaled and moved separately, and w is a multiple of d, perhaps with an offset, or constant.
+// ProjectionKind::kNone unless x and y are scaled and moved separately, and w is a multiple of d, perhaps with an offset, or
+// constant.
 ProjectionFacts projection_facts(const GivenMatrix& matrix,
                                  DepthRange expected = DepthRange::kStandard);
-
-// A matrix of clip from world taken apart: projection times a rigid view. Nothing where it is not one, or the view would be
-// the identity.
-struct ProjectionAndView {
-  GivenMatrix projection, view;
-};
-std::optional<ProjectionAndView> factor_projection(const GivenMatrix& matrix);
-
-// The projection itself, where the matrix has a view in it.
-GivenMatrix projection_part(const GivenMatrix& matrix);
-
-// The factors in the wrong order, view * projection: the last row is that of the projection, and the first, second and
-// fourth columns are perpendicular, as a rotation leaves them, but do not lie along the axes.
-bool is_view_times_projection(const glm::dmat4& m);
-
-// The dialect whose conventions a projection follows, as far as can be told, and why. OpenGL where nothing can be told.
-struct GuessedDialect {
-  const ApiDialect* dialect;
-  std::string reason;
-};
-GuessedDialect guess_dialect(const GivenMatrix& projection);
 
 }  // namespace glassbox

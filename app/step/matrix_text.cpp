@@ -1,4 +1,4 @@
-#include "app/matrix_text.h"
+#include "app/step/matrix_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "app/matrix_lexer.h"
+#include "app/step/matrix_lexer.h"
 
 #include <glassbox/base/printable.h>
 #include <glassbox/base/rounding.h>
@@ -46,6 +46,12 @@ bool is_subscript(const Tokens& tokens, std::size_t i, bool after_name) {
     return false;
   }
   return after_name || is_mark(tokens, i + 3, "=");
+}
+
+// The length in "Float32Array(16) [1, 0, ...]".
+bool is_length(const Tokens& tokens, std::size_t i) {
+  return is_mark(tokens, i, "(") && is_count(tokens, i + 1) && is_mark(tokens, i + 2, ")") &&
+         is_mark(tokens, i + 3, "[{");
 }
 
 // The 0 of "row 0: 1 0 0 0", and the keys of {"0": 1, "1": 0, ...}, as JavaScript writes typed arrays.
@@ -87,12 +93,12 @@ Result<std::vector<Labelled>> numbers_of(const Tokens& tokens, const std::string
   bool after_name = false;
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     const MatrixToken& token = tokens[i];
-    if (is_subscript(tokens, i, after_name)) {
+    if (is_subscript(tokens, i, after_name) || is_length(tokens, i)) {
       i += 2;  // and after_name stays: m[4][4]
       continue;
     }
     if (const auto repeats = repeats_at(tokens, i)) {
-      if (numbers.empty() || !(is_count(tokens, i - 1) || tokens[i - 1].kind == Kind::kNumber)) {
+      if (numbers.empty() || tokens[i - 1].kind != Kind::kNumber) {
         return tl::unexpected(error_at(name, token, "what is repeated is not a number",
                                        "set print repeats 0 in gdb"));
       }
@@ -122,32 +128,40 @@ void drop_second_names(std::vector<Labelled>& numbers) {
   std::erase_if(numbers, [&](const Labelled& n) { return is(n, "rgbastpq"); });
 }
 
-// The layouts whose order is known: constructors, members with known names.
+// "15": 1 ends what JavaScript writes for a typed array as JSON.
+bool is_last_key(const Tokens& tokens, std::size_t i) {
+  return tokens[i].text == "15" && is_mark(tokens, i + 1, "\"") && is_key(tokens, i);
+}
+
+// The layouts whose order is known, by constructors and by members with known names; nullptr for none.
+const char* known_by_columns(const Tokens& tokens, std::size_t i) {
+  if (is_last_key(tokens, i)) return "a typed array of JavaScript";
+  if (tokens[i].kind != Kind::kName) return nullptr;
+  std::string word(tokens[i].text);
+  for (char& c : word) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+  const bool called = is_mark(tokens, i + 1, "(");
+  if (called && (word == "mat4" || word == "dmat4" || word.ends_with("mat4x4"))) {
+    return "a matrix of GLM or GLSL";
+  }
+  if (called && word == "matrix3d") return "a matrix of CSS";
+  if (word == "float32array" || word == "float64array") return "a typed array of JavaScript";
+  if (word == "elements") return "a matrix of three.js";
+  if (word == "x_axis") return "a matrix of glam";
+  if (word == "value" && is_mark(tokens, i + 1, "=") && is_mark(tokens, i + 2, "{")) {
+    return "GLM in a debugger";
+  }
+  if (word == "m11" && is_mark(tokens, i + 1, ":")) {
+    return "a matrix of System.Numerics, for row vectors";
+  }
+  return nullptr;
+}
+
 void recognise(const Tokens& tokens, MatrixText& matrix) {
-  const auto lower = [](std::string_view text) {
-    std::string word(text);
-    for (char& c : word) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-    return word;
-  };
-  const auto columns = [&](const char* by) {
-    matrix.order = NumberOrder::kColumns;
-    matrix.recognised = by;
-  };
   for (std::size_t i = 0; i < tokens.size(); ++i) {
-    if (tokens[i].kind != Kind::kName) continue;
-    const std::string word = lower(tokens[i].text);
-    const bool called = is_mark(tokens, i + 1, "(");
-    if (called && (word == "mat4" || word.ends_with("mat4x4"))) {
-      return columns("a matrix of GLM or GLSL");
-    }
-    if (called && word == "dmat4") return columns("a matrix of GLM or GLSL");
-    if (word == "value" && is_mark(tokens, i + 1, "=") && is_mark(tokens, i + 2, "{")) {
-      return columns("GLM in a debugger");
-    }
-    if (word == "x_axis") return columns("a matrix of glam");
-    if (word == "elements") return columns("a matrix of three.js");
-    if (word == "m11" && is_mark(tokens, i + 1, ":")) {
-      return columns("a matrix of System.Numerics, for row vectors");
+    if (const char* by = known_by_columns(tokens, i)) {
+      matrix.order = NumberOrder::kColumns;
+      matrix.recognised = by;
+      return;
     }
   }
 }

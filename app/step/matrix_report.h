@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <glassbox/pipeline/conventions_check.h>
-#include <glassbox/pipeline/matrix_findings.h>
+#include <glassbox/pipeline/matrices/conventions_check.h>
+#include <glassbox/pipeline/matrices/findings.h>
 
 namespace glassbox::app {
 

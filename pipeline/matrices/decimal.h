@@ -1,6 +1,8 @@
 // Round numbers: the decimals that a person is likely to have typed.
 #pragma once
 
+#include <glm/vec3.hpp>
+
 #include <string>
 
 namespace glassbox {
@@ -13,8 +15,12 @@ struct Decimal {
 };
 Decimal simplest_decimal(double value, double uncertainty);
 
+// The same as text, of at most six digits.
+std::string rounded(double value, double uncertainty);
+
 // At most `digits` significant ones, without trailing zeros: "0.1", "1.5e-09", "inf".
 std::string brief(double value, int digits = 6);
-std::string brief_triple(double x, double y, double z, int digits = 6);  // "(1, 2, 3)"
+// "(1, 2, 3)". Coordinates whose first digit comes after the last of the largest one are shown as 0.
+std::string brief_triple(const glm::dvec3& v, int digits = 6);
 
 }  // namespace glassbox

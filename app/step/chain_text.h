@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <glassbox/pipeline/projection_check.h>
+#include <glassbox/pipeline/matrices/projection_facts.h>
 #include <glassbox/pipeline/vertex_chain.h>
 
 namespace glassbox::app {
@@ -16,6 +16,7 @@ struct ChainSetting {
   ApiDialect dialect;
   Viewport viewport;
   ProjectionFacts projection;  // ProjectionKind::kNone: nothing is said in its terms
+  bool projected = true;       // false: there is no projection, and the way ends in the eye's space
   bool bits = false;           // the float's bits beside each number, in hexadecimal
   // How far the digits of printed matrices leave the position in the window open, in pixels; none for matrices that were
   // not printed.
@@ -29,7 +30,8 @@ nlohmann::ordered_json chain_json(const VertexChain& chain, const ChainSetting& 
 std::string matrix_rows(const glm::dmat4& m, const std::string& indent, int digits = 6);
 nlohmann::ordered_json matrix_json(const glm::dmat4& m);  // an array of rows
 
-// "outside the near plane: its distance along the gaze is 0.05, and ...", "behind the eye (w = -3)"
+// "visible at (640.00, 360.00)", "outside the near plane: its distance along the gaze is 0.05, and ...",
+// "behind the eye (w = -3)"
 std::string fate_text(const VertexChain& chain, const ChainSetting& setting);
 
 }  // namespace glassbox::app

@@ -8,6 +8,7 @@
 //   float m[16] = {1.0f, 0, ...};     C; also m[0] = 1; m[1] = ...
 //   {value = {{{x = 1, r = 1, s = 1}, gdb of a glm::mat4, "<repeats 3 times>" too: columns
 //   x_axis: Vec4(1.0, ...)            Rust's glam: columns
+//   Float32Array(16) [1, 0, ...]      JavaScript: columns; three.js's elements, {"0": 1, "1": 0, ...} and CSS's matrix3d(), too
 //   {M11:1 M12:0 ...}                 System.Numerics, whose matrices are for row vectors: columns of ours
 //
 // Comments (#, //, /* */) are skipped. Everything else is refused by line, column and token: a number with letters in it, a
@@ -20,7 +21,7 @@
 #include <string_view>
 
 #include <glassbox/base/error.h>
-#include <glassbox/pipeline/matrix_check.h>
+#include <glassbox/pipeline/matrices/matrix_facts.h>
 
 namespace glassbox::app {
 

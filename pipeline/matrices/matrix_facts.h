@@ -8,6 +8,7 @@
 #include <glm/mat4x4.hpp>
 
 #include <optional>
+#include <string>
 
 #include <glassbox/pipeline/affine.h>
 
@@ -17,6 +18,12 @@ namespace glassbox {
 // finer than any rotation or scale that somebody means.
 inline constexpr double kSmall = 0x1p-16;
 
+inline double at(const glm::dmat4& m, int row, int column) {
+  return m[column][row];
+}
+// Beside the largest entry of its row.
+bool is_small(const glm::dmat4& m, int row, int column);
+
 // A matrix as its user's program printed it: columns[column][row], whatever order the text had, and how far each entry may
 // be from what the program held (half a unit of the last digit).
 struct GivenMatrix {
@@ -24,6 +31,8 @@ struct GivenMatrix {
   glm::dmat4 uncertainty{0};
   bool given = false;  // the identity otherwise
 };
+
+std::string row_text(const glm::dmat4& m, int row);  // "(0, 0, -1, 0)"
 
 GivenMatrix transposed(const GivenMatrix& matrix);
 
@@ -84,5 +93,8 @@ struct Eyepoint {
 
 // Nothing where the upper 3x3 has no inverse.
 std::optional<Eyepoint> eyepoint_of(const GivenMatrix& view);
+
+// "(3, 2, 5)", as round as the digits leave it.
+std::string position_text(const Eyepoint& eye);
 
 }  // namespace glassbox

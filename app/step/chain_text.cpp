@@ -1,34 +1,22 @@
-#include "app/chain_text.h"
+#include "app/step/chain_text.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "app/step/numbers_text.h"
 #include "app/text_layout.h"
 
-#include <glassbox/pipeline/decimal.h>
+#include <glassbox/pipeline/matrices/decimal.h>
 
 namespace glassbox::app {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr const char* kAxes[] = {"x", "y", "z", "w"};
-
-std::string bound_text(double bound) {
-  if (bound == 0) return "exact";
-  if (!std::isfinite(bound)) return "+- unknown";
-  return fmt::format("+- {:.1e}", bound);
-}
-
-std::string bits_text(float value) {
-  return fmt::format("{:08x}", std::bit_cast<std::uint32_t>(value));
-}
 
 bool is_identity(const glm::mat4& m) {
   return m == glm::mat4(1);
@@ -96,7 +84,10 @@ std::string eye_sentence(const VertexChain& chain, const ChainSetting& setting) 
     return {};
   }
   const double along = p.looks_down_minus_z ? -double(eye.z) : double(eye.z);
-  const auto side = [](double x, const char* plus, const char* minus) {
+  // What is rounding beside the distance is shown as 0.
+  const double rounding = 1e-6 * std::abs(along);
+  const auto side = [&](double x, const char* plus, const char* minus) {
+    if (std::abs(x) < rounding) x = 0;
     return brief(std::abs(x)) + (x < 0 ? minus : plus);
   };
   return wrapped("     ",
@@ -164,8 +155,8 @@ std::string frustum_sentence(const VertexChain& chain, const ChainSetting& setti
   }
   const int axis = plane < 4 ? 0 : 1;
   const double reach = p.kind == ProjectionKind::kPerspective ? distance : 1;
-  const double a = (-1 - p.centre[axis]) / p.scale[axis] * reach;
-  const double b = (1 - p.centre[axis]) / p.scale[axis] * reach;
+  const double a = ((-1 - p.centre[axis]) * reach - p.shift[axis]) / p.scale[axis];
+  const double b = ((1 - p.centre[axis]) * reach - p.shift[axis]) / p.scale[axis];
   return fmt::format(
       "{} distance {} the picture spans {} from {} to {} in the eye's space, and the "
       "point is at {}",
@@ -210,7 +201,7 @@ std::string divide_text(const VertexChain& chain, bool bits) {
   const float values[] = {d.ndc.position.x, d.ndc.position.y, d.ndc.position.z};
   const std::string w = brief(double(chain.clip.w), 9);
   for (int i = 0; i < 3; ++i) {
-    text += fmt::format("     {} = {:>13} / {} = {:<15}{:<12} condition {}{}\n", kAxes[i],
+    text += fmt::format("     {} = {:>13} / {} = {:<15} {:<11} condition {}{}\n", kAxes[i],
                         brief(double(numerators[i]), 9), w, brief(double(values[i]), 9),
                         bound_text(d.bound.position[i]), brief(d.condition[i], 3),
                         bits ? "  " + bits_text(values[i]) : "");
@@ -264,38 +255,6 @@ std::string screen_text(const VertexChain& chain, const ChainSetting& setting) {
   return text;
 }
 
-Json homogeneous_json(const glm::vec4& v) {
-  return {v.x, v.y, v.z, v.w};
-}
-
-Json bits_json(const glm::vec4& v) {
-  return {bits_text(v.x), bits_text(v.y), bits_text(v.z), bits_text(v.w)};
-}
-
-Json step_json(const char* space, const TransformStep& step) {
-  return {{"space", space},
-          {"matrix", matrix_json(glm::dmat4(step.matrix))},
-          {"position", homogeneous_json(step.after)},
-          {"bits", bits_json(step.after)},
-          {"bound", {step.bound.x, step.bound.y, step.bound.z, step.bound.w}}};
-}
-
-const char* fate_id(VertexFate fate) {
-  switch (fate) {
-    case VertexFate::kVisible:
-      return "visible";
-    case VertexFate::kNotFinite:
-      return "not-finite";
-    case VertexFate::kInEyePlane:
-      return "in-eye-plane";
-    case VertexFate::kBehindEye:
-      return "behind-eye";
-    case VertexFate::kOutside:
-      return "outside";
-  }
-  return "";
-}
-
 }  // namespace
 
 std::string matrix_rows(const glm::dmat4& m, const std::string& indent, int digits) {
@@ -304,18 +263,12 @@ std::string matrix_rows(const glm::dmat4& m, const std::string& indent, int digi
   return text;
 }
 
-Json matrix_json(const glm::dmat4& m) {
-  Json rows = Json::array();
-  for (int row = 0; row < 4; ++row) {
-    rows.push_back({m[0][row], m[1][row], m[2][row], m[3][row]});
-  }
-  return rows;
-}
-
 std::string fate_text(const VertexChain& chain, const ChainSetting& setting) {
   switch (chain.fate) {
-    case VertexFate::kVisible:
-      return "visible";
+    case VertexFate::kVisible: {
+      const Point<Screen>& p = chain.screen->screen.position;
+      return fmt::format("visible at ({:.2f}, {:.2f})", p.x, p.y);
+    }
     case VertexFate::kNotFinite:
       return "not finite";
     case VertexFate::kInEyePlane:
@@ -335,57 +288,13 @@ std::string chain_text(const VertexChain& chain, const ChainSetting& setting) {
   std::string text;
   text += step_text(1, "object -> world", "model", chain.to_world, setting.bits);
   text += step_text(2, "world -> eye", "view", chain.to_eye, setting.bits);
+  if (!setting.projected) return text;
   text += eye_sentence(chain, setting);
   text += step_text(3, "eye -> clip", "projection", chain.to_clip, setting.bits);
   text += at_once_text(chain);
   text += decision_text(chain, setting);
   if (chain.fate != VertexFate::kVisible && chain.fate != VertexFate::kOutside) return text;
   return text + divide_text(chain, setting.bits) + screen_text(chain, setting);
-}
-
-Json chain_json(const VertexChain& chain, const ChainSetting& setting) {
-  Json json{{"object", homogeneous_json(chain.object)}};
-  json["steps"] = {step_json("world", chain.to_world), step_json("eye", chain.to_eye),
-                   step_json("clip", chain.to_clip)};
-  json["clip_at_once"] = {chain.at_once.x, chain.at_once.y, chain.at_once.z, chain.at_once.w};
-  json["fate"] = fate_id(chain.fate);
-  json["outside"] = Json::array();
-  json["planes"] = Json::array();
-  if (chain.fate != VertexFate::kNotFinite) {
-    for (const PlaneStep& step : chain.planes) {
-      json["planes"].push_back(
-          {{"name", step.plane.name},
-           {"coefficients", {step.plane.a, step.plane.b, step.plane.c, step.plane.d}},
-           {"distance", step.distance},
-           {"bound", step.bound}});
-      if (step.outside()) json["outside"].push_back(step.plane.name);
-    }
-  }
-  json["deciding_plane"] = chain.deciding_plane < 0
-                               ? Json(nullptr)
-                               : Json(chain.planes[std::size_t(chain.deciding_plane)].plane.name);
-  if (chain.divide) {
-    const DivideStep& d = *chain.divide;
-    const Point<Ndc>& p = d.ndc.position;
-    json["ndc"] = {{"position", {p.x, p.y, p.z}},
-                   {"bits", {bits_text(p.x), bits_text(p.y), bits_text(p.z)}},
-                   {"bound", {d.bound.position.x, d.bound.position.y, d.bound.position.z}},
-                   {"condition", {d.condition.x, d.condition.y, d.condition.z}},
-                   {"inverse_w", d.ndc.inverse_w}};
-  }
-  if (chain.screen) {
-    const ScreenStep& s = *chain.screen;
-    const Point<Screen>& p = s.screen.position;
-    json["window"] = {{"position", {p.x, p.y}},
-                      {"bits", {bits_text(p.x), bits_text(p.y)}},
-                      {"bound", {s.bound.x, s.bound.y}},
-                      {"y_up", setting.dialect.window_y_up},
-                      {"depth", s.depth},
-                      {"snapped", {s.snap_x.snapped, s.snap_y.snapped}},
-                      {"snap_stable", {s.snap_x.stable, s.snap_y.stable}}};
-    if (setting.open_px) json["window"]["open_by_digits"] = *setting.open_px;
-  }
-  return json;
 }
 
 }  // namespace glassbox::app

@@ -1,5 +1,6 @@
-#include <glassbox/pipeline/decimal.h>
+#include <glassbox/pipeline/matrices/decimal.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -21,6 +22,10 @@ Decimal simplest_decimal(double value, double uncertainty) {
   return {value, kMaxDigits};
 }
 
+std::string rounded(double value, double uncertainty) {
+  return brief(simplest_decimal(value, uncertainty).value);
+}
+
 std::string brief(double value, int digits) {
   char text[40];
   const auto end =
@@ -29,8 +34,11 @@ std::string brief(double value, int digits) {
   return std::isnan(value) ? "nan" : std::string(text, end.ptr);
 }
 
-std::string brief_triple(double x, double y, double z, int digits) {
-  return "(" + brief(x, digits) + ", " + brief(y, digits) + ", " + brief(z, digits) + ")";
+std::string brief_triple(const glm::dvec3& v, int digits) {
+  const double last =
+      std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) * std::pow(10.0, -digits);
+  const auto shown = [&](double x) { return brief(std::abs(x) < last ? 0 : x, digits); };
+  return "(" + shown(v.x) + ", " + shown(v.y) + ", " + shown(v.z) + ")";
 }
 
 }  // namespace glassbox

@@ -1,10 +1,11 @@
-#include <glassbox/pipeline/convention_changes.h>
+#include <glassbox/pipeline/matrices/slips.h>
 
 #include <array>
 #include <utility>
 
 #include <glassbox/base/trig.h>
 #include <glassbox/pipeline/affine.h>
+#include <glassbox/pipeline/matrices/projection_factors.h>
 
 namespace glassbox {
 namespace {
@@ -30,7 +31,10 @@ constexpr std::array kSlips{
     Slip{Change::kDepthRange, "depth-range", "clip z to the other range",
          "make the projection for the range of depth that is clipped to (E16)"},
     Slip{Change::kEyeHand, "eye-hand", "negate z between view and projection",
-         "handedness is mixed (E12): take view and projection for the same hand"},
+         "handedness is mixed (E12): take the projection for the hand of the view"},
+    Slip{Change::kTurnRound, "turn-round", "turn the camera round: negate x and z of the eye",
+         "handedness is mixed (E12): take the view for the hand of the projection; an eye that "
+         "looks down -z has eye - target for its z axis"},
     Slip{Change::kInvertView, "invert-view", "invert the view matrix",
          "the matrix is the camera's pose, world from eye; a view is its inverse"},
     Slip{Change::kViewFactors, "view-factors", "exchange the view's factors: R T instead of T R",
@@ -122,9 +126,9 @@ bool apply(Change change, MatrixSetup& s) {
     case Change::kRadians:
       return set_angle(s.projection, projection_facts(s.projection).radians_taken_as_degrees);
     case Change::kClearCorner: {
-      const bool leftover = s.projection.m[3][3] == 1 && s.projection.m[2][3] != 0;
-      s.projection.m[3][3] = 0;
-      return leftover;
+      if (!has_corner_left_over(s.projection)) return false;
+      s.projection = without_corner(s.projection);
+      return true;
     }
     case Change::kDepthRange:
       s.dialect.z_from_minus_w = !s.dialect.z_from_minus_w;
@@ -132,6 +136,9 @@ bool apply(Change change, MatrixSetup& s) {
     case Change::kEyeHand:
       s.projection.m[2] = -s.projection.m[2];
       return true;
+    case Change::kTurnRound:
+      s.view.m = glm::dmat4(glm::dmat3(-1, 0, 0, 0, 1, 0, 0, 0, -1)) * s.view.m;
+      return s.view.given;
     case Change::kInvertView:
       return invert(s.view);
     case Change::kViewFactors:

@@ -1,9 +1,9 @@
-#include <glassbox/pipeline/conventions_check.h>
+#include <glassbox/pipeline/matrices/conventions_check.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include <glassbox/pipeline/decimal.h>
+#include <glassbox/pipeline/matrices/projection_factors.h>
 
 namespace glassbox {
 namespace {
@@ -80,11 +80,6 @@ private:
   Alternative& alternative_;
 };
 
-std::string position_text(const Eyepoint& eye) {
-  const auto text = [&](double x) { return simplest_decimal(x, eye.uncertainty).value; };
-  return brief_triple(text(eye.position.x), text(eye.position.y), text(eye.position.z));
-}
-
 void weigh_soundness(const Judged& before, const Judged& after, Reasons reasons) {
   if (after.model.invertible() && !before.model.invertible()) {
     reasons.add(8, "then the model matrix is affine, as given it is not");
@@ -146,6 +141,7 @@ void weigh(Change change, const MatrixSetup& changed, const Judged& judged, cons
            const Landing& after, Reasons reasons) {
   switch (change) {
     case Change::kEyeHand:
+    case Change::kTurnRound:
       return weigh_hand(changed, before, after, reasons);
     case Change::kDepthRange:
       return weigh_range(judged, changed, reasons);

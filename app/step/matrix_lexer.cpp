@@ -1,4 +1,4 @@
-#include "app/matrix_lexer.h"
+#include "app/step/matrix_lexer.h"
 
 #include <charconv>
 #include <cmath>
@@ -102,6 +102,7 @@ private:
     const char first = peek(sign);
     if (is_digit(first) || (first == '.' && is_digit(peek(sign + 1)))) return take_number(sign);
     if (is_letter(first)) return take_name(sign);
+    if (sign == 0 && take_quoted_name()) return {};
     if (sign == 0 && std::string_view("()[]{}<>,;:=|&'\"").find(first) != std::string_view::npos &&
         first != '\0') {
       push(MatrixToken::Kind::kMark, 1);
@@ -115,15 +116,34 @@ private:
                   "leave only the sixteen numbers, with blanks or commas between them");
   }
 
+  // 'view matrix 3' and "cuda:0" are names, "0.5" and "NaN" are quoted numbers.
+  bool take_quoted_name() {
+    const char quote = peek();
+    if (quote != '"' && quote != '\'') return false;
+    const std::string_view rest = text_.substr(at_ + 1);
+    const std::size_t end = rest.find_first_of(std::string{quote, '\n'});
+    if (end == std::string_view::npos || end == 0 || rest[end] != quote) return false;
+    const std::string_view inside = rest.substr(0, end);
+    if (!is_letter(inside[0]) || is_nan(inside) || is_infinite(inside)) return false;
+    push(MatrixToken::Kind::kName, end + 2).text = inside;
+    return true;
+  }
+
+  // JavaScript writes NaN as null where it writes JSON.
+  static bool is_nan(std::string_view word) {
+    return equals_ignoring_case(word, "nan") || word == "null";
+  }
+  static bool is_infinite(std::string_view word) {
+    return equals_ignoring_case(word, "inf") || equals_ignoring_case(word, "infinity");
+  }
+
   // nan and inf are numbers; other names are kept as labels.
   Result<void> take_name(std::size_t sign) {
     std::size_t length = sign;
     while (is_letter(peek(length)) || is_digit(peek(length)) || peek(length) == '.') ++length;
     const std::string_view word = text_.substr(at_ + sign, length - sign);
-    const bool nan = equals_ignoring_case(word, "nan");
-    const bool infinite =
-        equals_ignoring_case(word, "inf") || equals_ignoring_case(word, "infinity");
-    if (nan || infinite) {
+    const bool nan = is_nan(word);
+    if (nan || is_infinite(word)) {
       // "nan(ind)", "nan(0x400000)"
       if (nan && peek(length) == '(') {
         const std::size_t end = text_.find(')', at_ + length);
@@ -148,6 +168,10 @@ private:
     const char before = at_ > 0 ? text_[at_ - 1] : ' ';
     if (sign > 0 && (before == ')' || before == ']' || is_letter(before))) {
       return refuse(word_length(), "continues an expression", "print its value instead");
+    }
+    if (sign == 0 && is_size()) {
+      push(MatrixToken::Kind::kName, 3);
+      return {};
     }
     std::string plain = negative(sign) ? "-" : "";  // as from_chars wants it
     std::size_t length = sign;
@@ -201,6 +225,11 @@ private:
     token.decimals = point >= 0 && !has_exponent ? decimals : -1;
     token.last_digit = exponent - decimals;
     return {};
+  }
+
+  // "4x4", as Blender's matrices begin.
+  bool is_size() const {
+    return peek() >= '1' && peek() <= '9' && peek(1) == 'x' && is_digit(peek(2)) && ends_at(3);
   }
 
   bool starts_with_at(std::size_t offset, std::string_view word) const {

@@ -1,0 +1,234 @@
+#include "app/step/matrix_report.h"
+
+#include <fmt/format.h>
+
+#include "app/step/chain_text.h"
+#include "app/text_layout.h"
+
+#include <glassbox/base/trig.h>
+#include <glassbox/pipeline/matrices/decimal.h>
+#include <glassbox/pipeline/matrices/projection_factors.h>
+
+namespace glassbox::app {
+
+namespace {
+
+std::string turn_text(const MatrixFacts& facts) {
+  if (!facts.rotation || facts.rotation->radians < kSmall) return {};
+  return fmt::format("a turn by {} degrees about {}",
+                     brief(degrees_from_radians(facts.rotation->radians), 5),
+                     brief_triple(facts.rotation->axis, 4));
+}
+
+std::string joined(std::initializer_list<std::string> parts) {
+  std::string text;
+  for (const std::string& part : parts) {
+    if (!part.empty()) text += (text.empty() ? "" : ", then ") + part;
+  }
+  return text;
+}
+
+std::string rigidity_text(const MatrixFacts& facts) {
+  return facts.orthogonality == 0 ? "exactly" : "to within " + brief(facts.orthogonality, 2);
+}
+
+std::string heading(const char* name, const char* from_to, const std::string& origin) {
+  return wrapped(fmt::format("{:<11} ", name),
+                 from_to + (origin.empty() ? ": none given" : "; " + origin));
+}
+
+std::string sentence(const std::string& text) {
+  return wrapped("  ", text);
+}
+
+std::string model_text(const GivenMatrix& model, const std::string& origin) {
+  std::string text = heading("MODEL", "world from object", origin);
+  if (!model.given) return text;
+  return text + matrix_rows(model.m, "  ") + sentence(affine_sentence(facts_of(model.m)));
+}
+
+// `lens`: the projection that goes with the view; ProjectionKind::kNone where none is known.
+std::string view_sentences(const GivenMatrix& view, const ProjectionFacts& lens) {
+  const MatrixFacts facts = facts_of(view.m);
+  std::string text = sentence(affine_sentence(facts));
+  const auto eye = facts.affine ? eyepoint_of(view) : std::nullopt;
+  if (!eye) return text;
+  text += sentence(fmt::format("the eye stands at {}; right is {}, up {}", position_text(*eye),
+                               brief_triple(eye->right, 4), brief_triple(eye->up, 4)));
+  if (lens.kind == ProjectionKind::kNone) {
+    return text + sentence(fmt::format("it looks along {} if it looks down -z, and the other way "
+                                       "if down +z: a projection decides",
+                                       brief_triple(-eye->back, 4)));
+  }
+  return text +
+         sentence(fmt::format("it looks along {}, because the projection looks down {}z",
+                              brief_triple(lens.looks_down_minus_z ? -eye->back : eye->back, 4),
+                              lens.looks_down_minus_z ? "-" : "+"));
+}
+
+std::string view_text(const MatrixSetup& setup, const std::string& origin) {
+  std::string text = heading("VIEW", "eye from world", origin);
+  if (!setup.view.given) return text;
+  ProjectionFacts lens;
+  if (setup.projection.given && !is_transposed_projection(setup.projection)) {
+    lens = projection_facts(projection_part(setup.projection), setup.dialect.depth);
+  }
+  return text + matrix_rows(setup.view.m, "  ") + view_sentences(setup.view, lens);
+}
+
+// "depth 0 at near 0.1, 1 at far 100"
+std::string reading_text(const DepthReading& r) {
+  if (!r.possible) return "none";
+  const char* low = r.from_minus_one ? "-1" : "0";
+  return fmt::format("{} at the near plane {}, {} at the far plane {}", r.reversed ? "1" : low,
+                     rounded(r.near, r.near_uncertainty), r.reversed ? low : "1",
+                     rounded(r.far, r.far_uncertainty));
+}
+
+std::string depth_text(const ProjectionFacts& p, const ApiDialect& dialect) {
+  if (p.depth_lost) return sentence("the depth is the same at all distances (rank 3)");
+  if (p.oblique_depth) return sentence("depth depends on x and y: an oblique near plane");
+  const DepthReading &ours = dialect.z_from_minus_w ? p.minus_one_to_one : p.zero_to_one,
+                     &other = dialect.z_from_minus_w ? p.zero_to_one : p.minus_one_to_one;
+  return sentence(fmt::format("depth read as {} has it: {}", dialect.title, reading_text(ours))) +
+         sentence(fmt::format("read for {} instead, the same numbers mean {}",
+                              other.from_minus_one ? "-1 .. 1" : "0 .. 1", reading_text(other)));
+}
+
+std::string perspective_text(const ProjectionFacts& p) {
+  std::string text = sentence(
+      p.looks_down_minus_z ? "perspective; w grows along -z: a right-handed eye, looking down -z"
+                           : "perspective; w grows along +z: a left-handed eye, looking down +z");
+  std::string window = fmt::format("vertical angle of view {} degrees, aspect ratio {}",
+                                   rounded(p.fovy_degrees, p.fovy_uncertainty), brief(p.aspect, 5));
+  if (p.off_centre()) {
+    window += fmt::format("; off-centre: the gaze meets the picture at NDC ({}, {})",
+                          brief(p.centre.x), brief(p.centre.y));
+  }
+  if (p.shift != glm::dvec2(0)) {
+    window += fmt::format("; the eye is moved to x = {}, y = {}", brief(-p.shift.x / p.scale.x),
+                          brief(-p.shift.y / p.scale.y));
+  }
+  return text + sentence(window);
+}
+
+std::string parallel_text(const ProjectionFacts& p, const ApiDialect& dialect) {
+  const auto edge = [&](int axis, double side) {
+    return brief((side - p.centre[axis]) / p.scale[axis]);
+  };
+  return sentence("parallel: w is the same everywhere") +
+         sentence(fmt::format("the window is x from {} to {}, y from {} to {}", edge(0, -1),
+                              edge(0, 1), edge(1, -1), edge(1, 1))) +
+         sentence(fmt::format("with depth as {} has it, the eye looks down {}z", dialect.title,
+                              p.looks_down_minus_z ? "-" : "+"));
+}
+
+std::string lens_text(const ProjectionFacts& p, const ApiDialect& dialect) {
+  return (p.kind == ProjectionKind::kPerspective ? perspective_text(p)
+                                                 : parallel_text(p, dialect)) +
+         depth_text(p, dialect);
+}
+
+std::string projection_text(const GivenMatrix& given, const ApiDialect& dialect,
+                            const std::string& origin) {
+  std::string text = heading("PROJECTION", "clip from eye", origin);
+  if (!given.given) return text;
+  text += matrix_rows(given.m, "  ");
+  const ProjectionFacts plain = projection_facts(given, dialect.depth);
+  if (plain.kind != ProjectionKind::kNone && !plain.looks_transposed) {
+    return text + lens_text(plain, dialect);
+  }
+  if (const auto parts = factor_projection(given); parts && !plain.looks_transposed) {
+    const ProjectionFacts lens = projection_facts(parts->projection, dialect.depth);
+    return text + sentence("a projection with a view in it. The view's part:") +
+           view_sentences(parts->view, lens) + sentence("The projection's part:") +
+           lens_text(lens, dialect);
+  }
+  const MatrixFacts facts = facts_of(given.m);
+  return text + sentence(facts.affine
+                             ? "as a matrix: " + affine_sentence(facts)
+                             : fmt::format("no projection as it stands (rank {})", facts.rank));
+}
+
+}  // namespace
+
+std::string affine_sentence(const MatrixFacts& facts) {
+  const std::string moved = facts.translation == glm::dvec3(0)
+                                ? ""
+                                : "a translation by " + brief_triple(facts.translation);
+  const std::string mirror =
+      facts.mirror() ? fmt::format("; it mirrors (determinant {})", brief(facts.determinant, 4))
+                     : "";
+  switch (facts.shape) {
+    case Shape::kNotFinite:
+      return "not all of its entries are finite";
+    case Shape::kIdentity:
+      return "the identity";
+    case Shape::kTranslation:
+      return moved + ", and nothing else";
+    case Shape::kRigid:
+      return fmt::format("rigid {}: {}{}", rigidity_text(facts),
+                         joined({facts.mirror() ? "a reflection" : turn_text(facts), moved}),
+                         mirror);
+    case Shape::kSimilarity:
+      return joined({"a scale by " + brief(std::abs(facts.scale.x)), turn_text(facts), moved}) +
+             mirror;
+    case Shape::kScaled:
+      return joined({"scales by " + brief_triple(facts.scale) + " along the axes", turn_text(facts),
+                     moved}) +
+             mirror;
+    case Shape::kScaledAfter:
+      return joined({"a turn, then scales along fixed axes: a shear", moved}) + mirror;
+    case Shape::kSheared:
+      return joined({"affine, with a shear", moved}) + mirror;
+    case Shape::kFlat:
+      return fmt::format("affine, but flat: rank {}, determinant {}", facts.rank,
+                         brief(facts.determinant, 3));
+    case Shape::kProjective:
+      return fmt::format("not affine: the last row is not 0 0 0 1 (rank {})", facts.rank);
+  }
+  return "";
+}
+
+std::string matrices_text(const MatrixSetup& setup, const MatrixOrigins& origins) {
+  return model_text(setup.model, origins.model) + "\n" + view_text(setup, origins.view) + "\n" +
+         projection_text(setup.projection, setup.dialect, origins.projection);
+}
+
+std::string findings_text(const std::vector<Finding>& findings) {
+  std::string text;
+  constexpr std::pair<Severity, const char*> kWords[] = {
+      {Severity::kAlarm, "  WRONG "}, {Severity::kHint, "  hint  "}, {Severity::kNote, "  note  "}};
+  for (const auto& [severity, word] : kWords) {
+    for (const Finding& finding : findings) {
+      if (finding.severity != severity) continue;
+      const std::string place = *finding.matrix == '\0' ? "" : std::string(finding.matrix) + ": ";
+      text += wrapped(word, place + finding.cause);
+      if (!finding.remedy.empty()) text += wrapped("        -> ", finding.remedy);
+    }
+  }
+  return text;
+}
+
+std::string alternatives_text(const ConventionsReport& report) {
+  std::string text;
+  int number = 0;
+  for (const Alternative& a : report.alternatives) {
+    std::string line = a.what + ": ";
+    if (report.points > 1)
+      line += fmt::format("{} of {} points are where they should be", a.points, report.points);
+    if (report.points > 1 && a.window) line += ", the first ";
+    if (a.window) line += fmt::format("at ({:.2f}, {:.2f})", a.window->x, a.window->y);
+    text += wrapped(fmt::format("  {}. ", ++number), line);
+    for (const std::string& reason : a.reasons) text += wrapped("       because ", reason);
+    text += wrapped("       -> ", a.remedy);
+  }
+  if (report.spoiling > 0) {
+    text += wrapped("  ",
+                    fmt::format("{} more would do, but spoil{} a matrix that is sound as it stands",
+                                report.spoiling, report.spoiling == 1 ? "s" : ""));
+  }
+  return text;
+}
+
+}  // namespace glassbox::app

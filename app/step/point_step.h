@@ -1,0 +1,55 @@
+// Points through one's own matrices: what `glassbox step --point` works out before anything is printed.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "app/step/matrix_report.h"
+#include "app/step/matrix_text.h"
+
+#include <glassbox/base/error.h>
+#include <glassbox/pipeline/matrices/conventions_check.h>
+#include <glassbox/pipeline/matrices/findings.h>
+#include <glassbox/pipeline/vertex_chain.h>
+
+namespace glassbox::app {
+
+struct PointStepOptions {
+  std::vector<glm::dvec4> points;
+  std::vector<glm::dvec2> expected;  // where the first of them should appear in the window
+  std::optional<std::string> model, view, projection;  // sources, as read_matrix_source has them
+  std::optional<NumberOrder> order;
+  const ApiDialect* dialect = nullptr;          // nullptr: to be guessed
+  std::optional<std::array<double, 4>> window;  // x, y, width, height
+  std::optional<Hand> world;
+  bool bits = false;
+};
+
+struct PointStep {
+  struct Walk {
+    VertexChain chain;
+    double open_px = 0;  // what the digits of the matrices add to the bounds in the window
+    std::optional<glm::dvec2> expected;
+  };
+
+  MatrixSetup setup;
+  MatrixOrigins origins;
+  std::string dialect_reason;
+  std::array<double, 4> window{0, 0, 1280, 720};
+  Viewport viewport;  // the same, made ready for to_screen
+  bool bits = false;
+  std::vector<Walk> walks;  // in the order of the points
+  std::vector<Finding> findings;
+  ConventionsReport conventions;  // only where a projection was given
+};
+
+Result<PointStep> step_points(const PointStepOptions& options);
+
+std::string point_step_text(const PointStep& step);
+nlohmann::ordered_json point_step_json(const PointStep& step);
+
+}  // namespace glassbox::app
