@@ -86,8 +86,9 @@ std::string WhyCommand::triangle_text(const Scene& scene, const View& view,
 }
 
 std::string WhyCommand::scene_text(const SceneVerdict& found) const {
-  std::string text = fmt::format("{}, {} x {}: {} triangles\n", printable(scene_),
-                                 picture_.size.width, picture_.size.height, found.triangles);
+  std::string text =
+      fmt::format("{}, {} x {}: {} triangle{}\n", printable(scene_), picture_.size.width,
+                  picture_.size.height, found.triangles, found.triangles == 1 ? "" : "s");
   if (found.triangles == 0) return text;
   text += fmt::format("  {:>10}  {:<23}{:<13}{}\n", "triangles", "end", "stage", "for example");
   for (std::size_t i = 0; i < kEnds; ++i) {

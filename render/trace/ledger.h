@@ -79,8 +79,8 @@ struct FragmentDetails {
 
 class Ledger : public Observer {
 public:
-  // The details are those of triangle `subject`. Memory: 12 bytes for each pixel, 8 for each write that still shows, 36 for
-  // each triangle.
+  // The details are those of triangle `subject`. Memory: 12 bytes for each pixel and for each write that still shows, 36
+  // for each triangle.
   Ledger(const View& view, const RenderSettings& settings, std::optional<std::uint32_t> subject);
 
   void draw(const Draw& draw) override;

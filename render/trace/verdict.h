@@ -109,7 +109,7 @@ struct TriangleVerdict {
   std::uint64_t line_pixels = 0;  // of kLines: where its edges are seen
 };
 
-// Runs the staged reference once, and again where there are fragments to follow. An error where the number does not exist.
+// Runs the staged reference once, and again where there are fragments to follow. An error where there is no such number.
 Result<TriangleVerdict> triangle_verdict(const Scene& scene, const View& view,
                                          const RenderSettings& settings, std::uint64_t number);
 

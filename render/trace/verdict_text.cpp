@@ -255,13 +255,15 @@ std::string outside_text(const Outside& outside, const View& view) {
 std::string between_text(const Miss& miss) {
   if (miss.value == 0) {
     return fmt::format(
-        "It owns no pixel's centre. That of pixel ({}, {}) lies exactly on one of its edges, and "
+        "It owns no pixel's centre in the picture. That of pixel ({}, {}) lies exactly on one of "
+        "its edges, and "
         "that "
         "edge is neither a top nor a left one, so the centre belongs to the neighbour.",
         miss.x, miss.y);
   }
   return fmt::format(
-      "It covers no pixel's centre. The nearest is that of pixel ({}, {}), outside one of its "
+      "It covers no pixel's centre in the picture. The nearest is that of pixel ({}, {}), outside "
+      "one of its "
       "edges by "
       "{} (E = {} in 1/65536 px^2).",
       miss.x, miss.y, subpixels_text(miss.subpixels), miss.value);
@@ -299,53 +301,61 @@ std::string closest_text(const FragmentDetails::Hidden& h) {
                      h.code, h.stored, h.code - h.stored, h.distance, h.stored_distance);
 }
 
+// "all 12 fragments", "3 of 12 fragments".
+std::string share_text(std::uint32_t part, std::uint32_t all) {
+  if (part < all) return fmt::format("{} of {} fragments", part, all);
+  return all == 1 ? "its only fragment" : fmt::format("all {} fragments", all);
+}
+
+std::string unchanged_text(const FragmentTally& t, const FragmentDetails::Unchanged& u) {
+  return fmt::format(
+      "Of these, {} left the bytes of their pixel as they were, at ({}, {}) for one: ({}, {}, {}, "
+      "{}){}.",
+      t.unchanged == t.visible ? std::string("all") : std::to_string(t.unchanged), u.x, u.y,
+      u.bytes.r, u.bytes.g, u.bytes.b, u.bytes.a,
+      u.blended ? fmt::format(", with alpha {:.9g}", u.alpha) : "");
+}
+
 void explain_fragments(const TriangleVerdict& verdict, std::vector<std::string>& text) {
   const FragmentTally& t = verdict.fragments;
   const FragmentDetails& d = verdict.details;
-  const std::uint32_t all = t.covered;
+  const auto share = [&](std::uint32_t part) { return share_text(part, t.covered); };
   if (t.visible > 0) {
     const PixelRect& box = d.visible_box;
-    text.push_back(fmt::format(
-        "{} of its {} fragments are in the picture, in columns {} .. {} and rows {} .. {}.",
-        t.visible, all, box.x0, box.x1 - 1, box.y0, box.y1 - 1));
-    if (t.veiled > 0)
+    text.push_back(fmt::format("In the picture: {}, in columns {} .. {} and rows {} .. {}.",
+                               share(t.visible), box.x0, box.x1 - 1, box.y0, box.y1 - 1));
+    if (t.veiled > 0) {
       text.push_back(fmt::format("Translucent surfaces lie over {} of these.", t.veiled));
-  }
-  if (t.unchanged > 0) {
-    const FragmentDetails::Unchanged& u = *d.unchanged;
-    text.push_back(fmt::format(
-        "{} of them left the bytes of their pixel as they were, at ({}, {}) for one: ({}, {}, "
-        "{}, {}){}.",
-        t.unchanged, u.x, u.y, u.bytes.r, u.bytes.g, u.bytes.b, u.bytes.a,
-        u.blended ? fmt::format(" with alpha {:.9g}", u.alpha) : ""));
+    }
+    if (t.unchanged > 0) text.push_back(unchanged_text(t, *d.unchanged));
   }
   if (t.hidden > 0) {
-    text.push_back(fmt::format("{} of {} fragments failed the depth test, behind {}.", t.hidden,
-                               all, rivals_text(d.hidden_by)));
+    text.push_back(fmt::format("Failed the depth test: {}, behind {}.", share(t.hidden),
+                               rivals_text(d.hidden_by)));
     text.push_back(closest_text(*d.closest_hidden));
   }
   if (t.discarded > 0) {
-    const FragmentDetails::Discarded& discarded = *d.closest_discarded;
+    const FragmentDetails::Discarded& found = *d.closest_discarded;
     text.push_back(fmt::format(
-        "{} of {} fragments were discarded: their alpha is below the material's cutoff of "
-        "{:.9g}. The highest is {:.9g}, at pixel ({}, {}).",
-        t.discarded, all, discarded.cutoff, discarded.alpha, discarded.x, discarded.y));
+        "Discarded, with an alpha below the material's cutoff of {:.9g}: {}. The highest alpha "
+        "is {:.9g}, at pixel ({}, {}).",
+        found.cutoff, share(t.discarded), found.alpha, found.x, found.y));
   }
   if (t.masked > 0) {
-    text.push_back(
-        fmt::format("{} of {} fragments changed nothing: the colour mask lets no channel through.",
-                    t.masked, all));
+    text.push_back(fmt::format("Kept out by the colour mask, which lets no channel through: {}.",
+                               share(t.masked)));
   }
   if (t.overwritten > 0) {
-    text.push_back(fmt::format("{} of {} fragments were written, and then written over by {}.",
-                               t.overwritten, all, rivals_text(d.overwritten_by)));
+    text.push_back(fmt::format("Written, and then written over: {}, by {}.", share(t.overwritten),
+                               rivals_text(d.overwritten_by)));
   }
 }
 
 // Of cut triangles, pieces may fare differently.
 std::string pieces_text(const TriangleVerdict& verdict) {
   std::vector<std::string> parts;
-  if (verdict.pieces_set_up > 0) parts.push_back(fmt::format("{} drawn", verdict.pieces_set_up));
+  if (verdict.pieces_set_up > 0)
+    parts.push_back(fmt::format("{} went on to coverage", verdict.pieces_set_up));
   if (verdict.pieces_turned_away > 0) {
     parts.push_back(fmt::format("{} turned away", verdict.pieces_turned_away));
   }

@@ -2,6 +2,7 @@
 #include "tests/support/catch.h"
 
 #include <algorithm>
+#include <fstream>
 #include <map>
 #include <sstream>
 #include <string>
@@ -177,6 +178,35 @@ TEST_CASE("why: numbers that do not exist, no numbers and no scene are refused")
     CHECK(outcome.out.empty());
     CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
     CHECK(contains(outcome.err, part));
+  }
+}
+
+TEST_CASE("the sessions in docs/why.md are what the program prints") {
+  const Workplace here;
+  std::ifstream page(std::string(GLASSBOX_SOURCE_DIR) + "/docs/why.md");
+  REQUIRE(page);
+  // A command line, and what follows it up to the next one or the end of the block.
+  std::vector<std::pair<std::string, std::string>> sessions;
+  bool in_block = false;
+  for (std::string line; std::getline(page, line);) {
+    if (line.starts_with("```")) {
+      in_block = !in_block;
+    } else if (in_block && line.starts_with("$ glassbox ")) {
+      sessions.emplace_back(line.substr(11), "");
+    } else if (in_block && !sessions.empty()) {
+      sessions.back().second += line + "\n";
+    }
+  }
+  REQUIRE(sessions.size() > 8);
+  const auto without_last_blanks = [](std::string text) {
+    while (text.ends_with('\n')) text.pop_back();
+    return text;
+  };
+  for (const auto& [command, output] : sessions) {
+    INFO("glassbox " << command);
+    const Outcome outcome = here.run(command);
+    CHECK(outcome.exit_code == 0);
+    CHECK(without_last_blanks(outcome.out) == without_last_blanks(output));
   }
 }
 

@@ -2,6 +2,7 @@
 // decides.
 #include <glassbox/render/trace/verdict.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -138,7 +139,7 @@ TEST_CASE("why: no area as modelled (C-24, C-25)") {
   Mesh bow_tie;
   bow_tie.positions = {at(10, 10), at(20, 20), at(20, 10), at(10, 20)};
   add_face(bow_tie, {0, 1, 2, 3});
-  for (const std::uint64_t number : {0, 1}) {
+  for (const std::uint64_t number : {std::uint64_t(0), std::uint64_t(1)}) {
     const TriangleVerdict crossed = judged(scene_of(bow_tie, flat()), number);
     CHECK(crossed.end == End::kNoArea);
     CHECK(crossed.no_area->reason == NoArea::kWholeFace);
@@ -311,6 +312,12 @@ TEST_CASE("why: beside the picture, on which side and by how much") {
   CHECK(passing.end == End::kOutsidePicture);
   REQUIRE(passing.outside->beyond_edge);
   CHECK(*passing.outside->beyond_edge == Approx(256 * 12 / std::sqrt(2.0)).epsilon(1e-15));
+
+  // Through the corner itself: nothing in common but a point.
+  const TriangleVerdict touching = judged({at(80, 48), at(48, 80), at(80, 80)});
+  CHECK(touching.end == End::kOutsidePicture);
+  CHECK(touching.outside->beyond_edge == 0.0);
+  CHECK(judged({at(79.5, 48), at(47.5, 80), at(80, 80)}).end == End::kBetweenCentres);
 }
 
 TEST_CASE("why: between pixel centres, and by how little it misses one") {
