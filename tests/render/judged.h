@@ -1,0 +1,110 @@
+// Triangles in a view whose every step is exact, and the verdict on them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include <glassbox/pipeline/view.h>
+#include <glassbox/render/trace/verdict.h>
+#include <glassbox/render/trace/verdict_json.h>
+#include <glassbox/render/trace/verdict_text.h>
+
+#include "tests/render/scenes.h"
+#include "tests/support/catch.h"
+
+namespace glassbox::test {
+
+// 64 x 64 pixels from the origin down -z, 90 degrees wide: screen x = 32 + 32 x/w, y = 32 - 32 y/w with w = -z, and with
+// near 1 and far 2 clip z = 2 w - 2.
+inline constexpr int kSide = 64;
+
+inline View plain_view(double near = 1, double far = 2) {
+  const auto view =
+      make_view({"", FrustumLens{-near, near, -near, near, near, far}, {}}, kSide, kSide);
+  REQUIRE(view);
+  return *view;
+}
+
+// The point at the distance w that is drawn at (x, y) pixels. Exact for multiples of 1/256 px and powers of two.
+inline Point<Object> at(double x, double y, double w = 1) {
+  return {float((x - 32) / 32 * w), float((32 - y) / 32 * w), float(-w)};
+}
+
+inline Material flat(const Rgba& color = {0.8f, 0.5f, 0.2f, 1},
+                     AlphaMode mode = AlphaMode::kOpaque) {
+  Material material;
+  material.base_color = color;
+  material.alpha_mode = mode;
+  material.unlit = true;
+  return material;
+}
+
+struct Part {
+  std::vector<Point<Object>> corners;  // three for each triangle
+  Material material = flat();
+  Transform<World, Object> world_from_object;
+};
+
+// Parts are instances in this order, each with a mesh of its own.
+inline Scene scene_of_parts(const std::vector<Part>& parts) {
+  Scene scene;
+  for (const Part& part : parts) {
+    Mesh mesh;
+    mesh.name = "part " + std::to_string(scene.meshes.size());
+    mesh.positions = part.corners;
+    for (std::uint32_t i = 0; i + 2 < part.corners.size(); i += 3) {
+      add_face(mesh, {i, i + 1, i + 2});
+    }
+    mesh.material = std::uint32_t(scene.materials.size());
+    scene.materials.push_back(part.material);
+    const std::uint32_t index = std::uint32_t(scene.meshes.size());
+    scene.nodes.push_back(Node{"", kNone, part.world_from_object, part.world_from_object});
+    scene.instances.push_back({index, index});
+    scene.meshes.push_back(std::move(mesh));
+  }
+  return scene;
+}
+
+// Counter-clockwise as seen: front. Half a square of `side` px with its right angle at (x, y).
+inline std::vector<Point<Object>> half_square(double x, double y, double side, double w = 1) {
+  return {at(x, y, w), at(x, y + side, w), at(x + side, y, w)};
+}
+
+inline std::vector<Point<Object>> turned(const std::vector<Point<Object>>& corners) {
+  return {corners[0], corners[2], corners[1]};
+}
+
+inline TriangleVerdict judged(const Scene& scene, std::uint64_t number = 0,
+                              const View& view = plain_view(),
+                              const RenderSettings& settings = {}) {
+  const auto verdict = triangle_verdict(scene, view, settings, number);
+  REQUIRE(verdict);
+  // What is said holds in every form, and the summary agrees.
+  CHECK(!explain(view, *verdict).empty());
+  CHECK(to_json(*verdict)["end"] == name_of(verdict->end));
+  const SceneVerdict whole = scene_verdict(scene, view, settings);
+  CHECK(whole.triangles == count_triangles(scene));
+  CHECK(whole.at(verdict->end).triangles > 0);
+  return *verdict;
+}
+
+inline TriangleVerdict judged(const std::vector<Point<Object>>& corners,
+                              const View& view = plain_view(),
+                              const RenderSettings& settings = {}) {
+  return judged(scene_of_parts({{corners, flat(), {}}}), 0, view, settings);
+}
+
+inline std::string said(const View& view, const TriangleVerdict& verdict) {
+  std::string all;
+  for (const std::string& paragraph : explain(view, verdict)) all += paragraph + "\n";
+  return all;
+}
+
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace glassbox::test

@@ -1,0 +1,175 @@
+// What becomes of the fragments of a triangle, each fate counted.
+#include <glassbox/render/trace/verdict.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include <glassbox/raster/depth.h>
+#include <glassbox/render/staged.h>
+
+#include "tests/render/judged.h"
+#include "tests/support/catch.h"
+
+namespace glassbox::test {
+namespace {
+
+// 36 pixels: the half square 8 px wide at (8, 8) covers 8 * 9 / 2, less the 8 of its long edge, which it does not own.
+constexpr std::uint32_t kHalfSquare = 28;
+
+TEST_CASE("why: visible, where and in how many pixels") {
+  const TriangleVerdict verdict = judged(half_square(8, 8, 8));
+  CHECK(verdict.end == End::kVisible);
+  CHECK(verdict.fragments.covered == kHalfSquare);
+  CHECK(verdict.fragments.visible == kHalfSquare);
+  CHECK(verdict.details.visible_box.x0 == 8);
+  CHECK(verdict.details.visible_box.y0 == 8);
+  CHECK(verdict.details.visible_box.x1 == 15);
+  CHECK(verdict.details.visible_box.y1 == 15);
+  REQUIRE(verdict.details.example);
+  CHECK((*verdict.details.example)[0] == 11);
+  CHECK((*verdict.details.example)[1] == 11);
+}
+
+TEST_CASE("why: hidden, behind what and how close") {
+  const Scene scene =
+      scene_of_parts({{half_square(0, 0, 60), flat(), {}}, {half_square(8, 8, 8, 2), flat(), {}}});
+  const TriangleVerdict verdict = judged(scene, 1);
+  CHECK(verdict.end == End::kHidden);
+  CHECK(verdict.fragments.hidden == kHalfSquare);
+  REQUIRE(verdict.details.hidden_by.size() == 1);
+  CHECK(verdict.details.hidden_by[0].number == 0u);
+  CHECK(verdict.details.hidden_by[0].pixels == kHalfSquare);
+  const auto& closest = *verdict.details.closest_hidden;
+  CHECK(closest.stored == depth_code(DepthFormat::kFloat32, 0));  // on the near plane
+  CHECK(closest.code == depth_code(DepthFormat::kFloat32, 1));    // on the far plane
+  CHECK(closest.distance == 2);
+  CHECK(closest.stored_distance == 1);
+  CHECK(closest.by == 0u);
+
+  // The same triangle twice: of equal depths the first drawn stays (C-58).
+  const TriangleVerdict twin = judged(
+      scene_of_parts({{half_square(8, 8, 8), flat(), {}}, {half_square(8, 8, 8), flat(), {}}}), 1);
+  CHECK(twin.end == End::kHidden);
+  CHECK(twin.details.closest_hidden->code == twin.details.closest_hidden->stored);
+  CHECK(contains(said(plain_view(), twin), "the first drawn stays"));
+}
+
+TEST_CASE("why: discarded by the alpha cutoff") {
+  Material material = flat({1, 1, 1, 0.25f}, AlphaMode::kMask);
+  material.alpha_cutoff = 0.375f;
+  const TriangleVerdict verdict = judged(scene_of_parts({{half_square(8, 8, 8), material, {}}}));
+  CHECK(verdict.end == End::kDiscarded);
+  CHECK(verdict.fragments.discarded == kHalfSquare);
+  CHECK(verdict.details.closest_discarded->alpha == 0.25f);
+  CHECK(verdict.details.closest_discarded->cutoff == 0.375f);
+}
+
+TEST_CASE("why: written, then overwritten, by whom") {
+  const TriangleVerdict verdict = judged(
+      scene_of_parts({{half_square(8, 8, 8, 2), flat(), {}}, {half_square(0, 0, 60), flat(), {}}}));
+  CHECK(verdict.end == End::kOverwritten);
+  CHECK(verdict.fragments.overwritten == kHalfSquare);
+  REQUIRE(verdict.details.overwritten_by.size() == 1);
+  CHECK(verdict.details.overwritten_by[0].number == 1u);
+  CHECK(verdict.details.overwritten_by[0].pixels == kHalfSquare);
+  CHECK(verdict.details.overwritten_at);
+
+  // A blended surface of alpha 1 leaves nothing of what is under it; one of less does.
+  for (const float alpha : {1.0f, 0.75f}) {
+    const TriangleVerdict under = judged(
+        scene_of_parts({{half_square(8, 8, 8, 2), flat(), {}},
+                        {half_square(0, 0, 60), flat({1, 0, 0, alpha}, AlphaMode::kBlend), {}}}));
+    CHECK(under.end == (alpha == 1.0f ? End::kOverwritten : End::kVisible));
+    CHECK(under.fragments.veiled == (alpha == 1.0f ? 0 : kHalfSquare));
+  }
+}
+
+TEST_CASE("why: nothing passes the colour mask") {
+  RenderSettings settings;
+  settings.mask = {false, false, false, false};
+  const TriangleVerdict verdict = judged(half_square(8, 8, 8), plain_view(), settings);
+  CHECK(verdict.end == End::kMasked);
+  CHECK(verdict.fragments.masked == kHalfSquare);
+  settings.mask.g = true;
+  CHECK(judged(half_square(8, 8, 8), plain_view(), settings).end == End::kVisible);
+}
+
+TEST_CASE("why: blended with alpha 0, or painted in the background's own bytes") {
+  const TriangleVerdict clear =
+      judged(scene_of_parts({{half_square(8, 8, 8), flat({1, 1, 1, 0}, AlphaMode::kBlend), {}}}));
+  CHECK(clear.end == End::kUnchanged);
+  CHECK(clear.fragments.unchanged == kHalfSquare);
+  CHECK(clear.details.unchanged->blended);
+  CHECK(clear.details.unchanged->alpha == 0);
+
+  RenderSettings settings;
+  settings.background = {255, 255, 255, 255};
+  const TriangleVerdict white = judged(
+      scene_of_parts({{half_square(8, 8, 8), flat({1, 1, 1, 1}), {}}}), 0, plain_view(), settings);
+  CHECK(white.end == End::kUnchanged);
+  CHECK(!white.details.unchanged->blended);
+  CHECK(white.details.unchanged->bytes == settings.background);
+}
+
+TEST_CASE("why: partly visible, each loss counted") {
+  // In front of the first 2 rows from the start, and over the last columns later.
+  const auto strip = [](double x0, double y0, double x1, double y1, double w) {
+    return std::vector<Point<Object>>{at(x0, y0, w), at(x0, y1, w), at(x1, y0, w),
+                                      at(x1, y0, w), at(x0, y1, w), at(x1, y1, w)};
+  };
+  const Scene scene = scene_of_parts({{strip(8, 8, 16, 10, 1), flat(), {}},
+                                      {half_square(8, 8, 8, 2), flat({1, 0, 0, 1}), {}},
+                                      {strip(8, 10, 9, 16, 1), flat(), {}}});
+  const TriangleVerdict verdict = judged(scene, 2);
+  CHECK(verdict.end == End::kPartlyVisible);
+  CHECK(verdict.fragments.covered == kHalfSquare);
+  CHECK(verdict.fragments.hidden == 7 + 6);
+  CHECK(verdict.fragments.overwritten == 5);
+  CHECK(verdict.fragments.visible == kHalfSquare - 18);
+  std::uint32_t hidden = 0;
+  for (const Rival& rival : verdict.details.hidden_by) {
+    CHECK((rival.number == 0u || rival.number == 1u));
+    hidden += rival.pixels;
+  }
+  CHECK(hidden == 13);
+  CHECK(verdict.details.hidden_by.front().pixels >= verdict.details.hidden_by.back().pixels);
+}
+
+TEST_CASE("why: lines and points hide triangles without a number") {
+  Scene scene = scene_of_parts({{half_square(8, 8, 8, 2), flat(), {}}});
+  Mesh lines;
+  lines.positions = {at(0.5, 10.5, 1), at(60.5, 10.5, 1)};
+  lines.lines = {{Corner{0}, Corner{1}}};
+  scene.meshes.push_back(lines);
+  scene.instances.push_back({1, 0});
+  const TriangleVerdict verdict = judged(scene);
+  CHECK(verdict.end == End::kPartlyVisible);
+  REQUIRE(verdict.details.overwritten_by.size() == 1);
+  CHECK(!verdict.details.overwritten_by[0].number);
+  CHECK(contains(said(plain_view(), verdict), "lines or points"));
+}
+
+TEST_CASE("why: in a wireframe, edges are seen") {
+  RenderSettings settings;
+  settings.wireframe = true;
+  const TriangleVerdict verdict = judged(half_square(8, 8, 8), plain_view(), settings);
+  CHECK(verdict.end == End::kLines);
+  settings.want_id = true;
+  const auto ids =
+      render_staged(scene_of_parts({{half_square(8, 8, 8), flat(), {}}}), plain_view(), settings)
+          .buffers.id;
+  CHECK(verdict.line_pixels == std::uint64_t(std::count(ids.pixels.begin(), ids.pixels.end(), 1u)));
+  CHECK(verdict.line_pixels >= 21);
+  CHECK(judged(turned(half_square(8, 8, 8)), plain_view(), settings).end == End::kTurnedAway);
+}
+
+TEST_CASE("why: a triangle through the eye plane is cut, and what is left is judged (C-32)") {
+  const TriangleVerdict verdict = judged({{0, 0.5f, -1.5f}, {-1, -1, 1}, {1, -1, 1}});
+  CHECK(verdict.traced->polygon.size() == 3);
+  CHECK(verdict.end == End::kVisible);
+  CHECK(judged({{0, 0.5f, -1.5f}, {1, -1, 1}, {-1, -1, 1}}).end == End::kTurnedAway);
+}
+
+}  // namespace
+}  // namespace glassbox::test
