@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "tests/app/run.h"
-#include "tests/pipeline/textbook.h"
+#include "tests/pipeline/matrices/textbook.h"
 #include "tests/support/catch.h"
 
 namespace glassbox::test {

@@ -8,6 +8,8 @@
 
 #include <glassbox/pipeline/matrices/matrix_facts.h>
 
+#include "tests/support/random.h"
+
 namespace glassbox::test::textbook {
 
 using Vector3 = std::array<double, 3>;
@@ -157,6 +159,10 @@ inline Rows rigid_inverse(const Rows& a) {
     }
   }
   return c;
+}
+
+inline Vector3 random_place(Random& random, double size) {
+  return {random.between(-size, size), random.between(-size, size), random.between(-size, size)};
 }
 
 // As a program of floats has it.

@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-#include "tests/pipeline/textbook.h"
+#include "tests/pipeline/matrices/textbook.h"
 #include "tests/support/catch.h"
 #include "tests/support/random.h"
 
@@ -20,14 +20,6 @@ namespace book = test::textbook;
 using book::given;
 using book::Rows;
 using test::Random;
-
-const ApiDialect& dialect(const std::string& name) {
-  for (const ApiDialect& one : api_dialects()) {
-    if (name == one.name) return one;
-  }
-  FAIL("no dialect " << name);
-  return api_dialects().front();
-}
 
 // A camera, the points that it sees, and what its matrices are made from.
 struct Scene {
@@ -79,7 +71,8 @@ Scene random_scene(Random& random) {
 
 MatrixSetup setup(const Rows& model, const Rows& view, const Rows& projection,
                   const std::string& api = "opengl") {
-  return {given(model), given(view), given(projection), dialect(api), std::nullopt, std::nullopt};
+  return {given(model),       given(view),  given(projection),
+          *find_dialect(api), std::nullopt, std::nullopt};
 }
 
 TEST_CASE("where everything is right, every point is visible and no change is proposed") {
