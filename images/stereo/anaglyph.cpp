@@ -1,0 +1,226 @@
+#include <glassbox/images/stereo/anaglyph.h>
+
+#include <algorithm>
+#include <cstddef>
+
+#include <fmt/format.h>
+
+#include <glassbox/images/out_of_memory.h>
+#include <glassbox/images/srgb.h>
+
+namespace glassbox {
+namespace {
+
+constexpr Named<Glasses> kGlasses[] = {
+    {Glasses::kRedCyan, "red-cyan", "left eye red, right eye green and blue"},
+    {Glasses::kGreenMagenta, "green-magenta", "left eye green, right eye red and blue"},
+    {Glasses::kAmberBlue, "amber-blue", "left eye red and green, right eye blue"},
+};
+
+constexpr Named<AnaglyphMethod> kMethods[] = {
+    {AnaglyphMethod::kMask, "mask", "each channel from the eye it belongs to, full colour"},
+    {AnaglyphMethod::kTrue, "true", "luma, one channel an eye: dark, no colour, least ghosting"},
+    {AnaglyphMethod::kGrey, "grey", "luma in all channels: no colour, no rivalry"},
+    {AnaglyphMethod::kHalf, "half", "luma for the eye with one channel, colours for the other"},
+    {AnaglyphMethod::kOptimised, "optimised",
+     "red made of green and blue, red-cyan only: almost no rivalry, no reds"},
+    {AnaglyphMethod::kDubois, "dubois", "closest colours by least squares, LCD screens (2009)"},
+    {AnaglyphMethod::kDubois2001, "dubois2001",
+     "closest colours by least squares, CRT screens (2001), red-cyan only"},
+};
+
+using Row = std::array<float, 6>;
+
+constexpr Row kNothing{};
+constexpr std::array<float, 3> kLuma{0.299f, 0.587f, 0.114f};
+constexpr Row kLeftLuma{kLuma[0], kLuma[1], kLuma[2], 0, 0, 0};
+constexpr Row kRightLuma{0, 0, 0, kLuma[0], kLuma[1], kLuma[2]};
+
+// Dubois, "A projection method to generate anaglyph stereo images", ICASSP 2001; as in three.js,
+// examples/jsm/effects/AnaglyphEffect.js (issue 21135), and in FFmpeg, libavfilter/vf_stereo3d.c (in units of 2^-16).
+// A shader that is passed around has -0.400822 in the second row.
+constexpr AnaglyphMatrix kDuboisCrt{{{
+    {0.456100f, 0.500484f, 0.176381f, -0.0434706f, -0.0879388f, -0.00155529f},
+    {-0.0400822f, -0.0378246f, -0.0157589f, 0.378476f, 0.73364f, -0.0184503f},
+    {-0.0152161f, -0.0205971f, -0.00546856f, -0.0721527f, -0.112961f, 1.2264f},
+}}};
+
+// Dubois, "Conversion of a stereo pair to anaglyph with the least-squares projection method", 2009; as in Dolphin,
+// Data/Sys/Shaders/Anaglyph/dubois*.glsl, and in Camera3D, AnaglyphConstants.java. Where public copies differ, the row
+// sums decide: in green-magenta Dolphin has +0.065 for -0.065 (FFmpeg agrees with Camera3D), in amber-blue FFmpeg has
+// 65535 / 65536 for 1.062.
+constexpr AnaglyphMatrix kDuboisRedCyan{{{
+    {0.437f, 0.449f, 0.164f, -0.011f, -0.032f, -0.007f},
+    {-0.062f, -0.062f, -0.024f, 0.377f, 0.761f, 0.009f},
+    {-0.048f, -0.050f, -0.017f, -0.026f, -0.093f, 1.234f},
+}}};
+constexpr AnaglyphMatrix kDuboisGreenMagenta{{{
+    {-0.062f, -0.158f, -0.039f, 0.529f, 0.705f, 0.024f},
+    {0.284f, 0.668f, 0.143f, -0.016f, -0.015f, -0.065f},
+    {-0.015f, -0.027f, 0.021f, 0.009f, 0.075f, 0.937f},
+}}};
+constexpr AnaglyphMatrix kDuboisAmberBlue{{{
+    {1.062f, -0.205f, 0.299f, -0.016f, -0.123f, -0.017f},
+    {-0.026f, 0.908f, 0.068f, 0.006f, 0.062f, -0.017f},
+    {-0.038f, -0.173f, 0.022f, 0.094f, 0.185f, 0.911f},
+}}};
+
+const AnaglyphMatrix& dubois(Glasses glasses) {
+  switch (glasses) {
+    case Glasses::kGreenMagenta:
+      return kDuboisGreenMagenta;
+    case Glasses::kAmberBlue:
+      return kDuboisAmberBlue;
+    case Glasses::kRedCyan:
+      break;
+  }
+  return kDuboisRedCyan;
+}
+
+std::array<bool, 3> as_array(const EyeChannels& eye) {
+  return {eye.r, eye.g, eye.b};
+}
+
+int channel_count(const EyeChannels& eye) {
+  return int(eye.r) + int(eye.g) + int(eye.b);
+}
+
+// The channel that kTrue leaves black: red, green and blue lie along the spectrum, so it is the one next to the other
+// eye's, and green where both of an eye's are.
+constexpr std::size_t unused_channel(Glasses glasses) {
+  return glasses == Glasses::kGreenMagenta ? 2 : 1;
+}
+
+// The methods that follow from which channel belongs to which eye.
+AnaglyphMatrix by_channel(AnaglyphMethod method, Glasses glasses) {
+  const EyeMasks masks = eye_masks(glasses);
+  AnaglyphMatrix matrix;
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    const bool is_left = as_array(masks.left)[channel];
+    const bool is_alone = channel_count(is_left ? masks.left : masks.right) == 1;
+    Row& row = matrix.at[channel];
+    if (method == AnaglyphMethod::kTrue && channel == unused_channel(glasses)) {
+      row = kNothing;
+    } else if (method == AnaglyphMethod::kMask || (method == AnaglyphMethod::kHalf && !is_alone)) {
+      row[is_left ? channel : channel + 3] = 1;
+    } else {
+      row = is_left ? kLeftLuma : kRightLuma;
+    }
+  }
+  return matrix;
+}
+
+Result<AnaglyphMatrix> only_red_cyan(AnaglyphMethod method, Glasses glasses,
+                                     const AnaglyphMatrix& matrix) {
+  if (glasses == Glasses::kRedCyan) return matrix;
+  return fail("anaglyph",
+              fmt::format("{} has a matrix for red-cyan glasses only, not for {}", name_of(method),
+                          name_of(glasses)),
+              "choose dubois, which has one for each");
+}
+
+Image<Rgba8> mask_channels(const Image<Rgba8>& left, const Image<Rgba8>& right, Glasses glasses) {
+  const EyeChannels from_left = eye_masks(glasses).left;
+  Image<Rgba8> shown = right;
+  for (std::size_t i = 0; i < shown.pixels.size(); ++i) {
+    const Rgba8& l = left.pixels[i];
+    Rgba8& pixel = shown.pixels[i];
+    if (from_left.r) pixel.r = l.r;
+    if (from_left.g) pixel.g = l.g;
+    if (from_left.b) pixel.b = l.b;
+    pixel.a = std::max(pixel.a, l.a);
+  }
+  return shown;
+}
+
+std::array<float, 3> decode(const Rgba8& pixel) {
+  return {decode_srgb(pixel.r), decode_srgb(pixel.g), decode_srgb(pixel.b)};
+}
+
+Image<Rgba8> mix(const Image<Rgba8>& left, const Image<Rgba8>& right,
+                 const AnaglyphMatrix& matrix) {
+  Image<Rgba8> shown(left.width, left.height);
+  for (std::size_t i = 0; i < shown.pixels.size(); ++i) {
+    const Rgba8& l = left.pixels[i];
+    const Rgba8& r = right.pixels[i];
+    const auto [red, green, blue] = mix_eyes(matrix, decode(l), decode(r));
+    shown.pixels[i] = {encode_srgb(red), encode_srgb(green), encode_srgb(blue), std::max(l.a, r.a)};
+  }
+  return shown;
+}
+
+}  // namespace
+
+std::span<const Named<Glasses>> all_glasses() {
+  return kGlasses;
+}
+
+std::span<const Named<AnaglyphMethod>> all_anaglyph_methods() {
+  return kMethods;
+}
+
+std::string_view name_of(Glasses glasses) {
+  return kGlasses[std::size_t(glasses)].name;
+}
+
+std::string_view name_of(AnaglyphMethod method) {
+  return kMethods[std::size_t(method)].name;
+}
+
+EyeMasks eye_masks(Glasses glasses) {
+  switch (glasses) {
+    case Glasses::kGreenMagenta:
+      return {{false, true, false}, {true, false, true}};
+    case Glasses::kAmberBlue:
+      return {{true, true, false}, {false, false, true}};
+    case Glasses::kRedCyan:
+      break;
+  }
+  return {{true, false, false}, {false, true, true}};
+}
+
+Result<AnaglyphMatrix> anaglyph_matrix(AnaglyphMethod method, Glasses glasses) {
+  switch (method) {
+    case AnaglyphMethod::kMask:
+    case AnaglyphMethod::kTrue:
+    case AnaglyphMethod::kGrey:
+    case AnaglyphMethod::kHalf:
+      break;
+    case AnaglyphMethod::kDubois:
+      return dubois(glasses);
+    case AnaglyphMethod::kDubois2001:
+      return only_red_cyan(method, glasses, kDuboisCrt);
+    case AnaglyphMethod::kOptimised: {
+      AnaglyphMatrix wimmer = by_channel(AnaglyphMethod::kMask, Glasses::kRedCyan);
+      wimmer.at[0] = {0, 0.7f, 0.3f, 0, 0, 0};
+      return only_red_cyan(method, glasses, wimmer);
+    }
+  }
+  return by_channel(method, glasses);
+}
+
+std::array<float, 3> mix_eyes(const AnaglyphMatrix& matrix, const std::array<float, 3>& left,
+                              const std::array<float, 3>& right) {
+  std::array<float, 3> shown;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Row& m = matrix.at[i];
+    const float sum = m[0] * left[0] + m[1] * left[1] + m[2] * left[2] + m[3] * right[0] +
+                      m[4] * right[1] + m[5] * right[2];
+    shown[i] = std::clamp(sum, 0.0f, 1.0f);
+  }
+  return shown;
+}
+
+Result<Image<Rgba8>> make_anaglyph(const Image<Rgba8>& left, const Image<Rgba8>& right,
+                                   AnaglyphMethod method, Glasses glasses) {
+  const Result<void> same_size = check_eyes("anaglyph", left, right);
+  if (!same_size) return tl::unexpected(same_size.error());
+  const Result<AnaglyphMatrix> matrix = anaglyph_matrix(method, glasses);
+  if (!matrix) return tl::unexpected(matrix.error());
+  return unless_out_of_memory([&]() -> Result<Image<Rgba8>> {
+    if (method == AnaglyphMethod::kMask) return mask_channels(left, right, glasses);
+    return mix(left, right, *matrix);
+  });
+}
+
+}  // namespace glassbox
