@@ -2,11 +2,14 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include <glassbox/images/srgb.h>
+#include <glassbox/pipeline/view.h>
 
 namespace glassbox::app {
 
@@ -31,6 +34,22 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
+// N whole numbers from 0 that an int can hold, or nothing.
+template <std::size_t N>
+std::optional<std::array<int, N>> read_whole_numbers(const std::string& text, char separator) {
+  const std::vector<std::string> parts = split(text, separator);
+  if (parts.size() != N) return std::nullopt;
+  std::array<int, N> numbers{};
+  for (std::size_t i = 0; i < N; ++i) {
+    double number = 0;
+    if (!read_number(parts[i], number)) return std::nullopt;
+    if (!(number >= 0 && number <= std::numeric_limits<int>::max())) return std::nullopt;
+    if (number != std::floor(number)) return std::nullopt;
+    numbers[i] = int(number);
+  }
+  return numbers;
+}
+
 }  // namespace
 
 template <std::size_t N>
@@ -53,20 +72,50 @@ template std::array<double, 3> parse_numbers<3>(const std::string&, const std::s
 template std::array<double, 4> parse_numbers<4>(const std::string&, const std::string&);
 
 Size parse_size(const std::string& text) {
-  constexpr int kMaxSide = 16384;
-  const std::vector<std::string> parts = split(text, 'x');
-  double width = 0;
-  double height = 0;
-  const auto legal = [](double side) {
-    return side >= 1 && side <= kMaxSide && side == std::floor(side);
-  };
-  if (parts.size() != 2 || !read_number(parts[0], width) || !read_number(parts[1], height) ||
-      !legal(width) || !legal(height)) {
+  const auto legal = [](int side) { return side >= 1 && side <= kMaxImageSide; };
+  const auto sides = read_whole_numbers<2>(text, 'x');
+  if (!sides || !legal((*sides)[0]) || !legal((*sides)[1])) {
     throw CLI::ValidationError(
         "--size",
-        fmt::format("needs WxH with whole numbers from 1 to {}, not '{}'", kMaxSide, text));
+        fmt::format("needs WxH with whole numbers from 1 to {}, not '{}'", kMaxImageSide, text));
   }
-  return {int(width), int(height)};
+  return {(*sides)[0], (*sides)[1]};
+}
+
+PixelAt parse_pixel(const std::string& option, const std::string& text) {
+  const auto place = read_whole_numbers<2>(text, ',');
+  if (!place) {
+    throw CLI::ValidationError(
+        option, fmt::format("needs X,Y in whole pixels from the top left, not '{}'", text));
+  }
+  return {(*place)[0], (*place)[1]};
+}
+
+Result<void> check_pixel(const std::string& option, PixelAt pixel, const Size& size) {
+  if (pixel.x < size.width && pixel.y < size.height) return {};
+  return fail(
+      fmt::format("{} {},{}", option, pixel.x, pixel.y),
+      fmt::format("the picture has {} x {} pixels, counted from 0", size.width, size.height),
+      "name a pixel in it, or another --size");
+}
+
+PixelRect parse_rectangle(const std::string& option, const std::string& text) {
+  const auto sides = read_whole_numbers<4>(text, ',');
+  if (sides) {
+    const auto [x0, y0, x1, y1] = *sides;
+    if (x0 < x1 && y0 < y1) return {x0, y0, x1, y1};
+  }
+  throw CLI::ValidationError(
+      option, fmt::format("needs X0,Y0,X1,Y1 in whole pixels from the top left, the last two "
+                          "beyond the first two, not '{}'",
+                          text));
+}
+
+Result<void> check_rectangle(const std::string& option, const PixelRect& rectangle,
+                             const Size& size) {
+  if (rectangle.x1 <= size.width && rectangle.y1 <= size.height) return {};
+  return fail(option, fmt::format("the picture has {} x {} pixels", size.width, size.height),
+              "name a part of it, or another --size");
 }
 
 Rgba8 parse_background(const std::string& text) {

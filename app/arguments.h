@@ -9,7 +9,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include <glassbox/base/error.h>
+#include <glassbox/images/compare/differences.h>
 #include <glassbox/images/image.h>
+#include <glassbox/raster/stages.h>
 
 namespace glassbox::app {
 
@@ -24,6 +27,19 @@ std::array<double, N> parse_numbers(const std::string& option, const std::string
 
 // "1280x720", each side 1 .. 16384.
 Size parse_size(const std::string& text);
+
+// "12,34": a pixel, by its column and row from the top left.
+PixelAt parse_pixel(const std::string& option, const std::string& text);
+
+// An error where a picture of this size does not have the pixel.
+Result<void> check_pixel(const std::string& option, PixelAt pixel, const Size& size);
+
+// "600,300,680,380": the pixels with x0 <= x < x1 and y0 <= y < y1, at least one.
+PixelRect parse_rectangle(const std::string& option, const std::string& text);
+
+// An error where the rectangle reaches beyond a picture of this size.
+Result<void> check_rectangle(const std::string& option, const PixelRect& rectangle,
+                             const Size& size);
 
 // "r,g,b", each in [0, 1]: the colour as displayed, so that 0.5 becomes byte 128.
 Rgba8 parse_background(const std::string& text);

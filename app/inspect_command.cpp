@@ -20,30 +20,6 @@ namespace glassbox::app {
 
 namespace {
 
-bool is_pixel(double x) {
-  return x >= 0 && x <= kMaxImageSide && x == int(x);
-}
-
-PixelAt parse_pixel(const std::string& text) {
-  const auto [x, y] = parse_numbers<2>("--pixel", text);
-  if (!is_pixel(x) || !is_pixel(y)) {
-    throw CLI::ValidationError("--pixel",
-                               "needs X,Y in whole pixels from the top left, not '" + text + "'");
-  }
-  return {int(x), int(y)};
-}
-
-PixelRect parse_rectangle(const std::string& text) {
-  const auto [x0, y0, x1, y1] = parse_numbers<4>("--rect", text);
-  if (!is_pixel(x0) || !is_pixel(y0) || !is_pixel(x1) || !is_pixel(y1) || x0 >= x1 || y0 >= y1) {
-    throw CLI::ValidationError("--rect",
-                               "needs X0,Y0,X1,Y1 in whole pixels from the top left, the last two "
-                               "beyond the first two, not '" +
-                                   text + "'");
-  }
-  return {int(x0), int(y0), int(x1), int(y1)};
-}
-
 std::string default_output(const std::string& scene) {
   return std::filesystem::path(scene.substr(0, scene.find(':'))).stem().string() + ".html";
 }
@@ -66,12 +42,14 @@ void InspectCommand::add_to(CLI::App& app, int& exit_code) {
   command.add_option("-o,--output", output_, "the page, .html [SCENE.html]")->type_name("FILE");
   command
       .add_option_function<std::string>(
-          "--pixel", [this](const std::string& text) { page_.pixel = parse_pixel(text); },
+          "--pixel",
+          [this](const std::string& text) { page_.pixel = parse_pixel("--pixel", text); },
           "the pixel chosen on opening, with every number of its fragments")
       ->type_name("X,Y");
   command
       .add_option_function<std::string>(
-          "--rect", [this](const std::string& text) { page_.rectangle = parse_rectangle(text); },
+          "--rect",
+          [this](const std::string& text) { page_.rectangle = parse_rectangle("--rect", text); },
           "only what reaches into these pixels, x0 <= x < x1, with every number")
       ->type_name("X0,Y0,X1,Y1");
   add_picture_options(command, picture_);
@@ -90,18 +68,16 @@ void InspectCommand::add_to(CLI::App& app, int& exit_code) {
 }
 
 Result<void> InspectCommand::check_pixels() const {
-  const auto [width, height] = picture_.size;
-  const std::string size = fmt::format("the picture has {} x {} pixels", width, height);
-  if (page_.rectangle && (page_.rectangle->x1 > width || page_.rectangle->y1 > height)) {
-    return fail("--rect", size, "name a part of it, or another --size");
+  const auto& r = page_.rectangle;
+  if (r) {
+    if (const auto legal = check_rectangle("--rect", *r, picture_.size); !legal) return legal;
   }
   if (!page_.pixel) return {};
+  if (const auto legal = check_pixel("--pixel", *page_.pixel, picture_.size); !legal) return legal;
   const auto [x, y] = *page_.pixel;
-  const std::string place = fmt::format("--pixel {},{}", x, y);
-  if (x >= width || y >= height) return fail(place, size, "name a pixel in it, or another --size");
-  const auto& r = page_.rectangle;
   if (r && (x < r->x0 || x >= r->x1 || y < r->y0 || y >= r->y1)) {
-    return fail(place, "the pixel lies outside of --rect", "name a pixel inside");
+    return fail(fmt::format("--pixel {},{}", x, y), "the pixel lies outside of --rect",
+                "name a pixel inside");
   }
   return {};
 }

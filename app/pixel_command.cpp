@@ -79,16 +79,6 @@ Json json_of(const Scene& scene, const SeenPixel& seen) {
   return json;
 }
 
-PixelAt parse_pixel(const std::string& text) {
-  const auto [x, y] = parse_numbers<2>("--at", text);
-  constexpr double kEnd = 1 << 20;
-  if (!(x >= 0 && y >= 0 && x < kEnd && y < kEnd && x == int(x) && y == int(y))) {
-    throw CLI::ValidationError("--at",
-                               "needs X,Y in whole pixels from the top left, not '" + text + "'");
-  }
-  return {int(x), int(y)};
-}
-
 // Whether these are the words of options that add_picture_options knows, as words_given has them, and nothing else is among
 // them: no "--" or "++" that would change what the words after it mean.
 bool are_picture_options(const std::vector<std::string>& words) {
@@ -130,7 +120,7 @@ void PixelCommand::add_to(CLI::App& app, int& exit_code) {
       ->required();
   command
       .add_option_function<std::string>(
-          "--at", [this](const std::string& text) { at_ = parse_pixel(text); },
+          "--at", [this](const std::string& text) { at_ = parse_pixel("--at", text); },
           "the pixel, counted from 0 at the top left")
       ->type_name("X,Y")
       ->required();
@@ -144,11 +134,8 @@ void PixelCommand::add_to(CLI::App& app, int& exit_code) {
 }
 
 int PixelCommand::run() {
-  const auto [width, height] = picture_.size;
-  if (at_.x >= width || at_.y >= height) {
-    return refuse({"", fmt::format("--at {},{}", at_.x, at_.y),
-                   fmt::format("the picture has {} x {} pixels", width, height),
-                   "name a pixel in it, or another --size"});
+  if (const auto legal = check_pixel("--at", at_, picture_.size); !legal) {
+    return refuse(legal.error());
   }
   Progress progress;
   progress.phase("loading " + scene_);
@@ -177,8 +164,9 @@ int PixelCommand::run() {
     }
     if (*json_output_ == "-") return kSuccess;
   }
-  fmt::print("pixel ({}, {}) of {}, {} x {}\n{}\n{}", at_.x, at_.y, printable(scene_), width,
-             height, text_of(*scene, seen), history_text(*scene, history, all_));
+  fmt::print("pixel ({}, {}) of {}, {} x {}\n{}\n{}", at_.x, at_.y, printable(scene_),
+             picture_.size.width, picture_.size.height, text_of(*scene, seen),
+             history_text(*scene, history, all_));
   return kSuccess;
 }
 

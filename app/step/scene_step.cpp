@@ -19,16 +19,6 @@ namespace glassbox::app {
 
 namespace {
 
-std::array<int, 2> parse_pick(const std::string& text) {
-  const auto [x, y] = parse_numbers<2>("--pick", text);
-  constexpr double kEnd = 1 << 20;
-  if (!(x >= 0 && y >= 0 && x < kEnd && y < kEnd && x == int(x) && y == int(y))) {
-    throw CLI::ValidationError("--pick",
-                               "needs X,Y in whole pixels from the top left, not '" + text + "'");
-  }
-  return {int(x), int(y)};
-}
-
 bool on_a_terminal() {
   return isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
 }
@@ -50,7 +40,11 @@ void SceneStep::add_to(CLI::App& command) {
           ->group(group);
   command
       .add_option_function<std::string>(
-          "--pick", [this](const std::string& text) { pick_ = parse_pick(text); },
+          "--pick",
+          [this](const std::string& text) {
+            const auto [x, y] = parse_pixel("--pick", text);
+            pick_ = {{x, y}};
+          },
           "the triangle that is seen in this pixel, and its fragment there")
       ->type_name("X,Y")
       ->group(group)
@@ -72,11 +66,8 @@ Result<StepTarget> SceneStep::find_target(const Scene& scene) const {
   target.pixel = pick_;
   if (pick_) {
     const auto [x, y] = *pick_;
-    if (x >= picture_.size.width || y >= picture_.size.height) {
-      return fail(
-          fmt::format("--pick {},{}", x, y),
-          fmt::format("the picture has {} x {} pixels", picture_.size.width, picture_.size.height),
-          "name a pixel in it, or another --size");
+    if (const auto legal = check_pixel("--pick", {x, y}, picture_.size); !legal) {
+      return tl::unexpected(legal.error());
     }
     const auto picked = pick(scene, picture_, x, y);
     if (!picked) return tl::unexpected(picked.error());

@@ -95,11 +95,10 @@ TEST_CASE("inspect refuses what it cannot show, says what to do, and writes noth
     CHECK(here.names().empty());
   };
   const std::string small = "teapot:4 --size 64x48 -o p.html ";
-  refuses(small + "--pixel 64,0", "the picture has 64 x 48 pixels");
-  refuses(small + "--pixel 1.5,0", "whole pixels");
-  refuses(small + "--pixel -1,0", "whole pixels");
   refuses(small + "--rect 0,0,65,1", "the picture has 64 x 48 pixels");
   refuses(small + "--rect 5,5,5,6", "beyond the first two");
+  refuses(small + "--rect 5,5,6.5,6", "whole pixels");
+  refuses(small + "--rect 5,5,6", "X0,Y0,X1,Y1");
   refuses(small + "--rect 0,0,9,9 --pixel 9,9", "outside of --rect");
   refuses(small + "--max-triangles 10", "--rect X0,Y0,X1,Y1");
   refuses(small + "--max-fragments 10", "smaller --size");

@@ -261,17 +261,34 @@ void check_refused(const Workplace& here, const std::string& words, const std::s
   CHECK(outcome.err.find(part) != std::string::npos);
 }
 
-TEST_CASE("a pixel outside of the picture, no pixel and no scene are refused") {
+TEST_CASE("every command that takes a pixel refuses the same ones in the same words") {
   const Workplace here;
-  check_refused(here, "cube --size 40x30 --at 40,0", "40 x 30");
-  check_refused(here, "cube --size 40x30 --at 0,30", "40 x 30");
+  for (const std::string option : {"pixel cube --at", "step cube --pick", "inspect cube --pixel"}) {
+    const auto refusal = [&](const std::string& place) {
+      const Outcome outcome = here.run(option + " " + place + " --size 40x30");
+      INFO(option << " " << place << ": " << outcome.err);
+      CHECK(outcome.exit_code == 2);
+      CHECK(outcome.out.empty());
+      CHECK(outcome.err.find(option.substr(option.find("--"))) != std::string::npos);
+      return outcome.err;
+    };
+    for (const char* place : {"-1,0", "1.5,0", "1", "1,2,3", "nan,2", "inf,2", "1,", "1;2", "a,b",
+                              "2147483648,2", "99999999999,2"}) {
+      CHECK(refusal(place).find(std::string("needs X,Y in whole pixels from the top left, not '") +
+                                place + "'") != std::string::npos);
+    }
+    for (const char* place : {"40,0", "0,30", "2147483647,2147483647"}) {
+      CHECK(refusal(place).find(std::string(place) +
+                                ": the picture has 40 x 30 pixels, counted from 0; name a pixel "
+                                "in it, or another --size") != std::string::npos);
+    }
+  }
+  CHECK(here.names().empty());
+}
+
+TEST_CASE("no pixel, no scene and options of other commands are refused") {
+  const Workplace here;
   check_refused(here, "cube --at 1280,0", "1280 x 720");
-  check_refused(here, "cube --size 40x30 --at -1,0", "--at");
-  check_refused(here, "cube --size 40x30 --at 1.5,0", "--at");
-  check_refused(here, "cube --size 40x30 --at 1", "--at");
-  check_refused(here, "cube --size 40x30 --at 1,2,3", "--at");
-  check_refused(here, "cube --size 40x30 --at nan,2", "--at");
-  check_refused(here, "cube --size 40x30 --at 99999999999,2", "--at");
   check_refused(here, "cube --size 40x30", "--at");
   check_refused(here, "--at 1,1", "SCENE");
   check_refused(here, "nothing.glb --at 1,1", "nothing.glb");
