@@ -43,8 +43,7 @@ Result<void> check_separation(const View& centre, const StereoPair& pair) {
     return fail("eye separation", cause + ", which exchanges the eyes: near would look far",
                 "give a positive number");
   }
-  const double distance = centre.perspective ? std::min(pair.window, centre.far) : 1;
-  const double half_width = distance / std::abs(centre.clip_from_eye.at(0, 0));
+  const double half_width = window_half_width(centre, pair.window);
   if (s > half_width) {
     return fail("eye separation",
                 cause + ", but half of the picture at the window is only " +
@@ -71,6 +70,11 @@ Result<void> check_float_range(const View& eye) {
 }
 
 }  // namespace
+
+double window_half_width(const View& centre, double window) {
+  const double distance = centre.perspective ? std::min(window, centre.far) : 1;
+  return distance / std::abs(centre.clip_from_eye.at(0, 0));
+}
 
 Result<void> check_pair(const View& centre, const StereoPair& pair) {
   if (pair.half_separation == 0) return {};

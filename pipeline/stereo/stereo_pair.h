@@ -23,6 +23,10 @@ inline double eye_shift(const StereoPair& pair, Side side) {
   return side == Side::kLeft ? pair.half_separation : -pair.half_separation;
 }
 
+// Half of the picture's width at the distance `window`, in world units; at the far plane where the window is infinitely
+// far. It is the largest half separation that check_pair allows.
+double window_half_width(const View& centre, double window);
+
 // Whether the pair makes sense with this camera (a View of make_view). Zero separation does, is mono, and does not read
 // the window. Refused, with a remedy:
 //   - numbers that are not finite (but an infinite window is fine with perspective); a negative separation, which
