@@ -34,6 +34,14 @@ Vector<Object, double> in_double(const Vector<Object>& v) {
   return {v.x, v.y, v.z};
 }
 
+Transform<Eye, Object> eye_from_anchored_of(const Scene& scene, const View& view,
+                                            const Draw& draw) {
+  const Transform<World, Object>& world_from_object =
+      scene.nodes[scene.instances[draw.instance].node].world_from_node;
+  return view.eye_from_world * world_from_object *
+         translate<Object, Object>(in_double(draw.anchor));
+}
+
 Draw make_draw(const Scene& scene, const View& view, std::uint32_t instance,
                const Box<Object>& box) {
   const Instance& placed = scene.instances[instance];
@@ -45,8 +53,7 @@ Draw make_draw(const Scene& scene, const View& view, std::uint32_t instance,
   draw.material = &scene.materials[draw.mesh->material];
   draw.instance = instance;
   draw.anchor = anchor_for(box);
-  const Transform<Eye, Object> eye_from_anchored =
-      eye_from_object * translate<Object, Object>(in_double(draw.anchor));
+  const Transform<Eye, Object> eye_from_anchored = eye_from_anchored_of(scene, view, draw);
   draw.eye_from_anchored = round_to_float(eye_from_anchored);
   draw.clip_from_anchored = round_to_float(view.clip_from_eye * eye_from_anchored);
   draw.eye_normal_from_object = normal_transform(eye_from_object);
@@ -102,6 +109,16 @@ DrawList make_draw_list(const Scene& scene, const View& view, const RenderSettin
   }
   sort_blended(list.draws);
   return list;
+}
+
+std::vector<Draw> draws_of_other_eye(const std::vector<Draw>& draws, const Scene& scene,
+                                     const View& other_eye) {
+  std::vector<Draw> others = draws;
+  for (Draw& draw : others) {
+    draw.clip_from_anchored =
+        round_to_float(other_eye.clip_from_eye * eye_from_anchored_of(scene, other_eye, draw));
+  }
+  return others;
 }
 
 }  // namespace glassbox

@@ -45,6 +45,10 @@ struct DrawList {
 
 DrawList make_draw_list(const Scene& scene, const View& view, const RenderSettings& settings);
 
+// The same draws for another eye, whose view shares eye_from_world: only clip_from_anchored differs.
+std::vector<Draw> draws_of_other_eye(const std::vector<Draw>& draws, const Scene& scene,
+                                     const View& other_eye);
+
 // A mesh whose box lies further from its origin than eight times its size is carried relative to a point near the box,
 // per axis: subtracting it from a float position there is exact, and what is left is small. Otherwise zero, and the
 // subtraction changes nothing.

@@ -18,7 +18,7 @@ namespace glassbox {
 namespace {
 
 PixelRect window_of(const Framebuffer& target) {
-  return {0, 0, target.color.width, target.color.height};
+  return {0, 0, target.depth.width, target.depth.height};
 }
 
 // ---- colour ----
@@ -71,8 +71,8 @@ Rgba8 picture_of_texcoord(const std::array<float, 2>& t) {
 void write(const FragmentStage& stage, const Fragment& fragment, std::uint32_t code,
            std::uint32_t id, const Rgba8& color, bool writes_depth) {
   Framebuffer& target = stage.target;
-  const std::size_t pixel = target.color.index(fragment.x, fragment.y);
-  write_masked(stage.settings.mask, color, target.color.pixels[pixel]);
+  const std::size_t pixel = target.depth.index(fragment.x, fragment.y);
+  write_masked(stage.settings.mask, color, stage.color.pixels[pixel]);
   if (writes_depth) target.depth.pixels[pixel] = code;
   if (!target.distance.pixels.empty()) {
     target.distance.pixels[pixel] =
@@ -85,7 +85,7 @@ void write(const FragmentStage& stage, const Fragment& fragment, std::uint32_t c
 
 bool passes_depth_test(const FragmentStage& stage, const FragmentSource& source,
                        const Fragment& fragment, std::uint32_t code) {
-  const std::size_t pixel = stage.target.color.index(fragment.x, fragment.y);
+  const std::size_t pixel = stage.target.depth.index(fragment.x, fragment.y);
   const std::uint32_t stored = stage.target.depth.pixels[pixel];
   bool passes = in_front(code, stored);
   if (stage.observer != nullptr) {
@@ -150,8 +150,8 @@ Fate process(const FragmentStage& stage, const FragmentSource& source, const Fra
     ++stage.statistics.discarded;
     return Fate::kDiscarded;
   }
-  const std::size_t pixel = stage.target.color.index(fragment.x, fragment.y);
-  const Rgba8 before = stage.target.color.pixels[pixel];
+  const std::size_t pixel = stage.target.depth.index(fragment.x, fragment.y);
+  const Rgba8 before = stage.color.pixels[pixel];
   Rgba8 after = encoded(stage, at, base, before);
   if (stage.observer != nullptr) stage.observer->encoded(fragment, before, after);
   const bool blended = is_blended(stage);

@@ -16,7 +16,8 @@ struct FragmentStage {
   const View& view;
   const RenderSettings& settings;
   const Lighting& lighting;
-  Framebuffer& target;
+  Framebuffer& target;  // every plane but the colours
+  Image<Rgba8>& color;  // the target's own, or that which the eyes of an anaglyph share
   Statistics& statistics;
   Observer* observer = nullptr;
 };

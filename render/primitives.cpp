@@ -59,7 +59,7 @@ std::array<ClipVertex, 3> clip_vertices(const PrimitiveStage& stage, const Trian
   std::array<ClipVertex, 3> corners;
   for (std::size_t k = 0; k < 3; ++k) {
     const Corner& corner = stage.draw.mesh->corners[triangle.corners[k]];
-    corners[k].position = stage.tables.clip[corner.position];
+    corners[k].position = stage.clip[corner.position];
     corners[k].weights[k] = 1.0;
   }
   return corners;
@@ -198,6 +198,13 @@ std::array<Varyings, 3> triangle_attributes(const PrimitiveStage& stage, const T
   return vertices;
 }
 
+const std::array<Varyings, 3>& attributes_of(const PrimitiveStage& stage, const Triangle& triangle,
+                                             bool front, TriangleAttributes& attributes) {
+  std::optional<std::array<Varyings, 3>>& side = front ? attributes.front : attributes.back;
+  if (!side) side = triangle_attributes(stage, triangle, front);
+  return *side;
+}
+
 // The attributes at a vertex that clipping made, from the corners of the primitive as it came. A corner's own weights
 // are 1, 0, 0, which gives back its attributes to the bit.
 template <std::size_t N>
@@ -231,41 +238,36 @@ void ready_segment(const PrimitiveStage& stage, const std::array<ClipVertex, 2>&
 
 }  // namespace
 
-PrimitiveStage make_primitive_stage(const Draw& draw, const VertexTables& tables, const View& view,
-                                    const RenderSettings& settings, const Lighting& lighting,
-                                    Statistics& statistics, Observer* observer) {
-  return {draw, tables, view, settings, lighting, render_planes(view), statistics, observer};
-}
-
 void ready_triangle(const PrimitiveStage& stage, const Triangle& triangle,
-                    std::vector<ReadyTriangle>& triangles, std::vector<ReadyLine>& lines) {
+                    TriangleAttributes& attributes, std::vector<ReadyTriangle>& triangles,
+                    std::vector<ReadyLine>& lines) {
   const std::array<ClipVertex, 3> corners = clip_vertices(stage, triangle);
   ClipPolygon polygon = clip_to_view(stage, corners);
   if (stage.observer != nullptr) stage.observer->clipped(stage, triangle, corners, polygon);
   const ScreenPolygon screen = polygon_on_screen(stage, polygon);
   const std::uint32_t number = stage.draw.first_number + triangle.number;
 
-  // Gathered when the first piece turns out to be visible.
-  std::optional<std::array<Varyings, 3>> attributes;
-
+  const std::array<Varyings, 3>* visible_corners = nullptr;
   for (int i = 0; i < fan_size(polygon); ++i) {
     const std::array<std::size_t, 3> piece = fan_vertices(screen.apex, screen.count, i);
     const std::optional<Visible> visible = setup_visible(stage, screen, i, piece);
     if (!visible) continue;
-    if (!attributes) attributes = triangle_attributes(stage, triangle, visible->front);
+    if (visible_corners == nullptr) {
+      visible_corners = &attributes_of(stage, triangle, visible->front, attributes);
+    }
     if (stage.settings.wireframe) break;
 
     ReadyTriangle ready{visible->setup, {}, number, std::uint32_t(i)};
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t vertex = piece[std::size_t(visible->setup.order[k])];
-      ready.vertices[k] = weigh(*attributes, polygon.vertices[vertex].weights);
+      ready.vertices[k] = weigh(*visible_corners, polygon.vertices[vertex].weights);
     }
     triangles.push_back(ready);
   }
 
-  if (stage.settings.wireframe && attributes) {
+  if (stage.settings.wireframe && visible_corners != nullptr) {
     for (std::size_t k = 0; k < 3; ++k) {
-      ready_segment(stage, {corners[k], corners[(k + 1) % 3]}, *attributes, number + 1, lines);
+      ready_segment(stage, {corners[k], corners[(k + 1) % 3]}, *visible_corners, number + 1, lines);
     }
   }
   if (stage.observer != nullptr) stage.observer->prepared(triangle);
@@ -276,7 +278,7 @@ void ready_line(const PrimitiveStage& stage, const std::array<Corner, 2>& line,
   std::array<ClipVertex, 2> ends;
   std::array<Varyings, 3> vertices;
   for (std::size_t k = 0; k < 2; ++k) {
-    ends[k].position = stage.tables.clip[line[k].position];
+    ends[k].position = stage.clip[line[k].position];
     ends[k].weights[k] = 1.0;
     vertices[k] = corner_attributes(stage, line[k]);
   }
@@ -286,7 +288,7 @@ void ready_line(const PrimitiveStage& stage, const std::array<Corner, 2>& line,
 void ready_point(const PrimitiveStage& stage, const Corner& point,
                  std::vector<ReadyPoint>& points) {
   ClipVertex vertex;
-  vertex.position = stage.tables.clip[point.position];
+  vertex.position = stage.clip[point.position];
   if (!clip_point(vertex.position, stage.planes)) return;
   points.push_back({vertex_on_screen(stage, vertex), corner_attributes(stage, point)});
 }

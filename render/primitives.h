@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include <glassbox/pipeline/clip.h>
@@ -32,10 +33,17 @@ struct ReadyPoint {
   Varyings vertex;
 };
 
-// What one draw's primitives need to be made ready.
+// The attributes of a triangle's corners, front and back, gathered when the first visible piece asks for them: lit once,
+// however many eyes look at the triangle.
+struct TriangleAttributes {
+  std::optional<std::array<Varyings, 3>> front, back;
+};
+
+// What one draw's primitives need to be made ready for one eye.
 struct PrimitiveStage {
   const Draw& draw;
-  const VertexTables& tables;
+  const std::vector<Point<Clip>>& clip;  // of this eye, by position
+  const VertexTables& tables;            // of all eyes
   const View& view;
   const RenderSettings& settings;
   const Lighting& lighting;
@@ -44,14 +52,12 @@ struct PrimitiveStage {
   Observer* observer = nullptr;
 };
 
-PrimitiveStage make_primitive_stage(const Draw& draw, const VertexTables& tables, const View& view,
-                                    const RenderSettings& settings, const Lighting& lighting,
-                                    Statistics& statistics, Observer* observer = nullptr);
-
 // Appends what is left of a triangle of the mesh: nothing, itself, or the fan of its clipped polygon. With
-// RenderSettings::wireframe its edges are appended to `lines` instead.
+// RenderSettings::wireframe its edges are appended to `lines` instead. `attributes` belongs to the triangle: empty before
+// the first eye, the same for the next one.
 void ready_triangle(const PrimitiveStage& stage, const Triangle& triangle,
-                    std::vector<ReadyTriangle>& triangles, std::vector<ReadyLine>& lines);
+                    TriangleAttributes& attributes, std::vector<ReadyTriangle>& triangles,
+                    std::vector<ReadyLine>& lines);
 
 void ready_line(const PrimitiveStage& stage, const std::array<Corner, 2>& line,
                 std::vector<ReadyLine>& lines);

@@ -14,7 +14,8 @@ struct Statistics {
   std::uint64_t points = 0;
 
   // Vertex stage.
-  std::uint64_t vertices = 0;  // positions carried to clip space
+  std::uint64_t vertices = 0;    // positions carried to clip space
+  std::uint64_t moved_in_x = 0;  // taken over from a pair's first eye, but for x
 
   // Clipping. Triangles in = rejected + clipped away + clipped + whole.
   std::uint64_t rejected = 0;      // all corners outside one plane

@@ -14,6 +14,10 @@ bool needs_face_normals(const Draw& draw, const RenderSettings& settings) {
   return settings.shading == Shading::kFlat || std::ranges::any_of(draw.mesh->corners, has_none);
 }
 
+Point<Object> relative_to_anchor(const Draw& draw, const Point<Object>& position) {
+  return {position.x - draw.anchor.x, position.y - draw.anchor.y, position.z - draw.anchor.z};
+}
+
 }  // namespace
 
 bool needs_normals(const Draw& draw, const RenderSettings& settings) {
@@ -31,8 +35,7 @@ VertexTables transform_vertices(const Draw& draw, const RenderSettings& settings
   tables.clip.reserve(mesh.positions.size());
   if (lit) tables.eye.reserve(mesh.positions.size());
   for (const Point<Object>& position : mesh.positions) {
-    const Point<Object> anchored{position.x - draw.anchor.x, position.y - draw.anchor.y,
-                                 position.z - draw.anchor.z};
+    const Point<Object> anchored = relative_to_anchor(draw, position);
     Point<Clip> clip = draw.clip_from_anchored * anchored;
     if (observer != nullptr) {
       observer->projected(draw, std::uint32_t(tables.clip.size()), clip);
@@ -53,6 +56,18 @@ VertexTables transform_vertices(const Draw& draw, const RenderSettings& settings
     }
   }
   return tables;
+}
+
+std::vector<Point<Clip>> transform_other_eye(const Draw& other_eye,
+                                             const std::vector<Point<Clip>>& first_eye,
+                                             Observer* observer) {
+  std::vector<Point<Clip>> clip = first_eye;
+  for (std::size_t i = 0; i < clip.size(); ++i) {
+    clip[i].x = transform_row(other_eye.clip_from_anchored, 0,
+                              relative_to_anchor(other_eye, other_eye.mesh->positions[i]));
+    if (observer != nullptr) observer->projected(other_eye, std::uint32_t(i), clip[i]);
+  }
+  return clip;
 }
 
 }  // namespace glassbox

@@ -24,4 +24,10 @@ bool needs_normals(const Draw& draw, const RenderSettings& settings);
 VertexTables transform_vertices(const Draw& draw, const RenderSettings& settings,
                                 Observer* observer = nullptr);
 
+// The clip positions of a stereo pair's other eye, from those of the first one. The skew moves x alone (S0-03): y, z and
+// w are taken over, and equal what transforming anew would give.
+std::vector<Point<Clip>> transform_other_eye(const Draw& other_eye,
+                                             const std::vector<Point<Clip>>& first_eye,
+                                             Observer* observer = nullptr);
+
 }  // namespace glassbox
