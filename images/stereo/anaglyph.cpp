@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <glassbox/images/out_of_memory.h>
-#include <glassbox/images/srgb.h>
 
 namespace glassbox {
 namespace {
@@ -32,7 +31,6 @@ constexpr Named<AnaglyphMethod> kMethods[] = {
 using Row = std::array<float, 6>;
 
 constexpr Row kNothing{};
-constexpr std::array<float, 3> kLuma{0.299f, 0.587f, 0.114f};
 constexpr Row kLeftLuma{kLuma[0], kLuma[1], kLuma[2], 0, 0, 0};
 constexpr Row kRightLuma{0, 0, 0, kLuma[0], kLuma[1], kLuma[2]};
 
@@ -133,17 +131,13 @@ Image<Rgba8> mask_channels(const Image<Rgba8>& left, const Image<Rgba8>& right, 
   return shown;
 }
 
-std::array<float, 3> decode(const Rgba8& pixel) {
-  return {decode_srgb(pixel.r), decode_srgb(pixel.g), decode_srgb(pixel.b)};
-}
-
 Image<Rgba8> mix(const Image<Rgba8>& left, const Image<Rgba8>& right,
                  const AnaglyphMatrix& matrix) {
   Image<Rgba8> shown(left.width, left.height);
   for (std::size_t i = 0; i < shown.pixels.size(); ++i) {
     const Rgba8& l = left.pixels[i];
     const Rgba8& r = right.pixels[i];
-    const auto [red, green, blue] = mix_eyes(matrix, decode(l), decode(r));
+    const auto [red, green, blue] = mix_eyes(matrix, linear_of(l), linear_of(r));
     shown.pixels[i] = {encode_srgb(red), encode_srgb(green), encode_srgb(blue), std::max(l.a, r.a)};
   }
   return shown;
@@ -199,9 +193,8 @@ Result<AnaglyphMatrix> anaglyph_matrix(AnaglyphMethod method, Glasses glasses) {
   return by_channel(method, glasses);
 }
 
-std::array<float, 3> mix_eyes(const AnaglyphMatrix& matrix, const std::array<float, 3>& left,
-                              const std::array<float, 3>& right) {
-  std::array<float, 3> shown;
+Linear mix_eyes(const AnaglyphMatrix& matrix, const Linear& left, const Linear& right) {
+  Linear shown;
   for (std::size_t i = 0; i < 3; ++i) {
     const Row& m = matrix.at[i];
     const float sum = m[0] * left[0] + m[1] * left[1] + m[2] * left[2] + m[3] * right[0] +

@@ -8,6 +8,7 @@
 #include <glassbox/base/error.h>
 #include <glassbox/images/image.h>
 #include <glassbox/images/stereo/eyes.h>
+#include <glassbox/images/stereo/linear.h>
 #include <glassbox/images/stereo/named.h>
 
 namespace glassbox {
@@ -59,8 +60,7 @@ Result<AnaglyphMatrix> anaglyph_matrix(AnaglyphMethod method, Glasses glasses);
 
 // The red, green and blue that `matrix` makes of two linear colours, each sum from left to right in float and then
 // clamped to [0, 1] (C-77).
-std::array<float, 3> mix_eyes(const AnaglyphMatrix& matrix, const std::array<float, 3>& left,
-                              const std::array<float, 3>& right);
+Linear mix_eyes(const AnaglyphMatrix& matrix, const Linear& left, const Linear& right);
 
 // kMask copies bytes: for red-cyan (left.r, right.g, right.b), bit for bit. The other methods take the bytes as sRGB,
 // mix in linear light and encode by the exact tables: the same bytes on every machine. Alpha is the larger of the two,

@@ -1,0 +1,25 @@
+// Colours as light: what anaglyphs are mixed in and measured in.
+#pragma once
+
+#include <array>
+
+#include <glassbox/images/image.h>
+#include <glassbox/images/srgb.h>
+
+namespace glassbox {
+
+// Red, green and blue, each in [0, 1] where it can be shown.
+using Linear = std::array<float, 3>;
+
+inline Linear linear_of(const Rgba8& pixel) {
+  return {decode_srgb(pixel.r), decode_srgb(pixel.g), decode_srgb(pixel.b)};
+}
+
+// ITU-R BT.601, for which the published anaglyph methods were made.
+inline constexpr Linear kLuma{0.299f, 0.587f, 0.114f};
+
+inline float luma(const Linear& colour) {
+  return kLuma[0] * colour[0] + kLuma[1] * colour[1] + kLuma[2] * colour[2];
+}
+
+}  // namespace glassbox
