@@ -1,4 +1,4 @@
-// Option values: vectors, sizes, colours, choices. A value that is not understood is refused by CLI11 with the text
+// Option values: vectors, sizes, pixels, colours, choices. A value that is not understood is refused by CLI11 with the text
 // given here.
 #pragma once
 

@@ -1,14 +1,9 @@
 // glassbox explain SCENE: what went into every stage, what came out, and how long it took.
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include <CLI/CLI.hpp>
 
-#include "app/picture_options.h"
-
-#include <glassbox/mesh/limits.h>
+#include "app/picture_question.h"
 
 namespace glassbox::app {
 
@@ -17,12 +12,9 @@ public:
   void add_to(CLI::App& app, int& exit_code);
 
 private:
-  int run();
+  Answer answer(const Scene& scene, const View& view) const;
 
-  std::string scene_;
-  PictureOptions picture_;
-  LoadLimits limits_;
-  std::optional<std::string> json_output_;
+  PictureQuestion question_;
 };
 
 }  // namespace glassbox::app

@@ -7,12 +7,8 @@
 #include "app/builtin_help.h"
 #include "app/exit_codes.h"
 #include "app/history_text.h"
-#include "app/output.h"
-#include "app/progress.h"
 #include "app/shell_line.h"
 
-#include <glassbox/base/printable.h>
-#include <glassbox/mesh/load.h>
 #include <glassbox/pipeline/unproject.h>
 #include <glassbox/render/trace/history_json.h>
 #include <glassbox/render/trace/numbering.h>
@@ -111,13 +107,11 @@ void PixelCommand::add_to(CLI::App& app, int& exit_code) {
       "Examples:\n"
       "  glassbox pixel teapot --at 640,360\n"
       "  glassbox pixel room --size 320x180 --shade flat --at 12,34 --json -\n\n"
-      "The history has every fragment that touched the pixel, in drawing order, and the triangles "
-      "that were culled\n"
-      "or clipped where they would have covered it, or that miss its centre.\n"
+      "The history has every fragment that touched the pixel, in drawing order, and triangles "
+      "that\n"
+      "were culled or clipped where they would have covered it, or that miss its centre.\n"
       "The options are those of glassbox render: the same words show the same picture.\n\n" +
       builtin_help());
-  command.add_option("SCENE", scene_, "a glTF, GLB or OBJ file, or the name of a built-in scene")
-      ->required();
   command
       .add_option_function<std::string>(
           "--at", [this](const std::string& text) { at_ = parse_pixel("--at", text); },
@@ -126,48 +120,30 @@ void PixelCommand::add_to(CLI::App& app, int& exit_code) {
       ->required();
   command.add_flag("--all", all_,
                    "list all triangles that miss the pixel's centre, not the nearest few");
-  add_picture_options(command, picture_);
-  command.add_option("--json", json_output_, "the same as JSON; - is standard output")
-      ->type_name("FILE|-")
-      ->group("Other outputs");
+  question_.add_to(command);
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 
-int PixelCommand::run() {
-  if (const auto legal = check_pixel("--at", at_, picture_.size); !legal) {
-    return refuse(legal.error());
-  }
-  Progress progress;
-  progress.phase("loading " + scene_);
-  const Result<Scene> scene = load_scene(scene_, limits_);
-  if (!scene) return refuse(scene.error());
-  const Result<ChosenView> chosen = choose_view(*scene, picture_);
-  if (!chosen) return refuse(chosen.error());
-  RenderSettings settings = picture_.settings;
+int PixelCommand::run() const {
+  const auto legal = check_pixel("--at", at_, question_.picture().size);
+  if (!legal) return refuse(legal.error());
+  return question_.answer(
+      [this](const Scene& scene, const View& view) { return answer(scene, view); });
+}
+
+Answer PixelCommand::answer(const Scene& scene, const View& view) const {
+  RenderSettings settings = question_.picture().settings;
   settings.want_distance = true;
   settings.want_id = true;
-  progress.phase("rendering " + scene_);
   Rendering rendering;
-  const PixelHistory history =
-      pixel_history(*scene, chosen->view, settings, at_.x, at_.y, &rendering);
-  const SeenPixel seen = seen_at(*scene, chosen->view, rendering.buffers, at_);
-  progress.done();
+  const PixelHistory history = pixel_history(scene, view, settings, at_.x, at_.y, &rendering);
+  const SeenPixel seen = seen_at(scene, view, rendering.buffers, at_);
 
-  if (json_output_) {
-    Json json = json_of(*scene, seen);
-    json["scene"] = scene_;
-    json["x"] = at_.x;
-    json["y"] = at_.y;
-    json["history"] = to_json(*scene, history);
-    if (const auto written = write_json(*json_output_, json); !written) {
-      return refuse(written.error());
-    }
-    if (*json_output_ == "-") return kSuccess;
-  }
-  fmt::print("pixel ({}, {}) of {}, {} x {}\n{}\n{}", at_.x, at_.y, printable(scene_),
-             picture_.size.width, picture_.size.height, text_of(*scene, seen),
-             history_text(*scene, history, all_));
-  return kSuccess;
+  Json json{{"x", at_.x}, {"y", at_.y}};
+  json.update(json_of(scene, seen));
+  json["history"] = to_json(scene, history);
+  return {json, fmt::format("pixel ({}, {}) of {}\n{}\n{}", at_.x, at_.y, question_.title(),
+                            text_of(scene, seen), history_text(scene, history, all_))};
 }
 
 }  // namespace glassbox::app

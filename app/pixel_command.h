@@ -1,16 +1,14 @@
 // glassbox pixel SCENE --at X,Y: what is seen in one pixel of a picture, and how it came about.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
-#include "app/picture_options.h"
+#include "app/picture_question.h"
 
 #include <glassbox/images/compare/differences.h>
 #include <glassbox/images/recipe.h>
-#include <glassbox/mesh/limits.h>
 
 namespace glassbox::app {
 
@@ -19,14 +17,12 @@ public:
   void add_to(CLI::App& app, int& exit_code);
 
 private:
-  int run();
+  int run() const;
+  Answer answer(const Scene& scene, const View& view) const;
 
-  std::string scene_;
+  PictureQuestion question_;
   PixelAt at_;
   bool all_ = false;  // list all near misses
-  PictureOptions picture_;
-  LoadLimits limits_;
-  std::optional<std::string> json_output_;
 };
 
 // The command line that shows pixel (x, y) of the picture that the recipe makes; empty if the recipe, which comes from

@@ -4,25 +4,17 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/builtin_help.h"
-#include "app/exit_codes.h"
-#include "app/output.h"
-#include "app/progress.h"
 #include "app/shell_line.h"
 #include "app/text_layout.h"
 
-#include <glassbox/base/printable.h>
-#include <glassbox/mesh/load.h>
 #include <glassbox/render/trace/verdict_json.h>
 #include <glassbox/render/trace/verdict_text.h>
 
 namespace glassbox::app {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::uint64_t parse_number(const std::string& text) {
   std::uint64_t number = 0;
@@ -49,8 +41,8 @@ std::optional<std::array<int, 2>> telling_pixel(const TriangleVerdict& verdict) 
 
 std::string WhyCommand::command(const char* subcommand, const std::string& option,
                                 const std::string& value) const {
-  std::vector<std::string> words{subcommand, scene_};
-  const std::vector<std::string> given = words_given(picture_);
+  std::vector<std::string> words{subcommand, question_.scene_name()};
+  const std::vector<std::string> given = words_given(question_.picture());
   words.insert(words.end(), given.begin(), given.end());
   words.insert(words.end(), {option, value});
   return shell_line(words).value_or("");
@@ -59,9 +51,8 @@ std::string WhyCommand::command(const char* subcommand, const std::string& optio
 std::string WhyCommand::triangle_text(const Scene& scene, const View& view,
                                       const TriangleVerdict& verdict) const {
   const NumberedTriangle& triangle = verdict.triangle;
-  std::string text =
-      fmt::format("triangle {} of {}, {} x {}: {}\n", triangle.number, printable(scene_),
-                  picture_.size.width, picture_.size.height, words_for(verdict.end));
+  std::string text = fmt::format("triangle {} of {}: {}\n", triangle.number, question_.title(),
+                                 words_for(verdict.end));
   text += fmt::format("  what   {}\n", place_of(scene, triangle.instance, triangle.face));
   text += fmt::format("  stage  {}\n", stage_of(verdict.end));
   const char* label = "  why    ";
@@ -86,9 +77,8 @@ std::string WhyCommand::triangle_text(const Scene& scene, const View& view,
 }
 
 std::string WhyCommand::scene_text(const SceneVerdict& found) const {
-  std::string text =
-      fmt::format("{}, {} x {}: {} triangle{}\n", printable(scene_), picture_.size.width,
-                  picture_.size.height, found.triangles, found.triangles == 1 ? "" : "s");
+  std::string text = fmt::format("{}: {} triangle{}\n", question_.title(), found.triangles,
+                                 found.triangles == 1 ? "" : "s");
   if (found.triangles == 0) return text;
   text += fmt::format("  {:>10}  {:<23}{:<13}{}\n", "triangles", "end", "stage", "for example");
   for (std::size_t i = 0; i < kEnds; ++i) {
@@ -121,67 +111,43 @@ void WhyCommand::add_to(CLI::App& app, int& exit_code) {
       "  glassbox why room --eye 0,1,9 --look-at 0,1,20\n\n"
       "The options are those of glassbox render: the same words show the same picture.\n\n" +
       builtin_help());
-  command.add_option("SCENE", scene_, "a glTF, GLB or OBJ file, or the name of a built-in scene")
-      ->required();
   command
       .add_option_function<std::string>(
           "--triangle", [this](const std::string& text) { triangle_ = parse_number(text); },
           "its number in the scene, from 0, as glassbox pixel and render --id-out count them")
       ->type_name("N");
-  add_picture_options(command, picture_);
-  command.add_option("--json", json_output_, "the same as JSON; - is standard output")
-      ->type_name("FILE|-")
-      ->group("Other outputs");
-  command.callback([this, &exit_code] { exit_code = run(); });
+  question_.add_to(command);
+  command.callback([this, &exit_code] {
+    exit_code = question_.answer(
+        [this](const Scene& scene, const View& view) { return answer(scene, view); });
+  });
 }
 
-Result<WhyCommand::Report> WhyCommand::report_triangle(const Scene& scene, const View& view,
-                                                       std::uint64_t number) const {
-  const Result<TriangleVerdict> found = triangle_verdict(scene, view, picture_.settings, number);
+Result<Answer> WhyCommand::answer(const Scene& scene, const View& view) const {
+  return triangle_ ? about_triangle(scene, view, *triangle_) : about_scene(scene, view);
+}
+
+Result<Answer> WhyCommand::about_triangle(const Scene& scene, const View& view,
+                                          std::uint64_t number) const {
+  const Result<TriangleVerdict> found =
+      triangle_verdict(scene, view, question_.picture().settings, number);
   if (!found) return tl::unexpected(found.error());
-  Report report{to_json(*found), triangle_text(scene, view, *found)};
-  report.json["why"] = explain(view, *found);
-  return report;
+  Answer answer{to_json(*found), triangle_text(scene, view, *found)};
+  answer.json["why"] = explain(view, *found);
+  return answer;
 }
 
 // Where nothing is seen, one triangle stands for those that end as most do.
-Result<WhyCommand::Report> WhyCommand::report_scene(const Scene& scene, const View& view) const {
-  const SceneVerdict found = scene_verdict(scene, view, picture_.settings);
-  Report report{to_json(found), scene_text(found)};
+Result<Answer> WhyCommand::about_scene(const Scene& scene, const View& view) const {
+  const SceneVerdict found = scene_verdict(scene, view, question_.picture().settings);
+  Answer answer{to_json(found), scene_text(found)};
   const std::optional<End> loss = found.commonest_loss();
-  if (!loss || !found.all_lost()) return report;
-  const Result<Report> example = report_triangle(scene, view, found.at(*loss).example);
+  if (!loss || !found.all_lost()) return answer;
+  const Result<Answer> example = about_triangle(scene, view, found.at(*loss).example);
   if (!example) return tl::unexpected(example.error());
-  report.json["example"] = example->json;
-  report.text += "\n" + example->text;
-  return report;
-}
-
-int WhyCommand::run() {
-  Progress progress;
-  progress.phase("loading " + scene_);
-  const Result<Scene> scene = load_scene(scene_, limits_);
-  if (!scene) return refuse(scene.error());
-  const Result<ChosenView> chosen = choose_view(*scene, picture_);
-  if (!chosen) return refuse(chosen.error());
-  const View& view = chosen->view;
-  progress.phase("rendering " + scene_);
-
-  const Result<Report> report =
-      triangle_ ? report_triangle(*scene, view, *triangle_) : report_scene(*scene, view);
-  if (!report) return refuse(report.error());
-  progress.done();
-
-  if (json_output_) {
-    Json json{{"scene", scene_}, {"width", picture_.size.width}, {"height", picture_.size.height}};
-    json.update(report->json);
-    if (const auto written = write_json(*json_output_, json); !written) {
-      return refuse(written.error());
-    }
-    if (*json_output_ == "-") return kSuccess;
-  }
-  fmt::print("{}", report->text);
-  return kSuccess;
+  answer.json["example"] = example->json;
+  answer.text += "\n" + example->text;
+  return answer;
 }
 
 }  // namespace glassbox::app

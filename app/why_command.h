@@ -6,12 +6,10 @@
 #include <string>
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
-#include "app/picture_options.h"
+#include "app/picture_question.h"
 
 #include <glassbox/base/error.h>
-#include <glassbox/mesh/limits.h>
 #include <glassbox/render/trace/verdict.h>
 
 namespace glassbox::app {
@@ -21,14 +19,9 @@ public:
   void add_to(CLI::App& app, int& exit_code);
 
 private:
-  struct Report {
-    nlohmann::ordered_json json;
-    std::string text;
-  };
-
-  int run();
-  Result<Report> report_triangle(const Scene& scene, const View& view, std::uint64_t number) const;
-  Result<Report> report_scene(const Scene& scene, const View& view) const;
+  Result<Answer> answer(const Scene& scene, const View& view) const;
+  Result<Answer> about_triangle(const Scene& scene, const View& view, std::uint64_t number) const;
+  Result<Answer> about_scene(const Scene& scene, const View& view) const;
   std::string triangle_text(const Scene& scene, const View& view,
                             const TriangleVerdict& verdict) const;
   std::string scene_text(const SceneVerdict& found) const;
@@ -36,11 +29,8 @@ private:
   std::string command(const char* subcommand, const std::string& option,
                       const std::string& value) const;
 
-  std::string scene_;
+  PictureQuestion question_;
   std::optional<std::uint64_t> triangle_;
-  PictureOptions picture_;
-  LoadLimits limits_;
-  std::optional<std::string> json_output_;
 };
 
 }  // namespace glassbox::app

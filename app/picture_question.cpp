@@ -1,0 +1,54 @@
+#include "app/picture_question.h"
+
+#include <fmt/format.h>
+
+#include "app/exit_codes.h"
+#include "app/output.h"
+#include "app/progress.h"
+
+#include <glassbox/base/printable.h>
+#include <glassbox/mesh/load.h>
+
+namespace glassbox::app {
+
+void PictureQuestion::add_to(CLI::App& command) {
+  command.add_option("SCENE", scene_, "a glTF, GLB or OBJ file, or the name of a built-in scene")
+      ->required();
+  add_picture_options(command, picture_);
+  command.add_option("--json", json_output_, "the same as JSON; - is standard output")
+      ->type_name("FILE|-")
+      ->group("Other outputs");
+}
+
+std::string PictureQuestion::title() const {
+  return fmt::format("{}, {} x {}", printable(scene_), picture_.size.width, picture_.size.height);
+}
+
+int PictureQuestion::answer(const Ask& ask) const {
+  if (json_output_ && json_output_ != "-") {
+    if (const auto legal = check_outputs({*json_output_}); !legal) return refuse(legal.error());
+  }
+  Progress progress;
+  progress.phase("loading " + scene_);
+  const Result<Scene> scene = load_scene(scene_);
+  if (!scene) return refuse(scene.error());
+  for (const std::string& warning : scene->warnings) progress.say("warning: " + warning);
+  const Result<ChosenView> chosen = choose_view(*scene, picture_);
+  if (!chosen) return refuse(chosen.error());
+  progress.phase("rendering " + scene_);
+  const Result<Answer> found = ask(*scene, chosen->view);
+  if (!found) return refuse(found.error());
+  progress.done();
+
+  if (json_output_) {
+    nlohmann::ordered_json json{
+        {"scene", scene_}, {"width", picture_.size.width}, {"height", picture_.size.height}};
+    json.update(found->json);
+    const auto written = write_json(*json_output_, json);
+    if (!written) return refuse(written.error());
+  }
+  if (json_output_ != "-") fmt::print("{}", found->text);
+  return kSuccess;
+}
+
+}  // namespace glassbox::app
