@@ -33,11 +33,11 @@ struct EyeStages {
   std::vector<ReadyPoint> points;
 };
 
-EyeStages make_stages(const EyePass& eye, std::size_t index, const std::vector<Point<Clip>>& clip,
-                      const VertexTables& tables, const Lighting& lighting) {
+EyeStages make_stages(std::size_t index, const EyePass& eye, const ClipTable& clip,
+                      const EyeSpaceTables& eye_space, const Lighting& lighting) {
   const Draw& draw = eye.draws[index];
   return {
-      {draw, clip, tables, eye.view, eye.settings, lighting, render_planes(eye.view),
+      {draw, clip, eye_space, eye.view, eye.settings, lighting, render_planes(eye.view),
        eye.statistics, eye.observer},
       {draw, eye.view, eye.settings, lighting, eye.target, eye.color, eye.statistics, eye.observer},
       {},
@@ -72,39 +72,40 @@ void ready_batch(std::span<EyeStages> eyes, std::span<const Triangle> batch) {
 
 }  // namespace
 
-void render_draw(std::size_t index, const Lighting& lighting, std::span<const EyePass> eyes) {
-  const EyePass& first = eyes.front();
-  const Draw& draw = first.draws[index];
+DrawTables transform_draw(std::size_t index, std::span<const EyePass> eyes) {
   for (const EyePass& eye : eyes) {
-    count_input(draw, eye.statistics);
+    count_input(eye.draws[index], eye.statistics);
     if (eye.observer != nullptr) eye.observer->draw(eye.draws[index]);
   }
-
-  VertexTables tables;
-  std::vector<Point<Clip>> other_clip;
-  {
-    const Stopwatch watch(first.statistics.vertex_ms);
-    tables = transform_vertices(draw, first.settings, first.observer);
-    first.statistics.vertices += tables.clip.size();
-    if (eyes.size() > 1) {
-      other_clip = transform_other_eye(eyes[1].draws[index], tables.clip, eyes[1].observer);
-      eyes[1].statistics.moved_in_x += other_clip.size();
-    }
+  const EyePass& first = eyes.front();
+  const Stopwatch watch(first.statistics.vertex_ms);
+  DrawTables tables;
+  tables.clip.push_back(project_vertices(first.draws[index], first.view, first.observer));
+  first.statistics.vertices += tables.clip.front().positions.size();
+  for (const EyePass& other : eyes.subspan(1)) {
+    tables.clip.push_back(
+        project_other_eye(other.draws[index], other.view, tables.clip.front(), other.observer));
+    other.statistics.moved_in_x += tables.clip.back().positions.size();
   }
+  tables.eye_space = make_eye_space_tables(first.draws[index], first.settings);
+  return tables;
+}
+
+void draw_primitives(std::size_t index, const DrawTables& tables,
+                     std::span<const Triangle> triangles, const Lighting& lighting,
+                     std::span<const EyePass> eyes) {
   std::vector<EyeStages> stages;
   for (std::size_t i = 0; i < eyes.size(); ++i) {
-    stages.push_back(
-        make_stages(eyes[i], index, i == 0 ? tables.clip : other_clip, tables, lighting));
+    stages.push_back(make_stages(index, eyes[i], tables.clip[i], tables.eye_space, lighting));
   }
-
-  const std::span<const Triangle> all(draw.triangulation->triangles);
-  for (std::size_t at = 0; at < all.size(); at += kBatch) {
-    ready_batch(stages, all.subspan(at, std::min(kBatch, all.size() - at)));
+  for (std::size_t at = 0; at < triangles.size(); at += kBatch) {
+    ready_batch(stages, triangles.subspan(at, std::min(kBatch, triangles.size() - at)));
     rasterise_ready(stages);
   }
+  const Mesh& mesh = *eyes.front().draws[index].mesh;
   for (EyeStages& eye : stages) {
-    for (const auto& line : draw.mesh->lines) ready_line(eye.primitives, line, eye.lines);
-    for (const Corner& point : draw.mesh->points) ready_point(eye.primitives, point, eye.points);
+    for (const auto& line : mesh.lines) ready_line(eye.primitives, line, eye.lines);
+    for (const Corner& point : mesh.points) ready_point(eye.primitives, point, eye.points);
   }
   rasterise_ready(stages);
 }

@@ -1,4 +1,4 @@
-// One draw of the list carried through all stages: for one eye, or for the two of a stereo pair at once.
+// One draw of the list carried through the stages: for one eye, or for the two of a stereo pair at once.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +10,7 @@
 #include <glassbox/render/observer.h>
 #include <glassbox/render/settings.h>
 #include <glassbox/render/statistics.h>
+#include <glassbox/render/vertex_stage.h>
 
 namespace glassbox {
 
@@ -25,8 +26,19 @@ struct EyePass {
   Observer* observer = nullptr;
 };
 
-// The draw of that index, for one or two eyes. Positions, normals and the light on corners are computed once, and counted
-// and timed with the first eye.
-void render_draw(std::size_t index, const Lighting& lighting, std::span<const EyePass> eyes);
+// What the vertex stage makes of a draw.
+struct DrawTables {
+  std::vector<ClipTable> clip;  // by eye
+  EyeSpaceTables eye_space;     // of all eyes
+};
+
+// Work done for all eyes at once is counted and timed with the first.
+DrawTables transform_draw(std::size_t index, std::span<const EyePass> eyes);
+
+// The other stages, for some of the draw's triangles, in the order of the mesh, and for all its lines and points. The light
+// on corners is computed once for all eyes.
+void draw_primitives(std::size_t index, const DrawTables& tables,
+                     std::span<const Triangle> triangles, const Lighting& lighting,
+                     std::span<const EyePass> eyes);
 
 }  // namespace glassbox

@@ -59,17 +59,19 @@ std::array<ClipVertex, 3> clip_vertices(const PrimitiveStage& stage, const Trian
   std::array<ClipVertex, 3> corners;
   for (std::size_t k = 0; k < 3; ++k) {
     const Corner& corner = stage.draw.mesh->corners[triangle.corners[k]];
-    corners[k].position = stage.clip[corner.position];
+    corners[k].position = stage.clip.positions[corner.position];
     corners[k].weights[k] = 1.0;
   }
   return corners;
 }
 
 // What the view's planes leave of a triangle; most are left whole, or nothing of them.
-ClipPolygon clip_to_view(const PrimitiveStage& stage, const std::array<ClipVertex, 3>& corners) {
-  const std::array<Outcode, 3> codes{outcode(corners[0].position, stage.planes),
-                                     outcode(corners[1].position, stage.planes),
-                                     outcode(corners[2].position, stage.planes)};
+ClipPolygon clip_to_view(const PrimitiveStage& stage, const Triangle& triangle,
+                         const std::array<ClipVertex, 3>& corners) {
+  std::array<Outcode, 3> codes;
+  for (std::size_t k = 0; k < 3; ++k) {
+    codes[k] = stage.clip.outcodes[stage.draw.mesh->corners[triangle.corners[k]].position];
+  }
   switch (trivial_verdict(codes)) {
     case ClipVerdict::kAccept:
       return {{corners[0], corners[1], corners[2]}, 3};
@@ -141,7 +143,7 @@ std::array<float, 3> centre_of_face(const PrimitiveStage& stage, const Face& fac
   std::array<float, 3> sum{};
   for (std::uint32_t i = 0; i < face.count; ++i) {
     const Corner& corner = stage.draw.mesh->corners[face.first + i];
-    const Point<Eye>& p = stage.tables.eye[corner.position];
+    const Point<Eye>& p = stage.eye_space.positions[corner.position];
     sum = {sum[0] + p.x, sum[1] + p.y, sum[2] + p.z};
   }
   const float share = 1.0f / float(face.count);
@@ -159,9 +161,10 @@ Varyings corner_attributes(const PrimitiveStage& stage, const Corner& corner) {
     const Rgba& color = mesh.colors[corner.color];
     varyings.color = {color.r, color.g, color.b, color.a};
   }
-  if (!stage.tables.eye.empty()) varyings.position = components(stage.tables.eye[corner.position]);
-  if (corner.normal != kNone && !stage.tables.normal.empty()) {
-    varyings.normal = components(stage.tables.normal[corner.normal]);
+  if (!stage.eye_space.positions.empty())
+    varyings.position = components(stage.eye_space.positions[corner.position]);
+  if (corner.normal != kNone && !stage.eye_space.normals.empty()) {
+    varyings.normal = components(stage.eye_space.normals[corner.normal]);
   }
   return varyings;
 }
@@ -179,7 +182,7 @@ std::array<Varyings, 3> triangle_attributes(const PrimitiveStage& stage, const T
                                             bool front) {
   const Mesh& mesh = *stage.draw.mesh;
   const Face& face = mesh.faces[triangle.face];
-  const bool lit = !stage.tables.eye.empty();
+  const bool lit = !stage.eye_space.positions.empty();
   const bool flat = stage.settings.shading == Shading::kFlat;
 
   std::array<Varyings, 3> vertices;
@@ -188,7 +191,7 @@ std::array<Varyings, 3> triangle_attributes(const PrimitiveStage& stage, const T
     vertices[k] = corner_attributes(stage, corner);
     if (!lit) continue;
     if (flat || corner.normal == kNone) {
-      vertices[k].normal = components(stage.tables.face_normal[triangle.face]);
+      vertices[k].normal = components(stage.eye_space.face_normals[triangle.face]);
     }
     if (!front) vertices[k].normal = negated(vertices[k].normal);
     if (flat) light(stage, centre_of_face(stage, face), vertices[k]);
@@ -242,7 +245,7 @@ void ready_triangle(const PrimitiveStage& stage, const Triangle& triangle,
                     TriangleAttributes& attributes, std::vector<ReadyTriangle>& triangles,
                     std::vector<ReadyLine>& lines) {
   const std::array<ClipVertex, 3> corners = clip_vertices(stage, triangle);
-  ClipPolygon polygon = clip_to_view(stage, corners);
+  ClipPolygon polygon = clip_to_view(stage, triangle, corners);
   if (stage.observer != nullptr) stage.observer->clipped(stage, triangle, corners, polygon);
   const ScreenPolygon screen = polygon_on_screen(stage, polygon);
   const std::uint32_t number = stage.draw.first_number + triangle.number;
@@ -278,7 +281,7 @@ void ready_line(const PrimitiveStage& stage, const std::array<Corner, 2>& line,
   std::array<ClipVertex, 2> ends;
   std::array<Varyings, 3> vertices;
   for (std::size_t k = 0; k < 2; ++k) {
-    ends[k].position = stage.clip[line[k].position];
+    ends[k].position = stage.clip.positions[line[k].position];
     ends[k].weights[k] = 1.0;
     vertices[k] = corner_attributes(stage, line[k]);
   }
@@ -288,7 +291,7 @@ void ready_line(const PrimitiveStage& stage, const std::array<Corner, 2>& line,
 void ready_point(const PrimitiveStage& stage, const Corner& point,
                  std::vector<ReadyPoint>& points) {
   ClipVertex vertex;
-  vertex.position = stage.clip[point.position];
+  vertex.position = stage.clip.positions[point.position];
   if (!clip_point(vertex.position, stage.planes)) return;
   points.push_back({vertex_on_screen(stage, vertex), corner_attributes(stage, point)});
 }

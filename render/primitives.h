@@ -42,8 +42,8 @@ struct TriangleAttributes {
 // What one draw's primitives need to be made ready for one eye.
 struct PrimitiveStage {
   const Draw& draw;
-  const std::vector<Point<Clip>>& clip;  // of this eye, by position
-  const VertexTables& tables;            // of all eyes
+  const ClipTable& clip;
+  const EyeSpaceTables& eye_space;
   const View& view;
   const RenderSettings& settings;
   const Lighting& lighting;

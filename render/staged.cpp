@@ -23,7 +23,10 @@ Rendering render_staged(const Scene& scene, const View& view, const RenderSettin
   }
   const std::array<EyePass, 1> eye{
       {{list.draws, view, settings, buffers, buffers.color, statistics, observer}}};
-  for (std::size_t i = 0; i < list.draws.size(); ++i) render_draw(i, list.lighting, eye);
+  for (std::size_t i = 0; i < list.draws.size(); ++i) {
+    const DrawTables tables = transform_draw(i, eye);
+    draw_primitives(i, tables, list.draws[i].triangulation->triangles, list.lighting, eye);
+  }
   show(settings.show, buffers);
   return rendering;
 }

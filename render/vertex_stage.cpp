@@ -20,54 +20,61 @@ Point<Object> relative_to_anchor(const Draw& draw, const Point<Object>& position
 
 }  // namespace
 
+ClipTable project_vertices(const Draw& draw, const View& view, Observer* observer) {
+  const auto planes = render_planes(view);
+  const std::vector<Point<Object>>& positions = draw.mesh->positions;
+  ClipTable table;
+  table.positions.reserve(positions.size());
+  table.outcodes.reserve(positions.size());
+  for (std::uint32_t i = 0; i < positions.size(); ++i) {
+    Point<Clip> clip = draw.clip_from_anchored * relative_to_anchor(draw, positions[i]);
+    if (observer != nullptr) observer->projected(draw, i, clip);
+    table.positions.push_back(clip);
+    table.outcodes.push_back(outcode(clip, planes));
+  }
+  return table;
+}
+
+ClipTable project_other_eye(const Draw& other_eye, const View& other_view,
+                            const ClipTable& first_eye, Observer* observer) {
+  const auto planes = render_planes(other_view);
+  ClipTable table = first_eye;
+  for (std::uint32_t i = 0; i < table.positions.size(); ++i) {
+    Point<Clip>& clip = table.positions[i];
+    clip.x = transform_row(other_eye.clip_from_anchored, 0,
+                           relative_to_anchor(other_eye, other_eye.mesh->positions[i]));
+    if (observer != nullptr) observer->projected(other_eye, i, clip);
+    table.outcodes[i] = outcode(clip, planes);
+  }
+  return table;
+}
+
 bool needs_normals(const Draw& draw, const RenderSettings& settings) {
   if (settings.show == Show::kNormal) return true;
   return settings.show == Show::kColor && settings.shading != Shading::kUnlit &&
          !draw.material->unlit;
 }
 
-VertexTables transform_vertices(const Draw& draw, const RenderSettings& settings,
-                                Observer* observer) {
+EyeSpaceTables make_eye_space_tables(const Draw& draw, const RenderSettings& settings) {
+  EyeSpaceTables tables;
+  if (!needs_normals(draw, settings)) return tables;
+
   const Mesh& mesh = *draw.mesh;
-  const bool lit = needs_normals(draw, settings);
-
-  VertexTables tables;
-  tables.clip.reserve(mesh.positions.size());
-  if (lit) tables.eye.reserve(mesh.positions.size());
+  tables.positions.reserve(mesh.positions.size());
   for (const Point<Object>& position : mesh.positions) {
-    const Point<Object> anchored = relative_to_anchor(draw, position);
-    Point<Clip> clip = draw.clip_from_anchored * anchored;
-    if (observer != nullptr) {
-      observer->projected(draw, std::uint32_t(tables.clip.size()), clip);
-    }
-    tables.clip.push_back(clip);
-    if (lit) tables.eye.push_back(draw.eye_from_anchored * anchored);
+    tables.positions.push_back(draw.eye_from_anchored * relative_to_anchor(draw, position));
   }
-  if (!lit) return tables;
-
+  tables.normals.reserve(mesh.normals.size());
   for (const Normal<Object>& normal : mesh.normals) {
-    tables.normal.push_back(normalized(draw.eye_normal_from_object * normal));
+    tables.normals.push_back(normalized(draw.eye_normal_from_object * normal));
   }
-  if (needs_face_normals(draw, settings)) {
-    for (const Face& face : mesh.faces) {
-      const std::optional<Normal<Object>> normal = face_normal(mesh, face);
-      tables.face_normal.push_back(normal ? normalized(draw.eye_normal_from_object * *normal)
-                                          : Normal<Eye>{});
-    }
+  if (!needs_face_normals(draw, settings)) return tables;
+  for (const Face& face : mesh.faces) {
+    const std::optional<Normal<Object>> normal = face_normal(mesh, face);
+    tables.face_normals.push_back(normal ? normalized(draw.eye_normal_from_object * *normal)
+                                         : Normal<Eye>{});
   }
   return tables;
-}
-
-std::vector<Point<Clip>> transform_other_eye(const Draw& other_eye,
-                                             const std::vector<Point<Clip>>& first_eye,
-                                             Observer* observer) {
-  std::vector<Point<Clip>> clip = first_eye;
-  for (std::size_t i = 0; i < clip.size(); ++i) {
-    clip[i].x = transform_row(other_eye.clip_from_anchored, 0,
-                              relative_to_anchor(other_eye, other_eye.mesh->positions[i]));
-    if (observer != nullptr) observer->projected(other_eye, std::uint32_t(i), clip[i]);
-  }
-  return clip;
 }
 
 }  // namespace glassbox
