@@ -53,7 +53,7 @@ bool box_unseen_by_both(const Box<Object>& box,
                         const StereoPlanes& planes);
 
 // The columns, px, at one edge of each eye's picture that culling by the centre camera leaves empty at this distance: half
-// the parallax. The left eye loses its left edge behind the window and its right edge in front of it.
+// the parallax. The left eye loses its right edge behind the window and its left edge in front of it.
 inline double missing_strip_px(const View& centre, const StereoPair& pair, double distance) {
   return std::abs(parallax_at(centre, pair, distance).px) / 2;
 }

@@ -1,0 +1,284 @@
+#include <tests/pipeline/stereo/stereo_cases.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <glassbox/pipeline/stereo/culling.h>
+
+namespace glassbox {
+namespace {
+
+using test::kInfinity;
+using test::Random;
+
+using FloatMatrix = Transform<Clip, Object, float>;
+
+// A camera, and both eyes', as the stages have them.
+struct Eyes {
+  View centre_view;
+  FloatMatrix centre, left, right;
+
+  Eyes(const View& view, const StereoPair& pair) : centre_view(view) {
+    const auto rounded = [](const View& v) {
+      return FloatMatrix(round_to_float(v.clip_from_eye * v.eye_from_world).columns);
+    };
+    centre = rounded(view);
+    left = rounded(eye_view(view, pair, Side::kLeft));
+    right = rounded(eye_view(view, pair, Side::kRight));
+  }
+  Outcode outcode_of(const Point<Object>& p) const {
+    return stereo_outcode(stereo_clip_point(left * p, right * p), centre_view);
+  }
+  Outcode centre_outcode_of(const Point<Object>& p) const {
+    return stereo_outcode(centre_clip_point(centre * p), centre_view);
+  }
+};
+
+// What is drawn, by the planes themselves: near, far as `render` has it, and the sides.
+std::vector<ClipPlane> drawn_planes(const View& view) {
+  const auto drawn = render_planes(view);
+  const auto frustum = frustum_planes(view.depth_range);
+  return {drawn[0], drawn[2], frustum[2], frustum[3], frustum[4], frustum[5]};
+}
+
+bool sees(const FloatMatrix& clip_from_object, const std::vector<Point<Object>>& shape,
+          const std::vector<ClipPlane>& planes) {
+  if (shape.size() == 1) return clip_point(clip_from_object * shape[0], planes);
+  const std::array<ClipVertex, 3> triangle{{{clip_from_object * shape[0], {1, 0, 0}},
+                                            {clip_from_object * shape[1], {0, 1, 0}},
+                                            {clip_from_object * shape[2], {0, 0, 1}}}};
+  return clip_triangle(triangle, planes).count != 0;
+}
+
+// A point at a random distance, within half a picture of the picture's edges.
+Point<Object> around_the_picture(Random& random, const View& view) {
+  const double z = test::random_distance(random, view) * random.between(0.5, 1.1);
+  const Point<Eye, double> p = test::random_seen(random, view, z);
+  return {float(p.x * 1.5), float(p.y * 1.5), float(p.z)};
+}
+
+// ---- nothing that is seen is culled ----
+
+TEST_CASE("a point is unseen by both exactly where neither eye's frustum holds it (S0-04)") {
+  Random random(110);
+  int seen = 0, lost_by_centre = 0;
+  for (int i = 0; i < 400; ++i) {
+    const View view = test::random_view(random);
+    const Eyes eyes(view, test::random_pair(random, view));
+    const auto planes = drawn_planes(view);
+    for (int k = 0; k < 500; ++k) {
+      const std::vector<Point<Object>> point{around_the_picture(random, view)};
+      const bool visible = sees(eyes.left, point, planes) || sees(eyes.right, point, planes);
+      const Outcode code[] = {eyes.outcode_of(point[0])};
+      if (unseen_by_both(code) == visible) {
+        CAPTURE(i, k, point[0].x, point[0].y, point[0].z, visible);
+        CHECK(unseen_by_both(code) != visible);
+      }
+      const Outcode centre[] = {eyes.centre_outcode_of(point[0])};
+      seen += visible ? 1 : 0;
+      lost_by_centre += visible && unseen_by_both(centre) ? 1 : 0;
+    }
+  }
+  CHECK(seen > 10000);
+  CHECK(lost_by_centre > 100);
+}
+
+TEST_CASE(
+    "no triangle that an eye draws is culled by the union; the centre camera loses some (S0-04, "
+    "C-74)") {
+  Random random(111);
+  int drawn = 0, culled = 0, lost = 0, lost_by_centre = 0, kept_unseen = 0;
+  for (int i = 0; i < 400; ++i) {
+    const View view = test::random_view(random);
+    const Eyes eyes(view, test::random_pair(random, view));
+    const auto planes = drawn_planes(view);
+    for (int k = 0; k < 250; ++k) {
+      const Point<Object> first = around_the_picture(random, view);
+      std::vector<Point<Object>> triangle{first};
+      const double size = std::exp(random.between(-5, 0)) * std::abs(double(first.z));
+      for (int corner = 1; corner < 3; ++corner) {
+        triangle.push_back({float(double(first.x) + random.between(-size, size)),
+                            float(double(first.y) + random.between(-size, size)),
+                            float(double(first.z) + random.between(-size, size))});
+      }
+      std::array<Outcode, 3> codes{}, centre_codes{};
+      for (std::size_t c = 0; c < 3; ++c) {
+        codes[c] = eyes.outcode_of(triangle[c]);
+        centre_codes[c] = eyes.centre_outcode_of(triangle[c]);
+      }
+      const bool visible = sees(eyes.left, triangle, planes) || sees(eyes.right, triangle, planes);
+      const bool unseen = unseen_by_both(codes);
+      if (visible && unseen)
+        FAIL_CHECK("case " << i << ", triangle " << k << " is drawn and culled");
+      drawn += visible ? 1 : 0;
+      culled += unseen ? 1 : 0;
+      lost += visible && unseen ? 1 : 0;
+      kept_unseen += !visible && !unseen ? 1 : 0;
+      lost_by_centre += visible && unseen_by_both(centre_codes) ? 1 : 0;
+    }
+  }
+  WARN("C-74: of 100000 triangles "
+       << drawn << " are drawn; the union culls " << culled << ", loses " << lost << " and keeps "
+       << kept_unseen << " that are not drawn; the centre camera loses " << lost_by_centre);
+  CHECK(lost == 0);
+  CHECK(drawn > 10000);
+  CHECK(culled > 10000);
+  CHECK(lost_by_centre > 10);
+  CHECK(kept_unseen < 5000);  // triangles that pass a corner of the frustum
+}
+
+TEST_CASE("no box is culled that holds a point which an eye sees (S0-04)") {
+  Random random(112);
+  int culled = 0, culled_by_centre = 0, lost_by_centre = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const View view = test::random_view(random);
+    const Eyes eyes(view, test::random_pair(random, view));
+    const StereoPlanes planes = stereo_planes(view);
+    const auto drawn = drawn_planes(view);
+    const Point<Object> middle = around_the_picture(random, view);
+    const double size = std::exp(random.between(-8, -1)) * std::abs(double(middle.z));
+    Box<Object> box;
+    std::vector<Point<Object>> inside;
+    for (int k = 0; k < 20; ++k) {
+      inside.push_back({float(double(middle.x) + random.between(-size, size)),
+                        float(double(middle.y) + random.between(-size, size)),
+                        float(double(middle.z) + random.between(-size, size))});
+      box.include(inside.back());
+    }
+    const bool unseen = box_unseen_by_both(box, eyes.left, eyes.right, planes);
+    const bool by_centre = box_unseen_by_both(box, eyes.centre, eyes.centre, planes);
+    bool visible = false;
+    for (const Point<Object>& p : inside) {
+      visible = visible || sees(eyes.left, {p}, drawn) || sees(eyes.right, {p}, drawn);
+    }
+    if (visible && unseen)
+      FAIL_CHECK("case " << i << ": a point in the box is drawn, the box culled");
+    culled += unseen ? 1 : 0;
+    culled_by_centre += by_centre ? 1 : 0;
+    lost_by_centre += visible && by_centre ? 1 : 0;
+  }
+  CHECK(culled > 5000);
+  CHECK(culled_by_centre > culled - 200);
+  CHECK(lost_by_centre > 0);
+}
+
+TEST_CASE("what only one eye sees, close to the pair, is kept (C-73)") {
+  const View view = test::view_of(PerspectiveLens{0.8, 0.1, {}});
+  const StereoPair pair{0.25, 10};
+  const Eyes eyes(view, pair);
+  const auto planes = drawn_planes(view);
+  const double z = 0.3;
+  CHECK(std::abs(parallax_at(view, pair, z).px) > 1280);  // no point here is in both pictures
+  // In front of the left eye, beyond the centre camera's left edge.
+  const std::vector<Point<Object>> triangle{
+      {-0.25f, 0, float(-z)}, {-0.24f, 0, float(-z)}, {-0.245f, 0.02f, float(-z)}};
+  CHECK(sees(eyes.left, triangle, planes));
+  CHECK_FALSE(sees(eyes.right, triangle, planes));
+  std::vector<Outcode> codes, centre_codes;
+  for (const auto& p : triangle) {
+    codes.push_back(eyes.outcode_of(p));
+    centre_codes.push_back(eyes.centre_outcode_of(p));
+  }
+  CHECK_FALSE(unseen_by_both(codes));
+  CHECK(unseen_by_both(centre_codes));
+  // Between the two eyes' frusta, outside the right plane of the left one and the left plane of the right one.
+  const Outcode between[] = {eyes.outcode_of({0, 0, float(-z)})};
+  CHECK_FALSE(sees(eyes.left, {{0, 0, float(-z)}}, planes));
+  CHECK(unseen_by_both(between));
+}
+
+TEST_CASE("vertices that are not finite hide their triangle from the eyes that have them so") {
+  const View view = test::view_of(PerspectiveLens{0.8, 0.1, {}});
+  const float inf = std::numeric_limits<float>::infinity(),
+              nan = std::numeric_limits<float>::quiet_NaN();
+  const auto unseen = [&](const StereoClipPoint& p) {
+    const Outcode codes[] = {stereo_outcode({0, 0, 0, 0.5f, 1}, view), stereo_outcode(p, view)};
+    return unseen_by_both(codes);
+  };
+  CHECK_FALSE(unseen({0, 0, 0, 0.5f, 1}));
+  CHECK_FALSE(unseen({inf, 0, 0, 0.5f, 1}));
+  CHECK_FALSE(unseen({0, nan, 0, 0.5f, 1}));
+  CHECK(unseen({nan, inf, 0, 0.5f, 1}));
+  CHECK(unseen({0, 0, nan, 0.5f, 1}));
+  CHECK(unseen({0, 0, 0, 0.5f, inf}));
+}
+
+// ---- how much the centre camera loses ----
+
+TEST_CASE(
+    "culling by the centre camera loses strips of half the parallax, 0.2 to 1 % of the points "
+    "(E20)") {
+  // Points spread evenly over each eye's picture and over the inverse of the distance, from half the window's distance to
+  // infinity: the depths for which that window is the best (S0-13). A lens of 40 degrees, 16:9; wider ones lose less, in
+  // proportion to the cotangent.
+  const double f = 10;
+  const View view = test::view_of(PerspectiveLens{radians_from_degrees(40), 0.1, {}});
+  std::ostringstream table;
+  table << "E20: eye separation 2s per window distance, points lost of those that an eye sees, "
+           "predicted\n";
+  double last = 0;
+  for (const double percent : {1.0, 2.0, 3.0, 4.0, 5.0}) {
+    const StereoPair pair{percent / 200 * f, f};
+    REQUIRE(check_pair(view, pair));
+    const Eyes eyes(view, pair);
+    Random random(113);
+    const int points = 400000;
+    int lost = 0;
+    double predicted = 0, by_union = 0;
+    for (int i = 0; i < points; ++i) {
+      const double z = 1 / random.between(1 / (1e4 * f), 2 / f);
+      // Somewhere in the left or the right eye's picture: where the centre's shows the point that the eye shifts there.
+      const Side side = i % 2 == 0 ? Side::kLeft : Side::kRight;
+      const Point<Eye, double> p = test::random_seen(random, view, z);
+      const Point<Object> seen{float(p.x - eye_shift(pair, side) * (1 - z / f)), float(p.y),
+                               float(p.z)};
+      const Outcode centre[] = {eyes.centre_outcode_of(seen)};
+      const Outcode both[] = {eyes.outcode_of(seen)};
+      lost += unseen_by_both(centre) ? 1 : 0;
+      by_union += unseen_by_both(both) ? 1 : 0;
+      predicted += missing_strip_px(view, pair, z) / 1280;
+    }
+    const double measured = double(lost) / points;
+    predicted /= points;
+    table << "  " << percent << " %   " << 100 * measured << " %   " << 100 * predicted << " %\n";
+    CAPTURE(percent, measured, predicted);
+    // Five standard deviations of the count of a rare event.
+    CHECK(std::abs(measured - predicted) <= 5 * std::sqrt(predicted / points));
+    CHECK(measured > last);
+    // Points on the very edge of an eye's picture may round out of it.
+    CHECK(by_union <= 2);
+    last = measured;
+  }
+  WARN(table.str());
+}
+
+TEST_CASE("the strip that is missing at one distance is half the parallax wide (S0-04)") {
+  const View view = test::view_of(PerspectiveLens{kPi / 4, 0.1, {}});
+  const StereoPair pair{0.25, 10};
+  const View left = eye_view(view, pair, Side::kLeft);
+  const Eyes eyes(view, pair);
+  for (const double z : {2.0, 5.0, 20.0, 1000.0}) {
+    // Along the middle row of the left eye's picture, a hundredth of a pixel at a time.
+    int missing = 0, missing_left = 0;
+    for (int i = 0; i < 128000; ++i) {
+      const double ndc = (i + 0.5) / 64000 - 1;
+      const double x = (ndc * z + left.clip_from_eye.at(0, 2) * z - left.clip_from_eye.at(0, 3)) /
+                       left.clip_from_eye.at(0, 0);
+      const Outcode code[] = {eyes.centre_outcode_of({float(x), 0, float(-z)})};
+      if (!unseen_by_both(code)) continue;
+      ++missing;
+      missing_left += ndc < 0 ? 1 : 0;
+    }
+    CAPTURE(z);
+    CHECK(std::abs(missing / 100.0 - missing_strip_px(view, pair, z)) <= 0.02);
+    CHECK(missing_left == (z < 10 ? missing : 0));
+  }
+}
+
+}  // namespace
+}  // namespace glassbox
