@@ -210,7 +210,6 @@ std::string divide_text(const VertexChain& chain, bool bits) {
 }
 
 std::string snap_text(const SnapStability& snap) {
-  if (!std::isfinite(snap.snapped)) return {};
   return fmt::format("snapped to {} ({})", brief(snap.snapped, 10),
                      snap.stable
                          ? fmt::format("stable: {:.1e} px from the next step", snap.to_boundary)
@@ -231,7 +230,7 @@ std::string screen_text(const VertexChain& chain, const ChainSetting& setting) {
                         brief(double((to - from) * 0.5f)), brief(double((to + from) * 0.5f)),
                         brief(double(value), 9), bound_text(bound),
                         setting.bits ? "  " + bits_text(value) : "");
-    text += fmt::format("         {}\n", snap_text(snap));
+    if (std::isfinite(snap.snapped)) text += wrapped("         ", snap_text(snap));
   };
   const Point<Ndc>& ndc = chain.divide->ndc.position;
   line("x", ndc.x, v.left, v.right, s.screen.position.x, s.bound.x, s.snap_x);

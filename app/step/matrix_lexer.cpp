@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include <fmt/format.h>
@@ -191,17 +192,13 @@ private:
     for (const char* special : {"#INF", "#IND", "#QNAN", "#SNAN"}) {
       if (starts_with_at(length, special)) return take_old_special(sign, length);
     }
-    int exponent = 0;
     const bool has_exponent = exponent_at(length);
     if (has_exponent) {
       plain += 'e';
       ++length;
-      std::string power;
-      if (peek(length) == '-') power += '-';
+      if (peek(length) == '-') plain += '-';
       if (peek(length) == '-' || peek(length) == '+') ++length;
-      for (; is_digit(peek(length)); ++length) power += peek(length);
-      plain += power;
-      std::from_chars(power.data(), power.data() + power.size(), exponent);
+      for (; is_digit(peek(length)); ++length) plain += peek(length);
     }
     if (peek(length) == 'f' || peek(length) == 'F' || peek(length) == 'l' || peek(length) == 'L') {
       ++length;
@@ -215,15 +212,16 @@ private:
     double value = 0;
     const auto [end, error] = std::from_chars(plain.data(), plain.data() + plain.size(), value);
     if (error == std::errc::result_out_of_range) {
-      // Too large, or so small that it is 0.
-      value = exponent > 0 ? std::numeric_limits<double>::infinity() : 0;
-      if (plain[0] == '-') value = -value;
+      // Which tells nothing of the direction; a number that is too small is as good as 0.
+      value = std::strtod(plain.c_str(), nullptr);
+    }
+    if (std::isinf(float(value))) {  // the stages work in float
+      return refuse(word_length(), "is too large for a float", "numbers go up to 3.4e38");
     }
     MatrixToken& token = push(MatrixToken::Kind::kNumber, length);
     token.value = value;
     token.digits = digits;
     token.decimals = point >= 0 && !has_exponent ? decimals : -1;
-    token.last_digit = exponent - decimals;
     return {};
   }
 

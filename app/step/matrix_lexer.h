@@ -14,10 +14,9 @@ struct MatrixToken {
   Kind kind;
   std::string_view text;
   int line = 1, column = 1;
-  double value = 0;    // kNumber
-  int digits = 0;      // significant ones, as written; 0 for nan and inf
-  int decimals = -1;   // after the point; -1 without a point, or with an exponent
-  int last_digit = 0;  // the power of ten that the last digit counts
+  double value = 0;   // kNumber
+  int digits = 0;     // significant ones, as written; 0 for nan and inf
+  int decimals = -1;  // after the point; -1 without a point, or with an exponent
 };
 
 // In the order of the text. Comments and blanks are left out. Errors name the token and its place.

@@ -73,11 +73,6 @@ Error count_error(const std::string& name, std::size_t count) {
           remedy};
 }
 
-Error error_at(const std::string& name, const MatrixToken& token, const std::string& cause,
-               const std::string& remedy) {
-  return {name, fmt::format("line {}, column {}", token.line, token.column), cause, remedy};
-}
-
 // gdb's "0 <repeats 15 times>": how often; nothing where something else stands there.
 std::optional<double> repeats_at(const Tokens& tokens, std::size_t i) {
   const bool is_one = is_mark(tokens, i, "<") && i + 4 < tokens.size() &&
@@ -99,8 +94,9 @@ Result<std::vector<Labelled>> numbers_of(const Tokens& tokens, const std::string
     }
     if (const auto repeats = repeats_at(tokens, i)) {
       if (numbers.empty() || tokens[i - 1].kind != Kind::kNumber) {
-        return tl::unexpected(error_at(name, token, "what is repeated is not a number",
-                                       "set print repeats 0 in gdb"));
+        return tl::unexpected(
+            Error{name, fmt::format("line {}, column {}", token.line, token.column),
+                  "what is repeated is not a number", "set print repeats 0 in gdb"});
       }
       const Labelled last = numbers.back();
       for (double k = 1; k < *repeats && numbers.size() <= 64; ++k) numbers.push_back(last);
@@ -200,16 +196,7 @@ Result<MatrixText> parse_matrix_text(std::string_view text, const std::string& n
   drop_second_names(*numbers);
   if (numbers->size() != 16) return tl::unexpected(count_error(name, numbers->size()));
   MatrixText matrix;
-  for (std::size_t i = 0; i < 16; ++i) {
-    const MatrixToken& token = (*numbers)[i].token;
-    // The stages work in float.
-    if (std::isfinite(token.value) && std::isinf(float(token.value))) {
-      return tl::unexpected(error_at(name, token,
-                                     in_quotes(token.text) + " is too large for a float",
-                                     "numbers go up to 3.4e38"));
-    }
-    matrix.numbers[i] = token.value;
-  }
+  for (std::size_t i = 0; i < 16; ++i) matrix.numbers[i] = (*numbers)[i].token.value;
   recognise(*tokens, matrix);
   estimate_uncertainty(*numbers, matrix);
   return matrix;

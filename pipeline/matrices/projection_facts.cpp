@@ -155,7 +155,7 @@ int ProjectionFacts::fewest_digits() const {
   return std::min(digits(zero_to_one), digits(minus_one_to_one));
 }
 
-const DepthReading* ProjectionFacts::round_planes(DepthRange expected) const {
+const DepthReading* ProjectionFacts::round_planes(DepthRange expected) const& {
   constexpr int kRound = 5;  // "0.25 and 150"
   if (kind != ProjectionKind::kPerspective) return nullptr;
   const DepthReading* best = nullptr;
@@ -166,7 +166,7 @@ const DepthReading* ProjectionFacts::round_planes(DepthRange expected) const {
   return best;
 }
 
-const DepthReading* ProjectionFacts::likely_range(int digits) const {
+const DepthReading* ProjectionFacts::likely_range(int digits) const& {
   const DepthReading &a = zero_to_one, &b = minus_one_to_one;
   if (a.possible != b.possible) return a.possible ? &a : &b;
   if (!a.possible || std::abs(a.digits - b.digits) < digits) return nullptr;

@@ -66,9 +66,12 @@ struct ProjectionFacts {
   // Of the planes in the rounder reading that is possible; many where none is.
   int fewest_digits() const;
   // Perspective: the planes in the order that the dialect wants, where they are round ones; nullptr otherwise.
-  const DepthReading* round_planes(DepthRange expected) const;
+  const DepthReading* round_planes(DepthRange expected) const&;
   // The reading with the rounder planes, if it is rounder by so many digits, or the only possible one.
-  const DepthReading* likely_range(int digits = 3) const;
+  const DepthReading* likely_range(int digits = 3) const&;
+  // Both point into these facts.
+  const DepthReading* round_planes(DepthRange expected) const&& = delete;
+  const DepthReading* likely_range(int digits = 3) const&& = delete;
 
   // The whole angle of view that was meant, where the angle in the entries is what its number of degrees makes as radians,
   // or its number of radians as degrees. Whole degrees only, from 4 on.

@@ -268,7 +268,8 @@ bool check_last_row(const MatrixSetup& setup, const ProjectionFacts& lens, Findi
     GivenMatrix filled = setup.projection;
     filled.m[2][3] = sign;
     filled.m[3][3] = 0;
-    const DepthReading* planes = projection_facts(filled).round_planes(setup.dialect.depth);
+    const ProjectionFacts mended = projection_facts(filled);
+    const DepthReading* planes = mended.round_planes(setup.dialect.depth);
     if (planes == nullptr || planes->digits + 3 > lens.fewest_digits()) continue;
     found.alarm("last-row", kProjection,
                 "its last row is 0 0 0 1, so that nothing gets smaller with distance; with 0 0 " +
