@@ -56,11 +56,10 @@ std::string depth_text(const SteppedTriangle& stepped, const TracedFragment& tra
         fmt::format("the bound of z stands for a distance of {} here",
                     brief(distance_of_depth(distance, view.near, view.far, bounds.depth), 2)));
   }
-  const bool empty = traced.stored == kEmptyDepth;
-  text += sentence(fmt::format(
-      "depth test: {} < {}: {}", traced.code, empty ? "empty" : std::to_string(traced.stored),
-      traced.fate == Fate::kHidden ? "no, something nearer is there" : "yes"));
-  return text;
+  const std::string stored = traced.stored == kEmptyDepth ? "that of the cleared buffer"
+                                                          : fmt::format("{:#010x}", traced.stored);
+  return text + sentence(fmt::format("depth test: code {:#010x} is {}below {}", traced.code,
+                                     traced.fate == Fate::kHidden ? "not " : "", stored));
 }
 
 std::string colour_text(const TracedFragment& traced, const RenderSettings& settings) {

@@ -107,21 +107,19 @@ std::string view_factors_text(const Camera& camera, const View& view) {
 
 std::string projection_factors_text(const Camera& camera, const View& view) {
   const double aspect = std::abs(double(view.viewport.width()) / double(view.viewport.height()));
-  std::string text = sentence(fmt::format(
-      "clip_from_eye: {}, near n = {}, far f = {}{}", std::visit(LensText{aspect}, camera.lens),
-      brief(view.near, 9), far_text(view.far),
-      view.depth_range == DepthRange::kReversed ? ", reversed depth" : ""));
+  std::string text =
+      sentence("clip_from_eye: " + std::visit(LensText{aspect}, camera.lens)) +
+      sentence(fmt::format("near n = {}, far f = {}{}", brief(view.near, 9), far_text(view.far),
+                           view.depth_range == DepthRange::kReversed ? ", reversed depth" : ""));
   if (std::holds_alternative<PerspectiveLens>(camera.lens)) {
-    text += sentence("[0][0] = cot(angle/2)/aspect, [1][1] = cot(angle/2), " + depth_formula(view));
+    text += sentence("[0][0] = cot(angle/2)/aspect, [1][1] = cot(angle/2)");
   } else if (std::holds_alternative<OrthographicLens>(camera.lens)) {
-    text +=
-        sentence("[0][0] = 1/(half height aspect), [1][1] = 1/half height, " + depth_formula(view));
+    text += sentence("[0][0] = 1/(half height aspect), [1][1] = 1/half height");
   } else {
     text += sentence(
-        "[0][0] = 2n/(r-l), [1][1] = 2n/(t-b), [0][2] = (r+l)/(r-l), [1][2] = (t+b)/(t-b), " +
-        depth_formula(view));
+        "[0][0] = 2n/(r-l), [1][1] = 2n/(t-b), [0][2] = (r+l)/(r-l), [1][2] = (t+b)/(t-b)");
   }
-  return text + matrix_rows(view.clip_from_eye.columns, kIndent, 9);
+  return text + sentence(depth_formula(view)) + matrix_rows(view.clip_from_eye.columns, kIndent, 9);
 }
 
 std::string composed_text(const TracedDraw& draw, const DrawBounds& bounds) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "tests/app/sessions.h"
 #include "tests/app/step_run.h"
 
 namespace glassbox::test {
@@ -126,6 +127,10 @@ TEST_CASE("digits that the text lacks are told in pixels") {
   CHECK(open("few.txt") > 1e-4);
   CHECK(open("few.txt") < 1e-2);
   CHECK(open("many.txt") < open("few.txt") / 5);
+}
+
+TEST_CASE("the sessions in docs/step.md are what the program prints") {
+  CHECK(replay(Workplace(), "docs/step.md") >= 5);
 }
 
 }  // namespace

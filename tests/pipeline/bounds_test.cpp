@@ -1,11 +1,14 @@
 // The error bounds of pipeline/bounds.h against exact arithmetic: every error within its bound, and no bound more than 100
-// times the worst error that was seen. 10^6 vertices altogether; the ratios are printed.
+// times the worst error that was seen. 10^6 vertices altogether; the ratios are printed, and stand in docs/step.md.
 #include <glassbox/pipeline/bounds.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <limits>
+#include <string>
 
 #include <glassbox/base/rounding.h>
 #include <glassbox/pipeline/divide.h>
@@ -21,6 +24,11 @@ namespace {
 using test::Dyadic;
 using test::Random;
 
+std::string page_of_docs() {
+  std::ifstream page(GLASSBOX_SOURCE_DIR "/docs/step.md");
+  return {std::istreambuf_iterator<char>(page), {}};
+}
+
 // The largest error in units of its bound. A bound of 0 admits no error.
 class Worst {
 public:
@@ -32,10 +40,14 @@ public:
   }
   // Bounds that are never met by a hundredth say nothing.
   void check() const {
-    std::printf("  %-40s %8d numbers, largest error / bound = %.3f\n", name_, count_, ratio_);
+    char line[160];
+    std::snprintf(line, sizeof line, "  %-40s %8d numbers, largest error / bound = %.3f\n", name_,
+                  count_, ratio_);
+    std::fputs(line, stdout);
     CAPTURE(name_, count_, broken_, ratio_);
     CHECK(broken_ == 0);
     CHECK(ratio_ >= 0.01);
+    CHECK(page_of_docs().find(line) != std::string::npos);
   }
 
 private:
