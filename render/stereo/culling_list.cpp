@@ -1,0 +1,61 @@
+#include <glassbox/render/stereo/culling_list.h>
+
+#include <array>
+
+#include <glassbox/pipeline/stereo/culling.h>
+
+namespace glassbox {
+
+namespace {
+
+bool unseen(const Draw& draw, const Triangle& triangle, const std::vector<Outcode>& outcodes) {
+  std::array<Outcode, 3> codes;
+  for (std::size_t k = 0; k < 3; ++k) {
+    codes[k] = outcodes[draw.mesh->corners[triangle.corners[k]].position];
+  }
+  return unseen_by_both(codes);
+}
+
+}  // namespace
+
+CullingList::CullingList(StereoCulling how, const Scene& scene, const View& centre,
+                         const std::vector<Draw>& left_draws)
+    : centre_(centre), draws_(left_draws) {
+  if (how == StereoCulling::kCentre) centre_draws_ = draws_of_other_eye(draws_, scene, centre);
+}
+
+std::span<const Triangle> CullingList::triangles_of(std::size_t draw, const DrawTables& tables) {
+  const std::vector<Outcode> pair = outcodes_of_pair(tables);
+  const std::vector<Outcode> centre =
+      centre_draws_.empty() ? std::vector<Outcode>{} : outcodes_of_centre(centre_draws_[draw]);
+  kept_.clear();
+  for (const Triangle& triangle : draws_[draw].triangulation->triangles) {
+    const bool unseen_by_pair = unseen(draws_[draw], triangle, pair);
+    const bool culled = centre.empty() ? unseen_by_pair : unseen(draws_[draw], triangle, centre);
+    if (!culled) kept_.push_back(triangle);
+    culled_ += culled;
+    lost_ += culled && !unseen_by_pair;
+  }
+  return kept_;
+}
+
+std::vector<Outcode> CullingList::outcodes_of_pair(const DrawTables& tables) const {
+  const std::vector<Point<Clip>>& left = tables.clip[0].positions;
+  const std::vector<Point<Clip>>& right = tables.clip[1].positions;
+  std::vector<Outcode> outcodes;
+  outcodes.reserve(left.size());
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    outcodes.push_back(stereo_outcode(stereo_clip_point(left[i], right[i]), centre_));
+  }
+  return outcodes;
+}
+
+std::vector<Outcode> CullingList::outcodes_of_centre(const Draw& centre_draw) const {
+  std::vector<Outcode> outcodes;
+  for (const Point<Clip>& position : project_vertices(centre_draw, centre_).positions) {
+    outcodes.push_back(stereo_outcode(centre_clip_point(position), centre_));
+  }
+  return outcodes;
+}
+
+}  // namespace glassbox

@@ -1,0 +1,64 @@
+// Both eyes' pictures from one run: one display list, submitted twice (S0-03).
+//
+// The draw list, the textures' mip chains, y, z and w of every vertex, eye space and the light on corners are computed once;
+// from the clipper on, each eye goes its own way, triangle by triangle. Each eye's picture has the same bytes as
+// render_staged with eye_view(centre, pair, side).
+#pragma once
+
+#include <cstdint>
+
+#include <glassbox/mesh/scene.h>
+#include <glassbox/pipeline/stereo/stereo_pair.h>
+#include <glassbox/pipeline/view.h>
+#include <glassbox/render/framebuffer.h>
+#include <glassbox/render/observer.h>
+#include <glassbox/render/settings.h>
+#include <glassbox/render/statistics.h>
+
+namespace glassbox {
+
+// Which triangles are submitted at all (S0-04).
+//   kUnion   those that the frustum of one of the eyes may show: nothing is lost
+//   kCentre  those that the frustum of the camera between the eyes may show: what only a skewed frustum sees is lost (E20)
+enum class StereoCulling { kUnion, kCentre };
+
+struct StereoSettings {
+  RenderSettings render;  // of each eye; an anaglyph's masks take the place of render.mask
+  StereoCulling culling = StereoCulling::kUnion;
+};
+
+// Called as render_staged calls its observer; the eyes take turns. Null: none.
+struct StereoObservers {
+  Observer* left = nullptr;
+  Observer* right = nullptr;
+};
+
+struct StereoRendering {
+  // Of one pass that both eyes share where the separation is zero: left and right are then copies.
+  Framebuffer left, right;
+  // Work done once for both eyes is counted and timed with the left one.
+  Statistics left_statistics, right_statistics;
+  int passes = 2;
+  std::uint64_t culled = 0;  // triangles that were not submitted
+  std::uint64_t lost = 0;    // of these, triangles in the frustum of an eye: 0 with kUnion
+};
+
+// The pair counts as checked (check_pair).
+StereoRendering render_pair(const Scene& scene, const View& centre, const StereoPair& pair,
+                            const StereoSettings& settings, const StereoObservers& observers = {});
+
+// The channels that each eye may write into the one picture. Alpha is written by the right eye, and is 1 in any case.
+struct AnaglyphMasks {
+  ColorMask left{true, false, false, false};
+  ColorMask right{false, true, true, true};
+};
+
+// An anaglyph the deck's way (S0-05): one colour buffer, which is left.color of the result; right.color is empty. Each eye
+// has its own depth, which is what clearing it between two passes amounts to. The picture has the bytes of the two pictures
+// of render_pair with the channels of each eye put together (S0-02).
+StereoRendering render_masked_anaglyph(const Scene& scene, const View& centre,
+                                       const StereoPair& pair, const StereoSettings& settings,
+                                       const AnaglyphMasks& masks,
+                                       const StereoObservers& observers = {});
+
+}  // namespace glassbox

@@ -1,0 +1,207 @@
+// Both eyes from one run: the same bytes as two runs, whatever is shared on the way.
+#include <array>
+#include <string>
+
+#include <glassbox/mesh/builtin/scenes.h>
+#include <glassbox/pipeline/framing.h>
+#include <glassbox/pipeline/stereo/parallax.h>
+#include <glassbox/render/draw_pass.h>
+#include <glassbox/render/staged.h>
+#include <glassbox/render/stereo/render_pair.h>
+
+#include "tests/render/stereo/pairs.h"
+#include "tests/support/catch.h"
+
+namespace glassbox {
+namespace {
+
+// The red of one picture and the rest of another (S0-02), written without the library's masks.
+Image<Rgba8> red_cyan(const Image<Rgba8>& left, const Image<Rgba8>& right) {
+  Image<Rgba8> anaglyph = right;
+  for (std::size_t i = 0; i < anaglyph.pixels.size(); ++i) anaglyph.pixels[i].r = left.pixels[i].r;
+  return anaglyph;
+}
+
+std::size_t differing_pixels(const Image<Rgba8>& a, const Image<Rgba8>& b) {
+  REQUIRE(a.pixels.size() == b.pixels.size());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) count += !(a.pixels[i] == b.pixels[i]);
+  return count;
+}
+
+std::vector<RenderSettings> many_settings() {
+  std::vector<RenderSettings> all;
+  for (const Shading shading :
+       {Shading::kUnlit, Shading::kFlat, Shading::kGouraud, Shading::kPhong}) {
+    all.push_back({});
+    all.back().shading = shading;
+  }
+  for (const Show show : {Show::kDepth, Show::kNormal, Show::kUv, Show::kId, Show::kOverdraw}) {
+    all.push_back({});
+    all.back().show = show;
+  }
+  all.push_back({});
+  all.back().wireframe = true;
+  all.push_back({});
+  all.back().cull = Cull::kNone;
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("each eye's picture is the one that a run of its own makes (S0-03)") {
+  for (const PairCase& c : pair_cases()) {
+    for (RenderSettings settings : many_settings()) {
+      settings.want_distance = settings.want_id = true;
+      const StereoRendering both = render_pair(c.scene, c.centre, c.pair, {settings});
+      const auto own = [&](Side side) {
+        return render_staged(c.scene, eye_view(c.centre, c.pair, side), settings).buffers;
+      };
+      INFO(c.name << ", shading " << int(settings.shading) << ", show " << int(settings.show));
+      const Framebuffer left = own(Side::kLeft), right = own(Side::kRight);
+      CHECK(both.left.color == left.color);
+      CHECK(both.left.depth == left.depth);
+      CHECK(both.left.distance == left.distance);
+      CHECK(both.left.id == left.id);
+      CHECK(both.right.color == right.color);
+      CHECK(both.right.depth == right.depth);
+      CHECK(both.right.distance == right.distance);
+      CHECK(both.right.id == right.id);
+    }
+  }
+}
+
+TEST_CASE(
+    "the object stage is run once; y, z and w of both eyes are the same bits (S0-03, S0-07)") {
+  for (const PairCase& c : pair_cases()) {
+    INFO(c.name);
+    const StereoRendering both = render_pair(c.scene, c.centre, c.pair, {});
+    const Statistics mono = render_staged(c.scene, c.centre, {}).statistics;
+    CHECK(both.passes == 2);
+    CHECK(both.left_statistics.vertices == mono.vertices);
+    CHECK(both.right_statistics.vertices == 0);
+    CHECK(both.right_statistics.moved_in_x == mono.vertices);
+
+    const View left = eye_view(c.centre, c.pair, Side::kLeft);
+    const View right = eye_view(c.centre, c.pair, Side::kRight);
+    const DrawList list = make_draw_list(c.scene, left, {});
+    const std::vector<Draw> others = draws_of_other_eye(list.draws, c.scene, right);
+    const DrawList own = make_draw_list(c.scene, right, {});
+    for (std::size_t i = 0; i < list.draws.size(); ++i) {
+      CHECK(others[i].clip_from_anchored == own.draws[i].clip_from_anchored);
+      const ClipTable first = project_vertices(list.draws[i], left);
+      const ClipTable shared = project_other_eye(others[i], right, first);
+      const ClipTable anew = project_vertices(own.draws[i], right);
+      CHECK(shared.positions == anew.positions);
+      CHECK(shared.outcodes == anew.outcodes);
+    }
+  }
+}
+
+TEST_CASE("the anaglyph of two masks is the two pictures put together by channel (S0-02, S0-05)") {
+  for (const PairCase& c : pair_cases()) {
+    for (const RenderSettings& settings : many_settings()) {
+      INFO(c.name << ", shading " << int(settings.shading) << ", show " << int(settings.show));
+      const StereoRendering both = render_pair(c.scene, c.centre, c.pair, {settings});
+      const StereoRendering masked =
+          render_masked_anaglyph(c.scene, c.centre, c.pair, {settings}, {});
+      CHECK(masked.left.color == red_cyan(both.left.color, both.right.color));
+    }
+  }
+}
+
+TEST_CASE("a depth buffer that is not cleared between the eyes shows in the right eye (C-76)") {
+  const PairCase c = pair_cases().front();
+  const StereoRendering right_way = render_masked_anaglyph(c.scene, c.centre, c.pair, {}, {});
+
+  const View left = eye_view(c.centre, c.pair, Side::kLeft);
+  const View right = eye_view(c.centre, c.pair, Side::kRight);
+  RenderSettings red, cyan;
+  red.mask = {true, false, false, false};
+  cyan.mask = {false, true, true, true};
+  const DrawList list = make_draw_list(c.scene, left, {});
+  const std::vector<Draw> others = draws_of_other_eye(list.draws, c.scene, right);
+  Framebuffer shared = cleared_framebuffer(c.width, c.height, red);
+  Statistics statistics;
+  const std::array<EyePass, 1> first{{{list.draws, left, red, shared, shared.color, statistics}}};
+  const std::array<EyePass, 1> second{{{others, right, cyan, shared, shared.color, statistics}}};
+  const auto draw_all = [&](std::span<const EyePass> eye) {
+    for (std::size_t i = 0; i < list.draws.size(); ++i) {
+      draw_primitives(i, transform_draw(i, eye), list.draws[i].triangulation->triangles,
+                      list.lighting, eye);
+    }
+  };
+
+  SECTION("cleared, two passes after each other are the masked anaglyph") {
+    draw_all(first);
+    shared.depth = cleared_framebuffer(c.width, c.height, red).depth;
+    draw_all(second);
+    CHECK(shared.color == right_way.left.color);
+  }
+  SECTION("not cleared, the left eye's silhouettes hide the right eye's picture") {
+    draw_all(first);
+    draw_all(second);
+    CHECK(differing_pixels(shared.color, right_way.left.color) > 0);
+  }
+  SECTION("with the colours cleared too, the left eye's picture is gone") {
+    draw_all(first);
+    shared = cleared_framebuffer(c.width, c.height, red);
+    draw_all(second);
+    CHECK(differing_pixels(shared.color, right_way.left.color) > 0);
+  }
+}
+
+TEST_CASE("zero separation takes one pass and gives the mono bytes (C-71)") {
+  for (PairCase& c : pair_cases()) {
+    INFO(c.name);
+    c.pair.half_separation = 0;
+    const Image<Rgba8> mono = render_staged(c.scene, c.centre, {}).buffers.color;
+    const StereoRendering both = render_pair(c.scene, c.centre, c.pair, {});
+    CHECK(both.passes == 1);
+    CHECK(both.left.color == mono);
+    CHECK(both.right.color == mono);
+    const StereoRendering masked = render_masked_anaglyph(c.scene, c.centre, c.pair, {}, {});
+    CHECK(masked.passes == 1);
+    CHECK(masked.left.color == mono);
+  }
+}
+
+TEST_CASE(
+    "culling by the centre camera loses what only a skewed frustum sees, at the edges (S0-04, "
+    "E20)") {
+  for (const PairCase& c : pair_cases()) {
+    INFO(c.name);
+    RenderSettings settings;
+    settings.want_distance = true;
+    const StereoRendering all = render_pair(c.scene, c.centre, c.pair, {settings});
+    CHECK(all.lost == 0);
+    const StereoRendering centre =
+        render_pair(c.scene, c.centre, c.pair, {settings, StereoCulling::kCentre});
+    if (centre.lost == 0) {
+      CHECK(centre.left.color == all.left.color);
+      CHECK(centre.right.color == all.right.color);
+      continue;
+    }
+    // A triangle outside the centre's frustum reaches into an eye's picture by half its parallax at most; what appears in
+    // its place is not part of it. One pixel for the rounding to pixel centres.
+    const auto check_strips = [&](const Framebuffer& kept, const Framebuffer& lossy) {
+      for (int y = 0; y < c.height; ++y) {
+        for (int x = 0; x < c.width; ++x) {
+          if (kept.color.at(x, y) == lossy.color.at(x, y)) continue;
+          const double z = double(kept.distance.at(x, y));
+          const double strip = std::abs(parallax_at(c.centre, c.pair, z).px) / 2;
+          CHECK(std::min(x, c.width - 1 - x) <= strip + 1);
+        }
+      }
+    };
+    check_strips(all.left, centre.left);
+    check_strips(all.right, centre.right);
+  }
+}
+
+TEST_CASE("culling by the centre camera loses triangles of the forest") {
+  const PairCase c = pair_case("forest", 0.05);
+  CHECK(render_pair(c.scene, c.centre, c.pair, {{}, StereoCulling::kCentre}).lost > 0);
+}
+
+}  // namespace glassbox
