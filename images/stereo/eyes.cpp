@@ -12,4 +12,12 @@ Result<void> check_eyes(std::string place, const Image<Rgba8>& left, const Image
               "give both the same size");
 }
 
+Result<void> check_disparity(const Image<Rgba8>& picture, const Image<float>& disparity) {
+  if (picture.width == disparity.width && picture.height == disparity.height) return {};
+  return fail("disparity",
+              fmt::format("the map has {}x{} pixels, the picture {}x{}", disparity.width,
+                          disparity.height, picture.width, picture.height),
+              "make the map for this picture");
+}
+
 }  // namespace glassbox

@@ -1,0 +1,159 @@
+#include "tests/support/catch.h"
+
+#include <cmath>
+#include <cstdlib>
+
+#include <glassbox/images/stereo/cables.h>
+
+#include "tests/images/stereo/pictures.h"
+
+namespace {
+
+using namespace glassbox;
+using test::noise;
+using test::Random;
+
+Image<Rgba8> through(const Image<Rgba8>& sent, Cable cable) {
+  auto arrived = send(sent, cable);
+  REQUIRE(arrived);
+  return *arrived;
+}
+
+EyeErrors errors(const Image<Rgba8>& sent, Cable cable, Glasses glasses = Glasses::kRedCyan) {
+  const auto found = channel_errors(sent, through(sent, cable), glasses);
+  REQUIRE(found);
+  return *found;
+}
+
+EyeErrors leaks(const Image<Rgba8>& sent, Cable cable, Glasses glasses = Glasses::kRedCyan) {
+  const auto found = channel_leaks(sent, cable, glasses);
+  REQUIRE(found);
+  return *found;
+}
+
+// A line of greys that swings by `bytes` around 128 with `megahertz`, or of red against cyan of the same luma.
+enum class Swing { kLuma, kRedAgainstCyan };
+Image<Rgba8> wave(double megahertz, double bytes, Swing swing) {
+  Image<Rgba8> line(640, 1);
+  for (int x = 0; x < line.width; ++x) {
+    const double s = bytes * std::cos(2 * 3.14159265358979 * megahertz / 13.5 * x);
+    const auto byte = [](double value) { return std::uint8_t(std::lround(128 + value)); };
+    line.at(x, 0) = swing == Swing::kLuma
+                        ? Rgba8{byte(s), byte(s), byte(s), 255}
+                        : Rgba8{byte(s), byte(-s * 299 / 701), byte(-s * 299 / 701), 255};
+  }
+  return line;
+}
+
+// Half of the largest difference between red and cyan over the middle of a line.
+double colour_swing(const Image<Rgba8>& line) {
+  int low = 255, high = -255;
+  for (int x = 160; x < 480; ++x) {
+    const Rgba8 pixel = line.at(x, 0);
+    const int difference = pixel.r - pixel.g;
+    low = std::min(low, difference);
+    high = std::max(high, difference);
+  }
+  return (high - low) / 2.0;
+}
+
+}  // namespace
+
+TEST_CASE("greys without edges and colours without edges arrive as they were sent") {
+  for (const auto& cable : all_cables()) {
+    CAPTURE(cable.name);
+    CHECK(name_of(cable.value) == cable.name);
+    // Composite: the doubled carrier that demodulation leaves is at 6.34 MHz, where the filters are 50 dB down.
+    const int allowed = cable.value == Cable::kComposite ? 1 : 0;
+    for (const Rgba8 colour : {Rgba8{0, 0, 0, 255}, Rgba8{255, 255, 255, 255}, Rgba8{90, 90, 90, 7},
+                               Rgba8{255, 0, 0, 255}, Rgba8{13, 200, 77, 255}}) {
+      const Image<Rgba8> arrived = through(Image<Rgba8>(97, 3, colour), cable.value);
+      for (const Rgba8& pixel : arrived.pixels) {
+        CHECK(std::abs(pixel.r - colour.r) <= allowed);
+        CHECK(std::abs(pixel.g - colour.g) <= allowed);
+        CHECK(std::abs(pixel.b - colour.b) <= allowed);
+        CHECK(pixel.a == colour.a);
+      }
+    }
+  }
+}
+
+TEST_CASE("luma arrives untouched where it has a wire of its own, however fine") {
+  for (const double megahertz : {0.3, 2.0, 3.58, 6.0}) {
+    const Image<Rgba8> sent = wave(megahertz, 100, Swing::kLuma);
+    CHECK(through(sent, Cable::kComponent) == sent);
+    CHECK(through(sent, Cable::kSVideo) == sent);
+  }
+}
+
+TEST_CASE("on composite, fine luma near the subcarrier becomes colour and coarse luma does not") {
+  const Image<Rgba8> near = through(wave(3.4, 100, Swing::kLuma), Cable::kComposite);
+  const Image<Rgba8> far = through(wave(0.5, 100, Swing::kLuma), Cable::kComposite);
+  CHECK(colour_swing(near) > 50);
+  CHECK(colour_swing(far) <= 2);
+}
+
+// Red against cyan of the same luma has I and Q in the ratio 0.596 + 0.427 * 0.596 to 0.211 + 0.427 * 0.211: of the
+// difference between red and green, I brings 0.956 + 0.272 and Q 0.621 + 0.647 each. A wave at a filter's corner
+// arrives with half its size; one far below with all; one far above not at all. Rounding: 2 bytes.
+TEST_CASE("chroma is cut where its cable says") {
+  const auto arrives = [](double megahertz, Cable cable) {
+    const Image<Rgba8> sent = wave(megahertz, 80, Swing::kRedAgainstCyan);
+    return colour_swing(through(sent, cable)) / colour_swing(sent);
+  };
+  CHECK(arrives(0.5, Cable::kComponent) > 0.97);
+  CHECK(std::abs(arrives(2.75, Cable::kComponent) - 0.5) <= 0.03);
+  CHECK(arrives(5, Cable::kComponent) < 0.03);
+
+  const double i = 0.596 * (0.956 + 0.272), q = 0.211 * (0.621 + 0.647);
+  CHECK(arrives(0.1, Cable::kSVideo) > 0.97);
+  CHECK(std::abs(arrives(0.5, Cable::kSVideo) - (i + q / 2) / (i + q)) <= 0.03);
+  CHECK(std::abs(arrives(1.3, Cable::kSVideo) - i / 2 / (i + q)) <= 0.03);
+  CHECK(arrives(2.5, Cable::kSVideo) < 0.03);
+}
+
+TEST_CASE(
+    "what goes wrong grows from component over S-Video to composite, in each eye and for all "
+    "glasses (E1)") {
+  Random random(23);
+  const Image<Rgba8> left = noise(160, 24, random), right = noise(160, 24, random);
+  for (const auto& glasses : all_glasses()) {
+    CAPTURE(glasses.name);
+    const auto anaglyph = make_anaglyph(left, right, AnaglyphMethod::kMask, glasses.value);
+    REQUIRE(anaglyph);
+    for (const auto measure : {errors, leaks}) {
+      const EyeErrors component = measure(*anaglyph, Cable::kComponent, glasses.value);
+      const EyeErrors s_video = measure(*anaglyph, Cable::kSVideo, glasses.value);
+      const EyeErrors composite = measure(*anaglyph, Cable::kComposite, glasses.value);
+      CHECK((0 < component.left && component.left < s_video.left));
+      CHECK((0 < component.right && component.right < s_video.right));
+      CHECK(s_video.left + s_video.right < composite.left + composite.right);
+    }
+  }
+}
+
+// By hand: red differs by 3 and 4 in two of four pixels, green by 6 in one, blue not.
+TEST_CASE("channel errors are root mean squares over each eye's channels") {
+  const Image<Rgba8> sent(2, 2, {100, 100, 100, 255});
+  Image<Rgba8> arrived = sent;
+  arrived.at(0, 0).r = 103;
+  arrived.at(1, 0).r = 96;
+  arrived.at(0, 1).g = 106;
+  const auto red_cyan = channel_errors(sent, arrived, Glasses::kRedCyan);
+  const auto amber_blue = channel_errors(sent, arrived, Glasses::kAmberBlue);
+  REQUIRE((red_cyan && amber_blue));
+  CHECK(red_cyan->left == std::sqrt(25.0 / 4));
+  CHECK(red_cyan->right == std::sqrt(36.0 / 8));
+  CHECK(amber_blue->left == std::sqrt(61.0 / 8));
+  CHECK(amber_blue->right == 0);
+  CHECK_FALSE(channel_errors(sent, {1, 1}, Glasses::kRedCyan));
+}
+
+TEST_CASE("nothing leaks out of black, and empty pictures stay empty") {
+  Image<Rgba8> red_only(64, 2, {0, 0, 0, 255});
+  for (int x = 20; x < 40; ++x) red_only.at(x, 0).r = 255;
+  CHECK(leaks(red_only, Cable::kSVideo).left == 0);
+  CHECK(leaks(red_only, Cable::kSVideo).right > 1);
+  for (const auto& cable : all_cables()) CHECK(through({}, cable.value).pixels.empty());
+  CHECK(through({1, 1, {10, 20, 30, 255}}, Cable::kSVideo).at(0, 0) == Rgba8{10, 20, 30, 255});
+}
