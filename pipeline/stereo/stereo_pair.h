@@ -34,7 +34,7 @@ double window_half_width(const View& centre, double window);
 //   - a window that is not in front of the camera, nearer than the near plane, or beyond the far plane;
 //   - eyes further apart than the picture is wide at the window (with an infinite window: at the far plane). From there on
 //     the two pictures of infinity have nothing in common. The usual separation, a thirtieth of the window's distance, is
-//     some thirty times less;
+//     some fifty times less;
 //   - entries of the eyes' matrices that float cannot hold.
 Result<void> check_pair(const View& centre, const StereoPair& pair);
 

@@ -103,7 +103,7 @@ TEST_CASE(
     "a budget of 65 mm keeps the farthest from making eyes diverge on a two-metre screen (C-72)") {
   const View centre = test::view_of(PerspectiveLens{0.8, 0.1, {}}, 1920, 1080);
   const Display screen{2000, 3000};
-  // Three units apart at ten: 150 mm on this screen, and the eyes diverge.
+  // One unit apart with the window at ten: 133 mm on this screen, and the eyes diverge.
   CHECK(on_display(parallax_at(centre, {0.5, 10}, kInfinity), screen).diverges);
   const double budget_px = kPupilDistanceMm / screen.width_mm * 1920;
   const StereoPair pair{largest_half_separation(centre, 10, {3, kInfinity}, {1000, budget_px}, 0.5),

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -56,10 +57,12 @@ bool sees(const FloatMatrix& clip_from_object, const std::vector<Point<Object>>&
 }
 
 // A point at a random distance, within half a picture of the picture's edges.
-Point<Object> around_the_picture(Random& random, const View& view) {
+Point<Object> around_the_picture(Random& random, const View& view,
+                                 const Transform<World, Eye>& pose = {}) {
   const double z = test::random_distance(random, view) * random.between(0.5, 1.1);
   const Point<Eye, double> p = test::random_seen(random, view, z);
-  return {float(p.x * 1.5), float(p.y * 1.5), float(p.z)};
+  const Point<World, double> world = pose * Point<Eye, double>{p.x * 1.5, p.y * 1.5, p.z};
+  return {float(world.x), float(world.y), float(world.z)};
 }
 
 // ---- nothing that is seen is culled ----
@@ -68,11 +71,12 @@ TEST_CASE("a point is unseen by both exactly where neither eye's frustum holds i
   Random random(110);
   int seen = 0, lost_by_centre = 0;
   for (int i = 0; i < 400; ++i) {
-    const View view = test::random_view(random);
+    const auto pose = test::random_pose(random);
+    const View view = test::random_view(random, pose);
     const Eyes eyes(view, test::random_pair(random, view));
     const auto planes = drawn_planes(view);
     for (int k = 0; k < 500; ++k) {
-      const std::vector<Point<Object>> point{around_the_picture(random, view)};
+      const std::vector<Point<Object>> point{around_the_picture(random, view, pose)};
       const bool visible = sees(eyes.left, point, planes) || sees(eyes.right, point, planes);
       const Outcode code[] = {eyes.outcode_of(point[0])};
       if (unseen_by_both(code) == visible) {
@@ -134,7 +138,7 @@ TEST_CASE(
 
 TEST_CASE("no box is culled that holds a point which an eye sees (S0-04)") {
   Random random(112);
-  int culled = 0, culled_by_centre = 0, lost_by_centre = 0;
+  int culled = 0, kept_for_rounding = 0, culled_by_centre = 0, lost_by_centre = 0;
   for (int i = 0; i < 20000; ++i) {
     const View view = test::random_view(random);
     const Eyes eyes(view, test::random_pair(random, view));
@@ -151,6 +155,14 @@ TEST_CASE("no box is culled that holds a point which an eye sees (S0-04)") {
       box.include(inside.back());
     }
     const bool unseen = box_unseen_by_both(box, eyes.left, eyes.right, planes);
+    std::vector<Outcode> corners;
+    for (int corner = 0; corner < 8; ++corner) {
+      const Point<Object, double> p = box.corner(corner);
+      corners.push_back(eyes.outcode_of({float(p.x), float(p.y), float(p.z)}));
+    }
+    if (unseen && !unseen_by_both(corners))
+      FAIL_CHECK("case " << i << ": culled, its corners kept");
+    kept_for_rounding += !unseen && unseen_by_both(corners) ? 1 : 0;
     const bool by_centre = box_unseen_by_both(box, eyes.centre, eyes.centre, planes);
     bool visible = false;
     for (const Point<Object>& p : inside) {
@@ -163,6 +175,7 @@ TEST_CASE("no box is culled that holds a point which an eye sees (S0-04)") {
     lost_by_centre += visible && by_centre ? 1 : 0;
   }
   CHECK(culled > 5000);
+  CHECK(kept_for_rounding <= 2);  // boxes within rounding of a plane
   CHECK(culled_by_centre > culled - 200);
   CHECK(lost_by_centre > 0);
 }
@@ -190,6 +203,29 @@ TEST_CASE("what only one eye sees, close to the pair, is kept (C-73)") {
   const Outcode between[] = {eyes.outcode_of({0, 0, float(-z)})};
   CHECK_FALSE(sees(eyes.left, {{0, 0, float(-z)}}, planes));
   CHECK(unseen_by_both(between));
+}
+
+TEST_CASE(
+    "an infinite far plane culls no distant point that rounding puts beyond it; a finite one "
+    "does") {
+  const StereoClipPoint beyond{0, 0, 0, 1.0001f, 1}, before{0, 0, 0, -0.0001f, 1};
+  struct Case {
+    std::optional<double> far;
+    DepthRange range;
+    bool beyond_unseen;
+  };
+  const Case cases[] = {
+      {100.0, DepthRange::kStandard, true},
+      {{}, DepthRange::kStandard, false},
+      {100.0, DepthRange::kReversed, true},
+      {{}, DepthRange::kReversed, true}};  // there it is in front of the near plane
+  for (const Case& c : cases) {
+    const View view = test::view_of(PerspectiveLens{0.8, 0.1, c.far}, 64, 64, c.range);
+    const Outcode one[] = {stereo_outcode(beyond, view)};
+    const Outcode other[] = {stereo_outcode(before, view)};
+    CHECK(unseen_by_both(one) == c.beyond_unseen);
+    CHECK(unseen_by_both(other));
+  }
 }
 
 TEST_CASE("vertices that are not finite hide their triangle from the eyes that have them so") {
