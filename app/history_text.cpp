@@ -7,6 +7,7 @@
 #include "app/text_layout.h"
 
 #include <glassbox/base/printable.h>
+#include <glassbox/render/trace/verdict_text.h>
 
 namespace glassbox::app {
 
@@ -22,20 +23,13 @@ std::string cut(const std::string& text, std::size_t width) {
   return printable(text, text.size() > width ? width - 3 : width);
 }
 
-const Mesh& mesh_of(const Scene& scene, std::uint32_t instance) {
-  return scene.meshes[scene.instances[instance].mesh];
-}
-
-const Material& material_of(const Scene& scene, std::uint32_t instance) {
-  return scene.materials[mesh_of(scene, instance).material];
-}
-
-// "face 12 of teapot", with the material where it has a name.
+// "12 of teapot", with the material where it has a name.
 std::string surface_text(const Scene& scene, const PixelEvent& event) {
-  const Mesh& mesh = mesh_of(scene, event.instance);
-  const std::string& material = material_of(scene, event.instance).name;
-  std::string text = event.source.is_triangle ? fmt::format("{} of {}", event.face, mesh.name)
-                                              : "line or point of " + mesh.name;
+  const Mesh& mesh = scene.meshes[scene.instances[event.instance].mesh];
+  const std::string& material = scene.materials[mesh.material].name;
+  const std::string whose = mesh.name.empty() ? mesh_text(scene, event.instance) : mesh.name;
+  std::string text = event.source.is_triangle ? fmt::format("{} of {}", event.face, whose)
+                                              : "line/point of " + whose;
   if (!material.empty() && material != mesh.name) text += ", " + material;
   return text;
 }
@@ -119,10 +113,11 @@ std::string misses_text(const Scene& scene, const PixelHistory& history, bool al
                                     : ":");
   for (std::size_t i = 0; i < shown; ++i) {
     const PixelMiss& missed = history.misses[i];
-    const std::string how = missed.miss.value == 0
-                                ? std::string("on an edge that belongs to the neighbour")
-                                : fmt::format("outside an edge by {:.6g}/256 px (E = {})",
-                                              missed.miss.subpixels, missed.miss.value);
+    const std::string how =
+        missed.miss.value == 0
+            ? std::string("on an edge that belongs to the neighbour")
+            : fmt::format("outside an edge by {} (E = {})", subpixels_text(missed.miss.subpixels),
+                          missed.miss.value);
     PixelEvent event;
     event.instance = missed.instance;
     event.face = missed.face;
@@ -140,10 +135,9 @@ std::string last_line(const Scene& scene, const PixelHistory& history) {
   }
   if (!history.shows) return fmt::format("the picture shows {}: the background\n", bytes);
   const PixelEvent& event = history.events[*history.shows];
-  const std::string what =
-      event.source.is_triangle
-          ? fmt::format("triangle {}", event.source.number)
-          : "a line or a point of " + in_quotes(mesh_of(scene, event.instance).name);
+  const std::string what = event.source.is_triangle
+                               ? fmt::format("triangle {}", event.source.number)
+                               : "a line or a point of " + mesh_text(scene, event.instance);
   return fmt::format("the picture shows {}: #{}, {}{}\n", bytes, *history.shows, what,
                      event.touch == Touch::kBlended ? ", and what it was laid over" : "");
 }

@@ -123,8 +123,9 @@ int InspectCommand::run() {
     return refuse(written.error());
   }
   progress.done();
-  fmt::print("{}: {} triangles and {} fragments, {:.1f} MB; open it in a browser\n", output_,
-             page->triangles, page->fragments, double(page->html.size()) / 1e6);
+  fmt::print("{}: {} triangle{} and {} fragment{}, {:.1f} MB; open it in a browser\n", output_,
+             page->triangles, page->triangles == 1 ? "" : "s", page->fragments,
+             page->fragments == 1 ? "" : "s", double(page->html.size()) / 1e6);
   return kSuccess;
 }
 

@@ -21,7 +21,8 @@ void PictureQuestion::add_to(CLI::App& command) {
 }
 
 std::string PictureQuestion::title() const {
-  return fmt::format("{}, {} x {}", printable(scene_), picture_.size.width, picture_.size.height);
+  constexpr std::size_t kLongPath = 1000;
+  return fmt::format("{}, {} x {}", printable(scene_, kLongPath), picture_.size.width, picture_.size.height);
 }
 
 int PictureQuestion::answer(const Ask& ask) const {

@@ -1,5 +1,7 @@
 #include "app/pixel_command.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -31,8 +33,8 @@ Result<Point<World, double>> world_point(const View& view, PixelAt pixel, double
 // What the picture has at the pixel in the end.
 struct SeenPixel {
   Rgba8 color;
-  std::optional<NumberedTriangle> triangle;  // none: the background
-  double distance = 0;
+  std::optional<NumberedTriangle> triangle;  // none: a line, a point or the background
+  std::optional<double> distance;            // none: the background
   std::optional<Point<World, double>> world;
 };
 
@@ -40,20 +42,22 @@ SeenPixel seen_at(const Scene& scene, const View& view, const Framebuffer& buffe
   SeenPixel seen;
   seen.color = buffers.color.at(at.x, at.y);
   const std::uint32_t id = buffers.id.at(at.x, at.y);
-  if (id == 0) return seen;
-  seen.triangle = find_triangle(scene, id - 1);
-  seen.distance = double(buffers.distance.at(at.x, at.y));
-  if (const auto world = world_point(view, at, seen.distance)) seen.world = *world;
+  if (id > 0) seen.triangle = find_triangle(scene, id - 1);
+  const double distance = double(buffers.distance.at(at.x, at.y));
+  if (!std::isfinite(distance)) return seen;
+  seen.distance = distance;
+  if (const auto world = world_point(view, at, distance)) seen.world = *world;
   return seen;
 }
 
 std::string text_of(const Scene& scene, const SeenPixel& seen) {
   const Rgba8& c = seen.color;
   std::string text = fmt::format("  colour    ({}, {}, {}), alpha {}\n", c.r, c.g, c.b, c.a);
-  if (!seen.triangle) return text + "  nothing was drawn here: this is the background\n";
-  text += fmt::format("  triangle  {}: {}\n", seen.triangle->number,
-                      place_of(scene, seen.triangle->instance, seen.triangle->face));
-  text += fmt::format("  distance  {:.9g} along the gaze\n", seen.distance);
+  if (!seen.distance) return text + "  nothing was drawn here: this is the background\n";
+  text += seen.triangle ? fmt::format("  triangle  {}: {}\n", seen.triangle->number,
+                                      place_of(scene, seen.triangle->instance, seen.triangle->face))
+                        : "  triangle  none: a line or a point\n";
+  text += fmt::format("  distance  {:.9g} along the gaze\n", *seen.distance);
   if (seen.world) {
     text += fmt::format("  world     ({:.9g}, {:.9g}, {:.9g})\n", seen.world->x, seen.world->y,
                         seen.world->z);
@@ -64,13 +68,14 @@ std::string text_of(const Scene& scene, const SeenPixel& seen) {
 Json json_of(const Scene& scene, const SeenPixel& seen) {
   const Rgba8& c = seen.color;
   Json json{{"color", {c.r, c.g, c.b, c.a}}};
-  if (!seen.triangle) return json;
-  const Instance& instance = scene.instances[seen.triangle->instance];
-  json["triangle"] = seen.triangle->number;
-  json["instance"] = seen.triangle->instance;
-  json["mesh"] = scene.meshes[instance.mesh].name;
-  json["face"] = seen.triangle->face;
-  json["distance"] = seen.distance;
+  if (seen.triangle) {
+    const Instance& instance = scene.instances[seen.triangle->instance];
+    json["triangle"] = seen.triangle->number;
+    json["instance"] = seen.triangle->instance;
+    json["mesh"] = scene.meshes[instance.mesh].name;
+    json["face"] = seen.triangle->face;
+  }
+  if (seen.distance) json["distance"] = *seen.distance;
   if (seen.world) json["world"] = {seen.world->x, seen.world->y, seen.world->z};
   return json;
 }

@@ -79,7 +79,9 @@ std::string WhyCommand::triangle_text(const Scene& scene, const View& view,
 std::string WhyCommand::scene_text(const SceneVerdict& found) const {
   std::string text = fmt::format("{}: {} triangle{}\n", question_.title(), found.triangles,
                                  found.triangles == 1 ? "" : "s");
-  if (found.triangles == 0) return text;
+  if (found.triangles == 0) {
+    return text + "  Nothing here is a triangle; glassbox pixel follows lines and points, too.\n";
+  }
   text += fmt::format("  {:>10}  {:<23}{:<13}{}\n", "triangles", "end", "stage", "for example");
   for (std::size_t i = 0; i < kEnds; ++i) {
     const SceneVerdict::Group& group = found.groups[i];

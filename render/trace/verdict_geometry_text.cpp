@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <glassbox/render/trace/verdict_paragraphs.h>
+#include <glassbox/render/trace/verdict_text.h>
 
 namespace glassbox {
 
@@ -10,12 +11,6 @@ namespace {
 
 std::string point_text(const Point<Object>& p) {
   return fmt::format("({:.9g}, {:.9g}, {:.9g})", p.x, p.y, p.z);
-}
-
-// 3.25/256 px; the whole part of what is many pixels is easier to read.
-std::string subpixels_text(double subpixels) {
-  if (subpixels < kSubpixels) return fmt::format("{:.4g}/{} px", subpixels, kSubpixels);
-  return fmt::format("{:.9g} px", subpixels / kSubpixels);
 }
 
 // ---- assembly and vertices ----

@@ -87,9 +87,19 @@ const char* meaning_of(End end) {
   return kMeanings[std::size_t(end)];
 }
 
+std::string mesh_text(const Scene& scene, std::uint32_t instance) {
+  const std::uint32_t mesh = scene.instances[instance].mesh;
+  const std::string& name = scene.meshes[mesh].name;
+  return "mesh " + (name.empty() ? std::to_string(mesh) : in_quotes(name));
+}
+
 std::string place_of(const Scene& scene, std::uint32_t instance, std::uint32_t face) {
-  const Mesh& mesh = scene.meshes[scene.instances[instance].mesh];
-  return fmt::format("face {} of mesh {} (instance {})", face, in_quotes(mesh.name), instance);
+  return fmt::format("face {} of {} (instance {})", face, mesh_text(scene, instance), instance);
+}
+
+std::string subpixels_text(double subpixels) {
+  if (subpixels < kSubpixels) return fmt::format("{:.4g}/{} px", subpixels, kSubpixels);
+  return fmt::format("{:.6g} px", subpixels / kSubpixels);
 }
 
 std::string listed(const std::vector<std::string>& parts) {

@@ -13,8 +13,14 @@ namespace glassbox {
 // "turned away"
 const char* words_for(End end);
 
+// "mesh 'teapot'", or "mesh 3" of a mesh without a name.
+std::string mesh_text(const Scene& scene, std::uint32_t instance);
+
 // "face 12 of mesh 'teapot' (instance 0)"
 std::string place_of(const Scene& scene, std::uint32_t instance, std::uint32_t face);
+
+// How far a centre is missed: "3.25/256 px", and from a pixel on "1.5 px".
+std::string subpixels_text(double subpixels);
 
 // What decided, with its numbers: one paragraph after the other, without line breaks.
 std::vector<std::string> explain(const View& view, const TriangleVerdict& verdict);

@@ -252,6 +252,24 @@ TEST_CASE("JSON goes to a file beside what people read, or alone to standard out
   }
 }
 
+TEST_CASE("a line is seen at a distance, and has no triangle's number") {
+  const Workplace here;
+  here.write("line.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n");
+  // 2 units for 30 rows: the line, at y = 0, is drawn in row 15, from column 20 to 35.
+  const std::string words = "line.obj --eye 0,0,4 --look-at 0,0,0 --ortho 2";
+  const Rendered whole = rendered(here, words);
+  const Json line = pixel(here, words, 25, 15), beside = pixel(here, words, 25, 20);
+  CHECK(!line.contains("triangle"));
+  CHECK(line["distance"] == double(whole.distance.at(25, 15)));
+  CHECK(line["distance"] == 4.0);
+  CHECK(line["world"].size() == 3);
+  CHECK(!beside.contains("distance"));
+  const Outcome outcome = here.run("pixel " + words + " --size 40x30 --at 25,15");
+  CHECK(outcome.out.find("triangle  none: a line or a point\n") != std::string::npos);
+  CHECK(outcome.out.find("line/point of mesh 0") != std::string::npos);
+  CHECK(outcome.out.find("background") == std::string::npos);
+}
+
 void check_refused(const Workplace& here, const std::string& words, const std::string& part) {
   const Outcome outcome = here.run("pixel " + words);
   INFO(words << ": " << outcome.err);
