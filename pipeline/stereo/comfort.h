@@ -1,5 +1,5 @@
-// As much depth as the eyes can bear (S0-13, "puke factor control"): the separation that keeps parallax within a budget, and
-// its changes from frame to frame.
+// As much depth as the eyes can bear (S0-13, "puke factor control"): the separation that keeps parallax within a
+// budget, and its changes from frame to frame.
 #pragma once
 
 #include <limits>
@@ -26,16 +26,16 @@ struct ParallaxBudget {
 // Says what is wrong with a span or a budget, and with a span that reaches behind the camera.
 Result<void> check_comfort(const View& centre, const DepthSpan& span, const ParallaxBudget& budget);
 
-// The s* of S0-13, min(P-/(2k (1/zn - 1/f)), P+/(2k (1/f - 1/zf)), at_most) with k = (W/2)(d/h), or with the linear law of
-// parallel projections: the most depth within the budget, and never more than check_pair allows. A few u less than the quotient, so that parallax_at of it is never
-// beyond the budget.
+// The s* of S0-13, min(P-/(2k (1/zn - 1/f)), P+/(2k (1/f - 1/zf)), at_most) with k = (W/2)(d/h), or with the linear
+// law of parallel projections: the most depth within the budget, and never more than check_pair allows. A few u less
+// than the quotient, so that parallax_at of it is never beyond the budget.
 double largest_half_separation(const View& centre, double window, const DepthSpan& span,
                                const ParallaxBudget& budget,
                                double at_most = std::numeric_limits<double>::infinity());
 
-// The window that lets the separation be largest: both ends of the span reach the budget. 1/f = (P+/zn + P-/zf)/(P- + P+),
-// the harmonic mean where the budget is symmetric; for parallel projections f = (P+ zn + P- zf)/(P- + P+). No budget at
-// all counts as symmetric. Infinite where nothing may be behind the window and the span is infinite.
+// The window that lets the separation be largest: both ends of the span reach the budget. 1/f = (P+/zn + P-/zf)/(P- +
+// P+), the harmonic mean where the budget is symmetric; for parallel projections f = (P+ zn + P- zf)/(P- + P+). No
+// budget at all counts as symmetric. Infinite where nothing may be behind the window and the span is infinite.
 double best_window(const View& centre, const DepthSpan& span, const ParallaxBudget& budget);
 
 // ---- over time ----
@@ -44,10 +44,11 @@ double best_window(const View& centre, const DepthSpan& span, const ParallaxBudg
 double low_pass_share(double frames);
 
 // Frame after frame, without knowledge of the future. Two promises:
-//   - never above the limit: the budget is what the eyes bear, so a falling limit is followed at once (fast attack). A
-//     falling step is as large as the limit's own fall asks for, no larger; only a look ahead (smooth_separations) spreads it.
-//   - a rising limit is approached by the low-pass (slow release): monotone, without overshoot, and no step is longer than
-//     low_pass_share(release_frames) of the way left.
+//   - never above the limit: the budget is what the eyes bear, so a falling limit is followed at once (fast attack).
+//     A falling step is as large as the limit's own fall asks for, no larger; only a look ahead (smooth_separations)
+//     spreads it.
+//   - a rising limit is approached by the low-pass (slow release): monotone, without overshoot, and no step is longer
+//     than low_pass_share(release_frames) of the way left.
 // The first frame starts at its limit.
 class SeparationFilter {
 public:
@@ -72,8 +73,8 @@ private:
 };
 
 // SeparationFilter with its limits known beforehand. Never above a limit, and no two neighbours differ by more than
-// `max_step` > 0 (up to the rounding of one addition): where a limit falls, the separation begins to fall in time, along a
-// straight line.
+// `max_step` > 0 (up to the rounding of one addition): where a limit falls, the separation begins to fall in time,
+// along a straight line.
 std::vector<double> smooth_separations(std::span<const double> limits, double release_frames,
                                        double max_step = std::numeric_limits<double>::infinity());
 
@@ -91,8 +92,8 @@ struct ComfortRates {
   double at_most = std::numeric_limits<double>::infinity();   // half the separation
 };
 
-// A pair for each frame: the windows smoothed first, then the largest separations for those, smoothed. Every frame is within
-// the budget; |change of half_separation| <= max_step.
+// A pair for each frame: the windows smoothed first, then the largest separations for those, smoothed. Every frame is
+// within the budget; |change of half_separation| <= max_step.
 std::vector<StereoPair> comfortable_pairs(std::span<const ComfortFrame> frames,
                                           const ParallaxBudget& budget, const ComfortRates& rates);
 

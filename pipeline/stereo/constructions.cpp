@@ -23,8 +23,8 @@ DepthRow depth_row(const View& view) {
   return {view.clip_from_eye.at(2, 2), view.clip_from_eye.at(2, 3)};
 }
 
-// -a s focus/shift, from comparing the two shifts of NDC term by term: a s (1/z - 1/f) for perspective, where the depth is
-// B/z - A, and a s (1 - z/f) for parallel projections, where it is B - A z.
+// -a s focus/shift, from comparing the two shifts of NDC term by term: a s (1/z - 1/f) for perspective, where the
+// depth is B/z - A, and a s (1 - z/f) for parallel projections, where it is B - A z.
 double shift_ratio(const View& centre, double window) {
   const DepthRow depth = depth_row(centre);
   return centre.perspective ? depth.offset : depth.scale * window;

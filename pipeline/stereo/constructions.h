@@ -1,5 +1,5 @@
-// Other ways to make the pair of eye_view, which is clip_from_eye * stereo_skew: two that are the same, the other reading of
-// the slide's matrix, which is the same with other numbers, and one that is wrong.
+// Other ways to make the pair of eye_view, which is clip_from_eye * stereo_skew: two that are the same, the other
+// reading of the slide's matrix, which is the same with other numbers, and one that is wrong.
 //
 // All of them count the pair as checked (check_pair).
 #pragma once
@@ -10,9 +10,9 @@
 
 namespace glassbox {
 
-// The eye moves by -s (left) or s, then looks through an off-axis frustum: the centre's window on the near plane n, shifted
-// by s n/f (left) or -s n/f, and frustum() of projection.h (S0-11). Perspective only; an error for parallel projections,
-// where glOrtho cannot slant its box, and where the shifted window leaves double.
+// The eye moves by -s (left) or s, then looks through an off-axis frustum: the centre's window on the near plane n,
+// shifted by s n/f (left) or -s n/f, and frustum() of projection.h (S0-11). Perspective only; an error for parallel
+// projections, where glOrtho cannot slant its box, and where the shifted window leaves double.
 Result<View> off_axis_view(const View& centre, const StereoPair& pair, Side side);
 
 // The eye moves by -s (left) or s, then eye space is sheared: x' = x - s z/f at the distance z (S0-10, "translate and
@@ -21,8 +21,8 @@ View translate_and_shear_view(const View& centre, const StereoPair& pair, Side s
 
 // ---- the slide's matrix after the projection (E2) ----
 
-// x' = x + shift (1 - z/focus) in NDC, `shift` turned round for the right eye: what S0.21's product means where vectors are
-// rows. The plane without parallax is the one with the depth `focus`, 0 .. 1.
+// x' = x + shift (1 - z/focus) in NDC, `shift` turned round for the right eye: what S0.21's product means where
+// vectors are rows. The plane without parallax is the one with the depth `focus`, 0 .. 1.
 struct ClipSkew {
   double shift = 0, focus = 1;
 };
@@ -30,7 +30,8 @@ View clip_skew_view(const View& centre, const ClipSkew& skew, Side side);
 
 // The same pair in the other's numbers. With z' = A z_eye + B the third row of clip_from_eye and a its entry (0, 0):
 //
-//   perspective   f = B/(focus + A)     s = -shift B/(a focus)       parallel   f = (B - focus)/A   s = -shift A f/(a focus)
+//   perspective   f = B/(focus + A)     s = -shift B/(a focus)
+//   parallel      f = (B - focus)/A     s = -shift A f/(a focus)
 //
 // A window with depth 0 (on the near plane, or infinitely far in the reversed range) has no clip skew: an error.
 StereoPair pair_of_clip_skew(const View& centre, const ClipSkew& skew);

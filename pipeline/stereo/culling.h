@@ -1,10 +1,10 @@
-// What neither eye sees (S0-04). The eyes share y, z and w, so that eight planes bound both frusta: near, far, bottom and
-// top once, left and right for each eye.
+// What neither eye sees (S0-04). The eyes share y, z and w, so that eight planes bound both frusta: near, far, bottom
+// and top once, left and right for each eye.
 //
-// Exact for points: the outcodes compare the floats that both eyes draw, no rounding in between. Conservative for triangles
-// and boxes: a triangle is culled where one plane of each eye's frustum has all its corners outside, a box where that holds
-// for every vertex it may contain, rounding included. So what an eye draws is never culled, while some of what neither eye
-// draws is kept.
+// Exact for points: the outcodes compare the floats that both eyes draw, no rounding in between. Conservative for
+// triangles and boxes: a triangle is culled where one plane of each eye's frustum has all its corners outside, a box
+// where that holds for every vertex it may contain, rounding included. So what an eye draws is never culled, while
+// some of what neither eye draws is kept.
 #pragma once
 
 #include <array>
@@ -39,8 +39,8 @@ struct StereoPlanes {
 // An infinite far plane of the standard range is where render_planes has it.
 StereoPlanes stereo_planes(const View& centre);
 
-// Bits 0 and 1: z < 0, z beyond the other end of the depth range; 2 and 3: below, above; 4 and 5: left and right of the left
-// eye's frustum; 6 and 7: of the right eye's. A vertex that is not finite for an eye has bit 8 or 9.
+// Bits 0 and 1: z < 0, z beyond the other end of the depth range; 2 and 3: below, above; 4 and 5: left and right of
+// the left eye's frustum; 6 and 7: of the right eye's. A vertex that is not finite for an eye has bit 8 or 9.
 Outcode stereo_outcode(const StereoClipPoint& point, const View& centre);
 
 // Whether neither eye can see anything of the triangle (or segment, or point) with these outcodes.
@@ -52,8 +52,8 @@ bool box_unseen_by_both(const Box<Object>& box,
                         const Transform<Clip, Object, float>& right_clip_from_object,
                         const StereoPlanes& planes);
 
-// The columns, px, at one edge of each eye's picture that culling by the centre camera leaves empty at this distance: half
-// the parallax. The left eye loses its right edge behind the window and its left edge in front of it.
+// The columns, px, at one edge of each eye's picture that culling by the centre camera leaves empty at this distance:
+// half the parallax. The left eye loses its right edge behind the window and its left edge in front of it.
 inline double missing_strip_px(const View& centre, const StereoPair& pair, double distance) {
   return std::abs(parallax_at(centre, pair, distance).px) / 2;
 }

@@ -1,11 +1,11 @@
-// How far apart the two eyes see a point (S0-11): parallax, x in the right eye's picture minus x in the left one's. Negative
-// is in front of the window (crossed), positive behind it.
+// How far apart the two eyes see a point (S0-11): parallax, x in the right eye's picture minus x in the left one's.
+// Negative is in front of the window (crossed), positive behind it.
 //
 //   perspective   p(z) = 2 s (d/h) (1/f - 1/z)      towards 2 s (d/h)/f at infinity
 //   parallel      p(z) = 2 s (1/h) (z/f - 1)        linear, without limit
 //
-// in half-widths of the picture, with h the window's half-width at the distance d from the eye, s half the separation, f
-// the stereo window's distance and z the point's, all along the gaze.
+// in half-widths of the picture, with h the window's half-width at the distance d from the eye, s half the
+// separation, f the stereo window's distance and z the point's, all along the gaze.
 #pragma once
 
 #include <glassbox/base/spaces.h>
@@ -57,13 +57,13 @@ DisplayedParallax on_display(const Parallax& parallax, const Display& display);
 //
 //   -(d/h) y 2x sin(a) / (zL zR),  zL = z cos(a) + (x + s) sin(a),  zR = z cos(a) - (x - s) sin(a),  tan(a) = s/f
 //
-// Skewed frusta have none. 0 for parallel projections. Infinite or meaningless where a camera has the point beside or behind
-// it.
+// Skewed frusta have none. 0 for parallel projections. Infinite or meaningless where a camera has the point beside or
+// behind it.
 double toe_in_vertical_parallax_px(const View& centre, const StereoPair& pair,
                                    const Point<Eye, double>& point);
 
-// The largest |vertical parallax| of what the centre's picture shows at this distance (may be infinite), which is that of
-// one of its corners. It grows with the distance.
+// The largest |vertical parallax| of what the centre's picture shows at this distance (may be infinite), which is
+// that of one of its corners. It grows with the distance.
 double largest_toe_in_vertical_parallax_px(const View& centre, const StereoPair& pair,
                                            double distance);
 

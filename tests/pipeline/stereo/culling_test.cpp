@@ -249,9 +249,9 @@ TEST_CASE("vertices that are not finite hide their triangle from the eyes that h
 TEST_CASE(
     "culling by the centre camera loses strips of half the parallax, 0.2 to 1 % of the points "
     "(E20)") {
-  // Points spread evenly over each eye's picture and over the inverse of the distance, from half the window's distance to
-  // infinity: the depths for which that window is the best (S0-13). A lens of 40 degrees, 16:9; wider ones lose less, in
-  // proportion to the cotangent.
+  // Points spread evenly over each eye's picture and over the inverse of the distance, from half the window's
+  // distance to infinity: the depths for which that window is the best (S0-13). A lens of 40 degrees, 16:9; wider
+  // ones lose less, in proportion to the cotangent.
   const double f = 10;
   const View view = test::view_of(PerspectiveLens{radians_from_degrees(40), 0.1, {}});
   std::ostringstream table;
