@@ -1,12 +1,12 @@
 #include "app/step/stage_text.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 
 #include <fmt/format.h>
 
+#include "app/step/clipping_text.h"
 #include "app/step/fragment_text.h"
 #include "app/step/matrices_text.h"
 #include "app/step/numbers_text.h"
@@ -34,9 +34,6 @@ struct Context {
   bool bits;
 
   const TracedTriangle& triangle() const { return *stepped.triangle; }
-  bool wants(std::size_t corner) const {
-    return !target.vertex || std::size_t(*target.vertex) == corner;
-  }
 };
 
 // The coordinates of each corner asked for, one a line, headed by its name.
@@ -44,7 +41,7 @@ template <class Coordinates>
 std::string corners_text(const Context& c, const Coordinates& coordinates) {
   std::string text;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (!c.wants(k)) continue;
+    if (!c.target.wants(k)) continue;
     const char* heading = "vertex";
     for (const std::string& line : coordinates(k)) {
       text += fmt::format("     {:<6} {}  {}\n", heading, *heading ? std::to_string(k) : " ", line);
@@ -122,95 +119,6 @@ std::string clip_text(const Context& c) {
   return text;
 }
 
-// ---- clipping ----
-
-std::string distances_table(const Context& c) {
-  std::string text = fmt::format("     {:<20}", "distance inside of");
-  std::array<std::array<PlaneDistance, kMaxClipPlanes>, 3> distances;
-  for (std::size_t k = 0; k < 3; ++k) {
-    distances[k] =
-        plane_distances(c.stepped.trace, c.triangle().corners[k], c.stepped.bounds.corners[k]);
-    if (c.wants(k)) text += fmt::format("{:<27}", fmt::format("vertex {}", k));
-  }
-  text += "\n";
-  const auto& planes = c.stepped.trace.planes;
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    text += fmt::format("     {:<20}", planes[i].name);
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (!c.wants(k)) continue;
-      const PlaneDistance& d = distances[k][i];
-      text += fmt::format("{:<27}", brief(d.distance, 7) + " " + bound_text(d.bound) +
-                                        (d.distance < 0 ? " out" : ""));
-    }
-    text += "\n";
-  }
-  return text;
-}
-
-std::string polygon_text(const ClipPolygon& polygon, const ClipStep* step) {
-  std::string text;
-  for (int i = 0; i < polygon.count; ++i) {
-    const ClipVertex& v = polygon.vertices[std::size_t(i)];
-    std::string from;
-    if (step != nullptr) {
-      const auto [a, b] = step->sources[std::size_t(i)];
-      from = a == b ? fmt::format("was {}", a) : fmt::format("cuts {}-{}", a, b);
-    }
-    text += fmt::format("       {}  {:<10} ({}, {}, {}, {})\n", i, from,
-                        brief(double(v.position.x), 9), brief(double(v.position.y), 9),
-                        brief(double(v.position.z), 9), brief(double(v.position.w), 9));
-  }
-  return text;
-}
-
-std::string cut_text(const Context& c) {
-  std::string text;
-  int before = 3;
-  for (std::size_t i = 0; i < c.triangle().clipping.size(); ++i) {
-    const ClipStep& step = c.triangle().clipping[i];
-    const char* plane = c.stepped.trace.planes[i].name;
-    const bool cuts = std::any_of(step.distances.begin(), step.distances.begin() + before,
-                                  [](double distance) { return distance < 0; });
-    before = step.after.count;
-    if (!cuts) continue;
-    text += sentence(step.after.count == 0 ? fmt::format("the {} plane leaves nothing", plane)
-                                           : fmt::format("the {} plane leaves {} vertices:", plane,
-                                                         step.after.count));
-    text += polygon_text(step.after, &step);
-  }
-  return text;
-}
-
-std::string clipping_text(const Context& c) {
-  std::string text = distances_table(c);
-  std::array<Outcode, 3> codes;
-  for (std::size_t k = 0; k < 3; ++k) codes[k] = c.triangle().corners[k].outcode;
-  switch (trivial_verdict(codes)) {
-    case ClipVerdict::kAccept:
-      return text + sentence("decided: all corners are inside all planes; nothing is cut");
-    case ClipVerdict::kReject: {
-      const Outcode all = codes[0] & codes[1] & codes[2];
-      if ((codes[0] | codes[1] | codes[2]) & kNotFinite) {
-        return text + sentence("decided: a coordinate is not finite; the triangle is dropped");
-      }
-      for (std::size_t i = 0; i < c.stepped.trace.planes.size(); ++i) {
-        if ((all >> i & 1) == 0) continue;
-        return text + sentence(fmt::format(
-                          "decided: all corners lie outside the {} plane; nothing is left",
-                          c.stepped.trace.planes[i].name));
-      }
-      return text;
-    }
-    case ClipVerdict::kClip:
-      break;
-  }
-  text += cut_text(c);
-  return text + sentence(c.triangle().polygon.empty()
-                             ? "decided: nothing is left"
-                             : fmt::format("decided: a polygon of {} vertices goes on",
-                                           c.triangle().polygon.size()));
-}
-
 // ---- NDC and screen ----
 
 // Corner k where the vertex is one, nothing where clipping made it.
@@ -227,7 +135,7 @@ std::string vertices_text(const Context& c, const Lines& lines) {
   std::string text;
   for (std::size_t i = 0; i < c.triangle().polygon.size(); ++i) {
     const std::optional<std::size_t> corner = corner_of(c.triangle().polygon[i]);
-    if (corner && !c.wants(*corner)) continue;
+    if (corner && !c.target.wants(*corner)) continue;
     std::string name = corner ? fmt::format("vertex {}", *corner) : fmt::format("cut {}", i);
     for (const std::string& line : lines(c.triangle().polygon[i], c.stepped.bounds.polygon[i])) {
       text += fmt::format("     {:<8}  {}\n", name, line);
@@ -394,7 +302,8 @@ std::vector<StageText> stage_texts(const Scene& scene, const SteppedTriangle& st
   stages.push_back(stage("world", 2, "object -> world, in double", world_text(c)));
   stages.push_back(stage("eye", 3, "world -> eye, in double", eye_text(c)));
   stages.push_back(stage("clip", 4, "eye -> clip, in float", clip_text(c)));
-  stages.push_back(stage("clipping", 5, "clipping, before the divide", clipping_text(c)));
+  stages.push_back(
+      stage("clipping", 5, "clipping, before the divide", clipping_text(stepped, target)));
   if (stepped.triangle->polygon.empty()) return stages;
   stages.push_back(stage("ndc", 6, "clip -> NDC: divide by w", ndc_text(c)));
   stages.push_back(stage("screen", 7, "NDC -> screen: viewport and snap", screen_text(c)));

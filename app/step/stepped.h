@@ -17,6 +17,8 @@ struct StepTarget {
   std::uint32_t triangle = 0;               // number in the whole scene
   std::optional<int> vertex;                // 0, 1 or 2: of the triangle's corners
   std::optional<std::array<int, 2>> pixel;  // the fragment to look at
+
+  bool wants(std::size_t corner) const { return !vertex || std::size_t(*vertex) == corner; }
 };
 
 struct SteppedTriangle {
