@@ -46,33 +46,7 @@ void add_drawing_options(CLI::App& command, RenderSettings& settings) {
       ->group(group);
 }
 
-}  // namespace
-
-void add_picture_options(CLI::App& command, PictureOptions& picture) {
-  const std::size_t before = command.get_options().size();
-  command
-      .add_option_function<std::string>(
-          "--size", [&picture](const std::string& text) { picture.size = parse_size(text); },
-          "image size in pixels [1280x720]")
-      ->type_name("WxH");
-  add_camera_options(command, picture.camera);
-  add_drawing_options(command, picture.settings);
-  const auto all = command.get_options();
-  picture.options.assign(all.begin() + std::ptrdiff_t(before), all.end());
-}
-
-std::vector<std::string> words_given(const PictureOptions& picture) {
-  std::vector<std::string> words;
-  for (const CLI::Option* option : picture.options) {
-    if (option->count() == 0) continue;
-    words.push_back(option->get_name());
-    const bool flag = option->get_expected_max() == 0;
-    if (!flag) words.push_back(option->results().back());
-  }
-  return words;
-}
-
-Result<ChosenView> choose_view(const Scene& scene, const PictureOptions& picture) {
+Result<ChosenView> choose_centre(const Scene& scene, const PictureOptions& picture) {
   const auto [width, height] = picture.size;
   const Result<Camera> camera =
       choose_camera(scene, picture.camera, double(width) / double(height));
@@ -83,6 +57,63 @@ Result<ChosenView> choose_view(const Scene& scene, const PictureOptions& picture
   const Result<View> view = make_view(*camera, width, height, range);
   if (!view) return tl::unexpected(view.error());
   return ChosenView{*camera, *view};
+}
+
+}  // namespace
+
+void add_picture_options(CLI::App& command, PictureOptions& picture) {
+  const std::size_t before = command.get_options().size();
+  command
+      .add_option_function<std::string>(
+          "--size", [&picture](const std::string& text) { picture.size = parse_size(text); },
+          "image size in pixels [1280x720]")
+      ->type_name("WxH");
+  add_camera_options(command, picture.camera);
+  add_eyes_options(command, picture.eyes);
+  add_drawing_options(command, picture.settings);
+  const auto all = command.get_options();
+  picture.options.assign(all.begin() + std::ptrdiff_t(before), all.end());
+}
+
+std::vector<std::string> words_of(std::span<const CLI::Option* const> options) {
+  std::vector<std::string> words;
+  for (const CLI::Option* option : options) {
+    if (option->count() == 0) continue;
+    words.push_back(option->get_name());
+    const bool flag = option->get_expected_max() == 0;
+    if (!flag) words.push_back(option->results().back());
+  }
+  return words;
+}
+
+std::vector<std::string> words_given(const PictureOptions& picture) {
+  return words_of(picture.options);
+}
+
+Result<ChosenView> choose_view(const Scene& scene, const PictureOptions& picture) {
+  const EyesOptions& eyes = picture.eyes;
+  if (!eyes.seen_by) {
+    if (!eyes.separation && !eyes.window) return choose_centre(scene, picture);
+    return fail(eyes.separation ? "--eye-separation" : "--window", "one picture has no use for it",
+                "say whose it is with --seen-by left or --seen-by right");
+  }
+  return choose_eyes(scene, picture).map([&](const ChosenEyes& chosen) {
+    return ChosenView{chosen.camera, eye_view(chosen.centre, chosen.eyes.pair, *eyes.seen_by)};
+  });
+}
+
+Result<ChosenEyes> choose_eyes(const Scene& scene, const PictureOptions& picture) {
+  const Result<ChosenView> centre = choose_centre(scene, picture);
+  if (!centre) return tl::unexpected(centre.error());
+  std::optional<double> look_at;
+  if (const auto& target = picture.camera.look_at) {
+    look_at = -(centre->view.eye_from_world *
+                Point<World, double>{(*target)[0], (*target)[1], (*target)[2]})
+                   .z;
+  }
+  return choose_pair(scene, centre->view, picture.eyes, look_at).map([&](const ChosenPair& eyes) {
+    return ChosenEyes{centre->camera, centre->view, eyes};
+  });
 }
 
 }  // namespace glassbox::app

@@ -2,6 +2,7 @@
 // takes them, and a picture's recipe is made of them.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 
 #include "app/arguments.h"
 #include "app/camera_options.h"
+#include "app/eyes_options.h"
 
 #include <glassbox/base/error.h>
 #include <glassbox/mesh/scene.h>
@@ -20,20 +22,32 @@ namespace glassbox::app {
 struct PictureOptions {
   Size size;
   CameraOptions camera;
+  EyesOptions eyes;
   RenderSettings settings;
   std::vector<const CLI::Option*> options;  // those that add_picture_options has added
 };
 
 void add_picture_options(CLI::App& command, PictureOptions& picture);
 
-// The options that the user gave, as words: "--size", "640x480". Whoever gives these words gets this picture.
+// Those of the options that the user gave, as words: "--size", "640x480".
+std::vector<std::string> words_of(std::span<const CLI::Option* const> options);
+
+// Whoever gives these words gets this picture.
 std::vector<std::string> words_given(const PictureOptions& picture);
 
-// The view of the scene that the options ask for, and the camera it comes from.
+// The view of the scene that the options ask for, and the camera it comes from. With --seen-by it is that eye's view.
 struct ChosenView {
   Camera camera;
   View view;
 };
 Result<ChosenView> choose_view(const Scene& scene, const PictureOptions& picture);
+
+// The camera between the eyes, and the eyes.
+struct ChosenEyes {
+  Camera camera;
+  View centre;
+  ChosenPair eyes;
+};
+Result<ChosenEyes> choose_eyes(const Scene& scene, const PictureOptions& picture);
 
 }  // namespace glassbox::app

@@ -1,5 +1,6 @@
 #include "app/render_command.h"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 
@@ -68,6 +69,10 @@ Json camera_json(const Camera& camera, const View& view) {
   return json;
 }
 
+bool nothing_drawn(const DrawnPicture& drawn) {
+  return std::ranges::all_of(drawn.stages, [](const auto& eye) { return eye.second.covered == 0; });
+}
+
 // What to tell somebody whose picture shows the background only.
 const char* why_empty(const Statistics& s) {
   if (s.culled > 0) {
@@ -98,13 +103,15 @@ void RenderCommand::add_to(CLI::App& app, int& exit_code) {
       "  glassbox render duck.glb -o duck.png\n"
       "  glassbox render teapot --eye 5,5,11 --look-at 0,1.5,0 --fov 30 --size 1920x1080\n"
       "  glassbox render plan.obj --ortho 10 --shade flat --background 1,1,1\n"
-      "  glassbox render room --depth-out room.pfm --id-out ids.pfm --json -\n\n" +
+      "  glassbox render room --depth-out room.pfm --id-out ids.pfm --json -\n"
+      "  glassbox render forest --stereo anaglyph --eye-separation 0.3 --window 12\n\n" +
       builtin_help());
   command.add_option("SCENE", scene_, "a glTF, GLB or OBJ file, or the name of a built-in scene")
       ->required();
   command.add_option("-o,--output", output_, "image file, .png or .ppm [SCENE.png]")
       ->type_name("FILE");
   add_picture_options(command, picture_);
+  add_stereo_picture_options(command, stereo_);
 
   const std::string outputs = "Other outputs";
   command
@@ -130,6 +137,10 @@ int RenderCommand::run_first_time() {
 }
 
 Result<void> RenderCommand::check_other_outputs(const std::string& image) const {
+  if (stereo_.wanted && (depth_output_ || id_output_)) {
+    return fail(depth_output_ ? "--depth-out" : "--id-out", "each eye has its own",
+                "render one eye at a time, with --seen-by left and --seen-by right");
+  }
   std::vector<std::string> paths{image};
   for (const std::optional<std::string>& plane : {depth_output_, id_output_}) {
     if (!plane) continue;
@@ -142,7 +153,42 @@ Result<void> RenderCommand::check_other_outputs(const std::string& image) const 
 
 // So that others can tell how the picture was made.
 std::vector<TextEntry> RenderCommand::recipe_text() const {
-  return to_text(Recipe{scene_, words_given(picture_), GLASSBOX_VERSION});
+  std::vector<std::string> words = words_given(picture_);
+  for (const std::string& word : words_of(stereo_.options)) words.push_back(word);
+  return to_text(Recipe{scene_, words, GLASSBOX_VERSION});
+}
+
+Result<DrawnPicture> RenderCommand::draw(const Scene& scene) const {
+  RenderSettings settings = picture_.settings;
+  settings.want_distance = depth_output_.has_value();
+  settings.want_id = id_output_.has_value();
+  if (!stereo_.wanted) {
+    return choose_view(scene, picture_).map([&](const ChosenView& chosen) {
+      Rendering rendering = render_staged(scene, chosen.view, settings);
+      Image<Rgba8> image = std::move(rendering.buffers.color);
+      return DrawnPicture{chosen.camera,
+                          chosen.view,
+                          std::move(image),
+                          std::move(rendering.buffers),
+                          {{"", rendering.statistics}},
+                          {},
+                          {}};
+    });
+  }
+  const Result<ChosenEyes> chosen = choose_eyes(scene, picture_);
+  if (!chosen) return tl::unexpected(chosen.error());
+  return render_stereo_picture(scene, *chosen, settings, stereo_).map([&](StereoPicture drawn) {
+    const StereoRendering& both = drawn.rendering;
+    DrawnPicture picture{chosen->camera,
+                         chosen->centre,
+                         std::move(drawn.image),
+                         {},
+                         {{"left", both.left_statistics}},
+                         eyes_text(*chosen, both),
+                         eyes_json(*chosen, both)};
+    if (both.passes == 2) picture.stages.emplace_back("right", both.right_statistics);
+    return picture;
+  });
 }
 
 int RenderCommand::run() {
@@ -150,6 +196,9 @@ int RenderCommand::run() {
   const std::string output = output_.empty() ? default_output(scene_) : output_;
   if (const auto legal = check_image_path(output); !legal) return refuse(legal.error());
   if (const auto legal = check_other_outputs(output); !legal) return refuse(legal.error());
+  if (const auto legal = check_stereo_picture(picture_, stereo_); !legal) {
+    return refuse(legal.error());
+  }
   Progress progress;
 
   progress.phase("loading " + scene_);
@@ -160,9 +209,6 @@ int RenderCommand::run() {
   }
   const double load_ms = elapsed_ms(start);
 
-  const Result<ChosenView> chosen = choose_view(*scene, picture_);
-  if (!chosen) return refuse(chosen.error());
-
   if (id_output_ && count_triangles(*scene) > kMaxIdTriangles) {
     return refuse({scene_, "--id-out",
                    fmt::format("the scene has {} triangles, and floats are exact only up to {}",
@@ -170,49 +216,54 @@ int RenderCommand::run() {
                    "leave --id-out out, or split the scene"});
   }
 
-  RenderSettings settings = picture_.settings;
-  settings.want_distance = depth_output_.has_value();
-  settings.want_id = id_output_.has_value();
   progress.phase(fmt::format("rendering {} triangles", count_triangles(*scene)));
-  const Rendering rendering = render_staged(*scene, chosen->view, settings);
+  const Result<DrawnPicture> drawn = draw(*scene);
+  if (!drawn) return refuse(drawn.error());
   progress.phase("writing " + output);
-  if (const auto written = write_image(output, rendering.buffers.color, recipe_text()); !written) {
+  if (const auto written = write_image(output, drawn->image, recipe_text()); !written) {
     return refuse(written.error());
   }
   if (depth_output_) {
-    const auto written = write_file(*depth_output_, encode_pfm(rendering.buffers.distance));
+    const auto written = write_file(*depth_output_, encode_pfm(drawn->planes.distance));
     if (!written) return refuse(written.error());
   }
   if (id_output_) {
-    const auto written = write_ids(*id_output_, rendering.buffers.id);
+    const auto written = write_ids(*id_output_, drawn->planes.id);
     if (!written) return refuse(written.error());
   }
   progress.done();
-  if (rendering.statistics.covered == 0) {
-    fmt::print(stderr, "glassbox: note: {}\n", why_empty(rendering.statistics));
+  if (nothing_drawn(*drawn)) {
+    fmt::print(stderr, "glassbox: note: {}\n", why_empty(drawn->stages.front().second));
   }
   const double total_ms = elapsed_ms(start);
 
   if (json_output_) {
     Json json{{"scene", scene_},
               {"image", output},
-              {"width", picture_.size.width},
-              {"height", picture_.size.height},
-              {"camera", camera_json(chosen->camera, chosen->view)},
-              {"stages", to_json(rendering.statistics)},
-              {"load_ms", load_ms},
-              {"total_ms", total_ms}};
+              {"width", drawn->image.width},
+              {"height", drawn->image.height},
+              {"camera", camera_json(drawn->camera, drawn->view)}};
+    if (!drawn->eyes_json.is_null()) json["stereo"] = drawn->eyes_json;
+    for (const auto& [eye, statistics] : drawn->stages) {
+      json[eye.empty() ? "stages" : "stages_" + eye] = to_json(statistics);
+    }
+    json["load_ms"] = load_ms;
+    json["total_ms"] = total_ms;
     if (const auto written = write_json(*json_output_, json); !written)
       return refuse(written.error());
   }
   if (json_output_ == "-") return kSuccess;
   if (stats_) {
-    fmt::print("{}\n", stage_table(rendering.statistics));
+    for (const auto& [eye, statistics] : drawn->stages) {
+      if (!eye.empty()) fmt::print("{} eye\n", eye);
+      fmt::print("{}\n", stage_table(statistics));
+    }
     fmt::print("  {:<26}{:>12.1f} ms\n", "loading the scene", load_ms);
     fmt::print("  {:<26}{:>12.1f} ms\n\n", "everything", total_ms);
   }
-  fmt::print("{} ({} x {}): {} triangles, {:.0f} ms\n", output, picture_.size.width,
-             picture_.size.height, rendering.statistics.triangles, total_ms);
+  fmt::print("{} ({} x {}): {} triangles, {:.0f} ms\n{}", output, drawn->image.width,
+             drawn->image.height, drawn->stages.front().second.triangles, total_ms,
+             drawn->eyes_text);
   if (first_time_) fmt::print("\n{}", next_steps());
   return kSuccess;
 }

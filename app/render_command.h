@@ -3,17 +3,33 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "app/picture_options.h"
+#include "app/stereo_picture.h"
 
 #include <glassbox/base/error.h>
 #include <glassbox/images/write.h>
 #include <glassbox/mesh/limits.h>
+#include <glassbox/render/framebuffer.h>
+#include <glassbox/render/statistics.h>
 
 namespace glassbox::app {
+
+// The picture, and what there is to say about it.
+struct DrawnPicture {
+  Camera camera;
+  View view;  // of the camera between the eyes where there are two
+  Image<Rgba8> image;
+  Framebuffer planes;
+  std::vector<std::pair<std::string, Statistics>>
+      stages;  // of each eye; its name is empty where there is one
+  std::string eyes_text;
+  nlohmann::ordered_json eyes_json;
+};
 
 class RenderCommand {
 public:
@@ -25,6 +41,7 @@ public:
 
 private:
   int run();
+  Result<DrawnPicture> draw(const Scene& scene) const;
   std::vector<TextEntry> recipe_text() const;
   // The paths of all outputs, as far as they can be judged before anything is computed.
   Result<void> check_other_outputs(const std::string& image) const;
@@ -32,6 +49,7 @@ private:
   std::string scene_ = "teapot";
   std::string output_;  // empty: named after the scene
   PictureOptions picture_;
+  StereoPictureOptions stereo_;
   LoadLimits limits_;
   std::optional<std::string> depth_output_;
   std::optional<std::string> id_output_;

@@ -1,0 +1,186 @@
+#include "app/stereo_picture.h"
+
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "app/arguments.h"
+
+#include <glassbox/pipeline/stereo/parallax.h>
+
+namespace glassbox::app {
+
+namespace {
+
+template <class Value>
+void add_named(CLI::App& command, const std::string& name, std::optional<Value>& value,
+               std::span<const Named<Value>> all, const std::string& help) {
+  Choices<std::optional<Value>> choices;
+  for (const Named<Value>& named : all) choices.emplace_back(named.name, named.value);
+  add_choice(command, name, value, choices, help)->group("Eyes (stereo)");
+}
+
+void add_stereo_choice(CLI::App& command, StereoPictureOptions& stereo) {
+  std::string names = "anaglyph";
+  for (const auto& layout : all_stereo_layouts()) names += "|" + std::string(layout.name);
+  command
+      .add_option_function<std::string>(
+          "--stereo",
+          [&stereo, names](const std::string& text) {
+            stereo.wanted = true;
+            stereo.layout.reset();
+            if (text == "anaglyph") return;
+            for (const auto& layout : all_stereo_layouts()) {
+              if (text == layout.name) stereo.layout = layout.value;
+            }
+            if (!stereo.layout) {
+              throw CLI::ValidationError("--stereo",
+                                         "needs one of " + names + ", not '" + text + "'");
+            }
+          },
+          "both eyes in one picture")
+      ->type_name(names)
+      ->group("Eyes (stereo)");
+}
+
+// An anaglyph's bytes as they are, each channel from its eye.
+bool is_masked(const StereoPictureOptions& stereo) {
+  return !stereo.layout &&
+         stereo.anaglyph.method.value_or(AnaglyphMethod::kMask) == AnaglyphMethod::kMask;
+}
+
+AnaglyphMasks masks_for(Glasses glasses) {
+  const EyeMasks eyes = eye_masks(glasses);
+  return {{eyes.left.r, eyes.left.g, eyes.left.b, false},
+          {eyes.right.r, eyes.right.g, eyes.right.b, true}};
+}
+
+// ---- parallax in words and numbers ----
+
+struct NamedParallax {
+  const char* name;
+  Parallax parallax;
+};
+
+std::array<NamedParallax, 3> named_parallaxes(const ChosenEyes& chosen) {
+  const ParallaxTable table = parallax_table(chosen.centre, chosen.eyes.pair);
+  return {{{"near", table.near}, {"window", table.window}, {"far", table.far}}};
+}
+
+nlohmann::ordered_json finite_or_inf(double value) {
+  return std::isinf(value) ? nlohmann::ordered_json("inf") : nlohmann::ordered_json(value);
+}
+
+}  // namespace
+
+void add_stereo_picture_options(CLI::App& command, StereoPictureOptions& stereo) {
+  const std::size_t before = command.get_options().size();
+  add_stereo_choice(command, stereo);
+  add_named(command, "--anaglyph", stereo.anaglyph.method, all_anaglyph_methods(),
+            "how the colours of an anaglyph are made [mask]");
+  add_named(command, "--glasses", stereo.anaglyph.glasses, all_glasses(),
+            "the lenses, left eye first [red-cyan]");
+  add_choice(command, "--stereo-cull", stereo.culling,
+             {{"union", StereoCulling::kUnion}, {"centre", StereoCulling::kCentre}},
+             "triangles to leave out: those that neither eye sees, or, losing some, those that the "
+             "camera between them does not [union]")
+      ->group("Eyes (stereo)");
+  const auto all = command.get_options();
+  stereo.options.assign(all.begin() + std::ptrdiff_t(before), all.end());
+}
+
+Result<void> check_stereo_picture(const PictureOptions& picture,
+                                  const StereoPictureOptions& stereo) {
+  if (!stereo.wanted) {
+    for (const CLI::Option* option : stereo.options) {
+      if (option->count() == 0) continue;
+      return fail(option->get_name(), "it is about a picture for two eyes",
+                  "give --stereo as well, or leave it out");
+    }
+    return {};
+  }
+  if (picture.eyes.seen_by) {
+    return fail("--seen-by", "--stereo makes a picture for both eyes", "give one of them");
+  }
+  if (stereo.layout && (stereo.anaglyph.method || stereo.anaglyph.glasses)) {
+    return fail(stereo.anaglyph.method ? "--anaglyph" : "--glasses",
+                fmt::format("--stereo {} is no anaglyph", name_of(*stereo.layout)),
+                "leave it out, or give --stereo anaglyph");
+  }
+  if (stereo.layout == StereoLayout::kInterlaced && picture.size.height == 1) {
+    return fail("--stereo interlaced", "of one row, the right eye would get nothing",
+                "give a picture of two rows or more");
+  }
+  if (!stereo.layout && !is_masked(stereo)) {
+    const auto matrix = anaglyph_matrix(*stereo.anaglyph.method,
+                                        stereo.anaglyph.glasses.value_or(Glasses::kRedCyan));
+    if (!matrix) return tl::unexpected(matrix.error());
+  }
+  return {};
+}
+
+Result<StereoPicture> render_stereo_picture(const Scene& scene, const ChosenEyes& chosen,
+                                            const RenderSettings& settings,
+                                            const StereoPictureOptions& stereo) {
+  const StereoSettings both{settings, stereo.culling};
+  const StereoPair& pair = chosen.eyes.pair;
+  const Glasses glasses = stereo.anaglyph.glasses.value_or(Glasses::kRedCyan);
+  StereoPicture picture;
+  if (is_masked(stereo)) {
+    picture.rendering =
+        render_masked_anaglyph(scene, chosen.centre, pair, both, masks_for(glasses));
+    picture.image = std::move(picture.rendering.left.color);
+    return picture;
+  }
+  picture.rendering = render_pair(scene, chosen.centre, pair, both);
+  const Image<Rgba8>& left = picture.rendering.left.color;
+  const Image<Rgba8>& right = picture.rendering.right.color;
+  Result<Image<Rgba8>> image = stereo.layout
+                                   ? lay_out(left, right, *stereo.layout)
+                                   : make_anaglyph(left, right, *stereo.anaglyph.method, glasses);
+  if (!image) return tl::unexpected(image.error());
+  picture.image = std::move(*image);
+  return picture;
+}
+
+std::string eyes_text(const ChosenEyes& chosen, const StereoRendering& rendering) {
+  const StereoPair& pair = chosen.eyes.pair;
+  if (rendering.passes == 1) return "stereo: the eyes stand in one place; one pass served both\n";
+  std::string text = fmt::format("stereo: eyes {:.6g} apart, window at {:.6g} ({})\n",
+                                 2 * pair.half_separation, pair.window, chosen.eyes.window_is_at);
+  text += fmt::format("  {:<10}{:>12}{:>16}{:>14}\n", "", "distance", "parallax", "of the width");
+  for (const auto& [name, parallax] : named_parallaxes(chosen)) {
+    text += fmt::format("  {:<10}{:>12.6g}{:>13.2f} px{:>12.2f} %\n", name, parallax.distance,
+                        parallax.px, parallax.percent);
+  }
+  if (!chosen.centre.perspective) {
+    text +=
+        "  a parallel projection: both views are oblique, and parallax grows linearly with depth\n";
+  }
+  if (rendering.lost > 0) {
+    text +=
+        fmt::format("  culling by the camera between the eyes lost {} triangles in their view\n",
+                    rendering.lost);
+  }
+  return text;
+}
+
+nlohmann::ordered_json eyes_json(const ChosenEyes& chosen, const StereoRendering& rendering) {
+  const StereoPair& pair = chosen.eyes.pair;
+  nlohmann::ordered_json json{{"separation", 2 * pair.half_separation},
+                              {"window", finite_or_inf(pair.window)},
+                              {"window_is_at", chosen.eyes.window_is_at},
+                              {"passes", rendering.passes},
+                              {"culled", rendering.culled},
+                              {"lost", rendering.lost}};
+  if (pair.half_separation == 0) return json;
+  for (const auto& [name, parallax] : named_parallaxes(chosen)) {
+    json["parallax"][name] = {{"distance", finite_or_inf(parallax.distance)},
+                              {"px", parallax.px},
+                              {"percent_of_width", parallax.percent}};
+  }
+  return json;
+}
+
+}  // namespace glassbox::app

@@ -1,0 +1,54 @@
+// render --stereo: both eyes in one picture.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/picture_options.h"
+
+#include <glassbox/base/error.h>
+#include <glassbox/images/image.h>
+#include <glassbox/images/stereo/anaglyph.h>
+#include <glassbox/images/stereo/layouts.h>
+#include <glassbox/mesh/scene.h>
+#include <glassbox/render/stereo/render_pair.h>
+
+namespace glassbox::app {
+
+struct AnaglyphOptions {
+  std::optional<AnaglyphMethod> method;  // absent: mask
+  std::optional<Glasses> glasses;        // absent: red-cyan
+};
+
+struct StereoPictureOptions {
+  bool wanted = false;                 // --stereo was given
+  std::optional<StereoLayout> layout;  // absent: an anaglyph
+  AnaglyphOptions anaglyph;
+  StereoCulling culling = StereoCulling::kUnion;
+  std::vector<const CLI::Option*> options;  // those that add_stereo_picture_options has added
+};
+
+void add_stereo_picture_options(CLI::App& command, StereoPictureOptions& stereo);
+
+// Options that contradict each other or the picture's, and sizes that cannot be laid out.
+Result<void> check_stereo_picture(const PictureOptions& picture,
+                                  const StereoPictureOptions& stereo);
+
+struct StereoPicture {
+  Image<Rgba8> image;
+  StereoRendering rendering;  // its colours may be spent on the image
+};
+
+// The options count as checked.
+Result<StereoPicture> render_stereo_picture(const Scene& scene, const ChosenEyes& chosen,
+                                            const RenderSettings& settings,
+                                            const StereoPictureOptions& stereo);
+
+// The parallax of near plane, window and far plane, in pixels and per cent of the width, and what was culled.
+std::string eyes_text(const ChosenEyes& chosen, const StereoRendering& rendering);
+nlohmann::ordered_json eyes_json(const ChosenEyes& chosen, const StereoRendering& rendering);
+
+}  // namespace glassbox::app
