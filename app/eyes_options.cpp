@@ -6,6 +6,7 @@
 
 #include <glassbox/mesh/bounds.h>
 #include <glassbox/pipeline/stereo/comfort.h>
+#include <glassbox/render/stereo/depth_seen.h>
 
 namespace glassbox::app {
 
@@ -21,12 +22,27 @@ bool is_between_planes(const View& centre, double distance) {
 ChosenPair with_automatic_window(const Scene& scene, const View& centre,
                                  std::optional<double> look_at) {
   if (look_at && is_between_planes(centre, *look_at)) {
-    return {{0, *look_at}, "where the camera looks"};
+    return {{0, *look_at}, "where the camera looks", ""};
   }
   const double middle = -(centre.eye_from_world * bounds(scene).center()).z;
-  if (is_between_planes(centre, middle)) return {{0, middle}, "the scene's centre"};
+  if (is_between_planes(centre, middle)) return {{0, middle}, "the scene's centre", ""};
   const double between = best_window(centre, {centre.near, centre.far}, {1, 1});
-  return {{0, between}, "between the near and far planes"};
+  return {{0, between}, "between the near and far planes", ""};
+}
+
+void choose_separation(const Scene& scene, const View& centre, const RenderSettings& settings,
+                       ChosenPair& chosen) {
+  const double rule = chosen.pair.window / kWindowsPerSeparation;
+  chosen.pair.half_separation = rule / 2;
+  chosen.separation_is_from = "a thirtieth of the window's distance";
+  const std::optional<DepthSpan> seen = depth_seen(scene, centre, settings);
+  if (!seen) return;
+  const double budget = kComfortablePercent / 100 * double(centre.viewport.width());
+  const double bearable =
+      largest_half_separation(centre, chosen.pair.window, *seen, {budget, budget}, rule / 2);
+  if (bearable >= rule / 2) return;
+  chosen.pair.half_separation = bearable;
+  chosen.separation_is_from = "the most that keeps parallax at 3 % of the width";
 }
 
 }  // namespace
@@ -37,10 +53,11 @@ void add_eyes_options(CLI::App& command, EyesOptions& eyes) {
       .add_option_function<std::string>(
           "--eye-separation",
           [&eyes](const std::string& text) {
-            eyes.separation = parse_number("--eye-separation", text);
+            eyes.separation.reset();
+            if (text != "auto") eyes.separation = parse_number("--eye-separation", text);
           },
-          "from eye to eye (world units) [a thirtieth of the window's distance]")
-      ->type_name("S")
+          "from eye to eye (world units) [auto: comfortable, at most a thirtieth of --window]")
+      ->type_name("S|auto")
       ->group(group);
   command
       .add_option_function<std::string>(
@@ -66,17 +83,27 @@ void add_eyes_options(CLI::App& command, EyesOptions& eyes) {
       ->group(group);
 }
 
-Result<ChosenPair> choose_pair(const Scene& scene, const View& centre, const EyesOptions& eyes,
+Result<ChosenPair> choose_pair(const Scene& scene, const View& centre,
+                               const RenderSettings& settings, const EyesOptions& eyes,
                                std::optional<double> look_at) {
-  ChosenPair chosen = eyes.window ? ChosenPair{{0, *eyes.window}, "as given"}
+  ChosenPair chosen = eyes.window ? ChosenPair{{0, *eyes.window}, "as given", ""}
                                   : with_automatic_window(scene, centre, look_at);
-  if (!eyes.separation && std::isinf(chosen.pair.window)) {
+  if (eyes.separation) {
+    chosen.pair.half_separation = *eyes.separation / 2;
+    chosen.separation_is_from = "as given";
+    return check_pair(centre, chosen.pair).map([&] { return chosen; });
+  }
+  if (std::isinf(chosen.pair.window)) {
     return fail("--window", "an infinite one says nothing about how far the eyes are apart",
                 "give --eye-separation");
   }
-  const double separation = eyes.separation.value_or(chosen.pair.window / kWindowsPerSeparation);
-  chosen.pair.half_separation = separation / 2;
-  return check_pair(centre, chosen.pair).map([&] { return chosen; });
+  // The window is looked at before it is used: separation zero would hide what is wrong with it.
+  chosen.pair.half_separation = chosen.pair.window / kWindowsPerSeparation / 2;
+  if (const Result<void> ok = check_pair(centre, chosen.pair); !ok) {
+    return tl::unexpected(ok.error());
+  }
+  choose_separation(scene, centre, settings, chosen);
+  return chosen;
 }
 
 }  // namespace glassbox::app

@@ -111,9 +111,10 @@ Result<ChosenEyes> choose_eyes(const Scene& scene, const PictureOptions& picture
                 Point<World, double>{(*target)[0], (*target)[1], (*target)[2]})
                    .z;
   }
-  return choose_pair(scene, centre->view, picture.eyes, look_at).map([&](const ChosenPair& eyes) {
-    return ChosenEyes{centre->camera, centre->view, eyes};
-  });
+  return choose_pair(scene, centre->view, picture.settings, picture.eyes, look_at)
+      .map([&](const ChosenPair& eyes) {
+        return ChosenEyes{centre->camera, centre->view, eyes};
+      });
 }
 
 }  // namespace glassbox::app

@@ -170,6 +170,7 @@ nlohmann::ordered_json eyes_json(const ChosenEyes& chosen, const StereoRendering
   const StereoPair& pair = chosen.eyes.pair;
   nlohmann::ordered_json json{{"separation", 2 * pair.half_separation},
                               {"window", finite_or_inf(pair.window)},
+                              {"separation_is_from", chosen.eyes.separation_is_from},
                               {"window_is_at", chosen.eyes.window_is_at},
                               {"passes", rendering.passes},
                               {"culled", rendering.culled},
