@@ -18,7 +18,7 @@ constexpr Named<Glasses> kGlasses[] = {
 
 constexpr Named<AnaglyphMethod> kMethods[] = {
     {AnaglyphMethod::kMask, "mask", "each channel from the eye it belongs to, full colour"},
-    {AnaglyphMethod::kTrue, "true", "luma, one channel an eye: dark, no colour, least ghosting"},
+    {AnaglyphMethod::kTrue, "true", "luma, one channel an eye: dark, no colour"},
     {AnaglyphMethod::kGrey, "grey", "luma in all channels: no colour, no rivalry"},
     {AnaglyphMethod::kHalf, "half", "luma for the eye with one channel, colours for the other"},
     {AnaglyphMethod::kOptimised, "optimised",
