@@ -149,6 +149,22 @@ TEST_CASE("row sums catch misprints that are passed around: a comma and two sign
   CHECK_FALSE(keeps_white(*amber_blue));
 }
 
+TEST_CASE("row sums catch a matrix read by columns where it is stored by rows (C-78)") {
+  for (const auto& glasses : all_glasses()) {
+    CAPTURE(glasses.name);
+    const auto matrix = anaglyph_matrix(AnaglyphMethod::kDubois, glasses.value);
+    REQUIRE(matrix);
+    AnaglyphMatrix transposed;  // each eye's half
+    for (std::size_t row = 0; row < 3; ++row) {
+      for (std::size_t column = 0; column < 3; ++column) {
+        transposed.at[row][column] = matrix->at[column][row];
+        transposed.at[row][column + 3] = matrix->at[column][row + 3];
+      }
+    }
+    CHECK_FALSE(keeps_white(transposed));
+  }
+}
+
 TEST_CASE("matrices act in linear light and results are clamped, not wrapped (C-77)") {
   const Rgba8 red{255, 0, 0, 255}, green{0, 255, 0, 255}, blue{0, 0, 255, 255};
   // 2001: green of the left eye takes 0.0378 from green and 0.0206 from blue, red of the right eye 0.0435 from red.
