@@ -133,6 +133,7 @@ TEST_CASE(
   const Image<Rgba8> flat(160, 60, {90, 90, 90, 255});
   CHECK(order_of(flat, flat, scene.disparity) == EyeOrder::kUnknown);
   CHECK(order_of(scene.left, scene.left, Image<float>(160, 60, 0.0f)) == EyeOrder::kUnknown);
+  CHECK(pair_order(scene.left, scene.right, Image<float>(160, 60, 0.4f))->windows == 0);
   for (int i = 0; i < 20; ++i) {
     const Image<Rgba8> one = texture(160, 60, random, {255, 255, 255, 255});
     const Image<Rgba8> other = texture(160, 60, random, {255, 255, 255, 255});
