@@ -22,7 +22,8 @@ void PictureQuestion::add_to(CLI::App& command) {
 
 std::string PictureQuestion::title() const {
   constexpr std::size_t kLongPath = 1000;
-  return fmt::format("{}, {} x {}", printable(scene_, kLongPath), picture_.size.width, picture_.size.height);
+  return fmt::format("{}, {} x {}", printable(scene_, kLongPath), picture_.size.width,
+                     picture_.size.height);
 }
 
 int PictureQuestion::answer(const Ask& ask) const {
