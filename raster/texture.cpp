@@ -9,9 +9,13 @@ namespace glassbox {
 
 namespace {
 
-Rgba decode_texel(const Rgba8& texel, Transfer transfer) {
-  return {decode(transfer, texel.r), decode(transfer, texel.g), decode(transfer, texel.b),
-          decode_unorm8(texel.a)};
+Rgba decode_texel(const Rgba8& texel, Transfer transfer, const ColorMask& wanted = {}) {
+  Rgba color{0, 0, 0, 0};
+  if (wanted.r) color.r = decode(transfer, texel.r);
+  if (wanted.g) color.g = decode(transfer, texel.g);
+  if (wanted.b) color.b = decode(transfer, texel.b);
+  if (wanted.a) color.a = decode_unorm8(texel.a);
+  return color;
 }
 
 Rgba8 encode_texel(const Rgba& color, Transfer transfer) {
@@ -125,14 +129,14 @@ int wrap_texel(Wrap wrap, int i, int size) {
 }
 
 Rgba sample_nearest(const Image<Rgba8>& image, const Sampler& sampler, float u, float v,
-                    Transfer transfer) {
+                    Transfer transfer, const ColorMask& wanted) {
   const int x = wrap_texel(sampler.wrap_u, int(std::floor(u * float(image.width))), image.width);
   const int y = wrap_texel(sampler.wrap_v, int(std::floor(v * float(image.height))), image.height);
-  return decode_texel(image.at(x, y), transfer);
+  return decode_texel(image.at(x, y), transfer, wanted);
 }
 
 Rgba sample_linear(const Image<Rgba8>& image, const Sampler& sampler, float u, float v,
-                   Transfer transfer) {
+                   Transfer transfer, const ColorMask& wanted) {
   // Texel centres are at halves.
   const float x = u * float(image.width) - 0.5f;
   const float y = v * float(image.height) - 0.5f;
@@ -142,17 +146,17 @@ Rgba sample_linear(const Image<Rgba8>& image, const Sampler& sampler, float u, f
   const int x1 = wrap_texel(sampler.wrap_u, int(left) + 1, image.width);
   const int y0 = wrap_texel(sampler.wrap_v, int(above), image.height);
   const int y1 = wrap_texel(sampler.wrap_v, int(above) + 1, image.height);
-  const Rgba top = mix(decode_texel(image.at(x0, y0), transfer),
-                       decode_texel(image.at(x1, y0), transfer), x - left);
-  const Rgba bottom = mix(decode_texel(image.at(x0, y1), transfer),
-                          decode_texel(image.at(x1, y1), transfer), x - left);
+  const Rgba top = mix(decode_texel(image.at(x0, y0), transfer, wanted),
+                       decode_texel(image.at(x1, y0), transfer, wanted), x - left);
+  const Rgba bottom = mix(decode_texel(image.at(x0, y1), transfer, wanted),
+                          decode_texel(image.at(x1, y1), transfer, wanted), x - left);
   return mix(top, bottom, y - above);
 }
 
 Rgba sample_level(const Image<Rgba8>& image, const Sampler& sampler, Filter filter, float u,
-                  float v, Transfer transfer) {
-  return filter == Filter::kNearest ? sample_nearest(image, sampler, u, v, transfer)
-                                    : sample_linear(image, sampler, u, v, transfer);
+                  float v, Transfer transfer, const ColorMask& wanted) {
+  return filter == Filter::kNearest ? sample_nearest(image, sampler, u, v, transfer, wanted)
+                                    : sample_linear(image, sampler, u, v, transfer, wanted);
 }
 
 }  // namespace
@@ -214,11 +218,11 @@ float level_of_detail(const TextureGradient& gradient, int width, int height) {
 }
 
 Rgba sample(const MipChain& texture, const Sampler& sampler, const std::array<float, 2>& texcoord,
-            float level_of_detail, Transfer transfer) {
+            float level_of_detail, Transfer transfer, const ColorMask& wanted) {
   const float u = wrap_coordinate(sampler.wrap_u, texcoord[0]);
   const float v = wrap_coordinate(sampler.wrap_v, texcoord[1]);
   const auto level = [&](std::size_t k, Filter filter) {
-    return sample_level(texture.levels[k], sampler, filter, u, v, transfer);
+    return sample_level(texture.levels[k], sampler, filter, u, v, transfer, wanted);
   };
   if (!(level_of_detail > 0.0f)) return level(0, sampler.magnify);
   if (sampler.mip == MipFilter::kNone) return level(0, sampler.minify);

@@ -6,6 +6,7 @@
 
 #include <glassbox/images/image.h>
 #include <glassbox/mesh/scene.h>
+#include <glassbox/raster/color_mask.h>
 #include <glassbox/raster/stages.h>
 #include <glassbox/raster/transfer.h>
 
@@ -44,8 +45,8 @@ TextureGradient texture_gradient(const TexturePlanes& planes, const std::array<f
 float level_of_detail(const TextureGradient& gradient, int width, int height);
 
 // One filtered sample, in linear light. Coordinates are wrapped before they are scaled. Anything finite or not is
-// legal; a coordinate that is not finite counts as 0.
+// legal; a coordinate that is not finite counts as 0. Channels that are not wanted are 0.
 Rgba sample(const MipChain& texture, const Sampler& sampler, const std::array<float, 2>& texcoord,
-            float level_of_detail, Transfer transfer);
+            float level_of_detail, Transfer transfer, const ColorMask& wanted = {});
 
 }  // namespace glassbox

@@ -36,13 +36,13 @@ struct EyeStages {
 EyeStages make_stages(std::size_t index, const EyePass& eye, const ClipTable& clip,
                       const EyeSpaceTables& eye_space, const Lighting& lighting) {
   const Draw& draw = eye.draws[index];
-  return {
-      {draw, clip, eye_space, eye.view, eye.settings, lighting, render_planes(eye.view),
-       eye.statistics, eye.observer},
-      {draw, eye.view, eye.settings, lighting, eye.target, eye.color, eye.statistics, eye.observer},
-      {},
-      {},
-      {}};
+  return {{draw, clip, eye_space, eye.view, eye.settings, lighting, render_planes(eye.view),
+           eye.statistics, eye.observer},
+          {draw, shaded_channels(draw, eye.settings), eye.view, eye.settings, lighting, eye.target,
+           eye.color, eye.statistics, eye.observer},
+          {},
+          {},
+          {}};
 }
 
 template <class Primitive>

@@ -34,7 +34,7 @@ Rgba surface_color(const FragmentStage& stage, const Varyings& at, float detail)
              base.a * at.color[3]};
   if (stage.draw.texture != nullptr) {
     const Rgba texel = sample(*stage.draw.texture, *stage.draw.sampler, at.texcoord, detail,
-                              stage.settings.transfer);
+                              stage.settings.transfer, stage.channels);
     color = {color.r * texel.r, color.g * texel.g, color.b * texel.b, color.a * texel.a};
   }
   return color;
@@ -103,10 +103,10 @@ Rgba8 encoded(const FragmentStage& stage, const Varyings& at, const Rgba& surfac
   if (stage.observer != nullptr) stage.observer->lit(at, surface, color);
   if (stage.draw.material->alpha_mode == AlphaMode::kBlend) {
     color.a = std::clamp(color.a, 0.0f, 1.0f);  // vertex colours may exceed 1
-    return blend_over(stage.settings.transfer, color, before);
+    return blend_over(stage.settings.transfer, color, before, stage.channels);
   }
   color.a = 1.0f;
-  return encode(stage.settings.transfer, color);
+  return encode(stage.settings.transfer, color, stage.channels);
 }
 
 bool is_discarded(const Material& material, const Rgba& surface) {
@@ -169,6 +169,12 @@ void process_observed(const FragmentStage& stage, const FragmentSource& source,
 constexpr FragmentSource kNoTriangle{0, 0, false};
 
 }  // namespace
+
+ColorMask shaded_channels(const Draw& draw, const RenderSettings& settings) {
+  ColorMask channels = settings.mask;
+  channels.a = channels.a || draw.material->alpha_mode != AlphaMode::kOpaque;
+  return channels;
+}
 
 void rasterise(const FragmentStage& stage, const ReadyTriangle& triangle) {
   Surface surface{triangle.vertices, {}};

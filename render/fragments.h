@@ -13,6 +13,7 @@ namespace glassbox {
 
 struct FragmentStage {
   const Draw& draw;
+  ColorMask channels;  // that are shaded: shaded_channels(draw, settings)
   const View& view;
   const RenderSettings& settings;
   const Lighting& lighting;
@@ -21,6 +22,9 @@ struct FragmentStage {
   Statistics& statistics;
   Observer* observer = nullptr;
 };
+
+// Those that are written, and alpha where the material asks for it.
+ColorMask shaded_channels(const Draw& draw, const RenderSettings& settings);
 
 void rasterise(const FragmentStage& stage, const ReadyTriangle& triangle);
 void rasterise(const FragmentStage& stage, const ReadyLine& line);
