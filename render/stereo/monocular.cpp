@@ -1,0 +1,52 @@
+#include <glassbox/render/stereo/monocular.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace glassbox {
+namespace {
+
+constexpr double kSame = 0.5;  // px
+
+// `shift` leads from a pixel of this eye to the other's: 1 from left to right, -1 from right to left.
+OtherEye seen_by_other(const Image<float>& other, int x, int y, double disparity, int shift) {
+  if (!std::isfinite(disparity)) return OtherEye::kNothingDrawn;
+  const double place = std::floor(x + 0.5 + shift * disparity);
+  if (place < 0 || place >= other.width) return OtherEye::kBesideIt;
+  const int at = int(place);
+  const double found = double(other.at(at, y));  // NaN is never nearer
+  if (found < disparity - kSame) return OtherEye::kHidden;
+  for (int i = std::max(at - 1, 0); i <= std::min(at + 1, other.width - 1); ++i) {
+    if (std::abs(double(other.at(i, y)) - disparity) <= kSame) return OtherEye::kSeesIt;
+  }
+  return OtherEye::kMissing;
+}
+
+Image<OtherEye> map_of(const Image<float>& own, const Image<float>& other, int shift) {
+  Image<OtherEye> map(own.width, own.height);
+  for (int y = 0; y < own.height; ++y) {
+    for (int x = 0; x < own.width; ++x) {
+      map.at(x, y) = seen_by_other(other, x, y, double(own.at(x, y)), shift);
+    }
+  }
+  return map;
+}
+
+}  // namespace
+
+MonocularMaps monocular_maps(const Image<float>& left_disparity,
+                             const Image<float>& right_disparity) {
+  return {map_of(left_disparity, right_disparity, 1), map_of(right_disparity, left_disparity, -1)};
+}
+
+MonocularCounts count(const Image<OtherEye>& map) {
+  MonocularCounts counts;
+  for (const OtherEye seen : map.pixels) {
+    counts.beside += seen == OtherEye::kBesideIt;
+    counts.hidden += seen == OtherEye::kHidden;
+    counts.missing += seen == OtherEye::kMissing;
+  }
+  return counts;
+}
+
+}  // namespace glassbox
