@@ -22,7 +22,14 @@ Result<Bytes> deflated(std::span<const std::uint8_t> bytes) {
   return out;
 }
 
-std::string base64(const Bytes& bytes) {
+void replace(std::string& text, std::string_view mark, std::string_view value) {
+  const std::size_t at = text.find(mark);
+  text.replace(at, mark.size(), value);
+}
+
+}  // namespace
+
+std::string base64(std::span<const std::uint8_t> bytes) {
   constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
   text.reserve((bytes.size() + 2) / 3 * 4);
@@ -35,13 +42,6 @@ std::string base64(const Bytes& bytes) {
   for (std::size_t i = 0; i < (3 - bytes.size() % 3) % 3; ++i) text[text.size() - 1 - i] = '=';
   return text;
 }
-
-void replace(std::string& text, std::string_view mark, std::string_view value) {
-  const std::size_t at = text.find(mark);
-  text.replace(at, mark.size(), value);
-}
-
-}  // namespace
 
 Result<std::string> packed_text(std::span<const std::uint8_t> bytes) {
   const auto packed = deflated(bytes);

@@ -12,6 +12,9 @@
 
 namespace glassbox {
 
+// Four digits for every three bytes, "=" at the end where some are missing: as data URIs take it.
+std::string base64(std::span<const std::uint8_t> bytes);
+
 // One zlib stream in base64. html/inflate.js is the way back.
 Result<std::string> packed_text(std::span<const std::uint8_t> bytes);
 

@@ -1,6 +1,7 @@
-# embed_page(DIR HTML ... STYLES ... SCRIPTS ...): makes page_parts.h in the current build directory: the files of an HTML
-# page as string literals, and the hashes by which its Content-Security-Policy allows the style and the script, and no
-# others. Files are looked for in DIR, then beside this one, where lies what several pages share.
+# embed_page(DIR HTML ... STYLES ... SCRIPTS ... [HEADER NAME]): makes page_parts.h, or a header of that name, in the current
+# build directory: the files of an HTML page as string literals, and the hashes by which its Content-Security-Policy allows
+# the style and the script, and no others. Files are looked for in DIR, then beside this one, where lies what several pages
+# share.
 set(GLASSBOX_HTML_DIR ${CMAKE_CURRENT_LIST_DIR} CACHE INTERNAL "")
 
 # base64 of bytes written as hexadecimal digits.
@@ -43,7 +44,10 @@ function(read_page_part dir file out)
 endfunction()
 
 function(embed_page dir)
-  cmake_parse_arguments(PAGE "" "HTML" "STYLES;SCRIPTS" ${ARGN})
+  cmake_parse_arguments(PAGE "" "HTML;HEADER" "STYLES;SCRIPTS" ${ARGN})
+  if(NOT PAGE_HEADER)
+    set(PAGE_HEADER page_parts.h)
+  endif()
   read_page_part(${dir} ${PAGE_HTML} page_html)
   set(page_style "")
   foreach(file ${PAGE_STYLES})
@@ -65,5 +69,5 @@ function(embed_page dir)
     string(SHA256 hash "${page_${part}}")
     base64_of_hex(${hash} page_${part}_hash)
   endforeach()
-  configure_file(${GLASSBOX_HTML_DIR}/page_parts.h.in ${CMAKE_CURRENT_BINARY_DIR}/page_parts.h @ONLY)
+  configure_file(${GLASSBOX_HTML_DIR}/page_parts.h.in ${CMAKE_CURRENT_BINARY_DIR}/${PAGE_HEADER} @ONLY)
 endfunction()

@@ -14,6 +14,13 @@ struct InformationLimits {
   double disparity = 0.5;  // px: less is within the sampling
 };
 
+// What a pixel counts as, as bits.
+enum InformationMark : std::uint8_t {
+  kMarkCounted = 1,  // has both neighbours in its row and a disparity
+  kMarkEdge = 2,
+  kMarkDisplaced = 4,
+};
+
 struct StereoInformation {
   std::uint64_t pixels = 0;     // that have both neighbours in their row and a disparity
   std::uint64_t edges = 0;      // of those, where the gradient is above the limit
@@ -29,5 +36,9 @@ struct StereoInformation {
 Result<StereoInformation> stereo_information(const Image<Rgba8>& left,
                                              const Image<float>& disparity,
                                              const InformationLimits& limits = {});
+
+// The InformationMark of every pixel, which is what stereo_information counts.
+Result<Image<std::uint8_t>> information_map(const Image<Rgba8>& left, const Image<float>& disparity,
+                                            const InformationLimits& limits = {});
 
 }  // namespace glassbox
