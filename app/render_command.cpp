@@ -9,6 +9,7 @@
 
 #include "app/builtin_help.h"
 #include "app/exit_codes.h"
+#include "app/frames/frames.h"
 #include "app/output.h"
 #include "app/program_name.h"
 #include "app/progress.h"
@@ -104,7 +105,8 @@ void RenderCommand::add_to(CLI::App& app, int& exit_code) {
       "  glassbox render teapot --eye 5,5,11 --look-at 0,1.5,0 --fov 30 --size 1920x1080\n"
       "  glassbox render plan.obj --ortho 10 --shade flat --background 1,1,1\n"
       "  glassbox render room --depth-out room.pfm --id-out ids.pfm --json -\n"
-      "  glassbox render forest --stereo anaglyph --eye-separation 0.3 --window 12\n\n" +
+      "  glassbox render forest --stereo anaglyph --eye-separation 0.3 --window 12\n"
+      "  glassbox render forest --stereo anaglyph --frames 60 --path walk.json -o walk.png\n\n" +
       builtin_help());
   command.add_option("SCENE", scene_, "a glTF, GLB or OBJ file, or the name of a built-in scene")
       ->required();
@@ -112,6 +114,7 @@ void RenderCommand::add_to(CLI::App& app, int& exit_code) {
       ->type_name("FILE");
   add_picture_options(command, picture_);
   add_stereo_picture_options(command, stereo_);
+  add_frames_options(command, frames_);
 
   const std::string outputs = "Other outputs";
   command
@@ -191,8 +194,27 @@ Result<DrawnPicture> RenderCommand::draw(const Scene& scene) const {
   });
 }
 
+int RenderCommand::run_frames(const std::string& usual_output) {
+  if (depth_output_ || id_output_) {
+    return refuse({"", depth_output_ ? "--depth-out" : "--id-out", "each frame has its own",
+                   "leave it out; one frame's picture says how it is rendered alone"});
+  }
+  if (stats_) {
+    return refuse({"", "--stats", "each frame has its own", "leave it out, or see --json"});
+  }
+  if (const auto legal = check_stereo_picture(picture_, stereo_); !legal) {
+    return refuse(legal.error());
+  }
+  return render_frames(
+      {scene_, output_, usual_output, picture_, stereo_, frames_, limits_, json_output_});
+}
+
 int RenderCommand::run() {
   const Clock::time_point start = Clock::now();
+  if (const auto legal = check_frames_options(picture_, stereo_, frames_); !legal) {
+    return refuse(legal.error());
+  }
+  if (frames_.wanted()) return run_frames(default_output(scene_));
   const std::string output = output_.empty() ? default_output(scene_) : output_;
   if (const auto legal = check_image_path(output); !legal) return refuse(legal.error());
   if (const auto legal = check_other_outputs(output); !legal) return refuse(legal.error());

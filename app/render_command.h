@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/frames/frames_options.h"
 #include "app/picture_options.h"
 #include "app/stereo_picture.h"
 
@@ -41,6 +42,8 @@ public:
 
 private:
   int run();
+  // The same along a camera path.
+  int run_frames(const std::string& usual_output);
   Result<DrawnPicture> draw(const Scene& scene) const;
   std::vector<TextEntry> recipe_text() const;
   // The paths of all outputs, as far as they can be judged before anything is computed.
@@ -50,6 +53,7 @@ private:
   std::string output_;  // empty: named after the scene
   PictureOptions picture_;
   StereoPictureOptions stereo_;
+  FramesOptions frames_;
   LoadLimits limits_;
   std::optional<std::string> depth_output_;
   std::optional<std::string> id_output_;

@@ -1,0 +1,187 @@
+#include "app/frames/eye_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include <glassbox/render/stereo/depth_seen.h>
+
+namespace glassbox::app {
+
+namespace {
+
+// As for a single picture: stereo photography's one in thirty.
+constexpr double kWindowsPerSeparation = 30;
+
+// After so many rounds a frame that still shows more than was known gets the whole range, so that planning comes to an end.
+constexpr int kPatientRounds = 8;
+
+RenderSettings distance_only(RenderSettings settings) {
+  settings.shading = Shading::kUnlit;
+  settings.show = Show::kColor;
+  settings.want_distance = true;
+  settings.want_id = false;
+  return settings;
+}
+
+bool covers(const DepthSpan& known, const DepthSpan& seen) {
+  return known.nearest <= seen.nearest && seen.farthest <= known.farthest;
+}
+
+DepthSpan both(const DepthSpan& a, const DepthSpan& b) {
+  return {std::min(a.nearest, b.nearest), std::max(a.farthest, b.farthest)};
+}
+
+// All that can be drawn. Distances are floats, made with a few roundings (render/distance.h).
+DepthSpan whole_range(const View& view) {
+  constexpr double kMargin = 1e-6;
+  const double far = std::isinf(view.far) ? 0 : std::abs(view.far);
+  const double margin =
+      kMargin * (view.perspective ? view.near : std::max(std::abs(view.near), far));
+  return {view.near - margin, view.far + kMargin * far};
+}
+
+// The frames without a span get their predecessor's, those at the beginning their successor's.
+void fill_gaps(std::vector<ComfortFrame>& frames, const std::vector<std::size_t>& empty) {
+  std::vector<bool> known(frames.size(), true);
+  for (const std::size_t i : empty) known[i] = false;
+  const auto first = std::size_t(std::ranges::find(known, true) - known.begin());
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (known[i]) continue;
+    if (first == frames.size()) {
+      frames[i].span = whole_range(frames[i].centre);
+    } else {
+      frames[i].span = frames[i < first ? first : i - 1].span;
+    }
+  }
+}
+
+class Planner {
+public:
+  Planner(const Scene& scene, const std::vector<Shot>& shots, const EyeWishes& wishes,
+          const StereoSettings& settings, const std::function<void(std::size_t)>& look)
+      : scene_(scene), shots_(shots), wishes_(wishes), settings_(settings), look_(look) {}
+
+  Result<EyePlan> plan() {
+    look_first();
+    set_bounds();
+    plan_.pairs = comfortable_pairs(frames_, wishes_.budget, rates_);
+    std::vector<std::size_t> unproven(frames_.size());
+    for (std::size_t i = 0; i < unproven.size(); ++i) unproven[i] = i;
+    for (int round = 0; !unproven.empty(); ++round) {
+      if (const auto legal = check_pairs(unproven); !legal) return tl::unexpected(legal.error());
+      bool grown = false;
+      for (const std::size_t i : unproven) {
+        look_(i);
+        if (widen(i, round)) grown = true;
+      }
+      if (!grown) break;
+      unproven = replan();
+    }
+    for (const ComfortFrame& frame : frames_) plan_.spans.push_back(frame.span);
+    return plan_;
+  }
+
+private:
+  void look_first() {
+    for (std::size_t i = 0; i < shots_.size(); ++i) {
+      look_(i);
+      const auto seen = depth_seen(scene_, shots_[i].centre, settings_.render);
+      if (!seen) plan_.empty.push_back(i);
+      frames_.push_back({shots_[i].centre, seen.value_or(DepthSpan{}), shots_[i].window});
+    }
+    fill_gaps(frames_, plan_.empty);
+  }
+
+  void set_bounds() {
+    double farthest_window = 0;
+    for (const Shot& shot : shots_) farthest_window = std::max(farthest_window, shot.window);
+    plan_.separation_bound = wishes_.separation.value_or(farthest_window / kWindowsPerSeparation);
+    rates_.at_most = plan_.separation_bound / 2;
+    rates_.window_frames = rates_.release_frames = wishes_.release_frames;
+    plan_.step_bound = wishes_.max_step.value_or(largest_limit() / wishes_.release_frames);
+    // Nothing to step to, or no time to do it in.
+    if (!(plan_.step_bound > 0)) plan_.step_bound = std::numeric_limits<double>::infinity();
+    rates_.max_step = plan_.step_bound / 2;
+  }
+
+  // The largest separation that the budget allows anywhere.
+  double largest_limit() const {
+    ComfortRates free = rates_;
+    free.release_frames = 0;
+    double largest = 0;
+    for (const StereoPair& pair : comfortable_pairs(frames_, wishes_.budget, free)) {
+      largest = std::max(largest, 2 * pair.half_separation);
+    }
+    return largest;
+  }
+
+  Result<void> check_pairs(const std::vector<std::size_t>& which) const {
+    for (const std::size_t i : which) {
+      const auto legal = check_pair(frames_[i].centre, plan_.pairs[i]);
+      if (legal) continue;
+      const Error& error = legal.error();
+      return fail(fmt::format("frame {}", shots_[i].number), error.place + ": " + error.cause,
+                  error.remedy);
+    }
+    return {};
+  }
+
+  // Whether an eye saw more than was known.
+  bool widen(std::size_t i, int round) {
+    ++plan_.measured;
+    const auto seen = depth_seen_by(scene_, frames_[i].centre, plan_.pairs[i], settings_);
+    if (!seen || covers(frames_[i].span, *seen)) return false;
+    ++plan_.widened;
+    frames_[i].span = both(frames_[i].span, *seen);
+    if (round >= kPatientRounds) {
+      frames_[i].span = both(frames_[i].span, whole_range(frames_[i].centre));
+    }
+    return true;
+  }
+
+  // The frames whose pair is another one for it.
+  std::vector<std::size_t> replan() {
+    std::vector<StereoPair> pairs = comfortable_pairs(frames_, wishes_.budget, rates_);
+    std::vector<std::size_t> changed;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      if (pairs[i].half_separation != plan_.pairs[i].half_separation) changed.push_back(i);
+    }
+    plan_.pairs = std::move(pairs);
+    return changed;
+  }
+
+  const Scene& scene_;
+  const std::vector<Shot>& shots_;
+  const EyeWishes& wishes_;
+  const StereoSettings& settings_;
+  const std::function<void(std::size_t)>& look_;
+  std::vector<ComfortFrame> frames_;
+  ComfortRates rates_;
+  EyePlan plan_;
+};
+
+}  // namespace
+
+std::optional<DepthSpan> depth_seen_in(const StereoRendering& pictures) {
+  const auto left = depth_span(pictures.left.distance);
+  const auto right = depth_span(pictures.right.distance);
+  if (left && right) return both(*left, *right);
+  return left ? left : right;
+}
+
+std::optional<DepthSpan> depth_seen_by(const Scene& scene, const View& centre,
+                                       const StereoPair& pair, const StereoSettings& settings) {
+  const StereoSettings probe{distance_only(settings.render), settings.culling};
+  return depth_seen_in(render_pair(scene, centre, pair, probe));
+}
+
+Result<EyePlan> plan_eyes(const Scene& scene, const std::vector<Shot>& shots,
+                          const EyeWishes& wishes, const StereoSettings& settings,
+                          const std::function<void(std::size_t)>& look) {
+  return Planner(scene, shots, wishes, settings, look).plan();
+}
+
+}  // namespace glassbox::app

@@ -1,0 +1,225 @@
+#include "app/frames/frames.h"
+
+#include <chrono>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "app/exit_codes.h"
+#include "app/frames/eye_plan.h"
+#include "app/frames/frame_names.h"
+#include "app/frames/frames_report.h"
+#include "app/frames/path_file.h"
+#include "app/frames/plot.h"
+#include "app/frames/shots.h"
+#include "app/frames/stop_request.h"
+#include "app/output.h"
+#include "app/progress.h"
+
+#include <glassbox/images/recipe.h>
+#include <glassbox/images/write.h>
+#include <glassbox/mesh/load.h>
+#include <glassbox/render/staged.h>
+
+namespace glassbox::app {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// A picture and what was measured on it.
+struct DrawnFrame {
+  Image<Rgba8> image;
+  FrameRecord record;
+};
+
+class FramesRun {
+public:
+  explicit FramesRun(const FramesRequest& request) : request_(request) {}
+
+  int run() {
+    for (const auto step :
+         {&FramesRun::check, &FramesRun::load, &FramesRun::aim, &FramesRun::plan}) {
+      if (const auto done = (this->*step)(); !done) return refuse(done.error());
+    }
+    const StopRequest stop;
+    for (std::size_t i = 0; i < shots_.size(); ++i) {
+      if (stop.asked()) return stopped();
+      progress_.phase(of_all("rendering", i));
+      if (const auto written = render(i); !written) return refuse(written.error());
+    }
+    if (const auto written = write_others(); !written) return refuse(written.error());
+    progress_.done();
+    if (request_.json != "-") fmt::print("{}", frames_text(report_));
+    return kSuccess;
+  }
+
+private:
+  int count() const { return *request_.frames.count; }
+  bool stereo() const { return request_.stereo.wanted; }
+  const Size& size() const { return request_.picture.size; }
+
+  std::string of_all(const char* what, std::size_t i) const {
+    return fmt::format("{} frame {} of {}", what, i + 1, shots_.size());
+  }
+
+  Result<void> check() {
+    const auto path = read_camera_path(*request_.frames.path);
+    if (!path) return tl::unexpected(path.error());
+    path_ = *path;
+    if (const auto legal = check_path_options(request_.picture, path_); !legal) return legal;
+    const auto names = FrameNames::of(request_.output, request_.usual_output, count());
+    if (!names) return tl::unexpected(names.error());
+    names_ = *names;
+    report_.scene = request_.scene;
+    report_.path = *request_.frames.path;
+    report_.size = size();
+    if (stereo()) report_.plot = request_.frames.plot.value_or(names_.plot());
+    return check_paths();
+  }
+
+  Result<void> check_paths() const {
+    if (const auto legal = check_image_path(names_.name(1)); !legal) return legal;
+    std::vector<std::string> paths;
+    for (int number = 1; number <= count(); ++number) paths.push_back(names_.name(number));
+    if (!report_.plot.empty()) paths.push_back(report_.plot);
+    if (request_.json && *request_.json != "-") paths.push_back(*request_.json);
+    return check_outputs(paths);
+  }
+
+  Result<void> load() {
+    progress_.phase("loading " + request_.scene);
+    Result<Scene> scene = load_scene(request_.scene, request_.limits);
+    if (!scene) return tl::unexpected(scene.error());
+    scene_ = std::move(*scene);
+    for (const std::string& warning : scene_.warnings) progress_.say("warning: " + warning);
+    return {};
+  }
+
+  Result<void> aim() {
+    progress_.phase("following the path");
+    auto shots = make_shots(scene_, request_.picture, path_, count(), stereo());
+    if (!shots) return tl::unexpected(shots.error());
+    shots_ = std::move(*shots);
+    say_what_surprises();
+    return {};
+  }
+
+  void say_what_surprises() {
+    const double last = path_.keyframes.back().at;
+    if (path_.keyframes.size() == 1 && count() > 1) {
+      progress_.say("note: the path has one keyframe: the camera stands still");
+    } else if (path_.clock == PathClock::kFrames && last > count()) {
+      progress_.say(
+          fmt::format("note: the path goes on to frame {}, beyond --frames {}", last, count()));
+    }
+    std::error_code ignored;
+    const std::string next = names_.name(count() + 1);
+    if (std::filesystem::exists(next, ignored)) {
+      progress_.say("note: " + next + " is there from a longer sequence, and stays");
+    }
+  }
+
+  Result<void> plan() {
+    if (!stereo()) return {};
+    const FramesOptions& frames = request_.frames;
+    const auto px = [&](double percent) { return percent * size().width / 100; };
+    report_.budget = {px(frames.budget_percent[0]), px(frames.budget_percent[1])};
+    const EyeWishes wishes{report_.budget, request_.picture.eyes.separation, frames.release_frames,
+                           frames.max_step};
+    const StereoSettings settings{request_.picture.settings, request_.stereo.culling};
+    auto plan = plan_eyes(scene_, shots_, wishes, settings,
+                          [this](std::size_t i) { progress_.phase(of_all("looking at", i)); });
+    if (!plan) return tl::unexpected(plan.error());
+    report_.eyes = std::move(*plan);
+    return {};
+  }
+
+  Result<DrawnFrame> draw(std::size_t i) const {
+    const Shot& shot = shots_[i];
+    FrameRecord record = record_of(shot, names_.name(shot.number));
+    RenderSettings settings = request_.picture.settings;
+    if (!stereo()) {
+      return DrawnFrame{render_staged(scene_, shot.centre, settings).buffers.color, record};
+    }
+    settings.want_distance = true;
+    const StereoPair& pair = report_.eyes->pairs[i];
+    const ChosenEyes eyes{shot.camera, shot.centre, {pair, "", ""}};
+    return render_stereo_picture(scene_, eyes, settings, request_.stereo)
+        .map([&](StereoPicture drawn) {
+          measure(record, shot.centre, pair, depth_seen_in(drawn.rendering));
+          return DrawnFrame{std::move(drawn.image), record};
+        });
+  }
+
+  Result<void> render(std::size_t i) {
+    const Result<DrawnFrame> drawn = draw(i);
+    if (!drawn) return tl::unexpected(drawn.error());
+    std::vector<const CLI::Option*> options = request_.picture.options;
+    options.insert(options.end(), request_.stereo.options.begin(), request_.stereo.options.end());
+    const StereoPair* pair = stereo() ? &report_.eyes->pairs[i] : nullptr;
+    const auto recipe =
+        to_text(Recipe{request_.scene, words_for(shots_[i], pair, options), GLASSBOX_VERSION});
+    report_.frames.push_back(drawn->record);
+    return write_image(drawn->record.image, drawn->image, recipe);
+  }
+
+  Result<void> write_others() {
+    say_what_is_odd();
+    report_.total_ms = std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
+    if (!report_.plot.empty()) {
+      const auto written = write_text(report_.plot, plot_svg(report_));
+      if (!written) return written;
+    }
+    return request_.json ? write_json(*request_.json, frames_json(report_)) : Result<void>{};
+  }
+
+  // Frames that show nothing, and such that have hardly any depth left beside the others.
+  void say_what_is_odd() {
+    if (!report_.eyes) return;
+    double most = 0;
+    for (const FrameRecord& frame : report_.frames) {
+      most = std::max(most, frame.pair.half_separation);
+    }
+    int nothing = 0, flat = 0;
+    const FrameRecord* first_flat = nullptr;
+    for (const FrameRecord& frame : report_.frames) {
+      nothing += !frame.seen;
+      if (!frame.seen || frame.pair.half_separation >= most / 100) continue;
+      if (++flat == 1) first_flat = &frame;
+    }
+    if (nothing > 0) {
+      progress_.say(fmt::format("note: nothing of the scene is in {} of the frames", nothing));
+    }
+    if (flat > 0) {
+      progress_.say(fmt::format(
+          "note: in {} of the frames, the first is {}, the eyes are less than a hundredth of the "
+          "path's largest separation apart: something is {:.3g} in front of the camera",
+          flat, first_flat->number, first_flat->seen->nearest));
+    }
+  }
+
+  int stopped() {
+    progress_.done();
+    fmt::print(stderr, "glassbox: stopped: {} of {} frames are written\n", report_.frames.size(),
+               shots_.size());
+    return kFailure;
+  }
+
+  const FramesRequest& request_;
+  const Clock::time_point start_ = Clock::now();
+  Progress progress_;
+  CameraPath path_;
+  FrameNames names_;
+  Scene scene_;
+  std::vector<Shot> shots_;
+  FramesReport report_;
+};
+
+}  // namespace
+
+int render_frames(const FramesRequest& request) {
+  return FramesRun(request).run();
+}
+
+}  // namespace glassbox::app

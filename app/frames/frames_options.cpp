@@ -1,0 +1,146 @@
+#include "app/frames/frames_options.h"
+
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "app/arguments.h"
+#include "app/frames/path_file.h"
+#include "app/output.h"
+
+#include <glassbox/pipeline/number_text.h>
+
+namespace glassbox::app {
+
+namespace {
+
+int parse_count(const std::string& text) {
+  int count = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+  const bool whole = error == std::errc() && end == text.data() + text.size();
+  if (whole && count >= 1 && count <= kMaxFrames) return count;
+  throw CLI::ValidationError(
+      "--frames", fmt::format("needs a whole number from 1 to {}, not '{}'", kMaxFrames, text));
+}
+
+// One number for both sides of the window, or two.
+std::array<double, 2> parse_budget(const std::string& text) {
+  const std::string name = "--parallax-budget";
+  const bool both = text.find(',') == std::string::npos;
+  const std::array<double, 2> budget =
+      both ? std::array{parse_number(name, text), parse_number(name, text)}
+           : parse_numbers<2>(name, text);
+  for (const double percent : budget) {
+    if (percent >= 0 && percent <= 100) continue;
+    throw CLI::ValidationError(name, fmt::format("needs per cent from 0 to 100, not '{}'", text));
+  }
+  return budget;
+}
+
+double parse_at_least_zero(const std::string& name, const std::string& text) {
+  const double number = parse_number(name, text);
+  if (number >= 0 && std::isfinite(number)) return number;
+  throw CLI::ValidationError(name, fmt::format("needs a number from 0, not '{}'", text));
+}
+
+}  // namespace
+
+void add_frames_options(CLI::App& command, FramesOptions& frames) {
+  const std::size_t before = command.get_options().size();
+  const std::string group = "Frames along a path";
+  const auto add = [&](const std::string& name, const std::string& type, const std::string& help,
+                       const std::function<void(const std::string&)>& take) {
+    command.add_option_function<std::string>(name, take, help)->type_name(type)->group(group);
+  };
+  add("--frames", "N",
+      "as many pictures, FILE-0001.png and so on; or -o with %04d for the number, or a directory",
+      [&frames](const std::string& text) { frames.count = parse_count(text); });
+  add("--path", "FILE.json", "the camera's path: keyframes (docs/stereo.md has the format)",
+      [&frames](const std::string& text) { frames.path = text; });
+  add("--parallax-budget", "PERCENT[,PERCENT]",
+      "the most parallax in front of the window and behind it, of the width [3]",
+      [&frames](const std::string& text) { frames.budget_percent = parse_budget(text); });
+  add("--release-frames", "N", "how slowly the eyes part again and the window follows [15]",
+      [&frames](const std::string& text) {
+        frames.release_frames = parse_at_least_zero("--release-frames", text);
+      });
+  add("--max-step", "S",
+      "the most that the separation changes in a frame (world units) [its largest in "
+      "--release-frames]",
+      [&frames](const std::string& text) {
+        frames.max_step = parse_at_least_zero("--max-step", text);
+        if (frames.max_step == 0) {
+          throw CLI::ValidationError("--max-step", "needs a number above 0, not '" + text + "'");
+        }
+      });
+  add("--plot", "FILE.svg", "separation and parallax over the frames [named after the pictures]",
+      [&frames](const std::string& text) { frames.plot = text; });
+  const auto all = command.get_options();
+  frames.options.assign(all.begin() + std::ptrdiff_t(before), all.end());
+}
+
+Result<void> check_frames_options(const PictureOptions& picture, const StereoPictureOptions& stereo,
+                                  const FramesOptions& frames) {
+  for (const CLI::Option* option : frames.options) {
+    if (option->count() == 0) continue;
+    if (!frames.count) return fail(option->get_name(), "no number of frames", "give --frames N");
+    if (!frames.path) return fail(option->get_name(), "no camera path", "give --path FILE.json");
+    const std::string& name = option->get_name();
+    if (stereo.wanted || name == "--frames" || name == "--path") continue;
+    return fail(name, "it is about pictures for two eyes",
+                "give --stereo as well, or leave it out");
+  }
+  if (!frames.wanted()) return {};
+  if (frames.plot) {
+    if (const auto legal = check_extension(*frames.plot, ".svg"); !legal) return legal;
+  }
+  const CameraOptions& camera = picture.camera;
+  const bool posed = camera.camera || camera.eye || camera.look_at || camera.up;
+  if (posed) {
+    const char* name = camera.camera    ? "--camera"
+                       : camera.eye     ? "--eye"
+                       : camera.look_at ? "--look-at"
+                                        : "--up";
+    return fail(name, "the path says where the camera stands", "leave it out");
+  }
+  if (picture.eyes.seen_by) {
+    return fail("--seen-by", "frames are for both eyes or for none",
+                "--stereo pair has both pictures at full size");
+  }
+  if (!stereo.wanted && (picture.eyes.separation || picture.eyes.window)) {
+    return fail(picture.eyes.separation ? "--eye-separation" : "--window",
+                "pictures for one eye have no use for it",
+                "give --stereo as well, or leave it out");
+  }
+  const std::optional<double>& separation = picture.eyes.separation;
+  if (separation && !(*separation >= 0 && std::isfinite(*separation))) {
+    return fail("--eye-separation", "it is " + number_text(*separation),
+                "give the most that the eyes may be apart, 0 or more");
+  }
+  const std::optional<double>& window = picture.eyes.window;
+  if (window && !(*window > 0)) {
+    return fail("--window", "it is " + number_text(*window) + ", not in front of the camera",
+                "give a distance above 0, or auto");
+  }
+  if (window && std::isinf(*window) && !separation && stereo.wanted) {
+    return fail("--window", "an infinite one says nothing about how far the eyes are apart",
+                "give --eye-separation");
+  }
+  return {};
+}
+
+Result<void> check_path_options(const PictureOptions& picture, const CameraPath& path) {
+  const CameraOptions& camera = picture.camera;
+  if (path.has_fov && (camera.fov_degrees || camera.ortho_height || camera.frustum)) {
+    const char* name = camera.fov_degrees ? "--fov" : camera.ortho_height ? "--ortho" : "--frustum";
+    return fail(name, "the path's keyframes have angles of their own", "leave one of them out");
+  }
+  if (path.has_window && picture.eyes.window) {
+    return fail("--window", "the path's keyframes have windows of their own",
+                "leave one of them out");
+  }
+  return {};
+}
+
+}  // namespace glassbox::app

@@ -1,0 +1,42 @@
+// render --frames --path: what is asked of a sequence of pictures.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "app/eyes_options.h"
+#include "app/frames/camera_path.h"
+#include "app/picture_options.h"
+#include "app/stereo_picture.h"
+
+#include <glassbox/base/error.h>
+
+namespace glassbox::app {
+
+struct FramesOptions {
+  std::optional<int> count;
+  std::optional<std::string> path;
+  // The largest parallax in front of the window and behind it, per cent of the width.
+  std::array<double, 2> budget_percent{kComfortablePercent, kComfortablePercent};
+  double release_frames = 15;
+  std::optional<double> max_step;           // of the separation, world units per frame
+  std::optional<std::string> plot;          // absent: named after the pictures
+  std::vector<const CLI::Option*> options;  // those that add_frames_options has added
+
+  bool wanted() const { return count || path; }
+};
+
+void add_frames_options(CLI::App& command, FramesOptions& frames);
+
+// Options that contradict each other or make no sense together.
+Result<void> check_frames_options(const PictureOptions& picture, const StereoPictureOptions& stereo,
+                                  const FramesOptions& frames);
+
+// What the path says and the options say as well.
+Result<void> check_path_options(const PictureOptions& picture, const CameraPath& path);
+
+}  // namespace glassbox::app

@@ -1,0 +1,46 @@
+// What became of a sequence: every frame's numbers, in words, as JSON and for the plot.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "app/arguments.h"
+#include "app/frames/eye_plan.h"
+#include "app/frames/shots.h"
+
+#include <glassbox/pipeline/stereo/comfort.h>
+#include <glassbox/pipeline/stereo/stereo_pair.h>
+
+namespace glassbox::app {
+
+struct FrameRecord {
+  int number = 1;
+  double time = 0;
+  std::string image;
+  // With eyes: measured on the distance planes of the frame's pictures. Parallax >= 0 on either side of the window.
+  StereoPair pair;
+  std::optional<DepthSpan> seen;
+  double in_front_px = 0, behind_px = 0;
+};
+
+struct FramesReport {
+  std::string scene, path;
+  Size size;
+  std::vector<FrameRecord> frames;
+  std::optional<EyePlan> eyes;
+  ParallaxBudget budget;
+  std::string plot;  // empty: none was asked for
+  double total_ms = 0;
+};
+
+FrameRecord record_of(const Shot& shot, const std::string& image);
+void measure(FrameRecord& record, const View& centre, const StereoPair& pair,
+             const std::optional<DepthSpan>& seen);
+
+std::string frames_text(const FramesReport& report);
+nlohmann::ordered_json frames_json(const FramesReport& report);
+
+}  // namespace glassbox::app
