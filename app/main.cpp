@@ -15,6 +15,7 @@
 #include "app/pixel_command.h"
 #include "app/render_command.h"
 #include "app/step_command.h"
+#include "app/stereo_command.h"
 #include "app/why_command.h"
 
 #include <glassbox/base/printable.h>
@@ -30,12 +31,11 @@ int bad_usage(const CLI::App& app, const CLI::ParseError& error) {
   const std::string what = printable(error.what(), 2000);  // it repeats the word that is wrong
   const bool no_command =
       chosen.empty() && dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
-  fmt::print(
-      stderr, "glassbox: {}{}; {} --help shows what there is\n", what,
-      no_command
-          ? " (the subcommands are render, info, explain, step, pixel, why, inspect and diff)"
-          : "",
-      command);
+  fmt::print(stderr, "glassbox: {}{}; {} --help shows what there is\n", what,
+             no_command ? " (the subcommands are render, info, explain, step, pixel, why, stereo, "
+                          "inspect and diff)"
+                        : "",
+             command);
   return kBadInput;
 }
 
@@ -53,6 +53,7 @@ int run(int argc, char** argv) {
   StepCommand step;
   PixelCommand pixel;
   WhyCommand why;
+  StereoCommand stereo;
   InspectCommand inspect;
   DiffCommand diff;
   render.add_to(app, exit_code);
@@ -61,6 +62,7 @@ int run(int argc, char** argv) {
   step.add_to(app, exit_code);
   pixel.add_to(app, exit_code);
   why.add_to(app, exit_code);
+  stereo.add_to(app, exit_code);
   inspect.add_to(app, exit_code);
   diff.add_to(app, exit_code);
   app.require_subcommand(0, 1);

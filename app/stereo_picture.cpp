@@ -44,16 +44,69 @@ void add_stereo_choice(CLI::App& command, StereoPictureOptions& stereo) {
       ->group("Eyes (stereo)");
 }
 
-// An anaglyph's bytes as they are, each channel from its eye.
+void add_strength(CLI::App& command, const std::string& name, double& value,
+                  const std::string& help) {
+  command
+      .add_option_function<std::string>(
+          name, [&value, name](const std::string& text) { value = parse_number(name, text); }, help)
+      ->type_name("0..1")
+      ->group("Eyes (stereo)");
+}
+
+bool is_recoloured(const StereoPictureOptions& stereo) {
+  return stereo.recolour.desaturate != 0 || stereo.recolour.brighten != 0;
+}
+
+// An anaglyph's bytes as they are, each channel from its eye: drawn into one colour buffer.
 bool is_masked(const StereoPictureOptions& stereo) {
-  return !stereo.layout &&
+  return !stereo.layout && !is_recoloured(stereo) &&
          stereo.anaglyph.method.value_or(AnaglyphMethod::kMask) == AnaglyphMethod::kMask;
+}
+
+// Both eyes' pictures, as they are to be laid out.
+Result<Image<Rgba8>> put_together(const Image<Rgba8>& left, const Image<Rgba8>& right,
+                                  const StereoPictureOptions& stereo) {
+  if (stereo.layout) return lay_out(left, right, *stereo.layout);
+  return make_anaglyph(left, right, stereo.anaglyph.method.value_or(AnaglyphMethod::kMask),
+                       stereo.anaglyph.glasses.value_or(Glasses::kRedCyan));
+}
+
+Result<Image<Rgba8>> recoloured_and_put_together(const Image<Rgba8>& left,
+                                                 const Image<Rgba8>& right,
+                                                 const StereoPictureOptions& stereo) {
+  if (!is_recoloured(stereo)) return put_together(left, right, stereo);
+  const Result<Image<Rgba8>> new_left = recoloured(left, stereo.recolour);
+  if (!new_left) return new_left;
+  const Result<Image<Rgba8>> new_right = recoloured(right, stereo.recolour);
+  if (!new_right) return new_right;
+  return put_together(*new_left, *new_right, stereo);
 }
 
 AnaglyphMasks masks_for(Glasses glasses) {
   const EyeMasks eyes = eye_masks(glasses);
   return {{eyes.left.r, eyes.left.g, eyes.left.b, false},
           {eyes.right.r, eyes.right.g, eyes.right.b, true}};
+}
+
+Result<StereoPicture> draw_eyes(const Scene& scene, const ChosenEyes& chosen,
+                                const RenderSettings& settings,
+                                const StereoPictureOptions& stereo) {
+  const StereoSettings both{settings, stereo.culling};
+  const StereoPair& pair = chosen.eyes.pair;
+  const Glasses glasses = stereo.anaglyph.glasses.value_or(Glasses::kRedCyan);
+  StereoPicture picture;
+  if (is_masked(stereo)) {
+    picture.rendering =
+        render_masked_anaglyph(scene, chosen.centre, pair, both, masks_for(glasses));
+    picture.image = std::move(picture.rendering.left.color);
+    return picture;
+  }
+  picture.rendering = render_pair(scene, chosen.centre, pair, both);
+  Result<Image<Rgba8>> image = recoloured_and_put_together(picture.rendering.left.color,
+                                                           picture.rendering.right.color, stereo);
+  if (!image) return tl::unexpected(image.error());
+  picture.image = std::move(*image);
+  return picture;
 }
 
 // ---- parallax in words and numbers ----
@@ -74,18 +127,27 @@ nlohmann::ordered_json finite_or_inf(double value) {
 
 }  // namespace
 
+void add_anaglyph_options(CLI::App& command, AnaglyphOptions& anaglyph) {
+  add_named(command, "--anaglyph", anaglyph.method, all_anaglyph_methods(),
+            "how the colours of an anaglyph are made [mask]");
+  add_named(command, "--glasses", anaglyph.glasses, all_glasses(),
+            "the lenses, left eye first [red-cyan]");
+}
+
 void add_stereo_picture_options(CLI::App& command, StereoPictureOptions& stereo) {
   const std::size_t before = command.get_options().size();
   add_stereo_choice(command, stereo);
-  add_named(command, "--anaglyph", stereo.anaglyph.method, all_anaglyph_methods(),
-            "how the colours of an anaglyph are made [mask]");
-  add_named(command, "--glasses", stereo.anaglyph.glasses, all_glasses(),
-            "the lenses, left eye first [red-cyan]");
+  add_anaglyph_options(command, stereo.anaglyph);
   add_choice(command, "--stereo-cull", stereo.culling,
              {{"union", StereoCulling::kUnion}, {"centre", StereoCulling::kCentre}},
              "triangles to leave out: those that neither eye sees, or, losing some, those that the "
              "camera between them does not [union]")
       ->group("Eyes (stereo)");
+  add_strength(command, "--desaturate", stereo.recolour.desaturate,
+               "how far colours are moved to grey before they become an anaglyph, 0 .. 1 [0]");
+  add_strength(command, "--brighten", stereo.recolour.brighten, "and to white, 0 .. 1 [0]");
+  add_named(command, "--cable", stereo.cable, all_cables(),
+            "send the anaglyph through an analogue cable, which mixes the eyes");
   const auto all = command.get_options();
   stereo.options.assign(all.begin() + std::ptrdiff_t(before), all.end());
 }
@@ -108,11 +170,16 @@ Result<void> check_stereo_picture(const PictureOptions& picture,
                 fmt::format("--stereo {} is no anaglyph", name_of(*stereo.layout)),
                 "leave it out, or give --stereo anaglyph");
   }
+  if (stereo.layout && stereo.cable) {
+    return fail("--cable", fmt::format("--stereo {} is no anaglyph", name_of(*stereo.layout)),
+                "leave it out, or give --stereo anaglyph");
+  }
+  if (const auto legal = check_recolour(stereo.recolour); !legal) return legal;
   if (stereo.layout == StereoLayout::kInterlaced && picture.size.height == 1) {
     return fail("--stereo interlaced", "of one row, the right eye would get nothing",
                 "give a picture of two rows or more");
   }
-  if (!stereo.layout && !is_masked(stereo)) {
+  if (!stereo.layout && stereo.anaglyph.method) {
     const auto matrix = anaglyph_matrix(*stereo.anaglyph.method,
                                         stereo.anaglyph.glasses.value_or(Glasses::kRedCyan));
     if (!matrix) return tl::unexpected(matrix.error());
@@ -123,25 +190,12 @@ Result<void> check_stereo_picture(const PictureOptions& picture,
 Result<StereoPicture> render_stereo_picture(const Scene& scene, const ChosenEyes& chosen,
                                             const RenderSettings& settings,
                                             const StereoPictureOptions& stereo) {
-  const StereoSettings both{settings, stereo.culling};
-  const StereoPair& pair = chosen.eyes.pair;
-  const Glasses glasses = stereo.anaglyph.glasses.value_or(Glasses::kRedCyan);
-  StereoPicture picture;
-  if (is_masked(stereo)) {
-    picture.rendering =
-        render_masked_anaglyph(scene, chosen.centre, pair, both, masks_for(glasses));
-    picture.image = std::move(picture.rendering.left.color);
-    return picture;
-  }
-  picture.rendering = render_pair(scene, chosen.centre, pair, both);
-  const Image<Rgba8>& left = picture.rendering.left.color;
-  const Image<Rgba8>& right = picture.rendering.right.color;
-  Result<Image<Rgba8>> image = stereo.layout
-                                   ? lay_out(left, right, *stereo.layout)
-                                   : make_anaglyph(left, right, *stereo.anaglyph.method, glasses);
-  if (!image) return tl::unexpected(image.error());
-  picture.image = std::move(*image);
-  return picture;
+  Result<StereoPicture> picture = draw_eyes(scene, chosen, settings, stereo);
+  if (!picture || !stereo.cable) return picture;
+  return send(picture->image, *stereo.cable).map([&](Image<Rgba8> arrived) {
+    picture->image = std::move(arrived);
+    return std::move(*picture);
+  });
 }
 
 std::string eyes_text(const ChosenEyes& chosen, const StereoRendering& rendering) {

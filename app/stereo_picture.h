@@ -12,7 +12,9 @@
 #include <glassbox/base/error.h>
 #include <glassbox/images/image.h>
 #include <glassbox/images/stereo/anaglyph.h>
+#include <glassbox/images/stereo/cables.h>
 #include <glassbox/images/stereo/layouts.h>
+#include <glassbox/images/stereo/recolour.h>
 #include <glassbox/mesh/scene.h>
 #include <glassbox/render/stereo/render_pair.h>
 
@@ -23,10 +25,16 @@ struct AnaglyphOptions {
   std::optional<Glasses> glasses;        // absent: red-cyan
 };
 
+// --anaglyph and --glasses.
+void add_anaglyph_options(CLI::App& command, AnaglyphOptions& anaglyph);
+
 struct StereoPictureOptions {
   bool wanted = false;                 // --stereo was given
   std::optional<StereoLayout> layout;  // absent: an anaglyph
   AnaglyphOptions anaglyph;
+  Recolour recolour;  // of each eye's picture, before they are put together
+  std::optional<Cable>
+      cable;  // what an anaglyph goes through on its way to the screen; absent: nothing
   StereoCulling culling = StereoCulling::kUnion;
   std::vector<const CLI::Option*> options;  // those that add_stereo_picture_options has added
 };

@@ -11,8 +11,8 @@
 
 namespace glassbox {
 
-// parallax_at of every pixel's distance, in px, right minus left: negative in front of the window, NaN where nothing was
-// drawn. `distances` is a framebuffer's distance plane, of either eye or of the camera between them: the distance along
+// parallax_at of every pixel's distance, in px, right minus left: negative in front of the window, NaN where nothing
+// was drawn. `distances` is a framebuffer's distance plane, of either eye or of the camera between them: the distance along
 // the gaze, and so the disparity, is the same for all three. Off by the parallax of the distance's rounding to float.
 Image<float> disparity_map(const View& centre, const StereoPair& pair,
                            const Image<float>& distances);
@@ -31,8 +31,8 @@ struct DisparitySummary {
 };
 DisparitySummary summarise(const Image<float>& disparity, const ParallaxBudget& budget);
 
-// Bin i holds the disparities from first_px + i bin_px up to, not including, the next bin's. The window is at the edge of
-// a bin, so none has both what is in front and what is behind.
+// Bin i holds the disparities from first_px + i bin_px up to, not including, the next bin's. The window is at the edge
+// of a bin, so none has both what is in front and what is behind.
 struct DisparityHistogram {
   double first_px = 0;
   double bin_px = 1;

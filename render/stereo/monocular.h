@@ -24,8 +24,8 @@ struct MonocularMaps {
 // The disparity of every pixel (disparity.h) says where the other eye has the point. There the other picture's own
 // disparity, of the pixel nearest to that place, is compared. Half a pixel either way counts as the same: the pixel's
 // centre is up to half a pixel away, and disparity changes by less than a pixel a pixel on a surface that the other eye
-// sees at least half as wide. A step in depth that hides less than half a column is not found then. kMissing looks at the
-// two pixels beside that one as well, because at outlines the eyes' pixel centres fall differently; what is left are
+// sees at least half as wide. A step in depth that hides less than half a column is not found then. kMissing looks at
+// the two pixels beside that one as well, because at outlines the eyes' pixel centres fall differently; what is left are
 // surfaces that face away from the other eye, and things thinner than a pixel.
 //
 // Both maps are of one size.

@@ -19,8 +19,8 @@ struct CutInstance {
   double least_px = 0;         // its disparity where it stands out most there
 };
 
-// A connected piece (by sides of pixels) of one eye's picture whose pixels all stand out of the window and of which some
-// touch the picture's left or right edge. Bottom and top are left out: a cut there does not contradict the eyes.
+// A connected piece (by sides of pixels) of one eye's picture whose pixels all stand out of the window and of which
+// some touch the picture's left or right edge. Bottom and top are left out: a cut there does not contradict the eyes.
 struct WindowViolation {
   Side eye = Side::kLeft;
   bool left_edge = false, right_edge = false;

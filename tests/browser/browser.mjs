@@ -48,7 +48,7 @@ export async function openPage(file, settings = {}, hash = "", script = null) {
 
 // Until the pictures are decoded and drawn.
 export async function settled(page) {
-  await page.waitForFunction(() => document.getElementById("message").textContent !== "Decoding …");
+  await page.waitForFunction(() => document.getElementById("message")?.textContent !== "Decoding …");
   await drawn(page);
 }
 

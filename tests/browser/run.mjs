@@ -1,4 +1,4 @@
-// The pages of `glassbox diff --html` and `glassbox inspect` in a browser.
+// The pages of `glassbox diff --html`, `glassbox inspect` and `glassbox stereo --html` in a browser.
 //
 //     node run.mjs PROGRAM DIRECTORY [WORDS]
 //
@@ -9,6 +9,7 @@ import {closeBrowser} from "./browser.mjs";
 import {tests} from "./cases.mjs";
 import "./drawing_tests.mjs";
 import "./inspect_tests.mjs";
+import "./stereo_tests.mjs";
 import "./using_tests.mjs";
 
 let failed = 0;

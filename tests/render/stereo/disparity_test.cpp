@@ -1,8 +1,8 @@
 // Ground truth about a pair, on scenes whose numbers are known by hand.
 //
-// The picture has 64 x 64 pixels and an angle of view of 90 degrees, so that things 1 away fill 32 px per unit; the eyes
-// are 1 apart and the window stands at 4. A thing at the distance z has the disparity 32 (1/4 - 1/z) px: 4 px at 8, -8 px
-// at 2; the left eye sees it half as far to the right of where the camera between the eyes does.
+// The picture has 64 x 64 pixels and an angle of view of 90 degrees, so that things 1 away fill 32 px per unit; the
+// eyes are 1 apart and the window stands at 4. A thing at the distance z has the disparity 32 (1/4 - 1/z) px: 4 px at 8,
+// -8 px at 2. The left eye sees it displaced by minus half of that from where the camera between the eyes does.
 #include <array>
 #include <cmath>
 

@@ -1,0 +1,200 @@
+#include "app/stereo/advice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "app/stereo/verdicts.h"
+
+#include <glassbox/pipeline/stereo/comfort.h>
+
+namespace glassbox::app {
+
+namespace {
+
+// Stereo photography's rule of one in thirty.
+constexpr double kWindowsPerSeparation = 30;
+
+// The next number of three digits towards zero; for numbers above 0.
+double rounded_down(double value) {
+  const double unit = std::pow(10, std::floor(std::log10(value)) - 2);
+  return std::floor(value / unit) * unit;
+}
+
+// As the command line takes it: six digits, which all of rounded_down's fit into.
+std::string option_number(double value) {
+  return std::isinf(value) ? "inf" : fmt::format("{:g}", value);
+}
+
+// Infinity has its limit too: on the display, nothing may lie further behind the window than the pupils are apart.
+ParallaxBudget bearable(const StereoFindings& found) {
+  const double pupils_px = kPupilDistanceMm / found.question.display.width_mm *
+                           double(found.chosen.centre.viewport.width());
+  return {found.depth.budget.in_front_px, std::min(found.depth.budget.behind_px, pupils_px)};
+}
+
+struct Eyes {
+  double separation = 0, window = 0;
+};
+
+// The farthest that the eyes may be apart with this window, but no more than they are or than a thirtieth of its
+// distance, whichever is more; none where the window leaves no room or is not one that the camera can have.
+std::optional<Eyes> eyes_for(const StereoFindings& found, double window) {
+  const View& centre = found.chosen.centre;
+  if (!check_pair(centre, {centre.near * 1e-9, window}) || std::isinf(window)) return {};
+  const double at_most =
+      std::max(found.chosen.eyes.pair.half_separation, window / kWindowsPerSeparation / 2);
+  const double half =
+      largest_half_separation(centre, window, *found.depth.seen, bearable(found), at_most);
+  if (!(half > 0)) return {};
+  return Eyes{rounded_down(2 * half), window};
+}
+
+// With the window that there is, as the command line would take it.
+std::optional<Eyes> eyes_for_same_window(const StereoFindings& found) {
+  const double window = found.chosen.eyes.pair.window;
+  const auto same = eyes_for(found, std::strtod(option_number(window).c_str(), nullptr));
+  return same ? same : eyes_for(found, window);
+}
+
+// With a window of three digits, not behind this distance.
+std::optional<Eyes> eyes_before(const StereoFindings& found, double distance) {
+  if (!(distance > 0) || std::isinf(distance)) return {};
+  const auto rounded = eyes_for(found, rounded_down(distance));
+  return rounded ? rounded : eyes_for(found, distance);
+}
+
+// With the window where both ends of what is seen reach the budget.
+std::optional<Eyes> best_eyes(const StereoFindings& found) {
+  return eyes_before(found, best_window(found.chosen.centre, *found.depth.seen, bearable(found)));
+}
+
+std::vector<std::string> options_of(const Eyes& eyes) {
+  return {"--eye-separation", option_number(eyes.separation), "--window",
+          option_number(eyes.window)};
+}
+
+double largest_parallax_percent(const StereoFindings& found, const Eyes& eyes) {
+  const StereoPair pair{eyes.separation / 2, eyes.window};
+  const auto percent = [&](double distance) {
+    return std::abs(parallax_at(found.chosen.centre, pair, distance).percent);
+  };
+  return std::max(percent(found.depth.seen->nearest), percent(found.depth.seen->farthest));
+}
+
+// ---- depth ----
+
+void advise_on_cuts(const Scene& scene, const StereoFindings& found, std::vector<Advice>& all) {
+  const auto& cuts = found.depth.violations.found;
+  if (cuts.empty()) return;
+  const auto nearest = std::ranges::min_element(cuts, {}, &WindowViolation::nearest);
+  const std::string what =
+      fmt::format("({}, at {:.4g})", names_of_cut(scene, *nearest), nearest->nearest);
+  const auto eyes = eyes_before(found, nearest->nearest);
+  if (!eyes) {
+    all.push_back({"Move the camera: the edges cut what stands right before it " + what + ".", {}});
+    return;
+  }
+  all.push_back({fmt::format("Bring the window to the nearest thing that an edge cuts {}: then "
+                             "nothing that is cut stands in front of it, and the parallax seen is "
+                             "at most {:.2f} %. Or move the camera, so that the edges cut nothing "
+                             "near.",
+                             what, largest_parallax_percent(found, *eyes)),
+                 options_of(*eyes)});
+}
+
+void advise_on_budget(const StereoFindings& found, std::vector<Advice>& all) {
+  const double apart = 2 * found.chosen.eyes.pair.half_separation;
+  const auto same = eyes_for_same_window(found);
+  const auto best = best_eyes(found);
+  const bool broken =
+      found.depth.share_beyond_budget() > 0 || found.depth.farthest_displayed.diverges;
+  if (!broken) {
+    constexpr double kMuchMore = 2;
+    if (!same || same->separation < kMuchMore * apart) return;
+    all.push_back({fmt::format("There is room for more depth: the eyes may be {:.4g} apart in "
+                               "place of {:.4g}.",
+                               same->separation, apart),
+                   options_of(*same)});
+    return;
+  }
+  if (same) {
+    all.push_back({fmt::format("Bring the eyes closer together: {:.4g} apart in place of {:.4g}, "
+                               "with the window where it is, keeps the budget.",
+                               same->separation, apart),
+                   options_of(*same)});
+  }
+  if (!best || (same && best->separation <= 1.05 * same->separation)) return;
+  all.push_back({fmt::format("{} the window to {:.4g}, where what is nearest and what is farthest "
+                             "reach the budget together: there the eyes may be {:.4g} apart.",
+                             same ? "Or move" : "Move", best->window, best->separation),
+                 options_of(*best)});
+}
+
+// ---- colour ----
+
+void advise_on_colour(const StereoFindings& found, std::vector<Advice>& all) {
+  const ColourFindings& colour = found.colour;
+  if (!colour.suggestion) return;
+  const double now = colour.mean_rivalry;
+  const MethodFindings* best = nullptr;  // of those with colours
+  for (const MethodFindings& method : colour.methods) {
+    const bool grey =
+        method.method == AnaglyphMethod::kTrue || method.method == AnaglyphMethod::kGrey;
+    if (!grey && (best == nullptr || method.rivalry < best->rivalry)) best = &method;
+  }
+  if (best != nullptr && best->rivalry < now) {
+    all.push_back({fmt::format("Make the anaglyph another way: {} brings the mean rivalry from "
+                               "{:.3f} to {:.3f} and keeps some colour.",
+                               name_of(best->method), now, best->rivalry),
+                   {"--anaglyph", std::string(name_of(best->method))}});
+  }
+  const Compromise& chosen = colour.suggestion->chosen;
+  all.push_back(
+      {fmt::format(
+           "Or change the colours of the scene: desaturated by k = {:.2f} and brightened "
+           "by b = {:.2f}, c' = b + (1 - b) lerp(c, luma(c), k), the {} anaglyph has a mean "
+           "rivalry of {:.3f}, at a mean colour difference of {:.1f} (CIEDE2000){}.",
+           chosen.recolour.desaturate, chosen.recolour.brighten, name_of(found.question.method),
+           chosen.rivalry, chosen.difference,
+           colour.suggestion->meets_target ? "" : "; greys cannot do better"),
+       {}});
+}
+
+void advise_on_content(const StereoFindings& found, std::vector<Advice>& all) {
+  constexpr double kLittle = 0.01;  // of the picture
+  if (found.information.share >= kLittle) return;
+  all.push_back(
+      {"There is little for the eyes to compare: upright edges, thin things and textures "
+       "of many sizes, on both sides of the window, give more depth to see.",
+       {}});
+}
+
+}  // namespace
+
+std::vector<Advice> advise(const Scene& scene, const StereoFindings& found) {
+  std::vector<Advice> all;
+  if (!found.depth.seen) {
+    return {{"Turn the camera to the scene: without camera options it is framed whole.", {}}};
+  }
+  if (found.rendering.passes == 1) {
+    auto eyes = eyes_for_same_window(found);
+    if (!eyes) eyes = best_eyes(found);
+    if (eyes) all.push_back({"Move the eyes apart: this far keeps the budget.", options_of(*eyes)});
+    advise_on_colour(found, all);
+    return all;
+  }
+  if (found.pair_order.order == EyeOrder::kSwapped) {
+    all.push_back({"Interchange the eyes.", {}});
+  }
+  advise_on_budget(found, all);
+  advise_on_cuts(scene, found, all);
+  advise_on_colour(found, all);
+  advise_on_content(found, all);
+  return all;
+}
+
+}  // namespace glassbox::app

@@ -1,0 +1,118 @@
+#include "app/stereo/maps.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glassbox/images/compare/heat_map.h>
+
+namespace glassbox::app {
+
+namespace {
+
+constexpr Rgba8 kOrange{230, 126, 20, 255}, kBlue{70, 140, 225, 255};
+constexpr Rgba8 kRed{225, 40, 40, 255}, kMagenta{215, 60, 190, 255};
+constexpr Rgba8 kWindow{240, 240, 236, 255};
+constexpr Rgba8 kFarthestOut{150, 62, 0, 255}, kFarthestIn{16, 52, 140, 255};
+
+std::uint8_t between(std::uint8_t a, std::uint8_t b, double share) {
+  return std::uint8_t(std::lround(a + (b - a) * share));
+}
+
+Rgba8 mixed(const Rgba8& a, const Rgba8& b, double share) {
+  return {between(a.r, b.r, share), between(a.g, b.g, share), between(a.b, b.b, share), 255};
+}
+
+// Marks stand out where nothing else has a colour.
+Rgba8 dimmed(const Rgba8& pixel) {
+  const auto level = std::uint8_t((299 * pixel.r + 587 * pixel.g + 114 * pixel.b) / 2000 + 16);
+  return {level, level, level, pixel.a};
+}
+
+template <class Mark, class Colour>
+Image<Rgba8> marked(const Image<Rgba8>& picture, const Image<Mark>& marks,
+                    const Colour& colour_of) {
+  Image<Rgba8> out(picture.width, picture.height);
+  for (std::size_t i = 0; i < out.pixels.size(); ++i) {
+    out.pixels[i] = colour_of(marks.pixels[i], dimmed(picture.pixels[i]));
+  }
+  return out;
+}
+
+}  // namespace
+
+Rgba8 disparity_colour(double px, double limit_px) {
+  const double share = limit_px > 0 ? std::clamp(px / limit_px, -1.0, 1.0) : 0;
+  // Two steps each way: light and dark of a hue tell small disparities from large ones without colour.
+  const Rgba8& middle = share < 0 ? kOrange : kBlue;
+  const Rgba8& end = share < 0 ? kFarthestOut : kFarthestIn;
+  const double size = std::abs(share);
+  return size < 0.5 ? mixed(kWindow, middle, 2 * size) : mixed(middle, end, 2 * size - 1);
+}
+
+Image<Rgba8> disparity_picture(const Image<float>& disparity, const ParallaxBudget& budget,
+                               double limit_px) {
+  constexpr int kStripe = 4;  // px
+  Image<Rgba8> out(disparity.width, disparity.height, Rgba8{0, 0, 0, 0});
+  for (int y = 0; y < disparity.height; ++y) {
+    for (int x = 0; x < disparity.width; ++x) {
+      const double px = double(disparity.at(x, y));
+      if (!std::isfinite(px)) continue;
+      const bool beyond = px < -budget.in_front_px || px > budget.behind_px;
+      const bool striped = beyond && (x + y) / kStripe % 2 == 0;
+      out.at(x, y) = striped ? Rgba8{20, 20, 20, 255} : disparity_colour(px, limit_px);
+    }
+  }
+  return out;
+}
+
+Image<Rgba8> heat_of(const Image<float>& values, double limit) {
+  const std::array<Rgba8, 256>& colours = heat_colours();
+  Image<Rgba8> out(values.width, values.height);
+  for (std::size_t i = 0; i < values.pixels.size(); ++i) {
+    const double size = std::abs(double(values.pixels[i]));
+    const double share = limit > 0 ? std::min(size / limit, 1.0) : 0;
+    out.pixels[i] = colours[std::size_t(std::lround(share * kHeatHottest))];
+  }
+  return out;
+}
+
+Image<float> larger_of(const Image<float>& a, const Image<float>& b) {
+  Image<float> larger(a.width, a.height);
+  for (std::size_t i = 0; i < larger.pixels.size(); ++i) {
+    larger.pixels[i] = std::max(std::abs(a.pixels[i]), std::abs(b.pixels[i]));
+  }
+  return larger;
+}
+
+Image<Rgba8> information_picture(const Image<Rgba8>& left, const Image<std::uint8_t>& marks) {
+  return marked(left, marks, [](std::uint8_t mark, const Rgba8& dim) {
+    if ((mark & kMarkEdge) == 0) return dim;
+    return (mark & kMarkDisplaced) != 0 ? kOrange : kBlue;
+  });
+}
+
+Image<Rgba8> violation_picture(const Image<Rgba8>& eye, const Image<std::uint8_t>& marks) {
+  return marked(eye, marks, [](std::uint8_t mark, const Rgba8& dim) {
+    return mark != 0 ? mixed(dim, kRed, 0.75) : dim;
+  });
+}
+
+Image<Rgba8> monocular_picture(const Image<Rgba8>& eye, const Image<OtherEye>& map) {
+  return marked(eye, map, [](OtherEye seen, const Rgba8& dim) {
+    switch (seen) {
+      case OtherEye::kHidden:
+        return kOrange;
+      case OtherEye::kBesideIt:
+        return kBlue;
+      case OtherEye::kMissing:
+        return kMagenta;
+      case OtherEye::kNothingDrawn:
+      case OtherEye::kSeesIt:
+        break;
+    }
+    return dim;
+  });
+}
+
+}  // namespace glassbox::app

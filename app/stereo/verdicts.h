@@ -1,0 +1,31 @@
+// The findings in a line each.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/stereo/findings.h"
+
+namespace glassbox::app {
+
+enum class Level { kGood, kWarning, kBad, kFact };
+
+// For programs: stable.
+constexpr const char* name_of(Level level) {
+  constexpr const char* kNames[] = {"good", "warning", "bad", "fact"};
+  return kNames[std::size_t(level)];
+}
+
+struct Verdict {
+  std::string about;  // "parallax"
+  Level level = Level::kFact;
+  std::string text;
+};
+
+// In the order of importance.
+std::vector<Verdict> verdicts_of(const Scene& scene, const StereoFindings& found);
+
+// What a violation cuts: "trunk, ground and 3 others".
+std::string names_of_cut(const Scene& scene, const WindowViolation& violation);
+
+}  // namespace glassbox::app
