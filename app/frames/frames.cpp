@@ -182,20 +182,22 @@ private:
       most = std::max(most, frame.pair.half_separation);
     }
     int nothing = 0, flat = 0;
-    const FrameRecord* first_flat = nullptr;
+    const FrameRecord* flattest = nullptr;
     for (const FrameRecord& frame : report_.frames) {
       nothing += !frame.seen;
       if (!frame.seen || frame.pair.half_separation >= most / 100) continue;
-      if (++flat == 1) first_flat = &frame;
+      const double least = flattest ? flattest->pair.half_separation : most;
+      if (frame.pair.half_separation < least) flattest = &frame;
+      ++flat;
     }
     if (nothing > 0) {
       progress_.say(fmt::format("note: nothing of the scene is in {} of the frames", nothing));
     }
     if (flat > 0) {
       progress_.say(fmt::format(
-          "note: in {} of the frames, the first is {}, the eyes are less than a hundredth of the "
-          "path's largest separation apart: something is {:.3g} in front of the camera",
-          flat, first_flat->number, first_flat->seen->nearest));
+          "note: in {} of the frames the eyes are less than a hundredth of the path's largest "
+          "separation apart; in frame {} something is {:.3g} in front of the camera",
+          flat, flattest->number, flattest->seen->nearest));
     }
   }
 

@@ -57,8 +57,8 @@ const std::string kJump = path_of(
 
 // A walk through a room, close to what stands in it.
 const std::string kRoom = path_of(
-    R"({"time": 0, "eye": [1.5, 1.6, 1.5], "look_at": [0, 0.6, -0.5]},
-       {"time": 1, "eye": [0.5, 0.9, 0.8], "look_at": [-1, 0.6, -1]})");
+    R"({"time": 0, "eye": [3, 1, -0.5], "look_at": [0, -1, -8]},
+       {"time": 1, "eye": [0, 0, -5], "look_at": [0, -1, -9]})");
 
 std::string frames(const std::string& scene, int count, const std::string& options) {
   return "render " + scene + " --size 96x64 --frames " + std::to_string(count) +
