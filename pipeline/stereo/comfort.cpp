@@ -57,7 +57,7 @@ double best_window(const View& centre, const DepthSpan& span, const ParallaxBudg
 }
 
 double low_pass_share(double frames) {
-  return -std::expm1(-1 / frames);
+  return 1 / (1 + frames);
 }
 
 double SeparationFilter::next(double limit) {

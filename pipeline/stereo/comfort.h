@@ -40,7 +40,8 @@ double best_window(const View& centre, const DepthSpan& span, const ParallaxBudg
 
 // ---- over time ----
 
-// The share of the way to its goal that a first-order low-pass goes in one frame: 1 - exp(-1/frames), 1 for frames = 0.
+// The share of the way to its goal that a first-order low-pass goes in one frame: 1/(1 + frames), the backward Euler step
+// of the time constant `frames`, which needs no exponential. 1 for frames = 0.
 double low_pass_share(double frames);
 
 // Frame after frame, without knowledge of the future. Two promises:

@@ -1,0 +1,151 @@
+// glassbox render --stereo and --seen-by: both eyes in one picture, from the command line.
+#include <string>
+#include <vector>
+
+#include <glassbox/images/read.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/run.h"
+#include "tests/support/catch.h"
+
+namespace glassbox::test {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string kEyes = " --eye-separation 0.2 --window 4 --size 64x37";
+
+Image<Rgba8> rendered(const Workplace& here, const std::string& words) {
+  INFO(words);
+  const Outcome outcome = here.run("render room " + words + " -o p.png");
+  INFO(outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  const auto image = read_image(here.file("p.png"));
+  REQUIRE(image);
+  return *image;
+}
+
+}  // namespace
+
+TEST_CASE("the layouts hold each eye's own picture (S0-02)") {
+  const Workplace here;
+  const Image<Rgba8> left = rendered(here, "--seen-by left" + kEyes);
+  const Image<Rgba8> right = rendered(here, "--seen-by right" + kEyes);
+  const int w = left.width, h = left.height;
+  REQUIRE(w == 64);
+  REQUIRE(h == 37);
+  CHECK(!(left == right));
+
+  const Image<Rgba8> anaglyph = rendered(here, "--stereo anaglyph" + kEyes);
+  const Image<Rgba8> green = rendered(here, "--stereo anaglyph --glasses green-magenta" + kEyes);
+  const Image<Rgba8> pair = rendered(here, "--stereo pair" + kEyes);
+  const Image<Rgba8> crossed = rendered(here, "--stereo cross-eyed" + kEyes);
+  const Image<Rgba8> over = rendered(here, "--stereo over-under" + kEyes);
+  const Image<Rgba8> rows = rendered(here, "--stereo interlaced" + kEyes);
+  REQUIRE(pair.width == 2 * w);
+  REQUIRE(crossed.width == 2 * w);
+  REQUIRE(over.height == 2 * h);
+  REQUIRE(rows.height == h);
+  int wrong = 0;
+  for (int y = 0; y < h; ++y) {
+    for (int x = 0; x < w; ++x) {
+      const Rgba8 l = left.at(x, y), r = right.at(x, y);
+      wrong += !(anaglyph.at(x, y) == Rgba8{l.r, r.g, r.b, 255});
+      wrong += !(green.at(x, y) == Rgba8{r.r, l.g, r.b, 255});
+      wrong += !(pair.at(x, y) == l) + !(pair.at(x + w, y) == r);
+      wrong += !(crossed.at(x, y) == r) + !(crossed.at(x + w, y) == l);
+      wrong += !(over.at(x, y) == l) + !(over.at(x, y + h) == r);
+      wrong += !(rows.at(x, y) == (y % 2 == 0 ? l : r));
+    }
+  }
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("separation 0 gives the mono bytes in one pass (C-71)") {
+  const Workplace here;
+  const Image<Rgba8> mono = rendered(here, "--size 64x37");
+  CHECK(rendered(here, "--stereo anaglyph --eye-separation 0 --size 64x37") == mono);
+  const Json json = Json::parse(
+      here.run("render room --stereo pair --eye-separation 0 --size 64x37 -o p.png --json -").out);
+  CHECK(json.at("stereo").at("passes") == 1);
+  CHECK(json.at("width") == 128);
+}
+
+TEST_CASE("the parallax that is printed is that of the formula, in pixels and per cent (S0-11)") {
+  const Workplace here;
+  const Json json =
+      Json::parse(here.run("render teapot --size 64x64 --fov 90 --eye 0,0,8 --look-at 0,0,0 "
+                           "--near 2 --far 16 --eye-separation 0.5 --window 4 --stereo pair "
+                           "-o p.png --json -")
+                      .out);
+  // 2 s (W/2) (1/f - 1/z), with d/h = 1 at 90 degrees in a square.
+  const Json& parallax = json.at("stereo").at("parallax");
+  CHECK(parallax.at("near").at("px").get<double>() == 0.5 * 32 * (0.25 - 0.5));
+  CHECK(parallax.at("window").at("px") == 0);
+  CHECK(parallax.at("far").at("px").get<double>() == 0.5 * 32 * (0.25 - 0.0625));
+  CHECK(parallax.at("far").at("percent_of_width").get<double>() == 0.5 * 32 * 0.1875 / 64 * 100);
+}
+
+TEST_CASE("colours are moved before the anaglyph, and a cable comes after it (S0-15, S0-17)") {
+  const Workplace here;
+  const std::string anaglyph = "--stereo anaglyph" + kEyes;
+  const Image<Rgba8> plain = rendered(here, anaglyph);
+  CHECK(rendered(here, anaglyph + " --desaturate 0 --brighten 0") == plain);
+  CHECK(!(rendered(here, anaglyph + " --cable composite") == plain));
+  const Image<Rgba8> white = rendered(here, anaglyph + " --brighten 1");
+  CHECK(white == Image<Rgba8>(white.width, white.height, {255, 255, 255, 255}));
+  // Without saturation and from one place, each eye's channels show the same grey.
+  const Image<Rgba8> grey =
+      rendered(here, "--stereo pair --eye-separation 0 --size 64x37 --desaturate 1");
+  int coloured = 0;
+  for (const Rgba8& p : grey.pixels) coloured += p.r != p.g || p.g != p.b;
+  CHECK(coloured == 0);
+}
+
+TEST_CASE("what makes no sense for two eyes is refused, with a remedy") {
+  const Workplace here;
+  struct Refusal {
+    std::string words;
+    std::vector<std::string> says;
+  };
+  for (const Refusal& refusal : std::vector<Refusal>{
+           {"--stereo pair --eye-separation -0.1", {"exchanges the eyes"}},
+           {"--stereo pair --eye-separation nan", {"finite"}},
+           {"--stereo pair --eye-separation 1e9", {"wide"}},
+           {"--stereo pair --eye-separation much", {"--eye-separation", "much"}},
+           {"--stereo pair --window 0.001", {"near plane"}},
+           {"--stereo pair --window -3", {"in front of the camera"}},
+           {"--stereo pair --far 20 --window 30", {"far plane"}},
+           {"--stereo pair --window inf", {"--eye-separation"}},
+           {"--stereo pair --ortho 4 --window inf --eye-separation 1", {"parallel"}},
+           {"--stereo stack", {"--stereo", "interlaced"}},
+           {"--stereo interlaced --size 64x1", {"two rows"}},
+           {"--stereo pair --anaglyph dubois", {"--anaglyph", "no anaglyph"}},
+           {"--stereo pair --cable composite", {"--cable", "no anaglyph"}},
+           {"--stereo anaglyph --anaglyph dubois2001 --glasses amber-blue", {"red-cyan"}},
+           {"--stereo anaglyph --desaturate 1.5", {"0", "1"}},
+           {"--stereo anaglyph --seen-by left", {"--seen-by", "--stereo"}},
+           {"--stereo pair --depth-out d.pfm", {"--depth-out", "--seen-by"}},
+           {"--glasses red-cyan", {"--glasses", "--stereo"}},
+           {"--window 3", {"--window", "--seen-by"}},
+           {"--seen-by both", {"--seen-by", "left or right"}},
+       }) {
+    INFO(refusal.words);
+    const Outcome outcome = here.run("render room " + refusal.words + " -o p.png");
+    CHECK(outcome.exit_code == 2);
+    for (const std::string& text : refusal.says) {
+      INFO(outcome.err);
+      CHECK(outcome.err.find(text) != std::string::npos);
+    }
+    CHECK(here.names().empty());
+  }
+}
+
+TEST_CASE("a parallel projection has a pair, and says what it is") {
+  const Workplace here;
+  const Outcome outcome = here.run("render teapot --ortho 5 --stereo pair --size 64x37 -o p.png");
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.out.find("parallel projection") != std::string::npos);
+}
+
+}  // namespace glassbox::test
