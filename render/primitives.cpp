@@ -208,8 +208,7 @@ const std::array<Varyings, 3>& attributes_of(const PrimitiveStage& stage, const 
   return *side;
 }
 
-// The attributes at a vertex that clipping made, from the corners of the primitive as it came. A corner's own weights
-// are 1, 0, 0, which gives back its attributes to the bit.
+// The attributes at a vertex that clipping made, from the corners of the primitive as it came.
 template <std::size_t N>
 std::array<float, N> weigh(const std::array<float, N>& a, const std::array<float, N>& b,
                            const std::array<float, N>& c, const std::array<double, 3>& weights) {
@@ -221,7 +220,12 @@ std::array<float, N> weigh(const std::array<float, N>& a, const std::array<float
   return result;
 }
 
-Varyings weigh(const std::array<Varyings, 3>& corners, const std::array<double, 3>& weights) {
+Varyings attributes_at(const std::array<Varyings, 3>& corners,
+                       const std::array<double, 3>& weights) {
+  // Most vertices are corners that clipping has left alone: weighing would give back what they have.
+  if (weights[1] == 0 && weights[2] == 0) return corners[0];
+  if (weights[2] == 0 && weights[0] == 0) return corners[1];
+  if (weights[0] == 0 && weights[1] == 0) return corners[2];
   return combine(corners, [&](const auto& a, const auto& b, const auto& c) {
     return weigh(a, b, c, weights);
   });
@@ -234,9 +238,10 @@ void ready_segment(const PrimitiveStage& stage, const std::array<ClipVertex, 2>&
                    std::vector<ReadyLine>& lines) {
   const std::optional<std::array<ClipVertex, 2>> kept = clip_segment(ends, stage.planes);
   if (!kept) return;
-  lines.push_back({{vertex_on_screen(stage, (*kept)[0]), vertex_on_screen(stage, (*kept)[1])},
-                   {weigh(corners, (*kept)[0].weights), weigh(corners, (*kept)[1].weights)},
-                   id});
+  lines.push_back(
+      {{vertex_on_screen(stage, (*kept)[0]), vertex_on_screen(stage, (*kept)[1])},
+       {attributes_at(corners, (*kept)[0].weights), attributes_at(corners, (*kept)[1].weights)},
+       id});
 }
 
 }  // namespace
@@ -263,7 +268,7 @@ void ready_triangle(const PrimitiveStage& stage, const Triangle& triangle,
     ReadyTriangle ready{visible->setup, {}, number, std::uint32_t(i)};
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t vertex = piece[std::size_t(visible->setup.order[k])];
-      ready.vertices[k] = weigh(*visible_corners, polygon.vertices[vertex].weights);
+      ready.vertices[k] = attributes_at(*visible_corners, polygon.vertices[vertex].weights);
     }
     triangles.push_back(ready);
   }
