@@ -44,7 +44,8 @@ struct Eyes {
 // distance, whichever is more; none where the window leaves no room or is not one that the camera can have.
 std::optional<Eyes> eyes_for(const StereoFindings& found, double window) {
   const View& centre = found.chosen.centre;
-  if (!check_pair(centre, {centre.near * 1e-9, window}) || std::isinf(window)) return {};
+  if (!(window > 0) || std::isinf(window)) return {};
+  if (!check_pair(centre, {window * 1e-9, window})) return {};  // however close the eyes are
   const double at_most =
       std::max(found.chosen.eyes.pair.half_separation, window / kWindowsPerSeparation / 2);
   const double half =

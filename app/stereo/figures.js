@@ -46,7 +46,7 @@ function disparityFigure() {
     ? `${percentOf(left.too_near, left.drawn)} of what the left eye sees is nearer than the budget allows, ${percentOf(left.too_far, left.drawn)} farther: striped. Bars grow with the square root of their share.`
     : "Nothing is drawn.";
   return figure("Disparity of the left eye's pixels", [["disparity"]], "A map of parallax, orange in front of the window, blue behind it",
-    ramp(colours, `${signed(-limit, 1)} px`, `${signed(limit, 1)} px`), ...bars, caption(note));
+    ramp(colours, `${signed(-limit, 1)} px`, `${signed(limit, 1)} px`), swatches([["#585c64", "nothing drawn"]]), ...bars, caption(note));
 }
 
 function cutFigure() {

@@ -41,7 +41,8 @@ function showWords() {
     byId("verdicts").append(term, element("dd", {className: level}, element("span", {className: "hidden"}, spoken[level]), capitalised(text)));
   }
   const items = manifest.advice.map(adviceItem);
-  byId("advice-list").append(...(items.length ? items : [element("li", {}, "Nothing.")]));
+  byId("advice-list").append(...items);
+  if (!items.length) byId("advice-list").replaceWith(element("p", {}, "Nothing."));
 }
 
 const {eyes} = manifest;

@@ -1,7 +1,6 @@
 #include "app/stereo/maps.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <glassbox/images/compare/heat_map.h>
@@ -12,7 +11,7 @@ namespace {
 
 constexpr Rgba8 kOrange{230, 126, 20, 255}, kBlue{70, 140, 225, 255};
 constexpr Rgba8 kRed{225, 40, 40, 255}, kMagenta{215, 60, 190, 255};
-constexpr Rgba8 kWindow{240, 240, 236, 255};
+constexpr Rgba8 kWindow{240, 240, 236, 255}, kNothing{88, 92, 100, 255};
 constexpr Rgba8 kFarthestOut{150, 62, 0, 255}, kFarthestIn{16, 52, 140, 255};
 
 std::uint8_t between(std::uint8_t a, std::uint8_t b, double share) {
@@ -53,7 +52,7 @@ Rgba8 disparity_colour(double px, double limit_px) {
 Image<Rgba8> disparity_picture(const Image<float>& disparity, const ParallaxBudget& budget,
                                double limit_px) {
   constexpr int kStripe = 4;  // px
-  Image<Rgba8> out(disparity.width, disparity.height, Rgba8{0, 0, 0, 0});
+  Image<Rgba8> out(disparity.width, disparity.height, kNothing);
   for (int y = 0; y < disparity.height; ++y) {
     for (int x = 0; x < disparity.width; ++x) {
       const double px = double(disparity.at(x, y));
@@ -66,13 +65,18 @@ Image<Rgba8> disparity_picture(const Image<float>& disparity, const ParallaxBudg
   return out;
 }
 
+Rgba8 heat_colour(double share) {
+  constexpr double kVisible = 0.15;
+  const double inside = std::clamp(share, 0.0, 1.0);
+  const Rgba8& colour = heat_colours()[std::size_t(1 + std::lround(inside * (kHeatHottest - 1)))];
+  return mixed({0, 0, 0, 255}, colour, std::min(inside / kVisible, 1.0));
+}
+
 Image<Rgba8> heat_of(const Image<float>& values, double limit) {
-  const std::array<Rgba8, 256>& colours = heat_colours();
   Image<Rgba8> out(values.width, values.height);
   for (std::size_t i = 0; i < values.pixels.size(); ++i) {
     const double size = std::abs(double(values.pixels[i]));
-    const double share = limit > 0 ? std::min(size / limit, 1.0) : 0;
-    out.pixels[i] = colours[std::size_t(std::lround(share * kHeatHottest))];
+    out.pixels[i] = heat_colour(limit > 0 ? size / limit : 0);
   }
   return out;
 }

@@ -8,7 +8,6 @@
 
 #include "app/stereo/maps.h"
 
-#include <glassbox/images/compare/heat_map.h>
 #include <glassbox/images/html/blob.h>
 #include <glassbox/images/write.h>
 
@@ -44,9 +43,8 @@ Json disparity_colours(double limit_px) {
 
 Json heat_names() {
   Json colours = Json::array();
-  for (int level = 0; level <= kHeatHottest; level += 2) {
-    colours.push_back(hex_of(heat_colours()[std::size_t(level)]));
-  }
+  constexpr int kSteps = 128;
+  for (int i = 0; i <= kSteps; ++i) colours.push_back(hex_of(heat_colour(double(i) / kSteps)));
   return colours;
 }
 

@@ -17,10 +17,12 @@ std::int64_t bin_of(double px, double bin_px) {
 
 // 0.001, 0.002, 0.005, 0.01 ...
 double bin_width(double least, double greatest, int most_bins) {
+  // A million bins from the window on: floats hardly tell more apart, and bins have numbers.
+  const double finest = std::max({kFinestBin, std::abs(least) * 1e-6, std::abs(greatest) * 1e-6});
   for (double decade = kFinestBin;; decade *= 10) {
     for (const double width : {decade, 2 * decade, 5 * decade}) {
-      // Not in integers: what stands before the nose has any parallax.
-      if (std::floor(greatest / width) - std::floor(least / width) < most_bins) return width;
+      if (width < finest) continue;
+      if (bin_of(greatest, width) - bin_of(least, width) < most_bins) return width;
     }
   }
 }

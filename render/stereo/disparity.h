@@ -38,7 +38,8 @@ struct DisparityHistogram {
   double bin_px = 1;
   std::vector<std::uint64_t> counts;  // empty where nothing is drawn
 };
-// Bins 1, 2 or 5 times a power of ten wide, the finest of which there are at most `most_bins` (>= 2).
+// Bins 1, 2 or 5 times a power of ten wide, at least 0.001 px and a millionth of the largest disparity, the finest of
+// which there are at most `most_bins` (>= 2).
 DisparityHistogram histogram_of(const Image<float>& disparity, int most_bins = 64);
 
 }  // namespace glassbox

@@ -163,6 +163,8 @@ TEST_CASE("the bins of a histogram hold all pixels, and the window lies at the e
   }
   map.pixels = {1e30f, 1e30f, 1e30f, 1e30f, -1e30f, 0};  // before the nose
   CHECK(histogram_of(map).counts.size() <= 64);
+  map.pixels.assign(6, -3e38f);
+  CHECK(histogram_of(map).counts == std::vector<std::uint64_t>{6});
   map.pixels.assign(6, 3);
   CHECK(histogram_of(map).counts == std::vector<std::uint64_t>{6});
 }
