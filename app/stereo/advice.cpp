@@ -156,9 +156,9 @@ void advise_on_colour(const StereoFindings& found, std::vector<Advice>& all) {
   const Compromise& chosen = colour.suggestion->chosen;
   all.push_back(
       {fmt::format(
-           "Or change the colours of the scene: desaturated by k = {:.2f} and brightened "
-           "by b = {:.2f}, c' = b + (1 - b) lerp(c, luma(c), k), the {} anaglyph has a mean "
-           "rivalry of {:.3f}, at a mean colour difference of {:.1f} (CIEDE2000){}.",
+           "Or change the colours: with glassbox render's --desaturate {:.2f} --brighten {:.2f}, "
+           "c' = b + (1 - b) lerp(c, luma(c), k), the {} anaglyph has a mean rivalry of {:.3f}, at "
+           "a mean colour difference of {:.1f} (CIEDE2000){}.",
            chosen.recolour.desaturate, chosen.recolour.brighten, name_of(found.question.method),
            chosen.rivalry, chosen.difference,
            colour.suggestion->meets_target ? "" : "; greys cannot do better"),
