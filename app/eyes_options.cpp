@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "app/arguments.h"
 
 #include <glassbox/mesh/bounds.h>
@@ -42,7 +44,8 @@ void choose_separation(const Scene& scene, const View& centre, const RenderSetti
       largest_half_separation(centre, chosen.pair.window, *seen, {budget, budget}, rule / 2);
   if (bearable >= rule / 2) return;
   chosen.pair.half_separation = bearable;
-  chosen.separation_is_from = "the most that keeps parallax at 3 % of the width";
+  chosen.separation_is_from =
+      fmt::format("the most that keeps parallax at {:g} % of the width", kComfortablePercent);
 }
 
 }  // namespace
@@ -69,17 +72,8 @@ void add_eyes_options(CLI::App& command, EyesOptions& eyes) {
           "distance without parallax (world units along the gaze) [auto: the point looked at]")
       ->type_name("D|auto")
       ->group(group);
-  command
-      .add_option_function<std::string>(
-          "--seen-by",
-          [&eyes](const std::string& text) {
-            if (text != "left" && text != "right") {
-              throw CLI::ValidationError("--seen-by", "needs left or right, not '" + text + "'");
-            }
-            eyes.seen_by = text == "left" ? Side::kLeft : Side::kRight;
-          },
-          "the picture of one eye alone")
-      ->type_name("left|right")
+  add_choice(command, "--seen-by", eyes.seen_by, {{"left", Side::kLeft}, {"right", Side::kRight}},
+             "the picture of one eye alone")
       ->group(group);
 }
 

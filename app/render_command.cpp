@@ -140,7 +140,7 @@ int RenderCommand::run_first_time() {
 }
 
 Result<void> RenderCommand::check_other_outputs(const std::string& image) const {
-  if (stereo_.wanted && (depth_output_ || id_output_)) {
+  if (stereo_.form.wanted && (depth_output_ || id_output_)) {
     return fail(depth_output_ ? "--depth-out" : "--id-out", "each eye has its own",
                 "render one eye at a time, with --seen-by left and --seen-by right");
   }
@@ -165,7 +165,7 @@ Result<DrawnPicture> RenderCommand::draw(const Scene& scene) const {
   RenderSettings settings = picture_.settings;
   settings.want_distance = depth_output_.has_value();
   settings.want_id = id_output_.has_value();
-  if (!stereo_.wanted) {
+  if (!stereo_.form.wanted) {
     return choose_view(scene, picture_).map([&](const ChosenView& chosen) {
       Rendering rendering = render_staged(scene, chosen.view, settings);
       Image<Rgba8> image = std::move(rendering.buffers.color);

@@ -21,26 +21,12 @@ void add_named(CLI::App& command, const std::string& name, std::optional<Value>&
   add_choice(command, name, value, choices, help)->group("Eyes (stereo)");
 }
 
-void add_stereo_choice(CLI::App& command, StereoPictureOptions& stereo) {
-  std::string names = "anaglyph";
-  for (const auto& layout : all_stereo_layouts()) names += "|" + std::string(layout.name);
-  command
-      .add_option_function<std::string>(
-          "--stereo",
-          [&stereo, names](const std::string& text) {
-            stereo.wanted = true;
-            stereo.layout.reset();
-            if (text == "anaglyph") return;
-            for (const auto& layout : all_stereo_layouts()) {
-              if (text == layout.name) stereo.layout = layout.value;
-            }
-            if (!stereo.layout) {
-              throw CLI::ValidationError("--stereo",
-                                         "needs one of " + names + ", not '" + text + "'");
-            }
-          },
-          "both eyes in one picture")
-      ->type_name(names)
+void add_form(CLI::App& command, StereoForm& form) {
+  Choices<StereoForm> choices{{"anaglyph", {true, std::nullopt}}};
+  for (const auto& layout : all_stereo_layouts()) {
+    choices.emplace_back(layout.name, StereoForm{true, layout.value});
+  }
+  add_choice(command, "--stereo", form, choices, "both eyes in one picture")
       ->group("Eyes (stereo)");
 }
 
@@ -59,14 +45,14 @@ bool is_recoloured(const StereoPictureOptions& stereo) {
 
 // An anaglyph's bytes as they are, each channel from its eye: drawn into one colour buffer.
 bool is_masked(const StereoPictureOptions& stereo) {
-  return !stereo.layout && !is_recoloured(stereo) &&
+  return !stereo.form.layout && !is_recoloured(stereo) &&
          stereo.anaglyph.method.value_or(AnaglyphMethod::kMask) == AnaglyphMethod::kMask;
 }
 
 // Both eyes' pictures, as they are to be laid out.
 Result<Image<Rgba8>> put_together(const Image<Rgba8>& left, const Image<Rgba8>& right,
                                   const StereoPictureOptions& stereo) {
-  if (stereo.layout) return lay_out(left, right, *stereo.layout);
+  if (stereo.form.layout) return lay_out(left, right, *stereo.form.layout);
   return make_anaglyph(left, right, stereo.anaglyph.method.value_or(AnaglyphMethod::kMask),
                        stereo.anaglyph.glasses.value_or(Glasses::kRedCyan));
 }
@@ -136,7 +122,7 @@ void add_anaglyph_options(CLI::App& command, AnaglyphOptions& anaglyph) {
 
 void add_stereo_picture_options(CLI::App& command, StereoPictureOptions& stereo) {
   const std::size_t before = command.get_options().size();
-  add_stereo_choice(command, stereo);
+  add_form(command, stereo.form);
   add_anaglyph_options(command, stereo.anaglyph);
   add_choice(command, "--stereo-cull", stereo.culling,
              {{"union", StereoCulling::kUnion}, {"centre", StereoCulling::kCentre}},
@@ -154,7 +140,7 @@ void add_stereo_picture_options(CLI::App& command, StereoPictureOptions& stereo)
 
 Result<void> check_stereo_picture(const PictureOptions& picture,
                                   const StereoPictureOptions& stereo) {
-  if (!stereo.wanted) {
+  if (!stereo.form.wanted) {
     for (const CLI::Option* option : stereo.options) {
       if (option->count() == 0) continue;
       return fail(option->get_name(), "it is about a picture for two eyes",
@@ -165,21 +151,21 @@ Result<void> check_stereo_picture(const PictureOptions& picture,
   if (picture.eyes.seen_by) {
     return fail("--seen-by", "--stereo makes a picture for both eyes", "give one of them");
   }
-  if (stereo.layout && (stereo.anaglyph.method || stereo.anaglyph.glasses)) {
+  if (stereo.form.layout && (stereo.anaglyph.method || stereo.anaglyph.glasses)) {
     return fail(stereo.anaglyph.method ? "--anaglyph" : "--glasses",
-                fmt::format("--stereo {} is no anaglyph", name_of(*stereo.layout)),
+                fmt::format("--stereo {} is no anaglyph", name_of(*stereo.form.layout)),
                 "leave it out, or give --stereo anaglyph");
   }
-  if (stereo.layout && stereo.cable) {
-    return fail("--cable", fmt::format("--stereo {} is no anaglyph", name_of(*stereo.layout)),
+  if (stereo.form.layout && stereo.cable) {
+    return fail("--cable", fmt::format("--stereo {} is no anaglyph", name_of(*stereo.form.layout)),
                 "leave it out, or give --stereo anaglyph");
   }
   if (const auto legal = check_recolour(stereo.recolour); !legal) return legal;
-  if (stereo.layout == StereoLayout::kInterlaced && picture.size.height == 1) {
+  if (stereo.form.layout == StereoLayout::kInterlaced && picture.size.height == 1) {
     return fail("--stereo interlaced", "of one row, the right eye would get nothing",
                 "give a picture of two rows or more");
   }
-  if (!stereo.layout && stereo.anaglyph.method) {
+  if (!stereo.form.layout && stereo.anaglyph.method) {
     const auto matrix = anaglyph_matrix(*stereo.anaglyph.method,
                                         stereo.anaglyph.glasses.value_or(Glasses::kRedCyan));
     if (!matrix) return tl::unexpected(matrix.error());

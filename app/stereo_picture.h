@@ -28,9 +28,13 @@ struct AnaglyphOptions {
 // --anaglyph and --glasses.
 void add_anaglyph_options(CLI::App& command, AnaglyphOptions& anaglyph);
 
-struct StereoPictureOptions {
+struct StereoForm {
   bool wanted = false;                 // --stereo was given
   std::optional<StereoLayout> layout;  // absent: an anaglyph
+};
+
+struct StereoPictureOptions {
+  StereoForm form;
   AnaglyphOptions anaglyph;
   Recolour recolour;  // of each eye's picture, before they are put together
   std::optional<Cable>

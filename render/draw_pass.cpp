@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 
 #include <glassbox/render/fragments.h>
 #include <glassbox/render/primitives.h>

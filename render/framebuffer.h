@@ -18,9 +18,10 @@ struct Framebuffer {
   Image<std::uint32_t> writes;  // how many fragments were written (for Show::kOverdraw)
 };
 
-inline Framebuffer cleared_framebuffer(int width, int height, const RenderSettings& settings) {
+inline Framebuffer cleared_framebuffer(int width, int height, const RenderSettings& settings,
+                                       bool want_color = true) {
   Framebuffer buffer;
-  buffer.color = Image<Rgba8>(width, height, settings.background);
+  if (want_color) buffer.color = Image<Rgba8>(width, height, settings.background);
   buffer.depth = Image<std::uint32_t>(width, height, kEmptyDepth);
   if (settings.want_distance || settings.show == Show::kDepth) {
     buffer.distance = Image<float>(width, height, std::numeric_limits<float>::infinity());

@@ -222,7 +222,8 @@ std::array<float, N> weigh(const std::array<float, N>& a, const std::array<float
 
 Varyings attributes_at(const std::array<Varyings, 3>& corners,
                        const std::array<double, 3>& weights) {
-  // Most vertices are corners that clipping has left alone: weighing would give back what they have.
+  // Most vertices are corners that clipping has left alone: weighing would give back what they have, but for the sign of
+  // a zero, which nothing further on reads.
   if (weights[1] == 0 && weights[2] == 0) return corners[0];
   if (weights[2] == 0 && weights[0] == 0) return corners[1];
   if (weights[0] == 0 && weights[1] == 0) return corners[2];

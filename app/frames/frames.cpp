@@ -56,7 +56,7 @@ public:
 
 private:
   int count() const { return *request_.frames.count; }
-  bool stereo() const { return request_.stereo.wanted; }
+  bool stereo() const { return request_.stereo.form.wanted; }
   const Size& size() const { return request_.picture.size; }
 
   std::string of_all(const char* what, std::size_t i) const {

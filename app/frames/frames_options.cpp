@@ -87,7 +87,7 @@ Result<void> check_frames_options(const PictureOptions& picture, const StereoPic
     if (!frames.count) return fail(option->get_name(), "no number of frames", "give --frames N");
     if (!frames.path) return fail(option->get_name(), "no camera path", "give --path FILE.json");
     const std::string& name = option->get_name();
-    if (stereo.wanted || name == "--frames" || name == "--path") continue;
+    if (stereo.form.wanted || name == "--frames" || name == "--path") continue;
     return fail(name, "it is about pictures for two eyes",
                 "give --stereo as well, or leave it out");
   }
@@ -108,7 +108,7 @@ Result<void> check_frames_options(const PictureOptions& picture, const StereoPic
     return fail("--seen-by", "frames are for both eyes or for none",
                 "--stereo pair has both pictures at full size");
   }
-  if (!stereo.wanted && (picture.eyes.separation || picture.eyes.window)) {
+  if (!stereo.form.wanted && (picture.eyes.separation || picture.eyes.window)) {
     return fail(picture.eyes.separation ? "--eye-separation" : "--window",
                 "pictures for one eye have no use for it",
                 "give --stereo as well, or leave it out");
@@ -123,7 +123,7 @@ Result<void> check_frames_options(const PictureOptions& picture, const StereoPic
     return fail("--window", "it is " + number_text(*window) + ", not in front of the camera",
                 "give a distance above 0, or auto");
   }
-  if (window && std::isinf(*window) && !separation && stereo.wanted) {
+  if (window && std::isinf(*window) && !separation && stereo.form.wanted) {
     return fail("--window", "an infinite one says nothing about how far the eyes are apart",
                 "give --eye-separation");
   }

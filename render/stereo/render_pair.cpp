@@ -33,7 +33,7 @@ StereoRendering render_once(const Scene& scene, const View& centre, const Render
   return both;
 }
 
-// Both eyes with the settings of each; `shared`, the colour buffer of an anaglyph, or null where each has its own.
+// Both eyes with the settings of each. An anaglyph's have one colour buffer, which is the left eye's.
 StereoRendering render_both(const Scene& scene, const View& centre, const StereoPair& pair,
                             StereoCulling culling, const RenderSettings& left_settings,
                             const RenderSettings& right_settings, const StereoObservers& observers,
@@ -49,8 +49,7 @@ StereoRendering render_both(const Scene& scene, const View& centre, const Stereo
     right_draws = draws_of_other_eye(list.draws, scene, right_view);
     const int width = int(centre.viewport.width()), height = int(centre.viewport.height());
     both.left = cleared_framebuffer(width, height, left_settings);
-    both.right = cleared_framebuffer(width, height, right_settings);
-    if (one_color_buffer) both.right.color = {};
+    both.right = cleared_framebuffer(width, height, right_settings, !one_color_buffer);
   }
   const std::array<EyePass, 2> eyes{{{list.draws, left_view, left_settings, both.left,
                                       both.left.color, both.left_statistics, observers.left},

@@ -128,7 +128,7 @@ TEST_CASE("what makes no sense for two eyes is refused, with a remedy") {
            {"--stereo pair --depth-out d.pfm", {"--depth-out", "--seen-by"}},
            {"--glasses red-cyan", {"--glasses", "--stereo"}},
            {"--window 3", {"--window", "--seen-by"}},
-           {"--seen-by both", {"--seen-by", "left or right"}},
+           {"--seen-by both", {"--seen-by", "left|right"}},
        }) {
     INFO(refusal.words);
     const Outcome outcome = here.run("render room " + refusal.words + " -o p.png");

@@ -169,8 +169,11 @@ TEST_CASE("zero separation takes one pass and gives the mono bytes (C-71)") {
 TEST_CASE(
     "culling by the centre camera loses what only a skewed frustum sees, at the edges (S0-04, "
     "E20)") {
-  for (const PairCase& c : pair_cases()) {
-    INFO(c.name);
+  std::vector<PairCase> cases = pair_cases();
+  cases.push_back(pair_case("forest", 0.05, 320, 180));
+  std::size_t lost_pixels = 0;
+  for (const PairCase& c : cases) {
+    INFO(c.name << ", " << c.width << " x " << c.height);
     RenderSettings settings;
     settings.want_distance = true;
     const StereoRendering all = render_pair(c.scene, c.centre, c.pair, {settings});
@@ -188,6 +191,7 @@ TEST_CASE(
       for (int y = 0; y < c.height; ++y) {
         for (int x = 0; x < c.width; ++x) {
           if (kept.color.at(x, y) == lossy.color.at(x, y)) continue;
+          ++lost_pixels;
           const double z = double(kept.distance.at(x, y));
           const double strip = std::abs(parallax_at(c.centre, c.pair, z).px) / 2;
           CHECK(std::min(x, c.width - 1 - x) <= strip + 1);
@@ -197,11 +201,7 @@ TEST_CASE(
     check_strips(all.left, centre.left);
     check_strips(all.right, centre.right);
   }
-}
-
-TEST_CASE("culling by the centre camera loses triangles of the forest") {
-  const PairCase c = pair_case("forest", 0.05);
-  CHECK(render_pair(c.scene, c.centre, c.pair, {{}, StereoCulling::kCentre}).lost > 0);
+  CHECK(lost_pixels > 0);  // or nothing was looked at
 }
 
 }  // namespace glassbox
