@@ -1,0 +1,77 @@
+#include "study/bench/glassbox_peer.h"
+
+#include <bit>
+#include <cstdint>
+
+#include <glassbox/render/stereo/render_pair.h>
+#include <glassbox/render/stopwatch.h>
+
+#include "study/bench/statistics.h"
+
+namespace glassbox::study {
+
+namespace {
+
+// The masked channels of `from` into the picture.
+void merge(const ColorMask& mask, const Image<Rgba8>& from, Image<Rgba8>& into) {
+  const auto all = [](bool on) { return std::uint8_t(on ? 255 : 0); };
+  const auto taken =
+      std::bit_cast<std::uint32_t>(Rgba8{all(mask.r), all(mask.g), all(mask.b), all(mask.a)});
+  for (std::size_t i = 0; i < into.pixels.size(); ++i) {
+    const auto kept = std::bit_cast<std::uint32_t>(into.pixels[i]) & ~taken;
+    const auto added = std::bit_cast<std::uint32_t>(from.pixels[i]) & taken;
+    into.pixels[i] = std::bit_cast<Rgba8>(kept | added);
+  }
+}
+
+}  // namespace
+
+void GlassboxPeer::draw(const RenderSettings& settings) {
+  for (std::size_t i = 0; i < drawn_.size(); ++i) {
+    RenderSettings masked = settings;
+    masked.mask = bench_.passes[i].mask;
+    drawn_[i] = render_staged(bench_.scene, bench_.passes[i].view, masked);
+    if (i > 0) merge(masked.mask, drawn_[i].buffers.color, drawn_[0].buffers.color);
+  }
+}
+
+double GlassboxPeer::frame_ms() {
+  double elapsed = 0;
+  {
+    const Stopwatch watch(elapsed);
+    draw(bench_.settings);
+  }
+  return elapsed;
+}
+
+JudgedPicture GlassboxPeer::picture() {
+  RenderSettings settings = bench_.settings;
+  settings.want_id = true;
+  draw(settings);
+  JudgedPicture judged;
+  judged.picture.color = drawn_[0].buffers.color;
+  judged.picture.covered = Image<std::uint8_t>(bench_.width(), bench_.height());
+  judged.edge = judged.picture.covered;
+  for (const Rendering& pass : drawn_) {
+    mark_covered(pass.buffers.depth, judged.picture.covered);
+    mark_edges(pass.buffers.id, judged.edge);
+  }
+  return judged;
+}
+
+StereoCost stereo_cost(const BenchScene& bench, int frames) {
+  const auto& [centre, pair] = *bench.stereo;
+  const AnaglyphMasks masks{bench.passes[0].mask, bench.passes[1].mask};
+  std::vector<double> mono, shared;
+  for (int i = 0; i < frames; ++i) {
+    const Stopwatch watch(mono.emplace_back());
+    (void)render_staged(bench.scene, centre, bench.settings);
+  }
+  for (int i = 0; i < frames; ++i) {
+    const Stopwatch watch(shared.emplace_back());
+    (void)render_masked_anaglyph(bench.scene, centre, pair, {bench.settings}, masks);
+  }
+  return {median(std::move(mono)), median(std::move(shared))};
+}
+
+}  // namespace glassbox::study

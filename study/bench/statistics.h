@@ -1,0 +1,40 @@
+// Numbers out of many measurements.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace glassbox::study {
+
+// Of one value or more; between two neighbours where the count asks for it (linear, Hyndman and Fan's type 7).
+struct Quartiles {
+  double lower = 0, median = 0, upper = 0;
+};
+Quartiles quartiles(std::vector<double> values);
+inline double median(std::vector<double> values) {
+  return quartiles(std::move(values)).median;
+}
+
+struct Sample {
+  double x = 0, y = 0;  // both above 0
+};
+
+// y = factor * x^exponent, by least squares of the logarithms.
+struct PowerLaw {
+  double factor = 0, exponent = 0;
+  double squares = 0;  // what is left of the logarithms' squares
+};
+// At least two different x.
+PowerLaw fit_power_law(std::span<const Sample> samples);
+
+// Two power laws, one on either side of `at`, an x of the samples that belongs to both.
+struct Bend {
+  double at = 0;
+  PowerLaw before, after;
+};
+// The bend that leaves the least squares, of three samples or more (x ascending) on either side, the shared one among
+// them. None where the exponents differ by less than 0.1, or the bend leaves more than half of what one law leaves.
+std::optional<Bend> find_bend(std::span<const Sample> samples);
+
+}  // namespace glassbox::study
