@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "app/bench_command.h"
 #include "app/diff_command.h"
 #include "app/exit_codes.h"
 #include "app/explain_command.h"
@@ -33,7 +34,7 @@ int bad_usage(const CLI::App& app, const CLI::ParseError& error) {
       chosen.empty() && dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
   fmt::print(stderr, "glassbox: {}{}; {} --help shows what there is\n", what,
              no_command ? " (the subcommands are render, info, explain, step, pixel, why, stereo, "
-                          "inspect and diff)"
+                          "inspect, diff and bench)"
                         : "",
              command);
   return kBadInput;
@@ -56,6 +57,8 @@ int run(int argc, char** argv) {
   StereoCommand stereo;
   InspectCommand inspect;
   DiffCommand diff;
+  BenchCommand bench;
+  BenchPeerCommand bench_peer;
   render.add_to(app, exit_code);
   info.add_to(app, exit_code);
   explain.add_to(app, exit_code);
@@ -65,6 +68,8 @@ int run(int argc, char** argv) {
   stereo.add_to(app, exit_code);
   inspect.add_to(app, exit_code);
   diff.add_to(app, exit_code);
+  bench.add_to(app, exit_code);
+  bench_peer.add_to(app, exit_code);
   app.require_subcommand(0, 1);
 
   try {

@@ -51,15 +51,13 @@ JudgedPicture GlassboxPeer::picture() {
   JudgedPicture judged;
   judged.picture.color = drawn_[0].buffers.color;
   judged.picture.covered = Image<std::uint8_t>(bench_.width(), bench_.height());
-  judged.edge = judged.picture.covered;
-  for (const Rendering& pass : drawn_) {
-    mark_covered(pass.buffers.depth, judged.picture.covered);
-    mark_edges(pass.buffers.id, judged.edge);
-  }
+  judged.edge = Image<std::uint8_t>(bench_.width(), bench_.height());
+  for (const Rendering& pass : drawn_) mark_edges(pass.buffers.id, judged.edge);
+  mark_covered(drawn_.back().buffers.depth, judged.picture.covered);
   return judged;
 }
 
-StereoCost stereo_cost(const BenchScene& bench, int frames) {
+StereoCost stereo_cost(const BenchScene& bench, const EngineOptions&, int frames) {
   const auto& [centre, pair] = *bench.stereo;
   const AnaglyphMasks masks{bench.passes[0].mask, bench.passes[1].mask};
   std::vector<double> mono, shared;

@@ -11,10 +11,16 @@
 
 namespace glassbox::study {
 
+struct EngineOptions {
+  int threads = 1;
+  int tile_side = 64;  // px
+};
+
 class GlassboxPeer {
 public:
   // The scene must outlive it.
-  explicit GlassboxPeer(const BenchScene& bench) : bench_(bench), drawn_(bench.passes.size()) {}
+  explicit GlassboxPeer(const BenchScene& bench, const EngineOptions& options = {})
+      : bench_(bench), options_(options), drawn_(bench.passes.size()) {}
 
   // Draws all passes; the time from nothing to a finished picture, in milliseconds.
   double frame_ms();
@@ -26,6 +32,7 @@ private:
   void draw(const RenderSettings& settings);
 
   const BenchScene& bench_;
+  const EngineOptions options_;
   std::vector<Rendering> drawn_;  // by pass; the first one's colours become the picture
 };
 
@@ -33,6 +40,6 @@ private:
 struct StereoCost {
   double mono_ms = 0, shared_ms = 0;
 };
-StereoCost stereo_cost(const BenchScene& bench, int frames);
+StereoCost stereo_cost(const BenchScene& bench, const EngineOptions& options, int frames);
 
 }  // namespace glassbox::study

@@ -9,7 +9,7 @@ namespace glassbox::study {
 
 struct Picture {
   Image<Rgba8> color;
-  Image<std::uint8_t> covered;  // 1 where anything was drawn
+  Image<std::uint8_t> covered;  // 1 where the last pass drew anything
 };
 
 struct JudgedPicture {

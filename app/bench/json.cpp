@@ -1,0 +1,78 @@
+#include "app/bench/json.h"
+
+namespace glassbox::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using study::Measurement;
+using study::Quartiles;
+using study::Scaling;
+
+Json range_of(const Quartiles& q) {
+  return Json::array({q.lower, q.upper});
+}
+
+Json match_json(const study::PictureMatch& match) {
+  return {{"same", match.same()},
+          {"covered", match.covered},
+          {"peer_covered", match.peer_covered},
+          {"coverage_differs", match.coverage_differs},
+          {"color_differs", match.color_differs},
+          {"away_from_edges", match.away_from_edges},
+          {"largest_elsewhere", match.largest_elsewhere}};
+}
+
+Json result_json(const Measurement& result) {
+  Json json{{"scene", result.scene}, {"threads", result.threads}, {"ms", result.ms.median},
+            {"peer", nullptr},       {"peer_ms", nullptr},        {"ratio", nullptr}};
+  json["ms_quartiles"] = range_of(result.ms);
+  if (result.against) {
+    json["peer"] = result.against->peer;
+    json["peer_ms"] = result.against->ms.median;
+    json["ratio"] = result.ratio();
+    json["peer_ms_quartiles"] = range_of(result.against->ms);
+    json["frame_ratio_quartiles"] = range_of(result.against->frame_ratio);
+    json["pictures"] = match_json(result.against->match);
+  }
+  if (result.stereo) {
+    json["stereo"] = {{"mono_ms", result.stereo->mono_ms},
+                      {"shared_ms", result.stereo->shared_ms},
+                      {"cost", result.stereo->shared_ms / result.stereo->mono_ms}};
+  }
+  if (result.rejected_ms) json["rejected_ms"] = *result.rejected_ms;
+  return json;
+}
+
+Json scaling_json(const Scaling& scaling) {
+  Json json{{"by", name_of(scaling.by)}, {"scene", scaling.what}, {"points", Json::array()}};
+  for (const study::ScalingPoint& point : scaling.points) {
+    json["points"].push_back({{"x", point.x},
+                              {"ms", point.ms.median},
+                              {"ms_quartiles", range_of(point.ms)},
+                              {"peak_bytes", point.peak_bytes}});
+  }
+  if (scaling.law) json["exponent"] = scaling.law->exponent;
+  if (scaling.bend) {
+    json["bend"] = {{"at", scaling.bend->at},
+                    {"exponent_before", scaling.bend->before.exponent},
+                    {"exponent_after", scaling.bend->after.exponent}};
+  }
+  if (scaling.bytes_per_triangle) json["bytes_per_triangle"] = *scaling.bytes_per_triangle;
+  if (!scaling.stopped.empty()) json["stopped"] = scaling.stopped;
+  return json;
+}
+
+}  // namespace
+
+Json bench_json(const BenchReport& report) {
+  Json json{{"machine", report.machine}, {"compiler", report.compiler}, {"target", report.target},
+            {"engine", report.engine},   {"width", report.width},       {"height", report.height},
+            {"frames", report.frames},   {"results", Json::array()}};
+  for (const Measurement& result : report.results) json["results"].push_back(result_json(result));
+  if (!report.scalings.empty()) json["scaling"] = Json::array();
+  for (const Scaling& scaling : report.scalings) json["scaling"].push_back(scaling_json(scaling));
+  return json;
+}
+
+}  // namespace glassbox::app

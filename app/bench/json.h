@@ -1,0 +1,13 @@
+// The benchmark's results for programs.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "app/bench/report.h"
+
+namespace glassbox::app {
+
+// {machine, compiler, target, results: [{scene, threads, ms, peer, peer_ms, ratio, ...}], scaling: [...]}: docs/benchmark.md.
+nlohmann::ordered_json bench_json(const BenchReport& report);
+
+}  // namespace glassbox::app

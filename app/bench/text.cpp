@@ -1,0 +1,134 @@
+#include "app/bench/text.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace glassbox::app {
+
+namespace {
+
+using study::Against;
+using study::Measurement;
+using study::Quartiles;
+using study::Scaling;
+
+std::string with_quartiles(const Quartiles& q) {
+  return fmt::format("{:>8} ({} .. {})", three_digits(q.median), three_digits(q.lower),
+                     three_digits(q.upper));
+}
+
+std::string result_line(const Measurement& result) {
+  std::string line =
+      fmt::format("{:<12} {:>7}  {:<27}", result.scene, result.threads, with_quartiles(result.ms));
+  if (result.against) {
+    const Against& against = *result.against;
+    line += fmt::format("  {:<27}  {:>6} ({} .. {})", with_quartiles(against.ms),
+                        three_digits(result.ratio()), three_digits(against.frame_ratio.lower),
+                        three_digits(against.frame_ratio.upper));
+  }
+  return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+}
+
+std::string results_table(const BenchReport& report) {
+  bool peers = false;
+  for (const Measurement& result : report.results) peers = peers || result.against.has_value();
+  std::string text =
+      fmt::format("{:<12} {:>7}  {:>8} {:<18}", "scene", "threads", "ms", "(quartiles)");
+  if (peers)
+    text += fmt::format("  {:>8} {:<18}  {:>6} (of single frames)", "peer ms", "", "ratio");
+  text = text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
+  for (const Measurement& result : report.results) text += result_line(result);
+  return text;
+}
+
+// What a row has besides its times.
+std::string remarks(const Measurement& result) {
+  std::string text;
+  const std::string where = fmt::format("{}, {} thread{}: ", result.scene, result.threads,
+                                        result.threads == 1 ? "" : "s");
+  if (result.against) text += where + match_text(result.against->match) + "\n";
+  if (result.stereo) {
+    text += fmt::format("{}both eyes in one run take {} ms, {} times one eye's {} ms\n", where,
+                        three_digits(result.stereo->shared_ms),
+                        three_digits(result.stereo->shared_ms / result.stereo->mono_ms),
+                        three_digits(result.stereo->mono_ms));
+  }
+  if (result.rejected_ms) {
+    text += fmt::format("{}{} ms where whole objects may be rejected\n", where,
+                        three_digits(*result.rejected_ms));
+  }
+  return text;
+}
+
+std::string scaling_table(const Scaling& scaling) {
+  std::string text =
+      fmt::format("Time against {}, {}\n{:>12}  {:>8} {:<18}  {:>11}\n", name_of(scaling.by),
+                  scaling.what, name_of(scaling.by), "ms", "(quartiles)", "memory, MiB");
+  for (const study::ScalingPoint& point : scaling.points) {
+    text += fmt::format("{:>12.0f}  {:<27}  {:>11.0f}\n", point.x, with_quartiles(point.ms),
+                        point.peak_bytes / 1048576);
+  }
+  return text + scaling_text(scaling) + "\n";
+}
+
+}  // namespace
+
+std::string three_digits(double value) {
+  if (value == 0) return "0";
+  const int before = int(std::floor(std::log10(std::abs(value)))) + 1;
+  return fmt::format("{:.{}f}", value, std::max(0, 3 - before));
+}
+
+std::string match_text(const study::PictureMatch& match) {
+  if (match.same()) {
+    const std::string differ =
+        match.differing() == 0
+            ? fmt::format("the same {} pixels covered", match.covered)
+            : fmt::format("{} of {} pixels differ, at edges", match.differing(), match.pixels);
+    return fmt::format("{}; colours elsewhere within {}/255", differ, match.largest_elsewhere);
+  }
+  return fmt::format(
+      "NOT the same picture: {} pixels covered, {} by the peer; {} differ in coverage and {} in "
+      "colour, {} of them away from edges",
+      match.covered, match.peer_covered, match.coverage_differs, match.color_differs,
+      match.away_from_edges);
+}
+
+std::string scaling_text(const Scaling& scaling) {
+  std::string text;
+  if (scaling.law) {
+    text = fmt::format("time grows as {}^{:.2f}", name_of(scaling.by), scaling.law->exponent);
+  }
+  if (scaling.bend) {
+    text += fmt::format("; it bends at {:.3g}: ^{:.2f} before, ^{:.2f} after", scaling.bend->at,
+                        scaling.bend->before.exponent, scaling.bend->after.exponent);
+  }
+  if (scaling.bytes_per_triangle) {
+    text += fmt::format("; {:.0f} bytes a triangle", *scaling.bytes_per_triangle);
+  }
+  if (!scaling.stopped.empty()) text += (text.empty() ? "" : "; ") + scaling.stopped;
+  return text;
+}
+
+std::string bench_text(const BenchReport& report) {
+  std::string text = fmt::format("{}; {}; {} engine, {}; {} x {}, medians of {} frames\n",
+                                 report.machine, report.compiler, report.engine, report.target,
+                                 report.width, report.height, report.frames);
+  if (!report.results.empty()) {
+    for (const Measurement& result : report.results) {
+      if (!result.against) continue;
+      text += "peer: " + result.against->peer + "\n";
+      break;
+    }
+    text += "\n" + results_table(report);
+    std::string below;
+    for (const Measurement& result : report.results) below += remarks(result);
+    if (!below.empty()) text += "\n" + below;
+  }
+  for (const Scaling& scaling : report.scalings) text += "\n" + scaling_table(scaling);
+  for (const std::string& note : report.notes) text += "\n" + note + "\n";
+  return text;
+}
+
+}  // namespace glassbox::app

@@ -1,0 +1,203 @@
+#include "app/bench_command.h"
+
+#include <algorithm>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "app/bench/json.h"
+#include "app/bench/text.h"
+#include "app/builtin_help.h"
+#include "app/exit_codes.h"
+#include "app/output.h"
+#include "app/picture_options.h"
+
+#include <glassbox/base/printable.h>
+#include <glassbox/mesh/load.h>
+
+#include "study/bench/machine.h"
+#include "study/bench/peer_process.h"
+
+namespace glassbox::app {
+
+namespace {
+
+using study::BenchScene;
+using study::PeerProcess;
+using study::ScaledBy;
+
+constexpr const char* kPeerCommand = "bench-peer";
+constexpr int kMostThreads = 256, kMostFrames = 100000;
+
+std::string scene_help() {
+  std::string text = "Scenes of the benchmark:\n";
+  for (const study::BenchSceneName& known : study::bench_scene_names()) {
+    text += fmt::format("  {:<14}{}\n", known.name, known.stresses);
+  }
+  return text;
+}
+
+bool is_bench_scene(const std::string& name) {
+  return std::ranges::any_of(study::bench_scene_names(), [&](const auto& known) {
+    return CLI::detail::to_lower(std::string(known.name)) == CLI::detail::to_lower(name);
+  });
+}
+
+std::vector<int> parse_threads(const std::string& text) {
+  std::vector<int> all;
+  for (const std::string& word : CLI::detail::split(text, ',')) {
+    int threads = 0;
+    const bool number = CLI::detail::lexical_cast(word, threads);
+    if (!number || threads < 1 || threads > kMostThreads) {
+      throw CLI::ValidationError("--threads",
+                                 fmt::format("needs numbers from 1 to {}, such as 1,2; not '{}'",
+                                             kMostThreads, printable(word, 100)));
+    }
+    all.push_back(threads);
+  }
+  return all;
+}
+
+Result<std::unique_ptr<PeerProcess>> start_mesa(const BenchScene& bench, int threads) {
+  const std::string size = fmt::format("{}x{}", bench.width(), bench.height());
+  return PeerProcess::start(
+      {"/proc/self/exe", {kPeerCommand, bench.name, "--size", size}, threads});
+}
+
+}  // namespace
+
+void BenchCommand::add_to(CLI::App& app, int& exit_code) {
+  CLI::App& command =
+      *app.add_subcommand("bench", "how fast it draws, against whom, and how its time grows");
+  command.footer(
+      "Examples:\n"
+      "  glassbox bench\n"
+      "  glassbox bench S1 S3 --against mesa --threads 1,2\n"
+      "  glassbox bench model.glb teapot:64 --json -\n"
+      "  glassbox bench --scaling triangles --most 1000000\n\n"
+      "Times are medians after three frames that are not measured; docs/benchmark.md says what is\n"
+      "in them.\n\n" +
+      scene_help() + "\n" + builtin_help());
+  command.add_option(
+      "SCENE", scenes_,
+      "scenes of the benchmark, built-in ones, or glTF, GLB and OBJ files [S1 to S7]");
+  add_choice<std::optional<Peer>>(
+      command, "--against", against_, {{"mesa", Peer::kMesa}},
+      "draw S1 to S7 with this too, in alternation, and compare the pictures");
+  command
+      .add_option_function<std::string>(
+          "--threads", [this](const std::string& text) { threads_ = parse_threads(text); },
+          "measure with each of these numbers of threads")
+      ->type_name("N,...");
+  command.add_option("--frames", frames_, "measured frames of each side [9]")
+      ->check(CLI::Range(1, kMostFrames))
+      ->type_name("N");
+  command
+      .add_option_function<std::string>(
+          "--size", [this](const std::string& text) { size_ = parse_size(text); },
+          "of the picture [1920x1080]")
+      ->type_name("WxH");
+  command.add_option("--json", json_output_, "the same as JSON; - is standard output")
+      ->type_name("FILE|-")
+      ->group("Other outputs");
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+Result<void> BenchCommand::check_options() const {
+  std::vector<std::string> paths;
+  if (json_output_ && *json_output_ != "-") paths.push_back(*json_output_);
+  return check_outputs(paths);
+}
+
+std::vector<std::string> BenchCommand::scene_names() const {
+  if (!scenes_.empty()) return scenes_;
+  std::vector<std::string> all;
+  for (const study::BenchSceneName& known : study::bench_scene_names())
+    all.emplace_back(known.name);
+  return all;
+}
+
+Result<BenchScene> BenchCommand::load(const std::string& name) const {
+  if (is_bench_scene(name)) return study::make_bench_scene(name, size_.width, size_.height);
+  Result<Scene> scene = load_scene(name);
+  if (!scene) return tl::unexpected(scene.error());
+  PictureOptions picture;
+  picture.size = size_;
+  const Result<ChosenView> chosen = choose_view(*scene, picture);
+  if (!chosen) return tl::unexpected(chosen.error());
+  return study::make_bench_scene(name, std::move(*scene), chosen->view);
+}
+
+study::MeasureOptions BenchCommand::measure_options(int threads) const {
+  return {{threads}, frames_};
+}
+
+Result<void> BenchCommand::measure_scene(const std::string& name, BenchReport& report,
+                                         Progress& progress) const {
+  progress.phase("loading " + name);
+  const Result<BenchScene> bench = load(name);
+  if (!bench) return tl::unexpected(bench.error());
+  for (const int threads : threads_) {
+    progress.phase(
+        fmt::format("drawing {} with {} thread{}", name, threads, threads == 1 ? "" : "s"));
+    std::unique_ptr<PeerProcess> peer;
+    if (against_ && bench->peers_draw_it) {
+      auto started = start_mesa(*bench, threads);
+      if (!started) return tl::unexpected(started.error());
+      peer = std::move(*started);
+    }
+    auto measured = study::measure(*bench, measure_options(threads), peer.get());
+    if (!measured) return tl::unexpected(measured.error());
+    report.results.push_back(std::move(*measured));
+  }
+  if (against_ && !bench->peers_draw_it) {
+    report.notes.push_back(name + " is drawn alone: the peer draws S1 to S7.");
+  }
+  return {};
+}
+
+Result<void> BenchCommand::write_outputs(const BenchReport& report) const {
+  return json_output_ ? write_json(*json_output_, bench_json(report)) : Result<void>();
+}
+
+int BenchCommand::run() {
+  if (const auto legal = check_options(); !legal) return refuse(legal.error());
+  if (threads_.empty()) threads_ = {1};
+  BenchReport report{study::machine_name(),
+                     study::compiler_name(),
+                     "staged",
+                     "scalar",
+                     size_.width,
+                     size_.height,
+                     frames_,
+                     {},
+                     {},
+                     {}};
+  Progress progress;
+  for (const std::string& name : scene_names()) {
+    if (const auto measured = measure_scene(name, report, progress); !measured) {
+      return refuse(measured.error());
+    }
+  }
+  progress.done();
+  if (const auto written = write_outputs(report); !written) return refuse(written.error());
+  if (json_output_ != "-") fmt::print("{}", bench_text(report));
+  return report.pictures_same() ? kSuccess : kFailure;
+}
+
+void BenchPeerCommand::add_to(CLI::App& app, int& exit_code) {
+  CLI::App& command = *app.add_subcommand(kPeerCommand, "draws for glassbox bench")->group("");
+  command.add_option("SCENE", scene_)->required();
+  command.add_option_function<std::string>(
+      "--size", [this](const std::string& text) { size_ = parse_size(text); });
+  command.callback([this, &exit_code] {
+    const auto bench = study::make_bench_scene(scene_, size_.width, size_.height);
+    if (!bench) {
+      exit_code = refuse(bench.error());
+      return;
+    }
+    exit_code = study::serve_mesa(*bench) ? kSuccess : kFailure;
+  });
+}
+
+}  // namespace glassbox::app

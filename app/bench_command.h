@@ -1,0 +1,54 @@
+// glassbox bench: how fast it is, against whom, and how its time grows.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "app/arguments.h"
+#include "app/bench/report.h"
+#include "app/progress.h"
+
+#include <glassbox/base/error.h>
+
+namespace glassbox::app {
+
+class BenchCommand {
+public:
+  void add_to(CLI::App& app, int& exit_code);
+
+private:
+  enum class Peer { kMesa };
+
+  int run();
+  Result<void> check_options() const;
+  std::vector<std::string> scene_names() const;
+  Result<study::BenchScene> load(const std::string& name) const;
+  study::MeasureOptions measure_options(int threads) const;
+  Result<void> measure_scene(const std::string& name, BenchReport& report,
+                             Progress& progress) const;
+  Result<void> write_outputs(const BenchReport& report) const;
+
+  std::vector<std::string> scenes_;
+  std::optional<Peer> against_;
+  std::vector<int> threads_;
+  int frames_ = 9;
+  Size size_{1920, 1080};
+  std::vector<study::ScaledBy> scalings_;
+  double most_ = 0;
+  std::optional<std::string> json_output_;
+};
+
+// The process beside it that draws with the peer: bench starts it, and nobody else.
+class BenchPeerCommand {
+public:
+  void add_to(CLI::App& app, int& exit_code);
+
+private:
+  std::string scene_;
+  Size size_;
+};
+
+}  // namespace glassbox::app

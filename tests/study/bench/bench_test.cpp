@@ -1,0 +1,119 @@
+// glassbox bench, from the outside.
+#include <tests/app/run.h>
+#include <tests/support/catch.h>
+
+#include <dlfcn.h>
+
+#include <cstdio>
+#include <set>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+namespace glassbox {
+namespace {
+
+using nlohmann::json;
+using test::Outcome;
+using test::Workplace;
+
+bool mesa_is_here() {
+  void* library = ::dlopen("libOSMesa.so.8", RTLD_LAZY | RTLD_LOCAL);
+  if (library == nullptr) return false;
+  ::dlclose(library);
+  return true;
+}
+
+TEST_CASE("bench writes machine, compiler, target and results as JSON") {
+  const Workplace place;
+  const Outcome run = place.run("bench S2 cube --size 64x36 --frames 4 --json -");
+  INFO(run.err);
+  REQUIRE(run.exit_code == 0);
+  const json report = json::parse(run.out);
+  for (const char* name : {"machine", "compiler", "target", "engine"}) {
+    INFO(name);
+    CHECK_FALSE(report.at(name).get<std::string>().empty());
+  }
+  CHECK(report.at("width") == 64);
+  CHECK(report.at("height") == 36);
+  CHECK(report.at("frames") == 4);
+  std::set<std::string> scenes;
+  for (const json& result : report.at("results")) {
+    scenes.insert(result.at("scene"));
+    CHECK(result.at("threads").get<int>() >= 1);
+    const double ms = result.at("ms");
+    CHECK(ms > 0);
+    CHECK(result.at("ms_quartiles").at(0) <= ms);
+    CHECK(result.at("ms_quartiles").at(1) >= ms);
+    for (const char* name : {"peer", "peer_ms", "ratio"}) CHECK(result.at(name).is_null());
+  }
+  CHECK(scenes == std::set<std::string>{"S2", "cube"});
+}
+
+TEST_CASE("bench tells people what it tells programs, and writes the file as well") {
+  const Workplace place;
+  const Outcome run = place.run("bench s3 --size 64x36 --frames 1 --json out.json");
+  REQUIRE(run.exit_code == 0);
+  CHECK(run.out.find("64 x 36") != std::string::npos);
+  CHECK(run.out.find("S3 ") != std::string::npos);
+  CHECK(json::parse(place.read("out.json")).at("results").at(0).at("scene") == "S3");
+}
+
+TEST_CASE("S6 reports the run that shares the eyes' work, S7 the rejection of whole objects") {
+  const Workplace place;
+  const Outcome run = place.run("bench S6 S7 --size 64x36 --frames 1 --json -");
+  REQUIRE(run.exit_code == 0);
+  const json results = json::parse(run.out).at("results");
+  const json& stereo = results.at(0).at("stereo");
+  CHECK(stereo.at("cost").get<double>() ==
+        stereo.at("shared_ms").get<double>() / stereo.at("mono_ms").get<double>());
+  CHECK(results.at(1).at("rejected_ms").get<double>() > 0);
+}
+
+TEST_CASE("bench refuses what it cannot measure, with a remedy") {
+  const Workplace place;
+  const auto refused = [&](const std::string& words, const std::string& says) {
+    INFO(words);
+    const Outcome run = place.run("bench " + words);
+    INFO(run.err);
+    CHECK(run.exit_code == 2);
+    CHECK(run.out.empty());
+    CHECK(run.err.find(says) != std::string::npos);
+  };
+  refused("S9", "S9");
+  refused("teapott", "teapot");
+  refused("missing.glb", "missing.glb");
+  refused("S1 --frames 0", "--frames");
+  refused("S1 --threads 1,none", "--threads");
+  refused("S1 --threads 0", "--threads");
+  refused("S1 --size 0x4", "--size");
+  refused("S1 --against itself", "mesa");
+  refused("S3 --json no/such/place.json", "directory");
+}
+
+TEST_CASE("Mesa draws the same pictures") {
+  if (!mesa_is_here()) {
+    std::printf("skipped: the pictures of Mesa (no libOSMesa.so.8; install libosmesa6)\n");
+    return;
+  }
+  const Workplace place;
+  const Outcome run = place.run(
+      "bench S1 S2 S3 S4bf S4fb S5 S6 S7 --against mesa --size 480x270 --frames 1 --json -");
+  INFO(run.err);
+  REQUIRE(run.exit_code == 0);
+  const json results = json::parse(run.out).at("results");
+  REQUIRE(results.size() == 8);
+  for (const json& result : results) {
+    INFO(result.dump(2));
+    CHECK(result.at("peer").get<std::string>().find("llvmpipe") != std::string::npos);
+    CHECK(result.at("ratio").get<double>() ==
+          result.at("peer_ms").get<double>() / result.at("ms").get<double>());
+    const json& pictures = result.at("pictures");
+    CHECK(pictures.at("same") == true);
+    CHECK(pictures.at("largest_elsewhere").get<int>() <= 2);
+    CHECK((pictures.at("covered").get<int>() > 0) == (result.at("scene") != "S7"));
+  }
+}
+
+}  // namespace
+}  // namespace glassbox
