@@ -14,6 +14,7 @@
 
 #include <glassbox/base/printable.h>
 #include <glassbox/mesh/load.h>
+#include <glassbox/raster/lanes/target.h>
 
 #include "study/bench/machine.h"
 #include "study/bench/peer_process.h"
@@ -78,17 +79,24 @@ void BenchCommand::add_to(CLI::App& app, int& exit_code) {
       "Times are medians after three frames that are not measured; docs/benchmark.md says what is\n"
       "in them.\n\n" +
       scene_help() + "\n" + builtin_help());
-  command.add_option(
-      "SCENE", scenes_,
-      "scenes of the benchmark, built-in ones, or glTF, GLB and OBJ files [S1 to S7]");
+  command.add_option("SCENE", scenes_,
+                     "of the benchmark, built-in, or a glTF, GLB or OBJ file [S1 to S7]");
+  add_measure_options(command);
+  add_engine_options(command);
+  const std::string outputs = "Other outputs";
+  command.add_option("--html", html_output_, "the same as a page, with bars and curves")
+      ->type_name("FILE")
+      ->group(outputs);
+  command.add_option("--json", json_output_, "the same as JSON; - is standard output")
+      ->type_name("FILE|-")
+      ->group(outputs);
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+void BenchCommand::add_measure_options(CLI::App& command) {
   add_choice<std::optional<Peer>>(
       command, "--against", against_, {{"mesa", Peer::kMesa}},
       "draw S1 to S7 with this too, in alternation, and compare the pictures");
-  command
-      .add_option_function<std::string>(
-          "--threads", [this](const std::string& text) { threads_ = parse_threads(text); },
-          "measure with each of these numbers of threads")
-      ->type_name("N,...");
   command.add_option("--frames", frames_, "measured frames of each side [9]")
       ->check(CLI::Range(1, kMostFrames))
       ->type_name("N");
@@ -97,14 +105,53 @@ void BenchCommand::add_to(CLI::App& app, int& exit_code) {
           "--size", [this](const std::string& text) { size_ = parse_size(text); },
           "of the picture [1920x1080]")
       ->type_name("WxH");
-  command.add_option("--json", json_output_, "the same as JSON; - is standard output")
-      ->type_name("FILE|-")
-      ->group("Other outputs");
-  command.callback([this, &exit_code] { exit_code = run(); });
+  add_choice<std::optional<ScaledBy>>(command, "--scaling", scaling_,
+                                      {{"triangles", ScaledBy::kTriangles},
+                                       {"pixels", ScaledBy::kPixels},
+                                       {"threads", ScaledBy::kThreads},
+                                       {"tile", ScaledBy::kTile}},
+                                      "how time grows with this, in place of scenes");
+  command
+      .add_option_function<std::string>(
+          "--most", [this](const std::string& text) { most_ = parse_number("--most", text); },
+          "end --scaling there [30 million triangles, 16384 x 16384 pixels]")
+      ->type_name("N");
+  command.add_flag("--floor", floor_,
+                   "measure the machine too, and how far each scene is from what it allows");
+}
+
+void BenchCommand::add_engine_options(CLI::App& command) {
+  const std::string group = "Engine";
+  add_choice(command, "--engine", engine_.engine,
+             {{"tile", study::Engine::kTile}, {"staged", study::Engine::kStaged}},
+             "which one draws [tile]")
+      ->group(group);
+  command
+      .add_option_function<std::string>(
+          "--threads", [this](const std::string& text) { threads_ = parse_threads(text); },
+          "measure with each of these numbers of threads [1 and all]")
+      ->type_name("N,...")
+      ->group(group);
+  Choices<Target> targets;
+  for (const Target target : available_targets()) {
+    targets.emplace_back(std::string(name_of(target)), target);
+  }
+  add_choice(command, "--target", engine_.tile.target, targets,
+             fmt::format("instructions to use [{}]", name_of(best_target())))
+      ->group(group);
 }
 
 Result<void> BenchCommand::check_options() const {
+  if (engine_.engine == study::Engine::kStaged && !threads_.empty() &&
+      threads_ != std::vector<int>{1}) {
+    return fail("--threads", "the staged engine has one thread", "leave one of the two out");
+  }
+  if (!(most_ >= 0)) return fail("--most", "is no number of things", "give a number above 0");
   std::vector<std::string> paths;
+  if (html_output_) {
+    if (const auto legal = check_extension(*html_output_, ".html"); !legal) return legal;
+    paths.push_back(*html_output_);
+  }
   if (json_output_ && *json_output_ != "-") paths.push_back(*json_output_);
   return check_outputs(paths);
 }
@@ -129,7 +176,9 @@ Result<BenchScene> BenchCommand::load(const std::string& name) const {
 }
 
 study::MeasureOptions BenchCommand::measure_options(int threads) const {
-  return {{threads}, frames_};
+  study::MeasureOptions options{engine_, frames_};
+  options.engine.tile.threads = threads;
+  return options;
 }
 
 Result<void> BenchCommand::measure_scene(const std::string& name, BenchReport& report,
@@ -160,28 +209,50 @@ Result<void> BenchCommand::write_outputs(const BenchReport& report) const {
   return json_output_ ? write_json(*json_output_, bench_json(report)) : Result<void>();
 }
 
+Result<void> BenchCommand::measure_scenes(BenchReport& report, Progress& progress) const {
+  for (const std::string& name : scene_names()) {
+    if (const auto done = measure_scene(name, report, progress); !done) return done;
+  }
+  if (!floor_) return {};
+  progress.phase("measuring the machine");
+  for (const int threads : threads_) report.floors.push_back(study::measure_floor(threads));
+  return {};
+}
+
+void BenchCommand::measure_scaling(BenchReport& report, Progress& progress) const {
+  const std::string_view by = name_of(*scaling_);
+  report.scalings.push_back(study::measure_scaling(
+      *scaling_, {measure_options(threads_.back()), size_.width, size_.height, most_},
+      [&](double x) { progress.phase(fmt::format("{} {}", x, by)); }));
+}
+
 int BenchCommand::run() {
   if (const auto legal = check_options(); !legal) return refuse(legal.error());
-  if (threads_.empty()) threads_ = {1};
-  BenchReport report{study::machine_name(),
-                     study::compiler_name(),
-                     "staged",
-                     "scalar",
-                     size_.width,
-                     size_.height,
-                     frames_,
-                     {},
-                     {},
-                     {}};
+  const bool staged = engine_.engine == study::Engine::kStaged;
+  if (threads_.empty()) {
+    threads_ = {1};
+    if (!staged && study::processor_count() > 1) threads_.push_back(study::processor_count());
+  }
+  BenchReport report;
+  report.machine = study::machine_name();
+  report.compiler = study::compiler_name();
+  report.engine = staged ? "staged" : "tile";
+  report.target = name_of(staged ? Target::kScalar : engine_.tile.target);
+  report.width = size_.width;
+  report.height = size_.height;
+  report.frames = frames_;
   Progress progress;
-  for (const std::string& name : scene_names()) {
-    if (const auto measured = measure_scene(name, report, progress); !measured) {
-      return refuse(measured.error());
-    }
+  if (scaling_) {
+    measure_scaling(report, progress);
+  } else if (const auto measured = measure_scenes(report, progress); !measured) {
+    return refuse(measured.error());
   }
   progress.done();
   if (const auto written = write_outputs(report); !written) return refuse(written.error());
-  if (json_output_ != "-") fmt::print("{}", bench_text(report));
+  if (json_output_ != "-") {
+    fmt::print("{}", bench_text(report));
+    if (html_output_) fmt::print("\n{}: open it in a browser\n", *html_output_);
+  }
   return report.pictures_same() ? kSuccess : kFailure;
 }
 

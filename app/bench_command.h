@@ -22,6 +22,8 @@ public:
 private:
   enum class Peer { kMesa };
 
+  void add_measure_options(CLI::App& command);
+  void add_engine_options(CLI::App& command);
   int run();
   Result<void> check_options() const;
   std::vector<std::string> scene_names() const;
@@ -29,16 +31,20 @@ private:
   study::MeasureOptions measure_options(int threads) const;
   Result<void> measure_scene(const std::string& name, BenchReport& report,
                              Progress& progress) const;
+  Result<void> measure_scenes(BenchReport& report, Progress& progress) const;
+  void measure_scaling(BenchReport& report, Progress& progress) const;
   Result<void> write_outputs(const BenchReport& report) const;
 
   std::vector<std::string> scenes_;
   std::optional<Peer> against_;
+  study::EngineOptions engine_;
   std::vector<int> threads_;
   int frames_ = 9;
   Size size_{1920, 1080};
-  std::vector<study::ScaledBy> scalings_;
+  std::optional<study::ScaledBy> scaling_;
   double most_ = 0;
-  std::optional<std::string> json_output_;
+  bool floor_ = false;
+  std::optional<std::string> json_output_, html_output_;
 };
 
 // The process beside it that draws with the peer: bench starts it, and nobody else.

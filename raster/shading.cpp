@@ -9,10 +9,6 @@ namespace glassbox {
 
 namespace {
 
-// The most light there is, so that no product of two such numbers overflows: infinity times 0 would make the brightest
-// places black.
-constexpr float kBrightest = 1e18f;
-
 Vector<Eye> normalised(const Vector<Eye>& v) {
   const float length = std::sqrt(dot(v, v));
   return length > 0.0f ? v * (1.0f / length) : Vector<Eye>{};

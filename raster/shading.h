@@ -18,6 +18,10 @@
 
 namespace glassbox {
 
+// The most light there is, so that no product of two such numbers overflows: infinity times 0 would make the brightest
+// places black.
+inline constexpr float kBrightest = 1e18f;
+
 struct EyeLight {
   LightKind kind = LightKind::kDirectional;
   std::array<float, 3> radiance{};  // colour * intensity / pi

@@ -5,7 +5,6 @@
 
 #include <glm/matrix.hpp>
 
-#include <glassbox/mesh/bounds.h>
 #include <glassbox/pipeline/affine.h>
 
 namespace glassbox {
@@ -81,28 +80,18 @@ Vector<Object> anchor_for(const Box<Object>& box) {
           anchor_coordinate(box.low.z, box.high.z, size)};
 }
 
-DrawList make_draw_list(const Scene& scene, const View& view, const RenderSettings& settings) {
+DrawList make_draw_list(const Scene& scene, const PreparedScene& prepared, const View& view) {
   DrawList list;
   list.lighting = light_scene(scene, view);
-  list.triangulations.reserve(scene.meshes.size());
-  std::vector<Box<Object>> boxes;
-  for (const Mesh& mesh : scene.meshes) {
-    list.triangulations.push_back(triangulate(mesh));
-    boxes.push_back(bounds(mesh));
-  }
-  list.textures.reserve(scene.textures.size());
-  for (const Texture& texture : scene.textures) {
-    list.textures.push_back(make_mip_chain(scene.images[texture.image], settings.transfer,
-                                           texture.sampler.mip == MipFilter::kNone));
-  }
-
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
-    Draw draw = make_draw(scene, view, i, boxes[scene.instances[i].mesh]);
-    draw.triangulation = &list.triangulations[scene.instances[i].mesh];
+    const PreparedMesh& mesh = prepared.meshes[scene.instances[i].mesh];
+    Draw draw = make_draw(scene, view, i, mesh.bounds);
+    draw.triangulation = &mesh.triangulation;
+    draw.prepared = &mesh;
     draw.first_number = list.triangle_count;
     list.triangle_count += draw.triangulation->numbered;
     if (draw.material->texture && !draw.mesh->texcoords.empty()) {
-      draw.texture = &list.textures[*draw.material->texture];
+      draw.texture = &prepared.textures[*draw.material->texture];
       draw.sampler = &scene.textures[*draw.material->texture].sampler;
     }
     list.draws.push_back(draw);

@@ -11,17 +11,18 @@
 #include <glassbox/pipeline/view.h>
 #include <glassbox/raster/shading.h>
 #include <glassbox/raster/texture.h>
-#include <glassbox/render/settings.h>
+#include <glassbox/render/prepared_scene.h>
 
 namespace glassbox {
 
-// One instance of a mesh. Pointers lead into the scene and the draw list, which must outlive it.
+// One instance of a mesh. Pointers lead into the scene and what was prepared from it, which must outlive it.
 struct Draw {
   const Mesh* mesh = nullptr;
   const Material* material = nullptr;
   const MipChain* texture = nullptr;  // null: none
   const Sampler* sampler = nullptr;
   const Triangulation* triangulation = nullptr;
+  const PreparedMesh* prepared = nullptr;
   std::uint32_t instance = 0;
   std::uint32_t first_number = 0;  // of its first triangle, in the whole scene
 
@@ -36,14 +37,12 @@ struct Draw {
 };
 
 struct DrawList {
-  std::vector<Triangulation> triangulations;  // by mesh
-  std::vector<MipChain> textures;             // by texture
   std::vector<Draw> draws;  // opaque and masked in file order, then blended far to near
   Lighting lighting;
   std::uint32_t triangle_count = 0;  // numbers given out
 };
 
-DrawList make_draw_list(const Scene& scene, const View& view, const RenderSettings& settings);
+DrawList make_draw_list(const Scene& scene, const PreparedScene& prepared, const View& view);
 
 // The same draws for another eye, whose view shares eye_from_world: only clip_from_anchored differs.
 std::vector<Draw> draws_of_other_eye(const std::vector<Draw>& draws, const Scene& scene,

@@ -32,13 +32,17 @@ struct EyeStages {
   std::vector<ReadyPoint> points;
 };
 
+PixelRect whole(const Image<Rgba8>& picture) {
+  return {0, 0, picture.width, picture.height};
+}
+
 EyeStages make_stages(std::size_t index, const EyePass& eye, const ClipTable& clip,
                       const EyeSpaceTables& eye_space, const Lighting& lighting) {
   const Draw& draw = eye.draws[index];
-  return {{draw, clip, eye_space, eye.view, eye.settings, lighting, render_planes(eye.view),
+  return {{draw, &clip, eye_space, eye.view, eye.settings, lighting, render_planes(eye.view),
            eye.statistics, eye.observer},
           {draw, shaded_channels(draw, eye.settings), eye.view, eye.settings, lighting, eye.target,
-           eye.color, eye.statistics, eye.observer},
+           eye.color, whole(eye.color), eye.statistics, eye.observer},
           {},
           {},
           {}};

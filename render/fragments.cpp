@@ -17,10 +17,6 @@ namespace glassbox {
 
 namespace {
 
-PixelRect window_of(const Framebuffer& target) {
-  return {0, 0, target.depth.width, target.depth.height};
-}
-
 // ---- colour ----
 
 bool has_normal(const std::array<float, 3>& n) {
@@ -184,7 +180,7 @@ void rasterise(const FragmentStage& stage, const ReadyTriangle& triangle) {
                                       triangle.vertices[2].texcoord});
   }
   const FragmentSource source{triangle.number, triangle.piece, true};
-  for_each_covered(triangle.setup, window_of(stage.target), [&](const Coverage& pixel) {
+  for_each_covered(triangle.setup, stage.window, [&](const Coverage& pixel) {
     Fragment fragment = interpolate(triangle.setup, pixel);
     if (stage.observer != nullptr) stage.observer->interpolated(source, pixel, fragment);
     process_observed(stage, source, fragment, triangle.number + 1, surface);
@@ -193,7 +189,7 @@ void rasterise(const FragmentStage& stage, const ReadyTriangle& triangle) {
 
 void rasterise(const FragmentStage& stage, const ReadyLine& line) {
   const Surface surface{{line.vertices[0], line.vertices[0], line.vertices[1]}, {}};
-  for_each_line_pixel(snap(line.ends[0]), snap(line.ends[1]), window_of(stage.target),
+  for_each_line_pixel(snap(line.ends[0]), snap(line.ends[1]), stage.window,
                       [&](const LinePixel& pixel) {
                         const Fragment fragment = interpolate(line.ends, pixel);
                         process_observed(stage, kNoTriangle, fragment, line.id, surface);
@@ -202,7 +198,7 @@ void rasterise(const FragmentStage& stage, const ReadyLine& line) {
 
 void rasterise(const FragmentStage& stage, const ReadyPoint& point) {
   const PointPixel pixel = point_pixel(snap(point.position));
-  const PixelRect window = window_of(stage.target);
+  const PixelRect& window = stage.window;
   if (pixel.x < window.x0 || pixel.x >= window.x1 || pixel.y < window.y0 || pixel.y >= window.y1)
     return;
   Fragment fragment;

@@ -19,6 +19,7 @@ struct FragmentStage {
   const Lighting& lighting;
   Framebuffer& target;  // every plane but the colours
   Image<Rgba8>& color;  // the target's own, or that which the eyes of an anaglyph share
+  PixelRect window;     // the part of the picture that is drawn
   Statistics& statistics;
   Observer* observer = nullptr;
 };

@@ -55,11 +55,20 @@ ScreenPolygon polygon_on_screen(const PrimitiveStage& stage, const ClipPolygon& 
 
 // ---- clipping ----
 
+Point<Clip> clip_position(const PrimitiveStage& stage, std::uint32_t index) {
+  return stage.clip != nullptr ? stage.clip->positions[index] : project_vertex(stage.draw, index);
+}
+
+Outcode outcode_of(const PrimitiveStage& stage, const ClipVertex& vertex, std::uint32_t index) {
+  return stage.clip != nullptr ? stage.clip->outcodes[index]
+                               : outcode(vertex.position, stage.planes);
+}
+
 std::array<ClipVertex, 3> clip_vertices(const PrimitiveStage& stage, const Triangle& triangle) {
   std::array<ClipVertex, 3> corners;
   for (std::size_t k = 0; k < 3; ++k) {
     const Corner& corner = stage.draw.mesh->corners[triangle.corners[k]];
-    corners[k].position = stage.clip.positions[corner.position];
+    corners[k].position = clip_position(stage, corner.position);
     corners[k].weights[k] = 1.0;
   }
   return corners;
@@ -70,7 +79,8 @@ ClipPolygon clip_to_view(const PrimitiveStage& stage, const Triangle& triangle,
                          const std::array<ClipVertex, 3>& corners) {
   std::array<Outcode, 3> codes;
   for (std::size_t k = 0; k < 3; ++k) {
-    codes[k] = stage.clip.outcodes[stage.draw.mesh->corners[triangle.corners[k]].position];
+    codes[k] =
+        outcode_of(stage, corners[k], stage.draw.mesh->corners[triangle.corners[k]].position);
   }
   switch (trivial_verdict(codes)) {
     case ClipVerdict::kAccept:
@@ -161,8 +171,9 @@ Varyings corner_attributes(const PrimitiveStage& stage, const Corner& corner) {
     const Rgba& color = mesh.colors[corner.color];
     varyings.color = {color.r, color.g, color.b, color.a};
   }
-  if (!stage.eye_space.positions.empty())
+  if (!stage.eye_space.positions.empty()) {
     varyings.position = components(stage.eye_space.positions[corner.position]);
+  }
   if (corner.normal != kNone && !stage.eye_space.normals.empty()) {
     varyings.normal = components(stage.eye_space.normals[corner.normal]);
   }
@@ -182,7 +193,7 @@ std::array<Varyings, 3> triangle_attributes(const PrimitiveStage& stage, const T
                                             bool front) {
   const Mesh& mesh = *stage.draw.mesh;
   const Face& face = mesh.faces[triangle.face];
-  const bool lit = !stage.eye_space.positions.empty();
+  const bool lit = stage.eye_space.lit;
   const bool flat = stage.settings.shading == Shading::kFlat;
 
   std::array<Varyings, 3> vertices;
@@ -287,7 +298,7 @@ void ready_line(const PrimitiveStage& stage, const std::array<Corner, 2>& line,
   std::array<ClipVertex, 2> ends;
   std::array<Varyings, 3> vertices;
   for (std::size_t k = 0; k < 2; ++k) {
-    ends[k].position = stage.clip.positions[line[k].position];
+    ends[k].position = clip_position(stage, line[k].position);
     ends[k].weights[k] = 1.0;
     vertices[k] = corner_attributes(stage, line[k]);
   }
@@ -297,7 +308,7 @@ void ready_line(const PrimitiveStage& stage, const std::array<Corner, 2>& line,
 void ready_point(const PrimitiveStage& stage, const Corner& point,
                  std::vector<ReadyPoint>& points) {
   ClipVertex vertex;
-  vertex.position = stage.clip.positions[point.position];
+  vertex.position = clip_position(stage, point.position);
   if (!clip_point(vertex.position, stage.planes)) return;
   points.push_back({vertex_on_screen(stage, vertex), corner_attributes(stage, point)});
 }

@@ -42,8 +42,8 @@ struct TriangleAttributes {
 // What one draw's primitives need to be made ready for one eye.
 struct PrimitiveStage {
   const Draw& draw;
-  const ClipTable& clip;
-  const EyeSpaceTables& eye_space;
+  const ClipTable* clip;  // null: vertices are projected as triangles ask for them
+  EyeSpace eye_space;
   const View& view;
   const RenderSettings& settings;
   const Lighting& lighting;

@@ -25,6 +25,7 @@ struct RenderSettings {
   Transfer transfer = Transfer::kSrgb;
   Rgba8 background{26, 31, 38, 255};  // stored bytes
   ColorMask mask;
+  bool want_depth = false;     // fill Framebuffer::depth; the staged driver always does
   bool want_distance = false;  // fill Framebuffer::distance
   bool want_id = false;        // fill Framebuffer::id
 };

@@ -14,10 +14,12 @@ Rendering render_staged(const Scene& scene, const View& view, const RenderSettin
   Rendering rendering;
   Framebuffer& buffers = rendering.buffers;
   Statistics& statistics = rendering.statistics;
+  PreparedScene prepared;
   DrawList list;
   {
     const Stopwatch watch(statistics.prepare_ms);
-    list = make_draw_list(scene, view, settings);
+    prepared = prepare(scene, settings.transfer);
+    list = make_draw_list(scene, prepared, view);
     buffers =
         cleared_framebuffer(int(view.viewport.width()), int(view.viewport.height()), settings);
   }

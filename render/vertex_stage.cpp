@@ -9,16 +9,15 @@ namespace glassbox {
 
 namespace {
 
-bool needs_face_normals(const Draw& draw, const RenderSettings& settings) {
-  const auto has_none = [](const Corner& corner) { return corner.normal == kNone; };
-  return settings.shading == Shading::kFlat || std::ranges::any_of(draw.mesh->corners, has_none);
-}
-
 Point<Object> relative_to_anchor(const Draw& draw, const Point<Object>& position) {
   return {position.x - draw.anchor.x, position.y - draw.anchor.y, position.z - draw.anchor.z};
 }
 
 }  // namespace
+
+Point<Clip> project_vertex(const Draw& draw, std::uint32_t index) {
+  return draw.clip_from_anchored * relative_to_anchor(draw, draw.mesh->positions[index]);
+}
 
 ClipTable project_vertices(const Draw& draw, const View& view, Observer* observer) {
   const auto planes = render_planes(view);
@@ -27,7 +26,7 @@ ClipTable project_vertices(const Draw& draw, const View& view, Observer* observe
   table.positions.reserve(positions.size());
   table.outcodes.reserve(positions.size());
   for (std::uint32_t i = 0; i < positions.size(); ++i) {
-    Point<Clip> clip = draw.clip_from_anchored * relative_to_anchor(draw, positions[i]);
+    Point<Clip> clip = project_vertex(draw, i);
     if (observer != nullptr) observer->projected(draw, i, clip);
     table.positions.push_back(clip);
     table.outcodes.push_back(outcode(clip, planes));
@@ -55,6 +54,18 @@ bool needs_normals(const Draw& draw, const RenderSettings& settings) {
          !draw.material->unlit;
 }
 
+bool needs_face_normals(const Draw& draw, const RenderSettings& settings) {
+  const auto has_none = [](const Corner& corner) { return corner.normal == kNone; };
+  return settings.shading == Shading::kFlat || std::ranges::any_of(draw.mesh->corners, has_none);
+}
+
+void append_face_normals(const Draw& draw, std::vector<Normal<Eye>>& normals) {
+  for (const Face& face : draw.mesh->faces) {
+    const std::optional<Normal<Object>> normal = face_normal(*draw.mesh, face);
+    normals.push_back(normal ? normalized(draw.eye_normal_from_object * *normal) : Normal<Eye>{});
+  }
+}
+
 EyeSpaceTables make_eye_space_tables(const Draw& draw, const RenderSettings& settings) {
   EyeSpaceTables tables;
   if (!needs_normals(draw, settings)) return tables;
@@ -68,12 +79,7 @@ EyeSpaceTables make_eye_space_tables(const Draw& draw, const RenderSettings& set
   for (const Normal<Object>& normal : mesh.normals) {
     tables.normals.push_back(normalized(draw.eye_normal_from_object * normal));
   }
-  if (!needs_face_normals(draw, settings)) return tables;
-  for (const Face& face : mesh.faces) {
-    const std::optional<Normal<Object>> normal = face_normal(mesh, face);
-    tables.face_normals.push_back(normal ? normalized(draw.eye_normal_from_object * *normal)
-                                         : Normal<Eye>{});
-  }
+  if (needs_face_normals(draw, settings)) append_face_normals(draw, tables.face_normals);
   return tables;
 }
 

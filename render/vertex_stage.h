@@ -1,6 +1,7 @@
 // Object space to clip space, once for each entry of the mesh's tables; and what lighting needs in eye space.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <glassbox/pipeline/clip.h>
@@ -8,6 +9,7 @@
 #include <glassbox/pipeline/view.h>
 #include <glassbox/render/draw_list.h>
 #include <glassbox/render/observer.h>
+#include <glassbox/render/settings.h>
 
 namespace glassbox {
 
@@ -16,6 +18,9 @@ struct ClipTable {
   std::vector<Point<Clip>> positions;
   std::vector<Outcode> outcodes;  // with respect to render_planes of the eye's view
 };
+
+// Entry `index` of the mesh's positions.
+Point<Clip> project_vertex(const Draw& draw, std::uint32_t index);
 
 ClipTable project_vertices(const Draw& draw, const View& view, Observer* observer = nullptr);
 
@@ -32,8 +37,28 @@ struct EyeSpaceTables {
       face_normals;  // by face, unit length; empty where every corner has its own
 };
 
+// The same without saying where the tables are kept; entries of tables that nobody needs may be missing.
+struct EyeSpace {
+  bool lit = false;
+  std::span<const Point<Eye>> positions;
+  std::span<const Normal<Eye>> normals, face_normals;
+
+  EyeSpace() = default;
+  EyeSpace(const EyeSpaceTables& tables)
+      : lit(!tables.positions.empty()),
+        positions(tables.positions),
+        normals(tables.normals),
+        face_normals(tables.face_normals) {}
+};
+
 // True where the draw's colour depends on normals: lit shading of a lit material, or a picture of the normals.
 bool needs_normals(const Draw& draw, const RenderSettings& settings);
+
+// True where light is computed with the normals of faces: flat shading, and corners without a normal of their own.
+bool needs_face_normals(const Draw& draw, const RenderSettings& settings);
+
+// Unit normals in eye space of all faces of the mesh, appended.
+void append_face_normals(const Draw& draw, std::vector<Normal<Eye>>& normals);
 
 EyeSpaceTables make_eye_space_tables(const Draw& draw, const RenderSettings& settings);
 

@@ -23,7 +23,14 @@ Json match_json(const study::PictureMatch& match) {
           {"largest_elsewhere", match.largest_elsewhere}};
 }
 
-Json result_json(const Measurement& result) {
+Json floor_json(const study::Floor& floor) {
+  return {{"threads", floor.threads},
+          {"read_bytes_per_second", floor.read_bytes_per_second},
+          {"written_bytes_per_second", floor.written_bytes_per_second},
+          {"operations_per_second", floor.operations_per_second}};
+}
+
+Json result_json(const BenchReport& report, const Measurement& result) {
   Json json{{"scene", result.scene}, {"threads", result.threads}, {"ms", result.ms.median},
             {"peer", nullptr},       {"peer_ms", nullptr},        {"ratio", nullptr}};
   json["ms_quartiles"] = range_of(result.ms);
@@ -41,6 +48,11 @@ Json result_json(const Measurement& result) {
                       {"cost", result.stereo->shared_ms / result.stereo->mono_ms}};
   }
   if (result.rejected_ms) json["rejected_ms"] = *result.rejected_ms;
+  json["least_bytes_read"] = result.least.read_bytes;
+  json["least_bytes_written"] = result.least.written_bytes;
+  if (const study::Floor* floor = report.floor_of(result)) {
+    json["floor_ms"] = study::floor_ms(*floor, result.least);
+  }
   return json;
 }
 
@@ -69,7 +81,10 @@ Json bench_json(const BenchReport& report) {
   Json json{{"machine", report.machine}, {"compiler", report.compiler}, {"target", report.target},
             {"engine", report.engine},   {"width", report.width},       {"height", report.height},
             {"frames", report.frames},   {"results", Json::array()}};
-  for (const Measurement& result : report.results) json["results"].push_back(result_json(result));
+  for (const Measurement& result : report.results)
+    json["results"].push_back(result_json(report, result));
+  if (!report.floors.empty()) json["floor"] = Json::array();
+  for (const study::Floor& floor : report.floors) json["floor"].push_back(floor_json(floor));
   if (!report.scalings.empty()) json["scaling"] = Json::array();
   for (const Scaling& scaling : report.scalings) json["scaling"].push_back(scaling_json(scaling));
   return json;

@@ -10,4 +10,9 @@ bool BenchReport::pictures_same() const {
   });
 }
 
+const study::Floor* BenchReport::floor_of(const study::Measurement& result) const {
+  const auto found = std::ranges::find(floors, result.threads, &study::Floor::threads);
+  return found == floors.end() ? nullptr : &*found;
+}
+
 }  // namespace glassbox::app

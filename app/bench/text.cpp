@@ -61,6 +61,30 @@ std::string remarks(const Measurement& result) {
   return text;
 }
 
+std::string floor_table(const BenchReport& report) {
+  std::string text;
+  for (const study::Floor& floor : report.floors) {
+    text +=
+        fmt::format("{} thread{}: memory is read at {} GB/s and written at {} GB/s; {} GFLOP/s\n",
+                    floor.threads, floor.threads == 1 ? "" : "s",
+                    three_digits(floor.read_bytes_per_second / 1e9),
+                    three_digits(floor.written_bytes_per_second / 1e9),
+                    three_digits(floor.operations_per_second / 1e9));
+  }
+  text += fmt::format("\n{:<12} {:>7}  {:>8}  {:>9}  {:>9}  {:>8}  {}\n", "scene", "threads",
+                      "MB read", "written", "floor, ms", "ms", "times the floor");
+  for (const Measurement& result : report.results) {
+    const study::Floor* floor = report.floor_of(result);
+    if (floor == nullptr) continue;
+    const double least = study::floor_ms(*floor, result.least);
+    text += fmt::format("{:<12} {:>7}  {:>8}  {:>9}  {:>9}  {:>8}  {}\n", result.scene,
+                        result.threads, three_digits(result.least.read_bytes / 1e6),
+                        three_digits(result.least.written_bytes / 1e6), three_digits(least),
+                        three_digits(result.ms.median), three_digits(result.ms.median / least));
+  }
+  return text;
+}
+
 std::string scaling_table(const Scaling& scaling) {
   std::string text =
       fmt::format("Time against {}, {}\n{:>12}  {:>8} {:<18}  {:>11}\n", name_of(scaling.by),
@@ -126,6 +150,7 @@ std::string bench_text(const BenchReport& report) {
     for (const Measurement& result : report.results) below += remarks(result);
     if (!below.empty()) text += "\n" + below;
   }
+  if (!report.floors.empty()) text += "\n" + floor_table(report);
   for (const Scaling& scaling : report.scalings) text += "\n" + scaling_table(scaling);
   for (const std::string& note : report.notes) text += "\n" + note + "\n";
   return text;

@@ -41,11 +41,13 @@ StereoRendering render_both(const Scene& scene, const View& centre, const Stereo
   StereoRendering both;
   const View left_view = eye_view(centre, pair, Side::kLeft);
   const View right_view = eye_view(centre, pair, Side::kRight);
+  PreparedScene prepared;
   DrawList list;
   std::vector<Draw> right_draws;
   {
     const Stopwatch watch(both.left_statistics.prepare_ms);
-    list = make_draw_list(scene, left_view, left_settings);
+    prepared = prepare(scene, left_settings.transfer);
+    list = make_draw_list(scene, prepared, left_view);
     right_draws = draws_of_other_eye(list.draws, scene, right_view);
     const int width = int(centre.viewport.width()), height = int(centre.viewport.height());
     both.left = cleared_framebuffer(width, height, left_settings);

@@ -26,11 +26,28 @@ void merge(const ColorMask& mask, const Image<Rgba8>& from, Image<Rgba8>& into) 
 
 }  // namespace
 
+GlassboxPeer::GlassboxPeer(const BenchScene& bench, const EngineOptions& options)
+    : bench_(bench), drawn_(bench.passes.size()) {
+  if (options.engine == Engine::kStaged) return;
+  TileOptions tile = options.tile;
+  tile.plan = tile.plan && bench.reject_objects;
+  prepared_ = prepare(bench.scene, bench.settings.transfer);
+  tiles_ = std::make_unique<TileEngine>(tile);
+}
+
+void GlassboxPeer::draw_pass(const View& view, const RenderSettings& settings, Rendering& into) {
+  if (tiles_ == nullptr) {
+    into = render_staged(bench_.scene, view, settings);
+  } else {
+    tiles_->render(bench_.scene, prepared_, view, settings, into);
+  }
+}
+
 void GlassboxPeer::draw(const RenderSettings& settings) {
   for (std::size_t i = 0; i < drawn_.size(); ++i) {
     RenderSettings masked = settings;
     masked.mask = bench_.passes[i].mask;
-    drawn_[i] = render_staged(bench_.scene, bench_.passes[i].view, masked);
+    draw_pass(bench_.passes[i].view, masked, drawn_[i]);
     if (i > 0) merge(masked.mask, drawn_[i].buffers.color, drawn_[0].buffers.color);
   }
 }
@@ -57,7 +74,7 @@ JudgedPicture GlassboxPeer::picture() {
   return judged;
 }
 
-StereoCost stereo_cost(const BenchScene& bench, const EngineOptions&, int frames) {
+StereoCost stereo_cost(const BenchScene& bench, int frames) {
   const auto& [centre, pair] = *bench.stereo;
   const AnaglyphMasks masks{bench.passes[0].mask, bench.passes[1].mask};
   std::vector<double> mono, shared;

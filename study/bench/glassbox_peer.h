@@ -1,26 +1,31 @@
 // Glassbox as the benchmark runs it: everything that a program makes once is made once, then frames are drawn.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include <glassbox/images/image.h>
+#include <glassbox/render/prepared_scene.h>
 #include <glassbox/render/staged.h>
+#include <glassbox/render/tile/tile_engine.h>
 
 #include "study/bench/picture_match.h"
 #include "study/bench/scenes.h"
 
 namespace glassbox::study {
 
+enum class Engine { kStaged, kTile };
+
 struct EngineOptions {
-  int threads = 1;
-  int tile_side = 64;  // px
+  Engine engine = Engine::kTile;
+  TileOptions tile{.threads =
+                       1};  // of the tile engine; the staged one has neither threads nor tiles
 };
 
 class GlassboxPeer {
 public:
   // The scene must outlive it.
-  explicit GlassboxPeer(const BenchScene& bench, const EngineOptions& options = {})
-      : bench_(bench), options_(options), drawn_(bench.passes.size()) {}
+  explicit GlassboxPeer(const BenchScene& bench, const EngineOptions& options = {});
 
   // Draws all passes; the time from nothing to a finished picture, in milliseconds.
   double frame_ms();
@@ -30,16 +35,19 @@ public:
 
 private:
   void draw(const RenderSettings& settings);
+  void draw_pass(const View& view, const RenderSettings& settings, Rendering& into);
 
   const BenchScene& bench_;
-  const EngineOptions options_;
-  std::vector<Rendering> drawn_;  // by pass; the first one's colours become the picture
+  PreparedScene prepared_;
+  std::unique_ptr<TileEngine> tiles_;  // null: the staged driver
+  std::vector<Rendering> drawn_;       // by pass; the first one's colours become the picture
 };
 
-// What the second eye costs: both eyes of an anaglyph in one run that shares their work, against one eye's picture.
+// What the second eye costs: both eyes of an anaglyph in one run of the staged driver that shares their work, against one
+// eye's picture by the same driver.
 struct StereoCost {
   double mono_ms = 0, shared_ms = 0;
 };
-StereoCost stereo_cost(const BenchScene& bench, const EngineOptions& options, int frames);
+StereoCost stereo_cost(const BenchScene& bench, int frames);
 
 }  // namespace glassbox::study

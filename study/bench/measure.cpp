@@ -36,8 +36,9 @@ Result<Measurement> measure(const BenchScene& bench, const MeasureOptions& optio
                             PeerProcess* peer) {
   Measurement found;
   found.scene = bench.name;
-  found.threads = options.engine.threads;
+  found.threads = options.engine.tile.threads;
   found.frames = options.frames;
+  found.least = least_traffic(bench);
 
   GlassboxPeer glassbox(bench, options.engine);
   draw(glassbox, kWarmUpFrames);
@@ -60,7 +61,7 @@ Result<Measurement> measure(const BenchScene& bench, const MeasureOptions& optio
     found.against = Against{peer->description(), quartiles(theirs), ratios(theirs, ours),
                             match(glassbox.picture(), *picture)};
   }
-  if (bench.stereo) found.stereo = stereo_cost(bench, options.engine, options.frames);
+  if (bench.stereo) found.stereo = stereo_cost(bench, options.frames);
   if (!bench.reject_objects) found.rejected_ms = rejected_ms(bench, options);
   return found;
 }

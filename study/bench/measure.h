@@ -6,6 +6,7 @@
 
 #include <glassbox/base/error.h>
 
+#include "study/bench/floor.h"
 #include "study/bench/glassbox_peer.h"
 #include "study/bench/peer_process.h"
 #include "study/bench/picture_match.h"
@@ -27,6 +28,7 @@ struct Measurement {
   int threads = 1;
   int frames = 0;  // that the medians are of
   Quartiles ms;
+  Traffic least;  // bytes that have to move
   std::optional<Against> against;
   std::optional<StereoCost> stereo;   // where the scene has two eyes
   std::optional<double> rejected_ms;  // where whole objects are not rejected: with rejection

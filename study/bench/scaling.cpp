@@ -59,10 +59,10 @@ Step step_at(ScaledBy by, double x, const ScalingOptions& options) {
       return {x, scene(kScannedGrid, side, side), engine};
     }
     case ScaledBy::kThreads:
-      engine.threads = int(x);
+      engine.tile.threads = int(x);
       break;
     case ScaledBy::kTile:
-      engine.tile_side = int(x);
+      engine.tile.tile_side = int(x);
       break;
   }
   return {x, scene(kFineGrid, options.width, options.height), engine};

@@ -42,6 +42,7 @@ RenderSettings bench_settings() {
   RenderSettings settings;
   settings.transfer = Transfer::kNone;
   settings.background = {26, 31, 38, 255};  // 0.10, 0.12, 0.15
+  settings.want_depth = true;               // as the peers do
   return settings;
 }
 

@@ -82,6 +82,18 @@ double error_of_quotient(double value, const Dyadic& x, const Dyadic& w) {
   return (Dyadic(value) * w - x).size() / w.size();
 }
 
+// One number a statement: compilers evaluate the arguments of a call in different orders.
+glm::vec4 random_point(Random& random, double size) {
+  glm::vec4 point(1);
+  for (const int k : {2, 1, 0}) point[k] = float(random.between(-size, size));
+  return point;
+}
+
+float random_of_any_size(Random& random, int least_exponent) {
+  const int exponent = int(random.integer(least_exponent, 30));
+  return float(std::ldexp(random.between(-1, 1), exponent));
+}
+
 glm::mat4 random_affine(Random& random, double offset) {
   glm::mat4 m(1);
   for (int row = 0; row < 3; ++row) {
@@ -183,9 +195,7 @@ TEST_CASE("every number on a vertex's way lies within its bound, and no bound is
           i % 48 == 0 ? random_parallel(random) : random_perspective(random);
     }
     const double size = i % 3 == 0 ? 1000 : 1;
-    const glm::vec4 object(float(random.between(-size, size)), float(random.between(-size, size)),
-                           float(random.between(-size, size)), 1);
-    compare(object, matrices, viewports[i % 3], ratios);
+    compare(random_point(random, size), matrices, viewports[i % 3], ratios);
   }
   std::printf("bounds 1 to 3 over %d vertices, seed %d:\n", kVertices, int(seed));
   for (const Worst* worst : {&ratios.world, &ratios.eye, &ratios.clip, &ratios.clip_w, &ratios.ndc,
@@ -214,8 +224,7 @@ TEST_CASE(
       product_error = product_bound(a, b) + rounding_bound(product);
     }
     const glm::mat4 m(product);
-    const glm::vec4 v(float(random.between(-9, 9)), float(random.between(-9, 9)),
-                      float(random.between(-9, 9)), 1);
+    const glm::vec4 v = random_point(random, 9);
     const glm::vec4 computed = apply(m, v);
     const glm::dvec4 bound = transform_bound(m, v);
     const glm::dvec4 with_product = transform_bound(m, v, glm::dvec4(0), product_error);
@@ -244,12 +253,12 @@ TEST_CASE("bounds hold for vertices in extreme places: near the eye's plane, tin
     glm::mat4 m(0);
     for (int column = 0; column < 4; ++column) {
       for (int row = 0; row < 4; ++row) {
-        m[column][row] = float(std::ldexp(random.between(-1, 1), int(random.integer(-70, 30))));
+        m[column][row] = random_of_any_size(random, -70);
       }
     }
     glm::vec4 v;
     for (int k = 0; k < 4; ++k) {
-      v[k] = float(std::ldexp(random.between(-1, 1), int(random.integer(-80, 30))));
+      v[k] = random_of_any_size(random, -80);
     }
     // w cancels to a few units of rounding.
     if (i % 2 == 0) m[3][3] = -(m[0][3] * v.x + m[1][3] * v.y + m[2][3] * v.z) / v.w;

@@ -84,9 +84,10 @@ TEST_CASE(
 
     const View left = eye_view(c.centre, c.pair, Side::kLeft);
     const View right = eye_view(c.centre, c.pair, Side::kRight);
-    const DrawList list = make_draw_list(c.scene, left, {});
+    const PreparedScene prepared = prepare(c.scene, Transfer::kSrgb);
+    const DrawList list = make_draw_list(c.scene, prepared, left);
     const std::vector<Draw> others = draws_of_other_eye(list.draws, c.scene, right);
-    const DrawList own = make_draw_list(c.scene, right, {});
+    const DrawList own = make_draw_list(c.scene, prepared, right);
     for (std::size_t i = 0; i < list.draws.size(); ++i) {
       CHECK(others[i].clip_from_anchored == own.draws[i].clip_from_anchored);
       const ClipTable first = project_vertices(list.draws[i], left);
@@ -119,7 +120,8 @@ TEST_CASE("a depth buffer that is not cleared between the eyes shows in the righ
   RenderSettings red, cyan;
   red.mask = {true, false, false, false};
   cyan.mask = {false, true, true, true};
-  const DrawList list = make_draw_list(c.scene, left, {});
+  const PreparedScene prepared = prepare(c.scene, Transfer::kSrgb);
+  const DrawList list = make_draw_list(c.scene, prepared, left);
   const std::vector<Draw> others = draws_of_other_eye(list.draws, c.scene, right);
   Framebuffer shared = cleared_framebuffer(c.width, c.height, red);
   Statistics statistics;

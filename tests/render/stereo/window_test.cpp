@@ -42,7 +42,8 @@ Image<Pixel> columns(const Image<Pixel>& image, int first, int width) {
 // Every vertex of the scene in front of the near plane, where it lands on the picture, snapped.
 std::vector<SnappedVertex> snapped_vertices(const Scene& scene, const View& view) {
   std::vector<SnappedVertex> all;
-  for (const Draw& draw : make_draw_list(scene, view, {}).draws) {
+  const PreparedScene prepared = prepare(scene, Transfer::kSrgb);
+  for (const Draw& draw : make_draw_list(scene, prepared, view).draws) {
     for (const Point<Clip>& p : project_vertices(draw, view).positions) {
       if (p.w < float(view.near)) continue;
       const ScreenVertex screen = to_screen(divide({p}), view.viewport);

@@ -1,0 +1,105 @@
+// Large triangles over the pixels of a block, and blocks that are filled in when something comes to them.
+
+#if defined(GLASSBOX_BLOCKS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLASSBOX_BLOCKS_INL_H_
+#undef GLASSBOX_BLOCKS_INL_H_
+#else
+#define GLASSBOX_BLOCKS_INL_H_
+#endif
+
+#include <glassbox/raster/lanes/depth-inl.h>
+#include <glassbox/raster/lanes/tables.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace glassbox {
+namespace HWY_NAMESPACE {
+
+// Edge functions are integers of at most 52 bits, which doubles hold exactly.
+//
+// What those of a large triangle add from a quad's first pixel to its others.
+template <int kEdge>
+HWY_INLINE Doubles quad_offsets(const TriangleSetup& setup, std::size_t i) {
+  const EdgeFunction& edge = setup.edges[kEdge];
+  const VD right = hn::Set(kD, double(edge.a * kSubpixels));
+  const VD down = hn::Set(kD, double(edge.b * kSubpixels));
+  return each_half([&](VD column, VD row)
+                       HWY_ATTR { return hn::Add(hn::Mul(right, column), hn::Mul(down, row)); },
+                   promote(to_float(quad_columns(i))), promote(to_float(quad_rows(i))));
+}
+
+HWY_INLINE Doubles plus(const Doubles& offsets, double first) {
+  return each_half([first](VD offset) HWY_ATTR { return hn::Add(offset, hn::Set(kD, first)); },
+                   offsets);
+}
+
+// The edge function at the centre of a pixel of the screen.
+HWY_INLINE double edge_at_pixel(const EdgeFunction& edge, int x, int y) {
+  return double(edge.at(std::int64_t(x) * kSubpixels + kPixelCentre,
+                        std::int64_t(y) * kSubpixels + kPixelCentre));
+}
+
+constexpr std::size_t kQuadVectors = kQuadPixels / kLanes;
+
+// A large triangle's depth over quads.
+struct LargeDepth {
+  explicit LargeDepth(const TriangleSetup& triangle)
+      : setup(triangle),
+        inverse_area(set(triangle.inverse_area)),
+        depth0(set(triangle.depth[0])),
+        depth1(set(triangle.depth[1] - triangle.depth[0])),
+        depth2(set(triangle.depth[2] - triangle.depth[0])) {}
+
+  HWY_INLINE VF at(const Doubles& e1, const Doubles& e2) const {
+    return depth_at(depth0, depth1, depth2, hn::Mul(round_to_float(e1), inverse_area),
+                    hn::Mul(round_to_float(e2), inverse_area));
+  }
+
+  const TriangleSetup& setup;
+  VF inverse_area, depth0, depth1, depth2;
+};
+
+inline void fill_block_depths(const TriangleSetup& setup, TileBuffer& tile, std::size_t block) {
+  const int x = tile.window().x0 + int(block % std::size_t(tile.blocks_across())) * kBlockSide;
+  const int y = tile.window().y0 + int(block / std::size_t(tile.blocks_across())) * kBlockSide;
+  const LargeDepth depth(setup);
+  with_code(tile.format(), [&](const auto& code_of) HWY_ATTR {
+    for (int quad = 0; quad < kBlockQuads; ++quad) {
+      const int qx = x + (quad % 2) * kQuadSide, qy = y + (quad / 2) * kQuadSide;
+      const double first1 = edge_at_pixel(setup.edges[1], qx, qy);
+      const double first2 = edge_at_pixel(setup.edges[2], qx, qy);
+      TileDepth* to = tile.depth() + block * kBlockPixels + std::size_t(quad * kQuadPixels);
+      for (std::size_t k = 0; k < kQuadPixels; k += kLanes) {
+        hn::Store(code_of(depth.at(plus(quad_offsets<1>(setup, k), first1),
+                                   plus(quad_offsets<2>(setup, k), first2))),
+                  kI, to + k);
+      }
+    }
+  });
+}
+
+inline void fill_block(TileBuffer& tile, std::size_t index) {
+  TileBlock& block = tile.block(index);
+  block.plain = false;
+  auto* seen = reinterpret_cast<std::int32_t*>(tile.reference() + index * kBlockPixels);
+  for (std::size_t i = 0; i < kBlockPixels; i += kLanes) {
+    hn::Store(set(std::int32_t(block.reference)), kI, seen + i);
+  }
+  if (block.triangle == nullptr) {
+    for (std::size_t i = 0; i < kBlockPixels; i += kLanes) {
+      hn::Store(set(block.nearest), kI, tile.depth() + index * kBlockPixels + i);
+    }
+  } else {
+    fill_block_depths(*block.triangle, tile, index);
+  }
+}
+
+// Gives every pixel of a plain block its depth and reference.
+HWY_INLINE void make_plain_block_full(TileBuffer& tile, std::size_t index) {
+  if (HWY_UNLIKELY(tile.block(index).plain)) fill_block(tile, index);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glassbox
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,66 @@
+#include <glassbox/raster/lanes/kernels.h>
+
+#include <glassbox/raster/lanes/compiled_targets.h>
+
+// This file is compiled once for each instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernels.cpp"
+#include <hwy/foreach_target.h>
+
+#include <hwy/highway.h>
+
+#include <glassbox/raster/lanes/large_triangles-inl.h>
+#include <glassbox/raster/lanes/resolve-inl.h>
+#include <glassbox/raster/lanes/select-inl.h>
+#include <glassbox/raster/lanes/small_triangles-inl.h>
+#include <glassbox/raster/lanes/vertices-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace glassbox {
+namespace HWY_NAMESPACE {
+
+inline void fill_tile(TileBuffer& tile) {
+  for (std::size_t i = 0; i < tile.block_count(); ++i) make_plain_block_full(tile, i);
+}
+
+const Kernels kKernels{transform_vertices, transform_normals, transform_positions, select_triangles,
+                       draw_small,         draw_large,        fill_tile,           resolve_tile};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glassbox
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace glassbox {
+
+const Kernels& kernels(Target target) {
+  switch (target) {
+#if (HWY_TARGETS & HWY_AVX3) != 0
+    case Target::kAvx512:
+      return N_AVX3::kKernels;
+#endif
+#if (HWY_TARGETS & HWY_AVX2) != 0
+    case Target::kAvx2:
+      return N_AVX2::kKernels;
+#endif
+#if (HWY_TARGETS & HWY_SSE4) != 0
+    case Target::kSse4:
+      return N_SSE4::kKernels;
+#endif
+#if (HWY_TARGETS & HWY_NEON) != 0
+    case Target::kNeon:
+      return N_NEON::kKernels;
+#endif
+    default:
+#if (HWY_TARGETS & HWY_EMU128) != 0
+      return N_EMU128::kKernels;
+#else
+      return N_SCALAR::kKernels;
+#endif
+  }
+}
+
+}  // namespace glassbox
+
+#endif

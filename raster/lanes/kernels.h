@@ -1,0 +1,31 @@
+// The stages over lanes, compiled for each instruction set: what the tile engine calls.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <glassbox/raster/lanes/tables.h>
+#include <glassbox/raster/lanes/target.h>
+#include <glassbox/raster/lanes/tile_buffer.h>
+
+namespace glassbox {
+
+struct Kernels {
+  void (*transform_vertices)(const VertexJob& job);
+  void (*transform_normals)(const NormalJob& job);
+  void (*transform_positions)(const EyePositionJob& job);
+  // Writes to `selected`, which has room for job.count, and returns how many there are.
+  std::size_t (*select_triangles)(const SelectJob& job, Selected* selected, SelectCounts& counts);
+  void (*draw_small)(const SmallJob& job, const std::uint32_t* triangles, std::size_t count,
+                     TileBuffer& tile, FragmentCounts& counts);
+  void (*draw_large)(const TriangleSetup& setup, Reference reference, TileBuffer& tile,
+                     FragmentCounts& counts);
+  // Gives every pixel of the tile its own depth and reference.
+  void (*fill_tile)(TileBuffer& tile);
+  void (*resolve_tile)(const ResolveJob& job, const TileBuffer& tile);
+};
+
+// `target` is one of available_targets().
+const Kernels& kernels(Target target);
+
+}  // namespace glassbox

@@ -1,0 +1,176 @@
+// Large triangles into a tile: block by block, most of which are given up or taken whole; pixels are looked at along the edges,
+// and where something else may be in front.
+
+#if defined(GLASSBOX_LARGE_TRIANGLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLASSBOX_LARGE_TRIANGLES_INL_H_
+#undef GLASSBOX_LARGE_TRIANGLES_INL_H_
+#else
+#define GLASSBOX_LARGE_TRIANGLES_INL_H_
+#endif
+
+#include <algorithm>
+
+#include <glassbox/raster/lanes/blocks-inl.h>
+#include <glassbox/raster/lanes/small_triangles-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace glassbox {
+namespace HWY_NAMESPACE {
+
+// The depth codes of a triangle's pixels lie within these.
+struct CodeRange {
+  TileDepth nearest = 0, farthest = 0;
+};
+
+// depth[0] is the smallest, and no pixel's is smaller (interpolate.h). The largest may be exceeded by rounding: four
+// roundings of lambda and four operations, less than 2^-20 of it.
+inline CodeRange code_range(const TriangleSetup& setup, DepthFormat format) {
+  const float least = setup.depth[0];
+  const float largest = std::max({setup.depth[0], setup.depth[1], setup.depth[2]});
+  const float greatest = least == largest ? largest : largest + std::abs(largest) * 0x1p-20f;
+  const auto low = TileDepth(depth_code(format, least));
+  const auto high = TileDepth(depth_code(format, greatest));
+  return {std::min(low, high), std::max(low, high)};
+}
+
+struct LargeEdge {
+  EdgeFunction edge;
+  std::int64_t least = 0;  // the smallest value that counts as covered
+  std::int64_t below = 0,
+               above = 0;  // how far a block's smallest and largest value lie from its first
+  Doubles offsets[kQuadVectors];
+};
+
+template <int kEdge>
+HWY_INLINE LargeEdge large_edge(const TriangleSetup& setup) {
+  constexpr std::int64_t kReach = (kBlockSide - 1) * kSubpixels;
+  LargeEdge e;
+  e.edge = setup.edges[kEdge];
+  e.least = e.edge.owns_zero ? 0 : 1;
+  const std::int64_t right = e.edge.a * kReach, down = e.edge.b * kReach;
+  e.below = std::min<std::int64_t>(right, 0) + std::min<std::int64_t>(down, 0);
+  e.above = std::max<std::int64_t>(right, 0) + std::max<std::int64_t>(down, 0);
+  for (std::size_t k = 0; k < kQuadVectors; ++k)
+    e.offsets[k] = quad_offsets<kEdge>(setup, k * kLanes);
+  return e;
+}
+
+HWY_INLINE MI covers(const Doubles& values, std::int64_t least) {
+  // Zero or one: exact as a float, and the sign of an integer survives its rounding.
+  return as_int_mask(hn::Ge(round_to_float(values), set(float(least))));
+}
+
+template <class Code>
+class LargeRaster {
+public:
+  HWY_INLINE LargeRaster(const TriangleSetup& setup, Reference reference, const Code& code_of,
+                         TileBuffer& tile, FragmentCounts& counts)
+      : setup_(setup),
+        reference_(reference),
+        code_of_(code_of),
+        tile_(tile),
+        counts_(counts),
+        edges_{large_edge<0>(setup), large_edge<1>(setup), large_edge<2>(setup)},
+        depth_(setup),
+        codes_(code_range(setup, tile.format())) {}
+
+  HWY_INLINE void draw() {
+    const PixelRect& window = tile_.window();
+    const PixelRect box{
+        std::max(setup_.bounds.x0, window.x0), std::max(setup_.bounds.y0, window.y0),
+        std::min(setup_.bounds.x1, window.x1), std::min(setup_.bounds.y1, window.y1)};
+    if (box.empty()) return;
+    for (int by = (box.y0 - window.y0) / kBlockSide; by <= (box.y1 - 1 - window.y0) / kBlockSide;
+         ++by) {
+      for (int bx = (box.x0 - window.x0) / kBlockSide; bx <= (box.x1 - 1 - window.x0) / kBlockSide;
+           ++bx) {
+        draw_block(bx, by);
+      }
+    }
+  }
+
+private:
+  HWY_INLINE void draw_block(int bx, int by) {
+    const PixelRect& window = tile_.window();
+    const int x = window.x0 + bx * kBlockSide, y = window.y0 + by * kBlockSide;
+    bool inside = true;
+    for (const LargeEdge& e : edges_) {
+      const std::int64_t first = e.edge.at(std::int64_t(x) * kSubpixels + kPixelCentre,
+                                           std::int64_t(y) * kSubpixels + kPixelCentre);
+      if (first + e.above < e.least) return;
+      inside = inside && first + e.below >= e.least;
+    }
+    const std::size_t index = tile_.block_index(bx, by);
+    TileBlock& block = tile_.block(index);
+    if (codes_.nearest >= block.farthest) {
+      ++counts_.hidden_blocks;
+      return;
+    }
+    const bool whole = inside && x + kBlockSide <= window.x1 && y + kBlockSide <= window.y1;
+    if (whole && codes_.farthest < block.nearest) {
+      block = {codes_.nearest, codes_.farthest, true, reference_,
+               codes_.nearest == codes_.farthest ? nullptr : &setup_};
+      counts_.covered += kBlockPixels;
+      counts_.written += kBlockPixels;
+      return;
+    }
+    make_plain_block_full(tile_, index);
+    for (int quad = 0; quad < kBlockQuads; ++quad) {
+      draw_quad(index, quad, x + (quad % 2) * kQuadSide, y + (quad / 2) * kQuadSide, whole);
+    }
+    block.nearest = std::min(block.nearest, codes_.nearest);
+    if (whole) block.farthest = std::min(block.farthest, codes_.farthest);
+  }
+
+  HWY_INLINE void draw_quad(std::size_t block, int quad, int x, int y, bool whole) {
+    const double first0 = edge_at_pixel(edges_[0].edge, x, y);
+    const double first1 = edge_at_pixel(edges_[1].edge, x, y);
+    const double first2 = edge_at_pixel(edges_[2].edge, x, y);
+    const std::size_t at = block * kBlockPixels + std::size_t(quad * kQuadPixels);
+    for (std::size_t k = 0; k < kQuadVectors; ++k) {
+      const Doubles e1 = plus(edges_[1].offsets[k], first1);
+      const Doubles e2 = plus(edges_[2].offsets[k], first2);
+      MI covered = first_lanes(kLanes);
+      if (!whole) {
+        covered = hn::And(hn::And(covers(plus(edges_[0].offsets[k], first0), edges_[0].least),
+                                  covers(e1, edges_[1].least)),
+                          covers(e2, edges_[2].least));
+        if (tile_.is_ragged())
+          covered = hn::And(covered, on_screen(tile_.window(), x, y, k * kLanes));
+        if (hn::AllFalse(kI, covered)) continue;
+      }
+      const VI code = code_of_(depth_.at(e1, e2));
+      TileDepth* depth = tile_.depth() + at + k * kLanes;
+      auto* seen = reinterpret_cast<std::int32_t*>(tile_.reference() + at) + k * kLanes;
+      const VI stored = hn::Load(kI, depth);
+      const MI passes = hn::And(covered, hn::Lt(code, stored));
+      hn::Store(hn::IfThenElse(passes, code, stored), kI, depth);
+      hn::Store(hn::IfThenElse(passes, set(std::int32_t(reference_)), hn::Load(kI, seen)), kI,
+                seen);
+      counts_.covered += hn::CountTrue(kI, covered);
+      counts_.written += hn::CountTrue(kI, passes);
+    }
+  }
+
+  const TriangleSetup& setup_;
+  Reference reference_;
+  const Code& code_of_;
+  TileBuffer& tile_;
+  FragmentCounts& counts_;
+  LargeEdge edges_[3];
+  LargeDepth depth_;
+  CodeRange codes_;
+};
+
+inline void draw_large(const TriangleSetup& setup, Reference reference, TileBuffer& tile,
+                       FragmentCounts& counts) {
+  with_code(tile.format(), [&](const auto& code_of) HWY_ATTR {
+    LargeRaster(setup, reference, code_of, tile, counts).draw();
+  });
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glassbox
+HWY_AFTER_NAMESPACE();
+
+#endif

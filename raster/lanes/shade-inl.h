@@ -1,0 +1,343 @@
+// Colours of fragments: attributes, texture and light, as fragments.cpp has them, over lanes. All fragments of a call belong to one
+// draw; each has a small triangle of its own, or all share a large one.
+
+#if defined(GLASSBOX_SHADE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLASSBOX_SHADE_INL_H_
+#undef GLASSBOX_SHADE_INL_H_
+#else
+#define GLASSBOX_SHADE_INL_H_
+#endif
+
+#include <glassbox/raster/lanes/interpolate-inl.h>
+#include <glassbox/raster/lanes/lighting-inl.h>
+#include <glassbox/raster/lanes/texture-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace glassbox {
+namespace HWY_NAMESPACE {
+
+// ---- where attributes come from ----
+
+struct TexcoordLanes {
+  VF u, v;
+};
+struct TexcoordTriples {
+  Triple<VF> u, v;
+};
+// TexturePlanes of texture.h.
+struct PlaneLanes {
+  TexcoordLanes origin;
+  TexcoordLanes over_w[2];
+  VF inverse_w[2];
+};
+
+template <class T>
+HWY_INLINE Vec3 gather_vec3(const T* table, VI at) {
+  const float* from = &table->x;
+  const VI offset = hn::Add(hn::Add(at, at), at);
+  return {hn::GatherIndex(kF, from, offset), hn::GatherIndex(kF, from + 1, offset),
+          hn::GatherIndex(kF, from + 2, offset)};
+}
+
+// A small triangle in every lane: gathered from the draw's tables.
+class SmallSource {
+public:
+  HWY_INLINE SmallSource(const ShadeDraw& draw, VI triangle, VI pixel_x, VI pixel_y)
+      : draw_(draw), triangle_(triangle), vertices_(gather_indices(draw.positions, triangle)) {
+    Triple<VI> x = gather(kI, draw.screen.x, vertices_);
+    Triple<VI> y = gather(kI, draw.screen.y, vertices_);
+    const Triple<VF> z = gather(kF, draw.screen.z, vertices_);
+    Triple<VF> inverse_w = gather(kF, draw.screen.inverse_w, vertices_);
+    const VI signed_area = double_area(x, y);
+    order_ = order_of(signed_area, z);
+    // Clockwise on the screen shows the front of what is mirrored.
+    is_back_ = draw.mirrored ? order_.swapped : hn::Not(order_.swapped);
+    x = put_in_order(order_, x);
+    y = put_in_order(order_, y);
+    inverse_w = put_in_order(order_, inverse_w);
+    vertices_ = put_in_order(order_, vertices_);
+
+    const VI at_x = hn::Add(hn::ShiftLeft<kSubpixelBits>(pixel_x), set(kPixelCentre));
+    const VI at_y = hn::Add(hn::ShiftLeft<kSubpixelBits>(pixel_y), set(kPixelCentre));
+    const EdgeLanes edge1 = edge_at(x.v2, y.v2, x.v0, y.v0, at_x, at_y);
+    const EdgeLanes edge2 = edge_at(x.v0, y.v0, x.v1, y.v1, at_x, at_y);
+    const VI area = hn::Abs(signed_area);
+    const VI e0 = hn::Sub(hn::Sub(area, edge1.value), edge2.value);
+    const VF inverse_area = hn::Div(set(1.0f), to_float(area));
+    const VF lambda1 = hn::Mul(to_float(edge1.value), inverse_area);
+    const VF lambda2 = hn::Mul(to_float(edge2.value), inverse_area);
+    at_ = fragment_from(hn::Mul(to_float(e0), inverse_area), lambda1, lambda2, inverse_w);
+    const Triple<VF> depth = put_in_order(order_, z);
+    depth_ = depth_at(depth.v0, hn::Sub(depth.v1, depth.v0), hn::Sub(depth.v2, depth.v0), lambda1,
+                      lambda2);
+    const auto slope = [&](VI step, VF over_w) HWY_ATTR {
+      return hn::Mul(hn::Mul(to_float(hn::ShiftLeft<kSubpixelBits>(step)), inverse_area), over_w);
+    };
+    // Edge 0 runs from vertex 1 to vertex 2.
+    slopes_[0] = {slope(hn::Sub(y.v1, y.v2), inverse_w.v0), slope(edge1.a, inverse_w.v1),
+                  slope(edge2.a, inverse_w.v2)};
+    slopes_[1] = {slope(hn::Sub(x.v2, x.v1), inverse_w.v0), slope(edge1.b, inverse_w.v1),
+                  slope(edge2.b, inverse_w.v2)};
+    affine_ = hn::And(hn::Eq(inverse_w.v0, inverse_w.v1), hn::Eq(inverse_w.v1, inverse_w.v2));
+  }
+
+  const FragmentLanes& at() const { return at_; }
+  VF depth() const { return depth_; }
+
+  HWY_INLINE Vec3 normal() const {
+    const Triple<VI> corner = corners(draw_.normal_indices);
+    const Vec3 n = interpolate(at_, Vec3Triple{facing(gather_vec3(draw_.normals, corner.v0)),
+                                               facing(gather_vec3(draw_.normals, corner.v1)),
+                                               facing(gather_vec3(draw_.normals, corner.v2))});
+    return n;
+  }
+  HWY_INLINE Vec3 position() const {
+    return interpolate(at_, Vec3Triple{gather_vec3(draw_.eye_positions, vertices_.v0),
+                                       gather_vec3(draw_.eye_positions, vertices_.v1),
+                                       gather_vec3(draw_.eye_positions, vertices_.v2)});
+  }
+  HWY_INLINE RgbaLanes color() const {
+    const Triple<VI> corner = corners(draw_.color_indices);
+    const float* table = &draw_.colors->r;
+    const auto channel = [&](int c) HWY_ATTR {
+      const auto at_vertex = [&](VI i) HWY_ATTR {
+        return hn::GatherIndex(kF, table + c, hn::ShiftLeft<2>(i));
+      };
+      return interpolate(at_, at_vertex(corner.v0), at_vertex(corner.v1), at_vertex(corner.v2));
+    };
+    return {channel(0), channel(1), channel(2), channel(3)};
+  }
+  HWY_INLINE TexcoordLanes texcoord() const {
+    const TexcoordTriples t = texcoords();
+    return {interpolate(at_, t.u), interpolate(at_, t.v)};
+  }
+  // As texture_planes() of texture.h.
+  HWY_INLINE PlaneLanes texture_planes() const {
+    const TexcoordTriples t = texcoords();
+    PlaneLanes planes;
+    planes.origin = {t.u.v0, t.v.v0};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const Triple<VF>& slope = slopes_[axis];
+      const auto over_w = [&](const Triple<VF>& c) HWY_ATTR {
+        return hn::Add(hn::Mul(slope.v1, hn::Sub(c.v1, c.v0)),
+                       hn::Mul(slope.v2, hn::Sub(c.v2, c.v0)));
+      };
+      planes.over_w[axis] = {over_w(t.u), over_w(t.v)};
+      planes.inverse_w[axis] =
+          hn::IfThenZeroElse(affine_, hn::Add(hn::Add(slope.v0, slope.v1), slope.v2));
+    }
+    return planes;
+  }
+  HWY_INLINE ReflectionLanes reflection(const ShadeDraw& draw, const ResolveJob& job,
+                                        const Vec3& normal) const {
+    const VF zero = hn::Zero(kF);
+    const Vec3 where = draw.eye_positions != nullptr ? position() : Vec3{zero, zero, zero};
+    return illuminate(*job.lighting, where, normal, draw.material->shininess, draw.highlights);
+  }
+  // 1 + the triangle's number in the scene.
+  HWY_INLINE VI id() const {
+    const auto* numbers = reinterpret_cast<const std::int32_t*>(draw_.triangles);
+    constexpr int kWords = sizeof(Triangle) / sizeof(std::int32_t);
+    const VI at = hn::Add(hn::Mul(triangle_, set(kWords)),
+                          set(std::int32_t(offsetof(Triangle, number) / sizeof(std::int32_t))));
+    return hn::Add(hn::GatherIndex(kI, numbers, at), set(std::int32_t(draw_.first_number + 1)));
+  }
+
+private:
+  HWY_INLINE TexcoordTriples texcoords() const {
+    const Triple<VI> corner = corners(draw_.texcoord_indices);
+    const auto coordinate = [&](const float* table) HWY_ATTR {
+      return gather(kF, table,
+                    {hn::Add(corner.v0, corner.v0), hn::Add(corner.v1, corner.v1),
+                     hn::Add(corner.v2, corner.v2)});
+    };
+    return {coordinate(&draw_.texcoords->u), coordinate(&draw_.texcoords->v)};
+  }
+  HWY_INLINE Triple<VI> corners(IndexTriples indices) const {
+    if (indices == draw_.positions) return vertices_;
+    return put_in_order(order_, gather_indices(indices, triangle_));
+  }
+  // Seen from behind, a surface is lit as if its normals pointed the other way.
+  HWY_INLINE Vec3 facing(const Vec3& n) const {
+    const MF back = as_float_mask(is_back_);
+    return {hn::IfThenElse(back, hn::Neg(n.x), n.x), hn::IfThenElse(back, hn::Neg(n.y), n.y),
+            hn::IfThenElse(back, hn::Neg(n.z), n.z)};
+  }
+
+  const ShadeDraw& draw_;
+  VI triangle_;
+  Triple<VI> vertices_;
+  Order order_;
+  MI is_back_;
+  FragmentLanes at_;
+  VF depth_;
+  Triple<VF> slopes_[2];  // d lambda_k over one pixel along x and y, times 1/w_k
+  MF affine_;
+};
+
+// One large triangle in all lanes.
+class LargeSource {
+public:
+  HWY_INLINE LargeSource(const LargeTriangle& triangle, int quad_x, int quad_y, std::size_t i)
+      : triangle_(triangle), vertices_(triangle.vertices) {
+    const TriangleSetup& setup = triangle.setup;
+    const VF inverse_area = set(setup.inverse_area);
+    const auto lambda = [&](const Doubles& offsets, int k) HWY_ATTR {
+      const double first = edge_at_pixel(setup.edges[std::size_t(k)], quad_x, quad_y);
+      return hn::Mul(round_to_float(plus(offsets, first)), inverse_area);
+    };
+    const VF lambda1 = lambda(quad_offsets<1>(setup, i), 1);
+    const VF lambda2 = lambda(quad_offsets<2>(setup, i), 2);
+    at_ =
+        fragment_from(lambda(quad_offsets<0>(setup, i), 0), lambda1, lambda2,
+                      {set(setup.inverse_w[0]), set(setup.inverse_w[1]), set(setup.inverse_w[2])});
+    depth_ = depth_at(set(setup.depth[0]), set(setup.depth[1] - setup.depth[0]),
+                      set(setup.depth[2] - setup.depth[0]), lambda1, lambda2);
+  }
+
+  const FragmentLanes& at() const { return at_; }
+  VF depth() const { return depth_; }
+  HWY_INLINE Vec3 normal() const { return vector(&Varyings::normal); }
+  HWY_INLINE RgbaLanes color() const {
+    return {component(&Varyings::color, 0), component(&Varyings::color, 1),
+            component(&Varyings::color, 2), component(&Varyings::color, 3)};
+  }
+  HWY_INLINE TexcoordLanes texcoord() const {
+    return {component(&Varyings::texcoord, 0), component(&Varyings::texcoord, 1)};
+  }
+  HWY_INLINE PlaneLanes texture_planes() const {
+    const TexturePlanes& p = triangle_.texture;
+    return {
+        {set(p.origin[0]), set(p.origin[1])},
+        {{set(p.over_w[0][0]), set(p.over_w[0][1])}, {set(p.over_w[1][0]), set(p.over_w[1][1])}},
+        {set(p.inverse_w[0]), set(p.inverse_w[1])}};
+  }
+  HWY_INLINE ReflectionLanes reflection(const ShadeDraw& draw, const ResolveJob& job,
+                                        const Vec3& normal) const {
+    if (draw.light == LightAt::kVertices) {
+      return {vector(&Varyings::diffuse), vector(&Varyings::specular)};
+    }
+    return illuminate(*job.lighting, vector(&Varyings::position), normal, draw.material->shininess,
+                      draw.highlights);
+  }
+  VI id() const { return set(std::int32_t(triangle_.number + 1)); }
+
+private:
+  template <class Member>
+  HWY_INLINE VF component(Member member, std::size_t i) const {
+    return interpolate(at_, set((vertices_[0].*member)[i]), set((vertices_[1].*member)[i]),
+                       set((vertices_[2].*member)[i]));
+  }
+  template <class Member>
+  HWY_INLINE Vec3 vector(Member member) const {
+    return {component(member, 0), component(member, 1), component(member, 2)};
+  }
+
+  const LargeTriangle& triangle_;
+  const std::array<Varyings, 3>& vertices_;
+  FragmentLanes at_;
+  VF depth_;
+};
+
+// ---- colour ----
+
+// Samples that look at several levels, one lane after the other.
+template <class Source>
+HWY_INLINE RgbaLanes sample_levels(const ShadeDraw& draw, const ResolveJob& job,
+                                   const Source& source, const TexcoordLanes& at) {
+  const PlaneLanes planes = source.texture_planes();
+  const VF w = hn::Div(set(1.0f), source.at().inverse_w);
+  const auto change = [&](VF over_w, VF coordinate, VF origin, VF inverse_w) HWY_ATTR {
+    return hn::Mul(hn::Sub(over_w, hn::Mul(hn::Sub(coordinate, origin), inverse_w)), w);
+  };
+  HWY_ALIGN float u[kLanes], v[kLanes], change_u[2][kLanes], change_v[2][kLanes];
+  hn::Store(at.u, kF, u);
+  hn::Store(at.v, kF, v);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    hn::Store(change(planes.over_w[axis].u, at.u, planes.origin.u, planes.inverse_w[axis]), kF,
+              change_u[axis]);
+    hn::Store(change(planes.over_w[axis].v, at.v, planes.origin.v, planes.inverse_w[axis]), kF,
+              change_v[axis]);
+  }
+  const Image<Rgba8>& base = draw.texture->levels.front();
+  HWY_ALIGN float r[kLanes], g[kLanes], b[kLanes];
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    const TextureGradient gradient{{change_u[0][i], change_v[0][i]},
+                                   {change_u[1][i], change_v[1][i]}};
+    const float detail = level_of_detail(gradient, base.width, base.height);
+    const Rgba texel = sample(*draw.texture, *draw.sampler, {u[i], v[i]}, detail, job.transfer,
+                              ColorMask{true, true, true, false});
+    r[i] = texel.r, g[i] = texel.g, b[i] = texel.b;
+  }
+  return {hn::Load(kF, r), hn::Load(kF, g), hn::Load(kF, b), hn::Zero(kF)};
+}
+
+template <class Source>
+HWY_INLINE RgbaLanes texture_color(const ShadeDraw& draw, const ResolveJob& job,
+                                   const Source& source) {
+  const TexcoordLanes at = source.texcoord();
+  if (!samples_base_only(*draw.sampler)) return sample_levels(draw, job, source, at);
+  return sample_base(*draw.texture, *draw.sampler, at.u, at.v, job.transfer, false);
+}
+
+template <class Source>
+HWY_INLINE RgbaLanes surface_color(const ShadeDraw& draw, const ResolveJob& job,
+                                   const Source& source) {
+  const Rgba& base = draw.material->base_color;
+  RgbaLanes color{set(base.r), set(base.g), set(base.b), set(base.a)};
+  if (draw.color_indices != nullptr) {
+    const RgbaLanes vertex = source.color();
+    color = {hn::Mul(color.r, vertex.r), hn::Mul(color.g, vertex.g), hn::Mul(color.b, vertex.b),
+             hn::Mul(color.a, vertex.a)};
+  }
+  if (draw.texture != nullptr) {
+    const RgbaLanes texel = texture_color(draw, job, source);
+    color = {hn::Mul(color.r, texel.r), hn::Mul(color.g, texel.g), hn::Mul(color.b, texel.b),
+             color.a};
+  }
+  return color;
+}
+
+HWY_INLINE VF reflected(VF base, VF diffuse, float material_specular, VF specular,
+                        bool highlights) {
+  const VF matte = hn::Mul(base, diffuse);
+  return highlights ? hn::Add(matte, hn::Mul(set(material_specular), specular)) : matte;
+}
+
+template <class Source>
+HWY_INLINE RgbaLanes lit(const ShadeDraw& draw, const ResolveJob& job, const Source& source,
+                         const RgbaLanes& base) {
+  if (draw.light == LightAt::kNowhere) return base;
+  const Vec3 normal = source.normal();
+  const ReflectionLanes light = source.reflection(draw, job, normal);
+  const VF zero = hn::Zero(kF);
+  const MF has_normal =
+      hn::Or(hn::Or(hn::Ne(normal.x, zero), hn::Ne(normal.y, zero)), hn::Ne(normal.z, zero));
+  const std::array<float, 3>& shine = draw.material->specular;
+  return {
+      hn::IfThenElse(
+          has_normal,
+          reflected(base.r, light.diffuse.x, shine[0], light.specular.x, draw.highlights), base.r),
+      hn::IfThenElse(
+          has_normal,
+          reflected(base.g, light.diffuse.y, shine[1], light.specular.y, draw.highlights), base.g),
+      hn::IfThenElse(
+          has_normal,
+          reflected(base.b, light.diffuse.z, shine[2], light.specular.z, draw.highlights), base.b),
+      base.a};
+}
+
+// The bytes of an opaque fragment as one integer.
+template <class Source>
+HWY_INLINE VI shade(const ShadeDraw& draw, const ResolveJob& job, const Source& source) {
+  const RgbaLanes color = lit(draw, job, source, surface_color(draw, job, source));
+  return hn::Or(
+      hn::Or(encode(job.transfer, color.r), hn::ShiftLeft<8>(encode(job.transfer, color.g))),
+      hn::Or(hn::ShiftLeft<16>(encode(job.transfer, color.b)), set(std::int32_t(0xff000000u))));
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glassbox
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,172 @@
+// What the lanes read and write: plain tables, one entry for each vertex, triangle or pixel.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+#include <glassbox/base/spaces.h>
+#include <glassbox/images/image.h>
+#include <glassbox/mesh/scene.h>
+#include <glassbox/mesh/triangulate.h>
+#include <glassbox/pipeline/normal_transform.h>
+#include <glassbox/pipeline/viewport.h>
+#include <glassbox/raster/color_mask.h>
+#include <glassbox/raster/depth.h>
+#include <glassbox/raster/lanes/tile_buffer.h>
+#include <glassbox/raster/shading.h>
+#include <glassbox/raster/stages.h>
+#include <glassbox/raster/texture.h>
+#include <glassbox/raster/transfer.h>
+
+namespace glassbox {
+
+// ---- vertices ----
+
+// Positions on the screen, snapped, by position of the mesh. A vertex that clipping has to look at has x = kNeedsClipping.
+inline constexpr std::int32_t kNeedsClipping = std::numeric_limits<std::int32_t>::min();
+struct ScreenTable {
+  std::int32_t* x = nullptr;  // 1/256 pixel
+  std::int32_t* y = nullptr;
+  float* z = nullptr;  // depth of NDC
+  float* inverse_w = nullptr;
+};
+
+// Object space to the screen, for some of a mesh's positions.
+struct VertexJob {
+  std::span<const Point<Object>> positions;
+  Vector<Object> anchor;
+  Transform<Clip, Object, float> clip_from_anchored;
+  Viewport viewport;
+  // A vertex with 0 <= z <= far_factor w, smallest_w <= w < infinity and |x|, |y| at most half of the guard band is inside of all
+  // planes that rendering clips by.
+  float far_factor = 1;
+  float smallest_w = 0;
+  float band_x = 1, band_y = 1;  // |x| <= band_x w
+  ScreenTable screen;
+};
+
+// Unit normals in eye space, and positions there.
+struct NormalJob {
+  std::span<const Normal<Object>> normals;
+  NormalTransform<Eye, Object> eye_from_object;
+  Normal<Eye>* eye = nullptr;
+};
+struct EyePositionJob {
+  std::span<const Point<Object>> positions;
+  Vector<Object> anchor;
+  Transform<Eye, Object, float> eye_from_anchored;
+  Point<Eye>* eye = nullptr;
+};
+
+// ---- triangles ----
+
+// Three indices for each triangle, one after the other.
+using IndexTriples = const std::uint32_t*;
+
+enum class Facing : std::uint8_t { kFront = 1, kBack = 2, kBoth = 3 };
+
+// Small triangles are at most this many pixels wide and high, so that everything about them fits 32 bits: differences of
+// coordinates have 14 bits, edge functions up to a block beyond their box 29.
+inline constexpr int kSmallSide = 16;
+
+struct SelectJob {
+  IndexTriples positions;
+  ScreenTable screen;
+  std::uint32_t first = 0, count = 0;  // triangles
+  bool mirrored = false;               // Draw::mirrored
+  bool keep_front = true, keep_back = false;
+  bool all_large = false;  // leave every triangle to the staged primitives
+  PixelRect window;
+  int tile_shift = 6;  // log2 of the tile's side
+};
+
+// A triangle that may cover a pixel.
+struct Selected {
+  std::uint32_t triangle = 0;  // with kLarge: for the staged primitives to look at
+  // Tiles, both ends included; not of large ones.
+  std::uint16_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+};
+inline constexpr std::uint32_t kLarge = 0x80000000u;
+
+struct SelectCounts {
+  std::uint64_t small = 0;  // triangles that were decided on here
+  std::uint64_t zero_area = 0, culled = 0;
+};
+
+// ---- tiles ----
+
+// Some small triangles of one draw.
+struct SmallJob {
+  IndexTriples positions;
+  ScreenTable screen;
+  Reference first_reference = 1;  // of triangle 0
+};
+
+// A triangle that does not fit the 32 bits of the small ones, or that clipping has made.
+struct LargeTriangle {
+  TriangleSetup setup;
+  std::array<Varyings, 3> vertices;
+  TexturePlanes texture;     // of textured ones
+  std::uint32_t draw = 0;    // index into the draw list
+  std::uint32_t number = 0;  // in the whole scene
+  std::uint32_t piece = 0;
+};
+
+struct FragmentCounts {
+  std::uint64_t covered = 0, written = 0;
+  std::uint64_t hidden_blocks = 0;  // given up before coverage: everything there is nearer
+};
+
+// ---- colours ----
+
+// Where light is computed.
+enum class LightAt : std::uint8_t { kNowhere, kVertices, kFragments };
+
+// What the small triangles of a draw need to be shaded, and the large ones of the same draw.
+struct ShadeDraw {
+  Reference first_reference = 1, end_reference = 1;  // of the small triangles
+  IndexTriples positions = nullptr;
+  ScreenTable screen;
+  bool mirrored = false;
+  const Triangle* triangles = nullptr;
+  std::uint32_t first_number = 0;  // of the draw's triangles, in the whole scene
+
+  // Tables of attributes with the indices of each triangle's corners; null where the draw has none, or needs none.
+  IndexTriples normal_indices = nullptr, texcoord_indices = nullptr, color_indices = nullptr;
+  const Normal<Eye>* normals = nullptr;
+  const Point<Eye>* eye_positions = nullptr;
+  const TexCoord* texcoords = nullptr;
+  const Rgba* colors = nullptr;
+
+  const Material* material = nullptr;
+  const MipChain* texture = nullptr;
+  const Sampler* sampler = nullptr;
+  LightAt light = LightAt::kNowhere;
+  bool highlights = false;  // the material has any, and the light arrives
+};
+
+// A tile's colours, from what is seen at its pixels.
+struct ResolveJob {
+  std::span<const ShadeDraw> draws;  // by draw
+  std::span<const std::uint32_t>
+      by_reference;  // draws with small triangles, in the order of their references
+  const LargeTriangle* const* large = nullptr;  // by reference without the top bit
+  const Lighting* lighting = nullptr;
+  Transfer transfer = Transfer::kSrgb;
+  ColorMask mask;
+  Rgba8 background;
+  // The picture has its background, and perhaps an earlier part of the run: pixels with nothing on them stay as they are.
+  bool keep_picture = false;
+
+  // Planes that are not wanted are null.
+  Image<Rgba8>* picture = nullptr;
+  Image<float>* distance = nullptr;  // along the gaze
+  Image<std::uint32_t>* id = nullptr;
+  bool perspective = true;
+  double near = 0, far = 0;  // of a parallel view
+  bool reversed = false;
+};
+
+}  // namespace glassbox

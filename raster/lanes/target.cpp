@@ -1,0 +1,53 @@
+#include <glassbox/raster/lanes/target.h>
+
+#include <array>
+#include <cstdint>
+
+// The targets of foreach_target.h are needed here too.
+#include <glassbox/raster/lanes/compiled_targets.h>
+#include <hwy/highway.h>
+#include <hwy/targets.h>
+
+namespace glassbox {
+
+namespace {
+
+struct Known {
+  Target target;
+  std::string_view name;
+  std::int64_t highway;  // its bit
+};
+
+constexpr std::array<Known, 5> kKnown{{{Target::kScalar, "scalar", HWY_EMU128 | HWY_SCALAR},
+                                       {Target::kSse4, "sse4", HWY_SSE4},
+                                       {Target::kAvx2, "avx2", HWY_AVX2},
+                                       {Target::kAvx512, "avx512", HWY_AVX3},
+                                       {Target::kNeon, "neon", HWY_NEON}}};
+
+}  // namespace
+
+std::vector<Target> available_targets() {
+  const std::int64_t supported = hwy::SupportedTargets() | HWY_EMU128 | HWY_SCALAR;
+  std::vector<Target> available;
+  for (const Known& known : kKnown) {
+    if ((known.highway & supported & HWY_TARGETS) != 0) available.push_back(known.target);
+  }
+  return available;
+}
+
+Target best_target() {
+  return available_targets().back();
+}
+
+std::string_view name_of(Target target) {
+  return kKnown[std::size_t(target)].name;
+}
+
+std::optional<Target> target_named(std::string_view name) {
+  for (const Known& known : kKnown) {
+    if (known.name == name) return known.target;
+  }
+  return std::nullopt;
+}
+
+}  // namespace glassbox

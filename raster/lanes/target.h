@@ -1,0 +1,20 @@
+// Instruction sets that the lanes can be compiled for. All of them give the same bytes.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace glassbox {
+
+// kScalar: plain C++, for every processor.
+enum class Target { kScalar, kSse4, kAvx2, kAvx512, kNeon };
+
+// Those that were compiled in and that this processor has, the best one last. Never empty.
+std::vector<Target> available_targets();
+Target best_target();
+
+std::string_view name_of(Target target);  // "avx512"
+std::optional<Target> target_named(std::string_view name);
+
+}  // namespace glassbox

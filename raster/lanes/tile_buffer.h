@@ -1,0 +1,128 @@
+// A tile of the screen while it is drawn: small enough to stay in the cache of the core that draws it.
+//
+// Pixels are kept in blocks of 8 x 8, each of four quads of 4 x 4, so that a quad's 16 pixels are one vector of the widest
+// processors and some of them a vector of the others.
+//
+// A block that one triangle covers wholly, in front of all that was there, is `plain`: it keeps the triangle's reference and
+// the range of its depths, and its pixels are filled in only when something else comes to the block. A cleared block is such a block
+// too, of the reference kNothing.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <new>
+
+#include <glassbox/raster/depth.h>
+#include <glassbox/raster/stages.h>
+
+namespace glassbox {
+
+inline constexpr int kQuadSide = 4, kQuadPixels = 16;
+inline constexpr int kBlockSide = 8, kBlockPixels = 64, kBlockQuads = 4;
+
+// ---- what is seen at a pixel ----
+
+// Small triangles count from 1 through all draws; large ones have the top bit set.
+using Reference = std::uint32_t;
+inline constexpr Reference kNothing = 0;
+inline constexpr Reference kLargeReference = 0x80000000u;
+inline constexpr Reference kInPicture = 0xffffffffu;  // the picture has its colour already
+
+// Depth codes (depth.h) as signed integers, which processors without unsigned comparisons compare as well.
+using TileDepth = std::int32_t;
+inline constexpr TileDepth kNearestTileDepth = 0;
+inline constexpr TileDepth kEmptyTileDepth = std::numeric_limits<TileDepth>::max();
+
+// ---- memory ----
+
+template <class T>
+class AlignedArray {
+public:
+  explicit AlignedArray(std::size_t size) : data_(new (std::align_val_t{kAlignment}) T[size]) {}
+  T* get() { return data_.get(); }
+  const T* get() const { return data_.get(); }
+  T& operator[](std::size_t i) { return data_[i]; }
+  const T& operator[](std::size_t i) const { return data_[i]; }
+
+private:
+  static constexpr std::size_t kAlignment =
+      64;  // bytes: the longest vectors, and a line of the cache
+  struct Free {
+    void operator()(T* data) const { ::operator delete[](data, std::align_val_t{kAlignment}); }
+  };
+  std::unique_ptr<T[], Free> data_;
+};
+
+struct TileBlock {
+  TileDepth nearest = kEmptyTileDepth;   // no pixel of the block is nearer ...
+  TileDepth farthest = kEmptyTileDepth;  // ... or farther
+  bool plain = true;
+  // Of a plain block: what covers it, and with what depths; null where all have the same.
+  Reference reference = kNothing;
+  const TriangleSetup* triangle = nullptr;
+};
+
+class TileBuffer {
+public:
+  // `side` pixels: a power of two, at least kBlockSide.
+  explicit TileBuffer(int side)
+      : side_(side),
+        blocks_across_(side / kBlockSide),
+        depth_(std::size_t(side) * std::size_t(side)),
+        reference_(std::size_t(side) * std::size_t(side)),
+        blocks_(std::size_t(blocks_across_) * std::size_t(blocks_across_)) {}
+
+  // Begins the tile whose part of the screen is `window`; x0 and y0 are multiples of the side.
+  void clear(const PixelRect& window, DepthFormat format) {
+    window_ = window;
+    format_ = format;
+    std::fill_n(blocks_.get(), block_count(), TileBlock{});
+  }
+
+  const PixelRect& window() const { return window_; }
+  DepthFormat format() const { return format_; }
+  // Pixels of the tile lie outside of the screen.
+  bool is_ragged() const {
+    return window_.x1 - window_.x0 < side_ || window_.y1 - window_.y0 < side_;
+  }
+  int blocks_across() const { return blocks_across_; }
+  std::size_t block_count() const {
+    return std::size_t(blocks_across_) * std::size_t(blocks_across_);
+  }
+
+  // Of the block at column bx, row by within the tile.
+  std::size_t block_index(int bx, int by) const {
+    return std::size_t(by) * std::size_t(blocks_across_) + std::size_t(bx);
+  }
+  // Of the first pixel of the quad at column qx, row qy within the tile.
+  std::size_t quad_index(int qx, int qy) const {
+    return block_index(qx >> 1, qy >> 1) * kBlockPixels +
+           std::size_t((qy & 1) * 2 + (qx & 1)) * kQuadPixels;
+  }
+  // Of a pixel of the screen.
+  std::size_t pixel_index(int x, int y) const {
+    const int dx = x - window_.x0, dy = y - window_.y0;
+    return quad_index(dx / kQuadSide, dy / kQuadSide) +
+           std::size_t((dy % kQuadSide) * kQuadSide + dx % kQuadSide);
+  }
+
+  TileBlock& block(std::size_t i) { return blocks_[i]; }
+  const TileBlock& block(std::size_t i) const { return blocks_[i]; }
+  TileDepth* depth() { return depth_.get(); }
+  const TileDepth* depth() const { return depth_.get(); }
+  Reference* reference() { return reference_.get(); }
+  const Reference* reference() const { return reference_.get(); }
+
+private:
+  int side_, blocks_across_;
+  PixelRect window_;
+  DepthFormat format_ = DepthFormat::kFloat32;
+  AlignedArray<TileDepth> depth_;
+  AlignedArray<Reference> reference_;
+  AlignedArray<TileBlock> blocks_;
+};
+
+}  // namespace glassbox

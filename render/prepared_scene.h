@@ -1,0 +1,43 @@
+// What rendering needs of a scene and no view changes: made once, rendered from many times.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glassbox/base/box.h>
+#include <glassbox/mesh/scene.h>
+#include <glassbox/mesh/triangulate.h>
+#include <glassbox/raster/texture.h>
+
+namespace glassbox {
+
+// What the corners of the triangles have, as indices, three for each triangle one after the other: the form in which the tile
+// engine's vectors read them.
+struct CornerIndices {
+  std::vector<std::uint32_t> positions;
+  // Into the normals, and beyond them the faces: face f is entry normals.size() + f, for corners without a normal.
+  std::vector<std::uint32_t> normals;    // empty: the same as the positions'
+  std::vector<std::uint32_t> texcoords;  // empty: the same as the positions', or there are none
+  std::vector<std::uint32_t> colors;     // likewise
+  bool has_texcoords = false, has_colors = false;
+  // Of the corners that triangles use, some have texture coordinates (or colours) and others none.
+  bool mixed = false;
+};
+
+struct PreparedMesh {
+  Triangulation triangulation;
+  Box<Object> bounds;
+  CornerIndices indices;
+  bool all_have_normals = false;
+};
+
+// Belongs to the scene it was made from, which must outlive it and not change.
+struct PreparedScene {
+  std::vector<PreparedMesh> meshes;  // by mesh
+  std::vector<MipChain> textures;    // by texture
+};
+
+// `transfer` decides how the halvings of textures are averaged: it must be that of the settings rendered with.
+PreparedScene prepare(const Scene& scene, Transfer transfer);
+
+}  // namespace glassbox

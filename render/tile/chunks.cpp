@@ -1,0 +1,181 @@
+#include <algorithm>
+#include <bit>
+
+#include <glassbox/raster/line.h>
+#include <glassbox/raster/point.h>
+#include <glassbox/raster/snap.h>
+#include <glassbox/render/tile/round.h>
+
+namespace glassbox {
+
+namespace {
+
+// What goes into the bins of a rectangle of tiles, both ends included.
+struct BinEntry {
+  std::uint32_t entry = 0;
+  std::uint16_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+};
+
+// Sorts entries into the chunk's bins by counting; within a bin they keep their order.
+void sort_into_bins(std::span<const BinEntry> entries, Chunk& chunk) {
+  chunk.tiles = {};
+  chunk.starts.assign(1, 0);
+  chunk.entries.clear();
+  if (entries.empty()) return;
+  PixelRect tiles{entries[0].x0, entries[0].y0, 0, 0};
+  for (const BinEntry& e : entries) {
+    tiles = {std::min<int>(tiles.x0, e.x0), std::min<int>(tiles.y0, e.y0),
+             std::max<int>(tiles.x1, e.x1 + 1), std::max<int>(tiles.y1, e.y1 + 1)};
+  }
+  const auto width = std::size_t(tiles.x1 - tiles.x0);
+  const auto for_each_bin = [&](const BinEntry& e, auto&& visit) {
+    for (int y = e.y0; y <= e.y1; ++y) {
+      for (int x = e.x0; x <= e.x1; ++x) {
+        visit(std::size_t(y - tiles.y0) * width + std::size_t(x - tiles.x0));
+      }
+    }
+  };
+  // Counted one bin further on, so that after the sums starts[i] is where bin i begins ...
+  chunk.tiles = tiles;
+  chunk.starts.assign(width * std::size_t(tiles.y1 - tiles.y0) + 2, 0);
+  for (const BinEntry& e : entries) {
+    for_each_bin(e, [&](std::size_t bin) { ++chunk.starts[bin + 2]; });
+  }
+  for (std::size_t i = 2; i < chunk.starts.size(); ++i) chunk.starts[i] += chunk.starts[i - 1];
+  chunk.entries.resize(chunk.starts.back());
+  // ... and filling bin i moves starts[i + 1] to its end.
+  for (const BinEntry& e : entries) {
+    for_each_bin(e, [&](std::size_t bin) { chunk.entries[chunk.starts[bin + 1]++] = e.entry; });
+  }
+}
+
+// The bins of the pixels of a box; nothing where none is on the screen.
+std::optional<BinEntry> bin_entry(const TileRun& run, std::uint32_t entry, const PixelRect& box) {
+  const PixelRect seen{std::max(box.x0, run.window.x0), std::max(box.y0, run.window.y0),
+                       std::min(box.x1, run.window.x1), std::min(box.y1, run.window.y1)};
+  if (seen.empty()) return std::nullopt;
+  const auto tile = [&](int pixel) { return std::uint16_t(pixel / run.tile_side); };
+  return BinEntry{entry, tile(seen.x0), tile(seen.y0), tile(seen.x1 - 1), tile(seen.y1 - 1)};
+}
+
+PixelRect pixels_near(const SnappedVertex& a, const SnappedVertex& b) {
+  const auto [left, right] = std::minmax(a.x, b.x);
+  const auto [top, bottom] = std::minmax(a.y, b.y);
+  return {(left >> kSubpixelBits) - 1, (top >> kSubpixelBits) - 1, (right >> kSubpixelBits) + 2,
+          (bottom >> kSubpixelBits) + 2};
+}
+
+PrimitiveStage primitive_stage(const TileRun& run, const DrawSlot& slot, Statistics& statistics) {
+  return {run.list.draws[slot.draw], nullptr,    slot.eye_space, run.view, run.settings,
+          run.list.lighting,         run.planes, statistics,     nullptr};
+}
+
+void add_entry(const TileRun& run, std::uint32_t entry, const PixelRect& box,
+               std::vector<BinEntry>& entries) {
+  if (const auto bins = bin_entry(run, entry, box)) entries.push_back(*bins);
+}
+
+// ---- triangles over lanes ----
+
+LargeTriangle large_triangle(const ReadyTriangle& ready, std::uint32_t draw, bool textured) {
+  LargeTriangle large{ready.setup, ready.vertices, {}, draw, ready.number};
+  if (textured) {
+    large.texture = texture_planes(
+        ready.setup,
+        {ready.vertices[0].texcoord, ready.vertices[1].texcoord, ready.vertices[2].texcoord});
+  }
+  return large;
+}
+
+void fill_from_lanes(const TileRun& run, const Kernels& kernels, const DrawSlot& slot, Chunk& chunk,
+                     std::vector<BinEntry>& entries) {
+  const Draw& draw = run.list.draws[slot.draw];
+  const DrawMethod& method = run.methods[slot.draw];
+  SelectJob job;
+  job.positions = draw.prepared->indices.positions.data();
+  job.screen = slot.screen;
+  job.first = chunk.first;
+  job.count = chunk.count;
+  job.mirrored = draw.mirrored;
+  job.keep_front = method.keep_front;
+  job.keep_back = method.keep_back;
+  job.all_large = method.large_because != nullptr;
+  job.window = run.window;
+  job.tile_shift = std::countr_zero(unsigned(run.tile_side));
+
+  std::vector<Selected> selected(chunk.count);
+  SelectCounts counts;
+  selected.resize(kernels.select_triangles(job, selected.data(), counts));
+  Statistics& s = chunk.statistics;
+  s.after_clipping += counts.small;
+  s.zero_area += counts.zero_area;
+  s.culled += counts.culled;
+  s.set_up += counts.small - counts.zero_area - counts.culled;
+
+  const PrimitiveStage stage = primitive_stage(run, slot, chunk.statistics);
+  std::vector<ReadyTriangle> ready;
+  std::vector<ReadyLine> no_lines;
+  for (const Selected& one : selected) {
+    if ((one.triangle & kLarge) == 0) {
+      entries.push_back({one.triangle, one.x0, one.y0, one.x1, one.y1});
+      continue;
+    }
+    ready.clear();
+    TriangleAttributes attributes;
+    ready_triangle(stage, draw.triangulation->triangles[one.triangle & ~kLarge], attributes, ready,
+                   no_lines);
+    for (const ReadyTriangle& triangle : ready) {
+      add_entry(run, kOfChunk | std::uint32_t(chunk.large.size()), triangle.setup.bounds, entries);
+      chunk.large.push_back(large_triangle(triangle, slot.draw, draw.texture != nullptr));
+    }
+  }
+}
+
+// ---- the staged primitives ----
+
+void fill_staged(const TileRun& run, const DrawSlot& slot, Chunk& chunk,
+                 std::vector<BinEntry>& entries) {
+  const Draw& draw = run.list.draws[slot.draw];
+  const PrimitiveStage stage = primitive_stage(run, slot, chunk.statistics);
+  if (chunk.kind == Chunk::Kind::kLinesAndPoints) {
+    for (const auto& line : draw.mesh->lines) ready_line(stage, line, chunk.lines);
+    for (const Corner& point : draw.mesh->points) ready_point(stage, point, chunk.points);
+  }
+  for (std::uint32_t i = 0; i < chunk.count; ++i) {
+    TriangleAttributes attributes;
+    ready_triangle(stage, draw.triangulation->triangles[chunk.first + i], attributes,
+                   chunk.triangles, chunk.lines);
+  }
+  std::uint32_t entry = kOfChunk;
+  for (const ReadyTriangle& triangle : chunk.triangles) {
+    add_entry(run, entry++, triangle.setup.bounds, entries);
+  }
+  for (const ReadyLine& line : chunk.lines) {
+    add_entry(run, entry++, pixels_near(snap(line.ends[0]), snap(line.ends[1])), entries);
+  }
+  for (const ReadyPoint& point : chunk.points) {
+    const SnappedVertex at = snap(point.position);
+    add_entry(run, entry++, pixels_near(at, at), entries);
+  }
+}
+
+}  // namespace
+
+void fill_chunk(const TileRun& run, const Kernels& kernels, const Round& round, Chunk& chunk) {
+  const DrawSlot& slot = round.slots[chunk.slot];
+  chunk.large.clear();
+  chunk.triangles.clear();
+  chunk.lines.clear();
+  chunk.points.clear();
+  chunk.statistics = {};
+  std::vector<BinEntry> entries;
+  entries.reserve(chunk.count);
+  if (chunk.kind == Chunk::Kind::kLanes) {
+    fill_from_lanes(run, kernels, slot, chunk, entries);
+  } else {
+    fill_staged(run, slot, chunk, entries);
+  }
+  sort_into_bins(entries, chunk);
+}
+
+}  // namespace glassbox

@@ -1,0 +1,105 @@
+// Some of the draws on their way to the screen together: the tables that their vertices fill, and the triangles of each, sorted
+// into tiles.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <glassbox/raster/lanes/kernels.h>
+#include <glassbox/render/draw_list.h>
+#include <glassbox/render/primitives.h>
+#include <glassbox/render/tile/draw_method.h>
+#include <glassbox/render/vertex_stage.h>
+
+namespace glassbox {
+
+// What a run is about.
+struct TileRun {
+  const View& view;
+  const RenderSettings& settings;
+  const DrawList& list;
+  std::vector<DrawMethod> methods;               // by draw
+  std::array<ClipPlane, kMaxClipPlanes> planes;  // render_planes(view)
+  PixelRect window;
+  int tile_side = 64;
+};
+
+// Grows, and never gives memory back: the next picture is likely to need as much.
+template <class T>
+T* at_least(std::vector<T>& memory, std::size_t size) {
+  if (memory.size() < size) memory.resize(size);
+  return memory.data();
+}
+
+// The vertices of a round's draws.
+struct VertexTables {
+  std::vector<std::int32_t> x, y;
+  std::vector<float> z, inverse_w;
+  std::vector<Normal<Eye>> normals;  // of vertices, then of faces, draw by draw
+  std::vector<Point<Eye>> eye_positions;
+};
+
+// Where a draw's entries of the tables begin.
+struct DrawSlot {
+  std::uint32_t draw = 0;
+  std::size_t first_position = 0, first_normal = 0, first_eye_position = 0;
+  Reference first_reference = 1;
+  ScreenTable screen;
+  EyeSpace eye_space;
+};
+
+// ---- bins ----
+
+// An entry of a bin: the index of a small triangle in its draw, or, with the top bit, of one of the chunk's primitives.
+inline constexpr std::uint32_t kOfChunk = 0x80000000u;
+
+// Some primitives of one draw, sorted into tiles in the order of the draw.
+struct Chunk {
+  enum class Kind { kLanes, kStagedTriangles, kLinesAndPoints };
+  Kind kind = Kind::kLanes;
+  std::uint32_t slot = 0;              // index into the round's slots
+  std::uint32_t first = 0, count = 0;  // triangles
+
+  std::vector<LargeTriangle> large;      // kLanes
+  std::vector<ReadyTriangle> triangles;  // the other kinds
+  std::vector<ReadyLine> lines;
+  std::vector<ReadyPoint> points;
+  std::uint32_t first_large = 0;  // of `large`, in the whole round
+
+  // Tiles x0 <= x < x1, y0 <= y < y1 have bins; bin i is entries[starts[i]] .. entries[starts[i + 1] - 1].
+  PixelRect tiles;
+  std::vector<std::uint32_t> starts, entries;
+
+  Statistics statistics;
+
+  std::span<const std::uint32_t> bin(int tile_x, int tile_y) const {
+    if (tile_x < tiles.x0 || tile_x >= tiles.x1 || tile_y < tiles.y0 || tile_y >= tiles.y1)
+      return {};
+    const auto i = std::size_t(tile_y - tiles.y0) * std::size_t(tiles.x1 - tiles.x0) +
+                   std::size_t(tile_x - tiles.x0);
+    return std::span(entries).subspan(starts[i], starts[i + 1] - starts[i]);
+  }
+};
+
+struct Round {
+  VertexTables tables;
+  std::vector<DrawSlot> slots;
+  std::vector<Chunk> chunks;
+  std::size_t chunk_count = 0;              // those in use
+  std::vector<const LargeTriangle*> large;  // by Chunk::first_large and index
+};
+
+// ---- the work, in the order in which it is done ----
+
+// Fills the tables from positions first .. first + count - 1, normals likewise, of one draw.
+void transform_positions(const TileRun& run, const Kernels& kernels, const DrawSlot& slot,
+                         VertexTables& tables, std::size_t first, std::size_t count);
+void transform_normals(const TileRun& run, const Kernels& kernels, const DrawSlot& slot,
+                       VertexTables& tables, std::size_t first, std::size_t count);
+void transform_face_normals(const TileRun& run, const DrawSlot& slot, VertexTables& tables);
+
+// Selects, makes ready and sorts the chunk's primitives.
+void fill_chunk(const TileRun& run, const Kernels& kernels, const Round& round, Chunk& chunk);
+
+}  // namespace glassbox

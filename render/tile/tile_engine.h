@@ -1,0 +1,49 @@
+// The tile engine: what render_staged makes, in less time. Same bytes, for every number of threads, tile size and target.
+//
+// The scene is carried to the screen many vertices at a time; triangles are sorted into tiles; each tile is drawn by one
+// thread, with its depths and what is seen at each of its pixels in that core's cache, and its colours are computed once for
+// each pixel, at the end (docs/performance.md).
+#pragma once
+
+#include <memory>
+
+#include <glassbox/mesh/scene.h>
+#include <glassbox/pipeline/view.h>
+#include <glassbox/raster/lanes/target.h>
+#include <glassbox/render/framebuffer.h>
+#include <glassbox/render/prepared_scene.h>
+#include <glassbox/render/settings.h>
+#include <glassbox/render/staged.h>
+
+namespace glassbox {
+
+struct TileOptions {
+  int threads = 0;     // 0: as many as the machine has
+  int tile_side = 64;  // pixels; a power of two, 16 .. 256
+  Target target = best_target();
+  bool plan = true;  // leave out what the scene does not need
+};
+
+// Keeps its threads and memory from one picture to the next.
+class TileEngine {
+public:
+  explicit TileEngine(const TileOptions& options);
+  ~TileEngine();
+  TileEngine(const TileEngine&) = delete;
+  TileEngine& operator=(const TileEngine&) = delete;
+
+  // As render_staged. `prepared` was made from the scene with the settings' transfer. Memory of `into` is used again where its
+  // planes have the right size.
+  void render(const Scene& scene, const PreparedScene& prepared, const View& view,
+              const RenderSettings& settings, Rendering& into);
+
+private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+// One picture, with everything made for it alone.
+Rendering render_tiled(const Scene& scene, const View& view, const RenderSettings& settings,
+                       const TileOptions& options = {});
+
+}  // namespace glassbox

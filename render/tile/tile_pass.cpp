@@ -1,0 +1,147 @@
+#include <glassbox/render/tile/tile_pass.h>
+
+#include <algorithm>
+
+namespace glassbox {
+
+namespace {
+
+TileDepth tile_depth(std::uint32_t code) {
+  return code == kEmptyDepth ? kEmptyTileDepth : TileDepth(code);
+}
+std::uint32_t depth_code_of(TileDepth depth) {
+  return depth == kEmptyTileDepth ? kEmptyDepth : std::uint32_t(depth);
+}
+
+// A tile being drawn: by the lanes, in its own buffer, or by the staged fragments, in the framebuffer. Primitives of one kind
+// after those of the other make it change over.
+class TileDrawing {
+public:
+  TileDrawing(const TilePass& pass, const PixelRect& window, TileBuffer& tile,
+              Statistics& statistics)
+      : pass_(pass), tile_(tile), statistics_(statistics) {
+    tile_.clear(window, pass.run.settings.depth);
+    if (pass.load_depth) load();
+  }
+
+  void draw(const Chunk& chunk, std::span<const std::uint32_t> bin) {
+    if (bin.empty()) return;
+    if (chunk.kind == Chunk::Kind::kLanes) {
+      draw_over_lanes(chunk, bin);
+    } else {
+      draw_staged(chunk, bin);
+    }
+  }
+
+  void finish() {
+    if (!in_framebuffer_) leave_buffer(pass_.store_depth);
+    statistics_.covered += counts_.covered;
+    statistics_.written += counts_.written;
+    statistics_.depth_failed += counts_.covered - counts_.written;
+  }
+
+private:
+  void draw_over_lanes(const Chunk& chunk, std::span<const std::uint32_t> bin) {
+    if (in_framebuffer_) {
+      load();
+      in_framebuffer_ = false;
+    }
+    const DrawSlot& slot = pass_.round.slots[chunk.slot];
+    const Draw& draw = pass_.run.list.draws[slot.draw];
+    const SmallJob job{draw.prepared->indices.positions.data(), slot.screen, slot.first_reference};
+    const auto is_large = [](std::uint32_t entry) { return (entry & kOfChunk) != 0; };
+    for (auto at = bin.begin(); at != bin.end();) {
+      const auto large = std::find_if(at, bin.end(), is_large);
+      if (large != at) {
+        pass_.kernels.draw_small(job, &*at, std::size_t(large - at), tile_, counts_);
+      }
+      at = large;
+      for (; at != bin.end() && is_large(*at); ++at) {
+        const std::uint32_t index = chunk.first_large + (*at & ~kOfChunk);
+        pass_.kernels.draw_large(pass_.round.large[index]->setup, kLargeReference | index, tile_,
+                                 counts_);
+      }
+    }
+  }
+
+  void draw_staged(const Chunk& chunk, std::span<const std::uint32_t> bin) {
+    if (!in_framebuffer_) {
+      leave_buffer(true);
+      in_framebuffer_ = true;
+    }
+    const Draw& draw = pass_.run.list.draws[pass_.round.slots[chunk.slot].draw];
+    const FragmentStage stage{draw,
+                              shaded_channels(draw, pass_.run.settings),
+                              pass_.run.view,
+                              pass_.run.settings,
+                              pass_.run.list.lighting,
+                              pass_.target,
+                              pass_.target.color,
+                              tile_.window(),
+                              statistics_,
+                              nullptr};
+    for (const std::uint32_t entry : bin) {
+      std::size_t i = entry & ~kOfChunk;
+      if (i < chunk.triangles.size()) {
+        rasterise(stage, chunk.triangles[i]);
+        continue;
+      }
+      i -= chunk.triangles.size();
+      if (i < chunk.lines.size()) {
+        rasterise(stage, chunk.lines[i]);
+      } else {
+        rasterise(stage, chunk.points[i - chunk.lines.size()]);
+      }
+    }
+  }
+
+  // From the buffer to the framebuffer.
+  void leave_buffer(bool with_depth) {
+    pass_.kernels.resolve_tile(pass_.resolve, tile_);
+    if (!with_depth) return;
+    pass_.kernels.fill_tile(tile_);
+    Image<std::uint32_t>& depth = pass_.target.depth;
+    for_each_pixel(
+        [&](int x, int y, std::size_t i) { depth.at(x, y) = depth_code_of(tile_.depth()[i]); });
+  }
+
+  // And back: what was seen is in the picture.
+  void load() {
+    for (std::size_t i = 0; i < tile_.block_count(); ++i) {
+      tile_.block(i) = {0, kEmptyTileDepth, false, kNothing, nullptr};
+    }
+    for_each_pixel([&](int x, int y, std::size_t i) {
+      tile_.depth()[i] = tile_depth(pass_.target.depth.at(x, y));
+      tile_.reference()[i] = kInPicture;
+    });
+  }
+
+  template <class Visit>
+  void for_each_pixel(const Visit& visit) const {
+    const PixelRect& window = tile_.window();
+    for (int y = window.y0; y < window.y1; ++y) {
+      for (int x = window.x0; x < window.x1; ++x) visit(x, y, tile_.pixel_index(x, y));
+    }
+  }
+
+  const TilePass& pass_;
+  TileBuffer& tile_;
+  Statistics& statistics_;
+  FragmentCounts counts_;
+  bool in_framebuffer_ = false;
+};
+
+}  // namespace
+
+void draw_tile(const TilePass& pass, int x, int y, TileBuffer& tile, Statistics& statistics) {
+  const int side = pass.run.tile_side;
+  const PixelRect window{x * side, y * side, std::min((x + 1) * side, pass.run.window.x1),
+                         std::min((y + 1) * side, pass.run.window.y1)};
+  TileDrawing drawing(pass, window, tile, statistics);
+  for (std::size_t i = 0; i < pass.round.chunk_count; ++i) {
+    drawing.draw(pass.round.chunks[i], pass.round.chunks[i].bin(x, y));
+  }
+  drawing.finish();
+}
+
+}  // namespace glassbox

@@ -1,0 +1,28 @@
+// One tile: what the round's chunks have for it, in order, into the framebuffer.
+#pragma once
+
+#include <vector>
+
+#include <glassbox/raster/lanes/kernels.h>
+#include <glassbox/render/fragments.h>
+#include <glassbox/render/framebuffer.h>
+#include <glassbox/render/tile/round.h>
+
+namespace glassbox {
+
+// What all tiles of a round share.
+struct TilePass {
+  const TileRun& run;
+  const Kernels& kernels;
+  const Round& round;
+  ResolveJob
+      resolve;  // resolve.keep_picture: planes are cleared already, and may hold earlier rounds
+  Framebuffer& target;
+  // Depth lives in target.depth between rounds, and while staged primitives are drawn.
+  bool load_depth = false, store_depth = false;
+};
+
+// Draws tile (x, y). `statistics` counts fragments.
+void draw_tile(const TilePass& pass, int x, int y, TileBuffer& tile, Statistics& statistics);
+
+}  // namespace glassbox

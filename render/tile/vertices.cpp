@@ -1,0 +1,61 @@
+#include <algorithm>
+
+#include <glassbox/render/tile/round.h>
+
+namespace glassbox {
+
+namespace {
+
+// How many half screens from the centre a vertex may lie to be surely within the guard band, whatever rounds: half the way.
+float surely_in_band(float screen_side) {
+  return float(kGuardBandPx / double(screen_side));
+}
+
+VertexJob vertex_job(const TileRun& run, const Draw& draw) {
+  VertexJob job;
+  job.anchor = draw.anchor;
+  job.clip_from_anchored = draw.clip_from_anchored;
+  job.viewport = run.view.viewport;
+  const ClipPlane& eye = run.planes[1];
+  const ClipPlane& far = run.planes[2];
+  // With a reversed range the near plane is z = w and the far plane z = 0.
+  job.far_factor = float(std::max(far.d, run.planes[0].d));
+  job.smallest_w = float(-eye.e);
+  job.band_x = surely_in_band(run.view.viewport.width());
+  job.band_y = surely_in_band(run.view.viewport.height());
+  return job;
+}
+
+}  // namespace
+
+void transform_positions(const TileRun& run, const Kernels& kernels, const DrawSlot& slot,
+                         VertexTables& tables, std::size_t first, std::size_t count) {
+  const Draw& draw = run.list.draws[slot.draw];
+  VertexJob job = vertex_job(run, draw);
+  job.positions = std::span(draw.mesh->positions).subspan(first, count);
+  job.screen = {slot.screen.x + first, slot.screen.y + first, slot.screen.z + first,
+                slot.screen.inverse_w + first};
+  kernels.transform_vertices(job);
+  if (run.methods[slot.draw].eye_positions) {
+    kernels.transform_positions({job.positions, draw.anchor, draw.eye_from_anchored,
+                                 tables.eye_positions.data() + slot.first_eye_position + first});
+  }
+}
+
+void transform_normals(const TileRun& run, const Kernels& kernels, const DrawSlot& slot,
+                       VertexTables& tables, std::size_t first, std::size_t count) {
+  const Draw& draw = run.list.draws[slot.draw];
+  kernels.transform_normals({std::span(draw.mesh->normals).subspan(first, count),
+                             draw.eye_normal_from_object,
+                             tables.normals.data() + slot.first_normal + first});
+}
+
+void transform_face_normals(const TileRun& run, const DrawSlot& slot, VertexTables& tables) {
+  const Draw& draw = run.list.draws[slot.draw];
+  std::vector<Normal<Eye>> normals;
+  append_face_normals(draw, normals);
+  std::ranges::copy(normals, tables.normals.begin() +
+                                 std::ptrdiff_t(slot.first_normal + draw.mesh->normals.size()));
+}
+
+}  // namespace glassbox
