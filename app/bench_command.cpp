@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "app/bench/json.h"
+#include "app/bench/page.h"
 #include "app/bench/text.h"
 #include "app/builtin_help.h"
 #include "app/exit_codes.h"
@@ -206,6 +207,10 @@ Result<void> BenchCommand::measure_scene(const std::string& name, BenchReport& r
 }
 
 Result<void> BenchCommand::write_outputs(const BenchReport& report) const {
+  if (html_output_) {
+    if (const auto written = write_text(*html_output_, bench_page(report)); !written)
+      return written;
+  }
   return json_output_ ? write_json(*json_output_, bench_json(report)) : Result<void>();
 }
 

@@ -61,7 +61,7 @@ TEST_CASE("bench tells people what it tells programs, and writes the file as wel
 
 TEST_CASE("S6 reports the run that shares the eyes' work, S7 the rejection of whole objects") {
   const Workplace place;
-  const Outcome run = place.run("bench S6 S7 --size 64x36 --frames 1 --json -");
+  const Outcome run = place.run("bench S6 S7 --threads 1 --size 64x36 --frames 1 --json -");
   REQUIRE(run.exit_code == 0);
   const json results = json::parse(run.out).at("results");
   const json& stereo = results.at(0).at("stereo");
@@ -91,6 +91,49 @@ TEST_CASE("bench refuses what it cannot measure, with a remedy") {
   refused("S3 --json no/such/place.json", "directory");
 }
 
+TEST_CASE("bench draws with either engine, and refuses threads for the one that has none") {
+  const Workplace place;
+  for (const char* words : {"--engine staged", "--target scalar", "--threads 2"}) {
+    INFO(words);
+    const Outcome run =
+        place.run(std::string("bench S2 --size 64x36 --frames 1 --json - ") + words);
+    INFO(run.err);
+    REQUIRE(run.exit_code == 0);
+    CHECK(json::parse(run.out).at("results").size() >= 1);
+  }
+  CHECK(place.run("bench S2 --engine staged --threads 2").exit_code == 2);
+}
+
+TEST_CASE("scaling reports every point up to --most, and what a triangle takes") {
+  const Workplace place;
+  const Outcome run = place.run(
+      "bench --scaling triangles --most 10000 --size 64x36 --frames 1 --json - --html page.html");
+  INFO(run.err);
+  REQUIRE(run.exit_code == 0);
+  const json scaling = json::parse(run.out).at("scaling").at(0);
+  CHECK(scaling.at("by") == "triangles");
+  REQUIRE(scaling.at("points").size() == 3);
+  for (const json& point : scaling.at("points")) CHECK(point.at("ms").get<double>() > 0);
+  CHECK(scaling.at("exponent").is_number());
+  const std::string page = place.read("page.html");
+  CHECK(page.find("<polyline") != std::string::npos);
+  CHECK(page.find("http:") == std::string::npos);
+}
+
+TEST_CASE("the floor is above nothing and the scene's bytes are those of its tables") {
+  const Workplace place;
+  const Outcome run = place.run("bench S4bf --floor --threads 1 --size 64x36 --frames 1 --json -");
+  INFO(run.err);
+  REQUIRE(run.exit_code == 0);
+  const json report = json::parse(run.out);
+  CHECK(report.at("floor").at(0).at("read_bytes_per_second").get<double>() > 0);
+  const json& result = report.at("results").at(0);
+  CHECK(result.at("floor_ms").get<double>() > 0);
+  // 256 vertices of a position and a colour, 384 indices; colours and depths of 64 x 36 pixels.
+  CHECK(result.at("least_bytes_read") == 256 * (12 + 16) + 384 * 4);
+  CHECK(result.at("least_bytes_written") == 64 * 36 * 8);
+}
+
 TEST_CASE("Mesa draws the same pictures") {
   if (!mesa_is_here()) {
     std::printf("skipped: the pictures of Mesa (no libOSMesa.so.8; install libosmesa6)\n");
@@ -98,7 +141,8 @@ TEST_CASE("Mesa draws the same pictures") {
   }
   const Workplace place;
   const Outcome run = place.run(
-      "bench S1 S2 S3 S4bf S4fb S5 S6 S7 --against mesa --size 480x270 --frames 1 --json -");
+      "bench S1 S2 S3 S4bf S4fb S5 S6 S7 --against mesa --threads 2 --size 480x270 --frames 1 "
+      "--json -");
   INFO(run.err);
   REQUIRE(run.exit_code == 0);
   const json results = json::parse(run.out).at("results");

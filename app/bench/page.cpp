@@ -1,0 +1,196 @@
+#include "app/bench/page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "app/bench/text.h"
+
+namespace glassbox::app {
+
+namespace {
+
+using study::Measurement;
+using study::Scaling;
+using study::ScalingPoint;
+
+constexpr const char* kStyle = R"(
+  :root { color-scheme: light dark; --page: #fff; --text: #171b22; --quiet: #566071; --line: #d3d7de;
+    --ours: #1456c4; --peer: #b35300; --floor: #1b6e3a; }
+  @media (prefers-color-scheme: dark) { :root { --page: #14171c; --text: #eef1f5; --quiet: #a6b0bf;
+    --line: #353c47; --ours: #7fb2ff; --peer: #ff9a4d; --floor: #6fd08c; } }
+  body { max-width: 62rem; margin: 2rem auto; padding: 0 1rem; background: var(--page); color: var(--text);
+    font: 15px system-ui, sans-serif; }
+  svg { width: 100%; height: auto; font: 13px system-ui, sans-serif; } svg text { fill: var(--text); }
+  svg .quiet { fill: var(--quiet); } .grid { stroke: var(--line); } pre { overflow-x: auto; font-size: 13px; }
+  .ours { fill: var(--ours); } .peer { fill: var(--peer); } .floor { fill: var(--floor); }
+  .curve { fill: none; stroke: var(--ours); stroke-width: 2; } .law { stroke: var(--quiet); stroke-dasharray: 6 5; }
+)";
+
+// In the picture's own units.
+constexpr double kWidth = 960, kLeft = 150, kRight = 150;
+constexpr double kPlotWidth = kWidth - kLeft - kRight;
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&') {
+      out += "&amp;";
+    } else if (c == '<') {
+      out += "&lt;";
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+
+std::string text_at(double x, double y, const char* style, const char* anchor,
+                    const std::string& what) {
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"{}\" text-anchor=\"{}\">{}</text>\n",
+                     x, y, style, anchor, escaped(what));
+}
+
+std::string line_from(const char* style, double x0, double y0, double x1, double y1) {
+  return fmt::format(
+      "<line class=\"{}\" x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\"/>\n", style, x0,
+      y0, x1, y1);
+}
+
+std::string svg(double height, const std::string& told, const std::string& body) {
+  return fmt::format("<svg viewBox=\"0 0 {} {:.0f}\" role=\"img\" aria-label=\"{}\">\n{}</svg>\n",
+                     kWidth, height, told, body);
+}
+
+// ---- bars ----
+
+struct Bar {
+  const char* style;
+  double ms;
+};
+
+std::vector<Bar> bars_of(const BenchReport& report, const Measurement& result) {
+  std::vector<Bar> bars{{"ours", result.ms.median}};
+  if (result.against) bars.push_back({"peer", result.against->ms.median});
+  if (const study::Floor* floor = report.floor_of(result)) {
+    bars.push_back({"floor", study::floor_ms(*floor, result.least)});
+  }
+  return bars;
+}
+
+// Each group by its own longest bar: scenes differ by more than a bar can show.
+std::string bar_chart(const BenchReport& report) {
+  constexpr double kBar = 13, kGap = 14;
+  std::string body;
+  double y = kGap;
+  for (const Measurement& result : report.results) {
+    const std::vector<Bar> bars = bars_of(report, result);
+    const double longest = std::ranges::max(bars, {}, &Bar::ms).ms;
+    body += text_at(kLeft - 10, y + kBar - 2, "", "end",
+                    fmt::format("{}, {} thr.", result.scene, result.threads));
+    if (result.against) {
+      body += text_at(kWidth, y + kBar - 2, "", "end", "ratio " + three_digits(result.ratio()));
+    }
+    for (const Bar& bar : bars) {
+      const double length = kPlotWidth * 0.85 * bar.ms / longest;
+      body +=
+          fmt::format("<rect class=\"{}\" x=\"{}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{}\"/>\n",
+                      bar.style, kLeft, y, std::max(length, 1.0), kBar - 2);
+      body +=
+          text_at(kLeft + length + 6, y + kBar - 2, "quiet", "start", three_digits(bar.ms) + " ms");
+      y += kBar;
+    }
+    y += kGap;
+  }
+  return svg(y, "Milliseconds for each frame; the table below has the same numbers", body);
+}
+
+// ---- curves ----
+
+// Both axes logarithmic, around the points.
+struct Axis {
+  double low = 0, high = 0;  // powers of ten
+
+  template <class ValueOf>
+  static Axis around(const std::vector<ScalingPoint>& points, const ValueOf& value_of) {
+    Axis axis{1e9, -1e9};
+    for (const ScalingPoint& point : points) {
+      axis.low = std::min(axis.low, std::floor(std::log10(value_of(point))));
+      axis.high = std::max(axis.high, std::ceil(std::log10(value_of(point))));
+    }
+    axis.high = std::max(axis.high, axis.low + 1);
+    return axis;
+  }
+  double at(double value) const { return (std::log10(value) - low) / (high - low); }
+};
+
+std::string curve_chart(const Scaling& scaling) {
+  constexpr double kTop = 12, kHeight = 300;
+  const auto ms_of = [](const ScalingPoint& point) { return point.ms.median; };
+  const Axis x_axis = Axis::around(scaling.points, [](const ScalingPoint& p) { return p.x; });
+  const Axis y_axis = Axis::around(scaling.points, ms_of);
+  const auto x_at = [&](double x) { return kLeft + kPlotWidth * x_axis.at(x); };
+  const auto y_at = [&](double ms) { return kTop + kHeight * (1 - y_axis.at(ms)); };
+  std::string body;
+  for (double power = x_axis.low; power <= x_axis.high; ++power) {
+    const double x = x_at(std::pow(10, power));
+    body += line_from("grid", x, kTop, x, kTop + kHeight);
+    body += text_at(x, kTop + kHeight + 18, "quiet", "middle",
+                    fmt::format("{:g}", std::pow(10, power)));
+  }
+  for (double power = y_axis.low; power <= y_axis.high; ++power) {
+    const double y = y_at(std::pow(10, power));
+    body += line_from("grid", kLeft, y, kLeft + kPlotWidth, y);
+    body += text_at(kLeft - 8, y + 4, "quiet", "end", fmt::format("{:g} ms", std::pow(10, power)));
+  }
+  std::string points;
+  for (const ScalingPoint& point : scaling.points) {
+    points += fmt::format("{:.1f},{:.1f} ", x_at(point.x), y_at(ms_of(point)));
+    body += fmt::format("<circle class=\"ours\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\"/>\n",
+                        x_at(point.x), y_at(ms_of(point)));
+  }
+  body += fmt::format("<polyline class=\"curve\" points=\"{}\"/>\n", points);
+  if (scaling.bend) {
+    const double x = x_at(scaling.bend->at);
+    body += line_from("law", x, kTop, x, kTop + kHeight);
+  }
+  body += text_at(kLeft + kPlotWidth / 2, kTop + kHeight + 38, "quiet", "middle",
+                  std::string(name_of(scaling.by)));
+  return svg(kTop + kHeight + 48, "Time against " + std::string(name_of(scaling.by)), body);
+}
+
+// What the colours of the bars mean.
+std::string legend(const BenchReport& report) {
+  std::string text = "Time of a frame, each scene on its own scale: Glassbox first";
+  for (const Measurement& result : report.results) {
+    if (!result.against) continue;
+    text += ", then " + result.against->peer;
+    break;
+  }
+  if (!report.floors.empty())
+    text += ", then the bytes that must move over the machine's bandwidth";
+  return "<p>" + escaped(text) + ".</p>\n";
+}
+
+}  // namespace
+
+std::string bench_page(const BenchReport& report) {
+  std::string body;
+  if (!report.results.empty()) body += legend(report) + bar_chart(report);
+  for (const Scaling& scaling : report.scalings) {
+    body += fmt::format("<h2>Time against {}</h2>\n<p>{}</p>\n", name_of(scaling.by),
+                        escaped(scaling_text(scaling)));
+    if (!scaling.points.empty()) body += curve_chart(scaling);
+  }
+  return fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
+      "'unsafe-inline'\">\n<meta name=\"viewport\" content=\"width=device-width\">\n"
+      "<title>glassbox bench</title>\n<style>{}</style>\n</head>\n<body>\n<h1>glassbox bench</h1>\n"
+      "{}<h2>Numbers</h2>\n<pre>{}</pre>\n</body>\n</html>\n",
+      kStyle, body, escaped(bench_text(report)));
+}
+
+}  // namespace glassbox::app

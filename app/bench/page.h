@@ -1,0 +1,13 @@
+// The benchmark's results as a page that needs no other file and no network.
+#pragma once
+
+#include <string>
+
+#include "app/bench/report.h"
+
+namespace glassbox::app {
+
+// Bars against the peer and the floor, curves of scaling, and the numbers as text.
+std::string bench_page(const BenchReport& report);
+
+}  // namespace glassbox::app
