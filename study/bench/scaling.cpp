@@ -69,9 +69,13 @@ Step step_at(ScaledBy by, double x, const ScalingOptions& options) {
 }
 
 std::string what_of(ScaledBy by, const ScalingOptions& options) {
-  if (by == ScaledBy::kPixels) return "S2's ellipsoid in square pictures";
-  return fmt::format("{} at {} x {}", by == ScaledBy::kTriangles ? "an ellipsoid" : "S1",
-                     options.width, options.height);
+  const int threads = options.measure.engine.tile.threads;
+  const std::string with = by == ScaledBy::kThreads ? ""
+                           : threads == 1           ? ", 1 thread"
+                                                    : fmt::format(", {} threads", threads);
+  if (by == ScaledBy::kPixels) return "S2's ellipsoid in square pictures" + with;
+  return fmt::format("{} at {} x {}{}", by == ScaledBy::kTriangles ? "an ellipsoid" : "S1",
+                     options.width, options.height, with);
 }
 
 ScalingPoint measure_step(const Step& step, const MeasureOptions& options) {

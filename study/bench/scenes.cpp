@@ -115,7 +115,7 @@ void add_cube_face(Mesh& mesh, const std::array<double, 3>& out, const std::arra
   constexpr std::array<std::array<int, 2>, 4> kCorners = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
   std::array<Corner, 4> corners;
   for (std::size_t i = 0; i < 4; ++i) {
-    const auto [s, t] = kCorners[i];
+    const int s = kCorners[i][0], t = kCorners[i][1];
     const auto at = [&](std::size_t k) { return out[k] + (2 * s - 1) * u[k] + (2 * t - 1) * v[k]; };
     const std::uint32_t index = add_position(mesh, at(0), at(1), at(2));
     add_texcoord(mesh, s, 1 - t);
