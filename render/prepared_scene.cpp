@@ -48,7 +48,8 @@ CornerIndices corner_indices(const Mesh& mesh, const Triangulation& triangulatio
     const auto lacking = std::size_t(std::ranges::count(found, kNone));
     has_any = lacking < found.size();
     indices.mixed = indices.mixed || (has_any && lacking > 0);
-    return has_any ? unless_equal(std::move(found), indices.positions) : std::vector<std::uint32_t>{};
+    return has_any ? unless_equal(std::move(found), indices.positions)
+                   : std::vector<std::uint32_t>{};
   };
   indices.texcoords = gather_optional(&Corner::texcoord, indices.has_texcoords);
   indices.colors = gather_optional(&Corner::color, indices.has_colors);

@@ -55,8 +55,7 @@ bool needs_normals(const Draw& draw, const RenderSettings& settings) {
 }
 
 bool needs_face_normals(const Draw& draw, const RenderSettings& settings) {
-  const auto has_none = [](const Corner& corner) { return corner.normal == kNone; };
-  return settings.shading == Shading::kFlat || std::ranges::any_of(draw.mesh->corners, has_none);
+  return settings.shading == Shading::kFlat || !draw.prepared->all_have_normals;
 }
 
 void append_face_normals(const Draw& draw, std::vector<Normal<Eye>>& normals) {

@@ -20,15 +20,22 @@ struct FragmentLanes {
   VF inverse_w;
 };
 
-HWY_INLINE FragmentLanes fragment_from(VF lambda0, VF lambda1, VF lambda2,
-                                       const Triple<VF>& inverse_w) {
-  const MF affine = hn::And(hn::Eq(inverse_w.v0, inverse_w.v1), hn::Eq(inverse_w.v1, inverse_w.v2));
+HWY_INLINE FragmentLanes perspective(VF lambda0, VF lambda1, VF lambda2,
+                                     const Triple<VF>& inverse_w) {
   const VF share1 = hn::Mul(lambda1, inverse_w.v1), share2 = hn::Mul(lambda2, inverse_w.v2);
   const VF q = hn::Add(hn::Add(hn::Mul(lambda0, inverse_w.v0), share1), share2);
   const VF w = hn::Div(set(1.0f), q);
-  return {hn::IfThenElse(affine, lambda1, hn::Mul(share1, w)),
-          hn::IfThenElse(affine, lambda2, hn::Mul(share2, w)),
-          hn::IfThenElse(affine, inverse_w.v0, q)};
+  return {hn::Mul(share1, w), hn::Mul(share2, w), q};
+}
+
+// Of triangles some of which may have the same w everywhere: perspective changes nothing there.
+HWY_INLINE FragmentLanes fragment_from(VF lambda0, VF lambda1, VF lambda2,
+                                       const Triple<VF>& inverse_w) {
+  const MF affine = hn::And(hn::Eq(inverse_w.v0, inverse_w.v1), hn::Eq(inverse_w.v1, inverse_w.v2));
+  const FragmentLanes seen = perspective(lambda0, lambda1, lambda2, inverse_w);
+  return {hn::IfThenElse(affine, lambda1, seen.weight1),
+          hn::IfThenElse(affine, lambda2, seen.weight2),
+          hn::IfThenElse(affine, inverse_w.v0, seen.inverse_w)};
 }
 
 HWY_INLINE VF interpolate(const FragmentLanes& at, VF a0, VF a1, VF a2) {

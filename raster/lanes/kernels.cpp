@@ -19,12 +19,8 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
-inline void fill_tile(TileBuffer& tile) {
-  for (std::size_t i = 0; i < tile.block_count(); ++i) make_plain_block_full(tile, i);
-}
-
 const Kernels kKernels{transform_vertices, transform_normals, transform_positions, select_triangles,
-                       draw_small,         draw_large,        fill_tile,           resolve_tile};
+                       draw_small,         draw_large,        resolve_tile};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace glassbox

@@ -20,9 +20,7 @@ struct Kernels {
                      TileBuffer& tile, FragmentCounts& counts);
   void (*draw_large)(const TriangleSetup& setup, Reference reference, TileBuffer& tile,
                      FragmentCounts& counts);
-  // Gives every pixel of the tile its own depth and reference.
-  void (*fill_tile)(TileBuffer& tile);
-  void (*resolve_tile)(const ResolveJob& job, const TileBuffer& tile);
+  void (*resolve_tile)(const ResolveJob& job, TileBuffer& tile);
 };
 
 // `target` is one of available_targets().

@@ -43,11 +43,10 @@ struct LargeEdge {
 
 template <int kEdge>
 HWY_INLINE LargeEdge large_edge(const TriangleSetup& setup) {
-  constexpr std::int64_t kReach = (kBlockSide - 1) * kSubpixels;
   LargeEdge e;
   e.edge = setup.edges[kEdge];
   e.least = e.edge.owns_zero ? 0 : 1;
-  const std::int64_t right = e.edge.a * kReach, down = e.edge.b * kReach;
+  const std::int64_t right = e.edge.a * kSubpixels, down = e.edge.b * kSubpixels;
   e.below = std::min<std::int64_t>(right, 0) + std::min<std::int64_t>(down, 0);
   e.above = std::max<std::int64_t>(right, 0) + std::max<std::int64_t>(down, 0);
   for (std::size_t k = 0; k < kQuadVectors; ++k)
@@ -80,33 +79,50 @@ public:
         std::max(setup_.bounds.x0, window.x0), std::max(setup_.bounds.y0, window.y0),
         std::min(setup_.bounds.x1, window.x1), std::min(setup_.bounds.y1, window.y1)};
     if (box.empty()) return;
-    for (int by = (box.y0 - window.y0) / kBlockSide; by <= (box.y1 - 1 - window.y0) / kBlockSide;
-         ++by) {
-      for (int bx = (box.x0 - window.x0) / kBlockSide; bx <= (box.x1 - 1 - window.x0) / kBlockSide;
-           ++bx) {
-        draw_block(bx, by);
-      }
+    if (codes_.nearest >= tile_.farthest()) {
+      counts_.hidden_blocks += tile_.block_count();
+      return;
     }
+    const Place tile_place = place_of(window.x0, window.y0, tile_.side());
+    if (tile_place == Place::kOutside) return;
+    const int first_x = (box.x0 - window.x0) / kBlockSide,
+              last_x = (box.x1 - 1 - window.x0) / kBlockSide;
+    const int first_y = (box.y0 - window.y0) / kBlockSide,
+              last_y = (box.y1 - 1 - window.y0) / kBlockSide;
+    for (int by = first_y; by <= last_y; ++by) {
+      for (int bx = first_x; bx <= last_x; ++bx) draw_block(bx, by, tile_place);
+    }
+    if (tile_place == Place::kInside) tile_.lower_farthest(codes_.farthest);
   }
 
 private:
-  HWY_INLINE void draw_block(int bx, int by) {
-    const PixelRect& window = tile_.window();
-    const int x = window.x0 + bx * kBlockSide, y = window.y0 + by * kBlockSide;
+  enum class Place { kOutside, kCrossed, kInside };
+
+  // Where the square of `side` pixels at (x, y) lies: the extremes of an edge function over it are at its corners.
+  HWY_INLINE Place place_of(int x, int y, int side) const {
     bool inside = true;
     for (const LargeEdge& e : edges_) {
       const std::int64_t first = e.edge.at(std::int64_t(x) * kSubpixels + kPixelCentre,
                                            std::int64_t(y) * kSubpixels + kPixelCentre);
-      if (first + e.above < e.least) return;
-      inside = inside && first + e.below >= e.least;
+      if (first + e.above * (side - 1) < e.least) return Place::kOutside;
+      inside = inside && first + e.below * (side - 1) >= e.least;
     }
+    return inside ? Place::kInside : Place::kCrossed;
+  }
+
+  HWY_INLINE void draw_block(int bx, int by, Place tile_place) {
+    const PixelRect& window = tile_.window();
+    const int x = window.x0 + bx * kBlockSide, y = window.y0 + by * kBlockSide;
     const std::size_t index = tile_.block_index(bx, by);
     TileBlock& block = tile_.block(index);
     if (codes_.nearest >= block.farthest) {
       ++counts_.hidden_blocks;
       return;
     }
-    const bool whole = inside && x + kBlockSide <= window.x1 && y + kBlockSide <= window.y1;
+    const Place place = tile_place == Place::kInside ? tile_place : place_of(x, y, kBlockSide);
+    if (place == Place::kOutside) return;
+    const bool whole =
+        place == Place::kInside && x + kBlockSide <= window.x1 && y + kBlockSide <= window.y1;
     if (whole && codes_.farthest < block.nearest) {
       block = {codes_.nearest, codes_.farthest, true, reference_,
                codes_.nearest == codes_.farthest ? nullptr : &setup_};

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <type_traits>
 
 #include <glassbox/raster/lanes/shade-inl.h>
 
@@ -35,24 +36,40 @@ struct QuadPixels {
   HWY_ALIGN std::int32_t id[kQuadPixels];
 };
 
+// Calls work(row, columns) for the quad's rows that lie on the screen. Almost all quads do so wholly, and copying a number of bytes
+// that the compiler knows is one instruction.
+template <class Work>
+HWY_INLINE void for_each_row(const PixelRect& window, int x, int y, const Work& work) {
+  if (HWY_LIKELY(x + kQuadSide <= window.x1 && y + kQuadSide <= window.y1)) {
+    for (int row = 0; row < kQuadSide; ++row) {
+      work(row, std::integral_constant<std::size_t, kQuadSide>());
+    }
+    return;
+  }
+  const auto columns = std::size_t(std::min(kQuadSide, window.x1 - x));
+  const int rows = std::min(kQuadSide, window.y1 - y);
+  for (int row = 0; row < rows; ++row) work(row, columns);
+}
+
 template <class To, class From>
 HWY_INLINE void store_quad(const From* from, Image<To>& image, const PixelRect& window, int x,
                            int y) {
   static_assert(sizeof(To) == sizeof(From));
-  const int columns = std::min(kQuadSide, window.x1 - x), rows = std::min(kQuadSide, window.y1 - y);
-  for (int row = 0; row < rows; ++row) {
-    std::memcpy(static_cast<void*>(&image.pixels[image.index(x, y + row)]), from + row * kQuadSide,
-                std::size_t(columns) * sizeof(To));
-  }
+  To* to = image.pixels.data() + image.index(x, y);
+  for_each_row(window, x, y, [&](int row, auto columns) HWY_ATTR {
+    std::memcpy(static_cast<void*>(to + std::size_t(row) * std::size_t(image.width)),
+                from + row * kQuadSide, columns * sizeof(To));
+  });
 }
 template <class To, class From>
 HWY_INLINE void load_quad(From* to, const Image<To>& image, const PixelRect& window, int x, int y) {
   static_assert(sizeof(To) == sizeof(From));
-  const int columns = std::min(kQuadSide, window.x1 - x), rows = std::min(kQuadSide, window.y1 - y);
-  for (int row = 0; row < rows; ++row) {
-    std::memcpy(to + row * kQuadSide, &image.pixels[image.index(x, y + row)],
-                std::size_t(columns) * sizeof(To));
-  }
+  const To* from = image.pixels.data() + image.index(x, y);
+  for_each_row(window, x, y, [&](int row, auto columns) HWY_ATTR {
+    std::memcpy(to + row * kQuadSide,
+                static_cast<const void*>(from + std::size_t(row) * std::size_t(image.width)),
+                columns * sizeof(To));
+  });
 }
 
 inline std::int32_t bytes_of(const ColorMask& mask) {
@@ -63,8 +80,11 @@ inline std::int32_t bytes_of(const ColorMask& mask) {
 
 class TileResolver {
 public:
-  TileResolver(const ResolveJob& job, const TileBuffer& tile)
-      : job_(job), tile_(tile), mask_(bytes_of(job.mask)) {}
+  TileResolver(const ResolveJob& job, TileBuffer& tile)
+      : job_(job),
+        tile_(tile),
+        mask_(bytes_of(job.mask)),
+        has_other_planes_(job.picture != nullptr || job.distance != nullptr || job.id != nullptr) {}
 
   void resolve() {
     const PixelRect& window = tile_.window();
@@ -72,6 +92,12 @@ public:
       for (int x = window.x0; x < window.x1; x += kBlockSide) {
         const std::size_t block =
             tile_.block_index((x - window.x0) / kBlockSide, (y - window.y0) / kBlockSide);
+        const TileBlock& b = tile_.block(block);
+        if (b.plain && b.reference == kNothing && !job_.keep_picture &&
+            x + kBlockSide <= window.x1 && y + kBlockSide <= window.y1) {
+          clear_block(x, y);
+          continue;
+        }
         for (int quad = 0; quad < kBlockQuads; ++quad) {
           const int qx = x + (quad % 2) * kQuadSide, qy = y + (quad / 2) * kQuadSide;
           if (qx < window.x1 && qy < window.y1) resolve_quad(block, quad, qx, qy);
@@ -81,11 +107,31 @@ public:
   }
 
 private:
+  // Nothing is seen in the block.
+  HWY_INLINE void clear_block(int x, int y) const {
+    const auto clear = [&](auto* image, auto value) HWY_ATTR {
+      if (image == nullptr) return;
+      for (int row = 0; row < kBlockSide; ++row) {
+        std::fill_n(image->pixels.data() + image->index(x, y + row), kBlockSide, value);
+      }
+    };
+    clear(job_.picture, job_.background);
+    clear(job_.depth, kEmptyDepth);
+    clear(job_.distance, std::numeric_limits<float>::infinity());
+    clear(job_.id, std::uint32_t{0});
+  }
+
   HWY_INLINE void resolve_quad(std::size_t block, int quad, int x, int y) {
+    if (job_.depth != nullptr) store_depths(block, quad, x, y);
     const TileBlock& b = tile_.block(block);
+    if (!has_other_planes_) return;
     if (b.plain && b.reference == kNothing && job_.keep_picture) return;
     QuadPixels pixels;
-    if (job_.keep_picture) load(pixels, x, y);
+    if (job_.keep_picture) {
+      load(pixels, x, y);
+    } else {
+      clear(pixels);
+    }
     for (std::size_t k = 0; k < kQuadPixels; k += kLanes) {
       const auto* at = reinterpret_cast<const std::int32_t*>(
           tile_.reference() + block * kBlockPixels + std::size_t(quad) * kQuadPixels + k);
@@ -97,6 +143,29 @@ private:
     if (job_.id != nullptr) store_quad(pixels.id, *job_.id, window, x, y);
   }
 
+  // Plain blocks are filled in where their depths differ.
+  HWY_INLINE void store_depths(std::size_t block, int quad, int x, int y) {
+    if (tile_.block(block).triangle != nullptr) make_plain_block_full(tile_, block);
+    const TileBlock& b = tile_.block(block);
+    HWY_ALIGN std::int32_t codes[kQuadPixels];
+    for (std::size_t k = 0; k < kQuadPixels; k += kLanes) {
+      const TileDepth* at =
+          tile_.depth() + block * kBlockPixels + std::size_t(quad) * kQuadPixels + k;
+      const VI depth = b.plain ? set(b.nearest) : hn::Load(kI, at);
+      const MI empty = hn::Eq(depth, set(kEmptyTileDepth));
+      hn::Store(hn::IfThenElse(empty, set(std::int32_t(kEmptyDepth)), depth), kI, codes + k);
+    }
+    store_quad(codes, *job_.depth, tile_.window(), x, y);
+  }
+
+  HWY_INLINE void clear(QuadPixels& pixels) const {
+    for (std::size_t k = 0; k < kQuadPixels; k += kLanes) {
+      hn::Store(set(std::bit_cast<std::int32_t>(job_.background)), kI, pixels.color + k);
+      hn::Store(set(std::numeric_limits<float>::infinity()), kF, pixels.distance + k);
+      hn::Store(hn::Zero(kI), kI, pixels.id + k);
+    }
+  }
+
   HWY_INLINE void load(QuadPixels& pixels, int x, int y) const {
     const PixelRect& window = tile_.window();
     if (job_.picture != nullptr) load_quad(pixels.color, *job_.picture, window, x, y);
@@ -105,11 +174,6 @@ private:
   }
 
   HWY_INLINE void resolve_lanes(VI seen, int x, int y, std::size_t k, QuadPixels& pixels) {
-    if (!job_.keep_picture) {
-      hn::Store(set(std::bit_cast<std::int32_t>(job_.background)), kI, pixels.color + k);
-      hn::Store(set(std::numeric_limits<float>::infinity()), kF, pixels.distance + k);
-      hn::Store(hn::Zero(kI), kI, pixels.id + k);
-    }
     MI pending = hn::And(hn::Ne(seen, set(std::int32_t(kNothing))),
                          hn::Ne(seen, set(std::int32_t(kInPicture))));
     while (!hn::AllFalse(kI, pending)) {
@@ -119,8 +183,12 @@ private:
       MI same;
       if ((first & kLargeReference) != 0) {
         same = hn::And(pending, hn::Eq(seen, set(std::int32_t(first))));
-        const LargeTriangle& triangle = *job_.large[first & ~kLargeReference];
-        finish(job_.draws[triangle.draw], LargeSource(triangle, x, y, k), same, k, pixels);
+        if (first != large_reference_) {
+          large_reference_ = first;
+          large_ = LargeSource(*job_.large[first & ~kLargeReference]);
+        }
+        large_.move_to(x, y, k);
+        finish(job_.draws[large_.triangle().draw], large_, same, k, pixels);
       } else {
         const ShadeDraw& draw = draw_of(first);
         const VI begin = set(std::int32_t(draw.first_reference));
@@ -166,12 +234,16 @@ private:
   }
 
   const ResolveJob& job_;
-  const TileBuffer& tile_;
+  TileBuffer& tile_;
   std::int32_t mask_;
-  const ShadeDraw* draw_ = nullptr;  // of the pixel before
+  bool has_other_planes_;
+  // Of the pixels before: neighbours are likely to have the same.
+  const ShadeDraw* draw_ = nullptr;
+  Reference large_reference_ = kNothing;
+  LargeSource large_;
 };
 
-inline void resolve_tile(const ResolveJob& job, const TileBuffer& tile) {
+inline void resolve_tile(const ResolveJob& job, TileBuffer& tile) {
   TileResolver(job, tile).resolve();
 }
 

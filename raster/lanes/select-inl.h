@@ -38,8 +38,9 @@ inline std::size_t select_triangles(const SelectJob& job, Selected* selected,
     const VI triangle = hn::Min(hn::Iota(kI, std::int32_t(job.first + i)),
                                 set(std::int32_t(job.first + job.count - 1)));
     const Triple<VI> vertices = gather_indices(job.positions, triangle);
-    const Triple<VI> x = gather(kI, job.screen.x, vertices);
-    const Triple<VI> y = gather(kI, job.screen.y, vertices);
+    const Triple<VI> entries = entries_of(vertices);
+    const Triple<VI> x = gather_x(job.screen, entries);
+    const Triple<VI> y = gather_y(job.screen, entries);
     const VI left = smallest(x), right = largest(x), top = smallest(y), bottom = largest(y);
 
     // A difference that wraps around is negative: the triangle is not small.

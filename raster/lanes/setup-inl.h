@@ -33,6 +33,25 @@ HWY_INLINE Triple<hn::Vec<D>> gather(D d, const T* table, const Triple<VI>& at) 
           hn::GatherIndex(d, table, at.v2)};
 }
 
+// Columns of the screen's table, at the vertices. An entry is four words.
+HWY_INLINE Triple<VI> entries_of(const Triple<VI>& vertices) {
+  static_assert(sizeof(SnappedEntry) == 4 * sizeof(std::int32_t));
+  return {hn::ShiftLeft<2>(vertices.v0), hn::ShiftLeft<2>(vertices.v1),
+          hn::ShiftLeft<2>(vertices.v2)};
+}
+HWY_INLINE Triple<VI> gather_x(const SnappedEntry* screen, const Triple<VI>& entries) {
+  return gather(kI, &screen->x, entries);
+}
+HWY_INLINE Triple<VI> gather_y(const SnappedEntry* screen, const Triple<VI>& entries) {
+  return gather(kI, &screen->y, entries);
+}
+HWY_INLINE Triple<VF> gather_z(const SnappedEntry* screen, const Triple<VI>& entries) {
+  return gather(kF, &screen->z, entries);
+}
+HWY_INLINE Triple<VF> gather_inverse_w(const SnappedEntry* screen, const Triple<VI>& entries) {
+  return gather(kF, &screen->inverse_w, entries);
+}
+
 // double_area() of fan.h: positive where the triangle runs clockwise on the screen.
 HWY_INLINE VI double_area(const Triple<VI>& x, const Triple<VI>& y) {
   return hn::Sub(hn::Mul(hn::Sub(x.v1, x.v0), hn::Sub(y.v2, y.v0)),

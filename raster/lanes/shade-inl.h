@@ -44,10 +44,11 @@ class SmallSource {
 public:
   HWY_INLINE SmallSource(const ShadeDraw& draw, VI triangle, VI pixel_x, VI pixel_y)
       : draw_(draw), triangle_(triangle), vertices_(gather_indices(draw.positions, triangle)) {
-    Triple<VI> x = gather(kI, draw.screen.x, vertices_);
-    Triple<VI> y = gather(kI, draw.screen.y, vertices_);
-    const Triple<VF> z = gather(kF, draw.screen.z, vertices_);
-    Triple<VF> inverse_w = gather(kF, draw.screen.inverse_w, vertices_);
+    const Triple<VI> entries = entries_of(vertices_);
+    Triple<VI> x = gather_x(draw.screen, entries);
+    Triple<VI> y = gather_y(draw.screen, entries);
+    const Triple<VF> z = gather_z(draw.screen, entries);
+    Triple<VF> inverse_w = gather_inverse_w(draw.screen, entries);
     const VI signed_area = double_area(x, y);
     order_ = order_of(signed_area, z);
     // Clockwise on the screen shows the front of what is mirrored.
@@ -96,7 +97,7 @@ public:
                                        gather_vec3(draw_.eye_positions, vertices_.v1),
                                        gather_vec3(draw_.eye_positions, vertices_.v2)});
   }
-  HWY_INLINE RgbaLanes color() const {
+  HWY_INLINE RgbLanes color() const {
     const Triple<VI> corner = corners(draw_.color_indices);
     const float* table = &draw_.colors->r;
     const auto channel = [&](int c) HWY_ATTR {
@@ -105,7 +106,7 @@ public:
       };
       return interpolate(at_, at_vertex(corner.v0), at_vertex(corner.v1), at_vertex(corner.v2));
     };
-    return {channel(0), channel(1), channel(2), channel(3)};
+    return {channel(0), channel(1), channel(2)};
   }
   HWY_INLINE TexcoordLanes texcoord() const {
     const TexcoordTriples t = texcoords();
@@ -178,35 +179,51 @@ private:
 // One large triangle in all lanes.
 class LargeSource {
 public:
-  HWY_INLINE LargeSource(const LargeTriangle& triangle, int quad_x, int quad_y, std::size_t i)
-      : triangle_(triangle), vertices_(triangle.vertices) {
-    const TriangleSetup& setup = triangle.setup;
-    const VF inverse_area = set(setup.inverse_area);
-    const auto lambda = [&](const Doubles& offsets, int k) HWY_ATTR {
-      const double first = edge_at_pixel(setup.edges[std::size_t(k)], quad_x, quad_y);
-      return hn::Mul(round_to_float(plus(offsets, first)), inverse_area);
-    };
-    const VF lambda1 = lambda(quad_offsets<1>(setup, i), 1);
-    const VF lambda2 = lambda(quad_offsets<2>(setup, i), 2);
-    at_ =
-        fragment_from(lambda(quad_offsets<0>(setup, i), 0), lambda1, lambda2,
-                      {set(setup.inverse_w[0]), set(setup.inverse_w[1]), set(setup.inverse_w[2])});
-    depth_ = depth_at(set(setup.depth[0]), set(setup.depth[1] - setup.depth[0]),
-                      set(setup.depth[2] - setup.depth[0]), lambda1, lambda2);
+  LargeSource() = default;
+  HWY_INLINE explicit LargeSource(const LargeTriangle& triangle) : triangle_(&triangle) {
+    for (std::size_t k = 0; k < kQuadVectors; ++k) {
+      offsets0_[k] = quad_offsets<0>(triangle.setup, k * kLanes);
+      offsets1_[k] = quad_offsets<1>(triangle.setup, k * kLanes);
+      offsets2_[k] = quad_offsets<2>(triangle.setup, k * kLanes);
+    }
   }
 
+  // To the lanes that begin at pixel `i` of the quad at (x, y).
+  HWY_INLINE void move_to(int x, int y, std::size_t i) {
+    const TriangleSetup& setup = triangle_->setup;
+    const VF inverse_area = set(setup.inverse_area);
+    const auto lambda = [&](const Doubles& offsets, std::size_t k) HWY_ATTR {
+      return hn::Mul(round_to_float(plus(offsets, edge_at_pixel(setup.edges[k], x, y))),
+                     inverse_area);
+    };
+    const std::size_t vector = i / kLanes;
+    lambda1_ = lambda(offsets1_[vector], 1);
+    lambda2_ = lambda(offsets2_[vector], 2);
+    if (setup.affine) {
+      at_ = {lambda1_, lambda2_, set(setup.inverse_w[0])};
+    } else {
+      at_ =
+          perspective(lambda(offsets0_[vector], 0), lambda1_, lambda2_,
+                      {set(setup.inverse_w[0]), set(setup.inverse_w[1]), set(setup.inverse_w[2])});
+    }
+  }
+
+  const LargeTriangle& triangle() const { return *triangle_; }
   const FragmentLanes& at() const { return at_; }
-  VF depth() const { return depth_; }
+  HWY_INLINE VF depth() const {
+    const std::array<float, 3>& d = triangle_->setup.depth;
+    return depth_at(set(d[0]), set(d[1] - d[0]), set(d[2] - d[0]), lambda1_, lambda2_);
+  }
   HWY_INLINE Vec3 normal() const { return vector(&Varyings::normal); }
-  HWY_INLINE RgbaLanes color() const {
+  HWY_INLINE RgbLanes color() const {
     return {component(&Varyings::color, 0), component(&Varyings::color, 1),
-            component(&Varyings::color, 2), component(&Varyings::color, 3)};
+            component(&Varyings::color, 2)};
   }
   HWY_INLINE TexcoordLanes texcoord() const {
     return {component(&Varyings::texcoord, 0), component(&Varyings::texcoord, 1)};
   }
   HWY_INLINE PlaneLanes texture_planes() const {
-    const TexturePlanes& p = triangle_.texture;
+    const TexturePlanes& p = triangle_->texture;
     return {
         {set(p.origin[0]), set(p.origin[1])},
         {{set(p.over_w[0][0]), set(p.over_w[0][1])}, {set(p.over_w[1][0]), set(p.over_w[1][1])}},
@@ -220,31 +237,31 @@ public:
     return illuminate(*job.lighting, vector(&Varyings::position), normal, draw.material->shininess,
                       draw.highlights);
   }
-  VI id() const { return set(std::int32_t(triangle_.number + 1)); }
+  VI id() const { return set(std::int32_t(triangle_->number + 1)); }
 
 private:
   template <class Member>
   HWY_INLINE VF component(Member member, std::size_t i) const {
-    return interpolate(at_, set((vertices_[0].*member)[i]), set((vertices_[1].*member)[i]),
-                       set((vertices_[2].*member)[i]));
+    const std::array<Varyings, 3>& v = triangle_->vertices;
+    return interpolate(at_, set((v[0].*member)[i]), set((v[1].*member)[i]), set((v[2].*member)[i]));
   }
   template <class Member>
   HWY_INLINE Vec3 vector(Member member) const {
     return {component(member, 0), component(member, 1), component(member, 2)};
   }
 
-  const LargeTriangle& triangle_;
-  const std::array<Varyings, 3>& vertices_;
+  const LargeTriangle* triangle_ = nullptr;
+  Doubles offsets0_[kQuadVectors], offsets1_[kQuadVectors], offsets2_[kQuadVectors];
+  VF lambda1_, lambda2_;
   FragmentLanes at_;
-  VF depth_;
 };
 
 // ---- colour ----
 
 // Samples that look at several levels, one lane after the other.
 template <class Source>
-HWY_INLINE RgbaLanes sample_levels(const ShadeDraw& draw, const ResolveJob& job,
-                                   const Source& source, const TexcoordLanes& at) {
+HWY_INLINE RgbLanes sample_levels(const ShadeDraw& draw, const ResolveJob& job,
+                                  const Source& source, const TexcoordLanes& at) {
   const PlaneLanes planes = source.texture_planes();
   const VF w = hn::Div(set(1.0f), source.at().inverse_w);
   const auto change = [&](VF over_w, VF coordinate, VF origin, VF inverse_w) HWY_ATTR {
@@ -269,31 +286,29 @@ HWY_INLINE RgbaLanes sample_levels(const ShadeDraw& draw, const ResolveJob& job,
                               ColorMask{true, true, true, false});
     r[i] = texel.r, g[i] = texel.g, b[i] = texel.b;
   }
-  return {hn::Load(kF, r), hn::Load(kF, g), hn::Load(kF, b), hn::Zero(kF)};
+  return {hn::Load(kF, r), hn::Load(kF, g), hn::Load(kF, b)};
 }
 
 template <class Source>
-HWY_INLINE RgbaLanes texture_color(const ShadeDraw& draw, const ResolveJob& job,
-                                   const Source& source) {
+HWY_INLINE RgbLanes texture_color(const ShadeDraw& draw, const ResolveJob& job,
+                                  const Source& source) {
   const TexcoordLanes at = source.texcoord();
   if (!samples_base_only(*draw.sampler)) return sample_levels(draw, job, source, at);
-  return sample_base(*draw.texture, *draw.sampler, at.u, at.v, job.transfer, false);
+  return sample_base(*draw.texture, *draw.sampler, at.u, at.v, job.transfer);
 }
 
 template <class Source>
-HWY_INLINE RgbaLanes surface_color(const ShadeDraw& draw, const ResolveJob& job,
-                                   const Source& source) {
+HWY_INLINE RgbLanes surface_color(const ShadeDraw& draw, const ResolveJob& job,
+                                  const Source& source) {
   const Rgba& base = draw.material->base_color;
-  RgbaLanes color{set(base.r), set(base.g), set(base.b), set(base.a)};
+  RgbLanes color{set(base.r), set(base.g), set(base.b)};
   if (draw.color_indices != nullptr) {
-    const RgbaLanes vertex = source.color();
-    color = {hn::Mul(color.r, vertex.r), hn::Mul(color.g, vertex.g), hn::Mul(color.b, vertex.b),
-             hn::Mul(color.a, vertex.a)};
+    const RgbLanes vertex = source.color();
+    color = {hn::Mul(color.r, vertex.r), hn::Mul(color.g, vertex.g), hn::Mul(color.b, vertex.b)};
   }
   if (draw.texture != nullptr) {
-    const RgbaLanes texel = texture_color(draw, job, source);
-    color = {hn::Mul(color.r, texel.r), hn::Mul(color.g, texel.g), hn::Mul(color.b, texel.b),
-             color.a};
+    const RgbLanes texel = texture_color(draw, job, source);
+    color = {hn::Mul(color.r, texel.r), hn::Mul(color.g, texel.g), hn::Mul(color.b, texel.b)};
   }
   return color;
 }
@@ -305,8 +320,8 @@ HWY_INLINE VF reflected(VF base, VF diffuse, float material_specular, VF specula
 }
 
 template <class Source>
-HWY_INLINE RgbaLanes lit(const ShadeDraw& draw, const ResolveJob& job, const Source& source,
-                         const RgbaLanes& base) {
+HWY_INLINE RgbLanes lit(const ShadeDraw& draw, const ResolveJob& job, const Source& source,
+                        const RgbLanes& base) {
   if (draw.light == LightAt::kNowhere) return base;
   const Vec3 normal = source.normal();
   const ReflectionLanes light = source.reflection(draw, job, normal);
@@ -323,14 +338,13 @@ HWY_INLINE RgbaLanes lit(const ShadeDraw& draw, const ResolveJob& job, const Sou
           reflected(base.g, light.diffuse.y, shine[1], light.specular.y, draw.highlights), base.g),
       hn::IfThenElse(
           has_normal,
-          reflected(base.b, light.diffuse.z, shine[2], light.specular.z, draw.highlights), base.b),
-      base.a};
+          reflected(base.b, light.diffuse.z, shine[2], light.specular.z, draw.highlights), base.b)};
 }
 
 // The bytes of an opaque fragment as one integer.
 template <class Source>
 HWY_INLINE VI shade(const ShadeDraw& draw, const ResolveJob& job, const Source& source) {
-  const RgbaLanes color = lit(draw, job, source, surface_color(draw, job, source));
+  const RgbLanes color = lit(draw, job, source, surface_color(draw, job, source));
   return hn::Or(
       hn::Or(encode(job.transfer, color.r), hn::ShiftLeft<8>(encode(job.transfer, color.g))),
       hn::Or(hn::ShiftLeft<16>(encode(job.transfer, color.b)), set(std::int32_t(0xff000000u))));

@@ -32,9 +32,10 @@ struct SmallSetups {
 
 HWY_INLINE void set_up(const SmallJob& job, VI triangle, const PixelRect& window, SmallSetups& to) {
   const Triple<VI> vertices = gather_indices(job.positions, triangle);
-  Triple<VI> x = gather(kI, job.screen.x, vertices);
-  Triple<VI> y = gather(kI, job.screen.y, vertices);
-  Triple<VF> z = gather(kF, job.screen.z, vertices);
+  const Triple<VI> entries = entries_of(vertices);
+  Triple<VI> x = gather_x(job.screen, entries);
+  Triple<VI> y = gather_y(job.screen, entries);
+  Triple<VF> z = gather_z(job.screen, entries);
   const VI signed_area = double_area(x, y);
   const Order order = order_of(signed_area, z);
   x = put_in_order(order, x);

@@ -24,13 +24,12 @@ namespace glassbox {
 
 // ---- vertices ----
 
-// Positions on the screen, snapped, by position of the mesh. A vertex that clipping has to look at has x = kNeedsClipping.
+// A position of the mesh on the screen, snapped. One that clipping has to look at has x = kNeedsClipping.
 inline constexpr std::int32_t kNeedsClipping = std::numeric_limits<std::int32_t>::min();
-struct ScreenTable {
-  std::int32_t* x = nullptr;  // 1/256 pixel
-  std::int32_t* y = nullptr;
-  float* z = nullptr;  // depth of NDC
-  float* inverse_w = nullptr;
+struct SnappedEntry {
+  std::int32_t x = 0, y = 0;  // 1/256 pixel
+  float z = 0;                // depth of NDC
+  float inverse_w = 0;
 };
 
 // Object space to the screen, for some of a mesh's positions.
@@ -44,7 +43,7 @@ struct VertexJob {
   float far_factor = 1;
   float smallest_w = 0;
   float band_x = 1, band_y = 1;  // |x| <= band_x w
-  ScreenTable screen;
+  SnappedEntry* screen = nullptr;
 };
 
 // Unit normals in eye space, and positions there.
@@ -67,15 +66,15 @@ using IndexTriples = const std::uint32_t*;
 
 enum class Facing : std::uint8_t { kFront = 1, kBack = 2, kBoth = 3 };
 
-// Small triangles are at most this many pixels wide and high, so that everything about them fits 32 bits: differences of
-// coordinates have 14 bits, edge functions up to a block beyond their box 29.
-inline constexpr int kSmallSide = 16;
+// Small triangles are at most this many pixels wide and high, so that everything about them fits 32 bits: with s = 64 * 256, an edge
+// function within a quad of the box is below 2 s (s + 4 * 256) < 2^30, and so is twice the area.
+inline constexpr int kSmallSide = 64;
 
 struct SelectJob {
   IndexTriples positions;
-  ScreenTable screen;
-  std::uint32_t first = 0, count = 0;  // triangles
-  bool mirrored = false;               // Draw::mirrored
+  const SnappedEntry* screen = nullptr;  // by position
+  std::uint32_t first = 0, count = 0;    // triangles
+  bool mirrored = false;                 // Draw::mirrored
   bool keep_front = true, keep_back = false;
   bool all_large = false;  // leave every triangle to the staged primitives
   PixelRect window;
@@ -100,8 +99,8 @@ struct SelectCounts {
 // Some small triangles of one draw.
 struct SmallJob {
   IndexTriples positions;
-  ScreenTable screen;
-  Reference first_reference = 1;  // of triangle 0
+  const SnappedEntry* screen = nullptr;  // by position
+  Reference first_reference = 1;         // of triangle 0
 };
 
 // A triangle that does not fit the 32 bits of the small ones, or that clipping has made.
@@ -128,7 +127,7 @@ enum class LightAt : std::uint8_t { kNowhere, kVertices, kFragments };
 struct ShadeDraw {
   Reference first_reference = 1, end_reference = 1;  // of the small triangles
   IndexTriples positions = nullptr;
-  ScreenTable screen;
+  const SnappedEntry* screen = nullptr;  // by position
   bool mirrored = false;
   const Triangle* triangles = nullptr;
   std::uint32_t first_number = 0;  // of the draw's triangles, in the whole scene
@@ -162,7 +161,8 @@ struct ResolveJob {
 
   // Planes that are not wanted are null.
   Image<Rgba8>* picture = nullptr;
-  Image<float>* distance = nullptr;  // along the gaze
+  Image<std::uint32_t>* depth = nullptr;  // depth_code()
+  Image<float>* distance = nullptr;       // along the gaze
   Image<std::uint32_t>* id = nullptr;
   bool perspective = true;
   double near = 0, far = 0;  // of a parallel view

@@ -18,8 +18,8 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
-struct RgbaLanes {
-  VF r, g, b, a;
+struct RgbLanes {
+  VF r, g, b;
 };
 
 HWY_INLINE VF mix(VF a, VF b, VF t) {
@@ -68,19 +68,17 @@ HWY_INLINE VI wrap_texel(Wrap wrap, VI i, int size) {
   return i;
 }
 
-// Red, green and blue, and alpha where it is wanted.
-HWY_INLINE RgbaLanes decode_texel(VI texel, Transfer transfer, bool alpha) {
+// Without alpha, which opaque surfaces have no use for.
+HWY_INLINE RgbLanes decode_texel(VI texel, Transfer transfer) {
   static_assert(std::endian::native == std::endian::little);
   const VI byte = set(255);
   return {decode(transfer, hn::And(texel, byte)),
           decode(transfer, hn::And(hn::ShiftRight<8>(texel), byte)),
-          decode(transfer, hn::And(hn::ShiftRight<16>(texel), byte)),
-          alpha ? decode_unorm8(hn::And(hn::ShiftRight<24>(texel), byte)) : hn::Zero(kF)};
+          decode(transfer, hn::And(hn::ShiftRight<16>(texel), byte))};
 }
 
-HWY_INLINE RgbaLanes mix(const RgbaLanes& a, const RgbaLanes& b, VF t, bool alpha) {
-  return {mix(a.r, b.r, t), mix(a.g, b.g, t), mix(a.b, b.b, t),
-          alpha ? mix(a.a, b.a, t) : hn::Zero(kF)};
+HWY_INLINE RgbLanes mix(const RgbLanes& a, const RgbLanes& b, VF t) {
+  return {mix(a.r, b.r, t), mix(a.g, b.g, t), mix(a.b, b.b, t)};
 }
 
 HWY_INLINE VI texel_at(const Image<Rgba8>& image, VI x, VI y) {
@@ -88,17 +86,17 @@ HWY_INLINE VI texel_at(const Image<Rgba8>& image, VI x, VI y) {
   return hn::GatherIndex(kI, pixels, hn::Add(hn::Mul(y, set(image.width)), x));
 }
 
-HWY_INLINE RgbaLanes sample_nearest(const Image<Rgba8>& image, const Sampler& sampler, VF u, VF v,
-                                    Transfer transfer, bool alpha) {
+HWY_INLINE RgbLanes sample_nearest(const Image<Rgba8>& image, const Sampler& sampler, VF u, VF v,
+                                   Transfer transfer) {
   const VI x = hn::ConvertTo(kI, hn::Floor(hn::Mul(u, set(float(image.width)))));
   const VI y = hn::ConvertTo(kI, hn::Floor(hn::Mul(v, set(float(image.height)))));
   return decode_texel(texel_at(image, wrap_texel(sampler.wrap_u, x, image.width),
                                wrap_texel(sampler.wrap_v, y, image.height)),
-                      transfer, alpha);
+                      transfer);
 }
 
-HWY_INLINE RgbaLanes sample_linear(const Image<Rgba8>& image, const Sampler& sampler, VF u, VF v,
-                                   Transfer transfer, bool alpha) {
+HWY_INLINE RgbLanes sample_linear(const Image<Rgba8>& image, const Sampler& sampler, VF u, VF v,
+                                  Transfer transfer) {
   const VF x = hn::Sub(hn::Mul(u, set(float(image.width))), set(0.5f));
   const VF y = hn::Sub(hn::Mul(v, set(float(image.height))), set(0.5f));
   const VF left = hn::Floor(x), above = hn::Floor(y);
@@ -108,11 +106,10 @@ HWY_INLINE RgbaLanes sample_linear(const Image<Rgba8>& image, const Sampler& sam
   const VI x1 = wrap_texel(sampler.wrap_u, hn::Add(column, set(1)), image.width);
   const VI y0 = wrap_texel(sampler.wrap_v, row, image.height);
   const VI y1 = wrap_texel(sampler.wrap_v, hn::Add(row, set(1)), image.height);
-  const auto texel = [&](VI tx, VI ty) HWY_ATTR {
-    return decode_texel(texel_at(image, tx, ty), transfer, alpha);
-  };
-  return mix(mix(texel(x0, y0), texel(x1, y0), across, alpha),
-             mix(texel(x0, y1), texel(x1, y1), across, alpha), down, alpha);
+  const auto texel = [&](VI tx, VI ty)
+                         HWY_ATTR { return decode_texel(texel_at(image, tx, ty), transfer); };
+  return mix(mix(texel(x0, y0), texel(x1, y0), across), mix(texel(x0, y1), texel(x1, y1), across),
+             down);
 }
 
 // Whether sample_base() is what sample() gives, whatever the level of detail.
@@ -120,14 +117,14 @@ inline bool samples_base_only(const Sampler& sampler) {
   return sampler.mip == MipFilter::kNone && sampler.magnify == sampler.minify;
 }
 
-HWY_INLINE RgbaLanes sample_base(const MipChain& texture, const Sampler& sampler, VF u, VF v,
-                                 Transfer transfer, bool alpha) {
+HWY_INLINE RgbLanes sample_base(const MipChain& texture, const Sampler& sampler, VF u, VF v,
+                                Transfer transfer) {
   const VF wrapped_u = wrap_coordinate(sampler.wrap_u, u);
   const VF wrapped_v = wrap_coordinate(sampler.wrap_v, v);
   const Image<Rgba8>& image = texture.levels.front();
   return sampler.magnify == Filter::kNearest
-             ? sample_nearest(image, sampler, wrapped_u, wrapped_v, transfer, alpha)
-             : sample_linear(image, sampler, wrapped_u, wrapped_v, transfer, alpha);
+             ? sample_nearest(image, sampler, wrapped_u, wrapped_v, transfer)
+             : sample_linear(image, sampler, wrapped_u, wrapped_v, transfer);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -79,10 +79,12 @@ public:
   void clear(const PixelRect& window, DepthFormat format) {
     window_ = window;
     format_ = format;
+    farthest_ = kEmptyTileDepth;
     std::fill_n(blocks_.get(), block_count(), TileBlock{});
   }
 
   const PixelRect& window() const { return window_; }
+  int side() const { return side_; }
   DepthFormat format() const { return format_; }
   // Pixels of the tile lie outside of the screen.
   bool is_ragged() const {
@@ -109,6 +111,10 @@ public:
            std::size_t((dy % kQuadSide) * kQuadSide + dx % kQuadSide);
   }
 
+  // No pixel of the tile is farther.
+  TileDepth farthest() const { return farthest_; }
+  void lower_farthest(TileDepth depth) { farthest_ = std::min(farthest_, depth); }
+
   TileBlock& block(std::size_t i) { return blocks_[i]; }
   const TileBlock& block(std::size_t i) const { return blocks_[i]; }
   TileDepth* depth() { return depth_.get(); }
@@ -120,6 +126,7 @@ private:
   int side_, blocks_across_;
   PixelRect window_;
   DepthFormat format_ = DepthFormat::kFloat32;
+  TileDepth farthest_ = kEmptyTileDepth;
   AlignedArray<TileDepth> depth_;
   AlignedArray<Reference> reference_;
   AlignedArray<TileBlock> blocks_;

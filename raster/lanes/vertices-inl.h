@@ -7,6 +7,7 @@
 #define GLASSBOX_VERTICES_INL_H_
 #endif
 
+#include <cstring>
 #include <limits>
 
 #include <glassbox/raster/lanes/lanes-inl.h>
@@ -46,16 +47,6 @@ HWY_INLINE void in_lanes(std::size_t size, const Work& work) {
   if (i < size) work(i, size - i);
 }
 
-template <class V, class T>
-HWY_INLINE void store_first(V v, T* to, std::size_t count) {
-  const hn::DFromV<V> d;
-  if (count == kLanes) {
-    hn::StoreU(v, d, to);
-  } else {
-    hn::BlendedStore(v, hn::FirstN(d, count), d, to);
-  }
-}
-
 // As transform_row of base/spaces.h.
 template <class Target, class Source>
 HWY_INLINE VF transform_row(const Transform<Target, Source, float>& m, int row, const Vec3& p) {
@@ -73,12 +64,12 @@ HWY_INLINE VI snap(VF pixels) {
   return hn::Sub(hn::ConvertTo(kI, below), hn::VecFromMask(kI, as_int_mask(up)));
 }
 
-struct ClipLanes {
+struct FourLanes {
   VF x, y, z, w;
 };
 
 // Inside of every plane that rendering clips by, with room to spare for the guard band. NaN and infinity are not.
-HWY_INLINE MF surely_inside(const VertexJob& job, const ClipLanes& p) {
+HWY_INLINE MF surely_inside(const VertexJob& job, const FourLanes& p) {
   const MF depth =
       hn::And(hn::Ge(p.z, hn::Zero(kF)), hn::Le(p.z, hn::Mul(p.w, set(job.far_factor))));
   const MF eye = hn::And(hn::Ge(p.w, set(job.smallest_w)),
@@ -86,6 +77,17 @@ HWY_INLINE MF surely_inside(const VertexJob& job, const ClipLanes& p) {
   const MF band = hn::And(hn::Le(hn::Abs(p.x), hn::Mul(p.w, set(job.band_x))),
                           hn::Le(hn::Abs(p.y), hn::Mul(p.w, set(job.band_y))));
   return hn::And(hn::And(depth, eye), band);
+}
+
+// Four words for each of `count` <= kLanes entries.
+HWY_INLINE void store_entries(const FourLanes& v, std::int32_t* to, std::size_t count) {
+  if (count == kLanes) {
+    hn::StoreInterleaved4(v.x, v.y, v.z, v.w, kF, reinterpret_cast<float*>(to));
+    return;
+  }
+  HWY_ALIGN float padded[4 * kLanes];
+  hn::StoreInterleaved4(v.x, v.y, v.z, v.w, kF, padded);
+  std::memcpy(to, padded, count * sizeof(SnappedEntry));
 }
 
 inline void transform_vertices(const VertexJob& job) {
@@ -97,7 +99,7 @@ inline void transform_vertices(const VertexJob& job) {
   const Vec3 anchor{set(job.anchor.x), set(job.anchor.y), set(job.anchor.z)};
   in_lanes(job.positions.size(), [&](std::size_t i, std::size_t count) HWY_ATTR {
     const Vec3 p = subtract(load_triples(&job.positions[i].x, count), anchor);
-    const ClipLanes clip{
+    const FourLanes clip{
         transform_row(job.clip_from_anchored, 0, p), transform_row(job.clip_from_anchored, 1, p),
         transform_row(job.clip_from_anchored, 2, p), transform_row(job.clip_from_anchored, 3, p)};
     const MF inside = surely_inside(job, clip);
@@ -107,11 +109,10 @@ inline void transform_vertices(const VertexJob& job) {
     const VF y = hn::IfThenElseZero(inside, hn::Div(clip.y, w));
     const VI screen_x = snap(hn::Add(hn::Mul(x, scale_x), middle_x));
     const VI screen_y = snap(hn::Add(hn::Mul(y, scale_y), middle_y));
-    store_first(hn::IfThenElse(as_int_mask(inside), screen_x, set(kNeedsClipping)),
-                job.screen.x + i, count);
-    store_first(screen_y, job.screen.y + i, count);
-    store_first(hn::Div(clip.z, w), job.screen.z + i, count);
-    store_first(hn::Div(set(1.0f), w), job.screen.inverse_w + i, count);
+    const VI marked_x = hn::IfThenElse(as_int_mask(inside), screen_x, set(kNeedsClipping));
+    store_entries({hn::BitCast(kF, marked_x), hn::BitCast(kF, screen_y), hn::Div(clip.z, w),
+                   hn::Div(set(1.0f), w)},
+                  &job.screen[i].x, count);
   });
 }
 

@@ -34,8 +34,7 @@ T* at_least(std::vector<T>& memory, std::size_t size) {
 
 // The vertices of a round's draws.
 struct VertexTables {
-  std::vector<std::int32_t> x, y;
-  std::vector<float> z, inverse_w;
+  std::vector<SnappedEntry> screen;
   std::vector<Normal<Eye>> normals;  // of vertices, then of faces, draw by draw
   std::vector<Point<Eye>> eye_positions;
 };
@@ -45,7 +44,7 @@ struct DrawSlot {
   std::uint32_t draw = 0;
   std::size_t first_position = 0, first_normal = 0, first_eye_position = 0;
   Reference first_reference = 1;
-  ScreenTable screen;
+  SnappedEntry* screen = nullptr;
   EyeSpace eye_space;
 };
 

@@ -114,16 +114,12 @@ std::size_t TileEngine::State::begin_round(const TileRun& run, std::size_t first
     round.slots.push_back(slot);
   }
   VertexTables& t = round.tables;
-  std::int32_t* x = at_least(t.x, positions);
-  std::int32_t* y = at_least(t.y, positions);
-  float* z = at_least(t.z, positions);
-  float* inverse_w = at_least(t.inverse_w, positions);
+  SnappedEntry* screen = at_least(t.screen, positions);
   at_least(t.normals, normals);
   at_least(t.eye_positions, eye_positions);
   for (DrawSlot& slot : round.slots) {
     const Draw& draw = run.list.draws[slot.draw];
-    const std::size_t at = slot.first_position;
-    slot.screen = {x + at, y + at, z + at, inverse_w + at};
+    slot.screen = screen + slot.first_position;
     slot.eye_space.lit = needs_normals(draw, run.settings);
     if (!slot.eye_space.lit) continue;
     const std::span all_normals(t.normals);

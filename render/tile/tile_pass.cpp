@@ -9,9 +9,6 @@ namespace {
 TileDepth tile_depth(std::uint32_t code) {
   return code == kEmptyDepth ? kEmptyTileDepth : TileDepth(code);
 }
-std::uint32_t depth_code_of(TileDepth depth) {
-  return depth == kEmptyTileDepth ? kEmptyDepth : std::uint32_t(depth);
-}
 
 // A tile being drawn: by the lanes, in its own buffer, or by the staged fragments, in the framebuffer. Primitives of one kind
 // after those of the other make it change over.
@@ -97,12 +94,9 @@ private:
 
   // From the buffer to the framebuffer.
   void leave_buffer(bool with_depth) {
-    pass_.kernels.resolve_tile(pass_.resolve, tile_);
-    if (!with_depth) return;
-    pass_.kernels.fill_tile(tile_);
-    Image<std::uint32_t>& depth = pass_.target.depth;
-    for_each_pixel(
-        [&](int x, int y, std::size_t i) { depth.at(x, y) = depth_code_of(tile_.depth()[i]); });
+    ResolveJob resolve = pass_.resolve;
+    resolve.depth = with_depth ? &pass_.target.depth : nullptr;
+    pass_.kernels.resolve_tile(resolve, tile_);
   }
 
   // And back: what was seen is in the picture.

@@ -33,8 +33,7 @@ void transform_positions(const TileRun& run, const Kernels& kernels, const DrawS
   const Draw& draw = run.list.draws[slot.draw];
   VertexJob job = vertex_job(run, draw);
   job.positions = std::span(draw.mesh->positions).subspan(first, count);
-  job.screen = {slot.screen.x + first, slot.screen.y + first, slot.screen.z + first,
-                slot.screen.inverse_w + first};
+  job.screen = slot.screen + first;
   kernels.transform_vertices(job);
   if (run.methods[slot.draw].eye_positions) {
     kernels.transform_positions({job.positions, draw.anchor, draw.eye_from_anchored,
