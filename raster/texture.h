@@ -44,6 +44,11 @@ TextureGradient texture_gradient(const TexturePlanes& planes, const std::array<f
 // log2 of the longer side of a pixel's footprint, in texels of level 0; at most 0 where the texture is magnified.
 float level_of_detail(const TextureGradient& gradient, int width, int height);
 
+// The base level, by one filter, whatever the level of detail.
+inline bool samples_base_only(const Sampler& sampler) {
+  return sampler.mip == MipFilter::kNone && sampler.magnify == sampler.minify;
+}
+
 // One filtered sample, in linear light. Coordinates are wrapped before they are scaled. Anything finite or not is
 // legal; a coordinate that is not finite counts as 0. Channels that are not wanted are 0.
 Rgba sample(const MipChain& texture, const Sampler& sampler, const std::array<float, 2>& texcoord,

@@ -1,6 +1,7 @@
 #include <glassbox/render/prepared_scene.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <glassbox/mesh/bounds.h>
 
@@ -68,6 +69,10 @@ PreparedScene prepare(const Scene& scene, Transfer transfer) {
     made.indices = corner_indices(mesh, made.triangulation);
     made.all_have_normals = std::ranges::none_of(
         mesh.corners, [](const Corner& corner) { return corner.normal == kNone; });
+    for_each_drawn_position(mesh, [&](const Point<Object>& p) {
+      made.all_finite =
+          made.all_finite && std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+    });
   }
   prepared.textures.reserve(scene.textures.size());
   for (const Texture& texture : scene.textures) {

@@ -29,6 +29,7 @@ struct PreparedMesh {
   Box<Object> bounds;
   CornerIndices indices;
   bool all_have_normals = false;
+  bool all_finite = true;  // the positions that are drawn: no vertex is lost from `bounds`
 };
 
 // Belongs to the scene it was made from, which must outlive it and not change.

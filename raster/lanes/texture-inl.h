@@ -112,11 +112,7 @@ HWY_INLINE RgbLanes sample_linear(const Image<Rgba8>& image, const Sampler& samp
              down);
 }
 
-// Whether sample_base() is what sample() gives, whatever the level of detail.
-inline bool samples_base_only(const Sampler& sampler) {
-  return sampler.mip == MipFilter::kNone && sampler.magnify == sampler.minify;
-}
-
+// sample() for samplers that look at the base level alone.
 HWY_INLINE RgbLanes sample_base(const MipChain& texture, const Sampler& sampler, VF u, VF v,
                                 Transfer transfer) {
   const VF wrapped_u = wrap_coordinate(sampler.wrap_u, u);

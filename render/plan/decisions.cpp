@@ -1,0 +1,277 @@
+#include <glassbox/render/plan/decisions.h>
+
+#include <fmt/format.h>
+
+#include <glassbox/raster/texture.h>
+
+namespace glassbox {
+
+namespace {
+
+struct Subject {
+  const Plan& plan;
+  const PlannedEye& eye;
+  const Draw& draw;
+  const DrawMethod& method;
+};
+
+Decision needed(const char* stage, std::string because, std::string numbers = {}) {
+  return {stage, true, std::move(because), std::move(numbers)};
+}
+Decision left_out(const char* stage, std::string because, std::string numbers = {}) {
+  return {stage, false, std::move(because), std::move(numbers)};
+}
+
+std::string in_all(const char* what, std::size_t count) {
+  return fmt::format("{} {}", count, what);
+}
+
+const char* const kNoPlan = "--no-plan: it runs, needed or not";
+
+// ---- the stages, in order ----
+
+Decision whole_object(const Subject& s) {
+  constexpr const char* kStage = "the whole draw";
+  const BoxPlace& place = s.method.place;
+  if (place.outside_of == nullptr) {
+    return needed(kStage, s.draw.prepared->all_finite
+                              ? "its box is not wholly beyond a plane of the frustum"
+                              : "a position is not finite, so that its box says nothing");
+  }
+  const std::string numbers =
+      fmt::format("beyond it by {:.3g} in clip space at least", place.distance);
+  if (!s.method.drawn) {
+    return left_out(kStage,
+                    fmt::format("all corners of its box, transformed with their rounding, lie "
+                                "beyond the {} of the view",
+                                place.outside_of),
+                    numbers);
+  }
+  return needed(kStage, s.plan.leaves_out ? "the other eye may see it" : kNoPlan, numbers);
+}
+
+Decision duplicate_vertices(const Subject& s) {
+  constexpr const char* kStage = "repeated vertices";
+  const std::size_t corners = s.draw.prepared->indices.positions.size();
+  const std::size_t positions = s.draw.mesh->positions.size();
+  const std::string numbers = fmt::format("{} corners, {} positions", corners, positions);
+  if (corners <= positions) {
+    return needed(kStage, "no position belongs to two corners, or not all are drawn", numbers);
+  }
+  return left_out(kStage, "corners name positions by index, and each position is carried over once",
+                  numbers);
+}
+
+Decision world_positions(const Subject&) {
+  return left_out("world positions", "one matrix leads from the object to clip space");
+}
+
+Decision plane_tests(const Subject& s) {
+  constexpr const char* kStage = "clip test of vertices";
+  const BoxPlace& place = s.method.place;
+  if (!s.method.test_planes) {
+    return left_out(kStage,
+                    "its box lies within all planes that rendering clips by, rounding included",
+                    fmt::format("{:.3g} from the nearest of near, eye and far", place.distance));
+  }
+  if (place.inside) return needed(kStage, kNoPlan);
+  return needed(kStage, "its box reaches one of the planes that rendering clips by",
+                in_all("positions", s.draw.mesh->positions.size()));
+}
+
+Decision side_clipping(const Subject& s) {
+  constexpr const char* kStage = "clipping in x and y";
+  if (s.method.place.in_guard_band) {
+    return left_out(kStage,
+                    "its box lies within the guard band, 32768 px around the centre, where "
+                    "integers hold the edge functions");
+  }
+  return needed(kStage, "its box may leave the guard band");
+}
+
+Decision divide(const Subject& s) {
+  constexpr const char* kStage = "divide by w";
+  if (!s.method.divide) {
+    return left_out(kStage, "parallel view: the last row of the matrix is 0 0 0 1, so that w is 1");
+  }
+  return needed(kStage, s.eye.view.perspective ? "perspective: w is the distance along the gaze"
+                        : s.plan.leaves_out    ? "w may differ from 1"
+                                               : kNoPlan);
+}
+
+Decision eye_normals(const Subject& s) {
+  constexpr const char* kStage = "normals to eye space";
+  const std::size_t count =
+      s.draw.mesh->normals.size() + (s.method.face_normals ? s.draw.mesh->faces.size() : 0);
+  if (!s.method.normals) {
+    return left_out(kStage, s.plan.colors ? "nothing is lit" : "no colours are wanted",
+                    in_all("normals", count));
+  }
+  const bool lit = s.method.light != LightAt::kNowhere;
+  return needed(kStage,
+                lit                 ? "light depends on them"
+                : s.plan.leaves_out ? "the other eye's light depends on them"
+                                    : kNoPlan,
+                in_all("normals", count));
+}
+
+Decision normal_matrix(const Subject&) {
+  return needed("normal matrix",
+                "made for every draw with the draw list: some dozens of operations");
+}
+
+Decision eye_positions(const Subject& s) {
+  constexpr const char* kStage = "positions to eye space";
+  const std::string numbers = in_all("positions", s.draw.mesh->positions.size());
+  if (s.method.eye_positions) {
+    if (!s.plan.leaves_out) return needed(kStage, kNoPlan, numbers);
+    if (s.method.light == LightAt::kVertices) {
+      return needed(kStage, "light is computed at the vertices", numbers);
+    }
+    return needed(kStage, "a light, or the highlights, depend on where the surface is", numbers);
+  }
+  return left_out(
+      kStage,
+      s.method.light == LightAt::kNowhere
+          ? "nothing is lit"
+          : "lights are directional, and there are no highlights that depend on the viewer",
+      numbers);
+}
+
+Decision depth_test(const Subject& s) {
+  return needed("depth test",
+                s.method.staged_because != nullptr
+                    ? "fragments are drawn one after the other"
+                    : "which triangles hide which is known pixel by pixel; blocks that one "
+                      "triangle covers in front of all else are not tested, and hidden "
+                      "ones are given up");
+}
+
+Decision texture_coordinates(const Subject& s) {
+  constexpr const char* kStage = "texture coordinates";
+  if (s.method.texture) return needed(kStage, "the material has a texture");
+  if (s.method.staged_because != nullptr && s.draw.texture != nullptr) {
+    return needed(kStage, "the staged stages look them up");
+  }
+  return left_out(kStage, s.draw.texture == nullptr ? "there is no texture"
+                          : s.plan.colors           ? "the picture does not show the texture"
+                                                    : "no colours are wanted");
+}
+
+Decision mip_selection(const Subject& s) {
+  constexpr const char* kStage = "choice of a mip level";
+  const bool textured = s.method.texture || s.method.staged_because != nullptr;
+  if (!textured || s.draw.texture == nullptr) return left_out(kStage, "no texture is sampled");
+  if (s.method.staged_because != nullptr) return needed(kStage, "the staged stages compute it");
+  if (samples_base_only(*s.draw.sampler)) {
+    return left_out(kStage, "the sampler looks at the base level alone, with one filter");
+  }
+  return needed(kStage, "the sampler has levels or filters to choose from");
+}
+
+Decision light(const Subject& s) {
+  constexpr const char* kStage = "light";
+  if (s.method.light == LightAt::kNowhere) {
+    return left_out(kStage, !s.plan.colors                        ? "no colours are wanted"
+                            : s.draw.material->unlit              ? "the material is not lit"
+                            : s.eye.settings.show != Show::kColor ? "the picture shows no light"
+                                                                  : "shading is off");
+  }
+  return needed(kStage, s.method.light == LightAt::kVertices ? "at the vertices, as was asked"
+                                                             : "where a pixel shows it");
+}
+
+Decision highlights(const Subject& s) {
+  constexpr const char* kStage = "highlights";
+  if (s.method.light == LightAt::kNowhere) return left_out(kStage, "nothing is lit");
+  if (s.method.large_because != nullptr && s.method.light == LightAt::kVertices) {
+    return needed(kStage, "light at vertices computes them");
+  }
+  if (!s.method.highlights) return left_out(kStage, "the material's specular colour is 0");
+  return needed(kStage, s.plan.leaves_out ? "the material shines" : kNoPlan);
+}
+
+Decision blending(const Subject& s) {
+  constexpr const char* kStage = "colour read-back";
+  if (s.draw.material->alpha_mode == AlphaMode::kBlend) {
+    return needed(kStage, "it is blended with what lies behind");
+  }
+  return left_out(kStage, "it is opaque where it is drawn");
+}
+
+}  // namespace
+
+std::vector<Decision> decisions(const Plan& plan, const PlannedEye& eye, std::size_t draw) {
+  const Subject s{plan, eye, eye.list.draws[draw], plan.methods[draw]};
+  if (!s.method.drawn) return {whole_object(s)};
+  return {whole_object(s),  duplicate_vertices(s),  world_positions(s),
+          plane_tests(s),   side_clipping(s),       divide(s),
+          normal_matrix(s), eye_normals(s),         eye_positions(s),
+          depth_test(s),    texture_coordinates(s), mip_selection(s),
+          light(s),         highlights(s),          blending(s)};
+}
+
+namespace {
+
+Decision colors(const Plan& plan, const RenderSettings& settings) {
+  constexpr const char* kStage = "colours";
+  if (!plan.colors) {
+    return left_out(kStage, settings.show == Show::kColor
+                                ? "no channel is written"
+                                : "the picture is painted from another plane when all is drawn");
+  }
+  return needed(
+      kStage,
+      "they are what the picture shows: once for each pixel where something opaque is seen");
+}
+
+Decision masked_channels(const RenderSettings& settings) {
+  constexpr const char* kStage = "masked channels";
+  const ColorMask& mask = settings.mask;
+  if (mask.r && mask.g && mask.b && mask.a) return needed(kStage, "all four are written");
+  return needed(kStage,
+                "all channels are computed together, and the mask chooses those that are written");
+}
+
+Decision depth_plane(const Plan& plan) {
+  constexpr const char* kStage = "plane of depths";
+  if (plan.keep_depth) {
+    return needed(kStage, plan.leaves_out ? "it was asked for" : kNoPlan);
+  }
+  return left_out(kStage,
+                  "nobody asked for it: depths stay in the tile's buffer, unless staged draws "
+                  "or a second round of draws look at them");
+}
+
+Decision file_order(const Plan& plan) {
+  constexpr const char* kStage = "file order";
+  if (!plan.leaves_out) return needed(kStage, kNoPlan);
+  if (plan.moved == 0) {
+    return needed(kStage, "no draw lies wholly in front of one before it that it may overtake");
+  }
+  return left_out(
+      kStage,
+      "nearer draws come first where the ranges of their depth codes have none in "
+      "common, so that no tie is decided otherwise",
+      fmt::format("{} of {} draws have overtaken others", plan.moved, plan.order.size()));
+}
+
+}  // namespace
+
+std::vector<Decision> decisions(const Plan& plan, const PlannedEye& eye) {
+  return {left_out("second eye", "one eye looks"), file_order(plan), colors(plan, eye.settings),
+          masked_channels(eye.settings), depth_plane(plan)};
+}
+
+std::string way_of(const DrawMethod& method) {
+  if (!method.drawn) return "not drawn";
+  if (method.staged_because != nullptr) {
+    return std::string("staged, tile by tile: ") + method.staged_because;
+  }
+  if (method.large_because != nullptr) {
+    return std::string("over lanes, each triangle set up by itself: ") + method.large_because;
+  }
+  return "over lanes";
+}
+
+}  // namespace glassbox

@@ -1,0 +1,81 @@
+#include <glassbox/render/plan/draw_method.h>
+
+#include <algorithm>
+
+#include <glassbox/render/vertex_stage.h>
+
+namespace glassbox {
+
+namespace {
+
+const char* why_staged(const Draw& draw, const RenderSettings& settings) {
+  if (settings.wireframe) return "lines are drawn one after the other";
+  if (settings.show == Show::kNormal || settings.show == Show::kUv) {
+    return "a picture of normals or texture coordinates";
+  }
+  if (settings.show == Show::kOverdraw) return "every fragment is counted";
+  if (draw.material->alpha_mode == AlphaMode::kBlend) return "it is blended with what lies behind";
+  if (draw.material->alpha_mode == AlphaMode::kMask)
+    return "its alpha decides which fragments there are";
+  return nullptr;
+}
+
+bool shines(const Material& material) {
+  return std::ranges::any_of(material.specular, [](float s) { return s != 0; });
+}
+
+bool depends_on_place(const EyeLight& light) {
+  return light.kind != LightKind::kDirectional;
+}
+
+// w is the fourth coordinate of (0, 0, 0, 1) * position: exactly 1.
+bool w_is_one(const Transform<Clip, Object, float>& m) {
+  return m.at(3, 0) == 0 && m.at(3, 1) == 0 && m.at(3, 2) == 0 && m.at(3, 3) == 1;
+}
+
+void choose_vertex_stages(const Draw& draw, const View& view, bool leave_out, DrawMethod& method) {
+  method.place = place_box(draw, view);
+  method.drawn = !leave_out || method.place.outside_of == nullptr;
+  method.test_planes = !leave_out || !method.place.inside;
+  method.divide = !leave_out || !draw.prepared->all_finite || !w_is_one(draw.clip_from_anchored);
+}
+
+void choose_light(const Draw& draw, const Lighting& lighting, const RenderSettings& settings,
+                  bool leave_out, DrawMethod& method) {
+  const bool per_vertex =
+      settings.shading == Shading::kFlat || settings.shading == Shading::kGouraud;
+  method.light = per_vertex ? LightAt::kVertices : LightAt::kFragments;
+  method.highlights = !leave_out || shines(*draw.material);
+  method.eye_positions = per_vertex || (method.highlights && lighting.perspective) ||
+                         std::ranges::any_of(lighting.lights, depends_on_place);
+  if (per_vertex) method.large_because = "light is computed at the vertices";
+}
+
+}  // namespace
+
+DrawMethod choose_method(const Draw& draw, const Lighting& lighting, const View& view,
+                         const RenderSettings& settings, bool colors, bool leave_out) {
+  DrawMethod method;
+  method.staged_because = why_staged(draw, settings);
+  choose_vertex_stages(draw, view, leave_out, method);
+
+  const bool both = draw.material->double_sided;
+  method.keep_front = settings.cull != Cull::kFront;
+  method.keep_back = settings.cull == Cull::kNone || settings.cull == Cull::kFront ||
+                     (settings.cull == Cull::kMaterial && both);
+
+  const bool painted = colors && settings.show == Show::kColor;
+  method.texture = painted && draw.texture != nullptr;
+  method.vertex_colors = painted && draw.prepared->indices.has_colors;
+  if (colors && needs_normals(draw, settings)) {
+    choose_light(draw, lighting, settings, leave_out, method);
+  }
+  method.normals = !leave_out || method.light != LightAt::kNowhere;
+  method.face_normals = method.normals && needs_face_normals(draw, settings);
+  method.eye_positions = method.eye_positions || !leave_out;
+  if (draw.prepared->indices.mixed)
+    method.large_because = "some of its corners have attributes that others lack";
+  return method;
+}
+
+}  // namespace glassbox

@@ -1,0 +1,42 @@
+// Which way a draw takes through the tile engine, and what of its stages is left out.
+#pragma once
+
+#include <glassbox/raster/lanes/tables.h>
+#include <glassbox/render/draw_list.h>
+#include <glassbox/render/plan/box_place.h>
+#include <glassbox/render/settings.h>
+
+namespace glassbox {
+
+struct DrawMethod {
+  // Null: triangles run over lanes and are shaded once for each pixel where they are seen. Otherwise why every primitive takes the
+  // staged stages, tile by tile.
+  const char* staged_because = nullptr;
+  // Null: triangles are set up over lanes where they are small. Otherwise why each is made ready by the staged primitives.
+  const char* large_because = nullptr;
+
+  // ---- vertices ----
+  BoxPlace place;           // of all of them: the proof of the next two
+  bool drawn = true;        // otherwise no stage sees any of it
+  bool test_planes = true;  // each is asked whether clipping has to look at it
+  bool divide = true;       // by w, which may differ from 1
+  bool normals =
+      false;  // carried to eye space; and of faces, where some corner has none of its own
+  bool face_normals = false;
+  bool eye_positions = false;  // light asks where the surface is
+
+  // ---- triangles ----
+  bool keep_front = true, keep_back = false;  // facing: which are drawn
+
+  // ---- colours ----
+  LightAt light = LightAt::kNowhere;
+  bool highlights = false;  // the material has any
+  bool texture = false;
+  bool vertex_colors = false;
+};
+
+// `colors`: somebody sees them. `leave_out`: what the proofs allow; otherwise everything runs that can.
+DrawMethod choose_method(const Draw& draw, const Lighting& lighting, const View& view,
+                         const RenderSettings& settings, bool colors, bool leave_out);
+
+}  // namespace glassbox
