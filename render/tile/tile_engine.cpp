@@ -22,9 +22,6 @@ namespace {
 constexpr std::size_t kVertexBatch = 4096;
 constexpr std::uint32_t kChunkTriangles = 8192;
 
-// A round holds at most so many vertices and triangles, or one draw.
-constexpr std::size_t kRoundSize = std::size_t{1} << 23;
-
 void add(const Statistics& part, Statistics& sum) {
   sum.rejected += part.rejected;
   sum.clipped_away += part.clipped_away;
@@ -96,7 +93,7 @@ std::size_t TileEngine::State::begin_round(const TileRun& run, std::size_t first
   for (; end < run.list.draws.size(); ++end) {
     const Draw& draw = run.list.draws[end];
     size += size_of(draw);
-    if (end > first && size > kRoundSize) break;
+    if (end > first && size > options.round_size) break;
     const DrawMethod& method = run.methods[end];
     DrawSlot slot;
     slot.draw = std::uint32_t(end);

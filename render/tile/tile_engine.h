@@ -5,6 +5,7 @@
 // each pixel, at the end (docs/performance.md).
 #pragma once
 
+#include <cstddef>
 #include <memory>
 
 #include <glassbox/mesh/scene.h>
@@ -22,6 +23,8 @@ struct TileOptions {
   int tile_side = 64;  // pixels; a power of two, 16 .. 256
   Target target = best_target();
   bool plan = true;  // leave out what the scene does not need
+  // Vertices and triangles that are carried to the screen together, or one draw: what bounds the engine's memory.
+  std::size_t round_size = std::size_t{1} << 23;
 };
 
 // Keeps its threads and memory from one picture to the next.

@@ -99,14 +99,14 @@ private:
     pass_.kernels.resolve_tile(resolve, tile_);
   }
 
-  // And back: what was seen is in the picture.
+  // And back: what was seen is in the picture. (Beyond the screen's edge nothing is seen, but whole quads are read.)
   void load() {
+    std::fill_n(tile_.reference(), tile_.block_count() * kBlockPixels, kInPicture);
     for (std::size_t i = 0; i < tile_.block_count(); ++i) {
       tile_.block(i) = {0, kEmptyTileDepth, false, kNothing, nullptr};
     }
     for_each_pixel([&](int x, int y, std::size_t i) {
       tile_.depth()[i] = tile_depth(pass_.target.depth.at(x, y));
-      tile_.reference()[i] = kInPicture;
     });
   }
 

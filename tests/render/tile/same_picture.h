@@ -7,24 +7,14 @@
 #include <glassbox/render/tile/tile_engine.h>
 
 #include "tests/render/scenes.h"
+#include "tests/render/tile/planes_differ.h"
 #include "tests/support/catch.h"
 
 namespace glassbox::test {
 
-template <class Pixel>
-std::size_t differing_pixels(const Image<Pixel>& a, const Image<Pixel>& b) {
-  if (a.width != b.width || a.height != b.height) return std::size_t(-1);
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i) count += !(a.pixels[i] == b.pixels[i]);
-  return count;
-}
-
-inline void check_same_planes(const Framebuffer& staged, const Framebuffer& tiled) {
-  CHECK(differing_pixels(staged.color, tiled.color) == 0);
-  if (!tiled.depth.pixels.empty()) CHECK(differing_pixels(staged.depth, tiled.depth) == 0);
-  CHECK(differing_pixels(staged.distance, tiled.distance) == 0);
-  CHECK(differing_pixels(staged.id, tiled.id) == 0);
-  CHECK(differing_pixels(staged.writes, tiled.writes) == 0);
+inline void check_same_planes(const Framebuffer& staged, const Framebuffer& tiled,
+                              bool want_depth = true) {
+  CHECK(planes_differ(staged, tiled, want_depth) == "");
 }
 
 // What went through the stages before the depth test. (Behind it, the engines look at different fragments.)
@@ -45,7 +35,7 @@ inline void check_same(const Scene& scene, const View& view, const RenderSetting
                  << options.tile_side);
   const Rendering staged = render_staged(scene, view, settings);
   const Rendering tiled = render_tiled(scene, view, settings, options);
-  check_same_planes(staged.buffers, tiled.buffers);
+  check_same_planes(staged.buffers, tiled.buffers, settings.want_depth);
   check_same_counts(staged.statistics, tiled.statistics);
 }
 

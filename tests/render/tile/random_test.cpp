@@ -1,0 +1,136 @@
+// The tile engine against the staged reference on scenes that nobody would model, and on the edges of what it does.
+#include <algorithm>
+
+#include "tests/render/tile/any_case.h"
+#include "tests/render/tile/same_picture.h"
+
+namespace glassbox {
+namespace {
+
+using test::AnyCase;
+using test::Random;
+
+// Without optimisation a lane costs a function call, and an instrumented one more: a sample of the cases is enough there.
+#if defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+constexpr int kShare = 1;
+#else
+constexpr int kShare = 10;
+#endif
+
+std::string difference(const AnyCase& c) {
+  const Rendering staged = render_staged(c.scene, c.view, c.settings);
+  const Rendering tiled = render_tiled(c.scene, c.view, c.settings, c.options);
+  return test::planes_differ(staged.buffers, tiled.buffers, c.settings.want_depth);
+}
+
+// Shrinks a case on which the engines differ, and says so.
+void check_case(std::uint64_t seed, AnyCase c) {
+  if (difference(c).empty()) return;
+  test::shrink(c, [](const AnyCase& smaller) { return !difference(smaller).empty(); });
+  FAIL_CHECK("seed " << seed << ": " << difference(c) << "\n" << test::in_words(c));
+}
+
+TEST_CASE("the tile engine draws any triangles as the staged reference does") {
+  std::size_t triangles = 0;
+  for (std::uint64_t seed = 0; seed < 1200 / kShare; ++seed) {
+    Random random(seed);
+    const AnyCase c = test::any_case(random, 220, 130);
+    for (const Mesh& mesh : c.scene.meshes) triangles += mesh.faces.size();
+    check_case(seed, c);
+  }
+  CHECK(triangles > 100000 / kShare);
+}
+
+TEST_CASE("the tile engine draws wide, high and large pictures as the staged reference does") {
+  const int sizes[][2] = {{1, 1},   {1, 97},   {97, 1},   {7, 5},     {65, 63},
+                          {64, 64}, {4096, 3}, {3, 4096}, {257, 255}, {16384, 1}};
+  for (const auto& [width, height] : sizes) {
+    for (const int side : {16, 64, 256}) {
+      Random random(std::uint64_t(width * 100 + height));
+      AnyCase c = test::any_case(random, 60 / kShare + 5, 4);
+      // The same scene through a window of another size.
+      const Camera camera{"wide", PerspectiveLens{1.0, 0.1, {}}, {}};
+      c.view = *make_view(camera, width, height);
+      c.settings.depth = DepthFormat::kFloat32;
+      c.options.tile_side = side;
+      check_case(std::uint64_t(width), c);
+    }
+  }
+}
+
+// ---- the edges of what the lanes do ----
+
+// A white quad across the screen, facing the viewer, at a distance.
+Mesh quad_at(float distance, bool with_texcoord_table) {
+  Mesh mesh;
+  const float s = distance;
+  mesh.positions = {{-s, -s, -s}, {s, -s, -s}, {s, s, -s}, {-s, s, -s}};
+  if (with_texcoord_table) mesh.texcoords = {{0.1f, 0.7f}};
+  test::add_face(mesh, {0, 1, 2, 3});
+  return mesh;
+}
+
+View view_of_size(int width, int height) {
+  return *make_view({"front", PerspectiveLens{1.2, 0.1, {}}, {}}, width, height);
+}
+
+void place(Mesh mesh, std::uint32_t material, Scene& scene) {
+  mesh.material = material;
+  scene.instances.push_back({std::uint32_t(scene.meshes.size()), 0});
+  scene.meshes.push_back(std::move(mesh));
+}
+
+TEST_CASE("triangles drawn over staged primitives meet the screen's edge inside of a tile") {
+  Scene scene;
+  scene.nodes = {Node{"root", kNone, {}, {}}};
+  Material mask;
+  mask.alpha_mode = AlphaMode::kMask;
+  mask.base_color = {1, 0, 0, 1};
+  scene.materials = {Material{}, mask};
+  // Over lanes, staged, over lanes, and so on, each in front of the one before.
+  for (int i = 0; i < 6; ++i) place(quad_at(7.0f - float(i), false), std::uint32_t(i % 2), scene);
+  // Small triangles too.
+  Random random(1);
+  for (int i = 0; i < 3; ++i) {
+    place(test::star_shaped_surface(12, 0.3, random), std::uint32_t(i % 2), scene);
+    scene.nodes.push_back({"back", kNone, {}, {}});
+    scene.nodes.back().world_from_node.at(2, 3) = -3.0 + i;
+    scene.instances.back().node = std::uint32_t(scene.nodes.size() - 1);
+  }
+  for (const auto& [width, height] : {std::pair{61, 47}, std::pair{130, 67}, std::pair{9, 3}}) {
+    for (const std::size_t round : {std::size_t{1}, std::size_t{600}, std::size_t{1} << 23}) {
+      for (const Target target : available_targets()) {
+        RenderSettings settings;
+        settings.want_id = settings.want_distance = true;
+        test::check_same(scene, view_of_size(width, height), settings,
+                         {2, 64, target, true, round});
+      }
+    }
+  }
+}
+
+TEST_CASE("a textured mesh has a table of texture coordinates that no corner uses") {
+  Scene scene = test::scene_of(quad_at(2, true));
+  scene.images = {Image<Rgba8>(2, 2, Rgba8{200, 100, 50, 255})};
+  scene.images[0].at(0, 0) = {10, 20, 30, 255};
+  scene.textures = {Texture{}};
+  scene.materials[0].texture = 0;
+  for (const int side : {16, 64}) {
+    test::check_same(scene, view_of_size(70, 50), {}, {1, side});
+    test::check_same(scene, view_of_size(20, 10), {}, {1, side});
+  }
+}
+
+TEST_CASE("round after round, draws meet what was drawn before") {
+  Random random(7);
+  for (int i = 0; i < 40 / kShare + 2; ++i) {
+    AnyCase c = test::any_case(random, 100, 100);
+    for (const std::size_t round : {std::size_t{1}, std::size_t{150}}) {
+      c.options.round_size = round;
+      check_case(7, c);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace glassbox
