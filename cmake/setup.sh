@@ -74,7 +74,7 @@ needs_work() {
   ! cmake --build "$root/build/$1" -- -n 2>/dev/null </dev/null | grep -q 'no work to do'
 }
 
-# build_preset PRESET: configures where needed and builds.
+# build_preset PRESET [TARGET]: configures where needed and builds.
 build_preset() {
   directory=$root/build/$1
   cache=$directory/CMakeCache.txt
@@ -86,5 +86,5 @@ build_preset() {
   if [ ! -f "$directory/build.ninja" ]; then
     (cd "$root" && quietly "$directory/configure.log" cmake --preset "$1") || return 1
   fi
-  quietly "$directory/build.log" cmake --build "$directory"
+  quietly "$directory/build.log" cmake --build "$directory" ${2:+--target "$2"}
 }

@@ -92,6 +92,26 @@ run_suites() {
 
 have() { command -v "$1" >/dev/null 2>&1; }
 
+# The tile engine's tests under ThreadSanitizer, which must find the race that is planted for it, and no other.
+run_threads() {
+  say "threads: building ..."
+  if ! build_preset thread test_render; then
+    count "threads: build" 1
+    return 0
+  fi
+  say "threads: testing ..."
+  program=$root/build/thread/tests/render/test_render
+  log=$root/build/thread/test.log
+  status=0
+  TSAN_OPTIONS="halt_on_error=1 exitcode=66" "$program" "[tile]" >"$log" 2>&1 </dev/null || status=$?
+  if [ "$status" != 0 ]; then tail -n 100 "$log" >&2; fi
+  count "threads: the tile engine" "$status"
+  status=0
+  TSAN_OPTIONS="halt_on_error=1 exitcode=66" "$program" "[.planted-race]" >"$log" 2>&1 </dev/null || status=$?
+  if [ "$status" = 66 ]; then status=0; else status=1; fi
+  count "threads: a planted race is found" "$status"
+}
+
 # Each fuzzer starts from a copy of its corpus, and leaves what it finds in build/fuzz.
 run_fuzzers() {
   have clang++ || { skip "fuzzers (no clang++)"; return 0; }
@@ -170,6 +190,7 @@ if [ "$all" = yes ]; then
   run_suites debug "g++ -O0"
   if have clang++; then run_suites clang "clang++ -O3"; else skip "clang++ -O3 (no clang++)"; fi
   run_suites sanitize "sanitizers"
+  run_threads
   run_fuzzers
   run_browser
   check_format

@@ -309,6 +309,7 @@ void prepare_framebuffer(const TileRun& run, bool clear, bool with_depth, Frameb
         std::numeric_limits<float>::infinity());
   plane(target.id, s.want_id || s.show == Show::kId, std::uint32_t{0});
   plane(target.writes, s.show == Show::kOverdraw, std::uint32_t{0});
+  std::ranges::fill(target.writes.pixels, 0u);  // which only staged fragments count up
 }
 
 }  // namespace

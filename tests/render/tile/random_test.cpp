@@ -30,7 +30,7 @@ void check_case(std::uint64_t seed, AnyCase c) {
   FAIL_CHECK("seed " << seed << ": " << difference(c) << "\n" << test::in_words(c));
 }
 
-TEST_CASE("the tile engine draws any triangles as the staged reference does") {
+TEST_CASE("the tile engine draws any triangles as the staged reference does", "[tile]") {
   std::size_t triangles = 0;
   for (std::uint64_t seed = 0; seed < 1200 / kShare; ++seed) {
     Random random(seed);
@@ -41,7 +41,8 @@ TEST_CASE("the tile engine draws any triangles as the staged reference does") {
   CHECK(triangles > 100000 / kShare);
 }
 
-TEST_CASE("the tile engine draws wide, high and large pictures as the staged reference does") {
+TEST_CASE("the tile engine draws wide, high and large pictures as the staged reference does",
+          "[tile]") {
   const int sizes[][2] = {{1, 1},   {1, 97},   {97, 1},   {7, 5},     {65, 63},
                           {64, 64}, {4096, 3}, {3, 4096}, {257, 255}, {16384, 1}};
   for (const auto& [width, height] : sizes) {
@@ -80,7 +81,8 @@ void place(Mesh mesh, std::uint32_t material, Scene& scene) {
   scene.meshes.push_back(std::move(mesh));
 }
 
-TEST_CASE("triangles drawn over staged primitives meet the screen's edge inside of a tile") {
+TEST_CASE("triangles drawn over staged primitives meet the screen's edge inside of a tile",
+          "[tile]") {
   Scene scene;
   scene.nodes = {Node{"root", kNone, {}, {}}};
   Material mask;
@@ -109,7 +111,7 @@ TEST_CASE("triangles drawn over staged primitives meet the screen's edge inside 
   }
 }
 
-TEST_CASE("a textured mesh has a table of texture coordinates that no corner uses") {
+TEST_CASE("a textured mesh has a table of texture coordinates that no corner uses", "[tile]") {
   Scene scene = test::scene_of(quad_at(2, true));
   scene.images = {Image<Rgba8>(2, 2, Rgba8{200, 100, 50, 255})};
   scene.images[0].at(0, 0) = {10, 20, 30, 255};
@@ -121,7 +123,7 @@ TEST_CASE("a textured mesh has a table of texture coordinates that no corner use
   }
 }
 
-TEST_CASE("round after round, draws meet what was drawn before") {
+TEST_CASE("round after round, draws meet what was drawn before", "[tile]") {
   Random random(7);
   for (int i = 0; i < 40 / kShare + 2; ++i) {
     AnyCase c = test::any_case(random, 100, 100);

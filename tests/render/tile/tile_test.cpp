@@ -27,7 +27,7 @@ RenderSettings all_planes(RenderSettings settings = {}) {
   return settings;
 }
 
-TEST_CASE("the tile engine draws every built-in scene as the staged reference does") {
+TEST_CASE("the tile engine draws every built-in scene as the staged reference does", "[tile]") {
   for (const BuiltinScene& builtin : builtin_scenes()) {
     INFO(builtin.name);
     const Scene scene = built_in(std::string(builtin.name));
@@ -35,7 +35,8 @@ TEST_CASE("the tile engine draws every built-in scene as the staged reference do
   }
 }
 
-TEST_CASE("the tile engine's bytes do not depend on the target, the threads or the tiles") {
+TEST_CASE("the tile engine's bytes do not depend on the target, the threads or the tiles",
+          "[tile]") {
   for (const char* name : {"teapot:16", "room", "forest"}) {
     INFO(name);
     const Scene scene = built_in(name);
@@ -56,7 +57,7 @@ TEST_CASE("the tile engine's bytes do not depend on the target, the threads or t
   }
 }
 
-TEST_CASE("the tile engine takes every option as the staged reference does") {
+TEST_CASE("the tile engine takes every option as the staged reference does", "[tile]") {
   for (const char* name : {"teapot:6", "room", "checker", "f-glyph"}) {
     const Scene scene = built_in(name);
     const auto check_with = [&](RenderSettings settings, const char* what) {

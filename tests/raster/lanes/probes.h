@@ -1,0 +1,34 @@
+// The lanes' functions, compiled for each instruction set, called with plain arrays: what the kernels have inside.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include <glassbox/mesh/scene.h>
+#include <glassbox/raster/depth.h>
+#include <glassbox/raster/lanes/target.h>
+#include <glassbox/raster/shading.h>
+#include <glassbox/raster/texture.h>
+#include <glassbox/raster/transfer.h>
+
+namespace glassbox::test {
+
+// Outputs have the size of the inputs.
+struct LaneProbes {
+  void (*snap)(std::span<const float> pixels, std::int32_t* subpixels);
+  void (*encode)(Transfer transfer, std::span<const float> linear, std::int32_t* bytes);
+  void (*decode)(Transfer transfer, std::span<const std::int32_t> bytes, float* linear);
+  void (*depth_code)(DepthFormat format, std::span<const float> depths, std::int32_t* codes);
+  // Alpha is not sampled.
+  void (*sample_base)(const MipChain& texture, const Sampler& sampler, Transfer transfer,
+                      std::span<const TexCoord> at, Rgba* colors);
+  void (*illuminate)(const Lighting& lighting, int shininess, bool highlights,
+                     std::span<const std::array<float, 3>> positions,
+                     std::span<const std::array<float, 3>> normals, Reflection* reflections);
+};
+
+// `target` is one of available_targets().
+const LaneProbes& lane_probes(Target target);
+
+}  // namespace glassbox::test

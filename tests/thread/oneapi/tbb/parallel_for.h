@@ -1,0 +1,109 @@
+// What the tile engine asks of oneTBB, in its place where ThreadSanitizer looks on (preset `thread`): the library is compiled
+// without the sanitizer, which does not see how its threads wait for one another and takes every hand-over for a race. Here threads
+// are started and joined, which it sees, and nothing else orders what tasks do.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <thread>
+#include <vector>
+
+namespace tbb {
+
+inline constexpr int kMostThreads = 64;
+
+struct Worker {
+  int arena_size = 1;  // threads that work together
+  int index = 0;       // which of them this is
+};
+inline thread_local Worker this_worker;
+
+namespace info {
+inline int default_concurrency() {
+  return int(std::max(1u, std::thread::hardware_concurrency()));
+}
+}  // namespace info
+
+class global_control {
+public:
+  enum parameter { max_allowed_parallelism };
+  global_control(parameter, std::size_t) {}
+};
+
+class task_arena {
+public:
+  explicit task_arena(int threads) : threads_(std::min(threads, kMostThreads)) {}
+
+  template <class Work>
+  void execute(const Work& work) const {
+    const Worker before = this_worker;
+    this_worker = {threads_, 0};
+    work();
+    this_worker = before;
+  }
+
+private:
+  int threads_;
+};
+
+struct simple_partitioner {};
+
+template <class Index, class Body>
+void parallel_for(Index first, Index last, const Body& body, const simple_partitioner&) {
+  std::atomic<Index> next{first};
+  const auto work = [&](Worker worker) {
+    this_worker = worker;
+    // Relaxed: one task does not come after another.
+    for (Index i; (i = next.fetch_add(1, std::memory_order_relaxed)) < last;) body(i);
+  };
+  const int threads = this_worker.arena_size;
+  std::vector<std::thread> others;
+  for (int i = 1; i < threads; ++i) others.emplace_back(work, Worker{threads, i});
+  work({threads, 0});
+  for (std::thread& other : others) other.join();
+}
+
+// One T for each thread that asks for its own.
+template <class T>
+class enumerable_thread_specific {
+public:
+  enumerable_thread_specific() : make_([] { return T(); }) {}
+  template <class Make>
+  explicit enumerable_thread_specific(Make make) : make_(std::move(make)) {}
+
+  T& local() {
+    std::optional<T>& own = all_[std::size_t(this_worker.index)];
+    if (!own) own.emplace(make_());
+    return *own;
+  }
+
+  class iterator {
+  public:
+    iterator(std::optional<T>* at, std::optional<T>* end) : at_(at), end_(end) { skip(); }
+    T& operator*() const { return **at_; }
+    iterator& operator++() {
+      ++at_;
+      skip();
+      return *this;
+    }
+    friend bool operator==(const iterator&, const iterator&) = default;
+
+  private:
+    void skip() {
+      while (at_ != end_ && !*at_) ++at_;
+    }
+    std::optional<T>*at_, *end_;
+  };
+  iterator begin() { return {all_.data(), all_.data() + all_.size()}; }
+  iterator end() { return {all_.data() + all_.size(), all_.data() + all_.size()}; }
+
+private:
+  std::function<T()> make_;
+  std::array<std::optional<T>, kMostThreads> all_;
+};
+
+}  // namespace tbb
