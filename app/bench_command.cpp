@@ -124,7 +124,7 @@ void BenchCommand::add_measure_options(CLI::App& command) {
 void BenchCommand::add_engine_options(CLI::App& command) {
   const std::string group = "Engine";
   add_choice(command, "--engine", engine_.engine,
-             {{"tile", study::Engine::kTile}, {"staged", study::Engine::kStaged}},
+             {{"tile", Engine::kTile}, {"staged", Engine::kStaged}},
              "which one draws [tile]")
       ->group(group);
   command
@@ -143,7 +143,7 @@ void BenchCommand::add_engine_options(CLI::App& command) {
 }
 
 Result<void> BenchCommand::check_options() const {
-  if (engine_.engine == study::Engine::kStaged && !threads_.empty() &&
+  if (engine_.engine == Engine::kStaged && !threads_.empty() &&
       threads_ != std::vector<int>{1}) {
     return fail("--threads", "the staged engine has one thread", "leave one of the two out");
   }
@@ -233,7 +233,7 @@ void BenchCommand::measure_scaling(BenchReport& report, Progress& progress) cons
 
 int BenchCommand::run() {
   if (const auto legal = check_options(); !legal) return refuse(legal.error());
-  const bool staged = engine_.engine == study::Engine::kStaged;
+  const bool staged = engine_.engine == Engine::kStaged;
   if (threads_.empty()) {
     threads_ = {1};
     if (!staged && study::processor_count() > 1) threads_.push_back(study::processor_count());

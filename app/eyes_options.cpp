@@ -37,7 +37,8 @@ void choose_separation(const Scene& scene, const View& centre, const RenderSetti
   const double rule = chosen.pair.window / kWindowsPerSeparation;
   chosen.pair.half_separation = rule / 2;
   chosen.separation_is_from = "a thirtieth of the window's distance";
-  const std::optional<DepthSpan> seen = depth_seen(scene, centre, settings);
+  Renderer renderer(scene, settings.transfer);
+  const std::optional<DepthSpan> seen = depth_seen(renderer, centre, settings);
   if (!seen) return;
   const double budget = kComfortablePercent / 100 * double(centre.viewport.width());
   const double bearable =

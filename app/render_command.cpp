@@ -21,7 +21,7 @@
 #include <glassbox/mesh/load.h>
 #include <glassbox/mesh/triangulate.h>
 #include <glassbox/pipeline/view.h>
-#include <glassbox/render/staged.h>
+#include <glassbox/render/renderer.h>
 
 namespace glassbox::app {
 
@@ -115,6 +115,7 @@ void RenderCommand::add_to(CLI::App& app, int& exit_code) {
   add_picture_options(command, picture_);
   add_stereo_picture_options(command, stereo_);
   add_frames_options(command, frames_);
+  add_engine_options(command, engine_);
 
   const std::string outputs = "Other outputs";
   command
@@ -161,13 +162,13 @@ std::vector<TextEntry> RenderCommand::recipe_text() const {
   return to_text(Recipe{scene_, words, GLASSBOX_VERSION});
 }
 
-Result<DrawnPicture> RenderCommand::draw(const Scene& scene) const {
+Result<DrawnPicture> RenderCommand::draw(const Scene& scene, Renderer& renderer) const {
   RenderSettings settings = picture_.settings;
   settings.want_distance = depth_output_.has_value();
   settings.want_id = id_output_.has_value();
   if (!stereo_.form.wanted) {
     return choose_view(scene, picture_).map([&](const ChosenView& chosen) {
-      Rendering rendering = render_staged(scene, chosen.view, settings);
+      Rendering rendering = renderer.render(chosen.view, settings);
       Image<Rgba8> image = std::move(rendering.buffers.color);
       return DrawnPicture{chosen.camera,
                           chosen.view,
@@ -180,7 +181,7 @@ Result<DrawnPicture> RenderCommand::draw(const Scene& scene) const {
   }
   const Result<ChosenEyes> chosen = choose_eyes(scene, picture_);
   if (!chosen) return tl::unexpected(chosen.error());
-  return render_stereo_picture(scene, *chosen, settings, stereo_).map([&](StereoPicture drawn) {
+  return render_stereo_picture(renderer, *chosen, settings, stereo_).map([&](StereoPicture drawn) {
     const StereoRendering& both = drawn.rendering;
     DrawnPicture picture{chosen->camera,
                          chosen->centre,
@@ -206,7 +207,7 @@ int RenderCommand::run_frames(const std::string& usual_output) {
     return refuse(legal.error());
   }
   return render_frames(
-      {scene_, output_, usual_output, picture_, stereo_, frames_, limits_, json_output_});
+      {scene_, output_, usual_output, picture_, stereo_, frames_, engine_, limits_, json_output_});
 }
 
 int RenderCommand::run() {
@@ -214,6 +215,7 @@ int RenderCommand::run() {
   if (const auto legal = check_frames_options(picture_, stereo_, frames_); !legal) {
     return refuse(legal.error());
   }
+  if (const auto legal = check_engine_options(engine_); !legal) return refuse(legal.error());
   if (frames_.wanted()) return run_frames(default_output(scene_));
   const std::string output = output_.empty() ? default_output(scene_) : output_;
   if (const auto legal = check_image_path(output); !legal) return refuse(legal.error());
@@ -239,7 +241,8 @@ int RenderCommand::run() {
   }
 
   progress.phase(fmt::format("rendering {} triangles", count_triangles(*scene)));
-  const Result<DrawnPicture> drawn = draw(*scene);
+  Renderer renderer = make_renderer(*scene, picture_.settings, engine_);
+  const Result<DrawnPicture> drawn = draw(*scene, renderer);
   if (!drawn) return refuse(drawn.error());
   progress.phase("writing " + output);
   if (const auto written = write_image(output, drawn->image, recipe_text()); !written) {

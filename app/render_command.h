@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/engine_options.h"
 #include "app/frames/frames_options.h"
 #include "app/picture_options.h"
 #include "app/stereo_picture.h"
@@ -44,7 +45,7 @@ private:
   int run();
   // The same along a camera path.
   int run_frames(const std::string& usual_output);
-  Result<DrawnPicture> draw(const Scene& scene) const;
+  Result<DrawnPicture> draw(const Scene& scene, Renderer& renderer) const;
   std::vector<TextEntry> recipe_text() const;
   // The paths of all outputs, as far as they can be judged before anything is computed.
   Result<void> check_other_outputs(const std::string& image) const;
@@ -54,6 +55,7 @@ private:
   PictureOptions picture_;
   StereoPictureOptions stereo_;
   FramesOptions frames_;
+  EngineOptions engine_;
   LoadLimits limits_;
   std::optional<std::string> depth_output_;
   std::optional<std::string> id_output_;

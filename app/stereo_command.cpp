@@ -79,6 +79,7 @@ void StereoCommand::add_to(CLI::App& app, int& exit_code) {
   add_report_options(command, question_);
   const auto all = command.get_options();
   options_.assign(all.begin() + std::ptrdiff_t(before), all.end());
+  add_engine_options(command, engine_);
   const std::string outputs = "Other outputs";
   command.add_option("--html", html_output_, "the report as a page, with pictures and maps")
       ->type_name("FILE")
@@ -151,6 +152,7 @@ int StereoCommand::run() {
   question_.method = anaglyph_.method.value_or(question_.method);
   question_.glasses = anaglyph_.glasses.value_or(question_.glasses);
   if (const auto legal = check_options(); !legal) return refuse(legal.error());
+  if (const auto legal = check_engine_options(engine_); !legal) return refuse(legal.error());
   Progress progress;
   progress.phase("loading " + scene_);
   const Result<Scene> scene = load_scene(scene_);
@@ -159,7 +161,9 @@ int StereoCommand::run() {
   progress.phase("rendering " + scene_);
   const Result<ChosenEyes> chosen = choose_eyes(*scene, picture_);
   if (!chosen) return refuse(chosen.error());
-  const Result<StereoFindings> found = find_stereo(*scene, *chosen, picture_.settings, question_);
+  Renderer renderer = make_renderer(*scene, picture_.settings, engine_);
+  const Result<StereoFindings> found =
+      find_stereo(*scene, renderer, *chosen, picture_.settings, question_);
   if (!found) return refuse(found.error());
   const StereoWords words{verdicts_of(*scene, *found), advise(*scene, *found)};
   progress.phase("writing the report");

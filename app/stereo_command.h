@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/engine_options.h"
 #include "app/picture_options.h"
 #include "app/stereo/findings.h"
 #include "app/stereo/text.h"
@@ -28,6 +29,7 @@ private:
   PictureOptions picture_;
   AnaglyphOptions anaglyph_;
   StereoQuestion question_;
+  EngineOptions engine_;
   std::optional<std::string> html_output_, json_output_;
   std::vector<const CLI::Option*> options_;  // those of the report that a command line repeats
 };

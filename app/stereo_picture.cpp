@@ -74,7 +74,7 @@ AnaglyphMasks masks_for(Glasses glasses) {
           {eyes.right.r, eyes.right.g, eyes.right.b, true}};
 }
 
-Result<StereoPicture> draw_eyes(const Scene& scene, const ChosenEyes& chosen,
+Result<StereoPicture> draw_eyes(Renderer& renderer, const ChosenEyes& chosen,
                                 const RenderSettings& settings,
                                 const StereoPictureOptions& stereo) {
   const StereoSettings both{settings, stereo.culling};
@@ -83,11 +83,11 @@ Result<StereoPicture> draw_eyes(const Scene& scene, const ChosenEyes& chosen,
   StereoPicture picture;
   if (is_masked(stereo)) {
     picture.rendering =
-        render_masked_anaglyph(scene, chosen.centre, pair, both, masks_for(glasses));
+        renderer.render_masked_anaglyph(chosen.centre, pair, both, masks_for(glasses));
     picture.image = std::move(picture.rendering.left.color);
     return picture;
   }
-  picture.rendering = render_pair(scene, chosen.centre, pair, both);
+  picture.rendering = renderer.render_pair(chosen.centre, pair, both);
   Result<Image<Rgba8>> image = recoloured_and_put_together(picture.rendering.left.color,
                                                            picture.rendering.right.color, stereo);
   if (!image) return tl::unexpected(image.error());
@@ -173,10 +173,10 @@ Result<void> check_stereo_picture(const PictureOptions& picture,
   return {};
 }
 
-Result<StereoPicture> render_stereo_picture(const Scene& scene, const ChosenEyes& chosen,
+Result<StereoPicture> render_stereo_picture(Renderer& renderer, const ChosenEyes& chosen,
                                             const RenderSettings& settings,
                                             const StereoPictureOptions& stereo) {
-  Result<StereoPicture> picture = draw_eyes(scene, chosen, settings, stereo);
+  Result<StereoPicture> picture = draw_eyes(renderer, chosen, settings, stereo);
   if (!picture || !stereo.cable) return picture;
   return send(picture->image, *stereo.cable).map([&](Image<Rgba8> arrived) {
     picture->image = std::move(arrived);

@@ -15,8 +15,7 @@
 #include <glassbox/images/stereo/cables.h>
 #include <glassbox/images/stereo/layouts.h>
 #include <glassbox/images/stereo/recolour.h>
-#include <glassbox/mesh/scene.h>
-#include <glassbox/render/stereo/render_pair.h>
+#include <glassbox/render/renderer.h>
 
 namespace glassbox::app {
 
@@ -55,7 +54,7 @@ struct StereoPicture {
 };
 
 // The options count as checked.
-Result<StereoPicture> render_stereo_picture(const Scene& scene, const ChosenEyes& chosen,
+Result<StereoPicture> render_stereo_picture(Renderer& renderer, const ChosenEyes& chosen,
                                             const RenderSettings& settings,
                                             const StereoPictureOptions& stereo);
 

@@ -60,9 +60,9 @@ void fill_gaps(std::vector<ComfortFrame>& frames, const std::vector<std::size_t>
 
 class Planner {
 public:
-  Planner(const Scene& scene, const std::vector<Shot>& shots, const EyeWishes& wishes,
+  Planner(Renderer& renderer, const std::vector<Shot>& shots, const EyeWishes& wishes,
           const StereoSettings& settings, const std::function<void(std::size_t)>& look)
-      : scene_(scene), shots_(shots), wishes_(wishes), settings_(settings), look_(look) {}
+      : renderer_(renderer), shots_(shots), wishes_(wishes), settings_(settings), look_(look) {}
 
   Result<EyePlan> plan() {
     look_first();
@@ -88,7 +88,7 @@ private:
   void look_first() {
     for (std::size_t i = 0; i < shots_.size(); ++i) {
       look_(i);
-      const auto seen = depth_seen(scene_, shots_[i].centre, settings_.render);
+      const auto seen = depth_seen(renderer_, shots_[i].centre, settings_.render);
       if (!seen) plan_.empty.push_back(i);
       frames_.push_back({shots_[i].centre, seen.value_or(DepthSpan{}), shots_[i].window});
     }
@@ -132,7 +132,7 @@ private:
   // Whether an eye saw more than was known.
   bool widen(std::size_t i, int round) {
     ++plan_.measured;
-    const auto seen = depth_seen_by(scene_, frames_[i].centre, plan_.pairs[i], settings_);
+    const auto seen = depth_seen_by(renderer_, frames_[i].centre, plan_.pairs[i], settings_);
     if (!seen || covers(frames_[i].span, *seen)) return false;
     ++plan_.widened;
     frames_[i].span = both(frames_[i].span, *seen);
@@ -153,7 +153,7 @@ private:
     return changed;
   }
 
-  const Scene& scene_;
+  Renderer& renderer_;
   const std::vector<Shot>& shots_;
   const EyeWishes& wishes_;
   const StereoSettings& settings_;
@@ -172,16 +172,16 @@ std::optional<DepthSpan> depth_seen_in(const StereoRendering& pictures) {
   return left ? left : right;
 }
 
-std::optional<DepthSpan> depth_seen_by(const Scene& scene, const View& centre,
+std::optional<DepthSpan> depth_seen_by(Renderer& renderer, const View& centre,
                                        const StereoPair& pair, const StereoSettings& settings) {
   const StereoSettings probe{distance_only(settings.render), settings.culling};
-  return depth_seen_in(render_pair(scene, centre, pair, probe));
+  return depth_seen_in(renderer.render_pair(centre, pair, probe));
 }
 
-Result<EyePlan> plan_eyes(const Scene& scene, const std::vector<Shot>& shots,
+Result<EyePlan> plan_eyes(Renderer& renderer, const std::vector<Shot>& shots,
                           const EyeWishes& wishes, const StereoSettings& settings,
                           const std::function<void(std::size_t)>& look) {
-  return Planner(scene, shots, wishes, settings, look).plan();
+  return Planner(renderer, shots, wishes, settings, look).plan();
 }
 
 }  // namespace glassbox::app

@@ -7,9 +7,8 @@
 
 #include "app/frames/shots.h"
 
-#include <glassbox/mesh/scene.h>
 #include <glassbox/pipeline/stereo/comfort.h>
-#include <glassbox/render/stereo/render_pair.h>
+#include <glassbox/render/renderer.h>
 
 namespace glassbox::app {
 
@@ -32,7 +31,7 @@ struct EyePlan {
 };
 
 // What both eyes of the pair see, in pictures of full size; none where nothing was drawn.
-std::optional<DepthSpan> depth_seen_by(const Scene& scene, const View& centre,
+std::optional<DepthSpan> depth_seen_by(Renderer& renderer, const View& centre,
                                        const StereoPair& pair, const StereoSettings& settings);
 std::optional<DepthSpan> depth_seen_in(const StereoRendering& pictures);
 
@@ -41,7 +40,7 @@ std::optional<DepthSpan> depth_seen_in(const StereoRendering& pictures);
 // added to it, and the separations that change for it are looked at again, until nothing is added.
 //
 // `look` is called before every look at a frame, with its index. An error names the frame.
-Result<EyePlan> plan_eyes(const Scene& scene, const std::vector<Shot>& shots,
+Result<EyePlan> plan_eyes(Renderer& renderer, const std::vector<Shot>& shots,
                           const EyeWishes& wishes, const StereoSettings& settings,
                           const std::function<void(std::size_t)>& look);
 

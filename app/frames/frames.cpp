@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -19,7 +20,7 @@
 #include <glassbox/images/recipe.h>
 #include <glassbox/images/write.h>
 #include <glassbox/mesh/load.h>
-#include <glassbox/render/staged.h>
+#include <glassbox/render/renderer.h>
 
 namespace glassbox::app {
 
@@ -92,6 +93,7 @@ private:
     Result<Scene> scene = load_scene(request_.scene, request_.limits);
     if (!scene) return tl::unexpected(scene.error());
     scene_ = std::move(*scene);
+    renderer_.emplace(make_renderer(scene_, request_.picture.settings, request_.engine));
     for (const std::string& warning : scene_.warnings) progress_.say("warning: " + warning);
     return {};
   }
@@ -128,24 +130,24 @@ private:
     const EyeWishes wishes{report_.budget, request_.picture.eyes.separation, frames.release_frames,
                            frames.max_step};
     const StereoSettings settings{request_.picture.settings, request_.stereo.culling};
-    auto plan = plan_eyes(scene_, shots_, wishes, settings,
+    auto plan = plan_eyes(*renderer_, shots_, wishes, settings,
                           [this](std::size_t i) { progress_.phase(of_all("looking at", i)); });
     if (!plan) return tl::unexpected(plan.error());
     report_.eyes = std::move(*plan);
     return {};
   }
 
-  Result<DrawnFrame> draw(std::size_t i) const {
+  Result<DrawnFrame> draw(std::size_t i) {
     const Shot& shot = shots_[i];
     FrameRecord record = record_of(shot, names_.name(shot.number));
     RenderSettings settings = request_.picture.settings;
     if (!stereo()) {
-      return DrawnFrame{render_staged(scene_, shot.centre, settings).buffers.color, record};
+      return DrawnFrame{renderer_->render(shot.centre, settings).buffers.color, record};
     }
     settings.want_distance = true;
     const StereoPair& pair = report_.eyes->pairs[i];
     const ChosenEyes eyes{shot.camera, shot.centre, {pair, "", ""}};
-    return render_stereo_picture(scene_, eyes, settings, request_.stereo)
+    return render_stereo_picture(*renderer_, eyes, settings, request_.stereo)
         .map([&](StereoPicture drawn) {
           measure(record, shot.centre, pair, depth_seen_in(drawn.rendering));
           return DrawnFrame{std::move(drawn.image), record};
@@ -214,6 +216,7 @@ private:
   CameraPath path_;
   FrameNames names_;
   Scene scene_;
+  std::optional<Renderer> renderer_;  // of scene_
   std::vector<Shot> shots_;
   FramesReport report_;
 };

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "app/engine_options.h"
 #include "app/frames/frames_options.h"
 #include "app/picture_options.h"
 #include "app/stereo_picture.h"
@@ -20,6 +21,7 @@ struct FramesRequest {
   const PictureOptions& picture;
   const StereoPictureOptions& stereo;
   const FramesOptions& frames;
+  const EngineOptions& engine;
   const LoadLimits& limits;
   const std::optional<std::string>& json;
 };

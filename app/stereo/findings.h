@@ -15,9 +15,9 @@
 #include <glassbox/images/stereo/order.h>
 #include <glassbox/images/stereo/recolour.h>
 #include <glassbox/images/stereo/rivalry.h>
-#include <glassbox/mesh/scene.h>
 #include <glassbox/pipeline/stereo/comfort.h>
 #include <glassbox/pipeline/stereo/parallax.h>
+#include <glassbox/render/renderer.h>
 #include <glassbox/render/stereo/disparity.h>
 #include <glassbox/render/stereo/monocular.h>
 #include <glassbox/render/stereo/render_pair.h>
@@ -96,7 +96,7 @@ struct CullingFindings {
 };
 
 struct CostFindings {
-  double one_ms = 0, both_ms = 0;  // one run each, on this machine, now
+  double one_ms = 0, both_ms = 0;  // one run each, on this machine, at this time
   double ratio() const { return one_ms > 0 ? both_ms / one_ms : 0; }
 };
 
@@ -114,8 +114,8 @@ struct StereoFindings {
   CostFindings cost;
 };
 
-// Three runs: one for the camera between the eyes, one for both eyes, one for both with the centre's culling.
-Result<StereoFindings> find_stereo(const Scene& scene, const ChosenEyes& chosen,
+// Runs for the camera between the eyes, for both eyes, and for both with the centre's culling. `renderer` draws the scene.
+Result<StereoFindings> find_stereo(const Scene& scene, Renderer& renderer, const ChosenEyes& chosen,
                                    const RenderSettings& settings, const StereoQuestion& question);
 
 }  // namespace glassbox::app

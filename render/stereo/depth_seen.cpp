@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glassbox/render/staged.h>
-
 namespace glassbox {
 
 namespace {
@@ -33,14 +31,14 @@ std::optional<DepthSpan> depth_span(const Image<float>& distances) {
   return span;
 }
 
-std::optional<DepthSpan> depth_seen(const Scene& scene, const View& centre,
+std::optional<DepthSpan> depth_seen(Renderer& renderer, const View& centre,
                                     const RenderSettings& settings) {
   RenderSettings probe = settings;
   probe.shading = Shading::kUnlit;
   probe.show = Show::kColor;
   probe.want_distance = true;
   probe.want_id = false;
-  return depth_span(render_staged(scene, smaller(centre), probe).buffers.distance);
+  return depth_span(renderer.render(smaller(centre), probe).buffers.distance);
 }
 
 }  // namespace glassbox

@@ -4,9 +4,9 @@
 #include <optional>
 
 #include <glassbox/images/image.h>
-#include <glassbox/mesh/scene.h>
 #include <glassbox/pipeline/stereo/comfort.h>
 #include <glassbox/pipeline/view.h>
+#include <glassbox/render/renderer.h>
 #include <glassbox/render/settings.h>
 
 namespace glassbox {
@@ -16,7 +16,7 @@ std::optional<DepthSpan> depth_span(const Image<float>& distances);
 
 // The same from a run of its own, in a picture of the view's shape and at most 256 pixels wide and high. What is thinner
 // than such a pixel may be missed, and what only the eyes see, beside the picture of the camera between them.
-std::optional<DepthSpan> depth_seen(const Scene& scene, const View& centre,
+std::optional<DepthSpan> depth_seen(Renderer& renderer, const View& centre,
                                     const RenderSettings& settings);
 
 }  // namespace glassbox

@@ -1,7 +1,10 @@
 #include <glassbox/render/tile/tile_engine.h>
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cstddef>
+#include <deque>
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/global_control.h>
@@ -9,10 +12,10 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
-#include <glassbox/render/show.h>
 #include <glassbox/render/stopwatch.h>
 #include <glassbox/render/tile/round.h>
 #include <glassbox/render/tile/tile_pass.h>
+#include <glassbox/render/tile/tile_picture.h>
 
 namespace glassbox {
 
@@ -49,9 +52,14 @@ struct VertexTask {
   std::size_t first = 0, count = 0;
 };
 
+constexpr std::size_t kMostEyes = 2;
+
 }  // namespace
 
 struct TileEngine::State {
+  // Of one eye or two. (In place: a picture is not moved.)
+  using Pictures = std::deque<TilePicture>;
+
   explicit State(const TileOptions& o)
       : options(o),
         kernels(glassbox::kernels(o.target)),
@@ -70,9 +78,9 @@ struct TileEngine::State {
   // ---- a round ----
 
   // Slots for draws from `first` on, as many as a round takes; returns the one after the last.
-  std::size_t begin_round(const TileRun& run, std::size_t first);
-  void transform_vertices(const TileRun& run);
-  void fill_chunks(const TileRun& run);
+  std::size_t begin_round(const Pictures& pictures, std::size_t first);
+  void transform_vertices(const Pictures& pictures);
+  void fill_chunks(const TileRun& run, Round& round);
   void draw_tiles(const TilePass& pass, Statistics& statistics);
 
   TileOptions options;
@@ -81,12 +89,14 @@ struct TileEngine::State {
   tbb::global_control allowed;  // more threads than the machine has, if that is what was asked for
   tbb::task_arena arena;
   tbb::enumerable_thread_specific<TileBuffer> buffers;
-  Round round;
+  std::array<Round, kMostEyes> rounds;  // by eye; what both have in common is the first one's
   std::vector<VertexTask> vertex_tasks;
 };
 
-std::size_t TileEngine::State::begin_round(const TileRun& run, std::size_t first) {
-  round.slots.clear();
+std::size_t TileEngine::State::begin_round(const Pictures& pictures, std::size_t first) {
+  const TileRun& run = pictures.front().run();
+  std::vector<DrawSlot>& slots = rounds.front().slots;
+  slots.clear();
   std::size_t positions = 0, normals = 0, eye_positions = 0, size = 0;
   Reference reference = 1;
   std::size_t end = first;
@@ -108,15 +118,13 @@ std::size_t TileEngine::State::begin_round(const TileRun& run, std::size_t first
     }
     if (method.eye_positions) eye_positions += draw.mesh->positions.size();
     reference += Reference(draw.triangulation->triangles.size());
-    round.slots.push_back(slot);
+    slots.push_back(slot);
   }
-  VertexTables& t = round.tables;
-  SnappedEntry* screen = at_least(t.screen, positions);
+  VertexTables& t = rounds.front().tables;
   at_least(t.normals, normals);
   at_least(t.eye_positions, eye_positions);
-  for (DrawSlot& slot : round.slots) {
+  for (DrawSlot& slot : slots) {
     const Draw& draw = run.list.draws[slot.draw];
-    slot.screen = screen + slot.first_position;
     slot.eye_space.lit = needs_normals(draw, run.settings);
     if (!slot.eye_space.lit) continue;
     const std::span all_normals(t.normals);
@@ -130,10 +138,18 @@ std::size_t TileEngine::State::begin_round(const TileRun& run, std::size_t first
           std::span(t.eye_positions).subspan(slot.first_eye_position, draw.mesh->positions.size());
     }
   }
+  for (std::size_t eye = 0; eye < pictures.size(); ++eye) {
+    Round& round = rounds[eye];
+    round.slots = slots;
+    SnappedEntry* screen = at_least(round.tables.screen, positions);
+    for (DrawSlot& slot : round.slots) slot.screen = screen + slot.first_position;
+  }
   return end;
 }
 
-void TileEngine::State::transform_vertices(const TileRun& run) {
+void TileEngine::State::transform_vertices(const Pictures& pictures) {
+  const TileRun& run = pictures.front().run();
+  Round& round = rounds.front();
   vertex_tasks.clear();
   const auto add_tasks = [&](VertexTask::Kind kind, std::uint32_t slot, std::size_t size) {
     for (std::size_t at = 0; at < size; at += kVertexBatch) {
@@ -142,7 +158,10 @@ void TileEngine::State::transform_vertices(const TileRun& run) {
   };
   for (std::uint32_t i = 0; i < round.slots.size(); ++i) {
     const DrawSlot& slot = round.slots[i];
-    add_tasks(VertexTask::Kind::kPositions, i, run.list.draws[slot.draw].mesh->positions.size());
+    const std::size_t positions = run.list.draws[slot.draw].mesh->positions.size();
+    pictures.front().statistics().vertices += positions;
+    if (pictures.size() > 1) pictures.back().statistics().moved_in_x += positions;
+    add_tasks(VertexTask::Kind::kPositions, i, positions);
     add_tasks(VertexTask::Kind::kNormals, i, slot.eye_space.normals.size());
     if (!slot.eye_space.face_normals.empty()) {
       vertex_tasks.push_back({VertexTask::Kind::kFaceNormals, i, 0, 0});
@@ -153,7 +172,12 @@ void TileEngine::State::transform_vertices(const TileRun& run) {
     const DrawSlot& slot = round.slots[task.slot];
     switch (task.kind) {
       case VertexTask::Kind::kPositions:
-        return transform_positions(run, kernels, slot, round.tables, task.first, task.count);
+        transform_positions(run, kernels, slot, round.tables, task.first, task.count);
+        if (pictures.size() > 1) {
+          transform_positions(pictures.back().run(), kernels, rounds.back().slots[task.slot],
+                              round.tables, task.first, task.count);
+        }
+        return;
       case VertexTask::Kind::kNormals:
         return transform_normals(run, kernels, slot, round.tables, task.first, task.count);
       case VertexTask::Kind::kFaceNormals:
@@ -162,7 +186,7 @@ void TileEngine::State::transform_vertices(const TileRun& run) {
   });
 }
 
-void TileEngine::State::fill_chunks(const TileRun& run) {
+void TileEngine::State::fill_chunks(const TileRun& run, Round& round) {
   round.chunk_count = 0;
   const auto add_chunk = [&](Chunk::Kind kind, std::uint32_t slot, std::uint32_t first,
                              std::uint32_t count) {
@@ -210,106 +234,18 @@ void TileEngine::State::draw_tiles(const TilePass& pass, Statistics& statistics)
 
 namespace {
 
-TileRun make_run(const DrawList& list, const View& view, const RenderSettings& settings,
-                 int tile_side) {
-  TileRun run{view, settings, list, {}, render_planes(view), {}, tile_side};
-  run.window = {0, 0, int(view.viewport.width()), int(view.viewport.height())};
-  for (const Draw& draw : list.draws) {
-    run.methods.push_back(choose_method(draw, list.lighting, settings));
+// The same draws for each eye.
+void make_pictures(const Scene& scene, const PreparedScene& prepared,
+                   std::span<const EyePicture> eyes, int tile_side,
+                   std::deque<TilePicture>& pictures) {
+  DrawList list = make_draw_list(scene, prepared, eyes.front().view);
+  for (const EyePicture& eye : eyes.subspan(1)) {
+    pictures.emplace_back(eye,
+                          DrawList{draws_of_other_eye(list.draws, scene, eye.view), list.lighting,
+                                   list.triangle_count},
+                          tile_side);
   }
-  return run;
-}
-
-void count_input(const DrawList& list, Statistics& statistics) {
-  for (const Draw& draw : list.draws) {
-    ++statistics.instances;
-    statistics.triangles += draw.triangulation->numbered;
-    statistics.degenerate += draw.triangulation->numbered - draw.triangulation->triangles.size();
-    statistics.lines += draw.mesh->lines.size();
-    statistics.points += draw.mesh->points.size();
-    statistics.vertices += draw.mesh->positions.size();
-  }
-}
-
-// Some primitives write to the framebuffer themselves.
-bool draws_in_framebuffer(const TileRun& run) {
-  for (std::size_t i = 0; i < run.methods.size(); ++i) {
-    const Mesh& mesh = *run.list.draws[i].mesh;
-    if (run.methods[i].staged_because != nullptr || !mesh.lines.empty() || !mesh.points.empty()) {
-      return true;
-    }
-  }
-  return false;
-}
-
-bool is_whole(const ColorMask& mask) {
-  return mask.r && mask.g && mask.b && mask.a;
-}
-bool is_empty(const ColorMask& mask) {
-  return !mask.r && !mask.g && !mask.b && !mask.a;
-}
-
-// Shading of the small triangles of a draw, and of the large ones.
-ShadeDraw shade_draw(const TileRun& run, const Round& round, const DrawSlot& slot) {
-  const Draw& draw = run.list.draws[slot.draw];
-  const DrawMethod& method = run.methods[slot.draw];
-  const CornerIndices& indices = draw.prepared->indices;
-  const auto or_positions = [&](const std::vector<std::uint32_t>& own) {
-    return own.empty() ? indices.positions.data() : own.data();
-  };
-  ShadeDraw shade;
-  shade.first_reference = slot.first_reference;
-  shade.end_reference = slot.first_reference + Reference(draw.triangulation->triangles.size());
-  shade.positions = indices.positions.data();
-  shade.screen = slot.screen;
-  shade.mirrored = draw.mirrored;
-  shade.triangles = draw.triangulation->triangles.data();
-  shade.first_number = draw.first_number;
-  shade.material = draw.material;
-  shade.light = method.light;
-  shade.highlights = method.highlights;
-  if (method.light != LightAt::kNowhere) {
-    shade.normal_indices = or_positions(indices.normals);
-    shade.normals = round.tables.normals.data() + slot.first_normal;
-  }
-  if (method.eye_positions) {
-    shade.eye_positions = round.tables.eye_positions.data() + slot.first_eye_position;
-  }
-  if (method.texture) {
-    shade.texture = draw.texture;
-    shade.sampler = draw.sampler;
-    if (indices.has_texcoords) {
-      shade.texcoord_indices = or_positions(indices.texcoords);
-      shade.texcoords = draw.mesh->texcoords.data();
-    }
-  }
-  if (method.vertex_colors) {
-    shade.color_indices = or_positions(indices.colors);
-    shade.colors = draw.mesh->colors.data();
-  }
-  return shade;
-}
-
-// Planes of the right size with the values of a cleared framebuffer where `clear` says so; others are overwritten anyway.
-void prepare_framebuffer(const TileRun& run, bool clear, bool with_depth, Framebuffer& target) {
-  const int width = run.window.x1, height = run.window.y1;
-  const auto plane = [&](auto& image, bool wanted, auto empty) {
-    if (!wanted) {
-      image = {};
-    } else if (image.width != width || image.height != height) {
-      image = {width, height, empty};
-    } else if (clear) {
-      std::ranges::fill(image.pixels, empty);
-    }
-  };
-  const RenderSettings& s = run.settings;
-  plane(target.color, true, s.background);
-  plane(target.depth, with_depth, kEmptyDepth);
-  plane(target.distance, s.want_distance || s.show == Show::kDepth,
-        std::numeric_limits<float>::infinity());
-  plane(target.id, s.want_id || s.show == Show::kId, std::uint32_t{0});
-  plane(target.writes, s.show == Show::kOverdraw, std::uint32_t{0});
-  std::ranges::fill(target.writes.pixels, 0u);  // which only staged fragments count up
+  pictures.emplace_front(eyes.front(), std::move(list), tile_side);
 }
 
 }  // namespace
@@ -317,73 +253,53 @@ void prepare_framebuffer(const TileRun& run, bool clear, bool with_depth, Frameb
 TileEngine::TileEngine(const TileOptions& options) : state_(std::make_unique<State>(options)) {}
 TileEngine::~TileEngine() = default;
 
-void TileEngine::render(const Scene& scene, const PreparedScene& prepared, const View& view,
-                        const RenderSettings& settings, Rendering& into) {
+void TileEngine::render(const Scene& scene, const PreparedScene& prepared,
+                        std::span<const EyePicture> eyes) {
+  assert(!eyes.empty() && eyes.size() <= kMostEyes);
   State& s = *state_;
-  Statistics& statistics = into.statistics;
-  statistics = {};
-  DrawList list;
-  std::optional<TileRun> made;
+  for (const EyePicture& eye : eyes) eye.statistics = {};
+  Statistics& shared = eyes.front().statistics;
+  State::Pictures pictures;
   {
-    const Stopwatch watch(statistics.prepare_ms);
-    list = make_draw_list(scene, prepared, view);
-    made.emplace(make_run(list, view, settings, s.options.tile_side));
+    const Stopwatch watch(shared.prepare_ms);
+    make_pictures(scene, prepared, eyes, s.options.tile_side, pictures);
   }
-  const TileRun& run = *made;
-  count_input(list, statistics);
+  for (const TilePicture& picture : pictures) picture.count_input();
 
-  const bool colors_are_painted_later = settings.show == Show::kDepth || settings.show == Show::kId;
-  const bool wants_color = !colors_are_painted_later && !is_empty(settings.mask);
+  const std::size_t draws = pictures.front().list().draws.size();
   std::size_t first = 0;
   do {
-    const std::size_t end = s.begin_round(run, first);
-    const bool many_rounds = first > 0 || end < list.draws.size();
-    const bool through_framebuffer = many_rounds || draws_in_framebuffer(run);
-    const bool keep = through_framebuffer || !is_whole(settings.mask) || !wants_color;
+    const std::size_t end = s.begin_round(pictures, first);
     if (first == 0) {
-      const Stopwatch watch(statistics.prepare_ms);
-      prepare_framebuffer(run, keep, through_framebuffer || settings.want_depth, into.buffers);
+      const Stopwatch watch(shared.prepare_ms);
+      for (TilePicture& picture : pictures) picture.prepare_framebuffer(end == draws);
     }
     {
-      const Stopwatch watch(statistics.vertex_ms);
-      s.transform_vertices(run);
+      const Stopwatch watch(shared.vertex_ms);
+      s.transform_vertices(pictures);
     }
-    {
-      const Stopwatch watch(statistics.triangle_ms);
-      s.fill_chunks(run);
+    for (std::size_t eye = 0; eye < pictures.size(); ++eye) {
+      TilePicture& picture = pictures[eye];
+      Statistics& statistics = picture.statistics();
+      {
+        const Stopwatch watch(statistics.triangle_ms);
+        s.fill_chunks(picture.run(), s.rounds[eye]);
+      }
+      const Stopwatch watch(statistics.fragment_ms);
+      for (std::size_t i = 0; i < s.rounds[eye].chunk_count; ++i) {
+        add(s.rounds[eye].chunks[i].statistics, statistics);
+      }
+      s.draw_tiles(picture.pass(s.kernels, s.rounds[eye], first == 0), statistics);
     }
-    const Stopwatch watch(statistics.fragment_ms);
-    for (std::size_t i = 0; i < s.round.chunk_count; ++i) {
-      add(s.round.chunks[i].statistics, statistics);
-    }
-    std::vector<ShadeDraw> shades(list.draws.size());
-    std::vector<std::uint32_t> by_reference;
-    for (const DrawSlot& slot : s.round.slots) {
-      shades[slot.draw] = shade_draw(run, s.round, slot);
-      by_reference.push_back(slot.draw);
-    }
-    TilePass pass{
-        run, s.kernels, s.round, {}, into.buffers, first > 0, many_rounds || settings.want_depth};
-    ResolveJob& resolve = pass.resolve;
-    resolve.draws = shades;
-    resolve.by_reference = by_reference;
-    resolve.large = s.round.large.data();
-    resolve.lighting = &list.lighting;
-    resolve.transfer = settings.transfer;
-    resolve.mask = settings.mask;
-    resolve.background = settings.background;
-    resolve.keep_picture = keep;
-    resolve.picture = wants_color ? &into.buffers.color : nullptr;
-    resolve.distance = into.buffers.distance.pixels.empty() ? nullptr : &into.buffers.distance;
-    resolve.id = into.buffers.id.pixels.empty() ? nullptr : &into.buffers.id;
-    resolve.perspective = view.perspective;
-    resolve.near = view.near;
-    resolve.far = view.far;
-    resolve.reversed = view.depth_range == DepthRange::kReversed;
-    s.draw_tiles(pass, statistics);
     first = end;
-  } while (first < list.draws.size());
-  show(settings.show, into.buffers);
+  } while (first < draws);
+  for (const TilePicture& picture : pictures) picture.finish();
+}
+
+void TileEngine::render(const Scene& scene, const PreparedScene& prepared, const View& view,
+                        const RenderSettings& settings, Rendering& into) {
+  const EyePicture eye{view, settings, into.buffers, into.buffers.color, into.statistics};
+  render(scene, prepared, {&eye, 1});
 }
 
 Rendering render_tiled(const Scene& scene, const View& view, const RenderSettings& settings,

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 
 #include <glassbox/mesh/scene.h>
 #include <glassbox/pipeline/view.h>
@@ -27,6 +28,19 @@ struct TileOptions {
   std::size_t round_size = std::size_t{1} << 23;
 };
 
+// What an eye sees, and where it goes.
+struct EyePicture {
+  const View& view;
+  const RenderSettings& settings;
+  Framebuffer& target;  // memory of planes that have the right size is used again
+  // target.color; or a picture of the view's size that is there already, over which this one is drawn. (Not with pictures of
+  // planes of the buffer: Show::kDepth, kId, kOverdraw.)
+  Image<Rgba8>& color;
+  Statistics& statistics;
+
+  bool draws_over() const { return &color != &target.color; }
+};
+
 // Keeps its threads and memory from one picture to the next.
 class TileEngine {
 public:
@@ -35,10 +49,13 @@ public:
   TileEngine(const TileEngine&) = delete;
   TileEngine& operator=(const TileEngine&) = delete;
 
-  // As render_staged. `prepared` was made from the scene with the settings' transfer. Memory of `into` is used again where its
-  // planes have the right size.
+  // As render_staged. `prepared` was made from the scene with the settings' transfer.
   void render(const Scene& scene, const PreparedScene& prepared, const View& view,
               const RenderSettings& settings, Rendering& into);
+
+  // The same for one eye, or for the two of a stereo pair, in this order: their views differ in the row of x of clip_from_eye
+  // alone, their settings in the mask. Work done once for both is counted and timed with the first.
+  void render(const Scene& scene, const PreparedScene& prepared, std::span<const EyePicture> eyes);
 
 private:
   struct State;

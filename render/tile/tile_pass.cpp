@@ -73,7 +73,7 @@ private:
                               pass_.run.settings,
                               pass_.run.list.lighting,
                               pass_.target,
-                              pass_.target.color,
+                              pass_.color,
                               tile_.window(),
                               statistics_,
                               nullptr};

@@ -18,6 +18,7 @@ struct TilePass {
   ResolveJob
       resolve;  // resolve.keep_picture: planes are cleared already, and may hold earlier rounds
   Framebuffer& target;
+  Image<Rgba8>& color;  // target.color, or the picture that this one is drawn over
   // Depth lives in target.depth between rounds, and while staged primitives are drawn.
   bool load_depth = false, store_depth = false;
 };

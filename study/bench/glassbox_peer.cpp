@@ -1,30 +1,15 @@
 #include "study/bench/glassbox_peer.h"
 
-#include <bit>
-#include <cstdint>
+#include <functional>
+#include <utility>
 
-#include <glassbox/render/stereo/render_pair.h>
+#include <glassbox/raster/blend.h>
 #include <glassbox/render/stopwatch.h>
+#include <glassbox/render/tile/tile_pair.h>
 
 #include "study/bench/statistics.h"
 
 namespace glassbox::study {
-
-namespace {
-
-// The masked channels of `from` into the picture.
-void merge(const ColorMask& mask, const Image<Rgba8>& from, Image<Rgba8>& into) {
-  const auto all = [](bool on) { return std::uint8_t(on ? 255 : 0); };
-  const auto taken =
-      std::bit_cast<std::uint32_t>(Rgba8{all(mask.r), all(mask.g), all(mask.b), all(mask.a)});
-  for (std::size_t i = 0; i < into.pixels.size(); ++i) {
-    const auto kept = std::bit_cast<std::uint32_t>(into.pixels[i]) & ~taken;
-    const auto added = std::bit_cast<std::uint32_t>(from.pixels[i]) & taken;
-    into.pixels[i] = std::bit_cast<Rgba8>(kept | added);
-  }
-}
-
-}  // namespace
 
 GlassboxPeer::GlassboxPeer(const BenchScene& bench, const EngineOptions& options)
     : bench_(bench), drawn_(bench.passes.size()) {
@@ -35,20 +20,29 @@ GlassboxPeer::GlassboxPeer(const BenchScene& bench, const EngineOptions& options
   tiles_ = std::make_unique<TileEngine>(tile);
 }
 
-void GlassboxPeer::draw_pass(const View& view, const RenderSettings& settings, Rendering& into) {
-  if (tiles_ == nullptr) {
-    into = render_staged(bench_.scene, view, settings);
-  } else {
-    tiles_->render(bench_.scene, prepared_, view, settings, into);
+void GlassboxPeer::draw_over(const BenchPass& pass, const RenderSettings& settings,
+                             Rendering& into) {
+  Image<Rgba8>& picture = drawn_.front().buffers.color;
+  if (tiles_ != nullptr) {
+    const EyePicture eye{pass.view, settings, into.buffers, picture, into.statistics};
+    tiles_->render(bench_.scene, prepared_, {&eye, 1});
+    return;
   }
+  Rendering drawn = render_staged(bench_.scene, pass.view, settings);
+  if (&into != &drawn_.front()) {
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+      write_masked(settings.mask, drawn.buffers.color.pixels[i], picture.pixels[i]);
+    }
+    drawn.buffers.color = {};
+  }
+  into = std::move(drawn);
 }
 
 void GlassboxPeer::draw(const RenderSettings& settings) {
   for (std::size_t i = 0; i < drawn_.size(); ++i) {
     RenderSettings masked = settings;
     masked.mask = bench_.passes[i].mask;
-    draw_pass(bench_.passes[i].view, masked, drawn_[i]);
-    if (i > 0) merge(masked.mask, drawn_[i].buffers.color, drawn_[0].buffers.color);
+    draw_over(bench_.passes[i], masked, drawn_[i]);
   }
 }
 
@@ -74,17 +68,43 @@ JudgedPicture GlassboxPeer::picture() {
   return judged;
 }
 
-StereoCost stereo_cost(const BenchScene& bench, int frames) {
+StereoCost stereo_cost(const BenchScene& bench, const EngineOptions& options, int frames) {
   const auto& [centre, pair] = *bench.stereo;
   const AnaglyphMasks masks{bench.passes[0].mask, bench.passes[1].mask};
+  const StereoSettings both_settings{bench.settings};
+  Rendering one;
+  StereoRendering both;
+  std::function<void()> draw_one, draw_both;
+  PreparedScene prepared;
+  std::unique_ptr<TileEngine> tiles;
+  if (options.engine == Engine::kStaged) {
+    draw_one = [&] { one = render_staged(bench.scene, centre, bench.settings); };
+    draw_both = [&] {
+      both = render_masked_anaglyph(bench.scene, centre, pair, both_settings, masks);
+    };
+  } else {
+    prepared = prepare(bench.scene, bench.settings.transfer);
+    tiles = std::make_unique<TileEngine>(options.tile);
+    draw_one = [&] { tiles->render(bench.scene, prepared, centre, bench.settings, one); };
+    draw_both = [&] {
+      render_masked_anaglyph(*tiles, bench.scene, prepared, centre, pair, both_settings, masks,
+                             both);
+    };
+  }
+  const auto timed = [](const std::function<void()>& draw) {
+    double elapsed = 0;
+    {
+      const Stopwatch watch(elapsed);
+      draw();
+    }
+    return elapsed;
+  };
+  timed(draw_one);
+  timed(draw_both);
   std::vector<double> mono, shared;
   for (int i = 0; i < frames; ++i) {
-    const Stopwatch watch(mono.emplace_back());
-    (void)render_staged(bench.scene, centre, bench.settings);
-  }
-  for (int i = 0; i < frames; ++i) {
-    const Stopwatch watch(shared.emplace_back());
-    (void)render_masked_anaglyph(bench.scene, centre, pair, {bench.settings}, masks);
+    mono.push_back(timed(draw_one));
+    shared.push_back(timed(draw_both));
   }
   return {median(std::move(mono)), median(std::move(shared))};
 }

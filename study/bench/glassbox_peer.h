@@ -6,15 +6,12 @@
 
 #include <glassbox/images/image.h>
 #include <glassbox/render/prepared_scene.h>
-#include <glassbox/render/staged.h>
-#include <glassbox/render/tile/tile_engine.h>
+#include <glassbox/render/renderer.h>
 
 #include "study/bench/picture_match.h"
 #include "study/bench/scenes.h"
 
 namespace glassbox::study {
-
-enum class Engine { kStaged, kTile };
 
 struct EngineOptions {
   Engine engine = Engine::kTile;
@@ -35,19 +32,20 @@ public:
 
 private:
   void draw(const RenderSettings& settings);
-  void draw_pass(const View& view, const RenderSettings& settings, Rendering& into);
+  // Over the picture that the passes before have left.
+  void draw_over(const BenchPass& pass, const RenderSettings& settings, Rendering& into);
 
   const BenchScene& bench_;
   PreparedScene prepared_;
   std::unique_ptr<TileEngine> tiles_;  // null: the staged driver
-  std::vector<Rendering> drawn_;       // by pass; the first one's colours become the picture
+  std::vector<Rendering> drawn_;       // by pass; the first one has the colours of all
 };
 
-// What the second eye costs: both eyes of an anaglyph in one run of the staged driver that shares their work, against one
-// eye's picture by the same driver.
+// What the second eye costs: both eyes of an anaglyph in one run that shares their work, against one eye's picture by the same
+// engine. Medians of frames drawn by turns.
 struct StereoCost {
   double mono_ms = 0, shared_ms = 0;
 };
-StereoCost stereo_cost(const BenchScene& bench, int frames);
+StereoCost stereo_cost(const BenchScene& bench, const EngineOptions& options, int frames);
 
 }  // namespace glassbox::study

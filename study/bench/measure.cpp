@@ -61,7 +61,7 @@ Result<Measurement> measure(const BenchScene& bench, const MeasureOptions& optio
     found.against = Against{peer->description(), quartiles(theirs), ratios(theirs, ours),
                             match(glassbox.picture(), *picture)};
   }
-  if (bench.stereo) found.stereo = stereo_cost(bench, options.frames);
+  if (bench.stereo) found.stereo = stereo_cost(bench, options.engine, options.frames);
   if (!bench.reject_objects) found.rejected_ms = rejected_ms(bench, options);
   return found;
 }

@@ -47,7 +47,7 @@ TEST_CASE("inspect writes one page that names nothing outside of itself") {
 
 TEST_CASE("the counts of the page are those of glassbox render") {
   const Workplace here;
-  const Outcome rendered = here.run("render room --size 80x60 -o p.png --json -");
+  const Outcome rendered = here.run("render room --size 80x60 -o p.png --engine staged --json -");
   REQUIRE(rendered.exit_code == 0);
   REQUIRE(here.run("inspect room --size 80x60 -o p.html").exit_code == 0);
   const Json stages = Json::parse(rendered.out)["stages"], page = manifest_of(here.read("p.html"));

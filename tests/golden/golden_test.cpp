@@ -39,9 +39,11 @@ std::vector<Line> read_commands() {
   return lines;
 }
 
-// Runs the line's command; what went wrong, or "".
-std::string make(const Line& line, const std::string& picture) {
+// Runs the line's command with more arguments; what went wrong, or "".
+std::string make(const Line& line, const std::vector<std::string>& more,
+                 const std::string& picture) {
   std::vector<std::string> arguments = line.arguments;
+  arguments.insert(arguments.end(), more.begin(), more.end());
   arguments.insert(arguments.end(), {"-o", picture});
   const Outcome outcome = run_program(GLASSBOX_PROGRAM, arguments, kGolden);
   const int expected = line.arguments.front() == "diff" ? 1 : 0;  // what it shows is a difference
@@ -49,16 +51,28 @@ std::string make(const Line& line, const std::string& picture) {
   return "exit code " + std::to_string(outcome.exit_code) + ": " + outcome.err;
 }
 
-TEST_CASE("the golden commands give the golden images, byte for byte") {
-  const std::vector<Line> lines = read_commands();
-  REQUIRE(lines.size() >= 50);
+void check_all(const std::vector<Line>& lines, const std::vector<std::string>& more) {
   const TemporaryDirectory directory;
   for (const Line& line : lines) {
     const std::string picture = directory.file(line.file);
     INFO("images/golden/" << line.file);
-    REQUIRE(make(line, picture) == "");
+    REQUIRE(make(line, more, picture) == "");
     CHECK_THAT(PictureFile{picture}, MatchesGolden(kGolden + line.file));
   }
+}
+
+TEST_CASE("the golden commands give the golden images, byte for byte") {
+  const std::vector<Line> lines = read_commands();
+  REQUIRE(lines.size() >= 50);
+  check_all(lines, {});
+}
+
+TEST_CASE("so does the staged reference, and the tile engine on plain scalars without a plan") {
+  std::vector<Line> renders = read_commands();
+  std::erase_if(renders, [](const Line& line) { return line.arguments.front() != "render"; });
+  REQUIRE(renders.size() >= 50);
+  check_all(renders, {"--engine", "staged"});
+  check_all(renders, {"--engine", "tile", "--target", "scalar", "--threads", "2", "--no-plan"});
 }
 
 TEST_CASE("every golden image has the command that makes it, and each name is there once") {

@@ -6,6 +6,7 @@
 #include <glassbox/pipeline/framing.h>
 #include <glassbox/pipeline/stereo/parallax.h>
 #include <glassbox/render/draw_pass.h>
+#include <glassbox/render/renderer.h>
 #include <glassbox/render/staged.h>
 #include <glassbox/render/stereo/render_pair.h>
 
@@ -27,6 +28,17 @@ std::size_t differing_pixels(const Image<Rgba8>& a, const Image<Rgba8>& b) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i) count += !(a.pixels[i] == b.pixels[i]);
   return count;
+}
+
+// The staged one, and the tile engine with one tile and with many.
+std::vector<Renderer> many_renderers(const Scene& scene) {
+  std::vector<Renderer> all;
+  all.emplace_back(scene, Transfer::kSrgb, Engine::kStaged);
+  all.emplace_back(scene, Transfer::kSrgb, Engine::kTile,
+                   TileOptions{.threads = 1, .tile_side = 128});
+  all.emplace_back(scene, Transfer::kSrgb, Engine::kTile,
+                   TileOptions{.threads = 3, .tile_side = 16, .target = Target::kScalar});
+  return all;
 }
 
 std::vector<RenderSettings> many_settings() {
@@ -51,22 +63,26 @@ std::vector<RenderSettings> many_settings() {
 
 TEST_CASE("each eye's picture is the one that a run of its own makes (S0-03)") {
   for (const PairCase& c : pair_cases()) {
+    std::vector<Renderer> renderers = many_renderers(c.scene);
     for (RenderSettings settings : many_settings()) {
-      settings.want_distance = settings.want_id = true;
-      const StereoRendering both = render_pair(c.scene, c.centre, c.pair, {settings});
+      settings.want_depth = settings.want_distance = settings.want_id = true;
       const auto own = [&](Side side) {
         return render_staged(c.scene, eye_view(c.centre, c.pair, side), settings).buffers;
       };
       INFO(c.name << ", shading " << int(settings.shading) << ", show " << int(settings.show));
       const Framebuffer left = own(Side::kLeft), right = own(Side::kRight);
-      CHECK(both.left.color == left.color);
-      CHECK(both.left.depth == left.depth);
-      CHECK(both.left.distance == left.distance);
-      CHECK(both.left.id == left.id);
-      CHECK(both.right.color == right.color);
-      CHECK(both.right.depth == right.depth);
-      CHECK(both.right.distance == right.distance);
-      CHECK(both.right.id == right.id);
+      for (Renderer& renderer : renderers) {
+        INFO("renderer " << &renderer - renderers.data());
+        const StereoRendering both = renderer.render_pair(c.centre, c.pair, {settings});
+        CHECK(both.left.color == left.color);
+        CHECK(both.left.depth == left.depth);
+        CHECK(both.left.distance == left.distance);
+        CHECK(both.left.id == left.id);
+        CHECK(both.right.color == right.color);
+        CHECK(both.right.depth == right.depth);
+        CHECK(both.right.distance == right.distance);
+        CHECK(both.right.id == right.id);
+      }
     }
   }
 }
@@ -75,12 +91,14 @@ TEST_CASE(
     "the object stage is run once; y, z and w of both eyes are the same bits (S0-03, S0-07)") {
   for (const PairCase& c : pair_cases()) {
     INFO(c.name);
-    const StereoRendering both = render_pair(c.scene, c.centre, c.pair, {});
     const Statistics mono = render_staged(c.scene, c.centre, {}).statistics;
-    CHECK(both.passes == 2);
-    CHECK(both.left_statistics.vertices == mono.vertices);
-    CHECK(both.right_statistics.vertices == 0);
-    CHECK(both.right_statistics.moved_in_x == mono.vertices);
+    for (Renderer& renderer : many_renderers(c.scene)) {
+      const StereoRendering both = renderer.render_pair(c.centre, c.pair, {});
+      CHECK(both.passes == 2);
+      CHECK(both.left_statistics.vertices == mono.vertices);
+      CHECK(both.right_statistics.vertices == 0);
+      CHECK(both.right_statistics.moved_in_x == mono.vertices);
+    }
 
     const View left = eye_view(c.centre, c.pair, Side::kLeft);
     const View right = eye_view(c.centre, c.pair, Side::kRight);
@@ -101,12 +119,18 @@ TEST_CASE(
 
 TEST_CASE("the anaglyph of two masks is the two pictures put together by channel (S0-02, S0-05)") {
   for (const PairCase& c : pair_cases()) {
+    std::vector<Renderer> renderers = many_renderers(c.scene);
     for (const RenderSettings& settings : many_settings()) {
       INFO(c.name << ", shading " << int(settings.shading) << ", show " << int(settings.show));
       const StereoRendering both = render_pair(c.scene, c.centre, c.pair, {settings});
-      const StereoRendering masked =
-          render_masked_anaglyph(c.scene, c.centre, c.pair, {settings}, {});
-      CHECK(masked.left.color == red_cyan(both.left.color, both.right.color));
+      const Image<Rgba8> expected = red_cyan(both.left.color, both.right.color);
+      for (Renderer& renderer : renderers) {
+        INFO("renderer " << &renderer - renderers.data());
+        const StereoRendering masked =
+            renderer.render_masked_anaglyph(c.centre, c.pair, {settings}, {});
+        CHECK(masked.left.color == expected);
+        CHECK(masked.right.color.pixels.empty());
+      }
     }
   }
 }
@@ -158,13 +182,15 @@ TEST_CASE("zero separation takes one pass and gives the mono bytes (C-71)") {
     INFO(c.name);
     c.pair.half_separation = 0;
     const Image<Rgba8> mono = render_staged(c.scene, c.centre, {}).buffers.color;
-    const StereoRendering both = render_pair(c.scene, c.centre, c.pair, {});
-    CHECK(both.passes == 1);
-    CHECK(both.left.color == mono);
-    CHECK(both.right.color == mono);
-    const StereoRendering masked = render_masked_anaglyph(c.scene, c.centre, c.pair, {}, {});
-    CHECK(masked.passes == 1);
-    CHECK(masked.left.color == mono);
+    for (Renderer& renderer : many_renderers(c.scene)) {
+      const StereoRendering both = renderer.render_pair(c.centre, c.pair, {});
+      CHECK(both.passes == 1);
+      CHECK(both.left.color == mono);
+      CHECK(both.right.color == mono);
+      const StereoRendering masked = renderer.render_masked_anaglyph(c.centre, c.pair, {}, {});
+      CHECK(masked.passes == 1);
+      CHECK(masked.left.color == mono);
+    }
   }
 }
 

@@ -1,0 +1,46 @@
+// A scene and the engine that draws it. What all of its pictures have in common is made once.
+#pragma once
+
+#include <memory>
+
+#include <glassbox/mesh/scene.h>
+#include <glassbox/pipeline/view.h>
+#include <glassbox/render/prepared_scene.h>
+#include <glassbox/render/staged.h>
+#include <glassbox/render/stereo/render_pair.h>
+#include <glassbox/render/tile/tile_engine.h>
+
+namespace glassbox {
+
+// Both make the same bytes.
+enum class Engine { kTile, kStaged };
+
+class Renderer {
+public:
+  // The scene must outlive it and not change. `transfer` is that of the settings rendered with. `options` are the tile engine's.
+  Renderer(const Scene& scene, Transfer transfer, Engine engine = Engine::kTile,
+           const TileOptions& options = {});
+
+  Engine engine() const { return tiles_ ? Engine::kTile : Engine::kStaged; }
+
+  // As render_staged; the depth plane only if it is asked for.
+  Rendering render(const View& view, const RenderSettings& settings);
+
+  // As the functions of the same names.
+  StereoRendering render_pair(const View& centre, const StereoPair& pair,
+                              const StereoSettings& settings);
+  StereoRendering render_masked_anaglyph(const View& centre, const StereoPair& pair,
+                                         const StereoSettings& settings,
+                                         const AnaglyphMasks& masks);
+
+private:
+  // The first picture's time has what was made for all.
+  void count_preparation(Statistics& statistics);
+
+  const Scene& scene_;
+  PreparedScene prepared_;  // of the tile engine, as is the rest
+  double prepare_ms_ = 0;
+  std::unique_ptr<TileEngine> tiles_;
+};
+
+}  // namespace glassbox

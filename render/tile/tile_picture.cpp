@@ -1,0 +1,162 @@
+#include <glassbox/render/tile/tile_picture.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include <glassbox/render/show.h>
+
+namespace glassbox {
+
+namespace {
+
+TileRun make_run(const EyePicture& eye, const DrawList& list, int tile_side) {
+  TileRun run{eye.view, eye.settings, list, {}, render_planes(eye.view), {}, tile_side};
+  run.window = {0, 0, int(eye.view.viewport.width()), int(eye.view.viewport.height())};
+  for (const Draw& draw : list.draws) {
+    run.methods.push_back(choose_method(draw, list.lighting, eye.settings));
+  }
+  return run;
+}
+
+bool is_empty(const ColorMask& mask) {
+  return !mask.r && !mask.g && !mask.b && !mask.a;
+}
+
+// Shading of the small triangles of a draw, and of the large ones.
+ShadeDraw shade_draw(const TileRun& run, const DrawSlot& slot) {
+  const Draw& draw = run.list.draws[slot.draw];
+  const DrawMethod& method = run.methods[slot.draw];
+  const CornerIndices& indices = draw.prepared->indices;
+  const auto or_positions = [&](const std::vector<std::uint32_t>& own) {
+    return own.empty() ? indices.positions.data() : own.data();
+  };
+  ShadeDraw shade;
+  shade.first_reference = slot.first_reference;
+  shade.end_reference = slot.first_reference + Reference(draw.triangulation->triangles.size());
+  shade.positions = indices.positions.data();
+  shade.screen = slot.screen;
+  shade.mirrored = draw.mirrored;
+  shade.triangles = draw.triangulation->triangles.data();
+  shade.first_number = draw.first_number;
+  shade.material = draw.material;
+  shade.light = method.light;
+  shade.highlights = method.highlights;
+  if (method.light != LightAt::kNowhere) {
+    shade.normal_indices = or_positions(indices.normals);
+    shade.normals = slot.eye_space.normals.data();
+  }
+  if (method.eye_positions) shade.eye_positions = slot.eye_space.positions.data();
+  if (method.texture) {
+    shade.texture = draw.texture;
+    shade.sampler = draw.sampler;
+    if (indices.has_texcoords) {
+      shade.texcoord_indices = or_positions(indices.texcoords);
+      shade.texcoords = draw.mesh->texcoords.data();
+    }
+  }
+  if (method.vertex_colors) {
+    shade.color_indices = or_positions(indices.colors);
+    shade.colors = draw.mesh->colors.data();
+  }
+  return shade;
+}
+
+// A plane of the picture's size, or none. Where `clear` does not say so, all of it is overwritten anyway.
+template <class Pixel>
+void prepare_plane(const PixelRect& window, bool wanted, bool clear, Pixel empty,
+                   Image<Pixel>& plane) {
+  if (!wanted) {
+    plane = {};
+  } else if (plane.width != window.x1 || plane.height != window.y1) {
+    plane = {window.x1, window.y1, empty};
+  } else if (clear) {
+    std::ranges::fill(plane.pixels, empty);
+  }
+}
+
+}  // namespace
+
+TilePicture::TilePicture(const EyePicture& eye, DrawList list, int tile_side)
+    : eye_(eye), list_(std::move(list)), run_(make_run(eye, list_, tile_side)) {}
+
+void TilePicture::count_input() const {
+  Statistics& statistics = eye_.statistics;
+  for (const Draw& draw : list_.draws) {
+    ++statistics.instances;
+    statistics.triangles += draw.triangulation->numbered;
+    statistics.degenerate += draw.triangulation->numbered - draw.triangulation->triangles.size();
+    statistics.lines += draw.mesh->lines.size();
+    statistics.points += draw.mesh->points.size();
+  }
+}
+
+bool TilePicture::wants_color() const {
+  const Show show = eye_.settings.show;
+  const bool painted_later = show == Show::kDepth || show == Show::kId;
+  return !painted_later && !is_empty(eye_.settings.mask);
+}
+
+// They write to the framebuffer themselves.
+bool TilePicture::has_staged_draws() const {
+  for (std::size_t i = 0; i < run_.methods.size(); ++i) {
+    const Mesh& mesh = *list_.draws[i].mesh;
+    if (run_.methods[i].staged_because != nullptr || !mesh.lines.empty() || !mesh.points.empty()) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void TilePicture::prepare_framebuffer(bool one_round) {
+  const RenderSettings& s = eye_.settings;
+  Framebuffer& target = eye_.target;
+  through_framebuffer_ = !one_round || has_staged_draws();
+  keep_picture_ = through_framebuffer_ || !wants_color() || eye_.draws_over();
+  store_depth_ = !one_round || s.want_depth;
+  const auto prepare = [&](bool wanted, auto empty, auto& plane) {
+    prepare_plane(run_.window, wanted, keep_picture_, empty, plane);
+  };
+  prepare(!eye_.draws_over(), s.background, target.color);
+  prepare(through_framebuffer_ || s.want_depth, kEmptyDepth, target.depth);
+  prepare(s.want_distance || s.show == Show::kDepth, std::numeric_limits<float>::infinity(),
+          target.distance);
+  prepare(s.want_id || s.show == Show::kId, std::uint32_t{0}, target.id);
+  prepare(s.show == Show::kOverdraw, std::uint32_t{0}, target.writes);
+  std::ranges::fill(target.writes.pixels, 0u);  // which only staged fragments count up
+}
+
+TilePass TilePicture::pass(const Kernels& kernels, const Round& round, bool first_round) {
+  shades_.assign(list_.draws.size(), {});
+  by_reference_.clear();
+  for (const DrawSlot& slot : round.slots) {
+    shades_[slot.draw] = shade_draw(run_, slot);
+    by_reference_.push_back(slot.draw);
+  }
+  const auto if_there = [](auto& plane) { return plane.pixels.empty() ? nullptr : &plane; };
+  const View& view = eye_.view;
+  TilePass pass{run_, kernels, round, {}, eye_.target, eye_.color, !first_round, store_depth_};
+  ResolveJob& resolve = pass.resolve;
+  resolve.draws = shades_;
+  resolve.by_reference = by_reference_;
+  resolve.large = round.large.data();
+  resolve.lighting = &list_.lighting;
+  resolve.transfer = eye_.settings.transfer;
+  resolve.mask = eye_.settings.mask;
+  resolve.background = eye_.settings.background;
+  resolve.keep_picture = keep_picture_;
+  resolve.picture = wants_color() ? &eye_.color : nullptr;
+  resolve.distance = if_there(eye_.target.distance);
+  resolve.id = if_there(eye_.target.id);
+  resolve.perspective = view.perspective;
+  resolve.near = view.near;
+  resolve.far = view.far;
+  resolve.reversed = view.depth_range == DepthRange::kReversed;
+  return pass;
+}
+
+void TilePicture::finish() const {
+  if (!eye_.draws_over()) show(eye_.settings.show, eye_.target);
+}
+
+}  // namespace glassbox

@@ -1,0 +1,49 @@
+// A picture of the tile engine, from the draw list to the planes of the framebuffer: what its rounds have in common.
+#pragma once
+
+#include <vector>
+
+#include <glassbox/render/prepared_scene.h>
+#include <glassbox/render/tile/tile_engine.h>
+#include <glassbox/render/tile/tile_pass.h>
+
+namespace glassbox {
+
+// One eye's part in a run.
+class TilePicture {
+public:
+  TilePicture(const EyePicture& eye, DrawList list, int tile_side);
+  TilePicture(const TilePicture&) = delete;  // run_ refers to list_
+  TilePicture& operator=(const TilePicture&) = delete;
+
+  const TileRun& run() const { return run_; }
+  Statistics& statistics() const { return eye_.statistics; }
+  const DrawList& list() const { return list_; }
+
+  void count_input() const;
+
+  // Before the first round. `one_round`: it is the last one too.
+  void prepare_framebuffer(bool one_round);
+
+  // What the tiles of a round need to be drawn. The pass refers to the picture and the round.
+  TilePass pass(const Kernels& kernels, const Round& round, bool first_round);
+
+  // After the last one.
+  void finish() const;
+
+private:
+  bool wants_color() const;
+  bool has_staged_draws() const;
+
+  const EyePicture& eye_;
+  const DrawList list_;
+  const TileRun run_;
+  bool through_framebuffer_ = false;  // depths and colours are read back from it
+  bool keep_picture_ = false;         // pixels where nothing is seen have their values already
+  bool store_depth_ = false;
+  // Of the round, for its pass.
+  std::vector<ShadeDraw> shades_;
+  std::vector<std::uint32_t> by_reference_;
+};
+
+}  // namespace glassbox
