@@ -85,12 +85,17 @@ DrawTables transform_draw(std::size_t index, std::span<const EyePass> eyes) {
   DrawTables tables;
   tables.clip.push_back(project_vertices(first.draws[index], first.view, first.observer));
   first.statistics.vertices += tables.clip.front().positions.size();
+  for (const EyePass& eye : eyes)
+    eye.statistics.plane_tests += tables.clip.front().positions.size();
   for (const EyePass& other : eyes.subspan(1)) {
     tables.clip.push_back(
         project_other_eye(other.draws[index], other.view, tables.clip.front(), other.observer));
     other.statistics.moved_in_x += tables.clip.back().positions.size();
   }
   tables.eye_space = make_eye_space_tables(first.draws[index], first.settings);
+  first.statistics.normals +=
+      tables.eye_space.normals.size() + tables.eye_space.face_normals.size();
+  first.statistics.eye_positions += tables.eye_space.positions.size();
   return tables;
 }
 

@@ -10,14 +10,18 @@ struct Statistics {
   std::uint64_t instances = 0;
   std::uint64_t triangles = 0;   // numbered: those without area included
   std::uint64_t degenerate = 0;  // without area as modelled: never drawn
+  std::uint64_t left_out = 0;    // of draws that the plan leaves out: no stage sees them
   std::uint64_t lines = 0;       // wireframe edges are not counted here
   std::uint64_t points = 0;
 
   // Vertex stage.
-  std::uint64_t vertices = 0;    // positions carried to clip space
-  std::uint64_t moved_in_x = 0;  // taken over from a pair's first eye, but for x
+  std::uint64_t vertices = 0;       // positions carried to clip space
+  std::uint64_t moved_in_x = 0;     // taken over from a pair's first eye, but for x
+  std::uint64_t plane_tests = 0;    // positions asked whether clipping has to look at them
+  std::uint64_t normals = 0;        // carried to eye space, of vertices and of faces
+  std::uint64_t eye_positions = 0;  // positions carried to eye space
 
-  // Clipping. Triangles in = rejected + clipped away + clipped + whole.
+  // Clipping. Triangles in = left out + rejected + clipped away + clipped + whole.
   std::uint64_t rejected = 0;      // all corners outside one plane
   std::uint64_t clipped_away = 0;  // nothing left after clipping
   std::uint64_t clipped = 0;       // cut, something left

@@ -58,23 +58,28 @@ struct LargeDepth {
   VF inverse_area, depth0, depth1, depth2;
 };
 
+// The depth codes of a quad's pixels.
+inline void fill_quad_depths(const TriangleSetup& setup, DepthFormat format, int x, int y,
+                             std::int32_t* codes) {
+  const LargeDepth depth(setup);
+  const double first1 = edge_at_pixel(setup.edges[1], x, y);
+  const double first2 = edge_at_pixel(setup.edges[2], x, y);
+  with_code(format, [&](const auto& code_of) HWY_ATTR {
+    for (std::size_t k = 0; k < kQuadPixels; k += kLanes) {
+      hn::Store(code_of(depth.at(plus(quad_offsets<1>(setup, k), first1),
+                                 plus(quad_offsets<2>(setup, k), first2))),
+                kI, codes + k);
+    }
+  });
+}
+
 inline void fill_block_depths(const TriangleSetup& setup, TileBuffer& tile, std::size_t block) {
   const int x = tile.window().x0 + int(block % std::size_t(tile.blocks_across())) * kBlockSide;
   const int y = tile.window().y0 + int(block / std::size_t(tile.blocks_across())) * kBlockSide;
-  const LargeDepth depth(setup);
-  with_code(tile.format(), [&](const auto& code_of) HWY_ATTR {
-    for (int quad = 0; quad < kBlockQuads; ++quad) {
-      const int qx = x + (quad % 2) * kQuadSide, qy = y + (quad / 2) * kQuadSide;
-      const double first1 = edge_at_pixel(setup.edges[1], qx, qy);
-      const double first2 = edge_at_pixel(setup.edges[2], qx, qy);
-      TileDepth* to = tile.depth() + block * kBlockPixels + std::size_t(quad * kQuadPixels);
-      for (std::size_t k = 0; k < kQuadPixels; k += kLanes) {
-        hn::Store(code_of(depth.at(plus(quad_offsets<1>(setup, k), first1),
-                                   plus(quad_offsets<2>(setup, k), first2))),
-                  kI, to + k);
-      }
-    }
-  });
+  for (int quad = 0; quad < kBlockQuads; ++quad) {
+    fill_quad_depths(setup, tile.format(), x + (quad % 2) * kQuadSide, y + (quad / 2) * kQuadSide,
+                     tile.depth() + block * kBlockPixels + std::size_t(quad * kQuadPixels));
+  }
 }
 
 inline void fill_block(TileBuffer& tile, std::size_t index) {

@@ -62,8 +62,8 @@ HWY_INLINE MI covers(const Doubles& values, std::int64_t least) {
 template <class Code>
 class LargeRaster {
 public:
-  HWY_INLINE LargeRaster(const TriangleSetup& setup, Reference reference, const Code& code_of,
-                         TileBuffer& tile, FragmentCounts& counts)
+  HWY_INLINE LargeRaster(const TriangleSetup& setup, const CodeRange& codes, Reference reference,
+                         const Code& code_of, TileBuffer& tile, FragmentCounts& counts)
       : setup_(setup),
         reference_(reference),
         code_of_(code_of),
@@ -71,7 +71,7 @@ public:
         counts_(counts),
         edges_{large_edge<0>(setup), large_edge<1>(setup), large_edge<2>(setup)},
         depth_(setup),
-        codes_(code_range(setup, tile.format())) {}
+        codes_(codes) {}
 
   HWY_INLINE void draw() {
     const PixelRect& window = tile_.window();
@@ -79,10 +79,6 @@ public:
         std::max(setup_.bounds.x0, window.x0), std::max(setup_.bounds.y0, window.y0),
         std::min(setup_.bounds.x1, window.x1), std::min(setup_.bounds.y1, window.y1)};
     if (box.empty()) return;
-    if (codes_.nearest >= tile_.farthest()) {
-      counts_.hidden_blocks += tile_.block_count();
-      return;
-    }
     const Place tile_place = place_of(window.x0, window.y0, tile_.side());
     if (tile_place == Place::kOutside) return;
     const int first_x = (box.x0 - window.x0) / kBlockSide,
@@ -180,8 +176,13 @@ private:
 
 inline void draw_large(const TriangleSetup& setup, Reference reference, TileBuffer& tile,
                        FragmentCounts& counts) {
+  const CodeRange codes = code_range(setup, tile.format());
+  if (codes.nearest >= tile.farthest()) {
+    counts.hidden_blocks += tile.block_count();
+    return;
+  }
   with_code(tile.format(), [&](const auto& code_of) HWY_ATTR {
-    LargeRaster(setup, reference, code_of, tile, counts).draw();
+    LargeRaster(setup, codes, reference, code_of, tile, counts).draw();
   });
 }
 

@@ -84,7 +84,9 @@ public:
       : job_(job),
         tile_(tile),
         mask_(bytes_of(job.mask)),
-        has_other_planes_(job.picture != nullptr || job.distance != nullptr || job.id != nullptr) {}
+        has_other_planes_(job.picture != nullptr || job.distance != nullptr || job.id != nullptr),
+        colors_only_(job.picture != nullptr && job.distance == nullptr && job.id == nullptr &&
+                     !job.keep_picture && mask_ == -1) {}
 
   void resolve() {
     const PixelRect& window = tile_.window();
@@ -92,10 +94,9 @@ public:
       for (int x = window.x0; x < window.x1; x += kBlockSide) {
         const std::size_t block =
             tile_.block_index((x - window.x0) / kBlockSide, (y - window.y0) / kBlockSide);
-        const TileBlock& b = tile_.block(block);
-        if (b.plain && b.reference == kNothing && !job_.keep_picture &&
-            x + kBlockSide <= window.x1 && y + kBlockSide <= window.y1) {
-          clear_block(x, y);
+        if (colors_only_ && tile_.block(block).plain && x + kBlockSide <= window.x1 &&
+            y + kBlockSide <= window.y1) {
+          resolve_plain_block(block, x, y);
           continue;
         }
         for (int quad = 0; quad < kBlockQuads; ++quad) {
@@ -107,18 +108,49 @@ public:
   }
 
 private:
-  // Nothing is seen in the block.
-  HWY_INLINE void clear_block(int x, int y) const {
-    const auto clear = [&](auto* image, auto value) HWY_ATTR {
-      if (image == nullptr) return;
-      for (int row = 0; row < kBlockSide; ++row) {
-        std::fill_n(image->pixels.data() + image->index(x, y + row), kBlockSide, value);
+  // A block in which one thing is seen, or nothing.
+  HWY_INLINE void resolve_plain_block(std::size_t block, int x, int y) {
+    const TileBlock& b = tile_.block(block);
+    if (job_.depth != nullptr) store_plain_depths(block, x, y);
+    if (b.reference == kNothing) return fill_rows(*job_.picture, x, y, job_.background);
+    const LargeTriangle& triangle = *job_.large[b.reference & ~kLargeReference];
+    if (triangle.color) return fill_rows(*job_.picture, x, y, *triangle.color);
+    const LargeShape& shape = shape_of(b.reference);
+    for (int quad = 0; quad < kBlockQuads; ++quad) {
+      const int qx = x + (quad % 2) * kQuadSide, qy = y + (quad / 2) * kQuadSide;
+      HWY_ALIGN std::int32_t colors[kQuadPixels];
+      for (std::size_t k = 0; k < kQuadPixels; k += kLanes) {
+        hn::Store(shade(job_.draws[triangle.draw], job_, LargeSource(shape, qx, qy, k)), kI,
+                  colors + k);
       }
-    };
-    clear(job_.picture, job_.background);
-    clear(job_.depth, kEmptyDepth);
-    clear(job_.distance, std::numeric_limits<float>::infinity());
-    clear(job_.id, std::uint32_t{0});
+      store_quad(colors, *job_.picture, tile_.window(), qx, qy);
+    }
+  }
+
+  template <class Pixel>
+  HWY_INLINE static void fill_rows(Image<Pixel>& image, int x, int y, Pixel value) {
+    const hn::CappedTag<std::uint32_t, kBlockSide> d;
+    const auto words = hn::Set(d, std::bit_cast<std::uint32_t>(value));
+    auto* to = reinterpret_cast<std::uint32_t*>(image.pixels.data() + image.index(x, y));
+    for (int row = 0; row < kBlockSide; ++row, to += image.width) {
+      for (std::size_t i = 0; i < kBlockSide; i += hn::Lanes(d)) hn::StoreU(words, d, to + i);
+    }
+  }
+
+  HWY_INLINE void store_plain_depths(std::size_t block, int x, int y) {
+    const TileBlock& b = tile_.block(block);
+    if (b.triangle == nullptr) {
+      fill_rows(*job_.depth, x, y,
+                b.nearest == kEmptyTileDepth ? kEmptyDepth : std::uint32_t(b.nearest));
+      return;
+    }
+    for (int quad = 0; quad < kBlockQuads; ++quad) {
+      HWY_ALIGN std::int32_t codes[kQuadPixels];
+      fill_quad_depths(*b.triangle, tile_.format(), x + (quad % 2) * kQuadSide,
+                       y + (quad / 2) * kQuadSide, codes);
+      store_quad(codes, *job_.depth, tile_.window(), x + (quad % 2) * kQuadSide,
+                 y + (quad / 2) * kQuadSide);
+    }
   }
 
   HWY_INLINE void resolve_quad(std::size_t block, int quad, int x, int y) {
@@ -183,12 +215,8 @@ private:
       MI same;
       if ((first & kLargeReference) != 0) {
         same = hn::And(pending, hn::Eq(seen, set(std::int32_t(first))));
-        if (first != large_reference_) {
-          large_reference_ = first;
-          large_ = LargeSource(*job_.large[first & ~kLargeReference]);
-        }
-        large_.move_to(x, y, k);
-        finish(job_.draws[large_.triangle().draw], large_, same, k, pixels);
+        const LargeShape& shape = shape_of(first);
+        finish(job_.draws[shape.triangle->draw], LargeSource(shape, x, y, k), same, k, pixels);
       } else {
         const ShadeDraw& draw = draw_of(first);
         const VI begin = set(std::int32_t(draw.first_reference));
@@ -222,6 +250,14 @@ private:
     }
   }
 
+  const LargeShape& shape_of(Reference reference) {
+    if (reference != shape_reference_) {
+      shape_reference_ = reference;
+      shape_ = LargeShape(*job_.large[reference & ~kLargeReference]);
+    }
+    return shape_;
+  }
+
   const ShadeDraw& draw_of(Reference reference) {
     if (draw_ == nullptr || reference < draw_->first_reference ||
         reference >= draw_->end_reference) {
@@ -237,10 +273,11 @@ private:
   TileBuffer& tile_;
   std::int32_t mask_;
   bool has_other_planes_;
+  bool colors_only_;  // all channels of them, and depth perhaps
   // Of the pixels before: neighbours are likely to have the same.
   const ShadeDraw* draw_ = nullptr;
-  Reference large_reference_ = kNothing;
-  LargeSource large_;
+  Reference shape_reference_ = kNothing;
+  LargeShape shape_;
 };
 
 inline void resolve_tile(const ResolveJob& job, TileBuffer& tile) {

@@ -28,6 +28,14 @@ HWY_INLINE VI end_pixel(VI high) {
   return hn::Add(hn::ShiftRight<kSubpixelBits>(hn::Sub(high, set(kPixelCentre))), set(1));
 }
 
+// The indices of kLanes triangles from `first` on.
+HWY_INLINE Triple<VI> load_indices(IndexTriples triples, std::uint32_t first) {
+  Triple<VI> indices;
+  hn::LoadInterleaved3(kI, reinterpret_cast<const std::int32_t*>(triples) + std::size_t(first) * 3,
+                       indices.v0, indices.v1, indices.v2);
+  return indices;
+}
+
 // Writes those that are left to `selected`, which has room for job.count, and returns how many there are.
 inline std::size_t select_triangles(const SelectJob& job, Selected* selected,
                                     SelectCounts& counts) {
@@ -37,10 +45,11 @@ inline std::size_t select_triangles(const SelectJob& job, Selected* selected,
     const MI live = first_lanes(job.count - i);
     const VI triangle = hn::Min(hn::Iota(kI, std::int32_t(job.first + i)),
                                 set(std::int32_t(job.first + job.count - 1)));
-    const Triple<VI> vertices = gather_indices(job.positions, triangle);
+    const Triple<VI> vertices = job.count - i >= kLanes ? load_indices(job.positions, job.first + i)
+                                                        : gather_indices(job.positions, triangle);
     const Triple<VI> entries = entries_of(vertices);
-    const Triple<VI> x = gather_x(job.screen, entries);
-    const Triple<VI> y = gather_y(job.screen, entries);
+    Triple<VI> x, y;
+    gather_position(job.screen, entries, x, y);
     const VI left = smallest(x), right = largest(x), top = smallest(y), bottom = largest(y);
 
     // A difference that wraps around is negative: the triangle is not small.

@@ -9,10 +9,32 @@
 
 #include <glassbox/raster/lanes/lanes-inl.h>
 #include <glassbox/raster/lanes/tables.h>
+#include <glassbox/raster/lanes/tile_buffer.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
+
+// Words `at` and `at` + 1 of a table: where there are vectors, one gather of 64 bits for both.
+struct Pair {
+  VI first, second;
+};
+HWY_INLINE Pair gather_pair(const std::int32_t* table, VI at) {
+#if HWY_TARGET == HWY_SCALAR
+  return {hn::GatherIndex(kI, table, at), hn::GatherIndex(kI, table + 1, at)};
+#else
+  using D64 = hn::Repartition<std::int64_t, DI>;
+  const D64 d64;
+  const hn::Half<DI> half;
+  const auto* from = reinterpret_cast<const std::int64_t*>(table);
+  const auto gathered = [&](auto words) HWY_ATTR {
+    const auto bytes = hn::ShiftLeft<2>(hn::PromoteTo(d64, words));
+    return hn::BitCast(kI, hn::GatherOffset(d64, from, bytes));
+  };
+  const VI low = gathered(hn::LowerHalf(half, at)), high = gathered(hn::UpperHalf(half, at));
+  return {hn::ConcatEven(kI, high, low), hn::ConcatOdd(kI, high, low)};
+#endif
+}
 
 // One entry for each vertex of a triangle.
 template <class V>
@@ -24,8 +46,8 @@ struct Triple {
 HWY_INLINE Triple<VI> gather_indices(IndexTriples triples, VI triangle) {
   const auto* from = reinterpret_cast<const std::int32_t*>(triples);
   const VI at = hn::Add(hn::Add(triangle, triangle), triangle);
-  return {hn::GatherIndex(kI, from, at), hn::GatherIndex(kI, from + 1, at),
-          hn::GatherIndex(kI, from + 2, at)};
+  const Pair two = gather_pair(from, at);
+  return {two.first, two.second, hn::GatherIndex(kI, from + 2, at)};
 }
 template <class D, class T>
 HWY_INLINE Triple<hn::Vec<D>> gather(D d, const T* table, const Triple<VI>& at) {
@@ -39,11 +61,13 @@ HWY_INLINE Triple<VI> entries_of(const Triple<VI>& vertices) {
   return {hn::ShiftLeft<2>(vertices.v0), hn::ShiftLeft<2>(vertices.v1),
           hn::ShiftLeft<2>(vertices.v2)};
 }
-HWY_INLINE Triple<VI> gather_x(const SnappedEntry* screen, const Triple<VI>& entries) {
-  return gather(kI, &screen->x, entries);
-}
-HWY_INLINE Triple<VI> gather_y(const SnappedEntry* screen, const Triple<VI>& entries) {
-  return gather(kI, &screen->y, entries);
+HWY_INLINE void gather_position(const SnappedEntry* screen, const Triple<VI>& entries,
+                                Triple<VI>& x, Triple<VI>& y) {
+  const Pair p0 = gather_pair(&screen->x, entries.v0);
+  const Pair p1 = gather_pair(&screen->x, entries.v1);
+  const Pair p2 = gather_pair(&screen->x, entries.v2);
+  x = {p0.first, p1.first, p2.first};
+  y = {p0.second, p1.second, p2.second};
 }
 HWY_INLINE Triple<VF> gather_z(const SnappedEntry* screen, const Triple<VI>& entries) {
   return gather(kF, &screen->z, entries);
@@ -73,6 +97,16 @@ HWY_INLINE Order order_of(VI area, const Triple<VF>& z) {
   const MF third_nearest = hn::Lt(third, hn::IfThenElse(second_nearer, second, z.v0));
   return {swapped, as_int_mask(hn::AndNot(third_nearest, second_nearer)),
           as_int_mask(third_nearest)};
+}
+
+// An order as a number below kReferenceStep, and back.
+HWY_INLINE VI code_of(const Order& order) {
+  return hn::Or(hn::IfThenElseZero(order.swapped, set(1)),
+                hn::Or(hn::IfThenElseZero(order.from_second, set(2)),
+                       hn::IfThenElseZero(order.from_third, set(4))));
+}
+HWY_INLINE Order order_of_code(VI code) {
+  return {hn::TestBit(code, set(1)), hn::TestBit(code, set(2)), hn::TestBit(code, set(4))};
 }
 
 template <class V>

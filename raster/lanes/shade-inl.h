@@ -34,43 +34,36 @@ struct PlaneLanes {
 template <class T>
 HWY_INLINE Vec3 gather_vec3(const T* table, VI at) {
   const float* from = &table->x;
-  const VI offset = hn::Add(hn::Add(at, at), at);
-  return {hn::GatherIndex(kF, from, offset), hn::GatherIndex(kF, from + 1, offset),
-          hn::GatherIndex(kF, from + 2, offset)};
+  const VI word = hn::Add(hn::Add(at, at), at);
+  const Pair xy = gather_pair(reinterpret_cast<const std::int32_t*>(from), word);
+  return {hn::BitCast(kF, xy.first), hn::BitCast(kF, xy.second),
+          hn::GatherIndex(kF, from + 2, word)};
 }
 
 // A small triangle in every lane: gathered from the draw's tables.
 class SmallSource {
 public:
-  HWY_INLINE SmallSource(const ShadeDraw& draw, VI triangle, VI pixel_x, VI pixel_y)
-      : draw_(draw), triangle_(triangle), vertices_(gather_indices(draw.positions, triangle)) {
+  // `reference`: of the lane's triangle, less the draw's first.
+  HWY_INLINE SmallSource(const ShadeDraw& draw, VI reference, VI pixel_x, VI pixel_y)
+      : draw_(draw),
+        triangle_(hn::ShiftRight<3>(reference)),
+        order_(order_of_code(reference)),
+        vertices_(put_in_order(order_, gather_indices(draw.positions, triangle_))) {
+    static_assert(kReferenceStep == 1 << 3);
     const Triple<VI> entries = entries_of(vertices_);
-    Triple<VI> x = gather_x(draw.screen, entries);
-    Triple<VI> y = gather_y(draw.screen, entries);
-    const Triple<VF> z = gather_z(draw.screen, entries);
-    Triple<VF> inverse_w = gather_inverse_w(draw.screen, entries);
-    const VI signed_area = double_area(x, y);
-    order_ = order_of(signed_area, z);
-    // Clockwise on the screen shows the front of what is mirrored.
-    is_back_ = draw.mirrored ? order_.swapped : hn::Not(order_.swapped);
-    x = put_in_order(order_, x);
-    y = put_in_order(order_, y);
-    inverse_w = put_in_order(order_, inverse_w);
-    vertices_ = put_in_order(order_, vertices_);
-
+    Triple<VI> x, y;
+    gather_position(draw.screen, entries, x, y);
+    const Triple<VF> inverse_w = gather_inverse_w(draw.screen, entries);
     const VI at_x = hn::Add(hn::ShiftLeft<kSubpixelBits>(pixel_x), set(kPixelCentre));
     const VI at_y = hn::Add(hn::ShiftLeft<kSubpixelBits>(pixel_y), set(kPixelCentre));
     const EdgeLanes edge1 = edge_at(x.v2, y.v2, x.v0, y.v0, at_x, at_y);
     const EdgeLanes edge2 = edge_at(x.v0, y.v0, x.v1, y.v1, at_x, at_y);
-    const VI area = hn::Abs(signed_area);
+    const VI area = double_area(x, y);
     const VI e0 = hn::Sub(hn::Sub(area, edge1.value), edge2.value);
     const VF inverse_area = hn::Div(set(1.0f), to_float(area));
-    const VF lambda1 = hn::Mul(to_float(edge1.value), inverse_area);
-    const VF lambda2 = hn::Mul(to_float(edge2.value), inverse_area);
-    at_ = fragment_from(hn::Mul(to_float(e0), inverse_area), lambda1, lambda2, inverse_w);
-    const Triple<VF> depth = put_in_order(order_, z);
-    depth_ = depth_at(depth.v0, hn::Sub(depth.v1, depth.v0), hn::Sub(depth.v2, depth.v0), lambda1,
-                      lambda2);
+    lambda1_ = hn::Mul(to_float(edge1.value), inverse_area);
+    lambda2_ = hn::Mul(to_float(edge2.value), inverse_area);
+    at_ = fragment_from(hn::Mul(to_float(e0), inverse_area), lambda1_, lambda2_, inverse_w);
     const auto slope = [&](VI step, VF over_w) HWY_ATTR {
       return hn::Mul(hn::Mul(to_float(hn::ShiftLeft<kSubpixelBits>(step)), inverse_area), over_w);
     };
@@ -83,7 +76,10 @@ public:
   }
 
   const FragmentLanes& at() const { return at_; }
-  VF depth() const { return depth_; }
+  HWY_INLINE VF depth() const {
+    const Triple<VF> z = gather_z(draw_.screen, entries_of(vertices_));
+    return depth_at(z.v0, hn::Sub(z.v1, z.v0), hn::Sub(z.v2, z.v0), lambda1_, lambda2_);
+  }
 
   HWY_INLINE Vec3 normal() const {
     const Triple<VI> corner = corners(draw_.normal_indices);
@@ -160,36 +156,43 @@ private:
   }
   // Seen from behind, a surface is lit as if its normals pointed the other way.
   HWY_INLINE Vec3 facing(const Vec3& n) const {
-    const MF back = as_float_mask(is_back_);
+    if (!draw_.shows_backs) return n;
+    // Counter-clockwise on the screen is the front, and the back of what is mirrored.
+    const MF back = as_float_mask(draw_.mirrored ? order_.swapped : hn::Not(order_.swapped));
     return {hn::IfThenElse(back, hn::Neg(n.x), n.x), hn::IfThenElse(back, hn::Neg(n.y), n.y),
             hn::IfThenElse(back, hn::Neg(n.z), n.z)};
   }
 
   const ShadeDraw& draw_;
   VI triangle_;
-  Triple<VI> vertices_;
   Order order_;
-  MI is_back_;
+  Triple<VI> vertices_;
+  VF lambda1_, lambda2_;
   FragmentLanes at_;
-  VF depth_;
   Triple<VF> slopes_[2];  // d lambda_k over one pixel along x and y, times 1/w_k
   MF affine_;
 };
 
-// One large triangle in all lanes.
-class LargeSource {
-public:
-  LargeSource() = default;
-  HWY_INLINE explicit LargeSource(const LargeTriangle& triangle) : triangle_(&triangle) {
+// A large triangle's edge functions over a quad, for as long as neighbouring quads show the same one.
+struct LargeShape {
+  const LargeTriangle* triangle = nullptr;
+  Doubles offsets0[kQuadVectors], offsets1[kQuadVectors], offsets2[kQuadVectors];
+
+  LargeShape() = default;
+  HWY_INLINE explicit LargeShape(const LargeTriangle& of) : triangle(&of) {
     for (std::size_t k = 0; k < kQuadVectors; ++k) {
-      offsets0_[k] = quad_offsets<0>(triangle.setup, k * kLanes);
-      offsets1_[k] = quad_offsets<1>(triangle.setup, k * kLanes);
-      offsets2_[k] = quad_offsets<2>(triangle.setup, k * kLanes);
+      offsets0[k] = quad_offsets<0>(of.setup, k * kLanes);
+      offsets1[k] = quad_offsets<1>(of.setup, k * kLanes);
+      offsets2[k] = quad_offsets<2>(of.setup, k * kLanes);
     }
   }
+};
 
-  // To the lanes that begin at pixel `i` of the quad at (x, y).
-  HWY_INLINE void move_to(int x, int y, std::size_t i) {
+// One large triangle in all lanes, which begin at pixel `i` of the quad at (x, y).
+class LargeSource {
+public:
+  HWY_INLINE LargeSource(const LargeShape& shape, int x, int y, std::size_t i)
+      : triangle_(shape.triangle) {
     const TriangleSetup& setup = triangle_->setup;
     const VF inverse_area = set(setup.inverse_area);
     const auto lambda = [&](const Doubles& offsets, std::size_t k) HWY_ATTR {
@@ -197,13 +200,13 @@ public:
                      inverse_area);
     };
     const std::size_t vector = i / kLanes;
-    lambda1_ = lambda(offsets1_[vector], 1);
-    lambda2_ = lambda(offsets2_[vector], 2);
+    lambda1_ = lambda(shape.offsets1[vector], 1);
+    lambda2_ = lambda(shape.offsets2[vector], 2);
     if (setup.affine) {
       at_ = {lambda1_, lambda2_, set(setup.inverse_w[0])};
     } else {
       at_ =
-          perspective(lambda(offsets0_[vector], 0), lambda1_, lambda2_,
+          perspective(lambda(shape.offsets0[vector], 0), lambda1_, lambda2_,
                       {set(setup.inverse_w[0]), set(setup.inverse_w[1]), set(setup.inverse_w[2])});
     }
   }
@@ -250,8 +253,7 @@ private:
     return {component(member, 0), component(member, 1), component(member, 2)};
   }
 
-  const LargeTriangle* triangle_ = nullptr;
-  Doubles offsets0_[kQuadVectors], offsets1_[kQuadVectors], offsets2_[kQuadVectors];
+  const LargeTriangle* triangle_;
   VF lambda1_, lambda2_;
   FragmentLanes at_;
 };

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include <glassbox/base/spaces.h>
@@ -43,7 +44,13 @@ struct VertexJob {
   float far_factor = 1;
   float smallest_w = 0;
   float band_x = 1, band_y = 1;  // |x| <= band_x w
+  bool test_planes = true;       // otherwise all of them are known to be inside
+  bool divide = true;            // otherwise w is known to be 1
   SnappedEntry* screen = nullptr;
+
+  // The other eye of a pair, whose clip space differs in x alone: its matrix, and its entries. Null: there is none.
+  const Transform<Clip, Object, float>* other_clip_from_anchored = nullptr;
+  SnappedEntry* other_screen = nullptr;
 };
 
 // Unit normals in eye space, and positions there.
@@ -63,8 +70,6 @@ struct EyePositionJob {
 
 // Three indices for each triangle, one after the other.
 using IndexTriples = const std::uint32_t*;
-
-enum class Facing : std::uint8_t { kFront = 1, kBack = 2, kBoth = 3 };
 
 // Small triangles are at most this many pixels wide and high, so that everything about them fits 32 bits: with s = 64 * 256, an edge
 // function within a quad of the box is below 2 s (s + 4 * 256) < 2^30, and so is twice the area.
@@ -99,18 +104,18 @@ struct SelectCounts {
 // Some small triangles of one draw.
 struct SmallJob {
   IndexTriples positions;
-  const SnappedEntry* screen = nullptr;  // by position
-  Reference first_reference = 1;         // of triangle 0
+  const SnappedEntry* screen = nullptr;        // by position
+  Reference first_reference = kReferenceStep;  // of triangle 0
 };
 
 // A triangle that does not fit the 32 bits of the small ones, or that clipping has made.
 struct LargeTriangle {
   TriangleSetup setup;
   std::array<Varyings, 3> vertices;
-  TexturePlanes texture;     // of textured ones
-  std::uint32_t draw = 0;    // index into the draw list
-  std::uint32_t number = 0;  // in the whole scene
-  std::uint32_t piece = 0;
+  TexturePlanes texture;       // of textured ones
+  std::uint32_t draw = 0;      // index into the draw list
+  std::uint32_t number = 0;    // in the whole scene
+  std::optional<Rgba8> color;  // where all its pixels have the same
 };
 
 struct FragmentCounts {
@@ -125,10 +130,12 @@ enum class LightAt : std::uint8_t { kNowhere, kVertices, kFragments };
 
 // What the small triangles of a draw need to be shaded, and the large ones of the same draw.
 struct ShadeDraw {
-  Reference first_reference = 1, end_reference = 1;  // of the small triangles
+  Reference first_reference = kReferenceStep,
+            end_reference = kReferenceStep;  // of the small triangles
   IndexTriples positions = nullptr;
   const SnappedEntry* screen = nullptr;  // by position
   bool mirrored = false;
+  bool shows_backs = false;  // some triangles may be seen from behind
   const Triangle* triangles = nullptr;
   std::uint32_t first_number = 0;  // of the draw's triangles, in the whole scene
 

@@ -25,9 +25,11 @@ inline constexpr int kBlockSide = 8, kBlockPixels = 64, kBlockQuads = 4;
 
 // ---- what is seen at a pixel ----
 
-// Small triangles count from 1 through all draws; large ones have the top bit set.
+// Small triangles count from 1 through all draws, in steps of kReferenceStep; what is left of a step says in which order the
+// setup has the triangle's vertices (setup-inl.h), so that shading need not find it again. Large triangles have the top bit set.
 using Reference = std::uint32_t;
 inline constexpr Reference kNothing = 0;
+inline constexpr Reference kReferenceStep = 8;
 inline constexpr Reference kLargeReference = 0x80000000u;
 inline constexpr Reference kInPicture = 0xffffffffu;  // the picture has its colour already
 

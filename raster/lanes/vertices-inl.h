@@ -68,15 +68,17 @@ struct FourLanes {
   VF x, y, z, w;
 };
 
-// Inside of every plane that rendering clips by, with room to spare for the guard band. NaN and infinity are not.
-HWY_INLINE MF surely_inside(const VertexJob& job, const FourLanes& p) {
+// Inside of every plane that rendering clips by, with room to spare for the guard band. NaN and infinity are not. First all but
+// the planes of x.
+HWY_INLINE MF surely_inside_but_for_x(const VertexJob& job, const FourLanes& p) {
   const MF depth =
       hn::And(hn::Ge(p.z, hn::Zero(kF)), hn::Le(p.z, hn::Mul(p.w, set(job.far_factor))));
   const MF eye = hn::And(hn::Ge(p.w, set(job.smallest_w)),
                          hn::Le(p.w, set(std::numeric_limits<float>::max() / 4)));
-  const MF band = hn::And(hn::Le(hn::Abs(p.x), hn::Mul(p.w, set(job.band_x))),
-                          hn::Le(hn::Abs(p.y), hn::Mul(p.w, set(job.band_y))));
-  return hn::And(hn::And(depth, eye), band);
+  return hn::And(hn::And(depth, eye), hn::Le(hn::Abs(p.y), hn::Mul(p.w, set(job.band_y))));
+}
+HWY_INLINE MF surely_inside_in_x(const VertexJob& job, VF x, VF w) {
+  return hn::Le(hn::Abs(x), hn::Mul(w, set(job.band_x)));
 }
 
 // Four words for each of `count` <= kLanes entries.
@@ -90,7 +92,8 @@ HWY_INLINE void store_entries(const FourLanes& v, std::int32_t* to, std::size_t 
   std::memcpy(to, padded, count * sizeof(SnappedEntry));
 }
 
-inline void transform_vertices(const VertexJob& job) {
+template <bool kTestPlanes, bool kDivide>
+HWY_INLINE void transform_vertices_with(const VertexJob& job) {
   const Viewport& port = job.viewport;
   const VF scale_x = set((port.right - port.left) * 0.5f);
   const VF middle_x = set((port.right + port.left) * 0.5f);
@@ -99,21 +102,51 @@ inline void transform_vertices(const VertexJob& job) {
   const Vec3 anchor{set(job.anchor.x), set(job.anchor.y), set(job.anchor.z)};
   in_lanes(job.positions.size(), [&](std::size_t i, std::size_t count) HWY_ATTR {
     const Vec3 p = subtract(load_triples(&job.positions[i].x, count), anchor);
-    const FourLanes clip{
-        transform_row(job.clip_from_anchored, 0, p), transform_row(job.clip_from_anchored, 1, p),
-        transform_row(job.clip_from_anchored, 2, p), transform_row(job.clip_from_anchored, 3, p)};
-    const MF inside = surely_inside(job, clip);
+    const FourLanes clip{transform_row(job.clip_from_anchored, 0, p),
+                         transform_row(job.clip_from_anchored, 1, p),
+                         transform_row(job.clip_from_anchored, 2, p),
+                         kDivide ? transform_row(job.clip_from_anchored, 3, p) : set(1.0f)};
+    MF inside;
+    if constexpr (kTestPlanes) inside = surely_inside_but_for_x(job, clip);
+    const auto if_inside = [](MF mask, VF v, VF otherwise) HWY_ATTR {
+      if constexpr (kTestPlanes) {
+        return hn::IfThenElse(mask, v, otherwise);
+      } else {
+        return v;
+      }
+    };
     // The others' positions are not used; dividing by 1 keeps them from trouble.
-    const VF w = hn::IfThenElse(inside, clip.w, set(1.0f));
-    const VF x = hn::IfThenElseZero(inside, hn::Div(clip.x, w));
-    const VF y = hn::IfThenElseZero(inside, hn::Div(clip.y, w));
-    const VI screen_x = snap(hn::Add(hn::Mul(x, scale_x), middle_x));
+    const VF w = if_inside(inside, clip.w, set(1.0f));
+    const auto over_w = [&](VF v) HWY_ATTR { return kDivide ? hn::Div(v, w) : v; };
+    const VF y = if_inside(inside, over_w(clip.y), hn::Zero(kF));
     const VI screen_y = snap(hn::Add(hn::Mul(y, scale_y), middle_y));
-    const VI marked_x = hn::IfThenElse(as_int_mask(inside), screen_x, set(kNeedsClipping));
-    store_entries({hn::BitCast(kF, marked_x), hn::BitCast(kF, screen_y), hn::Div(clip.z, w),
-                   hn::Div(set(1.0f), w)},
-                  &job.screen[i].x, count);
+    const VF z = over_w(clip.z), inverse_w = over_w(set(1.0f));
+    const auto store_for_eye = [&](VF clip_x, SnappedEntry* screen) HWY_ATTR {
+      MF seen = inside;
+      if constexpr (kTestPlanes) seen = hn::And(seen, surely_inside_in_x(job, clip_x, clip.w));
+      const VF x = if_inside(seen, over_w(clip_x), hn::Zero(kF));
+      VI screen_x = snap(hn::Add(hn::Mul(x, scale_x), middle_x));
+      if constexpr (kTestPlanes) {
+        screen_x = hn::IfThenElse(as_int_mask(seen), screen_x, set(kNeedsClipping));
+      }
+      store_entries({hn::BitCast(kF, screen_x), hn::BitCast(kF, screen_y), z, inverse_w},
+                    &screen[i].x, count);
+    };
+    store_for_eye(clip.x, job.screen);
+    if (job.other_screen != nullptr) {
+      store_for_eye(transform_row(*job.other_clip_from_anchored, 0, p), job.other_screen);
+    }
   });
+}
+
+inline void transform_vertices(const VertexJob& job) {
+  if (job.test_planes) {
+    job.divide ? transform_vertices_with<true, true>(job)
+               : transform_vertices_with<true, false>(job);
+  } else {
+    job.divide ? transform_vertices_with<false, true>(job)
+               : transform_vertices_with<false, false>(job);
+  }
 }
 
 // ---- eye space ----

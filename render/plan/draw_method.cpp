@@ -75,6 +75,8 @@ DrawMethod choose_method(const Draw& draw, const Lighting& lighting, const View&
   method.eye_positions = method.eye_positions || !leave_out;
   if (draw.prepared->indices.mixed)
     method.large_because = "some of its corners have attributes that others lack";
+  if (method.texture && !draw.prepared->indices.has_texcoords)
+    method.large_because = "its corners do not say where in the texture they lie";
   return method;
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <bit>
 
+#include <glassbox/raster/blend.h>
 #include <glassbox/raster/line.h>
 #include <glassbox/raster/point.h>
 #include <glassbox/raster/snap.h>
@@ -10,14 +11,9 @@ namespace glassbox {
 
 namespace {
 
-// What goes into the bins of a rectangle of tiles, both ends included.
-struct BinEntry {
-  std::uint32_t entry = 0;
-  std::uint16_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-};
-
 // Sorts entries into the chunk's bins by counting; within a bin they keep their order.
-void sort_into_bins(std::span<const BinEntry> entries, Chunk& chunk) {
+void sort_into_bins(Chunk& chunk) {
+  const std::vector<BinEntry>& entries = chunk.unsorted;
   chunk.tiles = {};
   chunk.starts.assign(1, 0);
   chunk.entries.clear();
@@ -70,16 +66,30 @@ PrimitiveStage primitive_stage(const TileRun& run, const DrawSlot& slot, Statist
           run.list.lighting,         run.planes, statistics,     nullptr};
 }
 
-void add_entry(const TileRun& run, std::uint32_t entry, const PixelRect& box,
-               std::vector<BinEntry>& entries) {
-  if (const auto bins = bin_entry(run, entry, box)) entries.push_back(*bins);
+void add_entry(const TileRun& run, std::uint32_t entry, const PixelRect& box, Chunk& chunk) {
+  if (const auto bins = bin_entry(run, entry, box)) chunk.unsorted.push_back(*bins);
 }
 
 // ---- triangles over lanes ----
 
-LargeTriangle large_triangle(const ReadyTriangle& ready, std::uint32_t draw, bool textured) {
-  LargeTriangle large{ready.setup, ready.vertices, {}, draw, ready.number};
-  if (textured) {
+// The colour of a triangle on which nothing changes: no light, no texture, one colour at all vertices.
+std::optional<Rgba8> only_color(const TileRun& run, const DrawSlot& slot,
+                                const ReadyTriangle& ready) {
+  const DrawMethod& method = run.methods[slot.draw];
+  const auto& [a, b, c] = ready.vertices;
+  if (method.light != LightAt::kNowhere || method.texture || a.color != b.color ||
+      a.color != c.color) {
+    return std::nullopt;
+  }
+  const Rgba& base = run.list.draws[slot.draw].material->base_color;
+  return encode(run.settings.transfer,
+                {base.r * a.color[0], base.g * a.color[1], base.b * a.color[2], 1.0f});
+}
+
+LargeTriangle large_triangle(const TileRun& run, const DrawSlot& slot, const ReadyTriangle& ready) {
+  LargeTriangle large{ready.setup, ready.vertices, {},
+                      slot.draw,   ready.number,   only_color(run, slot, ready)};
+  if (run.methods[slot.draw].texture) {
     large.texture = texture_planes(
         ready.setup,
         {ready.vertices[0].texcoord, ready.vertices[1].texcoord, ready.vertices[2].texcoord});
@@ -87,8 +97,8 @@ LargeTriangle large_triangle(const ReadyTriangle& ready, std::uint32_t draw, boo
   return large;
 }
 
-void fill_from_lanes(const TileRun& run, const Kernels& kernels, const DrawSlot& slot, Chunk& chunk,
-                     std::vector<BinEntry>& entries) {
+void fill_from_lanes(const TileRun& run, const Kernels& kernels, const DrawSlot& slot,
+                     Chunk& chunk) {
   const Draw& draw = run.list.draws[slot.draw];
   const DrawMethod& method = run.methods[slot.draw];
   SelectJob job;
@@ -103,9 +113,9 @@ void fill_from_lanes(const TileRun& run, const Kernels& kernels, const DrawSlot&
   job.window = run.window;
   job.tile_shift = std::countr_zero(unsigned(run.tile_side));
 
-  std::vector<Selected> selected(chunk.count);
   SelectCounts counts;
-  selected.resize(kernels.select_triangles(job, selected.data(), counts));
+  const std::size_t found =
+      kernels.select_triangles(job, at_least(chunk.selected, chunk.count), counts);
   Statistics& s = chunk.statistics;
   s.after_clipping += counts.small;
   s.zero_area += counts.zero_area;
@@ -115,9 +125,9 @@ void fill_from_lanes(const TileRun& run, const Kernels& kernels, const DrawSlot&
   const PrimitiveStage stage = primitive_stage(run, slot, chunk.statistics);
   std::vector<ReadyTriangle> ready;
   std::vector<ReadyLine> no_lines;
-  for (const Selected& one : selected) {
+  for (const Selected& one : std::span(chunk.selected).first(found)) {
     if ((one.triangle & kLarge) == 0) {
-      entries.push_back({one.triangle, one.x0, one.y0, one.x1, one.y1});
+      chunk.unsorted.push_back({one.triangle, one.x0, one.y0, one.x1, one.y1});
       continue;
     }
     ready.clear();
@@ -125,16 +135,15 @@ void fill_from_lanes(const TileRun& run, const Kernels& kernels, const DrawSlot&
     ready_triangle(stage, draw.triangulation->triangles[one.triangle & ~kLarge], attributes, ready,
                    no_lines);
     for (const ReadyTriangle& triangle : ready) {
-      add_entry(run, kOfChunk | std::uint32_t(chunk.large.size()), triangle.setup.bounds, entries);
-      chunk.large.push_back(large_triangle(triangle, slot.draw, draw.texture != nullptr));
+      add_entry(run, kOfChunk | std::uint32_t(chunk.large.size()), triangle.setup.bounds, chunk);
+      chunk.large.push_back(large_triangle(run, slot, triangle));
     }
   }
 }
 
 // ---- the staged primitives ----
 
-void fill_staged(const TileRun& run, const DrawSlot& slot, Chunk& chunk,
-                 std::vector<BinEntry>& entries) {
+void fill_staged(const TileRun& run, const DrawSlot& slot, Chunk& chunk) {
   const Draw& draw = run.list.draws[slot.draw];
   const PrimitiveStage stage = primitive_stage(run, slot, chunk.statistics);
   if (chunk.kind == Chunk::Kind::kLinesAndPoints) {
@@ -148,14 +157,14 @@ void fill_staged(const TileRun& run, const DrawSlot& slot, Chunk& chunk,
   }
   std::uint32_t entry = kOfChunk;
   for (const ReadyTriangle& triangle : chunk.triangles) {
-    add_entry(run, entry++, triangle.setup.bounds, entries);
+    add_entry(run, entry++, triangle.setup.bounds, chunk);
   }
   for (const ReadyLine& line : chunk.lines) {
-    add_entry(run, entry++, pixels_near(snap(line.ends[0]), snap(line.ends[1])), entries);
+    add_entry(run, entry++, pixels_near(snap(line.ends[0]), snap(line.ends[1])), chunk);
   }
   for (const ReadyPoint& point : chunk.points) {
     const SnappedVertex at = snap(point.position);
-    add_entry(run, entry++, pixels_near(at, at), entries);
+    add_entry(run, entry++, pixels_near(at, at), chunk);
   }
 }
 
@@ -168,14 +177,13 @@ void fill_chunk(const TileRun& run, const Kernels& kernels, const Round& round, 
   chunk.lines.clear();
   chunk.points.clear();
   chunk.statistics = {};
-  std::vector<BinEntry> entries;
-  entries.reserve(chunk.count);
+  chunk.unsorted.clear();
   if (chunk.kind == Chunk::Kind::kLanes) {
-    fill_from_lanes(run, kernels, slot, chunk, entries);
+    fill_from_lanes(run, kernels, slot, chunk);
   } else {
-    fill_staged(run, slot, chunk, entries);
+    fill_staged(run, slot, chunk);
   }
-  sort_into_bins(entries, chunk);
+  sort_into_bins(chunk);
 }
 
 }  // namespace glassbox

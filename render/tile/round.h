@@ -8,8 +8,8 @@
 
 #include <glassbox/raster/lanes/kernels.h>
 #include <glassbox/render/draw_list.h>
+#include <glassbox/render/plan/draw_method.h>
 #include <glassbox/render/primitives.h>
-#include <glassbox/render/tile/draw_method.h>
 #include <glassbox/render/vertex_stage.h>
 
 namespace glassbox {
@@ -19,7 +19,7 @@ struct TileRun {
   const View& view;
   const RenderSettings& settings;
   const DrawList& list;
-  std::vector<DrawMethod> methods;               // by draw
+  const std::vector<DrawMethod>& methods;        // by draw
   std::array<ClipPlane, kMaxClipPlanes> planes;  // render_planes(view)
   PixelRect window;
   int tile_side = 64;
@@ -43,7 +43,7 @@ struct VertexTables {
 struct DrawSlot {
   std::uint32_t draw = 0;
   std::size_t first_position = 0, first_normal = 0, first_eye_position = 0;
-  Reference first_reference = 1;
+  Reference first_reference = kReferenceStep;
   SnappedEntry* screen = nullptr;
   EyeSpace eye_space;
 };
@@ -53,6 +53,12 @@ struct DrawSlot {
 // An entry of a bin: the index of a small triangle in its draw, or, with the top bit, of one of the chunk's primitives.
 inline constexpr std::uint32_t kOfChunk = 0x80000000u;
 
+// What goes into the bins of a rectangle of tiles, both ends included.
+struct BinEntry {
+  std::uint32_t entry = 0;
+  std::uint16_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+};
+
 // Some primitives of one draw, sorted into tiles in the order of the draw.
 struct Chunk {
   enum class Kind { kLanes, kStagedTriangles, kLinesAndPoints };
@@ -60,11 +66,14 @@ struct Chunk {
   std::uint32_t slot = 0;              // index into the round's slots
   std::uint32_t first = 0, count = 0;  // triangles
 
-  std::vector<LargeTriangle> large;      // kLanes
+  std::vector<Selected> selected;  // kLanes
+  std::vector<LargeTriangle> large;
   std::vector<ReadyTriangle> triangles;  // the other kinds
   std::vector<ReadyLine> lines;
   std::vector<ReadyPoint> points;
   std::uint32_t first_large = 0;  // of `large`, in the whole round
+
+  std::vector<BinEntry> unsorted;
 
   // Tiles x0 <= x < x1, y0 <= y < y1 have bins; bin i is entries[starts[i]] .. entries[starts[i + 1] - 1].
   PixelRect tiles;
@@ -91,9 +100,17 @@ struct Round {
 
 // ---- the work, in the order in which it is done ----
 
-// Fills the tables from positions first .. first + count - 1, normals likewise, of one draw.
+// The second eye of a pair.
+struct OtherEye {
+  const TileRun& run;
+  const DrawSlot& slot;
+};
+
+// Fills the tables from positions first .. first + count - 1, normals likewise, of one draw. `other` is null for one eye; for two,
+// what they share is computed once.
 void transform_positions(const TileRun& run, const Kernels& kernels, const DrawSlot& slot,
-                         VertexTables& tables, std::size_t first, std::size_t count);
+                         const OtherEye* other, VertexTables& tables, std::size_t first,
+                         std::size_t count);
 void transform_normals(const TileRun& run, const Kernels& kernels, const DrawSlot& slot,
                        VertexTables& tables, std::size_t first, std::size_t count);
 void transform_face_normals(const TileRun& run, const DrawSlot& slot, VertexTables& tables);

@@ -63,16 +63,23 @@ struct TileEngine::State {
   explicit State(const TileOptions& o)
       : options(o),
         kernels(glassbox::kernels(o.target)),
-        threads(o.threads > 0 ? o.threads : tbb::info::default_concurrency()),
+        threads(o.threads > 0 ? o.threads : default_threads()),
         allowed(tbb::global_control::max_allowed_parallelism,
                 std::size_t(std::max(threads, tbb::info::default_concurrency()))),
         arena(threads),
         buffers([side = o.tile_side] { return TileBuffer(side); }) {}
 
+  using StageTime = double TileReport::Thread::*;
+
   template <class Work>
-  void for_each(std::size_t count, const Work& work) {
+  void for_each(StageTime stage, std::size_t count, const Work& work) {
+    const auto timed = [&](std::size_t i) {
+      if (report == nullptr) return work(i);
+      const Stopwatch watch(at_work.local().*stage);
+      work(i);
+    };
     arena.execute(
-        [&] { tbb::parallel_for(std::size_t{0}, count, work, tbb::simple_partitioner()); });
+        [&] { tbb::parallel_for(std::size_t{0}, count, timed, tbb::simple_partitioner()); });
   }
 
   // ---- a round ----
@@ -91,33 +98,34 @@ struct TileEngine::State {
   tbb::enumerable_thread_specific<TileBuffer> buffers;
   std::array<Round, kMostEyes> rounds;  // by eye; what both have in common is the first one's
   std::vector<VertexTask> vertex_tasks;
+  TileReport* report = nullptr;  // of the picture being drawn, if somebody wants one
+  tbb::enumerable_thread_specific<TileReport::Thread> at_work;
 };
 
 std::size_t TileEngine::State::begin_round(const Pictures& pictures, std::size_t first) {
   const TileRun& run = pictures.front().run();
+  const std::vector<std::uint32_t>& order = pictures.front().plan().order;
   std::vector<DrawSlot>& slots = rounds.front().slots;
   slots.clear();
   std::size_t positions = 0, normals = 0, eye_positions = 0, size = 0;
-  Reference reference = 1;
+  Reference reference = kReferenceStep;
   std::size_t end = first;
-  for (; end < run.list.draws.size(); ++end) {
-    const Draw& draw = run.list.draws[end];
+  for (; end < order.size(); ++end) {
+    const Draw& draw = run.list.draws[order[end]];
     size += size_of(draw);
     if (end > first && size > options.round_size) break;
-    const DrawMethod& method = run.methods[end];
+    const DrawMethod& method = run.methods[order[end]];
     DrawSlot slot;
-    slot.draw = std::uint32_t(end);
+    slot.draw = order[end];
     slot.first_position = positions;
     slot.first_normal = normals;
     slot.first_eye_position = eye_positions;
     slot.first_reference = reference;
     positions += draw.mesh->positions.size();
-    if (needs_normals(draw, run.settings)) {
-      normals += draw.mesh->normals.size();
-      if (needs_face_normals(draw, run.settings)) normals += draw.mesh->faces.size();
-    }
+    if (method.normals) normals += draw.mesh->normals.size();
+    if (method.face_normals) normals += draw.mesh->faces.size();
     if (method.eye_positions) eye_positions += draw.mesh->positions.size();
-    reference += Reference(draw.triangulation->triangles.size());
+    reference += Reference(draw.triangulation->triangles.size()) * kReferenceStep;
     slots.push_back(slot);
   }
   VertexTables& t = rounds.front().tables;
@@ -125,15 +133,17 @@ std::size_t TileEngine::State::begin_round(const Pictures& pictures, std::size_t
   at_least(t.eye_positions, eye_positions);
   for (DrawSlot& slot : slots) {
     const Draw& draw = run.list.draws[slot.draw];
-    slot.eye_space.lit = needs_normals(draw, run.settings);
-    if (!slot.eye_space.lit) continue;
+    const DrawMethod& method = run.methods[slot.draw];
+    slot.eye_space.lit = method.normals && needs_normals(draw, run.settings);
     const std::span all_normals(t.normals);
-    slot.eye_space.normals = all_normals.subspan(slot.first_normal, draw.mesh->normals.size());
-    if (needs_face_normals(draw, run.settings)) {
+    if (method.normals) {
+      slot.eye_space.normals = all_normals.subspan(slot.first_normal, draw.mesh->normals.size());
+    }
+    if (method.face_normals) {
       slot.eye_space.face_normals = all_normals.subspan(
           slot.first_normal + draw.mesh->normals.size(), draw.mesh->faces.size());
     }
-    if (run.methods[slot.draw].eye_positions) {
+    if (method.eye_positions) {
       slot.eye_space.positions =
           std::span(t.eye_positions).subspan(slot.first_eye_position, draw.mesh->positions.size());
     }
@@ -159,25 +169,33 @@ void TileEngine::State::transform_vertices(const Pictures& pictures) {
   for (std::uint32_t i = 0; i < round.slots.size(); ++i) {
     const DrawSlot& slot = round.slots[i];
     const std::size_t positions = run.list.draws[slot.draw].mesh->positions.size();
-    pictures.front().statistics().vertices += positions;
+    Statistics& statistics = pictures.front().statistics();
+    statistics.vertices += positions;
+    statistics.normals += slot.eye_space.normals.size() + slot.eye_space.face_normals.size();
+    statistics.eye_positions += slot.eye_space.positions.size();
     if (pictures.size() > 1) pictures.back().statistics().moved_in_x += positions;
+    for (const TilePicture& picture : pictures) {
+      if (picture.run().methods[slot.draw].test_planes) {
+        picture.statistics().plane_tests += positions;
+      }
+    }
     add_tasks(VertexTask::Kind::kPositions, i, positions);
     add_tasks(VertexTask::Kind::kNormals, i, slot.eye_space.normals.size());
     if (!slot.eye_space.face_normals.empty()) {
       vertex_tasks.push_back({VertexTask::Kind::kFaceNormals, i, 0, 0});
     }
   }
-  for_each(vertex_tasks.size(), [&](std::size_t i) {
+  for_each(&TileReport::Thread::vertex_ms, vertex_tasks.size(), [&](std::size_t i) {
     const VertexTask& task = vertex_tasks[i];
     const DrawSlot& slot = round.slots[task.slot];
+    std::optional<OtherEye> other;
+    if (pictures.size() > 1) {
+      other.emplace(OtherEye{pictures.back().run(), rounds.back().slots[task.slot]});
+    }
     switch (task.kind) {
       case VertexTask::Kind::kPositions:
-        transform_positions(run, kernels, slot, round.tables, task.first, task.count);
-        if (pictures.size() > 1) {
-          transform_positions(pictures.back().run(), kernels, rounds.back().slots[task.slot],
-                              round.tables, task.first, task.count);
-        }
-        return;
+        return transform_positions(run, kernels, slot, other ? &*other : nullptr, round.tables,
+                                   task.first, task.count);
       case VertexTask::Kind::kNormals:
         return transform_normals(run, kernels, slot, round.tables, task.first, task.count);
       case VertexTask::Kind::kFaceNormals:
@@ -209,7 +227,7 @@ void TileEngine::State::fill_chunks(const TileRun& run, Round& round) {
       add_chunk(Chunk::Kind::kLinesAndPoints, i, 0, 0);
     }
   }
-  for_each(round.chunk_count,
+  for_each(&TileReport::Thread::triangle_ms, round.chunk_count,
            [&](std::size_t i) { fill_chunk(run, kernels, round, round.chunks[i]); });
   round.large.clear();
   for (std::size_t i = 0; i < round.chunk_count; ++i) {
@@ -224,9 +242,10 @@ void TileEngine::State::draw_tiles(const TilePass& pass, Statistics& statistics)
   const int across = (pass.run.window.x1 + side - 1) / side;
   const int down = (pass.run.window.y1 + side - 1) / side;
   tbb::enumerable_thread_specific<Statistics> counts;
-  for_each(std::size_t(across) * std::size_t(down), [&](std::size_t i) {
-    draw_tile(pass, int(i) % across, int(i) / across, buffers.local(), counts.local());
-  });
+  for_each(&TileReport::Thread::fragment_ms, std::size_t(across) * std::size_t(down),
+           [&](std::size_t i) {
+             draw_tile(pass, int(i) % across, int(i) / across, buffers.local(), counts.local());
+           });
   for (const Statistics& part : counts) add(part, statistics);
 }
 
@@ -236,25 +255,49 @@ namespace {
 
 // The same draws for each eye.
 void make_pictures(const Scene& scene, const PreparedScene& prepared,
-                   std::span<const EyePicture> eyes, int tile_side,
+                   std::span<const EyePicture> eyes, const TileOptions& options,
                    std::deque<TilePicture>& pictures) {
-  DrawList list = make_draw_list(scene, prepared, eyes.front().view);
+  std::vector<DrawList> lists{make_draw_list(scene, prepared, eyes.front().view)};
   for (const EyePicture& eye : eyes.subspan(1)) {
-    pictures.emplace_back(eye,
-                          DrawList{draws_of_other_eye(list.draws, scene, eye.view), list.lighting,
-                                   list.triangle_count},
-                          tile_side);
+    const DrawList& first = lists.front();
+    lists.push_back(
+        {draws_of_other_eye(first.draws, scene, eye.view), first.lighting, first.triangle_count});
   }
-  pictures.emplace_front(eyes.front(), std::move(list), tile_side);
+  std::vector<PlannedEye> planned;
+  for (std::size_t i = 0; i < eyes.size(); ++i) {
+    planned.push_back({lists[i], eyes[i].view, eyes[i].settings});
+  }
+  std::vector<Plan> plans = options.planner(planned, options.plan);
+  for (std::size_t i = 0; i < eyes.size(); ++i) {
+    pictures.emplace_back(eyes[i], std::move(lists[i]), std::move(plans[i]), options.tile_side);
+  }
+}
+
+// What a round adds to the report.
+void count_round(const Round& round, TileReport& report) {
+  for (std::size_t i = 0; i < round.chunk_count; ++i) {
+    report.triangles += round.chunks[i].count;
+    report.list_entries += round.chunks[i].entries.size();
+  }
+  report.large_triangles += round.large.size();
+}
+
+std::uint64_t plane_bytes(const Framebuffer& f) {
+  return 4 * (f.color.pixels.size() + f.depth.pixels.size() + f.distance.pixels.size() +
+              f.id.pixels.size() + f.writes.pixels.size());
 }
 
 }  // namespace
+
+int default_threads() {
+  return tbb::info::default_concurrency();
+}
 
 TileEngine::TileEngine(const TileOptions& options) : state_(std::make_unique<State>(options)) {}
 TileEngine::~TileEngine() = default;
 
 void TileEngine::render(const Scene& scene, const PreparedScene& prepared,
-                        std::span<const EyePicture> eyes) {
+                        std::span<const EyePicture> eyes, TileReport* report) {
   assert(!eyes.empty() && eyes.size() <= kMostEyes);
   State& s = *state_;
   for (const EyePicture& eye : eyes) eye.statistics = {};
@@ -262,11 +305,13 @@ void TileEngine::render(const Scene& scene, const PreparedScene& prepared,
   State::Pictures pictures;
   {
     const Stopwatch watch(shared.prepare_ms);
-    make_pictures(scene, prepared, eyes, s.options.tile_side, pictures);
+    make_pictures(scene, prepared, eyes, s.options, pictures);
   }
   for (const TilePicture& picture : pictures) picture.count_input();
+  s.report = report;
+  s.at_work.clear();
 
-  const std::size_t draws = pictures.front().list().draws.size();
+  const std::size_t draws = pictures.front().plan().order.size();
   std::size_t first = 0;
   do {
     const std::size_t end = s.begin_round(pictures, first);
@@ -285,6 +330,7 @@ void TileEngine::render(const Scene& scene, const PreparedScene& prepared,
         const Stopwatch watch(statistics.triangle_ms);
         s.fill_chunks(picture.run(), s.rounds[eye]);
       }
+      if (report != nullptr) count_round(s.rounds[eye], *report);
       const Stopwatch watch(statistics.fragment_ms);
       for (std::size_t i = 0; i < s.rounds[eye].chunk_count; ++i) {
         add(s.rounds[eye].chunks[i].statistics, statistics);
@@ -292,14 +338,26 @@ void TileEngine::render(const Scene& scene, const PreparedScene& prepared,
       s.draw_tiles(picture.pass(s.kernels, s.rounds[eye], first == 0), statistics);
     }
     first = end;
+    if (report != nullptr) ++report->rounds;
   } while (first < draws);
   for (const TilePicture& picture : pictures) picture.finish();
+  if (report != nullptr) {
+    report->threads.assign(s.at_work.begin(), s.at_work.end());
+    const auto tiles = [&](float side_px) {
+      return std::uint64_t(int(side_px) + s.options.tile_side - 1) /
+             std::uint64_t(s.options.tile_side);
+    };
+    for (const EyePicture& eye : eyes) {
+      report->tiles += tiles(eye.view.viewport.width()) * tiles(eye.view.viewport.height());
+      report->plane_bytes += plane_bytes(eye.target);
+    }
+  }
 }
 
 void TileEngine::render(const Scene& scene, const PreparedScene& prepared, const View& view,
-                        const RenderSettings& settings, Rendering& into) {
+                        const RenderSettings& settings, Rendering& into, TileReport* report) {
   const EyePicture eye{view, settings, into.buffers, into.buffers.color, into.statistics};
-  render(scene, prepared, {&eye, 1});
+  render(scene, prepared, {&eye, 1}, report);
 }
 
 Rendering render_tiled(const Scene& scene, const View& view, const RenderSettings& settings,

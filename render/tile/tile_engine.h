@@ -13,19 +13,25 @@
 #include <glassbox/pipeline/view.h>
 #include <glassbox/raster/lanes/target.h>
 #include <glassbox/render/framebuffer.h>
+#include <glassbox/render/plan/plan.h>
 #include <glassbox/render/prepared_scene.h>
 #include <glassbox/render/settings.h>
 #include <glassbox/render/staged.h>
+#include <glassbox/render/tile/tile_report.h>
 
 namespace glassbox {
 
+// As many as the machine has for this program.
+int default_threads();
+
 struct TileOptions {
-  int threads = 0;     // 0: as many as the machine has
+  int threads = 0;     // 0: default_threads()
   int tile_side = 64;  // pixels; a power of two, 16 .. 256
   Target target = best_target();
   bool plan = true;  // leave out what the scene does not need
   // Vertices and triangles that are carried to the screen together, or one draw: what bounds the engine's memory.
   std::size_t round_size = std::size_t{1} << 23;
+  Planner planner = make_plans;  // tests plant wrong plans
 };
 
 // What an eye sees, and where it goes.
@@ -49,13 +55,15 @@ public:
   TileEngine(const TileEngine&) = delete;
   TileEngine& operator=(const TileEngine&) = delete;
 
-  // As render_staged. `prepared` was made from the scene with the settings' transfer.
+  // As render_staged. `prepared` was made from the scene with the settings' transfer. `report`, unless null, is added to, at the cost
+  // of two looks at the clock for each task.
   void render(const Scene& scene, const PreparedScene& prepared, const View& view,
-              const RenderSettings& settings, Rendering& into);
+              const RenderSettings& settings, Rendering& into, TileReport* report = nullptr);
 
   // The same for one eye, or for the two of a stereo pair, in this order: their views differ in the row of x of clip_from_eye
   // alone, their settings in the mask. Work done once for both is counted and timed with the first.
-  void render(const Scene& scene, const PreparedScene& prepared, std::span<const EyePicture> eyes);
+  void render(const Scene& scene, const PreparedScene& prepared, std::span<const EyePicture> eyes,
+              TileReport* report = nullptr);
 
 private:
   struct State;

@@ -10,17 +10,10 @@ namespace glassbox {
 
 namespace {
 
-TileRun make_run(const EyePicture& eye, const DrawList& list, int tile_side) {
-  TileRun run{eye.view, eye.settings, list, {}, render_planes(eye.view), {}, tile_side};
+TileRun make_run(const EyePicture& eye, const DrawList& list, const Plan& plan, int tile_side) {
+  TileRun run{eye.view, eye.settings, list, plan.methods, render_planes(eye.view), {}, tile_side};
   run.window = {0, 0, int(eye.view.viewport.width()), int(eye.view.viewport.height())};
-  for (const Draw& draw : list.draws) {
-    run.methods.push_back(choose_method(draw, list.lighting, eye.settings));
-  }
   return run;
-}
-
-bool is_empty(const ColorMask& mask) {
-  return !mask.r && !mask.g && !mask.b && !mask.a;
 }
 
 // Shading of the small triangles of a draw, and of the large ones.
@@ -33,10 +26,12 @@ ShadeDraw shade_draw(const TileRun& run, const DrawSlot& slot) {
   };
   ShadeDraw shade;
   shade.first_reference = slot.first_reference;
-  shade.end_reference = slot.first_reference + Reference(draw.triangulation->triangles.size());
+  shade.end_reference =
+      slot.first_reference + Reference(draw.triangulation->triangles.size()) * kReferenceStep;
   shade.positions = indices.positions.data();
   shade.screen = slot.screen;
   shade.mirrored = draw.mirrored;
+  shade.shows_backs = method.keep_back;
   shade.triangles = draw.triangulation->triangles.data();
   shade.first_number = draw.first_number;
   shade.material = draw.material;
@@ -77,8 +72,11 @@ void prepare_plane(const PixelRect& window, bool wanted, bool clear, Pixel empty
 
 }  // namespace
 
-TilePicture::TilePicture(const EyePicture& eye, DrawList list, int tile_side)
-    : eye_(eye), list_(std::move(list)), run_(make_run(eye, list_, tile_side)) {}
+TilePicture::TilePicture(const EyePicture& eye, DrawList list, Plan plan, int tile_side)
+    : eye_(eye),
+      list_(std::move(list)),
+      plan_(std::move(plan)),
+      run_(make_run(eye, list_, plan_, tile_side)) {}
 
 void TilePicture::count_input() const {
   Statistics& statistics = eye_.statistics;
@@ -89,17 +87,16 @@ void TilePicture::count_input() const {
     statistics.lines += draw.mesh->lines.size();
     statistics.points += draw.mesh->points.size();
   }
-}
-
-bool TilePicture::wants_color() const {
-  const Show show = eye_.settings.show;
-  const bool painted_later = show == Show::kDepth || show == Show::kId;
-  return !painted_later && !is_empty(eye_.settings.mask);
+  for (std::size_t i = 0; i < list_.draws.size(); ++i) {
+    if (!plan_.methods[i].drawn) {
+      statistics.left_out += list_.draws[i].triangulation->triangles.size();
+    }
+  }
 }
 
 // They write to the framebuffer themselves.
 bool TilePicture::has_staged_draws() const {
-  for (std::size_t i = 0; i < run_.methods.size(); ++i) {
+  for (const std::uint32_t i : plan_.order) {
     const Mesh& mesh = *list_.draws[i].mesh;
     if (run_.methods[i].staged_because != nullptr || !mesh.lines.empty() || !mesh.points.empty()) {
       return true;
@@ -112,13 +109,13 @@ void TilePicture::prepare_framebuffer(bool one_round) {
   const RenderSettings& s = eye_.settings;
   Framebuffer& target = eye_.target;
   through_framebuffer_ = !one_round || has_staged_draws();
-  keep_picture_ = through_framebuffer_ || !wants_color() || eye_.draws_over();
-  store_depth_ = !one_round || s.want_depth;
+  keep_picture_ = through_framebuffer_ || !plan_.colors || plan_.read_back || eye_.draws_over();
+  store_depth_ = !one_round || plan_.keep_depth;
   const auto prepare = [&](bool wanted, auto empty, auto& plane) {
     prepare_plane(run_.window, wanted, keep_picture_, empty, plane);
   };
   prepare(!eye_.draws_over(), s.background, target.color);
-  prepare(through_framebuffer_ || s.want_depth, kEmptyDepth, target.depth);
+  prepare(through_framebuffer_ || plan_.keep_depth, kEmptyDepth, target.depth);
   prepare(s.want_distance || s.show == Show::kDepth, std::numeric_limits<float>::infinity(),
           target.distance);
   prepare(s.want_id || s.show == Show::kId, std::uint32_t{0}, target.id);
@@ -145,7 +142,7 @@ TilePass TilePicture::pass(const Kernels& kernels, const Round& round, bool firs
   resolve.mask = eye_.settings.mask;
   resolve.background = eye_.settings.background;
   resolve.keep_picture = keep_picture_;
-  resolve.picture = wants_color() ? &eye_.color : nullptr;
+  resolve.picture = plan_.colors ? &eye_.color : nullptr;
   resolve.distance = if_there(eye_.target.distance);
   resolve.id = if_there(eye_.target.id);
   resolve.perspective = view.perspective;

@@ -12,13 +12,13 @@ namespace glassbox {
 // One eye's part in a run.
 class TilePicture {
 public:
-  TilePicture(const EyePicture& eye, DrawList list, int tile_side);
-  TilePicture(const TilePicture&) = delete;  // run_ refers to list_
+  TilePicture(const EyePicture& eye, DrawList list, Plan plan, int tile_side);
+  TilePicture(const TilePicture&) = delete;  // run_ refers to list_ and plan_
   TilePicture& operator=(const TilePicture&) = delete;
 
   const TileRun& run() const { return run_; }
   Statistics& statistics() const { return eye_.statistics; }
-  const DrawList& list() const { return list_; }
+  const Plan& plan() const { return plan_; }
 
   void count_input() const;
 
@@ -32,11 +32,11 @@ public:
   void finish() const;
 
 private:
-  bool wants_color() const;
   bool has_staged_draws() const;
 
   const EyePicture& eye_;
   const DrawList list_;
+  const Plan plan_;
   const TileRun run_;
   bool through_framebuffer_ = false;  // depths and colours are read back from it
   bool keep_picture_ = false;         // pixels where nothing is seen have their values already

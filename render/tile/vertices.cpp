@@ -11,7 +11,8 @@ float surely_in_band(float screen_side) {
   return float(kGuardBandPx / double(screen_side));
 }
 
-VertexJob vertex_job(const TileRun& run, const Draw& draw) {
+VertexJob vertex_job(const TileRun& run, std::uint32_t index) {
+  const Draw& draw = run.list.draws[index];
   VertexJob job;
   job.anchor = draw.anchor;
   job.clip_from_anchored = draw.clip_from_anchored;
@@ -23,17 +24,25 @@ VertexJob vertex_job(const TileRun& run, const Draw& draw) {
   job.smallest_w = float(-eye.e);
   job.band_x = surely_in_band(run.view.viewport.width());
   job.band_y = surely_in_band(run.view.viewport.height());
+  job.test_planes = run.methods[index].test_planes;
+  job.divide = run.methods[index].divide;
   return job;
 }
 
 }  // namespace
 
 void transform_positions(const TileRun& run, const Kernels& kernels, const DrawSlot& slot,
-                         VertexTables& tables, std::size_t first, std::size_t count) {
+                         const OtherEye* other, VertexTables& tables, std::size_t first,
+                         std::size_t count) {
   const Draw& draw = run.list.draws[slot.draw];
-  VertexJob job = vertex_job(run, draw);
+  VertexJob job = vertex_job(run, slot.draw);
   job.positions = std::span(draw.mesh->positions).subspan(first, count);
   job.screen = slot.screen + first;
+  if (other != nullptr) {
+    job.test_planes = job.test_planes || other->run.methods[slot.draw].test_planes;
+    job.other_clip_from_anchored = &other->run.list.draws[slot.draw].clip_from_anchored;
+    job.other_screen = other->slot.screen + first;
+  }
   kernels.transform_vertices(job);
   if (run.methods[slot.draw].eye_positions) {
     kernels.transform_positions({job.positions, draw.anchor, draw.eye_from_anchored,

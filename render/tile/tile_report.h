@@ -1,0 +1,23 @@
+// What the tile engine did for a picture, beside the statistics that both engines keep.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace glassbox {
+
+struct TileReport {
+  // Time in which a thread was at work, by stage, in milliseconds.
+  struct Thread {
+    double vertex_ms = 0, triangle_ms = 0, fragment_ms = 0;
+  };
+  std::vector<Thread> threads;  // those that took part
+
+  std::uint64_t rounds = 0, tiles = 0;
+  std::uint64_t triangles = 0;        // of the draws that were drawn
+  std::uint64_t list_entries = 0;     // primitives in the tiles' lists, once for each tile
+  std::uint64_t large_triangles = 0;  // set up one by one
+  std::uint64_t plane_bytes = 0;      // of the framebuffer's planes
+};
+
+}  // namespace glassbox
