@@ -108,26 +108,25 @@ HWY_INLINE void transform_vertices_with(const VertexJob& job) {
                          kDivide ? transform_row(job.clip_from_anchored, 3, p) : set(1.0f)};
     MF inside;
     if constexpr (kTestPlanes) inside = surely_inside_but_for_x(job, clip);
-    const auto if_inside = [](MF mask, VF v, VF otherwise) HWY_ATTR {
-      if constexpr (kTestPlanes) {
-        return hn::IfThenElse(mask, v, otherwise);
-      } else {
-        return v;
-      }
-    };
     // The others' positions are not used; dividing by 1 keeps them from trouble.
-    const VF w = if_inside(inside, clip.w, set(1.0f));
+    VF w = clip.w;
+    if constexpr (kTestPlanes) w = hn::IfThenElse(inside, clip.w, set(1.0f));
     const auto over_w = [&](VF v) HWY_ATTR { return kDivide ? hn::Div(v, w) : v; };
-    const VF y = if_inside(inside, over_w(clip.y), hn::Zero(kF));
+    VF y = over_w(clip.y);
+    if constexpr (kTestPlanes) y = hn::IfThenElseZero(inside, y);
     const VI screen_y = snap(hn::Add(hn::Mul(y, scale_y), middle_y));
     const VF z = over_w(clip.z), inverse_w = over_w(set(1.0f));
+    const auto snapped_x = [&](VF x)
+                               HWY_ATTR { return snap(hn::Add(hn::Mul(x, scale_x), middle_x)); };
     const auto store_for_eye = [&](VF clip_x, SnappedEntry* screen) HWY_ATTR {
-      MF seen = inside;
-      if constexpr (kTestPlanes) seen = hn::And(seen, surely_inside_in_x(job, clip_x, clip.w));
-      const VF x = if_inside(seen, over_w(clip_x), hn::Zero(kF));
-      VI screen_x = snap(hn::Add(hn::Mul(x, scale_x), middle_x));
+      VI screen_x;
       if constexpr (kTestPlanes) {
-        screen_x = hn::IfThenElse(as_int_mask(seen), screen_x, set(kNeedsClipping));
+        const MF seen = hn::And(inside, surely_inside_in_x(job, clip_x, clip.w));
+        screen_x =
+            hn::IfThenElse(as_int_mask(seen), snapped_x(hn::IfThenElseZero(seen, over_w(clip_x))),
+                           set(kNeedsClipping));
+      } else {
+        screen_x = snapped_x(over_w(clip_x));
       }
       store_entries({hn::BitCast(kF, screen_x), hn::BitCast(kF, screen_y), z, inverse_w},
                     &screen[i].x, count);

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cstddef>
 #include <deque>
+#include <optional>
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/global_control.h>
@@ -87,8 +88,8 @@ struct TileEngine::State {
   // Slots for draws from `first` on, as many as a round takes; returns the one after the last.
   std::size_t begin_round(const Pictures& pictures, std::size_t first);
   void transform_vertices(const Pictures& pictures);
-  void fill_chunks(const TileRun& run, Round& round);
-  void draw_tiles(const TilePass& pass, Statistics& statistics);
+  void fill_chunks(const Pictures& pictures);
+  void draw_tiles(const Pictures& pictures, std::span<const TilePass> passes);
 
   TileOptions options;
   const Kernels& kernels;
@@ -204,7 +205,10 @@ void TileEngine::State::transform_vertices(const Pictures& pictures) {
   });
 }
 
-void TileEngine::State::fill_chunks(const TileRun& run, Round& round) {
+namespace {
+
+// Chunks that are to be filled.
+void begin_chunks(const TileRun& run, Round& round) {
   round.chunk_count = 0;
   const auto add_chunk = [&](Chunk::Kind kind, std::uint32_t slot, std::uint32_t first,
                              std::uint32_t count) {
@@ -227,8 +231,9 @@ void TileEngine::State::fill_chunks(const TileRun& run, Round& round) {
       add_chunk(Chunk::Kind::kLinesAndPoints, i, 0, 0);
     }
   }
-  for_each(&TileReport::Thread::triangle_ms, round.chunk_count,
-           [&](std::size_t i) { fill_chunk(run, kernels, round, round.chunks[i]); });
+}
+
+void list_large_triangles(Round& round) {
   round.large.clear();
   for (std::size_t i = 0; i < round.chunk_count; ++i) {
     Chunk& chunk = round.chunks[i];
@@ -237,16 +242,42 @@ void TileEngine::State::fill_chunks(const TileRun& run, Round& round) {
   }
 }
 
-void TileEngine::State::draw_tiles(const TilePass& pass, Statistics& statistics) {
-  const int side = pass.run.tile_side;
-  const int across = (pass.run.window.x1 + side - 1) / side;
-  const int down = (pass.run.window.y1 + side - 1) / side;
-  tbb::enumerable_thread_specific<Statistics> counts;
+}  // namespace
+
+// The eyes of a pair have the same chunks, and take turns: what they read is in the cache for the second one.
+void TileEngine::State::fill_chunks(const Pictures& pictures) {
+  const std::size_t eyes = pictures.size();
+  for (std::size_t eye = 0; eye < eyes; ++eye) begin_chunks(pictures[eye].run(), rounds[eye]);
+  for_each(&TileReport::Thread::triangle_ms, rounds.front().chunk_count * eyes, [&](std::size_t i) {
+    Round& round = rounds[i % eyes];
+    fill_chunk(pictures[i % eyes].run(), kernels, round, round.chunks[i / eyes]);
+  });
+  for (std::size_t eye = 0; eye < eyes; ++eye) {
+    list_large_triangles(rounds[eye]);
+    for (std::size_t i = 0; i < rounds[eye].chunk_count; ++i) {
+      add(rounds[eye].chunks[i].statistics, pictures[eye].statistics());
+    }
+  }
+}
+
+// A tile of the one eye, then the same tile of the other, which may draw into the same picture.
+void TileEngine::State::draw_tiles(const Pictures& pictures, std::span<const TilePass> passes) {
+  const TileRun& run = pictures.front().run();
+  const int across = (run.window.x1 + run.tile_side - 1) / run.tile_side;
+  const int down = (run.window.y1 + run.tile_side - 1) / run.tile_side;
+  tbb::enumerable_thread_specific<std::array<Statistics, kMostEyes>> counts;
   for_each(&TileReport::Thread::fragment_ms, std::size_t(across) * std::size_t(down),
            [&](std::size_t i) {
-             draw_tile(pass, int(i) % across, int(i) / across, buffers.local(), counts.local());
+             for (std::size_t eye = 0; eye < passes.size(); ++eye) {
+               draw_tile(passes[eye], int(i) % across, int(i) / across, buffers.local(),
+                         counts.local()[eye]);
+             }
            });
-  for (const Statistics& part : counts) add(part, statistics);
+  for (const auto& part : counts) {
+    for (std::size_t eye = 0; eye < passes.size(); ++eye) {
+      add(part[eye], pictures[eye].statistics());
+    }
+  }
 }
 
 // ---- a picture ----
@@ -323,19 +354,20 @@ void TileEngine::render(const Scene& scene, const PreparedScene& prepared,
       const Stopwatch watch(shared.vertex_ms);
       s.transform_vertices(pictures);
     }
-    for (std::size_t eye = 0; eye < pictures.size(); ++eye) {
-      TilePicture& picture = pictures[eye];
-      Statistics& statistics = picture.statistics();
-      {
-        const Stopwatch watch(statistics.triangle_ms);
-        s.fill_chunks(picture.run(), s.rounds[eye]);
+    {
+      const Stopwatch watch(shared.triangle_ms);
+      s.fill_chunks(pictures);
+    }
+    {
+      const Stopwatch watch(shared.fragment_ms);
+      std::vector<TilePass> passes;
+      for (std::size_t eye = 0; eye < pictures.size(); ++eye) {
+        passes.push_back(pictures[eye].pass(s.kernels, s.rounds[eye], first == 0));
       }
-      if (report != nullptr) count_round(s.rounds[eye], *report);
-      const Stopwatch watch(statistics.fragment_ms);
-      for (std::size_t i = 0; i < s.rounds[eye].chunk_count; ++i) {
-        add(s.rounds[eye].chunks[i].statistics, statistics);
-      }
-      s.draw_tiles(picture.pass(s.kernels, s.rounds[eye], first == 0), statistics);
+      s.draw_tiles(pictures, passes);
+    }
+    if (report != nullptr) {
+      for (std::size_t eye = 0; eye < pictures.size(); ++eye) count_round(s.rounds[eye], *report);
     }
     first = end;
     if (report != nullptr) ++report->rounds;
