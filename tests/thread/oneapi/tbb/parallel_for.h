@@ -8,8 +8,10 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace tbb {
@@ -81,8 +83,17 @@ public:
     return *own;
   }
 
+  void clear() { all_ = {}; }
+
   class iterator {
   public:
+    using iterator_category = std::forward_iterator_tag;
+    using value_type = T;
+    using difference_type = std::ptrdiff_t;
+    using pointer = T*;
+    using reference = T&;
+
+    iterator() = default;
     iterator(std::optional<T>* at, std::optional<T>* end) : at_(at), end_(end) { skip(); }
     T& operator*() const { return **at_; }
     iterator& operator++() {
@@ -90,13 +101,19 @@ public:
       skip();
       return *this;
     }
+    iterator operator++(int) {
+      const iterator before = *this;
+      ++*this;
+      return before;
+    }
     friend bool operator==(const iterator&, const iterator&) = default;
 
   private:
     void skip() {
       while (at_ != end_ && !*at_) ++at_;
     }
-    std::optional<T>*at_, *end_;
+    std::optional<T>* at_ = nullptr;
+    std::optional<T>* end_ = nullptr;
   };
   iterator begin() { return {all_.data(), all_.data() + all_.size()}; }
   iterator end() { return {all_.data() + all_.size(), all_.data() + all_.size()}; }
