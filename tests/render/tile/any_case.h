@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -71,9 +72,9 @@ private:
     return {r * turn.cos, r * turn.sin, z};
   }
   double sign() { return one_in(2) ? -1.0 : 1.0; }
-  template <class T, std::size_t N>
-  T one_of(const T (&values)[N]) {
-    return values[std::size_t(integer(0, int(N) - 1))];
+  template <class T>
+  T one_of(std::initializer_list<T> values) {
+    return values.begin()[integer(0, int(values.size()) - 1)];
   }
 
   // ---- what is asked for ----
@@ -181,12 +182,16 @@ private:
   }
 
   Texture texture(std::size_t images) {
-    const auto wrap = [&] {
-      return one_of({Wrap::kRepeat, Wrap::kMirroredRepeat, Wrap::kClampToEdge});
-    };
-    const auto filter = [&] { return one_of({Filter::kNearest, Filter::kLinear}); };
-    const MipFilter mip = one_of({MipFilter::kNone, MipFilter::kNearest, MipFilter::kLinear});
-    return {std::uint32_t(integer(0, int(images) - 1)), {wrap(), wrap(), filter(), filter(), mip}};
+    const auto wrap = [&] { return Wrap(integer(0, 2)); };
+    const auto filter = [&] { return Filter(integer(0, 1)); };
+    Texture made;
+    made.image = std::uint32_t(integer(0, int(images) - 1));
+    made.sampler.wrap_u = wrap();
+    made.sampler.wrap_v = wrap();
+    made.sampler.magnify = filter();
+    made.sampler.minify = filter();
+    made.sampler.mip = MipFilter(integer(0, 2));
+    return made;
   }
 
   Image<Rgba8> image() {
