@@ -9,6 +9,7 @@
 #include "app/bench/page.h"
 #include "app/bench/text.h"
 #include "app/builtin_help.h"
+#include "app/engine_options.h"
 #include "app/exit_codes.h"
 #include "app/output.h"
 #include "app/picture_options.h"
@@ -124,8 +125,7 @@ void BenchCommand::add_measure_options(CLI::App& command) {
 void BenchCommand::add_engine_options(CLI::App& command) {
   const std::string group = "Engine";
   add_choice(command, "--engine", engine_.engine,
-             {{"tile", Engine::kTile}, {"staged", Engine::kStaged}},
-             "which one draws [tile]")
+             {{"tile", Engine::kTile}, {"staged", Engine::kStaged}}, "which one draws [tile]")
       ->group(group);
   command
       .add_option_function<std::string>(
@@ -133,18 +133,11 @@ void BenchCommand::add_engine_options(CLI::App& command) {
           "measure with each of these numbers of threads [1 and all]")
       ->type_name("N,...")
       ->group(group);
-  Choices<Target> targets;
-  for (const Target target : available_targets()) {
-    targets.emplace_back(std::string(name_of(target)), target);
-  }
-  add_choice(command, "--target", engine_.tile.target, targets,
-             fmt::format("instructions to use [{}]", name_of(best_target())))
-      ->group(group);
+  add_target_option(command, engine_.tile.target);
 }
 
 Result<void> BenchCommand::check_options() const {
-  if (engine_.engine == Engine::kStaged && !threads_.empty() &&
-      threads_ != std::vector<int>{1}) {
+  if (engine_.engine == Engine::kStaged && !threads_.empty() && threads_ != std::vector<int>{1}) {
     return fail("--threads", "the staged engine has one thread", "leave one of the two out");
   }
   if (!(most_ >= 0)) return fail("--most", "is no number of things", "give a number above 0");

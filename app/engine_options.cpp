@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
 
 #include <fmt/format.h>
 
@@ -56,6 +55,10 @@ Target parse_target(const std::string& text) {
   return *target;
 }
 
+int threads_of(const EngineOptions& options) {
+  return options.tile.threads > 0 ? options.tile.threads : default_threads();
+}
+
 }  // namespace
 
 CLI::Option* add_target_option(CLI::App& command, Target& target) {
@@ -105,10 +108,17 @@ Renderer make_renderer(const Scene& scene, const RenderSettings& settings,
 
 std::string engine_text(const EngineOptions& options) {
   if (options.engine == Engine::kStaged) return "the staged engine";
-  const int threads =
-      options.tile.threads > 0 ? options.tile.threads : int(std::thread::hardware_concurrency());
+  const int threads = threads_of(options);
   return fmt::format("the tile engine, {} thread{}, {}", threads, threads == 1 ? "" : "s",
                      name_of(options.tile.target));
+}
+
+nlohmann::ordered_json engine_json(const EngineOptions& options) {
+  if (options.engine == Engine::kStaged) return {{"name", "staged"}};
+  return {{"name", "tile"},
+          {"threads", threads_of(options)},
+          {"target", name_of(options.tile.target)},
+          {"plan", options.tile.plan}};
 }
 
 }  // namespace glassbox::app

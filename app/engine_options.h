@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include <glassbox/base/error.h>
 #include <glassbox/mesh/scene.h>
@@ -32,5 +33,6 @@ Renderer make_renderer(const Scene& scene, const RenderSettings& settings,
 
 // "the tile engine, 2 threads, avx512", "the staged engine".
 std::string engine_text(const EngineOptions& options);
+nlohmann::ordered_json engine_json(const EngineOptions& options);
 
 }  // namespace glassbox::app

@@ -10,6 +10,7 @@
 #include "app/builtin_help.h"
 #include "app/exit_codes.h"
 #include "app/frames/frames.h"
+#include "app/frames/stop_request.h"
 #include "app/output.h"
 #include "app/program_name.h"
 #include "app/progress.h"
@@ -75,8 +76,9 @@ bool nothing_drawn(const DrawnPicture& drawn) {
 }
 
 // What to tell somebody whose picture shows the background only.
-const char* why_empty(const Statistics& s) {
-  if (s.culled > 0) {
+const char* why_empty(Renderer& renderer, const View& view, RenderSettings settings) {
+  settings.cull = Cull::kNone;
+  if (renderer.render(view, settings).statistics.covered > 0) {
     return "every face in view is turned away; --cull none shows it from behind";
   }
   return "nothing of the scene is in this picture; without camera options it is framed whole";
@@ -244,51 +246,69 @@ int RenderCommand::run() {
   Renderer renderer = make_renderer(*scene, picture_.settings, engine_);
   const Result<DrawnPicture> drawn = draw(*scene, renderer);
   if (!drawn) return refuse(drawn.error());
-  progress.phase("writing " + output);
-  if (const auto written = write_image(output, drawn->image, recipe_text()); !written) {
-    return refuse(written.error());
-  }
-  if (depth_output_) {
-    const auto written = write_file(*depth_output_, encode_pfm(drawn->planes.distance));
-    if (!written) return refuse(written.error());
-  }
-  if (id_output_) {
-    const auto written = write_ids(*id_output_, drawn->planes.id);
-    if (!written) return refuse(written.error());
+  {
+    // Ctrl-C waits until what is being written is whole.
+    const StopRequest stop;
+    progress.phase("writing " + output);
+    if (const auto written = write_pictures(output, *drawn); !written) {
+      return refuse(written.error());
+    }
+    if (stop.asked()) return kFailure;
   }
   progress.done();
   if (nothing_drawn(*drawn)) {
-    fmt::print(stderr, "glassbox: note: {}\n", why_empty(drawn->stages.front().second));
+    fmt::print(stderr, "glassbox: note: {}\n", why_empty(renderer, drawn->view, picture_.settings));
   }
-  const double total_ms = elapsed_ms(start);
+  return report(output, *drawn, {load_ms, elapsed_ms(start)});
+}
 
+Result<void> RenderCommand::write_pictures(const std::string& image,
+                                           const DrawnPicture& drawn) const {
+  if (const auto written = write_image(image, drawn.image, recipe_text()); !written) {
+    return written;
+  }
+  if (depth_output_) {
+    const auto written = write_file(*depth_output_, encode_pfm(drawn.planes.distance));
+    if (!written) return written;
+  }
+  return id_output_ ? write_ids(*id_output_, drawn.planes.id) : Result<void>();
+}
+
+int RenderCommand::report(const std::string& image, const DrawnPicture& drawn,
+                          const RunTimes& times) const {
   if (json_output_) {
     Json json{{"scene", scene_},
-              {"image", output},
-              {"width", drawn->image.width},
-              {"height", drawn->image.height},
-              {"camera", camera_json(drawn->camera, drawn->view)}};
-    if (!drawn->eyes_json.is_null()) json["stereo"] = drawn->eyes_json;
-    for (const auto& [eye, statistics] : drawn->stages) {
+              {"image", image},
+              {"width", drawn.image.width},
+              {"height", drawn.image.height},
+              {"camera", camera_json(drawn.camera, drawn.view)},
+              {"engine", engine_json(engine_)}};
+    if (!drawn.eyes_json.is_null()) json["stereo"] = drawn.eyes_json;
+    for (const auto& [eye, statistics] : drawn.stages) {
       json[eye.empty() ? "stages" : "stages_" + eye] = to_json(statistics);
     }
-    json["load_ms"] = load_ms;
-    json["total_ms"] = total_ms;
+    // The tile engine's eyes take turns, and are timed together.
+    if (engine_.engine == Engine::kTile && drawn.stages.size() > 1) {
+      json["stages_right"].erase("ms");
+    }
+    json["load_ms"] = times.load_ms;
+    json["total_ms"] = times.total_ms;
     if (const auto written = write_json(*json_output_, json); !written)
       return refuse(written.error());
   }
   if (json_output_ == "-") return kSuccess;
   if (stats_) {
-    for (const auto& [eye, statistics] : drawn->stages) {
+    fmt::print("{}\n\n", engine_text(engine_));
+    for (const auto& [eye, statistics] : drawn.stages) {
       if (!eye.empty()) fmt::print("{} eye\n", eye);
       fmt::print("{}\n", stage_table(statistics));
     }
-    fmt::print("  {:<26}{:>12.1f} ms\n", "loading the scene", load_ms);
-    fmt::print("  {:<26}{:>12.1f} ms\n\n", "everything", total_ms);
+    fmt::print("  {:<26}{:>12.1f} ms\n", "loading the scene", times.load_ms);
+    fmt::print("  {:<26}{:>12.1f} ms\n\n", "everything", times.total_ms);
   }
-  fmt::print("{} ({} x {}): {} triangles, {:.0f} ms\n{}", output, drawn->image.width,
-             drawn->image.height, drawn->stages.front().second.triangles, total_ms,
-             drawn->eyes_text);
+  fmt::print("{} ({} x {}): {} triangles, {:.0f} ms\n{}", image, drawn.image.width,
+             drawn.image.height, drawn.stages.front().second.triangles, times.total_ms,
+             drawn.eyes_text);
   if (first_time_) fmt::print("\n{}", next_steps());
   return kSuccess;
 }

@@ -33,6 +33,11 @@ struct DrawnPicture {
   nlohmann::ordered_json eyes_json;
 };
 
+// Milliseconds.
+struct RunTimes {
+  double load_ms = 0, total_ms = 0;
+};
+
 class RenderCommand {
 public:
   // Adds the subcommand; when it is chosen, `exit_code` gets its result.
@@ -47,6 +52,9 @@ private:
   int run_frames(const std::string& usual_output);
   Result<DrawnPicture> draw(const Scene& scene, Renderer& renderer) const;
   std::vector<TextEntry> recipe_text() const;
+  Result<void> write_pictures(const std::string& image, const DrawnPicture& drawn) const;
+  // What there is to say when all is written; the exit code.
+  int report(const std::string& image, const DrawnPicture& drawn, const RunTimes& times) const;
   // The paths of all outputs, as far as they can be judged before anything is computed.
   Result<void> check_other_outputs(const std::string& image) const;
 

@@ -55,6 +55,13 @@ struct VertexTask {
 
 constexpr std::size_t kMostEyes = 2;
 
+// oneTBB keeps to the smallest limit in force, so there is one for the whole program and not one for each engine. It starts no
+// thread by itself.
+void allow_more_threads_than_processors() {
+  constexpr std::size_t kMost = 1024;
+  static const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, kMost);
+}
+
 }  // namespace
 
 struct TileEngine::State {
@@ -65,10 +72,10 @@ struct TileEngine::State {
       : options(o),
         kernels(glassbox::kernels(o.target)),
         threads(o.threads > 0 ? o.threads : default_threads()),
-        allowed(tbb::global_control::max_allowed_parallelism,
-                std::size_t(std::max(threads, tbb::info::default_concurrency()))),
         arena(threads),
-        buffers([side = o.tile_side] { return TileBuffer(side); }) {}
+        buffers([side = o.tile_side] { return TileBuffer(side); }) {
+    if (threads > default_threads()) allow_more_threads_than_processors();
+  }
 
   using StageTime = double TileReport::Thread::*;
 
@@ -94,7 +101,7 @@ struct TileEngine::State {
   TileOptions options;
   const Kernels& kernels;
   int threads;
-  tbb::global_control allowed;  // more threads than the machine has, if that is what was asked for
+  // More threads than the machine has, if that is what was asked for. (Of several, oneTBB takes the least.)
   tbb::task_arena arena;
   tbb::enumerable_thread_specific<TileBuffer> buffers;
   std::array<Round, kMostEyes> rounds;  // by eye; what both have in common is the first one's

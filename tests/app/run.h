@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
@@ -18,10 +19,10 @@ namespace glassbox::test {
 class Workplace {
 public:
   // Words are separated by blanks.
-  Outcome run(const std::string& words) const {
+  Outcome run(const std::string& words, const std::function<void(pid_t)>& meanwhile = {}) const {
     std::istringstream in(words);
     return run_program(GLASSBOX_PROGRAM, {std::istream_iterator<std::string>(in), {}},
-                       directory_.path().string());
+                       directory_.path().string(), meanwhile);
   }
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(file(name), std::ios::binary) << text;

@@ -5,7 +5,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -30,9 +32,11 @@ inline std::string contents(std::FILE* file) {
 
 }  // namespace detail
 
-// Runs `program` in `directory`. Its outputs go through files, so that no pipe can fill up.
+// Runs `program` in `directory`. Its outputs go through files, so that no pipe can fill up. `meanwhile` is called with its
+// process.
 inline Outcome run_program(const std::string& program, const std::vector<std::string>& arguments,
-                           const std::string& directory) {
+                           const std::string& directory,
+                           const std::function<void(pid_t)>& meanwhile = {}) {
   std::vector<std::string> words{program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
@@ -42,15 +46,24 @@ inline Outcome run_program(const std::string& program, const std::vector<std::st
   std::FILE* err = std::tmpfile();
   if (out == nullptr || err == nullptr) throw std::runtime_error("no temporary file");
 
+  // Until it is the program, the child has the handlers of the tests: a signal waits.
+  sigset_t interrupt, before;
+  ::sigemptyset(&interrupt);
+  ::sigaddset(&interrupt, SIGINT);
+  ::sigprocmask(SIG_BLOCK, &interrupt, &before);
   const pid_t child = ::fork();
+  if (child != 0) ::sigprocmask(SIG_SETMASK, &before, nullptr);
   if (child < 0) throw std::runtime_error("cannot fork");
   if (child == 0) {
+    ::signal(SIGINT, SIG_DFL);
+    ::sigprocmask(SIG_SETMASK, &before, nullptr);
     ::dup2(::open("/dev/null", O_RDONLY), 0);
     ::dup2(::fileno(out), 1);
     ::dup2(::fileno(err), 2);
     if (::chdir(directory.c_str()) == 0) ::execv(argv[0], argv.data());
     ::_exit(127);
   }
+  if (meanwhile) meanwhile(child);
   int status = 0;
   ::waitpid(child, &status, 0);
   const Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
