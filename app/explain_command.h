@@ -1,8 +1,10 @@
-// glassbox explain SCENE: what went into every stage, what came out, and how long it took.
+// glassbox explain SCENE: what the plan leaves out and why; with --analyze, what went into every stage, what came out, and how
+// long it took.
 #pragma once
 
 #include <CLI/CLI.hpp>
 
+#include "app/engine_options.h"
 #include "app/picture_question.h"
 
 namespace glassbox::app {
@@ -12,9 +14,13 @@ public:
   void add_to(CLI::App& app, int& exit_code);
 
 private:
-  Answer answer(const Scene& scene, const View& view) const;
+  Result<Answer> answer(const Scene& scene, const View& view) const;
+  Answer explain_staged(const Scene& scene, const View& view) const;
+  Answer explain_tiles(const Scene& scene, const View& view) const;
 
   PictureQuestion question_;
+  EngineOptions engine_;
+  bool analyze_ = false;
 };
 
 }  // namespace glassbox::app

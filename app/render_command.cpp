@@ -75,6 +75,18 @@ bool nothing_drawn(const DrawnPicture& drawn) {
   return std::ranges::all_of(drawn.stages, [](const auto& eye) { return eye.second.covered == 0; });
 }
 
+// Nothing but the times, of all eyes together.
+Statistics times_of_all(const DrawnPicture& drawn) {
+  Statistics sum;
+  for (const auto& [eye, one] : drawn.stages) {
+    sum.prepare_ms += one.prepare_ms;
+    sum.vertex_ms += one.vertex_ms;
+    sum.triangle_ms += one.triangle_ms;
+    sum.fragment_ms += one.fragment_ms;
+  }
+  return sum;
+}
+
 // What to tell somebody whose picture shows the background only.
 const char* why_empty(Renderer& renderer, const View& view, RenderSettings settings) {
   settings.cull = Cull::kNone;
@@ -301,8 +313,9 @@ int RenderCommand::report(const std::string& image, const DrawnPicture& drawn,
     fmt::print("{}\n\n", engine_text(engine_));
     for (const auto& [eye, statistics] : drawn.stages) {
       if (!eye.empty()) fmt::print("{} eye\n", eye);
-      fmt::print("{}\n", stage_table(statistics));
+      fmt::print("{}\n", stage_table(statistics, engine_.engine));
     }
+    fmt::print("{}\n", time_table(times_of_all(drawn)));
     fmt::print("  {:<26}{:>12.1f} ms\n", "loading the scene", times.load_ms);
     fmt::print("  {:<26}{:>12.1f} ms\n\n", "everything", times.total_ms);
   }

@@ -4,14 +4,13 @@
 
 namespace glassbox::app {
 
-namespace {
-
-// 1234567 -> "1,234,567".
 std::string grouped(std::uint64_t n) {
   std::string digits = std::to_string(n);
   for (int i = int(digits.size()) - 3; i > 0; i -= 3) digits.insert(std::size_t(i), 1, ',');
   return digits;
 }
+
+namespace {
 
 std::string row(const std::string& stage, std::uint64_t in, std::uint64_t out,
                 const std::string& notes) {
@@ -24,13 +23,21 @@ std::string time_row(const std::string& stage, double ms) {
 
 }  // namespace
 
-std::string stage_table(const Statistics& s) {
-  const std::uint64_t drawable = s.triangles - s.degenerate;
+std::string stage_table(const Statistics& s, Engine engine) {
+  const bool tile = engine == Engine::kTile;
+  const std::uint64_t modelled = s.triangles - s.degenerate;
+  const std::uint64_t drawable = modelled - s.left_out;
   std::string text = fmt::format("  {:<26}{:>12} {:>12}\n", "stage", "in", "out");
-  text += row("triangles of the mesh", s.triangles, drawable,
+  text += row("triangles of the mesh", s.triangles, modelled,
               s.degenerate ? grouped(s.degenerate) + " without area" : "");
-  text += row("object -> clip space", s.vertices, s.vertices, "vertices");
-  std::string clipping = grouped(s.rejected + s.clipped_away) + " outside";
+  if (s.left_out > 0) {
+    text += row("whole draws", modelled, drawable, grouped(s.left_out) + " left out by the plan");
+  }
+  const std::uint64_t vertices = s.vertices + s.moved_in_x;
+  text += row("object -> clip space", vertices, vertices,
+              s.moved_in_x > 0 ? "vertices, all but x from the left eye" : "vertices");
+  std::string clipping = grouped(s.rejected + s.clipped_away) +
+                         (tile ? " outside, of those that may be cut" : " outside");
   if (s.clipped > 0) clipping += ", " + grouped(s.clipped) + " cut";
   text += row("clip", drawable, s.after_clipping, clipping);
   text += row("divide, viewport, snap", s.after_clipping, s.after_clipping - s.zero_area,
@@ -40,14 +47,20 @@ std::string stage_table(const Statistics& s) {
   if (s.lines + s.points > 0) {
     text += row("lines and points", s.lines + s.points, s.lines + s.points, "");
   }
-  text += row("coverage", s.set_up, s.covered, "triangles in, fragments out");
+  text += row(
+      "coverage", s.set_up, s.covered,
+      tile ? "triangles in, fragments out, but for hidden blocks" : "triangles in, fragments out");
   text +=
       row("depth test", s.covered, s.covered - s.depth_failed, grouped(s.depth_failed) + " behind");
-  text += row("texture, light, alpha mask", s.covered - s.depth_failed, s.written,
-              s.discarded ? grouped(s.discarded) + " transparent" : "");
+  text += row(tile ? "alpha mask" : "texture, light, alpha mask", s.covered - s.depth_failed,
+              s.written, s.discarded ? grouped(s.discarded) + " transparent" : "");
   text += row("write", s.written, s.written, s.blended ? grouped(s.blended) + " blended" : "");
-  text += "\n";
-  text += time_row("prepare", s.prepare_ms);
+  if (tile) text += "  texture, light: once for each pixel that is seen\n";
+  return text;
+}
+
+std::string time_table(const Statistics& s) {
+  std::string text = time_row("prepare", s.prepare_ms);
   text += time_row("vertices", s.vertex_ms);
   text += time_row("triangles", s.triangle_ms);
   text += time_row("fragments", s.fragment_ms);
@@ -59,6 +72,10 @@ nlohmann::ordered_json to_json(const Statistics& s) {
           {"vertices", s.vertices},
           {"triangles", s.triangles},
           {"degenerate", s.degenerate},
+          {"left_out", s.left_out},
+          {"plane_tests", s.plane_tests},
+          {"normals", s.normals},
+          {"eye_positions", s.eye_positions},
           {"lines", s.lines},
           {"points", s.points},
           {"rejected", s.rejected},

@@ -1,16 +1,24 @@
 // The stages of a run, what went in and what came out, for people and for machines.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include <nlohmann/json.hpp>
 
+#include <glassbox/render/renderer.h>
 #include <glassbox/render/statistics.h>
 
 namespace glassbox::app {
 
-// A table of one line per stage, in order.
-std::string stage_table(const Statistics& statistics);
+// A table of one line per stage, in order, of what the engine counts (docs/engines.md).
+std::string stage_table(const Statistics& statistics, Engine engine);
+
+// How long the stages took.
+std::string time_table(const Statistics& statistics);
+
+// 1234567 -> "1,234,567".
+std::string grouped(std::uint64_t n);
 
 nlohmann::ordered_json to_json(const Statistics& statistics);
 

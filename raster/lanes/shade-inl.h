@@ -63,7 +63,9 @@ public:
     const VF inverse_area = hn::Div(set(1.0f), to_float(area));
     lambda1_ = hn::Mul(to_float(edge1.value), inverse_area);
     lambda2_ = hn::Mul(to_float(edge2.value), inverse_area);
-    at_ = fragment_from(hn::Mul(to_float(e0), inverse_area), lambda1_, lambda2_, inverse_w);
+    at_ = draw.w_is_one
+              ? FragmentLanes{lambda1_, lambda2_, inverse_w.v0}
+              : fragment_from(hn::Mul(to_float(e0), inverse_area), lambda1_, lambda2_, inverse_w);
     const auto slope = [&](VI step, VF over_w) HWY_ATTR {
       return hn::Mul(hn::Mul(to_float(hn::ShiftLeft<kSubpixelBits>(step)), inverse_area), over_w);
     };
@@ -343,13 +345,15 @@ HWY_INLINE RgbLanes lit(const ShadeDraw& draw, const ResolveJob& job, const Sour
           reflected(base.b, light.diffuse.z, shine[2], light.specular.z, draw.highlights), base.b)};
 }
 
-// The bytes of an opaque fragment as one integer.
+// The bytes of an opaque fragment as one integer; those that are not wanted are 0.
 template <class Source>
 HWY_INLINE VI shade(const ShadeDraw& draw, const ResolveJob& job, const Source& source) {
   const RgbLanes color = lit(draw, job, source, surface_color(draw, job, source));
+  const auto byte = [&](bool wanted, VF channel)
+                        HWY_ATTR { return wanted ? encode(job.transfer, channel) : hn::Zero(kI); };
   return hn::Or(
-      hn::Or(encode(job.transfer, color.r), hn::ShiftLeft<8>(encode(job.transfer, color.g))),
-      hn::Or(hn::ShiftLeft<16>(encode(job.transfer, color.b)), set(std::int32_t(0xff000000u))));
+      hn::Or(byte(job.channels.r, color.r), hn::ShiftLeft<8>(byte(job.channels.g, color.g))),
+      hn::Or(hn::ShiftLeft<16>(byte(job.channels.b, color.b)), set(std::int32_t(0xff000000u))));
 }
 
 }  // namespace HWY_NAMESPACE

@@ -136,6 +136,7 @@ struct ShadeDraw {
   const SnappedEntry* screen = nullptr;  // by position
   bool mirrored = false;
   bool shows_backs = false;  // some triangles may be seen from behind
+  bool w_is_one = false;     // at every vertex: perspective changes nothing
   const Triangle* triangles = nullptr;
   std::uint32_t first_number = 0;  // of the draw's triangles, in the whole scene
 
@@ -162,6 +163,7 @@ struct ResolveJob {
   const Lighting* lighting = nullptr;
   Transfer transfer = Transfer::kSrgb;
   ColorMask mask;
+  ColorMask channels;  // that are encoded: those of the mask at least
   Rgba8 background;
   // The picture has its background, and perhaps an earlier part of the run: pixels with nothing on them stay as they are.
   bool keep_picture = false;

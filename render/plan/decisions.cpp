@@ -1,5 +1,7 @@
 #include <glassbox/render/plan/decisions.h>
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include <glassbox/raster/texture.h>
@@ -99,6 +101,14 @@ Decision divide(const Subject& s) {
                                                : kNoPlan);
 }
 
+Decision perspective(const Subject& s) {
+  constexpr const char* kStage = "perspective correction";
+  if (!s.method.divide)
+    return left_out(kStage, "w is 1 at every vertex: perspective changes nothing");
+  return needed(kStage,
+                "decided triangle by triangle: where the three w are equal it changes nothing");
+}
+
 Decision eye_normals(const Subject& s) {
   constexpr const char* kStage = "normals to eye space";
   const std::size_t count =
@@ -139,20 +149,19 @@ Decision eye_positions(const Subject& s) {
 }
 
 Decision depth_test(const Subject& s) {
-  return needed("depth test",
-                s.method.staged_because != nullptr
-                    ? "fragments are drawn one after the other"
-                    : "which triangles hide which is known pixel by pixel; blocks that one "
-                      "triangle covers in front of all else are not tested, and hidden "
-                      "ones are given up");
+  constexpr const char* kStage = "depth test";
+  if (s.method.staged_because != nullptr) return needed(kStage, "for every fragment");
+  return needed(kStage,
+                "for pixels; blocks that one triangle covers in front of all else are taken whole, "
+                "and hidden ones are given up");
 }
 
 Decision texture_coordinates(const Subject& s) {
   constexpr const char* kStage = "texture coordinates";
-  if (s.method.texture) return needed(kStage, "the material has a texture");
-  if (s.method.staged_because != nullptr && s.draw.texture != nullptr) {
-    return needed(kStage, "the staged stages look them up");
+  if (s.method.staged_because != nullptr) {
+    return needed(kStage, "the staged stages interpolate all attributes");
   }
+  if (s.method.texture) return needed(kStage, "the material has a texture");
   return left_out(kStage, s.draw.texture == nullptr ? "there is no texture"
                           : s.plan.colors           ? "the picture does not show the texture"
                                                     : "no colours are wanted");
@@ -160,9 +169,11 @@ Decision texture_coordinates(const Subject& s) {
 
 Decision mip_selection(const Subject& s) {
   constexpr const char* kStage = "choice of a mip level";
-  const bool textured = s.method.texture || s.method.staged_because != nullptr;
-  if (!textured || s.draw.texture == nullptr) return left_out(kStage, "no texture is sampled");
-  if (s.method.staged_because != nullptr) return needed(kStage, "the staged stages compute it");
+  const bool staged = s.method.staged_because != nullptr;
+  if (s.draw.texture == nullptr || (!staged && !s.method.texture)) {
+    return left_out(kStage, "no texture is sampled");
+  }
+  if (staged) return needed(kStage, "the staged stages always choose");
   if (samples_base_only(*s.draw.sampler)) {
     return left_out(kStage, "the sampler looks at the base level alone, with one filter");
   }
@@ -184,8 +195,8 @@ Decision light(const Subject& s) {
 Decision highlights(const Subject& s) {
   constexpr const char* kStage = "highlights";
   if (s.method.light == LightAt::kNowhere) return left_out(kStage, "nothing is lit");
-  if (s.method.large_because != nullptr && s.method.light == LightAt::kVertices) {
-    return needed(kStage, "light at vertices computes them");
+  if (s.method.staged_because != nullptr || s.method.light == LightAt::kVertices) {
+    return needed(kStage, "the staged stages compute them with the light");
   }
   if (!s.method.highlights) return left_out(kStage, "the material's specular colour is 0");
   return needed(kStage, s.plan.leaves_out ? "the material shines" : kNoPlan);
@@ -204,33 +215,42 @@ Decision blending(const Subject& s) {
 std::vector<Decision> decisions(const Plan& plan, const PlannedEye& eye, std::size_t draw) {
   const Subject s{plan, eye, eye.list.draws[draw], plan.methods[draw]};
   if (!s.method.drawn) return {whole_object(s)};
-  return {whole_object(s),  duplicate_vertices(s),  world_positions(s),
-          plane_tests(s),   side_clipping(s),       divide(s),
-          normal_matrix(s), eye_normals(s),         eye_positions(s),
-          depth_test(s),    texture_coordinates(s), mip_selection(s),
-          light(s),         highlights(s),          blending(s)};
+  return {whole_object(s),    duplicate_vertices(s),
+          world_positions(s), plane_tests(s),
+          side_clipping(s),   divide(s),
+          normal_matrix(s),   eye_normals(s),
+          eye_positions(s),   depth_test(s),
+          perspective(s),     texture_coordinates(s),
+          mip_selection(s),   light(s),
+          highlights(s),      blending(s)};
 }
 
 namespace {
 
-Decision colors(const Plan& plan, const RenderSettings& settings) {
+Decision colors(const Plan& plan, const PlannedEye& eye) {
   constexpr const char* kStage = "colours";
-  if (!plan.colors) {
-    return left_out(kStage, settings.show == Show::kColor
-                                ? "no channel is written"
-                                : "the picture is painted from another plane when all is drawn");
+  if (!plan.leaves_out) return needed(kStage, kNoPlan);
+  if (plan.colors) {
+    return needed(kStage,
+                  "the picture shows them; once for each pixel where something opaque is seen");
   }
-  return needed(
-      kStage,
-      "they are what the picture shows: once for each pixel where something opaque is seen");
+  const bool staged = std::ranges::any_of(
+      plan.order, [&](std::uint32_t i) { return plan.methods[i].staged_because != nullptr; });
+  if (staged) return needed(kStage, "nobody sees them, but the staged draws compute them");
+  return left_out(kStage, eye.settings.show == Show::kColor
+                              ? "no channel is written"
+                              : "the picture is painted from another plane when all is drawn");
 }
 
-Decision masked_channels(const RenderSettings& settings) {
-  constexpr const char* kStage = "masked channels";
+Decision masked_channels(const Plan& plan, const RenderSettings& settings) {
+  constexpr const char* kStage = "encoding of channels";
   const ColorMask& mask = settings.mask;
-  if (mask.r && mask.g && mask.b && mask.a) return needed(kStage, "all four are written");
-  return needed(kStage,
-                "all channels are computed together, and the mask chooses those that are written");
+  if (mask.r && mask.g && mask.b) return needed(kStage, "red, green and blue are written");
+  if (!plan.leaves_out) return needed(kStage, kNoPlan);
+  if (!plan.colors) return left_out(kStage, "no channel is written");
+  return left_out(kStage, "those that the mask keeps from being written are not encoded",
+                  fmt::format("written: {}{}{}", mask.r ? "red " : "", mask.g ? "green " : "",
+                              mask.b ? "blue" : ""));
 }
 
 Decision depth_plane(const Plan& plan) {
@@ -246,6 +266,7 @@ Decision depth_plane(const Plan& plan) {
 Decision file_order(const Plan& plan) {
   constexpr const char* kStage = "file order";
   if (!plan.leaves_out) return needed(kStage, kNoPlan);
+  if (plan.order.size() < 2) return needed(kStage, "there are no two draws to compare");
   if (plan.moved == 0) {
     return needed(kStage, "no draw lies wholly in front of one before it that it may overtake");
   }
@@ -259,8 +280,8 @@ Decision file_order(const Plan& plan) {
 }  // namespace
 
 std::vector<Decision> decisions(const Plan& plan, const PlannedEye& eye) {
-  return {left_out("second eye", "one eye looks"), file_order(plan), colors(plan, eye.settings),
-          masked_channels(eye.settings), depth_plane(plan)};
+  return {left_out("second eye", "one eye looks"), file_order(plan), colors(plan, eye),
+          masked_channels(plan, eye.settings), depth_plane(plan)};
 }
 
 std::string way_of(const DrawMethod& method) {

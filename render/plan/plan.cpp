@@ -21,6 +21,7 @@ Plan plan_draws(const PlannedEye& eye, bool leave_out) {
   Plan plan;
   plan.leaves_out = leave_out;
   plan.colors = !leave_out || sees_colors(eye.settings);
+  if (leave_out) plan.channels = eye.settings.mask;
   plan.read_back = !leave_out;
   plan.keep_depth = !leave_out || eye.settings.want_depth;
   for (const Draw& draw : eye.list.draws) {

@@ -30,6 +30,7 @@ struct Plan {
   std::size_t moved = 0;             // that many of them before others which the list has earlier
 
   bool colors = true;       // somebody sees them
+  ColorMask channels;       // that are encoded
   bool read_back = false;   // the picture's pixels are read before they are written, needed or not
   bool keep_depth = false;  // in a plane of the framebuffer, for somebody who asked
 };

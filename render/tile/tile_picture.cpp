@@ -37,6 +37,7 @@ ShadeDraw shade_draw(const TileRun& run, const DrawSlot& slot) {
   shade.material = draw.material;
   shade.light = method.light;
   shade.highlights = method.highlights;
+  shade.w_is_one = !method.divide;
   if (method.light != LightAt::kNowhere) {
     shade.normal_indices = or_positions(indices.normals);
     shade.normals = slot.eye_space.normals.data();
@@ -140,6 +141,7 @@ TilePass TilePicture::pass(const Kernels& kernels, const Round& round, bool firs
   resolve.lighting = &list_.lighting;
   resolve.transfer = eye_.settings.transfer;
   resolve.mask = eye_.settings.mask;
+  resolve.channels = plan_.channels;
   resolve.background = eye_.settings.background;
   resolve.keep_picture = keep_picture_;
   resolve.picture = plan_.colors ? &eye_.color : nullptr;

@@ -1,4 +1,4 @@
-// glassbox explain: the numbers of a run, without its picture.
+// glassbox explain: what a picture needs and what is left out of it, and the numbers of a run, without its picture.
 #include <nlohmann/json.hpp>
 
 #include "tests/app/run.h"
@@ -9,17 +9,11 @@ namespace {
 
 using Json = nlohmann::json;
 
-TEST_CASE("explain counts what goes into every stage and what comes out, and writes no picture") {
-  const Workplace here;
-  const Outcome outcome = here.run("explain room --size 96x64");
-  REQUIRE(outcome.exit_code == 0);
-  for (const char* stage : {"clip", "back-face cull", "coverage", "depth test", "fragments"}) {
-    CAPTURE(stage);
-    CHECK(outcome.out.find(stage) != std::string::npos);
-  }
-  CHECK(here.names().empty());
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
 
-  const Json json = Json::parse(here.run("explain room --size 96x64 --json -").out);
+void check_counts(const Json& json) {
   const auto count = [&](const char* name) { return json.at(name).get<std::uint64_t>(); };
   CHECK(count("after_clipping") == count("zero_area") + count("culled") + count("set_up"));
   CHECK(count("covered") == count("depth_failed") + count("discarded") + count("written"));
@@ -30,10 +24,110 @@ TEST_CASE("explain counts what goes into every stage and what comes out, and wri
   CHECK(count("height") == 64);
 }
 
+// The decision about a stage in a list of them.
+Json decision(const Json& decisions, const std::string& stage) {
+  for (const Json& d : decisions) {
+    if (d.at("stage") == stage) return d;
+  }
+  return {};
+}
+
+TEST_CASE("explain says of every stage whether it is needed, and why, and writes no picture") {
+  const Workplace here;
+  const Outcome outcome = here.run("explain teapot --size 96x64");
+  REQUIRE(outcome.exit_code == 0);
+  for (const char* part : {"left out", "needed", "clip test of vertices", "depth test", "light"}) {
+    CAPTURE(part);
+    CHECK(contains(outcome.out, part));
+  }
+  CHECK(here.names().empty());
+
+  const Json json = Json::parse(here.run("explain cube --size 96x64 --json -").out);
+  const Json& plan = json.at("plan");
+  REQUIRE(plan.at("draws").size() == 1);
+  const Json& draw = plan.at("draws")[0];
+  CHECK(draw.at("instances") == Json::array({0}));
+  CHECK(decision(draw.at("decisions"), "clip test of vertices").at("needed") == false);
+  CHECK(decision(draw.at("decisions"), "depth test").at("needed") == true);
+  CHECK(decision(plan.at("picture"), "plane of depths").at("needed") == false);
+  CHECK_FALSE(json.contains("written"));  // nothing was drawn
+}
+
+TEST_CASE("explain without the plan leaves nothing out that a proof would") {
+  const Workplace here;
+  const Json json = Json::parse(here.run("explain cube --size 96x64 --no-plan --json -").out);
+  const Json& draw = json.at("plan").at("draws")[0];
+  CHECK(decision(draw.at("decisions"), "clip test of vertices").at("needed") == true);
+  CHECK(decision(json.at("plan").at("picture"), "plane of depths").at("needed") == true);
+}
+
+TEST_CASE("explain --analyze draws with the tile engine, and counts items, times and bytes") {
+  const Workplace here;
+  const Outcome outcome = here.run("explain room --size 96x64 --analyze --threads 2");
+  REQUIRE(outcome.exit_code == 0);
+  for (const char* part : {"2 threads", "coverage", "bytes", "thread by thread", "fragments"}) {
+    CAPTURE(part);
+    CHECK(contains(outcome.out, part));
+  }
+  const Json json = Json::parse(here.run("explain room --size 96x64 --analyze --json -").out);
+  check_counts(json);
+  const Json& tile = json.at("tile");
+  CHECK(tile.at("tiles") == 2);
+  CHECK(tile.at("rounds") == 1);
+  CHECK_FALSE(tile.at("thread_ms").empty());
+  // Positions of 12 bytes each, at least, went in.
+  CHECK(tile.at("bytes").at("vertices").at("read").get<std::uint64_t>() >=
+        12 * json.at("vertices").get<std::uint64_t>());
+}
+
+TEST_CASE("explain --engine staged counts what goes into every stage and what comes out") {
+  const Workplace here;
+  const Outcome outcome = here.run("explain room --size 96x64 --engine staged");
+  REQUIRE(outcome.exit_code == 0);
+  for (const char* stage : {"clip", "back-face cull", "coverage", "depth test", "fragments"}) {
+    CAPTURE(stage);
+    CHECK(contains(outcome.out, stage));
+  }
+  CHECK(here.names().empty());
+  check_counts(Json::parse(here.run("explain room --size 96x64 --engine staged --json -").out));
+}
+
+TEST_CASE(
+    "explain says of a scene of many draws what the largest need, and how many more there are") {
+  const Workplace here;
+  // A pole in two hundred places, some of them beyond the picture's edge.
+  std::string nodes, list;
+  for (int i = 0; i < 200; ++i) {
+    nodes += (i == 0 ? "" : ",") + std::string("{\"mesh\":0,\"translation\":[") +
+             std::to_string(i - 100) + ",0,-5]}";
+    list += (i == 0 ? "" : ",") + std::to_string(i);
+  }
+  here.write("pole.bin", float_bytes({0, 0, 0, 1, 0, 0, 0, 1, 0}));
+  here.write("poles.gltf",
+             R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[)" + list +
+                 R"(]}],"nodes":[)" + nodes +
+                 R"(],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
+                 R"("buffers":[{"uri":"pole.bin","byteLength":36}],)"
+                 R"("bufferViews":[{"buffer":0,"byteLength":36}],)"
+                 R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3",)"
+                 R"("min":[0,0,0],"max":[1,1,0]}]})");
+  const std::string words = "explain poles.gltf --size 96x64 --eye 0,0,2 --look-at 0,0,-5";
+  const Outcome outcome = here.run(words);
+  INFO(outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  CHECK(contains(outcome.out, "not drawn"));
+  CHECK(contains(outcome.out, "left edge"));
+  const Json json = Json::parse(here.run(words + " --json -").out);
+  std::size_t draws = 0;
+  for (const Json& group : json.at("plan").at("draws")) draws += group.at("instances").size();
+  CHECK(draws == 200);
+}
+
 TEST_CASE("explain refuses what render refuses") {
   const Workplace here;
   CHECK(here.run("explain nothing-of-this-name").exit_code == 2);
   CHECK(here.run("explain room --fov 400").exit_code == 2);
+  CHECK(here.run("explain room --engine staged --no-plan").exit_code == 2);
 }
 
 }  // namespace

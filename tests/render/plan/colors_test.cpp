@@ -1,0 +1,138 @@
+// What the plan leaves out of colours and of the framebuffer's planes (SPEC F.4).
+#include <glassbox/mesh/builtin/scenes.h>
+
+#include "tests/render/plan/planned.h"
+
+namespace glassbox {
+namespace {
+
+using namespace test;
+
+template <auto change>
+std::vector<Plan> changed(std::span<const PlannedEye> eyes, bool leave_out) {
+  std::vector<Plan> plans = make_plans(eyes, leave_out);
+  for (Plan& plan : plans) change(plan);
+  return plans;
+}
+
+Scene built_in(const std::string& name) {
+  const auto scene = make_builtin(name);
+  REQUIRE(scene);
+  return *scene;
+}
+
+View view_of(const Scene& scene) {
+  const auto view = make_view(camera_for(scene, 1.5), 96, 64);
+  REQUIRE(view);
+  return *view;
+}
+
+RenderSettings depth_only() {
+  RenderSettings settings;
+  settings.mask = {false, false, false, false};
+  settings.want_depth = true;
+  return settings;
+}
+
+TEST_CASE("a picture without colours needs no light, no normals and no texture") {
+  const Scene room = built_in("room");
+  const View view = view_of(room);
+  CHECK(counts_without_plan(room, view).normals > 0);
+  RenderSettings numbers, depths;
+  numbers.show = Show::kId;
+  depths.show = Show::kDepth;
+  for (const RenderSettings& settings : {depth_only(), numbers, depths}) {
+    const Statistics counts = check_planned(room, view, settings);
+    CHECK(counts.normals == 0);
+    CHECK(counts.eye_positions == 0);
+    const Planned planned = plan_of(room, view, settings);
+    CHECK_FALSE(planned.plan.colors);
+    for (const DrawMethod& method : planned.plan.methods) CHECK_FALSE(method.texture);
+  }
+  CHECK(plan_of(room, view).plan.colors);
+  CHECK(is_caught(room, view, {}, changed<[](Plan& plan) { plan.colors = false; }>));
+}
+
+TEST_CASE("highlights are left out where the material has none") {
+  Material shiny;
+  shiny.specular = {0, 0.5f, 0};
+  const View view = planned_view();
+  CHECK_FALSE(plan_of(ball_at({0, 0, -4}), view).plan.methods[0].highlights);
+  CHECK(plan_of(ball_at({0, 0, -4}), view, {}, false).plan.methods[0].highlights);
+  check_planned(ball_at({0, 0, -4}), view);
+  check_planned(ball_at({0, 0, -4}, shiny), view);
+  CHECK(is_caught(ball_at({0, 0, -4}, shiny), view, {},
+                  changed<[](Plan& plan) { plan.methods[0].highlights = false; }>));
+}
+
+TEST_CASE(
+    "texture coordinates and the choice of a level are left out where no texture is sampled, or "
+    "one level") {
+  Scene checker = built_in("checker");
+  const View view = view_of(checker);
+  check_planned(checker, view);
+  CHECK(decision(checker, view, "texture coordinates").needed);
+  CHECK(decision(checker, view, "choice of a mip level").needed);
+  CHECK(is_caught(checker, view, {}, changed<[](Plan& plan) {
+                    for (DrawMethod& method : plan.methods) method.texture = false;
+                  }>));
+  for (Texture& texture : checker.textures) {
+    texture.sampler.mip = MipFilter::kNone;
+    texture.sampler.magnify = texture.sampler.minify;
+  }
+  check_planned(checker, view);
+  CHECK_FALSE(decision(checker, view, "choice of a mip level").needed);
+  const Scene plain = ball_at({0, 0, -4});
+  CHECK_FALSE(decision(plain, planned_view(), "texture coordinates").needed);
+  CHECK_FALSE(decision(plain, planned_view(), "choice of a mip level").needed);
+}
+
+TEST_CASE("depths are kept in a plane for somebody who asks") {
+  const View view = planned_view();
+  const Scene scene = ball_at({0, 0, -4});
+  CHECK(render_tiled(scene, view, {}).buffers.depth.pixels.empty());
+  CHECK_FALSE(render_tiled(scene, view, {}, without_plan()).buffers.depth.pixels.empty());
+  RenderSettings settings;
+  settings.want_depth = true;
+  CHECK(render_tiled(scene, view, settings).buffers.depth.pixels.size() == 96 * 64);
+  check_planned(scene, view, settings);
+  CHECK(is_caught(scene, view, settings, changed<[](Plan& plan) { plan.keep_depth = false; }>));
+}
+
+TEST_CASE("what is blended reads what lies behind it, and nothing else does") {
+  Material glass;
+  glass.alpha_mode = AlphaMode::kBlend;
+  glass.base_color = {1, 1, 1, 0.5f};
+  glass.double_sided = true;
+  const View view = planned_view();
+  const Scene scene = ball_at({0, 0, -4}, glass);
+  check_planned(scene, view);
+  CHECK(decision(scene, view, "colour read-back").needed);
+  CHECK_FALSE(decision(ball_at({0, 0, -4}), view, "colour read-back").needed);
+  CHECK(is_caught(scene, view, {}, changed<[](Plan& plan) {
+                    for (DrawMethod& method : plan.methods) method.staged_because = nullptr;
+                  }>));
+}
+
+TEST_CASE("with the plan off every built-in scene has the same bytes, whatever is asked for") {
+  for (const BuiltinScene& builtin : builtin_scenes()) {
+    INFO(builtin.name);
+    const Scene scene = built_in(std::string(builtin.name));
+    const View view = view_of(scene);
+    RenderSettings all;
+    all.want_depth = all.want_distance = all.want_id = true;
+    check_same(scene, view, all, without_plan());
+    for (const Show show : {Show::kDepth, Show::kNormal, Show::kUv, Show::kId, Show::kOverdraw}) {
+      RenderSettings settings;
+      settings.show = show;
+      check_same(scene, view, settings, without_plan());
+    }
+    RenderSettings red;
+    red.mask = {true, false, false, false};
+    check_same(scene, view, red, without_plan());
+    check_same(scene, view, depth_only(), without_plan());
+  }
+}
+
+}  // namespace
+}  // namespace glassbox
