@@ -120,7 +120,10 @@ void RenderCommand::add_to(CLI::App& app, int& exit_code) {
       "  glassbox render plan.obj --ortho 10 --shade flat --background 1,1,1\n"
       "  glassbox render room --depth-out room.pfm --id-out ids.pfm --json -\n"
       "  glassbox render forest --stereo anaglyph --eye-separation 0.3 --window 12\n"
-      "  glassbox render forest --stereo anaglyph --frames 60 --path walk.json -o walk.png\n\n" +
+      "  glassbox render forest --stereo anaglyph --frames 60 --path walk.json -o walk.png\n\n"
+      "No engine option changes a byte (docs/engines.md). step, pixel, why and inspect look at "
+      "one\n"
+      "stage after the other, and so at the staged engine.\n\n" +
       builtin_help());
   command.add_option("SCENE", scene_, "a glTF, GLB or OBJ file, or the name of a built-in scene")
       ->required();

@@ -36,9 +36,9 @@ std::string stage_table(const Statistics& s, Engine engine) {
   const std::uint64_t vertices = s.vertices + s.moved_in_x;
   text += row("object -> clip space", vertices, vertices,
               s.moved_in_x > 0 ? "vertices, all but x from the left eye" : "vertices");
-  std::string clipping = grouped(s.rejected + s.clipped_away) +
-                         (tile ? " outside, of those that may be cut" : " outside");
+  std::string clipping = grouped(s.rejected + s.clipped_away) + " outside";
   if (s.clipped > 0) clipping += ", " + grouped(s.clipped) + " cut";
+  if (tile) clipping += "; those beside the picture go after the cull";
   text += row("clip", drawable, s.after_clipping, clipping);
   text += row("divide, viewport, snap", s.after_clipping, s.after_clipping - s.zero_area,
               grouped(s.zero_area) + " without area on the screen");
@@ -55,7 +55,10 @@ std::string stage_table(const Statistics& s, Engine engine) {
   text += row(tile ? "alpha mask" : "texture, light, alpha mask", s.covered - s.depth_failed,
               s.written, s.discarded ? grouped(s.discarded) + " transparent" : "");
   text += row("write", s.written, s.written, s.blended ? grouped(s.blended) + " blended" : "");
-  if (tile) text += "  texture, light: once for each pixel that is seen\n";
+  if (tile)
+    text +=
+        "  texture, light: once for each pixel that is seen; where alpha counts, for each "
+        "fragment\n";
   return text;
 }
 
