@@ -23,11 +23,13 @@ struct CodeRange {
 };
 
 // depth[0] is the smallest, and no pixel's is smaller (interpolate.h). The largest may be exceeded by rounding: four
-// roundings of lambda and four operations, less than 2^-20 of it.
+// roundings of lambda and four operations, less than 2^-20 of it; and where the products are subnormal, by half of the smallest
+// float for each.
 inline CodeRange code_range(const TriangleSetup& setup, DepthFormat format) {
   const float least = setup.depth[0];
   const float largest = std::max({setup.depth[0], setup.depth[1], setup.depth[2]});
-  const float greatest = least == largest ? largest : largest + std::abs(largest) * 0x1p-20f;
+  const float greatest =
+      least == largest ? largest : largest + (std::abs(largest) * 0x1p-20f + 0x1p-148f);
   const auto low = TileDepth(depth_code(format, least));
   const auto high = TileDepth(depth_code(format, greatest));
   return {std::min(low, high), std::max(low, high)};

@@ -288,6 +288,65 @@ TEST_CASE("a tile holds the nearest depths of the triangles drawn into it, small
   }
 }
 
+TEST_CASE("a depth that rounding carries beyond the corners' is not taken for hidden") {
+  Random random(25);
+  const PixelRect window{0, 0, 16, 16};
+  std::size_t carried = 0;
+  for (int round = 0; round < 4000; ++round) {
+    const DepthFormat format =
+        round % 2 == 0 ? DepthFormat::kFloat32 : DepthFormat::kFloat32Reversed;
+    // The farther edge, on the left, runs through the centres of the tile's first pixels, where the third corner weighs
+    // nothing; and something flat comes to its depth. Subnormal depths too.
+    const float scale = round % 4 < 2 ? 1.0f : 0x1p-146f;
+    const float near = float(random.unit()) * scale;
+    const float far = near + float(random.unit()) * (scale - near);
+    const auto away = [&] { return std::int32_t(random.integer(50, 5000)) * kSubpixels; };
+    // Often as far above a pixel as below, which then weighs both corners the same.
+    const std::int32_t middle = 8 * kSubpixels + kPixelCentre, above = away();
+    const std::int32_t below = round % 8 < 4 ? above : away();
+    const Shape first{{{{away(), std::int32_t(random.integer(0, 16)) * kSubpixels},
+                        {kPixelCentre, middle - above},
+                        {kPixelCentre, middle + below}}},
+                      {near, far, far}};
+    const Shape flat{{{{-16 * kSubpixels, -16 * kSubpixels},
+                       {64 * kSubpixels, -16 * kSubpixels},
+                       {-16 * kSubpixels, 64 * kSubpixels}}},
+                     {far, far, far}};
+    std::vector<TriangleSetup> setups;
+    Image<std::uint32_t> expected(16, 16, kEmptyDepth);
+    const bool nearer_is_larger = format == DepthFormat::kFloat32Reversed;
+    for (const Shape* s : {nearer_is_larger ? &flat : &first, nearer_is_larger ? &first : &flat}) {
+      const auto setup = setup_triangle(s->on_screen());
+      if (!setup) continue;
+      setups.push_back(*setup);
+      for_each_covered(*setup, window, [&](const Coverage& pixel) {
+        const float depth = interpolate(*setup, pixel).depth;
+        carried += depth > far ? 1 : 0;
+        const std::uint32_t code = depth_code(format, depth);
+        std::uint32_t& stored = expected.at(pixel.x, pixel.y);
+        if (in_front(code, stored)) stored = code;
+      });
+    }
+    for (const Target target : available_targets()) {
+      TileBuffer tile(16);
+      tile.clear(window, format);
+      FragmentCounts counts;
+      for (std::uint32_t i = 0; i < setups.size(); ++i) {
+        kernels(target).draw_large(setups[i], kLargeReference | i, tile, counts);
+      }
+      Image<std::uint32_t> actual(16, 16, kEmptyDepth);
+      ResolveJob resolve;
+      resolve.depth = &actual;
+      kernels(target).resolve_tile(resolve, tile);
+      if (actual == expected) continue;
+      FAIL_CHECK("target " << name_of(target) << ", format " << int(format) << "\n"
+                           << in_words(first) << "\n"
+                           << in_words(flat));
+    }
+  }
+  CHECK(carried > 100);
+}
+
 TEST_CASE("selecting keeps every triangle that covers a pixel, for the tiles where it does") {
   Random random(24);
   for (int round = 0; round < 300; ++round) {
