@@ -181,7 +181,6 @@ std::size_t whole_pictures(const Workplace& here, const std::vector<std::string>
 }
 
 TEST_CASE("a render that is interrupted at any time leaves the whole picture or none") {
-  // Planted: with the file written in place, one of these finds half of it.
   for (const int after_ms : {0, 5, 10, 20, 30, 40, 60, 80, 120, 160, 240, 320}) {
     const Workplace here;
     const Outcome outcome =
