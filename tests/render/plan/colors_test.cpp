@@ -87,6 +87,21 @@ TEST_CASE(
   CHECK_FALSE(decision(plain, planned_view(), "choice of a mip level").needed);
 }
 
+TEST_CASE("channels that the mask keeps are not encoded, and those that it writes are") {
+  const Scene room = built_in("room");
+  const View view = view_of(room);
+  RenderSettings settings;
+  settings.mask = {true, false, false, false};
+  const ColorMask channels = plan_of(room, view, settings).plan.channels;
+  CHECK(channels.r);
+  CHECK_FALSE((channels.g || channels.b));
+  CHECK(plan_of(room, view, settings, false).plan.channels.g);
+  check_planned(room, view, settings);
+  settings.mask = {false, true, true, true};
+  check_planned(room, view, settings);
+  CHECK(is_caught(room, view, settings, changed<[](Plan& plan) { plan.channels.b = false; }>));
+}
+
 TEST_CASE("depths are kept in a plane for somebody who asks") {
   const View view = planned_view();
   const Scene scene = ball_at({0, 0, -4});
