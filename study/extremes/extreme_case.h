@@ -1,0 +1,66 @@
+// A case that breaks pipelines (SPEC C): how it is built, what the right answer is, and what several subjects make of
+// it: the pipeline's own code, the naive code that one would write first, and mutants of the right code.
+//
+// A case is one judge, a function that puts a subject to the case and measures how far from the right answer it
+// comes; all subjects of a case go through the same judge. The naive variants and the mutants are real code
+// (study/naive), which nothing of the pipeline uses.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glassbox::study {
+
+// How the right answer is known (SPEC C): exact rationals, exact integers, extended precision, a formula, a property.
+enum class Oracle { kRational, kInteger, kExtended, kAnalytic, kProperty };
+
+struct Outcome {
+  double error =
+      0;  // in the case's unit, worst over all that the case tries; infinity for a NaN or no answer
+  double bound = 0;                 // what the right code stays within; 0: exact
+  std::optional<double> condition;  // the condition number there, where the case has one
+  std::string seen;  // what came out, in one line: "18 gaps, 12 doubles of 2,600,000 samples"
+
+  bool passes() const { return error <= bound; }  // false for NaN
+};
+
+struct Subject {
+  std::string
+      name;  // "float differences"; for a mutant what was changed: "the tie rule is missing"
+  std::function<Outcome()> judged;
+};
+
+// A picture that tells more than the number.
+struct ExtremePicture {
+  std::string name;  // a file name's stem: "naive"
+  std::function<std::string()> png;
+};
+
+struct ExtremeCase {
+  std::string id;            // "C-38"
+  std::string name;          // "Shared clipped edge"
+  std::string construction;  // how it is built, with its numbers
+  std::string stage;         // the stage of the pipeline that it strains: "clip", "snap"
+  std::string right;         // the right answer or bound, with where the bound comes from
+  std::string unit;          // of error and bound: "px", "radian", "pixels", "ulp"
+  Oracle oracle = Oracle::kProperty;
+  Subject ours, naive;
+  std::vector<Subject> mutants;
+  std::vector<ExtremePicture> pictures;
+  // Floating-point exceptions that the case itself asks for (FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW): naive code
+  // divides by zero, right code does not. Of `ours` alone; naive code and mutants may raise any.
+  int exceptions_of_ours = 0;
+};
+
+// All of them, in the order of their numbers.
+const std::vector<ExtremeCase>& extreme_cases();
+
+// A case of the list that is not among them, and why: "C-12", "needs the camera file of a data set".
+struct LeftOut {
+  std::string id, name, reason;
+};
+const std::vector<LeftOut>& left_out_cases();
+
+}  // namespace glassbox::study
