@@ -17,6 +17,7 @@
 #include "app/render_command.h"
 #include "app/step_command.h"
 #include "app/stereo_command.h"
+#include "app/study_command.h"
 #include "app/why_command.h"
 
 #include <glassbox/base/printable.h>
@@ -34,7 +35,7 @@ int bad_usage(const CLI::App& app, const CLI::ParseError& error) {
       chosen.empty() && dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
   fmt::print(stderr, "glassbox: {}{}; {} --help shows what there is\n", what,
              no_command ? " (the subcommands are render, info, explain, step, pixel, why, stereo, "
-                          "inspect, diff and bench)"
+                          "inspect, diff, bench and study)"
                         : "",
              command);
   return kBadInput;
@@ -59,6 +60,7 @@ int run(int argc, char** argv) {
   DiffCommand diff;
   BenchCommand bench;
   BenchPeerCommand bench_peer;
+  StudyCommand study;
   render.add_to(app, exit_code);
   info.add_to(app, exit_code);
   explain.add_to(app, exit_code);
@@ -70,6 +72,7 @@ int run(int argc, char** argv) {
   diff.add_to(app, exit_code);
   bench.add_to(app, exit_code);
   bench_peer.add_to(app, exit_code);
+  study.add_to(app, exit_code);
   app.require_subcommand(0, 1);
 
   try {

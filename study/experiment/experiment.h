@@ -47,6 +47,9 @@ struct Experiment {
   std::string item;        // what the time is per: "pixel", "vertex", "frame"
   // Whether `work` makes use of more than one thread.
   bool threaded = false;
+  // Whether the axis is chosen by whoever draws (bits, steps) rather than given to him (distances, sizes): configurations
+  // at all its places then compete with each other, and otherwise only those at the same place.
+  bool axis_is_chosen = false;
   std::function<std::vector<Configuration>(Effort)> configurations;
 };
 

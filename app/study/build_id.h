@@ -1,0 +1,11 @@
+// Which build of the program this is.
+#pragma once
+
+#include <string>
+
+namespace glassbox::app {
+
+// "0.1.0, build 3f2a9c01": the version, and a checksum of the program file, which another build does not have.
+std::string version_and_build();
+
+}  // namespace glassbox::app

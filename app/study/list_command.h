@@ -1,0 +1,21 @@
+// glassbox study list: the experiments.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace glassbox::app {
+
+class StudyListCommand {
+public:
+  void add_to(CLI::App& study, int& exit_code);
+
+private:
+  int run() const;
+
+  std::optional<std::string> json_output_;
+};
+
+}  // namespace glassbox::app

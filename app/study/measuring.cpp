@@ -1,0 +1,71 @@
+#include "app/study/measuring.h"
+
+#include <fmt/format.h>
+
+#include "app/progress.h"
+#include "app/study/build_id.h"
+
+#include <glassbox/base/printable.h>
+
+#include "study/bench/machine.h"
+#include "study/experiment/study.h"
+
+namespace glassbox::app {
+
+namespace {
+
+using study::Experiment;
+
+constexpr int kMostThreads = 256;
+// The more rounds, the steadier the quartiles; the quick run has as few as the protocol allows.
+constexpr int kFullRepetitions = 21;
+
+Result<std::vector<const Experiment*>> choose(const std::vector<std::string>& ids) {
+  const std::vector<Experiment>& all = study::experiments();
+  for (const std::string& id : ids) {
+    if (study::find_experiment(all, id) == nullptr) {
+      return fail("", "there is no experiment " + printable(id, 100),
+                  "glassbox study list shows them");
+    }
+  }
+  std::vector<const Experiment*> chosen;
+  for (const Experiment& each : all) {
+    bool asked = ids.empty();
+    for (const std::string& id : ids) asked = asked || study::find_experiment(all, id) == &each;
+    if (asked) chosen.push_back(&each);
+  }
+  return chosen;
+}
+
+}  // namespace
+
+void add_measuring_options(CLI::App& command, MeasuringOptions& options) {
+  command.add_option("ID", options.ids, "of experiments, such as D-4 [all]");
+  command.add_flag("--quick", options.quick,
+                   "fewer and smaller measurements, of everything in two minutes");
+  command.add_option("--threads", options.threads, "the most, for experiments that use them [all]")
+      ->check(CLI::Range(1, kMostThreads))
+      ->type_name("N");
+  command
+      .add_option(
+          "--resume", options.file,
+          "keep results in this file after each experiment, and do not measure again what it has")
+      ->type_name("FILE");
+}
+
+Result<study::StudyResults> measure(const MeasuringOptions& options) {
+  const auto chosen = choose(options.ids);
+  if (!chosen) return tl::unexpected(chosen.error());
+  const study::Effort effort = options.quick ? study::Effort::kQuick : study::Effort::kFull;
+  const int threads = options.threads.value_or(study::processor_count());
+  Progress progress;
+  study::RunOptions run;
+  run.effort = effort;
+  run.repetitions = options.quick ? study::kLeastRepetitions : kFullRepetitions;
+  run.threads = threads;
+  run.phase = [&](const std::string& what) { progress.phase(what); };
+  return study::run_study(*chosen, study::origin_here(version_and_build(), effort, threads), run,
+                          options.file);
+}
+
+}  // namespace glassbox::app

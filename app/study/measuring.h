@@ -1,0 +1,28 @@
+// The options of the subcommands that measure experiments, and the measuring.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include <glassbox/base/error.h>
+
+#include "study/experiment/results.h"
+
+namespace glassbox::app {
+
+struct MeasuringOptions {
+  std::vector<std::string> ids;  // none: all experiments
+  bool quick = false;
+  std::optional<int> threads;
+  std::optional<std::string> file;  // to go on from
+};
+
+void add_measuring_options(CLI::App& command, MeasuringOptions& options);
+
+// With progress on standard error. An experiment that there is not is an error, before anything is measured.
+Result<study::StudyResults> measure(const MeasuringOptions& options);
+
+}  // namespace glassbox::app

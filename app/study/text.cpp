@@ -1,0 +1,175 @@
+#include "app/study/text.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "app/bench/text.h"
+#include "app/text_layout.h"
+
+#include "study/experiment/pareto.h"
+#include "study/experiment/theory.h"
+
+namespace glassbox::app {
+
+namespace {
+
+using study::ConfigurationResult;
+using study::ExperimentResult;
+using study::Standing;
+using study::Timing;
+
+// Rows of words, printed in columns as wide as their widest word; the first ones stand to the left, numbers to the right.
+using Row = std::vector<std::string>;
+
+std::string table(const std::vector<Row>& rows, std::size_t left) {
+  std::vector<std::size_t> widths(rows.front().size());
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  }
+  std::string text;
+  for (const Row& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (widths[i] == 0) continue;
+      line += i < left ? fmt::format("{:<{}}  ", row[i], widths[i])
+                       : fmt::format("{:>{}}  ", row[i], widths[i]);
+    }
+    text += "  " + line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text;
+}
+
+// The numbers of threads that anything was timed with.
+std::vector<int> thread_counts(const ExperimentResult& result) {
+  std::vector<int> counts;
+  for (const ConfigurationResult& each : result.configurations) {
+    for (const Timing& timing : each.timings) counts.push_back(timing.threads);
+  }
+  std::ranges::sort(counts);
+  counts.erase(std::ranges::unique(counts).begin(), counts.end());
+  return counts;
+}
+
+std::string mark_of(const ConfigurationResult& result, Standing standing) {
+  const auto check = study::check_theory(result);
+  const bool finding = check && check->finding;
+  std::string mark = standing == Standing::kFront       ? "front"
+                     : standing == Standing::kDominated ? "dominated"
+                                                        : "";
+  if (finding) mark += mark.empty() ? "finding" : ", finding";
+  return mark;
+}
+
+Row row_of(const ConfigurationResult& result, Standing standing, const std::vector<int>& counts,
+           const TimeUnit& unit) {
+  const auto check = study::check_theory(result);
+  Row row{result.series,
+          result.scene,
+          fmt::format("{:.6g}", result.parameter),
+          fmt::format("{:.3g}", result.error),
+          check ? fmt::format("{:.3g}", *result.predicted_error) : "",
+          check ? fmt::format("{:.2f}", check->ratio) : ""};
+  for (const int count : counts) {
+    const Timing* timing = study::timing_of(result, count);
+    row.push_back(timing != nullptr ? three_digits(timing->ns.median / unit.ns) : "");
+    row.push_back(timing != nullptr
+                      ? fmt::format("{} .. {}", three_digits(timing->ns.lower / unit.ns),
+                                    three_digits(timing->ns.upper / unit.ns))
+                      : "");
+  }
+  row.push_back(mark_of(result, standing));
+  return row;
+}
+
+std::string table_of(const ExperimentResult& result) {
+  const std::vector<int> counts = thread_counts(result);
+  const TimeUnit unit = time_unit(result);
+  const bool scenes = std::ranges::any_of(
+      result.configurations, [](const ConfigurationResult& each) { return !each.scene.empty(); });
+  Row head{"",
+           scenes ? "scene" : "",
+           result.axis_unit.empty() ? "axis" : result.axis_unit,
+           "error",
+           "theory",
+           "ratio"};
+  for (const int count : counts) {
+    head.push_back(fmt::format("{}/{}, {} thr.", unit.name, result.item, count));
+    head.push_back("quartiles");
+  }
+  head.push_back("");
+  std::vector<Row> rows{head};
+  const std::vector<Standing> all = study::standings(result);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    rows.push_back(row_of(result.configurations[i], all[i], counts, unit));
+  return table(rows, 2);
+}
+
+// Each explanation once, with how many configurations it explains.
+std::string findings_of(const ExperimentResult& result) {
+  std::string text;
+  std::vector<std::string> told;
+  for (const ConfigurationResult& each : result.configurations) {
+    const auto check = study::check_theory(each);
+    if (!check || !check->finding || std::ranges::count(told, each.explanation) != 0) continue;
+    told.push_back(each.explanation);
+    const auto same = std::ranges::count_if(result.configurations, [&](const auto& other) {
+      const auto others = study::check_theory(other);
+      return others && others->finding && other.explanation == each.explanation;
+    });
+    const std::string what =
+        each.explanation.empty() ? "NOT explained: error and theory differ" : each.explanation;
+    text += wrapped(same == 1 ? "  Finding: " : fmt::format("  {} findings: ", same), what);
+  }
+  return text;
+}
+
+std::string experiment_text(const ExperimentResult& result) {
+  std::string text = fmt::format("{}  {}\n", result.id, result.name);
+  text += wrapped("  ", result.question);
+  text += wrapped("  Axis: ", with_unit(result.axis, result.axis_unit));
+  text += wrapped("  Error: ",
+                  with_unit(result.error, result.error_unit) + " against " + result.reference);
+  if (!result.theory.empty()) text += wrapped("  Theory: ", result.theory);
+  return text + "\n" + table_of(result) + "\n" + findings_of(result);
+}
+
+}  // namespace
+
+std::string with_unit(const std::string& name, const std::string& unit) {
+  return unit.empty() ? name : fmt::format("{} [{}]", name, unit);
+}
+
+TimeUnit time_unit(const ExperimentResult& result) {
+  double longest = 0;
+  for (const ConfigurationResult& each : result.configurations) {
+    for (const Timing& timing : each.timings) longest = std::max(longest, timing.ns.median);
+  }
+  return longest < 1e4   ? TimeUnit{1, "ns"}
+         : longest < 1e7 ? TimeUnit{1e3, "us"}
+                         : TimeUnit{1e6, "ms"};
+}
+
+std::string origin_text(const study::Origin& origin) {
+  return fmt::format("{}; {} {}; glassbox {}; {} run, up to {} thread{}", origin.machine,
+                     origin.compiler, origin.flags, origin.version,
+                     origin.effort == study::Effort::kQuick ? "quick" : "full", origin.threads,
+                     origin.threads == 1 ? "" : "s");
+}
+
+std::string study_text(const study::StudyResults& results) {
+  std::string text = wrapped("", origin_text(results.origin));
+  int findings = 0, unexplained = 0;
+  for (const ExperimentResult& each : results.experiments) {
+    text += "\n" + experiment_text(each);
+    findings += study::count_findings(each);
+    unexplained += study::count_unexplained(each);
+  }
+  return text + fmt::format("\n{} experiment{}, {} finding{}, {} of them not explained\n",
+                            results.experiments.size(), results.experiments.size() == 1 ? "" : "s",
+                            findings, findings == 1 ? "" : "s", unexplained);
+}
+
+}  // namespace glassbox::app

@@ -1,0 +1,27 @@
+// Results of the study for people.
+#pragma once
+
+#include <string>
+
+#include "study/experiment/results.h"
+
+namespace glassbox::app {
+
+// One table for each experiment, with what the theory says and the findings below it.
+std::string study_text(const study::StudyResults& results);
+
+// The origin in one line: machine, compiler, flags, version, effort.
+std::string origin_text(const study::Origin& origin);
+
+// "w at the far end over w at the near end", with the unit where there is one: "offset [m]".
+std::string with_unit(const std::string& name, const std::string& unit);
+
+// In which times are told.
+struct TimeUnit {
+  double ns = 1;
+  const char* name = "ns";
+};
+// The one in which the longest of the experiment's times has digits before the point.
+TimeUnit time_unit(const study::ExperimentResult& result);
+
+}  // namespace glassbox::app

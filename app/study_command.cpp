@@ -1,0 +1,18 @@
+#include "app/study_command.h"
+
+namespace glassbox::app {
+
+void StudyCommand::add_to(CLI::App& app, int& exit_code) {
+  CLI::App& command = *app.add_subcommand(
+      "study", "what accuracy costs: measured errors and times beside the theory");
+  command.footer(
+      "Examples:\n"
+      "  glassbox study list\n"
+      "  glassbox study run D-4 --quick\n\n"
+      "docs/study.md explains how errors and times are measured.");
+  command.require_subcommand(1);
+  list_.add_to(command, exit_code);
+  run_.add_to(command, exit_code);
+}
+
+}  // namespace glassbox::app

@@ -1,0 +1,20 @@
+// glassbox study: error against run time, and the cases that break pipelines.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "app/study/list_command.h"
+#include "app/study/run_command.h"
+
+namespace glassbox::app {
+
+class StudyCommand {
+public:
+  void add_to(CLI::App& app, int& exit_code);
+
+private:
+  StudyListCommand list_;
+  StudyRunCommand run_;
+};
+
+}  // namespace glassbox::app

@@ -1,0 +1,51 @@
+#include "study/experiment/pareto.h"
+
+#include <cmath>
+#include <limits>
+
+namespace glassbox::study {
+
+namespace {
+
+double badness(const ConfigurationResult& result) {
+  return std::isnan(result.error) ? std::numeric_limits<double>::infinity() : result.error;
+}
+
+bool dominates(const ConfigurationResult& a, const ConfigurationResult& b, int threads) {
+  const Quartiles& time_a = timing_of(a, threads)->ns;
+  const Quartiles& time_b = timing_of(b, threads)->ns;
+  if (badness(a) < badness(b)) return time_a.median <= time_b.median;
+  return badness(a) == badness(b) && time_a.upper < time_b.lower;
+}
+
+}  // namespace
+
+const Timing* timing_of(const ConfigurationResult& result, int threads) {
+  for (const Timing& timing : result.timings) {
+    if (timing.threads == threads) return &timing;
+  }
+  return nullptr;
+}
+
+bool compete(const ExperimentResult& experiment, const ConfigurationResult& a,
+             const ConfigurationResult& b) {
+  return a.scene == b.scene && (experiment.axis_is_chosen || a.parameter == b.parameter);
+}
+
+std::vector<Standing> standings(const ExperimentResult& experiment, int threads) {
+  std::vector<Standing> all;
+  for (const ConfigurationResult& each : experiment.configurations) {
+    Standing standing = Standing::kUntimed;
+    if (timing_of(each, threads) != nullptr) {
+      standing = Standing::kFront;
+      for (const ConfigurationResult& other : experiment.configurations) {
+        if (timing_of(other, threads) == nullptr || !compete(experiment, each, other)) continue;
+        if (dominates(other, each, threads)) standing = Standing::kDominated;
+      }
+    }
+    all.push_back(standing);
+  }
+  return all;
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,27 @@
+// Which configurations are worth having: no other one is both more accurate and faster.
+#pragma once
+
+#include <vector>
+
+#include "study/experiment/results.h"
+
+namespace glassbox::study {
+
+enum class Standing {
+  kUntimed,    // nothing to weigh the error against
+  kFront,      // no competitor is better
+  kDominated,  // a competitor is at least as good in both and better in one
+};
+
+// Competitors have the same scene and, unless the axis is chosen, the same parameter.
+bool compete(const ExperimentResult& experiment, const ConfigurationResult& a,
+             const ConfigurationResult& b);
+
+// Of each configuration, by its times with that many threads. Times count as different where their interquartile ranges
+// do not overlap; errors are exact. An error that is no number is dominated by every number.
+std::vector<Standing> standings(const ExperimentResult& experiment, int threads = 1);
+
+// Null where the configuration was not timed with that many threads.
+const Timing* timing_of(const ConfigurationResult& result, int threads);
+
+}  // namespace glassbox::study

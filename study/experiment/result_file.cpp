@@ -1,0 +1,80 @@
+#include "study/experiment/result_file.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <span>
+
+#include <fmt/format.h>
+
+#include <glassbox/images/atomic_file.h>
+
+#include "study/experiment/results_json.h"
+
+namespace glassbox::study {
+
+namespace {
+
+tl::unexpected<Error> in_file(const std::string& path, Error error) {
+  error.file = path;
+  return tl::unexpected(std::move(error));
+}
+
+// "the machine is 'A' there and 'B' here", empty where both are the same.
+std::string difference(const char* what, const std::string& there, const std::string& here) {
+  if (there == here) return {};
+  return fmt::format("the {} is '{}' there and '{}' here", what, there, here);
+}
+
+std::string first_difference(const Origin& there, const Origin& here) {
+  const auto effort = [](Effort e) { return e == Effort::kQuick ? "quick" : "full"; };
+  for (const std::string& found : {difference("version", there.version, here.version),
+                                   difference("machine", there.machine, here.machine),
+                                   difference("effort", effort(there.effort), effort(here.effort)),
+                                   difference("compiler", there.compiler, here.compiler),
+                                   difference("list of compiler flags", there.flags, here.flags),
+                                   difference("number of threads", fmt::to_string(there.threads),
+                                              fmt::to_string(here.threads))}) {
+    if (!found.empty()) return found;
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<StudyResults> read_results(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  if (!in) return in_file(path, {{}, "", "cannot be read", "check its name"});
+  const auto json = nlohmann::ordered_json::parse(text, nullptr, false);
+  auto results = results_of(json);
+  if (!results) return in_file(path, results.error());
+  return results;
+}
+
+Result<void> write_results(const std::string& path, const StudyResults& results) {
+  const std::string text = results_json(results).dump(2) + "\n";
+  return write_file(path, std::as_bytes(std::span(text)));
+}
+
+Result<StudyResults> resume(const std::string& path, const Origin& origin) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) return StudyResults{origin, {}};
+  auto results = read_results(path);
+  if (!results) return results;
+  if (const std::string differs = first_difference(results->origin, origin); !differs.empty()) {
+    return in_file(path, {{},
+                          "",
+                          "was measured otherwise: " + differs,
+                          "run it as it was begun, or name another file"});
+  }
+  return results;
+}
+
+const ExperimentResult* find_result(const StudyResults& results, const std::string& id) {
+  const auto found = std::ranges::find(results.experiments, id, &ExperimentResult::id);
+  return found == results.experiments.end() ? nullptr : &*found;
+}
+
+}  // namespace glassbox::study

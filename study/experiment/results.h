@@ -1,0 +1,51 @@
+// What a run of the study has found: plain data, as the result file keeps it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/bench/statistics.h"
+#include "study/experiment/experiment.h"
+
+namespace glassbox::study {
+
+struct Timing {
+  int threads = 1;
+  int repetitions = 0;
+  Quartiles ns;  // for one item
+};
+
+struct ConfigurationResult {
+  std::string series;
+  double parameter = 0;
+  std::string scene;
+  double error = 0;
+  std::optional<double> predicted_error;
+  std::string explanation;      // the experiment's own words on why theory and measurement differ
+  std::vector<Timing> timings;  // by number of threads, ascending; empty where nothing is timed
+};
+
+struct ExperimentResult {
+  // Experiment's fields of the same names.
+  std::string id, name, question, axis, axis_unit;
+  bool logarithmic_axis = true, axis_is_chosen = false;
+  std::string error, error_unit, reference, theory, item;
+  std::vector<ConfigurationResult> configurations;
+};
+
+// Results of different origins are not comparable: errors by version, times by all of it.
+struct Origin {
+  std::string machine, compiler, flags, version;
+  Effort effort = Effort::kQuick;
+  int threads = 1;  // the most that were used
+
+  bool operator==(const Origin&) const = default;
+};
+
+struct StudyResults {
+  Origin origin;
+  std::vector<ExperimentResult> experiments;
+};
+
+}  // namespace glassbox::study

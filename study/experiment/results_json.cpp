@@ -1,0 +1,173 @@
+#include "study/experiment/results_json.h"
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "study/experiment/pareto.h"
+#include "study/experiment/theory.h"
+
+namespace glassbox::study {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kFormat = "glassbox study results 1";
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+const char* name_of(Effort effort) {
+  return effort == Effort::kQuick ? "quick" : "full";
+}
+
+const char* name_of(Standing standing) {
+  switch (standing) {
+    case Standing::kFront:
+      return "front";
+    case Standing::kDominated:
+      return "dominated";
+    case Standing::kUntimed:
+      break;
+  }
+  return "untimed";
+}
+
+Json configuration_json(const ConfigurationResult& result) {
+  Json json{{"series", result.series},    {"parameter", number_json(result.parameter)},
+            {"scene", result.scene},      {"error", number_json(result.error)},
+            {"predicted_error", nullptr}, {"ratio", nullptr},
+            {"finding", false},           {"explanation", result.explanation},
+            {"times", Json::array()}};
+  if (const auto check = check_theory(result)) {
+    json["predicted_error"] = number_json(*result.predicted_error);
+    json["ratio"] = number_json(check->ratio);
+    json["finding"] = check->finding;
+  }
+  for (const Timing& timing : result.timings) {
+    json["times"].push_back({{"threads", timing.threads},
+                             {"repetitions", timing.repetitions},
+                             {"ns", timing.ns.median},
+                             {"ns_quartiles", {timing.ns.lower, timing.ns.upper}}});
+  }
+  return json;
+}
+
+double number_of(const Json& json) {
+  if (!json.is_string()) return json.get<double>();
+  const auto& name = json.get_ref<const std::string&>();
+  if (name == "infinity") return kInfinity;
+  if (name == "-infinity") return -kInfinity;
+  if (name == "nan") return std::numeric_limits<double>::quiet_NaN();
+  throw Json::other_error::create(501, "'" + name + "' is no number", &json);
+}
+
+Timing timing_of(const Json& json) {
+  const Json& range = json.at("ns_quartiles");
+  return {json.at("threads"),
+          json.at("repetitions"),
+          {number_of(range.at(0)), number_of(json.at("ns")), number_of(range.at(1))}};
+}
+
+ConfigurationResult configuration_of(const Json& json) {
+  ConfigurationResult result;
+  result.series = json.at("series");
+  result.parameter = number_of(json.at("parameter"));
+  result.scene = json.at("scene");
+  result.error = number_of(json.at("error"));
+  if (!json.at("predicted_error").is_null())
+    result.predicted_error = number_of(json["predicted_error"]);
+  result.explanation = json.at("explanation");
+  for (const Json& each : json.at("times")) result.timings.push_back(timing_of(each));
+  return result;
+}
+
+ExperimentResult experiment_of(const Json& json) {
+  ExperimentResult result;
+  result.id = json.at("id");
+  result.name = json.at("name");
+  result.question = json.at("question");
+  result.axis = json.at("axis");
+  result.axis_unit = json.at("axis_unit");
+  result.logarithmic_axis = json.at("logarithmic_axis");
+  result.axis_is_chosen = json.at("axis_is_chosen");
+  result.error = json.at("error");
+  result.error_unit = json.at("error_unit");
+  result.reference = json.at("reference");
+  result.theory = json.at("theory");
+  result.item = json.at("item");
+  for (const Json& each : json.at("configurations"))
+    result.configurations.push_back(configuration_of(each));
+  return result;
+}
+
+StudyResults unchecked_results_of(const Json& json) {
+  StudyResults results;
+  const std::string effort = json.at("effort");
+  if (effort != "quick" && effort != "full") {
+    throw Json::other_error::create(501, "'" + effort + "' is no effort", &json);
+  }
+  results.origin = {json.at("machine"),
+                    json.at("compiler"),
+                    json.at("flags"),
+                    json.at("version"),
+                    effort == "quick" ? Effort::kQuick : Effort::kFull,
+                    json.at("threads")};
+  for (const Json& each : json.at("experiments"))
+    results.experiments.push_back(experiment_of(each));
+  return results;
+}
+
+}  // namespace
+
+Json number_json(double value) {
+  if (std::isnan(value)) return "nan";
+  if (std::isinf(value)) return value > 0 ? "infinity" : "-infinity";
+  return value;
+}
+
+Json experiment_json(const ExperimentResult& result) {
+  Json json{{"id", result.id},
+            {"name", result.name},
+            {"question", result.question},
+            {"axis", result.axis},
+            {"axis_unit", result.axis_unit},
+            {"logarithmic_axis", result.logarithmic_axis},
+            {"axis_is_chosen", result.axis_is_chosen},
+            {"error", result.error},
+            {"error_unit", result.error_unit},
+            {"reference", result.reference},
+            {"theory", result.theory},
+            {"item", result.item},
+            {"configurations", Json::array()}};
+  const std::vector<Standing> all = standings(result);
+  for (std::size_t i = 0; i < result.configurations.size(); ++i) {
+    json["configurations"].push_back(configuration_json(result.configurations[i]));
+    json["configurations"].back()["standing"] = name_of(all[i]);
+  }
+  return json;
+}
+
+Json results_json(const StudyResults& results) {
+  const Origin& origin = results.origin;
+  Json json{{"format", kFormat},         {"version", origin.version},
+            {"machine", origin.machine}, {"compiler", origin.compiler},
+            {"flags", origin.flags},     {"effort", name_of(origin.effort)},
+            {"threads", origin.threads}, {"experiments", Json::array()}};
+  for (const ExperimentResult& each : results.experiments)
+    json["experiments"].push_back(experiment_json(each));
+  return json;
+}
+
+Result<StudyResults> results_of(const Json& json) {
+  constexpr const char* kRemedy = "give a file that glassbox study run has written";
+  if (!json.is_object() || json.value("format", Json()) != kFormat) {
+    return fail("", "is no result file of the study", kRemedy);
+  }
+  try {
+    return unchecked_results_of(json);
+  } catch (const Json::exception& error) {
+    return fail("", std::string("is damaged: ") + error.what(), kRemedy);
+  }
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,99 @@
+#include "study/experiment/runner.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+
+#include <fmt/format.h>
+
+#include "study/bench/machine.h"
+#include "study/experiment/timing.h"
+
+namespace glassbox::study {
+
+namespace {
+
+void tell(const RunOptions& options, const std::string& what) {
+  if (options.phase) options.phase(what);
+}
+
+ExperimentResult described(const Experiment& experiment) {
+  ExperimentResult result;
+  result.id = experiment.id;
+  result.name = experiment.name;
+  result.question = experiment.question;
+  result.axis = experiment.axis;
+  result.axis_unit = experiment.axis_unit;
+  result.logarithmic_axis = experiment.logarithmic_axis;
+  result.axis_is_chosen = experiment.axis_is_chosen;
+  result.error = experiment.error;
+  result.error_unit = experiment.error_unit;
+  result.reference = experiment.reference;
+  result.theory = experiment.theory;
+  result.item = experiment.item;
+  return result;
+}
+
+ConfigurationResult measured_error(const Configuration& configuration) {
+  ConfigurationResult result;
+  result.series = configuration.series;
+  result.parameter = configuration.parameter;
+  result.scene = configuration.scene;
+  result.error = configuration.error();
+  result.predicted_error = configuration.predicted_error;
+  result.explanation = configuration.finding;
+  return result;
+}
+
+void add_times(const std::vector<Configuration>& configurations, int threads, int repetitions,
+               ExperimentResult& result) {
+  std::vector<TimedWork> works;
+  std::vector<std::size_t> of;  // which configuration
+  for (std::size_t i = 0; i < configurations.size(); ++i) {
+    const Configuration& each = configurations[i];
+    if (!each.work) continue;
+    works.push_back({[&each, threads] { each.work(threads); }, each.items});
+    of.push_back(i);
+  }
+  const std::vector<Quartiles> times = time_in_turn(works, repetitions);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    result.configurations[of[i]].timings.push_back({threads, repetitions, times[i]});
+  }
+}
+
+std::string lower_case(std::string text) {
+  for (char& c : text) c = char(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+}  // namespace
+
+ExperimentResult run_experiment(const Experiment& experiment, const RunOptions& options) {
+  tell(options, experiment.id + ": preparing");
+  const std::vector<Configuration> configurations = experiment.configurations(options.effort);
+  ExperimentResult result = described(experiment);
+  for (const Configuration& each : configurations) {
+    tell(options, fmt::format("{}: error {} of {}", experiment.id, result.configurations.size() + 1,
+                              configurations.size()));
+    result.configurations.push_back(measured_error(each));
+  }
+  tell(options, experiment.id + ": times with one thread");
+  add_times(configurations, 1, options.repetitions, result);
+  if (experiment.threaded && options.threads > 1) {
+    tell(options, fmt::format("{}: times with {} threads", experiment.id, options.threads));
+    add_times(configurations, options.threads, options.repetitions, result);
+  }
+  return result;
+}
+
+const Experiment* find_experiment(const std::vector<Experiment>& all, const std::string& id) {
+  const auto found = std::ranges::find_if(
+      all, [&](const Experiment& each) { return lower_case(each.id) == lower_case(id); });
+  return found == all.end() ? nullptr : &*found;
+}
+
+Origin origin_here(const std::string& version, Effort effort, int threads) {
+  return {machine_name(), compiler_name(), GLASSBOX_COMPILE_FLAGS, version, effort, threads};
+}
+
+}  // namespace glassbox::study
