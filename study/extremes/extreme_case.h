@@ -47,8 +47,8 @@ struct ExtremeCase {
   std::string unit;          // of error and bound: "px", "radian", "pixels", "ulp"
   Oracle oracle = Oracle::kProperty;
   Subject ours, naive;
-  std::vector<Subject> mutants;
-  std::vector<ExtremePicture> pictures;
+  std::vector<Subject> mutants = {};
+  std::vector<ExtremePicture> pictures = {};
   // Floating-point exceptions that the case itself asks for (FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW): naive code
   // divides by zero, right code does not. Of `ours` alone; naive code and mutants may raise any.
   int exceptions_of_ours = 0;

@@ -9,6 +9,8 @@
 #include <glassbox/raster/snap.h>
 #include <glassbox/raster/triangle_setup.h>
 
+#include "study/oracle/coverage.h"
+
 namespace glassbox::test {
 
 __extension__ typedef __int128 Int128;
@@ -30,7 +32,7 @@ inline ScreenVertex screen_vertex(std::int64_t x, std::int64_t y, float depth = 
   return {{float(x) / float(kSubpixels), float(y) / float(kSubpixels), depth}, inverse_w};
 }
 
-using SnappedTriangle = std::array<SnappedVertex, 3>;
+using study::oracle::SnappedTriangle;
 
 inline std::array<ScreenVertex, 3> screen_triangle(const SnappedTriangle& t) {
   return {screen_vertex(t[0].x, t[0].y), screen_vertex(t[1].x, t[1].y),
@@ -43,28 +45,13 @@ inline std::ostream& operator<<(std::ostream& out, const SnappedTriangle& t) {
   return out;
 }
 
-// (b - a) x (p - a) for the centre of pixel (x, y).
+// The oracle's coverage, in the compiler's own wide integers: tests ask it millions of times.
 inline Int128 cross_at(const SnappedVertex& a, const SnappedVertex& b, std::int64_t x,
                        std::int64_t y) {
-  const Int128 px = Int128(x) * 256 + 128 - a.x;
-  const Int128 py = Int128(y) * 256 + 128 - a.y;
-  return (Int128(b.x) - a.x) * py - (Int128(b.y) - a.y) * px;
+  return study::oracle::cross_at<Int128>(a, b, x, y);
 }
-
-// The top-left rule said differently: the sample is moved by (e, e^2), e infinitely small, to the right and down; then
-// it lies on no edge, and is inside where it lies on the same side of all three. No orientation, no edge classes.
 inline bool covers_exactly(const SnappedTriangle& t, std::int64_t x, std::int64_t y) {
-  int sides[3];
-  for (std::size_t k = 0; k < 3; ++k) {
-    const SnappedVertex& a = t[k];
-    const SnappedVertex& b = t[(k + 1) % 3];
-    const Int128 cross = cross_at(a, b, x, y);
-    const std::int64_t by_x = std::int64_t(a.y) - b.y;  // d cross / d x
-    const std::int64_t by_y = std::int64_t(b.x) - a.x;
-    const auto sign = [](auto n) { return (n > 0) - (n < 0); };
-    sides[k] = cross != 0 ? sign(cross) : by_x != 0 ? sign(by_x) : sign(by_y);
-  }
-  return sides[0] != 0 && sides[0] == sides[1] && sides[1] == sides[2];
+  return study::oracle::covers<Int128>(t, x, y);
 }
 
 }  // namespace glassbox::test
