@@ -1,0 +1,118 @@
+// The scenes of D-1: an object four units in front of a camera, both far from the origin, turned at random.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include <glassbox/pipeline/projection.h>
+#include <glassbox/pipeline/viewport.h>
+
+#include "study/oracle/matrix.h"
+#include "study/oracle/number.h"
+
+namespace glassbox::study {
+
+inline constexpr int kShotWidth = 1920, kShotHeight = 1080;
+inline constexpr double kShotDistance = 4;  // of the object's centre along the gaze
+inline constexpr double kShotFocal =
+    kShotHeight / 2.0;  // px: a vertical field of view of 90 degrees
+
+struct Shot {
+  oracle::PythagoreanRotation world_from_object, eye_from_world;
+  Vector<World, double> object, eye;          // where they are: exactly these numbers
+  std::vector<Point<Object, double>> points;  // in the unit ball, multiples of 2^-20: floats too
+};
+
+template <class Space>
+Vector<Space, double> random_direction(Random& random) {
+  while (true) {
+    const Vector<Space, double> v(random.between(-1, 1), random.between(-1, 1),
+                                  random.between(-1, 1));
+    const double squared = dot(v, v);
+    if (squared > 0.01 && squared <= 1) return v * (1 / std::sqrt(squared));
+  }
+}
+
+inline glm::dmat3 rounded(const oracle::PythagoreanRotation& r) {
+  glm::dmat3 m;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column)
+      m[column][row] =
+          double(r.numerator[std::size_t(row)][std::size_t(column)]) / double(r.denominator);
+  }
+  return m;
+}
+
+inline Point<Object, double> random_point(Random& random) {
+  const auto coordinate = [&] { return double(random.integer(-(1 << 20), 1 << 20)) * 0x1p-20; };
+  while (true) {
+    const Point<Object, double> p(coordinate(), coordinate(), coordinate());
+    if (p.x * p.x + p.y * p.y + p.z * p.z <= 1) return p;
+  }
+}
+
+inline Shot make_shot(std::uint64_t seed, double offset, int points) {
+  Random random(seed);
+  Shot shot;
+  shot.world_from_object = oracle::pythagorean_rotation(random);
+  shot.eye_from_world = oracle::pythagorean_rotation(random);
+  shot.eye = random_direction<World>(random) * offset;
+  const glm::dvec3 in_eye(random.between(-1, 1), random.between(-1, 1), -kShotDistance);
+  const glm::dvec3 from_eye = glm::transpose(rounded(shot.eye_from_world)) * in_eye;
+  shot.object = shot.eye + Vector<World, double>(from_eye);
+  for (int i = 0; i < points; ++i) shot.points.push_back(random_point(random));
+  return shot;
+}
+
+inline Transform<Clip, Eye> shot_projection() {
+  return *perspective_degrees(90, double(kShotWidth) / kShotHeight, {0.1});
+}
+inline Viewport shot_viewport() {
+  return {0, 0, float(kShotWidth), float(kShotHeight)};
+}
+
+template <class Target, class Source>
+Transform<Target, Source> placed(const oracle::PythagoreanRotation& rotation,
+                                 const Vector<Target, double>& offset) {
+  Transform<Target, Source> m{glm::dmat4(rounded(rotation))};
+  m.at(0, 3) = offset.x, m.at(1, 3) = offset.y, m.at(2, 3) = offset.z;
+  return m;
+}
+
+// [R, -R e], as look_at makes it.
+inline Transform<Eye, World> view_of(const Shot& shot) {
+  const glm::dvec3 moved = rounded(shot.eye_from_world) * to_glm(shot.eye);
+  return placed<Eye, World>(shot.eye_from_world, Vector<Eye, double>(-moved));
+}
+
+// Where the points of a shot are seen, to 50 digits.
+class ExactShot {
+public:
+  using Decimal = oracle::Decimal;
+
+  explicit ExactShot(const Shot& shot)
+      : world_from_object_(oracle::exactly<Decimal>(shot.world_from_object)),
+        eye_from_world_(oracle::exactly<Decimal>(shot.eye_from_world)),
+        clip_from_eye_(oracle::exactly<Decimal>(shot_projection())) {
+    from_eye_ = {Decimal(shot.object.x) - Decimal(shot.eye.x),
+                 Decimal(shot.object.y) - Decimal(shot.eye.y),
+                 Decimal(shot.object.z) - Decimal(shot.eye.z), Decimal(0)};
+  }
+
+  std::array<Decimal, 2> screen(const Point<Object, double>& p) const {
+    auto relative = world_from_object_ * oracle::exactly<Decimal>(p);
+    for (std::size_t i = 0; i < 3; ++i) relative[i] += from_eye_[i];
+    const auto clip = clip_from_eye_ * (eye_from_world_ * relative);
+    const Decimal half_width(kShotWidth / 2), half_height(kShotHeight / 2);
+    return {half_width + half_width * clip[0] / clip[3],
+            half_height - half_height * clip[1] / clip[3]};
+  }
+
+private:
+  oracle::Matrix4<Decimal> world_from_object_, eye_from_world_, clip_from_eye_;
+  oracle::Vector4<Decimal> from_eye_;
+};
+
+}  // namespace glassbox::study

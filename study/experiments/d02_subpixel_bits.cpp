@@ -1,0 +1,226 @@
+// D-2: to how fine a grid vertices are rounded before coverage is decided.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include <glassbox/base/trig.h>
+
+#include "study/experiments/consume.h"
+#include "study/experiments/experiments.h"
+#include "study/experiments/rounding_model.h"
+#include "study/random.h"
+
+namespace glassbox::study {
+namespace {
+
+constexpr int kSide = 256;      // px, of the square that all triangles lie in
+constexpr int kExactBits = 20;  // vertices are multiples of 2^-20 px: 28 bits, edge functions 61
+using Corner = std::array<std::int64_t, 2>;
+using Triangle = std::array<Corner, 3>;
+
+// ---- the scenes ----
+
+std::int64_t exactly(double pixels) {
+  return std::int64_t(std::floor(std::clamp(pixels, 0.0, kSide - 1.0) * 0x1p20));
+}
+
+// Three corners anywhere in a box of 64 px.
+Triangle random_triangle(Random& random) {
+  const double x = random.between(0, kSide - 64), y = random.between(0, kSide - 64);
+  Triangle t;
+  for (Corner& corner : t)
+    corner = {exactly(x + random.between(0, 64)), exactly(y + random.between(0, 64))};
+  return t;
+}
+
+// 20 to 60 px long and half a pixel wide at one end, nothing at the other.
+Triangle twig(Random& random) {
+  const double x = random.between(64, kSide - 64), y = random.between(64, kSide - 64);
+  const double length = random.between(20, 60);
+  const SinCos along = sin_cos(random.between(0, 2 * kPi));
+  return {{{exactly(x), exactly(y)},
+           {exactly(x - 0.5 * along.sin), exactly(y + 0.5 * along.cos)},
+           {exactly(x + length * along.cos), exactly(y + length * along.sin)}}};
+}
+
+using MakeTriangle = Triangle (*)(Random&);
+
+std::vector<Triangle> make_triangles(MakeTriangle make, int count) {
+  Random random(2);
+  std::vector<Triangle> triangles;
+  for (int i = 0; i < count; ++i) triangles.push_back(make(random));
+  return triangles;
+}
+
+double perimeter(const Triangle& t) {
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Corner &p = t[k], &q = t[(k + 1) % 3];
+    sum += std::sqrt(square(double(q[0] - p[0])) + square(double(q[1] - p[1])));
+  }
+  return sum * 0x1p-20;
+}
+
+// ---- coverage of a triangle on a grid of 2^-bits px, in integers just wide enough ----
+
+// Halves are rounded up, as the pipeline's own snap does.
+std::int64_t snapped(std::int64_t exact, int bits) {
+  const int dropped = kExactBits - bits;
+  return dropped == 0 ? exact : (exact + (std::int64_t(1) << (dropped - 1))) >> dropped;
+}
+
+// Coordinates count halves of a grid step, so that pixel centres are whole numbers at 0 bits too. The edge values of a
+// square of 2^8 px then have 2 (8 + bits + 1) + 1 bits: 32 bits hold them up to 6 subpixel bits.
+template <class Int>
+class Covered {
+public:
+  Covered(const Triangle& t, int bits) : pixel_(Int(1) << (bits + 1)) {
+    std::array<std::array<Int, 2>, 3> v;
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t i = 0; i < 2; ++i) v[k][i] = Int(2 * snapped(t[k][i], bits));
+    }
+    const Int area =
+        (v[1][0] - v[0][0]) * (v[2][1] - v[0][1]) - (v[2][0] - v[0][0]) * (v[1][1] - v[0][1]);
+    empty_ = area == 0;
+    if (area < 0) std::swap(v[1], v[2]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto &from = v[(k + 1) % 3], &to = v[(k + 2) % 3];
+      const Int a = from[1] - to[1], b = to[0] - from[0];
+      const bool owns_zero = a > 0 || (a == 0 && b > 0);
+      // At the centre of pixel (0, 0); less one where the edge's own points belong to the neighbour.
+      const Int start = a * (pixel_ / 2 - from[0]) + b * (pixel_ / 2 - from[1]);
+      start_[k] = owns_zero ? start : start - 1;
+      step_x_[k] = a * pixel_, step_y_[k] = b * pixel_;
+    }
+  }
+
+  bool at(int x, int y) const {
+    if (empty_) return false;
+    bool inside = true;
+    for (std::size_t k = 0; k < 3; ++k)
+      inside = inside && start_[k] + Int(x) * step_x_[k] + Int(y) * step_y_[k] >= 0;
+    return inside;
+  }
+
+  // Along a row of pixels, by steps.
+  int count(int x0, int x1, int y) const {
+    if (empty_) return 0;
+    std::array<Int, 3> e;
+    for (std::size_t k = 0; k < 3; ++k)
+      e[k] = start_[k] + Int(x0) * step_x_[k] + Int(y) * step_y_[k];
+    int covered = 0;
+    for (int x = x0; x < x1; ++x) {
+      covered += (e[0] | e[1] | e[2]) >= 0;
+      for (std::size_t k = 0; k < 3; ++k) e[k] += step_x_[k];
+    }
+    return covered;
+  }
+
+private:
+  Int pixel_;
+  bool empty_ = false;
+  std::array<Int, 3> start_{}, step_x_{}, step_y_{};
+};
+
+struct Box {
+  int x0, y0, x1, y1;
+};
+// All pixels that the triangle may cover before or after the snap, which moves no corner by more than half a pixel.
+Box box_of(const Triangle& t) {
+  const auto low = [&](std::size_t i) {
+    return int(std::min({t[0][i], t[1][i], t[2][i]}) >> kExactBits) - 1;
+  };
+  const auto high = [&](std::size_t i) {
+    return int(std::max({t[0][i], t[1][i], t[2][i]}) >> kExactBits) + 2;
+  };
+  return {low(0), low(1), high(0), high(1)};
+}
+
+// ---- error and work ----
+
+// Pixels whose coverage the snap changes, for each pixel of boundary length.
+double flips(const std::vector<Triangle>& triangles, int bits) {
+  std::int64_t changed = 0;
+  double boundary = 0;
+  for (const Triangle& t : triangles) {
+    const Covered<std::int64_t> exact(t, kExactBits), on_grid(t, bits);
+    const Box box = box_of(t);
+    for (int y = box.y0; y < box.y1; ++y) {
+      for (int x = box.x0; x < box.x1; ++x) changed += exact.at(x, y) != on_grid.at(x, y);
+    }
+    boundary += perimeter(t);
+  }
+  return double(changed) / boundary;
+}
+
+template <class Int>
+int cover_all(const std::vector<Triangle>& triangles, int bits) {
+  int covered = 0;
+  for (const Triangle& t : triangles) {
+    const Covered<Int> on_grid(t, bits);
+    const Box box = box_of(t);
+    for (int y = box.y0; y < box.y1; ++y) covered += on_grid.count(box.x0, box.x1, y);
+  }
+  return covered;
+}
+
+// Each end of an edge moves by up to half a step along x and along y, evenly: sideways by a deviation of 2^-bits/sqrt(12)
+// whatever the edge's direction. In between the two ends' shares have the deviation sqrt((1-t)^2 + t^2), whose mean over
+// the edge is 1/2 + asinh(1)/(2 sqrt 2) = 0.8116. The area that the edge sweeps is what changes hands.
+double predict(int bits) {
+  return kMeanOfNormal * rms_of_step(std::ldexp(1.0, -bits)) * 0.8116;
+}
+
+void add_scene(std::vector<Configuration>& all, const std::string& scene, MakeTriangle make,
+               Effort effort) {
+  const int count = effort == Effort::kFull ? 160000 : 16000;
+  constexpr int kTimed = 500;
+  for (const int bits : {0, 1, 2, 4, 6, 8, 10, 12}) {
+    Configuration c;
+    c.series = bits <= 6 ? "32-bit edges" : "64-bit edges";
+    c.parameter = bits;
+    c.scene = scene;
+    c.error = [make, count, bits] { return flips(make_triangles(make, count), bits); };
+    c.predicted_error = predict(bits);
+    c.work = [triangles = make_triangles(make, kTimed), bits](int) {
+      consume(bits <= 6 ? cover_all<std::int32_t>(triangles, bits)
+                        : cover_all<std::int64_t>(triangles, bits));
+    };
+    c.items = kTimed;
+    all.push_back(std::move(c));
+  }
+}
+
+std::vector<Configuration> configurations(Effort effort) {
+  std::vector<Configuration> all;
+  add_scene(all, "triangles of up to 64 px", random_triangle, effort);
+  add_scene(all, "twigs half a pixel wide", twig, effort);
+  return all;
+}
+
+}  // namespace
+
+Experiment d02_subpixel_bits() {
+  return {.id = "D-2",
+          .name = "Snapping: how many subpixel bits",
+          .question =
+              "How many pixels change hands because vertices are rounded to a grid, and what does "
+              "a finer grid cost?",
+          .axis = "subpixel bits",
+          .axis_unit = "",
+          .logarithmic_axis = false,
+          .error = "pixels whose coverage changes, for each pixel of boundary length",
+          .error_unit = "pixels per px",
+          .reference = "the triangle before the snap, in exact integers",
+          .theory =
+              "the area that an edge sweeps when its ends move: sqrt(2/pi) 2^-b/sqrt(12) * 0.812 = "
+              "0.187 * 2^-b for "
+              "each pixel of its length",
+          .item = "triangle",
+          .axis_is_chosen = true,
+          .configurations = configurations};
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,291 @@
+// D-13: a rotation that is turned a little further, a million times.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glassbox/base/trig.h>
+#include <glassbox/pipeline/affine.h>
+
+#include "study/experiments/consume.h"
+#include "study/experiments/experiments.h"
+#include "study/experiments/rounding_model.h"
+
+namespace glassbox::study {
+namespace {
+
+template <class T>
+using Matrix = std::array<std::array<T, 3>, 3>;  // [row][column]
+
+constexpr double kStepRadians = 0.01;
+
+// A hundredth of a radian about an axis that no coordinate axis is near.
+glm::dmat4 step_rotation() {
+  return affine::rotation({1, 2, 3}, degrees_from_radians(kStepRadians)).value();
+}
+
+template <class T>
+Matrix<T> step_matrix() {
+  const glm::dmat4 step = step_rotation();
+  Matrix<T> m;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) m[std::size_t(i)][std::size_t(j)] = T(step[j][i]);
+  }
+  return m;
+}
+
+template <class T>
+Matrix<T> operator*(const Matrix<T>& a, const Matrix<T>& b) {
+  Matrix<T> product;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j)
+      product[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j];
+  }
+  return product;
+}
+
+// ---- the ways ----
+
+// The product as it comes, its rows made orthonormal again after every so many steps (Gram and Schmidt); 0: never.
+template <class T>
+class Product {
+public:
+  explicit Product(int renormalised_every) : every_(renormalised_every) {}
+
+  void advance() {
+    r_ = r_ * step_;
+    if (every_ != 0 && ++since_ == every_) renormalise();
+  }
+  // How far the next renormalisation finds it: the last moment before.
+  bool is_worst() const { return every_ == 0 || since_ == every_ - 1; }
+  const Matrix<T>& matrix() const { return r_; }
+
+private:
+  void renormalise() {
+    auto& [u, v, w] = r_;
+    normalise(u);
+    const T along = v[0] * u[0] + v[1] * u[1] + v[2] * u[2];
+    for (std::size_t i = 0; i < 3; ++i) v[i] -= along * u[i];
+    normalise(v);
+    w = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    since_ = 0;
+  }
+  static void normalise(std::array<T, 3>& a) {
+    const T length = std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+    for (T& x : a) x /= length;
+  }
+
+  int every_, since_ = 0;
+  Matrix<T> step_ = step_matrix<T>();
+  Matrix<T> r_{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+};
+
+// A quaternion, normalised at every step, made into a matrix where one is wanted.
+class Quaternion {
+public:
+  explicit Quaternion(int) {
+    const AxisAngle turn = axis_angle_of(step_rotation());
+    const SinCos half = sin_cos(turn.radians / 2);
+    step_ = {float(half.cos), float(half.sin * turn.axis.x), float(half.sin * turn.axis.y),
+             float(half.sin * turn.axis.z)};
+  }
+
+  void advance() {
+    const auto [a, b, c, d] = q_;
+    const auto [e, f, g, h] = step_;
+    q_ = {a * e - b * f - c * g - d * h, a * f + b * e + c * h - d * g,
+          a * g - b * h + c * e + d * f, a * h + b * g - c * f + d * e};
+    const float length = std::sqrt(q_[0] * q_[0] + q_[1] * q_[1] + q_[2] * q_[2] + q_[3] * q_[3]);
+    for (float& x : q_) x /= length;
+  }
+  bool is_worst() const { return true; }
+  Matrix<float> matrix() const {
+    const auto [a, b, c, d] = q_;
+    return {{{1 - 2 * (c * c + d * d), 2 * (b * c - a * d), 2 * (b * d + a * c)},
+             {2 * (b * c + a * d), 1 - 2 * (b * b + d * d), 2 * (c * d - a * b)},
+             {2 * (b * d - a * c), 2 * (c * d + a * b), 1 - 2 * (b * b + c * c)}}};
+  }
+
+private:
+  std::array<float, 4> step_{}, q_{1, 0, 0, 0};
+};
+
+// ---- the error ----
+
+// R R^T - I, in twice the digits: of doubles, every product is split into its rounded value and the rest (fma).
+double exact_dot(const std::array<double, 3>& a, const std::array<double, 3>& b, double minus) {
+  double sum = -minus, rest = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double product = a[k] * b[k];
+    rest += std::fma(a[k], b[k], -product);
+    const double next = sum + product;
+    // Knuth's sum: what the addition lost.
+    const double shown = next - sum;
+    rest += (sum - (next - shown)) + (product - shown);
+    sum = next;
+  }
+  return sum + rest;
+}
+
+template <class T>
+Matrix<double> defect(const Matrix<T>& r) {
+  Matrix<double> d, e;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) d[i][j] = double(r[i][j]);
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) e[i][j] = exact_dot(d[i], d[j], i == j ? 1 : 0);
+  }
+  return e;
+}
+
+double frobenius(const Matrix<double>& m) {
+  double sum = 0;
+  for (const auto& row : m) {
+    for (const double x : row) sum += square(x);
+  }
+  return std::sqrt(sum);
+}
+
+// The largest of all moments, looked at a thousand times and just before renormalisations.
+template <class Way>
+double largest_defect(int every, int steps) {
+  Way way(every);
+  double largest = 0;
+  const int looks = std::max(steps / 1000, 1);
+  for (int i = 1, due = looks; i <= steps; ++i) {
+    way.advance();
+    if (i < due && i != steps) continue;
+    if (!way.is_worst() && i != steps) continue;
+    largest = std::max(largest, frobenius(defect(way.matrix())));
+    due = i + looks;
+  }
+  return largest;
+}
+
+// ---- the theory ----
+
+// R' = R S with S rounded: R S S^T R^T = R (I + E) R^T, and R E R^T is added at each step. R turns about the step's own axis
+// a, so that over a turn only what that leaves alone remains of E: p = a^T E a along the axis, and (trace E - p)/2 across.
+template <class T>
+double drift_of_step() {
+  const Matrix<double> e = defect(step_matrix<T>());
+  const glm::dvec3 a = axis_angle_of(step_rotation()).axis;
+  double along = 0;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) along += a[i] * e[std::size_t(i)][std::size_t(j)] * a[j];
+  }
+  const double across = (e[0][0] + e[1][1] + e[2][2] - along) / 2;
+  return std::sqrt(square(along) + 2 * square(across));
+}
+
+// A step rounds products and sums, 8/3 in squares for each entry. All entries of a rotation rounded once by rms 0.42 u are
+// 3.1 times that in R R^T - I (the mean fourth power of an entry is 1/5).
+template <class T>
+double walk_squared(int steps) {
+  return square(3.1 * rms_rounding<T>) * 8 / 3 * steps;
+}
+// What Gram and Schmidt leave, counted in the same way: both normalised rows have a length off by 1.5 roundings (divisions,
+// root, sum of squares), 2.9 in the diagonal, and the cross product has both of these and its own; with the six entries beside
+// the diagonal 48 in squares.
+template <class T>
+double renormalised_squared() {
+  return 48 * square(rms_rounding<T>);
+}
+// The largest of a thousand sums of three squares: where their distribution's 0.999 is, 16.3, over its mean.
+const double kLargestOfMany = std::sqrt(16.3 / 3);
+
+template <class T>
+double predict_product(int every, int steps) {
+  if (every == 0) return steps * drift_of_step<T>() + std::sqrt(walk_squared<T>(steps));
+  const int carried = every - 1;
+  return carried * drift_of_step<T>() +
+         kLargestOfMany * std::sqrt(renormalised_squared<T>() + walk_squared<T>(carried));
+}
+
+// A normalised quaternion's length is off by 1.41 roundings (0.5 + 1 + 0.5 in squares: divisions, root, half of the sum).
+// Its matrix, I + |q|^2 (R - I) for a length near 1, is off by twice that times R - I, and R R^T - I by 2 (2 I - R - R^T) of it:
+// 8 sqrt 2 after half a turn. The largest deviation of the few hundred looks near there is 2.5 times the rms.
+double predict_quaternion(int, int) {
+  return 8 * std::sqrt(2.0) * 1.41 * 2.5 * rms_rounding<float>;
+}
+
+// ---- the table ----
+
+struct Series {
+  const char* name;
+  double (*error)(int every, int steps);
+  double (*theory)(int every, int steps);
+  int every;
+  void (*work)(int every);
+};
+
+constexpr int kTimedSteps = 100'000;
+
+template <class Way>
+void advance_all(int every) {
+  Way way(every);
+  for (int i = 0; i < kTimedSteps; ++i) way.advance();
+  consume(way.matrix());
+}
+
+constexpr auto kFloat = largest_defect<Product<float>>;
+constexpr auto kFloatTheory = predict_product<float>;
+constexpr auto kFloatWork = advance_all<Product<float>>;
+
+const Series kSeries[] = {
+    {"float, never renormalised", kFloat, kFloatTheory, 0, kFloatWork},
+    {"float, renormalised every 1000 steps", kFloat, kFloatTheory, 1000, kFloatWork},
+    {"float, renormalised every 100 steps", kFloat, kFloatTheory, 100, kFloatWork},
+    {"float, renormalised every 10 steps", kFloat, kFloatTheory, 10, kFloatWork},
+    {"float, renormalised every step", kFloat, kFloatTheory, 1, kFloatWork},
+    {"float quaternion", largest_defect<Quaternion>, predict_quaternion, 1,
+     advance_all<Quaternion>},
+    {"double, never renormalised", largest_defect<Product<double>>, predict_product<double>, 0,
+     advance_all<Product<double>>},
+};
+
+std::vector<Configuration> configurations(Effort effort) {
+  std::vector<int> steps{1000, 10'000, 100'000};
+  if (effort == Effort::kFull) steps.push_back(1'000'000);
+  std::vector<Configuration> all;
+  for (const Series& series : kSeries) {
+    for (const int count : steps) {
+      Configuration c;
+      c.series = series.name;
+      c.parameter = count;
+      c.error = [series, count] { return series.error(series.every, count); };
+      c.predicted_error = series.theory(series.every, count);
+      c.work = [series](int) { series.work(series.every); };
+      c.items = kTimedSteps;
+      all.push_back(std::move(c));
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+Experiment d13_rotation() {
+  return {.id = "D-13",
+          .name = "Rotations that are kept for long",
+          .question =
+              "How soon does a matrix that is multiplied again and again stop being a rotation, "
+              "and what keeps it one?",
+          .axis = "steps of 0.01 radian",
+          .axis_unit = "",
+          .error =
+              "largest |R R^T - I| (Frobenius); half of it is the relative error of lengths in the "
+              "picture",
+          .error_unit = "",
+          .reference = "double with error-free products and sums",
+          .theory =
+              "the rounded step S has a defect E = S S^T - I, of which what is symmetric about its "
+              "axis is added at "
+              "each step: linear; roundings add 0.42 u * 3.1 sqrt(8/3 n) as a random walk. After a "
+              "renormalisation both "
+              "begin anew",
+          .item = "step",
+          .configurations = configurations};
+}
+
+}  // namespace glassbox::study
