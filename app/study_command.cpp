@@ -8,11 +8,13 @@ void StudyCommand::add_to(CLI::App& app, int& exit_code) {
   command.footer(
       "Examples:\n"
       "  glassbox study list\n"
-      "  glassbox study run D-4 --quick\n\n"
+      "  glassbox study run D-4 --quick\n"
+      "  glassbox study report --quick -o report.html\n\n"
       "docs/study.md explains how errors and times are measured.");
   command.require_subcommand(1);
   list_.add_to(command, exit_code);
   run_.add_to(command, exit_code);
+  report_.add_to(command, exit_code);
 }
 
 }  // namespace glassbox::app

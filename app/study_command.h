@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/study/list_command.h"
+#include "app/study/report_command.h"
 #include "app/study/run_command.h"
 
 namespace glassbox::app {
@@ -15,6 +16,7 @@ public:
 private:
   StudyListCommand list_;
   StudyRunCommand run_;
+  StudyReportCommand report_;
 };
 
 }  // namespace glassbox::app

@@ -1,6 +1,8 @@
 #include "app/study/csv.h"
 
 #include <cstddef>
+#include <map>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -28,16 +30,29 @@ std::string comparison(const ConfigurationResult& result) {
   return fmt::format("{},{},{}", *result.predicted_error, check->ratio, check->finding ? 1 : 0);
 }
 
-std::string times(const Timing* timing) {
-  if (timing == nullptr) return ",,,,";
-  return fmt::format("{},{},{},{},{}", timing->threads, timing->repetitions, timing->ns.median,
-                     timing->ns.lower, timing->ns.upper);
+// The last fields of a line: threads, repetitions, times, standing.
+std::string times(const Timing* timing, study::Standing standing) {
+  if (timing == nullptr) return ",,,,,untimed";
+  return fmt::format("{},{},{},{},{},{}", timing->threads, timing->repetitions, timing->ns.median,
+                     timing->ns.lower, timing->ns.upper, name_of(standing));
 }
 
-const char* name_of(study::Standing standing) {
-  return standing == study::Standing::kFront       ? "front"
-         : standing == study::Standing::kDominated ? "dominated"
-                                                   : "untimed";
+std::string experiment_lines(const study::ExperimentResult& experiment, const std::string& origin) {
+  std::string text;
+  std::map<int, std::vector<study::Standing>> all;  // by number of threads
+  for (const int threads : study::thread_counts(experiment))
+    all[threads] = study::standings(experiment, threads);
+  for (std::size_t i = 0; i < experiment.configurations.size(); ++i) {
+    const ConfigurationResult& each = experiment.configurations[i];
+    const std::string first =
+        fmt::format("{},{},{},{},{},{},{},{},", field(experiment.id), field(each.series),
+                    field(each.scene), each.parameter, each.error, field(experiment.error_unit),
+                    comparison(each), field(experiment.item));
+    if (each.timings.empty()) text += first + times(nullptr, {}) + origin;
+    for (const Timing& timing : each.timings)
+      text += first + times(&timing, all[timing.threads][i]) + origin;
+  }
+  return text;
 }
 
 }  // namespace
@@ -46,22 +61,12 @@ std::string study_csv(const study::StudyResults& results) {
   std::string text =
       "experiment,series,scene,parameter,error,error_unit,predicted_error,ratio,finding,item,"
       "threads,repetitions,ns,ns_lower,ns_upper,standing,machine,compiler,flags,version\n";
+  const study::Origin& from = results.origin;
   const std::string origin =
-      fmt::format("{},{},{},{}", field(results.origin.machine), field(results.origin.compiler),
-                  field(results.origin.flags), field(results.origin.version));
-  for (const study::ExperimentResult& experiment : results.experiments) {
-    const auto all = study::standings(experiment);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const ConfigurationResult& each = experiment.configurations[i];
-      const std::string first =
-          fmt::format("{},{},{},{},{},{},{},{},", field(experiment.id), field(each.series),
-                      field(each.scene), each.parameter, each.error, field(experiment.error_unit),
-                      comparison(each), field(experiment.item));
-      const std::string last = fmt::format(",{},{}\n", name_of(all[i]), origin);
-      if (each.timings.empty()) text += first + times(nullptr) + last;
-      for (const Timing& timing : each.timings) text += first + times(&timing) + last;
-    }
-  }
+      fmt::format(",{},{},{},{}\n", field(from.machine), field(from.compiler), field(from.flags),
+                  field(from.version));
+  for (const study::ExperimentResult& each : results.experiments)
+    text += experiment_lines(each, origin);
   return text;
 }
 

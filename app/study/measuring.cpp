@@ -8,6 +8,7 @@
 #include <glassbox/base/printable.h>
 
 #include "study/bench/machine.h"
+#include "study/experiment/result_file.h"
 #include "study/experiment/study.h"
 
 namespace glassbox::app {
@@ -66,6 +67,22 @@ Result<study::StudyResults> measure(const MeasuringOptions& options) {
   run.phase = [&](const std::string& what) { progress.phase(what); };
   return study::run_study(*chosen, study::origin_here(version_and_build(), effort, threads), run,
                           options.file);
+}
+
+Result<study::StudyResults> chosen_of(const study::StudyResults& results,
+                                      const std::vector<std::string>& ids) {
+  const auto chosen = choose(ids);
+  if (!chosen) return tl::unexpected(chosen.error());
+  study::StudyResults some{results.origin, {}};
+  for (const Experiment* experiment : *chosen) {
+    const study::ExperimentResult* found = study::find_result(results, experiment->id);
+    if (found == nullptr) {
+      return fail("", "the results do not have " + experiment->id,
+                  "measure it with the same --resume");
+    }
+    some.experiments.push_back(*found);
+  }
+  return some;
 }
 
 }  // namespace glassbox::app

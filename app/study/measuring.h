@@ -25,4 +25,8 @@ void add_measuring_options(CLI::App& command, MeasuringOptions& options);
 // With progress on standard error. An experiment that there is not is an error, before anything is measured.
 Result<study::StudyResults> measure(const MeasuringOptions& options);
 
+// Those of the results that are named; one that they do not have is an error.
+Result<study::StudyResults> chosen_of(const study::StudyResults& results,
+                                      const std::vector<std::string>& ids);
+
 }  // namespace glassbox::app

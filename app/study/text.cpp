@@ -42,17 +42,6 @@ std::string table(const std::vector<Row>& rows, std::size_t left) {
   return text;
 }
 
-// The numbers of threads that anything was timed with.
-std::vector<int> thread_counts(const ExperimentResult& result) {
-  std::vector<int> counts;
-  for (const ConfigurationResult& each : result.configurations) {
-    for (const Timing& timing : each.timings) counts.push_back(timing.threads);
-  }
-  std::ranges::sort(counts);
-  counts.erase(std::ranges::unique(counts).begin(), counts.end());
-  return counts;
-}
-
 std::string mark_of(const ConfigurationResult& result, Standing standing) {
   const auto check = study::check_theory(result);
   const bool finding = check && check->finding;
@@ -85,7 +74,7 @@ Row row_of(const ConfigurationResult& result, Standing standing, const std::vect
 }
 
 std::string table_of(const ExperimentResult& result) {
-  const std::vector<int> counts = thread_counts(result);
+  const std::vector<int> counts = study::thread_counts(result);
   const TimeUnit unit = time_unit(result);
   const bool scenes = std::ranges::any_of(
       result.configurations, [](const ConfigurationResult& each) { return !each.scene.empty(); });

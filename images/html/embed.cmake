@@ -1,7 +1,7 @@
-# embed_page(DIR HTML ... STYLES ... SCRIPTS ... [HEADER NAME]): makes page_parts.h, or a header of that name, in the current
+# embed_page(DIR HTML ... STYLES ... [LIBRARIES ...] SCRIPTS ... [HEADER NAME]): makes page_parts.h, or a header of that name, in the current
 # build directory: the files of an HTML page as string literals, and the hashes by which its Content-Security-Policy allows
 # the style and the script, and no others. Files are looked for in DIR, then beside this one, where lies what several pages
-# share.
+# share; LIBRARIES are paths, of scripts of any length that stand before the others.
 set(GLASSBOX_HTML_DIR ${CMAKE_CURRENT_LIST_DIR} CACHE INTERNAL "")
 
 # base64 of bytes written as hexadecimal digits.
@@ -43,8 +43,23 @@ function(read_page_part dir file out)
   set(${out} "${text}" PARENT_SCOPE)
 endfunction()
 
+# As literals of a length that every compiler takes.
+function(literals_of text out)
+  string(FIND "${text}" ")glassbox\"" quote)
+  if(quote GREATER_EQUAL 0)
+    message(FATAL_ERROR "A library does not fit into string literals")
+  endif()
+  string(LENGTH "${text}" length)
+  set(literals "")
+  foreach(at RANGE 0 ${length} 60000)
+    string(SUBSTRING "${text}" ${at} 60000 piece)
+    string(APPEND literals "    R\"glassbox(${piece})glassbox\",\n")
+  endforeach()
+  set(${out} "${literals}" PARENT_SCOPE)
+endfunction()
+
 function(embed_page dir)
-  cmake_parse_arguments(PAGE "" "HTML;HEADER" "STYLES;SCRIPTS" ${ARGN})
+  cmake_parse_arguments(PAGE "" "HTML;HEADER" "STYLES;LIBRARIES;SCRIPTS" ${ARGN})
   if(NOT PAGE_HEADER)
     set(PAGE_HEADER page_parts.h)
   endif()
@@ -56,6 +71,12 @@ function(embed_page dir)
   endforeach()
   set(page_script "")
   set(page_script_literals "")
+  foreach(path ${PAGE_LIBRARIES})
+    file(READ ${path} text)
+    string(APPEND page_script "${text}\n")
+    literals_of("${text}\n" literals)
+    string(APPEND page_script_literals "    // ${path}\n${literals}")
+  endforeach()
   foreach(file ${PAGE_SCRIPTS})
     read_page_part(${dir} ${file} text)
     string(APPEND page_script "${text}\n")

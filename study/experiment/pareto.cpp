@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace glassbox::study {
 
@@ -19,6 +20,18 @@ bool dominates(const ConfigurationResult& a, const ConfigurationResult& b, int t
 }
 
 }  // namespace
+
+const char* name_of(Standing standing) {
+  switch (standing) {
+    case Standing::kFront:
+      return "front";
+    case Standing::kDominated:
+      return "dominated";
+    case Standing::kUntimed:
+      break;
+  }
+  return "untimed";
+}
 
 const Timing* timing_of(const ConfigurationResult& result, int threads) {
   for (const Timing& timing : result.timings) {
@@ -46,6 +59,14 @@ std::vector<Standing> standings(const ExperimentResult& experiment, int threads)
     all.push_back(standing);
   }
   return all;
+}
+
+std::vector<int> thread_counts(const ExperimentResult& experiment) {
+  std::set<int> counts;
+  for (const ConfigurationResult& each : experiment.configurations) {
+    for (const Timing& timing : each.timings) counts.insert(timing.threads);
+  }
+  return {counts.begin(), counts.end()};
 }
 
 }  // namespace glassbox::study

@@ -13,6 +13,8 @@ enum class Standing {
   kDominated,  // a competitor is at least as good in both and better in one
 };
 
+const char* name_of(Standing standing);  // "front"
+
 // Competitors have the same scene and, unless the axis is chosen, the same parameter.
 bool compete(const ExperimentResult& experiment, const ConfigurationResult& a,
              const ConfigurationResult& b);
@@ -23,5 +25,8 @@ std::vector<Standing> standings(const ExperimentResult& experiment, int threads 
 
 // Null where the configuration was not timed with that many threads.
 const Timing* timing_of(const ConfigurationResult& result, int threads);
+
+// Those that anything was timed with, ascending.
+std::vector<int> thread_counts(const ExperimentResult& experiment);
 
 }  // namespace glassbox::study

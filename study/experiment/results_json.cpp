@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
+#include <vector>
 
 #include "study/experiment/pareto.h"
 #include "study/experiment/theory.h"
@@ -20,19 +22,8 @@ const char* name_of(Effort effort) {
   return effort == Effort::kQuick ? "quick" : "full";
 }
 
-const char* name_of(Standing standing) {
-  switch (standing) {
-    case Standing::kFront:
-      return "front";
-    case Standing::kDominated:
-      return "dominated";
-    case Standing::kUntimed:
-      break;
-  }
-  return "untimed";
-}
-
-Json configuration_json(const ConfigurationResult& result) {
+// `standing` by number of threads, in the order of the timings.
+Json configuration_json(const ConfigurationResult& result, const std::vector<Standing>& standing) {
   Json json{{"series", result.series},    {"parameter", number_json(result.parameter)},
             {"scene", result.scene},      {"error", number_json(result.error)},
             {"predicted_error", nullptr}, {"ratio", nullptr},
@@ -43,11 +34,13 @@ Json configuration_json(const ConfigurationResult& result) {
     json["ratio"] = number_json(check->ratio);
     json["finding"] = check->finding;
   }
-  for (const Timing& timing : result.timings) {
+  for (std::size_t i = 0; i < result.timings.size(); ++i) {
+    const Timing& timing = result.timings[i];
     json["times"].push_back({{"threads", timing.threads},
                              {"repetitions", timing.repetitions},
                              {"ns", timing.ns.median},
-                             {"ns_quartiles", {timing.ns.lower, timing.ns.upper}}});
+                             {"ns_quartiles", {timing.ns.lower, timing.ns.upper}},
+                             {"standing", name_of(standing[i])}});
   }
   return json;
 }
@@ -139,10 +132,13 @@ Json experiment_json(const ExperimentResult& result) {
             {"theory", result.theory},
             {"item", result.item},
             {"configurations", Json::array()}};
-  const std::vector<Standing> all = standings(result);
+  std::map<int, std::vector<Standing>> all;  // by number of threads
+  for (const int threads : thread_counts(result)) all[threads] = standings(result, threads);
   for (std::size_t i = 0; i < result.configurations.size(); ++i) {
-    json["configurations"].push_back(configuration_json(result.configurations[i]));
-    json["configurations"].back()["standing"] = name_of(all[i]);
+    std::vector<Standing> standing;
+    for (const Timing& timing : result.configurations[i].timings)
+      standing.push_back(all[timing.threads][i]);
+    json["configurations"].push_back(configuration_json(result.configurations[i], standing));
   }
   return json;
 }

@@ -1,0 +1,14 @@
+// What gnuplot is told to draw a chart of the study.
+#pragma once
+
+#include <string>
+
+#include "study/experiment/results.h"
+
+namespace glassbox::app {
+
+// The chart as commands that end in a picture in the file `svg`.
+std::string time_chart_commands(const study::ExperimentResult& result, const std::string& svg);
+std::string axis_chart_commands(const study::ExperimentResult& result, const std::string& svg);
+
+}  // namespace glassbox::app

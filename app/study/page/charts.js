@@ -1,0 +1,125 @@
+// The charts, by Chart.js: error against time, and error against the axis.
+
+// The colours that Okabe and Ito chose for all kinds of colour vision, in an order that suits the page's brightness.
+const themes = {
+  light: {text: "#171b22", quiet: "#566071", grid: "#dfe2e8", panel: "#ffffff", dominated: "#8a8f98",
+    series: ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"]},
+  dark: {text: "#eef1f5", quiet: "#a6b0bf", grid: "#353c47", panel: "#1c2027", dominated: "#8a8f98",
+    series: ["#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#f0e442", "#d55e00", "#ffffff"]},
+};
+// Each series has a shape too.
+const shapes = ["circle", "rect", "triangle", "rectRot", "star", "crossRot", "rectRounded", "cross"];
+const dashes = [[], [8, 3], [2, 2], [8, 3, 2, 3]]; // of scenes
+
+function styleOf(theme, experiment, series, scene) {
+  const i = seriesOf(experiment).indexOf(series), j = scenesOf(experiment).indexOf(scene);
+  return {colour: theme.series[i % theme.series.length], shape: shapes[i % shapes.length], dash: dashes[j % dashes.length]};
+}
+
+// What a configuration is and has, a line each.
+function told(experiment, configuration, threads) {
+  const {series, scene, parameter, error, predicted_error: predicted, ratio, finding} = configuration, lines = [[series, scene].filter(Boolean).join(", ")];
+  lines.push(`${experiment.axis}: ${digits(parameter, 6)} ${experiment.axis_unit}`.trim());
+  lines.push(`error: ${digits(error)} ${experiment.error_unit}`.trim());
+  if (predicted !== null) lines.push(`theory: ${digits(predicted)}, ratio ${digits(ratio)}${finding ? ": a finding" : ""}`);
+  const time = timeOf(configuration, threads);
+  if (time) {
+    const unit = timeUnit(experiment), [lower, upper] = time.ns_quartiles.map((ns) => digits(ns / unit.ns));
+    lines.push(`${digits(time.ns / unit.ns)} ${unit.name} (${lower} to ${upper}) a ${experiment.item}, ${count(threads, "thread")}`);
+    lines.push({front: "on the Pareto front", dominated: "dominated"}[time.standing]);
+  }
+  return lines;
+}
+
+const groups = (experiment) => experiment.configurations.reduce((all, each) => {
+  const key = JSON.stringify([each.series, each.scene]);
+  return all.set(key, [...(all.get(key) ?? []), each]);
+}, new Map()).values();
+
+function pointStyles(theme, style, configurations, threads) {
+  const dominated = configurations.map((each) => timeOf(each, threads)?.standing === "dominated");
+  const open = ["star", "cross", "crossRot"].includes(style.shape); // without an inside
+  return {
+    pointStyle: style.shape, pointRadius: 6, pointHoverRadius: 8, pointHitRadius: 6,
+    pointBackgroundColor: dominated.map((grey) => grey ? theme.dominated + "80" : style.colour),
+    pointBorderColor: dominated.map((grey) => grey ? theme.dominated : open ? style.colour : theme.text),
+    pointBorderWidth: open ? 2.5 : 1.2,
+  };
+}
+
+function timeData(theme, experiment, threads) {
+  const unit = timeUnit(experiment), timed = experiment.configurations.filter((each) => timeOf(each, threads));
+  const time = (each) => timeOf(each, threads).ns / unit.ns, error = (each) => number(each.error);
+  const x = logarithmicAxis(timed.map(time)), y = logarithmicAxis(timed.map(error));
+  const at = (each) => ({x: x.place(time(each)), y: y.place(error(each)), configuration: each});
+  const datasets = [];
+  for (const group of groups({configurations: timed})) {
+    const {series, scene} = group[0], style = styleOf(theme, experiment, series, scene);
+    datasets.push({label: series, key: series, style, data: group.map(at), showLine: false, ...pointStyles(theme, style, group, threads)});
+  }
+  const fronts = new Map(); // of those that compete with each other
+  for (const each of timed.filter((one) => timeOf(one, threads).standing === "front")) {
+    const key = JSON.stringify([each.scene, experiment.axis_is_chosen ? 0 : each.parameter]);
+    fronts.set(key, [...(fronts.get(key) ?? []), at(each)]);
+  }
+  for (const front of fronts.values()) {
+    datasets.push({data: front.sort((a, b) => a.x - b.x || b.y - a.y), showLine: true, stepped: "before", borderColor: theme.quiet, borderWidth: 1,
+      pointRadius: 0, pointHitRadius: 0, order: 1});
+  }
+  return {x: {...x, title: `${unit.name} a ${experiment.item}, ${count(threads, "thread")}`}, y, datasets};
+}
+
+function axisData(theme, experiment, threads) {
+  const {configurations} = experiment, parameters = configurations.map((each) => number(each.parameter));
+  const predicted = configurations.filter((each) => each.predicted_error !== null);
+  const x = axisFor(parameters, experiment.logarithmic_axis);
+  const y = logarithmicAxis([...configurations.map((each) => number(each.error)), ...predicted.map((each) => number(each.predicted_error))]);
+  const byParameter = (a, b) => number(a.parameter) - number(b.parameter), datasets = [];
+  const at = (each, value) => ({x: x.place(number(each.parameter)), y: y.place(number(value)), configuration: each});
+  for (const unsorted of groups(experiment)) {
+    const group = [...unsorted].sort(byParameter), {series, scene} = group[0], style = styleOf(theme, experiment, series, scene);
+    const line = {borderColor: style.colour, backgroundColor: style.colour, showLine: true, key: series};
+    datasets.push({...line, label: series, style, data: group.map((each) => at(each, each.error)), borderWidth: 2, borderDash: style.dash,
+      ...pointStyles(theme, style, group, threads)});
+    const theory = group.filter((each) => each.predicted_error !== null);
+    if (!theory.length) continue;
+    datasets.push({...line, theory: true, data: theory.map((each) => at(each, each.predicted_error)), borderWidth: 1.5, borderDash: [3, 4],
+      pointStyle: "line", pointRadius: theory.length === 1 ? 14 : 0, pointBorderColor: style.colour, pointHitRadius: 0, order: 1});
+  }
+  return {x: {...x, title: withUnit(experiment.axis, experiment.axis_unit)}, y, datasets};
+}
+
+// One entry for each series; it hides and shows all that belongs to the series.
+function legend(theme, datasets) {
+  const named = datasets.filter(({label}, i) => label !== undefined && datasets.findIndex((other) => other.label === label) === i);
+  return {
+    position: "bottom",
+    labels: {
+      usePointStyle: true,
+      generateLabels: (chart) => named.map(({label, key, style}) => ({
+        text: label, key, pointStyle: style.shape, fillStyle: style.colour, strokeStyle: style.colour, lineWidth: 1, fontColor: theme.text,
+        hidden: !chart.isDatasetVisible(datasets.findIndex((other) => other.key === key))})),
+    },
+    onClick: (event, item, {chart}) => {
+      datasets.forEach((each, i) => each.key === item.key && chart.setDatasetVisibility(i, item.hidden));
+      chart.update();
+    },
+  };
+}
+
+function draw(canvas, theme, experiment, threads, {x, y, datasets}) {
+  const axis = (side, title) => ({...side.options, title: {display: true, text: title, color: theme.text},
+    grid: {color: theme.grid, borderColor: theme.quiet}, ticks: {...side.options.ticks, color: theme.quiet}});
+  return new Chart(canvas, {
+    type: "scatter",
+    data: {datasets},
+    options: {
+      animation: false, maintainAspectRatio: false, devicePixelRatio: Math.max(2, devicePixelRatio), clip: 12,
+      scales: {x: axis(x, x.title), y: axis(y, withUnit(experiment.error, experiment.error_unit))},
+      plugins: {
+        legend: legend(theme, datasets),
+        tooltip: {displayColors: false, callbacks: {label: ({raw}) => told(experiment, raw.configuration, threads)}},
+      },
+    },
+  });
+}

@@ -1,0 +1,33 @@
+// What the results say beyond their fields.
+
+// JSON has no infinity.
+const number = (value) => ({infinity: Infinity, "-infinity": -Infinity, nan: NaN})[value] ?? value;
+const seriesOf = (experiment) => [...new Set(experiment.configurations.map(({series}) => series))];
+const scenesOf = (experiment) => [...new Set(experiment.configurations.map(({scene}) => scene))];
+const threadsOf = (experiment) => [...new Set(experiment.configurations.flatMap(({times}) => times.map(({threads}) => threads)))].sort((a, b) => a - b);
+const timeOf = (configuration, threads) => configuration.times.find((time) => time.threads === threads);
+const withUnit = (name, unit) => unit ? `${name} [${unit}]` : name;
+const capitalised = (text) => text.charAt(0).toUpperCase() + text.slice(1);
+
+function digits(value, places = 3) {
+  const plain = number(value);
+  if (plain === Infinity) return "∞";
+  if (Number.isNaN(plain)) return "no number";
+  if (plain === 0) return "0";
+  const power = Math.floor(Math.log10(Math.abs(plain)));
+  if (power >= -3 && power < 6) return Number(plain.toPrecision(places)).toString();
+  const [mantissa, exponent] = plain.toExponential(places - 1).split("e");
+  return `${Number(mantissa)}e${Number(exponent)}`;
+}
+
+// As app/study/text.cpp has it: one unit for all times of an experiment.
+function timeUnit(experiment) {
+  const longest = Math.max(0, ...experiment.configurations.flatMap(({times}) => times.map(({ns}) => ns)));
+  return longest < 1e4 ? {ns: 1, name: "ns"} : longest < 1e7 ? {ns: 1e3, name: "µs"} : {ns: 1e6, name: "ms"};
+}
+
+// The chart with one thread where an experiment has not been timed with more.
+function shownThreads(experiment, wanted) {
+  const all = threadsOf(experiment);
+  return all.includes(wanted) ? wanted : all[0];
+}

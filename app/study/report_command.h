@@ -1,0 +1,29 @@
+// glassbox study report: results as a page, and as pictures for papers and slides.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "app/study/measuring.h"
+
+#include <glassbox/base/error.h>
+
+namespace glassbox::app {
+
+class StudyReportCommand {
+public:
+  void add_to(CLI::App& study, int& exit_code);
+
+private:
+  int run() const;
+  Result<void> check_options() const;
+  Result<study::StudyResults> results() const;
+  std::string command() const;
+
+  MeasuringOptions measuring_;
+  std::optional<std::string> from_, page_, svg_directory_;
+};
+
+}  // namespace glassbox::app

@@ -1,0 +1,115 @@
+// The protocol of SPEC D.
+#include <tests/support/catch.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "study/experiment/runner.h"
+#include "study/experiment/timing.h"
+#include "tests/study/experiment/sample.h"
+
+namespace glassbox::study {
+namespace {
+
+using test::Calls;
+using test::sample_experiment;
+
+TEST_CASE(
+    "an experiment's errors are computed once each, and its times are those of 11 repetitions or "
+    "more") {
+  Calls calls;
+  const ExperimentResult result = run_experiment(sample_experiment("D-0", calls), {});
+  CHECK(calls.configurations == 1);
+  CHECK(calls.errors == 2);
+  REQUIRE(result.configurations.size() == 2);
+  CHECK(result.configurations[0].error == 1);
+  CHECK(result.configurations[1].error == 0.25);
+  for (const ConfigurationResult& each : result.configurations) {
+    REQUIRE(each.timings.size() == 1);
+    CHECK(each.timings[0].threads == 1);
+    CHECK(each.timings[0].repetitions >= 11);
+    CHECK(each.timings[0].ns.lower > 0);
+    CHECK(each.timings[0].ns.lower <= each.timings[0].ns.median);
+    CHECK(each.timings[0].ns.median <= each.timings[0].ns.upper);
+  }
+}
+
+TEST_CASE("one thread is timed first, then all, where the experiment has a use for them") {
+  Calls calls;
+  Experiment experiment = sample_experiment("D-0", calls);
+  RunOptions options;
+  options.threads = 3;
+  CHECK(run_experiment(experiment, options).configurations[0].timings.size() == 1);
+  experiment.threaded = true;
+  calls.works.clear();
+  const ExperimentResult result = run_experiment(experiment, options);
+  for (const ConfigurationResult& each : result.configurations) {
+    REQUIRE(each.timings.size() == 2);
+    CHECK(each.timings[0].threads == 1);
+    CHECK(each.timings[1].threads == 3);
+  }
+  const auto three = [](const std::string& call) { return call.ends_with("/3"); };
+  const auto first_of_three = std::ranges::find_if(calls.works, three);
+  CHECK(first_of_three != calls.works.begin());
+  CHECK(std::all_of(first_of_three, calls.works.end(), three));
+}
+
+TEST_CASE("a configuration without work has an error and no time") {
+  Calls calls;
+  Experiment experiment = sample_experiment("D-0", calls);
+  const auto timed = experiment.configurations;
+  experiment.configurations = [timed](Effort effort) {
+    auto all = timed(effort);
+    all[0].work = nullptr;
+    return all;
+  };
+  const ExperimentResult result = run_experiment(experiment, {});
+  CHECK(result.configurations[0].timings.empty());
+  CHECK(result.configurations[0].error == 1);
+  CHECK(result.configurations[1].timings.size() == 1);
+}
+
+TEST_CASE("works are repeated in turn, each round beginning one further on") {
+  std::vector<int> order;
+  const auto work = [&order](int number) {
+    return [&order, number] {
+      order.push_back(number);
+      volatile double sum = 0;
+      for (int i = 0; i < 2000000; ++i) sum = sum + i;  // above kLeastSample
+    };
+  };
+  time_in_turn({{work(0)}, {work(1)}, {work(2)}}, 4);
+  REQUIRE(
+      order.size() ==
+      18);  // the first six before any clock runs: one call for the caches, one to see how long it takes
+  CHECK(std::vector(order.begin() + 6, order.end()) ==
+        std::vector<int>{0, 1, 2, 1, 2, 0, 2, 0, 1, 0, 1, 2});
+}
+
+TEST_CASE("times are for one item, and a short work is called often enough to be timed") {
+  int calls = 0;
+  const auto times = time_in_turn({{[&calls] { ++calls; }, 1}}, 11);
+  REQUIRE(times.size() == 1);
+  CHECK(calls > 11 * 100);  // a call takes some nanoseconds of kLeastSample's 200 us
+  const auto spin = [] {
+    volatile double sum = 0;
+    for (int i = 0; i < 400000; ++i) sum = sum + i;
+  };
+  const auto pair = time_in_turn({{spin, 1}, {spin, 1000}}, 11);
+  // The same work, so that only the machine's disturbance is between a thousand and the ratio.
+  CHECK(pair[0].median / pair[1].median > 100);
+}
+
+TEST_CASE("experiments are found by their number in either case of letters") {
+  Calls calls;
+  const std::vector<Experiment> all{sample_experiment("D-1", calls),
+                                    sample_experiment("D-12", calls)};
+  CHECK(find_experiment(all, "d-12") == &all[1]);
+  CHECK(find_experiment(all, "D-1") == &all[0]);
+  CHECK(find_experiment(all, "D-2") == nullptr);
+  CHECK(find_experiment(all, "") == nullptr);
+}
+
+}  // namespace
+}  // namespace glassbox::study
