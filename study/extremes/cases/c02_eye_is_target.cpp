@@ -1,0 +1,45 @@
+#include <glassbox/pipeline/look_at.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/world.h"
+#include "study/extremes/kit/worst.h"
+#include "study/naive/camera.h"
+
+namespace glassbox::study {
+namespace {
+
+using LookAt = Result<EyeFromWorld> (*)(const WorldPoint&, const WorldPoint&, const WorldVector&);
+
+Outcome judge(LookAt look_at_under_test) {
+  int answered = 0, all = 0;
+  for (const WorldPoint& eye :
+       {WorldPoint(0, 0, 0), WorldPoint(1, 2, 3), WorldPoint(1e300, 0, -1e-300)}) {
+    answered += bool(look_at_under_test(eye, eye, {0, 1, 0}));
+    // Apart, but by less than a normalised double: the direction would depend on how subnormals are treated.
+    answered += bool(look_at_under_test({0, 0, 0}, {0, 0, 0x1p-1070}, {0, 1, 0}));
+    all += 2;
+  }
+  // One ulp apart is a direction.
+  const auto near = look_at_under_test({1, 2, 3}, {1, 2, 3 - 0x1p-51}, {0, 1, 0});
+  answered += !near || *near != *look_at({1, 2, 3}, {1, 2, 2}, {0, 1, 0});
+  return wrong_of(answered, all + 1, "cameras answered wrongly");
+}
+
+}  // namespace
+
+ExtremeCase c02_eye_is_target() {
+  return {
+      .id = "C-02",
+      .name = "The eye is the target",
+      .construction = "eye = target at three places; 2^-1070 apart; one ulp apart",
+      .stage = "look-at",
+      .right = "an error and no matrix; one ulp apart is looked along like any other direction",
+      .unit = "cameras",
+      .oracle = Oracle::kProperty,
+      .ours = {"look_at", [] { return judge(look_at); }},
+      .naive = {"unchecked UVN", [] { return judge(naive::unchecked_look_at); }},
+      .mutants = {},
+  };
+}
+
+}  // namespace glassbox::study

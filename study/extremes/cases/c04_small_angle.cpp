@@ -1,0 +1,65 @@
+#include <glassbox/base/rounding.h>
+#include <glassbox/base/trig.h>
+#include <glassbox/pipeline/affine.h>
+
+#include <fmt/format.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/world.h"
+#include "study/extremes/kit/worst.h"
+#include "study/naive/camera.h"
+#include "study/oracle/number.h"
+
+namespace glassbox::study {
+namespace {
+
+using AngleOf = double (*)(const glm::dmat4&);
+
+Outcome judge(AngleOf angle_of) {
+  Worst worst;
+  for (const double radians : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7}) {
+    for (const WorldVector& axis :
+         {WorldVector(0, 0, 1), WorldVector(0, 1, 0), WorldVector(-1, 0, 0)}) {
+      const auto r = rotate_degrees<World>(axis, degrees_from_radians(radians));
+      if (!r) continue;
+      // The angle that the matrix as rounded stands for: sine and cosine are entries of it.
+      const double sine = axis.z != 0 ? r->at(1, 0) : axis.y != 0 ? r->at(0, 2) : -r->at(2, 1);
+      const double cosine = axis.z != 0 ? r->at(0, 0) : axis.y != 0 ? r->at(2, 2) : r->at(1, 1);
+      const oracle::Decimal exact = oracle::atan2(oracle::Decimal(sine), oracle::Decimal(cosine));
+      const double error = oracle::error_of(angle_of(r->columns), exact) / double(exact);
+      worst.see(error, 4 * unit_roundoff<double>, fmt::format("angle {:g}", radians), 1 / radians);
+    }
+  }
+  return worst.outcome();
+}
+
+double by_arctangent(const glm::dmat4& r) {
+  return axis_angle_of(r).radians;
+}
+double by_arccosine(const glm::dmat4& r) {
+  return naive::arccosine_angle(r);
+}
+double by_arccosine_in_float(const glm::dmat4& r) {
+  return naive::arccosine_angle(glm::mat4(r));
+}
+
+}  // namespace
+
+ExtremeCase c04_small_angle() {
+  return {
+      .id = "C-04",
+      .name = "The angle of a small rotation",
+      .construction = "rotations by 0.1 .. 1e-7 rad about the three axes, taken apart again",
+      .stage = "axis and angle",
+      .right =
+          "4 u of the angle: sine and cosine are known to an ulp each, the arctangent to 2 "
+          "(base/trig.h)",
+      .unit = "of the angle",
+      .oracle = Oracle::kExtended,
+      .ours = {"arctangent of sine over cosine", [] { return judge(by_arctangent); }},
+      .naive = {"arccosine of the trace, in float", [] { return judge(by_arccosine_in_float); }},
+      .mutants = {{"acos of the trace, in double", [] { return judge(by_arccosine); }}},
+  };
+}
+
+}  // namespace glassbox::study

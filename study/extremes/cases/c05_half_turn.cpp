@@ -1,0 +1,75 @@
+#include <glassbox/base/rounding.h>
+#include <glassbox/pipeline/look_at.h>
+
+#include <fmt/format.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/world.h"
+#include "study/extremes/kit/worst.h"
+#include "study/naive/camera.h"
+#include "study/oracle/camera.h"
+
+namespace glassbox::study {
+namespace {
+
+using LookAt = Result<EyeFromWorld> (*)(const WorldPoint&, const WorldPoint&, const WorldVector&);
+
+Outcome judge(LookAt look_at_under_test) {
+  const WorldPoint eye{0, 0, 0};
+  const WorldVector up{0.25, 1, 0};
+  Worst worst;
+  for (const double off : {0.0, 1e-200, 1e-17, 1e-12, 1e-9, -1e-9, 1e-6, -1e-6}) {
+    const WorldPoint target{off, -2 * off, 1};
+    const auto view = look_at_under_test(eye, target, up);
+    const oracle::Matrix4<oracle::Decimal> exact = oracle::look_at(eye, target, up);
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column < 3; ++column) {
+        const double error = view
+                                 ? oracle::error_of(view->at(row, column),
+                                                    exact.at[std::size_t(row)][std::size_t(column)])
+                                 : HUGE_VAL;
+        // Two rotations of 8 u each and their product: gamma_3 of entries below 1, and the angle of the roll, whose
+        // sine and cosine are quotients of entries with 16 u of error over the length of up in the plane (at least
+        // 0.97): 8 + 8 + 3 + 17 = 36 u.
+        worst.see(error, 36 * unit_roundoff<double>,
+                  fmt::format("gaze {:g} from straight back", off));
+      }
+    }
+  }
+  return worst.outcome();
+}
+
+Result<EyeFromWorld> by_the_book(const WorldPoint& eye, const WorldPoint& target,
+                                 const WorldVector& up) {
+  return naive::axis_angle_view(eye, target, up, {0, 0, -1});
+}
+
+// Straight back is turned about y, as it should be; beside it the arccosine is still asked.
+Result<EyeFromWorld> with_arccosine(const WorldPoint& eye, const WorldPoint& target,
+                                    const WorldVector& up) {
+  if (target.x == eye.x && target.y == eye.y) return look_at_axis_angle(eye, target, up);
+  return by_the_book(eye, target, up);
+}
+
+}  // namespace
+
+ExtremeCase c05_half_turn() {
+  return {
+      .id = "C-05",
+      .name = "Half a turn about an axis that is not defined",
+      .construction =
+          "gaze (e, -2e, 1) for e = 0, 1e-200 .. 1e-6 and their negatives, turned to "
+          "-z by axis and angle",
+      .stage = "look-at",
+      .right =
+          "the UVN matrix in 50 digits, to 36 u; any axis will do at 180 degrees, and the "
+          "picture is continuous there",
+      .unit = "of the axes' length",
+      .oracle = Oracle::kExtended,
+      .ours = {"look_at_axis_angle", [] { return judge(look_at_axis_angle); }},
+      .naive = {"v x t over its length, arccosine", [] { return judge(by_the_book); }},
+      .mutants = {{"acos for the angle", [] { return judge(with_arccosine); }}},
+  };
+}
+
+}  // namespace glassbox::study

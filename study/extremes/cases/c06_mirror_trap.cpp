@@ -1,0 +1,89 @@
+#include <glassbox/base/rounding.h>
+#include <glassbox/pipeline/look_at.h>
+#include <glassbox/pipeline/projection.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/world.h"
+#include "study/extremes/kit/worst.h"
+#include "study/naive/camera.h"
+#include "study/oracle/camera.h"
+
+namespace glassbox::study {
+namespace {
+
+using Camera60 = Transform<Clip, World> (*)(const WorldPoint& eye, const WorldPoint& target,
+                                            const WorldVector& up);
+
+// The outline of an F in the plane z = 0, for somebody in front of it.
+constexpr double kGlyph[][2] = {{0, 0}, {0, 2}, {1, 2}, {1, 1.75}, {0.75, 1}, {0.25, 1}};
+
+Outcome judge(Camera60 camera) {
+  const WorldPoint eye{1, 2, 6}, target{0.5, 1, 0};
+  const WorldVector up{0, 1, 0};
+  const auto clip_from_world = camera(eye, target, up);
+  const auto eye_from_world = oracle::look_at(eye, target, up);
+  const oracle::Decimal cotangent = oracle::sqrt(oracle::Decimal(3));  // of 30 degrees
+  Worst worst;
+  for (const auto& [x, y] : kGlyph) {
+    const auto p = eye_from_world * oracle::exactly<oracle::Decimal>(WorldPoint(x, y, 0));
+    const Point<Clip, double> c = clip_from_world * WorldPoint(x, y, 0);
+    // Entries of both matrices are within 16 u, coordinates below 8 and w above 5: 16 u * 4 * 8 in a coordinate of clip
+    // space, and the quotient has twice that over 5.
+    constexpr double kBound = 2 * 16 * 4 * 8 / 5.0 * unit_roundoff<double>;
+    worst.see(oracle::error_of(c.x / c.w, cotangent * p[0] / -p[2]), kBound, "x of the glyph");
+    worst.see(oracle::error_of(c.y / c.w, cotangent * p[1] / -p[2]), kBound, "y of the glyph");
+  }
+  return worst.outcome();
+}
+
+Transform<Clip, Eye> lens() {
+  return perspective_degrees(60, 1, {1, 100}).value();
+}
+Transform<Clip, World> ours(const WorldPoint& eye, const WorldPoint& target,
+                            const WorldVector& up) {
+  return lens() * look_at(eye, target, up).value();
+}
+
+// S3.37 to the letter: the gaze goes to +z by a proper rotation, and the projection looks along +z (E7).
+Transform<Clip, World> slide_37(const WorldPoint& eye, const WorldPoint& target,
+                                const WorldVector& up) {
+  const Transform<Eye, World> view = naive::axis_angle_view(eye, target, up, {0, 0, 1});
+  return alpha_beta(30, 1, 1, 100).value() * Transform<EyeLeft, World>(view.columns);
+}
+
+Transform<Clip, World> with_axes(const WorldPoint& eye, const WorldPoint& target,
+                                 const WorldVector& up, double u_sign, double v_sign) {
+  const WorldVector n = naive::normalise(eye - target);
+  const WorldVector u = naive::normalise(cross(up, n));
+  return lens() * naive::view_matrix(u * u_sign, cross(n, u) * v_sign, n, eye);
+}
+Transform<Clip, World> u_reversed(const WorldPoint& eye, const WorldPoint& target,
+                                  const WorldVector& up) {
+  return with_axes(eye, target, up, -1, 1);
+}
+Transform<Clip, World> v_reversed(const WorldPoint& eye, const WorldPoint& target,
+                                  const WorldVector& up) {
+  return with_axes(eye, target, up, 1, -1);
+}
+
+}  // namespace
+
+ExtremeCase c06_mirror_trap() {
+  return {
+      .id = "C-06",
+      .name = "The mirror trap",
+      .construction = "six points of the letter F, seen from (1, 2, 6) at 60 degrees",
+      .stage = "look-at",
+      .right =
+          "where the UVN construction of 50 digits puts them; turning the gaze to +z by a "
+          "rotation mirrors the picture (E7)",
+      .unit = "NDC",
+      .oracle = Oracle::kExtended,
+      .ours = {"look_at and perspective", [] { return judge(ours); }},
+      .naive = {"S3.37 to the letter", [] { return judge(slide_37); }},
+      .mutants = {{"U = N x up instead of up x N", [] { return judge(u_reversed); }},
+                  {"V = U x N instead of N x U", [] { return judge(v_reversed); }}},
+  };
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,80 @@
+#include <glassbox/pipeline/clip.h>
+#include <glassbox/pipeline/projection.h>
+
+#include <fmt/format.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/worst.h"
+#include "study/random.h"
+
+namespace glassbox::study {
+namespace {
+
+using Lens = Transform<Clip, Eye> (*)();
+
+Outcome judge(Lens lens) {
+  // T_pers with h = d = 1: a point in front is seen at x/depth, y/depth.
+  const Transform<Clip, Eye, float> m = round_to_float(lens());
+  const auto planes = frustum_planes();
+  Random random(707);
+  int wrong = 0, w_positive = 0;
+  constexpr int kPoints = 1000;
+  for (int i = 0; i < kPoints; ++i) {
+    const double depth = random.between(1.01, 9.99);
+    const double x = random.between(-0.9, 0.9), y = random.between(-0.9, 0.9);
+    const Point<Clip> front = m * Point<Eye>(float(x * depth), float(y * depth), float(-depth));
+    const Point<Clip> behind = m * Point<Eye>(float(x * depth), float(y * depth), float(depth));
+    w_positive += front.w > 0;
+    // Seen, not seen from behind, and on the right side of the picture.
+    const bool seen = clip_point(front, planes) && !clip_point(behind, planes);
+    wrong += !seen || (front.x > 0) != (x > 0) || (front.y > 0) != (y > 0);
+  }
+  Outcome outcome = wrong_of(wrong, kPoints, "points wrong");
+  outcome.seen += fmt::format("; w > 0 at {} points in front of the eye", w_positive);
+  return outcome;
+}
+
+Transform<Clip, EyeLeft> t_pers_1_10() {
+  return t_pers(1, 1, 10).value();
+}
+Transform<Clip, Eye> with_adaptor() {
+  return t_pers_1_10() * eye_left_from_eye();
+}
+Transform<Clip, Eye> without_adaptor() {
+  return Transform<Clip, Eye>(t_pers_1_10().columns);
+}
+Transform<Clip, Eye> turned_round() {
+  Transform<EyeLeft, Eye> half_turn;
+  half_turn.at(0, 0) = half_turn.at(2, 2) = -1;
+  return t_pers_1_10() * half_turn;
+}
+Transform<Clip, Eye> w_negated() {
+  Transform<Clip, Eye> m = without_adaptor();
+  for (int column = 0; column < 4; ++column) m.at(3, column) = -m.at(3, column);
+  return m;
+}
+
+}  // namespace
+
+ExtremeCase c07_handedness() {
+  return {
+      .id = "C-07",
+      .name = "Handedness mixed",
+      .construction =
+          "a right-handed eye (S4.5) before the left-handed T_pers of S4.18; 1000 "
+          "points in front and their reflections behind",
+      .stage = "projection",
+      .right =
+          "what is in front is seen, at its side of the picture, and what is behind is not "
+          "(E12)",
+      .unit = "points",
+      .oracle = Oracle::kProperty,
+      .ours = {"T_pers times diag(1, 1, -1, 1)", [] { return judge(with_adaptor); }},
+      .naive = {"T_pers as it stands", [] { return judge(without_adaptor); }},
+      .mutants = {{"half a turn about y instead of the reflection",
+                   [] { return judge(turned_round); }},
+                  {"the sign of w alone", [] { return judge(w_negated); }}},
+  };
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,70 @@
+#include <glassbox/base/rounding.h>
+#include <glassbox/base/trig.h>
+#include <glassbox/pipeline/projection.h>
+
+#include <fmt/format.h>
+#include <cmath>
+#include <optional>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/worst.h"
+#include "study/oracle/number.h"
+
+namespace glassbox::study {
+namespace {
+
+// The scale of the picture, [1][1]; nothing for an angle that is refused.
+using Scale = std::optional<double> (*)(double fovy_degrees);
+
+Outcome judge(Scale scale) {
+  Worst worst;
+  for (const double degrees : {1e-6, 1e-3, 1.0, 45.0, 90.0, 179.0, 179.99, 179.9999}) {
+    const auto value = scale(degrees);
+    const oracle::Decimal half =
+        oracle::Decimal(degrees) * oracle::pi() / oracle::Decimal(std::int64_t(360));
+    const oracle::Decimal exact = oracle::Decimal(1) / oracle::tan(half);
+    // projection.h: 4 ulps, each at most 2 u of the value.
+    worst.see(value ? oracle::error_of(*value, exact) / double(exact) : HUGE_VAL,
+              8 * unit_roundoff<double>, fmt::format("{} degrees", degrees),
+              fov_condition(radians_from_degrees(degrees)));
+  }
+  int accepted = 0;
+  for (const double degrees : {0.0, -45.0, 180.0, 180.0001, 360.0}) {
+    accepted += scale(degrees).has_value();
+  }
+  if (accepted > 0) worst.see(HUGE_VAL, 0, "an angle without a picture accepted");
+  return worst.outcome(fmt::format("{} of 5 impossible angles accepted", accepted));
+}
+
+std::optional<double> ours(double degrees) {
+  const auto m = perspective_degrees(degrees, 1, {1, 100});
+  if (!m) return std::nullopt;
+  return m->at(1, 1);
+}
+std::optional<double> tangent_in_float(double degrees) {
+  return 1 / std::tan(float(degrees) * 3.14159265f / 360);
+}
+// Checked and in double, but by way of radians: near 180 degrees their rounding is magnified by x/sin x.
+std::optional<double> by_radians(double degrees) {
+  if (!ours(degrees)) return std::nullopt;
+  return 1 / std::tan(radians_from_degrees(degrees) / 2);
+}
+
+}  // namespace
+
+ExtremeCase c08_field_of_view() {
+  return {
+      .id = "C-08",
+      .name = "Fields of view near 0 and 180 degrees",
+      .construction = "1e-6 .. 179.9999 degrees; then 0, negative, 180 and more",
+      .stage = "projection",
+      .right = "cot(x/2) to 4 ulps (pipeline/projection.h); refused outside of (0, 180)",
+      .unit = "of the scale",
+      .oracle = Oracle::kExtended,
+      .ours = {"perspective_degrees", [] { return judge(ours); }},
+      .naive = {"1 / tan in float, unchecked", [] { return judge(tangent_in_float); }},
+      .mutants = {{"the angle goes through radians", [] { return judge(by_radians); }}},
+  };
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,76 @@
+#include <glassbox/base/rounding.h>
+#include <glassbox/pipeline/projection.h>
+
+#include <fmt/format.h>
+#include <cmath>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/worst.h"
+#include "study/naive/projection.h"
+#include "study/oracle/number.h"
+
+namespace glassbox::study {
+namespace {
+
+using oracle::Rational;
+using Lens = Result<Transform<Clip, Eye>> (*)(double near, double far);
+
+Outcome judge(Lens lens) {
+  Worst worst;
+  for (const auto& [n, f] :
+       {std::pair{1e-30, 1.0}, {1e-30, 1e30}, {1.0, std::nextafter(1.0, 2.0)}, {0.1, 100.0}}) {
+    const auto m = lens(n, f);
+    const Rational near(n), far(f);
+    const Rational alpha = -far / (far - near), beta = -near * far / (far - near);
+    const std::string where = fmt::format("near {:g}, far {:g}", n, f);
+    // projection.h: 4 ulps, each at most 2 u of the value.
+    constexpr double kBound = 8 * unit_roundoff<double>;
+    worst.see(m ? oracle::error_of(m->at(2, 2), alpha) / -double(alpha) : HUGE_VAL, kBound, where);
+    worst.see(m ? oracle::error_of(m->at(2, 3), beta) / -double(beta) : HUGE_VAL, kBound, where);
+  }
+  int accepted = 0;
+  for (const auto& [n, f] :
+       {std::pair{0.0, 1.0}, {-1.0, 1.0}, {1.0, 1.0}, {2.0, 1.0}, {1.0, -1.0}}) {
+    accepted += bool(lens(n, f));
+  }
+  if (accepted > 0) worst.see(HUGE_VAL, 0, "planes out of order accepted");
+  return worst.outcome(fmt::format("{} of 5 impossible pairs of planes accepted", accepted));
+}
+
+Result<Transform<Clip, Eye>> ours(double near, double far) {
+  return perspective_degrees(90, 1, {near, far});
+}
+Result<Transform<Clip, Eye>> unchecked(double near, double far) {
+  return naive::unchecked_perspective(90, 1, float(near), float(far));
+}
+Result<Transform<Clip, Eye>> equal_planes_pass(double near, double far) {
+  if (near == far && near > 0) return unchecked(near, far);
+  return ours(near, far);
+}
+Result<Transform<Clip, Eye>> swapped_when_out_of_order(double near, double far) {
+  return far < near ? ours(far, near) : ours(near, far);
+}
+
+}  // namespace
+
+ExtremeCase c09_planes_out_of_order() {
+  return {
+      .id = "C-09",
+      .name = "Near and far planes that make no sense, or hardly any",
+      .construction =
+          "near 1e-30, far 1 and 1e30; far the next double after near; then near = 0, "
+          "negative, equal to and beyond far",
+      .stage = "projection",
+      .right =
+          "the entries of depth to 4 ulps of the rational ones; no matrix for planes out of "
+          "order",
+      .unit = "of the entry",
+      .oracle = Oracle::kRational,
+      .ours = {"perspective_degrees", [] { return judge(ours); }},
+      .naive = {"f / (f - n) in float, unchecked", [] { return judge(unchecked); }},
+      .mutants = {{"n = f passes", [] { return judge(equal_planes_pass); }},
+                  {"n > f is swapped in silence", [] { return judge(swapped_when_out_of_order); }}},
+  };
+}
+
+}  // namespace glassbox::study

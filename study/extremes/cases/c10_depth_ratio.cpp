@@ -1,0 +1,93 @@
+#include <glassbox/base/rounding.h>
+#include <glassbox/pipeline/divide.h>
+#include <glassbox/pipeline/projection.h>
+
+#include <fmt/format.h>
+#include <limits>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/worst.h"
+#include "study/naive/projection.h"
+#include "study/oracle/number.h"
+
+namespace glassbox::study {
+namespace {
+
+using oracle::Rational;
+
+struct Planes {
+  double near, far;
+};
+// The depth as stored, in float, 1 near and 0 far.
+using ReversedDepth = float (*)(const Planes&, float distance);
+
+// The distance that a reversed depth stands for: n f / (n + d (f - n)), and n/d for an infinite far plane.
+Rational distance_of(const Planes& planes, float depth) {
+  const Rational n(planes.near), d(static_cast<double>(depth));
+  if (std::isinf(planes.far)) return n / d;
+  const Rational f(planes.far);
+  return n * f / (n + d * (f - n));
+}
+
+Outcome judge(ReversedDepth depth) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Worst worst;
+  for (const double far : {100.0, 1e5, 1e8, kInfinity}) {
+    const Planes planes{0.125, far};
+    for (double z = 0.15; z < std::min(far, 1e7) * 0.9; z *= 1.37) {
+      const float distance = float(z);
+      const float d = depth(planes, distance);
+      const Rational exact(static_cast<double>(distance));
+      const double error = d > 0 ? double(abs(distance_of(planes, d) - exact) / exact) : kInfinity;
+      // Two rounded entries, a product, a sum and a quotient, 5 u of the two terms n/z and n/f of the depth:
+      // dz/z = z (f - n)/(f n) * 5 u (n/z + n/f) < 5 u (1 + z/f).
+      const double bound = 5 * unit_roundoff<float> * (1 + z / far) * (1 + 0x1p-20);
+      worst.see(error, bound, fmt::format("far {:g}, distance {:.4g}", far, z), 1 + z / far);
+    }
+  }
+  return worst.outcome();
+}
+
+float of_clip(const Planes& planes, float distance, DepthRange range) {
+  const auto lens = perspective_degrees(90, 1, {planes.near, planes.far, range}).value();
+  return divide(round_to_float(lens) * Point<Eye>(0, 0, -distance)).position.z;
+}
+float ours(const Planes& planes, float distance) {
+  return of_clip(planes, distance, DepthRange::kReversed);
+}
+float standard(const Planes& planes, float distance) {
+  const double n = planes.near;
+  const float far = std::isinf(planes.far) ? 1e30f : float(planes.far);
+  const auto lens = round_to_float(naive::unchecked_perspective(90, 1, float(n), far));
+  return naive::depth_reversed_afterwards(lens * Point<Eye>(0, 0, -distance));
+}
+float one_minus_standard(const Planes& planes, float distance) {
+  return 1 - of_clip(planes, distance, DepthRange::kStandard);
+}
+float through_gl(const Planes& planes, float distance) {
+  const auto lens =
+      perspective_degrees(90, 1, {planes.near, planes.far, DepthRange::kReversed}).value();
+  return naive::depth_through_gl_remap(round_to_float(lens) * Point<Eye>(0, 0, -distance));
+}
+
+}  // namespace
+
+ExtremeCase c10_depth_ratio() {
+  return {
+      .id = "C-10",
+      .name = "Far over near from 1000 to infinity",
+      .construction =
+          "near 1/8, far 100, 1e5, 1e8 and infinity; distances 0.15 .. 1e7, each 1.37 "
+          "times the last; the distance recovered from the depth as stored",
+      .stage = "projection",
+      .right = "5 u (1 + z/f) of the distance: reversed float depth keeps its digits (SPEC B.3)",
+      .unit = "of the distance",
+      .oracle = Oracle::kRational,
+      .ours = {"reversed depth from the matrix", [] { return judge(ours); }},
+      .naive = {"f / (f - n) in float", [] { return judge(standard); }},
+      .mutants = {{"reversed as 1 - depth", [] { return judge(one_minus_standard); }},
+                  {"reversed z through OpenGL's [-1, 1]", [] { return judge(through_gl); }}},
+  };
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,87 @@
+#include <glassbox/base/rounding.h>
+#include <glassbox/pipeline/affine.h>
+#include <glassbox/pipeline/view.h>
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/world.h"
+#include "study/extremes/kit/worst.h"
+#include "study/random.h"
+
+namespace glassbox::study {
+namespace {
+
+// The view of a pose as a file has it.
+using ViewOf = EyeFromWorld (*)(const Transform<World, Eye>& pose);
+
+Outcome judge(ViewOf view_of) {
+  Random random(712);
+  double moved = 0;
+  Worst worst;
+  for (int i = 0; i < 200; ++i) {
+    const double x = random.between(-1, 1), y = random.between(-1, 1);
+    const auto exact = rotate_degrees<World, Eye>(Vector<Eye, double>(x, y, random.between(0.1, 1)),
+                                                  random.between(0, 360))
+                           .value();
+    auto printed = exact;
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column < 3; ++column) {
+        printed.at(row, column) = std::round(exact.at(row, column) * 1e6) / 1e6;
+      }
+    }
+    const EyeFromWorld view = view_of(printed);
+    // The nearest rotation is orthogonal to 8 u; three products and sums of entries of at most 1 are added by the check.
+    worst.see(orthogonality_error(glm::dmat3(view.columns)), 12 * unit_roundoff<double>,
+              fmt::format("rotation {}", i));
+    // A point in the corner of a picture of 640 x 480 px whose focal length is 1000 px.
+    const Point<World, double> p = exact * Point<Eye, double>(0.32, 0.24, -1);
+    const Point<Eye, double> q = view * p;
+    moved =
+        std::max({moved, 1000 * std::abs(q.x / -q.z - 0.32), 1000 * std::abs(q.y / -q.z - 0.24)});
+  }
+  // Each entry is moved by at most 5e-7 by the digits and as much by the repair: 1000 px * 3 * 1e-6 and the divide.
+  if (!(moved <= 1000 * 3 * 1e-6 * 2)) worst.see(HUGE_VAL, 0, "the picture moves");
+  return worst.outcome(fmt::format("the picture moves by up to {:.1e} px", moved));
+}
+
+EyeFromWorld ours(const Transform<World, Eye>& pose) {
+  Camera camera;
+  camera.world_from_eye = pose;
+  return make_view(camera, 640, 480).value().eye_from_world;
+}
+EyeFromWorld taken_for_rigid(const Transform<World, Eye>& pose) {
+  return inverse_rigid(pose);
+}
+EyeFromWorld unit_columns(const Transform<World, Eye>& pose) {
+  auto repaired = pose;
+  for (int k = 0; k < 3; ++k) {
+    repaired.columns[k] = glm::dvec4(glm::normalize(glm::dvec3(pose.columns[k])), 0);
+  }
+  return inverse_rigid(repaired);
+}
+
+}  // namespace
+
+ExtremeCase c12_few_digits() {
+  return {
+      .id = "C-12",
+      .name = "A rotation with few digits",
+      .construction =
+          "200 poses whose rotations are printed with six decimals, as data files have "
+          "them",
+      .stage = "view",
+      .right =
+          "the view's axes are perpendicular unit vectors to 12 u, and the picture moves by "
+          "less than 6e-3 px",
+      .unit = "entries of R^T R - I",
+      .oracle = Oracle::kProperty,
+      .ours = {"make_view", [] { return judge(ours); }},
+      .naive = {"taken for a rotation", [] { return judge(taken_for_rigid); }},
+      .mutants = {{"only the lengths of the axes repaired", [] { return judge(unit_columns); }}},
+  };
+}
+
+}  // namespace glassbox::study

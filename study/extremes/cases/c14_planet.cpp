@@ -1,0 +1,70 @@
+#include <glassbox/pipeline/affine.h>
+#include <glassbox/pipeline/look_at.h>
+
+#include <fmt/format.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/world.h"
+#include "study/extremes/kit/worst.h"
+#include "study/naive/transform.h"
+#include "study/oracle/number.h"
+
+namespace glassbox::study {
+namespace {
+
+using oracle::Rational;
+using ToEye = Point<Eye> (*)(const Transform<Eye, World>&, const Transform<World, Object>&,
+                             const Point<Object>&);
+
+Outcome judge(ToEye to_eye) {
+  // The camera's axes are the world's, and its place has few bits: everything but the coordinates is exact.
+  const WorldVector place{6.378e6, 0, 0};
+  const auto view =
+      look_at(WorldPoint{0, 0, 2} + place, WorldPoint{0, 0, 0} + place, {0, 1, 0}).value();
+  Worst worst;
+  for (const float half : {0.5f, 0.4f, 0.1f}) {
+    for (int corner = 0; corner < 8; ++corner) {
+      const Point<Object> p{(corner & 1) != 0 ? half : -half, (corner & 2) != 0 ? half : -half,
+                            (corner & 4) != 0 ? half : -half};
+      const Point<Eye> image = to_eye(view, translate<World, Object>(place), p);
+      const std::string where = fmt::format("a cube of {:.1f} m", 2 * half);
+      worst.see(oracle::error_of(double(image.x), Rational(double(p.x))), 0, where);
+      worst.see(oracle::error_of(double(image.y), Rational(double(p.y))), 0, where);
+      // One rounding of z - 2, below 4 in size: half an ulp of 2.
+      worst.see(oracle::error_of(double(image.z), Rational(double(p.z)) - Rational(2)), 0x1p-23,
+                where);
+    }
+  }
+  return worst.outcome();
+}
+
+Point<Eye> ours(const Transform<Eye, World>& view, const Transform<World, Object>& model,
+                const Point<Object>& p) {
+  return round_to_float(view * model) * p;
+}
+Point<Eye> float_view(const Transform<Eye, World>& view, const Transform<World, Object>& model,
+                      const Point<Object>& p) {
+  const Transform<Eye, World> rounded{glm::dmat4(round_to_float(view).columns)};
+  Transform<World, Object> nearly = model;
+  nearly.at(0, 3) = double(float(model.at(0, 3) + double(p.x)));
+  return round_to_float(rounded * nearly) * Point<Object>(0, p.y, p.z);
+}
+
+}  // namespace
+
+ExtremeCase c14_planet() {
+  return {
+      .id = "C-14",
+      .name = "A cube of a metre on a planet",
+      .construction = "cubes of 1, 0.8 and 0.2 m at 6.378e6 m from the origin, an eye 2 m away",
+      .stage = "to eye space",
+      .right = "x and y exactly as modelled, z - 2 rounded once",
+      .unit = "m",
+      .oracle = Oracle::kRational,
+      .ours = {"composed in double, rounded once", [] { return judge(ours); }},
+      .naive = {"float world positions", [] { return judge(naive::through_float_world); }},
+      .mutants = {{"the vertex placed in the world in float", [] { return judge(float_view); }}},
+  };
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,104 @@
+#include <glassbox/base/rounding.h>
+#include <glassbox/pipeline/affine.h>
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <vector>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/world.h"
+#include "study/extremes/kit/worst.h"
+#include "study/oracle/matrix.h"
+#include "study/oracle/number.h"
+#include "study/random.h"
+
+namespace glassbox::study {
+namespace {
+
+using oracle::Decimal;
+constexpr int kDepth = 100;
+
+using Compose = glm::dmat4 (*)(const std::vector<WorldMap>&);
+
+std::vector<WorldMap> hierarchy() {
+  Random random(715);
+  std::vector<WorldMap> levels;
+  for (int i = 0; i < kDepth; ++i) {
+    const WorldVector axis{random.between(-1, 1), random.between(-1, 1), random.between(0.1, 1)};
+    // Scales of both directions in turn, so that the object keeps its size on the whole.
+    const double s = i % 2 == 0 ? 1.25 : 0.8;
+    levels.push_back(rotate_degrees<World>(axis, random.between(0, 360)).value() *
+                     scale<World>(s, s, s) *
+                     translate<World>({random.between(-1, 1), random.between(-1, 1), 1}));
+  }
+  return levels;
+}
+
+Outcome judge(Compose compose) {
+  const std::vector<WorldMap> levels = hierarchy();
+  const glm::dmat4 product = compose(levels);
+  auto exact = oracle::Matrix4<Decimal>::identity();
+  Worst worst;
+  for (const WorldMap& level : levels) {
+    exact = exact * oracle::exactly<Decimal>(level);
+  }
+  // Level i rounds entries of the product so far: gamma_4 |P_(i-1)||M_i|, carried on by a rotation and scale of at most
+  // 1.25. |P||M| <= sqrt(3) 1.25 in the linear part and 4 (3 1.25 + i) in the last column; over 100 levels
+  // 100 gamma_4 1.25 4 (4 + 100).
+  const double bound = kDepth * gamma<double>(4) * 1.25 * 4 * (4 + kDepth);
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      worst.see(
+          oracle::error_of(product[column][row], exact.at[std::size_t(row)][std::size_t(column)]),
+          bound, "object to world");
+    }
+  }
+  // There and back.
+  const auto back = inverse_affine(WorldMap(product));
+  const WorldPoint p{1, 2, 3};
+  const auto there = exact * oracle::exactly<Decimal>(p);
+  const WorldPoint home =
+      back ? *back * WorldPoint(double(there[0]), double(there[1]), double(there[2]))
+           : WorldPoint(HUGE_VAL, 0, 0);
+  worst.see(length(home - p), 1e-6, "object to world to object");
+  return worst.outcome(fmt::format("{:.1e} there and back", length(home - p)));
+}
+
+glm::dmat4 in_double(const std::vector<WorldMap>& levels) {
+  WorldMap product;
+  for (const WorldMap& level : levels) product = product * level;
+  return product.columns;
+}
+glm::dmat4 in_float(const std::vector<WorldMap>& levels) {
+  glm::mat4 product(1);
+  for (const WorldMap& level : levels) product = product * glm::mat4(level.columns);
+  return glm::dmat4(product);
+}
+glm::dmat4 from_the_leaf(const std::vector<WorldMap>& levels) {
+  glm::dmat4 product(1);
+  for (const WorldMap& level : levels) product = level.columns * product;
+  return product;
+}
+
+}  // namespace
+
+ExtremeCase c15_deep_hierarchy() {
+  return {
+      .id = "C-15",
+      .name = "A hundred nested transforms",
+      .construction =
+          "100 rotations, scales by 1.25 and 0.8 in turn, and translations by up to "
+          "1.7, one inside the other",
+      .stage = "to world space",
+      .right =
+          "100 gamma_4 |P||M| in double (Higham 3.5); object to world to object returns to "
+          "1e-6",
+      .unit = "world unit",
+      .oracle = Oracle::kExtended,
+      .ours = {"products in double, inverse_affine", [] { return judge(in_double); }},
+      .naive = {"products in float", [] { return judge(in_float); }},
+      .mutants = {{"premultiplied: leaf before root", [] { return judge(from_the_leaf); }}},
+  };
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,49 @@
+#include <glassbox/pipeline/affine.h>
+
+#include <fmt/format.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/normals_case.h"
+#include "study/extremes/kit/worst.h"
+#include "study/naive/transform.h"
+
+namespace glassbox::study {
+namespace {
+
+Outcome judge(TransformNormal transform) {
+  Worst worst;
+  for (const double squash : {0.5, 1e-2, 1e-4, 1e-6}) {
+    const auto upright = scale<World, Object>(1, 1, squash);
+    const auto sheared = shear<World>(Axis::kX, Axis::kY, 0.75) * upright;
+    for (const auto& m : {upright, sheared}) {
+      for (const Normal<Object>& n : {Normal<Object>(0.6f, 0, 0.8f), Normal<Object>(0, 1, 0),
+                                      Normal<Object>(0, -0.8f, 0.6f)}) {
+        // Entries rounded to float, three products and two sums of two terms of one size, and the components of the
+        // unit vector: 10 u of float covers them (SPEC C-16).
+        worst.see(normal_error(transform(m, n), m, n), 10.0 * unit_roundoff<float>,
+                  fmt::format("scale (1, 1, {:g})", squash));
+      }
+    }
+  }
+  return worst.outcome();
+}
+
+}  // namespace
+
+ExtremeCase c16_squashed_normal() {
+  return {
+      .id = "C-16",
+      .name = "Normals under non-uniform scale",
+      .construction = "scale (1, 1, s) for s = 0.5 .. 1e-6, alone and sheared, on three normals",
+      .stage = "normals",
+      .right = "the direction of the exact cofactor matrix times the normal, to 10 u",
+      .unit = "radian",
+      .oracle = Oracle::kRational,
+      .ours = {"normal_transform", [] { return judge(by_cofactors); }},
+      .naive = {"by M itself", [] { return judge(naive::normal_by_matrix); }},
+      .mutants = {{"cofactors transposed",
+                   [] { return judge(naive::normal_by_transposed_cofactors); }}},
+  };
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,53 @@
+#include <glassbox/pipeline/affine.h>
+
+#include <fmt/format.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/normals_case.h"
+#include "study/extremes/kit/worst.h"
+#include "study/naive/transform.h"
+
+namespace glassbox::study {
+namespace {
+
+Outcome judge(TransformNormal transform) {
+  Worst worst;
+  const auto turn = rotate_degrees<World>(Vector<World, double>(1, 2, 3), 77).value();
+  const auto flat = scale<World, Object>(2, 3, 0);
+  for (const auto& m : {flat, turn * flat}) {
+    for (const Normal<Object>& n : {Normal<Object>(0, 0, 1), Normal<Object>(0.6f, 0, 0.8f),
+                                    Normal<Object>(0, -0.8f, -0.6f)}) {
+      // As C-16. Turned, the columns of the rounded matrix still span a plane: the exact cofactors are that plane's.
+      worst.see(normal_error(transform(m, n), m, n), 10.0 * unit_roundoff<float>,
+                fmt::format("normal ({:g}, {:g}, {:g})", n.x, n.y, n.z));
+    }
+  }
+  // A face that is flattened to a line has no normal, which is no NaN.
+  const Normal<World> none = transform(flat, {1, 0, 0});
+  worst.see(std::isfinite(none.x) && std::isfinite(none.y) && std::isfinite(none.z) ? 0 : HUGE_VAL,
+            0, "a face that has become a line");
+  return worst.outcome();
+}
+
+}  // namespace
+
+ExtremeCase c18_flattened_model() {
+  return {
+      .id = "C-18",
+      .name = "A model flattened to a plane",
+      .construction = "scale (2, 3, 0), alone and turned by 77 degrees",
+      .stage = "normals",
+      .right =
+          "what is left of a face has the plane's normal, to 10 u; what is left of none has "
+          "the zero vector, not NaN",
+      .unit = "radian",
+      .oracle = Oracle::kRational,
+      .ours = {"normal_transform", [] { return judge(by_cofactors); }},
+      .naive = {"inverse transpose", [] { return judge(naive::normal_by_inverse_transpose); }},
+      .mutants = {{"by M itself", [] { return judge(naive::normal_by_matrix); }},
+                  {"cofactors transposed",
+                   [] { return judge(naive::normal_by_transposed_cofactors); }}},
+  };
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,60 @@
+#include <fmt/format.h>
+#include <cmath>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/polygons.h"
+#include "study/extremes/kit/worst.h"
+#include "study/naive/normals.h"
+#include "study/random.h"
+
+namespace glassbox::study {
+namespace {
+
+constexpr double kNoise = 1e-4;
+
+Outcome judge(PolygonNormal normal) {
+  Random random(721);
+  const Vector<Object, oracle::Rational> up(0, 0, 1);
+  Worst worst;
+  for (const double bend : {1e-1, 1e-2, 1e-3, 1e-4}) {
+    for (int i = 0; i < 50; ++i) {
+      // A square of side 2 whose first corners are all but on a line.
+      const double outline[][2] = {{0, -1}, {0.5, -1 - bend}, {1, -1}, {1, 1}, {-1, 1}, {-1, -1}};
+      Polygon polygon;
+      for (const auto& [x, y] : outline) {
+        const auto noise = [&] { return random.between(-kNoise, kNoise); };
+        const double dx = noise(), dy = noise();
+        polygon.emplace_back(float(x + dx), float(y + dy), float(noise()));
+      }
+      // m = sum p_i x p_(i+1), so dm = sum d_i x (p_(i+1) - p_(i-1)) to first order: |d| <= sqrt(3) s, the diagonals sum
+      // to at most twice the perimeter of 8.1, and |m| is twice the area of 4. The second order is s times smaller.
+      const double bound = std::sqrt(3.0) * kNoise * 2 * 8.1 / 8 * 1.01;
+      worst.see(angle_to(normal(polygon), up), bound, fmt::format("bend {:g}", bend), 1 / bend);
+    }
+  }
+  return worst.outcome();
+}
+
+}  // namespace
+
+ExtremeCase c21_bent_first_corner() {
+  return {
+      .id = "C-21",
+      .name = "First corners all but on a line",
+      .construction =
+          "hexagons of size 2 whose second corner sticks out by 0.1 .. 1e-4, all "
+          "coordinates moved by up to 1e-4",
+      .stage = "face normals",
+      .right =
+          "the noise over the size, sqrt(3) s P / A = 3.5e-4: Newell's sums do not ask how "
+          "large one corner is",
+      .unit = "radian",
+      .oracle = Oracle::kExtended,
+      .ours = {"newell_vector", [] { return judge(newell_in_double); }},
+      .naive = {"cross product of the first three", [] { return judge(naive::first_corner); }},
+      .mutants = {{"one x for a y, and the last edge missing",
+                   [] { return judge(naive::open_newell); }}},
+  };
+}
+
+}  // namespace glassbox::study

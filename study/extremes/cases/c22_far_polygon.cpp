@@ -1,0 +1,62 @@
+#include <glassbox/base/rounding.h>
+#include <glassbox/base/trig.h>
+
+#include <fmt/format.h>
+#include <cmath>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/polygons.h"
+#include "study/extremes/kit/worst.h"
+#include "study/naive/normals.h"
+
+namespace glassbox::study {
+namespace {
+
+Outcome judge(PolygonNormal normal) {
+  Worst worst;
+  for (const double offset : {0.0, 1e2, 1e4, 1e6}) {
+    Polygon octagon;
+    for (int i = 0; i < 8; ++i) {
+      const SinCos turn = sin_cos_degrees(45.0 * i);
+      // Leaning, so that all three components count.
+      octagon.emplace_back(float(offset + turn.cos), float(offset + turn.sin),
+                           float(offset + 0.5 * turn.cos - 0.25 * turn.sin));
+    }
+    // Where a corner is in floats is where it is: the polygon judged is the rounded one. In double, edges of floats are
+    // exact: gamma_(N+3) sum |difference| |sum|, with 8 edges of less than 1.1 and sums of less than 5 from the first
+    // corner, in three components, over |m| > 5 (SPEC C, generic bound 6).
+    const double bound = gamma<double>(11) * std::sqrt(3.0) * 8 * 1.1 * 5 / 5;
+    worst.see(angle_to(normal(octagon), exact_newell(octagon)), bound,
+              fmt::format("offset {:g}", offset), 1 + offset);
+  }
+  return worst.outcome();
+}
+
+Vector<Object, double> newell_in_float(std::span<const Point<Object>> polygon) {
+  const auto m = newell_vector<float>(polygon);
+  return {m.x, m.y, m.z};
+}
+
+}  // namespace
+
+ExtremeCase c22_far_polygon() {
+  return {
+      .id = "C-22",
+      .name = "A polygon far from the origin",
+      .construction = "a leaning octagon of radius 1 at 0, 1e2, 1e4 and 1e6 along each axis",
+      .stage = "face normals",
+      .right =
+          "the rational Newell vector of the same floats, to gamma_11 in double: measured "
+          "from the first corner",
+      .unit = "radian",
+      .oracle = Oracle::kRational,
+      .ours = {"newell_vector", [] { return judge(newell_in_double); }},
+      .naive = {"raw Newell (S4.33) in float", [] { return judge(naive::raw_newell<float>); }},
+      .mutants = {{"measured from the first corner, but in float",
+                   [] { return judge(newell_in_float); }},
+                  {"a minus for the plus of the sums",
+                   [] { return judge(naive::newell_of_differences); }}},
+  };
+}
+
+}  // namespace glassbox::study

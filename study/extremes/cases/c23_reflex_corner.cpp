@@ -1,0 +1,48 @@
+#include <string>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/polygons.h"
+#include "study/extremes/kit/worst.h"
+#include "study/naive/normals.h"
+
+namespace glassbox::study {
+namespace {
+
+Outcome judge(PolygonNormal normal) {
+  // An arrow head, counter-clockwise, begun at each of its corners in turn: once the second one is reflex.
+  const Polygon arrow{{0, 0, 0}, {2, 0, 0.5f}, {0.25f, 0.5f, 0.0625f}, {0, 2, 0}};
+  int reversed = 0, all = 0;
+  for (const float size : {1.0f, 1e-3f, 1e3f}) {
+    for (std::size_t first = 0; first < arrow.size(); ++first) {
+      Polygon turned;
+      for (std::size_t i = 0; i < arrow.size(); ++i) {
+        const Point<Object>& p = arrow[(first + i) % arrow.size()];
+        turned.emplace_back(p.x * size, p.y * size, p.z * size);
+      }
+      const auto exact = exact_newell(turned);
+      const auto m = normal(turned);
+      reversed += !(m.z * double(exact.z) > 0);
+      ++all;
+    }
+  }
+  return wrong_of(reversed, all, "normals reversed");
+}
+
+}  // namespace
+
+ExtremeCase c23_reflex_corner() {
+  return {
+      .id = "C-23",
+      .name = "A reflex corner",
+      .construction = "an arrow head of three sizes, begun at each of its four corners",
+      .stage = "face normals",
+      .right = "the side to which the rational Newell vector points, wherever the list begins",
+      .unit = "normals",
+      .oracle = Oracle::kRational,
+      .ours = {"newell_vector", [] { return judge(newell_in_double); }},
+      .naive = {"cross product of the first three", [] { return judge(naive::first_corner); }},
+      .mutants = {{"(V1 - V2) x (V3 - V2)", [] { return judge(naive::slide_32); }}},
+  };
+}
+
+}  // namespace glassbox::study

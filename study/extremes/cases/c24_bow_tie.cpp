@@ -1,0 +1,70 @@
+#include <glassbox/mesh/triangulate.h>
+
+#include <cmath>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/polygons.h"
+#include "study/extremes/kit/worst.h"
+#include "study/naive/normals.h"
+
+namespace glassbox::study {
+namespace {
+
+// Whether the face is taken for one that has a front.
+using HasNormal = bool (*)(const Polygon&);
+
+Outcome judge(HasNormal has_normal) {
+  const Polygon bow_ties[] = {
+      {{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}},
+      {{5, 7, 1}, {6, 8, 1}, {6, 7, 1}, {5, 8, 1}},
+      {{0, 0, 0}, {2, 2, 2}, {2, 0, 0}, {0, 2, 2}},
+      // A figure of eight with six corners, and three that lie on a line.
+      {{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {3, 0, 0}, {3, 1, 0}, {0, 1, 0}},
+      {{0, 0, 0}, {1, 2, 3}, {2, 4, 6}},
+  };
+  const Polygon square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  int wrong = has_normal(square) ? 0 : 1, all = 1;
+  for (const Polygon& polygon : bow_ties) {
+    const auto exact = exact_newell(polygon);
+    const bool flat = exact.x.sign() == 0 && exact.y.sign() == 0 && exact.z.sign() == 0;
+    wrong += has_normal(polygon) == flat;
+    ++all;
+  }
+  return wrong_of(wrong, all, "faces judged wrongly");
+}
+
+bool ours(const Polygon& polygon) {
+  const Mesh mesh = mesh_of(polygon);
+  return face_normal(mesh, mesh.faces[0]).has_value() && triangulate(mesh).degenerate_faces.empty();
+}
+bool is_not_zero(const Vector<Object, double>& m) {
+  return m.x != 0 || m.y != 0 || m.z != 0;
+}
+bool by_first_corner(const Polygon& polygon) {
+  return is_not_zero(naive::first_corner(polygon));
+}
+bool by_open_newell(const Polygon& polygon) {
+  return is_not_zero(naive::open_newell(polygon));
+}
+
+}  // namespace
+
+ExtremeCase c24_bow_tie() {
+  return {
+      .id = "C-24",
+      .name = "Bow-ties",
+      .construction = "three bow-ties, a figure of eight, three corners on a line, and a square",
+      .stage = "face normals",
+      .right =
+          "no normal, and the face reported, exactly where the rational Newell vector is "
+          "zero",
+      .unit = "faces",
+      .oracle = Oracle::kRational,
+      .ours = {"face_normal and triangulate", [] { return judge(ours); }},
+      .naive = {"cross product of the first three", [] { return judge(by_first_corner); }},
+      .mutants = {{"one x for a y, and the last edge missing",
+                   [] { return judge(by_open_newell); }}},
+  };
+}
+
+}  // namespace glassbox::study

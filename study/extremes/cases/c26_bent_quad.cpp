@@ -1,0 +1,108 @@
+#include <glassbox/base/rounding.h>
+#include <glassbox/mesh/triangulate.h>
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/polygons.h"
+#include "study/extremes/kit/worst.h"
+#include "study/naive/normals.h"
+
+namespace glassbox::study {
+namespace {
+
+using oracle::Decimal;
+
+struct Quads {
+  double (*deviation)(const Polygon&);                            // from the mean plane
+  std::array<std::size_t, 2> (*diagonal)(const Polygon& square);  // corners that it joins
+};
+
+Outcome judge(const Quads& quads) {
+  Worst worst;
+  int unsteady = 0;
+  for (const float h : {0.5f, 0x1p-5f, 0x1p-10f}) {
+    const Polygon square{{0, 0, 0}, {1, 0, 0}, {1, 1, h}, {0, 1, 0}};
+    std::set<std::set<std::pair<float, float>>> diagonals;
+    for (std::size_t first = 0; first < 4; ++first) {
+      Polygon turned;
+      for (std::size_t i = 0; i < 4; ++i) turned.push_back(square[(first + i) % 4]);
+      // m = (-h, -h, 2); the corners lie +-(h/2)/|m| from the plane through their mean, h/4 to first order.
+      const Decimal height{double(h)};
+      const Decimal exact =
+          height / Decimal(2) / oracle::sqrt(Decimal(2) * height * height + Decimal(4));
+      // In double: a dozen roundings of numbers up to 1.
+      worst.see(oracle::error_of(quads.deviation(turned), exact), gamma<double>(12),
+                fmt::format("corner lifted by {:g}", h));
+      const auto [a, b] = quads.diagonal(turned);
+      using Corner2 = std::pair<float, float>;
+      diagonals.insert({Corner2(turned[a].x, turned[a].y), Corner2(turned[b].x, turned[b].y)});
+    }
+    unsteady += diagonals.size() != 1;
+  }
+  if (unsteady > 0) worst.see(HUGE_VAL, 0, "the diagonal depends on where the list begins");
+  return worst.outcome(fmt::format("{} of 3 diagonals unsteady", unsteady));
+}
+
+double deviation_from_mean_plane(const Polygon& polygon) {
+  const Mesh mesh = mesh_of(polygon);
+  return planarity_deviation(mesh, mesh.faces[0]);
+}
+std::array<std::size_t, 2> shared_corners(const Polygon& polygon) {
+  const auto triangles = triangulate(mesh_of(polygon)).triangles;
+  if (triangles.size() != 2) return {0, 0};
+  std::array<std::size_t, 2> shared{};
+  std::size_t count = 0;
+  for (const std::uint32_t c : triangles[0].corners) {
+    const auto& other = triangles[1].corners;
+    if (count < 2 && std::find(other.begin(), other.end(), c) != other.end()) shared[count++] = c;
+  }
+  return shared;
+}
+
+// How far the fourth corner is from the plane of the others.
+double deviation_from_first_three(const Polygon& polygon) {
+  const auto m = naive::first_corner(polygon);
+  const auto off = polygon[3] - polygon[0];
+  return std::abs(m.x * double(off.x) + m.y * double(off.y) + m.z * double(off.z)) /
+         std::sqrt(dot(m, m));
+}
+std::array<std::size_t, 2> from_the_first_corner(const Polygon&) {
+  return {0, 2};
+}
+
+}  // namespace
+
+ExtremeCase c26_bent_quad() {
+  return {
+      .id = "C-26",
+      .name = "A quad that is not flat",
+      .construction =
+          "a unit square with one corner lifted by 1/2, 1/32, 1/1024, begun at each "
+          "corner",
+      .stage = "triangulation",
+      .right =
+          "corners (h/2)/sqrt(4 + 2 h^2) from the mean plane, to 12 roundings; always the "
+          "shorter diagonal",
+      .unit = "object unit",
+      .oracle = Oracle::kExtended,
+      .ours = {"planarity_deviation and triangulate",
+               [] {
+                 return judge({deviation_from_mean_plane, shared_corners});
+               }},
+      .naive = {"plane of the first three corners, diagonal from the first",
+                [] {
+                  return judge({deviation_from_first_three, from_the_first_corner});
+                }},
+      .mutants = {{"the diagonal from the first corner",
+                   [] {
+                     return judge({deviation_from_mean_plane, from_the_first_corner});
+                   }}},
+  };
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,72 @@
+#include <glassbox/pipeline/back_face.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/worst.h"
+#include "study/naive/normals.h"
+#include "study/random.h"
+
+namespace glassbox::study {
+namespace {
+
+using Faces = Facing (*)(std::span<const Point<Object>>, const ObjectViewer&);
+
+Outcome judge(Faces facing) {
+  Random random(727);
+  int wrong = 0, culled = 0;
+  constexpr int kFaces = 2000;
+  for (int i = 0; i < kFaces; ++i) {
+    // Corners from integers times 2^-10; the eye is an integer combination of them, so exactly in the plane.
+    std::array<Point<Object>, 3> face;
+    for (Point<Object>& p : face) {
+      const auto coordinate = [&] { return float(random.integer(-(1 << 20), 1 << 20)) * 0x1p-10f; };
+      const float x = coordinate(), y = coordinate();
+      p = {x, y, coordinate()};
+    }
+    const double s = double(random.integer(-99, 99)), t = double(random.integer(-99, 99));
+    const auto in_plane = [&](float a, float b, float c) {
+      return double(a) + s * (double(b) - double(a)) + t * (double(c) - double(a));
+    };
+    const ObjectViewer viewer{
+        true,
+        {in_plane(face[0].x, face[1].x, face[2].x), in_plane(face[0].y, face[1].y, face[2].y),
+         in_plane(face[0].z, face[1].z, face[2].z)},
+        {0, 0, 0}};
+    const Facing found = facing(face, viewer);
+    wrong += found != Facing::kEdgeOn;
+    culled += found == Facing::kBack;
+  }
+  Outcome outcome = wrong_of(wrong, kFaces, "edge-on faces taken for front or back");
+  outcome.seen += "; " + std::to_string(culled) + " culled";
+  return outcome;
+}
+
+Facing ours(std::span<const Point<Object>> face, const ObjectViewer& viewer) {
+  return test_back_face(face, viewer).facing;
+}
+// The sign of the value as computed, without the exact sum behind it.
+Facing without_fallback(std::span<const Point<Object>> face, const ObjectViewer& viewer) {
+  const double value = test_back_face(face, viewer).value;
+  return value > 0 ? Facing::kBack : value < 0 ? Facing::kFront : Facing::kEdgeOn;
+}
+
+}  // namespace
+
+ExtremeCase c27_edge_on() {
+  return {
+      .id = "C-27",
+      .name = "An eye in the face's plane",
+      .construction =
+          "2000 triangles of integers times 2^-10, the eye an integer combination of "
+          "their corners",
+      .stage = "back faces",
+      .right = "exactly edge-on, which counts as front, covers no pixel and never flickers",
+      .unit = "faces",
+      .oracle = Oracle::kRational,
+      .ours = {"test_back_face", [] { return judge(ours); }},
+      .naive = {"(P - eye) . m in float", [] { return judge(naive::facing<float>); }},
+      .mutants = {{"no exact sum where the bound is exceeded",
+                   [] { return judge(without_fallback); }}},
+  };
+}
+
+}  // namespace glassbox::study

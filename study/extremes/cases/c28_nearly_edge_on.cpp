@@ -1,0 +1,87 @@
+#include <glassbox/pipeline/back_face.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/polygons.h"
+#include "study/extremes/kit/worst.h"
+#include "study/naive/normals.h"
+#include "study/random.h"
+
+namespace glassbox::study {
+namespace {
+
+using oracle::Rational;
+
+struct Answer {
+  Facing facing = Facing::kFront;
+  bool exactly = false;  // the exact sum decided
+};
+using Faces = Answer (*)(std::span<const Point<Object>>, const ObjectViewer&);
+
+int exact_sign(std::span<const Point<Object>> face, const ObjectViewer& viewer) {
+  using V = Vector<Object, Rational>;
+  const Vector<Object, double>& e = viewer.eye_or_gaze;
+  const V sight(Rational(double(face[0].x)) - Rational(e.x),
+                Rational(double(face[0].y)) - Rational(e.y),
+                Rational(double(face[0].z)) - Rational(e.z));
+  return dot(sight, exact_newell(face)).sign();
+}
+
+Outcome judge(Faces facing) {
+  Random random(728);
+  int wrong = 0, all = 0, exact = 0;
+  for (const double sine : {1e-3, 1e-5, 1e-8, 1e-13, 0.0}) {
+    for (int i = 0; i < 300; ++i) {
+      std::array<Point<Object>, 3> face;
+      for (Point<Object>& p : face) {
+        const double x = random.between(-1, 1), y = random.between(-1, 1);
+        p = {float(x), float(y), float(random.between(-1, 1))};
+      }
+      // 10^4 away along an edge, and off the plane by the given sine.
+      const auto along = [&](float a, float b) {
+        return double(a) + 1e4 * (double(b) - double(a)) + 1e4 * sine * random.between(-1, 1);
+      };
+      const double x = along(face[0].x, face[1].x), y = along(face[0].y, face[1].y);
+      const ObjectViewer viewer{true, {x, y, along(face[0].z, face[1].z)}, {0, 0, 0}};
+      const Answer answer = facing(face, viewer);
+      const int sign = answer.facing == Facing::kBack    ? 1
+                       : answer.facing == Facing::kFront ? -1
+                                                         : 0;
+      wrong += sign != exact_sign(face, viewer);
+      exact += answer.exactly;
+      ++all;
+    }
+  }
+  Outcome outcome = wrong_of(wrong, all, "signs wrong");
+  outcome.seen += "; " + std::to_string(exact) + " decided by the exact sum";
+  return outcome;
+}
+
+Answer ours(std::span<const Point<Object>> face, const ObjectViewer& viewer) {
+  const BackFaceTest test = test_back_face(face, viewer);
+  return {test.facing, test.used_exact};
+}
+Answer in_float(std::span<const Point<Object>> face, const ObjectViewer& viewer) {
+  return {naive::facing<float>(face, viewer), false};
+}
+Answer in_double(std::span<const Point<Object>> face, const ObjectViewer& viewer) {
+  return {naive::facing<double>(face, viewer), false};
+}
+
+}  // namespace
+
+ExtremeCase c28_nearly_edge_on() {
+  return {
+      .id = "C-28",
+      .name = "Faces that are nearly edge-on",
+      .construction = "1500 random triangles seen from 10^4 away at sines of 1e-3 .. 1e-13 and 0",
+      .stage = "back faces",
+      .right = "the sign of rational arithmetic",
+      .unit = "signs",
+      .oracle = Oracle::kRational,
+      .ours = {"test_back_face", [] { return judge(ours); }},
+      .naive = {"(P - eye) . m in float", [] { return judge(in_float); }},
+      .mutants = {{"in double, without the exact sum", [] { return judge(in_double); }}},
+  };
+}
+
+}  // namespace glassbox::study

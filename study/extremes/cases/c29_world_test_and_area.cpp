@@ -1,0 +1,100 @@
+#include <glassbox/pipeline/affine.h>
+#include <glassbox/pipeline/back_face.h>
+#include <glassbox/pipeline/divide.h>
+#include <glassbox/pipeline/projection.h>
+#include <glassbox/raster/fan.h>
+#include <glassbox/raster/snap.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/worst.h"
+#include "study/naive/normals.h"
+#include "study/random.h"
+
+namespace glassbox::study {
+namespace {
+
+// Whether a face is left out before anything is transformed; `margin`: the value below which snapping may turn it round.
+using Culls = bool (*)(std::span<const Point<Object>>, const ObjectViewer&, double margin);
+
+Outcome judge(Culls culls) {
+  Random random(729);
+  const Viewport viewport{0, 0, 640, 480};
+  const auto lens = perspective_degrees(90, 640.0 / 480, {1, 20}).value();
+  int lost = 0, culled = 0, all = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const double distance = random.between(3, 8), turn = random.between(0, 360);
+    const auto eye_from_object = translate<Eye, Eye>({0, 0, -distance}) *
+                                 rotate_degrees<Eye, Object>({1, 2, 0.5}, turn).value();
+    const Transform<Clip, Object> exact = lens * eye_from_object;
+    const auto clip_from_object = round_to_float(exact);
+    const auto viewer = viewer_in_object_space(eye_from_object, true);
+    if (!viewer) continue;
+
+    // Down to slivers of a hundredth of a pixel, whose facing snapping may well change.
+    const double size = std::ldexp(1.0, -int(random.integer(0, 12)));
+    const Vector<Object, double> centre{random.between(-0.5, 0.5), random.between(-0.5, 0.5), 0};
+    std::array<Point<Object>, 3> face;
+    std::array<SnappedVertex, 3> snapped;
+    double largest_w = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double x = centre.x + size * random.between(-1, 1);
+      const double y = centre.y + size * random.between(-1, 1);
+      face[k] = {float(x), float(y), float(size * random.between(-1, 1))};
+      const Point<Clip> p = clip_from_object * face[k];
+      largest_w = std::max(largest_w, double(p.w));
+      snapped[k] = snap(to_screen(divide(p), viewport));
+    }
+    double longest = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const SnappedVertex &a = snapped[k], &b = snapped[(k + 1) % 3];
+      longest =
+          std::max({longest, (std::abs(a.x - b.x) + 2) / 256.0, (std::abs(a.y - b.y) + 2) / 256.0});
+    }
+    // Snapping moves by 2^-9 px. Before it matrix and transform round by 5 u of sizes below 16, the quotient magnifies
+    // that by at most 2/w < 2 and the viewport by 320: together below 2^-8 px.
+    const double margin =
+        snapping_margin(exact, *viewer, viewport, largest_w, longest, 0x1p-9 + 0x1p-8);
+    if (!culls(face, *viewer, margin)) continue;
+    ++culled;
+    // Counter-clockwise on the screen, an area below zero, is a front: it would have been drawn.
+    lost += double_area(snapped[0], snapped[1], snapped[2]) < 0;
+    ++all;
+  }
+  // Nobody may do without culling: of 20000 faces half are backs.
+  if (culled < 5000) return {HUGE_VAL, 0, std::nullopt, "hardly anything culled"};
+  return wrong_of(lost, all, "culled faces would have been drawn as fronts");
+}
+
+bool ours(std::span<const Point<Object>> face, const ObjectViewer& viewer, double margin) {
+  return certainly_back(test_back_face(face, viewer), margin);
+}
+bool any_back_in_float(std::span<const Point<Object>> face, const ObjectViewer& viewer, double) {
+  return naive::facing<float>(face, viewer) == Facing::kBack;
+}
+bool exact_but_no_margin(std::span<const Point<Object>> face, const ObjectViewer& viewer, double) {
+  return certainly_back(test_back_face(face, viewer), 0);
+}
+
+}  // namespace
+
+ExtremeCase c29_world_test_and_area() {
+  return {
+      .id = "C-29",
+      .name = "The test in space against the area on the screen",
+      .construction = "20000 random triangles of 1 .. 2^-12 units, 3 .. 8 away, in 640 x 480 px",
+      .stage = "back faces",
+      .right =
+          "nothing is culled whose snapped area would be drawn as a front: the test in space "
+          "keeps a margin for the snap",
+      .unit = "faces",
+      .oracle = Oracle::kInteger,
+      .ours = {"certainly_back with snapping_margin", [] { return judge(ours); }},
+      .naive = {"(P - eye) . m > 0 in float", [] { return judge(any_back_in_float); }},
+      .mutants = {{"no margin for the snap", [] { return judge(exact_but_no_margin); }}},
+  };
+}
+
+}  // namespace glassbox::study

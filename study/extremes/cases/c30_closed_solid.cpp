@@ -1,0 +1,108 @@
+#include <glassbox/mesh/builtin/sphere.h>
+#include <glassbox/mesh/normals.h>
+#include <glassbox/pipeline/look_at.h>
+#include <glassbox/render/draw_list.h>
+#include <glassbox/render/staged.h>
+
+#include <cmath>
+#include <utility>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/world.h"
+#include "study/extremes/kit/worst.h"
+#include "study/naive/normals.h"
+
+namespace glassbox::study {
+namespace {
+
+// Culls by a rule of its own in place of the snapped area's sign.
+class CullBy : public Observer {
+public:
+  using Rule = bool (*)(std::span<const Point<Object>> face, const WorldPoint& eye,
+                        const WorldVector& gaze);
+  CullBy(Rule rule, const WorldPoint& eye, const WorldVector& gaze)
+      : rule_(rule), eye_(eye), gaze_(gaze) {}
+
+  void draw(const Draw& draw) override { mesh_ = draw.mesh; }
+  void clipped(const PrimitiveStage&, const Triangle& triangle, const std::array<ClipVertex, 3>&,
+               ClipPolygon&) override {
+    std::array<Point<Object>, 3> face;
+    for (std::size_t k = 0; k < 3; ++k) {
+      face[k] = mesh_->positions[mesh_->corners[triangle.corners[k]].position];
+    }
+    culls_ = rule_(face, eye_, gaze_);
+  }
+  void faced(const TriangleSetup&, bool, bool& culled) override { culled = culls_; }
+
+private:
+  Rule rule_;
+  WorldPoint eye_;
+  WorldVector gaze_;
+  const Mesh* mesh_ = nullptr;
+  bool culls_ = false;
+};
+
+Outcome judge(CullBy::Rule rule) {
+  const Scene ball = make_sphere(8);
+  int different = 0, covered = 0;
+  // From beside the ball the gaze is far from many sight lines: the picture is 108 degrees wide.
+  const std::pair<WorldPoint, WorldVector> views[] = {{{0, 0, 1.3}, {1, 0, -0.3}},
+                                                      {{0, 0, 1.3}, {0, 0, -1}},
+                                                      {{1.2, 0.7, 0.9}, {-1, 0.5, -0.2}},
+                                                      {{-2, 3, 1}, {1, -1, 0.3}}};
+  for (const auto& [eye, gaze] : views) {
+    Camera camera;
+    camera.lens = PerspectiveLens{1.6, 0.05, 10};
+    camera.world_from_eye = camera_pose(eye, gaze, {0, 1, 0.1}).value();
+    const View view = make_view(camera, 128, 96).value();
+    RenderSettings settings;
+    settings.shading = Shading::kUnlit;
+    settings.cull = Cull::kNone;
+    const Rendering whole = render_staged(ball, view, settings);
+    CullBy observer(rule, eye, gaze);
+    if (rule == nullptr) settings.cull = Cull::kBack;
+    const Rendering culled = render_staged(ball, view, settings, rule ? &observer : nullptr);
+    for (std::size_t i = 0; i < whole.buffers.depth.pixels.size(); ++i) {
+      const bool before = whole.buffers.depth.pixels[i] != kEmptyDepth;
+      const bool after = culled.buffers.depth.pixels[i] != kEmptyDepth;
+      different += before != after;
+      covered += before;
+    }
+  }
+  return wrong_of(different, covered, "covered pixels lost");
+}
+
+// The slide's test with the camera's gaze for the line of sight: right for parallel projections only.
+bool by_gaze(std::span<const Point<Object>> face, const WorldPoint&, const WorldVector& gaze) {
+  const auto m = naive::first_corner(face);
+  return m.x * gaze.x + m.y * gaze.y + m.z * gaze.z > 0;
+}
+// The right test, made to cull a little earlier than at edge-on.
+bool before_edge_on(std::span<const Point<Object>> face, const WorldPoint& eye,
+                    const WorldVector&) {
+  const auto m = naive::first_corner(face);
+  const WorldVector sight{double(face[0].x) - eye.x, double(face[0].y) - eye.y,
+                          double(face[0].z) - eye.z};
+  return m.x * sight.x + m.y * sight.y + m.z * sight.z >
+         -0.1 * std::sqrt(dot(m, m)) * length(sight);
+}
+
+}  // namespace
+
+ExtremeCase c30_closed_solid() {
+  return {
+      .id = "C-30",
+      .name = "A closed solid, culled",
+      .construction =
+          "a ball of 8 stacks seen from four places near it, along and past it, 128 x 96 px",
+      .stage = "back faces",
+      .right = "the same pixels covered with and without culling",
+      .unit = "pixels",
+      .oracle = Oracle::kProperty,
+      .ours = {"the sign of the snapped area", [] { return judge(nullptr); }},
+      .naive = {"normal against the camera's gaze", [] { return judge(by_gaze); }},
+      .mutants = {{"culled from six degrees before edge-on", [] { return judge(before_edge_on); }}},
+  };
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,56 @@
+#include <glassbox/mesh/normals.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/polygons.h"
+#include "study/extremes/kit/worst.h"
+#include "study/naive/normals.h"
+#include "study/random.h"
+
+namespace glassbox::study {
+namespace {
+
+Outcome judge(PolygonNormal normal) {
+  Random random(731);
+  int opposite = 0;
+  constexpr int kTriangles = 1000;
+  for (int i = 0; i < kTriangles; ++i) {
+    Polygon triangle(3);
+    for (Point<Object>& p : triangle) {
+      p = {float(random.integer(-99, 99)), float(random.integer(-99, 99)),
+           float(random.integer(-99, 99))};
+    }
+    // Small integers: every product and sum is exact in float.
+    const auto exact = exact_newell(triangle);
+    const auto m = normal(triangle);
+    opposite += m.x != double(exact.x) || m.y != double(exact.y) || m.z != double(exact.z);
+  }
+  return wrong_of(opposite, kTriangles, "vectors differ from Newell's");
+}
+
+Vector<Object, double> ours(std::span<const Point<Object>> t) {
+  const auto m = three_point_normal(t[0], t[1], t[2]);
+  return {m.x, m.y, m.z};
+}
+Vector<Object, double> factors_exchanged(std::span<const Point<Object>> t) {
+  const auto m = cross(t[2] - t[1], t[1] - t[0]);
+  return {m.x, m.y, m.z};
+}
+
+}  // namespace
+
+ExtremeCase c31_sign_conflict() {
+  return {
+      .id = "C-31",
+      .name = "Two formulas of one deck with opposite signs",
+      .construction = "1000 triangles of integers, by S4.32's cross product and S4.33's sums",
+      .stage = "face normals",
+      .right = "the cross product (V2 - V1) x (V3 - V2) equals Newell's vector exactly (E11)",
+      .unit = "triangles",
+      .oracle = Oracle::kRational,
+      .ours = {"three_point_normal", [] { return judge(ours); }},
+      .naive = {"S4.32: (V1 - V2) x (V3 - V2)", [] { return judge(naive::slide_32); }},
+      .mutants = {{"the factors exchanged", [] { return judge(factors_exchanged); }}},
+  };
+}
+
+}  // namespace glassbox::study

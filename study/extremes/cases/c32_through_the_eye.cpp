@@ -1,0 +1,54 @@
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/clip_case.h"
+#include "study/extremes/kit/worst.h"
+
+namespace glassbox::study {
+namespace {
+
+Outcome judge(Clips clips) {
+  // z - w is -1/2 everywhere, so that z = 0 at w = 1/2 and all crossings have few bits: nothing is rounded.
+  const std::vector<ClipPlane> near{frustum_planes()[0]};
+  const Point<Clip> front{0, 0.25f, 0.5f, 1}, front2{0.5f, 0, 0.5f, 1};
+  const Point<Clip> behind{-1, -1, -1.5f, -1}, behind2{1, -1, -1.5f, -1};
+  Worst worst;
+  for (const ClipTriangle& t :
+       {clip_corners(front, behind, behind2), clip_corners(behind, behind2, front),
+        clip_corners(front, front2, behind), clip_corners(behind, front, front2)}) {
+    const Outline outline = clips(t, near);
+    worst.see(area_error(outline, t, near), 0, std::to_string(outline.size()) + " vertices");
+  }
+  return worst.outcome();
+}
+
+Outline one_triangle(const ClipTriangle& t, std::span<const ClipPlane> planes) {
+  Outline outline = pipeline_clips(t, planes);
+  if (outline.size() > 3) outline.resize(3);
+  return outline;
+}
+// The ends' w exchanged in the formula: the crossing is measured from the wrong end.
+Outline wrong_end(const ClipTriangle& t, std::span<const ClipPlane> planes) {
+  const auto crossing = [](const Point<Clip>& a, float d_a, const Point<Clip>& b, float d_b) {
+    return naive::from_first_end(b, d_a, a, d_b);
+  };
+  return naive::clip({.crossing = crossing}, t, planes);
+}
+
+}  // namespace
+
+ExtremeCase c32_through_the_eye() {
+  return {
+      .id = "C-32",
+      .name = "A triangle through the eye plane",
+      .construction = "corners with w = 1, -1, -1 and 1, 1, -1, whose crossings have few bits",
+      .stage = "clip",
+      .right = "the area of what lies in front, exactly",
+      .unit = "twice NDC area",
+      .oracle = Oracle::kRational,
+      .ours = {"clip_triangle", [] { return judge(pipeline_clips); }},
+      .naive = {"divide without clipping", [] { return judge(naive::nothing); }},
+      .mutants = {{"a quadrilateral drawn as one triangle", [] { return judge(one_triangle); }},
+                  {"the crossing measured from the wrong end", [] { return judge(wrong_end); }}},
+  };
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,73 @@
+#include <glassbox/pipeline/divide.h>
+#include <glassbox/pipeline/viewport.h>
+
+#include <fmt/format.h>
+#include <cmath>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/clip_case.h"
+#include "study/extremes/kit/worst.h"
+
+namespace glassbox::study {
+namespace {
+
+View view_1080() {
+  View view;
+  view.viewport = {0, 0, 1920, 1080};
+  view.near = 0.01;
+  return view;
+}
+
+Outcome judge(Clips clips) {
+  const View view = view_1080();
+  const auto planes = render_planes(view);
+  int wrong = 0, vertices = 0;
+  for (const float w : {0.5f, 1e-2f, 1e-10f, 1e-38f, 1e-45f, 0.0f, -1e-45f}) {
+    for (const Point<Clip>& p : {Point<Clip>{0, 0, 0, w}, Point<Clip>{1, -1, 0, w},
+                                 Point<Clip>{1e30f, 1, w / 2, w}, Point<Clip>{w, w, w, w}}) {
+      const ClipTriangle t = clip_corners(p, {0.5f, -0.5f, 0.5f, 1}, {-0.5f, 0.5f, 0.5f, 1});
+      for (const Point<Clip>& q : clips(t, planes)) {
+        const ScreenVertex screen = to_screen(divide(q), view.viewport);
+        ++vertices;
+        // The guard band and 4 u of 2^16: a crossing, a quotient and the viewport's two roundings.
+        const double reach = kGuardBandPx + 0x1p-6;
+        const bool sound = std::abs(double(screen.position.x) - 960) <= reach &&
+                           std::abs(double(screen.position.y) - 540) <= reach &&
+                           std::isfinite(screen.inverse_w) && q.w >= float(view.near / 2);
+        wrong += !sound;
+      }
+    }
+  }
+  return wrong_of(wrong, vertices, "vertices are no pixels");
+}
+
+Outline without_eye_plane(const ClipTriangle& t, std::span<const ClipPlane> planes) {
+  std::vector<ClipPlane> others(planes.begin(), planes.end());
+  others.erase(others.begin() + 1);
+  return pipeline_clips(t, others);
+}
+Outline without_guard_band(const ClipTriangle& t, std::span<const ClipPlane> planes) {
+  return pipeline_clips(t, planes.first(2));
+}
+
+}  // namespace
+
+ExtremeCase c33_w_towards_zero() {
+  return {
+      .id = "C-33",
+      .name = "w towards zero",
+      .construction = "a corner with w = 0.5 .. 1e-45, 0 and -1e-45, in four places; near 0.01",
+      .stage = "clip",
+      .right =
+          "after clipping w >= near/2, and every vertex within the guard band: no infinity, "
+          "no NaN, no overflow",
+      .unit = "vertices",
+      .oracle = Oracle::kProperty,
+      .ours = {"clip_triangle by render_planes", [] { return judge(pipeline_clips); }},
+      .naive = {"divide without clipping", [] { return judge(naive::nothing); }},
+      .mutants = {{"no eye plane", [] { return judge(without_eye_plane); }},
+                  {"no guard band", [] { return judge(without_guard_band); }}},
+  };
+}
+
+}  // namespace glassbox::study

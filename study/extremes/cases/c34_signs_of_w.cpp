@@ -1,0 +1,82 @@
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/clip_case.h"
+#include "study/extremes/kit/worst.h"
+
+namespace glassbox::study {
+namespace {
+
+Outcome judge(Clips clips) {
+  Random random(734);
+  const std::vector<ClipPlane> planes = planes_without_far();
+  // Coordinates are below 1.5 and w is at least 1/16 where it counts, so one rounding moves a point of NDC by less than
+  // 1.5 * 2 * 16 u per coordinate; an edge is cut by at most five planes; moving the edges of a polygon inside NDC's
+  // square (perimeter at most 8) by 5 * 48 u sqrt(2) changes twice its area by less than 16 * 340 u.
+  constexpr double kBound = 16 * 340 * 0x1p-24;
+  Worst worst;
+  for (int signs = 0; signs < 8; ++signs) {
+    for (int i = 0; i < 150; ++i) {
+      std::array<Point<Clip>, 3> p;
+      for (int k = 0; k < 3; ++k) {
+        const bool behind = (signs >> k & 1) != 0;
+        p[std::size_t(k)] = behind ? random_position(random, -1, 0) : random_position(random, 0, 1);
+      }
+      const ClipTriangle t = clip_corners(p[0], p[1], p[2]);
+      const auto exact = oracle::clip(oracle::exact_polygon<oracle::Rational>(t), planes);
+      const bool too_near = std::any_of(
+          exact.begin(), exact.end(), [](const auto& v) { return v.w < oracle::Rational(0.0625); });
+      if (too_near) continue;
+      const Outline outline = clips(t, planes);
+      const std::string where = fmt::format("signs of w {:03b}", signs);
+      if (exact.empty()) {
+        worst.see(outline.empty() ? 0 : area_error(outline, t, planes), kBound, where);
+      } else {
+        worst.see(area_error(outline, t, planes), kBound, where);
+      }
+    }
+  }
+  return worst.outcome(fmt::format("{} triangles", worst.count()));
+}
+
+// |x| <= |w|: both halves of the double cone.
+Outline absolute_w(const ClipTriangle& t, std::span<const ClipPlane> planes) {
+  ClipTriangle mirrored = t;
+  for (ClipVertex& v : mirrored) {
+    if (v.position.w < 0) v.position.w = -v.position.w;
+  }
+  return pipeline_clips(mirrored, planes);
+}
+// The slope of the frustum's sides without a test for w > 0: those planes alone cut out the cone behind the eye too,
+// where the vertices are divided through the eye.
+Outline sides_after_divide(const ClipTriangle& t, std::span<const ClipPlane> planes) {
+  ClipTriangle divided = t;
+  for (ClipVertex& v : divided) {
+    Point<Clip>& p = v.position;
+    p = {p.x / p.w, p.y / p.w, p.z / p.w, 1};
+  }
+  return pipeline_clips(divided, planes);
+}
+
+}  // namespace
+
+ExtremeCase c34_signs_of_w() {
+  return {
+      .id = "C-34",
+      .name = "All patterns of the signs of w",
+      .construction = "150 random triangles for each of the eight patterns",
+      .stage = "clip",
+      .right = "the rational area of what is in the picture, 0 where all w < 0",
+      .unit = "twice NDC area",
+      .oracle = Oracle::kRational,
+      .ours = {"clip_triangle", [] { return judge(pipeline_clips); }},
+      .naive = {"divide without clipping", [] { return judge(naive::nothing); }},
+      .mutants = {{"no test for w > 0: clipped after the divide",
+                   [] { return judge(sides_after_divide); }},
+                  {"|w| for w", [] { return judge(absolute_w); }}},
+  };
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,78 @@
+#include <algorithm>
+#include <string>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/clip_case.h"
+#include "study/extremes/kit/worst.h"
+
+namespace glassbox::study {
+namespace {
+
+bool repeats_a_vertex(const Outline& outline) {
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    if (outline[i] == outline[(i + 1) % outline.size()]) return true;
+  }
+  return false;
+}
+
+Outcome judge(Clips clips) {
+  Random random(735);
+  const auto planes = frustum_planes();
+  // As C-34, with w >= 1: coordinates below 2 over 1, five planes and the far one.
+  constexpr double kBound = 16 * 340 * 0x1p-24;
+  int wrong = 0, repeated = 0;
+  constexpr int kTriangles = 1500;
+  for (int i = 0; i < kTriangles; ++i) {
+    const auto position = [&] {
+      const float x = float(random.integer(-4, 4)) / 2, y = float(random.integer(-4, 4)) / 2;
+      const float z = float(random.integer(-2, 4)) / 2;
+      return Point<Clip>{x, y, z, float(random.integer(1, 2))};
+    };
+    const Point<Clip> a = position(), b = position();
+    const ClipTriangle t = clip_corners(a, b, position());
+    const Outline outline = clips(t, planes);
+    const bool repeats = outline.size() > 0 && repeats_a_vertex(outline);
+    repeated += repeats;
+    wrong += repeats || outline.size() > 9 || outline.size() == 1 || outline.size() == 2 ||
+             !(area_error(outline, t, planes) <= kBound);
+  }
+  Outcome outcome = wrong_of(wrong, kTriangles, "polygons wrong");
+  outcome.seen += "; " + std::to_string(repeated) + " with repeated vertices";
+  return outcome;
+}
+
+Outline on_the_plane_is_outside(const ClipTriangle& t, std::span<const ClipPlane> planes) {
+  return naive::clip({.on_plane_is_inside = false}, t, planes);
+}
+// All but the last step of the right code.
+Outline repetitions_kept(const ClipTriangle& t, std::span<const ClipPlane> planes) {
+  std::vector<ClipStep> steps;
+  clip_triangle(t, planes, &steps);
+  Outline outline;
+  const ClipPolygon& last = steps.back().after;
+  for (int i = 0; i < last.count; ++i) {
+    outline.push_back(last.vertices[std::size_t(i)].position);
+  }
+  return outline;
+}
+
+}  // namespace
+
+ExtremeCase c35_on_the_planes() {
+  return {
+      .id = "C-35",
+      .name = "Vertices exactly on the planes",
+      .construction = "1500 triangles on a lattice of halves that reaches beyond the frustum",
+      .stage = "clip",
+      .right =
+          "the rational area, at most nine vertices, no vertex twice, nothing less than a "
+          "triangle",
+      .unit = "polygons",
+      .oracle = Oracle::kRational,
+      .ours = {"clip_triangle", [] { return judge(pipeline_clips); }},
+      .naive = {"distance > 0 for inside", [] { return judge(on_the_plane_is_outside); }},
+      .mutants = {{"repeated vertices kept", [] { return judge(repetitions_kept); }}},
+  };
+}
+
+}  // namespace glassbox::study

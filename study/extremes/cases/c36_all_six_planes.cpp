@@ -1,0 +1,59 @@
+#include <fmt/format.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/clip_case.h"
+#include "study/extremes/kit/worst.h"
+
+namespace glassbox::study {
+namespace {
+
+Outcome judge(Clips clips) {
+  const auto planes = frustum_planes();
+  // The plane x + y + z' = 0 (z' = 2z - 1) meets the box in a regular hexagon; this triangle cuts three of its corners.
+  constexpr float r = 1.875f;
+  const ClipTriangle nine =
+      clip_corners({-r, r, 0.5f, 1}, {0, -r, (r + 1) / 2, 1}, {r, 0, (1 - r) / 2, 1});
+  const ClipTriangle nine_turned =
+      clip_corners(nine[1].position, nine[2].position, nine[0].position);
+  const ClipTriangle screen =
+      clip_corners({-64, -64, 0.5f, 1}, {192, -64, 0.5f, 1}, {-64, 192, 0.5f, 1});
+  Worst worst;
+  for (const auto& [t, bound] :
+       {// Crossings are rounded: 6 planes, u per coordinate below 2, over a perimeter below 8.
+        std::pair{nine, 6 * 2 * 8 * 0x1p-24},
+        {nine_turned, 6 * 2 * 8 * 0x1p-24},
+        // The whole screen, from coordinates with few bits: exactly 4, twice.
+        {screen, 0.0}}) {
+    const Outline outline = clips(t, planes);
+    worst.see(area_error(outline, t, planes), bound, fmt::format("{} vertices", outline.size()));
+  }
+  return worst.outcome();
+}
+
+Outline array_of_eight(const ClipTriangle& t, std::span<const ClipPlane> planes) {
+  return naive::clip({.capacity = 8}, t, planes);
+}
+Outline five_planes(const ClipTriangle& t, std::span<const ClipPlane> planes) {
+  return pipeline_clips(t, planes.first(5));
+}
+
+}  // namespace
+
+ExtremeCase c36_all_six_planes() {
+  return {
+      .id = "C-36",
+      .name = "All six planes cut",
+      .construction =
+          "a triangle across the frustum's diagonal that becomes nine corners, and one "
+          "that contains the whole screen",
+      .stage = "clip",
+      .right = "the rational area: three and six vertices (Sutherland and Hodgman 1974)",
+      .unit = "twice NDC area",
+      .oracle = Oracle::kRational,
+      .ours = {"clip_triangle", [] { return judge(pipeline_clips); }},
+      .naive = {"a fixed array of 8", [] { return judge(array_of_eight); }},
+      .mutants = {{"the last plane forgotten", [] { return judge(five_planes); }}},
+  };
+}
+
+}  // namespace glassbox::study

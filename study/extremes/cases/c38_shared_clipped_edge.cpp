@@ -1,0 +1,83 @@
+#include <fmt/format.h>
+#include <algorithm>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/clip_case.h"
+#include "study/extremes/kit/worst.h"
+
+namespace glassbox::study {
+namespace {
+
+Outcome judge(Clips clips) {
+  Random random(738);
+  const std::vector<ClipPlane> near{frustum_planes()[0]};
+  int mismatches = 0, edges = 0;
+  double apart = 0;
+  constexpr int kPairs = 50000;
+  for (int i = 0; i < kPairs; ++i) {
+    // One end of the edge before the near plane, one behind it; the third corners inside, on either side of the edge.
+    const auto coordinate = [&] { return float(random.between(-10, 10)); };
+    const float ax = coordinate(), ay = coordinate(), bx = coordinate(), by = coordinate();
+    const Point<Clip> a{ax, ay, float(random.between(0.1, 10)), float(random.between(1, 10))};
+    const Point<Clip> b{bx, by, float(random.between(-10, -0.1)), float(random.between(-1, 10))};
+    const Point<Clip> c{1, 2, 3, 4}, d{-1, -2, 3, 4};
+    // The crossing of a-b is the second vertex of the one outline and stands in the other one.
+    const Outline one = clips(clip_corners(a, b, c), near);
+    const Outline other = clips(clip_corners(b, a, d), near);
+    ++edges;
+    if (one.size() < 2 || other.empty()) {
+      ++mismatches;
+      continue;
+    }
+    const Point<Clip> crossing = one[1];
+    if (std::find(other.begin(), other.end(), crossing) != other.end()) continue;
+    ++mismatches;
+    double nearest = HUGE_VAL;
+    for (const Point<Clip>& p : other) {
+      nearest = std::min(nearest, std::max(std::abs(double(p.x) - double(crossing.x)),
+                                           std::abs(double(p.y) - double(crossing.y))));
+    }
+    apart = std::max(apart, nearest);
+  }
+  Outcome outcome = wrong_of(mismatches, edges, "shared edges cut at two places");
+  outcome.seen += fmt::format(" ({:.1f} %), up to {:.2g} apart", 100.0 * mismatches / edges, apart);
+  return outcome;
+}
+
+Outline asymmetric(const ClipTriangle& t, std::span<const ClipPlane> planes) {
+  return naive::clip({}, t, planes);
+}
+Outline one_minus_t(const ClipTriangle& t, std::span<const ClipPlane> planes) {
+  return naive::clip({.crossing = naive::weighted_by_t}, t, planes);
+}
+// t is computed in double, where it is as good as exact, and then rounded: 1 - t is not what the other end calls t.
+Outline t_in_double(const ClipTriangle& t, std::span<const ClipPlane> planes) {
+  const auto crossing = [](const Point<Clip>& a, float d_a, const Point<Clip>& b, float d_b) {
+    const double s = double(d_a) / (double(d_a) - double(d_b));
+    const float rounded = float(s);
+    return naive::mixed(a, b, 1 - rounded, rounded);
+  };
+  return naive::clip({.crossing = crossing}, t, planes);
+}
+
+}  // namespace
+
+ExtremeCase c38_shared_clipped_edge() {
+  return {
+      .id = "C-38",
+      .name = "A shared edge, clipped",
+      .construction =
+          "50000 edges through the near plane, each of two triangles that walk it in "
+          "opposite directions",
+      .stage = "clip",
+      .right = "both cut it at the same bits: (A |dB| + B |dA|) / (|dA| + |dB|) (SPEC B.1)",
+      .unit = "edges",
+      .oracle = Oracle::kInteger,
+      .ours = {"clip_triangle", [] { return judge(pipeline_clips); }},
+      .naive = {"a + t (b - a)", [] { return judge(asymmetric); }},
+      .mutants = {{"(1 - t) a + t b", [] { return judge(one_minus_t); }},
+                  {"t in double, then rounded", [] { return judge(t_in_double); }}},
+  };
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,63 @@
+#include <glassbox/pipeline/api_dialects.h>
+#include <glassbox/pipeline/clip.h>
+
+#include <string>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/worst.h"
+
+namespace glassbox::study {
+namespace {
+
+// The near plane that is used for vertices of a dialect.
+using NearPlane = ClipPlane (*)(const ApiDialect&);
+
+Outcome judge(NearPlane near_plane) {
+  constexpr double n = 1, f = 1024;
+  int wrong = 0, points = 0;
+  for (const char* name : {"opengl", "d3d"}) {
+    const ApiDialect& dialect = *find_dialect(name);
+    const ClipPlane plane = near_plane(dialect);
+    for (const double depth : {0.25, 0.5, 0.75, 0.99, 1.0, 1.01, 1.5, 1.99, 2.5, 100.0, 1e30}) {
+      const double z = dialect.z_from_minus_w ? ((f + n) * depth - 2 * f * n) / (f - n)
+                                              : f * (depth - n) / (f - n);
+      const Point<Clip> p{0, 0, float(z), float(depth)};
+      wrong += clip_point(p, {&plane, 1}) != (depth >= n);
+      ++points;
+    }
+  }
+  return wrong_of(wrong, points, "points on the wrong side");
+}
+
+ClipPlane of_the_dialect(const ApiDialect& dialect) {
+  return clip_planes(dialect)[0];
+}
+ClipPlane always_zero(const ApiDialect&) {
+  return frustum_planes()[0];
+}
+ClipPlane always_minus_w(const ApiDialect&) {
+  return opengl_near_plane();
+}
+
+}  // namespace
+
+ExtremeCase c41_near_plane_dialects() {
+  return {
+      .id = "C-41",
+      .name = "Near planes of two dialects",
+      .construction =
+          "near 1, far 1024: points at depths 0.25 .. 1e30 by OpenGL's and Direct3D's "
+          "projections",
+      .stage = "clip",
+      .right =
+          "visible from the near plane on; the wrong plane cuts at 2 n f/(f + n), or at "
+          "n f/(2 f - n) (E16)",
+      .unit = "points",
+      .oracle = Oracle::kRational,
+      .ours = {"clip_planes of the dialect", [] { return judge(of_the_dialect); }},
+      .naive = {"z >= 0 for every dialect", [] { return judge(always_zero); }},
+      .mutants = {{"z >= -w for every dialect", [] { return judge(always_minus_w); }}},
+  };
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,52 @@
+// Polygons, meshes of one face, and their Newell vectors in rationals.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glassbox/mesh/mesh.h>
+#include <glassbox/mesh/normals.h>
+
+#include "study/oracle/number.h"
+
+namespace glassbox::study {
+
+using Polygon = std::vector<Point<Object>>;
+using PolygonNormal = Vector<Object, double> (*)(std::span<const Point<Object>>);
+
+inline Mesh mesh_of(const Polygon& positions, const std::vector<std::uint32_t>& indices) {
+  Mesh mesh;
+  mesh.positions = positions;
+  mesh.faces.push_back({0, std::uint32_t(indices.size())});
+  for (const std::uint32_t i : indices) mesh.corners.push_back({i, kNone, kNone, kNone});
+  return mesh;
+}
+
+// One face over all positions, in their order.
+inline Mesh mesh_of(const Polygon& positions) {
+  std::vector<std::uint32_t> all(positions.size());
+  for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
+  return mesh_of(positions, all);
+}
+
+// The pipeline's.
+inline Vector<Object, double> newell_in_double(std::span<const Point<Object>> polygon) {
+  const Mesh mesh = mesh_of({polygon.begin(), polygon.end()});
+  return newell_vector(mesh, mesh.faces[0]);
+}
+
+// The same stage's code in rationals.
+inline Vector<Object, oracle::Rational> exact_newell(std::span<const Point<Object>> polygon) {
+  std::vector<Point<Object, oracle::Rational>> exact;
+  for (const Point<Object>& p : polygon) {
+    exact.emplace_back(oracle::Rational(double(p.x)), oracle::Rational(double(p.y)),
+                       oracle::Rational(double(p.z)));
+  }
+  return newell_vector<oracle::Rational>(exact);
+}
+
+// The angle between a vector and an exact one; pi/2 for a vector without direction.
+double angle_to(const Vector<Object, double>& v, const Vector<Object, oracle::Rational>& exact);
+
+}  // namespace glassbox::study
