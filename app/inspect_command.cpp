@@ -102,6 +102,7 @@ int InspectCommand::run() {
   if (const auto legal = check_extension(output_, ".html"); !legal) return refuse(legal.error());
   if (const auto legal = check_outputs({output_}); !legal) return refuse(legal.error());
   if (const auto legal = check_pixels(); !legal) return refuse(legal.error());
+  tell_of_centres(picture_);
   Progress progress;
   progress.phase("loading " + scene_);
   const Result<Scene> scene = load_scene(scene_, limits_);

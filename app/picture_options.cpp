@@ -1,5 +1,7 @@
 #include "app/picture_options.h"
 
+#include <fmt/format.h>
+
 namespace glassbox::app {
 
 namespace {
@@ -37,6 +39,10 @@ void add_drawing_options(CLI::App& command, RenderSettings& settings) {
              {{"srgb", Transfer::kSrgb}, {"none", Transfer::kNone}},
              "encoding of stored colours [srgb]")
       ->group(group);
+  add_choice<int>(command, "--samples", settings.samples,
+                  {{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}, {"16", 16}},
+                  "samples of each pixel, whose mean is its colour [1]")
+      ->group(group);
   add_choice(command, "--depth", settings.depth,
              {{"d32", DepthFormat::kFloat32},
               {"d32r", DepthFormat::kFloat32Reversed},
@@ -73,6 +79,14 @@ void add_picture_options(CLI::App& command, PictureOptions& picture) {
   add_drawing_options(command, picture.settings);
   const auto all = command.get_options();
   picture.options.assign(all.begin() + std::ptrdiff_t(before), all.end());
+}
+
+void tell_of_centres(const PictureOptions& picture) {
+  if (picture.settings.samples == 1) return;
+  fmt::print(stderr,
+             "glassbox: note: --samples {}: this looks at pixel centres, as --samples 1 draws "
+             "them\n",
+             picture.settings.samples);
 }
 
 std::vector<std::string> words_of(std::span<const CLI::Option* const> options) {

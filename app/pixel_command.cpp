@@ -132,6 +132,7 @@ void PixelCommand::add_to(CLI::App& app, int& exit_code) {
 int PixelCommand::run() const {
   const auto legal = check_pixel("--at", at_, question_.picture().size);
   if (!legal) return refuse(legal.error());
+  tell_of_centres(question_.picture());
   return question_.answer(
       [this](const Scene& scene, const View& view) { return answer(scene, view); });
 }

@@ -120,6 +120,7 @@ void WhyCommand::add_to(CLI::App& app, int& exit_code) {
       ->type_name("N");
   question_.add_to(command);
   command.callback([this, &exit_code] {
+    tell_of_centres(question_.picture());
     exit_code = question_.answer(
         [this](const Scene& scene, const View& view) { return answer(scene, view); });
   });

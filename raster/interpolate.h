@@ -30,13 +30,17 @@
 
 namespace glassbox {
 
+inline float depth_from(const std::array<float, 3>& lambda, const std::array<float, 3>& depth) {
+  const auto& [d0, d1, d2] = depth;
+  return d0 + (lambda[1] * (d1 - d0) + lambda[2] * (d2 - d0));
+}
+
 // The common part: a fragment from its screen-space weights.
 inline Fragment fragment_from(const std::array<float, 3>& lambda, const std::array<float, 3>& depth,
                               const std::array<float, 3>& inverse_w, bool affine) {
   Fragment fragment;
   fragment.lambda = lambda;
-  const auto& [d0, d1, d2] = depth;
-  fragment.depth = d0 + (lambda[1] * (d1 - d0) + lambda[2] * (d2 - d0));
+  fragment.depth = depth_from(lambda, depth);
   if (affine) {
     fragment.inverse_w = inverse_w[0];
     fragment.weights = lambda;
@@ -50,10 +54,20 @@ inline Fragment fragment_from(const std::array<float, 3>& lambda, const std::arr
   return fragment;
 }
 
-inline Fragment interpolate(const TriangleSetup& triangle, const Coverage& pixel) {
+inline std::array<float, 3> screen_weights(const TriangleSetup& triangle, const Coverage& at) {
   std::array<float, 3> lambda;
-  for (std::size_t k = 0; k < 3; ++k) lambda[k] = float(pixel.edges[k]) * triangle.inverse_area;
-  Fragment fragment = fragment_from(lambda, triangle.depth, triangle.inverse_w, triangle.affine);
+  for (std::size_t k = 0; k < 3; ++k) lambda[k] = float(at.edges[k]) * triangle.inverse_area;
+  return lambda;
+}
+
+// The same depth as that of the whole fragment.
+inline float interpolate_depth(const TriangleSetup& triangle, const Coverage& at) {
+  return depth_from(screen_weights(triangle, at), triangle.depth);
+}
+
+inline Fragment interpolate(const TriangleSetup& triangle, const Coverage& pixel) {
+  Fragment fragment = fragment_from(screen_weights(triangle, pixel), triangle.depth,
+                                    triangle.inverse_w, triangle.affine);
   fragment.x = pixel.x;
   fragment.y = pixel.y;
   return fragment;

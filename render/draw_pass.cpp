@@ -42,7 +42,8 @@ EyeStages make_stages(std::size_t index, const EyePass& eye, const ClipTable& cl
   return {{draw, &clip, eye_space, eye.view, eye.settings, lighting, render_planes(eye.view),
            eye.statistics, eye.observer},
           {draw, shaded_channels(draw, eye.settings), eye.view, eye.settings, lighting, eye.target,
-           eye.color, whole(eye.color), eye.statistics, eye.observer},
+           eye.color, whole(eye.color), eye.statistics, eye.observer,
+           eye.target.samples.empty() ? nullptr : &eye.target.samples},
           {},
           {},
           {}};

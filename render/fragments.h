@@ -22,6 +22,8 @@ struct FragmentStage {
   PixelRect window;     // the part of the picture that is drawn
   Statistics& statistics;
   Observer* observer = nullptr;
+  SamplePlanes* samples =
+      nullptr;  // null: one sample, at the pixel's centre, straight into `color`
 };
 
 // Those that are written, and alpha where the material asks for it.

@@ -21,6 +21,7 @@ struct RenderSettings {
   Show show = Show::kColor;
   Cull cull = Cull::kMaterial;
   bool wireframe = false;  // the edges of triangles instead of their insides
+  int samples = 1;         // of each pixel: 1, 2, 4, 8 or 16 (docs/pipeline.md)
   DepthFormat depth = DepthFormat::kFloat32;
   Transfer transfer = Transfer::kSrgb;
   Rgba8 background{26, 31, 38, 255};  // stored bytes
@@ -29,5 +30,18 @@ struct RenderSettings {
   bool want_distance = false;  // fill Framebuffer::distance
   bool want_id = false;        // fill Framebuffer::id
 };
+
+// How many samples of a pixel are drawn. Pictures of planes of the buffer are those of pixel centres.
+inline int samples_drawn(const RenderSettings& settings) {
+  const Show show = settings.show;
+  const bool from_plane = show == Show::kDepth || show == Show::kId || show == Show::kOverdraw;
+  return from_plane ? 1 : settings.samples;
+}
+
+// The same picture as its pixel centres have it.
+inline RenderSettings at_centres(RenderSettings settings) {
+  settings.samples = 1;
+  return settings;
+}
 
 }  // namespace glassbox

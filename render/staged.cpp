@@ -29,6 +29,7 @@ Rendering render_staged(const Scene& scene, const View& view, const RenderSettin
     const DrawTables tables = transform_draw(i, eye);
     draw_primitives(i, tables, list.draws[i].triangulation->triangles, list.lighting, eye);
   }
+  resolve_samples(settings, buffers, buffers.color);
   show(settings.show, buffers);
   return rendering;
 }

@@ -19,6 +19,7 @@ constexpr double kWindowsPerSeparation = 30;
 constexpr int kPatientRounds = 8;
 
 RenderSettings distance_only(RenderSettings settings) {
+  settings.samples = 1;
   settings.shading = Shading::kUnlit;
   settings.show = Show::kColor;
   settings.want_distance = true;

@@ -347,7 +347,7 @@ std::optional<PixelRect> recorded_pixels(const InspectOptions& options) {
 Result<PageFacts> make_inspect_page(const Scene& scene, const Camera& camera, const View& view,
                                     const RenderSettings& asked, const InspectOptions& options) {
   // Depth, triangle ids and overdraw are overlays of the page; under them lies the picture.
-  RenderSettings settings = asked;
+  RenderSettings settings = at_centres(asked);
   if (asked.show != Show::kNormal && asked.show != Show::kUv) settings.show = Show::kColor;
 
   const ColumnRun run = record_columns(

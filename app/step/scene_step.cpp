@@ -112,6 +112,7 @@ std::string SceneStep::heading(const SteppedTriangle& stepped) const {
 }
 
 int SceneStep::run(bool bits, const std::optional<std::string>& json_output) {
+  tell_of_centres(picture_);
   Progress progress;
   progress.phase("loading " + scene_);
   const Result<Scene> scene = load_scene(scene_, limits_);

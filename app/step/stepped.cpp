@@ -33,7 +33,7 @@ Result<SteppedTriangle> step_through(const Scene& scene, const PictureOptions& p
 Result<std::uint32_t> pick(const Scene& scene, const PictureOptions& picture, int x, int y) {
   const Result<ChosenView> chosen = choose_view(scene, picture);
   if (!chosen) return tl::unexpected(chosen.error());
-  RenderSettings settings = picture.settings;
+  RenderSettings settings = at_centres(picture.settings);
   settings.want_id = true;
   const Rendering rendering = render_staged(scene, chosen->view, settings);
   const std::uint32_t id = rendering.buffers.id.at(x, y);

@@ -253,6 +253,20 @@ Decision masked_channels(const Plan& plan, const RenderSettings& settings) {
                               mask.b ? "blue" : ""));
 }
 
+// One sample to a pixel goes without saying.
+void add_samples(const RenderSettings& settings, std::vector<Decision>& decisions) {
+  constexpr const char* kStage = "samples";
+  if (settings.samples == 1) return;
+  const std::string numbers = fmt::format("{} to a pixel", settings.samples);
+  if (samples_drawn(settings) == 1) {
+    decisions.push_back(left_out(
+        kStage, "a picture of depths, numbers or overdraw is that of pixel centres", numbers));
+  } else {
+    decisions.push_back(needed(
+        kStage, "each has a depth and a colour; the picture has their mean colours", numbers));
+  }
+}
+
 Decision depth_plane(const Plan& plan) {
   constexpr const char* kStage = "plane of depths";
   if (plan.keep_depth) {
@@ -280,8 +294,11 @@ Decision file_order(const Plan& plan) {
 }  // namespace
 
 std::vector<Decision> decisions(const Plan& plan, const PlannedEye& eye) {
-  return {left_out("second eye", "one eye looks"), file_order(plan), colors(plan, eye),
-          masked_channels(plan, eye.settings), depth_plane(plan)};
+  std::vector<Decision> all{left_out("second eye", "one eye looks"), file_order(plan),
+                            colors(plan, eye), masked_channels(plan, eye.settings),
+                            depth_plane(plan)};
+  add_samples(eye.settings, all);
+  return all;
 }
 
 std::string way_of(const DrawMethod& method) {

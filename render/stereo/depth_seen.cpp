@@ -33,7 +33,7 @@ std::optional<DepthSpan> depth_span(const Image<float>& distances) {
 
 std::optional<DepthSpan> depth_seen(Renderer& renderer, const View& centre,
                                     const RenderSettings& settings) {
-  RenderSettings probe = settings;
+  RenderSettings probe = at_centres(settings);
   probe.shading = Shading::kUnlit;
   probe.show = Show::kColor;
   probe.want_distance = true;

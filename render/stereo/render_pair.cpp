@@ -64,6 +64,7 @@ public:
     }
     both.culled = submitted.culled();
     both.lost = submitted.lost();
+    for (const EyePass& eye : eyes) resolve_samples(eye.settings, eye.target, eye.color);
     if (one_color_buffer) return;
     show(left_settings.show, both.left);
     show(right_settings.show, both.right);

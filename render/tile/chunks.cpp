@@ -4,6 +4,7 @@
 #include <glassbox/raster/blend.h>
 #include <glassbox/raster/line.h>
 #include <glassbox/raster/point.h>
+#include <glassbox/raster/samples.h>
 #include <glassbox/raster/snap.h>
 #include <glassbox/render/tile/round.h>
 
@@ -156,8 +157,10 @@ void fill_staged(const TileRun& run, const DrawSlot& slot, Chunk& chunk) {
                    chunk.triangles, chunk.lines);
   }
   std::uint32_t entry = kOfChunk;
+  const bool sampled = samples_drawn(run.settings) > 1;
   for (const ReadyTriangle& triangle : chunk.triangles) {
-    add_entry(run, entry++, triangle.setup.bounds, chunk);
+    const PixelRect& bounds = triangle.setup.bounds;
+    add_entry(run, entry++, sampled ? sampled_bounds(bounds) : bounds, chunk);
   }
   for (const ReadyLine& line : chunk.lines) {
     add_entry(run, entry++, pixels_near(snap(line.ends[0]), snap(line.ends[1])), chunk);

@@ -73,7 +73,7 @@ struct TileEngine::State {
         kernels(glassbox::kernels(o.target)),
         threads(o.threads > 0 ? o.threads : default_threads()),
         arena(threads),
-        buffers([side = o.tile_side] { return TileBuffer(side); }) {
+        memories([side = o.tile_side] { return TileMemory(side); }) {
     if (threads > default_threads()) allow_more_threads_than_processors();
   }
 
@@ -103,7 +103,7 @@ struct TileEngine::State {
   int threads;
   // More threads than the machine has, if that is what was asked for. (Of several, oneTBB takes the least.)
   tbb::task_arena arena;
-  tbb::enumerable_thread_specific<TileBuffer> buffers;
+  tbb::enumerable_thread_specific<TileMemory> memories;
   std::array<Round, kMostEyes> rounds;  // by eye; what both have in common is the first one's
   std::vector<VertexTask> vertex_tasks;
   TileReport* report = nullptr;  // of the picture being drawn, if somebody wants one
@@ -276,7 +276,7 @@ void TileEngine::State::draw_tiles(const Pictures& pictures, std::span<const Til
   for_each(&TileReport::Thread::fragment_ms, std::size_t(across) * std::size_t(down),
            [&](std::size_t i) {
              for (std::size_t eye = 0; eye < passes.size(); ++eye) {
-               draw_tile(passes[eye], int(i) % across, int(i) / across, buffers.local(),
+               draw_tile(passes[eye], int(i) % across, int(i) / across, memories.local(),
                          counts.local()[eye]);
              }
            });

@@ -10,6 +10,37 @@ TileDepth tile_depth(std::uint32_t code) {
   return code == kEmptyDepth ? kEmptyTileDepth : TileDepth(code);
 }
 
+// By the staged fragments, into the framebuffer; colours into the samples, if there are any.
+void draw_staged_primitives(const TilePass& pass, const Chunk& chunk,
+                            std::span<const std::uint32_t> bin, const PixelRect& window,
+                            SamplePlanes* samples, Statistics& statistics) {
+  const Draw& draw = pass.run.list.draws[pass.round.slots[chunk.slot].draw];
+  const FragmentStage stage{draw,
+                            shaded_channels(draw, pass.run.settings),
+                            pass.run.view,
+                            pass.run.settings,
+                            pass.run.list.lighting,
+                            pass.target,
+                            pass.color,
+                            window,
+                            statistics,
+                            nullptr,
+                            samples};
+  for (const std::uint32_t entry : bin) {
+    std::size_t i = entry & ~kOfChunk;
+    if (i < chunk.triangles.size()) {
+      rasterise(stage, chunk.triangles[i]);
+      continue;
+    }
+    i -= chunk.triangles.size();
+    if (i < chunk.lines.size()) {
+      rasterise(stage, chunk.lines[i]);
+    } else {
+      rasterise(stage, chunk.points[i - chunk.lines.size()]);
+    }
+  }
+}
+
 // A tile being drawn: by the lanes, in its own buffer, or by the staged fragments, in the framebuffer. Primitives of one kind
 // after those of the other make it change over.
 class TileDrawing {
@@ -66,30 +97,7 @@ private:
       leave_buffer(true);
       in_framebuffer_ = true;
     }
-    const Draw& draw = pass_.run.list.draws[pass_.round.slots[chunk.slot].draw];
-    const FragmentStage stage{draw,
-                              shaded_channels(draw, pass_.run.settings),
-                              pass_.run.view,
-                              pass_.run.settings,
-                              pass_.run.list.lighting,
-                              pass_.target,
-                              pass_.color,
-                              tile_.window(),
-                              statistics_,
-                              nullptr};
-    for (const std::uint32_t entry : bin) {
-      std::size_t i = entry & ~kOfChunk;
-      if (i < chunk.triangles.size()) {
-        rasterise(stage, chunk.triangles[i]);
-        continue;
-      }
-      i -= chunk.triangles.size();
-      if (i < chunk.lines.size()) {
-        rasterise(stage, chunk.lines[i]);
-      } else {
-        rasterise(stage, chunk.points[i - chunk.lines.size()]);
-      }
-    }
+    draw_staged_primitives(pass_, chunk, bin, tile_.window(), nullptr, statistics_);
   }
 
   // From the buffer to the framebuffer.
@@ -127,11 +135,31 @@ private:
 
 }  // namespace
 
-void draw_tile(const TilePass& pass, int x, int y, TileBuffer& tile, Statistics& statistics) {
+namespace {
+
+// All draws are staged then. One round's samples are the tile's own; those of several are the picture's.
+void draw_samples(const TilePass& pass, int x, int y, const PixelRect& window,
+                  SamplePlanes& of_tile, Statistics& statistics) {
+  const bool one_round = pass.target.samples.empty();
+  SamplePlanes& samples = one_round ? of_tile : pass.target.samples;
+  if (one_round) samples.clear(window, pass.run.settings.samples, pass.color);
+  for (std::size_t i = 0; i < pass.round.chunk_count; ++i) {
+    const Chunk& chunk = pass.round.chunks[i];
+    draw_staged_primitives(pass, chunk, chunk.bin(x, y), window, &samples, statistics);
+  }
+  if (one_round) samples.resolve(pass.run.settings, pass.color);
+}
+
+}  // namespace
+
+void draw_tile(const TilePass& pass, int x, int y, TileMemory& memory, Statistics& statistics) {
   const int side = pass.run.tile_side;
   const PixelRect window{x * side, y * side, std::min((x + 1) * side, pass.run.window.x1),
                          std::min((y + 1) * side, pass.run.window.y1)};
-  TileDrawing drawing(pass, window, tile, statistics);
+  if (samples_drawn(pass.run.settings) > 1) {
+    return draw_samples(pass, x, y, window, memory.samples, statistics);
+  }
+  TileDrawing drawing(pass, window, memory.buffer, statistics);
   for (std::size_t i = 0; i < pass.round.chunk_count; ++i) {
     drawing.draw(pass.round.chunks[i], pass.round.chunks[i].bin(x, y));
   }

@@ -23,7 +23,14 @@ struct TilePass {
   bool load_depth = false, store_depth = false;
 };
 
+// What a thread keeps of the tile that it draws, and uses again for the next one.
+struct TileMemory {
+  explicit TileMemory(int side) : buffer(side) {}
+  TileBuffer buffer;
+  SamplePlanes samples;  // in place of it where a pixel has several
+};
+
 // Draws tile (x, y). `statistics` counts fragments.
-void draw_tile(const TilePass& pass, int x, int y, TileBuffer& tile, Statistics& statistics);
+void draw_tile(const TilePass& pass, int x, int y, TileMemory& memory, Statistics& statistics);
 
 }  // namespace glassbox

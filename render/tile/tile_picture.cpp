@@ -109,7 +109,8 @@ bool TilePicture::has_staged_draws() const {
 void TilePicture::prepare_framebuffer(bool one_round) {
   const RenderSettings& s = eye_.settings;
   Framebuffer& target = eye_.target;
-  through_framebuffer_ = !one_round || has_staged_draws();
+  const int samples = samples_drawn(s);
+  through_framebuffer_ = !one_round || samples > 1 || has_staged_draws();
   keep_picture_ = through_framebuffer_ || !plan_.colors || plan_.read_back || eye_.draws_over();
   store_depth_ = !one_round || plan_.keep_depth;
   const auto prepare = [&](bool wanted, auto empty, auto& plane) {
@@ -122,6 +123,7 @@ void TilePicture::prepare_framebuffer(bool one_round) {
   prepare(s.want_id || s.show == Show::kId, std::uint32_t{0}, target.id);
   prepare(s.show == Show::kOverdraw, std::uint32_t{0}, target.writes);
   std::ranges::fill(target.writes.pixels, 0u);  // which only staged fragments count up
+  if (samples > 1 && !one_round) target.samples.clear(run_.window, samples, eye_.color);
 }
 
 TilePass TilePicture::pass(const Kernels& kernels, const Round& round, bool first_round) {
@@ -155,6 +157,7 @@ TilePass TilePicture::pass(const Kernels& kernels, const Round& round, bool firs
 }
 
 void TilePicture::finish() const {
+  resolve_samples(eye_.settings, eye_.target, eye_.color);
   if (!eye_.draws_over()) show(eye_.settings.show, eye_.target);
 }
 

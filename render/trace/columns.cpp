@@ -132,7 +132,7 @@ ColumnRun record_columns(const Scene& scene, const View& view, const RenderSetti
                          const ColumnFilter& filter) {
   ColumnRun run;
   ColumnRecorder recorder(scene, view, settings, filter, run);
-  run.rendering = render_staged(scene, view, settings, &recorder);
+  run.rendering = render_staged(scene, view, at_centres(settings), &recorder);
   return run;
 }
 

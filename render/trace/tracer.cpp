@@ -283,7 +283,7 @@ private:
 SunkRun trace(const Scene& scene, const View& view, const RenderSettings& settings,
               const TraceFilter& filter, TraceSink& sink) {
   Tracer tracer(scene, view, filter, sink);
-  Rendering rendering = render_staged(scene, view, settings, &tracer);
+  Rendering rendering = render_staged(scene, view, at_centres(settings), &tracer);
   return {std::move(rendering), tracer.complete()};
 }
 
@@ -291,7 +291,7 @@ TracedRun trace(const Scene& scene, const View& view, const RenderSettings& sett
                 const TraceFilter& filter) {
   TracedRun run;
   run.trace.view = view;
-  run.trace.settings = settings;
+  run.trace.settings = at_centres(settings);
   const auto planes = render_planes(view);
   run.trace.planes.assign(planes.begin(), planes.end());
   Collector collector(run.trace);

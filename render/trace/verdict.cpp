@@ -189,7 +189,7 @@ void judge_fragments(const Scene& scene, const View& view, const RenderSettings&
                      TriangleVerdict& verdict) {
   const std::uint32_t number = verdict.triangle.number;
   Ledger ledger(view, settings, number);
-  render_staged(scene, view, settings, &ledger);
+  render_staged(scene, view, at_centres(settings), &ledger);
   ledger.finish();
   verdict.fragments = ledger.entries()[number].fragments;
   verdict.details = ledger.details();
@@ -267,7 +267,7 @@ bool SceneVerdict::all_lost() const {
 
 SceneVerdict scene_verdict(const Scene& scene, const View& view, const RenderSettings& settings) {
   Ledger ledger(view, settings, std::nullopt);
-  render_staged(scene, view, settings, &ledger);
+  render_staged(scene, view, at_centres(settings), &ledger);
   ledger.finish();
   SceneVerdict found;
   found.triangles = ledger.entries().size();

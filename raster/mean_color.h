@@ -1,0 +1,35 @@
+// A pixel's colour from those of its samples.
+#pragma once
+
+#include <span>
+
+#include <glassbox/images/image.h>
+#include <glassbox/raster/transfer.h>
+
+namespace glassbox {
+
+// The mean of 1, 2, 4, 8 or 16 stored colours: of their light with kSrgb, of the bytes themselves with kNone; of alpha always
+// of the bytes.
+//
+// Bytes: (2 sum + count) / (2 count) rounded down, which is the nearest byte, halves up.
+// Light: decode_srgb gives multiples of 2^-35 (floats of at least 2^-12, but for 0), and 16 of them sum up to at most 16, so
+// 39 bits hold the sum and a double has it exactly, in any order; so is its quotient by a power of two. One rounding to float,
+// by 2^-24 of the value at most, and encode_srgb gives the byte nearest to that. Equal colours have themselves as mean, since
+// then nothing is rounded.
+inline Rgba8 mean_color(Transfer transfer, std::span<const Rgba8> samples) {
+  const unsigned count = unsigned(samples.size());
+  const auto mean_byte = [&](std::uint8_t Rgba8::*channel) {
+    unsigned sum = 0;
+    for (const Rgba8& one : samples) sum += one.*channel;
+    return std::uint8_t((2 * sum + count) / (2 * count));
+  };
+  const auto mean = [&](std::uint8_t Rgba8::*channel) {
+    if (transfer == Transfer::kNone) return mean_byte(channel);
+    double sum = 0;
+    for (const Rgba8& one : samples) sum += double(decode_srgb(one.*channel));
+    return encode_srgb(float(sum / double(count)));
+  };
+  return {mean(&Rgba8::r), mean(&Rgba8::g), mean(&Rgba8::b), mean_byte(&Rgba8::a)};
+}
+
+}  // namespace glassbox
