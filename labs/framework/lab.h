@@ -1,0 +1,82 @@
+// The side of a lab that judges: what is expected of each case, within which bound, and what it is called.
+//
+// A lab is a folder labs/NN-name:
+//   handout.md     the idea, the formulas with their conventions, the tasks with their points
+//   student.h      the contract of each function that a student writes
+//   student.cpp    the solution, between // BEGIN SOLUTION, // STUB: ... and // END SOLUTION
+//   cases.h        the inputs of every check, which runner and judge both make
+//   runner.cpp     puts the cases to the student's functions (runner.h)
+//   checks.cpp     what is expected, by the pipeline's own functions or an oracle: Lab lab_NN()
+//   faults.json    planted wrong variants of the solution, with what a report must say of each
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "labs/framework/runner.h"
+
+namespace glassbox::labs {
+
+enum class Shape { kNumbers, kPoint, kMatrix, kPolygon, kCoverage };
+
+struct Expected {
+  std::string field;  // as the runner emits it
+  Shape shape = Shape::kNumbers;
+  std::vector<double> values;
+  double bound = 0;  // of the distance of each number, in `unit`; 0: exact
+  std::string unit;  // "world units", "px", "radian"; empty: a number of things
+  int columns = 0;   // of coverage: the width in pixels; of a polygon: the numbers of a vertex
+};
+
+// Where an answer first departs from what is expected.
+struct Divergence {
+  enum class Kind { kMissing, kExtra, kPosition, kData, kNotANumber };
+  Kind kind = Kind::kData;
+  std::string field;
+  std::size_t index = 0;  // of the number, pixel or vertex in the field
+  std::string element;    // "row 2, column 3", "vertex 4, w", "pixel (10, 12)"
+  double expected = 0, actual = 0;
+  double distance = 0, bound = 0;  // in `unit`
+  double ulps = 0;                 // of float, between expected and actual
+  std::string unit;
+  std::string explanation;  // where a judge of the case's own has more to say
+};
+
+// One input. The first case of a check that fails is the one reported in full.
+struct Case {
+  std::string where;     // "triangle 3, vertex 1"; "pixel (10, 12)"
+  std::string restated;  // the input in the spaces where it can be seen: NDC, screen, winding
+  std::vector<Expected> expected;
+  // Where more than one answer is right: none if the answer is. In place of the comparison with `expected`.
+  std::function<std::optional<Divergence>(const Answer&)> judge;
+};
+
+struct Check {
+  std::string name;  // "points in front of the eye have negative z"
+  std::string task;  // Task::id
+  std::string
+      stage;  // "world", "eye", "clip", "NDC", "screen", "coverage", "depth", "shading", "anaglyph"
+  bool hidden = false;  // not part of what a student is given
+  std::function<std::vector<Case>()> cases;
+};
+
+struct Task {
+  std::string id;     // "5.2"
+  std::string title;  // "Clip a polygon against one plane"
+  double points = 0;  // shared equally by the cases of its checks
+};
+
+struct Lab {
+  int number = 0;
+  std::string folder;  // "05-clipping"
+  std::string title;
+  std::vector<Task> tasks;
+  std::vector<Check> checks;
+};
+
+// In the order of their numbers.
+const std::vector<Lab>& all_labs();
+
+}  // namespace glassbox::labs
