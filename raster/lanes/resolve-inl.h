@@ -11,7 +11,10 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <optional>
 #include <type_traits>
+
+#include <hwy/cache_control.h>
 
 #include <glassbox/raster/lanes/shade-inl.h>
 
@@ -28,6 +31,9 @@ HWY_INLINE VF distance_lanes(const ResolveJob& job, VF depth, VF inverse_w) {
       },
       promote(depth)));
 }
+
+// A line of the cache.
+inline constexpr std::ptrdiff_t kLineBytes = 64, kLineWords = kLineBytes / 4;
 
 // The pixels of a quad, row by row.
 struct QuadPixels {
@@ -90,6 +96,12 @@ public:
 
   void resolve() {
     const PixelRect& window = tile_.window();
+    if (const auto color = color_of_all(); color && has_one_depth()) {
+      stream_rows(*job_.picture, *color);
+      if (job_.depth != nullptr) stream_rows(*job_.depth, code_of(tile_.block(0)));
+      hwy::FlushStream();
+      return;
+    }
     for (int y = window.y0; y < window.y1; y += kBlockSide) {
       for (int x = window.x0; x < window.x1; x += kBlockSide) {
         const std::size_t block =
@@ -108,6 +120,46 @@ public:
   }
 
 private:
+  // The colour of every pixel, where nothing is seen in the whole tile, or one thing of one colour.
+  std::optional<Rgba8> color_of_all() const {
+    const TileBlock& first = tile_.block(0);
+    const auto same = [&](const TileBlock& b) { return b.plain && b.reference == first.reference; };
+    if (!colors_only_ || !std::all_of(&first, &first + tile_.block_count(), same)) return {};
+    if (first.reference == kNothing) return job_.background;
+    return job_.large[first.reference & ~kLargeReference]->color;
+  }
+
+  bool has_one_depth() const {
+    if (job_.depth == nullptr) return true;
+    const TileBlock& first = tile_.block(0);
+    return std::all_of(&first, &first + tile_.block_count(), [&](const TileBlock& b) {
+      return b.triangle == nullptr && b.nearest == first.nearest;
+    });
+  }
+
+  // Of a plain block whose pixels have the same.
+  static std::uint32_t code_of(const TileBlock& b) {
+    return b.nearest == kEmptyTileDepth ? kEmptyDepth : std::uint32_t(b.nearest);
+  }
+
+  // Past the cache, line by line: nothing of this frame reads it again, and lines that are written whole need not be read.
+  template <class Pixel>
+  HWY_INLINE void stream_rows(Image<Pixel>& image, Pixel value) const {
+    const PixelRect& window = tile_.window();
+    const auto word = std::bit_cast<std::uint32_t>(value);
+    const VU words = hn::Set(kU, word);
+    for (int y = window.y0; y < window.y1; ++y) {
+      auto* to = reinterpret_cast<std::uint32_t*>(image.pixels.data() + image.index(window.x0, y));
+      std::uint32_t* const end = to + (window.x1 - window.x0);
+      for (; to < end && reinterpret_cast<std::uintptr_t>(to) % kLineBytes != 0; ++to) *to = word;
+      for (; end - to >= kLineWords; to += kLineWords) {
+        for (std::ptrdiff_t i = 0; i < kLineWords; i += std::ptrdiff_t(kLanes))
+          hn::Stream(words, kU, to + i);
+      }
+      for (; to < end; ++to) *to = word;
+    }
+  }
+
   // A block in which one thing is seen, or nothing.
   HWY_INLINE void resolve_plain_block(std::size_t block, int x, int y) {
     const TileBlock& b = tile_.block(block);
@@ -140,8 +192,7 @@ private:
   HWY_INLINE void store_plain_depths(std::size_t block, int x, int y) {
     const TileBlock& b = tile_.block(block);
     if (b.triangle == nullptr) {
-      fill_rows(*job_.depth, x, y,
-                b.nearest == kEmptyTileDepth ? kEmptyDepth : std::uint32_t(b.nearest));
+      fill_rows(*job_.depth, x, y, code_of(b));
       return;
     }
     for (int quad = 0; quad < kBlockQuads; ++quad) {
