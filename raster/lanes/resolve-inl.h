@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
-#include <optional>
 #include <type_traits>
 
 #include <hwy/cache_control.h>
@@ -57,16 +56,51 @@ HWY_INLINE void for_each_row(const PixelRect& window, int x, int y, const Work& 
   for (int row = 0; row < rows; ++row) work(row, columns);
 }
 
-template <class To, class From>
-HWY_INLINE void store_quad(const From* from, Image<To>& image, const PixelRect& window, int x,
+// Rows that take the tile's pixels of a plane: the picture's own, or the tile's (tile_buffer.h), which leave for the picture as
+// whole lines of the cache.
+struct Rows {
+  std::uint32_t* first = nullptr;
+  std::ptrdiff_t pitch = 0;  // words
+  int x0 = 0, y0 = 0;        // of the first
+
+  std::uint32_t* at(int x, int y) const { return first + (y - y0) * pitch + (x - x0); }
+};
+template <class Pixel>
+Rows rows_of(Image<Pixel>& image) {
+  static_assert(sizeof(Pixel) == sizeof(std::uint32_t));
+  return {reinterpret_cast<std::uint32_t*>(image.pixels.data()), image.width, 0, 0};
+}
+
+template <class From>
+HWY_INLINE void store_quad(const From* from, const Rows& rows, const PixelRect& window, int x,
                            int y) {
-  static_assert(sizeof(To) == sizeof(From));
-  To* to = image.pixels.data() + image.index(x, y);
+  static_assert(sizeof(std::uint32_t) == sizeof(From));
+  std::uint32_t* to = rows.at(x, y);
   for_each_row(window, x, y, [&](int row, auto columns) HWY_ATTR {
-    std::memcpy(static_cast<void*>(to + std::size_t(row) * std::size_t(image.width)),
-                from + row * kQuadSide, columns * sizeof(To));
+    std::memcpy(to + row * rows.pitch, from + row * kQuadSide, columns * sizeof(From));
   });
 }
+
+// Rows `from`, `pitch` words apart (0: the same one again), into the picture's, past the cache: nothing of this frame reads them
+// again, and lines that are written whole need not be read.
+template <class Pixel>
+HWY_INLINE void stream_rows(const std::uint32_t* from, std::ptrdiff_t pitch,
+                            const PixelRect& window, Image<Pixel>& image) {
+  const Rows rows = rows_of(image);
+  const std::ptrdiff_t width = window.x1 - window.x0;
+  for (int y = window.y0; y < window.y1; ++y, from += pitch) {
+    std::uint32_t* to = rows.at(window.x0, y);
+    const auto past_line = std::ptrdiff_t(reinterpret_cast<std::uintptr_t>(to) % kLineBytes / 4);
+    const std::ptrdiff_t begin = std::min(width, (kLineWords - past_line) % kLineWords);
+    const std::ptrdiff_t end = begin + (width - begin) / kLineWords * kLineWords;
+    std::copy(from, from + begin, to);
+    for (std::ptrdiff_t i = begin; i < end; i += std::ptrdiff_t(kLanes)) {
+      hn::Stream(hn::LoadU(kU, from + i), kU, to + i);
+    }
+    std::copy(from + end, from + width, to + end);
+  }
+}
+
 template <class To, class From>
 HWY_INLINE void load_quad(From* to, const Image<To>& image, const PixelRect& window, int x, int y) {
   static_assert(sizeof(To) == sizeof(From));
@@ -91,22 +125,52 @@ public:
         tile_(tile),
         mask_(bytes_of(job.mask)),
         has_other_planes_(job.picture != nullptr || job.distance != nullptr || job.id != nullptr),
-        colors_only_(job.picture != nullptr && job.distance == nullptr && job.id == nullptr &&
-                     !job.keep_picture && mask_ == -1) {}
+        plain_blocks_(job.distance == nullptr && job.id == nullptr && !job.keep_picture),
+        color_{tile.color_rows(), tile.side(), tile.window().x0, tile.window().y0},
+        depth_{tile.depth_rows(), tile.side(), tile.window().x0, tile.window().y0} {
+    if (job.keep_picture && job.picture != nullptr) color_ = rows_of(*job.picture);
+  }
 
   void resolve() {
     const PixelRect& window = tile_.window();
-    if (const auto color = color_of_all(); color && has_one_depth()) {
-      stream_rows(*job_.picture, *color);
-      if (job_.depth != nullptr) stream_rows(*job_.depth, code_of(tile_.block(0)));
-      hwy::FlushStream();
-      return;
+    const bool one_block = is_one_block();
+    if (one_block) {
+      fill_first_row();
+    } else {
+      resolve_blocks();
     }
+    const std::ptrdiff_t pitch = one_block ? 0 : tile_.side();
+    if (job_.picture != nullptr && !job_.keep_picture) {
+      stream_rows(tile_.color_rows(), pitch, window, *job_.picture);
+    }
+    if (job_.depth != nullptr) stream_rows(tile_.depth_rows(), pitch, window, *job_.depth);
+    hwy::FlushStream();
+  }
+
+private:
+  // One colour and one depth everywhere: nothing is seen, or one large triangle.
+  bool is_one_block() const {
+    const TileBlock& first = tile_.block(0);
+    return is_plain(first) && !is_shaded(first) &&
+           (job_.depth == nullptr || first.triangle == nullptr) &&
+           std::all_of(&first, &first + tile_.block_count(), [&](const TileBlock& b) {
+             return b.plain && b.reference == first.reference && b.triangle == first.triangle &&
+                    b.nearest == first.nearest;
+           });
+  }
+  void fill_first_row() {
+    const TileBlock& first = tile_.block(0);
+    std::fill_n(tile_.color_rows(), tile_.side(), color_of(first));
+    std::fill_n(tile_.depth_rows(), tile_.side(), code_of(first));
+  }
+
+  void resolve_blocks() {
+    const PixelRect& window = tile_.window();
     for (int y = window.y0; y < window.y1; y += kBlockSide) {
       for (int x = window.x0; x < window.x1; x += kBlockSide) {
         const std::size_t block =
             tile_.block_index((x - window.x0) / kBlockSide, (y - window.y0) / kBlockSide);
-        if (colors_only_ && tile_.block(block).plain && x + kBlockSide <= window.x1 &&
+        if (is_plain(tile_.block(block)) && x + kBlockSide <= window.x1 &&
             y + kBlockSide <= window.y1) {
           resolve_plain_block(block, x, y);
           continue;
@@ -119,54 +183,33 @@ public:
     }
   }
 
-private:
-  // The colour of every pixel, where nothing is seen in the whole tile, or one thing of one colour.
-  std::optional<Rgba8> color_of_all() const {
-    const TileBlock& first = tile_.block(0);
-    const auto same = [&](const TileBlock& b) { return b.plain && b.reference == first.reference; };
-    if (!colors_only_ || !std::all_of(&first, &first + tile_.block_count(), same)) return {};
-    if (first.reference == kNothing) return job_.background;
-    return job_.large[first.reference & ~kLargeReference]->color;
+  // One thing is seen in the block, or nothing, and all of its pixels are to be stored.
+  bool is_plain(const TileBlock& b) const {
+    return b.plain && plain_blocks_ && (b.reference == kNothing || mask_ == -1);
   }
-
-  bool has_one_depth() const {
-    if (job_.depth == nullptr) return true;
-    const TileBlock& first = tile_.block(0);
-    return std::all_of(&first, &first + tile_.block_count(), [&](const TileBlock& b) {
-      return b.triangle == nullptr && b.nearest == first.nearest;
-    });
+  // Of a plain block: its pixels differ in colour.
+  bool is_shaded(const TileBlock& b) const {
+    return job_.picture != nullptr && b.reference != kNothing &&
+           !job_.large[b.reference & ~kLargeReference]->color;
   }
-
-  // Of a plain block whose pixels have the same.
+  // Of a plain block that is not.
+  std::uint32_t color_of(const TileBlock& b) const {
+    if (job_.picture == nullptr) return 0;
+    return std::bit_cast<std::uint32_t>(b.reference == kNothing
+                                            ? job_.background
+                                            : *job_.large[b.reference & ~kLargeReference]->color);
+  }
+  // Of a plain block of one depth.
   static std::uint32_t code_of(const TileBlock& b) {
     return b.nearest == kEmptyTileDepth ? kEmptyDepth : std::uint32_t(b.nearest);
   }
 
-  // Past the cache, line by line: nothing of this frame reads it again, and lines that are written whole need not be read.
-  template <class Pixel>
-  HWY_INLINE void stream_rows(Image<Pixel>& image, Pixel value) const {
-    const PixelRect& window = tile_.window();
-    const auto word = std::bit_cast<std::uint32_t>(value);
-    const VU words = hn::Set(kU, word);
-    for (int y = window.y0; y < window.y1; ++y) {
-      auto* to = reinterpret_cast<std::uint32_t*>(image.pixels.data() + image.index(window.x0, y));
-      std::uint32_t* const end = to + (window.x1 - window.x0);
-      for (; to < end && reinterpret_cast<std::uintptr_t>(to) % kLineBytes != 0; ++to) *to = word;
-      for (; end - to >= kLineWords; to += kLineWords) {
-        for (std::ptrdiff_t i = 0; i < kLineWords; i += std::ptrdiff_t(kLanes))
-          hn::Stream(words, kU, to + i);
-      }
-      for (; to < end; ++to) *to = word;
-    }
-  }
-
-  // A block in which one thing is seen, or nothing.
   HWY_INLINE void resolve_plain_block(std::size_t block, int x, int y) {
     const TileBlock& b = tile_.block(block);
     if (job_.depth != nullptr) store_plain_depths(block, x, y);
-    if (b.reference == kNothing) return fill_rows(*job_.picture, x, y, job_.background);
+    if (job_.picture == nullptr) return;
+    if (!is_shaded(b)) return fill_block_rows(color_, x, y, color_of(b));
     const LargeTriangle& triangle = *job_.large[b.reference & ~kLargeReference];
-    if (triangle.color) return fill_rows(*job_.picture, x, y, *triangle.color);
     const LargeShape& shape = shape_of(b.reference);
     for (int quad = 0; quad < kBlockQuads; ++quad) {
       const int qx = x + (quad % 2) * kQuadSide, qy = y + (quad / 2) * kQuadSide;
@@ -175,16 +218,15 @@ private:
         hn::Store(shade(job_.draws[triangle.draw], job_, LargeSource(shape, qx, qy, k)), kI,
                   colors + k);
       }
-      store_quad(colors, *job_.picture, tile_.window(), qx, qy);
+      store_quad(colors, color_, tile_.window(), qx, qy);
     }
   }
 
-  template <class Pixel>
-  HWY_INLINE static void fill_rows(Image<Pixel>& image, int x, int y, Pixel value) {
+  HWY_INLINE static void fill_block_rows(const Rows& rows, int x, int y, std::uint32_t value) {
     const hn::CappedTag<std::uint32_t, kBlockSide> d;
-    const auto words = hn::Set(d, std::bit_cast<std::uint32_t>(value));
-    auto* to = reinterpret_cast<std::uint32_t*>(image.pixels.data() + image.index(x, y));
-    for (int row = 0; row < kBlockSide; ++row, to += image.width) {
+    const auto words = hn::Set(d, value);
+    std::uint32_t* to = rows.at(x, y);
+    for (int row = 0; row < kBlockSide; ++row, to += rows.pitch) {
       for (std::size_t i = 0; i < kBlockSide; i += hn::Lanes(d)) hn::StoreU(words, d, to + i);
     }
   }
@@ -192,14 +234,14 @@ private:
   HWY_INLINE void store_plain_depths(std::size_t block, int x, int y) {
     const TileBlock& b = tile_.block(block);
     if (b.triangle == nullptr) {
-      fill_rows(*job_.depth, x, y, code_of(b));
+      fill_block_rows(depth_, x, y, code_of(b));
       return;
     }
     for (int quad = 0; quad < kBlockQuads; ++quad) {
       HWY_ALIGN std::int32_t codes[kQuadPixels];
       fill_quad_depths(*b.triangle, tile_.format(), x + (quad % 2) * kQuadSide,
                        y + (quad / 2) * kQuadSide, codes);
-      store_quad(codes, *job_.depth, tile_.window(), x + (quad % 2) * kQuadSide,
+      store_quad(codes, depth_, tile_.window(), x + (quad % 2) * kQuadSide,
                  y + (quad / 2) * kQuadSide);
     }
   }
@@ -221,9 +263,10 @@ private:
       resolve_lanes(b.plain ? set(std::int32_t(b.reference)) : hn::Load(kI, at), x, y, k, pixels);
     }
     const PixelRect& window = tile_.window();
-    if (job_.picture != nullptr) store_quad(pixels.color, *job_.picture, window, x, y);
-    if (job_.distance != nullptr) store_quad(pixels.distance, *job_.distance, window, x, y);
-    if (job_.id != nullptr) store_quad(pixels.id, *job_.id, window, x, y);
+    if (job_.picture != nullptr) store_quad(pixels.color, color_, window, x, y);
+    if (job_.distance != nullptr)
+      store_quad(pixels.distance, rows_of(*job_.distance), window, x, y);
+    if (job_.id != nullptr) store_quad(pixels.id, rows_of(*job_.id), window, x, y);
   }
 
   // Plain blocks are filled in where their depths differ.
@@ -238,7 +281,7 @@ private:
       const MI empty = hn::Eq(depth, set(kEmptyTileDepth));
       hn::Store(hn::IfThenElse(empty, set(std::int32_t(kEmptyDepth)), depth), kI, codes + k);
     }
-    store_quad(codes, *job_.depth, tile_.window(), x, y);
+    store_quad(codes, depth_, tile_.window(), x, y);
   }
 
   HWY_INLINE void clear(QuadPixels& pixels) const {
@@ -324,7 +367,8 @@ private:
   TileBuffer& tile_;
   std::int32_t mask_;
   bool has_other_planes_;
-  bool colors_only_;  // all channels of them, and depth perhaps
+  bool plain_blocks_;  // may be stored without a look at what their pixels have in other planes
+  Rows color_, depth_;
   // Of the pixels before: neighbours are likely to have the same.
   const ShadeDraw* draw_ = nullptr;
   Reference shape_reference_ = kNothing;

@@ -75,6 +75,8 @@ public:
         blocks_across_(side / kBlockSide),
         depth_(std::size_t(side) * std::size_t(side)),
         reference_(std::size_t(side) * std::size_t(side)),
+        color_rows_(std::size_t(side) * std::size_t(side)),
+        depth_rows_(std::size_t(side) * std::size_t(side)),
         blocks_(std::size_t(blocks_across_) * std::size_t(blocks_across_)) {}
 
   // Begins the tile whose part of the screen is `window`; x0 and y0 are multiples of the side.
@@ -124,6 +126,10 @@ public:
   Reference* reference() { return reference_.get(); }
   const Reference* reference() const { return reference_.get(); }
 
+  // The tile as it leaves for the picture: `side` pixels to a row.
+  std::uint32_t* color_rows() { return color_rows_.get(); }
+  std::uint32_t* depth_rows() { return depth_rows_.get(); }
+
 private:
   int side_, blocks_across_;
   PixelRect window_;
@@ -131,6 +137,7 @@ private:
   TileDepth farthest_ = kEmptyTileDepth;
   AlignedArray<TileDepth> depth_;
   AlignedArray<Reference> reference_;
+  AlignedArray<std::uint32_t> color_rows_, depth_rows_;
   AlignedArray<TileBlock> blocks_;
 };
 
