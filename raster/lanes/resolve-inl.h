@@ -126,9 +126,10 @@ public:
         mask_(bytes_of(job.mask)),
         has_other_planes_(job.picture != nullptr || job.distance != nullptr || job.id != nullptr),
         plain_blocks_(job.distance == nullptr && job.id == nullptr && !job.keep_picture),
+        streams_color_(job.picture != nullptr && !job.keep_picture && !job.drawn_over),
         color_{tile.color_rows(), tile.side(), tile.window().x0, tile.window().y0},
         depth_{tile.depth_rows(), tile.side(), tile.window().x0, tile.window().y0} {
-    if (job.keep_picture && job.picture != nullptr) color_ = rows_of(*job.picture);
+    if (job.picture != nullptr && !streams_color_) color_ = rows_of(*job.picture);
   }
 
   void resolve() {
@@ -140,7 +141,7 @@ public:
       resolve_blocks();
     }
     const std::ptrdiff_t pitch = one_block ? 0 : tile_.side();
-    if (job_.picture != nullptr && !job_.keep_picture) {
+    if (streams_color_) {
       stream_rows(tile_.color_rows(), pitch, window, *job_.picture);
     }
     if (job_.depth != nullptr) stream_rows(tile_.depth_rows(), pitch, window, *job_.depth);
@@ -151,7 +152,7 @@ private:
   // One colour and one depth everywhere: nothing is seen, or one large triangle.
   bool is_one_block() const {
     const TileBlock& first = tile_.block(0);
-    return is_plain(first) && !is_shaded(first) &&
+    return !job_.drawn_over && is_plain(first) && !is_shaded(first) &&
            (job_.depth == nullptr || first.triangle == nullptr) &&
            std::all_of(&first, &first + tile_.block_count(), [&](const TileBlock& b) {
              return b.plain && b.reference == first.reference && b.triangle == first.triangle &&
@@ -368,6 +369,7 @@ private:
   std::int32_t mask_;
   bool has_other_planes_;
   bool plain_blocks_;  // may be stored without a look at what their pixels have in other planes
+  bool streams_color_;
   Rows color_, depth_;
   // Of the pixels before: neighbours are likely to have the same.
   const ShadeDraw* draw_ = nullptr;

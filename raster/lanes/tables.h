@@ -167,6 +167,8 @@ struct ResolveJob {
   Rgba8 background;
   // The picture has its background, and perhaps an earlier part of the run: pixels with nothing on them stay as they are.
   bool keep_picture = false;
+  // The other eye draws over the tile's colours next: they had better stay in the cache.
+  bool drawn_over = false;
 
   // Planes that are not wanted are null.
   Image<Rgba8>* picture = nullptr;

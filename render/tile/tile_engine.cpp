@@ -371,6 +371,7 @@ void TileEngine::render(const Scene& scene, const PreparedScene& prepared,
       for (std::size_t eye = 0; eye < pictures.size(); ++eye) {
         passes.push_back(pictures[eye].pass(s.kernels, s.rounds[eye], first == 0));
       }
+      passes.front().resolve.drawn_over = eyes.size() > 1 && eyes.back().draws_over();
       s.draw_tiles(pictures, passes);
     }
     if (report != nullptr) {
