@@ -196,10 +196,13 @@ Result<Scene> load_gltf(const std::string& path, const LoadLimits& limits) {
     return tl::unexpected(std::move(error));
   };
   try {
-    const auto bytes = gltf::read_whole_file(path, limits.max_file_bytes);
+    auto bytes = gltf::read_whole_file(path, limits.max_file_bytes);
     if (!bytes) return with_file(bytes.error());
     const std::string directory = std::filesystem::path(path).parent_path().string();
-    auto scene = load_gltf_memory(*bytes, directory.empty() ? "." : directory, limits);
+    auto asset = gltf::open_asset(*bytes, directory.empty() ? "." : directory, limits);
+    if (!asset) return with_file(asset.error());
+    *bytes = {};  // the asset has its own copy of what it needs
+    auto scene = build_scene(*asset);
     if (!scene) return with_file(scene.error());
     scene->file = path;
     return scene;

@@ -220,44 +220,53 @@ Result<std::vector<std::uint32_t>> vertex_order(const Asset& asset,
   return *read;
 }
 
-void add_face(Mesh& mesh, const std::vector<Corner>& vertices, std::size_t a, std::size_t b,
-              std::size_t c) {
-  mesh.faces.push_back({std::uint32_t(mesh.corners.size()), 3});
-  for (const std::size_t i : {a, b, c}) mesh.corners.push_back(vertices[i]);
-}
-
-// glTF 2.0, section 3.7.2.1: which vertices make which triangle, line or point. `vertices` is in drawing order.
-void connect(Asset& asset, Mesh& mesh, int mode, const std::vector<Corner>& v,
+// glTF 2.0, section 3.7.2.1: which vertices make which triangle, line or point. corner(i): of the i-th of the `n` vertices in
+// drawing order.
+template <class CornerOf>
+void connect(Asset& asset, Mesh& mesh, int mode, std::size_t n, const CornerOf& corner,
              const std::string& place) {
-  const std::size_t n = v.size();
   const auto leftover = [&](std::size_t per_shape) {
     if (n % per_shape != 0)
       asset.warn(place + ": " + std::to_string(n % per_shape) +
                  " vertices at its end are left over");
   };
+  const auto add_line = [&](std::size_t a, std::size_t b) {
+    mesh.lines.push_back({corner(a), corner(b)});
+  };
+  const auto reserve_faces = [&](std::size_t count) {
+    mesh.faces.reserve(count);
+    mesh.corners.reserve(3 * count);
+  };
+  const auto add_face = [&](std::size_t a, std::size_t b, std::size_t c) {
+    mesh.faces.push_back({std::uint32_t(mesh.corners.size()), 3});
+    for (const std::size_t i : {a, b, c}) mesh.corners.push_back(corner(i));
+  };
   switch (mode) {
     case TINYGLTF_MODE_POINTS:
-      mesh.points = v;
+      for (std::size_t i = 0; i < n; ++i) mesh.points.push_back(corner(i));
       break;
     case TINYGLTF_MODE_LINE:
       leftover(2);
-      for (std::size_t i = 0; i + 1 < n; i += 2) mesh.lines.push_back({v[i], v[i + 1]});
+      for (std::size_t i = 0; i + 1 < n; i += 2) add_line(i, i + 1);
       break;
     case TINYGLTF_MODE_LINE_LOOP:
     case TINYGLTF_MODE_LINE_STRIP:
-      for (std::size_t i = 0; i + 1 < n; ++i) mesh.lines.push_back({v[i], v[i + 1]});
-      if (mode == TINYGLTF_MODE_LINE_LOOP && n >= 2) mesh.lines.push_back({v[n - 1], v[0]});
+      for (std::size_t i = 0; i + 1 < n; ++i) add_line(i, i + 1);
+      if (mode == TINYGLTF_MODE_LINE_LOOP && n >= 2) add_line(n - 1, 0);
       break;
     case TINYGLTF_MODE_TRIANGLES:
       leftover(3);
-      for (std::size_t i = 0; i + 2 < n; i += 3) add_face(mesh, v, i, i + 1, i + 2);
+      reserve_faces(n / 3);
+      for (std::size_t i = 0; i + 2 < n; i += 3) add_face(i, i + 1, i + 2);
       break;
     case TINYGLTF_MODE_TRIANGLE_STRIP:
+      reserve_faces(n);
       // Every second triangle swaps two corners, so that all turn the same way.
-      for (std::size_t i = 0; i + 2 < n; ++i) add_face(mesh, v, i, i + 1 + i % 2, i + 2 - i % 2);
+      for (std::size_t i = 0; i + 2 < n; ++i) add_face(i, i + 1 + i % 2, i + 2 - i % 2);
       break;
     case TINYGLTF_MODE_TRIANGLE_FAN:
-      for (std::size_t i = 0; i + 2 < n; ++i) add_face(mesh, v, i + 1, i + 2, 0);
+      reserve_faces(n);
+      for (std::size_t i = 0; i + 2 < n; ++i) add_face(i + 1, i + 2, 0);
       break;
     default:
       break;  // schema.h lets nothing else pass
@@ -307,27 +316,26 @@ Result<std::optional<Mesh>> convert_primitive(Asset& asset, PrimitiveId id, cons
                 "limit on corners");
   }
   const Attributes attributes(asset, primitive.attributes, place, count);
-  const auto vertices = read_vertices(asset, primitive, attributes, place, count, pose, budget);
+  auto vertices = read_vertices(asset, primitive, attributes, place, count, pose, budget);
   if (!vertices) return tl::unexpected(vertices.error());
 
   Mesh mesh;
   mesh.name = mesh_name(described, id);
   if (auto done = set_positions(mesh, *vertices, place); !done) return tl::unexpected(done.error());
   const std::vector<bool> has_normal = set_normals(asset, mesh, *vertices, place);
+  *vertices = {};  // twice as large as the mesh's own
   if (auto done = set_texcoords(asset, mesh, attributes, texcoords, place); !done)
     return tl::unexpected(done.error());
   if (auto done = set_colors(mesh, attributes); !done) return tl::unexpected(done.error());
 
   const auto order = vertex_order(asset, primitive, place, count);
   if (!order) return tl::unexpected(order.error());
-  std::vector<Corner> corners;
-  corners.reserve(order->size());
-  for (const std::uint32_t vertex : *order) {
-    corners.push_back({vertex, !has_normal.empty() && has_normal[vertex] ? vertex : kNone,
-                       mesh.texcoords.empty() ? kNone : vertex,
-                       mesh.colors.empty() ? kNone : vertex});
-  }
-  connect(asset, mesh, primitive.mode, corners, place);
+  const auto corner = [&](std::size_t i) {
+    const std::uint32_t vertex = (*order)[i];
+    return Corner{vertex, !has_normal.empty() && has_normal[vertex] ? vertex : kNone,
+                  mesh.texcoords.empty() ? kNone : vertex, mesh.colors.empty() ? kNone : vertex};
+  };
+  connect(asset, mesh, primitive.mode, order->size(), corner, place);
   if (mesh.faces.empty() && mesh.lines.empty() && mesh.points.empty())
     return skip("has too few vertices");
   return mesh;
