@@ -230,6 +230,9 @@ namespace {
 Decision colors(const Plan& plan, const PlannedEye& eye) {
   constexpr const char* kStage = "colours";
   if (!plan.leaves_out) return needed(kStage, kNoPlan);
+  if (plan.colors && samples_drawn(eye.settings) > 1) {
+    return needed(kStage, "the picture shows them; once for each pixel of a triangle");
+  }
   if (plan.colors) {
     return needed(kStage,
                   "the picture shows them; once for each pixel where something opaque is seen");

@@ -32,6 +32,27 @@ Json decision(const Json& decisions, const std::string& stage) {
   return {};
 }
 
+TEST_CASE(
+    "explain says that several samples are drawn by the staged stages, and of what they are not") {
+  const Workplace here;
+  const Outcome outcome = here.run("explain room --size 96x64 --samples 4 --json -");
+  REQUIRE(outcome.exit_code == 0);
+  const Json plan = Json::parse(outcome.out).at("plan");
+  const Json samples = decision(plan.at("picture"), "samples");
+  CHECK(samples.at("needed") == true);
+  CHECK(samples.at("numbers") == "4 to a pixel");
+  for (const Json& draw : plan.at("draws")) {
+    const std::string way = draw.at("way");
+    CHECK((contains(way, "samples") || way == "not drawn"));
+  }
+  const Outcome depths = here.run("explain room --size 96x64 --samples 4 --show depth --json -");
+  const Json of_depths = Json::parse(depths.out).at("plan");
+  CHECK(decision(of_depths.at("picture"), "samples").at("needed") == false);
+  CHECK(of_depths.at("draws").at(0).at("way") == "over lanes");
+  const Json one = Json::parse(here.run("explain room --size 96x64 --json -").out).at("plan");
+  CHECK(decision(one.at("picture"), "samples").is_null());
+}
+
 TEST_CASE("explain says of every stage whether it is needed, and why, and writes no picture") {
   const Workplace here;
   const Outcome outcome = here.run("explain teapot --size 96x64");

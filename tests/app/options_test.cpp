@@ -89,7 +89,8 @@ TEST_CASE("every value of a choice is taken, in either case, and gives a picture
       {"room --show", {"depth", "normal", "uv", "id", "overdraw"}},
       {"f-glyph --eye 4,3,8 --cull", {"back", "front"}},
       {"room --transfer", {"srgb", "none"}},
-      {"depth-ladder --depth", {"d32r", "d24", "d16"}}};
+      {"depth-ladder --depth", {"d32r", "d24", "d16"}},
+      {"f-glyph --samples", {"1", "2", "4", "8", "16"}}};
   for (const auto& [option, values] : choices) {
     std::set<std::string> pictures;
     for (const std::string& value : values) {
@@ -113,7 +114,7 @@ TEST_CASE("every other option of render changes the picture as it says") {
     CHECK(rendered(std::string("f-glyph ") + option) != plain);
   }
   for (const char* option : {"--shade phong", "--cull back", "--transfer srgb", "--depth d32",
-                             "--depth d32r", "--background 0.1,0.12,0.15"}) {
+                             "--samples 1", "--depth d32r", "--background 0.1,0.12,0.15"}) {
     INFO(option << " is the default");
     CHECK(rendered(std::string("f-glyph ") + option) == plain);
   }
@@ -237,6 +238,11 @@ TEST_CASE("bad usage exits with 2, says on one line what is wrong, and writes no
       {"render cube --near close", "--near"},
       {"render cube --far nan", "--far"},
       {"render cube --frustum 1,2,3", "--frustum"},
+      {"render cube --samples 3", "--samples: needs one of 1|2|4|8|16, not '3'"},
+      {"render cube --samples 0", "--samples"},
+      {"render cube --samples -4", "--samples"},
+      {"render cube --samples 32", "--samples"},
+      {"render cube --samples four", "--samples"},
       {"render cube --background 0,0,256", "divide bytes by 255"},
       {"render cube --json", "--json"},
       {"info", "SCENE"},

@@ -147,6 +147,37 @@ TEST_CASE("a line is a pixel wide, and a point is a pixel, wherever they lie") {
   }
 }
 
+TEST_CASE("colours at a triangle's rim are its own: nothing is extrapolated") {
+  // Slivers whose colours run from 1/4 to 3/4 over a fraction of a pixel: 64 and 191 as bytes.
+  Mesh mesh;
+  Random random(6);
+  for (int i = 0; i < 400; ++i) {
+    const float x = float(random.between(0, kSide)), y = float(random.between(0, kSide));
+    const auto near = [&](float v) { return v + float(random.between(-0.7, 0.7)); };
+    const auto first = std::uint32_t(mesh.positions.size());
+    for (int k = 0; k < 3; ++k) {
+      mesh.positions.push_back(at_pixel(near(x), near(y), float(random.between(0.5, 5))));
+      const auto shade = float(random.integer(0, 1) == 0 ? 0.25 : 0.75);
+      mesh.colors.push_back({shade, shade, shade, 1});
+    }
+    test::add_face(mesh, {first, first + 1, first + 2});
+    for (std::uint32_t k = 0; k < 3; ++k) mesh.corners[first + k].color = first + k;
+  }
+  const Scene scene = test::scene_of(mesh, white());
+  std::size_t mixed = 0;
+  for (const int samples : kCounts) {
+    RenderSettings settings = plain(samples);
+    settings.background = {128, 128, 128, 255};
+    const Image<Rgba8> picture = picture_of(scene, settings);
+    for (const Rgba8& color : picture.pixels) {
+      CHECK(color.g >= 64);
+      CHECK(color.g <= 191);
+      mixed += color.g != 128;
+    }
+  }
+  CHECK(mixed > 400);
+}
+
 TEST_CASE("pixels wholly inside a triangle look as with one sample") {
   // One triangle over the whole picture, textured and lit.
   const Scene checker = *make_builtin("checker");
