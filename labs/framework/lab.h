@@ -44,6 +44,13 @@ struct Divergence {
   std::string explanation;  // where a judge of the case's own has more to say
 };
 
+// What the answer is under one of the convention slips: "z-sign", "y-direction", "row-column-order", "handedness", "winding",
+// "half-angle", "degrees-radians", "multiplication-order".
+struct Slipped {
+  std::string slip;
+  std::vector<Expected> expected;
+};
+
 // One input. The first case of a check that fails is the one reported in full.
 struct Case {
   std::string where;     // "triangle 3, vertex 1"; "pixel (10, 12)"
@@ -51,6 +58,9 @@ struct Case {
   std::vector<Expected> expected;
   // Where more than one answer is right: none if the answer is. In place of the comparison with `expected`.
   std::function<std::optional<Divergence>(const Answer&)> judge;
+  // Slips that cannot be seen from the answer alone, such as a product in the other order. Those that can (slips.h) need no
+  // entry. A slip is named only if every case of the check answers as it does under the slip.
+  std::vector<Slipped> slipped;
 };
 
 struct Check {

@@ -1,0 +1,87 @@
+// The verdict on the answers of a lab: what each case is worth, and where a check first goes wrong. Nothing is run here.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "labs/framework/compare.h"
+#include "labs/framework/lab.h"
+#include "labs/framework/protocol.h"
+
+namespace glassbox::labs {
+
+enum class Verdict {
+  kRight,
+  kWrong,
+  kMissing,
+  kThrew,
+  kCrash,
+  kTimeout,
+  kLimit,
+  kMalformed,
+  kNotBuilt
+};
+
+// "right", "wrong answer", "no answer", "exception", "crash", "timeout", "limit exceeded", "malformed output", "not built".
+const char* verdict_name(Verdict verdict);
+
+// The first case of a check that is not right.
+struct FirstFailure {
+  std::size_t index = 0;
+  std::string where, restated;  // of the case
+  Verdict verdict = Verdict::kWrong;
+  std::string text;                      // how it crashed, what it threw, what is malformed
+  std::optional<Divergence> divergence;  // of a wrong answer
+  std::optional<Comparison>
+      comparison;  // of the field that diverges, where the case has no judge of its own
+  std::optional<Expected> expected;  // that field
+  std::vector<double> actual;        // what was answered in it
+};
+
+struct CheckResult {
+  std::string name, task, stage;
+  bool hidden = false;
+  double score = 0, max_score = 0;
+  Verdict verdict = Verdict::kRight;  // of the first case that is not right
+  std::vector<Verdict> cases;
+  std::size_t right = 0;
+  std::optional<FirstFailure> first;
+  std::vector<std::string>
+      slips;         // ids that make every answer of the check right, the likeliest first
+  std::string said;  // what the student's code printed
+  double seconds = 0;
+};
+
+struct TaskResult {
+  std::string id, title;
+  double score = 0, max_score = 0;  // of the checks judged
+};
+
+struct LabResult {
+  int number = 0;
+  std::string folder, title;
+  double score = 0, max_score = 0;
+  double hidden_points = 0;  // of hidden checks that were not judged
+  std::vector<TaskResult> tasks;
+  std::vector<CheckResult> checks;
+  std::string not_built;  // what the compiler said; empty if it was content
+  std::vector<std::string> warnings;
+};
+
+// The points of one case of each check of the task: the task's points shared equally by the cases of all its checks, hidden
+// ones too. `counts` are the numbers of cases of the lab's checks, in their order.
+double points_of_case(const Lab& lab, const std::vector<std::size_t>& counts,
+                      const std::string& task);
+
+CheckResult judge_check(const Check& check, const std::vector<Case>& cases,
+                        const CheckAnswers& answers, double points_of_case);
+
+// No answer to any case, because the code does not compile.
+CheckResult not_built_check(const Check& check, std::size_t cases, double points_of_case);
+
+// The checks, which must be in the lab's order, summed up by task.
+LabResult sum_up(const Lab& lab, std::vector<CheckResult> checks);
+
+}  // namespace glassbox::labs

@@ -1,0 +1,66 @@
+// Runs a check of a lab in a process of its own and collects what it answers.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "labs/framework/protocol.h"
+
+namespace glassbox::labs {
+
+struct RunLimits {
+  double seconds = 10;                               // of wall-clock time, a process
+  std::size_t output_bytes = std::size_t(64) << 20;  // of answers; what is more is cut off
+  std::size_t said_bytes = std::size_t(64) << 10;    // kept of standard output and standard error
+};
+
+struct RunRequest {
+  std::filesystem::path program;       // the runner
+  std::vector<std::string> arguments;  // without the program's name and without --out-fd
+  RunLimits limits;
+};
+
+// How a process ended. What it wrote up to then stands in any case.
+struct RunOutcome {
+  enum class Ending {
+    kExit,
+    kSignal,
+    kTimeout,
+    kTooMuchOutput,
+    kOutOfMemory,
+    kForbidden,
+    kNotStarted
+  };
+  Ending ending = Ending::kNotStarted;
+  int code = 0;         // the exit status or the signal
+  std::string detail;   // why it was not started, what was forbidden; may be empty
+  std::string answers;  // what it wrote to the descriptor of the answers
+  std::string said;     // standard output and standard error
+  double seconds = 0;
+};
+
+// A way of running processes. Students run their own code with LocalRunner; a grader puts a sandbox in its place.
+class Runner {
+public:
+  virtual ~Runner() = default;
+  virtual RunOutcome run(const RunRequest& request) = 0;
+};
+
+// A child process with a limit on time and output, and nothing more.
+class LocalRunner : public Runner {
+public:
+  RunOutcome run(const RunRequest& request) override;
+};
+
+// "killed by signal 11 (SIGSEGV)", "exit status 3", "still running after 10 seconds".
+std::string ending_text(const RunOutcome& outcome, const RunLimits& limits);
+
+// All answers of one check. A crash costs the case in which it happened: the process is started again from the next one,
+// kMostRestarts times at most. A process that is out of time, memory or output is not started again.
+inline constexpr int kMostRestarts = 16;
+CheckAnswers run_check(Runner& runner, const std::filesystem::path& program,
+                       const std::string& check, std::size_t cases, const RunLimits& limits);
+
+}  // namespace glassbox::labs
