@@ -3,144 +3,13 @@
 #include <cmath>
 #include <limits>
 
-#include <glassbox/pipeline/divide.h>
-
 #include "study/experiments/consume.h"
-#include "study/experiments/d01_shots.h"
+#include "study/experiments/d01_ways.h"
 #include "study/experiments/experiments.h"
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study {
 namespace {
-
-using Pixels = std::array<double, 2>;
-using ObjectPoint = Point<Object, double>;
-
-Point<Object> to_float(const ObjectPoint& p) {
-  return {float(p.x), float(p.y), float(p.z)};
-}
-Pixels float_pixels(const Point<Clip>& clip) {
-  const ScreenVertex seen = to_screen(divide(clip), shot_viewport());
-  return {seen.position.x, seen.position.y};
-}
-
-// ---- the ways ----
-
-// Every matrix rounded to float, applied one after the other.
-class FloatStages {
-public:
-  explicit FloatStages(const Shot& shot)
-      : model_(round_to_float(placed<World, Object>(shot.world_from_object, shot.object))),
-        view_(round_to_float(view_of(shot))),
-        projection_(round_to_float(shot_projection())) {}
-  Pixels operator()(const ObjectPoint& p) const {
-    return float_pixels(projection_ * (view_ * (model_ * to_float(p))));
-  }
-
-private:
-  Transform<World, Object, float> model_;
-  Transform<Eye, World, float> view_;
-  Transform<Clip, Eye, float> projection_;
-};
-
-// The same with the world's origin in the eye: the eye is subtracted in double, where the difference of two near
-// numbers is exact, and everything after it is float.
-class CameraRelative {
-public:
-  explicit CameraRelative(const Shot& shot)
-      : model_(
-            round_to_float(placed<World, Object>(shot.world_from_object, shot.object - shot.eye))),
-        view_(round_to_float(placed<Eye, World>(shot.eye_from_world, {0, 0, 0}))),
-        projection_(round_to_float(shot_projection())) {}
-  Pixels operator()(const ObjectPoint& p) const {
-    return float_pixels(projection_ * (view_ * (model_ * to_float(p))));
-  }
-
-private:
-  Transform<World, Object, float> model_;
-  Transform<Eye, World, float> view_;
-  Transform<Clip, Eye, float> projection_;
-};
-
-Transform<Clip, Object> composed(const Shot& shot) {
-  return shot_projection() * view_of(shot) *
-         placed<World, Object>(shot.world_from_object, shot.object);
-}
-
-// One matrix, composed in double and rounded once: what `render` does.
-class ComposedOnce {
-public:
-  explicit ComposedOnce(const Shot& shot) : clip_from_object_(round_to_float(composed(shot))) {}
-  Pixels operator()(const ObjectPoint& p) const {
-    return float_pixels(clip_from_object_ * to_float(p));
-  }
-
-private:
-  Transform<Clip, Object, float> clip_from_object_;
-};
-
-class DoubleStages {
-public:
-  explicit DoubleStages(const Shot& shot) : clip_from_object_(composed(shot)) {}
-  Pixels operator()(const ObjectPoint& p) const {
-    const Point<Clip, double> clip = clip_from_object_ * p;
-    return {clip.x / clip.w * (kShotWidth / 2.0) + kShotWidth / 2.0,
-            clip.y / clip.w * (-kShotHeight / 2.0) + kShotHeight / 2.0};
-  }
-
-private:
-  Transform<Clip, Object> clip_from_object_;
-};
-
-// Whole numbers of 2^-32 in 64 bits, products in 128: the world's positions are kept as such, the eye is subtracted
-// before the camera's rotation.
-class Fixed32 {
-public:
-  explicit Fixed32(const Shot& shot)
-      : model_(fixed(rounded(shot.world_from_object))), view_(fixed(rounded(shot.eye_from_world))) {
-    for (int i = 0; i < 3; ++i) {
-      object_[std::size_t(i)] = fixed(to_glm(shot.object)[i]);
-      eye_[std::size_t(i)] = fixed(to_glm(shot.eye)[i]);
-    }
-  }
-  Pixels operator()(const ObjectPoint& p) const {
-    Triple world = times(model_, {fixed(p.x), fixed(p.y), fixed(p.z)});
-    for (std::size_t i = 0; i < 3; ++i) world[i] = (world[i] + object_[i]) - eye_[i];
-    const Triple eye = times(view_, world);
-    // The focal length is a whole number of pixels, and so is the middle of the picture.
-    const auto pixels = [&](std::int64_t across, int middle) {
-      const Wide quotient = (Wide(across) * Wide(kShotFocal) * kOne) / -eye[2];
-      return double(std::int64_t(quotient) + middle * kOne) / double(kOne);
-    };
-    return {pixels(eye[0], kShotWidth / 2), pixels(-eye[1], kShotHeight / 2)};
-  }
-
-private:
-  __extension__ using Wide = __int128;
-  using Triple = std::array<std::int64_t, 3>;
-  using Rows = std::array<Triple, 3>;
-  static constexpr std::int64_t kOne = std::int64_t(1) << 32;
-
-  static std::int64_t fixed(double x) { return std::int64_t(std::floor(x * double(kOne) + 0.5)); }
-  static Rows fixed(const glm::dmat3& m) {
-    Rows rows;
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) rows[std::size_t(i)][std::size_t(j)] = fixed(m[j][i]);
-    }
-    return rows;
-  }
-  static Triple times(const Rows& m, const Triple& v) {
-    Triple product;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Wide sum = Wide(m[i][0]) * v[0] + Wide(m[i][1]) * v[1] + Wide(m[i][2]) * v[2];
-      product[i] = std::int64_t((sum + kOne / 2) >> 32);
-    }
-    return product;
-  }
-
-  Rows model_, view_;
-  Triple object_{}, eye_{};
-};
 
 // ---- the error ----
 
@@ -158,8 +27,8 @@ double rms_error(double offset, int shots) {
     const Shot shot = make_shot(std::uint64_t(i) + 1, offset, kPointsOfShot);
     const Way way(shot);
     const ExactShot exact(shot);
-    for (const ObjectPoint& p : shot.points) {
-      const Pixels seen = way(p);
+    for (const Point<Object, double>& p : shot.points) {
+      const Pixels seen = Way::pixels(way(Way::input(p)));
       const auto right = exact.screen(p);
       const double squared =
           square(oracle::error_of(seen[0], right[0])) + square(oracle::error_of(seen[1], right[1]));
@@ -239,7 +108,7 @@ double predict_fixed(double) {
 
 // ---- the table ----
 
-constexpr int kTimedPoints = 1 << 14;
+constexpr int kTimedPoints = 1 << 13, kRounds = 16;
 
 template <class Way>
 void add_series(std::vector<Configuration>& all, const std::string& series, Theory theory,
@@ -252,10 +121,14 @@ void add_series(std::vector<Configuration>& all, const std::string& series, Theo
     c.error = [offset, shots] { return rms_error<Way>(offset, shots); };
     c.predicted_error = theory(offset);
     const Shot shot = make_shot(1, offset, kTimedPoints);
-    c.work = [points = shot.points, way = Way(shot)](int) {
-      for (const ObjectPoint& p : points) consume(way(p));
+    std::vector<typename Way::Input> vertices;
+    for (const Point<Object, double>& p : shot.points) vertices.push_back(Way::input(p));
+    c.work = [vertices, way = Way(shot)](int) {
+      for (int round = 0; round < kRounds; ++round) {
+        for (const auto& vertex : vertices) consume(way(vertex));
+      }
     };
-    c.items = kTimedPoints;
+    c.items = double(kTimedPoints) * kRounds;
     all.push_back(std::move(c));
   }
 }

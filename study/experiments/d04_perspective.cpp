@@ -157,23 +157,26 @@ constexpr Series kSeries[] = {
 
 std::vector<Configuration> configurations(Effort effort) {
   const int lines = effort == Effort::kFull ? 1000 : 100;
-  constexpr int kTimed = 1000;
+  constexpr int kTimed = 250, kRounds = 16;
   std::vector<std::int32_t> texture(kLinePixels);
   std::iota(texture.begin(), texture.end(), 0);
   std::vector<Configuration> all;
-  for (const auto& [method, name] : kSeries) {
+  for (const Series& series : kSeries) {
+    const Perspective method = series.method;
     for (const double ratio : {1.01, 1.41, 2.0, 5.0, 10.0, 30.0, 100.0}) {
       Configuration c;
-      c.series = name;
+      c.series = series.name;
       c.parameter = ratio;
       c.error = [=] { return largest_error(method, ratio, lines); };
       c.predicted_error = predict(method, ratio);
       c.work = [method, texture, walls = random_lines(ratio, kTimed),
                 out = std::vector<std::int32_t>(std::size_t(kTimed) * kLinePixels)](int) mutable {
-        draw_lines(method, walls, texture, out);
-        consume(out.back());
+        for (int round = 0; round < kRounds; ++round) {
+          draw_lines(method, walls, texture, out);
+          consume(out.back());
+        }
       };
-      c.items = double(kTimed) * kLinePixels;
+      c.items = double(kTimed) * kLinePixels * kRounds;
       all.push_back(std::move(c));
     }
   }

@@ -102,12 +102,13 @@ constexpr Series kSeries[] = {
 
 std::vector<Configuration> configurations(Effort effort) {
   const int count = effort == Effort::kFull ? 1'000'000 : 100'000;
-  constexpr int kTimed = 1 << 14, kRounds = 40;  // 128 KiB in and out stay in the second cache
+  constexpr int kTimed = 1 << 14, kRounds = 100;  // 128 KiB in and out stay in the second cache
   std::vector<Configuration> all;
-  for (const auto& [method, name] : kSeries) {
+  for (const Series& series : kSeries) {
+    const Reciprocal method = series.method;
     for (const double from : {1e-3, 1e-2, 1e-1, 1.0, 1e1, 1e2}) {
       Configuration c;
-      c.series = name;
+      c.series = series.name;
       c.parameter = from;
       c.error = [=] { return largest_error(method, from, count); };
       c.predicted_error = predict(method);

@@ -177,7 +177,7 @@ constexpr Series kSeries[] = {
     {"Newell in double", double_newell, noisy_all, far_double},
 };
 
-constexpr int kTimedPolygons = 4096;
+constexpr int kTimedPolygons = 4096, kRounds = 20;
 
 Configuration configuration(const Series& series, MakeCase make, double parameter, int polygons) {
   Configuration c;
@@ -188,9 +188,11 @@ Configuration configuration(const Series& series, MakeCase make, double paramete
   for (int i = 0; i < kTimedPolygons; ++i)
     timed.push_back(noisy_case(std::uint64_t(i % 64) + 1, 0.1).corners);
   c.work = [timed, way = series.way](int) {
-    for (const FloatPolygon& p : timed) consume(way(p));
+    for (int round = 0; round < kRounds; ++round) {
+      for (const FloatPolygon& p : timed) consume(way(p));
+    }
   };
-  c.items = kTimedPolygons;
+  c.items = double(kTimedPolygons) * kRounds;
   return c;
 }
 

@@ -3,111 +3,13 @@
 #include <array>
 #include <cmath>
 
-#include <glassbox/base/trig.h>
-#include <glassbox/pipeline/affine.h>
-
 #include "study/experiments/consume.h"
+#include "study/experiments/d13_ways.h"
 #include "study/experiments/experiments.h"
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study {
 namespace {
-
-template <class T>
-using Matrix = std::array<std::array<T, 3>, 3>;  // [row][column]
-
-constexpr double kStepRadians = 0.01;
-
-// A hundredth of a radian about an axis that no coordinate axis is near.
-glm::dmat4 step_rotation() {
-  return affine::rotation({1, 2, 3}, degrees_from_radians(kStepRadians)).value();
-}
-
-template <class T>
-Matrix<T> step_matrix() {
-  const glm::dmat4 step = step_rotation();
-  Matrix<T> m;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) m[std::size_t(i)][std::size_t(j)] = T(step[j][i]);
-  }
-  return m;
-}
-
-template <class T>
-Matrix<T> operator*(const Matrix<T>& a, const Matrix<T>& b) {
-  Matrix<T> product;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j)
-      product[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j];
-  }
-  return product;
-}
-
-// ---- the ways ----
-
-// The product as it comes, its rows made orthonormal again after every so many steps (Gram and Schmidt); 0: never.
-template <class T>
-class Product {
-public:
-  explicit Product(int renormalised_every) : every_(renormalised_every) {}
-
-  void advance() {
-    r_ = r_ * step_;
-    if (every_ != 0 && ++since_ == every_) renormalise();
-  }
-  // How far the next renormalisation finds it: the last moment before.
-  bool is_worst() const { return every_ == 0 || since_ == every_ - 1; }
-  const Matrix<T>& matrix() const { return r_; }
-
-private:
-  void renormalise() {
-    auto& [u, v, w] = r_;
-    normalise(u);
-    const T along = v[0] * u[0] + v[1] * u[1] + v[2] * u[2];
-    for (std::size_t i = 0; i < 3; ++i) v[i] -= along * u[i];
-    normalise(v);
-    w = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-    since_ = 0;
-  }
-  static void normalise(std::array<T, 3>& a) {
-    const T length = std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-    for (T& x : a) x /= length;
-  }
-
-  int every_, since_ = 0;
-  Matrix<T> step_ = step_matrix<T>();
-  Matrix<T> r_{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-};
-
-// A quaternion, normalised at every step, made into a matrix where one is wanted.
-class Quaternion {
-public:
-  explicit Quaternion(int) {
-    const AxisAngle turn = axis_angle_of(step_rotation());
-    const SinCos half = sin_cos(turn.radians / 2);
-    step_ = {float(half.cos), float(half.sin * turn.axis.x), float(half.sin * turn.axis.y),
-             float(half.sin * turn.axis.z)};
-  }
-
-  void advance() {
-    const auto [a, b, c, d] = q_;
-    const auto [e, f, g, h] = step_;
-    q_ = {a * e - b * f - c * g - d * h, a * f + b * e + c * h - d * g,
-          a * g - b * h + c * e + d * f, a * h + b * g - c * f + d * e};
-    const float length = std::sqrt(q_[0] * q_[0] + q_[1] * q_[1] + q_[2] * q_[2] + q_[3] * q_[3]);
-    for (float& x : q_) x /= length;
-  }
-  bool is_worst() const { return true; }
-  Matrix<float> matrix() const {
-    const auto [a, b, c, d] = q_;
-    return {{{1 - 2 * (c * c + d * d), 2 * (b * c - a * d), 2 * (b * d + a * c)},
-             {2 * (b * c + a * d), 1 - 2 * (b * b + d * d), 2 * (c * d - a * b)},
-             {2 * (b * d - a * c), 2 * (c * d + a * b), 1 - 2 * (b * b + c * c)}}};
-  }
-
-private:
-  std::array<float, 4> step_{}, q_{1, 0, 0, 0};
-};
 
 // ---- the error ----
 
@@ -127,8 +29,8 @@ double exact_dot(const std::array<double, 3>& a, const std::array<double, 3>& b,
 }
 
 template <class T>
-Matrix<double> defect(const Matrix<T>& r) {
-  Matrix<double> d, e;
+RotationMatrix<double> defect(const RotationMatrix<T>& r) {
+  RotationMatrix<double> d, e;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) d[i][j] = double(r[i][j]);
   }
@@ -138,7 +40,7 @@ Matrix<double> defect(const Matrix<T>& r) {
   return e;
 }
 
-double frobenius(const Matrix<double>& m) {
+double frobenius(const RotationMatrix<double>& m) {
   double sum = 0;
   for (const auto& row : m) {
     for (const double x : row) sum += square(x);
@@ -168,7 +70,7 @@ double largest_defect(int every, int steps) {
 // a, so that over a turn only what that leaves alone remains of E: p = a^T E a along the axis, and (trace E - p)/2 across.
 template <class T>
 double drift_of_step() {
-  const Matrix<double> e = defect(step_matrix<T>());
+  const RotationMatrix<double> e = defect(step_matrix<T>());
   const glm::dvec3 a = axis_angle_of(step_rotation()).axis;
   double along = 0;
   for (int i = 0; i < 3; ++i) {
@@ -228,9 +130,9 @@ void advance_all(int every) {
   consume(way.matrix());
 }
 
-constexpr auto kFloat = largest_defect<Product<float>>;
+constexpr auto kFloat = largest_defect<RotationProduct<float>>;
 constexpr auto kFloatTheory = predict_product<float>;
-constexpr auto kFloatWork = advance_all<Product<float>>;
+constexpr auto kFloatWork = advance_all<RotationProduct<float>>;
 
 const Series kSeries[] = {
     {"float, never renormalised", kFloat, kFloatTheory, 0, kFloatWork},
@@ -238,10 +140,10 @@ const Series kSeries[] = {
     {"float, renormalised every 100 steps", kFloat, kFloatTheory, 100, kFloatWork},
     {"float, renormalised every 10 steps", kFloat, kFloatTheory, 10, kFloatWork},
     {"float, renormalised every step", kFloat, kFloatTheory, 1, kFloatWork},
-    {"float quaternion", largest_defect<Quaternion>, predict_quaternion, 1,
-     advance_all<Quaternion>},
-    {"double, never renormalised", largest_defect<Product<double>>, predict_product<double>, 0,
-     advance_all<Product<double>>},
+    {"float quaternion", largest_defect<RotationQuaternion>, predict_quaternion, 1,
+     advance_all<RotationQuaternion>},
+    {"double, never renormalised", largest_defect<RotationProduct<double>>, predict_product<double>,
+     0, advance_all<RotationProduct<double>>},
 };
 
 std::vector<Configuration> configurations(Effort effort) {

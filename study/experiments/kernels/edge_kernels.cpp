@@ -1,5 +1,7 @@
 #include "study/experiments/kernels/edge_kernels.h"
 
+#include <algorithm>
+
 // This file is compiled once for each instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "study/experiments/kernels/edge_kernels.cpp"
@@ -90,33 +92,35 @@ std::int64_t by_plane(const TileEdges& t) {
   });
 }
 
-// By steps: integers stay exact however far they are carried. kShift = 8 drops the factor 256 that all steps have.
+// Integers are exact wherever they are taken from. kShift = 8 drops the factor 256 that all steps have. Within the tile E/256
+// changes by less than 2^30 (edges of at most 2^23 steps along x and y), so that an edge farther away than that decides alike
+// for the whole tile, and may be brought to 2^30.
 template <class T, int kShift>
 std::int64_t by_steps(const TileEdges& t) {
   const hn::ScalableTag<T> d;
   using V = hn::Vec<decltype(d)>;
   const int lanes = int(hn::Lanes(d));
-  Three<std::int64_t> corner;
-  Three<V> lane, step;
-  Three<T> step_y;
+  constexpr std::int64_t kFar = std::int64_t(1) << (sizeof(T) == 4 ? 30 : 62);
+  Three<T> corner, step_x, step_y;
+  Three<V> lane;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::int64_t a = -t.dy[k], b = t.dx[k];
-    corner[k] = (a * (kCentre - t.x0[k]) + b * (kCentre - t.y0[k]) - t.bias[k]) >> kShift;
-    const T step_x = T(a * (kSteps >> kShift));
-    T offsets[HWY_MAX_BYTES / sizeof(T)];
-    for (int i = 0; i < lanes; ++i) offsets[i] = T(i) * step_x;
-    lane[k] = hn::LoadU(d, offsets);
-    step[k] = hn::Set(d, T(step_x * T(lanes)));
+    const std::int64_t exact = a * (kCentre - t.x0[k]) + b * (kCentre - t.y0[k]) - t.bias[k];
+    corner[k] = T(std::clamp(exact >> kShift, -kFar, kFar));
+    step_x[k] = T(a * (kSteps >> kShift));
     step_y[k] = T(b * (kSteps >> kShift));
+    T offsets[HWY_MAX_BYTES / sizeof(T)];
+    for (int i = 0; i < lanes; ++i) offsets[i] = T(i) * step_x[k];
+    lane[k] = hn::LoadU(d, offsets);
   }
   return count(d, [&](int y) HWY_ATTR {
-    Three<V> e;
-    for (std::size_t k = 0; k < 3; ++k)
-      e[k] = hn::Add(lane[k], hn::Set(d, T(T(corner[k]) + T(y) * step_y[k])));
-    return [e, &step](int) mutable HWY_ATTR {
-      const Three<V> here = e;
-      for (std::size_t k = 0; k < 3; ++k) e[k] = hn::Add(e[k], step[k]);
-      return here;
+    Three<T> start;
+    for (std::size_t k = 0; k < 3; ++k) start[k] = T(corner[k] + T(y) * step_y[k]);
+    return [start, d, &lane, &step_x](int x) HWY_ATTR {
+      Three<V> e;
+      for (std::size_t k = 0; k < 3; ++k)
+        e[k] = hn::Add(lane[k], hn::Set(d, T(start[k] + T(x) * step_x[k])));
+      return e;
     };
   });
 }

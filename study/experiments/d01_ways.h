@@ -1,0 +1,161 @@
+// The ways of D-1 to carry a vertex from its object to the screen.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include <glassbox/pipeline/divide.h>
+
+#include "study/experiments/d01_shots.h"
+
+namespace glassbox::study {
+
+// Each takes vertices in its own numbers, Input, and gives x, y, z and 1/w in them; pixels() are x and y as doubles.
+using Pixels = std::array<double, 2>;
+
+// ---- float: the pipeline's own stages ----
+
+class FloatWay {
+public:
+  using Input = Point<Object>;
+  static Input input(const Point<Object, double>& p) {
+    return {float(p.x), float(p.y), float(p.z)};
+  }
+  static Pixels pixels(const ScreenVertex& v) { return {v.position.x, v.position.y}; }
+};
+
+class ThreeMatrices : public FloatWay {
+public:
+  ThreeMatrices(const Transform<World, Object>& world_from_object,
+                const Transform<Eye, World>& eye_from_world)
+      : world_from_object_(round_to_float(world_from_object)),
+        eye_from_world_(round_to_float(eye_from_world)),
+        clip_from_eye_(round_to_float(shot_projection())) {}
+  ScreenVertex operator()(const Point<Object>& p) const {
+    return to_screen(divide(clip_from_eye_ * (eye_from_world_ * (world_from_object_ * p))),
+                     shot_viewport());
+  }
+
+private:
+  Transform<World, Object, float> world_from_object_;
+  Transform<Eye, World, float> eye_from_world_;
+  Transform<Clip, Eye, float> clip_from_eye_;
+};
+
+// Every matrix as it is, rounded to float.
+class FloatStages : public ThreeMatrices {
+public:
+  explicit FloatStages(const Shot& shot)
+      : ThreeMatrices(placed<World, Object>(shot.world_from_object, shot.object), view_of(shot)) {}
+};
+
+// The same with the world's origin in the eye: the eye is subtracted in double, where the difference of two near
+// numbers is exact.
+class CameraRelative : public ThreeMatrices {
+public:
+  explicit CameraRelative(const Shot& shot)
+      : ThreeMatrices(placed<World, Object>(shot.world_from_object, shot.object - shot.eye),
+                      placed<Eye, World>(shot.eye_from_world, {0, 0, 0})) {}
+};
+
+inline Transform<Clip, Object> composed(const Shot& shot) {
+  return shot_projection() * view_of(shot) *
+         placed<World, Object>(shot.world_from_object, shot.object);
+}
+
+// One matrix, composed in double and rounded once: what `render` does.
+class ComposedOnce : public FloatWay {
+public:
+  explicit ComposedOnce(const Shot& shot) : clip_from_object_(round_to_float(composed(shot))) {}
+  ScreenVertex operator()(const Point<Object>& p) const {
+    return to_screen(divide(clip_from_object_ * p), shot_viewport());
+  }
+
+private:
+  Transform<Clip, Object, float> clip_from_object_;
+};
+
+// ---- double ----
+
+class DoubleStages {
+public:
+  using Input = Point<Object, double>;
+  struct Output {
+    double x, y, z, inverse_w;
+  };
+
+  explicit DoubleStages(const Shot& shot) : clip_from_object_(composed(shot)) {}
+  static Input input(const Point<Object, double>& p) { return p; }
+  static Pixels pixels(const Output& v) { return {v.x, v.y}; }
+  Output operator()(const Input& p) const {
+    const Point<Clip, double> clip = clip_from_object_ * p;
+    return {clip.x / clip.w * (kShotWidth / 2.0) + kShotWidth / 2.0,
+            clip.y / clip.w * (-kShotHeight / 2.0) + kShotHeight / 2.0, clip.z / clip.w,
+            1 / clip.w};
+  }
+
+private:
+  Transform<Clip, Object> clip_from_object_;
+};
+
+// ---- fixed point ----
+
+// Whole numbers of 2^-32 in 64 bits, products and quotients in 128. The world's positions are kept as such, and the eye is
+// subtracted before the camera's rotation. With an infinite far plane depth follows from 1/w.
+class Fixed32 {
+public:
+  using Input = std::array<std::int64_t, 3>;
+  struct Output {
+    std::int64_t x, y, inverse_w;
+  };
+
+  explicit Fixed32(const Shot& shot)
+      : world_from_object_(fixed(rounded(shot.world_from_object))),
+        eye_from_world_(fixed(rounded(shot.eye_from_world))),
+        object_(fixed(to_glm(shot.object))),
+        eye_(fixed(to_glm(shot.eye))) {}
+
+  static Input input(const Point<Object, double>& p) { return fixed(glm::dvec3(to_glm(p))); }
+  static Pixels pixels(const Output& v) { return {double(v.x) / kOne, double(v.y) / kOne}; }
+
+  Output operator()(const Input& p) const {
+    Input world = times(world_from_object_, p);
+    for (std::size_t i = 0; i < 3; ++i) world[i] = (world[i] + object_[i]) - eye_[i];
+    const Input eye = times(eye_from_world_, world);
+    // The focal length is a whole number of pixels, and so is the middle of the picture.
+    const auto pixels_from_middle = [&](std::int64_t across) {
+      return std::int64_t(Wide(across) * Wide(kShotFocal) * kOne / -eye[2]);
+    };
+    return {pixels_from_middle(eye[0]) + kShotWidth / 2 * kOne,
+            pixels_from_middle(-eye[1]) + kShotHeight / 2 * kOne,
+            std::int64_t(Wide(kOne) * kOne / -eye[2])};
+  }
+
+private:
+  __extension__ using Wide = __int128;
+  using Rows = std::array<Input, 3>;
+  static constexpr std::int64_t kOne = std::int64_t(1) << 32;
+
+  static Input fixed(const glm::dvec3& v) {
+    const auto one = [](double x) { return std::int64_t(std::floor(x * double(kOne) + 0.5)); };
+    return {one(v.x), one(v.y), one(v.z)};
+  }
+  static Rows fixed(const glm::dmat3& m) {
+    const glm::dmat3 rows = glm::transpose(m);
+    return {fixed(rows[0]), fixed(rows[1]), fixed(rows[2])};
+  }
+  static Input times(const Rows& m, const Input& v) {
+    Input product;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Wide sum = Wide(m[i][0]) * v[0] + Wide(m[i][1]) * v[1] + Wide(m[i][2]) * v[2];
+      product[i] = std::int64_t((sum + kOne / 2) >> 32);
+    }
+    return product;
+  }
+
+  Rows world_from_object_, eye_from_world_;
+  Input object_, eye_;
+};
+
+}  // namespace glassbox::study

@@ -1,0 +1,111 @@
+// The edges of D-3, and the ways to compare a pixel centre with one.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+
+#include <glassbox/raster/stages.h>
+
+#include "study/experiments/kernels/edge_kernels.h"
+#include "study/random.h"
+
+namespace glassbox::study {
+
+// ---- an edge, and a pixel centre within half a pixel of it ----
+
+struct EdgeSample {
+  SnappedVertex from, to;
+  std::int32_t x = 0, y = 0;  // the centre, in 1/256 px
+
+  EdgeSample reversed() const { return {to, from, x, y}; }
+  std::int64_t dx() const { return to.x - from.x; }
+  std::int64_t dy() const { return to.y - from.y; }
+  // The longer side of the edge's box: |E| over it is the distance along the other axis.
+  std::int64_t major() const { return std::max(std::abs(dx()), std::abs(dy())); }
+  // Top and left edges own their points, as in the pipeline.
+  bool owns_zero() const { return dy() < 0 || (dy() == 0 && dx() > 0); }
+};
+
+inline std::int32_t nearest_centre(std::int64_t subpixels) {
+  return std::int32_t((subpixels & ~std::int64_t(kSubpixels - 1)) + kPixelCentre);
+}
+
+// Ends anywhere in a square of `width` px; a pixel of a random row or column that the edge crosses.
+inline EdgeSample random_edge_sample(Random& random, int width) {
+  const std::int64_t side = std::int64_t(width) * kSubpixels - 1;
+  const auto anywhere = [&] { return std::int32_t(random.integer(0, side)); };
+  while (true) {
+    EdgeSample s{{anywhere(), anywhere()}, {anywhere(), anywhere()}};
+    if (s.major() < kSubpixels) continue;
+    const double t = random.unit();
+    if (std::abs(s.dx()) == s.major()) {
+      s.x = nearest_centre(s.from.x + std::int64_t(t * double(s.dx())));
+      s.y = nearest_centre(s.from.y + (s.x - s.from.x) * s.dy() / s.dx());
+    } else {
+      s.y = nearest_centre(s.from.y + std::int64_t(t * double(s.dy())));
+      s.x = nearest_centre(s.from.x + (s.y - s.from.y) * s.dx() / s.dy());
+    }
+    return s;
+  }
+}
+
+// ---- the ways ----
+
+// E = dx (y - y0) - dy (x - x0), exact: the factors have 24 bits.
+inline std::int64_t exact_edge(const EdgeSample& s) {
+  return s.dx() * (s.y - s.from.y) - s.dy() * (s.x - s.from.x);
+}
+
+template <class T>
+bool covers(T edge, const EdgeSample& s) {
+  return edge > 0 || (edge == 0 && s.owns_zero());
+}
+
+// All coordinates and their differences are floats exactly.
+inline float float_difference(const EdgeSample& s) {
+  const float right = float(s.x) - float(s.from.x), down = float(s.y) - float(s.from.y);
+  return float(s.dx()) * down - float(s.dy()) * right;
+}
+inline float float_fma(const EdgeSample& s) {
+  const float right = float(s.x) - float(s.from.x), down = float(s.y) - float(s.from.y);
+  return std::fma(-float(s.dy()), right, float(s.dx()) * down);
+}
+// c = x0 y1 - x1 y0 changes its sign, and nothing else, when the ends are exchanged.
+template <class T>
+T plane(const EdgeSample& s) {
+  const T a = -T(s.dy()), b = T(s.dx());
+  const T c = T(s.from.x) * T(s.to.y) - T(s.to.x) * T(s.from.y);
+  return (a * T(s.x) + b * T(s.y)) + c;
+}
+// Seen from the corner of the tile that the pixel lies in. E - bias >= 0 if and only if its quotient by 256, rounded down, is;
+// within a tile of 64 px next to the edge that quotient has less than 2 * 2^23 * 2^6 = 2^30.
+inline std::int32_t int32_tile(const EdgeSample& s) {
+  const std::int32_t tile = kEdgeTile * kSubpixels;
+  const std::int32_t column = s.x % tile / kSubpixels, row = s.y % tile / kSubpixels;
+  EdgeSample corner = s;
+  corner.x -= column * kSubpixels, corner.y -= row * kSubpixels;
+  const auto start = std::int32_t((exact_edge(corner) - (s.owns_zero() ? 0 : 1)) >> kSubpixelBits);
+  return start - std::int32_t(s.dy()) * column + std::int32_t(s.dx()) * row;
+}
+
+inline bool covers_centre(EdgeArithmetic arithmetic, const EdgeSample& s) {
+  switch (arithmetic) {
+    case EdgeArithmetic::kFloatDifference:
+      return covers(float_difference(s), s);
+    case EdgeArithmetic::kFloatPlane:
+      return covers(plane<float>(s), s);
+    case EdgeArithmetic::kFloatFma:
+      return covers(float_fma(s), s);
+    case EdgeArithmetic::kDouble:
+      return covers(plane<double>(s), s);
+    case EdgeArithmetic::kInt32Tile:
+      return int32_tile(s) >= 0;
+    case EdgeArithmetic::kInt64:
+      break;
+  }
+  return covers(exact_edge(s), s);
+}
+
+}  // namespace glassbox::study
