@@ -14,15 +14,15 @@
 namespace glassbox::study {
 namespace {
 
-// Clockwise on the screen (y down), corners up to `reach` px from the tile's middle.
-std::vector<TileEdges> random_edges(std::int64_t reach, int count) {
+// Clockwise on the screen (y down), corners up to `reach` px from the tile's middle, on multiples of `step` / 256 px.
+std::vector<TileEdges> random_edges(std::int64_t reach, std::int64_t step, int count) {
   Random random(11);
   std::vector<TileEdges> triangles;
   while (int(triangles.size()) < count) {
     std::array<std::int64_t, 3> x, y;
     for (std::size_t k = 0; k < 3; ++k) {
-      x[k] = random.integer(-reach * 256, reach * 256) + kEdgeTile * 128;
-      y[k] = random.integer(-reach * 256, reach * 256) + kEdgeTile * 128;
+      x[k] = step * random.integer(-reach * 256 / step, reach * 256 / step) + kEdgeTile * 128;
+      y[k] = step * random.integer(-reach * 256 / step, reach * 256 / step) + kEdgeTile * 128;
     }
     const std::int64_t area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
     if (area <= 0) continue;
@@ -57,20 +57,23 @@ std::int64_t count_exactly(const std::vector<TileEdges>& triangles) {
 }  // namespace
 
 TEST_CASE("the integer edge kernels count what exact arithmetic counts, near and far (D-3)") {
-  for (const std::int64_t reach : {40, 1000, 16000}) {
-    CAPTURE(reach);
-    const auto triangles = random_edges(reach, 200);
-    const std::int64_t right = count_exactly(triangles);
-    REQUIRE(right > 0);
-    CHECK(count_covered(EdgeArithmetic::kInt32Tile, triangles) == right);
-    CHECK(count_covered(EdgeArithmetic::kInt64, triangles) == right);
+  // Corners on half pixels have edges that run through pixel centres.
+  for (const std::int64_t step : {1, 128}) {
+    for (const std::int64_t reach : {40, 1000, 16000}) {
+      CAPTURE(step, reach);
+      const auto triangles = random_edges(reach, step, 200);
+      const std::int64_t right = count_exactly(triangles);
+      REQUIRE(right > 0);
+      CHECK(count_covered(EdgeArithmetic::kInt32Tile, triangles) == right);
+      CHECK(count_covered(EdgeArithmetic::kInt64, triangles) == right);
+    }
   }
 }
 
 // Edges of 64 px and less have products below 2^24 * 2^6: no float form is wrong but where a centre lies on an edge, which
 // none of them looks at; one centre in 2^8 or so next to an edge does.
 TEST_CASE("the floating-point edge kernels count the same but for ties (D-3)") {
-  const auto triangles = random_edges(40, 200);
+  const auto triangles = random_edges(40, 1, 200);
   const std::int64_t right = count_exactly(triangles);
   for (const EdgeArithmetic arithmetic :
        {EdgeArithmetic::kFloatDifference, EdgeArithmetic::kFloatPlane, EdgeArithmetic::kFloatFma,
