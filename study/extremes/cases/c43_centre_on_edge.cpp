@@ -1,0 +1,82 @@
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/coverage.h"
+#include "study/naive/coverage.h"
+#include "study/random.h"
+
+namespace glassbox::study {
+
+namespace {
+
+// Direct3D's picture: (1,1)-(3,5) with centres at integers is (1.5,1.5)-(3.5,5.5) with centres at halves. Its vertices are
+// pixel centres; columns 1 and 2, rows 1 to 4 are covered, once each. The pair over (0,0)-(5,5) has 15 and 10 pixels.
+std::int64_t fixture_faults(const Covers& covers) {
+  const auto v = [](double x, double y) { return screen_vertex(x, y); };
+  const Image<int> rectangle = times_covered(
+      covers, {{v(1.5, 1.5), v(3.5, 1.5), v(3.5, 5.5)}, {v(1.5, 1.5), v(3.5, 5.5), v(1.5, 5.5)}}, 8,
+      8);
+  std::int64_t wrong = 0;
+  for (int y = 0; y < 8; ++y) {
+    for (int x = 0; x < 8; ++x) {
+      const int right = x >= 1 && x <= 2 && y >= 1 && y <= 4 ? 1 : 0;
+      wrong += rectangle.at(x, y) != right;
+    }
+  }
+  const auto pixels = [&](const ScreenTriangle& t) {
+    std::int64_t count = 0;
+    covers(t, {0, 0, 8, 8}, [&](int, int) { ++count; });
+    return count;
+  };
+  wrong += pixels({v(0, 0), v(5, 0), v(5, 5)}) != 15;
+  wrong += pixels({v(0, 5), v(0, 0), v(5, 5)}) != 10;
+  return wrong;
+}
+
+Outcome judge(const Covers& covers) {
+  CoverageFaults faults;
+  Random random(43);
+  for (int i = 0; i < 20000; ++i) {
+    SnappedTriangle t;
+    for (SnappedVertex& v : t) {
+      v = {std::int32_t(random.integer(0, 7)) * 256 + 128,
+           std::int32_t(random.integer(0, 7)) * 256 + 128};
+    }
+    compare_coverage(covers, screen_triangle(t), {0, 0, 8, 8}, faults);
+  }
+  return {double(faults.wrong() + fixture_faults(covers)), 0, {}, faults.text()};
+}
+
+Image<int> drawn(const Covers& covers) {
+  const auto v = [](double x, double y) { return screen_vertex(x, y); };
+  return times_covered(covers, {{v(0, 0), v(8, 0), v(8, 8)}, {v(0, 8), v(0, 0), v(8, 8)}}, 8, 8);
+}
+
+}  // namespace
+
+ExtremeCase c43_centre_on_edge() {
+  const auto with = [](const naive::CoverageParts& parts) {
+    return [parts] { return judge(naive::covers_with(parts)); };
+  };
+  ExtremeCase c;
+  c.id = "C-43";
+  c.name = "Pixel centres on edges and vertices";
+  c.construction =
+      "20,000 random triangles with vertices at pixel centres of an 8 x 8 picture; the rectangle "
+      "(1.5,1.5)-(3.5,5.5); the halves of the square (0,0)-(5,5), which have 15 and 10 pixels";
+  c.stage = "coverage";
+  c.right = "the top-left rule, by a sample moved by (e, e^2) in 128 bits: no pixel differs";
+  c.unit = "pixels";
+  c.oracle = Oracle::kInteger;
+  c.ours = {"integer edge functions, top-left rule", [] { return judge(pipeline_covers); }};
+  c.naive = {"float cross products, >= 0", [] { return judge(naive::float_covers); }};
+  c.mutants = {
+      {"the tie rule is missing: nobody owns an edge", with({.owns = naive::owns_none})},
+      {"every edge owns its points", with({.owns = naive::owns_all})},
+      {"bottom-right in place of top-left", with({.owns = naive::bottom_right})},
+      {"top edges are forgotten", with({.owns = naive::left_only})},
+  };
+  c.pictures = {{"naive", [] { return coverage_png(drawn(naive::float_covers), 32); }},
+                {"ours", [] { return coverage_png(drawn(pipeline_covers), 32); }}};
+  return c;
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,81 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+#include <glassbox/base/trig.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/coverage.h"
+#include "study/naive/coverage.h"
+
+namespace glassbox::study {
+
+namespace {
+
+constexpr double kCentre = 10.5;
+constexpr int kPixel = 10;
+
+// n triangles around the pixel centre; every other fan is turned, so that edges point to all sides, along the axes too.
+std::vector<ScreenTriangle> fan(int n) {
+  std::vector<ScreenTriangle> triangles;
+  const auto rim = [&](int i) {
+    const SinCos angle = sin_cos_degrees(360.0 * (i % n) / n + (n % 2 == 0 ? 0.0 : 7.0));
+    return screen_vertex(kCentre + 8 * angle.cos, kCentre + 8 * angle.sin);
+  };
+  for (int i = 0; i < n; ++i) {
+    triangles.push_back({screen_vertex(kCentre, kCentre), rim(i), rim(i + 1)});
+  }
+  return triangles;
+}
+
+Outcome judge(const Covers& covers) {
+  int worst = 0, worst_fan = 3, fans = 0, wrong = 0;
+  for (int n = 3; n <= 256; ++n) {
+    int hits = 0;
+    for (const ScreenTriangle& t : fan(n)) {
+      covers(t, {kPixel, kPixel, kPixel + 1, kPixel + 1}, [&](int, int) { ++hits; });
+    }
+    ++fans;
+    wrong += hits != 1;
+    if (std::abs(hits - 1) > worst) {
+      worst = std::abs(hits - 1);
+      worst_fan = n;
+    }
+  }
+  return {double(worst),
+          0,
+          {},
+          worst == 0 ? fmt::format("once in each of {} fans", fans)
+                     : fmt::format("{} of {} fans wrong, worst with {} triangles", wrong, fans,
+                                   worst_fan)};
+}
+
+}  // namespace
+
+ExtremeCase c44_fan() {
+  const auto with = [](const naive::CoverageParts& parts) {
+    return [parts] { return judge(naive::covers_with(parts)); };
+  };
+  ExtremeCase c;
+  c.id = "C-44";
+  c.name = "Fan around a pixel centre";
+  c.construction = "3 to 256 triangles that meet at (10.5, 10.5), radius 8 px";
+  c.stage = "coverage";
+  c.right = "the centre belongs to exactly one of them";
+  c.unit = "hits too many or too few";
+  c.oracle = Oracle::kInteger;
+  c.ours = {"integer edge functions, top-left rule", [] { return judge(pipeline_covers); }};
+  c.naive = {"float cross products, >= 0", [] { return judge(naive::float_covers); }};
+  c.mutants = {{"the tie rule is missing: nobody owns an edge", with({.owns = naive::owns_none})},
+               {"every edge owns its points", with({.owns = naive::owns_all})},
+               {"top edges are forgotten", with({.owns = naive::left_only})}};
+  c.pictures = {
+      {"naive",
+       [] { return coverage_png(times_covered(naive::float_covers, fan(16), 21, 21), 16); }},
+      {"ours", [] { return coverage_png(times_covered(pipeline_covers, fan(16), 21, 21), 16); }}};
+  return c;
+}
+
+}  // namespace glassbox::study

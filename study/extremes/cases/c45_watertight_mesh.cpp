@@ -1,0 +1,90 @@
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/coverage.h"
+#include "study/extremes/kit/screen_scene.h"
+#include "study/naive/coverage.h"
+
+namespace glassbox::study {
+
+namespace {
+
+constexpr int kSide = 1024;
+
+// Triangles around a point far to the left of the picture, two pixels high at its right edge: float has too few bits for
+// edge functions of that length.
+std::vector<ScreenTriangle> long_triangles() {
+  const auto apex = screen_vertex(-20000, 512.3);
+  const auto rim = [](int i) { return screen_vertex(1030 + i % 7 * 0.37, -40 + i * 1104 / 512.0); };
+  std::vector<ScreenTriangle> all;
+  for (int i = 0; i < 512; ++i) all.push_back({apex, rim(i), rim(i + 1)});
+  return all;
+}
+
+const std::vector<std::vector<ScreenTriangle>>& meshes() {
+  static const std::vector<std::vector<ScreenTriangle>> all{
+      jittered_grid(500, 500, kSide, kSide, 0.2, 45), long_triangles()};
+  return all;
+}
+
+using Covered = std::function<Image<int>(const std::vector<ScreenTriangle>&)>;
+
+Outcome judge(const Covered& covered, const char* by = "") {
+  Watertightness found;
+  for (const auto& mesh : meshes()) {
+    const Watertightness one = watertightness(covered(mesh));
+    found.samples += one.samples;
+    found.gaps += one.gaps;
+    found.doubles += one.doubles;
+  }
+  return {double(found.gaps + found.doubles), 0, {}, found.text() + by};
+}
+
+Outcome judge(const Covers& covers) {
+  return judge([&](const std::vector<ScreenTriangle>& mesh) {
+    return times_covered(covers, mesh, kSide, kSide);
+  });
+}
+
+// The stage alone, then whole runs: a gap in the opaque one is a pixel that shows nothing.
+Outcome judge_ours() {
+  const Outcome stage = judge(Covers(pipeline_covers));
+  const Outcome engine = judge(
+      [](const std::vector<ScreenTriangle>& mesh) {
+        TrianglesDrawn drawn = drawn_by_tile_engine(mesh, kSide, {});
+        for (std::size_t i = 0; i < drawn.first.pixels.size(); ++i) {
+          if (drawn.first.pixels[i] == 0) drawn.times.pixels[i] = 0;
+        }
+        return drawn.times;
+      },
+      ", by the stage and by the tile engine");
+  return stage.error > engine.error ? stage : engine;
+}
+
+Outcome with(const naive::CoverageParts& parts) {
+  return judge(naive::covers_with(parts));
+}
+
+}  // namespace
+
+ExtremeCase c45_watertight_mesh() {
+  ExtremeCase c;
+  c.id = "C-45";
+  c.name = "Watertight mesh";
+  c.construction =
+      "a grid of 500 x 500 quads over 1024 x 1024 px, inner vertices moved by up to 0.2 of a cell; "
+      "512 triangles 21,000 px long around a point outside";
+  c.stage = "coverage";
+  c.right = "every pixel exactly once: edge functions are integers, and one side owns each edge";
+  c.unit = "pixels";
+  c.oracle = Oracle::kInteger;
+  c.ours = {"integer edge functions, top-left rule", judge_ours};
+  c.naive = {"float cross products, >= 0", [] { return judge(Covers(naive::float_covers)); }};
+  c.mutants = {
+      {"float edges: differences from each edge's first vertex",
+       [] { return with({.inside = naive::float_difference_inside}); }},
+      {"the tie rule is missing: nobody owns an edge",
+       [] { return with({.owns = naive::owns_none}); }},
+  };
+  return c;
+}
+
+}  // namespace glassbox::study

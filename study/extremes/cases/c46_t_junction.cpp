@@ -1,0 +1,93 @@
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/coverage.h"
+#include "study/naive/coverage.h"
+#include "study/random.h"
+
+namespace glassbox::study {
+
+namespace {
+
+constexpr int kSide = 64;
+
+// A triangle A B T above a long edge A-B, and A M C, M B C below it with M on the edge, as well as floats and the snap
+// allow.
+struct Junction {
+  ScreenVertex a, b, m, top, bottom;
+
+  std::vector<ScreenTriangle> with_junction() const {
+    return {{a, b, top}, {a, m, bottom}, {m, b, bottom}};
+  }
+  std::vector<ScreenTriangle> with_vertex_inserted() const {
+    return {{a, m, top}, {m, b, top}, {a, m, bottom}, {m, b, bottom}};
+  }
+};
+
+Junction random_junction(Random& random) {
+  const double ya = random.between(20, 44), yb = random.between(20, 44);
+  const double xa = random.between(-4, 4), xb = random.between(60, 68);
+  const double t = random.between(0.2, 0.8);
+  return {screen_vertex(xa, ya), screen_vertex(xb, yb),
+          screen_vertex(xa + t * (xb - xa), ya + t * (yb - ya)), screen_vertex(30, -40),
+          screen_vertex(34, 110)};
+}
+
+// Pixels near the edge, well inside the outer triangles, that are not covered once.
+int faults_along(const std::vector<ScreenTriangle>& triangles) {
+  const Image<int> times = times_covered(pipeline_covers, triangles, kSide, kSide);
+  int faults = 0;
+  for (int y = 16; y < 48; ++y) {
+    for (int x = 16; x < 48; ++x) faults += times.at(x, y) != 1;
+  }
+  return faults;
+}
+
+// Pixels there between the snapped M and the edge: those of the triangle A M B. They are covered by nobody or by two.
+int predicted(const Junction& j) {
+  const SnappedTriangle sliver = exact_snap(ScreenTriangle{j.a, j.m, j.b});
+  int pixels = 0;
+  for (int y = 16; y < 48; ++y) {
+    for (int x = 16; x < 48; ++x) pixels += covers_exactly(sliver, x, y) ? 1 : 0;
+  }
+  return pixels;
+}
+
+Outcome judge(bool insert_the_vertex, bool predict) {
+  Random random(46);
+  int faults = 0, foretold = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Junction j = random_junction(random);
+    faults += faults_along(insert_the_vertex ? j.with_vertex_inserted() : j.with_junction());
+    if (predict) foretold += std::abs(faults_along(j.with_junction()) - predicted(j));
+  }
+  return {double(faults + foretold),
+          0,
+          {},
+          fmt::format("{} pixels not covered once along 2,000 edges{}", faults,
+                      predict ? "; those of the T-junctions are as predicted" : "")};
+}
+
+}  // namespace
+
+ExtremeCase c46_t_junction() {
+  ExtremeCase c;
+  c.id = "C-46";
+  c.name = "T-junction";
+  c.construction =
+      "2,000 long edges with two triangles on one side that meet in a vertex on the edge, and one "
+      "triangle on the other side";
+  c.stage = "coverage";
+  c.right =
+      "none when the vertex is inserted into the long edge; otherwise exactly the pixels of the "
+      "sliver between the snapped vertex and the edge, which no rasterizer can mend";
+  c.unit = "pixels";
+  c.oracle = Oracle::kInteger;
+  c.ours = {"the vertex inserted on both sides", [] { return judge(true, true); }};
+  c.naive = {"a mesh with T-junctions", [] { return judge(false, false); }};
+  return c;
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include <glassbox/raster/coverage.h>
+#include <glassbox/raster/interpolate.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/coverage.h"
+#include "study/naive/coverage.h"
+#include "study/random.h"
+
+namespace glassbox::study {
+
+namespace {
+
+constexpr double kLength = 4000;
+
+// Width 2^-k px at the one end, 0 at the other, in a random direction.
+ScreenTriangle sliver(int k, Random& random) {
+  const double x = random.between(0, 100), y = random.between(0, 100);
+  const double slope = random.between(0.05, 0.95);
+  return {screen_vertex(x, y, 0.25f), screen_vertex(x + kLength, y + kLength * slope, 0.75f),
+          screen_vertex(x, y + std::ldexp(1.0, -k), 0.5f)};
+}
+
+// The pixels whose centres can lie in it: in each column those beside the long edge.
+Outcome judge(const Covers& covers) {
+  Random random(47);
+  CoverageFaults faults;
+  std::int64_t covered = 0;
+  for (int k = 8; k <= 20; ++k) {
+    for (int i = 0; i < 4; ++i) {
+      const ScreenTriangle t = sliver(k, random);
+      const double slope = double(t[1].position.y - t[0].position.y) / kLength;
+      for (int x = int(t[0].position.x); x < int(t[1].position.x); x += 1) {
+        const int y = int(double(t[0].position.y) + (x + 0.5 - double(t[0].position.x)) * slope);
+        compare_coverage(covers, t, {x, y - 1, x + 1, y + 2}, faults);
+        covers(t, {x, y - 1, x + 1, y + 2}, [&](int, int) { ++covered; });
+      }
+    }
+  }
+  return {double(faults.wrong()), 0, {}, fmt::format("{}; {} covered", faults.text(), covered)};
+}
+
+// The pipeline's fragments there have finite weights between 0 and 1 too.
+Outcome judge_ours() {
+  Outcome outcome = judge(pipeline_covers);
+  Random random(47);
+  for (int k = 8; k <= 20; ++k) {
+    const auto setup = setup_triangle(sliver(k, random));
+    if (!setup) continue;
+    for_each_covered(*setup, {0, 0, 4200, 4200}, [&](const Coverage& pixel) {
+      const Fragment fragment = interpolate(*setup, pixel);
+      for (const float weight : fragment.weights) {
+        if (!(weight >= 0.0f && weight <= 1.00001f)) outcome.error = INFINITY;
+      }
+    });
+  }
+  return outcome;
+}
+
+}  // namespace
+
+ExtremeCase c47_slivers() {
+  ExtremeCase c;
+  c.id = "C-47";
+  c.name = "Slivers";
+  c.construction = "triangles 4,000 px long and 2^-8 to 2^-20 px wide, in four directions each";
+  c.stage = "coverage";
+  c.right =
+      "exactly the pixels of the snapped triangle, none where its area is zero; weights in "
+      "[0, 1], for which 1/area is taken of an integer that is at least 1";
+  c.unit = "pixels";
+  c.oracle = Oracle::kInteger;
+  c.ours = {"integer edge functions", judge_ours};
+  c.naive = {"float cross products, >= 0", [] { return judge(naive::float_covers); }};
+  c.mutants = {{"float edges: differences from each edge's first vertex", [] {
+                  return judge(naive::covers_with({.inside = naive::float_difference_inside}));
+                }}};
+  return c;
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,62 @@
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/coverage.h"
+#include "study/naive/coverage.h"
+#include "study/random.h"
+
+namespace glassbox::study {
+
+namespace {
+
+ScreenTriangle random_triangle(Random& random) {
+  ScreenTriangle t;
+  for (ScreenVertex& v : t) v = screen_vertex(random.between(-9, 9), random.between(-9, 9));
+  return t;
+}
+
+Outcome judge(const Covers& covers) {
+  Random random(48);
+  CoverageFaults faults;
+  for (int i = 0; i < 4000; ++i) {
+    compare_coverage(covers, random_triangle(random), {-8, -8, 8, 8}, faults);
+  }
+  return {double(faults.wrong()), 0, {}, faults.text()};
+}
+
+// Visits the pixels whose floats truncate to whole numbers in the triangle's box: -0.3 and 0.3 are both column 0.
+void truncating_covers(const ScreenTriangle& t, const PixelRect& window, const Visit& visit) {
+  naive::covers_with({}, t, window, [&](int x, int y) {
+    const auto truncated = [](int i) { return int(float(i) + 0.5f); };
+    visit(truncated(x), truncated(y));
+  });
+}
+
+Outcome judge_naive() {
+  // What lands outside of the window is lost, as it would be on a screen.
+  return judge([](const ScreenTriangle& t, const PixelRect& window, const Visit& visit) {
+    truncating_covers(t, window, [&](int x, int y) {
+      if (x >= window.x0 && x < window.x1 && y >= window.y0 && y < window.y1) visit(x, y);
+    });
+  });
+}
+
+}  // namespace
+
+ExtremeCase c48_negative_coordinates() {
+  ExtremeCase c;
+  c.id = "C-48";
+  c.name = "Negative coordinates";
+  c.construction =
+      "4,000 random triangles across both axes of the screen, on columns and rows -8 "
+      "to 7";
+  c.stage = "snap, coverage";
+  c.right = "floor everywhere: shifts of integers round down, so column -1 is a column like others";
+  c.unit = "pixels";
+  c.oracle = Oracle::kInteger;
+  c.ours = {"floor", [] { return judge(pipeline_covers); }};
+  c.naive = {"(int) of the pixel's position", judge_naive};
+  c.mutants = {{"the snap truncates in place of rounding by floor",
+                [] { return judge(naive::covers_with({.snap = naive::snap_truncating})); }}};
+  return c;
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,106 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <glassbox/raster/coverage.h>
+#include <glassbox/raster/interpolate.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/coverage.h"
+#include "study/naive/coverage.h"
+#include "study/random.h"
+
+namespace glassbox::study {
+
+namespace {
+
+constexpr int kSide = 64;
+
+// Four triangles around an inner quad that is 1/1024 px thin: of its own two triangles the snap leaves a line.
+std::vector<ScreenTriangle> mesh(Random& random) {
+  const double y = random.between(20, 44), dy = random.between(-3, 3);
+  const auto v = [](double x, double at) { return screen_vertex(x, at); };
+  const auto left = v(-2, y), right = v(66, y + dy);
+  const auto middle = v(32, y + dy / 2 + 0x1p-11), below = v(32, y + dy / 2 + 0x1p-10);
+  const auto a = v(-2, -2), b = v(66, -2), c = v(66, 66), d = v(-2, 66);
+  return {{a, b, right},          {a, right, middle}, {a, middle, left}, {left, middle, below},
+          {middle, right, below}, {left, below, d},   {below, right, c}, {below, c, d}};
+}
+
+// Draws a triangle: calls the visitor for each covered pixel with its first barycentric weight.
+using Draws =
+    std::function<void(const ScreenTriangle&, const std::function<void(int, int, float)>&)>;
+
+void pipeline_draws(const ScreenTriangle& t, const std::function<void(int, int, float)>& visit) {
+  const auto setup = setup_triangle(t);
+  if (!setup) return;
+  for_each_covered(*setup, {0, 0, kSide, kSide}, [&](const Coverage& pixel) {
+    visit(pixel.x, pixel.y, interpolate(*setup, pixel).weights[0]);
+  });
+}
+
+// Nothing is dropped: weights are edge functions over the area, 0/0 on the line that is left of a triangle.
+void draws_without_dropping(const ScreenTriangle& t,
+                            const std::function<void(int, int, float)>& visit) {
+  const SnappedTriangle v = exact_snap(t);
+  const auto cross = [](const SnappedVertex& a, const SnappedVertex& b, double x, double y) {
+    return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
+  };
+  const double area = cross(v[0], v[1], v[2].x, v[2].y);
+  const double turn = area < 0 ? -1 : 1;
+  const auto [top, bottom] = std::minmax({v[0].y, v[1].y, v[2].y});
+  for (int y = std::max(0, top / 256); y < std::min(kSide, bottom / 256 + 1); ++y) {
+    for (int x = 0; x < kSide; ++x) {
+      const double px = x * 256 + 128, py = y * 256 + 128;
+      const std::array<double, 3> e{cross(v[1], v[2], px, py) * turn,
+                                    cross(v[2], v[0], px, py) * turn,
+                                    cross(v[0], v[1], px, py) * turn};
+      if (e[0] >= 0 && e[1] >= 0 && e[2] >= 0) visit(x, y, float(e[0] / (area * turn)));
+    }
+  }
+}
+
+Outcome judge(const Draws& draws) {
+  Random random(49);
+  std::int64_t faults = 0, lines = 0, not_numbers = 0;
+  for (int i = 0; i < 200; ++i) {
+    Image<int> times(kSide, kSide);
+    for (const ScreenTriangle& t : mesh(random)) {
+      const SnappedTriangle v = exact_snap(t);
+      lines += std::int64_t(v[1].x - v[0].x) * (v[2].y - v[0].y) ==
+               std::int64_t(v[2].x - v[0].x) * (v[1].y - v[0].y);
+      draws(t, [&](int x, int y, float weight) {
+        ++times.at(x, y);
+        not_numbers += !std::isfinite(weight);
+      });
+    }
+    const Watertightness found = watertightness(times);
+    faults += found.gaps + found.doubles;
+  }
+  return {double(faults + not_numbers),
+          0,
+          {},
+          fmt::format("{} triangles without area; {} pixels not covered once, {} weights that are "
+                      "no numbers",
+                      lines, faults, not_numbers)};
+}
+
+}  // namespace
+
+ExtremeCase c49_zero_area() {
+  ExtremeCase c;
+  c.id = "C-49";
+  c.name = "No area after snapping";
+  c.construction =
+      "200 meshes of eight triangles, two of which are 2^-11 px high and 68 px long, so "
+      "that the snap leaves a line of most of them";
+  c.stage = "setup";
+  c.right = "such triangles are dropped, for they cover no pixel; their neighbours stay watertight";
+  c.unit = "pixels";
+  c.oracle = Oracle::kInteger;
+  c.ours = {"dropped at setup", [] { return judge(pipeline_draws); }};
+  c.naive = {"drawn all the same", [] { return judge(draws_without_dropping); }};
+  return c;
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,61 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/coverage.h"
+#include "study/naive/coverage.h"
+#include "study/random.h"
+
+namespace glassbox::study {
+
+namespace {
+
+// Large triangles of random snapped vertices, looked at beside points on their edges: pictures of this size are sampled,
+// not allocated.
+Outcome judge(const Covers& covers) {
+  Random random(50);
+  CoverageFaults faults;
+  for (const int width : {7680, 32767}) {
+    for (int i = 0; i < 4000; ++i) {
+      SnappedTriangle t;
+      for (SnappedVertex& v : t) {
+        v = {std::int32_t(random.integer(0, std::int64_t(width) * 256)),
+             std::int32_t(random.integer(0, std::int64_t(width) * 256))};
+      }
+      const ScreenTriangle triangle = screen_triangle(t);
+      for (int sample = 0; sample < 4; ++sample) {
+        const double share = random.unit();
+        const int x = int(std::floor((t[0].x + share * (t[1].x - t[0].x)) / 256));
+        const int y = int(std::floor((t[0].y + share * (t[1].y - t[0].y)) / 256));
+        compare_coverage(covers, triangle, {x - 1, y - 1, x + 2, y + 2}, faults);
+      }
+    }
+  }
+  return {double(faults.wrong()), 0, {}, faults.text()};
+}
+
+}  // namespace
+
+ExtremeCase c50_large_viewports() {
+  ExtremeCase c;
+  c.id = "C-50";
+  c.name = "8 K and 32 K viewports";
+  c.construction =
+      "4,000 random triangles each over 7,680 and 32,767 px, asked at four places "
+      "along an edge, 3 x 3 pixels around each";
+  c.stage = "coverage";
+  c.right = "exact: edge functions have at most 52 of 63 bits";
+  c.unit = "pixels";
+  c.oracle = Oracle::kInteger;
+  c.ours = {"64-bit edge functions", [] { return judge(pipeline_covers); }};
+  c.naive = {"float cross products, >= 0", [] { return judge(naive::float_covers); }};
+  c.mutants = {{"32-bit edge functions",
+                [] { return judge(naive::covers_with({.inside = naive::int32_inside})); }},
+               {"float edges: differences from each edge's first vertex", [] {
+                  return judge(naive::covers_with({.inside = naive::float_difference_inside}));
+                }}};
+  return c;
+}
+
+}  // namespace glassbox::study

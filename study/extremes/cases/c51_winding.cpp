@@ -1,0 +1,63 @@
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/coverage.h"
+#include "study/naive/coverage.h"
+#include "study/random.h"
+
+namespace glassbox::study {
+
+namespace {
+
+constexpr int kSide = 32;
+
+// A grid with vertices at pixel centres, every triangle of a random winding.
+std::vector<ScreenTriangle> mixed_grid() {
+  Random random(51);
+  std::vector<ScreenTriangle> triangles;
+  for (int y = -1; y < kSide + 1; ++y) {
+    for (int x = -1; x < kSide + 1; ++x) {
+      const auto v = [&](int i, int j) { return screen_vertex(x + i + 0.5, y + j + 0.5); };
+      triangles.push_back({v(0, 0), v(1, 0), v(1, 1)});
+      triangles.push_back({v(0, 0), v(1, 1), v(0, 1)});
+    }
+  }
+  for (ScreenTriangle& t : triangles) {
+    if (random.bits() & 1) std::swap(t[0], t[1]);
+  }
+  return triangles;
+}
+
+Outcome judge(const Covers& covers) {
+  const Watertightness found = watertightness(times_covered(covers, mixed_grid(), kSide, kSide));
+  return {double(found.gaps + found.doubles), 0, {}, found.text()};
+}
+
+Image<int> drawn(const Covers& covers) {
+  return times_covered(covers, mixed_grid(), kSide, kSide);
+}
+
+const naive::CoverageParts kRuleFirst{.rule_before_orientation = true};
+
+}  // namespace
+
+ExtremeCase c51_winding() {
+  ExtremeCase c;
+  c.id = "C-51";
+  c.name = "Both windings in one surface";
+  c.construction =
+      "a double-sided grid of 34 x 34 quads with vertices at pixel centres, every "
+      "triangle wound at random";
+  c.stage = "setup";
+  c.right = "every pixel once: triangles are turned clockwise before their edges are classed";
+  c.unit = "pixels";
+  c.oracle = Oracle::kInteger;
+  c.ours = {"rule after orientation", [] { return judge(pipeline_covers); }};
+  c.naive = {"edges classed in the order they came",
+             [] { return judge(naive::covers_with(kRuleFirst)); }};
+  c.mutants = {{"every edge owns its points",
+                [] { return judge(naive::covers_with({.owns = naive::owns_all})); }}};
+  c.pictures = {{"naive", [] { return coverage_png(drawn(naive::covers_with(kRuleFirst)), 12); }},
+                {"ours", [] { return coverage_png(drawn(pipeline_covers), 12); }}};
+  return c;
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,57 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/coverage.h"
+#include "study/naive/coverage.h"
+
+namespace glassbox::study {
+
+namespace {
+
+// Every k/512 px near 0, and its neighbours in float; then the same at 2^10 and 2^15 px, where floats are coarse.
+Outcome judge(std::int32_t (*snap)(float)) {
+  std::int64_t wrong = 0, tried = 0, worst = 0;
+  const auto ask = [&](float pixels) {
+    const std::int64_t off =
+        std::abs(std::int64_t(snap(pixels)) - std::int64_t(std::floor(double(pixels) * 256 + 0.5)));
+    ++tried;
+    wrong += off != 0;
+    worst = std::max(worst, off);
+  };
+  for (const float base : {0.0f, 1024.0f, 32768.0f, -1024.0f}) {
+    for (int k = -2048; k <= 2048; ++k) {
+      const float tie = base + float(k) / 512.0f;
+      for (const float pixels : {std::nextafter(tie, -1e9f), tie, std::nextafter(tie, 1e9f)}) {
+        ask(pixels);
+      }
+    }
+  }
+  return {double(worst), 0, {}, fmt::format("{} of {} positions elsewhere", wrong, tried)};
+}
+
+}  // namespace
+
+ExtremeCase c52_snap_ties() {
+  ExtremeCase c;
+  c.id = "C-52";
+  c.name = "Ties of subpixel rounding";
+  c.construction =
+      "positions k/512 px around 0, +-1024 and 32768 px, and their neighbours in float";
+  c.stage = "snap";
+  c.right = "floor(256 v + 1/2), the same everywhere: halves go up";
+  c.unit = "1/256 px";
+  c.oracle = Oracle::kInteger;
+  c.ours = {"halves up, exactly", [] { return judge(glassbox::snap); }};
+  c.naive = {"std::round: halves away from zero", [] { return judge(naive::snap_away); }};
+  c.mutants = {
+      {"halves to even, as the processor rounds", [] { return judge(naive::snap_to_even); }},
+      {"floor(256 v + 0.5) with a rounded sum", [] { return judge(naive::snap_float_half); }},
+      {"truncation", [] { return judge(naive::snap_truncating); }}};
+  return c;
+}
+
+}  // namespace glassbox::study

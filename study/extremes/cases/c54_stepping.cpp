@@ -1,0 +1,91 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <glassbox/base/rounding.h>
+#include <glassbox/raster/coverage.h>
+#include <glassbox/raster/interpolate.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/coverage.h"
+
+namespace glassbox::study {
+
+namespace {
+
+constexpr int kWidth = 32767;
+
+// u = x / kWidth along the middle row of a triangle that runs over the whole width: calls visit(x, u).
+using Span = std::function<void(const std::function<void(int, float)>&)>;
+
+const ScreenTriangle kTriangle{screen_vertex(0, -1), screen_vertex(kWidth, 0.5),
+                               screen_vertex(0, 2)};
+
+void pipeline_span(const std::function<void(int, float)>& visit) {
+  const auto setup = setup_triangle(kTriangle);
+  const std::array<std::array<float, 1>, 3> u{{{0}, {1}, {0}}};
+  const auto at = [&](std::size_t k) { return u[std::size_t(setup->order[k])]; };
+  for_each_covered(*setup, {0, 0, kWidth, 1}, [&](const Coverage& pixel) {
+    const Fragment fragment = interpolate(*setup, pixel);
+    visit(pixel.x, interpolate(at(0), at(1), at(2), fragment.weights)[0]);
+  });
+}
+
+// One addition of the increment per pixel: every rounding stays in the sum, and all of them have the same sign.
+void stepped_span(const std::function<void(int, float)>& visit) {
+  const float step = 1.0f / float(kWidth);
+  float u = 0.5f * step;
+  for (int x = 0; x < kWidth; ++x, u += step) visit(x, u);
+}
+
+// The same, begun anew every `anchor` pixels.
+void anchored_span(int anchor, const std::function<void(int, float)>& visit) {
+  const float step = 1.0f / float(kWidth);
+  for (int x = 0; x < kWidth; ++x) {
+    float u = (float(x / anchor * anchor) + 0.5f) * step;
+    for (int i = 0; i < x % anchor; ++i) u += step;
+    visit(x, u);
+  }
+}
+
+Outcome judge(const Span& span) {
+  double worst = 0;
+  int worst_x = 0, pixels = 0;
+  span([&](int x, float u) {
+    // A quotient of whole numbers, right to 2^-53.
+    const double exact = (x + 0.5) / kWidth;
+    const double error = std::abs(double(u) - exact) / exact;
+    ++pixels;
+    if (error > worst) {
+      worst = error;
+      worst_x = x;
+    }
+  });
+  if (pixels < kWidth - 1) return {INFINITY, 0, {}, fmt::format("only {} pixels", pixels)};
+  return {worst / double(unit_roundoff<float>),
+          14,
+          {},
+          fmt::format("{:.2g} relative at column {}", worst, worst_x)};
+}
+
+}  // namespace
+
+ExtremeCase c54_stepping() {
+  ExtremeCase c;
+  c.id = "C-54";
+  c.name = "Incremental stepping over 32 K";
+  c.construction = "u from 0 to 1 over a span of 32,767 px";
+  c.stage = "interpolate";
+  c.right =
+      "13 u (w1 |u1 - u0|) + u |u| with u0 = 0, that is 14 u relative: edge functions are "
+      "stepped as integers, and every pixel's weights computed from them anew";
+  c.unit = "2^-24 relative";
+  c.oracle = Oracle::kRational;
+  c.ours = {"integers stepped, floats computed anew", [] { return judge(pipeline_span); }};
+  c.naive = {"u += du in float", [] { return judge(stepped_span); }};
+  c.mutants = {{"begun anew every 1024 pixels only",
+                [] { return judge([](const auto& visit) { anchored_span(1024, visit); }); }}};
+  return c;
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,117 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+#include <glassbox/raster/line.h>
+#include <glassbox/raster/point.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/coverage.h"
+#include "study/naive/lines.h"
+#include "study/random.h"
+
+namespace glassbox::study {
+
+namespace {
+
+constexpr PixelRect kWindow{0, 0, 24, 24};
+
+void pipeline_line(const SnappedVertex& a, const SnappedVertex& b, const Visit& visit) {
+  for_each_line_pixel(a, b, kWindow, [&](const LinePixel& pixel) { visit(pixel.x, pixel.y); });
+}
+
+using DrawsLine =
+    std::function<void(const SnappedVertex&, const SnappedVertex&, const Visit& visit)>;
+
+// A line whose points at whole steps lie on the lattice, drawn as one and as two that meet on it: the same pixels, none
+// twice. Horizontal, vertical and diagonal ones among them; joints at pixel centres, on borders of diamonds, between.
+std::int64_t joint_faults(const DrawsLine& draws) {
+  Random random(55);
+  std::int64_t faults = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const auto lattice = [&](int low, int high) {
+      return std::int32_t(random.integer(low, high)) * 64;
+    };
+    const SnappedVertex a{lattice(8, 88), lattice(8, 88)};
+    const int steps = int(random.integer(2, 6)), cut = int(random.integer(1, steps - 1));
+    const std::int32_t dx = std::int32_t(random.integer(-3, 3)) * 64,
+                       dy = std::int32_t(random.integer(-3, 3)) * 64;
+    if (dx == 0 && dy == 0) continue;
+    const auto at = [&](int step) { return SnappedVertex{a.x + step * dx, a.y + step * dy}; };
+    Image<int> whole(24, 24), parts(24, 24);
+    const auto count = [](Image<int>& times) {
+      return [&times](int x, int y) {
+        if (x >= 0 && x < 24 && y >= 0 && y < 24) ++times.at(x, y);
+      };
+    };
+    draws(a, at(steps), count(whole));
+    draws(a, at(cut), count(parts));
+    draws(at(cut), at(steps), count(parts));
+    for (std::size_t p = 0; p < whole.pixels.size(); ++p) {
+      faults += whole.pixels[p] != parts.pixels[p] || whole.pixels[p] > 1;
+    }
+  }
+  return faults;
+}
+
+// The figure of the Direct3D and OpenGL rules: from (1.5, 1.5) to (5.5, 1.5) is columns 1 to 4, for it leaves their
+// diamonds and ends in that of column 5; down and diagonally the same.
+std::int64_t fixture_faults(const DrawsLine& draws) {
+  std::int64_t faults = 0;
+  for (const auto& [dx, dy] : {std::pair{1, 0}, {0, 1}, {1, 1}, {-1, 0}, {0, -1}, {-1, -1}}) {
+    Image<int> times(24, 24);
+    const SnappedVertex a{10 * 256 + 128, 10 * 256 + 128};
+    draws(a, {a.x + dx * 4 * 256, a.y + dy * 4 * 256}, [&](int x, int y) { ++times.at(x, y); });
+    for (int i = 0; i < 4; ++i) faults += times.at(10 + i * dx, 10 + i * dy) != 1;
+    faults += times.at(10 + 4 * dx, 10 + 4 * dy) != 0;
+  }
+  return faults;
+}
+
+Outcome judge(const DrawsLine& draws) {
+  const std::int64_t joints = joint_faults(draws), fixtures = fixture_faults(draws);
+  return {double(joints + fixtures),
+          0,
+          {},
+          fmt::format("{} pixels wrong at joints of 4,000 lines, {} in the fixtures", joints,
+                      fixtures)};
+}
+
+// Points on quarters of pixels: the one pixel whose centre c has p - 1/2 <= c < p + 1/2.
+Outcome judge_ours() {
+  Outcome outcome = judge(pipeline_line);
+  for (std::int32_t x = -1024; x <= 1024; x += 64) {
+    const int column = point_pixel({x, 128}).x;
+    const double centre = column + 0.5, p = x / 256.0;
+    if (!(p - 0.5 <= centre && centre < p + 0.5)) ++outcome.error;
+  }
+  return outcome;
+}
+
+}  // namespace
+
+ExtremeCase c55_lines_and_points() {
+  ExtremeCase c;
+  c.id = "C-55";
+  c.name = "Lines and points";
+  c.construction =
+      "4,000 lines with ends on quarters of pixels, whole and cut in two on a lattice "
+      "point; lines of four pixels in six directions; points on quarters of pixels";
+  c.stage = "lines";
+  c.right =
+      "diamond exit: cut or whole, the same pixels, none twice; four of the five pixels from "
+      "centre to centre";
+  c.unit = "pixels";
+  c.oracle = Oracle::kInteger;
+  c.ours = {"diamond exit on integers", judge_ours};
+  c.naive = {"Bresenham with both ends", [] { return judge(naive::bresenham); }};
+  c.mutants = {
+      {"the last pixel is drawn as well", [] { return judge(naive::line_with_last_pixel); }},
+      {"the first pixel only where its centre is passed",
+       [] { return judge(naive::line_without_start); }}};
+  return c;
+}
+
+}  // namespace glassbox::study

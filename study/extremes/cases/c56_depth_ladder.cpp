@@ -1,0 +1,50 @@
+#include <fmt/format.h>
+
+#include <glassbox/base/rounding.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/depth.h"
+#include "study/extremes/kit/worst.h"
+
+namespace glassbox::study {
+
+namespace {
+
+// depth = B/z + A with B = n f/(f - n): float rounds the product A z, the sum and the quotient, which confuses depths at
+// relative separations up to 2 u z/f + 4 u (1 - z/f).
+constexpr double kBound = 4 * double(unit_roundoff<float>);
+
+Outcome judge(const DepthPath& path) {
+  Worst worst;
+  for (const double distance : {0.2, 1.0, 10.0, 100.0, 1000.0, 9000.0}) {
+    const double around =
+        path.format == DepthFormat::kFloat32Reversed && path.detour == DepthPath::kNone
+            ? 1e-7
+            : distance * 0x1p-24 / path.near;
+    const double confused = coarsest_confused(path, distance, around);
+    worst.see(confused, kBound,
+              fmt::format("depths {:.2g} apart confused at the distance {}", confused, distance));
+  }
+  return worst.outcome();
+}
+
+}  // namespace
+
+ExtremeCase c56_depth_ladder() {
+  const auto with = [](const DepthPath& path) { return [path] { return judge(path); }; };
+  ExtremeCase c;
+  c.id = "C-56";
+  c.name = "Ladder of nearly equal depths";
+  c.construction = "near 0.1, far 10,000; pairs of depths at 0.2 to 9,000, closer and closer";
+  c.stage = "projection, depth";
+  c.right = "reversed float tells apart what is 4 u = 2.4e-7 apart, relative, everywhere";
+  c.unit = "relative separation";
+  c.oracle = Oracle::kAnalytic;
+  c.ours = {"float, reversed range", with({.format = DepthFormat::kFloat32Reversed})};
+  c.naive = {"24 bits, standard range", with({.format = DepthFormat::kUnorm24})};
+  c.mutants = {{"16 bits", with({.format = DepthFormat::kUnorm16})},
+               {"the range is not reversed", with({.format = DepthFormat::kFloat32})}};
+  return c;
+}
+
+}  // namespace glassbox::study

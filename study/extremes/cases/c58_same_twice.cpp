@@ -1,0 +1,88 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/depth.h"
+#include "study/naive/depth.h"
+#include "study/random.h"
+
+namespace glassbox::study {
+
+namespace {
+
+constexpr int kSide = 256;
+
+// Each triangle, then the same begun at another vertex.
+std::vector<ScreenTriangle> pairs() {
+  Random random(58);
+  std::vector<ScreenTriangle> all;
+  for (int i = 0; i < 60; ++i) {
+    ScreenTriangle t;
+    for (ScreenVertex& v : t) {
+      v = screen_vertex(double(random.integer(0, 4 * kSide)) / 4,
+                        double(random.integer(0, 4 * kSide)) / 4,
+                        float(random.between(0.125, 0.875)));
+    }
+    all.push_back(t);
+    std::rotate(t.begin(), t.begin() + 1 + i % 2, t.end());
+    all.push_back(t);
+  }
+  return all;
+}
+
+// Numbers of copies are even.
+Outcome judge(const Image<int>& seen) {
+  if (seen.pixels.empty()) {
+    return {std::numeric_limits<double>::infinity(), 0, {}, "the engines do not agree"};
+  }
+  const auto copies =
+      std::ranges::count_if(seen.pixels, [](int id) { return id > 0 && id % 2 == 0; });
+  const auto drawn = std::ranges::count_if(seen.pixels, [](int id) { return id > 0; });
+  return {double(copies),
+          0,
+          {},
+          fmt::format("{} of {} pixels show the copy drawn second", copies, drawn)};
+}
+
+Image<Rgba8> stipple(const Image<int>& seen) {
+  Image<Rgba8> picture(seen.width, seen.height);
+  for (std::size_t i = 0; i < seen.pixels.size(); ++i) {
+    const int id = seen.pixels[i];
+    picture.pixels[i] = id == 0       ? Rgba8{40, 44, 52, 255}
+                        : id % 2 == 0 ? Rgba8{213, 94, 0, 255}
+                                      : Rgba8{86, 180, 233, 255};
+  }
+  return picture;
+}
+
+const ZBuffer kGivenOrder{.depth = naive::depth_in_given_order};
+
+}  // namespace
+
+ExtremeCase c58_same_twice() {
+  ExtremeCase c;
+  c.id = "C-58";
+  c.name = "The same triangle twice";
+  c.construction = "60 random triangles, each drawn again beginning at another vertex";
+  c.stage = "depth test";
+  c.right =
+      "the first stays everywhere: depth is summed from the nearest vertex on, whichever came "
+      "first, and the test is strict";
+  c.unit = "pixels";
+  c.oracle = Oracle::kInteger;
+  c.ours = {"both engines", [] { return judge(drawn_by_engines(pairs(), kSide)); }};
+  c.naive = {"depth summed in the order of the vertices",
+             [] { return judge(z_buffered(pairs(), kSide, kGivenOrder)); }};
+  c.mutants = {{"equal depths pass the test", [] {
+                  return judge(z_buffered(pairs(), kSide, {.passes = naive::in_front_or_equal}));
+                }}};
+  c.pictures = {
+      {"naive", [] { return png_of(stipple(z_buffered(pairs(), kSide, kGivenOrder)), 2); }},
+      {"ours", [] { return png_of(stipple(drawn_by_engines(pairs(), kSide)), 2); }}};
+  return c;
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,90 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <glassbox/base/rounding.h>
+#include <glassbox/base/trig.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/depth.h"
+#include "study/extremes/kit/worst.h"
+
+namespace glassbox::study {
+
+namespace {
+
+constexpr int kSide = 256;
+constexpr double kDepthOfView = 1024;  // px, so that slopes are those of a cube
+
+double crossing_at(double y) {
+  return 100 + 0.25 * y;
+}
+
+// Depths lie around 0.6, which is no edge of any format's codes. Two rectangles over the whole picture whose depths cross under the angle, at crossing_at(y).
+std::vector<ScreenTriangle> crossing(double slope) {
+  std::vector<ScreenTriangle> all;
+  for (const double sign : {1.0, -1.0}) {
+    const auto v = [&](double x, double y) {
+      return screen_vertex(x, y, float(0.6 + sign * slope * (x - crossing_at(y))));
+    };
+    all.push_back({v(0, 0), v(kSide, 0), v(kSide, kSide)});
+    all.push_back({v(0, 0), v(kSide, kSide), v(0, kSide)});
+  }
+  return all;
+}
+
+using Draws = std::function<Image<int>(const std::vector<ScreenTriangle>&)>;
+
+Outcome judge(const Draws& draws) {
+  Worst worst;
+  for (const double degrees : {90.0, 1.0, 0.01}) {
+    const double slope = tan_half_degrees(degrees) / kDepthOfView;
+    const Image<int> seen = draws(crossing(slope));
+    // 8 u of each depth, and u of each vertex's own; then half a pixel, for pixels have one answer each.
+    const double bound = 2 * 9 * double(unit_roundoff<float>) * 0.75 / (2 * slope) + 0.5;
+    double farthest = seen.pixels.empty() ? HUGE_VAL : 0;
+    for (int y = 0; y < seen.height; ++y) {
+      for (int x = 0; x < seen.width; ++x) {
+        const bool first = seen.at(x, y) <= 2;
+        const double beyond = x + 0.5 - crossing_at(y + 0.5);
+        if (first != (beyond < 0)) farthest = std::max(farthest, std::abs(beyond));
+      }
+    }
+    worst.see(farthest, bound, fmt::format("{:.3g} px off at {} degrees", farthest, degrees));
+  }
+  return worst.outcome();
+}
+
+// All of one, then all of the other: the one with the smaller mean depth hides the other.
+Image<int> painted(const std::vector<ScreenTriangle>& triangles) {
+  return z_buffered(triangles, kSide,
+                    {.passes = [](std::uint32_t, std::uint32_t) { return true; }});
+}
+
+Image<int> in_16_bits(const std::vector<ScreenTriangle>& triangles) {
+  return z_buffered(triangles, kSide, {.format = DepthFormat::kUnorm16});
+}
+
+}  // namespace
+
+ExtremeCase c59_interpenetration() {
+  ExtremeCase c;
+  c.id = "C-59";
+  c.name = "Rectangles through each other";
+  c.construction =
+      "two rectangles over 256 x 256 px that cross at 90, 1 and 0.01 degrees along a "
+      "slanted line";
+  c.stage = "depth test";
+  c.right =
+      "the crossing is where it belongs, within 18 u d/|difference of the slopes| and half a "
+      "pixel";
+  c.unit = "px";
+  c.oracle = Oracle::kAnalytic;
+  c.ours = {"both engines, float depth",
+            [] { return judge([](const auto& all) { return drawn_by_engines(all, kSide); }); }};
+  c.naive = {"painter's algorithm", [] { return judge(painted); }};
+  c.mutants = {{"16 bits of depth", [] { return judge(in_16_bits); }}};
+  return c;
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,67 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/depth.h"
+#include "study/naive/depth.h"
+#include "study/random.h"
+
+namespace glassbox::study {
+
+namespace {
+
+// A few 1/256 px wide, 2000 px long, from the near plane to the far one: seen under 89.999 degrees and more.
+ScreenTriangle sliver(Random& random) {
+  const auto lattice = [&](double low, double high) {
+    return std::floor(random.between(low, high) * 256) / 256;
+  };
+  const double x = lattice(0, 10), y = lattice(0, 10), dy = lattice(200, 1800);
+  const double width = double(random.integer(1, 4)) / 256;
+  return {screen_vertex(x, y, 0), screen_vertex(x + 2000, y + dy, 1),
+          screen_vertex(x + width, y - width, 1)};
+}
+
+Outcome judge(const DepthAt& depth) {
+  Random random(60);
+  double worst = 0;
+  std::int64_t samples = 0, beyond = 0;
+  for (int i = 0; i < 30; ++i) {
+    const auto setup = setup_triangle(sliver(random));
+    if (!setup) continue;
+    for_each_covered(*setup, {0, 0, 2100, 2100}, [&](const Coverage& pixel) {
+      const double found = double(depth(*setup, pixel));
+      const long double exact = exact_depth(*setup, pixel);
+      ++samples;
+      if (exact == 0) return;
+      const double error =
+          double(std::abs(static_cast<long double>(found) - exact) / exact) * 0x1p24;
+      beyond += error > 8;
+      worst = std::max(worst, error);
+    });
+  }
+  return {worst, 8, {}, fmt::format("{} of {} pixels beyond 8 u", beyond, samples)};
+}
+
+}  // namespace
+
+ExtremeCase c60_depth_extrapolation() {
+  ExtremeCase c;
+  c.id = "C-60";
+  c.name = "Depth over slivers";
+  c.construction = "30 triangles 2,000 px long and 1/256 to 4/256 px wide, with the depths 0, 1, 1";
+  c.stage = "interpolate";
+  c.right =
+      "8 u relative (raster/interpolate.h): weights are between 0 and 1, so depth stays between "
+      "the vertices'";
+  c.unit = "2^-24 relative";
+  c.oracle = Oracle::kRational;
+  c.ours = {"weights from integers", [] { return judge(pipeline_depth); }};
+  c.naive = {"gradients from the corner of the box",
+             [] { return judge(naive::depth_from_corner); }};
+  c.mutants = {{"d = A x + B y + C in float", [] { return judge(naive::plane_depth); }}};
+  return c;
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,108 @@
+#include <bit>
+
+#include <fmt/format.h>
+
+#include <glassbox/render/tile/tile_engine.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/depth.h"
+#include "study/extremes/kit/screen_scene.h"
+#include "study/extremes/kit/worst.h"
+
+namespace glassbox::study {
+
+namespace {
+
+// How depth is kept, cleared and compared.
+struct DepthTest {
+  std::uint32_t (*code)(DepthFormat, float depth) = depth_code;
+  std::uint32_t clear = kEmptyDepth;
+  bool (*passes)(std::uint32_t incoming, std::uint32_t stored) = in_front;
+};
+
+constexpr DepthFormat kFormats[] = {DepthFormat::kFloat32, DepthFormat::kFloat32Reversed,
+                                    DepthFormat::kUnorm24, DepthFormat::kUnorm16};
+
+// Anything is seen in an empty frame, from the near plane to the far one itself, and the nearer of two whichever is drawn
+// first.
+Outcome judge(const DepthTest& test) {
+  int wrong = 0, questions = 0;
+  for (const DepthFormat format : kFormats) {
+    const bool reversed = format == DepthFormat::kFloat32Reversed;
+    const auto code = [&](float depth) { return test.code(format, reversed ? 1 - depth : depth); };
+    for (const float depth : {0.0f, 0.25f, 0.5f, 0.75f, 1.0f}) {
+      wrong += !test.passes(code(depth), test.clear);
+      ++questions;
+      for (const float behind : {0.25f, 0.5f, 0.75f, 1.0f}) {
+        if (behind <= depth) continue;
+        wrong += !test.passes(code(depth), code(behind));
+        wrong += test.passes(code(behind), code(depth));
+        questions += 2;
+      }
+    }
+  }
+  return wrong_of(wrong, questions, "answers of the depth test wrong");
+}
+
+// The same by whole runs: a triangle over the whole picture, alone, at both ends of the range and between.
+int runs_without_a_picture() {
+  int black = 0;
+  for (const DepthFormat format : kFormats) {
+    const bool reversed = format == DepthFormat::kFloat32Reversed;
+    for (const float depth : {0.0f, 0.5f, 1.0f}) {
+      Material material;
+      material.double_sided = true;
+      material.unlit = true;
+      ScreenScene drawn = screen_scene(
+          {{screen_vertex(0, 0, depth), screen_vertex(32, 0, depth), screen_vertex(0, 32, depth)}},
+          16, material);
+      Camera camera;
+      camera.lens = OrthographicLens{8, 0, 1};
+      drawn.view =
+          make_view(camera, 16, 16, reversed ? DepthRange::kReversed : DepthRange::kStandard)
+              .value();
+      RenderSettings settings;
+      settings.depth = format;
+      settings.want_id = true;
+      const auto& ids = render_tiled(drawn.scene, drawn.view, settings).buffers.id.pixels;
+      black += ids[0] != 1;
+    }
+  }
+  return black;
+}
+
+Outcome judge_ours() {
+  Outcome outcome = judge({});
+  outcome.error += runs_without_a_picture();
+  return outcome;
+}
+
+std::uint32_t raw_bits(DepthFormat, float depth) {
+  return std::bit_cast<std::uint32_t>(depth);
+}
+
+}  // namespace
+
+ExtremeCase c62_reversed_clear() {
+  ExtremeCase c;
+  c.id = "C-62";
+  c.name = "Cleared and compared the wrong way";
+  c.construction =
+      "in each depth format an empty frame and one triangle, at the near plane, at the far "
+      "plane and between; then two triangles in both orders";
+  c.stage = "depth test";
+  c.right = "one triangle is always seen; of two the nearer one";
+  c.unit = "wrong answers";
+  c.oracle = Oracle::kProperty;
+  c.ours = {"codes that grow with distance, an empty frame behind all of them", judge_ours};
+  c.naive = {"depth as it is, cleared to 1, less passes, for reversed depth too",
+             [] { return judge({.code = raw_bits, .clear = std::bit_cast<std::uint32_t>(1.0f)}); }};
+  c.mutants = {{"cleared to the far plane, which hides what lies on it",
+                [] { return judge({.clear = std::bit_cast<std::uint32_t>(1.0f)}); }},
+               {"the test is turned round", [] {
+                  return judge({.passes = [](std::uint32_t a, std::uint32_t b) { return a > b; }});
+                }}};
+  return c;
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,40 @@
+#include <fmt/format.h>
+
+#include <glassbox/base/rounding.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/depth.h"
+
+namespace glassbox::study {
+
+namespace {
+
+Outcome judge(DepthPath::Detour detour) {
+  const DepthPath path{.format = DepthFormat::kFloat32Reversed, .detour = detour};
+  const double around = detour == DepthPath::kNone ? 1e-7 : 5e-4;
+  const double confused = coarsest_confused(path, 1000, around);
+  return {confused,
+          4 * double(unit_roundoff<float>),
+          {},
+          fmt::format("depths {:.2g} apart confused at the distance 1,000", confused)};
+}
+
+}  // namespace
+
+ExtremeCase c63_reversed_through_gl() {
+  ExtremeCase c;
+  c.id = "C-63";
+  c.name = "Reversed depth by way of [-1, 1]";
+  c.construction = "near 0.1, far 10,000, reversed float, at the distance 1,000";
+  c.stage = "projection";
+  c.right = "4 u: the matrix gives depth in [0, 1] at once, so small depths keep all their digits";
+  c.unit = "relative separation";
+  c.oracle = Oracle::kAnalytic;
+  c.ours = {"depth in [0, 1]", [] { return judge(DepthPath::kNone); }};
+  c.naive = {"OpenGL's z in [-1, 1], then z/2 + 1/2", [] { return judge(DepthPath::kThroughGl); }};
+  c.mutants = {
+      {"reversed after the divide, as 1 - z", [] { return judge(DepthPath::kSubtracted); }}};
+  return c;
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,64 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/depth.h"
+#include "study/extremes/kit/worst.h"
+
+namespace glassbox::study {
+
+namespace {
+
+// What someone expects a format to tell apart at a distance, relative.
+using Expected = double (*)(const DepthPath&, double distance, double step);
+
+Outcome judge(Expected expected) {
+  Worst worst;
+  for (const auto& [format, step] : {std::pair{DepthFormat::kUnorm16, 1 / 65535.0},
+                                     std::pair{DepthFormat::kUnorm24, 1 / 16777215.0}}) {
+    const DepthPath path{.format = format};
+    for (const double distance : {1.0, 10.0, 100.0, 1000.0}) {
+      const double really = standard_separation(distance, path.near, path.far, step);
+      const double confused = coarsest_confused(path, distance, really);
+      const double said = expected(path, distance, step);
+      worst.see(
+          std::max(confused / said, said / confused), 2,
+          fmt::format("{:.2g} at the distance {}, expected {:.2g}", confused, distance, said));
+    }
+  }
+  return worst.outcome();
+}
+
+double by_formula(const DepthPath& path, double distance, double step) {
+  return standard_separation(distance, path.near, path.far, step);
+}
+// As if the steps were spread evenly between the planes.
+double evenly(const DepthPath& path, double distance, double step) {
+  return (path.far - path.near) * step / distance;
+}
+double without_near_plane(const DepthPath&, double distance, double step) {
+  return distance * step;
+}
+
+}  // namespace
+
+ExtremeCase c64_few_bits() {
+  ExtremeCase c;
+  c.id = "C-64";
+  c.name = "16 and 24 bits in a large scene";
+  c.construction = "near 0.1, far 10,000; pairs of depths at 1 to 1,000";
+  c.stage = "depth";
+  c.right =
+      "a step is r = s z/(1 - s z), s = 2^-b (1/n - 1/f), within a factor of two for the "
+      "rounding of the depths themselves: 0.18 in 16 bits at 1,000";
+  c.unit = "times what was expected, or the inverse";
+  c.oracle = Oracle::kAnalytic;
+  c.ours = {"the formula", [] { return judge(by_formula); }};
+  c.naive = {"steps spread evenly between the planes", [] { return judge(evenly); }};
+  c.mutants = {{"the near plane is forgotten", [] { return judge(without_near_plane); }}};
+  return c;
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,40 @@
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/attribute.h"
+#include "study/naive/attribute.h"
+
+namespace glassbox::study {
+
+namespace {
+
+constexpr int kSide = 256;
+
+// The corners are 1e-3, 1 and 1e6 away; 1024 texels from the first to the others.
+Outcome judge(const AttributeAt& at) {
+  const JudgedTriangle judged{
+      {screen_vertex(-200, -180, 0.5f, 1e3f), screen_vertex(700, 20, 0.5f, 1),
+       screen_vertex(40, 900, 0.5f, 1e-6f)},
+      {0, 1, 1}};
+  return judge_attribute(at, judged, kSide, 1024);
+}
+
+}  // namespace
+
+ExtremeCase c66_inverse_w() {
+  ExtremeCase c;
+  c.id = "C-66";
+  c.name = "Distances from 0.001 to a million in one triangle";
+  c.construction = "w = 1e-3, 1, 1e6 at the corners, 1,024 texels between them";
+  c.stage = "interpolate";
+  c.right =
+      "1/w is a sum of positive numbers, so nothing cancels: 13 u (w1 |u1 - u0| + ...) + u |u|, at "
+      "most 14 u of 1,024 texels = 8.5e-4";
+  c.unit = "texel";
+  c.oracle = Oracle::kRational;
+  c.ours = {"a full division", [] { return judge(pipeline_attribute); }};
+  c.naive = {"u/w times an interpolated w", [] { return judge(naive::with_linear_w); }};
+  c.mutants = {{"raw reciprocal of 12 bits", [] { return judge(naive::with_raw_reciprocal); }},
+               {"affine interpolation", [] { return judge(naive::affine); }}};
+  return c;
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,58 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/texel.h"
+#include "study/extremes/kit/worst.h"
+#include "study/naive/attribute.h"
+#include "study/random.h"
+
+namespace glassbox::study {
+
+namespace {
+
+constexpr int kSize = 1024;
+
+// Texels between where the coordinate lies (exact in double: floats below 2^24) and the texel that was sampled.
+Outcome judge(const TexelAt& texel_at) {
+  Worst worst;
+  Random random(67);
+  for (const double large : {1.0, 1e2, 1e4, 1e6, 8e6}) {
+    for (int i = 0; i < 200; ++i) {
+      const float t = float(random.between(-large, large));
+      const double place = (double(t) - std::floor(double(t))) * kSize;
+      const int texel = texel_at(Wrap::kRepeat, t, kSize);
+      const double beside = std::max({texel - place, place - (texel + 1), 0.0});
+      // A negative coordinate near 0 may be rounded when 1 is added: by 2^-25 of the texture.
+      worst.see(std::min(beside, kSize - beside), kSize * 0x1p-25,
+                fmt::format("texel {} for {:.2f} at u = {}", texel, place, t), std::abs(double(t)));
+    }
+  }
+  return worst.outcome();
+}
+
+}  // namespace
+
+ExtremeCase c67_huge_texcoords() {
+  ExtremeCase c;
+  c.id = "C-67";
+  c.name = "Huge texture coordinates";
+  c.construction =
+      "a repeated row of 1,024 texels, u up to 8 million either way, as floats hold it";
+  c.stage = "texture";
+  c.right =
+      "the texel of the exact fraction, or one 2^-25 of the texture away: the whole part is taken "
+      "away before scaling. What float itself loses of u (the condition is |u|) was lost before";
+  c.unit = "texel";
+  c.oracle = Oracle::kRational;
+  c.ours = {"wrapped, then scaled", [] { return judge(pipeline_texel); }};
+  c.naive = {"scaled to a 32-bit integer, then wrapped",
+             [] { return judge(naive::scaled_then_wrapped); }};
+  c.mutants = {{"scaled in float, then wrapped", [] { return judge(naive::scaled_in_float); }},
+               {"truncated in place of rounded down", [] { return judge(naive::truncated); }}};
+  return c;
+}
+
+}  // namespace glassbox::study

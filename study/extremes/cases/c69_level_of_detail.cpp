@@ -1,0 +1,181 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include <glassbox/base/rounding.h>
+#include <glassbox/raster/texture.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/attribute.h"
+#include "study/extremes/kit/worst.h"
+
+namespace glassbox::study {
+
+namespace {
+
+constexpr int kSide = 256;
+constexpr int kTexels = 1024;
+
+using Texcoords = std::array<std::array<float, 2>, 3>;
+
+// Narrow triangles whose texture runs away from the viewer; u and v as they belong to the vertices of the setup.
+struct Sheet {
+  TriangleSetup setup;
+  Texcoords texcoords;
+};
+
+std::vector<Sheet> sheets() {
+  Camera camera;
+  camera.lens = PerspectiveLens{1.0, 0.5, 1024};
+  const View view = make_view(camera, kSide, kSide).value();
+  std::vector<Sheet> all;
+  for (int i = 0; i < 24; ++i) {
+    const float x = float(i) - 12;
+    const ScreenTriangle t{project(view, {x * 0.25f, -2, -4}),
+                           project(view, {x * 0.25f + 0.2f, -2, -4}), project(view, {x, -2, -100})};
+    const auto setup = setup_triangle(t);
+    if (!setup) continue;
+    const Texcoords given{{{0, 0}, {0.2f, 0}, {0.1f, 9}}};
+    Sheet sheet{*setup, {}};
+    for (std::size_t k = 0; k < 3; ++k) sheet.texcoords[k] = given[std::size_t(setup->order[k])];
+    all.push_back(sheet);
+  }
+  return all;
+}
+
+// d(N/D) of u = N/D, N = sum E_k q_k (a_k - a_0), D = sum E_k q_k, per pixel along one axis; and the sum of the sizes of
+// the terms, over D.
+struct Derivative {
+  double value = 0, terms = 0;
+};
+Derivative exact_derivative(const Sheet& sheet, const Coverage& pixel, bool along_y,
+                            std::size_t i) {
+  using Long = long double;
+  Long n = 0, d = 0, dn = 0, dd = 0, size_dn = 0, size_dd = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Long q = Long(sheet.setup.inverse_w[k]);
+    const Long a = Long(sheet.texcoords[k][i]) - Long(sheet.texcoords[0][i]);
+    const Long step = Long((along_y ? sheet.setup.edges[k].b : sheet.setup.edges[k].a) * 256);
+    n += Long(pixel.edges[k]) * q * a;
+    d += Long(pixel.edges[k]) * q;
+    dn += step * q * a;
+    dd += step * q;
+    size_dn += std::abs(step * q * a);
+    size_dd += std::abs(step * q);
+  }
+  const Long u = n / d;
+  return {double((dn - u * dd) / d), double((size_dn + std::abs(u) * size_dd) / d)};
+}
+
+struct ExactLevel {
+  double level = 0, condition = 0;
+};
+ExactLevel exact_level(const Sheet& sheet, const Coverage& pixel) {
+  double longest = 0, condition = 0;
+  for (const bool along_y : {false, true}) {
+    double squares = 0, terms = 0;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Derivative d = exact_derivative(sheet, pixel, along_y, i);
+      squares += d.value * d.value;
+      terms += d.terms * d.terms;
+    }
+    if (squares > longest) {
+      longest = squares;
+      condition = std::sqrt(terms / squares);
+    }
+  }
+  return {std::log2(std::sqrt(longest) * kTexels), condition};
+}
+
+using LevelAt = std::function<std::optional<float>(const Sheet&, const Coverage&)>;
+
+std::optional<float> pipeline_level(const Sheet& sheet, const Coverage& pixel) {
+  const Fragment fragment = interpolate(sheet.setup, pixel);
+  const auto& t = sheet.texcoords;
+  const TextureGradient gradient =
+      texture_gradient(texture_planes(sheet.setup, t),
+                       interpolate(t[0], t[1], t[2], fragment.weights), fragment.inverse_w);
+  return level_of_detail(gradient, kTexels, kTexels);
+}
+
+// Differences to the neighbours in the picture, whatever triangle they show; a pixel without one has 0 there.
+std::optional<float> level_by_neighbours(const Image<std::array<float, 2>>& texcoords, int x,
+                                         int y) {
+  const auto& here = texcoords.at(x, y);
+  const auto& right = texcoords.at(x ^ 1, y);
+  const auto& below = texcoords.at(x, y ^ 1);
+  const TextureGradient gradient{{right[0] - here[0], right[1] - here[1]},
+                                 {below[0] - here[0], below[1] - here[1]}};
+  return level_of_detail(gradient, kTexels, kTexels);
+}
+
+Image<std::array<float, 2>> texcoord_picture() {
+  Image<std::array<float, 2>> picture(kSide, kSide, {0, 0});
+  for (const Sheet& sheet : sheets()) {
+    const auto& t = sheet.texcoords;
+    for_each_covered(sheet.setup, {0, 0, kSide, kSide}, [&](const Coverage& pixel) {
+      picture.at(pixel.x, pixel.y) =
+          interpolate(t[0], t[1], t[2], interpolate(sheet.setup, pixel).weights);
+    });
+  }
+  return picture;
+}
+
+Outcome judge(const LevelAt& level_at) {
+  Worst worst;
+  for (const Sheet& sheet : sheets()) {
+    for_each_covered(sheet.setup, {0, 0, kSide, kSide}, [&](const Coverage& pixel) {
+      const ExactLevel exact = exact_level(sheet, pixel);
+      // Slopes 6 u, the coordinate 14 u, their product and difference 3 u, w 8 u, the length 3 u: 34 u of the terms. Then
+      // 1/ln 2 levels for a relative change, and what the logarithm itself may be off by, 5e-8 and two roundings.
+      const double u = double(unit_roundoff<float>);
+      const double bound = 34 * u * exact.condition / 0.693 + 5e-8 + 4 * u * std::abs(exact.level);
+      const auto level = level_at(sheet, pixel);
+      worst.see(level ? std::abs(double(*level) - exact.level) : HUGE_VAL, bound,
+                fmt::format("level {:.4f} for {:.4f}", level.value_or(0), exact.level),
+                exact.condition);
+    });
+  }
+  return worst.outcome();
+}
+
+Outcome judge_naive() {
+  const auto texcoords = texcoord_picture();
+  return judge([&](const Sheet&, const Coverage& pixel) {
+    return level_by_neighbours(texcoords, pixel.x, pixel.y);
+  });
+}
+
+// The plane equations without the change of 1/w.
+std::optional<float> level_without_perspective(const Sheet& sheet, const Coverage& pixel) {
+  const Fragment fragment = interpolate(sheet.setup, pixel);
+  const auto& t = sheet.texcoords;
+  TexturePlanes planes = texture_planes(sheet.setup, t);
+  planes.inverse_w = {0, 0};
+  return level_of_detail(
+      texture_gradient(planes, interpolate(t[0], t[1], t[2], fragment.weights), fragment.inverse_w),
+      kTexels, kTexels);
+}
+
+}  // namespace
+
+ExtremeCase c69_level_of_detail() {
+  ExtremeCase c;
+  c.id = "C-69";
+  c.name = "Level of detail at outlines";
+  c.construction =
+      "24 narrow strips that run away from the viewer, 1,024 texels, with gaps between";
+  c.stage = "texture";
+  c.right =
+      "the derivative of the plane equations, 34 u of its terms: no pixel looks at its neighbours";
+  c.unit = "levels";
+  c.oracle = Oracle::kRational;
+  c.ours = {"analytic derivatives", [] { return judge(pipeline_level); }};
+  c.naive = {"differences to neighbours in the picture", judge_naive};
+  c.mutants = {{"1/w is taken for constant", [] { return judge(level_without_perspective); }}};
+  return c;
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,93 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <glassbox/pipeline/dialects.h>
+#include <glassbox/pipeline/stereo/parallax.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/attribute.h"
+#include "study/extremes/kit/pair.h"
+
+namespace glassbox::study {
+
+namespace {
+
+constexpr StereoPair kPair{0.03, 10};
+constexpr double kBound = 1.0 / 256;
+
+// A point's x in one eye's picture, px.
+using XOf = std::function<double(Side, const Point<Eye>&)>;
+
+// A grid of points at the window's distance, over the whole picture.
+Outcome judge(const XOf& x_of) {
+  double worst = 0;
+  int flipped = 0, points = 0;
+  for (int i = -40; i <= 40; ++i) {
+    for (int j = -20; j <= 20; ++j) {
+      const Point<Eye> point(float(i) * 0.17f, float(j) * 0.19f, -10);
+      const double left = x_of(Side::kLeft, point), right = x_of(Side::kRight, point);
+      worst = std::max(worst, std::abs(right - left));
+      flipped += snap(float(left)) != snap(float(right));
+      ++points;
+    }
+  }
+  return {
+      worst, kBound, {}, fmt::format("{} of {} points snap to another 1/256 px", flipped, points)};
+}
+
+View centre() {
+  return view_from_origin(1920, 1080);
+}
+
+XOf through(const View& left, const View& right) {
+  return [=](Side side, const Point<Eye>& point) {
+    return double(project(side == Side::kLeft ? left : right, point).position.x);
+  };
+}
+
+// Parallel cameras, and the pictures pushed by whole pixels until the window coincides.
+Outcome judge_pushed() {
+  const StereoPair parallel{kPair.half_separation};
+  const View left = eye_view(centre(), parallel, Side::kLeft);
+  const View right = eye_view(centre(), parallel, Side::kRight);
+  const double pushed = std::round(-parallax_at(centre(), parallel, kPair.window).px);
+  return judge([=](Side side, const Point<Eye>& point) {
+    return through(left, right)(side, point) + (side == Side::kRight ? pushed : 0);
+  });
+}
+
+// x' = x + s (1 + z/f): the sign for an eye that looks along +z.
+View with_sign_turned(Side side) {
+  View view = eye_view(centre(), {kPair.half_separation}, side);
+  const Transform<Eye, Eye> skew = stereo_skew(eye_shift(kPair, side), -kPair.window);
+  view.clip_from_eye = centre().clip_from_eye * skew;
+  return view;
+}
+
+}  // namespace
+
+ExtremeCase c70_zero_parallax() {
+  ExtremeCase c;
+  c.id = "C-70";
+  c.name = "Nothing moves in the stereo window";
+  c.construction = "3,321 points at the window's distance 10, half separation 0.03, 1920 x 1080";
+  c.stage = "stereo";
+  c.right =
+      "no parallax: matrices are composed in double and rounded once; a step of the snap at "
+      "most for the rounding of x in float";
+  c.unit = "px";
+  c.oracle = Oracle::kAnalytic;
+  c.ours = {"skewed frusta", [] {
+              return judge(through(eye_view(centre(), kPair, Side::kLeft),
+                                   eye_view(centre(), kPair, Side::kRight)));
+            }};
+  c.naive = {"parallel cameras, pictures pushed by whole pixels", judge_pushed};
+  c.mutants = {{"the skew has the sign of a left-handed eye", [] {
+                  return judge(
+                      through(with_sign_turned(Side::kLeft), with_sign_turned(Side::kRight)));
+                }}};
+  return c;
+}
+
+}  // namespace glassbox::study

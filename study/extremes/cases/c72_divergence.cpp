@@ -1,0 +1,80 @@
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include <glassbox/pipeline/stereo/comfort.h>
+#include <glassbox/pipeline/stereo/parallax.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/pair.h"
+#include "study/extremes/kit/worst.h"
+
+namespace glassbox::study {
+
+namespace {
+
+constexpr Display kScreen{2000, 3000};
+constexpr int kWidth = 1920;
+
+// Half the separation for a window and a scene's depths, given what may be behind the screen, px.
+using Separation = double (*)(const View&, double window, const DepthSpan&, double budget_px);
+
+Outcome judge(Separation separation) {
+  const View centre = view_from_origin(kWidth, 1080, 0.1, std::numeric_limits<double>::infinity());
+  const double budget_px = kPupilDistanceMm / kScreen.width_mm * kWidth;
+  Worst worst;
+  int diverging = 0, tried = 0;
+  for (const double window : {0.5, 1.0, 3.0, 10.0, 30.0}) {
+    for (const double farthest : {2 * window, 100.0, std::numeric_limits<double>::infinity()}) {
+      const DepthSpan span{0.8 * window, farthest};
+      const StereoPair pair{separation(centre, window, span, budget_px), window};
+      const DisplayedParallax shown = on_display(parallax_at(centre, pair, farthest), kScreen);
+      diverging += shown.diverges;
+      ++tried;
+      worst.see(shown.mm, kPupilDistanceMm,
+                fmt::format("{:.1f} mm with the window at {}", shown.mm, window));
+    }
+  }
+  return worst.outcome(fmt::format("eyes diverge in {} of {} scenes", diverging, tried));
+}
+
+double within_budget(const View& centre, double window, const DepthSpan& span, double budget_px) {
+  return largest_half_separation(centre, window, span, {budget_px, budget_px});
+}
+double pupils(const View&, double, const DepthSpan&, double) {
+  return kPupilDistanceMm / 2000;
+}
+double with_diameter_for_radius(const View& centre, double window, const DepthSpan& span,
+                                double budget_px) {
+  return 2 * within_budget(centre, window, span, budget_px);
+}
+double looking_in_front_only(const View& centre, double window, const DepthSpan& span,
+                             double budget_px) {
+  return largest_half_separation(centre, window, {span.nearest, window}, {budget_px, budget_px});
+}
+
+}  // namespace
+
+ExtremeCase c72_divergence() {
+  ExtremeCase c;
+  c.id = "C-72";
+  c.name = "Eyes that would have to diverge";
+  c.construction =
+      "a screen 2 m wide, windows at 0.5 to 30, scenes that begin at 0.8 of the window's "
+      "distance and end at twice of it, at 100 or nowhere";
+  c.stage = "stereo";
+  c.right =
+      "the farthest point is at most 65 mm behind the screen's surface, the distance of the "
+      "pupils";
+  c.unit = "mm";
+  c.oracle = Oracle::kAnalytic;
+  c.ours = {"the largest separation within the budget", [] { return judge(within_budget); }};
+  c.naive = {"the pupils' own 65 mm", [] { return judge(pupils); }};
+  c.mutants = {
+      {"whole separation for half of it", [] { return judge(with_diameter_for_radius); }},
+      {"only what is in front of the window counts", [] { return judge(looking_in_front_only); }}};
+  return c;
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,109 @@
+#include <array>
+
+#include <fmt/format.h>
+
+#include <glassbox/pipeline/stereo/culling.h>
+#include <glassbox/render/stereo/disparity.h>
+#include <glassbox/render/stereo/monocular.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/pair.h"
+#include "study/extremes/kit/screen_scene.h"
+
+namespace glassbox::study {
+
+namespace {
+
+// A wall at the window, 10 away, and small things at 0.5, side by side and tilted, so that the light tells them apart: each eye sees some that the other does not.
+PairScene close_things() {
+  Mesh mesh;
+  add_triangle(
+      mesh, {Point<Object>(-20, -20, -10), Point<Object>(20, -20, -10), Point<Object>(0, 30, -10)});
+  for (int i = -8; i <= 8; ++i) {
+    const float x = float(i) * 0.1f;
+    add_triangle(mesh, {Point<Object>(x, -0.05f, -0.5f), Point<Object>(x + 0.05f, -0.05f, -0.5f),
+                        Point<Object>(x, 0.1f, -0.45f)});
+  }
+  Material material;
+  material.double_sided = true;
+  return {scene_of(std::move(mesh), material), view_from_origin(320, 180, 0.1), {0.3, 10}};
+}
+
+// The same with those triangles alone of which `keeps` says so.
+using Keeps = std::function<bool(const std::array<Point<Clip>, 3>& left,
+                                 const std::array<Point<Clip>, 3>& right, const View& centre)>;
+
+PairScene culled(const PairScene& whole, const Keeps& keeps) {
+  PairScene rest = whole;
+  Mesh& mesh = rest.scene.meshes[0];
+  mesh.faces.clear();
+  const auto clip = [&](Side side, const Point<Object>& p) {
+    return round_to_float(eye_view(whole.centre, whole.pair, side).clip_from_eye) *
+           Point<Eye>(p.x, p.y, p.z);
+  };
+  for (const Face& face : whole.scene.meshes[0].faces) {
+    std::array<Point<Clip>, 3> left, right;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point<Object>& p = mesh.positions[mesh.corners[face.first + k].position];
+      left[k] = clip(Side::kLeft, p);
+      right[k] = clip(Side::kRight, p);
+    }
+    if (keeps(left, right, whole.centre)) mesh.faces.push_back(face);
+  }
+  return rest;
+}
+
+bool seen_by(const std::array<Point<Clip>, 3>& clip) {
+  std::array<Outcode, 3> codes;
+  const auto planes = frustum_planes();
+  for (std::size_t k = 0; k < 3; ++k) codes[k] = outcode(clip[k], planes);
+  return trivial_verdict(codes) != ClipVerdict::kReject;
+}
+
+Outcome judge(const EyePictures& drawn, const std::string& more = {}) {
+  const std::uint64_t differ = pixels_that_differ(drawn, each_eye_alone(close_things()));
+  return {double(differ), 0, {}, fmt::format("{} pixels lost{}", differ, more)};
+}
+
+Outcome judge_ours() {
+  const PairScene s = close_things();
+  StereoSettings settings;
+  settings.render.want_distance = true;
+  const StereoRendering drawn = render_pair(s.scene, s.centre, s.pair, settings);
+  const MonocularMaps maps = monocular_maps(disparity_map(s.centre, s.pair, drawn.left.distance),
+                                            disparity_map(s.centre, s.pair, drawn.right.distance));
+  return judge({drawn.left.color, drawn.right.color},
+               fmt::format("; {} pixels reported as seen by one eye alone",
+                           count(maps.left).all() + count(maps.right).all()));
+}
+
+Outcome judge_culled(const Keeps& keeps) {
+  return judge(each_eye_alone(culled(close_things(), keeps)));
+}
+
+}  // namespace
+
+ExtremeCase c73_one_eye_only() {
+  ExtremeCase c;
+  c.id = "C-73";
+  c.name = "Seen by one eye alone";
+  c.construction =
+      "a wall at the window, 10 away, and 17 small triangles at 0.5; half separation 0.3";
+  c.stage = "stereo culling";
+  c.right = "each eye's picture has the bytes of a run for that eye alone";
+  c.unit = "pixels";
+  c.oracle = Oracle::kProperty;
+  c.ours = {"culled where neither eye sees it", judge_ours};
+  c.naive = {"kept where both eyes see it", [] {
+               return judge_culled([](const auto& left, const auto& right, const View&) {
+                 return seen_by(left) && seen_by(right);
+               });
+             }};
+  c.mutants = {{"the left eye decides for both", [] {
+                  return judge_culled(
+                      [](const auto& left, const auto&, const View&) { return seen_by(left); });
+                }}};
+  return c;
+}
+
+}  // namespace glassbox::study

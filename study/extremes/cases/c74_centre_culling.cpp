@@ -1,0 +1,59 @@
+#include <fmt/format.h>
+
+#include <glassbox/render/renderer.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/pair.h"
+#include "study/extremes/kit/worst.h"
+
+namespace glassbox::study {
+
+namespace {
+
+Outcome judge(StereoCulling culling, Engine engine) {
+  std::uint64_t lost = 0, triangles = 0, culled = 0, pixels = 0;
+  for (const double share : {0.01, 0.03, 0.1}) {
+    const PairScene s = pair_scene("forest", share);
+    const EyePictures right = each_eye_alone(s);
+    Renderer renderer(s.scene, Transfer::kSrgb, engine);
+    StereoSettings settings;
+    settings.culling = culling;
+    const StereoRendering drawn = renderer.render_pair(s.centre, s.pair, settings);
+    lost += pixels_that_differ({drawn.left.color, drawn.right.color}, right);
+    triangles += drawn.lost;
+    culled += drawn.culled;
+    pixels += right.left.pixels.size() * 2;
+  }
+  return {double(lost),
+          0,
+          {},
+          fmt::format("{} of {} pixels lost, {} of {} culled triangles wrongly", lost, pixels,
+                      triangles, culled)};
+}
+
+Outcome judge_ours() {
+  const Outcome staged = judge(StereoCulling::kUnion, Engine::kStaged);
+  const Outcome tile = judge(StereoCulling::kUnion, Engine::kTile);
+  return staged.error >= tile.error ? staged : tile;
+}
+
+}  // namespace
+
+ExtremeCase c74_centre_culling() {
+  ExtremeCase c;
+  c.id = "C-74";
+  c.name = "Culled by the camera in the middle";
+  c.construction = "the forest, half separations of 1, 3 and 10 % of the window's distance";
+  c.stage = "stereo culling";
+  c.right = "nothing is lost: each eye's picture has the bytes of a run for that eye alone";
+  c.unit = "pixels";
+  c.oracle = Oracle::kInteger;
+  c.ours = {"the union of both frusta, both engines", judge_ours};
+  c.naive = {"centre culling, staged engine",
+             [] { return judge(StereoCulling::kCentre, Engine::kStaged); }};
+  c.mutants = {
+      {"centre culling, tile engine", [] { return judge(StereoCulling::kCentre, Engine::kTile); }}};
+  return c;
+}
+
+}  // namespace glassbox::study

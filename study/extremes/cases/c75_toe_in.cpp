@@ -1,0 +1,74 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <glassbox/pipeline/stereo/constructions.h>
+#include <glassbox/pipeline/stereo/parallax.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/attribute.h"
+#include "study/extremes/kit/pair.h"
+
+namespace glassbox::study {
+
+namespace {
+
+constexpr StereoPair kPair{0.3, 10};
+
+View centre() {
+  return view_from_origin(1920, 1080);
+}
+
+using EyeView = View (*)(const View&, const StereoPair&, Side);
+
+// Points all over the picture at three distances. `predicted` is S0-07's formula, upwards.
+Outcome judge(EyeView eye, bool formula) {
+  const View left = eye(centre(), kPair, Side::kLeft), right = eye(centre(), kPair, Side::kRight);
+  double worst = 0, off_formula = 0;
+  for (const double z : {5.0, 10.0, 40.0}) {
+    for (int i = -4; i <= 4; ++i) {
+      for (int j = -4; j <= 4; ++j) {
+        const Point<Eye, double> p(i * 0.17 * z, j * 0.1 * z, -z);
+        const Point<Eye> point(float(p.x), float(p.y), float(p.z));
+        // In eye space of the centre; toe-in turns eye space itself.
+        const auto y = [&](const View& view) {
+          const Point<World> world(point.x, point.y, point.z);
+          return double(project(view, round_to_float(view.eye_from_world) * world).position.y);
+        };
+        const double upwards = y(right) - y(left);
+        worst = std::max(worst, std::abs(upwards));
+        if (!formula) continue;
+        const double said =
+            toe_in_vertical_parallax_px(centre(), kPair, {point.x, point.y, point.z});
+        off_formula = std::max(off_formula, std::abs(upwards - said));
+      }
+    }
+  }
+  return {worst,
+          0,
+          {},
+          formula ? fmt::format("{:.3f} px in a corner; the formula says so within {:.2g} px",
+                                worst, off_formula)
+                  : fmt::format("{} px", worst)};
+}
+
+}  // namespace
+
+ExtremeCase c75_toe_in() {
+  ExtremeCase c;
+  c.id = "C-75";
+  c.name = "Cameras turned towards each other";
+  c.construction = "points all over 1920 x 1080 at 5, 10 and 40; window 10, half separation 0.3";
+  c.stage = "stereo";
+  c.right =
+      "no vertical parallax at all: both eyes share the rows of y and w, so the bits of y are the "
+      "same";
+  c.unit = "px";
+  c.oracle = Oracle::kAnalytic;
+  c.ours = {"skewed frusta", [] { return judge(eye_view, false); }};
+  c.naive = {"toed-in cameras", [] { return judge(toe_in_view, true); }};
+  return c;
+}
+
+}  // namespace glassbox::study

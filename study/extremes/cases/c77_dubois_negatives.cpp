@@ -1,0 +1,157 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+#include <glassbox/images/stereo/anaglyph.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/worst.h"
+#include "study/naive/stereo.h"
+
+namespace glassbox::study {
+
+namespace {
+
+using Bytes = std::array<std::uint8_t, 3>;
+using Mixes = Bytes (*)(const AnaglyphMatrix&, const Rgba8& left, const Rgba8& right);
+
+AnaglyphMatrix dubois() {
+  return anaglyph_matrix(AnaglyphMethod::kDubois, Glasses::kRedCyan).value();
+}
+
+// The sum in double of products of two floats each, which are exact; clamped, then encoded by IEC 61966-2-1.
+Bytes exact_mix(const Rgba8& left, const Rgba8& right) {
+  const AnaglyphMatrix matrix = dubois();
+  const Linear l = linear_of(left), r = linear_of(right);
+  Bytes bytes;
+  for (std::size_t row = 0; row < 3; ++row) {
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      sum +=
+          double(matrix.at[row][k]) * double(l[k]) + double(matrix.at[row][k + 3]) * double(r[k]);
+    }
+    const double light = std::clamp(sum, 0.0, 1.0);
+    const double code =
+        light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+    bytes[row] = std::uint8_t(std::floor(code * 255 + 0.5));
+  }
+  return bytes;
+}
+
+// All pairs of the corners, edges' middles and centre of the cube of colours.
+Outcome judge(Mixes mixes, const AnaglyphMatrix& matrix) {
+  std::int64_t worst = 0, wrong = 0, mixed = 0;
+  std::string where;
+  const std::uint8_t levels[] = {0, 128, 255};
+  std::vector<Rgba8> colours;
+  for (const std::uint8_t r : levels) {
+    for (const std::uint8_t g : levels) {
+      for (const std::uint8_t b : levels) colours.push_back({r, g, b, 255});
+    }
+  }
+  for (const Rgba8& left : colours) {
+    for (const Rgba8& right : colours) {
+      const Bytes found = mixes(matrix, left, right), exact = exact_mix(left, right);
+      ++mixed;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::int64_t off = std::abs(int(found[k]) - int(exact[k]));
+        wrong += off > 1;
+        if (off <= worst) continue;
+        worst = off;
+        where = fmt::format("; worst {} for {} of left {},{},{}, right {},{},{}", found[k],
+                            exact[k], left.r, left.g, left.b, right.r, right.g, right.b);
+      }
+    }
+  }
+  return {double(worst),
+          1,
+          {},
+          fmt::format("{} of {} channels more than a byte off{}", wrong, 3 * mixed, where)};
+}
+
+Bytes pipeline_mix(const AnaglyphMatrix& matrix, const Rgba8& left, const Rgba8& right) {
+  const auto [r, g, b] = mix_eyes(matrix, linear_of(left), linear_of(right));
+  return {encode_srgb(r), encode_srgb(g), encode_srgb(b)};
+}
+
+template <class Encode>
+Bytes mix_in_bytes(const AnaglyphMatrix& matrix, const Rgba8& l, const Rgba8& r, Encode encode) {
+  const std::array<double, 6> colours{l.r / 255.0, l.g / 255.0, l.b / 255.0,
+                                      r.r / 255.0, r.g / 255.0, r.b / 255.0};
+  Bytes bytes;
+  for (std::size_t row = 0; row < 3; ++row) {
+    double sum = 0;
+    for (std::size_t k = 0; k < 6; ++k) sum += double(matrix.at[row][k]) * colours[k];
+    bytes[row] = encode(sum);
+  }
+  return bytes;
+}
+
+Bytes wrapping_mix(const AnaglyphMatrix& matrix, const Rgba8& left, const Rgba8& right) {
+  return mix_in_bytes(matrix, left, right, naive::wrapped_byte);
+}
+// Clamped, but on encoded bytes in place of light.
+Bytes gamma_mix(const AnaglyphMatrix& matrix, const Rgba8& left, const Rgba8& right) {
+  return mix_in_bytes(matrix, left, right,
+                      [](double sum) { return encode_unorm8(float(std::clamp(sum, 0.0, 1.0))); });
+}
+// In light, but what is below 0 or above 1 is not clamped before it is encoded as a power: negatives are mirrored.
+Bytes unclamped_mix(const AnaglyphMatrix& matrix, const Rgba8& left, const Rgba8& right) {
+  const Linear l = linear_of(left), r = linear_of(right);
+  Bytes bytes;
+  for (std::size_t row = 0; row < 3; ++row) {
+    float sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      sum += matrix.at[row][k] * l[k] + matrix.at[row][k + 3] * r[k];
+    }
+    bytes[row] = encode_srgb(std::abs(sum));
+  }
+  return bytes;
+}
+
+// Read row by row where the file has it column by column (each eye's 3 x 3 numbers).
+AnaglyphMatrix transposed() {
+  const AnaglyphMatrix matrix = dubois();
+  AnaglyphMatrix turned = matrix;
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      turned.at[row][k] = matrix.at[k][row];
+      turned.at[row][k + 3] = matrix.at[k][row + 3];
+    }
+  }
+  return turned;
+}
+AnaglyphMatrix with_misprint() {
+  AnaglyphMatrix matrix = dubois();
+  matrix.at[1][0] *= 10;  // as -0.400822 for -0.0400822 in a shader that is passed around
+  return matrix;
+}
+
+}  // namespace
+
+ExtremeCase c77_dubois_negatives() {
+  ExtremeCase c;
+  c.id = "C-77";
+  c.name = "Dubois' negative numbers";
+  c.construction = "all pairs of 27 colours from black to white through Dubois' matrix (2009)";
+  c.stage = "anaglyph";
+  c.right =
+      "mixed in light, clamped, encoded, within a byte: the float sum may fall on the other side "
+      "of "
+      "a byte's edge. White stays 255";
+  c.unit = "bytes";
+  c.oracle = Oracle::kRational;
+  c.ours = {"in light, clamped after the matrix", [] { return judge(pipeline_mix, dubois()); }};
+  c.naive = {"on bytes, which wrap round", [] { return judge(wrapping_mix, dubois()); }};
+  c.mutants = {
+      {"negatives are not clamped", [] { return judge(unclamped_mix, dubois()); }},
+      {"mixed as encoded", [] { return judge(gamma_mix, dubois()); }},
+      {"the matrix is transposed", [] { return judge(pipeline_mix, transposed()); }},
+      {"a misprint: -0.62 for -0.062", [] { return judge(pipeline_mix, with_misprint()); }}};
+  return c;
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,94 @@
+#include <fmt/format.h>
+
+#include <glassbox/images/stereo/order.h>
+#include <glassbox/render/stereo/disparity.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/coverage.h"
+#include "study/extremes/kit/pair.h"
+
+namespace glassbox::study {
+
+namespace {
+
+struct Drawn {
+  EyePictures eyes;
+  Image<float> disparity;
+};
+
+const Drawn& room() {
+  static const Drawn drawn = [] {
+    const PairScene s = pair_scene("room", 0.03);
+    StereoSettings settings;
+    settings.render.want_distance = true;
+    const StereoRendering pair = render_pair(s.scene, s.centre, s.pair, settings);
+    return Drawn{{pair.left.color, pair.right.color},
+                 disparity_map(s.centre, s.pair, pair.left.distance)};
+  }();
+  return drawn;
+}
+
+// The share of the windows that vote for interchanged eyes; more than a third is too much for the order to be known
+// (images/stereo/order.h).
+Outcome outcome_of(const OrderEvidence& evidence) {
+  const double votes = double(evidence.in_order + evidence.swapped);
+  const char* verdict = evidence.order == EyeOrder::kInOrder   ? "in order"
+                        : evidence.order == EyeOrder::kSwapped ? "swapped"
+                                                               : "unknown";
+  return {
+      votes > 0 ? double(evidence.swapped) / votes : 1,
+      1.0 / 3,
+      {},
+      fmt::format("{}: {} windows for, {} against", verdict, evidence.in_order, evidence.swapped)};
+}
+
+Outcome judge_pair(const EyePictures& eyes) {
+  return outcome_of(pair_order(eyes.left, eyes.right, room().disparity).value());
+}
+Outcome judge_anaglyph(const Image<Rgba8>& anaglyph) {
+  return outcome_of(anaglyph_order(anaglyph, Glasses::kRedCyan, room().disparity).value());
+}
+
+Image<Rgba8> anaglyph(const Image<Rgba8>& left, const Image<Rgba8>& right) {
+  return make_anaglyph(left, right, AnaglyphMethod::kMask).value();
+}
+
+Image<Rgba8> red_and_blue_interchanged() {
+  Image<Rgba8> picture = anaglyph(room().eyes.left, room().eyes.right);
+  for (Rgba8& pixel : picture.pixels) std::swap(pixel.r, pixel.b);
+  return picture;
+}
+
+Outcome judge_ours() {
+  const Outcome pair = judge_pair(room().eyes);
+  const Outcome coloured = judge_anaglyph(anaglyph(room().eyes.left, room().eyes.right));
+  return pair.error >= coloured.error ? pair : coloured;
+}
+
+}  // namespace
+
+ExtremeCase c78_eyes_swapped() {
+  ExtremeCase c;
+  c.id = "C-78";
+  c.name = "Each eye has the other one's picture";
+  c.construction = "the room as a pair and as an anaglyph, with its disparity";
+  c.stage = "stereo";
+  c.right =
+      "near things lie further left in the right eye's picture: of the textured windows at most a "
+      "third fit better with the eyes interchanged";
+  c.unit = "of the windows";
+  c.oracle = Oracle::kProperty;
+  c.ours = {"pair and anaglyph as drawn", judge_ours};
+  c.naive = {"the pictures interchanged", [] {
+               return judge_pair({room().eyes.right, room().eyes.left});
+             }};
+  c.mutants = {{"the anaglyph's eyes interchanged",
+                [] { return judge_anaglyph(anaglyph(room().eyes.right, room().eyes.left)); }},
+               {"channel swap: red and blue interchanged, as BGR files have them",
+                [] { return judge_anaglyph(red_and_blue_interchanged()); }}};
+  c.pictures = {{"ours", [] { return png_of(anaglyph(room().eyes.left, room().eyes.right)); }},
+                {"naive", [] { return png_of(anaglyph(room().eyes.right, room().eyes.left)); }}};
+  return c;
+}
+
+}  // namespace glassbox::study

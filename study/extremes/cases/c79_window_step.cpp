@@ -1,0 +1,84 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include <fmt/format.h>
+
+#include <glassbox/pipeline/stereo/comfort.h>
+
+#include "study/extremes/cases/cases.h"
+#include "study/naive/stereo.h"
+
+namespace glassbox::study {
+
+namespace {
+
+constexpr double kFrames = 15;
+
+// Given the window that is asked for, frame after frame, the one that is used.
+using Filter = std::function<double(double)>;
+
+// 10 to 1, then back, 120 frames each. The parallax of infinity goes with 1/f: the largest change from a frame to the
+// next, as a share of the whole step; a step the wrong way or beyond the goal is as bad as a jump.
+Outcome judge(const std::function<Filter()>& make) {
+  const Filter next = make();
+  double worst = 0, backwards = 0;
+  double last = 1 / next(10);
+  for (const double window : {1.0, 10.0}) {
+    const double goal = 1 / window, step = 1 - 0.1;
+    const double direction = goal > last ? 1 : -1;
+    for (int frame = 0; frame < 120; ++frame) {
+      const double inverse = 1 / next(window);
+      const double moved = (inverse - last) * direction / step;
+      worst = std::max(worst, moved);
+      backwards = std::max({backwards, -moved, (inverse - goal) * direction / step});
+      last = inverse;
+    }
+  }
+  // 1e-15 is the rounding of 1/(1/f).
+  const bool monotone = backwards <= 1e-15;
+  return {monotone ? worst : std::max(worst, 1.0),
+          low_pass_share(kFrames) * (1 + 1e-12),
+          {},
+          monotone ? fmt::format("{:.4f} of the step in one frame", worst)
+                   : fmt::format("{:.4f} in one frame, {:.4f} the wrong way", worst, backwards)};
+}
+
+}  // namespace
+
+ExtremeCase c79_window_step() {
+  ExtremeCase c;
+  c.id = "C-79";
+  c.name = "The window jumps";
+  c.construction =
+      "the stereo window from 10 to 1, and back after 120 frames; a time constant of 15 "
+      "frames";
+  c.stage = "stereo";
+  c.right = "monotone, and no frame moves parallax by more than 1/16 of the step (1/(1 + 15))";
+  c.unit = "of the step per frame";
+  c.oracle = Oracle::kAnalytic;
+  c.ours = {"low-pass of 1/f", [] {
+              return judge([] {
+                return
+                    [filter = WindowFilter(kFrames)](double f) mutable { return filter.next(f); };
+              });
+            }};
+  c.naive = {"the window as it is",
+             [] { return judge([] { return [](double f) { return f; }; }); }};
+  c.mutants = {{"low-pass of f",
+                [] {
+                  return judge([] {
+                    return [filter = naive::FilterOfDistance(kFrames)](double f) mutable {
+                      return filter.next(f);
+                    };
+                  });
+                }},
+               {"a spring that overshoots", [] {
+                  return judge([] {
+                    return [spring = naive::Spring()](double f) mutable { return spring.next(f); };
+                  });
+                }}};
+  return c;
+}
+
+}  // namespace glassbox::study

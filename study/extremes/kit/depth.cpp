@@ -1,0 +1,103 @@
+#include "study/extremes/kit/depth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glassbox/pipeline/dialects.h>
+#include <glassbox/pipeline/divide.h>
+
+#include "study/extremes/kit/screen_scene.h"
+#include "study/random.h"
+
+namespace glassbox::study {
+
+std::function<std::uint32_t(float)> depth_codes(const DepthPath& path) {
+  const bool reversed = path.format == DepthFormat::kFloat32Reversed;
+  const bool subtracted = path.detour == DepthPath::kSubtracted;
+  const DepthRange range = reversed && !subtracted ? DepthRange::kReversed : DepthRange::kStandard;
+  Transform<Clip, Eye> clip_from_eye =
+      perspective_degrees(90, 1, {path.near, path.far, range}).value();
+  if (path.detour == DepthPath::kThroughGl) {
+    clip_from_eye = Transform<Clip, Eye>((clip_gl_from_clip() * clip_from_eye).columns);
+  }
+  return [path, m = round_to_float(clip_from_eye)](float distance) {
+    float depth = divide(m * Point<Eye>(0, 0, -distance)).position.z;
+    if (path.detour == DepthPath::kThroughGl) depth = 0.5f * depth + 0.5f;
+    if (path.detour == DepthPath::kSubtracted) depth = 1.0f - depth;
+    return depth_code(path.format, depth);
+  };
+}
+
+double coarsest_confused(const DepthPath& path, double distance, double around) {
+  const auto code = depth_codes(path);
+  Random random(56);
+  // Wide enough for a pair to lie just inside one step.
+  const double nearest = 1 - std::clamp(around, 0.02, 0.5);
+  double coarsest = 0;
+  for (int k = -32; k <= 20; ++k) {
+    const double separation = around * std::exp2(k / 4.0);
+    for (int i = 0; i < 200; ++i) {
+      const float front = float(distance * random.between(nearest, 1));
+      const float back = float(double(front) * (1 + separation));
+      if (!(double(back) <= path.far) || back <= front) continue;
+      if (!in_front(code(front), code(back))) {
+        coarsest = std::max(coarsest, (double(back) - double(front)) / double(front));
+      }
+    }
+  }
+  return coarsest;
+}
+
+double standard_separation(double distance, double near, double far, double step) {
+  const double s = step * (1 / near - 1 / far) * distance;
+  return s < 1 ? s / (1 - s) : std::numeric_limits<double>::infinity();
+}
+
+float pipeline_depth(const TriangleSetup& setup, const Coverage& pixel) {
+  return interpolate(setup, pixel).depth;
+}
+
+long double exact_depth(const TriangleSetup& setup, const Coverage& pixel) {
+  long double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    sum += static_cast<long double>(pixel.edges[k]) * static_cast<long double>(setup.depth[k]);
+  }
+  return sum / static_cast<long double>(setup.double_area);
+}
+
+Image<int> z_buffered(const std::vector<ScreenTriangle>& triangles, int side,
+                      const ZBuffer& buffer) {
+  Image<int> seen(side, side);
+  Image<std::uint32_t> codes(side, side, kEmptyDepth);
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto setup = setup_triangle(triangles[i]);
+    if (!setup) continue;
+    for_each_covered(*setup, {0, 0, side, side}, [&](const Coverage& pixel) {
+      const std::uint32_t code = depth_code(buffer.format, buffer.depth(*setup, pixel));
+      std::uint32_t& stored = codes.at(pixel.x, pixel.y);
+      if (!buffer.passes(code, stored)) return;
+      stored = code;
+      seen.at(pixel.x, pixel.y) = int(i) + 1;
+    });
+  }
+  return seen;
+}
+
+Image<int> drawn_by_engines(const std::vector<ScreenTriangle>& triangles, int side) {
+  Material material;
+  material.double_sided = true;
+  material.unlit = true;
+  const ScreenScene drawn = screen_scene(triangles, side, material);
+  RenderSettings settings;
+  settings.want_id = true;
+  const Framebuffer tile = render_tiled(drawn.scene, drawn.view, settings).buffers;
+  const Framebuffer staged = render_staged(drawn.scene, drawn.view, settings).buffers;
+  if (tile.id != staged.id) return {};
+  Image<int> seen(side, side);
+  std::ranges::transform(tile.id.pixels, seen.pixels.begin(),
+                         [](std::uint32_t id) { return int(id); });
+  return seen;
+}
+
+}  // namespace glassbox::study

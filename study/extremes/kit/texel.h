@@ -1,0 +1,22 @@
+// Which texel of a row a coordinate means, under judgement.
+#pragma once
+
+#include <functional>
+
+#include <glassbox/raster/texture.h>
+
+namespace glassbox::study {
+
+using TexelAt = std::function<int(Wrap wrap, float t, int size)>;
+
+// The pipeline's nearest sample of a row whose texels have their own number for a colour.
+inline int pipeline_texel(Wrap wrap, float t, int size) {
+  Image<Rgba8> row(size, 1);
+  for (int i = 0; i < size; ++i)
+    row.at(i, 0) = {std::uint8_t(i & 255), std::uint8_t(i >> 8), 0, 255};
+  const Sampler sampler{wrap, wrap, Filter::kNearest, Filter::kNearest, MipFilter::kNone};
+  const Rgba seen = sample({{row}}, sampler, {t, 0}, 0, Transfer::kNone);
+  return int(seen.r * 255 + 0.5f) + 256 * int(seen.g * 255 + 0.5f);
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,33 @@
+#include "study/extremes/run.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace glassbox::study {
+
+int CaseResult::mutants_caught() const {
+  return int(std::ranges::count_if(mutants, [](const Outcome& each) { return !each.passes(); }));
+}
+
+bool CaseResult::holds() const {
+  return ours_passes() && naive_fails() && mutants_caught() == int(mutants.size());
+}
+
+CaseResult run(const ExtremeCase& extreme) {
+  CaseResult result{extreme, extreme.ours.judged(), extreme.naive.judged(), {}};
+  for (const Subject& mutant : extreme.mutants) result.mutants.push_back(mutant.judged());
+  return result;
+}
+
+const ExtremeCase* find_case(std::string_view id) {
+  const auto same = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) ==
+           std::tolower(static_cast<unsigned char>(b));
+  };
+  const auto found = std::ranges::find_if(extreme_cases(), [&](const ExtremeCase& each) {
+    return std::ranges::equal(each.id, id, same);
+  });
+  return found == extreme_cases().end() ? nullptr : &*found;
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,93 @@
+#include <cmath>
+
+#include <glassbox/base/rounding.h>
+#include <glassbox/base/trig.h>
+#include <glassbox/pipeline/projection.h>
+
+#include "study/extremes/sweeps/sweeps.h"
+#include "study/oracle/number.h"
+
+namespace glassbox::study {
+
+namespace {
+
+const std::vector<double>& angles() {
+  static const std::vector<double> all{1e-6,  1e-5,  1e-4,   1e-3,    1e-2,    0.1,   1,
+                                       10,    45,    90,     120.0,   150,     170.0, 175,
+                                       179.0, 179.9, 179.99, 179.999, 179.9999};
+  return all;
+}
+
+// Measured from 180 degrees, so that both ends have room on the axis: 180/(180 - angle) - 1 is small for small angles and
+// large for large ones.
+double both_ends(double degrees) {
+  return degrees / (180 - degrees);
+}
+
+double relative_error(double degrees, double scale) {
+  const oracle::Decimal half = oracle::Decimal(degrees) * oracle::pi() / oracle::Decimal(360);
+  const oracle::Decimal exact = oracle::Decimal(1) / oracle::tan(half);
+  return oracle::error_of(scale, exact) / double(exact);
+}
+
+struct Way {
+  const char* name;
+  bool ours;
+  double (*scale)(double degrees);
+  double (*bound)(double degrees);
+};
+
+double condition(double degrees) {
+  return fov_condition(radians_from_degrees(degrees));
+}
+
+}  // namespace
+
+Sweep field_of_view_sweep() {
+  Sweep sweep;
+  sweep.name = "field-of-view";
+  sweep.title = "Field of view";
+  sweep.question = "How narrow and how wide may a camera look before the picture's scale is wrong?";
+  sweep.axis = "angle over what is missing to 180 degrees";
+  sweep.error = "relative error of the picture's scale, cot(angle/2)";
+  sweep.reference = "50 digits";
+  sweep.bound =
+      "8 u of double (pipeline/projection.h); by way of radians their roundings times x/sin x, "
+      "in float as well as in double";
+  sweep.tolerance = "a relative error of 1e-4: a pixel in ten thousand";
+  sweep.series = [] {
+    const Way ways[] = {
+        {"degrees, cot from sine and cosine", true,
+         [](double degrees) {
+           return perspective_degrees(degrees, 1, {1, 100})->at(1, 1);
+         },
+         [](double) { return 8 * unit_roundoff<double>; }},
+        // Two roundings of the angle, times the condition; tangent and quotient.
+        {"double, tangent of radians", false,
+         [](double degrees) { return 1 / std::tan(radians_from_degrees(degrees) / 2); },
+         [](double degrees) { return (4 * condition(degrees) + 4) * unit_roundoff<double>; }},
+        {"float, tangent of radians", false,
+         [](double degrees) {
+           return double(1.0f / std::tan(float(degrees) * 0.0174532925f / 2.0f));
+         },
+         [](double degrees) {
+           return (4 * condition(degrees) + 4) * double(unit_roundoff<float>);
+         }},
+    };
+    std::vector<SweepSeries> all;
+    for (const Way& way : ways) {
+      SweepSeries series{way.name, way.ours, {}, {}};
+      for (const double degrees : angles()) {
+        const double bound = way.bound(degrees);
+        series.points.push_back({both_ends(degrees), relative_error(degrees, way.scale(degrees)),
+                                 // To first order, so only where it is small.
+                                 bound < 0.01 ? std::optional(bound) : std::nullopt});
+      }
+      all.push_back(with_limit(std::move(series), 1e-4));
+    }
+    return all;
+  };
+  return sweep;
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,76 @@
+#include <algorithm>
+#include <cmath>
+
+#include <glassbox/base/rounding.h>
+
+#include "study/extremes/kit/depth.h"
+#include "study/extremes/sweeps/sweeps.h"
+
+namespace glassbox::study {
+
+namespace {
+
+constexpr double kDistance = 0.5;  // of the far plane, at 1
+
+struct Format {
+  const char* name;
+  DepthFormat format;
+  DepthPath::Detour detour;
+  double step;  // of the codes, in depth; 0 for reversed float, whose steps shrink with depth
+};
+
+// The float pipeline may be off by 3 u in each of two standard depths near 1 (product, sum, quotient), reversed by 4 u
+// relative in all (C-56).
+double bound_of(const Format& format, double near) {
+  const double u = double(unit_roundoff<float>);
+  if (format.step == 0) return 4 * u;
+  return standard_separation(kDistance, near, 1, format.step + 6 * u);
+}
+
+SweepSeries series_of(const Format& format) {
+  SweepSeries series{format.name, format.step == 0, {}, {}};
+  for (int decade = 1; decade <= 12; ++decade) {
+    for (const double part : {1.0, std::sqrt(10.0)}) {
+      const double ratio = std::pow(10.0, decade) * part;
+      if (ratio > 1e12) continue;
+      const DepthPath path{format.format, 1 / ratio, 1, format.detour};
+      const double bound = bound_of(format, path.near);
+      const double confused = coarsest_confused(path, kDistance, std::min(bound, 0.5));
+      series.points.push_back(
+          {ratio, confused, std::isfinite(bound) ? std::optional(bound) : std::nullopt});
+    }
+  }
+  return with_limit(std::move(series), 0.1);
+}
+
+}  // namespace
+
+Sweep near_far_sweep() {
+  Sweep sweep;
+  sweep.name = "near-far";
+  sweep.title = "Far plane over near plane";
+  sweep.question =
+      "How far may the planes lie apart before a depth format confuses what is plainly "
+      "apart?";
+  sweep.axis = "far plane over near plane";
+  sweep.error = "largest relative separation that is confused, half way to the far plane";
+  sweep.reference = "the order of the distances themselves";
+  sweep.bound = "s z/(1 - s z) with s = (step + 6 u)(1/n - 1/f); 4 u for reversed float (SPEC B.3)";
+  sweep.tolerance = "a tenth of the distance is confused";
+  sweep.series = [] {
+    std::vector<SweepSeries> all;
+    for (const Format& format :
+         {Format{"float reversed", DepthFormat::kFloat32Reversed, DepthPath::kNone, 0},
+          {"float", DepthFormat::kFloat32, DepthPath::kNone, 0x1p-24},
+          {"float reversed by way of [-1, 1]", DepthFormat::kFloat32Reversed, DepthPath::kThroughGl,
+           0x1p-24},
+          {"24 bits", DepthFormat::kUnorm24, DepthPath::kNone, 0x1p-24},
+          {"16 bits", DepthFormat::kUnorm16, DepthPath::kNone, 1 / 65535.0}}) {
+      all.push_back(series_of(format));
+    }
+    return all;
+  };
+  return sweep;
+}
+
+}  // namespace glassbox::study

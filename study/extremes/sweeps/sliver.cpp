@@ -1,0 +1,64 @@
+#include <cmath>
+
+#include "study/extremes/kit/coverage.h"
+#include "study/extremes/sweeps/sweeps.h"
+#include "study/naive/coverage.h"
+#include "study/random.h"
+
+namespace glassbox::study {
+
+namespace {
+
+constexpr double kLength = 4000;
+
+// Of the pixels beside the long edge, the share that is answered wrongly.
+double share_wrong(const Covers& covers, double width) {
+  Random random(4);
+  CoverageFaults faults;
+  for (int i = 0; i < 12; ++i) {
+    const double x = random.between(0, 100), y = random.between(0, 100);
+    const double slope = random.between(0.05, 0.95);
+    const ScreenTriangle t{screen_vertex(x, y), screen_vertex(x + kLength, y + kLength * slope),
+                           screen_vertex(x, y + width)};
+    for (int column = int(x) + 1; column < int(x + kLength); ++column) {
+      const int row = int(std::floor(y + (column + 0.5 - x) * slope));
+      compare_coverage(covers, t, {column, row, column + 1, row + 1}, faults);
+    }
+  }
+  return double(faults.wrong()) / double(faults.samples);
+}
+
+SweepSeries series_of(const char* name, const Covers& covers, bool ours) {
+  SweepSeries series{name, ours, {}, {}};
+  for (int bits = 0; bits <= 20; ++bits) {
+    const double width = std::ldexp(1.0, -bits);
+    series.points.push_back(
+        {width, share_wrong(covers, width), ours ? std::optional(0.0) : std::nullopt});
+  }
+  return with_limit(std::move(series), 0);
+}
+
+}  // namespace
+
+Sweep sliver_sweep() {
+  Sweep sweep;
+  sweep.name = "sliver";
+  sweep.title = "Width of a sliver";
+  sweep.question = "How thin may a triangle 4,000 px long be before pixels are decided wrongly?";
+  sweep.axis = "width";
+  sweep.axis_unit = "px";
+  sweep.error = "share of the pixels along the edge that are wrong";
+  sweep.reference = "the snapped triangle in 128 bits";
+  sweep.bound = "0: edge functions are integers; float gives no guarantee";
+  sweep.tolerance = "any wrong pixel";
+  sweep.series = [] {
+    return std::vector<SweepSeries>{
+        series_of("64-bit integers", pipeline_covers, true),
+        series_of("float differences of snapped vertices",
+                  naive::covers_with({.inside = naive::float_difference_inside}), false),
+        series_of("float, not snapped", naive::float_covers, false)};
+  };
+  return sweep;
+}
+
+}  // namespace glassbox::study

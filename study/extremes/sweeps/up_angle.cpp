@@ -1,0 +1,80 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glassbox/base/rounding.h>
+#include <glassbox/pipeline/look_at.h>
+
+#include "study/extremes/sweeps/sweeps.h"
+#include "study/naive/camera.h"
+#include "study/oracle/camera.h"
+
+namespace glassbox::study {
+
+namespace {
+
+using LooksAt = Result<Transform<Eye, World>> (*)(const Point<World, double>&,
+                                                  const Point<World, double>&,
+                                                  const Vector<World, double>&);
+
+const Point<World, double> kEye(1, 2, 3), kTarget(4, -1, 5);
+
+// The gaze turned by the angle towards something perpendicular to it.
+Vector<World, double> up_at(double angle) {
+  const Vector<World, double> gaze = kTarget - kEye;
+  const Vector<World, double> across = cross(gaze, Vector<World, double>(0, 1, 0));
+  const double same_length = std::sqrt(dot(gaze, gaze) / dot(across, across));
+  return gaze * std::cos(angle) + across * (same_length * std::sin(angle));
+}
+
+double angle_between_u(const Transform<Eye, World>& found,
+                       const oracle::Matrix4<oracle::Decimal>& exact) {
+  const oracle::DecimalVector u(exact.at[0][0], exact.at[0][1], exact.at[0][2]);
+  return oracle::angle(
+      oracle::exactly(Vector<World, double>(found.at(0, 0), found.at(0, 1), found.at(0, 2))), u);
+}
+
+SweepSeries series_of(const char* name, bool ours, LooksAt looks_at, double roundoff) {
+  SweepSeries series{name, ours, {}, {}};
+  for (int quarter = 0; quarter <= 32; ++quarter) {
+    const double angle = std::pow(10.0, -quarter / 4.0);
+    const auto found = looks_at(kEye, kTarget, up_at(angle));
+    const bool sound = found && std::isfinite(found->at(0, 0));
+    const double error = sound
+                             ? angle_between_u(*found, oracle::look_at(kEye, kTarget, up_at(angle)))
+                             : std::numeric_limits<double>::infinity();
+    // (8 + 4/sine) u for each entry (pipeline/look_at.h), three entries; no promise where there is no answer.
+    const double bound = std::sqrt(3.0) * (8 + 4 / std::sin(angle)) * roundoff;
+    series.points.push_back(
+        {angle, error, sound && bound < 0.1 ? std::optional(bound) : std::nullopt});
+  }
+  return with_limit(std::move(series), 1e-3);
+}
+
+}  // namespace
+
+Sweep up_angle_sweep() {
+  Sweep sweep;
+  sweep.name = "up-angle";
+  sweep.title = "Angle between up and gaze";
+  sweep.question = "How near may `up` come to the gaze before the camera rolls by itself?";
+  sweep.axis = "angle between up and gaze";
+  sweep.axis_unit = "radians";
+  sweep.error = "roll: angle between the computed and the true right-hand axis";
+  sweep.error_unit = "radians";
+  sweep.reference = "UVN in 50 digits";
+  sweep.bound = "sqrt 3 (8 + 4/sin) u (pipeline/look_at.h, SPEC B.5)";
+  sweep.tolerance =
+      "a roll of a thousandth, a pixel in a thousand; or refused: look_at refuses sines "
+      "below 2^-20, since nobody can have meant such an up";
+  sweep.series = [] {
+    return std::vector<SweepSeries>{
+        series_of("look_at, in double", true, look_at, unit_roundoff<double>),
+        series_of("double without the limit", false, naive::look_at_without_limit,
+                  unit_roundoff<double>),
+        series_of("float", false, naive::look_at_in_float, double(unit_roundoff<float>))};
+  };
+  return sweep;
+}
+
+}  // namespace glassbox::study

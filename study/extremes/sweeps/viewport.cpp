@@ -1,0 +1,66 @@
+#include <algorithm>
+#include <cmath>
+
+#include "study/extremes/kit/coverage.h"
+#include "study/extremes/sweeps/sweeps.h"
+#include "study/naive/coverage.h"
+#include "study/random.h"
+
+namespace glassbox::study {
+
+namespace {
+
+double share_wrong(const Covers& covers, int side) {
+  Random random(5);
+  CoverageFaults faults;
+  const std::int64_t most = std::min<std::int64_t>(std::int64_t(side) * 256, (1 << 23) - 1);
+  for (int i = 0; i < 3000; ++i) {
+    SnappedTriangle t;
+    for (SnappedVertex& v : t) {
+      v = {std::int32_t(random.integer(0, most)), std::int32_t(random.integer(0, most))};
+    }
+    const ScreenTriangle triangle = screen_triangle(t);
+    for (int sample = 0; sample < 4; ++sample) {
+      const double share = random.unit();
+      const int x = int(std::floor((t[0].x + share * (t[1].x - t[0].x)) / 256));
+      const int y = int(std::floor((t[0].y + share * (t[1].y - t[0].y)) / 256));
+      compare_coverage(covers, triangle, {x, y, x + 1, y + 1}, faults);
+    }
+  }
+  return double(faults.wrong()) / double(faults.samples);
+}
+
+SweepSeries series_of(const char* name, const Covers& covers, bool ours) {
+  SweepSeries series{name, ours, {}, {}};
+  for (int side = 1; side <= 32768; side *= 2) {
+    series.points.push_back(
+        {double(side), share_wrong(covers, side), ours ? std::optional(0.0) : std::nullopt});
+  }
+  return with_limit(std::move(series), 0);
+}
+
+}  // namespace
+
+Sweep viewport_sweep() {
+  Sweep sweep;
+  sweep.name = "viewport";
+  sweep.title = "Size of the picture";
+  sweep.question = "How large may a picture be before pixels beside an edge are decided wrongly?";
+  sweep.axis = "width and height";
+  sweep.axis_unit = "px";
+  sweep.error = "share of the pixels on random edges that are wrong";
+  sweep.reference = "the snapped triangle in 128 bits; large pictures are sampled, not allocated";
+  sweep.bound = "0: edge functions have at most 52 of 63 bits";
+  sweep.tolerance = "any wrong pixel";
+  sweep.series = [] {
+    return std::vector<SweepSeries>{
+        series_of("64-bit integers", pipeline_covers, true),
+        series_of("32-bit integers", naive::covers_with({.inside = naive::int32_inside}), false),
+        series_of("float differences of snapped vertices",
+                  naive::covers_with({.inside = naive::float_difference_inside}), false),
+        series_of("float, not snapped", naive::float_covers, false)};
+  };
+  return sweep;
+}
+
+}  // namespace glassbox::study

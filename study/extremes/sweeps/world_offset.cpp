@@ -1,0 +1,133 @@
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include <glassbox/base/rounding.h>
+#include <glassbox/pipeline/affine.h>
+#include <glassbox/pipeline/bounds.h>
+#include <glassbox/pipeline/look_at.h>
+
+#include "study/extremes/sweeps/sweeps.h"
+#include "study/random.h"
+
+namespace glassbox::study {
+
+namespace {
+
+// An object a few units large stands `offset` from the origin of the world; the eye looks at it from five units away.
+struct Place {
+  double offset;
+  Transform<World, Object> world_from_object;
+  Transform<Eye, World> eye_from_world;
+};
+Place place_at(double offset) {
+  const Point<World, double> at(offset, offset / 2, -offset / 4);
+  return {offset, translate<World, Object>(at - Point<World, double>(0, 0, 0)),
+          look_at({at.x + 3, at.y + 0.0, at.z + 4}, at, {0, 1, 0}).value()};
+}
+
+using Long = glm::vec<3, long double>;
+
+// The matrices' own numbers, in 64 bits of mantissa: relative 2^-60 of the offset.
+Long exactly(const Place& place, const Point<Object>& p) {
+  Long eye(0);
+  const auto& m = place.eye_from_world;
+  const auto& w = place.world_from_object;
+  const Long world(static_cast<long double>(p.x) + static_cast<long double>(w.at(0, 3)),
+                   static_cast<long double>(p.y) + static_cast<long double>(w.at(1, 3)),
+                   static_cast<long double>(p.z) + static_cast<long double>(w.at(2, 3)));
+  for (int row = 0; row < 3; ++row) {
+    eye[row] = static_cast<long double>(m.at(row, 3));
+    for (int k = 0; k < 3; ++k) eye[row] += static_cast<long double>(m.at(row, k)) * world[k];
+  }
+  return eye;
+}
+
+struct Computed {
+  glm::dvec3 position, bound;
+};
+
+// World positions in float, and the eye's translation inside a float matrix.
+Computed in_float(const Place& place, const Point<Object>& p) {
+  const double u = double(unit_roundoff<float>);
+  const auto world_from_object = round_to_float(place.world_from_object);
+  const auto eye_from_world = round_to_float(place.eye_from_world);
+  const Point<World> world = world_from_object * p;
+  const Point<Eye> eye = eye_from_world * world;
+  const glm::dvec4 world_bound =
+      2 * u *
+      glm::abs(glm::dvec4(world.x, world.y, world.z, 0));  // of the translation and of the sum
+  const glm::dvec4 bound =
+      transform_bound(eye_from_world.columns, {world.x, world.y, world.z, 1}, world_bound,
+                      rounding_bound(place.eye_from_world.columns));
+  return {{eye.x, eye.y, eye.z}, glm::dvec3(bound)};
+}
+
+// One matrix composed in double, where the offsets cancel, and rounded once: what the pipeline does.
+Computed composed(const Place& place, const Point<Object>& p) {
+  const Transform<Eye, Object> exact = place.eye_from_world * place.world_from_object;
+  const auto eye_from_object = round_to_float(exact);
+  const Point<Eye> eye = eye_from_object * p;
+  const glm::dmat4 composing =
+      product_bound(place.eye_from_world.columns, place.world_from_object.columns);
+  const glm::dvec4 bound =
+      transform_bound(eye_from_object.columns, {p.x, p.y, p.z, 1}, glm::dvec4(0),
+                      rounding_bound(exact.columns) + composing);
+  return {{eye.x, eye.y, eye.z}, glm::dvec3(bound)};
+}
+
+Computed in_double(const Place& place, const Point<Object>& p) {
+  const Point<Object, double> object(p.x, p.y, p.z);
+  const Point<Eye, double> eye = place.eye_from_world * (place.world_from_object * object);
+  const glm::dvec4 size = magnitude(place.eye_from_world.columns,
+                                    {place.offset + 2, place.offset + 2, place.offset + 2, 1});
+  return {{eye.x, eye.y, eye.z}, glm::dvec3(size * gamma<double>(6))};
+}
+
+SweepSeries series_of(const char* name, bool ours,
+                      Computed (*compute)(const Place&, const Point<Object>&)) {
+  SweepSeries series{name, ours, {}, {}};
+  for (int half = 0; half <= 18; ++half) {
+    const Place place = place_at(std::pow(10.0, half / 2.0));
+    Random random(100);
+    SweepPoint worst{place.offset, 0, 0};
+    for (int i = 0; i < 200; ++i) {
+      const auto coordinate = [&] { return float(random.between(-1, 1)); };
+      const Point<Object> p(coordinate(), coordinate(), coordinate());
+      const Computed found = compute(place, p);
+      const Long exact = exactly(place, p);
+      for (int k = 0; k < 3; ++k) {
+        worst.error = std::max(
+            worst.error, double(std::abs(static_cast<long double>(found.position[k]) - exact[k])));
+        worst.bound = std::max(*worst.bound, found.bound[k]);
+      }
+    }
+    series.points.push_back(worst);
+  }
+  return with_limit(std::move(series), 1e-3);
+}
+
+}  // namespace
+
+Sweep world_offset_sweep() {
+  Sweep sweep;
+  sweep.name = "world-offset";
+  sweep.title = "Distance of the scene from the world's origin";
+  sweep.question = "How far out may a scene be built before its vertices shake?";
+  sweep.axis = "offset of object and eye";
+  sweep.axis_unit = "units";
+  sweep.error = "largest error of a coordinate in eye space";
+  sweep.error_unit = "units";
+  sweep.reference = "the same matrices applied in 64 bits of mantissa";
+  sweep.bound = "gamma_n |M||x| + |M| dx + dM |x| (pipeline/bounds.h)";
+  sweep.tolerance = "an error of a thousandth of a unit: a millimetre where units are metres";
+  sweep.series = [] {
+    return std::vector<SweepSeries>{series_of("composed in double, rounded once", true, composed),
+                                    series_of("float, step by step", false, in_float),
+                                    series_of("double, step by step", false, in_double)};
+  };
+  return sweep;
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,151 @@
+// Rasterizers that go wrong. The parts of the right one (snap, edge functions, tie rule) can be exchanged one by one.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "study/extremes/kit/coverage.h"
+
+namespace glassbox::study::naive {
+
+// ---- float edge functions ----
+
+// The cross product in float on positions that were not snapped, and >= 0 for "inside": what most rasterizers in
+// tutorials do. Rounding gives neighbours different answers, and both have what lies on their common edge.
+inline void float_covers(const ScreenTriangle& t, const PixelRect& window, const Visit& visit) {
+  const auto cross = [](const Point<Screen>& a, const Point<Screen>& b, float x, float y) {
+    return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
+  };
+  const Point<Screen>&a = t[0].position, &b = t[1].position, &c = t[2].position;
+  const float turn = cross(a, b, c.x, c.y) < 0 ? -1.0f : 1.0f;
+  const auto [left, right] = std::minmax({a.x, b.x, c.x});
+  const auto [top, bottom] = std::minmax({a.y, b.y, c.y});
+  for (int y = std::max(window.y0, int(top) - 1); y < std::min(window.y1, int(bottom) + 2); ++y) {
+    for (int x = std::max(window.x0, int(left) - 1); x < std::min(window.x1, int(right) + 2); ++x) {
+      const float px = float(x) + 0.5f, py = float(y) + 0.5f;
+      if (cross(a, b, px, py) * turn >= 0 && cross(b, c, px, py) * turn >= 0 &&
+          cross(c, a, px, py) * turn >= 0) {
+        visit(x, y);
+      }
+    }
+  }
+}
+
+// The edge functions and the tie rule are right, but each cross product is one of float differences from the edge's first
+// vertex, which neighbours do not share.
+inline bool float_difference_inside(const SnappedVertex& a, const SnappedVertex& b, int x, int y,
+                                    bool owns_zero) {
+  const float ax = float(a.x) / 256, ay = float(a.y) / 256;
+  const float bx = float(b.x) / 256, by = float(b.y) / 256;
+  const float edge = (bx - ax) * (float(y) + 0.5f - ay) - (by - ay) * (float(x) + 0.5f - ax);
+  return edge > 0 || (edge == 0 && owns_zero);
+}
+
+// 32 bits do for a picture of 2048 pixels with 4 bits of subpixels; with 8, edge functions overflow and wrap.
+inline bool int32_inside(const SnappedVertex& a, const SnappedVertex& b, int x, int y,
+                         bool owns_zero) {
+  const auto wrapped = [](std::int64_t n) { return std::int64_t(std::int32_t(std::uint32_t(n))); };
+  const std::int64_t first = wrapped(std::int64_t(b.x - a.x) * (y * 256 + 128 - a.y));
+  const std::int64_t second = wrapped(std::int64_t(b.y - a.y) * (x * 256 + 128 - a.x));
+  const std::int64_t edge = wrapped(first - second);
+  return edge > 0 || (edge == 0 && owns_zero);
+}
+
+inline bool exact_inside(const SnappedVertex& a, const SnappedVertex& b, int x, int y,
+                         bool owns_zero) {
+  const std::int64_t edge = std::int64_t(b.x - a.x) * (std::int64_t(y) * 256 + 128 - a.y) -
+                            std::int64_t(b.y - a.y) * (std::int64_t(x) * 256 + 128 - a.x);
+  return edge > 0 || (edge == 0 && owns_zero);
+}
+
+// ---- the right rasterizer in parts ----
+
+// Whether a point on the edge from a to b, of a triangle that runs clockwise on the screen, belongs to it.
+inline bool top_left(const SnappedVertex& a, const SnappedVertex& b) {
+  return a.y > b.y || (a.y == b.y && b.x > a.x);
+}
+
+struct CoverageParts {
+  std::int32_t (*snap)(float pixels) = glassbox::snap;
+  bool (*inside)(const SnappedVertex& a, const SnappedVertex& b, int x, int y,
+                 bool owns_zero) = exact_inside;
+  bool (*owns)(const SnappedVertex& a, const SnappedVertex& b) = top_left;
+  bool rule_before_orientation = false;  // edges are classed in the order in which they came
+};
+
+// As pipeline_covers where no part is exchanged.
+inline void covers_with(const CoverageParts& parts, const ScreenTriangle& t,
+                        const PixelRect& window, const Visit& visit) {
+  SnappedTriangle v;
+  for (std::size_t k = 0; k < 3; ++k) {
+    v[k] = {parts.snap(t[k].position.x), parts.snap(t[k].position.y)};
+  }
+  const std::int64_t area = std::int64_t(v[1].x - v[0].x) * (v[2].y - v[0].y) -
+                            std::int64_t(v[2].x - v[0].x) * (v[1].y - v[0].y);
+  if (area == 0) return;
+  const bool turned = area < 0;
+  if (turned) std::swap(v[1], v[2]);
+  const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
+  const auto [top, bottom] = std::minmax({v[0].y, v[1].y, v[2].y});
+  const int x0 = std::max(window.x0, (left >> 8) - 1), x1 = std::min(window.x1, (right >> 8) + 2);
+  const int y0 = std::max(window.y0, (top >> 8) - 1), y1 = std::min(window.y1, (bottom >> 8) + 2);
+  std::array<bool, 3> owns{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const SnappedVertex &a = v[k], &b = v[(k + 1) % 3];
+    owns[k] = turned && parts.rule_before_orientation ? parts.owns(b, a) : parts.owns(a, b);
+  }
+  for (int y = y0; y < y1; ++y) {
+    for (int x = x0; x < x1; ++x) {
+      bool all = true;
+      for (std::size_t k = 0; k < 3 && all; ++k) {
+        all = parts.inside(v[k], v[(k + 1) % 3], x, y, owns[k]);
+      }
+      if (all) visit(x, y);
+    }
+  }
+}
+
+inline Covers covers_with(const CoverageParts& parts) {
+  return [parts](const ScreenTriangle& t, const PixelRect& window, const Visit& visit) {
+    covers_with(parts, t, window, visit);
+  };
+}
+
+// ---- parts that go wrong ----
+
+inline bool owns_all(const SnappedVertex&, const SnappedVertex&) {
+  return true;
+}
+inline bool owns_none(const SnappedVertex&, const SnappedVertex&) {
+  return false;
+}
+// Watertight, but other pixels than everybody else's.
+inline bool bottom_right(const SnappedVertex& a, const SnappedVertex& b) {
+  return !top_left(a, b);
+}
+// Horizontal edges belong to nobody.
+inline bool left_only(const SnappedVertex& a, const SnappedVertex& b) {
+  return a.y > b.y;
+}
+
+// Towards zero: left of column 0 everything moves to the right.
+inline std::int32_t snap_truncating(float pixels) {
+  return std::int32_t(pixels * 256.0f);
+}
+// Halves away from zero, as std::round has it.
+inline std::int32_t snap_away(float pixels) {
+  return std::int32_t(std::round(pixels * 256.0f));
+}
+// Halves to even, as the processor rounds.
+inline std::int32_t snap_to_even(float pixels) {
+  return std::int32_t(std::nearbyint(pixels * 256.0f));
+}
+// The sum with a half is rounded itself: 0.49999997 becomes 1, and from 2^15 px on the half is lost.
+inline std::int32_t snap_float_half(float pixels) {
+  return std::int32_t(std::floor(pixels * 256.0f + 0.5f));
+}
+
+}  // namespace glassbox::study::naive

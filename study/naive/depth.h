@@ -1,0 +1,73 @@
+// Depths that go wrong: over a triangle, and on their way into the buffer.
+#pragma once
+
+#include <cstdint>
+
+#include <glassbox/raster/coverage.h>
+#include <glassbox/raster/stages.h>
+
+namespace glassbox::study::naive {
+
+// The gradient of depth over the screen, per pixel, from edge functions over the area in float.
+struct Gradient {
+  float x = 0, y = 0;
+};
+inline Gradient depth_gradient(const TriangleSetup& t) {
+  Gradient g;
+  for (std::size_t k = 0; k < 3; ++k) {
+    g.x += float(t.edges[k].a) * 256.0f / float(t.double_area) * t.depth[k];
+    g.y += float(t.edges[k].b) * 256.0f / float(t.double_area) * t.depth[k];
+  }
+  return g;
+}
+
+// d = A x + B y + C. C is what remains of large numbers, and every triangle of a plane has another one.
+inline float plane_depth(const TriangleSetup& t, const Coverage& pixel) {
+  const Gradient g = depth_gradient(t);
+  float c = 0;
+  for (std::size_t k = 0; k < 3; ++k) c += float(t.edges[k].c) / float(t.double_area) * t.depth[k];
+  return g.x * (float(pixel.x) + 0.5f) + g.y * (float(pixel.y) + 0.5f) + c;
+}
+
+// d = d0 + A (x - x0) + B (y - y0), from the pixel in the corner of the triangle's box: outside of the triangle, where
+// depth may be anything.
+inline float depth_from_corner(const TriangleSetup& t, const Coverage& pixel) {
+  const Gradient g = depth_gradient(t);
+  const std::int64_t x = std::int64_t(t.bounds.x0) * 256 + 128;
+  const std::int64_t y = std::int64_t(t.bounds.y0) * 256 + 128;
+  float corner = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    corner += float(t.edges[k].at(x, y)) / float(t.double_area) * t.depth[k];
+  }
+  return corner + g.x * float(pixel.x - t.bounds.x0) + g.y * float(pixel.y - t.bounds.y0);
+}
+
+// Weights times depths in the order in which the vertices came: the same triangle, begun at another vertex, has other
+// depths by an ulp.
+inline float depth_in_given_order(const TriangleSetup& t, const Coverage& pixel) {
+  std::array<float, 3> term{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    term[std::size_t(t.order[k])] = float(pixel.edges[k]) * t.inverse_area * t.depth[k];
+  }
+  return term[0] + term[1] + term[2];
+}
+
+inline bool in_front_or_equal(std::uint32_t incoming, std::uint32_t stored) {
+  return incoming <= stored;
+}
+
+// ---- 24 bits ----
+
+// 1.0 becomes 2^24, of which 24 bits keep 0: the far plane is nearest.
+inline std::uint32_t unorm24_wrapping(float z) {
+  return std::uint32_t(double(z) * 0x1p24) & 0xffffffu;
+}
+inline std::uint32_t unorm24_truncating(float z) {
+  return std::uint32_t(double(z) * 16777215.0);
+}
+// The sum with a half is rounded to 24 bits itself.
+inline std::uint32_t unorm24_in_float(float z) {
+  return std::uint32_t(z * 16777215.0f + 0.5f);
+}
+
+}  // namespace glassbox::study::naive

@@ -1,0 +1,54 @@
+// Lines that go wrong at their ends.
+#pragma once
+
+#include <cmath>
+#include <cstdlib>
+
+#include <glassbox/raster/line.h>
+
+#include "study/extremes/kit/coverage.h"
+
+namespace glassbox::study::naive {
+
+// From the rounded first pixel to the rounded last one, both drawn: lines that go on from one another draw their joint
+// twice.
+inline void bresenham(const SnappedVertex& a, const SnappedVertex& b, const Visit& visit) {
+  int x = a.x >> 8, y = a.y >> 8;
+  const int x1 = b.x >> 8, y1 = b.y >> 8;
+  const int dx = std::abs(x1 - x), dy = -std::abs(y1 - y);
+  const int step_x = x < x1 ? 1 : -1, step_y = y < y1 ? 1 : -1;
+  int error = dx + dy;
+  for (;;) {
+    visit(x, y);
+    if (x == x1 && y == y1) return;
+    const int twice = 2 * error;
+    if (twice >= dy) {
+      error += dy;
+      x += step_x;
+    }
+    if (twice <= dx) {
+      error += dx;
+      y += step_y;
+    }
+  }
+}
+
+// The right rule, and the pixel in whose diamond the line ends.
+inline void line_with_last_pixel(const SnappedVertex& a, const SnappedVertex& b,
+                                 const Visit& visit) {
+  for_each_line_pixel(a, b, {-64, -64, 64, 64}, [&](const LinePixel& p) { visit(p.x, p.y); });
+  const int x = b.x >> kSubpixelBits, y = b.y >> kSubpixelBits;
+  if (in_diamond(b, x, y)) visit(x, y);
+}
+
+// The right rule without the diamond that the line starts in, past its centre.
+inline void line_without_start(const SnappedVertex& a, const SnappedVertex& b, const Visit& visit) {
+  const LineSetup line = setup_line(a, b);
+  for (int major = line.first; major < line.end; ++major) {
+    const int minor = line.minor_at(major);
+    const int x = line.x_major ? major : minor, y = line.x_major ? minor : major;
+    if (!in_diamond(b, x, y)) visit(x, y);
+  }
+}
+
+}  // namespace glassbox::study::naive

@@ -1,0 +1,78 @@
+// Pairs of pictures that go wrong.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include <glassbox/images/stereo/anaglyph.h>
+#include <glassbox/mesh/scene.h>
+#include <glassbox/pipeline/stereo/stereo_pair.h>
+#include <glassbox/render/framebuffer.h>
+
+namespace glassbox::study::naive {
+
+// ---- two passes over one buffer ----
+
+// The right eye's pass tests against the depths that the left eye's has left behind: what is nearer there punches holes
+// into the right eye's picture.
+inline Image<Rgba8> anaglyph_without_clearing_depth(const Framebuffer& left,
+                                                    const Framebuffer& right,
+                                                    const Rgba8& background) {
+  Image<Rgba8> shown = left.color;
+  for (std::size_t i = 0; i < shown.pixels.size(); ++i) {
+    const bool passes = right.depth.pixels[i] < left.depth.pixels[i];
+    const Rgba8& source = passes ? right.color.pixels[i] : background;
+    shown.pixels[i].g = source.g;
+    shown.pixels[i].b = source.b;
+  }
+  return shown;
+}
+
+// Depth is cleared between the passes, and colour with it: nothing is left of the left eye.
+inline Image<Rgba8> anaglyph_with_colour_cleared(const Framebuffer& right,
+                                                 const Rgba8& background) {
+  Image<Rgba8> shown = right.color;
+  for (Rgba8& pixel : shown.pixels) pixel.r = background.r;
+  return shown;
+}
+
+// ---- anaglyphs in bytes ----
+
+// A number that does not fit wraps round: negative reds are bright.
+inline std::uint8_t wrapped_byte(double value) {
+  return std::uint8_t(std::int64_t(std::lround(value * 255)) & 255);
+}
+
+// ---- changes of the window ----
+
+// The low-pass works on the distance in place of its inverse, which parallax is linear in.
+class FilterOfDistance {
+public:
+  explicit FilterOfDistance(double frames) : share_(1 / (1 + frames)) {}
+  double next(double window) {
+    if (std::isnan(current_)) current_ = window;
+    return current_ += share_ * (window - current_);
+  }
+
+private:
+  double share_, current_ = NAN;
+};
+
+// A spring with too little damping: it overshoots.
+class Spring {
+public:
+  double next(double window) {
+    const double goal = 1 / window;
+    if (std::isnan(current_)) current_ = goal;
+    speed_ = 0.9 * speed_ + 0.02 * (goal - current_);
+    current_ += speed_;
+    return 1 / current_;
+  }
+
+private:
+  double current_ = NAN, speed_ = 0;
+};
+
+}  // namespace glassbox::study::naive
