@@ -61,8 +61,8 @@ ExtremeCase c13_large_offset() {
       .construction = "an object of size 2 and an eye 7 from it, both 1e2 .. 1e8 from the origin",
       .stage = "to eye space",
       .right =
-          "as if at the origin: 5 u |M||x| in float, and 55 u offset in double (less than "
-          "2e-6 at 1e6)",
+          "as if at the origin: 5 u |M||x| in float (2.7e-6), and 55 u offset "
+          "in double",
       .unit = "world unit",
       .oracle = Oracle::kExtended,
       .ours = {"composed in double, rounded once", [] { return judge(ours); }},

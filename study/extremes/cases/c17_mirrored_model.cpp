@@ -1,4 +1,7 @@
+#include <glassbox/mesh/builtin/cube.h>
 #include <glassbox/pipeline/affine.h>
+#include <glassbox/pipeline/look_at.h>
+#include <glassbox/render/staged.h>
 
 #include <string>
 
@@ -16,8 +19,35 @@ Vector<World, double> axis_from(Random& random) {
   return {x, y, random.between(0.1, 1)};
 }
 
+// Turns what is culled back to what it would be without the mirror.
+class IgnoreMirror : public Observer {
+  void faced(const TriangleSetup&, bool front, bool& culled) override { culled = front; }
+};
+
+// Pixels of a mirrored cube whose depth is not that of the nearest face, which is the front's.
+int wrong_faces_seen(Observer* observer) {
+  Scene cube = make_cube();
+  for (Node& node : cube.nodes) {
+    node.world_from_node = scale<World>(-1, 1, 1) * node.world_from_node;
+  }
+  Camera camera;
+  camera.lens = PerspectiveLens{1, 0.5, 20};
+  camera.world_from_eye =
+      camera_pose(Point<World, double>(3, 2, 4), Point<World, double>(0, 0, 0), {0, 1, 0}).value();
+  const View view = make_view(camera, 64, 48).value();
+  RenderSettings settings;
+  settings.shading = Shading::kUnlit;
+  settings.cull = Cull::kNone;
+  const auto nearest = render_staged(cube, view, settings).buffers.depth;
+  settings.cull = Cull::kBack;
+  const auto seen = render_staged(cube, view, settings, observer).buffers.depth;
+  int wrong = 0;
+  for (std::size_t i = 0; i < seen.pixels.size(); ++i) wrong += seen.pixels[i] != nearest.pixels[i];
+  return wrong;
+}
+
 // The outward normals of a cube must point away from the centre of what any map makes of it.
-Outcome judge(TransformNormal transform) {
+Outcome judge(TransformNormal transform, Observer* observer = nullptr) {
   Random random(717);
   int inward = 0, all = 0;
   for (int i = 0; i < 200; ++i) {
@@ -38,7 +68,16 @@ Outcome judge(TransformNormal transform) {
       }
     }
   }
-  return wrong_of(inward, all, "normals point inwards");
+  const int wrong_faces = wrong_faces_seen(observer);
+  Outcome outcome = wrong_of(inward, all, "normals point inwards");
+  outcome.error += wrong_faces;
+  outcome.seen += "; " + std::to_string(wrong_faces) + " pixels show a back";
+  return outcome;
+}
+
+Outcome judge_without_mirror() {
+  IgnoreMirror observer;
+  return judge(by_cofactors, &observer);
 }
 
 // The cross product of two edges, as one computes it from the vertices in the world: their order turns round in a mirror.
@@ -61,13 +100,14 @@ ExtremeCase c17_mirrored_model() {
           "mirrors",
       .stage = "normals",
       .right =
-          "every outward normal stays outward: the sign of the determinant is part of the "
-          "map",
-      .unit = "normals",
+          "every outward normal stays outward, and fronts stay in front: normals and "
+          "winding follow the sign of the determinant",
+      .unit = "normals and pixels",
       .oracle = Oracle::kProperty,
       .ours = {"normal_transform", [] { return judge(by_cofactors); }},
       .naive = {"cross product of transformed edges", [] { return judge(by_edges); }},
-      .mutants = {{"no sign of the determinant", [] { return judge(naive::normal_without_sign); }}},
+      .mutants = {{"no sign of the determinant", [] { return judge(naive::normal_without_sign); }},
+                  {"winding taken as if there were no mirror", judge_without_mirror}},
   };
 }
 

@@ -40,7 +40,10 @@ Outcome judge(Clips clips) {
     apart = std::max(apart, nearest);
   }
   Outcome outcome = wrong_of(mismatches, edges, "shared edges cut at two places");
-  outcome.seen += fmt::format(" ({:.1f} %), up to {:.2g} apart", 100.0 * mismatches / edges, apart);
+  if (mismatches > 0) {
+    outcome.seen +=
+        fmt::format(" ({:.1f} %), up to {:.2g} apart", 100.0 * mismatches / edges, apart);
+  }
   return outcome;
 }
 

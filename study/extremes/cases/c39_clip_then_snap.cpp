@@ -1,50 +1,59 @@
 #include <glassbox/base/trig.h>
 
-#include <fmt/format.h>
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/clip_coverage.h"
-#include "study/extremes/kit/worst.h"
+#include "study/extremes/kit/coverage.h"
 
 namespace glassbox::study {
 namespace {
 
 constexpr int kSide = 64;
 
-Outcome judge(Clips clips) {
+constexpr int kFans = 12, kSlivers = 200;
+
+// Slivers around a point of the picture, their outer corners 1e5 .. 1e7 px away: 200 edges cross the guard band. How
+// often each pixel is covered.
+Image<int> times_covered_by_fan(Clips clips, int fan) {
+  Random random(739 + std::uint64_t(fan));
+  const float hub_x = float(random.between(-0.9, 0.9)), hub_y = float(random.between(-0.9, 0.9));
+  const Point<Clip> hub{hub_x, hub_y, 0.5f, 1};
+  std::vector<Point<Clip>> rim;
+  for (int i = 0; i < kSlivers; ++i) {
+    const SinCos turn = sin_cos_degrees(360.0 / kSlivers * (i + random.between(0, 0.9)));
+    const double reach = random.between(1e5, 1e7) / (kSide / 2);
+    const float w = float(random.between(0.5, 2));
+    rim.push_back({float(reach * turn.cos) * w, float(reach * turn.sin) * w, 0.5f * w, w});
+  }
   const Viewport viewport{0, 0, kSide, kSide};
   const auto planes = guard_band_planes(viewport);
-  Random random(739);
-  int gaps = 0, doubles = 0, samples = 0;
-  for (int round = 0; round < 12; ++round) {
-    // Slivers around a point of the picture, their outer corners 1e5 .. 1e7 px away: 200 edges cross the guard band.
-    const Point<Clip> hub{float(random.between(-0.9, 0.9)), float(random.between(-0.9, 0.9)), 0.5f,
-                          1};
-    std::vector<Point<Clip>> rim;
-    constexpr int kSlivers = 200;
-    for (int i = 0; i < kSlivers; ++i) {
-      const SinCos turn = sin_cos_degrees(360.0 / kSlivers * (i + random.between(0, 0.9)));
-      const double reach = random.between(1e5, 1e7) / (kSide / 2);
-      const float w = float(random.between(0.5, 2));
-      rim.push_back({float(reach * turn.cos) * w, float(reach * turn.sin) * w, 0.5f * w, w});
-    }
-    std::vector<int> times(kSide * kSide);
-    for (std::size_t i = 0; i < rim.size(); ++i) {
-      // Every other one begins elsewhere, so that shared edges are walked from all corners.
-      const Point<Clip>&a = rim[i], &b = rim[(i + 1) % rim.size()];
-      const ClipTriangle t = i % 2 == 0 ? clip_corners(hub, a, b) : clip_corners(b, hub, a);
-      visit_covered(clips(t, planes), viewport, {0, 0, kSide, kSide},
-                    [&](int x, int y) { ++times[std::size_t(y * kSide + x)]; });
-    }
-    for (const int count : times) {
-      gaps += count == 0;
-      doubles += count > 1;
-      ++samples;
-    }
+  Image<int> times(kSide, kSide);
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    // Every other one begins elsewhere, so that shared edges are walked from all corners.
+    const Point<Clip>&a = rim[i], &b = rim[(i + 1) % rim.size()];
+    const ClipTriangle t = i % 2 == 0 ? clip_corners(hub, a, b) : clip_corners(b, hub, a);
+    visit_covered(clips(t, planes), viewport, {0, 0, kSide, kSide},
+                  [&](int x, int y) { ++times.at(x, y); });
   }
-  return {double(gaps + doubles), 0, std::nullopt,
-          fmt::format("{} gaps, {} doubles of {} samples", gaps, doubles, samples)};
+  return times;
+}
+
+Outcome judge(Clips clips) {
+  Watertightness all;
+  for (int fan = 0; fan < kFans; ++fan) {
+    const Watertightness one = watertightness(times_covered_by_fan(clips, fan));
+    all.samples += one.samples;
+    all.gaps += one.gaps;
+    all.doubles += one.doubles;
+  }
+  return {double(all.gaps + all.doubles), 0, std::nullopt, all.text()};
+}
+
+std::string picture(Clips clips) {
+  return coverage_png(times_covered_by_fan(clips, 0), 6);
 }
 
 // Clipped to the picture itself: both triangles at an edge cut it, each in its own way, and the snap moves it.
@@ -72,6 +81,8 @@ ExtremeCase c39_clip_then_snap() {
       .ours = {"clip_triangle by the guard band", [] { return judge(pipeline_clips); }},
       .naive = {"a + t (b - a), cut at the picture's edge", [] { return judge(at_the_screen); }},
       .mutants = {{"asymmetric crossings at the guard band", [] { return judge(asymmetric); }}},
+      .pictures = {{"ours", [] { return picture(pipeline_clips); }},
+                   {"naive", [] { return picture(at_the_screen); }}},
   };
 }
 
