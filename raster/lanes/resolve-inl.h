@@ -133,18 +133,12 @@ public:
   }
 
   void resolve() {
-    const PixelRect& window = tile_.window();
-    const bool one_block = is_one_block();
-    if (one_block) {
+    if (is_one_block()) {
       fill_first_row();
+      stream(tile_.window(), 0);
     } else {
       resolve_blocks();
     }
-    const std::ptrdiff_t pitch = one_block ? 0 : tile_.side();
-    if (streams_color_) {
-      stream_rows(tile_.color_rows(), pitch, window, *job_.picture);
-    }
-    if (job_.depth != nullptr) stream_rows(tile_.depth_rows(), pitch, window, *job_.depth);
     hwy::FlushStream();
   }
 
@@ -165,9 +159,17 @@ private:
     std::fill_n(tile_.depth_rows(), tile_.side(), code_of(first));
   }
 
+  // Rows of the tile that are complete leave for the picture.
+  void stream(const PixelRect& rows, std::ptrdiff_t pitch) {
+    if (streams_color_) stream_rows(tile_.color_rows(), pitch, rows, *job_.picture);
+    if (job_.depth != nullptr) stream_rows(tile_.depth_rows(), pitch, rows, *job_.depth);
+  }
+
   void resolve_blocks() {
     const PixelRect& window = tile_.window();
     for (int y = window.y0; y < window.y1; y += kBlockSide) {
+      if (streams_color_) color_.y0 = y;
+      depth_.y0 = y;
       for (int x = window.x0; x < window.x1; x += kBlockSide) {
         const std::size_t block =
             tile_.block_index((x - window.x0) / kBlockSide, (y - window.y0) / kBlockSide);
@@ -181,6 +183,7 @@ private:
           if (qx < window.x1 && qy < window.y1) resolve_quad(block, quad, qx, qy);
         }
       }
+      stream({window.x0, y, window.x1, std::min(y + kBlockSide, window.y1)}, tile_.side());
     }
   }
 

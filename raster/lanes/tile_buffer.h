@@ -75,8 +75,8 @@ public:
         blocks_across_(side / kBlockSide),
         depth_(std::size_t(side) * std::size_t(side)),
         reference_(std::size_t(side) * std::size_t(side)),
-        color_rows_(std::size_t(side) * std::size_t(side)),
-        depth_rows_(std::size_t(side) * std::size_t(side)),
+        color_rows_(std::size_t(side) * kBlockSide),
+        depth_rows_(std::size_t(side) * kBlockSide),
         blocks_(std::size_t(blocks_across_) * std::size_t(blocks_across_)) {}
 
   // Begins the tile whose part of the screen is `window`; x0 and y0 are multiples of the side.
@@ -126,7 +126,7 @@ public:
   Reference* reference() { return reference_.get(); }
   const Reference* reference() const { return reference_.get(); }
 
-  // The tile as it leaves for the picture: `side` pixels to a row.
+  // A row of blocks as it leaves for the picture: kBlockSide rows of `side` pixels.
   std::uint32_t* color_rows() { return color_rows_.get(); }
   std::uint32_t* depth_rows() { return depth_rows_.get(); }
 
