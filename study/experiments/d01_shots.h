@@ -28,8 +28,9 @@ struct Shot {
 template <class Space>
 Vector<Space, double> random_direction(Random& random) {
   while (true) {
-    const Vector<Space, double> v(random.between(-1, 1), random.between(-1, 1),
-                                  random.between(-1, 1));
+    // Braces: arguments in parentheses are evaluated in any order.
+    const Vector<Space, double> v{random.between(-1, 1), random.between(-1, 1),
+                                  random.between(-1, 1)};
     const double squared = dot(v, v);
     if (squared > 0.01 && squared <= 1) return v * (1 / std::sqrt(squared));
   }
@@ -48,7 +49,7 @@ inline glm::dmat3 rounded(const oracle::PythagoreanRotation& r) {
 inline Point<Object, double> random_point(Random& random) {
   const auto coordinate = [&] { return double(random.integer(-(1 << 20), 1 << 20)) * 0x1p-20; };
   while (true) {
-    const Point<Object, double> p(coordinate(), coordinate(), coordinate());
+    const Point<Object, double> p{coordinate(), coordinate(), coordinate()};
     if (p.x * p.x + p.y * p.y + p.z * p.z <= 1) return p;
   }
 }
@@ -59,7 +60,7 @@ inline Shot make_shot(std::uint64_t seed, double offset, int points) {
   shot.world_from_object = oracle::pythagorean_rotation(random);
   shot.eye_from_world = oracle::pythagorean_rotation(random);
   shot.eye = random_direction<World>(random) * offset;
-  const glm::dvec3 in_eye(random.between(-1, 1), random.between(-1, 1), -kShotDistance);
+  const glm::dvec3 in_eye{random.between(-1, 1), random.between(-1, 1), -kShotDistance};
   const glm::dvec3 from_eye = glm::transpose(rounded(shot.eye_from_world)) * in_eye;
   shot.object = shot.eye + Vector<World, double>(from_eye);
   for (int i = 0; i < points; ++i) shot.points.push_back(random_point(random));
