@@ -1,0 +1,301 @@
+#include "labs/grading/process.h"
+
+#include <fcntl.h>
+#include <linux/seccomp.h>
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstring>
+
+#include <grp.h>
+
+#include <fmt/format.h>
+
+#include "labs/grading/landlock.h"
+
+namespace glassbox::labs::grading {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+class Descriptor {
+public:
+  explicit Descriptor(int number = -1) : number_(number) {}
+  ~Descriptor() { close(); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int get() const { return number_; }
+  // Above those of the child, so that none is overwritten before it is passed on.
+  void set(int number) {
+    close();
+    number_ = ::fcntl(number, F_DUPFD_CLOEXEC, 10);
+    ::close(number);
+  }
+  void close() {
+    if (number_ >= 0) ::close(number_);
+    number_ = -1;
+  }
+
+private:
+  int number_;
+};
+
+struct Pipe {
+  Descriptor read, write;
+  Pipe() {
+    int ends[2];
+    if (::pipe2(ends, O_CLOEXEC) != 0) return;
+    read.set(ends[0]);
+    write.set(ends[1]);
+    ::fcntl(read.get(), F_SETFL, O_NONBLOCK);
+  }
+  bool valid() const { return read.get() >= 0 && write.get() >= 0; }
+};
+
+// What the child needs, laid out before the fork: after it nothing may be allocated.
+struct Prepared {
+  std::vector<char*> argv, environment;
+  const char* directory = nullptr;
+  const Launch* launch = nullptr;
+  SystemCallFilter filter;
+  int empty_input = -1, answers = -1, said = -1, notes = -1, filter_file = -1, errors = -1;
+};
+
+bool limit(int what, std::size_t value) {
+  const rlimit both{value, value};
+  return ::setrlimit(static_cast<__rlimit_resource_t>(what), &both) == 0;
+}
+
+bool set_limits(const Limits& limits, bool own_user) {
+  bool fine = limit(RLIMIT_CORE, 0) && limit(RLIMIT_NOFILE, 64);
+  fine = fine && limit(RLIMIT_CPU, static_cast<std::size_t>(std::ceil(limits.seconds)) + 1);
+  fine = fine && limit(RLIMIT_FSIZE, limits.file_bytes) && limit(RLIMIT_STACK, limits.stack_bytes);
+  // It counts all processes of a user, not those of this one alone.
+  if (own_user) fine = fine && limit(RLIMIT_NPROC, limits.processes);
+  return fine && limit(RLIMIT_AS, limits.memory_bytes);
+}
+
+[[noreturn]] void give_up(const Prepared& prepared, const char* step) {
+  const int error = errno;
+  [[maybe_unused]] auto written = ::write(prepared.errors, &error, sizeof error);
+  written = ::write(prepared.errors, step, std::strlen(step));
+  ::_exit(127);
+}
+
+bool become(uid_t user) {
+  return ::setgroups(0, nullptr) == 0 && ::setresgid(user, user, user) == 0 &&
+         ::setresuid(user, user, user) == 0;
+}
+
+[[noreturn]] void child(Prepared& prepared, pid_t parent) {
+  const Launch& launch = *prepared.launch;
+  ::setsid();
+  sigset_t none;
+  ::sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  for (const int signal : {SIGPIPE, SIGINT, SIGTERM, SIGHUP, SIGXFSZ}) ::signal(signal, SIG_DFL);
+  const std::array<std::array<int, 2>, 6> places{{{prepared.empty_input, 0},
+                                                  {prepared.said, 1},
+                                                  {prepared.said, 2},
+                                                  {prepared.answers, kAnswersFd},
+                                                  {prepared.notes, kNotesFd},
+                                                  {prepared.filter_file, kFilterFd}}};
+  for (const auto& [from, to] : places) {
+    if (from < 0) continue;
+    if (::dup2(from, to) < 0) give_up(prepared, "its descriptors");
+  }
+  const unsigned first_closed = prepared.filter_file >= 0 ? kFilterFd + 1 : kNotesFd + 1;
+#ifdef SYS_close_range
+  constexpr unsigned kOnExec = 1U << 2;  // CLOSE_RANGE_CLOEXEC
+  ::syscall(SYS_close_range, first_closed, ~0U, kOnExec);
+#endif
+  if (::chdir(prepared.directory) != 0) give_up(prepared, "its directory");
+  if (!set_limits(launch.limits, launch.user.has_value())) give_up(prepared, "its limits");
+  if (launch.user && !become(*launch.user)) give_up(prepared, "its user");
+  // After the change of user, which forgets it.
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != parent) ::_exit(127);
+  if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) give_up(prepared, "no new privileges");
+  if (launch.file_rules >= 0 && !obey_file_rules(launch.file_rules))
+    give_up(prepared, "its file rules");
+  if (!launch.in_bubblewrap && !prepared.filter.empty()) {
+    put_own_pid(prepared.filter, static_cast<unsigned>(::getpid()));
+    const sock_fprog program{static_cast<unsigned short>(prepared.filter.size()),
+                             prepared.filter.data()};
+    if (::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) != 0)
+      give_up(prepared, "its system-call filter");
+  }
+  ::execve(prepared.argv[0], prepared.argv.data(), prepared.environment.data());
+  give_up(prepared, "the program");
+}
+
+// One stream of a process's output.
+struct Stream {
+  Descriptor* from;
+  std::size_t allowed, kept;
+  std::string text{};
+  std::size_t seen = 0;
+
+  bool open() const { return from->get() >= 0; }
+  bool too_much() const { return seen > allowed; }
+  void read() {
+    char block[65536];
+    while (open() && !too_much()) {
+      const ssize_t got = ::read(from->get(), block, sizeof block);
+      if (got > 0) {
+        seen += static_cast<std::size_t>(got);
+        if (text.size() < kept)
+          text.append(block, std::min(static_cast<std::size_t>(got), kept - text.size()));
+      } else if (got < 0 && errno == EINTR) {
+        continue;
+      } else {
+        if (got == 0 || errno != EAGAIN) from->close();
+        return;
+      }
+    }
+  }
+};
+
+// Until the process ends, its time is up or it writes too much. True if it has ended.
+bool follow(pid_t process, std::array<Stream, 3>& streams, Clock::time_point deadline) {
+  const Descriptor ended(static_cast<int>(::syscall(SYS_pidfd_open, process, 0)));
+  while (true) {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
+    if (left <= 0) return false;
+    std::array<pollfd, 4> waited{};
+    for (std::size_t i = 0; i < streams.size(); ++i)
+      waited[i] = {streams[i].from->get(), POLLIN, 0};
+    waited[3] = {ended.get(), POLLIN, 0};
+    // Without a descriptor for the process (before Linux 5.3) it is asked for every 10 ms.
+    const auto wait_ms = ended.get() >= 0 ? left : std::min<decltype(left)>(left, 10);
+    ::poll(waited.data(), waited.size(), static_cast<int>(std::min<decltype(left)>(wait_ms, 1000)));
+    for (Stream& stream : streams) {
+      stream.read();
+      if (stream.too_much()) return false;
+    }
+    siginfo_t info{};
+    if (::waitid(P_PID, static_cast<id_t>(process), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+        info.si_pid == process)
+      return true;
+  }
+}
+
+RunOutcome not_started(std::string why) {
+  RunOutcome outcome;
+  outcome.ending = RunOutcome::Ending::kNotStarted;
+  outcome.detail = std::move(why);
+  return outcome;
+}
+
+// How it ended, as its status and the note it left tell.
+void classify(RunOutcome& outcome, int status, const std::string& note, bool in_bubblewrap) {
+  using Ending = RunOutcome::Ending;
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
+  // Bubblewrap ends with 128 + the signal that ended the process inside.
+  int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  if (in_bubblewrap && code > 128 && code <= 128 + 64) signal = code - 128;
+  outcome.ending = signal != 0 ? Ending::kSignal : Ending::kExit;
+  outcome.code = signal != 0 ? signal : code;
+  if (signal == SIGXCPU) outcome.ending = Ending::kTimeout;
+  if (signal == SIGXFSZ) {
+    outcome.ending = Ending::kTooMuchOutput;
+    outcome.detail = "a file grew too large";
+  }
+  if (signal == SIGSYS) {
+    outcome.ending = Ending::kForbidden;
+    if (note.starts_with("call ")) outcome.detail = system_call_name(std::atoi(note.c_str() + 5));
+  }
+  if (signal == SIGSEGV && note.starts_with("stack")) outcome.detail = "stack overflow";
+  if (note.starts_with("memory") && (signal != 0 || code != 0))
+    outcome.ending = Ending::kOutOfMemory;
+}
+
+}  // namespace
+
+RunOutcome launch(const Launch& launch) {
+  Pipe answers, said, notes, errors;
+  if (!answers.valid() || !said.valid() || !notes.valid() || !errors.valid())
+    return not_started("no pipes are left");
+  Prepared prepared;
+  prepared.launch = &launch;
+  prepared.directory = launch.directory.c_str();
+  for (const std::string& word : launch.command)
+    prepared.argv.push_back(const_cast<char*>(word.c_str()));
+  for (const std::string& word : launch.environment)
+    prepared.environment.push_back(const_cast<char*>(word.c_str()));
+  prepared.argv.push_back(nullptr);
+  prepared.environment.push_back(nullptr);
+  prepared.filter = launch.filter;
+  const Descriptor empty_input(::open("/dev/null", O_RDONLY | O_CLOEXEC));
+  Descriptor filter_file;
+  if (launch.in_bubblewrap && !launch.filter.empty()) {
+    const int file = ::memfd_create("filter", MFD_CLOEXEC);
+    const std::size_t bytes = launch.filter.size() * sizeof(sock_filter);
+    if (file < 0 || ::pwrite(file, launch.filter.data(), bytes, 0) != static_cast<ssize_t>(bytes))
+      return not_started("no file in memory for the system-call filter");
+    filter_file.set(file);
+  }
+  prepared.empty_input = empty_input.get();
+  prepared.answers = answers.write.get();
+  prepared.said = said.write.get();
+  prepared.notes = notes.write.get();
+  prepared.errors = errors.write.get();
+  prepared.filter_file = filter_file.get();
+
+  const auto start = Clock::now();
+  const pid_t parent = ::getpid();
+  const pid_t process = ::fork();
+  if (process < 0) return not_started(fmt::format("fork: {}", std::strerror(errno)));
+  if (process == 0) child(prepared, parent);
+  for (Pipe* pipe : {&answers, &said, &notes, &errors}) pipe->write.close();
+
+  std::array<Stream, 3> streams{
+      Stream{&answers.read, launch.limits.output_bytes, launch.limits.output_bytes},
+      Stream{&said.read, launch.limits.said_bytes, launch.limits.kept_bytes},
+      Stream{&notes.read, 4096, 64}};
+  const auto deadline = start + std::chrono::duration_cast<Clock::duration>(
+                                    std::chrono::duration<double>(launch.limits.seconds));
+  const bool ended = follow(process, streams, deadline);
+  // Before it is waited for, while the number cannot be another's.
+  ::kill(-process, SIGKILL);
+  if (!ended) ::kill(process, SIGKILL);
+  int status = 0;
+  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  for (Stream& stream : streams) stream.read();
+
+  RunOutcome outcome;
+  outcome.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  char why[128];
+  const ssize_t length = ::read(errors.read.get(), why, sizeof why);
+  if (length > static_cast<ssize_t>(sizeof(int))) {
+    int error = 0;
+    std::memcpy(&error, why, sizeof error);
+    const std::string step(why + sizeof error, static_cast<std::size_t>(length) - sizeof error);
+    return not_started(fmt::format("{} ({}): {}", launch.command[0], step, std::strerror(error)));
+  }
+  outcome.answers = std::move(streams[0].text);
+  outcome.said = std::move(streams[1].text);
+  const bool too_much = streams[0].too_much() || streams[1].too_much() || streams[2].too_much();
+  if (too_much) {
+    outcome.ending = RunOutcome::Ending::kTooMuchOutput;
+  } else if (!ended) {
+    outcome.ending = RunOutcome::Ending::kTimeout;
+  } else {
+    classify(outcome, status, streams[2].text, launch.in_bubblewrap);
+  }
+  return outcome;
+}
+
+}  // namespace glassbox::labs::grading

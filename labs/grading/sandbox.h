@@ -1,0 +1,69 @@
+// Where a submission is compiled and run: the strongest confinement that this machine offers.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "labs/framework/run_check.h"
+#include "labs/grading/limits.h"
+#include "labs/grading/process.h"
+
+#include <glassbox/base/error.h>
+
+namespace glassbox::labs::grading {
+
+enum class Confinement {
+  kBubblewrap,  // namespaces: no other process, no network, and no file but those named
+  kLandlock,  // the machine's processes and network, shut off by the system-call filter; no file but those named
+  kLimits,  // the filter; a compiler reads every file that its user can read
+};
+
+class Sandbox {
+public:
+  // Tries what there is with a real process in `scratch`, which must exist. `only`: no other than this. An error where
+  // there is neither bubblewrap nor a filter for system calls.
+  static Result<Sandbox> choose(const std::filesystem::path& scratch,
+                                std::optional<Confinement> only = {});
+
+  Confinement confinement() const { return confinement_; }
+  // One sentence.
+  std::string in_force() const;
+  // Whose the files are that a submission's processes write. Gives `path` to it; nothing where it is the caller.
+  bool hand_over(const std::filesystem::path& path) const;
+
+  // A compiler in the directory `build`, which it may write to; of the rest it sees its own files and `readable`.
+  RunOutcome compile(const std::vector<std::string>& command, const std::filesystem::path& build,
+                     const std::vector<std::filesystem::path>& readable,
+                     const Limits& limits) const;
+  // A statically linked program, which sees no file at all.
+  RunOutcome run(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                 const Limits& limits) const;
+
+private:
+  bool works(const std::filesystem::path& scratch) const;
+
+  Confinement confinement_ = Confinement::kLimits;
+  std::string bubblewrap_;  // its path
+  std::optional<uid_t> user_;
+  SystemCallFilter compiler_filter_, runner_filter_;
+};
+
+// Sandbox::run as the framework's way of running a check.
+class SandboxRunner : public Runner {
+public:
+  SandboxRunner(const Sandbox& sandbox, Limits limits) : sandbox_(sandbox), limits_(limits) {}
+  RunOutcome run(const RunRequest& request) override;
+
+  // How the processes since the last call of forget() ended, in order.
+  const std::vector<RunOutcome::Ending>& endings() const { return endings_; }
+  void forget() { endings_.clear(); }
+
+private:
+  const Sandbox& sandbox_;
+  Limits limits_;
+  std::vector<RunOutcome::Ending> endings_;
+};
+
+}  // namespace glassbox::labs::grading
