@@ -1,0 +1,40 @@
+// What the cases and sweeps gave, and how it is told.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "study/extremes/run.h"
+#include "study/extremes/sweep.h"
+
+namespace glassbox::app {
+
+struct SweepResult {
+  const study::Sweep& what;
+  std::vector<study::SweepSeries> series;
+
+  bool holds() const;  // every bound
+};
+
+struct ExtremesReport {
+  std::vector<study::CaseResult> cases;
+  std::vector<SweepResult> sweeps;
+
+  bool holds() const;
+};
+
+// A line for each case, a table for each sweep, and how many hold.
+std::string extremes_text(const ExtremesReport& report);
+// One case in full.
+std::string case_text(const study::CaseResult& result);
+
+nlohmann::ordered_json extremes_json(const ExtremesReport& report);
+
+// A page that needs no other file: the table, the curves, the pictures.
+std::string extremes_page(const ExtremesReport& report, const std::string& command);
+
+const char* oracle_name(study::Oracle oracle);
+
+}  // namespace glassbox::app

@@ -1,0 +1,155 @@
+// Every case that breaks pipelines: ours within its bound, naive code beyond it, every mutant caught, and no
+// floating-point exception that the case does not ask for.
+#include <tests/support/catch.h>
+
+#include <cfenv>
+#include <cmath>
+#include <cstring>
+#include <set>
+#include <string>
+
+#include "study/extremes/run.h"
+
+namespace glassbox::study {
+namespace {
+
+constexpr int kExceptions = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW;
+
+// On glibc an exception stops the program where it happens, in this thread and in those begun from here; elsewhere the
+// flag is found afterwards.
+class ExceptionTrap {
+public:
+  explicit ExceptionTrap(int allowed) : watched_(kExceptions & ~allowed) {
+    std::feclearexcept(FE_ALL_EXCEPT);
+#ifdef __GLIBC__
+    feenableexcept(watched_);
+#endif
+  }
+  ~ExceptionTrap() {
+#ifdef __GLIBC__
+    fedisableexcept(kExceptions);
+#endif
+    std::feclearexcept(FE_ALL_EXCEPT);
+  }
+  ExceptionTrap(const ExceptionTrap&) = delete;
+  ExceptionTrap& operator=(const ExceptionTrap&) = delete;
+
+  std::string raised() const {
+    const int found = std::fetestexcept(watched_);
+    return std::string((found & FE_INVALID) != 0 ? "invalid " : "") +
+           ((found & FE_DIVBYZERO) != 0 ? "divide by zero " : "") +
+           ((found & FE_OVERFLOW) != 0 ? "overflow " : "");
+  }
+
+private:
+  int watched_;
+};
+
+bool same_bits(double a, double b) {
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+TEST_CASE(
+    "in every extreme case ours stays within its bound and raises no floating-point exception",
+    "[extremes]") {
+  for (const ExtremeCase& each : extreme_cases()) {
+    Outcome first, second;
+    std::string raised;
+    {
+      INFO(each.id << " " << each.name << ": " << each.ours.name);
+      const ExceptionTrap trap(each.exceptions_of_ours);
+      first = each.ours.judged();
+      raised = trap.raised();
+      second = each.ours.judged();
+    }
+    INFO(each.id << " " << each.name << ": " << first.error << " " << each.unit << ", bound "
+                 << first.bound << "; " << first.seen);
+    CHECK(first.passes());
+    CHECK(raised == "");
+    // Errors are the same to the last digit; only times differ between runs.
+    CHECK(same_bits(first.error, second.error));
+    CHECK(first.seen == second.seen);
+  }
+}
+
+TEST_CASE("in every extreme case naive code fails and every mutant is caught and named",
+          "[extremes]") {
+  int mutants = 0, with_mutants = 0;
+  for (const ExtremeCase& each : extreme_cases()) {
+    const Outcome naive = each.naive.judged();
+    INFO(each.id << " " << each.name << ", naive: " << each.naive.name << ": " << naive.error
+                 << " within " << naive.bound);
+    CHECK_FALSE(naive.passes());
+    std::set<std::string> names;
+    for (const Subject& mutant : each.mutants) {
+      const Outcome outcome = mutant.judged();
+      INFO("mutant: " << mutant.name << ": " << outcome.error << " within " << outcome.bound);
+      CHECK_FALSE(outcome.passes());
+      CHECK_FALSE(mutant.name.empty());
+      CHECK(names.insert(mutant.name).second);
+      ++mutants;
+    }
+    with_mutants += !each.mutants.empty();
+  }
+  INFO(mutants << " mutants of " << with_mutants << " cases");
+  CHECK(with_mutants >= 15);
+}
+
+TEST_CASE("the list of extreme cases has C-01 to C-79 once each, done or left out with a reason",
+          "[extremes]") {
+  std::set<std::string> known;
+  std::string last;
+  for (const ExtremeCase& each : extreme_cases()) {
+    INFO(each.id);
+    CHECK(last < each.id);
+    last = each.id;
+    CHECK(known.insert(each.id).second);
+    for (const std::string* text : {&each.name, &each.construction, &each.stage, &each.right,
+                                    &each.unit, &each.ours.name, &each.naive.name}) {
+      CHECK_FALSE(text->empty());
+    }
+    CHECK(find_case(each.id) == &each);
+  }
+  for (const LeftOut& each : left_out_cases()) {
+    INFO(each.id);
+    CHECK_FALSE(each.reason.empty());
+    known.insert(each.id);
+  }
+  for (int number = 1; number <= 79; ++number) {
+    const std::string id = (number < 10 ? "C-0" : "C-") + std::to_string(number);
+    INFO(id);
+    CHECK(known.count(id) == 1);
+  }
+  CHECK(find_case("c-43") != nullptr);
+  CHECK(find_case("C-00") == nullptr);
+}
+
+TEST_CASE("a case with a mutant that survives does not hold", "[extremes]") {
+  ExtremeCase planted;
+  const auto answer = [](double error) { return [error] { return Outcome{error, 1, {}, {}}; }; };
+  planted.ours = {"ours", answer(1)};
+  planted.naive = {"naive", answer(2)};
+  planted.mutants = {{"caught", answer(std::nan(""))}};
+  CHECK(run(planted).holds());
+  planted.mutants.push_back({"survives", answer(0.5)});
+  CHECK_FALSE(run(planted).holds());
+  CHECK(run(planted).mutants_caught() == 1);
+  planted.mutants.clear();
+  planted.naive = {"as good as ours", answer(1)};
+  CHECK_FALSE(run(planted).holds());
+  planted.naive = {"naive", answer(2)};
+  planted.ours = {"no number", answer(std::nan(""))};
+  CHECK_FALSE(run(planted).holds());
+}
+
+TEST_CASE("pictures of extreme cases are PNG files", "[extremes]") {
+  for (const ExtremeCase& each : extreme_cases()) {
+    for (const ExtremePicture& picture : each.pictures) {
+      INFO(each.id << " " << picture.name);
+      CHECK(picture.png().substr(1, 3) == "PNG");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace glassbox::study

@@ -1,0 +1,73 @@
+// Stiffness sweeps: errors within their bounds, ours the last to give up.
+#include <tests/support/catch.h>
+
+#include <cmath>
+#include <set>
+
+#include "study/extremes/sweep.h"
+
+namespace glassbox::study {
+namespace {
+
+TEST_CASE("every point of every sweep is within its bound, and the same in two runs",
+          "[extremes]") {
+  for (const Sweep& sweep : sweeps()) {
+    const std::vector<SweepSeries> all = sweep.series(), again = sweep.series();
+    REQUIRE(all.size() == again.size());
+    int ours = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      REQUIRE(all[i].points.size() == again[i].points.size());
+      ours += all[i].ours;
+      for (std::size_t k = 0; k < all[i].points.size(); ++k) {
+        const SweepPoint& point = all[i].points[k];
+        INFO(sweep.name << ", " << all[i].name << " at " << point.parameter << ": " << point.error);
+        CHECK_FALSE(std::isnan(point.error));
+        CHECK(point.error == again[i].points[k].error);
+        if (point.bound) CHECK(point.error <= *point.bound);
+      }
+    }
+    INFO(sweep.name);
+    CHECK(ours == 1);
+  }
+}
+
+TEST_CASE("what is measured at the end of a sweep is harder than at its beginning", "[extremes]") {
+  for (const Sweep& sweep : sweeps()) {
+    for (const SweepSeries& series : sweep.series()) {
+      INFO(sweep.name << ", " << series.name);
+      for (std::size_t i = 1; i < series.points.size(); ++i) {
+        // Along the axis, one way or the other.
+        const bool upwards = series.points[1].parameter > series.points[0].parameter;
+        CHECK((series.points[i].parameter > series.points[i - 1].parameter) == upwards);
+      }
+      if (series.gives_up && !series.ours) {
+        CHECK(series.points.back().error >= series.points.front().error);
+      }
+    }
+  }
+}
+
+// SPEC B: the places where formats give up follow from the formulas.
+TEST_CASE("float and 24 bits give up three decades of near-far ratio after 16 bits", "[extremes]") {
+  const Sweep& sweep = sweeps().front();
+  REQUIRE(sweep.name == "near-far");
+  double at_16_bits = 0, at_float = 0;
+  for (const SweepSeries& series : sweep.series()) {
+    if (series.ours) CHECK_FALSE(series.gives_up);
+    if (series.name == "16 bits") at_16_bits = series.gives_up.value_or(0);
+    if (series.name == "float") at_float = series.gives_up.value_or(0);
+  }
+  // 2^8 lies between two and three decades; points stand half a decade apart.
+  CHECK(at_float / at_16_bits >= 99);
+  CHECK(at_float / at_16_bits <= 1001);
+}
+
+TEST_CASE("a series gives up at its first point beyond the tolerance", "[extremes]") {
+  const SweepSeries planted{"planted", false, {{1, 0.1, {}}, {2, 0.3, 0.2}, {3, 0.2, {}}}, {}};
+  CHECK(with_limit(planted, 0.2).gives_up == 2);
+  CHECK_FALSE(with_limit(planted, 0.5).gives_up);
+  CHECK_FALSE(within_bounds(planted));
+}
+
+}  // namespace
+}  // namespace glassbox::study
