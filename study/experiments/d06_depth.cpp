@@ -1,0 +1,421 @@
+// D-6: how far apart two surfaces must be for a depth format to tell which is in front.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+
+#include <glassbox/images/image.h>
+#include <glassbox/mesh/builtin/images.h>
+#include <glassbox/pipeline/dialects.h>
+#include <glassbox/pipeline/divide.h>
+#include <glassbox/pipeline/projection.h>
+#include <glassbox/pipeline/viewport.h>
+#include <glassbox/raster/coverage.h>
+#include <glassbox/raster/depth.h>
+#include <glassbox/raster/interpolate.h>
+
+#include "study/experiments/consume.h"
+#include "study/experiments/experiments.h"
+
+namespace glassbox::study {
+
+namespace {
+
+constexpr double kNear = 0.1, kFar = 10000;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// ---- formats ----
+
+enum class Mapping { kStandard, kReversed, kLogarithmic, kLinear };
+enum class Remap { kNone, kGl };  // kGl: depth runs from -1 to 1 before the viewport halves it
+
+struct Format {
+  const char* name;
+  Mapping mapping;
+  int bits;  // 32: float
+  double far = kFar;
+  Remap remap = Remap::kNone;
+};
+
+constexpr Format kFormats[] = {
+    {"u16", Mapping::kStandard, 16},
+    {"u16, reversed", Mapping::kReversed, 16},
+    {"u16, logarithmic", Mapping::kLogarithmic, 16},
+    {"u16, linear w", Mapping::kLinear, 16},
+    {"u24", Mapping::kStandard, 24},
+    {"u24, reversed", Mapping::kReversed, 24},
+    {"u24, infinite far", Mapping::kStandard, 24, kInfinity},
+    {"u24 through [-1, 1]", Mapping::kStandard, 24, kFar, Remap::kGl},
+    {"u24, logarithmic", Mapping::kLogarithmic, 24},
+    {"u24, linear w", Mapping::kLinear, 24},
+    {"float", Mapping::kStandard, 32},
+    {"float, infinite far", Mapping::kStandard, 32, kInfinity},
+    {"float, reversed", Mapping::kReversed, 32},
+    {"float, reversed, infinite far", Mapping::kReversed, 32, kInfinity},
+    {"float through [-1, 1]", Mapping::kStandard, 32, kFar, Remap::kGl},
+    {"float, reversed through [-1, 1]", Mapping::kReversed, 32, kFar, Remap::kGl},
+    {"float, logarithmic", Mapping::kLogarithmic, 32},
+    {"float, linear w", Mapping::kLinear, 32},
+};
+
+// Eye space to a vertex on the screen, its depth as the format's depth range has it.
+class Placement {
+public:
+  Placement(const Format& format, const Viewport& viewport) : format_(format), viewport_(viewport) {
+    const DepthRange range =
+        format.mapping == Mapping::kReversed ? DepthRange::kReversed : DepthRange::kStandard;
+    const auto clip_from_eye = perspective_degrees(90, 1, {kNear, format.far, range}).value();
+    clip_ = round_to_float(clip_from_eye);
+    gl_ = round_to_float(clip_gl_from_clip() * clip_from_eye);
+  }
+
+  ScreenVertex operator()(const Point<Eye>& p) const {
+    NdcVertex ndc = divide(clip_ * p);
+    if (format_.remap == Remap::kGl)
+      ndc.position.z = 0.5f * (transform_row(gl_, 2, p) / transform_row(gl_, 3, p)) + 0.5f;
+    return to_screen(ndc, viewport_);
+  }
+
+private:
+  Format format_;
+  Viewport viewport_;
+  Transform<Clip, Eye, float> clip_;
+  Transform<ClipGl, Eye, float> gl_;
+};
+
+// log2 in IEEE operations of one written order, so that errors are the same on every machine: 2^e m with m about 1, and ln m =
+// 2 artanh((m - 1)/(m + 1)), whose series is cut where a term is below 2^-48.
+double log2_of(float x) {
+  const auto bits = std::bit_cast<std::uint32_t>(x) - 0x3f3504f3u;  // of sqrt(1/2)
+  const int exponent = int(std::int32_t(bits) >> 23);
+  const double m = double(std::bit_cast<float>((bits & 0x7fffffu) + 0x3f3504f3u));
+  const double t = (m - 1) / (m + 1), t2 = t * t;
+  double sum = 0;
+  for (int k = 17; k >= 1; k -= 2) sum = sum * t2 + 1.0 / k;
+  return exponent + 2 * t * sum * 1.442695040888963407360;
+}
+
+// The smaller code is nearer.
+std::uint32_t code_of(const Format& format, float depth, float w) {
+  float value = depth;
+  if (format.mapping == Mapping::kLogarithmic) {
+    static const double kRange = log2_of(float(kFar / kNear));
+    value = float(log2_of(w * float(1 / kNear)) / kRange);
+  }
+  if (format.mapping == Mapping::kLinear) value = (w - float(kNear)) * float(1 / (kFar - kNear));
+  if (format.bits == 32)
+    return depth_code(format.mapping == Mapping::kReversed ? DepthFormat::kFloat32Reversed
+                                                           : DepthFormat::kFloat32,
+                      value);
+  const std::uint32_t code =
+      depth_code(format.bits == 16 ? DepthFormat::kUnorm16 : DepthFormat::kUnorm24, value);
+  return format.mapping == Mapping::kReversed ? (1u << format.bits) - 1 - code : code;
+}
+
+// ---- theory ----
+
+double ulp(double x) {
+  return std::ldexp(1.0, std::ilogb(x) - 23);
+}
+
+// SPEC B.3: the depth's step where it is coarsest, carried to a relative distance.
+double step_law(const Format& format, double z) {
+  const double step = std::ldexp(1.0, -format.bits), inverse_far = 1 / format.far;
+  const double standard = z * (1 / kNear - inverse_far);  // (dz/z) / d(depth), of both directions
+  const double depth = (1 / kNear - 1 / z) / (1 / kNear - inverse_far);
+  switch (format.mapping) {
+    case Mapping::kLogarithmic: {
+      const double v = std::log(z / kNear) / std::log(kFar / kNear);
+      return std::log(kFar / kNear) * (format.bits == 32 ? ulp(v) : step);
+    }
+    case Mapping::kLinear:
+      return (kFar - kNear) / z * (format.bits == 32 ? ulp((z - kNear) / (kFar - kNear)) : step);
+    case Mapping::kReversed:
+      if (format.bits != 32) return standard * step;
+      return format.remap == Remap::kGl ? standard * 0x1p-25 : 0x1p-23;
+    case Mapping::kStandard:
+      return standard * (format.bits == 32 ? ulp(depth) : step);
+  }
+  return 0;
+}
+
+// A step s of 1/z reaches from z to z/(1 - s). Positions are floats themselves, and nothing lies beyond the far plane.
+double predicted_at(const Format& format, double z) {
+  double law = std::max(step_law(format, z), 0x1p-23);
+  const bool of_inverse =
+      format.mapping == Mapping::kStandard || format.mapping == Mapping::kReversed;
+  if (of_inverse) law = law < 1 ? law / (1 - law) : kInfinity;
+  return std::min(law, (kFar - z) / z);
+}
+
+// In a picture w comes out of 1/w, itself interpolated: two fragments that have the same w differ by a few roundings.
+double predicted_in_picture(const Format& format, double z) {
+  const bool from_w = format.mapping == Mapping::kLinear || format.mapping == Mapping::kLogarithmic;
+  return std::max(predicted_at(format, z), from_w ? 0x1p-22 : 0.0);
+}
+
+std::string finding_on_ladder(const Format& format) {
+  if (format.bits != 32 || format.mapping != Mapping::kStandard) return {};
+  return "near the far plane z and the product with f/(f - n) are large, their sum and the "
+         "quotient are rounded again: up to three "
+         "half steps of noise beside the step itself";
+}
+
+std::string finding_in_picture(const Format& format) {
+  if (format.bits != 32 || (format.mapping == Mapping::kReversed && format.remap == Remap::kNone))
+    return {};
+  return "only corners have the coarse step: between them depth is interpolated in finer ones, so "
+         "that the errors of three corners "
+         "average, and of two triangles with the same corners on the screen they are often the "
+         "same";
+}
+
+// ---- the ladder: points on the axis, one float after the other ----
+
+struct Rung {
+  double z;
+  std::uint32_t code;
+};
+
+std::vector<Rung> rungs(const Format& format, double z, double window, int count) {
+  const Placement place(format, {});
+  std::vector<Rung> all;
+  for (int i = 0; i < count; ++i) {
+    const auto distance = float(z * (1 + window * i / count));
+    if (!all.empty() && double(distance) == all.back().z) continue;
+    if (double(distance) > kFar) break;
+    const ScreenVertex placed = place(Point<Eye>(0, 0, -distance));
+    all.push_back({double(distance), code_of(format, placed.position.z, distance)});
+  }
+  return all;
+}
+
+// The largest relative distance of two of them that are told apart the wrong way or not at all, the nearer of which is in the
+// first quarter.
+double largest_confusion(const std::vector<Rung>& rungs) {
+  std::vector<std::uint32_t> least(rungs.size());  // from here on
+  std::uint32_t running = std::numeric_limits<std::uint32_t>::max();
+  for (std::size_t i = rungs.size(); i-- > 0;)
+    least[i] = running = std::min(running, rungs[i].code);
+  double largest = 0;
+  std::uint32_t greatest =
+      0;  // up to here: an earlier rung with a smaller code has nothing that a later one lacks
+  std::size_t j = 0;
+  for (std::size_t i = 0; i < rungs.size() / 4 + 1; ++i) {
+    if (i > 0 && rungs[i].code <= greatest) continue;
+    greatest = rungs[i].code;
+    j = std::max(j, i);
+    while (j + 1 < rungs.size() && least[j + 1] <= rungs[i].code) ++j;
+    largest = std::max(largest, (rungs[j].z - rungs[i].z) / rungs[i].z);
+  }
+  return largest;
+}
+
+// In the smallest window from z on, of powers of two, that has room for the largest confusion many times, or four where it is so
+// large that the law changes within.
+double ladder_error(const Format& format, double z, int count) {
+  for (double window = 0x1p-18;; window *= 2) {
+    const std::vector<Rung> all = rungs(format, z, window, count);
+    const double largest = largest_confusion(all);
+    const bool at_far = z * (1 + window) > kFar;
+    if (at_far || largest * (window < 0x1p-6 ? 64 : 4) < window) {
+      // Neighbours that are told apart are one rung away: that is what a format can do at most.
+      return std::max(largest, (all[1].z - all[0].z) / z);
+    }
+  }
+}
+
+// ---- pictures ----
+
+constexpr int kSide = 192;
+
+struct Pixel {
+  double nearest = kInfinity, shown = kInfinity;
+  std::uint32_t code = kEmptyDepth;
+};
+
+using EyeTriangle = std::array<Point<Eye>, 3>;
+
+// The distance of the snapped triangle at the pixel's centre, in double: 2^-50 of it away from the exact one.
+double exact_distance(const EyeTriangle& triangle, const TriangleSetup& setup,
+                      const Coverage& pixel) {
+  double inverse = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    inverse += double(pixel.edges[k]) / double(setup.double_area) /
+               -double(triangle[std::size_t(setup.order[k])].z);
+  return 1 / inverse;
+}
+
+// The largest relative distance between what is shown and what should be.
+double picture_error(const Format& format, const std::vector<EyeTriangle>& triangles) {
+  const Placement place(format, {0, 0, kSide, kSide});
+  Image<Pixel> picture(kSide, kSide);
+  for (const EyeTriangle& triangle : triangles) {
+    const auto setup = setup_triangle({place(triangle[0]), place(triangle[1]), place(triangle[2])});
+    if (!setup) continue;
+    for_each_covered(*setup, {0, 0, kSide, kSide}, [&](const Coverage& covered) {
+      const Fragment fragment = interpolate(*setup, covered);
+      const std::uint32_t code = code_of(format, fragment.depth, 1 / fragment.inverse_w);
+      const double z = exact_distance(triangle, *setup, covered);
+      Pixel& pixel = picture.at(covered.x, covered.y);
+      pixel.nearest = std::min(pixel.nearest, z);
+      if (in_front(code, pixel.code)) pixel.code = code, pixel.shown = z;
+    });
+  }
+  double largest = 0;
+  for (const Pixel& pixel : picture.pixels) {
+    if (std::isfinite(pixel.nearest))
+      largest = std::max(largest, (pixel.shown - pixel.nearest) / pixel.nearest);
+  }
+  return largest;
+}
+
+// A quad of the plane that leans away to the right, from directions (x0, y0) to (x1, y1), brought nearer by `closer` of its
+// distance; cut along one diagonal or the other.
+void add_leaning_quad(double z, double x0, double y0, double x1, double y1, double closer,
+                      bool other_diagonal, std::vector<EyeTriangle>& triangles) {
+  const auto corner = [&](double x, double y) {
+    const double distance = z / (1 - 0.3 * x) * (1 - closer);
+    return Point<Eye>(float(x * distance), float(y * distance), float(-distance));
+  };
+  const std::array<Point<Eye>, 4> c{corner(x0, y0), corner(x1, y0), corner(x1, y1), corner(x0, y1)};
+  const std::size_t first = other_diagonal ? 1 : 0;
+  triangles.push_back({c[first], c[first + 1], c[(first + 2) % 4]});
+  triangles.push_back({c[first], c[(first + 2) % 4], c[(first + 3) % 4]});
+}
+
+// A wall of tiles, and before each tile a decal of its size: 2^-2 to 2^-26 of the distance nearer.
+std::vector<EyeTriangle> decals(double z) {
+  constexpr int kTiles = 14;
+  std::vector<EyeTriangle> triangles;
+  for (const bool decal : {false, true}) {
+    for (int i = 0; i < kTiles * kTiles; ++i) {
+      const double x = 1.8 * (i % kTiles) / kTiles - 0.9, y = 1.8 * (i / kTiles) / kTiles - 0.9,
+                   size = 1.7 / kTiles;
+      const double closer = decal ? std::exp2(-2 - 24.0 * i / (kTiles * kTiles)) : 0;
+      add_leaning_quad(z, x, y, x + size, y + size, closer, decal, triangles);
+    }
+  }
+  return triangles;
+}
+
+// Boxes from 2 to 2000 away, each with a sign on its front between a millimetre and a metre before it.
+std::vector<EyeTriangle> city() {
+  std::vector<EyeTriangle> triangles;
+  const auto quad = [&](const Point<Eye>& a, const Point<Eye>& b, const Point<Eye>& c,
+                        const Point<Eye>& d) {
+    triangles.push_back({a, b, c});
+    triangles.push_back({a, c, d});
+  };
+  for (std::uint64_t i = 0; i < 400; ++i) {
+    const auto draw = [i](std::uint64_t k) { return random_unit(6, 8 * i + k); };
+    const double z = 2 * std::exp2(10 * draw(0)), x = (2 * draw(1) - 1) * z,
+                 y = (2 * draw(2) - 1) * z;
+    const double size = z * (0.03 + 0.1 * draw(3)), depth = z * 0.2 * draw(4),
+                 gap = std::min(z / 4, std::exp2(-10 + 10 * draw(5)));
+    const auto at = [&](double sx, double sy, double away) {
+      return Point<Eye>(float(x + sx * size), float(y + sy * size), float(-(z + away)));
+    };
+    quad(at(-1, -1, 0), at(1, -1, 0), at(1, 1, 0), at(-1, 1, 0));
+    for (const double side : {-1.0, 1.0}) {
+      quad(at(side, -1, 0), at(side, -1, depth), at(side, 1, depth), at(side, 1, 0));
+      quad(at(-1, side, 0), at(1, side, 0), at(1, side, depth), at(-1, side, depth));
+    }
+    quad(at(-0.8, -0.7, -gap), at(0.8, -0.7, -gap), at(0.8, 0.7, -gap), at(-0.8, 0.7, -gap));
+  }
+  return triangles;
+}
+
+// ---- what is timed: the depth test of many fragments, each against a stored code ----
+
+constexpr std::size_t kFragments = 1u << 17;
+
+struct Fragments {
+  std::vector<float> depth, w;
+};
+
+std::shared_ptr<const Fragments> timed_fragments() {
+  auto made = std::make_shared<Fragments>();
+  for (std::size_t i = 0; i < kFragments; ++i) {
+    const double z = kNear * std::exp2(16 * random_unit(60, i));
+    made->w.push_back(float(z));
+    made->depth.push_back(float((1 / kNear - 1 / z) / (1 / kNear - 1 / kFar)));
+  }
+  return made;
+}
+
+template <class Stored>
+std::function<void(int)> depth_tests(const Format& format,
+                                     const std::shared_ptr<const Fragments>& fragments) {
+  const auto buffer = std::make_shared<std::vector<Stored>>(kFragments);
+  return [=](int) {
+    std::ranges::fill(*buffer, std::numeric_limits<Stored>::max());
+    for (std::size_t i = 0; i < kFragments; ++i) {
+      const std::uint32_t code = code_of(format, fragments->depth[i], fragments->w[i]);
+      Stored& stored = (*buffer)[i];
+      if (in_front(code, stored)) stored = Stored(code);
+    }
+    consume(*buffer);
+  };
+}
+
+std::vector<Configuration> configurations(Effort effort) {
+  const int count = effort == Effort::kQuick ? 2048 : 16384;
+  std::vector<double> distances{0.2, 1, 10, 100, 1000, 9000};
+  const auto fragments = timed_fragments();
+  std::vector<Configuration> all;
+  for (const Format& format : kFormats) {
+    const auto work = format.bits == 16 ? depth_tests<std::uint16_t>(format, fragments)
+                                        : depth_tests<std::uint32_t>(format, fragments);
+    const auto add = [&](const char* scene, double z, std::function<double()> error,
+                         std::optional<double> predicted, std::string finding) {
+      all.push_back({.series = format.name,
+                     .parameter = z,
+                     .scene = scene,
+                     .error = std::move(error),
+                     .predicted_error = predicted,
+                     .finding = std::move(finding),
+                     .work = work,
+                     .items = double(kFragments)});
+    };
+    for (const double z : distances)
+      add(
+          "ladder", z, [=] { return ladder_error(format, z, count); }, predicted_at(format, z),
+          finding_on_ladder(format));
+    for (const double z : {1.0, 100.0, 1000.0})
+      add(
+          "coplanar decals", z, [=] { return picture_error(format, decals(z)); },
+          predicted_in_picture(format, z), finding_in_picture(format));
+    add("city of boxes", 2000, [=] { return picture_error(format, city()); }, std::nullopt, {});
+  }
+  return all;
+}
+
+}  // namespace
+
+Experiment d06_depth() {
+  return {
+      .id = "D-6",
+      .name = "Depth formats: what lies in front",
+      .question =
+          "How far apart must two surfaces be for a depth buffer to tell which is in front?",
+      .axis = "distance, with the near plane at 0.1 and the far one at 10000",
+      .axis_unit = "world units",
+      .error = "largest relative distance dz/z of two surfaces of which the farther one wins",
+      .error_unit = "of the distance",
+      .reference =
+          "the order of the floats on the ladder; in pictures, distances interpolated in double",
+      .theory =
+          "SPEC B.3: b-bit codes z (1/n - 1/f) 2^-b, reversed or not; float with depth near 1 the "
+          "same with 2^-24; float reversed "
+          "2^-23 everywhere; reversed through [-1, 1] the step below -1, 2^-25; linear w (f - n) "
+          "2^-b/z; logarithmic ln(f/n) 2^-b. "
+          "Never finer than positions as floats, 2^-23, and never beyond the far plane.",
+      .item = "fragment",
+      .configurations = configurations,
+  };
+}
+
+}  // namespace glassbox::study

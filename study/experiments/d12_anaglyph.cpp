@@ -1,0 +1,348 @@
+// D-12: ways to make an anaglyph: what they cost in colour, and what disturbs the eyes less for it.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include <glassbox/images/metrics/ciede2000.h>
+#include <glassbox/images/stereo/anaglyph.h>
+#include <glassbox/images/stereo/recolour.h>
+#include <glassbox/images/stereo/rivalry.h>
+#include <glassbox/mesh/builtin/images.h>
+#include <glassbox/mesh/builtin/room.h>
+#include <glassbox/render/staged.h>
+
+#include "study/experiments/consume.h"
+#include "study/experiments/experiments.h"
+
+namespace glassbox::study {
+
+namespace {
+
+using Picture = Image<Rgba8>;
+
+// ---- what is seen through the glasses ----
+
+using Colour3 = std::array<double, 3>;
+
+Colour3 times(const LightMatrix& m, const Colour3& v) {
+  Colour3 product{};
+  for (std::size_t i = 0; i < 3; ++i) product[i] = m[i][0] * v[0] + m[i][1] * v[1] + m[i][2] * v[2];
+  return product;
+}
+
+LightMatrix inverse(const LightMatrix& m) {
+  LightMatrix adjugate;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t r = (k + 1) % 3, s = (k + 2) % 3, c = (i + 1) % 3, d = (i + 2) % 3;
+      adjugate[i][k] = m[r][c] * m[s][d] - m[r][d] * m[s][c];
+    }
+  }
+  const double determinant =
+      m[0][0] * adjugate[0][0] + m[0][1] * adjugate[1][0] + m[0][2] * adjugate[2][0];
+  for (auto& row : adjugate) {
+    for (double& entry : row) entry /= determinant;
+  }
+  return adjugate;
+}
+
+// The colour that lens light stands for: X, Y, Z, each relative to what the lenses show of white, as the screen without
+// glasses would have to show it (von Kries).
+class SeenThrough {
+public:
+  explicit SeenThrough(const LightMatrix& lens)
+      : lens_(lens),
+        screen_from_light_(inverse(kScreenLight)),
+        white_(times(lens, {1, 1, 1})),
+        screen_white_(times(kScreenLight, {1, 1, 1})) {}
+
+  Lab operator()(const Colour3& shown) const {
+    Colour3 light = times(lens_, shown);
+    for (std::size_t i = 0; i < 3; ++i) light[i] *= screen_white_[i] / white_[i];
+    Colour3 colour = times(screen_from_light_, light);
+    for (double& channel : colour) channel = std::clamp(channel, 0.0, 1.0);
+    return lab_of_linear(colour[0], colour[1], colour[2]);
+  }
+
+private:
+  LightMatrix lens_, screen_from_light_;
+  Colour3 white_, screen_white_;
+};
+
+// Both lenses' light together: what the two eyes make of it.
+LightMatrix both_lenses() {
+  LightMatrix sum;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) sum[i][k] = kRedLensLight[i][k] + kCyanLensLight[i][k];
+  }
+  return sum;
+}
+
+// ---- methods ----
+
+// The linear light that is shown for a colour that both eyes have.
+using Show1 = std::function<Colour3(const Linear&)>;
+
+Colour3 in_double(const Linear& c) {
+  return {double(c[0]), double(c[1]), double(c[2])};
+}
+
+Show1 by_matrix(const AnaglyphMatrix& matrix, const Recolour& recolour) {
+  return [=](const Linear& colour) {
+    const Linear c = recoloured(colour, recolour);
+    return in_double(mix_eyes(matrix, c, c));
+  };
+}
+
+double square(double x) {
+  return x * x;
+}
+
+double distance2(const Lab& a, const Lab& b) {
+  return square(a.l - b.l) + square(a.a - b.a) + square(a.b - b.b);
+}
+
+// The shown colour that comes nearest to the wanted one in CIELAB, to each eye through its own lens (McAllister, Zhou and
+// Sullivan 2010): the sum of both squared distances, by a search with halving steps from the wanted colour itself.
+class LabOptimum {
+public:
+  Colour3 operator()(const Linear& colour) const {
+    const Colour3 wanted = in_double(colour);
+    const Lab goal = lab_of_linear(wanted[0], wanted[1], wanted[2]);
+    const auto cost = [&](const Colour3& shown) {
+      return distance2(left_(shown), goal) + distance2(right_(shown), goal);
+    };
+    Colour3 best = wanted;
+    double least = cost(best);
+    for (double step = 0.25; step > 1.0 / 512;) {
+      bool moved = false;
+      for (std::size_t channel = 0; channel < 3; ++channel) {
+        for (const double by : {-step, step}) {
+          Colour3 next = best;
+          next[channel] = std::clamp(next[channel] + by, 0.0, 1.0);
+          const double at_next = cost(next);
+          if (at_next < least) best = next, least = at_next, moved = true;
+        }
+      }
+      if (!moved) step /= 2;
+    }
+    return best;
+  }
+
+private:
+  SeenThrough left_{kRedLensLight}, right_{kCyanLensLight};
+};
+
+// ---- scenes ----
+
+struct Scenery {
+  std::string name;
+  std::vector<Linear> colours;
+};
+
+// B.6's: white, grey, red, green, blue, yellow, cyan, magenta.
+Scenery eight_colours() {
+  return {"eight colours",
+          {{1, 1, 1},
+           {0.5f, 0.5f, 0.5f},
+           {1, 0, 0},
+           {0, 1, 0},
+           {0, 0, 1},
+           {1, 1, 0},
+           {0, 1, 1},
+           {1, 0, 1}}};
+}
+
+Picture room_picture(int width, int height) {
+  const Scene room = make_room();
+  return render_staged(room, make_view(room.cameras.front(), width, height).value(), {})
+      .buffers.color;
+}
+
+Scenery room(Effort effort) {
+  Scenery scenery{"room", {}};
+  const Picture picture = effort == Effort::kQuick ? room_picture(32, 24) : room_picture(96, 72);
+  for (const Rgba8& pixel : picture.pixels) scenery.colours.push_back(linear_of(pixel));
+  return scenery;
+}
+
+Scenery random_colours(Effort effort) {
+  Scenery scenery{"random colours", {}};
+  for (std::uint64_t i = 0; i < (effort == Effort::kQuick ? 512u : 4096u); ++i) {
+    const auto channel = [i](std::uint64_t k) { return float(random_unit(12, 3 * i + k)); };
+    scenery.colours.push_back({channel(0), channel(1), channel(2)});
+  }
+  return scenery;
+}
+
+// ---- measures ----
+
+double relative_luminance(const LightMatrix& lens, const Colour3& shown) {
+  return times(lens, shown)[1] / times(lens, {1, 1, 1})[1];
+}
+
+// As Rivalry of rivalry.h has it, of any method.
+double mean_rivalry(const Show1& show, const Scenery& scenery) {
+  const Colour3 white = show({1, 1, 1});
+  const double left = relative_luminance(kRedLensLight, white),
+               right = relative_luminance(kCyanLensLight, white);
+  double sum = 0;
+  for (const Linear& colour : scenery.colours) {
+    const Colour3 shown = show(colour);
+    sum += std::abs(relative_luminance(kRedLensLight, shown) / left -
+                    relative_luminance(kCyanLensLight, shown) / right);
+  }
+  const double mean = sum / double(scenery.colours.size());
+  return mean < 0x1p-24 ? 0 : mean;  // colours are floats: this is their rounding
+}
+
+double mean_difference(const Show1& show, const Scenery& scenery) {
+  static const SeenThrough both(both_lenses());
+  double sum = 0;
+  for (const Linear& colour : scenery.colours) {
+    sum += ciede2000(both(show(colour)),
+                     lab_of_linear(double(colour[0]), double(colour[1]), double(colour[2])));
+  }
+  return sum / double(scenery.colours.size());
+}
+
+// ---- configurations ----
+
+struct Method {
+  std::string series;
+  AnaglyphMethod method;
+  Recolour recolour;
+  double rivalry = 0;  // of the eight colours, SPEC B.6
+};
+
+std::vector<Method> methods(Effort effort) {
+  using enum AnaglyphMethod;
+  std::vector<Method> all{{"true", kTrue, {}, 0},
+                          {"grey", kGrey, {}, 0},
+                          {"colour", kMask, {}, 0.411},
+                          {"half-colour", kHalf, {}, 0.123},
+                          {"optimised", kOptimised, {}, 0.036},
+                          {"Dubois 2009", kDubois, {}, 0.075},
+                          {"Dubois 2001", kDubois2001, {}, 0.062}};
+  const int steps = effort == Effort::kQuick ? 4 : 10;
+  for (int i = 1; i <= steps; ++i) {
+    const double k = double(i) / steps;
+    all.push_back({"colour, desaturated", kMask, {k, 0}, 0.411 * (1 - k)});
+  }
+  for (const double b : {0.1, 0.25})
+    all.push_back(
+        {"colour, half desaturated and brightened", kMask, {0.5, b}, 0.411 * 0.5 * (1 - b)});
+  return all;
+}
+
+struct Timed {
+  Picture left, right;
+};
+
+Timed timed_pictures() {
+  return {make_noise(128, {120, 130, 90, 255}, 80, 1), make_noise(128, {120, 130, 90, 255}, 80, 2)};
+}
+
+std::function<void(int)> work_of(const Method& method, const std::shared_ptr<const Timed>& eyes) {
+  if (method.recolour.desaturate == 0)
+    return [=](int) { consume(make_anaglyph(eyes->left, eyes->right, method.method)); };
+  return [=](int) {
+    make_anaglyph(recoloured(eyes->left, method.recolour).value(),
+                  recoloured(eyes->right, method.recolour).value(), method.method)
+        .value();
+  };
+}
+
+// Luminance of the other eye's channels through the lens over that of its own: red against cyan, .0136/.0876 and .0176/.3865. The
+// true anaglyph shows the right eye blue alone: .0018/.0876 and .0176/.0777.
+void add_ghosts(const Method& method, double parameter, const Viewing& viewing,
+                std::vector<Configuration>& all) {
+  if (method.recolour.desaturate != 0) return;
+  const bool without_green = method.method == AnaglyphMethod::kTrue;
+  const auto add = [&](const char* scene, double predicted, std::function<double()> error) {
+    Configuration c;
+    c.series = method.series, c.parameter = parameter, c.scene = scene;
+    c.error = std::move(error);
+    c.predicted_error = predicted;
+    all.push_back(std::move(c));
+  };
+  add("ghost in the left eye", without_green ? .0018 / .0876 : .0136 / .0876,
+      [=] { return white_leak(viewing).left; });
+  add("ghost in the right eye", without_green ? .0176 / .0777 : .0176 / .3865,
+      [=] { return white_leak(viewing).right; });
+}
+
+std::vector<Configuration> configurations(Effort effort) {
+  const std::vector<Scenery> sceneries{eight_colours(), random_colours(effort), room(effort)};
+  const auto eyes = std::make_shared<const Timed>(timed_pictures());
+  std::vector<Configuration> all;
+  for (const Method& method : methods(effort)) {
+    const Viewing seen = viewing(method.method).value();
+    const Show1 show = by_matrix(seen.matrix, method.recolour);
+    for (const Scenery& scenery : sceneries) {
+      Configuration c;
+      c.series = method.series, c.parameter = mean_difference(show, scenery),
+      c.scene = scenery.name;
+      c.error = [=] { return mean_rivalry(show, scenery); };
+      if (&scenery == &sceneries.front()) {
+        c.predicted_error = method.rivalry;
+      } else if (method.recolour.desaturate != 0) {
+        // Linear in the colour, and greys have none (S0-15).
+        const double plain = mean_rivalry(by_matrix(seen.matrix, {}), scenery);
+        c.predicted_error =
+            plain * (1 - method.recolour.desaturate) * (1 - method.recolour.brighten);
+      }
+      c.work = work_of(method, eyes);
+      c.items = double(eyes->left.pixels.size());
+      all.push_back(std::move(c));
+    }
+    add_ghosts(method, mean_difference(show, sceneries.front()), seen, all);
+  }
+  const Show1 optimum = LabOptimum();
+  for (const Scenery& scenery : sceneries) {
+    all.push_back({.series = "CIELAB optimum, pixel by pixel",
+                   .parameter = mean_difference(optimum, scenery),
+                   .scene = scenery.name,
+                   .error = [=] { return mean_rivalry(optimum, scenery); },
+                   .predicted_error = std::nullopt,
+                   .finding = {},
+                   .work =
+                       [=](int) {
+                         for (std::size_t i = 0; i < 64; ++i)
+                           consume(optimum(scenery.colours[i % scenery.colours.size()]));
+                       },
+                   .items = 64});
+  }
+  return all;
+}
+
+}  // namespace
+
+Experiment d12_anaglyph() {
+  return {
+      .id = "D-12",
+      .name = "Anaglyph: methods for red and cyan glasses",
+      .question =
+          "How much colour does each method give up for how much less rivalry between the eyes?",
+      .axis = "mean colour difference to the picture without glasses (CIEDE2000)",
+      .axis_unit = {},
+      .logarithmic_axis = false,
+      .error =
+          "mean rivalry |Y_L/Y_Lw - Y_R/Y_Rw|; for ghosts: the other eye's white where the own "
+          "picture is black",
+      .error_unit = "of white",
+      .reference = "equal relative luminance in both eyes; no light of the other eye",
+      .theory =
+          "SPEC B.6: the mean over eight colours from the luminances of screen and lenses, colour "
+          ".411, half-colour .123, Dubois "
+          "2009 .075 and 2001 .062, optimised .036, grey 0; desaturated by k and brightened by b "
+          "times (1 - k)(1 - b) exactly; "
+          "ghosts .0136/.0876 on the left and .0176/.3865 on the right.",
+      .item = "pixel",
+      .configurations = configurations,
+  };
+}
+
+}  // namespace glassbox::study

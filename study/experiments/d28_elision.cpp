@@ -1,0 +1,287 @@
+// D-28: leaving out what a scene does not need, one decision of the plan at a time.
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include <glassbox/base/trig.h>
+#include <glassbox/mesh/builtin/scenes.h>
+#include <glassbox/pipeline/framing.h>
+#include <glassbox/render/plan/plan.h>
+#include <glassbox/render/renderer.h>
+
+#include "study/bench/scenes.h"
+#include "study/experiments/experiments.h"
+
+namespace glassbox::study {
+
+namespace {
+
+// ---- plans with one decision: what `take` copies of the plan that leaves out all it can ----
+
+using Take = void (*)(const Plan& with, Plan& plan);
+
+template <Take take>
+std::vector<Plan> plan_only(std::span<const PlannedEye> eyes, bool) {
+  std::vector<Plan> plans = make_plans(eyes, false);
+  const std::vector<Plan> with = make_plans(eyes, true);
+  for (std::size_t i = 0; i < plans.size(); ++i) take(with[i], plans[i]);
+  return plans;
+}
+
+std::vector<Plan> plan_nothing(std::span<const PlannedEye> eyes, bool) {
+  return make_plans(eyes, false);
+}
+
+template <class Copy>
+void for_methods(const Plan& with, Plan& plan, Copy&& copy) {
+  for (std::size_t i = 0; i < plan.methods.size(); ++i) copy(with.methods[i], plan.methods[i]);
+}
+
+void take_outside(const Plan& with, Plan& plan) {
+  for_methods(with, plan, [](const DrawMethod& from, DrawMethod& to) { to.drawn = from.drawn; });
+  std::erase_if(plan.order, [&](std::uint32_t draw) { return !plan.methods[draw].drawn; });
+}
+void take_plane_tests(const Plan& with, Plan& plan) {
+  for_methods(with, plan,
+              [](const DrawMethod& from, DrawMethod& to) { to.test_planes = from.test_planes; });
+}
+void take_divide(const Plan& with, Plan& plan) {
+  for_methods(with, plan, [](const DrawMethod& from, DrawMethod& to) { to.divide = from.divide; });
+}
+void take_normals(const Plan& with, Plan& plan) {
+  for_methods(with, plan, [](const DrawMethod& from, DrawMethod& to) {
+    to.normals = from.normals;
+    to.face_normals = from.face_normals;
+  });
+}
+// Without highlights nobody asks where the surface is.
+void take_highlights(const Plan& with, Plan& plan) {
+  for_methods(with, plan, [](const DrawMethod& from, DrawMethod& to) {
+    to.highlights = from.highlights;
+    to.eye_positions = from.eye_positions;
+  });
+}
+// What is outside has no place in the other plan's order and keeps one here.
+void take_order(const Plan& with, Plan& plan) {
+  std::vector<std::uint32_t> order = with.order;
+  for (const std::uint32_t draw : plan.order) {
+    if (std::ranges::find(with.order, draw) == with.order.end()) order.push_back(draw);
+  }
+  plan.order = std::move(order);
+  plan.moved = with.moved;
+}
+void take_colors(const Plan& with, Plan& plan) {
+  plan.colors = with.colors;
+  for_methods(with, plan, [](const DrawMethod& from, DrawMethod& to) {
+    to.light = from.light;
+    to.texture = from.texture;
+    to.vertex_colors = from.vertex_colors;
+  });
+}
+void take_channels(const Plan& with, Plan& plan) {
+  plan.channels = with.channels;
+}
+void take_read_back(const Plan& with, Plan& plan) {
+  plan.read_back = with.read_back;
+}
+void take_depth(const Plan& with, Plan& plan) {
+  plan.keep_depth = with.keep_depth;
+}
+
+// ---- scenes ----
+
+struct Planned {
+  std::string name;
+  Scene scene;
+  View view;
+  RenderSettings settings;
+  PreparedScene prepared = {};
+  std::optional<Rendering> staged = {};
+
+  // Drawn when it is first asked for.
+  const Framebuffer& reference() {
+    if (!staged) staged = render_staged(scene, view, settings);
+    return staged->buffers;
+  }
+};
+
+constexpr int kWidth = 320, kHeight = 240;
+
+std::shared_ptr<Planned> make(std::string name, Scene scene, const View& view,
+                              const RenderSettings& settings) {
+  auto made = std::make_shared<Planned>(Planned{std::move(name), std::move(scene), view, settings});
+  made->prepared = prepare(made->scene, settings.transfer);
+  return made;
+}
+
+View first_view(const Scene& scene) {
+  const Camera camera = scene.cameras.empty() ? frame(scene, double(kWidth) / kHeight).value()
+                                              : scene.cameras.front();
+  return make_view(camera, kWidth, kHeight).value();
+}
+
+std::shared_ptr<Planned> builtin(const std::string& name, const char* scene_name,
+                                 const RenderSettings& settings) {
+  Scene scene = make_builtin(name).value();
+  const View view = first_view(scene);
+  return make(scene_name, std::move(scene), view, settings);
+}
+
+// Turned by a right angle: most trees lie beside the picture.
+std::shared_ptr<Planned> forest_aside() {
+  Scene scene = make_builtin("forest").value();
+  Camera camera = scene.cameras.front();
+  const SinCos turn = sin_cos_degrees(60);
+  Transform<Eye, Eye> yaw;
+  yaw.at(0, 0) = turn.cos, yaw.at(0, 2) = turn.sin;
+  yaw.at(2, 0) = -turn.sin, yaw.at(2, 2) = turn.cos;
+  camera.world_from_eye = camera.world_from_eye * yaw;
+  const View view = make_view(camera, kWidth, kHeight).value();
+  return make("forest, looked past", std::move(scene), view, {});
+}
+
+// 64 quads with one colour each, parallel and back to front, each an object of its own.
+std::shared_ptr<Planned> parallel_quads() {
+  BenchScene bench = make_bench_scene("S4bf", kWidth, kHeight).value();
+  const Mesh quads = bench.scene.meshes.front();
+  Scene scene = bench.scene;
+  scene.meshes.clear();
+  scene.instances.clear();
+  for (std::size_t i = 0; i < quads.faces.size(); i += 2) {
+    Mesh one = quads;
+    one.faces = {quads.faces[i], quads.faces[i + 1]};
+    one.corners.clear();
+    one.positions.clear();
+    one.colors.clear();
+    for (Face& face : one.faces) {
+      const auto first = std::uint32_t(one.corners.size());
+      for (std::uint32_t k = 0; k < face.count; ++k) {
+        const Corner& corner = quads.corners[face.first + k];
+        const auto index = std::uint32_t(one.positions.size());
+        one.positions.push_back(quads.positions[corner.position]);
+        one.colors.push_back(quads.colors[corner.color]);
+        one.corners.push_back({index, kNone, kNone, index});
+      }
+      face.first = first;
+    }
+    scene.instances.push_back({std::uint32_t(scene.meshes.size()), 0});
+    scene.meshes.push_back(std::move(one));
+  }
+  return make("64 parallel quads, back to front", std::move(scene), bench.passes.front().view, {});
+}
+
+RenderSettings depth_only() {
+  RenderSettings settings;
+  settings.mask = {false, false, false, false};
+  settings.want_depth = true;
+  return settings;
+}
+RenderSettings red_only() {
+  RenderSettings settings;
+  settings.mask = {true, false, false, false};
+  return settings;
+}
+
+// ---- measuring ----
+
+void draw(const Planned& planned, TileEngine& engine, Rendering& into) {
+  engine.render(planned.scene, planned.prepared, planned.view, planned.settings, into);
+}
+
+double differing_pixels(const Framebuffer& one, const Framebuffer& other, bool depth) {
+  double count = 0;
+  for (std::size_t i = 0; i < one.color.pixels.size(); ++i)
+    count += one.color.pixels[i] != other.color.pixels[i] ||
+             (depth && one.depth.pixels[i] != other.depth.pixels[i]);
+  return count;
+}
+
+Configuration configuration(const std::string& series, bool on, Planner planner,
+                            const std::shared_ptr<Planned>& planned) {
+  const auto engine = [planner](int threads) {
+    TileOptions options;
+    options.threads = threads;
+    options.planner = planner;
+    return std::make_shared<TileEngine>(options);
+  };
+  const auto engines = std::make_shared<std::pair<int, std::shared_ptr<TileEngine>>>(0, nullptr);
+  const auto picture = std::make_shared<Rendering>();
+  return {.series = series,
+          .parameter = on ? 1.0 : 0.0,
+          .scene = planned->name,
+          .error =
+              [=] {
+                Rendering drawn;
+                draw(*planned, *engine(1), drawn);
+                return differing_pixels(drawn.buffers, planned->reference(),
+                                        planned->settings.want_depth);
+              },
+          .predicted_error = 0,
+          .finding = {},
+          .work =
+              [=](int threads) {
+                if (engines->first != threads) *engines = {threads, engine(threads)};
+                draw(*planned, *engines->second, *picture);
+              }};
+}
+
+struct OneDecision {
+  const char* series;
+  Planner planner;
+  std::vector<std::shared_ptr<Planned>> scenes;  // where it holds, then where it does not
+};
+
+std::vector<OneDecision> decisions_on_scenes(Effort effort) {
+  const char* teapot_name = effort == Effort::kQuick ? "teapot:6" : "teapot";
+  const auto teapot = builtin(teapot_name, "teapot", {});
+  const auto depth = builtin(teapot_name, "teapot, depth only", depth_only());
+  const auto red = builtin(teapot_name, "teapot, red only", red_only());
+  const auto forest = builtin("forest", "forest", {});
+  const auto aside = forest_aside();
+  const auto room = builtin("room", "room", {});
+  const auto quads = parallel_quads();
+  return {{"objects outside the picture", plan_only<take_outside>, {aside, teapot}},
+          {"plane tests", plan_only<take_plane_tests>, {teapot, forest}},
+          {"divide by w", plan_only<take_divide>, {quads, teapot}},
+          {"normals", plan_only<take_normals>, {quads, teapot}},
+          {"highlights", plan_only<take_highlights>, {forest, room}},
+          {"front to back", plan_only<take_order>, {quads, teapot}},
+          {"colours", plan_only<take_colors>, {depth, teapot}},
+          {"channels", plan_only<take_channels>, {red, teapot}},
+          {"read back", plan_only<take_read_back>, {teapot, red}},
+          {"depth plane", plan_only<take_depth>, {teapot, depth}},
+          {"all of them", make_plans, {teapot, depth, red, aside, forest, room, quads}}};
+}
+
+std::vector<Configuration> configurations(Effort effort) {
+  std::vector<Configuration> all;
+  for (const OneDecision& one : decisions_on_scenes(effort)) {
+    for (const auto& scene : one.scenes) {
+      all.push_back(configuration(one.series, false, plan_nothing, scene));
+      all.push_back(configuration(one.series, true, one.planner, scene));
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+Experiment d28_elision() {
+  return {
+      .id = "D-28",
+      .name = "Stage elision: leaving out what a scene does not need",
+      .question = "What does each decision of the plan save, where it holds and where it does not?",
+      .axis = "1: the decision is taken where its proof holds; 0: everything runs",
+      .axis_unit = {},
+      .logarithmic_axis = false,
+      .error = "pixels whose colour (or depth, where it is asked for) differs",
+      .error_unit = "pixels",
+      .reference = "the staged reference",
+      .theory = "A decision needs a proof that no byte changes: 0.",
+      .item = "picture",
+      .threaded = true,
+      .configurations = configurations,
+  };
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,145 @@
+// D-29: what watching a run costs.
+#include <memory>
+
+#include <glassbox/mesh/builtin/scenes.h>
+#include <glassbox/pipeline/framing.h>
+#include <glassbox/render/staged.h>
+#include <glassbox/render/tile/tile_engine.h>
+#include <glassbox/render/trace/tracer.h>
+
+#include "study/experiments/experiments.h"
+
+namespace glassbox::study {
+
+namespace {
+
+struct Watched {
+  std::string name;
+  Scene scene;
+  View view;
+  RenderSettings settings;
+};
+
+std::shared_ptr<const Watched> watched(const std::string& name, int width, int height) {
+  auto made = std::make_shared<Watched>();
+  made->name = name;
+  made->scene = make_builtin(name).value();
+  const double aspect = double(width) / height;
+  const Camera camera = made->scene.cameras.empty() ? frame(made->scene, aspect).value()
+                                                    : made->scene.cameras.front();
+  made->view = make_view(camera, width, height).value();
+  made->settings.want_depth = true;
+  return made;
+}
+
+// ---- ways to run it ----
+
+// Every stage calls, nobody keeps anything.
+class Counter : public Observer {
+public:
+  void projected(const Draw&, std::uint32_t, Point<Clip>&) override { ++events; }
+  void clipped(const PrimitiveStage&, const Triangle&, const std::array<ClipVertex, 3>&,
+               ClipPolygon&) override {
+    ++events;
+  }
+  void divided(const ClipVertex&, NdcVertex&) override { ++events; }
+  void placed(const NdcVertex&, ScreenVertex&) override { ++events; }
+  void set_up(std::uint32_t, const std::array<ScreenVertex, 3>&,
+              std::optional<TriangleSetup>&) override {
+    ++events;
+  }
+  void interpolated(const FragmentSource&, const Coverage&, Fragment&) override { ++events; }
+  void compared(const FragmentSource&, const Fragment&, std::uint32_t, std::uint32_t,
+                bool&) override {
+    ++events;
+  }
+  void lit(const Varyings&, const Rgba&, Rgba&) override { ++events; }
+  void ended(const FragmentSource&, const Fragment&, Fate) override { ++events; }
+
+  std::uint64_t events = 0;
+};
+
+Rendering run_untraced(const Watched& w) {
+  return render_staged(w.scene, w.view, w.settings);
+}
+Rendering run_counted(const Watched& w) {
+  Counter counter;
+  return render_staged(w.scene, w.view, w.settings, &counter);
+}
+Rendering run_filtered(const Watched& w) {
+  TraceFilter filter;
+  const int x = int(w.view.viewport.width()) / 2, y = int(w.view.viewport.height()) / 2;
+  filter.pixels = PixelRect{x, y, x + 1, y + 1};
+  return trace(w.scene, w.view, w.settings, filter).rendering;
+}
+Rendering run_dumped(const Watched& w) {
+  return trace(w.scene, w.view, w.settings, TraceFilter{}).rendering;
+}
+Rendering run_without_observers(const Watched& w) {
+  return render_tiled(w.scene, w.view, w.settings, {.threads = 1});
+}
+
+struct Way {
+  const char* name;
+  double records;  // the axis
+  Rendering (*run)(const Watched&);
+};
+constexpr Way kWays[] = {{"compiled out: the tile engine", 0, run_without_observers},
+                         {"off: the staged reference, no observer", 1, run_untraced},
+                         {"counters at every stage", 2, run_counted},
+                         {"trace of one pixel", 3, run_filtered},
+                         {"full trace", 4, run_dumped}};
+
+double differing_pixels(const Framebuffer& one, const Framebuffer& other) {
+  double count = 0;
+  for (std::size_t i = 0; i < one.color.pixels.size(); ++i)
+    count += one.color.pixels[i] != other.color.pixels[i] ||
+             one.depth.pixels[i] != other.depth.pixels[i];
+  return count;
+}
+
+std::vector<Configuration> configurations(Effort effort) {
+  std::vector<std::string> names{"cube", "teapot:4"};
+  if (effort == Effort::kFull) names = {"cube", "teapot", "forest", "room", "f-glyph", "checker"};
+  std::vector<Configuration> all;
+  for (const std::string& name : names) {
+    const auto w = watched(name, 160, 120);
+    for (const Way& way : kWays) {
+      all.push_back(
+          {.series = way.name,
+           .parameter = way.records,
+           .scene = name,
+           .error = [=] { return differing_pixels(way.run(*w).buffers, run_untraced(*w).buffers); },
+           .predicted_error = 0,
+           .finding = {},
+           .work = [=](int) { way.run(*w); }});
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+Experiment d29_trace() {
+  return {
+      .id = "D-29",
+      .name = "Trace: what being watched costs",
+      .question = "What does a run pay for being able to be looked at, and for being looked at?",
+      .axis =
+          "0 no observers in the code, 1 nobody watches, 2 all stages counted, 3 one pixel "
+          "recorded, 4 everything recorded",
+      .axis_unit = {},
+      .logarithmic_axis = false,
+      .error = "pixels whose colour or depth differ",
+      .error_unit = "pixels",
+      .reference = "the picture of a run that nobody watches",
+      .theory =
+          "Whoever only watches changes nothing: 0. A stage that nobody watches pays one "
+          "comparison with null; the tile engine has "
+          "no such comparisons at all, and is another, faster way to run the stages besides.",
+      .item = "picture",
+      .configurations = configurations,
+  };
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,23 @@
+// A layered depth image: at each pixel the nearest surface, the one behind it, and so on (Shade et al. 1998; S1-01).
+#pragma once
+
+#include <vector>
+
+#include <glassbox/images/image.h>
+#include <glassbox/mesh/scene.h>
+#include <glassbox/pipeline/view.h>
+#include <glassbox/render/settings.h>
+
+namespace glassbox::study {
+
+struct Layer {
+  Image<Rgba8> color;
+  Image<float> distance;  // along the gaze; infinite where there is nothing
+};
+
+// By depth peeling: each pass of the staged reference hides all fragments that are not behind what the pass before has shown
+// (Everitt 2001). `layers` passes; fewer where a pass shows nothing.
+std::vector<Layer> peel(const Scene& scene, const View& view, const RenderSettings& settings,
+                        int layers);
+
+}  // namespace glassbox::study
