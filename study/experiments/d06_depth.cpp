@@ -157,7 +157,9 @@ double predicted_in_picture(const Format& format, double z) {
 }
 
 std::string finding_on_ladder(const Format& format) {
-  if (format.bits != 32 || format.mapping != Mapping::kStandard) return {};
+  const bool near_one = format.mapping == Mapping::kStandard,
+             through_gl = format.mapping == Mapping::kReversed && format.remap == Remap::kGl;
+  if (format.bits == 16 || !(near_one || through_gl)) return {};
   return "near the far plane z and the product with f/(f - n) are large, their sum and the "
          "quotient are rounded again: up to three "
          "half steps of noise beside the step itself";

@@ -201,13 +201,14 @@ double chance_to_turn(const ScreenTriangle& t) {
   return sigma > 0 ? 0.5 * std::erfc(area / sigma / std::sqrt(2.0)) : 0;
 }
 
+// The number of faces to expect.
 double predicted_wrong(const Surface& surface, const Test& test) {
   Keep keep(surface.modelled.size());
   test(surface, keep);
   double sum = 0;
   for (std::size_t i = 0; i < keep.size(); ++i)
     sum += keep[i] ? 0 : chance_to_turn(surface.placed[i]);
-  return sum < 0.001 ? 0 : sum;
+  return std::round(sum);  // faces are whole
 }
 
 void cull_and_set_up(const Surface& surface, const Test& test, Keep& keep) {
