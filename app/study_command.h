@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/study/extremes_command.h"
 #include "app/study/list_command.h"
 #include "app/study/report_command.h"
 #include "app/study/run_command.h"
@@ -17,6 +18,7 @@ private:
   StudyListCommand list_;
   StudyRunCommand run_;
   StudyReportCommand report_;
+  StudyExtremesCommand extremes_;
 };
 
 }  // namespace glassbox::app
