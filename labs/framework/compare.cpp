@@ -1,0 +1,254 @@
+#include "labs/framework/compare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include <glassbox/base/rounding.h>
+
+namespace glassbox::labs {
+
+namespace {
+
+const char* const kAxes[] = {"x", "y", "z", "w"};
+
+// Between two numbers as floats; less than one of them where the doubles differ and the floats do not.
+double float_ulps(double expected, double actual) {
+  if (std::isnan(expected) || std::isnan(actual))
+    return std::isnan(expected) == std::isnan(actual) ? 0 : std::numeric_limits<double>::infinity();
+  const auto e = static_cast<float>(expected), a = static_cast<float>(actual);
+  const std::uint64_t between = ulp_distance(e, a);
+  if (between > 1 || !std::isfinite(e)) return double(between);
+  return std::abs(expected - actual) / double(ulp(e));
+}
+
+Divergence divergence_at(const Expected& expected, std::size_t index, Divergence::Kind kind) {
+  Divergence found;
+  found.kind = kind;
+  found.field = expected.field;
+  found.index = index;
+  found.element = element_name(expected, index);
+  found.bound = expected.bound;
+  found.unit = expected.unit;
+  return found;
+}
+
+// What is wrong with a number that is there.
+Divergence::Kind kind_of(const Expected& expected, std::size_t index, double actual) {
+  const double wanted = expected.values[index];
+  if (std::isnan(actual) && !std::isnan(wanted)) return Divergence::Kind::kNotANumber;
+  switch (expected.shape) {
+    case Shape::kCoverage:
+      if (actual < wanted) return Divergence::Kind::kMissing;
+      return Divergence::Kind::kExtra;
+    case Shape::kPoint:
+      return Divergence::Kind::kPosition;
+    case Shape::kPolygon:  // behind the position come the attributes
+      return int(index) % columns_of(expected) < 4 ? Divergence::Kind::kPosition
+                                                   : Divergence::Kind::kData;
+    case Shape::kNumbers:
+    case Shape::kMatrix:
+      break;
+  }
+  return Divergence::Kind::kData;
+}
+
+// The answer ends too soon or goes on too long: the first number that is only on one side.
+Divergence wrong_length(const Expected& expected, const std::vector<double>& actual) {
+  const std::size_t wanted = expected.values.size(), given = actual.size();
+  const std::size_t at = std::min(wanted, given);
+  Divergence found = divergence_at(
+      expected, at, given < wanted ? Divergence::Kind::kMissing : Divergence::Kind::kExtra);
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  found.expected = at < wanted ? expected.values[at] : kNone;
+  found.actual = at < given ? actual[at] : kNone;
+  found.distance = found.ulps = std::numeric_limits<double>::infinity();
+  const auto columns = std::size_t(columns_of(expected));
+  if (expected.shape == Shape::kPolygon && wanted % columns == 0 && given % columns == 0) {
+    found.explanation = fmt::format("a polygon of {} vertices is expected, {} came",
+                                    wanted / columns, given / columns);
+  } else {
+    found.explanation = fmt::format("{} numbers are expected, {} came", wanted, given);
+  }
+  return found;
+}
+
+bool within(const Expected& expected, std::size_t index, double actual) {
+  return distance_between(expected.values[index], actual) <= expected.bound;
+}
+
+CoverageCounts count_coverage(const Expected& expected, const std::vector<double>& actual) {
+  CoverageCounts counts;
+  for (std::size_t i = 0; i < std::min(expected.values.size(), actual.size()); ++i) {
+    if (within(expected, i, actual[i])) continue;
+    if (actual[i] < expected.values[i]) {
+      ++counts.gaps;
+    } else if (expected.values[i] > 0) {
+      ++counts.doubles;
+    } else {
+      ++counts.extra;
+    }
+  }
+  return counts;
+}
+
+char map_letter(const Expected& expected, const std::vector<double>& actual, std::size_t i) {
+  if (i >= actual.size()) return '?';
+  if (within(expected, i, actual[i])) return expected.values[i] > 0 ? '#' : '.';
+  if (!(actual[i] >= expected.values[i])) return 'o';
+  return expected.values[i] > 0 ? '2' : '+';
+}
+
+// The pixels around the first wrong one, with their coordinates at the edges.
+std::string coverage_map(const Expected& expected, const std::vector<double>& actual,
+                         std::size_t centre) {
+  constexpr int kAcross = 41, kDown = 17;
+  const int width = columns_of(expected);
+  const int height = int((expected.values.size() + std::size_t(width) - 1) / std::size_t(width));
+  const int cx = int(centre) % width, cy = int(centre) / width;
+  const int left = std::clamp(cx - kAcross / 2, 0, std::max(0, width - kAcross));
+  const int top = std::clamp(cy - kDown / 2, 0, std::max(0, height - kDown));
+  const int right = std::min(width, left + kAcross), bottom = std::min(height, top + kDown);
+  std::string map = fmt::format("      x = {} to {}\n", left, right - 1);
+  for (int y = top; y < bottom; ++y) {
+    map += fmt::format("{:>4}  ", y);
+    for (int x = left; x < right; ++x) {
+      const std::size_t i = std::size_t(y) * std::size_t(width) + std::size_t(x);
+      if (i < expected.values.size()) map += map_letter(expected, actual, i);
+    }
+    map += y == cy ? " <\n" : "\n";
+  }
+  return map + fmt::format("      {:>{}}\n", "^", cx - left + 1) +
+         "      # right  . nothing  o gap  2 covered too often  + covered, but should not be\n";
+}
+
+}  // namespace
+
+int columns_of(const Expected& expected) {
+  const auto size = expected.values.size();
+  switch (expected.shape) {
+    case Shape::kMatrix: {
+      const auto side = std::size_t(std::lround(std::sqrt(double(size))));
+      if (expected.columns > 0) return expected.columns;
+      return side > 0 && side * side == size ? int(side) : 4;
+    }
+    case Shape::kPolygon:
+      return expected.columns > 0 ? expected.columns : 4;
+    case Shape::kCoverage:
+      return expected.columns > 0 ? expected.columns : std::max(1, int(size));
+    case Shape::kNumbers:
+    case Shape::kPoint:
+      break;
+  }
+  return 0;
+}
+
+std::string element_name(const Expected& expected, std::size_t index) {
+  const auto columns = std::size_t(std::max(1, columns_of(expected)));
+  switch (expected.shape) {
+    case Shape::kMatrix:
+      return fmt::format("row {}, column {}", index / columns, index % columns);
+    case Shape::kPolygon: {
+      const std::size_t at = index % columns;
+      const std::string part = at < 4 ? kAxes[at] : fmt::format("attribute {}", at - 4);
+      return fmt::format("vertex {}, {}", index / columns, part);
+    }
+    case Shape::kCoverage:
+      return fmt::format("pixel ({}, {})", index % columns, index / columns);
+    case Shape::kPoint:
+      return index < 4 ? kAxes[index] : fmt::format("number {}", index);
+    case Shape::kNumbers:
+      break;
+  }
+  return expected.values.size() == 1 && index == 0 ? "" : fmt::format("number {}", index);
+}
+
+double distance_between(double expected, double actual) {
+  if (std::isnan(expected) && std::isnan(actual)) return 0;
+  if (expected == actual) return 0;
+  const double distance = std::abs(expected - actual);
+  return std::isnan(distance) ? std::numeric_limits<double>::infinity() : distance;
+}
+
+Comparison compare(const Expected& expected, const std::vector<double>& actual) {
+  Comparison result;
+  const std::size_t both = std::min(expected.values.size(), actual.size());
+  for (std::size_t i = 0; i < both; ++i) {
+    if (within(expected, i, actual[i])) continue;
+    ++result.differing;
+    if (result.first) continue;
+    Divergence found = divergence_at(expected, i, kind_of(expected, i, actual[i]));
+    found.expected = expected.values[i];
+    found.actual = actual[i];
+    found.distance = distance_between(found.expected, found.actual);
+    found.ulps = float_ulps(found.expected, found.actual);
+    result.first = found;
+  }
+  if (actual.size() != expected.values.size()) {
+    result.differing += std::max(expected.values.size(), actual.size()) - both;
+    if (!result.first) {
+      result.first = wrong_length(expected, actual);
+    } else if (result.first->explanation.empty()) {
+      result.first->explanation = wrong_length(expected, actual).explanation;
+    }
+  }
+  if (expected.shape == Shape::kCoverage && result.first && !expected.values.empty()) {
+    result.coverage = count_coverage(expected, actual);
+    result.map =
+        coverage_map(expected, actual, std::min(result.first->index, expected.values.size() - 1));
+    if (result.first->explanation.empty()) {
+      result.first->explanation =
+          fmt::format("{} gaps, {} pixels covered too often, {} covered that should not be",
+                      result.coverage.gaps, result.coverage.doubles, result.coverage.extra);
+    }
+  }
+  return result;
+}
+
+Comparison compare(const Expected& expected, const Answer& answer) {
+  if (const auto* actual = find_field(answer, expected.field)) return compare(expected, *actual);
+  Comparison result;
+  result.first = divergence_at(expected, 0, Divergence::Kind::kMissing);
+  result.first->element.clear();
+  result.first->expected = expected.values.empty() ? 0 : expected.values[0];
+  result.first->actual = std::numeric_limits<double>::quiet_NaN();
+  result.first->distance = result.first->ulps = std::numeric_limits<double>::infinity();
+  result.first->explanation = "the whole field is missing";
+  result.differing = expected.values.size();
+  return result;
+}
+
+std::optional<Divergence> judge_case(const Case& input, const Answer& answer) {
+  if (input.judge) return input.judge(answer);
+  for (const Expected& expected : input.expected) {
+    if (auto found = compare(expected, answer).first) return found;
+  }
+  return std::nullopt;
+}
+
+const std::vector<double>* find_field(const Answer& answer, const std::string& name) {
+  for (const Answer::Field& field : answer.fields()) {
+    if (field.name == name) return &field.values;
+  }
+  return nullptr;
+}
+
+const char* kind_name(Divergence::Kind kind) {
+  switch (kind) {
+    case Divergence::Kind::kMissing:
+      return "missing";
+    case Divergence::Kind::kExtra:
+      return "extra";
+    case Divergence::Kind::kPosition:
+      return "wrong position";
+    case Divergence::Kind::kData:
+      return "wrong data";
+    case Divergence::Kind::kNotANumber:
+      return "not a number";
+  }
+  return "";
+}
+
+}  // namespace glassbox::labs

@@ -1,0 +1,153 @@
+#include "labs/framework/judge.h"
+
+#include <utility>
+
+#include "labs/framework/slips.h"
+
+namespace glassbox::labs {
+
+namespace {
+
+Verdict verdict_of(const Case& input, const CaseAnswer& answer, FirstFailure& failure) {
+  failure.text = answer.text;
+  switch (answer.state) {
+    case CaseAnswer::State::kMissing:
+      return Verdict::kMissing;
+    case CaseAnswer::State::kThrew:
+      return Verdict::kThrew;
+    case CaseAnswer::State::kCrashed:
+      return Verdict::kCrash;
+    case CaseAnswer::State::kTimeout:
+      return Verdict::kTimeout;
+    case CaseAnswer::State::kLimit:
+      return Verdict::kLimit;
+    case CaseAnswer::State::kMalformed:
+      return Verdict::kMalformed;
+    case CaseAnswer::State::kAnswered:
+      break;
+  }
+  failure.divergence = judge_case(input, answer.answer);
+  return failure.divergence ? Verdict::kWrong : Verdict::kRight;
+}
+
+// What the pictures and the map of a report are made of.
+void add_field(const Case& input, const Answer& answer, FirstFailure& failure) {
+  if (!failure.divergence) return;
+  const auto* actual = find_field(answer, failure.divergence->field);
+  if (actual != nullptr) failure.actual = *actual;
+  for (const Expected& expected : input.expected) {
+    if (expected.field != failure.divergence->field) continue;
+    failure.expected = expected;
+    if (!input.judge && actual != nullptr) failure.comparison = compare(expected, *actual);
+  }
+}
+
+}  // namespace
+
+const char* verdict_name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kRight:
+      return "right";
+    case Verdict::kWrong:
+      return "wrong answer";
+    case Verdict::kMissing:
+      return "no answer";
+    case Verdict::kThrew:
+      return "exception";
+    case Verdict::kCrash:
+      return "crash";
+    case Verdict::kTimeout:
+      return "timeout";
+    case Verdict::kLimit:
+      return "limit exceeded";
+    case Verdict::kMalformed:
+      return "malformed output";
+    case Verdict::kNotBuilt:
+      return "not built";
+  }
+  return "";
+}
+
+double points_of_case(const Lab& lab, const std::vector<std::size_t>& counts,
+                      const std::string& task) {
+  std::size_t cases = 0;
+  for (std::size_t i = 0; i < lab.checks.size() && i < counts.size(); ++i) {
+    if (lab.checks[i].task == task) cases += counts[i];
+  }
+  for (const Task& each : lab.tasks) {
+    if (each.id == task && cases > 0) return each.points / double(cases);
+  }
+  return 0;
+}
+
+CheckResult judge_check(const Check& check, const std::vector<Case>& cases,
+                        const CheckAnswers& answers, double points) {
+  CheckResult result{check.name,      check.task, check.stage, check.hidden, 0,  0,
+                     Verdict::kRight, {},         0,           {},           {}, answers.said,
+                     answers.seconds};
+  result.max_score = points * double(cases.size());
+  const CaseAnswer none;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const CaseAnswer& answer = i < answers.cases.size() ? answers.cases[i] : none;
+    FirstFailure failure;
+    failure.index = i;
+    const Verdict verdict = verdict_of(cases[i], answer, failure);
+    result.cases.push_back(verdict);
+    if (verdict == Verdict::kRight) {
+      ++result.right;
+      continue;
+    }
+    if (result.first) continue;
+    failure.verdict = result.verdict = verdict;
+    failure.where = cases[i].where;
+    failure.restated = cases[i].restated;
+    add_field(cases[i], answer.answer, failure);
+    if (verdict == Verdict::kMissing) failure.text = answers.malformed;
+    result.first = std::move(failure);
+  }
+  // A line that is no answer at all costs the cases that it was for, which are missing.
+  if (result.verdict == Verdict::kMissing && !answers.malformed.empty()) {
+    result.verdict = result.first->verdict = Verdict::kMalformed;
+  }
+  // All cases right is full marks to the last bit.
+  result.score = result.right == cases.size() ? result.max_score : points * double(result.right);
+  if (result.first) result.slips = find_slips(cases, answers.cases);
+  return result;
+}
+
+CheckResult not_built_check(const Check& check, std::size_t cases, double points) {
+  CheckResult result;
+  result.name = check.name;
+  result.task = check.task;
+  result.stage = check.stage;
+  result.hidden = check.hidden;
+  result.max_score = points * double(cases);
+  result.verdict = Verdict::kNotBuilt;
+  result.cases.assign(cases, Verdict::kNotBuilt);
+  return result;
+}
+
+LabResult sum_up(const Lab& lab, std::vector<CheckResult> checks) {
+  LabResult result;
+  result.number = lab.number;
+  result.folder = lab.folder;
+  result.title = lab.title;
+  for (const Task& task : lab.tasks) {
+    TaskResult sum{task.id, task.title, 0, 0};
+    for (const CheckResult& check : checks) {
+      if (check.task != task.id) continue;
+      sum.score += check.score;
+      sum.max_score += check.max_score;
+    }
+    result.score += sum.score;
+    result.max_score += sum.max_score;
+    result.hidden_points += task.points - sum.max_score;
+    result.tasks.push_back(sum);
+  }
+  // A remainder of rounding is no hidden check.
+  if (result.hidden_points < 1e-9) result.hidden_points = 0;
+  result.checks = std::move(checks);
+  return result;
+}
+
+}  // namespace glassbox::labs

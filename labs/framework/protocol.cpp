@@ -1,0 +1,101 @@
+#include "labs/framework/protocol.h"
+
+#include <limits>
+#include <optional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace glassbox::labs {
+
+namespace {
+
+using Json = nlohmann::json;
+
+std::optional<double> number_of(const Json& json) {
+  if (json.is_number()) return json.get<double>();
+  if (!json.is_string()) return std::nullopt;
+  const auto& text = json.get_ref<const std::string&>();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (text == "nan") return std::numeric_limits<double>::quiet_NaN();
+  if (text == "inf") return kInfinity;
+  if (text == "-inf") return -kInfinity;
+  return std::nullopt;
+}
+
+// Why `fields` is no answer; empty if it is one, which `answer` then holds.
+std::string read_fields(const Json& fields, Answer& answer) {
+  if (!fields.is_object()) return "\"fields\" is no object";
+  for (const auto& [name, list] : fields.items()) {
+    if (!list.is_array()) return "a field is no list of numbers";
+    std::vector<double> values;
+    values.reserve(list.size());
+    for (const Json& each : list) {
+      const auto value = number_of(each);
+      if (!value) return "a field has something that is no number";
+      values.push_back(*value);
+    }
+    answer.emit(name, std::move(values));
+  }
+  return {};
+}
+
+void read_line(std::string_view line, std::size_t number, CheckAnswers& answers) {
+  const auto malformed = [&](const std::string& why) {
+    if (answers.malformed.empty())
+      answers.malformed = fmt::format("line {} of the answers {}", number, why);
+  };
+  // The parser keeps its own stack; copies and destructors of what it makes must not meet a tower of brackets either.
+  const auto too_deep = [](int depth, Json::parse_event_t, Json&) {
+    if (depth > 8) throw std::length_error("nested");
+    return true;
+  };
+  Json json;
+  try {
+    json = Json::parse(line, too_deep);
+  } catch (const std::exception&) {
+    return malformed("is no JSON");
+  }
+  if (!json.is_object()) return malformed("is no JSON object");
+  const auto index = json.find("case");
+  if (index == json.end() || !index->is_number_unsigned()) return malformed("names no case");
+  const auto at = index->get<std::uint64_t>();
+  if (at >= answers.cases.size())
+    return malformed(fmt::format("answers case {} of {}", at, answers.cases.size()));
+  CaseAnswer& answer = answers.cases[std::size_t(at)];
+  const auto refuse = [&](const std::string& why) {
+    answer.state = CaseAnswer::State::kMalformed;
+    answer.text = why;
+  };
+  if (answer.state != CaseAnswer::State::kMissing) return refuse("the case is answered twice");
+  const auto threw = json.find("threw");
+  const auto fields = json.find("fields");
+  if ((threw != json.end()) == (fields != json.end()))
+    return refuse("its line has not one of \"fields\" and \"threw\"");
+  if (threw != json.end()) {
+    if (!threw->is_string()) return refuse("\"threw\" is no text");
+    answer.state = CaseAnswer::State::kThrew;
+    answer.text = threw->get<std::string>();
+    return;
+  }
+  if (const std::string why = read_fields(*fields, answer.answer); !why.empty()) {
+    answer.answer = {};
+    return refuse(why);
+  }
+  answer.state = CaseAnswer::State::kAnswered;
+}
+
+}  // namespace
+
+void read_answers(std::string_view lines, CheckAnswers& answers) {
+  std::size_t number = 0;
+  while (true) {
+    const std::size_t end = lines.find('\n');
+    if (end == std::string_view::npos) return;
+    ++number;
+    read_line(lines.substr(0, end), number, answers);
+    lines.remove_prefix(end + 1);
+  }
+}
+
+}  // namespace glassbox::labs

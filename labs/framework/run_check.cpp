@@ -1,0 +1,133 @@
+#include "labs/framework/run_check.h"
+
+#include <signal.h>
+#include <string.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "labs/framework/process.h"
+
+namespace glassbox::labs {
+
+namespace {
+
+using Ending = RunOutcome::Ending;
+
+// What became of the first case that has no answer.
+void blame(CaseAnswer& answer, const RunOutcome& outcome, const RunLimits& limits) {
+  answer.text = ending_text(outcome, limits);
+  switch (outcome.ending) {
+    case Ending::kExit:
+    case Ending::kSignal:
+    case Ending::kNotStarted:
+      answer.state = CaseAnswer::State::kCrashed;
+      return;
+    case Ending::kTimeout:
+      answer.state = CaseAnswer::State::kTimeout;
+      return;
+    case Ending::kTooMuchOutput:
+    case Ending::kOutOfMemory:
+    case Ending::kForbidden:
+      answer.state = CaseAnswer::State::kLimit;
+      return;
+  }
+}
+
+std::size_t first_missing(const CheckAnswers& answers, std::size_t from) {
+  while (from < answers.cases.size() && answers.cases[from].state != CaseAnswer::State::kMissing) {
+    ++from;
+  }
+  return from;
+}
+
+}  // namespace
+
+RunOutcome LocalRunner::run(const RunRequest& request) {
+  std::vector<std::string> argv{request.program.string()};
+  argv.insert(argv.end(), request.arguments.begin(), request.arguments.end());
+  argv.insert(argv.end(), {"--out-fd", std::to_string(kAnswersFd)});
+  const RunLimits& limits = request.limits;
+  ProcessOutcome process =
+      run_process(argv, {limits.seconds, limits.output_bytes, limits.said_bytes});
+  RunOutcome outcome;
+  outcome.answers = std::move(process.answers);
+  outcome.said = std::move(process.said);
+  outcome.seconds = process.seconds;
+  outcome.detail = process.why_not_started;
+  if (!process.started) {
+    outcome.ending = Ending::kNotStarted;
+  } else if (process.timed_out) {
+    outcome.ending = Ending::kTimeout;
+  } else if (process.too_much) {
+    outcome.ending = Ending::kTooMuchOutput;
+  } else if (WIFSIGNALED(process.status)) {
+    outcome.ending = Ending::kSignal;
+    outcome.code = WTERMSIG(process.status);
+  } else {
+    outcome.ending = Ending::kExit;
+    outcome.code = WEXITSTATUS(process.status);
+  }
+  return outcome;
+}
+
+std::string ending_text(const RunOutcome& outcome, const RunLimits& limits) {
+  const std::string detail = outcome.detail.empty() ? "" : ": " + outcome.detail;
+  switch (outcome.ending) {
+    case Ending::kExit:
+      return fmt::format("the program ended with exit status {} before it answered{}", outcome.code,
+                         detail);
+    case Ending::kSignal: {
+      const char* name = sigabbrev_np(outcome.code);
+      const char* what = sigdescr_np(outcome.code);
+      return fmt::format("killed by signal {} (SIG{}, {}){}", outcome.code,
+                         name != nullptr ? name : "?", what != nullptr ? what : "unknown", detail);
+    }
+    case Ending::kTimeout:
+      return fmt::format("still running after {} seconds{}", limits.seconds, detail);
+    case Ending::kTooMuchOutput:
+      return fmt::format("more than {} MiB of answers{}", limits.output_bytes >> 20, detail);
+    case Ending::kOutOfMemory:
+      return "more memory than there may be" + detail;
+    case Ending::kForbidden:
+      return "a forbidden call" + detail;
+    case Ending::kNotStarted:
+      return "the program could not be started" + detail;
+  }
+  return "";
+}
+
+CheckAnswers run_check(Runner& runner, const std::filesystem::path& program,
+                       const std::string& check, std::size_t cases, const RunLimits& limits) {
+  CheckAnswers answers;
+  answers.check = check;
+  answers.cases.resize(cases);
+  std::size_t from = 0;
+  for (int restarts = 0; from < cases; ++restarts) {
+    const RunOutcome outcome =
+        runner.run({program, {"--check", check, "--from", std::to_string(from)}, limits});
+    read_answers(outcome.answers, answers);
+    if (answers.said.size() < limits.said_bytes)
+      answers.said += outcome.said.substr(0, limits.said_bytes - answers.said.size());
+    answers.seconds += outcome.seconds;
+    const std::size_t stuck = first_missing(answers, from);
+    if (stuck == cases) break;
+    // A program that went through all cases and ended well has written something else in place of an answer.
+    const bool well = outcome.ending == Ending::kExit && outcome.code == 0;
+    if (!(well && !answers.malformed.empty())) blame(answers.cases[stuck], outcome, limits);
+    const bool again = outcome.ending == Ending::kSignal || outcome.ending == Ending::kExit;
+    if (!again || restarts == kMostRestarts) {
+      for (std::size_t i = stuck + 1; i < cases; ++i) {
+        if (answers.cases[i].state == CaseAnswer::State::kMissing)
+          answers.cases[i].text = "not reached";
+      }
+      break;
+    }
+    from = stuck + 1;
+  }
+  return answers;
+}
+
+}  // namespace glassbox::labs

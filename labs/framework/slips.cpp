@@ -1,0 +1,229 @@
+#include "labs/framework/slips.h"
+
+#include <algorithm>
+#include <set>
+
+#include "labs/framework/compare.h"
+#include "labs/framework/slip_variants.h"
+
+namespace glassbox::labs {
+
+namespace {
+
+using Values = std::vector<double>;
+
+// The answers of a check, and which of its fields need an explanation.
+struct Evidence {
+  const std::vector<Case>& cases;
+  const std::vector<CaseAnswer>& answers;
+  std::set<std::string> right_fields;  // in every case
+};
+
+Evidence collect(const std::vector<Case>& cases, const std::vector<CaseAnswer>& answers) {
+  std::set<std::string> wrong, all;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (cases[i].judge) continue;
+    for (const Expected& expected : cases[i].expected) {
+      all.insert(expected.field);
+      if (compare(expected, answers[i].answer).first) wrong.insert(expected.field);
+    }
+  }
+  Evidence evidence{cases, answers, {}};
+  std::set_difference(all.begin(), all.end(), wrong.begin(), wrong.end(),
+                      std::inserter(evidence.right_fields, evidence.right_fields.end()));
+  return evidence;
+}
+
+void note_changes(const Values& before, const Values& after, std::set<double>& changed) {
+  for (std::size_t i = 0; i < std::min(before.size(), after.size()); ++i) {
+    if (distance_between(before[i], after[i]) > 0) changed.insert(before[i]);
+  }
+}
+
+// What a field of a case with a judge of its own looks like, where the case does not say.
+Expected shape_of(const Case& input, const Answer::Field& field) {
+  for (const Expected& expected : input.expected) {
+    if (expected.field == field.name) return expected;
+  }
+  Expected guess;
+  guess.field = field.name;
+  const std::size_t size = field.values.size();
+  if (size == 16 || size == 9) guess.shape = Shape::kMatrix;
+  if (size == 3 || size == 4) guess.shape = Shape::kPoint;
+  guess.values = field.values;
+  return guess;
+}
+
+// Whether some way of undoing the slip in all fields satisfies the case's judge.
+bool undone_satisfies_judge(const Case& input, const Answer& answer, const AnswerVariant& variant,
+                            std::set<double>& changed) {
+  if (!input.judge(answer)) return true;
+  std::vector<std::vector<Values>> ways;
+  std::size_t most = 0;
+  for (const Answer::Field& field : answer.fields()) {
+    ways.push_back(variant.undo(shape_of(input, field), field.values));
+    most = std::max(most, ways.back().size());
+  }
+  for (std::size_t way = 0; way < most; ++way) {
+    Answer undone;
+    for (std::size_t f = 0; f < ways.size(); ++f) {
+      const Answer::Field& field = answer.fields()[f];
+      undone.emit(field.name, way < ways[f].size() ? ways[f][way] : field.values);
+    }
+    if (input.judge(undone)) continue;
+    for (std::size_t f = 0; f < ways.size(); ++f)
+      note_changes(answer.fields()[f].values, undone.fields()[f].values, changed);
+    return true;
+  }
+  return false;
+}
+
+bool undone_is_right(const Expected& expected, const Values& actual, const AnswerVariant& variant,
+                     std::set<double>& changed) {
+  for (const Values& undone : variant.undo(expected, actual)) {
+    if (compare(expected, undone).first) continue;
+    if (compare(expected, actual).first) note_changes(actual, undone, changed);
+    return true;
+  }
+  return false;
+}
+
+bool explains(const Evidence& evidence, const AnswerVariant& variant) {
+  std::set<double> changed;
+  for (std::size_t i = 0; i < evidence.cases.size(); ++i) {
+    const Case& input = evidence.cases[i];
+    const Answer& answer = evidence.answers[i].answer;
+    if (input.judge) {
+      if (!undone_satisfies_judge(input, answer, variant, changed)) return false;
+      continue;
+    }
+    for (const Expected& expected : input.expected) {
+      if (evidence.right_fields.count(expected.field) != 0) continue;
+      const Values* actual = find_field(answer, expected.field);
+      if (actual == nullptr || !undone_is_right(expected, *actual, variant, changed)) return false;
+    }
+  }
+  return changed.size() >= variant.evidence;
+}
+
+bool explains(const Evidence& evidence, const ExpectedVariant& variant) {
+  bool used = false;
+  for (std::size_t i = 0; i < evidence.cases.size(); ++i) {
+    const Case& input = evidence.cases[i];
+    const Answer& answer = evidence.answers[i].answer;
+    if (input.judge) {
+      if (input.judge(answer)) return false;
+      continue;
+    }
+    for (const Expected& expected : input.expected) {
+      if (evidence.right_fields.count(expected.field) != 0) continue;
+      const bool wrong = compare(expected, answer).first.has_value();
+      bool matched = !wrong;  // a case in which the slip changes nothing
+      for (const Expected& slipped : variant.make(expected)) {
+        if (matched) break;
+        matched = !compare(slipped, answer).first;
+      }
+      if (!matched) return false;
+      used = used || wrong;
+    }
+  }
+  return used;
+}
+
+// What the lab itself says of a slip.
+bool explains(const Evidence& evidence, const std::string& slip) {
+  bool used = false;
+  for (std::size_t i = 0; i < evidence.cases.size(); ++i) {
+    const Case& input = evidence.cases[i];
+    const Answer& answer = evidence.answers[i].answer;
+    if (!judge_case(input, answer)) continue;
+    const auto said =
+        std::find_if(input.slipped.begin(), input.slipped.end(), [&](const Slipped& each) {
+          return each.slip == slip && !each.expected.empty() &&
+                 std::none_of(each.expected.begin(), each.expected.end(),
+                              [&](const Expected& field) {
+                                return compare(field, answer).first.has_value();
+                              });
+        });
+    if (said == input.slipped.end()) return false;
+    used = true;
+  }
+  return used;
+}
+
+// The heights for which y = height - y' would explain the first wrong point.
+std::vector<double> heights_of(const Evidence& evidence) {
+  for (std::size_t i = 0; i < evidence.cases.size(); ++i) {
+    for (const Expected& expected : evidence.cases[i].expected) {
+      const bool has_y = expected.shape == Shape::kPoint || expected.shape == Shape::kPolygon ||
+                         (expected.shape == Shape::kNumbers && expected.values.size() >= 2 &&
+                          expected.values.size() <= 4);
+      const Values* actual = find_field(evidence.answers[i].answer, expected.field);
+      if (!has_y || actual == nullptr || actual->size() < 2 || expected.values.size() < 2) continue;
+      if (!compare(expected, *actual).first) continue;
+      return {expected.values[1] + (*actual)[1]};
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+const std::vector<Slip>& known_slips() {
+  static const std::vector<Slip> all{
+      {"z-sign", "your z has the opposite sign: the eye looks down -z"},
+      {"y-direction",
+       "your y runs the other way: up in the world, the eye and NDC, down on the screen"},
+      {"row-column-order",
+       "your rows and columns are exchanged (the matrix is transposed): vectors are columns, and a "
+       "translation stands in the last column"},
+      {"handedness", "your axes are mirrored: the world is right-handed, x cross y is z"},
+      {"winding",
+       "your winding is reversed: seen from outside, a front face runs counter-clockwise"},
+      {"half-angle",
+       "one of your angles is half or twice what it should be: half the field of view has the "
+       "tangent"},
+      {"degrees-radians", "one of your angles is in degrees where radians are due, or the reverse"},
+      {"multiplication-order",
+       "your matrices are multiplied in the other order: the one that acts first stands rightmost"},
+  };
+  return all;
+}
+
+std::string slip_text(const std::string& id) {
+  for (const Slip& slip : known_slips()) {
+    if (slip.id == id) return slip.text;
+  }
+  return {};
+}
+
+std::vector<std::string> find_slips(const std::vector<Case>& cases,
+                                    const std::vector<CaseAnswer>& answers) {
+  if (cases.empty() || cases.size() != answers.size()) return {};
+  for (const CaseAnswer& each : answers) {
+    if (each.state != CaseAnswer::State::kAnswered) return {};
+  }
+  const Evidence evidence = collect(cases, answers);
+  std::vector<std::string> found;
+  const auto note = [&](const std::string& slip) {
+    if (std::find(found.begin(), found.end(), slip) == found.end()) found.push_back(slip);
+  };
+  std::set<std::string> said;
+  for (const Case& input : cases) {
+    for (const Slipped& each : input.slipped) said.insert(each.slip);
+  }
+  for (const std::string& slip : said) {
+    if (explains(evidence, slip)) note(slip);
+  }
+  std::vector<AnswerVariant> variants = answer_variants();
+  for (const double height : heights_of(evidence)) variants.push_back(y_from_other_end(height));
+  for (const AnswerVariant& variant : variants) {
+    if (explains(evidence, variant)) note(variant.slip);
+  }
+  for (const ExpectedVariant& variant : expected_variants()) {
+    if (explains(evidence, variant)) note(variant.slip);
+  }
+  return found;
+}
+
+}  // namespace glassbox::labs

@@ -1,0 +1,115 @@
+#include "labs/framework/sources.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <system_error>
+
+#include "labs/framework/strip.h"
+
+namespace glassbox::labs {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_file(const fs::path& path) {
+  std::error_code error;
+  return fs::is_regular_file(path, error);
+}
+
+// The files of the framework that a text includes.
+std::vector<std::string> framework_includes(const std::string& text) {
+  static const std::string kStart = "#include \"labs/framework/";
+  std::vector<std::string> names;
+  for (std::size_t at = text.find(kStart); at != std::string::npos;
+       at = text.find(kStart, at + 1)) {
+    const std::size_t first = at + kStart.size();
+    const std::size_t end = text.find('"', first);
+    if (end != std::string::npos) names.push_back(text.substr(first, end - first));
+  }
+  return names;
+}
+
+}  // namespace
+
+Result<Sources> find_sources() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  std::vector<Sources> places;
+  if (!error) {
+    const fs::path prefix = program.parent_path().parent_path();
+    places.push_back({prefix / "share/glassbox/labs", prefix / "include"});
+  }
+  places.push_back({GLASSBOX_LABS_SOURCE, GLASSBOX_LABS_INCLUDE});
+  for (const Sources& place : places) {
+    if (is_file(place.labs / "framework/runner_main.cpp") &&
+        is_file(place.include / "glassbox/base/spaces.h"))
+      return place;
+  }
+  return fail("labs", "the labs' files are neither beside the program nor in its source tree",
+              "install glassbox again (cmake --install), or build it where its sources are");
+}
+
+Result<std::string> read_text_file(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  if (file) text << file.rdbuf();
+  if (!file || is_file(path) == false)
+    return fail(path.string(), "cannot be read", "check that the file is there and readable");
+  return text.str();
+}
+
+Result<void> write_if_changed(const fs::path& path, const std::string& text) {
+  if (is_file(path)) {
+    if (const auto before = read_text_file(path); before && *before == text) return {};
+  }
+  std::error_code error;
+  fs::create_directories(path.parent_path(), error);
+  std::ofstream file(path, std::ios::binary | std::ios::trunc);
+  file << text;
+  file.close();
+  if (!file)
+    return fail(path.string(), "cannot be written", "check the directory's permissions and space");
+  return {};
+}
+
+Result<std::string> solution_text(const Sources& sources, const std::string& folder) {
+  return read_text_file(sources.labs / folder / "student.cpp");
+}
+
+Result<std::vector<SourceFile>> support_files(const Sources& sources, const std::string& folder,
+                                              bool with_hidden) {
+  std::vector<SourceFile> files;
+  const auto add = [&](const fs::path& from, const std::string& as) -> Result<void> {
+    auto text = read_text_file(from);
+    if (!text) return tl::unexpected(text.error());
+    if (!with_hidden) text = strip_solution(*text, from.string());
+    if (!text) return tl::unexpected(text.error());
+    files.push_back({as, std::move(*text)});
+    return {};
+  };
+  for (const char* name : {"student.h", "cases.h", "runner.cpp"}) {
+    if (const auto added = add(sources.labs / folder / name, name); !added)
+      return tl::unexpected(added.error());
+  }
+  if (const auto added =
+          add(sources.labs / "framework/runner_main.cpp", "labs/framework/runner_main.cpp");
+      !added)
+    return tl::unexpected(added.error());
+  // What these include, and what that includes.
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const std::vector<std::string> names = framework_includes(files[i].text);
+    for (const std::string& name : names) {
+      if (!seen.insert(name).second) continue;
+      if (const auto added = add(sources.labs / "framework" / name, "labs/framework/" + name);
+          !added)
+        return tl::unexpected(added.error());
+    }
+  }
+  return files;
+}
+
+}  // namespace glassbox::labs
