@@ -40,7 +40,9 @@ TEST_CASE("what is measured at the end of a sweep is harder than at its beginnin
         const bool upwards = series.points[1].parameter > series.points[0].parameter;
         CHECK((series.points[i].parameter > series.points[i - 1].parameter) == upwards);
       }
-      if (series.gives_up && !series.ours) {
+      // Shares of wrong pixels are counts of accidents; errors of numbers grow.
+      const bool counted = sweep.error.starts_with("share");
+      if (series.gives_up && !series.ours && !counted) {
         CHECK(series.points.back().error >= series.points.front().error);
       }
     }
