@@ -4,19 +4,18 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <memory>
-#include <span>
 
 #include <fmt/format.h>
 
 #include <glassbox/mesh/builtin/forest.h>
 #include <glassbox/pipeline/divide.h>
 #include <glassbox/pipeline/view.h>
-#include <glassbox/raster/samples.h>
 #include <glassbox/raster/snap.h>
 #include <glassbox/render/draw_list.h>
 #include <glassbox/render/vertex_stage.h>
 
 #include "study/experiments/consume.h"
+#include "study/experiments/d31_pieces.h"
 #include "study/experiments/experiments.h"
 #include "study/experiments/shapes.h"
 
@@ -24,144 +23,7 @@ namespace glassbox::study {
 
 namespace {
 
-// A triangle in whole 1/256 px, in the order that makes its edge functions positive inside, and one pixel that it touches.
-struct Piece {
-  std::array<SnappedVertex, 3> corners;
-  std::array<EdgeFunction, 3> edges;
-  int x = 0, y = 0;
-};
-
-// ---- the share of a pixel by clipping: T is the exact rational, or double ----
-
-template <class T>
-using Polygon = std::vector<std::array<T, 2>>;
-
-// Keeps what lies at sign * p[axis] >= sign * limit.
-template <class T>
-Polygon<T> clip_to(const Polygon<T>& polygon, std::size_t axis, int limit, int sign) {
-  Polygon<T> kept;
-  const auto inside = [&](const auto& p) { return sign > 0 ? p[axis] >= limit : p[axis] <= limit; };
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const auto &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    if (inside(a)) kept.push_back(a);
-    if (inside(a) == inside(b)) continue;
-    const std::size_t other = 1 - axis;
-    std::array<T, 2> crossing;
-    crossing[axis] = limit;
-    crossing[other] = T(a[other] + (b[other] - a[other]) * (limit - a[axis]) / (b[axis] - a[axis]));
-    kept.push_back(crossing);
-  }
-  return kept;
-}
-
-// From the pixel's own corner: small numbers lose less.
-template <class T>
-T covered_share(const Piece& piece) {
-  Polygon<T> polygon;
-  for (const SnappedVertex& v : piece.corners)
-    polygon.push_back({T(v.x - piece.x * kSubpixels), T(v.y - piece.y * kSubpixels)});
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    polygon = clip_to(polygon, axis, 0, 1);
-    polygon = clip_to(polygon, axis, kSubpixels, -1);
-  }
-  T twice = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const auto &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    twice += T(a[0] * b[1] - b[0] * a[1]);
-  }
-  return T(twice / (2 * kSubpixels * kSubpixels));
-}
-
-// ---- samples ----
-
-using Positions = std::vector<std::array<int, 2>>;  // 1/256 px from the pixel's corner
-
-Positions standard(int samples) {
-  Positions positions;
-  for (const SampleOffset& offset : sample_offsets(samples))
-    positions.push_back({kPixelCentre + offset.x, kPixelCentre + offset.y});
-  return positions;
-}
-
-// As near to a square of cells as a power of two allows.
-std::array<int, 2> cells(int samples) {
-  const int rows = samples == 1 ? 1 : samples <= 4 ? samples / 2 : 4;
-  return {samples == 4 ? 2 : samples / rows, samples == 4 ? 2 : rows};
-}
-
-// A square lattice turned by arctan(1/2), of as many points to the pixel: the one of area 256^2/S that is nearest to the
-// centre, S points of it.
-Positions rotated(int samples) {
-  const double side = kSubpixels / std::sqrt(double(samples)), c = 2 / std::sqrt(5.0),
-               s = 1 / std::sqrt(5.0);
-  struct Place {
-    double distance, x, y;
-  };
-  std::vector<Place> places;
-  for (int i = -8; i <= 8; ++i) {
-    for (int k = -8; k <= 8; ++k) {
-      const double u = (i + (samples > 1 ? 0.5 : 0)) * side,
-                   v = (k + (samples > 1 ? 0.5 : 0)) * side;
-      const double x = c * u - s * v, y = s * u + c * v;
-      places.push_back({std::max(std::abs(x), std::abs(y)), x, y});
-    }
-  }
-  std::ranges::stable_sort(places, {}, &Place::distance);
-  Positions positions;
-  for (int i = 0; i < samples; ++i) {
-    const auto inside = [](double p) { return std::clamp(int(std::lround(128 + p)), 0, 255); };
-    positions.push_back({inside(places[std::size_t(i)].x), inside(places[std::size_t(i)].y)});
-  }
-  return positions;
-}
-
-enum class Pattern { kStandard, kRandom, kJittered, kRotated };
-struct NamedPattern {
-  Pattern pattern;
-  const char* name;
-};
-constexpr NamedPattern kPatterns[] = {{Pattern::kStandard, "D3D standard"},
-                                      {Pattern::kRandom, "random"},
-                                      {Pattern::kJittered, "jittered"},
-                                      {Pattern::kRotated, "rotated grid"}};
-
-// Of pixel number `pixel`; those that do not change from pixel to pixel come ready made.
-void place_samples(Pattern pattern, std::size_t pixel, Positions& positions) {
-  const int samples = int(positions.size());
-  if (pattern == Pattern::kStandard || pattern == Pattern::kRotated) return;
-  const auto [columns, rows] = pattern == Pattern::kJittered ? cells(samples) : std::array{1, 1};
-  for (int i = 0; i < samples; ++i) {
-    const std::uint64_t bits = scramble(pixel * 16 + std::size_t(i) + 310000);
-    const int width = kSubpixels / columns, height = kSubpixels / rows;
-    const int column = columns * rows == 1 ? 0 : i % columns,
-              row = columns * rows == 1 ? 0 : i / columns;
-    positions[std::size_t(i)] = {column * width + int(bits % std::uint64_t(width)),
-                                 row * height + int((bits >> 32) % std::uint64_t(height))};
-  }
-}
-
-int count_covered(const Piece& piece, std::span<const std::array<int, 2>> positions) {
-  int covered = 0;
-  for (const auto& [dx, dy] : positions) {
-    const std::int64_t x = std::int64_t(piece.x) * kSubpixels + dx,
-                       y = std::int64_t(piece.y) * kSubpixels + dy;
-    covered += piece.edges[0].covers(piece.edges[0].at(x, y)) &&
-               piece.edges[1].covers(piece.edges[1].at(x, y)) &&
-               piece.edges[2].covers(piece.edges[2].at(x, y));
-  }
-  return covered;
-}
-
-double estimate(Pattern pattern, const Piece& piece, std::size_t index, Positions& positions) {
-  place_samples(pattern, index, positions);
-  return double(count_covered(piece, positions)) / double(positions.size());
-}
-
-Positions start_positions(Pattern pattern, int samples) {
-  if (pattern == Pattern::kStandard) return standard(samples);
-  if (pattern == Pattern::kRotated) return rotated(samples);
-  return Positions(std::size_t(samples));
-}
+using namespace d31;
 
 // ---- scenes: the pixels that an edge of a triangle crosses ----
 

@@ -1,0 +1,167 @@
+// The depth formats of D-6: how each carries a distance to a code, and how fine the theory says it is.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include <glassbox/pipeline/dialects.h>
+#include <glassbox/pipeline/divide.h>
+#include <glassbox/pipeline/projection.h>
+#include <glassbox/pipeline/viewport.h>
+#include <glassbox/raster/depth.h>
+
+namespace glassbox::study::d06 {
+
+inline constexpr double kNear = 0.1, kFar = 10000;
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+enum class Mapping { kStandard, kReversed, kLogarithmic, kLinear };
+enum class Remap { kNone, kGl };  // kGl: depth runs from -1 to 1 before the viewport halves it
+
+struct Format {
+  const char* name;
+  Mapping mapping;
+  int bits;  // 32: float
+  double far = kFar;
+  Remap remap = Remap::kNone;
+};
+
+inline constexpr Format kFormats[] = {
+    {"u16", Mapping::kStandard, 16},
+    {"u16, reversed", Mapping::kReversed, 16},
+    {"u16, logarithmic", Mapping::kLogarithmic, 16},
+    {"u16, linear w", Mapping::kLinear, 16},
+    {"u24", Mapping::kStandard, 24},
+    {"u24, reversed", Mapping::kReversed, 24},
+    {"u24, infinite far", Mapping::kStandard, 24, kInfinity},
+    {"u24 through [-1, 1]", Mapping::kStandard, 24, kFar, Remap::kGl},
+    {"u24, logarithmic", Mapping::kLogarithmic, 24},
+    {"u24, linear w", Mapping::kLinear, 24},
+    {"float", Mapping::kStandard, 32},
+    {"float, infinite far", Mapping::kStandard, 32, kInfinity},
+    {"float, reversed", Mapping::kReversed, 32},
+    {"float, reversed, infinite far", Mapping::kReversed, 32, kInfinity},
+    {"float through [-1, 1]", Mapping::kStandard, 32, kFar, Remap::kGl},
+    {"float, reversed through [-1, 1]", Mapping::kReversed, 32, kFar, Remap::kGl},
+    {"float, logarithmic", Mapping::kLogarithmic, 32},
+    {"float, linear w", Mapping::kLinear, 32},
+};
+
+// Eye space to a vertex on the screen, its depth as the format's depth range has it.
+class Placement {
+public:
+  Placement(const Format& format, const Viewport& viewport) : format_(format), viewport_(viewport) {
+    const DepthRange range =
+        format.mapping == Mapping::kReversed ? DepthRange::kReversed : DepthRange::kStandard;
+    const auto clip_from_eye = perspective_degrees(90, 1, {kNear, format.far, range}).value();
+    clip_ = round_to_float(clip_from_eye);
+    gl_ = round_to_float(clip_gl_from_clip() * clip_from_eye);
+  }
+
+  ScreenVertex operator()(const Point<Eye>& p) const {
+    NdcVertex ndc = divide(clip_ * p);
+    if (format_.remap == Remap::kGl)
+      ndc.position.z = 0.5f * (transform_row(gl_, 2, p) / transform_row(gl_, 3, p)) + 0.5f;
+    return to_screen(ndc, viewport_);
+  }
+
+private:
+  Format format_;
+  Viewport viewport_;
+  Transform<Clip, Eye, float> clip_;
+  Transform<ClipGl, Eye, float> gl_;
+};
+
+// log2 in IEEE operations of one written order, so that errors are the same on every machine: 2^e m with m about 1, and ln m =
+// 2 artanh((m - 1)/(m + 1)), whose series is cut where a term is below 2^-48.
+inline double log2_of(float x) {
+  const auto bits = std::bit_cast<std::uint32_t>(x) - 0x3f3504f3u;  // of sqrt(1/2)
+  const int exponent = int(std::int32_t(bits) >> 23);
+  const double m = double(std::bit_cast<float>((bits & 0x7fffffu) + 0x3f3504f3u));
+  const double t = (m - 1) / (m + 1), t2 = t * t;
+  double sum = 0;
+  for (int k = 17; k >= 1; k -= 2) sum = sum * t2 + 1.0 / k;
+  return exponent + 2 * t * sum * 1.442695040888963407360;
+}
+
+// The smaller code is nearer.
+inline std::uint32_t code_of(const Format& format, float depth, float w) {
+  float value = depth;
+  if (format.mapping == Mapping::kLogarithmic) {
+    static const double kRange = log2_of(float(kFar / kNear));
+    value = float(log2_of(w * float(1 / kNear)) / kRange);
+  }
+  if (format.mapping == Mapping::kLinear) value = (w - float(kNear)) * float(1 / (kFar - kNear));
+  if (format.bits == 32)
+    return depth_code(format.mapping == Mapping::kReversed ? DepthFormat::kFloat32Reversed
+                                                           : DepthFormat::kFloat32,
+                      value);
+  const std::uint32_t code =
+      depth_code(format.bits == 16 ? DepthFormat::kUnorm16 : DepthFormat::kUnorm24, value);
+  return format.mapping == Mapping::kReversed ? (1u << format.bits) - 1 - code : code;
+}
+
+// ---- theory ----
+
+inline double ulp(double x) {
+  return std::ldexp(1.0, std::ilogb(x) - 23);
+}
+
+// SPEC B.3: the depth's step where it is coarsest, carried to a relative distance.
+inline double step_law(const Format& format, double z) {
+  const double step = std::ldexp(1.0, -format.bits), inverse_far = 1 / format.far;
+  const double standard = z * (1 / kNear - inverse_far);  // (dz/z) / d(depth), of both directions
+  const double depth = (1 / kNear - 1 / z) / (1 / kNear - inverse_far);
+  switch (format.mapping) {
+    case Mapping::kLogarithmic: {
+      const double v = std::log(z / kNear) / std::log(kFar / kNear);
+      return std::log(kFar / kNear) * (format.bits == 32 ? ulp(v) : step);
+    }
+    case Mapping::kLinear:
+      return (kFar - kNear) / z * (format.bits == 32 ? ulp((z - kNear) / (kFar - kNear)) : step);
+    case Mapping::kReversed:
+      if (format.bits != 32) return standard * step;
+      return format.remap == Remap::kGl ? standard * 0x1p-25 : 0x1p-23;
+    case Mapping::kStandard:
+      return standard * (format.bits == 32 ? ulp(depth) : step);
+  }
+  return 0;
+}
+
+// A step s of 1/z reaches from z to z/(1 - s). Positions are floats themselves, and nothing lies beyond the far plane.
+inline double predicted_at(const Format& format, double z) {
+  double law = std::max(step_law(format, z), 0x1p-23);
+  const bool of_inverse =
+      format.mapping == Mapping::kStandard || format.mapping == Mapping::kReversed;
+  if (of_inverse) law = law < 1 ? law / (1 - law) : kInfinity;
+  return std::min(law, (kFar - z) / z);
+}
+
+// In a picture w comes out of 1/w, itself interpolated: two fragments that have the same w differ by a few roundings.
+inline double predicted_in_picture(const Format& format, double z) {
+  const bool from_w = format.mapping == Mapping::kLinear || format.mapping == Mapping::kLogarithmic;
+  return std::max(predicted_at(format, z), from_w ? 0x1p-22 : 0.0);
+}
+
+inline std::string finding_on_ladder(const Format& format) {
+  const bool near_one = format.mapping == Mapping::kStandard,
+             through_gl = format.mapping == Mapping::kReversed && format.remap == Remap::kGl;
+  if (format.bits == 16 || !(near_one || through_gl)) return {};
+  return "near the far plane z and the product with f/(f - n) are large, their sum and the "
+         "quotient are rounded again: up to three "
+         "half steps of noise beside the step itself";
+}
+
+inline std::string finding_in_picture(const Format& format) {
+  if (format.bits != 32 || (format.mapping == Mapping::kReversed && format.remap == Remap::kNone))
+    return {};
+  return "only corners have the coarse step: between them depth is interpolated in finer ones, so "
+         "that the errors of three corners "
+         "average, and of two triangles with the same corners on the screen they are often the "
+         "same";
+}
+
+}  // namespace glassbox::study::d06

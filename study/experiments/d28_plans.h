@@ -1,0 +1,84 @@
+// The plans of D-28: everything runs, but for one decision.
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include <glassbox/render/plan/plan.h>
+
+namespace glassbox::study::d28 {
+
+// ---- plans with one decision: what `take` copies of the plan that leaves out all it can ----
+
+using Take = void (*)(const Plan& with, Plan& plan);
+
+template <Take take>
+std::vector<Plan> plan_only(std::span<const PlannedEye> eyes, bool) {
+  std::vector<Plan> plans = make_plans(eyes, false);
+  const std::vector<Plan> with = make_plans(eyes, true);
+  for (std::size_t i = 0; i < plans.size(); ++i) take(with[i], plans[i]);
+  return plans;
+}
+
+inline std::vector<Plan> plan_nothing(std::span<const PlannedEye> eyes, bool) {
+  return make_plans(eyes, false);
+}
+
+template <class Copy>
+void for_methods(const Plan& with, Plan& plan, Copy&& copy) {
+  for (std::size_t i = 0; i < plan.methods.size(); ++i) copy(with.methods[i], plan.methods[i]);
+}
+
+inline void take_outside(const Plan& with, Plan& plan) {
+  for_methods(with, plan, [](const DrawMethod& from, DrawMethod& to) { to.drawn = from.drawn; });
+  std::erase_if(plan.order, [&](std::uint32_t draw) { return !plan.methods[draw].drawn; });
+}
+inline void take_plane_tests(const Plan& with, Plan& plan) {
+  for_methods(with, plan,
+              [](const DrawMethod& from, DrawMethod& to) { to.test_planes = from.test_planes; });
+}
+inline void take_divide(const Plan& with, Plan& plan) {
+  for_methods(with, plan, [](const DrawMethod& from, DrawMethod& to) { to.divide = from.divide; });
+}
+inline void take_normals(const Plan& with, Plan& plan) {
+  for_methods(with, plan, [](const DrawMethod& from, DrawMethod& to) {
+    to.normals = from.normals;
+    to.face_normals = from.face_normals;
+  });
+}
+// Without highlights nobody asks where the surface is.
+inline void take_highlights(const Plan& with, Plan& plan) {
+  for_methods(with, plan, [](const DrawMethod& from, DrawMethod& to) {
+    to.highlights = from.highlights;
+    to.eye_positions = from.eye_positions;
+  });
+}
+// What is outside has no place in the other plan's order and keeps one here.
+inline void take_order(const Plan& with, Plan& plan) {
+  std::vector<std::uint32_t> order = with.order;
+  for (const std::uint32_t draw : plan.order) {
+    if (std::ranges::find(with.order, draw) == with.order.end()) order.push_back(draw);
+  }
+  plan.order = std::move(order);
+  plan.moved = with.moved;
+}
+inline void take_colors(const Plan& with, Plan& plan) {
+  plan.colors = with.colors;
+  for_methods(with, plan, [](const DrawMethod& from, DrawMethod& to) {
+    to.light = from.light;
+    to.texture = from.texture;
+    to.vertex_colors = from.vertex_colors;
+  });
+}
+inline void take_channels(const Plan& with, Plan& plan) {
+  plan.channels = with.channels;
+}
+inline void take_read_back(const Plan& with, Plan& plan) {
+  plan.read_back = with.read_back;
+}
+inline void take_depth(const Plan& with, Plan& plan) {
+  plan.keep_depth = with.keep_depth;
+}
+
+}  // namespace glassbox::study::d28
