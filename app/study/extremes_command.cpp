@@ -1,7 +1,9 @@
 #include "app/study/extremes_command.h"
 
+#include <cstdio>
 #include <filesystem>
 #include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -26,10 +28,20 @@ std::string sweep_names() {
   return names + "all";
 }
 
+// The number of "C-80", and both of "C-80 to C-86".
+std::pair<int, int> numbers_of(const std::string& id) {
+  int first = -1, last = -1;
+  const int found = std::sscanf(id.c_str(), "%*[Cc]-%d to C-%d", &first, &last);
+  return {first, found == 2 ? last : first};
+}
+
 // A case that was left out has its reason as the answer.
 tl::unexpected<Error> no_such_case(const std::string& id) {
+  const int number = numbers_of(id).first;
   for (const study::LeftOut& each : study::left_out_cases()) {
-    if (each.id == id) return fail(id, "is left out: " + each.reason, "choose another");
+    const auto [first, last] = numbers_of(each.id);
+    if (number < 0 || number < first || number > last) continue;
+    return fail(id, "is left out (" + each.name + "): " + each.reason, "choose another");
   }
   return fail(printable(id, 40), "is none of the cases",
               "glassbox study extremes lists them all, such as C-43");
