@@ -10,13 +10,15 @@ void StudyCommand::add_to(CLI::App& app, int& exit_code) {
       "  glassbox study list\n"
       "  glassbox study run D-4 --quick\n"
       "  glassbox study report --quick -o report.html\n"
-      "  glassbox study extremes\n\n"
+      "  glassbox study extremes\n"
+      "  glassbox study recommend forest --error-budget 'depth<1e-4, colour<1/255'\n\n"
       "docs/study.md explains how errors and times are measured.");
   command.require_subcommand(1);
   list_.add_to(command, exit_code);
   run_.add_to(command, exit_code);
   report_.add_to(command, exit_code);
   extremes_.add_to(command, exit_code);
+  recommend_.add_to(command, exit_code);
 }
 
 }  // namespace glassbox::app

@@ -5,6 +5,7 @@
 
 #include "app/study/extremes_command.h"
 #include "app/study/list_command.h"
+#include "app/study/recommend_command.h"
 #include "app/study/report_command.h"
 #include "app/study/run_command.h"
 
@@ -19,6 +20,7 @@ private:
   StudyRunCommand run_;
   StudyReportCommand report_;
   StudyExtremesCommand extremes_;
+  StudyRecommendCommand recommend_;
 };
 
 }  // namespace glassbox::app

@@ -122,9 +122,9 @@ std::string commands_of(const std::string& svg, const std::string& title, const 
                         const std::string& y, const std::string& axes,
                         const std::vector<Plot>& plots) {
   std::string text = fmt::format(
-      "set terminal svg size 720,480 enhanced font 'sans-serif,14' background rgb 'white'\n"
+      "set terminal svg size 900,520 enhanced font 'sans-serif,14' background rgb 'white'\n"
       "set output {}\nset title {} noenhanced\nset xlabel {} noenhanced\nset ylabel {} noenhanced\n"
-      "set key outside bottom center horizontal noenhanced\nset grid lc rgb '#d9d9d9'\n{}",
+      "set key outside right center vertical samplen 1.5 noenhanced\nset grid lc rgb '#d9d9d9'\n{}",
       quoted(svg), quoted(title), quoted(x), quoted(y), axes);
   std::string plot = "plot ";
   for (std::size_t i = 0; i < plots.size(); ++i) {
@@ -200,7 +200,7 @@ std::string time_chart_commands(const ExperimentResult& result, const std::strin
   }
   return commands_of(svg, result.id + " " + result.name,
                      fmt::format("{} per {}, one thread", unit.name, result.item),
-                     with_unit(result.error, result.error_unit), x.commands('x') + y.commands('y'),
+                     with_unit("error", result.error_unit), x.commands('x') + y.commands('y'),
                      plots);
 }
 
@@ -236,7 +236,7 @@ std::string axis_chart_commands(const ExperimentResult& result, const std::strin
   }
   return commands_of(
       svg, result.id + " " + result.name + " (dashed: theory)",
-      with_unit(result.axis, result.axis_unit), with_unit(result.error, result.error_unit),
+      with_unit(result.axis, result.axis_unit), with_unit("error", result.error_unit),
       (logarithmic ? x.commands('x') : "set xtics autofreq\n") + y.commands('y'), plots);
 }
 

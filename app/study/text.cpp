@@ -21,27 +21,6 @@ using study::ExperimentResult;
 using study::Standing;
 using study::Timing;
 
-// Rows of words, printed in columns as wide as their widest word; the first ones stand to the left, numbers to the right.
-using Row = std::vector<std::string>;
-
-std::string table(const std::vector<Row>& rows, std::size_t left) {
-  std::vector<std::size_t> widths(rows.front().size());
-  for (const Row& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
-  }
-  std::string text;
-  for (const Row& row : rows) {
-    std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      if (widths[i] == 0) continue;
-      line += i < left ? fmt::format("{:<{}}  ", row[i], widths[i])
-                       : fmt::format("{:>{}}  ", row[i], widths[i]);
-    }
-    text += "  " + line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-  }
-  return text;
-}
-
 std::string mark_of(const ConfigurationResult& result, Standing standing) {
   const auto check = study::check_theory(result);
   const bool finding = check && check->finding;
@@ -136,9 +115,7 @@ TimeUnit time_unit(const ExperimentResult& result) {
   for (const ConfigurationResult& each : result.configurations) {
     for (const Timing& timing : each.timings) longest = std::max(longest, timing.ns.median);
   }
-  return longest < 1e4   ? TimeUnit{1, "ns"}
-         : longest < 1e7 ? TimeUnit{1e3, "us"}
-                         : TimeUnit{1e6, "ms"};
+  return time_unit(longest);
 }
 
 std::string origin_text(const study::Origin& origin) {

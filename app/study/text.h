@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "app/study/table.h"
+
 #include "study/experiment/results.h"
 
 namespace glassbox::app {
@@ -16,11 +18,6 @@ std::string origin_text(const study::Origin& origin);
 // "w at the far end over w at the near end", with the unit where there is one: "offset [m]".
 std::string with_unit(const std::string& name, const std::string& unit);
 
-// In which times are told.
-struct TimeUnit {
-  double ns = 1;
-  const char* name = "ns";
-};
 // The one in which the longest of the experiment's times has digits before the point.
 TimeUnit time_unit(const study::ExperimentResult& result);
 

@@ -1,4 +1,4 @@
-// The pages of `glassbox diff --html`, `glassbox inspect` and `glassbox stereo --html` in a browser.
+// The pages of `glassbox diff --html`, `glassbox inspect`, `glassbox stereo --html` and `glassbox study report` in a browser.
 //
 //     node run.mjs PROGRAM DIRECTORY [WORDS]
 //
@@ -10,6 +10,7 @@ import {tests} from "./cases.mjs";
 import "./drawing_tests.mjs";
 import "./inspect_tests.mjs";
 import "./stereo_tests.mjs";
+import "./study_tests.mjs";
 import "./using_tests.mjs";
 
 let failed = 0;

@@ -1,29 +1,31 @@
 // Axes of the charts: powers of ten with a place for 0 and one for what is no number.
 
-const powerText = (power) => power >= -3 && power <= 4 ? String(Number((10 ** power).toPrecision(1))) : `1e${power}`;
+const shortNumber = (value) => value >= 1e-3 && value < 1e5 ? String(Number(value.toPrecision(1))) : value.toExponential(0).replace("+", "");
 
-// At most eight of the whole numbers from low to high.
-function spread(low, high) {
-  const step = Math.ceil((high - low + 1) / 8), chosen = [];
-  for (let power = low; power <= high; power += step) chosen.push(power);
-  return chosen;
+// Powers of ten, at most eight of them; where there are less than two, twice and five times them too.
+function marks(low, high) {
+  const first = Math.ceil(low), last = Math.floor(high), step = Math.ceil((last - first + 1) / 8), chosen = [];
+  for (let power = first; power <= last; power += step) chosen.push(power);
+  if (chosen.length >= 2) return chosen;
+  for (let power = first - 1; power <= last; power++) chosen.push(power + Math.log10(2), power + Math.log10(5));
+  return chosen.filter((power) => power >= low && power <= high);
 }
 
-// 0 stands a decade below the least value, infinity a decade above the greatest. One value alone has a decade around it.
+// 0 stands below the least value, what is no number above the greatest. One value alone has a decade around it.
 function logarithmicAxis(values) {
   const powers = values.filter((value) => value > 0 && Number.isFinite(value)).map(Math.log10);
-  let low = powers.length ? Math.floor(Math.min(...powers)) : -1, high = powers.length ? Math.ceil(Math.max(...powers)) : 0;
-  if (high === low) high = low + 1;
-  const labels = new Map(spread(low, high).map((power) => [power, powerText(power)]));
-  const exact = values.includes(0), absent = values.some((value) => !Number.isFinite(value));
-  if (exact) labels.set(--low, "0");
-  if (absent) labels.set(++high, "∞");
-  const place = (value) => value === 0 ? 10 ** low : Number.isFinite(value) ? value : 10 ** high;
+  let low = powers.length ? Math.min(...powers) : -1, high = powers.length ? Math.max(...powers) : 0;
+  if (high - low < 1) [low, high] = [(low + high - 1) / 2, (low + high + 1) / 2];
+  const margin = (high - low) * .05, labels = new Map(marks(low - margin / 2, high + margin / 2).map((power) => [power, shortNumber(10 ** power)]));
+  const zero = low - 3 * margin, beyond = high + 3 * margin;
+  if (values.includes(0)) labels.set(low = zero, "0");
+  if (values.some((value) => !Number.isFinite(value))) labels.set(high = beyond, "∞");
+  const place = (value) => value === 0 ? 10 ** zero : Number.isFinite(value) ? value : 10 ** beyond;
   const ticks = [...labels].sort(([a], [b]) => a - b);
   return {
     place,
     options: {
-      type: "logarithmic", min: 10 ** low, max: 10 ** high,
+      type: "logarithmic", min: 10 ** (low - margin), max: 10 ** (high + margin),
       afterBuildTicks: (axis) => { axis.ticks = ticks.map(([power]) => ({value: 10 ** power})); },
       ticks: {callback: (unused, i) => ticks[i][1], autoSkip: false, maxRotation: 0},
     },

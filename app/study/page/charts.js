@@ -8,7 +8,7 @@ const themes = {
     series: ["#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#f0e442", "#d55e00", "#ffffff"]},
 };
 // Each series has a shape too.
-const shapes = ["circle", "rect", "triangle", "rectRot", "star", "crossRot", "rectRounded", "cross"];
+const shapes = ["circle", "rect", "triangle", "rectRot", "star", "crossRot", "cross", "rectRounded"];
 const dashes = [[], [8, 3], [2, 2], [8, 3, 2, 3]]; // of scenes
 
 function styleOf(theme, experiment, series, scene) {
@@ -95,7 +95,7 @@ function legend(theme, datasets) {
   return {
     position: "bottom",
     labels: {
-      usePointStyle: true,
+      usePointStyle: true, boxHeight: 8,
       generateLabels: (chart) => named.map(({label, key, style}) => ({
         text: label, key, pointStyle: style.shape, fillStyle: style.colour, strokeStyle: style.colour, lineWidth: 1, fontColor: theme.text,
         hidden: !chart.isDatasetVisible(datasets.findIndex((other) => other.key === key))})),
@@ -115,7 +115,7 @@ function draw(canvas, theme, experiment, threads, {x, y, datasets}) {
     data: {datasets},
     options: {
       animation: false, maintainAspectRatio: false, devicePixelRatio: Math.max(2, devicePixelRatio), clip: 12,
-      scales: {x: axis(x, x.title), y: axis(y, withUnit(experiment.error, experiment.error_unit))},
+      scales: {x: axis(x, x.title), y: axis(y, withUnit("error", experiment.error_unit))},
       plugins: {
         legend: legend(theme, datasets),
         tooltip: {displayColors: false, callbacks: {label: ({raw}) => told(experiment, raw.configuration, threads)}},

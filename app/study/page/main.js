@@ -32,7 +32,7 @@ function findingsOf({configurations}) {
   const found = configurations.filter(({finding}) => finding);
   const items = [...new Set(found.map(({explanation}) => explanation))].map((text) => {
     const places = found.filter(({explanation}) => explanation === text).map((each) => `${each.series} at ${digits(each.parameter, 6)} (ratio ${digits(each.ratio)})`);
-    return element("li", {}, element("strong", {className: "fails"}, "Finding: "), text || "not explained", ` Here: ${places.join("; ")}.`);
+    return element("li", {}, element("strong", {className: "fails"}, "Finding: "), text || "not explained.", ` Here: ${places.join("; ")}.`);
   });
   return items.length ? element("ul", {className: "findings"}, ...items) : null;
 }

@@ -1,0 +1,174 @@
+#include "app/study/recommendation.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "app/shell_line.h"
+
+#include <glassbox/render/renderer.h>
+
+#include "study/bench/machine.h"
+#include "study/recommend/pictures.h"
+#include "study/recommend/vertices.h"
+
+namespace glassbox::app {
+
+namespace {
+
+using study::Candidate;
+using study::Comparison;
+using study::Quantity;
+using study::SceneVertices;
+using study::Shot;
+
+Result<Shot> shot_of(const Scene& scene, PictureOptions picture, const RenderSettings& settings) {
+  picture.settings = settings;
+  return choose_view(scene, picture).map([&](const ChosenView& chosen) {
+    return Shot{chosen.view, settings};
+  });
+}
+
+void add_times(const Scene& scene, const std::vector<Shot>& shots, Comparison& comparison) {
+  const auto times = study::frame_times(scene, shots);
+  for (std::size_t i = 0; i < times.size(); ++i) comparison.candidates[i].ns = times[i];
+  comparison.item = "frame";
+}
+
+Result<Comparison> compare_positions(const Scene& scene, const PictureOptions& picture) {
+  const auto shot = shot_of(scene, picture, picture.settings);
+  if (!shot) return tl::unexpected(shot.error());
+  return SceneVertices::of(scene, shot->view).map([](const SceneVertices& vertices) {
+    return vertices.positions();
+  });
+}
+
+Result<Comparison> compare_depths(const Scene& scene, const PictureOptions& picture) {
+  const std::pair<const char*, DepthFormat> formats[] = {{"d16", DepthFormat::kUnorm16},
+                                                         {"d24", DepthFormat::kUnorm24},
+                                                         {"d32", DepthFormat::kFloat32},
+                                                         {"d32r", DepthFormat::kFloat32Reversed}};
+  Comparison result;
+  result.quantity = Quantity::kDepth;
+  result.reference = "50 digits";
+  std::vector<Shot> shots;
+  for (const auto& [name, format] : formats) {
+    RenderSettings settings = picture.settings;
+    settings.depth = format;
+    const auto shot = shot_of(scene, picture, settings);
+    if (!shot) return tl::unexpected(shot.error());
+    const auto vertices = SceneVertices::of(scene, shot->view);
+    if (!vertices) return tl::unexpected(vertices.error());
+    result.error =
+        fmt::format("largest error of the stored distance, as a share of {}, of {} vertices",
+                    shot->view.perspective ? "it" : "the depth of the view", vertices->count());
+    result.candidates.push_back({name, {"--depth", name}, true, vertices->depth_error(format), {}});
+    shots.push_back(*shot);
+  }
+  add_times(scene, shots, result);
+  return result;
+}
+
+// How many times as wide and high the reference is drawn.
+int reference_factor(const Size& size) {
+  constexpr int kMost = 4;
+  return std::clamp(kMaxImageSide / std::max(size.width, size.height), 1, kMost);
+}
+
+Result<Image<Rgba8>> reference_picture(const Scene& scene, PictureOptions picture, int factor) {
+  RenderSettings settings = picture.settings;
+  settings.samples = 16;
+  picture.size = {picture.size.width * factor, picture.size.height * factor};
+  const auto shot = shot_of(scene, picture, settings);
+  if (!shot) return tl::unexpected(shot.error());
+  Renderer renderer(scene, settings.transfer);
+  return study::shrunk(renderer.render(shot->view, settings).buffers.color, factor,
+                       settings.transfer);
+}
+
+Result<Comparison> compare_colours(const Scene& scene, const PictureOptions& picture) {
+  const int factor = reference_factor(picture.size);
+  const auto reference = reference_picture(scene, picture, factor);
+  if (!reference) return tl::unexpected(reference.error());
+  Comparison result;
+  result.quantity = Quantity::kColour;
+  result.error = "root mean square difference of red, green and blue, 1 for 255 steps";
+  result.reference = fmt::format(
+      "the picture {0} x {0} times as large with 16 samples, averaged in light", factor);
+  const std::pair<const char*, Shading> shadings[] = {{"gouraud", Shading::kGouraud},
+                                                      {"phong", Shading::kPhong}};
+  std::vector<Shot> shots;
+  for (const auto& [name, shading] : shadings) {
+    for (const int samples : {1, 2, 4, 8, 16}) {
+      RenderSettings settings = picture.settings;
+      settings.shading = shading;
+      settings.samples = samples;
+      const auto shot = shot_of(scene, picture, settings);
+      if (!shot) return tl::unexpected(shot.error());
+      const std::string count = fmt::to_string(samples);
+      TileOptions one_thread;
+      one_thread.threads = 1;
+      Renderer renderer(scene, settings.transfer, Engine::kTile, one_thread);
+      const Rendering drawn = renderer.render(shot->view, settings);
+      result.candidates.push_back(
+          {fmt::format("{}, {} sample{}", name, count, samples == 1 ? "" : "s"),
+           {"--shading", name, "--samples", count},
+           true,
+           study::color_error(drawn.buffers.color, *reference),
+           {}});
+      shots.push_back(*shot);
+    }
+  }
+  add_times(scene, shots, result);
+  return result;
+}
+
+Result<Comparison> compare(const Scene& scene, const PictureOptions& picture, Quantity quantity) {
+  switch (quantity) {
+    case Quantity::kPosition:
+      return compare_positions(scene, picture);
+    case Quantity::kDepth:
+      return compare_depths(scene, picture);
+    case Quantity::kColour:
+      break;
+  }
+  return compare_colours(scene, picture);
+}
+
+std::string command_of(const std::vector<Judged>& judged, std::vector<std::string> words) {
+  words.insert(words.begin(), "render");
+  for (const Judged& each : judged) {
+    if (!each.chosen) continue;
+    const auto& options = each.comparison.candidates[*each.chosen].options;
+    words.insert(words.end(), options.begin(), options.end());
+  }
+  words.insert(words.end(), {"-o", "recommended.png"});
+  return shell_line(words).value_or("");
+}
+
+}  // namespace
+
+bool Recommendation::meets_all() const {
+  return std::ranges::all_of(judged, [](const Judged& each) { return each.chosen.has_value(); });
+}
+
+Result<Recommendation> recommend(const Scene& scene, const PictureOptions& picture,
+                                 const std::vector<study::Budget>& budgets,
+                                 const std::vector<std::string>& words, Progress& progress) {
+  Recommendation result;
+  result.scene = words.front();
+  result.machine = study::machine_name();
+  result.compiler = study::compiler_name();
+  result.size = picture.size;
+  for (const study::Budget& budget : budgets) {
+    progress.phase(fmt::format("measuring {}", name_of(budget.quantity)));
+    auto comparison = compare(scene, picture, budget.quantity);
+    if (!comparison) return tl::unexpected(comparison.error());
+    const auto chosen = study::cheapest(comparison->candidates, budget.limit);
+    result.judged.push_back({budget, std::move(*comparison), chosen});
+  }
+  result.command = command_of(result.judged, words);
+  return result;
+}
+
+}  // namespace glassbox::app

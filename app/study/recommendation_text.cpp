@@ -1,0 +1,104 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "app/bench/text.h"
+#include "app/study/recommendation.h"
+#include "app/study/table.h"
+#include "app/text_layout.h"
+
+#include "study/experiment/results_json.h"
+
+namespace glassbox::app {
+
+namespace {
+
+using study::Candidate;
+using study::Comparison;
+
+std::string table_of(const Judged& judged) {
+  const Comparison& comparison = judged.comparison;
+  double longest = 0;
+  for (const Candidate& each : comparison.candidates) longest = std::max(longest, each.ns.median);
+  const TimeUnit unit = time_unit(longest);
+  std::vector<Row> rows{
+      {"", "error", fmt::format("{}/{}", unit.name, comparison.item), "quartiles", ""}};
+  for (std::size_t i = 0; i < comparison.candidates.size(); ++i) {
+    const Candidate& each = comparison.candidates[i];
+    rows.push_back({each.name, fmt::format("{:.3g}", each.error),
+                    three_digits(each.ns.median / unit.ns),
+                    fmt::format("{} .. {}", three_digits(each.ns.lower / unit.ns),
+                                three_digits(each.ns.upper / unit.ns)),
+                    judged.chosen == i                 ? "recommended"
+                    : each.error < judged.budget.limit ? "fits"
+                                                       : "fails"});
+  }
+  return table(rows, 1);
+}
+
+// What to do, in a sentence.
+std::string verdict(const Judged& judged) {
+  const auto& candidates = judged.comparison.candidates;
+  if (!judged.chosen) {
+    const auto best = std::ranges::min_element(candidates, {}, &Candidate::error);
+    return fmt::format("No candidate fits: the most accurate, {}, has an error of {:.3g}.",
+                       best->name, best->error);
+  }
+  const Candidate& chosen = candidates[*judged.chosen];
+  if (!chosen.in_render) return chosen.name + " fits, which glassbox render does not have.";
+  if (chosen.options.empty()) return chosen.name + " fits, which is what glassbox render does.";
+  return chosen.name + " fits.";
+}
+
+}  // namespace
+
+std::string recommendation_text(const Recommendation& recommendation) {
+  std::string text =
+      wrapped("", fmt::format("{}, {} x {}; {}; {}; times with one thread", recommendation.scene,
+                              recommendation.size.width, recommendation.size.height,
+                              recommendation.machine, recommendation.compiler));
+  for (const Judged& each : recommendation.judged) {
+    const std::string limit =
+        fmt::format("{} below {:.4g}{}", name_of(each.budget.quantity), each.budget.limit,
+                    unit_of(each.budget.quantity).empty() ? "" : " px");
+    text += "\n" + wrapped("", fmt::format("{}: {}, against {}", limit, each.comparison.error,
+                                           each.comparison.reference));
+    text += table_of(each) + wrapped("  ", verdict(each));
+  }
+  if (!recommendation.meets_all())
+    return text + "\nNot every budget can be met; the nearest to it:\n  " + recommendation.command +
+           "\n";
+  return text + "\n  " + recommendation.command + "\n";
+}
+
+nlohmann::ordered_json recommendation_json(const Recommendation& recommendation) {
+  using Json = nlohmann::ordered_json;
+  Json json{{"scene", recommendation.scene},        {"width", recommendation.size.width},
+            {"height", recommendation.size.height}, {"machine", recommendation.machine},
+            {"compiler", recommendation.compiler},  {"meets_all", recommendation.meets_all()},
+            {"command", recommendation.command},    {"budgets", Json::array()}};
+  for (const Judged& each : recommendation.judged) {
+    Json budget{{"quantity", name_of(each.budget.quantity)},
+                {"limit", each.budget.limit},
+                {"unit", unit_of(each.budget.quantity)},
+                {"error", each.comparison.error},
+                {"reference", each.comparison.reference},
+                {"item", each.comparison.item},
+                {"recommended", nullptr},
+                {"candidates", Json::array()}};
+    if (each.chosen) budget["recommended"] = each.comparison.candidates[*each.chosen].name;
+    for (const Candidate& candidate : each.comparison.candidates) {
+      budget["candidates"].push_back({{"name", candidate.name},
+                                      {"options", candidate.options},
+                                      {"in_render", candidate.in_render},
+                                      {"error", study::number_json(candidate.error)},
+                                      {"fits", candidate.error < each.budget.limit},
+                                      {"ns", candidate.ns.median},
+                                      {"ns_quartiles", {candidate.ns.lower, candidate.ns.upper}}});
+    }
+    json["budgets"].push_back(std::move(budget));
+  }
+  return json;
+}
+
+}  // namespace glassbox::app

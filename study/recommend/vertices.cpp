@@ -1,0 +1,243 @@
+#include "study/recommend/vertices.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include <glassbox/pipeline/affine.h>
+#include <glassbox/pipeline/divide.h>
+#include <glassbox/raster/snap.h>
+#include <glassbox/render/vertex_stage.h>
+
+#include "study/experiment/runner.h"
+#include "study/experiment/timing.h"
+#include "study/oracle/matrix.h"
+#include "study/oracle/number.h"
+
+namespace glassbox::study {
+
+namespace {
+
+using oracle::Decimal;
+
+// ---- the right answer ----
+
+Transform<World, Object> world_from_object(const Scene& scene, const Draw& draw) {
+  return scene.nodes[scene.instances[draw.instance].node].world_from_node;
+}
+
+// All three matrices are exactly the doubles that the pipeline starts from.
+oracle::Matrix4<Decimal> exact_clip_from_object(const Scene& scene, const View& view,
+                                                const Draw& draw) {
+  return oracle::exactly<Decimal>(view.clip_from_eye) *
+         (oracle::exactly<Decimal>(view.eye_from_world) *
+          oracle::exactly<Decimal>(world_from_object(scene, draw)));
+}
+
+enum class Where { kInside, kBeside, kNotBetweenPlanes };
+
+Where where(const oracle::Vector4<Decimal>& clip) {
+  if (clip[3] <= 0 || clip[2] < 0 || clip[2] > clip[3]) return Where::kNotBetweenPlanes;
+  return abs(clip[0]) <= clip[3] && abs(clip[1]) <= clip[3] ? Where::kInside : Where::kBeside;
+}
+
+// Of the eye-space distance, from clip z (rows 2 and 3 of a projection read z and w of eye space alone).
+double distance_of(const View& view, const oracle::Vector4<Decimal>& clip) {
+  if (view.perspective) return double(clip[3]);
+  return double((Decimal(view.clip_from_eye.at(2, 3)) - clip[2]) /
+                Decimal(view.clip_from_eye.at(2, 2)));
+}
+
+RightPlace place_of(const View& view, const oracle::Vector4<Decimal>& clip, std::size_t draw,
+                    std::uint32_t vertex) {
+  const auto half = [](float a, float b) {
+    return (Decimal(double(a)) + Decimal(double(b))) / Decimal(2);
+  };
+  const Viewport& v = view.viewport;
+  const Decimal x = clip[0] / clip[3] * half(v.right, -v.left) + half(v.right, v.left);
+  const Decimal y = clip[1] / clip[3] * half(v.top, -v.bottom) + half(v.top, v.bottom);
+  return {draw, vertex, double(x), double(y), distance_of(view, clip)};
+}
+
+// ---- ways to compute it ----
+
+struct Screen {
+  double x, y;
+};
+
+using VertexAt = std::function<Screen(std::size_t draw, std::uint32_t vertex)>;
+
+template <class T>
+Screen divided(const Point<Clip, T>& clip, const Viewport& v) {
+  const T x =
+      clip.x / clip.w * ((T(v.right) - T(v.left)) * T(0.5)) + (T(v.right) + T(v.left)) * T(0.5);
+  const T y =
+      clip.y / clip.w * ((T(v.top) - T(v.bottom)) * T(0.5)) + (T(v.top) + T(v.bottom)) * T(0.5);
+  return {double(x), double(y)};
+}
+
+// Matrices of each draw, rounded to T, applied one after the other.
+template <class T>
+struct Separate {
+  std::vector<Transform<World, Object, T>> world_from_object;
+  Transform<Eye, World, T> eye_from_world;
+  Transform<Clip, Eye, T> clip_from_eye;
+};
+
+template <class T, class Target, class Source>
+Transform<Target, Source, T> as(const Transform<Target, Source>& m) {
+  return Transform<Target, Source, T>(glm::mat<4, 4, T>(m.columns));
+}
+
+double snapped(double px, int bits) {
+  return std::floor(std::ldexp(px, bits) + 0.5) * std::ldexp(1.0, -bits);
+}
+
+struct Arithmetic {
+  std::string name;
+  bool in_render;
+  VertexAt at;
+};
+
+template <class T>
+VertexAt separately(const Scene& scene, const View& view, const std::vector<Draw>& draws) {
+  Separate<T> m{{}, as<T>(view.eye_from_world), as<T>(view.clip_from_eye)};
+  for (const Draw& draw : draws)
+    m.world_from_object.push_back(as<T>(world_from_object(scene, draw)));
+  return
+      [m = std::move(m), &draws, viewport = view.viewport](std::size_t draw, std::uint32_t vertex) {
+        const auto& p = draws[draw].mesh->positions[vertex];
+        const Point<Object, T> object(T(p.x), T(p.y), T(p.z));
+        return divided(m.clip_from_eye * (m.eye_from_world * (m.world_from_object[draw] * object)),
+                       viewport);
+      };
+}
+
+// The pipeline's own functions.
+VertexAt as_render_does(const View& view, const std::vector<Draw>& draws) {
+  return [&draws, viewport = view.viewport](std::size_t draw, std::uint32_t vertex) {
+    const ScreenVertex screen = to_screen(divide(project_vertex(draws[draw], vertex)), viewport);
+    return Screen{screen.position.x, screen.position.y};
+  };
+}
+
+// ---- depth ----
+
+// The depth that a code stands for, in [0, 1].
+double depth_of(DepthFormat format, std::uint32_t code) {
+  switch (format) {
+    case DepthFormat::kFloat32:
+      return std::bit_cast<float>(code);
+    case DepthFormat::kFloat32Reversed:
+      return std::bit_cast<float>(std::bit_cast<std::uint32_t>(1.0f) - code);
+    case DepthFormat::kUnorm24:
+      return double(code) / double((1u << 24) - 1);
+    case DepthFormat::kUnorm16:
+      return double(code) / double((1u << 16) - 1);
+  }
+  return std::nan("");
+}
+
+// depth = -a + b/w in perspective, and a z + b in parallel projection, a and b the entries of clip z's row.
+double distance_at(const View& view, double depth) {
+  const double a = view.clip_from_eye.at(2, 2), b = view.clip_from_eye.at(2, 3);
+  if (!view.perspective) return (b - depth) / a;
+  return b / (depth + a);
+}
+
+}  // namespace
+
+SceneVertices::SceneVertices(const Scene& scene, const View& view)
+    : scene_(&scene),
+      view_(view),
+      prepared_(prepare(scene, Transfer::kSrgb)),
+      list_(make_draw_list(scene, prepared_, view)) {}
+
+Result<SceneVertices> SceneVertices::of(const Scene& scene, const View& view, std::size_t most) {
+  SceneVertices vertices(scene, view);
+  std::size_t all = 0;
+  for (const Draw& draw : vertices.list_.draws) all += draw.mesh->positions.size();
+  // Ten times as many are tried as are wanted, because most of a scene may be out of sight.
+  const std::size_t step = std::max<std::size_t>(1, all / (10 * most));
+  std::vector<RightPlace> inside, beside;
+  std::size_t number = 0;
+  for (std::size_t d = 0; d < vertices.list_.draws.size(); ++d) {
+    const Draw& draw = vertices.list_.draws[d];
+    const auto matrix = exact_clip_from_object(scene, view, draw);
+    for (std::uint32_t i = 0; i < draw.mesh->positions.size(); ++i) {
+      if (number++ % step != 0) continue;
+      const auto& p = draw.mesh->positions[i];
+      if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) continue;
+      const auto clip = matrix * oracle::exactly<Decimal>(p);
+      if (const Where at = where(clip); at != Where::kNotBetweenPlanes)
+        (at == Where::kInside ? inside : beside).push_back(place_of(view, clip, d, i));
+    }
+  }
+  const std::vector<RightPlace>& usable = inside.empty() ? beside : inside;
+  if (usable.empty()) {
+    return fail("", "no vertex of the scene lies between the near and the far plane",
+                "look at it from elsewhere: --eye, --look-at, or --camera");
+  }
+  const std::size_t stride = (usable.size() + most - 1) / most;
+  for (std::size_t i = 0; i < usable.size(); i += stride) vertices.places_.push_back(usable[i]);
+  return vertices;
+}
+
+Comparison SceneVertices::positions() const {
+  const std::vector<Draw>& draws = list_.draws;
+  const Arithmetic ways[] = {
+      {"float, one matrix after the other", false, separately<float>(*scene_, view_, draws)},
+      {"float, composed in double, anchored", true, as_render_does(view_, draws)},
+      {"double, one matrix after the other", false, separately<double>(*scene_, view_, draws)}};
+  Comparison result;
+  result.quantity = Quantity::kPosition;
+  result.error = fmt::format("largest distance on the screen, of {} vertices", count());
+  result.reference = "50 digits";
+  result.item = "vertex";
+  std::vector<TimedWork> works;
+  double kept = 0;  // so that no work is left out
+  for (const Arithmetic& way : ways) {
+    for (const int bits : {4, 6, 8, 10, 12}) {
+      Candidate candidate;
+      candidate.name = fmt::format("{}; {} subpixel bits", way.name, bits);
+      candidate.in_render = way.in_render && bits == kSubpixelBits;
+      for (const RightPlace& right : places_) {
+        const Screen at = way.at(right.draw, right.vertex);
+        const double off = std::hypot(snapped(at.x, bits) - right.x, snapped(at.y, bits) - right.y);
+        candidate.error = off <= candidate.error ? candidate.error : off;  // NaN stays
+      }
+      result.candidates.push_back(std::move(candidate));
+      works.push_back({[this, &way, bits, &kept] {
+                         for (const RightPlace& right : places_) {
+                           const Screen at = way.at(right.draw, right.vertex);
+                           kept += snapped(at.x, bits) + snapped(at.y, bits);
+                         }
+                       },
+                       double(places_.size())});
+    }
+  }
+  const std::vector<Quartiles> times = time_in_turn(works, kLeastRepetitions);
+  for (std::size_t i = 0; i < times.size(); ++i) result.candidates[i].ns = times[i];
+  return result;
+}
+
+double SceneVertices::depth_error(DepthFormat format) const {
+  double worst = 0;
+  for (const RightPlace& right : places_) {
+    const NdcVertex ndc = divide(project_vertex(list_.draws[right.draw], right.vertex));
+    const double depth = depth_of(format, depth_code(format, ndc.position.z));
+    const double scale =
+        view_.perspective ? right.distance : std::abs(1 / view_.clip_from_eye.at(2, 2));
+    const double found = distance_at(view_, depth);
+    const double off = found > 0 || !view_.perspective ? std::abs(found - right.distance) / scale
+                                                       : std::numeric_limits<double>::infinity();
+    worst = off <= worst ? worst : off;
+  }
+  return worst;
+}
+
+}  // namespace glassbox::study

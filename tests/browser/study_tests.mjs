@@ -1,0 +1,121 @@
+// The page of `glassbox study report`: its charts are drawn, tell what they show, and fit every screen, scheme and paper.
+import assert from "node:assert/strict";
+import {execFileSync} from "node:child_process";
+import fs from "node:fs";
+import path from "node:path";
+import {namelessControls, openPage} from "./browser.mjs";
+import {file, hostile, test} from "./cases.mjs";
+
+const program = path.resolve(process.argv[2]);
+const run = (...words) => execFileSync(program, ["study", ...words], {stdio: "pipe", cwd: file("study")});
+
+// Results of everything that a chart can have: zeros, infinities, findings, theory, two numbers of threads, any text.
+function results() {
+  const time = (threads, ns, standing) => ({threads, repetitions: 11, ns, ns_quartiles: [ns * .9, ns * 1.1], standing});
+  const configuration = (series, parameter, error, predicted, times, explanation = "") => ({series, parameter, scene: "", error, predicted_error: predicted,
+    ratio: null, finding: false, explanation, times});
+  const experiment = (id, name, configurations, rest = {}) => ({id, name, question: "Is it drawn?", axis: "steps", axis_unit: "m", logarithmic_axis: true,
+    axis_is_chosen: true, error: "largest error", error_unit: "px", reference: "arithmetic", theory: "1/steps", item: "pixel", configurations, ...rest});
+  return {format: "glassbox study results 1", version: "1", machine: "a machine", compiler: "a compiler", flags: "-O9", effort: "quick", threads: 2,
+    experiments: [
+      experiment("D-901", "Everything", [1, 10, 100].flatMap((steps) => [
+        configuration("float", steps, 1 / steps, 1 / steps, [time(1, 10 * steps, "front"), time(2, 6 * steps, "front")]),
+        configuration("exact", steps, 0, 0, [time(1, 2000, "front"), time(2, 1500, "front")]),
+        configuration("broken", steps, "infinity", 1, [time(1, 5000, "dominated"), time(2, 4000, "dominated")], "it overflows")])),
+      experiment("D-902", hostile, [configuration(hostile, 0, 0, null, []), configuration("b", -3, 0, null, [])], {logarithmic_axis: false}),
+    ]};
+}
+
+function report() {
+  fs.mkdirSync(file("study"), {recursive: true});
+  fs.writeFileSync(file("study", "results.json"), JSON.stringify(results()));
+  run("report", "--from", "results.json", "-o", "page.html");
+  return file("study", "page.html");
+}
+
+// How many pixels of a canvas have a colour near this one.
+const coloured = (page, canvas, colour) => page.locator(canvas).evaluate((node, [r, g, b]) => {
+  const {data} = node.getContext("2d").getImageData(0, 0, node.width, node.height);
+  let found = 0;
+  for (let i = 0; i < data.length; i += 4) found += data[i + 3] > 200 && Math.abs(data[i] - r) + Math.abs(data[i + 1] - g) + Math.abs(data[i + 2] - b) < 24;
+  return found;
+}, colour);
+const time = "#D-901 [data-chart=time]", axis = "#D-901 [data-chart=axis]";
+
+test("study: each series is drawn in its colour, what is dominated is grey, and nothing is timed without times", async () => {
+  const opened = await openPage(report()), {page} = opened;
+  for (const chart of [time, axis]) {
+    for (const colour of [[0, 0x72, 0xb2], [0xd5, 0x5e, 0]]) assert.ok(await coloured(page, chart, colour) > 100, `${chart} ${colour}`);
+    assert.ok(await coloured(page, chart, [0x8a, 0x8f, 0x98]) > 20, chart);
+  }
+  assert.equal(await page.locator("#D-902 canvas").count(), 1);
+  assert.equal(await page.locator("#D-902 h2").textContent(), `D-902 ${hostile}`);
+  assert.equal(await page.locator("#D-901 tbody tr").count(), 9);
+  assert.match(await page.locator("#D-901 .findings").innerText(), /it overflows/);
+  assert.match(await page.locator("#D-901 code").innerText(), /study run D-901 --quick --threads 2/);
+  assert.ok(!/NaN|undefined/.test(await page.locator("main").innerText()));
+  assert.deepEqual(await namelessControls(page), []);
+  return opened;
+});
+
+test("study: hovering over a point tells its configuration", async () => {
+  const opened = await openPage(report()), {page} = opened;
+  const at = await page.evaluate(() => {
+    const chart = Chart.getChart(document.querySelector("#D-901 [data-chart=axis]")), point = chart.getDatasetMeta(0).data[1], box = chart.canvas.getBoundingClientRect();
+    return [box.left + point.x, box.top + point.y];
+  });
+  await page.mouse.move(...at);
+  const lines = await page.waitForFunction(() => {
+    const {tooltip} = Chart.getChart(document.querySelector("#D-901 [data-chart=axis]"));
+    return tooltip.opacity > 0 && tooltip.body.flatMap(({lines: all}) => all);
+  });
+  const text = (await lines.jsonValue()).join("\n");
+  for (const part of ["float", "steps: 10 m", "error: 0.1 px", "theory: 0.1, ratio 1", "100 ns", "on the Pareto front"]) assert.ok(text.includes(part), text);
+  return opened;
+});
+
+test("study: the times of other numbers of threads are one key away", async () => {
+  const opened = await openPage(report()), {page} = opened;
+  const title = () => page.evaluate(() => Chart.getChart(document.querySelector("#D-901 [data-chart=time]")).options.scales.x.title.text);
+  assert.match(await title(), /1 thread$/);
+  await page.locator("#threads input").first().focus();
+  await page.keyboard.press("ArrowRight");
+  assert.match(await title(), /2 threads$/);
+  return opened;
+});
+
+test("study: the page fits narrow and wide screens, dark ones, and paper", async () => {
+  const made = report();
+  for (const width of [360, 768, 1280, 1920]) {
+    for (const colorScheme of ["light", "dark"]) {
+      const {page, problems, close} = await openPage(made, {viewport: {width, height: 900}, colorScheme});
+      assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${width} px`);
+      assert.ok(await coloured(page, axis, colorScheme === "dark" ? [0x56, 0xb4, 0xe9] : [0, 0x72, 0xb2]) > 100, colorScheme);
+      assert.deepEqual(problems, []);
+      await close();
+    }
+  }
+  const opened = await openPage(made, {colorScheme: "dark"}), {page} = opened;
+  await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+  assert.ok(await coloured(page, axis, [0, 0x72, 0xb2]) > 100, "paper has the colours of light pages");
+  await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+  assert.ok(await coloured(page, axis, [0x56, 0xb4, 0xe9]) > 100);
+  return opened;
+});
+
+test("study: screenshots", async () => {
+  fs.mkdirSync(file("screenshots"), {recursive: true});
+  fs.mkdirSync(file("study"), {recursive: true});
+  try {
+    run("run", "D-13", "D-2", "--quick", "--json", "real.json");
+  } catch (error) {
+    if (error.status !== 1) throw error; // findings
+  }
+  run("report", "--from", "real.json", "-o", "real.html");
+  for (const [name, settings] of [["study-light", {}], ["study-dark", {colorScheme: "dark", viewport: {width: 1920, height: 1080}}]]) {
+    const {page, problems, close} = await openPage(file("study", "real.html"), settings);
+    await page.screenshot({path: file("screenshots", `${name}.png`), fullPage: true});
+    assert.deepEqual(problems, []);
+    await close();
+  }
+});

@@ -1,0 +1,188 @@
+// glassbox study, from the outside.
+#include <tests/app/run.h>
+#include <tests/support/catch.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace glassbox {
+namespace {
+
+using nlohmann::json;
+using test::Outcome;
+using test::Workplace;
+
+// A quick experiment of those there are.
+constexpr const char* kQuick = "D-13 --quick --threads 1";
+
+// Everything but the times.
+json errors_of(json results) {
+  for (json& experiment : results["experiments"]) {
+    for (json& each : experiment["configurations"]) each.erase("times");
+  }
+  return results;
+}
+
+TEST_CASE("study list names every experiment and what it asks") {
+  const Workplace place;
+  const Outcome run = place.run("study list --json list.json");
+  REQUIRE(run.exit_code == 0);
+  const json list = json::parse(place.read("list.json"));
+  CHECK(list.size() >= 18);
+  for (const json& each : list) {
+    INFO(each.dump());
+    CHECK(run.out.find(each.at("id").get<std::string>() + " ") != std::string::npos);
+    for (const char* name :
+         {"id", "name", "question", "axis", "error", "reference", "theory", "item"})
+      CHECK_FALSE(each.at(name).get<std::string>().empty());
+  }
+}
+
+TEST_CASE("study run gives errors, theory, times and origin as JSON, CSV and text") {
+  const Workplace place;
+  const Outcome run = place.run(std::string("study run --json out.json --csv out.csv ") + kQuick);
+  INFO(run.err);
+  REQUIRE(run.exit_code == 0);
+  CHECK(run.out.find("D-13") != std::string::npos);
+  const json results = json::parse(place.read("out.json"));
+  for (const char* name : {"version", "machine", "compiler", "flags"})
+    CHECK_FALSE(results.at(name).get<std::string>().empty());
+  CHECK(results.at("effort") == "quick");
+  CHECK(results.at("threads") == 1);
+  REQUIRE(results.at("experiments").size() == 1);
+  std::size_t lines = 1;
+  for (const json& each : results.at("experiments").at(0).at("configurations")) {
+    CHECK(each.at("error").get<double>() >= 0);
+    lines += std::max<std::size_t>(1, each.at("times").size());
+    for (const json& time : each.at("times")) {
+      CHECK(time.at("repetitions").get<int>() >= 11);
+      CHECK(time.at("ns_quartiles").at(0) <= time.at("ns"));
+      CHECK(time.at("ns_quartiles").at(1) >= time.at("ns"));
+      CHECK((time.at("standing") == "front" || time.at("standing") == "dominated"));
+    }
+  }
+  const std::string csv = place.read("out.csv");
+  CHECK(std::size_t(std::ranges::count(csv, '\n')) == lines);
+  CHECK(
+      csv.starts_with("experiment,series,scene,parameter,error,error_unit,predicted_error,ratio,"));
+}
+
+TEST_CASE(
+    "two runs give the same errors to the last digit, and JSON alone goes to standard output") {
+  const Workplace place;
+  const Outcome one = place.run(std::string("study run --json - ") + kQuick);
+  const Outcome two = place.run(std::string("study run --json - ") + kQuick);
+  REQUIRE(one.exit_code == 0);
+  REQUIRE(two.exit_code == 0);
+  CHECK(errors_of(json::parse(one.out)) == errors_of(json::parse(two.out)));
+}
+
+TEST_CASE("study run goes on with its own file, and refuses one of another effort or of nobody") {
+  const Workplace place;
+  REQUIRE(place.run(std::string("study run --resume kept.json ") + kQuick).exit_code == 0);
+  const std::string kept = place.read("kept.json");
+  REQUIRE(place.run(std::string("study run --resume kept.json ") + kQuick).exit_code == 0);
+  CHECK(place.read("kept.json") == kept);  // nothing was measured again
+  const Outcome full = place.run("study run D-13 --threads 1 --resume kept.json");
+  CHECK(full.exit_code == 2);
+  CHECK(full.err.find("effort") != std::string::npos);
+  CHECK(place.read("kept.json") == kept);
+  place.write("nobody.json", "{}");
+  CHECK(place.run(std::string("study run --resume nobody.json ") + kQuick).exit_code == 2);
+}
+
+TEST_CASE("study report makes a page of kept results that asks nothing of the network") {
+  const Workplace place;
+  REQUIRE(place.run(std::string("study run --resume kept.json ") + kQuick).exit_code == 0);
+  const Outcome run = place.run("study report --from kept.json -o page.html");
+  INFO(run.err);
+  REQUIRE(run.exit_code == 0);
+  const std::string page = place.read("page.html");
+  CHECK(page.find("default-src 'none'") != std::string::npos);
+  CHECK(page.find("Chart.js") != std::string::npos);
+  CHECK(page.find("study run D-13 --quick --threads 1") != std::string::npos);
+  for (const char* outside : {"src=\"http", "href=\"http", "@import", "{SCRIPT}", "{DATA}"}) {
+    INFO(outside);
+    CHECK(page.find(outside) == std::string::npos);
+  }
+}
+
+TEST_CASE("charts as SVG files are gnuplot's, and without it the error says so") {
+  const Workplace place;
+  REQUIRE(place.run(std::string("study run --resume kept.json ") + kQuick).exit_code == 0);
+  std::filesystem::create_directory(place.file("charts"));
+  const Outcome run = place.run("study report --from kept.json --svg charts");
+  if (run.exit_code == 2) {
+    CHECK(run.err.find("gnuplot-nox") != std::string::npos);
+    return;
+  }
+  INFO(run.err);
+  REQUIRE(run.exit_code == 0);
+  for (const char* name : {"charts/D-13-time.svg", "charts/D-13-axis.svg"}) {
+    INFO(name);
+    const std::string svg = place.read(name);
+    CHECK(svg.find("<svg") != std::string::npos);
+    CHECK(svg.find("</svg>") != std::string::npos);
+  }
+}
+
+TEST_CASE("study recommend says what fits on this scene, and with which options it is drawn") {
+  const Workplace place;
+  const Outcome run = place.run(
+      "study recommend teapot --size 64x48 --error-budget position<0.01,depth<1e-3,colour<1/16 "
+      "--json -");
+  INFO(run.err);
+  REQUIRE(run.exit_code == 0);
+  const json found = json::parse(run.out);
+  CHECK(found.at("meets_all") == true);
+  REQUIRE(found.at("budgets").size() == 3);
+  for (const json& budget : found.at("budgets")) {
+    const std::string chosen = budget.at("recommended");
+    bool listed = false;
+    for (const json& each : budget.at("candidates")) {
+      CHECK(each.at("fits") == (each.at("error").get<double>() < budget.at("limit").get<double>()));
+      if (each.at("name") == chosen) listed = each.at("fits");
+    }
+    CHECK(listed);
+  }
+  const std::string command = found.at("command");
+  CHECK(command.find("render teapot --size 64x48 --depth d") != std::string::npos);
+  const std::string words = command.substr(command.find("render"));
+  CHECK(place.run(words).exit_code == 0);
+}
+
+TEST_CASE("a budget that nothing meets ends in 1 and names the most accurate candidate") {
+  const Workplace place;
+  const Outcome run = place.run("study recommend teapot --size 64x48 --error-budget depth<1e-12");
+  CHECK(run.exit_code == 1);
+  CHECK(run.out.find("No candidate fits") != std::string::npos);
+}
+
+TEST_CASE("bad usage of study ends in 2, says why, and writes nothing") {
+  const Workplace place;
+  place.write("empty.json", "");
+  for (const char* words :
+       {"study", "study run D-999", "study run d", "study run --threads 0",
+        "study run D-13 --resume", "study run D-13 --quick --json - --csv -",
+        "study run D-13 --quick --json nowhere/out.json",
+        "study run D-13 --quick --json same --csv same", "study report", "study report -o page.txt",
+        "study report --from absent.json -o page.html",
+        "study report --from empty.json -o page.html",
+        "study report --from empty.json --quick -o page.html", "study report --quick --svg nowhere",
+        "study recommend teapot", "study recommend teapot --error-budget speed<1",
+        "study recommend absent.glb --error-budget depth<1", "study dance"}) {
+    INFO(words);
+    const Outcome run = place.run(words);
+    CHECK(run.exit_code == 2);
+    CHECK(run.out.empty());
+    CHECK_FALSE(run.err.empty());
+  }
+  CHECK(place.names() == std::vector<std::string>{"empty.json"});
+}
+
+}  // namespace
+}  // namespace glassbox
