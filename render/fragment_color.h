@@ -1,13 +1,18 @@
-// The colour of a fragment: texture, light, alpha, blend.
+// The colour of a fragment: texture, light, alpha, blend. In a header so that it becomes part of the loop over the pixels.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
+#include <glassbox/raster/blend.h>
 #include <glassbox/raster/texture.h>
 #include <glassbox/render/fragments.h>
 
 namespace glassbox {
+
+// ---- the surface's own colour ----
 
 // What a primitive brings for each of its fragments.
 struct Surface {
@@ -15,26 +20,107 @@ struct Surface {
   std::optional<TexturePlanes> texture;  // of textured triangles
 };
 
-Surface surface_of(const FragmentStage& stage, const ReadyTriangle& triangle);
+inline Surface surface_of(const FragmentStage& stage, const ReadyTriangle& triangle) {
+  Surface surface{triangle.vertices, {}};
+  if (stage.draw.texture != nullptr) {
+    surface.texture = texture_planes(triangle.setup,
+                                     {triangle.vertices[0].texcoord, triangle.vertices[1].texcoord,
+                                      triangle.vertices[2].texcoord});
+  }
+  return surface;
+}
 
-// The surface's own colour at a fragment: material times vertex colour times texture.
-Rgba surface_color(const FragmentStage& stage, const Surface& surface, const Varyings& at,
-                   const Fragment& fragment);
+// Base-2 level of the mip chain that suits the fragment; 0 for lines and points.
+inline float detail_at(const FragmentStage& stage, const Surface& surface, const Varyings& at,
+                       const Fragment& fragment) {
+  if (!surface.texture) return 0.0f;
+  const Image<Rgba8>& image = stage.draw.texture->levels.front();
+  return level_of_detail(texture_gradient(*surface.texture, at.texcoord, fragment.inverse_w),
+                         image.width, image.height);
+}
+
+// Material times vertex colour times texture.
+inline Rgba surface_color(const FragmentStage& stage, const Surface& surface, const Varyings& at,
+                          const Fragment& fragment) {
+  const Rgba& base = stage.draw.material->base_color;
+  Rgba color{base.r * at.color[0], base.g * at.color[1], base.b * at.color[2],
+             base.a * at.color[3]};
+  if (stage.draw.texture != nullptr) {
+    const Rgba texel =
+        sample(*stage.draw.texture, *stage.draw.sampler, at.texcoord,
+               detail_at(stage, surface, at, fragment), stage.settings.transfer, stage.channels);
+    color = {color.r * texel.r, color.g * texel.g, color.b * texel.b, color.a * texel.a};
+  }
+  return color;
+}
 
 // Its alpha lies below the material's cutoff.
-bool is_discarded(const Material& material, const Rgba& surface);
+inline bool is_discarded(const Material& material, const Rgba& surface) {
+  return material.alpha_mode == AlphaMode::kMask && !(surface.a >= material.alpha_cutoff);
+}
 
 // It is laid over what is there. (Pictures of normals and texture coordinates are opaque.)
-bool is_blended(const FragmentStage& stage);
+inline bool is_blended(const FragmentStage& stage) {
+  return stage.draw.material->alpha_mode == AlphaMode::kBlend &&
+         stage.settings.show != Show::kNormal && stage.settings.show != Show::kUv;
+}
+
+// ---- light ----
+
+inline bool has_normal(const std::array<float, 3>& n) {
+  return n[0] != 0 || n[1] != 0 || n[2] != 0;
+}
+
+inline Rgba lit(const FragmentStage& stage, const Rgba& base, const Varyings& at) {
+  const Material& material = *stage.draw.material;
+  // Lines and points without normals shine by themselves (glTF 2.0, 3.7.2.1).
+  if (!needs_normals(stage.draw, stage.settings) || !has_normal(at.normal)) return base;
+  const Reflection light =
+      stage.settings.shading == Shading::kPhong
+          ? illuminate(stage.lighting, at.position, at.normal, material.shininess)
+          : Reflection{at.diffuse, at.specular};
+  return {base.r * light.diffuse[0] + material.specular[0] * light.specular[0],
+          base.g * light.diffuse[1] + material.specular[1] * light.specular[1],
+          base.b * light.diffuse[2] + material.specular[2] * light.specular[2], base.a};
+}
+
+// A direction as a colour: each component from [-1, 1] to [0, 255].
+inline Rgba8 picture_of_normal(const std::array<float, 3>& n) {
+  const float squared = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+  const float scale = squared > 0.0f ? 0.5f / std::sqrt(squared) : 0.0f;
+  return {encode_unorm8(n[0] * scale + 0.5f), encode_unorm8(n[1] * scale + 0.5f),
+          encode_unorm8(n[2] * scale + 0.5f), 255};
+}
+
+// Texture coordinates modulo 1 as red and green.
+inline Rgba8 picture_of_texcoord(const std::array<float, 2>& t) {
+  return {encode_unorm8(t[0] - std::floor(t[0])), encode_unorm8(t[1] - std::floor(t[1])), 0, 255};
+}
 
 // What a fragment brings to wherever it is written: its light, or the quantity asked for in its place, as bytes.
 struct FragmentColor {
   Rgba light;
   std::optional<Rgba8> quantity;
 };
-FragmentColor fragment_color(const FragmentStage& stage, const Varyings& at, const Rgba& surface);
+
+inline FragmentColor fragment_color(const FragmentStage& stage, const Varyings& at,
+                                    const Rgba& surface) {
+  if (stage.settings.show == Show::kNormal) return {{}, picture_of_normal(at.normal)};
+  if (stage.settings.show == Show::kUv) return {{}, picture_of_texcoord(at.texcoord)};
+  Rgba color = lit(stage, surface, at);
+  if (stage.observer != nullptr) stage.observer->lit(at, surface, color);
+  const bool blended = stage.draw.material->alpha_mode == AlphaMode::kBlend;
+  color.a = blended ? std::clamp(color.a, 0.0f, 1.0f) : 1.0f;  // vertex colours may exceed 1
+  return {color, {}};
+}
 
 // What is stored over `before`.
-Rgba8 encoded(const FragmentStage& stage, const FragmentColor& color, const Rgba8& before);
+inline Rgba8 encoded(const FragmentStage& stage, const FragmentColor& color, const Rgba8& before) {
+  if (color.quantity) return *color.quantity;
+  if (stage.draw.material->alpha_mode == AlphaMode::kBlend) {
+    return blend_over(stage.settings.transfer, color.light, before, stage.channels);
+  }
+  return encode(stage.settings.transfer, color.light, stage.channels);
+}
 
 }  // namespace glassbox
