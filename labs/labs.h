@@ -3,4 +3,8 @@
 
 #include "labs/framework/lab.h"
 
-namespace glassbox::labs {}  // namespace glassbox::labs
+namespace glassbox::labs {
+
+Lab lab_01();
+
+}  // namespace glassbox::labs

@@ -1,0 +1,267 @@
+// The inputs of lab 1, the same on both sides.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "student.h"
+
+namespace lab_01 {
+
+// ---- texts (task 1.1): one that is well-formed, and the same with a mistake ----
+
+struct TextCase {
+  const char* what;
+  std::string good, bad;  // nothing bad: only the good one is put
+};
+
+inline std::vector<TextCase> texts() {
+  const std::string tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n";
+  return {
+      {"the five vertices and three triangles of the slide (S4.34)",
+       "v 0 0 0\nv 1 0 0\nv 0.5 1 0\nv 1.5 1.25 0\nv 1 2 0.5\nf 1 2 3\nf 3 2 4\nf 3 4 5\n", ""},
+      {"a quad and a triangle, with comments and spaces",
+       "# a house\n  v 0 0 0 # left\nv 2 0 0\n\nv 2 2 0\nv 0 2 0\nf  1 2   3 4  # the wall\nv 1 3 "
+       "0\nf 4 3 5\n",
+       ""},
+      {"numbers counted back from the last position",
+       "v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 0 1 0.25\nf -4 -2 -1\n", ""},
+      {"a corner that names position 0", tetrahedron + "f 2 3 4\n", tetrahedron + "f 2 3 0\n"},
+  };
+}
+
+// BEGIN HIDDEN
+inline std::vector<TextCase> hidden_texts() {
+  const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+  return {
+      {"a face that names a position before it is read", square + "v 2 2 2\nf 1 2 3 5\n",
+       square + "f 1 2 3 5\nv 2 2 2\n"},
+      {"a face of two corners", square + "f 1 2 4\n", square + "f 1 2\n"},
+      {"a number that goes back too far", square + "f -4 -3 -2 -1\n", square + "f -5 -3 -2 -1\n"},
+      {"a position of two numbers", square + "f 1 2 3\n", "v 0 0\n" + square + "f 1 2 3\n"},
+      {"exponents, signs and many corners",
+       "v 1e3 -2.5E-2 +4\nv -1e3 0 4\nv 0 1e-3 4\nv .5 -7 4\nv 5. -70 4\nf 1 2 3 4 5\n", ""},
+  };
+}
+// END HIDDEN
+
+// ---- meshes (tasks 1.2 and 1.3) ----
+
+struct MeshCase {
+  const char* what;
+  Mesh mesh;
+};
+
+// Positions stand on a spiral, since only their numbers matter.
+inline Mesh mesh_of(std::size_t positions, const std::vector<std::vector<std::uint32_t>>& faces) {
+  Mesh mesh;
+  for (std::size_t i = 0; i < positions; ++i)
+    mesh.positions.emplace_back(float(i % 7), float(i % 5), float(i));
+  for (const auto& face : faces) {
+    mesh.faces.push_back({std::uint32_t(mesh.corners.size()), std::uint32_t(face.size())});
+    for (const std::uint32_t position : face) {
+      glassbox::Corner corner;
+      corner.position = position;
+      mesh.corners.push_back(corner);
+    }
+  }
+  return mesh;
+}
+
+inline Mesh cube() {
+  return mesh_of(
+      8, {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}});
+}
+
+// Quads round a tube, whose ends are open, or joined (a torus).
+enum class Ends { kOpen, kJoined };
+inline Mesh torus(std::uint32_t around, std::uint32_t along, Ends ends) {
+  std::vector<std::vector<std::uint32_t>> faces;
+  for (std::uint32_t j = 0; j < (ends == Ends::kJoined ? along : along - 1); ++j) {
+    for (std::uint32_t i = 0; i < around; ++i) {
+      const std::uint32_t k = (i + 1) % around, l = (j + 1) % along;
+      faces.push_back({j * around + i, j * around + k, l * around + k, l * around + i});
+    }
+  }
+  return mesh_of(std::size_t(around) * along, faces);
+}
+
+// A strip of quads whose ends are joined, straight (a ring) or with half a turn (a Moebius strip, which has one side).
+inline Mesh strip(std::uint32_t length, bool half_turn) {
+  std::vector<std::vector<std::uint32_t>> faces;
+  for (std::uint32_t i = 0; i < length; ++i) {
+    const std::uint32_t a = 2 * i, b = a + 1;
+    std::uint32_t c = (b + 2) % (2 * length), d = (a + 2) % (2 * length);
+    if (i + 1 == length && half_turn) std::swap(c, d);
+    faces.push_back({a, b, c, d});
+  }
+  return mesh_of(2 * std::size_t(length), faces);
+}
+
+// The same with some faces turned round.
+inline Mesh turned(Mesh mesh, const std::vector<std::size_t>& faces) {
+  for (const std::size_t f : faces) {
+    const glassbox::Face& face = mesh.faces[f];
+    for (std::uint32_t i = 0; i < face.count / 2; ++i)
+      std::swap(mesh.corners[face.first + i], mesh.corners[face.first + face.count - 1 - i]);
+  }
+  return mesh;
+}
+
+inline Mesh both(const Mesh& a, const Mesh& b) {
+  Mesh mesh = a;
+  for (const glassbox::Face& face : b.faces)
+    mesh.faces.push_back({face.first + std::uint32_t(a.corners.size()), face.count});
+  for (glassbox::Corner corner : b.corners) {
+    corner.position += std::uint32_t(a.positions.size());
+    mesh.corners.push_back(corner);
+  }
+  mesh.positions.insert(mesh.positions.end(), b.positions.begin(), b.positions.end());
+  return mesh;
+}
+
+inline std::vector<MeshCase> edge_meshes() {
+  return {
+      {"the three triangles of the slide (S4.34)", mesh_of(5, {{0, 1, 2}, {2, 1, 3}, {2, 3, 4}})},
+      {"a tetrahedron", mesh_of(4, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}})},
+      {"a cube of quads", cube()},
+      {"a tube, open at both ends", torus(5, 3, Ends::kOpen)},
+  };
+}
+
+// BEGIN HIDDEN
+inline std::vector<MeshCase> hidden_edge_meshes() {
+  return {
+      {"a torus: V - E + F = 0", torus(5, 4, Ends::kJoined)},
+      {"two cubes apart", both(cube(), cube())},
+      {"three pages that share a spine", mesh_of(5, {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}})},
+      {"a cube with one face turned the wrong way", turned(cube(), {3})},
+      {"repeated corners, and faces of fewer than three positions (C-25)",
+       mesh_of(7, {{0, 1, 1, 2}, {2, 1, 3, 2}, {3, 4, 3}, {4, 4, 4}, {5, 6, 5, 6}})},
+  };
+}
+// END HIDDEN
+
+inline std::vector<MeshCase> turn_meshes() {
+  return {
+      {"two triangles, the second the wrong way round", mesh_of(4, {{0, 1, 2}, {1, 2, 3}})},
+      {"a cube with two faces turned", turned(cube(), {1, 4})},
+      {"a tube with every third face turned",
+       turned(torus(6, 4, Ends::kOpen), {2, 5, 8, 11, 14, 17})},
+  };
+}
+
+// BEGIN HIDDEN
+inline std::vector<MeshCase> hidden_turn_meshes() {
+  return {
+      {"a torus, all turned but the first",
+       turned(torus(4, 3, Ends::kJoined), {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11})},
+      {"two cubes apart, each with its own mistakes",
+       turned(both(cube(), cube()), {2, 3, 5, 7, 11})},
+      {"triangles that touch in a point only: nothing to turn", mesh_of(5, {{0, 1, 2}, {2, 4, 3}})},
+  };
+}
+// END HIDDEN
+
+// Surfaces with one side, each with a neighbour that has two.
+struct SidesCase {
+  const char* what;
+  Mesh one_sided, two_sided;
+};
+inline std::vector<SidesCase> one_sided_meshes() {
+  return {
+      {"a Moebius strip, and a ring", strip(5, true), strip(5, false)},
+      {"the same with faces turned", turned(strip(8, true), {1, 2}), turned(strip(8, false), {3})}};
+}
+
+// ---- polygons (task 1.4) ----
+
+struct PolygonCase {
+  const char* what;
+  std::vector<Point<Object>> corners;
+};
+
+// Corners in a tilted plane: (x, y, x/2 + y/4), moved. With few binary digits everything is exact in float.
+inline std::vector<Point<Object>> tilted(const std::vector<std::pair<float, float>>& outline,
+                                         const Point<Object>& at = {0, 0, 0}) {
+  std::vector<Point<Object>> corners;
+  for (const auto& [x, y] : outline) corners.emplace_back(at.x + x, at.y + y, at.z + x / 2 + y / 4);
+  return corners;
+}
+
+inline std::vector<std::pair<float, float>> octagon() {
+  std::vector<std::pair<float, float>> corners;
+  for (int i = 0; i < 8;
+       ++i) {  // binary digits of cosine and sine, so that no library's last bit matters
+    constexpr float kLong = 0.9238795f, kShort = 0.3826834f;
+    const float x[] = {kLong, kShort, -kShort, -kLong, -kLong, -kShort, kShort, kLong};
+    const float y[] = {kShort, kLong, kLong, kShort, -kShort, -kLong, -kLong, -kShort};
+    corners.emplace_back(x[i], y[i]);
+  }
+  return corners;
+}
+
+inline std::vector<PolygonCase> polygons() {
+  return {
+      {"a triangle", tilted({{0, 0}, {2, 0}, {0, 3}})},
+      {"a square, beginning with any corner", tilted({{1, 1}, {0, 1}, {0, 0}, {1, 0}})},
+      {"an arrow whose second corner is reflex (C-23)", tilted({{0, 3}, {1, 0}, {0, -3}, {4, 0}})},
+      {"a polygon whose first corners are in a line (C-21)",
+       tilted({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}})},
+      {"an octagon", tilted(octagon())},
+      {"a bow-tie with wings of different size, whose areas are subtracted (C-24)",
+       tilted({{0, 0}, {3, 3}, {3, 0}, {0, 2}})},
+  };
+}
+
+inline std::vector<PolygonCase> far_polygons() {
+  return {
+      {"the octagon moved by 100", tilted(octagon(), {100, 70, -90})},
+      {"the octagon moved by 10^4 (C-22)", tilted(octagon(), {10000, -9000, 8000})},
+      {"the octagon moved by 10^6 (C-22)", tilted(octagon(), {1000000, 900000, -800000})},
+  };
+}
+
+// BEGIN HIDDEN
+inline std::vector<PolygonCase> hidden_polygons() {
+  return {
+      {"an L", tilted({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 4}, {0, 4}})},
+      {"a quad with one corner lifted (C-26)", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0.5f}, {0, 1, 0}}},
+      {"corners repeated (C-25)", tilted({{0, 0}, {0, 0}, {2, 0}, {2, 2}, {2, 2}, {0, 2}})},
+      {"a sliver, far away",
+       tilted({{0, 0}, {1, 0.0625f}, {2, 0.1875f}, {1, 0.125f}}, {50000, -30000, 20000})},
+  };
+}
+// END HIDDEN
+
+// ---- pairs of vectors (task 1.5) ----
+
+struct AngleCase {
+  const char* what;
+  Vector<Object, double> a, b;
+};
+
+inline std::vector<AngleCase> angles() {
+  return {
+      {"a right angle", {1, 2, 2}, {2, 1, -2}},
+      {"an acute one", {1, 0, 0}, {3, 4, 0}},
+      {"an obtuse one", {1, 2, 3}, {-3, 1, -2}},
+      {"a thousandth of a radian (C-04)", {1000, 0, 0}, {1000, 1, 0}},
+  };
+}
+
+// BEGIN HIDDEN
+inline std::vector<AngleCase> hidden_angles() {
+  return {
+      {"5e-8 radians (C-04)", {30000001, 7, 3}, {30000000, 8, 3}},
+      {"almost opposite", {1048573, 3, 1}, {-1048571, -2, 0}},
+      {"small and slanted", {100001, 200002, 300003}, {100000, 200003, 300003}},
+      {"opposite", {1, -2, 5}, {-3, 6, -15}},
+  };
+}
+// END HIDDEN
+
+}  // namespace lab_01

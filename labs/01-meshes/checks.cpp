@@ -1,0 +1,200 @@
+// What is expected of lab 1: by the program's own reader, topology and Newell sums in double.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include <fmt/format.h>
+
+#include <glassbox/base/rounding.h>
+#include <glassbox/mesh/normals.h>
+#include <glassbox/mesh/obj/parse.h>
+#include <glassbox/mesh/topology.h>
+
+#include "labs/01-meshes/cases.h"
+#include "labs/labs.h"
+
+namespace glassbox::labs {
+
+namespace {
+
+using namespace lab_01;
+
+Expected exactly(const std::string& field, std::vector<double> values) {
+  return {field, Shape::kNumbers, std::move(values), 0, "", 0};
+}
+
+// ---- tables ----
+
+Case expect_tables(const TextCase& input) {
+  Case c{input.what, "the text is\n" + input.good, {}, nullptr, {}};
+  obj::Warnings warnings;
+  const auto tables = obj::parse_obj(input.good, LoadLimits{}, warnings);
+  if (!tables) return c;  // the tests read every text
+  std::vector<double> positions, faces;
+  for (const auto& p : tables->positions) positions.insert(positions.end(), {p.x, p.y, p.z});
+  for (const obj::Element& element : tables->elements) {
+    faces.push_back(element.count);
+    for (std::uint32_t i = 0; i < element.count; ++i)
+      faces.push_back(tables->references[element.first + i].position);
+  }
+  c.expected = {{"positions", Shape::kPolygon, positions, 0, "object units", 3},
+                exactly("faces", faces)};
+  if (!input.bad.empty()) {
+    c.restated += "\nand is refused as\n" + input.bad;
+    c.expected.push_back(exactly("refused", {1}));
+  }
+  return c;
+}
+
+// ---- adjacency ----
+
+std::string face_text(const Mesh& mesh) {
+  std::string text = "faces";
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const Face& face = mesh.faces[f];
+    text += fmt::format("{} {}: (", f == 0 ? "" : ",", f);
+    for (std::uint32_t i = 0; i < face.count; ++i)
+      text += fmt::format("{}{}", i == 0 ? "" : " ", mesh.corners[face.first + i].position);
+    text += ")";
+  }
+  return text;
+}
+
+Case expect_edges(const MeshCase& input) {
+  const Topology topology = find_topology(input.mesh);
+  std::vector<double> rows;
+  for (const glassbox::Edge& edge : topology.edges) {
+    int ascending = 0;
+    for (std::uint32_t i = 0; i < edge.count; ++i)
+      ascending += topology.uses[edge.first + i].ascending ? 1 : 0;
+    rows.insert(rows.end(), {double(edge.low), double(edge.high), double(ascending),
+                             double(int(edge.count) - ascending)});
+  }
+  return {input.what,
+          face_text(input.mesh) +
+              "; each row is low, high, faces from low to high, faces from high to low",
+          {{"edges", Shape::kMatrix, rows, 0, "", 4},
+           exactly("V - E + F", {double(topology.euler_characteristic())}),
+           exactly("closed", {topology.closed() ? 1.0 : 0.0})},
+          nullptr,
+          {}};
+}
+
+// Every edge carries the decision from a face that has one to its neighbour, until none is left without.
+std::vector<double> turns_of(const Mesh& mesh) {
+  const Topology topology = find_topology(mesh);
+  constexpr double kUnknown = -1;
+  std::vector<double> turns(mesh.faces.size(), kUnknown);
+  for (double& first : turns) {
+    if (first != kUnknown) continue;
+    first = 0;
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (const glassbox::Edge& edge : topology.edges) {
+        if (edge.count != 2) continue;
+        const EdgeUse &a = topology.uses[edge.first], &b = topology.uses[edge.first + 1];
+        const double differ = a.ascending == b.ascending ? 1 : 0;
+        double &ta = turns[a.face], &tb = turns[b.face];
+        if ((ta == kUnknown) == (tb == kUnknown)) continue;
+        (ta == kUnknown ? ta : tb) = std::abs((ta == kUnknown ? tb : ta) - differ);
+        changed = true;
+      }
+    }
+  }
+  return turns;
+}
+
+Case expect_turns(const MeshCase& input) {
+  return {
+      input.what, face_text(input.mesh), {exactly("turned", turns_of(input.mesh))}, nullptr, {}};
+}
+
+Case expect_sides(const SidesCase& input) {
+  return {input.what,
+          "one-sided: " + face_text(input.one_sided) + "; 1 is an answer, 0 is std::nullopt",
+          {exactly("of the one-sided", {0}), exactly("of the two-sided", {1})},
+          nullptr,
+          {}};
+}
+
+// ---- normals ----
+
+Case expect_newell(const PolygonCase& input) {
+  std::vector<Point<Object, double>> corners;
+  std::string text = "corners";
+  double longest = 0;
+  for (const Point<Object>& p : input.corners) {
+    corners.emplace_back(p.x, p.y, p.z);
+    text += fmt::format(" ({}, {}, {})", p.x, p.y, p.z);
+    const Vector<Object, double> d = corners.back() - corners.front();
+    longest = std::max({longest, std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+  }
+  // In double the differences of floats and their products are exact; what the sums lose is 2^-29 of the bound.
+  const auto m = newell_vector<double>(std::span<const Point<Object, double>>(corners));
+  // Differences and sums are of size 2 L with errors of 4 u L (two roundings of the corners, one of the result), products
+  // of size 4 L^2 with 5 u of that, and N - 1 additions follow: gamma(N + 4) of the sum of the sizes.
+  const int n = int(corners.size());
+  const double bound = gamma<float>(n + 4) * 4 * n * longest * longest;
+  return {input.what,
+          text,
+          {{"newell", Shape::kPoint, {m.x, m.y, m.z}, bound, "object units squared", 0}},
+          nullptr,
+          {}};
+}
+
+Case expect_angle(const AngleCase& input) {
+  const double angle = glassbox::angle_between(input.a, input.b);
+  // Cross and dot product are exact or rounded once or twice; square, root, quotient and arctangent add up to 8 u on
+  // either side.
+  const double bound = 16 * unit_roundoff<double> * angle;
+  return {input.what,
+          fmt::format("a = ({}, {}, {}), b = ({}, {}, {})", input.a.x, input.a.y, input.a.z,
+                      input.b.x, input.b.y, input.b.z),
+          {{"angle", Shape::kNumbers, {angle}, bound, "radian", 0}},
+          nullptr,
+          {}};
+}
+
+template <class Input>
+Check check(const char* name, const char* task, bool hidden, const std::vector<Input>& inputs,
+            Case (*expect)(const Input&)) {
+  return {name, task, "object", hidden, [inputs, expect] {
+            std::vector<Case> cases;
+            for (const Input& input : inputs) cases.push_back(expect(input));
+            return cases;
+          }};
+}
+
+}  // namespace
+
+Lab lab_01() {
+  constexpr bool kHidden = true;
+  return {
+      1,
+      "01-meshes",
+      "Meshes: tables, adjacency, normals",
+      {{"1.1", "Read a vertex table and a face table", 20},
+       {"1.2", "Find the edges", 25},
+       {"1.3", "Turn all faces the same way round", 20},
+       {"1.4", "Newell's normal", 25},
+       {"1.5", "The angle between two vectors", 10}},
+      {check("the tables are as the text says", "1.1", false, texts(), expect_tables),
+       check("texts with mistakes and odd numbers", "1.1", kHidden, hidden_texts(), expect_tables),
+       check("every edge is found, and who uses it", "1.2", false, edge_meshes(), expect_edges),
+       check("tori, books and repeated corners", "1.2", kHidden, hidden_edge_meshes(),
+             expect_edges),
+       check("faces are turned until all agree", "1.3", false, turn_meshes(), expect_turns),
+       check("a surface with one side is told from one with two", "1.3", false, one_sided_meshes(),
+             expect_sides),
+       check("meshes in several pieces", "1.3", kHidden, hidden_turn_meshes(), expect_turns),
+       check("the normal has the length and the direction of the area", "1.4", false, polygons(),
+             expect_newell),
+       check("the normal is as good far away", "1.4", false, far_polygons(), expect_newell),
+       check("polygons that are concave, bent or thin", "1.4", kHidden, hidden_polygons(),
+             expect_newell),
+       check("angles between vectors", "1.5", false, angles(), expect_angle),
+       check("angles near 0 and near half a turn", "1.5", kHidden, hidden_angles(), expect_angle)}};
+}
+
+}  // namespace glassbox::labs
