@@ -121,6 +121,30 @@ TEST_CASE("of two surfaces, each sample shows the nearer one") {
   }
 }
 
+TEST_CASE("where two surfaces cross within a pixel, each sample has its own depth") {
+  // White at distance 1; black at distance 1 where x = 5.5 + 1/32 px, nearer to the right of it.
+  constexpr float kCrossing = 5.5f + 1.0f / 32;
+  Scene scene = test::scene_of(rectangle(2, 2, 9, 9), white());
+  Mesh black;
+  const auto corner = [&](float x, float y) { return at_pixel(x, y, 1 - 0.1f * (x - kCrossing)); };
+  black.positions = {corner(2, 2), corner(9, 2), corner(9, 9), corner(2, 9)};
+  test::add_face(black, {0, 1, 2, 3});
+  black.material = 1;
+  scene.materials.push_back(white());
+  scene.materials[1].base_color = {0, 0, 0, 1};
+  scene.meshes.push_back(black);
+  scene.instances.push_back({1, 0});
+  for (const int samples : kCounts) {
+    const Image<Rgba8> picture = picture_of(scene, plain(samples));
+    int left = 0;
+    for (const SampleOffset& s : sample_offsets(samples)) left += s.x <= 0;
+    CAPTURE(samples);
+    CHECK(int(picture.at(4, 4).g) == 255);
+    CHECK(int(picture.at(5, 4).g) == share(left, samples));
+    CHECK(int(picture.at(6, 4).g) == 0);
+  }
+}
+
 TEST_CASE("a line is a pixel wide, and a point is a pixel, wherever they lie") {
   Mesh mesh;
   mesh.positions = {at_pixel(4.5f, 2), at_pixel(4.5f, 12),    at_pixel(8, 2),
