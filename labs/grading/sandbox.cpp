@@ -133,7 +133,7 @@ std::string Sandbox::in_force() const {
   }
   text += runner_filter_.empty() ? ", no system-call filter" : ", a system-call filter";
   text += ", limits on time, memory, output and files";
-  return text + (user_ ? fmt::format(", user {}", *user_) : ", the user who started it");
+  return text + (user_ ? ", a user of no rights" : ", the user who started it");
 }
 
 bool Sandbox::hand_over(const fs::path& path) const {
@@ -206,7 +206,7 @@ RunOutcome Sandbox::run(const fs::path& program, const std::vector<std::string>&
 
 RunOutcome SandboxRunner::run(const RunRequest& request) {
   RunOutcome outcome = sandbox_.run(request.program, request.arguments, limits_);
-  endings_.push_back(outcome.ending);
+  processes_.push_back({outcome.ending, outcome.code, outcome.detail, {}, {}, outcome.seconds});
   return outcome;
 }
 

@@ -56,14 +56,13 @@ public:
   SandboxRunner(const Sandbox& sandbox, Limits limits) : sandbox_(sandbox), limits_(limits) {}
   RunOutcome run(const RunRequest& request) override;
 
-  // How the processes since the last call of forget() ended, in order.
-  const std::vector<RunOutcome::Ending>& endings() const { return endings_; }
-  void forget() { endings_.clear(); }
+  // How the processes ended, in order, without what they wrote.
+  const std::vector<RunOutcome>& processes() const { return processes_; }
 
 private:
   const Sandbox& sandbox_;
   Limits limits_;
-  std::vector<RunOutcome::Ending> endings_;
+  std::vector<RunOutcome> processes_;
 };
 
 }  // namespace glassbox::labs::grading

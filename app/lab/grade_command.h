@@ -1,0 +1,50 @@
+// glassbox lab grade and lab collect: a class, or one submission of it, from student.cpp to points.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "labs/framework/lab.h"
+#include "labs/framework/sources.h"
+#include "labs/grading/kit.h"
+#include "labs/grading/sandbox.h"
+
+namespace glassbox::app {
+
+class LabGradeCommand {
+public:
+  using FindSources = std::function<Result<labs::Sources>()>;
+  // Other labs than the program's own: for the tests of the grader.
+  explicit LabGradeCommand(const std::vector<labs::Lab>& (*labs)() = labs::all_labs,
+                           FindSources find_sources = labs::find_sources)
+      : labs_(labs), find_sources_(std::move(find_sources)) {}
+
+  // `lab grade` and `lab collect`.
+  void add_to(CLI::App& lab, int& exit_code);
+
+private:
+  int run();
+  int run_one(const labs::Lab& lab, const labs::Sources& sources);
+  int run_class(const labs::Lab& lab, const labs::Sources& sources);
+  int run_collect(const std::filesystem::path& results) const;
+  std::vector<std::string> command_for_one(const labs::Lab& lab,
+                                           const labs::grading::Sandbox& sandbox,
+                                           const std::string& name) const;
+  Result<const labs::Lab*> find_lab(const labs::Sources& sources) const;
+
+  const std::vector<labs::Lab>& (*labs_)();
+  FindSources find_sources_;
+  std::string submissions_, output_, classroom_, kit_, collected_;
+  std::optional<int> lab_;
+  std::optional<labs::grading::Confinement> confinement_;
+  int jobs_ = 0;
+  double seconds_ = 10;
+  std::size_t memory_mib_ = 512;
+  bool one_ = false;
+};
+
+}  // namespace glassbox::app

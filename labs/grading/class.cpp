@@ -1,0 +1,78 @@
+#include "labs/grading/class.h"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <map>
+
+namespace glassbox::labs::grading {
+
+namespace {
+
+struct Running {
+  std::string name;
+  int said = -1;  // a file in memory
+};
+
+std::string contents(int file) {
+  std::string text(16384, '\0');
+  const ssize_t got = ::pread(file, text.data(), text.size(), 0);
+  text.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
+  return text;
+}
+
+// The process's number, or -1.
+pid_t start(const std::vector<std::string>& command, int said) {
+  std::vector<char*> argv;
+  for (const std::string& word : command) argv.push_back(const_cast<char*>(word.c_str()));
+  argv.push_back(nullptr);
+  const int nothing = ::open("/dev/null", O_RDWR | O_CLOEXEC);
+  const pid_t parent = ::getpid();
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (::getppid() != parent) ::_exit(127);
+    ::dup2(nothing, 0);
+    ::dup2(nothing, 1);
+    ::dup2(said, 2);
+    ::execv(argv[0], argv.data());
+    ::_exit(127);
+  }
+  if (nothing >= 0) ::close(nothing);
+  return child;
+}
+
+}  // namespace
+
+void grade_class(const ClassRequest& request) {
+  std::map<pid_t, Running> running;
+  std::size_t next = 0;
+  while (next < request.names.size() || !running.empty()) {
+    while (next < request.names.size() && running.size() < static_cast<std::size_t>(request.jobs)) {
+      Running started{request.names[next++], ::memfd_create("said", MFD_CLOEXEC)};
+      const pid_t child = start(request.command(started.name), started.said);
+      if (child > 0) {
+        running.emplace(child, started);
+      } else {
+        request.ended(started.name, false, "no process can be started");
+        ::close(started.said);
+      }
+    }
+    int status = 0;
+    const pid_t child = ::waitpid(-1, &status, 0);
+    if (child < 0 && errno == EINTR) continue;
+    const auto found = running.find(child);
+    if (found == running.end()) continue;
+    const bool fine = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    request.ended(found->second.name, fine, contents(found->second.said));
+    ::close(found->second.said);
+    running.erase(found);
+  }
+}
+
+}  // namespace glassbox::labs::grading

@@ -1,0 +1,154 @@
+#include "labs/grading/kit.h"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "labs/framework/build.h"
+#include "labs/framework/process.h"
+
+namespace glassbox::labs::grading {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// As `lab check` compiles, but for the debugger's information. The whole program is static, so that it starts without opening
+// a file.
+const std::vector<std::string>& flags() {
+  static const std::vector<std::string> words{"-std=c++20", "-O1", "-ffp-contract=off", "-static"};
+  return words;
+}
+
+Result<std::string> path_of(const std::string& program) {
+  if (program.find('/') != std::string::npos) return program;
+  const char* path = std::getenv("PATH");
+  std::istringstream places(path != nullptr ? path : "/usr/local/bin:/usr/bin:/bin");
+  for (std::string place; std::getline(places, place, ':');) {
+    const std::string candidate = place + "/" + program;
+    if (::access(candidate.c_str(), X_OK) == 0) return candidate;
+  }
+  return fail(program, "is not to be found in PATH",
+              "install a C++20 compiler, or name one in the environment variable CXX");
+}
+
+Result<std::string> call(const std::vector<std::string>& words) {
+  const ProcessOutcome outcome = run_process(words, {120, 0, std::size_t(1) << 20});
+  if (outcome.started && !outcome.timed_out && WIFEXITED(outcome.status) &&
+      WEXITSTATUS(outcome.status) == 0)
+    return outcome.said;
+  return fail(
+      "the lab's own files",
+      fmt::format("do not compile: {}", outcome.started ? outcome.said : outcome.why_not_started),
+      "install a C++20 compiler with its static libraries, or build glassbox again");
+}
+
+// The words of "student.o: student.cpp a.h \ b.h" after the first two.
+std::vector<std::string> headers_of(const std::string& rule) {
+  std::vector<std::string> words;
+  std::string word;
+  for (std::size_t i = 0; i <= rule.size(); ++i) {
+    const char c = i < rule.size() ? rule[i] : '\n';
+    if (c == '\\' && i + 1 < rule.size() && rule[i + 1] == ' ') {
+      word += rule[++i];
+    } else if (c == ' ' || c == '\n' || (c == '\\' && i + 1 < rule.size() && rule[i + 1] == '\n')) {
+      if (!word.empty()) words.push_back(word);
+      word.clear();
+    } else {
+      word += c;
+    }
+  }
+  if (words.size() > 2) return {words.begin() + 2, words.end()};
+  return {};
+}
+
+// Copies what lies in `from` to the same place in `to`; false if it does not lie there.
+Result<bool> copy_below(const fs::path& file, const fs::path& from, const fs::path& to) {
+  const fs::path relative = file.lexically_normal().lexically_relative(from.lexically_normal());
+  if (relative.empty() || *relative.begin() == "..") return false;
+  const auto text = read_text_file(file);
+  if (!text) return tl::unexpected(text.error());
+  const auto written = write_if_changed(to / relative, *text);
+  if (!written) return tl::unexpected(written.error());
+  return true;
+}
+
+}  // namespace
+
+Result<Kit> make_kit(const Sources& sources, const std::string& folder, const fs::path& directory) {
+  const auto found = path_of(compiler());
+  if (!found) return tl::unexpected(found.error());
+  Kit kit;
+  kit.compiler = *found;
+  kit.readable = directory / "for-students";
+  kit.include = kit.readable / "include";
+  const fs::path objects = kit.readable / "objects";
+  kit.objects = {objects / "checks.o", objects / "main.o", objects / "witness.o"};
+  const fs::path ready = directory / "ready";
+  if (fs::exists(ready)) return kit;
+
+  const fs::path own = directory / "own";
+  std::error_code error;
+  fs::create_directories(objects, error);
+  fs::create_directories(kit.include, error);
+  auto files = support_files(sources, folder, true);
+  if (!files) return tl::unexpected(files.error());
+  const auto solution = solution_text(sources, folder);
+  if (!solution) return tl::unexpected(solution.error());
+  files->push_back({"student.cpp", *solution});
+  for (const SourceFile& file : *files) {
+    if (const auto written = write_if_changed(own / file.path, file.text); !written)
+      return tl::unexpected(written.error());
+  }
+  std::vector<std::string> words{kit.compiler};
+  words.insert(words.end(), flags().begin(), flags().end());
+  words.insert(words.end(), {"-I", own.string(), "-I", sources.include.string()});
+
+  std::vector<std::string> listing = words;
+  listing.insert(listing.end(), {"-MM", (own / "student.cpp").string()});
+  const auto rule = call(listing);
+  if (!rule) return tl::unexpected(rule.error());
+  for (const std::string& header : headers_of(*rule)) {
+    for (const fs::path& root : {own, sources.include}) {
+      const auto copied = copy_below(header, root, kit.include);
+      if (!copied) return tl::unexpected(copied.error());
+      if (*copied) break;
+    }
+  }
+  const std::vector<fs::path> compiled{own / "runner.cpp", own / "labs/framework/runner_main.cpp",
+                                       sources.labs / "grading/witness.cpp"};
+  for (std::size_t i = 0; i < compiled.size(); ++i) {
+    std::vector<std::string> compiling = words;
+    compiling.insert(compiling.end(), {"-c", compiled[i].string(), "-o", kit.objects[i].string()});
+    if (const auto done = call(compiling); !done) return tl::unexpected(done.error());
+  }
+  // Whatever the mask of the caller: the user that compiles is another.
+  for (fs::recursive_directory_iterator entry(kit.readable, error), end; entry != end; ++entry) {
+    fs::permissions(entry->path(),
+                    fs::perms::group_read | fs::perms::others_read |
+                        (entry->is_directory() ? fs::perms::group_exec | fs::perms::others_exec
+                                               : fs::perms::none),
+                    fs::perm_options::add, error);
+  }
+  for (const fs::path& path : {directory, kit.readable})
+    fs::permissions(path, fs::perms(0711), fs::perm_options::replace, error);
+  if (const auto written = write_if_changed(ready, folder + "\n"); !written)
+    return tl::unexpected(written.error());
+  return kit;
+}
+
+std::vector<std::string> compile_command(const Kit& kit, const std::string& source,
+                                         const std::string& program) {
+  std::vector<std::string> words{kit.compiler};
+  words.insert(words.end(), flags().begin(), flags().end());
+  words.insert(words.end(), {"-fmax-errors=10", "-I", kit.include.string(), source});
+  for (const fs::path& object : kit.objects) words.push_back(object.string());
+  words.insert(words.end(), {"-o", program});
+  return words;
+}
+
+}  // namespace glassbox::labs::grading

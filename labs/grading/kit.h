@@ -1,0 +1,30 @@
+// What submissions of a lab are compiled with: made once, by trusted code, and read by every compilation.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "labs/framework/sources.h"
+
+#include <glassbox/base/error.h>
+
+namespace glassbox::labs::grading {
+
+struct Kit {
+  std::filesystem::path readable;  // all of it that a submission's compiler sees
+  std::filesystem::path
+      include;  // headers: those of the lab that its own student.cpp includes, and no others
+  std::vector<std::filesystem::path> objects;  // the runner without the student's functions
+  std::string compiler;                        // its path
+};
+
+// Makes the kit of the lab labs/FOLDER in `directory`, or finds the one that was made there.
+Result<Kit> make_kit(const Sources& sources, const std::string& folder,
+                     const std::filesystem::path& directory);
+
+// The call that makes `program` of `source`; both are looked for in the directory that it is called in.
+std::vector<std::string> compile_command(const Kit& kit, const std::string& source,
+                                         const std::string& program);
+
+}  // namespace glassbox::labs::grading

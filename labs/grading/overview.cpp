@@ -1,0 +1,156 @@
+#include "labs/grading/overview.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace glassbox::labs::grading {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double max_score(const Row& row) {
+  return row.results.at("extra_data").value("max_score", 0.0);
+}
+
+std::string outcome(const Row& row) {
+  return row.results.at("extra_data").at("outcome");
+}
+
+const Json& tasks(const Row& row) {
+  static const Json none = Json::array();
+  const Json& extra = row.results.at("extra_data");
+  return extra.contains("tasks") ? extra["tasks"] : none;
+}
+
+// Of all rows, in the order in which they are met.
+std::vector<std::string> task_ids(const std::vector<Row>& rows) {
+  std::vector<std::string> ids;
+  for (const Row& row : rows) {
+    for (const Json& task : tasks(row)) {
+      const std::string id = task.at("id");
+      if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
+    }
+  }
+  return ids;
+}
+
+std::string task_score(const Row& row, const std::string& id) {
+  for (const Json& task : tasks(row)) {
+    if (task.at("id") == id) return fmt::format("{:.6g}", task.at("score").get<double>());
+  }
+  return "";
+}
+
+std::string csv_text(const std::string& text) {
+  std::string cell = text;
+  if (!cell.empty() && std::string("=+-@\t\r").find(cell[0]) != std::string::npos)
+    cell = "'" + cell;
+  if (cell.find_first_of(",\"\r\n") == std::string::npos) return cell;
+  std::string quoted = "\"";
+  for (const char c : cell) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string escaped(const std::string& text) {
+  std::string html;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        html += "&amp;";
+        break;
+      case '<':
+        html += "&lt;";
+        break;
+      case '>':
+        html += "&gt;";
+        break;
+      case '"':
+        html += "&quot;";
+        break;
+      default:
+        html += c;
+    }
+  }
+  return html;
+}
+
+constexpr const char* kStyle = R"css(
+:root { color-scheme: light dark; }
+body { max-width: 70rem; margin: 1.5rem auto; padding: 0 1rem; font: 1rem/1.45 system-ui, sans-serif; }
+summary { display: flex; gap: 1rem; align-items: baseline; padding: .3rem 0; border-bottom: 1px solid #8886; cursor: pointer; }
+summary b { flex: 1; overflow-wrap: anywhere; }
+meter { width: 10rem; }
+table { width: 100%; border-collapse: collapse; font-variant-numeric: tabular-nums; }
+th, td { padding: .2rem .6rem .2rem 0; text-align: left; vertical-align: top; border-bottom: 1px solid #8883; }
+pre { margin: .3rem 0 .8rem; padding: .5rem; max-height: 20rem; overflow: auto; white-space: pre-wrap; background: #8882; }
+.score { min-width: 7rem; text-align: right; font-variant-numeric: tabular-nums; }
+.failed { color: #b3261e; } .passed { color: #1b6e3a; }
+@media (prefers-color-scheme: dark) { .failed { color: #ff8a80; } .passed { color: #6fd08c; } }
+)css";
+
+std::string check_row(const Json& test) {
+  const std::string status = test.at("status");
+  return fmt::format(
+      "<tr><td>{}</td><td>{}<pre>{}</pre></td><td class=\"{}\">{}</td><td>{:.6g} / "
+      "{:.6g}</td></tr>\n",
+      escaped(test.at("number")), escaped(test.at("name")), escaped(test.at("output")),
+      escaped(status), escaped(test.at("extra_data").at("outcome")), test.at("score").get<double>(),
+      test.at("max_score").get<double>());
+}
+
+std::string submission_html(const Row& row) {
+  const double score = row.results.at("score"), most = max_score(row);
+  std::string html = fmt::format(
+      "<details><summary><b>{}</b><span>{}</span><meter max=\"{:.6g}\" value=\"{:.6g}\"></meter>"
+      "<span class=\"score\">{:.6g} / {:.6g}</span></summary>\n",
+      escaped(row.name), escaped(outcome(row)), most > 0 ? most : 1, score, score, most);
+  html += "<pre>" + escaped(row.results.at("output")) + "</pre>\n";
+  html += "<table><tr><th>No.</th><th>Check</th><th>Outcome</th><th>Points</th></tr>\n";
+  for (const Json& test : row.results.at("tests")) html += check_row(test);
+  return html + "</table></details>\n";
+}
+
+}  // namespace
+
+std::string class_csv(const std::vector<Row>& rows) {
+  const std::vector<std::string> ids = task_ids(rows);
+  std::string csv = "submission,score,max_score,outcome";
+  for (const std::string& id : ids) csv += "," + csv_text("task " + id);
+  csv += "\r\n";
+  for (const Row& row : rows) {
+    csv +=
+        fmt::format("{},{:.6g},{:.6g},{}", csv_text(row.name),
+                    row.results.at("score").get<double>(), max_score(row), csv_text(outcome(row)));
+    for (const std::string& id : ids) csv += "," + task_score(row, id);
+    csv += "\r\n";
+  }
+  return csv;
+}
+
+std::string class_html(const std::vector<Row>& rows) {
+  std::string title = "Results";
+  std::string sandbox;
+  double sum = 0, most = 0;
+  for (const Row& row : rows) {
+    const Json& extra = row.results.at("extra_data");
+    if (extra.contains("folder")) title = "Lab " + extra["folder"].get<std::string>();
+    if (extra.contains("sandbox")) sandbox = extra["sandbox"];
+    sum += row.results.at("score").get<double>();
+    most = std::max(most, max_score(row));
+  }
+  std::string html =
+      "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
+      "'unsafe-inline'\">\n<meta name=\"viewport\" content=\"width=device-width\">\n";
+  html += fmt::format("<title>{0}</title><style>{1}</style></head><body>\n<h1>{0}</h1>\n",
+                      escaped(title), kStyle);
+  html += fmt::format("<p>{} submissions; on average {:.3g} of {:.6g} points.</p>\n", rows.size(),
+                      rows.empty() ? 0 : sum / static_cast<double>(rows.size()), most);
+  if (!sandbox.empty()) html += fmt::format("<p>Sandbox: {}.</p>\n", escaped(sandbox));
+  for (const Row& row : rows) html += submission_html(row);
+  return html + "</body></html>\n";
+}
+
+}  // namespace glassbox::labs::grading

@@ -1,0 +1,186 @@
+#include "labs/grading/results.h"
+
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "labs/framework/slips.h"
+
+namespace glassbox::labs::grading {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostText = 4000;  // bytes of what a student's code printed
+
+std::string cut(const std::string& text, std::size_t most) {
+  return text.size() <= most ? text : text.substr(0, most) + "\n[cut off here]";
+}
+
+// Sums of thirds and sevenths, to where their rounding cannot be seen: 1e-6 of a point.
+double points(double value) {
+  return std::round(value * 1e6) / 1e6;
+}
+
+// JSON has no such numbers.
+Json number(double value) {
+  if (std::isfinite(value)) return value;
+  return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
+}
+
+std::string divergence_text(const Divergence& divergence) {
+  std::string text = fmt::format("  {}", divergence.field);
+  if (!divergence.element.empty()) text += ", " + divergence.element;
+  text += fmt::format(" ({}): expected {:.9g}, actual {:.9g}", kind_name(divergence.kind),
+                      divergence.expected, divergence.actual);
+  if (divergence.bound > 0 || divergence.distance > 0) {
+    text += fmt::format("\n  distance {:.3g}{}{}, {:.3g} ulps; allowed {:.3g}", divergence.distance,
+                        divergence.unit.empty() ? "" : " ", divergence.unit, divergence.ulps,
+                        divergence.bound);
+  }
+  text += '\n';
+  if (!divergence.explanation.empty()) text += "  " + divergence.explanation + '\n';
+  return text;
+}
+
+Json failure_json(const FirstFailure& failure) {
+  Json json{{"case", failure.index}, {"verdict", verdict_name(failure.verdict)}};
+  if (!failure.where.empty()) json["where"] = failure.where;
+  if (!failure.text.empty()) json["text"] = cut(failure.text, kMostText);
+  if (const auto& divergence = failure.divergence) {
+    json["field"] = divergence->field;
+    json["element"] = divergence->element;
+    json["kind"] = kind_name(divergence->kind);
+    json["expected"] = number(divergence->expected);
+    json["actual"] = number(divergence->actual);
+    json["distance"] = number(divergence->distance);
+    json["bound"] = number(divergence->bound);
+    json["unit"] = divergence->unit;
+    json["ulps"] = number(divergence->ulps);
+  }
+  return json;
+}
+
+Json test_json(const CheckResult& check, const std::string& name, const std::string& number) {
+  Json extra{{"task", check.task},          {"stage", check.stage}, {"outcome", name},
+             {"cases", check.cases.size()}, {"right", check.right}, {"hidden", check.hidden}};
+  if (!check.slips.empty()) extra["slips"] = check.slips;
+  if (check.first) extra["first_failure"] = failure_json(*check.first);
+  return {{"score", points(check.score)},
+          {"max_score", points(check.max_score)},
+          {"status", check.verdict == Verdict::kRight ? "passed" : "failed"},
+          {"name", check.name},
+          {"name_format", "text"},
+          {"number", number},
+          {"output", explanation(check, name)},
+          {"output_format", "text"},
+          {"tags", {check.task, check.stage, name}},
+          {"visibility", check.hidden ? "after_published" : "visible"},
+          {"extra_data", extra}};
+}
+
+}  // namespace
+
+std::string explanation(const CheckResult& check, const std::string& name) {
+  if (check.verdict == Verdict::kRight)
+    return fmt::format("All {} cases are right.\n", check.cases.size());
+  if (check.verdict == Verdict::kNotBuilt) return fmt::format("Not run: {}.\n", name);
+  std::string text =
+      fmt::format("{}: {} of {} cases are right.\n", name, check.right, check.cases.size());
+  if (const auto& first = check.first) {
+    text += fmt::format("The first that is not: case {}", first->index);
+    if (!first->where.empty()) text += fmt::format(" ({})", first->where);
+    text += fmt::format(": {}\n", verdict_name(first->verdict));
+    if (!first->text.empty()) text += "  " + cut(first->text, kMostText) + '\n';
+    if (first->divergence) text += divergence_text(*first->divergence);
+    if (!first->restated.empty()) text += "The case:\n" + first->restated + '\n';
+  }
+  for (const std::string& slip : check.slips) text += "Likely: " + slip_text(slip) + '\n';
+  if (!check.said.empty()) text += "Your code printed:\n" + cut(check.said, kMostText) + '\n';
+  return text;
+}
+
+Json gradescope_json(const Graded& graded, const std::string& confinement) {
+  const LabResult& lab = graded.result;
+  std::string output = fmt::format("Lab {}, {}: {:.6g} of {:.6g} points.\n", lab.number, lab.title,
+                                   points(lab.score), points(lab.max_score));
+  if (graded.outcome != "graded") output += graded.outcome + ".\n";
+  if (!graded.said.empty()) output += "\n" + cut(graded.said, 3 * kMostText);
+  Json tasks = Json::array();
+  for (const TaskResult& task : lab.tasks) {
+    tasks.push_back({{"id", task.id},
+                     {"title", task.title},
+                     {"score", points(task.score)},
+                     {"max_score", points(task.max_score)}});
+  }
+  Json tests = Json::array();
+  std::map<std::string, int> counts;
+  for (std::size_t i = 0; i < lab.checks.size(); ++i) {
+    const CheckResult& check = lab.checks[i];
+    const std::string number = fmt::format("{}.{}", check.task, ++counts[check.task]);
+    tests.push_back(test_json(check, graded.names[i], number));
+  }
+  return {{"score", points(lab.score)},
+          {"output", output},
+          {"output_format", "text"},
+          {"test_output_format", "text"},
+          {"visibility", "visible"},
+          {"stdout_visibility", "hidden"},
+          {"extra_data",
+           {{"lab", lab.number},
+            {"folder", lab.folder},
+            {"outcome", graded.outcome},
+            {"max_score", points(lab.max_score)},
+            {"tasks", tasks},
+            {"sandbox", confinement}}},
+          {"tests", tests}};
+}
+
+Json unfinished_json() {
+  return {{"score", 0.0},
+          {"output", std::string(kUnfinished) + ".\n"},
+          {"output_format", "text"},
+          {"visibility", "visible"},
+          {"stdout_visibility", "hidden"},
+          {"extra_data", {{"outcome", kUnfinished}}},
+          {"tests", Json::array()}};
+}
+
+Json classroom_json(const Json& results) {
+  Json tests = Json::array();
+  bool all = true;
+  for (const Json& test : results.at("tests")) {
+    const bool passed = test.at("status") == "passed";
+    const bool hidden = test.at("extra_data").at("hidden");
+    all = all && passed;
+    tests.push_back(
+        {{"name", test.at("name")},
+         {"status", passed ? "pass" : "fail"},
+         {"score", test.at("score")},
+         {"max_score", test.at("max_score")},
+         {"message", passed   ? Json()
+                     : hidden ? Json("hidden")
+                              : test.at("output")},
+         {"test_code", fmt::format("glassbox lab check, task {}",
+                                   test.at("extra_data").at("task").get<std::string>())},
+         {"filename", "student.cpp"},
+         {"line_no", 0},
+         {"duration", 0}});
+  }
+  const Json& extra = results.at("extra_data");
+  const bool graded = extra.at("outcome") == "graded";
+  return {{"version", 1},
+          {"status", !graded ? "error"
+                     : all   ? "pass"
+                             : "fail"},
+          {"max_score", extra.value("max_score", 0.0)},
+          {"tests", tests}};
+}
+
+std::string text_of(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace glassbox::labs::grading

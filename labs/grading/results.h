@@ -1,0 +1,33 @@
+// Results as the services that take them want them.
+//
+// Gradescope: https://gradescope-autograders.readthedocs.io/en/latest/specs/, "Output format".
+// GitHub Classroom: what github.com/classroom-resources/autograding-grading-reporter reads, in base64, from a runner.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "labs/grading/grade.h"
+
+namespace glassbox::labs::grading {
+
+inline constexpr const char* kUnfinished = "grading did not finish";
+
+// results.json. One test a check; a hidden check is shown when grades are published. What the grader knows beyond Gradescope's
+// fields is in extra_data. Nothing in it depends on when or where it was made. `confinement` is Sandbox::in_force().
+nlohmann::ordered_json gradescope_json(const Graded& graded, const std::string& confinement);
+
+// The same before anything is known of it, not even the lab.
+nlohmann::ordered_json unfinished_json();
+
+// From results.json: hidden checks count, but say nothing but their names.
+nlohmann::ordered_json classroom_json(const nlohmann::ordered_json& results);
+
+// As text; bytes that are no UTF-8 are replaced.
+std::string text_of(const nlohmann::ordered_json& json);
+
+// What a student reads of a check.
+std::string explanation(const CheckResult& check, const std::string& name);
+
+}  // namespace glassbox::labs::grading
