@@ -71,12 +71,6 @@ std::shared_ptr<Planned> forest_aside() {
   return make("forest, looked past", std::move(scene), view, {});
 }
 
-// Triangles that would be small ones without the division by w, too.
-std::shared_ptr<Planned> ellipsoid() {
-  BenchScene bench = make_bench_scene("S2", kWidth, kHeight).value();
-  return make("ellipsoid", std::move(bench.scene), bench.passes.front().view, {});
-}
-
 // The near plane goes through its middle.
 std::shared_ptr<Planned> cut_teapot() {
   Scene scene = make_builtin("teapot").value();
@@ -190,7 +184,7 @@ std::vector<OneDecision> decisions_on_scenes(Effort effort) {
   const auto quads = parallel_quads();
   return {{"objects outside the picture", plan_only<take_outside>, {aside, teapot}},
           {"plane tests", plan_only<take_plane_tests>, {teapot, cut_teapot()}},
-          {"divide by w", plan_only<take_divide>, {quads, ellipsoid()}},
+          {"divide by w", plan_only<take_divide>, {quads, teapot}},
           {"normals", plan_only<take_normals>, {quads, teapot}},
           {"highlights", plan_only<take_highlights>, {forest, room}},
           {"front to back", plan_only<take_order>, {quads, teapot}},
