@@ -2,6 +2,7 @@
 #include "study/extremes/kit/coverage.h"
 #include "study/extremes/kit/screen_scene.h"
 #include "study/naive/coverage.h"
+#include "study/random.h"
 
 namespace glassbox::study {
 
@@ -9,13 +10,22 @@ namespace {
 
 constexpr int kSide = 1024;
 
-// Triangles around a point far to the left of the picture, two pixels high at its right edge: float has too few bits for
-// edge functions of that length.
+// Triangles 34,000 px long, slanted and side by side over the picture: float has too few bits for edge functions of that
+// length.
 std::vector<ScreenTriangle> long_triangles() {
-  const auto apex = screen_vertex(-20000, 512.3);
-  const auto rim = [](int i) { return screen_vertex(1030 + i % 7 * 0.37, -40 + i * 1104 / 512.0); };
+  constexpr std::size_t kStrips = 16;
+  Random random(46);
+  std::vector<ScreenVertex> left, right;
+  for (std::size_t i = 0; i <= kStrips; ++i) {
+    const double y = -600 + double(i) * 1700 / kStrips;  // where the strip meets x = 0
+    left.push_back(screen_vertex(-15000, y - 7500 + random.between(-9, 9)));
+    right.push_back(screen_vertex(16000, y + 8000 + random.between(-9, 9)));
+  }
   std::vector<ScreenTriangle> all;
-  for (int i = 0; i < 512; ++i) all.push_back({apex, rim(i), rim(i + 1)});
+  for (std::size_t i = 0; i < kStrips; ++i) {
+    all.push_back({left[i], right[i], right[i + 1]});
+    all.push_back({left[i], right[i + 1], left[i + 1]});
+  }
   return all;
 }
 
@@ -71,7 +81,7 @@ ExtremeCase c45_watertight_mesh() {
   c.name = "Watertight mesh";
   c.construction =
       "a grid of 500 x 500 quads over 1024 x 1024 px, inner vertices moved by up to 0.2 of a cell; "
-      "512 triangles 21,000 px long around a point outside";
+      "32 slanted triangles 34,000 px long";
   c.stage = "coverage";
   c.right = "every pixel exactly once: edge functions are integers, and one side owns each edge";
   c.unit = "pixels";
