@@ -112,7 +112,7 @@ Result<Comparison> compare_colours(const Scene& scene, const PictureOptions& pic
       const Rendering drawn = renderer.render(shot->view, settings);
       result.candidates.push_back(
           {fmt::format("{}, {} sample{}", name, count, samples == 1 ? "" : "s"),
-           {"--shading", name, "--samples", count},
+           {"--shade", name, "--samples", count},
            true,
            study::color_error(drawn.buffers.color, *reference),
            {}});
@@ -135,11 +135,13 @@ Result<Comparison> compare(const Scene& scene, const PictureOptions& picture, Qu
   return compare_colours(scene, picture);
 }
 
+// The most accurate candidate where none fits.
 std::string command_of(const std::vector<Judged>& judged, std::vector<std::string> words) {
   words.insert(words.begin(), "render");
   for (const Judged& each : judged) {
-    if (!each.chosen) continue;
-    const auto& options = each.comparison.candidates[*each.chosen].options;
+    const auto& candidates = each.comparison.candidates;
+    const auto best = std::ranges::min_element(candidates, {}, &Candidate::error);
+    const auto& options = each.chosen ? candidates[*each.chosen].options : best->options;
     words.insert(words.end(), options.begin(), options.end());
   }
   words.insert(words.end(), {"-o", "recommended.png"});

@@ -93,8 +93,9 @@ Transform<Target, Source, T> as(const Transform<Target, Source>& m) {
   return Transform<Target, Source, T>(glm::mat<4, 4, T>(m.columns));
 }
 
-double snapped(double px, int bits) {
-  return std::floor(std::ldexp(px, bits) + 0.5) * std::ldexp(1.0, -bits);
+// To the nearest of so many steps to a pixel, a power of two.
+double snapped(double px, double steps) {
+  return std::floor(px * steps + 0.5) * (1 / steps);
 }
 
 struct Arithmetic {
@@ -202,19 +203,21 @@ Comparison SceneVertices::positions() const {
   double kept = 0;  // so that no work is left out
   for (const Arithmetic& way : ways) {
     for (const int bits : {4, 6, 8, 10, 12}) {
+      const double steps = std::ldexp(1.0, bits);
       Candidate candidate;
       candidate.name = fmt::format("{}; {} subpixel bits", way.name, bits);
       candidate.in_render = way.in_render && bits == kSubpixelBits;
       for (const RightPlace& right : places_) {
         const Screen at = way.at(right.draw, right.vertex);
-        const double off = std::hypot(snapped(at.x, bits) - right.x, snapped(at.y, bits) - right.y);
+        const double off =
+            std::hypot(snapped(at.x, steps) - right.x, snapped(at.y, steps) - right.y);
         candidate.error = off <= candidate.error ? candidate.error : off;  // NaN stays
       }
       result.candidates.push_back(std::move(candidate));
-      works.push_back({[this, &way, bits, &kept] {
+      works.push_back({[this, &way, steps, &kept] {
                          for (const RightPlace& right : places_) {
                            const Screen at = way.at(right.draw, right.vertex);
-                           kept += snapped(at.x, bits) + snapped(at.y, bits);
+                           kept += snapped(at.x, steps) + snapped(at.y, steps);
                          }
                        },
                        double(places_.size())});
