@@ -6,5 +6,6 @@
 namespace glassbox::labs {
 
 Lab lab_01();
+Lab lab_02();
 
 }  // namespace glassbox::labs

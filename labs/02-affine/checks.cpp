@@ -1,0 +1,328 @@
+// What is expected of lab 2: by the pipeline's own maps, by integers, and by what a rotation is.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <glm/matrix.hpp>
+
+#include <glassbox/base/rounding.h>
+#include <glassbox/base/trig.h>
+#include <glassbox/pipeline/affine.h>
+
+#include "labs/02-affine/cases.h"
+#include "labs/framework/compare.h"
+#include "labs/labs.h"
+
+namespace glassbox::labs {
+
+namespace {
+
+using namespace lab_02;
+using Map = Transform<World, World>;
+
+constexpr double u = unit_roundoff<double>;
+// An angle in degrees taken for radians carries the rounding of a larger angle along: 57.3 times as large.
+constexpr double kSlippedBound = 64;
+
+Expected exactly(const std::string& field, std::vector<double> values) {
+  return {field, Shape::kNumbers, std::move(values), 0, "", 0};
+}
+
+// The rows and columns named of a matrix, row by row.
+std::vector<double> entries(const Map& m, const std::vector<int>& of) {
+  std::vector<double> all;
+  for (const int i : of) {
+    for (const int j : of) all.push_back(m.at(i, j));
+  }
+  return all;
+}
+
+// ---- about a point: exact enough in the pipeline's double, whose angles in degrees are not rounded ----
+
+Map turn_degrees(const Vector<World, double>& axis, double degrees) {
+  return rotate_degrees<World>(axis, degrees).value_or(Map{});
+}
+
+Case expect_turn(const TurnCase& input) {
+  const Vector<World, double> to(input.centre.x, input.centre.y, 0);
+  const Vector<World, double> z_axis(0, 0, 1);
+  // The angle in radians is off by 1.5 u of up to 2 pi, sine and cosine by that and their own u: 12 u. Two products, two
+  // sums and the other matrices' share double it.
+  const double bound = 24 * u * (1 + std::abs(to.x) + std::abs(to.y));
+  const auto expected = [&](const Map& m, double scale) {
+    return Expected{"matrix", Shape::kMatrix, entries(m, {0, 1, 3}), scale * bound, "", 3};
+  };
+  const auto about = [&](const Vector<World, double>& centre, double degrees) {
+    return translate<World>(centre) * turn_degrees(z_axis, degrees) * translate<World>(-centre);
+  };
+  Case c{fmt::format("about ({}, {}) by {} degrees", to.x, to.y, input.degrees),
+         fmt::format("the point ({}, {}) stays where it is", to.x, to.y),
+         {expected(about(to, input.degrees), 1)},
+         nullptr,
+         {}};
+  c.slipped = {{"multiplication-order", {expected(about(-to, input.degrees), 1)}},
+               {"handedness", {expected(about(to, -input.degrees), 1)}},
+               {"degrees-radians",
+                {expected(about(to, degrees_from_radians(input.degrees)), kSlippedBound)}}};
+  return c;
+}
+
+// ---- steps ----
+
+enum class Slip { kNone, kRadians, kClockwise };
+
+Map matrix_of(const Step& step, Slip slip) {
+  switch (step.kind) {
+    case Step::Kind::kTranslate:
+      return translate<World>(step.v);
+    case Step::Kind::kScale:
+      return glassbox::scale<World>(step.v.x, step.v.y, step.v.z);
+    case Step::Kind::kShear:
+      return glassbox::shear<World>(Axis(step.changed), Axis(step.by), step.amount);
+    case Step::Kind::kRotate:
+      break;
+  }
+  if (slip == Slip::kRadians) return turn_degrees(step.v, degrees_from_radians(step.amount));
+  return turn_degrees(step.v, slip == Slip::kClockwise ? -step.amount : step.amount);
+}
+
+double norm(const Map& m) {
+  double largest = 0;
+  for (int i = 0; i < 4; ++i) {
+    double sum = 0;
+    for (int j = 0; j < 4; ++j) sum += std::abs(m.at(i, j));
+    largest = std::max(largest, sum);
+  }
+  return largest;
+}
+
+std::string step_text(const Step& step) {
+  switch (step.kind) {
+    case Step::Kind::kTranslate:
+      return fmt::format("move by ({}, {}, {})", step.v.x, step.v.y, step.v.z);
+    case Step::Kind::kRotate:
+      return fmt::format("turn about ({}, {}, {}) by {} degrees", step.v.x, step.v.y, step.v.z,
+                         step.amount);
+    case Step::Kind::kScale:
+      return fmt::format("scale by ({}, {}, {})", step.v.x, step.v.y, step.v.z);
+    case Step::Kind::kShear:
+      break;
+  }
+  return fmt::format("add {} {} to {}", step.amount, "xyz"[step.by], "xyz"[step.changed]);
+}
+
+Case expect_composition(const ComposeCase& input) {
+  Map all, reversed, radians, clockwise;
+  double norms = 1;
+  std::string text;
+  for (const Step& step : input.steps) {
+    const Map m = matrix_of(step, Slip::kNone);
+    all = m * all;
+    reversed = reversed * m;
+    radians = matrix_of(step, Slip::kRadians) * radians;
+    clockwise = matrix_of(step, Slip::kClockwise) * clockwise;
+    norms *= norm(m);
+    text += (text.empty() ? "" : ", then ") + step_text(step);
+  }
+  // A row of a rotation is off by 3 entries of 16 u each (angle 10 u, sine, cosine, axis and two operations), a product adds
+  // gamma(4): less than 64 u of the norms for each step, the pipeline's own 8 u included.
+  const double bound = 64 * double(input.steps.size()) * u * norms;
+  const auto expected = [&](const Map& m, double scale) {
+    return std::vector<Expected>{
+        {"world_from_object", Shape::kMatrix, entries(m, {0, 1, 2, 3}), scale * bound, "", 4}};
+  };
+  return {input.what,
+          text,
+          expected(all, 1),
+          nullptr,
+          {{"multiplication-order", expected(reversed, 1)},
+           {"handedness", expected(clockwise, 1)},
+           {"degrees-radians", expected(radians, kSlippedBound)}}};
+}
+
+// ---- three points ----
+
+std::string triangle_text(const std::array<Point2, 3>& p) {
+  return fmt::format("({}, {}), ({}, {}), ({}, {})", p[0].x, p[0].y, p[1].x, p[1].y, p[2].x,
+                     p[2].y);
+}
+
+// More than 64 bits, which ISO C++ does not have.
+__extension__ using Wide = __int128;
+
+// In integers: the linear part is num / det and the last column (target det - num source) / det, of which only the
+// divisions round. Sizes stay below 2^21 for differences, 2^43 for num and det, 2^65 for the last.
+Case expect_fit(const FitCase& input) {
+  const auto& s = input.source;
+  const auto& t = input.target;
+  const double ex = s[1].x - s[0].x, ey = s[1].y - s[0].y, fx = s[2].x - s[0].x,
+               fy = s[2].y - s[0].y;
+  const double det = ex * fy - fx * ey;
+  const double from[2] = {t[0].x, t[0].y};
+  const double g[2] = {t[1].x - t[0].x, t[1].y - t[0].y};
+  const double h[2] = {t[2].x - t[0].x, t[2].y - t[0].y};
+  std::vector<double> linear, map;
+  double largest = 0;
+  for (int i = 0; i < 2; ++i) {
+    const double a = g[i] * fy - h[i] * ey, b = h[i] * ex - g[i] * fx;
+    const Wide last = Wide(from[i]) * Wide(det) - Wide(a) * Wide(s[0].x) - Wide(b) * Wide(s[0].y);
+    linear.insert(linear.end(), {a / det, b / det});
+    map.insert(map.end(), {a / det, b / det, double(last) / det});
+    largest = std::max({largest, std::abs(a / det), std::abs(b / det)});
+  }
+  map.insert(map.end(), {0, 0, 1});
+  const double size = std::max(std::abs(ex) + std::abs(ey), std::abs(fx) + std::abs(fy));
+  const double inverse = std::max(std::abs(fy) + std::abs(ey), std::abs(fx) + std::abs(ex));
+  const double condition = size * inverse / std::abs(det);
+  // G E^-1 by cofactors: gamma(3) |G| |E^-1| <= 6 u c A for the numerators, 2 u c A for the determinant, 2 u for the rest.
+  const double bound = 16 * condition * u * largest;
+  const double last_bound = bound * (1 + std::abs(s[0].x) + std::abs(s[0].y)) +
+                            4 * u * std::max(std::abs(from[0]), std::abs(from[1]));
+  return {input.what,
+          "from " + triangle_text(s) + " to " + triangle_text(t),
+          {{"linear part", Shape::kMatrix, linear, bound, "", 2},
+           {"map", Shape::kMatrix, map, last_bound, "", 3}},
+          nullptr,
+          {}};
+}
+
+Case expect_line(const LineCase& input) {
+  return {input.what,
+          "on a line: " + triangle_text(input.on_a_line) +
+              "; off it: " + triangle_text(input.off_it) + "; 1 is a map, 0 is std::nullopt",
+          {exactly("on a line", {0}), exactly("off it", {1})},
+          nullptr,
+          {}};
+}
+
+// ---- axis and angle: of the quaternion (w; x, y, z) they are (x, y, z) / |(x, y, z)| and 2 atan2(|(x, y, z)|, w) ----
+
+Case expect_axis(const RotationCase& q) {
+  const double sine = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z);
+  const double angle = 2 * arctan2(sine, q.w);
+  std::vector<double> axis{0, 0, 1};
+  if (sine > 0) axis = {q.x / sine, q.y / sine, q.z / sine};
+  const auto first = std::find_if(axis.begin(), axis.end(), [](double x) { return x != 0; });
+  if (q.w == 0 && *first < 0) {
+    for (double& each : axis) each = -each;
+  }
+  // The entries of R are off by u of their size. Up to a right angle those of R - R^T are as small as the angle, beyond
+  // it the longest column of (R + R^T)/2 - cos I is at least 1/3 long: a few u of the axis either way; a few u of sine and
+  // cosine, and so of the angle. Twice 16 u, for the two ways of computing.
+  const double axis_bound = 32 * u, angle_bound = 32 * u * angle;
+  const Expected the_axis{"axis", Shape::kPoint, axis, axis_bound, "", 0};
+  const Expected the_angle{"angle", Shape::kNumbers, {angle}, angle_bound, "radian", 0};
+  Expected opposite = the_axis;
+  for (double& each : opposite.values) each = -each;
+  return {q.what,
+          fmt::format("the quaternion ({}; {}, {}, {}) scaled to length 1", q.w, q.x, q.y, q.z),
+          {the_axis, the_angle},
+          nullptr,
+          {{"row-column-order", {opposite, the_angle}}}};
+}
+
+// ---- rotations again: any that is near enough is right ----
+
+std::optional<Divergence> judge_rotation(const Map& given, const Answer& answer) {
+  Divergence found;
+  found.field = "rotation";
+  const auto* values = find_field(answer, "rotation");
+  if (values == nullptr || values->size() != 16) {
+    found.kind = Divergence::Kind::kMissing;
+    found.explanation = "16 numbers are expected";
+    return found;
+  }
+  glm::dmat3 before(given.columns), after;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) after[j][i] = (*values)[std::size_t(4 * i + j)];
+  }
+  // Columns made of length 1 are off by 3 u in each component, which is 6 u in a product of two, and summing that up
+  // rounds three times more: 9 u and what is of second order.
+  const double drift = orthogonality_error(before), error = orthogonality_error(after);
+  found.actual = found.distance = error;
+  found.bound = 16 * u;
+  if (!(error <= found.bound)) {
+    found.element = "largest entry of |R^T R - I|";
+    found.explanation = fmt::format("it was {:.3g} before the repair", drift);
+    return found;
+  }
+  if (!(glm::determinant(after) > 0)) {
+    found.element = "determinant";
+    found.expected = 1;
+    found.actual = glm::determinant(after);
+    found.distance = 2;
+    found.bound = 0;
+    found.explanation = "the result is a mirror, not a rotation";
+    return found;
+  }
+  found.bound = 3 * drift + 16 * u;
+  for (std::size_t n = 0; n < 16; ++n) {
+    const int i = int(n) / 4, j = int(n) % 4;
+    const bool border = i == 3 || j == 3;
+    found.index = n;
+    found.element = fmt::format("row {}, column {}", i, j);
+    found.expected = given.at(i, j);
+    found.actual = (*values)[n];
+    found.distance = std::abs(found.actual - found.expected);
+    if (border) found.bound = 0;
+    if (!(found.distance <= found.bound)) {
+      found.explanation = border ? "the last row and column are those of the identity"
+                                 : "a rotation, but not the one that was meant";
+      return found;
+    }
+    found.bound = 3 * drift + 16 * u;
+  }
+  return std::nullopt;
+}
+
+Case expect_repair(const DriftCase& input) {
+  const Map given = input.matrix;
+  return {input.what,
+          fmt::format("the largest entry of |R^T R - I| is {:.3g}",
+                      orthogonality_error(glm::dmat3(given.columns))),
+          {{"rotation", Shape::kMatrix, entries(given, {0, 1, 2, 3}), 0, "", 4}},
+          [given](const Answer& answer) { return judge_rotation(given, answer); },
+          {}};
+}
+
+template <class Input>
+Check check(const char* name, const char* task, bool hidden, const std::vector<Input>& inputs,
+            Case (*expect)(const Input&)) {
+  return {name, task, "world", hidden, [inputs, expect] {
+            std::vector<Case> cases;
+            for (const Input& input : inputs) cases.push_back(expect(input));
+            return cases;
+          }};
+}
+
+}  // namespace
+
+Lab lab_02() {
+  constexpr bool kHidden = true;
+  return {2,
+          "02-affine",
+          "Affine maps: composition, correspondences, rotations",
+          {{"2.1", "Turn the plane about a point", 15},
+           {"2.2", "Compose translations, rotations, scalings and shears", 25},
+           {"2.3", "Fit an affine map to three pairs of points", 20},
+           {"2.4", "Find the axis and the angle of a rotation", 25},
+           {"2.5", "Repair a rotation that has drifted", 15}},
+          {check("the plane turns about a point", "2.1", false, turns(), expect_turn),
+           check("other points and angles", "2.1", kHidden, hidden_turns(), expect_turn),
+           check("one step", "2.2", false, single_steps(), expect_composition),
+           check("steps one after the other", "2.2", false, compositions(), expect_composition),
+           check("mirrors, shears and deep hierarchies", "2.2", kHidden, hidden_compositions(),
+                 expect_composition),
+           check("three points determine a map", "2.3", false, fits(), expect_fit),
+           check("three points on a line do not", "2.3", false, lines(), expect_line),
+           check("needles and flat targets", "2.3", kHidden, hidden_fits(), expect_fit),
+           check("axis and angle", "2.4", false, rotations(), expect_axis),
+           check("axis and angle near no turn and half a turn", "2.4", false, stiff_rotations(),
+                 expect_axis),
+           check("other axes and angles", "2.4", kHidden, hidden_rotations(), expect_axis),
+           check("what has drifted is a rotation again", "2.5", false, drifts(), expect_repair),
+           check("other drifts", "2.5", kHidden, hidden_drifts(), expect_repair)}};
+}
+
+}  // namespace glassbox::labs
