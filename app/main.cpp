@@ -13,6 +13,7 @@
 #include "app/explain_command.h"
 #include "app/info_command.h"
 #include "app/inspect_command.h"
+#include "app/lab_command.h"
 #include "app/pixel_command.h"
 #include "app/render_command.h"
 #include "app/step_command.h"
@@ -35,7 +36,7 @@ int bad_usage(const CLI::App& app, const CLI::ParseError& error) {
       chosen.empty() && dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
   fmt::print(stderr, "glassbox: {}{}; {} --help shows what there is\n", what,
              no_command ? " (the subcommands are render, info, explain, step, pixel, why, stereo, "
-                          "inspect, diff, bench and study)"
+                          "inspect, diff, bench, study and lab)"
                         : "",
              command);
   return kBadInput;
@@ -61,6 +62,7 @@ int run(int argc, char** argv) {
   BenchCommand bench;
   BenchPeerCommand bench_peer;
   StudyCommand study;
+  LabCommand lab;
   render.add_to(app, exit_code);
   info.add_to(app, exit_code);
   explain.add_to(app, exit_code);
@@ -73,6 +75,7 @@ int run(int argc, char** argv) {
   bench.add_to(app, exit_code);
   bench_peer.add_to(app, exit_code);
   study.add_to(app, exit_code);
+  lab.add_to(app, exit_code);
   app.require_subcommand(0, 1);
 
   try {

@@ -13,6 +13,9 @@ list(TRANSFORM targets PREPEND glassbox_)
 set_target_properties(glassbox_flags PROPERTIES EXPORT_NAME flags)
 install(TARGETS glassbox glassbox_flags ${targets} EXPORT glassbox
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+# What `glassbox lab` hands out and compiles students' code with; the judges are in the program.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/labs DESTINATION ${CMAKE_INSTALL_DATADIR}/glassbox
+  PATTERN "CMakeLists.txt" EXCLUDE PATTERN "checks.cpp" EXCLUDE PATTERN "grading" EXCLUDE)
 install(TARGETS glassbox_program DESTINATION ${CMAKE_INSTALL_BINDIR})
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/glassbox)

@@ -54,7 +54,9 @@ struct Slipped {
 // One input. The first case of a check that fails is the one reported in full.
 struct Case {
   std::string where;     // "triangle 3, vertex 1"; "pixel (10, 12)"
-  std::string restated;  // the input in the spaces where it can be seen: NDC, screen, winding
+  // The input in the spaces where it can be seen: NDC, screen, winding. A line that begins with "glassbox " is a command that
+  // shows the case.
+  std::string restated;
   std::vector<Expected> expected;
   // Where more than one answer is right: none if the answer is. In place of the comparison with `expected`.
   std::function<std::optional<Divergence>(const Answer&)> judge;

@@ -1,0 +1,99 @@
+#include "app/lab/find_lab.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <functional>
+#include <system_error>
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace glassbox::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// The user's cache, with a folder for each place that a lab is checked in.
+fs::path cache_for(const fs::path& folder) {
+  const char* cache = std::getenv("XDG_CACHE_HOME");
+  const char* home = std::getenv("HOME");
+  fs::path base;
+  if (cache != nullptr && *cache == '/') {
+    base = cache;
+  } else if (home != nullptr && *home == '/') {
+    base = fs::path(home) / ".cache";
+  } else {
+    base = fs::temp_directory_path() / fmt::format("glassbox-{}", getuid());
+  }
+  const std::size_t place = std::hash<std::string>{}(folder.string());
+  return base / "glassbox" / "labs" / fmt::format("{}-{:016x}", folder.filename().string(), place);
+}
+
+// The name in lab.json: an error if the file is no such thing, empty if there is none.
+Result<std::string> named_lab(const fs::path& folder) {
+  std::error_code error;
+  const fs::path file = folder / "lab.json";
+  if (!fs::exists(file, error)) return std::string();
+  const auto text = labs::read_text_file(file);
+  if (!text) return tl::unexpected(text.error());
+  const auto json = nlohmann::json::parse(*text, nullptr, false);
+  const auto name = json.is_object() ? json.find("lab") : json.end();
+  if (!json.is_object() || name == json.end() || !name->is_string())
+    return fail(file.string(), "does not name a lab",
+                "write {\"lab\": \"05-clipping\"} into it, with the name of your lab");
+  return name->get<std::string>();
+}
+
+}  // namespace
+
+std::string lab_names() {
+  const auto& all = labs::all_labs();
+  if (all.empty()) return "none";
+  std::string names;
+  for (const labs::Lab& lab : all)
+    names += (names.empty() ? "" : ", ") + fmt::format("{} ({})", lab.number, lab.folder);
+  return names;
+}
+
+Result<const labs::Lab*> find_lab(const std::string& name) {
+  for (const labs::Lab& lab : labs::all_labs()) {
+    const std::string& folder = lab.folder;
+    const std::size_t dash = folder.find('-');
+    const std::string topic = dash == std::string::npos ? folder : folder.substr(dash + 1);
+    if (name == std::to_string(lab.number) || name == fmt::format("{:02}", lab.number) ||
+        name == folder || name == topic)
+      return &lab;
+  }
+  return fail("lab", fmt::format("there is no lab \"{}\"", name),
+              fmt::format("the labs are {}", lab_names()));
+}
+
+Result<LabFolder> open_lab_folder(const std::string& folder) {
+  std::error_code error;
+  fs::path place = fs::canonical(folder, error);
+  if (error || !fs::is_directory(place, error))
+    return fail(folder, "is no folder",
+                "name the folder that glassbox lab start has made, or make one with it");
+  const auto named = named_lab(place);
+  if (!named) return tl::unexpected(named.error());
+  LabFolder found;
+  found.own = named->empty();
+  const auto lab = find_lab(found.own ? place.filename().string() : *named);
+  if (!lab && found.own)
+    return fail(folder, "is no lab: there is no lab.json in it",
+                "name the folder that glassbox lab start has made, or make one with it");
+  if (!lab) return tl::unexpected(lab.error());
+  found.lab = *lab;
+  found.student = place / "student.cpp";
+  if (!fs::is_regular_file(found.student, error))
+    return fail((fs::path(folder) / "student.cpp").string(), "is not there",
+                "put your code into this file; glassbox lab start makes it");
+  const bool writable = access(place.c_str(), W_OK) == 0;
+  found.build_dir = found.own || !writable ? cache_for(place) : place / "build" / "check";
+  return found;
+}
+
+}  // namespace glassbox::app

@@ -1,0 +1,65 @@
+#include "app/lab/list_command.h"
+
+#include <fmt/format.h>
+
+#include "app/exit_codes.h"
+#include "app/output.h"
+#include "app/program_name.h"
+
+#include "labs/labs.h"
+
+namespace glassbox::app {
+
+namespace {
+
+double points_of(const labs::Lab& lab) {
+  double points = 0;
+  for (const labs::Task& task : lab.tasks) points += task.points;
+  return points;
+}
+
+nlohmann::ordered_json list_json() {
+  auto all = nlohmann::ordered_json::array();
+  for (const labs::Lab& lab : labs::all_labs()) {
+    auto tasks = nlohmann::ordered_json::array();
+    for (const labs::Task& task : lab.tasks)
+      tasks.push_back({{"id", task.id}, {"title", task.title}, {"points", task.points}});
+    all.push_back({{"number", lab.number},
+                   {"folder", lab.folder},
+                   {"title", lab.title},
+                   {"points", points_of(lab)},
+                   {"tasks", std::move(tasks)}});
+  }
+  return all;
+}
+
+std::string list_text() {
+  std::string text;
+  for (const labs::Lab& lab : labs::all_labs()) {
+    text += fmt::format("{:<4}{} ({:g} points)\n", lab.number, lab.title, points_of(lab));
+    for (const labs::Task& task : lab.tasks)
+      text += fmt::format("    {:<5}{:<58}{:>6g}\n", task.id, task.title, task.points);
+  }
+  if (text.empty()) text = "No lab is built into this program.\n";
+  return text + fmt::format("\n{} lab start NUMBER FOLDER begins one.\n", program_name());
+}
+
+}  // namespace
+
+void LabListCommand::add_to(CLI::App& lab, int& exit_code) {
+  CLI::App& command = *lab.add_subcommand("list", "the labs, their tasks and points");
+  command.add_option("--json", json_output_, "the same as JSON; - is standard output")
+      ->type_name("FILE|-");
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+int LabListCommand::run() const {
+  if (json_output_) {
+    if (const auto written = write_json(*json_output_, list_json()); !written)
+      return refuse(written.error());
+  }
+  if (json_output_ != "-") fmt::print("{}", list_text());
+  return kSuccess;
+}
+
+}  // namespace glassbox::app

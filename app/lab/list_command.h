@@ -1,0 +1,21 @@
+// glassbox lab list: the labs and their tasks.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace glassbox::app {
+
+class LabListCommand {
+public:
+  void add_to(CLI::App& lab, int& exit_code);
+
+private:
+  int run() const;
+
+  std::optional<std::string> json_output_;
+};
+
+}  // namespace glassbox::app

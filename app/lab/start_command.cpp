@@ -1,0 +1,119 @@
+#include "app/lab/start_command.h"
+
+#include <filesystem>
+#include <span>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "app/exit_codes.h"
+#include "app/lab/find_lab.h"
+#include "app/lab/starter.h"
+#include "app/output.h"
+#include "app/shell_line.h"
+
+#include "labs/framework/zip.h"
+
+#include <glassbox/images/atomic_file.h>
+
+namespace glassbox::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Starter {
+  const labs::Lab* lab;
+  std::vector<labs::SourceFile> files;
+};
+
+Result<Starter> starter_of(const std::string& name) {
+  const auto lab = find_lab(name);
+  if (!lab) return tl::unexpected(lab.error());
+  const auto sources = labs::find_sources();
+  if (!sources) return tl::unexpected(sources.error());
+  auto files = make_starter(*sources, **lab);
+  if (!files) return tl::unexpected(files.error());
+  return Starter{*lab, std::move(*files)};
+}
+
+// New or empty: nobody's work is written over.
+Result<void> check_empty(const std::string& folder) {
+  std::error_code error;
+  const fs::file_status status = fs::status(folder, error);
+  if (!fs::exists(status)) return {};
+  if (!fs::is_directory(status))
+    return fail(folder, "is there already, and is no folder", "name a new folder");
+  if (fs::is_empty(folder, error) && !error) return {};
+  return fail(folder, "is there already and has something in it",
+              "name a new folder, so that no work of yours is written over");
+}
+
+std::string suggestion(const std::vector<std::string>& words) {
+  return shell_line(words).value_or(program_name() + " " + words[0] + " " + words[1] + " FOLDER");
+}
+
+}  // namespace
+
+void LabStartCommand::add_to(CLI::App& lab, int& exit_code) {
+  CLI::App& command = *lab.add_subcommand("start", "a folder to do a lab in");
+  command.footer(
+      "Examples:\n"
+      "  glassbox lab start 5 ~/lab5");
+  command.add_option("LAB", lab_, "its number or name")->required();
+  command.add_option("FOLDER", folder_, "new or empty")->required();
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+int LabStartCommand::run() const {
+  const auto starter = starter_of(lab_);
+  if (!starter) return refuse(starter.error());
+  if (const auto empty = check_empty(folder_); !empty) return refuse(empty.error());
+  for (const labs::SourceFile& file : starter->files) {
+    if (const auto written = labs::write_if_changed(fs::path(folder_) / file.path, file.text);
+        !written)
+      return refuse(written.error());
+  }
+  fmt::print(
+      "Lab {}, {}, is in {}.\n\n"
+      "  handout.md    the idea and the tasks: begin here\n"
+      "  student.h     what each function must do\n"
+      "  student.cpp   yours to write\n\n"
+      "{}    what is right so far\n"
+      "{}    the same after every save\n",
+      starter->lab->number, starter->lab->title, folder_, suggestion({"lab", "check", folder_}),
+      suggestion({"lab", "watch", folder_}));
+  return kSuccess;
+}
+
+void LabExportCommand::add_to(CLI::App& lab, int& exit_code) {
+  CLI::App& command =
+      *lab.add_subcommand("export", "the starter of a lab as an archive, to hand out");
+  command.footer(
+      "Examples:\n"
+      "  glassbox lab export 5 -o starter.zip\n\n"
+      "Solutions and hidden checks are left out.");
+  command.add_option("LAB", lab_, "its number or name")->required();
+  command.add_option("-o,--output", output_, "the archive: a .zip file")
+      ->type_name("FILE")
+      ->required();
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+int LabExportCommand::run() const {
+  if (const auto good = check_extension(output_, ".zip"); !good) return refuse(good.error());
+  const auto starter = starter_of(lab_);
+  if (!starter) return refuse(starter.error());
+  std::vector<labs::ZipEntry> entries;
+  for (const labs::SourceFile& file : starter->files)
+    entries.push_back({starter->lab->folder + "/" + file.path, file.text});
+  const auto bytes = labs::make_zip(entries);
+  if (!bytes) return refuse(bytes.error());
+  if (const auto written = write_file(output_, std::span(*bytes)); !written)
+    return refuse(written.error());
+  fmt::print("{}: {} files of lab {}, {}\n", output_, entries.size(), starter->lab->number,
+             starter->lab->title);
+  return kSuccess;
+}
+
+}  // namespace glassbox::app

@@ -1,0 +1,30 @@
+// glassbox lab start: a folder to do a lab in. glassbox lab export: the same as an archive, for a class.
+#pragma once
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace glassbox::app {
+
+class LabStartCommand {
+public:
+  void add_to(CLI::App& lab, int& exit_code);
+
+private:
+  int run() const;
+
+  std::string lab_, folder_;
+};
+
+class LabExportCommand {
+public:
+  void add_to(CLI::App& lab, int& exit_code);
+
+private:
+  int run() const;
+
+  std::string lab_, output_;
+};
+
+}  // namespace glassbox::app

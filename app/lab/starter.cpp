@@ -1,0 +1,164 @@
+#include "app/lab/starter.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "labs/framework/strip.h"
+
+namespace glassbox::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+using labs::SourceFile;
+
+// {0}: the lab's folder.
+constexpr const char* kCMakeLists = R"(cmake_minimum_required(VERSION 3.16)
+project({0} CXX)
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Debug)
+endif()
+
+# The headers of glassbox: of an installed one, or of the one that made this folder.
+find_package(glassbox CONFIG QUIET)
+set(GLASSBOX_INCLUDE "{1}" CACHE PATH "The folder that has glassbox/base/spaces.h")
+
+add_executable(runner student.cpp runner.cpp labs/framework/runner_main.cpp)
+target_include_directories(runner PRIVATE ${{CMAKE_CURRENT_SOURCE_DIR}})
+if(EXISTS "${{GLASSBOX_INCLUDE}}/glassbox/base/spaces.h")
+  target_include_directories(runner SYSTEM PRIVATE "${{GLASSBOX_INCLUDE}}")
+elseif(glassbox_FOUND)
+  get_target_property(headers glassbox::base INTERFACE_INCLUDE_DIRECTORIES)
+  target_include_directories(runner SYSTEM PRIVATE ${{headers}})
+else()
+  message(FATAL_ERROR "glassbox is not found: give -DGLASSBOX_INCLUDE=FOLDER or -DCMAKE_PREFIX_PATH=FOLDER")
+endif()
+# A product and a sum are two roundings, as in the pipeline.
+target_compile_options(runner PRIVATE -ffp-contract=off -Wall -Wextra -Wno-unused-parameter)
+)";
+
+constexpr const char* kLaunch = R"({
+  "version": "0.2.0",
+  "configurations": [
+    {
+      "name": "One case of a check",
+      "type": "cppdbg",
+      "request": "launch",
+      "program": "${workspaceFolder}/build/runner",
+      "args": ["--check", "${input:check}", "--case", "${input:case}"],
+      "cwd": "${workspaceFolder}",
+      "MIMode": "gdb",
+      "preLaunchTask": "build"
+    }
+  ],
+  "inputs": [
+    {
+      "id": "check",
+      "type": "pickString",
+      "description": "Which check",
+      "options": @CHECKS@
+    },
+    {
+      "id": "case",
+      "type": "promptString",
+      "description": "Which case, from 0",
+      "default": "0"
+    }
+  ]
+}
+)";
+
+constexpr const char* kTasks = R"({
+  "version": "2.0.0",
+  "tasks": [
+    {
+      "label": "build",
+      "type": "shell",
+      "command": "cmake -S . -B build && cmake --build build",
+      "group": {"kind": "build", "isDefault": true},
+      "problemMatcher": "$gcc"
+    },
+    {
+      "label": "check",
+      "type": "shell",
+      "command": "glassbox lab check .",
+      "group": {"kind": "test", "isDefault": true},
+      "problemMatcher": "$gcc"
+    }
+  ]
+}
+)";
+
+std::string launch_json(const labs::Lab& lab) {
+  auto names = nlohmann::json::array();
+  for (const labs::Check& check : lab.checks) {
+    if (!check.hidden) names.push_back(check.name);
+  }
+  std::string text = kLaunch;
+  const std::string mark = "@CHECKS@";
+  return text.replace(text.find(mark), mark.size(), names.dump());
+}
+
+std::string lab_json(const labs::Lab& lab) {
+  const nlohmann::ordered_json json{
+      {"lab", lab.folder}, {"number", lab.number}, {"title", lab.title}};
+  return json.dump(2) + "\n";
+}
+
+// The handout, and the pictures and meshes that lie beside it.
+Result<void> add_handout(const fs::path& folder, std::vector<SourceFile>& files) {
+  std::error_code error;
+  std::vector<fs::path> found;
+  for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end;
+       at.increment(error)) {
+    const std::string extension = at->path().extension().string();
+    static const std::set<std::string> handed_out{".md",  ".png", ".svg",  ".jpg", ".ppm",
+                                                  ".obj", ".mtl", ".gltf", ".glb"};
+    if (handed_out.count(extension) != 0 && at->is_regular_file(error)) found.push_back(at->path());
+  }
+  std::sort(found.begin(), found.end());
+  for (const fs::path& path : found) {
+    auto text = labs::read_text_file(path);
+    if (!text) return tl::unexpected(text.error());
+    files.push_back({path.lexically_relative(folder).generic_string(), std::move(*text)});
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<std::vector<SourceFile>> make_starter(const labs::Sources& sources, const labs::Lab& lab) {
+  std::vector<SourceFile> files;
+  if (const auto added = add_handout(sources.labs / lab.folder, files); !added)
+    return tl::unexpected(added.error());
+  const auto solution = labs::solution_text(sources, lab.folder);
+  if (!solution) return tl::unexpected(solution.error());
+  auto stubs = labs::strip_solution(*solution, lab.folder + "/student.cpp");
+  if (!stubs) return tl::unexpected(stubs.error());
+  if (const auto leaks = labs::find_leaks(*solution, *stubs); !leaks.empty()) {
+    return tl::unexpected(Error{lab.folder + "/student.cpp", fmt::format("line {}", leaks[0].line),
+                                "a line of the solution would be handed out: " + leaks[0].text,
+                                "check the markers around it"});
+  }
+  files.push_back({"student.cpp", std::move(*stubs)});
+  auto support = labs::support_files(sources, lab.folder, false);
+  if (!support) return tl::unexpected(support.error());
+  for (SourceFile& file : *support) files.push_back(std::move(file));
+  files.push_back(
+      {"CMakeLists.txt", fmt::format(kCMakeLists, lab.folder, sources.include.generic_string())});
+  files.push_back({".vscode/launch.json", launch_json(lab)});
+  files.push_back({".vscode/tasks.json", kTasks});
+  files.push_back({".gitignore", "build/\n"});
+  files.push_back({"lab.json", lab_json(lab)});
+  return files;
+}
+
+}  // namespace glassbox::app

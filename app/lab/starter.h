@@ -1,0 +1,18 @@
+// What a student starts with.
+#pragma once
+
+#include <vector>
+
+#include "labs/framework/lab.h"
+#include "labs/framework/sources.h"
+
+#include <glassbox/base/error.h>
+
+namespace glassbox::app {
+
+// The files of a folder that builds by itself: the handout and its pictures, the contract, student.cpp without its solutions, the
+// visible cases and the runner, and what a compiler and a debugger need to know. An error if a line of a solution were left.
+Result<std::vector<labs::SourceFile>> make_starter(const labs::Sources& sources,
+                                                   const labs::Lab& lab);
+
+}  // namespace glassbox::app
