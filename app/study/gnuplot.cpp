@@ -98,9 +98,10 @@ private:
 struct Series {
   std::string name, scene;
   std::size_t number = 0;  // of the name, among all names
+  bool first = true;       // of this name: the others share its entry in the key
   std::vector<std::size_t> members;
 
-  std::string title() const { return scene.empty() ? name : name + ", " + scene; }
+  std::string title() const { return first ? name : std::string(); }
 };
 
 std::vector<Series> series_of(const ExperimentResult& result) {
@@ -108,11 +109,13 @@ std::vector<Series> series_of(const ExperimentResult& result) {
   std::vector<Series> all;
   for (std::size_t i = 0; i < result.configurations.size(); ++i) {
     const ConfigurationResult& each = result.configurations[i];
-    if (std::ranges::count(names, each.series) == 0) names.push_back(each.series);
+    const bool first = std::ranges::count(names, each.series) == 0;
+    if (first) names.push_back(each.series);
     const auto number = std::size_t(std::ranges::find(names, each.series) - names.begin());
     auto known = std::ranges::find_if(
         all, [&](const Series& s) { return s.name == each.series && s.scene == each.scene; });
-    if (known == all.end()) known = all.insert(all.end(), {each.series, each.scene, number, {}});
+    if (known == all.end())
+      known = all.insert(all.end(), {each.series, each.scene, number, first, {}});
     known->members.push_back(i);
   }
   return all;
@@ -124,7 +127,8 @@ std::string commands_of(const std::string& svg, const std::string& title, const 
   std::string text = fmt::format(
       "set terminal svg size 900,520 enhanced font 'sans-serif,14' background rgb 'white'\n"
       "set output {}\nset title {} noenhanced\nset xlabel {} noenhanced\nset ylabel {} noenhanced\n"
-      "set key outside right center vertical samplen 1.5 noenhanced\nset grid lc rgb '#d9d9d9'\n{}",
+      "set key outside right top vertical maxcols 1 Left reverse samplen 1 font ',12' "
+      "noenhanced\nset grid lc rgb '#d9d9d9'\n{}",
       quoted(svg), quoted(title), quoted(x), quoted(y), axes);
   std::string plot = "plot ";
   for (std::size_t i = 0; i < plots.size(); ++i) {

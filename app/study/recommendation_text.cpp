@@ -18,9 +18,9 @@ using study::Comparison;
 
 std::string table_of(const Judged& judged) {
   const Comparison& comparison = judged.comparison;
-  double longest = 0;
-  for (const Candidate& each : comparison.candidates) longest = std::max(longest, each.ns.median);
-  const TimeUnit unit = time_unit(longest);
+  const auto fastest = std::ranges::min_element(
+      comparison.candidates, {}, [](const Candidate& each) { return each.ns.median; });
+  const TimeUnit unit = time_unit(fastest->ns.median);
   std::vector<Row> rows{
       {"", "error", fmt::format("{}/{}", unit.name, comparison.item), "quartiles", ""}};
   for (std::size_t i = 0; i < comparison.candidates.size(); ++i) {

@@ -25,10 +25,10 @@ std::string table(const std::vector<Row>& rows, std::size_t left) {
   return text;
 }
 
-TimeUnit time_unit(double longest_ns) {
-  return longest_ns < 1e4   ? TimeUnit{1, "ns"}
-         : longest_ns < 1e7 ? TimeUnit{1e3, "us"}
-                            : TimeUnit{1e6, "ms"};
+TimeUnit time_unit(double shortest_ns) {
+  return shortest_ns < 1e3   ? TimeUnit{1, "ns"}
+         : shortest_ns < 1e6 ? TimeUnit{1e3, "us"}
+                             : TimeUnit{1e6, "ms"};
 }
 
 }  // namespace glassbox::app

@@ -16,7 +16,7 @@ struct TimeUnit {
   double ns = 1;
   const char* name = "ns";
 };
-// The one in which the longest of them has digits before the point, but not too many.
-TimeUnit time_unit(double longest_ns);
+// The one in which the shortest of them has digits before the point.
+TimeUnit time_unit(double shortest_ns);
 
 }  // namespace glassbox::app

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include <fmt/format.h>
@@ -111,11 +112,11 @@ std::string with_unit(const std::string& name, const std::string& unit) {
 }
 
 TimeUnit time_unit(const ExperimentResult& result) {
-  double longest = 0;
+  double shortest = std::numeric_limits<double>::infinity();
   for (const ConfigurationResult& each : result.configurations) {
-    for (const Timing& timing : each.timings) longest = std::max(longest, timing.ns.median);
+    for (const Timing& timing : each.timings) shortest = std::min(shortest, timing.ns.median);
   }
-  return time_unit(longest);
+  return time_unit(shortest);
 }
 
 std::string origin_text(const study::Origin& origin) {

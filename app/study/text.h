@@ -18,7 +18,7 @@ std::string origin_text(const study::Origin& origin);
 // "w at the far end over w at the near end", with the unit where there is one: "offset [m]".
 std::string with_unit(const std::string& name, const std::string& unit);
 
-// The one in which the longest of the experiment's times has digits before the point.
+// The one in which the shortest of the experiment's times has digits before the point.
 TimeUnit time_unit(const study::ExperimentResult& result);
 
 }  // namespace glassbox::app

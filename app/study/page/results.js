@@ -22,8 +22,8 @@ function digits(value, places = 3) {
 
 // As app/study/text.cpp has it: one unit for all times of an experiment.
 function timeUnit(experiment) {
-  const longest = Math.max(0, ...experiment.configurations.flatMap(({times}) => times.map(({ns}) => ns)));
-  return longest < 1e4 ? {ns: 1, name: "ns"} : longest < 1e7 ? {ns: 1e3, name: "µs"} : {ns: 1e6, name: "ms"};
+  const shortest = Math.min(...experiment.configurations.flatMap(({times}) => times.map(({ns}) => ns)));
+  return shortest < 1e3 ? {ns: 1, name: "ns"} : shortest < 1e6 ? {ns: 1e3, name: "µs"} : {ns: 1e6, name: "ms"};
 }
 
 // The chart with one thread where an experiment has not been timed with more.
