@@ -68,6 +68,18 @@ std::string compile_trouble(const RunOutcome& outcome, const Limits& limits, std
   }
 }
 
+// A file that a submission included and that is neither the compiler's nor the lab's; empty if there is none. Where the sandbox
+// hides files there cannot be.
+std::string foreign_file(const fs::path& build, const Kit& kit) {
+  const auto rule = read_text_file(build / kFilesRead);
+  if (!rule) return "a file that is not named";
+  for (const std::string& header : headers_of(*rule)) {
+    const fs::path file = fs::path(header).is_absolute() ? fs::path(header) : build / header;
+    if (!Sandbox::is_compilers(file, {kit.readable, build})) return header;
+  }
+  return {};
+}
+
 std::string signal_name(int signal) {
   const char* name = ::sigabbrev_np(signal);
   return name != nullptr ? fmt::format("SIG{}", name) : fmt::format("signal {}", signal);
@@ -132,6 +144,12 @@ Graded grade(const Lab& lab, const fs::path& submission, const Sandbox& sandbox,
     Graded graded = nothing(lab, cases, trouble);
     graded.said = said;
     graded.result.not_built = said;
+    return graded;
+  }
+  if (const std::string foreign = foreign_file(build, kit); !foreign.empty()) {
+    Graded graded = nothing(lab, cases, "compile error");
+    graded.said = "student.cpp includes " + foreign + ", which is not part of the lab.\n";
+    graded.result.not_built = graded.said;
     return graded;
   }
   Graded graded;

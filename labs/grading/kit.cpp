@@ -47,7 +47,19 @@ Result<std::string> call(const std::vector<std::string>& words) {
       "install a C++20 compiler with its static libraries, or build glassbox again");
 }
 
-// The words of "student.o: student.cpp a.h \ b.h" after the first two.
+// Copies what lies in `from` to the same place in `to`; false if it does not lie there.
+Result<bool> copy_below(const fs::path& file, const fs::path& from, const fs::path& to) {
+  const fs::path relative = file.lexically_normal().lexically_relative(from.lexically_normal());
+  if (relative.empty() || *relative.begin() == "..") return false;
+  const auto text = read_text_file(file);
+  if (!text) return tl::unexpected(text.error());
+  const auto written = write_if_changed(to / relative, *text);
+  if (!written) return tl::unexpected(written.error());
+  return true;
+}
+
+}  // namespace
+
 std::vector<std::string> headers_of(const std::string& rule) {
   std::vector<std::string> words;
   std::string word;
@@ -65,19 +77,6 @@ std::vector<std::string> headers_of(const std::string& rule) {
   if (words.size() > 2) return {words.begin() + 2, words.end()};
   return {};
 }
-
-// Copies what lies in `from` to the same place in `to`; false if it does not lie there.
-Result<bool> copy_below(const fs::path& file, const fs::path& from, const fs::path& to) {
-  const fs::path relative = file.lexically_normal().lexically_relative(from.lexically_normal());
-  if (relative.empty() || *relative.begin() == "..") return false;
-  const auto text = read_text_file(file);
-  if (!text) return tl::unexpected(text.error());
-  const auto written = write_if_changed(to / relative, *text);
-  if (!written) return tl::unexpected(written.error());
-  return true;
-}
-
-}  // namespace
 
 Result<Kit> make_kit(const Sources& sources, const std::string& folder, const fs::path& directory) {
   const auto found = path_of(compiler());
@@ -147,7 +146,7 @@ std::vector<std::string> compile_command(const Kit& kit, const std::string& sour
   words.insert(words.end(), flags().begin(), flags().end());
   words.insert(words.end(), {"-fmax-errors=10", "-I", kit.include.string(), source});
   for (const fs::path& object : kit.objects) words.push_back(object.string());
-  words.insert(words.end(), {"-o", program});
+  words.insert(words.end(), {"-MD", "-MF", kFilesRead, "-o", program});
   return words;
 }
 

@@ -23,8 +23,13 @@ struct Kit {
 Result<Kit> make_kit(const Sources& sources, const std::string& folder,
                      const std::filesystem::path& directory);
 
-// The call that makes `program` of `source`; both are looked for in the directory that it is called in.
+// The call that makes `program` of `source`; both are looked for in the directory that it is called in, where kFilesRead then
+// names the files that were included.
 std::vector<std::string> compile_command(const Kit& kit, const std::string& source,
                                          const std::string& program);
+inline constexpr const char* kFilesRead = "files-read";
+
+// The files that a compiler's rule "student.o: student.cpp a.h" names, without the first.
+std::vector<std::string> headers_of(const std::string& rule);
 
 }  // namespace glassbox::labs::grading

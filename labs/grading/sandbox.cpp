@@ -180,6 +180,18 @@ RunOutcome Sandbox::compile(const std::vector<std::string>& command, const fs::p
   return launch(job);
 }
 
+bool Sandbox::is_compilers(const fs::path& file, const std::vector<fs::path>& readable) {
+  std::error_code error;
+  const fs::path whole = fs::weakly_canonical(file, error);
+  for (const auto* places : {&compiler_files(), &old_places(), &readable}) {
+    for (const fs::path& place : *places) {
+      const fs::path relative = whole.lexically_relative(fs::weakly_canonical(place, error));
+      if (!relative.empty() && *relative.begin() != "..") return true;
+    }
+  }
+  return false;
+}
+
 RunOutcome Sandbox::run(const fs::path& program, const std::vector<std::string>& arguments,
                         const Limits& limits) const {
   Launch job;

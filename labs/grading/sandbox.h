@@ -37,6 +37,10 @@ public:
   RunOutcome compile(const std::vector<std::string>& command, const std::filesystem::path& build,
                      const std::vector<std::filesystem::path>& readable,
                      const Limits& limits) const;
+  // Whether a compiler may read the file: as compile() rules it, where the machine can enforce that, and to be asked
+  // afterwards where it cannot.
+  static bool is_compilers(const std::filesystem::path& file,
+                           const std::vector<std::filesystem::path>& readable);
   // A statically linked program, which sees no file at all.
   RunOutcome run(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                  const Limits& limits) const;

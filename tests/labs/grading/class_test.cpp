@@ -1,1 +1,162 @@
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <thread>
+
+#include "tests/labs/grading/grading.h"
 #include "tests/support/catch.h"
+
+namespace glassbox::test {
+
+namespace {
+
+std::vector<std::string> for_one(const std::string& name) {
+  return {"grade", "class/" + name, "--one", "--lab", "99", "-o", name + ".json"};
+}
+
+// Different in content and in points: some right, some half right, some that crash, some that do not compile.
+void write_class(const fs::path& folder, int count) {
+  const std::vector<std::string> twice{"return 2 * x;", "return 0;", "return x;"};
+  const std::vector<std::string> reciprocal{"return 1 / x;",
+                                            "return 0;",
+                                            "return -1 / x;",
+                                            "return x == 8 ? 0 : 1 / x;",
+                                            "if (x == 0.5) __builtin_trap(); return 1 / x;",
+                                            "return y;",
+                                            "return x > 0 ? 1 / x : throw 1;"};
+  for (int i = 0; i < count; ++i) {
+    const std::string text = submission(twice[std::size_t(i) % twice.size()],
+                                        reciprocal[std::size_t(i) % reciprocal.size()]);
+    write(folder / ("student-" + std::to_string(1000 + i)) / "student.cpp",
+          text + "// " + std::to_string(i) + "\n");
+  }
+}
+
+// All results.json of a folder, one after the other.
+std::string all_results(const fs::path& results) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(results)) {
+    if (entry.is_directory()) files.push_back(entry.path() / "results.json");
+  }
+  std::sort(files.begin(), files.end());
+  std::string text;
+  for (const fs::path& file : files) text += file.parent_path().filename().string() + read(file);
+  return text;
+}
+
+bool have_parallel() {
+  return std::system("parallel --version >/dev/null 2>&1 </dev/null") == 0;
+}
+
+}  // namespace
+
+TEST_CASE("a class has the same results in two runs and with any number of jobs, to the byte") {
+  const Place place;
+  write_class(place.path / "class", 21);
+  for (const auto& [folder, jobs] : {std::pair{"a", "1"}, {"b", "1"}, {"c", "5"}}) {
+    const Outcome outcome =
+        grader({"grade", "class", "--lab", "99", "-o", folder, "--jobs", jobs}, place.path);
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+  }
+  const std::string first = all_results(place.path / "a");
+  CHECK(first.size() > 21 * 1000);
+  CHECK(all_results(place.path / "b") == first);
+  CHECK(all_results(place.path / "c") == first);
+  CHECK(read(place.path / "c/class.csv") == read(place.path / "a/class.csv"));
+}
+
+TEST_CASE("partial credit is per case") {
+  const Place place;
+  // 4 cases of 1 point; 8 cases of 0.75 points, of which x = 8 alone is wrong, once when it is undone.
+  write(place.path / "class/ann/student.cpp",
+        submission("return x > 0 ? 2 * x : 0;", "return x == 8 ? 0 : 1 / x;"));
+  REQUIRE(grader(for_one("ann"), place.path).exit_code == 0);
+  const auto results = read_json(place.path / "ann.json");
+  CHECK(results.at("score") == 3 + 3 * 0.75 + 3 * 0.75);
+  CHECK(results.at("tests")[0].at("score") == 3);
+  CHECK(results.at("tests")[1].at("extra_data").at("right") == 3);
+  CHECK(results.at("tests")[2].at("visibility") == "after_published");
+}
+
+TEST_CASE(
+    "over a hundred submissions are graded by GNU parallel, each by itself, as the class is") {
+  if (!have_parallel()) {
+    std::fprintf(stderr, "skipped: submissions graded by GNU parallel (no parallel)\n");
+    return;
+  }
+  const Place place;
+  write_class(place.path / "class", 105);
+  REQUIRE(grader({"grade", "class", "--lab", "99", "-o", "as-class"}, place.path).exit_code == 0);
+  // The command of docs/grading.md.
+  const std::string command =
+      std::string(
+          "mkdir results && ls class | parallel --will-cite --joblog jobs.log "
+          "'mkdir -p results/{} && ") +
+      TINY_GRADER
+      " lab grade class/{} --one --lab 99 -o results/{}/results.json' 2>err.log >out.log";
+  const Outcome outcome = run_program("/bin/sh", {"-c", command}, place.path.string());
+  INFO(read(place.path / "err.log"));
+  REQUIRE(outcome.exit_code == 0);
+  CHECK(all_results(place.path / "results") == all_results(place.path / "as-class"));
+  REQUIRE(grader({"collect", "results"}, place.path).exit_code == 0);
+  CHECK(read(place.path / "results/class.csv") == read(place.path / "as-class/class.csv"));
+}
+
+TEST_CASE("results.json is valid, and gives no points, when a grading is killed") {
+  const Place place;
+  write(place.path / "class/slow/student.cpp", submission("for (;;) {}", "return 1 / x;"));
+  const auto kill_soon = [&](pid_t process) {
+    // Until the first results are there; then in the middle of the work.
+    for (int i = 0; i < 1000 && !fs::exists(place.path / "slow.json"); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    ::kill(process, SIGKILL);
+  };
+  CHECK(grader(for_one("slow"), place.path, kill_soon).exit_code == 128 + SIGKILL);
+  const auto results = read_json(place.path / "slow.json");
+  REQUIRE(results.is_object());
+  CHECK(results.at("score") == 0);
+  CHECK(results.at("extra_data").at("outcome") == "grading did not finish");
+}
+
+TEST_CASE(
+    "what is handed in is a file: links, pipes and devices are refused, and a missing file is "
+    "named") {
+  const Place place;
+  const fs::path folder = place.path / "class";
+  fs::create_directories(folder / "link");
+  fs::create_symlink(TINY_SOLUTION, folder / "link/student.cpp");
+  fs::create_directories(folder / "pipe");
+  REQUIRE(::mkfifo((folder / "pipe/student.cpp").c_str(), 0600) == 0);
+  fs::create_directories(folder / "nothing");
+  fs::create_directory_symlink(fs::path(TINY_SOLUTION).parent_path(), folder / "folder-link");
+  write(folder / "large/student.cpp", solution() + std::string(std::size_t(2) << 20, ' '));
+  write(folder / "unpacked/lab/student.cpp", solution());
+  REQUIRE(grader({"grade", "class", "--lab", "99", "-o", "results"}, place.path).exit_code == 0);
+  const auto outcome = [&](const std::string& name) {
+    return read_json(place.path / "results" / name / "results.json").at("extra_data").at("outcome");
+  };
+  CHECK(outcome("link") == "file refused");
+  CHECK(outcome("pipe") == "file refused");
+  CHECK(outcome("large") == "file refused");
+  CHECK(outcome("nothing") == "missing file");
+  CHECK(outcome("unpacked") == "graded");
+  CHECK_FALSE(fs::exists(place.path / "results/folder-link"));
+}
+
+TEST_CASE("the lab is known by student.h in a submission, and asked for where there is none") {
+  const Place place;
+  write(place.path / "class/ann/student.cpp", solution());
+  const Outcome unknown = grader({"grade", "class", "-o", "results"}, place.path);
+  CHECK(unknown.exit_code == 2);
+  CHECK(unknown.err.find("--lab") != std::string::npos);
+  fs::copy_file(fs::path(TINY_SOLUTION).parent_path() / "student.h",
+                place.path / "class/ann/student.h");
+  CHECK(grader({"grade", "class", "-o", "results"}, place.path).exit_code == 0);
+  CHECK(read_json(place.path / "results/ann/results.json").at("score") == 10);
+}
+
+}  // namespace glassbox::test

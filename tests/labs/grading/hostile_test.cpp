@@ -1,1 +1,111 @@
+#include "tests/labs/grading/hostile.h"
+
+#include <cstdio>
+#include <map>
+
+#include "tests/labs/grading/grading.h"
 #include "tests/support/catch.h"
+
+namespace glassbox::test {
+
+namespace {
+
+// The tests of results.json by name.
+std::map<std::string, nlohmann::json> checks_of(const nlohmann::json& results) {
+  std::map<std::string, nlohmann::json> checks;
+  for (const auto& test : results.at("tests")) checks[test.at("name")] = test;
+  return checks;
+}
+
+void grade_hostile_class(const std::string& sandbox) {
+  const Place place;
+  for (const Hostile& each : hostile_runs())
+    write(place.path / "class" / each.name / "student.cpp", source_of(each));
+  for (const Hostile& each : hostile_sources(TINY_SOLUTION))
+    write(place.path / "class" / each.name / "student.cpp", each.body);
+  write(place.path / "class" / "the-solution" / "student.cpp", solution());
+  const std::string reference = read(TINY_SOLUTION), program = read(TINY_GRADER);
+  fs::remove("/tmp/glassbox-was-here");
+
+  std::vector<std::string> words{"grade",        "class",   "--lab",          "99",
+                                 "-o",           "results", "--jobs",         "2",
+                                 "--time-limit", "1.5",     "--memory-limit", "128"};
+  if (!sandbox.empty()) words.insert(words.end(), {"--sandbox", sandbox});
+  const Outcome outcome = grader(words, place.path);
+  INFO(outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  CHECK(outcome.err.find("sandbox: ") != std::string::npos);
+
+  for (const Hostile& each : hostile_runs()) {
+    INFO(each.name << " in " << (sandbox.empty() ? "what there is" : sandbox));
+    const auto results = read_json(place.path / "results" / each.name / "results.json");
+    REQUIRE(results.is_object());
+    INFO(results.at("output").get<std::string>());
+    REQUIRE(results.at("extra_data").at("outcome") == "graded");
+    const auto checks = checks_of(results);
+    INFO(checks.at("a reciprocal").at("output").get<std::string>());
+    const std::string named = checks.at("a reciprocal").at("extra_data").at("outcome");
+    INFO("expected " << each.outcome << ", named " << named);
+    CHECK(named.starts_with(each.outcome));
+    // It costs its own check, and no other.
+    CHECK(checks.at("a reciprocal").at("score") == 0);
+    CHECK(checks.at("twice a number").at("score") == 4);
+    CHECK(results.at("score") == 4);
+  }
+  for (const Hostile& each : hostile_sources(TINY_SOLUTION)) {
+    INFO(each.name << " in " << (sandbox.empty() ? "what there is" : sandbox));
+    const auto results = read_json(place.path / "results" / each.name / "results.json");
+    REQUIRE(results.is_object());
+    INFO(results.at("output").get<std::string>());
+    CHECK(results.at("score") == 0);
+    const std::string named = results.at("extra_data").at("outcome");
+    CHECK(named == each.outcome);
+    CHECK(results.at("tests").size() == 3);
+  }
+  CHECK(read_json(place.path / "results/the-solution/results.json").at("score") == 10);
+  CHECK(read(TINY_SOLUTION) == reference);
+  CHECK(read(TINY_GRADER) == program);
+  CHECK_FALSE(fs::exists("/tmp/glassbox-was-here"));
+}
+
+// Whether this machine has the confinement, as the grader sees it.
+bool has(const std::string& sandbox) {
+  const Place place;
+  write(place.path / "one/student.cpp", solution());
+  return grader(
+             {"grade", "one", "--one", "--lab", "99", "-o", "results.json", "--sandbox", sandbox},
+             place.path)
+             .exit_code == 0;
+}
+
+void grade_where_there_is(const std::string& sandbox) {
+  if (has(sandbox)) return grade_hostile_class(sandbox);
+  std::fprintf(stderr, "skipped: hostile submissions in %s (not on this machine)\n",
+               sandbox.c_str());
+}
+
+}  // namespace
+
+TEST_CASE("there are at least 15 kinds of hostile submission") {
+  CHECK(hostile_runs().size() + hostile_sources(TINY_SOLUTION).size() >= 15);
+}
+
+TEST_CASE(
+    "a hostile submission costs its own check, is named as what it is, and touches nothing else: "
+    "bubblewrap") {
+  grade_where_there_is("bubblewrap");
+}
+
+TEST_CASE(
+    "a hostile submission costs its own check, is named as what it is, and touches nothing else: "
+    "Landlock") {
+  grade_where_there_is("landlock");
+}
+
+TEST_CASE(
+    "a hostile submission costs its own check, is named as what it is, and touches nothing else: "
+    "limits") {
+  grade_where_there_is("limits");
+}
+
+}  // namespace glassbox::test

@@ -1,0 +1,72 @@
+// The tiny grader called, and what it wrote read.
+#pragma once
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/support/run_program.h"
+
+namespace glassbox::test {
+
+namespace fs = std::filesystem;
+
+// A directory that goes with the object.
+struct Place {
+  fs::path path;
+  Place() {
+    std::string name = (fs::temp_directory_path() / "glassbox-test-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary directory");
+    path = name;
+    // The users that submissions run as must reach what is made in it.
+    fs::permissions(path, fs::perms(0755));
+  }
+  ~Place() {
+    std::error_code error;
+    fs::remove_all(path, error);
+  }
+  Place(const Place&) = delete;
+  Place& operator=(const Place&) = delete;
+};
+
+inline void write(const fs::path& path, const std::string& text) {
+  fs::create_directories(path.parent_path());
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+inline std::string read(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+inline nlohmann::json read_json(const fs::path& path) {
+  return nlohmann::json::parse(read(path), nullptr, false);
+}
+
+inline Outcome grader(std::vector<std::string> arguments, const fs::path& directory,
+                      const std::function<void(pid_t)>& meanwhile = {}) {
+  arguments.insert(arguments.begin(), "lab");
+  return run_program(TINY_GRADER, arguments, directory.string(), meanwhile);
+}
+
+inline std::string solution() {
+  return read(TINY_SOLUTION);
+}
+
+// student.cpp with these bodies.
+inline std::string submission(const std::string& twice, const std::string& reciprocal) {
+  return "#include \"student.h\"\ndouble twice(double x) { " + twice +
+         " }\ndouble reciprocal(double x) { " + reciprocal + " }\n";
+}
+
+}  // namespace glassbox::test
