@@ -7,5 +7,6 @@ namespace glassbox::labs {
 
 Lab lab_01();
 Lab lab_02();
+Lab lab_03();
 
 }  // namespace glassbox::labs

@@ -1,0 +1,184 @@
+// The inputs of lab 3, the same on both sides.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "student.h"
+
+namespace lab_03 {
+
+// ---- cameras (tasks 3.1 and 3.3) ----
+
+struct CameraCase {
+  const char* what;
+  Camera camera;
+};
+
+inline std::vector<CameraCase> cameras() {
+  return {
+      {"at the origin, along -z", {{0, 0, 0}, {0, 0, -1}, {0, 1, 0}}},
+      {"beside the scene, level", {{4, 0, 3}, {0, 0, 0}, {0, 1, 0}}},
+      {"from above, `up` not perpendicular to the gaze", {{2, 5, 6}, {0, 1, -1}, {0, 1, 0}}},
+      {"rolled, with a long `up`", {{-3, 2, 1}, {4, -1, -5}, {10, 20, -4}}},
+      {"from behind the scene, along +z and down", {{1, 3, -8}, {1, 1, 2}, {0, 1, 0}}},
+  };
+}
+// BEGIN HIDDEN
+inline std::vector<CameraCase> hidden_cameras() {
+  return {
+      {"far away (C-13)", {{1e6, -2e6, 5e5}, {1e6 + 3, -2e6 + 1, 5e5 - 7}, {0, 1, 0}}},
+      {"`up` a thousandth of a radian from the gaze (C-01)", {{0, 0, 0}, {0, 1000, -1}, {0, 1, 0}}},
+      {"z is up", {{5, -4, 3}, {0, 0, 1}, {0, 0, 1}}},
+      {"upside down", {{1, 2, 3}, {-2, 0, -4}, {0, -1, 0}}},
+      {"a microscope", {{1e-6, 2e-6, 3e-6}, {0, 0, 0}, {1, 0, 0}}},
+      {"exactly along +z (C-05)", {{2, -1, -4}, {2, -1, 6}, {1, 2, 0}}},
+      {"almost along +z (C-05)", {{0, 0, 0}, {0.000001, 0, 1}, {0, 1, 0}}},
+  };
+}
+// END HIDDEN
+
+// One that has no view matrix, beside one that has.
+struct RefusedCase {
+  const char* what;
+  Camera bad, good;
+};
+inline std::vector<RefusedCase> refused_cameras() {
+  return {
+      {"the target is the eye (C-02)",
+       {{1, 2, 3}, {1, 2, 3}, {0, 1, 0}},
+       {{1, 2, 3}, {1, 2, 2}, {0, 1, 0}}},
+      {"`up` along the gaze (C-01)",
+       {{0, 5, 0}, {0, 0, 0}, {0, 1, 0}},
+       {{0, 5, 0}, {0, 0, 0}, {0, 0, -1}}},
+      {"`up` is zero (C-03)",
+       {{0, 0, 0}, {1, 1, 1}, {0, 0, 0}},
+       {{0, 0, 0}, {1, 1, 1}, {0, 1e-9, 0}}},
+  };
+}
+// BEGIN HIDDEN
+inline std::vector<RefusedCase> hidden_refused_cameras() {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  return {
+      {"`up` 10^-7 of a radian from the gaze (C-01)",
+       {{0, 0, 0}, {0, 10000000, -1}, {0, 1, 0}},
+       {{0, 0, 0}, {0, 100000, -1}, {0, 1, 0}}},
+      {"an `up` that is NaN (C-03)",
+       {{0, 0, 0}, {1, 1, 1}, {0, kNan, 0}},
+       {{0, 0, 0}, {1, 1, 1}, {0, 3, 0}}},
+      {"an eye that is infinite (C-03)",
+       {{kInfinity, 0, 0}, {1, 1, 1}, {0, 1, 0}},
+       {{1e9, 0, 0}, {1, 1, 1}, {0, 1, 0}}},
+  };
+}
+// END HIDDEN
+
+// ---- directions (task 3.2) ----
+
+struct OntoCase {
+  const char* what;
+  Vector<World, double> from, to;
+};
+
+inline std::vector<OntoCase> directions() {
+  return {
+      {"x to y", {1, 0, 0}, {0, 1, 0}},
+      {"an acute angle", {1, 2, 2}, {2, 3, 6}},
+      {"an obtuse one", {4, 0, -3}, {-5, 12, 1}},
+      {"a ten-thousandth of a radian (C-04)", {1, 2, 2}, {10002, 19999, 20000}},
+  };
+}
+inline std::vector<OntoCase> opposite_directions() {
+  return {
+      {"z to -z (C-05)", {0, 0, 1}, {0, 0, -1}},
+      {"a slanted direction turned round (C-05)", {1, -2, 2}, {-1, 2, -2}},
+  };
+}
+// BEGIN HIDDEN
+inline std::vector<OntoCase> hidden_directions() {
+  return {
+      {"a direction onto itself", {3, -4, 12}, {3, -4, 12}},
+      {"a millionth of a radian (C-04)", {0, 0, 5}, {0.000003, 0.000004, 5}},
+      {"almost opposite (C-05)", {0, 0, 1}, {0.000001, 0, -1}},
+      {"lengths far apart", {1e-30, 2e-30, 0}, {0, 1e30, 1e30}},
+  };
+}
+inline std::vector<OntoCase> hidden_opposite_directions() {
+  return {
+      {"x to -x", {3, 0, 0}, {-1, 0, 0}},
+      {"-y to y", {0, -1, 0}, {0, 7, 0}},
+      {"opposite, all components different", {2, 3, -6}, {-2, -3, 6}},
+  };
+}
+// END HIDDEN
+
+// ---- matrices (task 3.4) ----
+
+struct KindCase {
+  const char* what;
+  Transform<World, World> matrix;
+};
+
+inline Transform<World, World> rows(const double (&m)[3][3]) {
+  Transform<World, World> matrix;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) matrix.at(i, j) = m[i][j];
+  }
+  return matrix;
+}
+
+inline std::vector<KindCase> kinds() {
+  return {
+      {"a quarter turn", rows({{0, -1, 0}, {1, 0, 0}, {0, 0, 1}})},
+      {"x turned round: the mirror that hides in S3.37 (C-06)",
+       rows({{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}})},
+      {"two axes turned round", rows({{-1, 0, 0}, {0, 1, 0}, {0, 0, -1}})},
+      {"a uniform scale", rows({{2, 0, 0}, {0, 2, 0}, {0, 0, 2}})},
+      {"a shear, whose determinant is 1", rows({{1, 0.5, 0}, {0, 1, 0}, {0, 0, 1}})},
+  };
+}
+// BEGIN HIDDEN
+inline std::vector<KindCase> hidden_kinds() {
+  return {
+      {"a rotation with seven digits (C-12)", rows({{0.6666667, -0.3333333, 0.6666667},
+                                                    {0.6666667, 0.6666667, -0.3333333},
+                                                    {-0.3333333, 0.6666667, 0.6666667}})},
+      {"x and y exchanged", rows({{0, 1, 0}, {1, 0, 0}, {0, 0, 1}})},
+      {"a rotation by 45 degrees, one row turned round",
+       rows({{0.70710678118654752, -0.70710678118654752, 0},
+             {0.70710678118654752, 0.70710678118654752, 0},
+             {0, 0, -1}})},
+      {"axes stretched by a thousandth", rows({{1.001, 0, 0}, {0, 1, 0}, {0, 0, 1}})},
+      {"NaN", rows({{std::numeric_limits<double>::quiet_NaN(), 0, 0}, {0, 1, 0}, {0, 0, 1}})},
+  };
+}
+// END HIDDEN
+
+// ---- projections of a left-handed eye (task 3.5): near plane d, far plane f, half the window's height h on the near plane ----
+
+struct HandCase {
+  double d, f, h;
+};
+
+// The slides' T_pers (S4.18 to S4.20).
+inline Transform<Clip, Eye> watt_projection(const HandCase& p) {
+  Transform<Clip, Eye> m;
+  m.at(0, 0) = m.at(1, 1) = p.d / p.h;
+  m.at(2, 2) = p.f / (p.f - p.d);
+  m.at(2, 3) = -p.d * p.f / (p.f - p.d);
+  m.at(3, 2) = 1;
+  m.at(3, 3) = 0;
+  return m;
+}
+
+inline std::vector<HandCase> hands() {
+  return {{1, 10, 0.5}, {0.1, 1000, 0.04}};
+}
+// BEGIN HIDDEN
+inline std::vector<HandCase> hidden_hands() {
+  return {{2, 3, 5}, {0.5, 1e6, 0.25}};
+}
+// END HIDDEN
+
+}  // namespace lab_03

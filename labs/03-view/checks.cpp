@@ -1,0 +1,299 @@
+// What is expected of lab 3: by the pipeline's own view matrices, and by what a rotation is.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/matrix.hpp>
+
+#include <glassbox/base/rounding.h>
+#include <glassbox/base/trig.h>
+#include <glassbox/pipeline/affine.h>
+#include <glassbox/pipeline/look_at.h>
+
+#include "labs/03-view/cases.h"
+#include "labs/framework/compare.h"
+#include "labs/labs.h"
+
+namespace glassbox::labs {
+
+namespace {
+
+using namespace lab_03;
+using Direction = Vector<World, double>;
+
+constexpr double u = unit_roundoff<double>;
+
+Expected exactly(const std::string& field, std::vector<double> values) {
+  return {field, Shape::kNumbers, std::move(values), 0, "", 0};
+}
+
+double length(const Direction& v) {
+  return std::sqrt(dot(v, v));
+}
+
+double sine_between(const Direction& a, const Direction& b) {
+  return length(cross(a * (1 / length(a)), b * (1 / length(b))));
+}
+
+// ---- views ----
+
+struct Bounds {
+  double rotation, view;
+};
+
+std::vector<Expected> view_fields(const Transform<Eye, World>& view, const Bounds& bounds) {
+  std::vector<double> rotation, all;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      all.push_back(view.at(i, j));
+      if (i < 3 && j < 3) rotation.push_back(view.at(i, j));
+    }
+  }
+  return {{"rotation", Shape::kMatrix, rotation, bounds.rotation, "", 3},
+          {"eye_from_world", Shape::kMatrix, all, bounds.view, "world units", 4}};
+}
+
+std::string camera_text(const Camera& camera) {
+  const auto& [eye, target, up] = camera;
+  return fmt::format("eye ({}, {}, {}), target ({}, {}, {}), up ({}, {}, {})", eye.x, eye.y, eye.z,
+                     target.x, target.y, target.z, up.x, up.y, up.z);
+}
+
+Case expect_view(const CameraCase& input, const Bounds& bounds) {
+  const Camera& camera = input.camera;
+  const auto found = look_at(camera.eye, camera.target, camera.up);
+  const Transform<Eye, World> view = found.value_or(Transform<Eye, World>{});
+  Case c{input.what,
+         fmt::format("{}; the target comes to (0, 0, {:.9g}) in eye space", camera_text(camera),
+                     -length(camera.target - camera.eye)),
+         view_fields(view, bounds),
+         nullptr,
+         {}};
+  // The gaze along +z: N = +gaze, or the slide's rotation (E7), is half a turn about V away.
+  Transform<Eye, World> backwards = view, columns = view;
+  for (int j = 0; j < 4; ++j) {
+    backwards.at(0, j) = -backwards.at(0, j);
+    backwards.at(2, j) = -backwards.at(2, j);
+  }
+  // U, V, N as the columns, with either translation.
+  const Direction t{view.at(0, 3), view.at(1, 3), view.at(2, 3)};
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) columns.at(i, j) = view.at(j, i);
+  }
+  Transform<Eye, World> columns_times_eye = columns;
+  const Direction e{camera.eye.x, camera.eye.y, camera.eye.z};
+  const Direction moved =
+      -Direction{columns.at(0, 0) * e.x + columns.at(0, 1) * e.y + columns.at(0, 2) * e.z,
+                 columns.at(1, 0) * e.x + columns.at(1, 1) * e.y + columns.at(1, 2) * e.z,
+                 columns.at(2, 0) * e.x + columns.at(2, 1) * e.y + columns.at(2, 2) * e.z};
+  columns_times_eye.at(0, 3) = moved.x;
+  columns_times_eye.at(1, 3) = moved.y;
+  columns_times_eye.at(2, 3) = moved.z;
+  c.slipped = {{"z-sign", view_fields(backwards, bounds)},
+               {"row-column-order", view_fields(columns, bounds)},
+               {"row-column-order", view_fields(columns_times_eye, bounds)}};
+  return c;
+}
+
+// What an error of the axes makes of -U.e: three products with the eye's coordinates, and their own roundings.
+double with_eye(double bound, const Camera& camera) {
+  const double largest =
+      std::max({std::abs(camera.eye.x), std::abs(camera.eye.y), std::abs(camera.eye.z)});
+  return bound * (1 + 2 * largest);
+}
+
+// N is right to 4 u; up x N, of length s, to 10 u, so that U is to 10 u / s and V to that and a product. The pipeline's own are
+// within (8 + 4/s) u. Three products with a unit vector sum up to at most sqrt(3) of the largest coordinate.
+Case expect_uvn(const CameraCase& input) {
+  const Camera& camera = input.camera;
+  const double s = sine_between(camera.up, camera.target - camera.eye);
+  const double bound = 32 * u * (1 + 1 / s);
+  return expect_view(input, {bound, with_eye(bound, camera)});
+}
+
+// The axis of the first rotation is a cross product of length g, right to 10 u / g; where the angle is small that is multiplied by
+// its sine again, near half a turn it is not. The second rotation adds what `up` has: 10 u / s.
+Case expect_axis_angle(const CameraCase& input) {
+  const Camera& camera = input.camera;
+  const Direction gaze = camera.target - camera.eye;
+  const double s = sine_between(camera.up, gaze), g = sine_between(gaze, {0, 0, 1});
+  const double bound = 64 * u * (1 + 1 / s + (gaze.z > 0 && g > 0 ? 1 / g : 0));
+  return expect_view(input, {bound, with_eye(bound, camera)});
+}
+
+Case expect_refused(const RefusedCase& input) {
+  return {input.what,
+          "without a view: " + camera_text(input.bad) + "; with one: " + camera_text(input.good) +
+              "; 1 is a matrix, 0 is std::nullopt",
+          {exactly("of the one without", {0}), exactly("of the other", {1})},
+          nullptr,
+          {}};
+}
+
+// ---- one direction onto another ----
+
+std::string onto_text(const OntoCase& input) {
+  const auto& [what, from, to] = input;
+  return fmt::format("from ({}, {}, {}) to ({}, {}, {})", from.x, from.y, from.z, to.x, to.y, to.z);
+}
+
+// R = cos I + [v]x + v v^T / (1 + cos) with v = f x t, where beyond a right angle 1 + cos is |v|^2 / (1 - cos).
+Case expect_onto(const OntoCase& input) {
+  using Long = Vector<World, long double>;
+  const auto unit = [](const Direction& d) {
+    const Long v(d.x, d.y, d.z);
+    return v * (1 / std::sqrt(dot(v, v)));
+  };
+  const Long f = unit(input.from), t = unit(input.to), across = cross(f, t);
+  const long double cosine = dot(f, t), square = dot(across, across);
+  const long double factor = cosine >= 0 ? 1 / (1 + cosine) : (1 - cosine) / square;
+  const long double v[3] = {across.x, across.y, across.z};
+  std::vector<double> rotation(9);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    rotation[3 * i + i] = double(cosine + v[i] * v[i] * factor);
+    rotation[3 * i + j] = double(v[i] * v[j] * factor - v[k]);
+    rotation[3 * j + i] = double(v[i] * v[j] * factor + v[k]);
+  }
+  // As above: the axis to 10 u / s, multiplied by the sine or not.
+  const double sine = double(std::sqrt(square));
+  const double bound = cosine >= 0 ? 64 * u : 32 * u * (1 + 1 / sine);
+  const double angle = std::atan2(sine, double(cosine));
+  const Expected expected{"rotation", Shape::kMatrix, rotation, bound, "", 3};
+  Case c{input.what,
+         fmt::format("{}, an angle of {:.9g} radians", onto_text(input), angle),
+         {expected},
+         nullptr,
+         {}};
+  // Half and twice the angle, which a matrix of a small rotation does not show by itself.
+  const Direction axis(double(across.x), double(across.y), double(across.z));
+  for (const double factor : {0.5, 2.0}) {
+    const auto slipped = rotate_degrees<World>(axis, factor * degrees_from_radians(angle));
+    if (!slipped) continue;
+    Expected wrong = expected;
+    for (std::size_t n = 0; n < 9; ++n) wrong.values[n] = slipped->at(int(n / 3), int(n % 3));
+    wrong.bound *= 2;  // twice the angle has twice the error
+    c.slipped.push_back({"half-angle", {wrong}});
+  }
+  return c;
+}
+
+std::optional<Divergence> judge_half_turn(const OntoCase& input, const Answer& answer) {
+  Divergence found;
+  found.field = "rotation";
+  const auto* values = find_field(answer, "rotation");
+  if (values == nullptr || values->size() != 9) {
+    found.kind = Divergence::Kind::kMissing;
+    found.explanation = "9 numbers are expected";
+    return found;
+  }
+  glm::dmat3 m;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) m[j][i] = (*values)[std::size_t(3 * i + j)];
+  }
+  // An axis right to 4 u gives products of rows within 8 u, and sums of three that round; the image of `from` likewise.
+  found.bound = 16 * u;
+  found.element = "largest entry of |R^T R - I|";
+  found.actual = found.distance = orthogonality_error(m);
+  if (!(found.distance <= found.bound)) return found;
+  found.element = "determinant";
+  found.expected = 1;
+  found.actual = glm::determinant(m);
+  if (!(found.actual > 0)) {
+    found.distance = std::abs(found.actual - 1);
+    found.explanation = "a mirror, not a rotation";
+    return found;
+  }
+  const glm::dvec3 image = m * (to_glm(input.from) / length(input.from));
+  const glm::dvec3 wanted = to_glm(input.to) / length(input.to);
+  for (int i = 0; i < 3; ++i) {
+    found.element = fmt::format("{} of the image of `from`", "xyz"[i]);
+    found.expected = wanted[i];
+    found.actual = image[i];
+    found.distance = std::abs(image[i] - wanted[i]);
+    if (!(found.distance <= found.bound)) return found;
+  }
+  return std::nullopt;
+}
+
+Case expect_half_turn(const OntoCase& input) {
+  return {input.what,
+          onto_text(input) + "; about any axis perpendicular to them",
+          {},
+          [input](const Answer& answer) { return judge_half_turn(input, answer); },
+          {}};
+}
+
+// ---- mirrors and hands ----
+
+Case expect_kind(const KindCase& input) {
+  const glm::dmat3 m(input.matrix.columns);
+  Kind kind = Kind::kNeither;
+  if (orthogonality_error(m) <= 1e-5)
+    kind = glm::determinant(m) > 0 ? Kind::kRotation : Kind::kMirror;
+  std::string text = "rows";
+  for (int i = 0; i < 3; ++i) text += fmt::format(" ({}, {}, {})", m[0][i], m[1][i], m[2][i]);
+  std::vector<double> is;
+  for (const Kind each : {Kind::kNeither, Kind::kRotation, Kind::kMirror})
+    is.push_back(kind == each ? 1 : 0);
+  return {input.what, text, {exactly("neither, rotation, mirror", is)}, nullptr, {}};
+}
+
+Case expect_hand(const HandCase& input) {
+  const auto given = watt_projection(input);
+  Transform<Eye, Eye> other_hand;
+  other_hand.at(2, 2) = -1;
+  const Transform<Clip, Eye> wanted = given * other_hand;
+  std::vector<double> all;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) all.push_back(wanted.at(i, j));
+  }
+  return {fmt::format("near {}, far {}, half height {}", input.d, input.f, input.h),
+          fmt::format("(0, 0, {}), on the near plane, comes to z = 0, w = {} in clip space",
+                      -input.d, input.d),
+          {{"clip_from_eye", Shape::kMatrix, all, 0, "", 4}},
+          nullptr,
+          {}};
+}
+
+template <class Input>
+Check check(const char* name, const char* task, bool hidden, const std::vector<Input>& inputs,
+            Case (*expect)(const Input&)) {
+  return {name, task, "eye", hidden, [inputs, expect] {
+            std::vector<Case> cases;
+            for (const Input& input : inputs) cases.push_back(expect(input));
+            return cases;
+          }};
+}
+
+}  // namespace
+
+Lab lab_03() {
+  constexpr bool kHidden = true;
+  return {
+      3,
+      "03-view",
+      "View transforms: two constructions, mirrors and hands",
+      {{"3.1", "The view matrix from U, V, N", 30},
+       {"3.2", "The rotation of one direction onto another", 20},
+       {"3.3", "The view matrix by two rotations", 25},
+       {"3.4", "Tell rotations from mirrors", 10},
+       {"3.5", "A left-handed projection for a right-handed eye", 15}},
+      {check("the view from the axes of the eye", "3.1", false, cameras(), expect_uvn),
+       check("cameras without a view are refused", "3.1", false, refused_cameras(), expect_refused),
+       check("other cameras", "3.1", kHidden, hidden_cameras(), expect_uvn),
+       check("other cameras without a view", "3.1", kHidden, hidden_refused_cameras(),
+             expect_refused),
+       check("one direction onto another", "3.2", false, directions(), expect_onto),
+       check("half a turn", "3.2", false, opposite_directions(), expect_half_turn),
+       check("other directions", "3.2", kHidden, hidden_directions(), expect_onto),
+       check("other half turns", "3.2", kHidden, hidden_opposite_directions(), expect_half_turn),
+       check("two rotations give the same view", "3.3", false, cameras(), expect_axis_angle),
+       check("two rotations, other cameras", "3.3", kHidden, hidden_cameras(), expect_axis_angle),
+       check("rotations, mirrors and neither", "3.4", false, kinds(), expect_kind),
+       check("other matrices", "3.4", kHidden, hidden_kinds(), expect_kind),
+       check("a left-handed projection for a right-handed eye", "3.5", false, hands(), expect_hand),
+       check("other projections", "3.5", kHidden, hidden_hands(), expect_hand)}};
+}
+
+}  // namespace glassbox::labs
