@@ -197,6 +197,7 @@ Experiment d31_supersampling() {
           "which regular patterns follow too. One sample at the centre: RMS of min(c, 1 - c). "
           "Analytic: a few roundings of numbers below one pixel, 2^-53",
       .item = "pixel",
+      .axis_is_chosen = true,
       .configurations = configurations,
   };
 }
