@@ -16,6 +16,8 @@ void LabCommand::add_to(CLI::App& app, int& exit_code) {
   check_.add_to(command, exit_code);
   watch_.add_to(command, exit_code);
   export_.add_to(command, exit_code);
+  grade_.add_to(command, exit_code);
+  gradescope_.add_to(command, exit_code);
 }
 
 }  // namespace glassbox::app

@@ -4,6 +4,8 @@
 #include <CLI/CLI.hpp>
 
 #include "app/lab/check_command.h"
+#include "app/lab/grade_command.h"
+#include "app/lab/gradescope_command.h"
 #include "app/lab/list_command.h"
 #include "app/lab/start_command.h"
 
@@ -19,6 +21,8 @@ private:
   LabCheckCommand check_;
   LabWatchCommand watch_;
   LabExportCommand export_;
+  LabGradeCommand grade_;
+  LabGradescopeCommand gradescope_;
 };
 
 }  // namespace glassbox::app

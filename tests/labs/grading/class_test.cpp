@@ -82,8 +82,7 @@ TEST_CASE("partial credit is per case") {
   CHECK(results.at("tests")[2].at("visibility") == "after_published");
 }
 
-TEST_CASE(
-    "over a hundred submissions are graded by GNU parallel, each by itself, as the class is") {
+TEST_CASE("GNU parallel grades over a hundred submissions as the class is") {
   if (!have_parallel()) {
     std::fprintf(stderr, "skipped: submissions graded by GNU parallel (no parallel)\n");
     return;

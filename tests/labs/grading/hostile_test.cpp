@@ -90,21 +90,15 @@ TEST_CASE("there are at least 15 kinds of hostile submission") {
   CHECK(hostile_runs().size() + hostile_sources(TINY_SOLUTION).size() >= 15);
 }
 
-TEST_CASE(
-    "a hostile submission costs its own check, is named as what it is, and touches nothing else: "
-    "bubblewrap") {
+TEST_CASE("hostile submissions are contained and named in bubblewrap") {
   grade_where_there_is("bubblewrap");
 }
 
-TEST_CASE(
-    "a hostile submission costs its own check, is named as what it is, and touches nothing else: "
-    "Landlock") {
+TEST_CASE("hostile submissions are contained and named in Landlock") {
   grade_where_there_is("landlock");
 }
 
-TEST_CASE(
-    "a hostile submission costs its own check, is named as what it is, and touches nothing else: "
-    "limits") {
+TEST_CASE("hostile submissions are contained and named in limits") {
   grade_where_there_is("limits");
 }
 

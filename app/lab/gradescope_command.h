@@ -1,0 +1,33 @@
+// glassbox lab gradescope: the archive that Gradescope builds an autograder from.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "labs/framework/lab.h"
+#include "labs/framework/sources.h"
+
+namespace glassbox::app {
+
+class LabGradescopeCommand {
+public:
+  using FindSources = std::function<Result<labs::Sources>()>;
+  explicit LabGradescopeCommand(const std::vector<labs::Lab>& (*labs)() = labs::all_labs,
+                                FindSources find_sources = labs::find_sources)
+      : labs_(labs), find_sources_(std::move(find_sources)) {}
+  void add_to(CLI::App& lab, int& exit_code);
+
+private:
+  int run() const;
+
+  const std::vector<labs::Lab>& (*labs_)();
+  FindSources find_sources_;
+  int lab_ = 0;
+  std::string output_ = "autograder.zip";
+  double seconds_ = 10;
+  std::size_t memory_mib_ = 512;
+};
+
+}  // namespace glassbox::app

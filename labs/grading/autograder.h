@@ -1,0 +1,27 @@
+// What Gradescope builds an autograder from: https://gradescope-autograders.readthedocs.io/en/latest/specs/.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "labs/framework/lab.h"
+#include "labs/framework/zip.h"
+
+#include <glassbox/base/error.h>
+
+namespace glassbox::labs::grading {
+
+// setup.sh, which builds glassbox once in the autograder's image; run_autograder, which grades one submission; and under
+// glassbox/ the sources of `tree`, a clone of glassbox, that the program is built of.
+//
+// The layout is Gradescope's, /autograder/{source,submission,results}; GLASSBOX_AUTOGRADER in the environment names another place
+// for it, to try the archive without Gradescope.
+Result<std::vector<ZipEntry>> autograder_files(const Lab& lab, const std::filesystem::path& tree,
+                                               const std::vector<std::string>& options);
+
+// The two scripts by themselves.
+std::string setup_script();
+std::string run_script(int lab, const std::vector<std::string>& options);
+
+}  // namespace glassbox::labs::grading
