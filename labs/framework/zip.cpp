@@ -68,6 +68,7 @@ Result<std::vector<ZipEntry>> read_zip(const std::vector<std::byte>& bytes) {
   const auto refused = [] {
     return fail("zip", "is no zip archive, or a damaged one", "make the archive again");
   };
+  if (bytes.empty()) return refused();  // libzip would take it for an archive of nothing
   zip_error_t error;
   zip_error_init(&error);
   zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);

@@ -1,0 +1,192 @@
+// The labs' commands as a student uses them.
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "labs/framework/sources.h"
+#include "labs/framework/strip.h"
+#include "labs/framework/zip.h"
+#include "labs/labs.h"
+#include "tests/support/catch.h"
+#include "tests/support/run_program.h"
+
+using namespace glassbox;
+using namespace glassbox::labs;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A directory of its own, removed at the end.
+struct Desk {
+  fs::path path = fs::temp_directory_path() / fmt::format("glassbox-lab-command-{}", getpid());
+  Desk() {
+    fs::remove_all(path);
+    fs::create_directories(path);
+  }
+  ~Desk() { fs::remove_all(path); }
+  test::Outcome run(const std::vector<std::string>& words) const {
+    return test::run_program(GLASSBOX_PROGRAM, words, path.string());
+  }
+};
+
+std::string number_of(const Lab& lab) {
+  return std::to_string(lab.number);
+}
+
+std::vector<std::byte> bytes_of(const fs::path& path) {
+  const std::string text = read_text_file(path).value();
+  const auto* first = reinterpret_cast<const std::byte*>(text.data());
+  return {first, first + text.size()};
+}
+
+}  // namespace
+
+TEST_CASE("lab list names every lab and its tasks") {
+  const Desk desk;
+  const auto outcome = desk.run({"lab", "list", "--json", "-"});
+  CHECK(outcome.exit_code == 0);
+  const auto json = nlohmann::json::parse(outcome.out);
+  REQUIRE(json.size() == all_labs().size());
+  CHECK(json[0]["tasks"].size() == all_labs()[0].tasks.size());
+}
+
+TEST_CASE(
+    "lab start makes a folder whose check gives no points, and the solution put into it gives "
+    "all") {
+  const Desk desk;
+  const Lab& lab = all_labs().front();
+  REQUIRE(desk.run({"lab", "start", number_of(lab), "mine"}).exit_code == 0);
+  for (const char* file : {"handout.md", "student.h", "student.cpp", "cases.h", "runner.cpp",
+                           "CMakeLists.txt", ".vscode/launch.json", "lab.json"})
+    CHECK(fs::exists(desk.path / "mine" / file));
+
+  auto outcome = desk.run({"lab", "check", "mine", "--json", "-", "--html", "report.html"});
+  CHECK(outcome.exit_code == 1);
+  auto json = nlohmann::json::parse(outcome.out);
+  CHECK(json["score"] == 0);
+  CHECK(json["max_score"] > 0);
+  for (const auto& test : json["tests"]) {
+    CHECK(test["hidden"] == false);
+    CHECK(test["first_divergence"]["stage"] == test["stage"]);
+    CHECK(test["first_divergence"].contains("slips"));
+  }
+  const auto page = read_text_file(desk.path / "report.html");
+  REQUIRE(page);
+  CHECK(page->find("</html>") != std::string::npos);
+
+  const auto solution = solution_text(find_sources().value(), lab.folder);
+  std::ofstream(desk.path / "mine/student.cpp") << *solution;
+  outcome = desk.run({"lab", "check", "mine"});
+  INFO(outcome.out);
+  CHECK(outcome.exit_code == 0);
+
+  std::ofstream(desk.path / "mine/student.cpp") << *solution + "\nint missing_semicolon = 1\n";
+  outcome = desk.run({"lab", "check", "mine", "--json", "-"});
+  CHECK(outcome.exit_code == 1);
+  json = nlohmann::json::parse(outcome.out);
+  CHECK(json["score"] == 0);
+  CHECK(json["compile_error"].get<std::string>().find("student.cpp") != std::string::npos);
+  CHECK(json["tests"][0]["status"] == "not built");
+}
+
+TEST_CASE("a started folder builds by itself") {
+  const Desk desk;
+  REQUIRE(desk.run({"lab", "start", all_labs().front().folder, "mine"}).exit_code == 0);
+  const auto outcome = test::run_program(
+      "/bin/sh",
+      {"-c", "cmake -S mine -B mine/build && cmake --build mine/build && mine/build/runner --list"},
+      desk.path.string());
+  INFO(outcome.err);
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.out.find("\"check\": ") != std::string::npos);
+}
+
+TEST_CASE("lab start writes over nobody's work") {
+  const Desk desk;
+  fs::create_directories(desk.path / "mine");
+  const std::string number = number_of(all_labs().front());
+  CHECK(desk.run({"lab", "start", number, "mine"}).exit_code == 0);  // it was empty
+  const auto again = desk.run({"lab", "start", number, "mine"});
+  CHECK(again.exit_code == 2);
+  CHECK(again.err.find("has something in it") != std::string::npos);
+  CHECK(desk.run({"lab", "start", number, "mine/student.cpp"}).exit_code == 2);
+}
+
+TEST_CASE("wrong names are refused with what there is") {
+  const Desk desk;
+  const auto none = desk.run({"lab", "start", "77", "mine"});
+  CHECK(none.exit_code == 2);
+  CHECK(none.err.find(all_labs().front().folder) != std::string::npos);
+  CHECK(desk.run({"lab", "check", "nowhere"}).exit_code == 2);
+  CHECK(desk.run({"lab", "check", "."}).exit_code == 2);
+  std::ofstream(desk.path / "lab.json") << "[1, 2";
+  CHECK(desk.run({"lab", "check", "."}).exit_code == 2);
+  CHECK(desk.run({"lab", "export", "1", "-o", "starter.tar"}).exit_code == 2);
+  CHECK(desk.run({"lab"}).exit_code == 2);
+}
+
+TEST_CASE("an exported archive has no line of a solution and no hidden check") {
+  const Desk desk;
+  const auto sources = find_sources().value();
+  for (const Lab& lab : all_labs()) {
+    INFO("lab " << lab.folder);
+    const std::string zip = lab.folder + ".zip";
+    const auto outcome = desk.run({"lab", "export", number_of(lab), "-o", zip});
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    const auto entries = read_zip(bytes_of(desk.path / zip));
+    REQUIRE(entries);
+    std::string all;
+    for (const ZipEntry& entry : *entries) {
+      CHECK(entry.path.rfind(lab.folder + "/", 0) == 0);
+      if (entry.path == lab.folder + "/student.cpp")
+        CHECK(find_leaks(solution_text(sources, lab.folder).value(), entry.text).empty());
+      if (entry.path == lab.folder + "/cases.h")
+        CHECK(find_leaks(read_text_file(sources.labs / lab.folder / "cases.h").value(), entry.text)
+                  .empty());
+      CHECK(entry.text.find("// BEGIN ") == std::string::npos);
+      CHECK(entry.path.find("checks.cpp") == std::string::npos);
+      CHECK(entry.path.find("faults") == std::string::npos);
+      all += entry.text;
+    }
+    for (const Check& check : lab.checks) {
+      if (check.hidden) CHECK(all.find("\"" + check.name + "\"") == std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("lab watch checks again when the file is saved") {
+  const Desk desk;
+  REQUIRE(desk.run({"lab", "start", number_of(all_labs().front()), "mine"}).exit_code == 0);
+  const auto count = [&](const std::string& text) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find("Ctrl-C ends."); at != std::string::npos;
+         at = text.find("Ctrl-C ends.", at + 1))
+      ++found;
+    return found;
+  };
+  // sh writes to a file that can be read meanwhile.
+  const std::string command =
+      fmt::format("exec '{}' lab watch mine > watched.txt", GLASSBOX_PROGRAM);
+  const auto waited_for = [&](std::size_t reports) {
+    for (int i = 0; i < 600; ++i) {
+      const auto text = read_text_file(desk.path / "watched.txt");
+      if (text && count(*text) >= reports) return true;
+      usleep(100000);
+    }
+    return false;
+  };
+  bool first = false, second = false;
+  test::run_program("/bin/sh", {"-c", command}, desk.path.string(), [&](pid_t child) {
+    first = waited_for(1);
+    std::ofstream(desk.path / "mine/student.cpp", std::ios::app) << "// saved\n";
+    second = waited_for(2);
+    kill(child, SIGINT);
+  });
+  CHECK(first);
+  CHECK(second);
+}

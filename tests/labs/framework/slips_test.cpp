@@ -1,0 +1,164 @@
+// A slip is named when it makes every answer of a check right, and only then.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "labs/framework/slips.h"
+#include "tests/support/catch.h"
+
+using namespace glassbox::labs;
+
+namespace {
+
+using Values = std::vector<double>;
+
+struct Put {
+  Expected expected;
+  Values actual;
+};
+
+std::vector<std::string> slips_of(const std::vector<Put>& all) {
+  std::vector<Case> cases;
+  std::vector<CaseAnswer> answers;
+  for (const Put& put : all) {
+    Case input;
+    input.expected = {put.expected};
+    cases.push_back(input);
+    CaseAnswer answer;
+    answer.state = CaseAnswer::State::kAnswered;
+    answer.answer.emit(put.expected.field, put.actual);
+    answers.push_back(answer);
+  }
+  return find_slips(cases, answers);
+}
+
+bool names(const std::vector<Put>& all, const std::string& slip) {
+  const auto found = slips_of(all);
+  return std::find(found.begin(), found.end(), slip) != found.end();
+}
+
+Expected field(Shape shape, Values values, double bound = 1e-6, int columns = 0) {
+  return {"f", shape, std::move(values), bound, "", columns};
+}
+
+Values about_z(double radians) {
+  const double c = std::cos(radians), s = std::sin(radians);
+  return {c, -s, 0, 0, s, c, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+}
+
+Values projection(double fovy) {
+  const double f = 1 / std::tan(fovy / 2);
+  return {f / 1.5, 0, 0, 0, 0, f, 0, 0, 0, 0, -1.1, -0.2, 0, 0, -1, 0};
+}
+
+Values transposed(const Values& m) {
+  Values t(16);
+  for (std::size_t i = 0; i < 16; ++i) t[i] = m[i % 4 * 4 + i / 4];
+  return t;
+}
+
+}  // namespace
+
+TEST_CASE("signs of coordinates") {
+  CHECK(slips_of({{field(Shape::kPoint, {1, 2, -3}), {1, 2, 3}}}) ==
+        std::vector<std::string>{"z-sign"});
+  CHECK(slips_of({{field(Shape::kPoint, {1, 2, -3}), {1, -2, -3}}}) ==
+        std::vector<std::string>{"y-direction"});
+  CHECK(slips_of({{field(Shape::kPoint, {1, 2, -3}), {-1, 2, -3}}}) ==
+        std::vector<std::string>{"handedness"});
+}
+
+TEST_CASE("the row of a view matrix with the opposite sign") {
+  Values view = about_z(0.3);
+  view[11] = -5;
+  Values slipped = view;
+  slipped[10] = -slipped[10];
+  slipped[11] = -slipped[11];
+  CHECK(names({{field(Shape::kMatrix, view), slipped}}, "z-sign"));
+}
+
+TEST_CASE("screen y from the bottom, with one height for all points") {
+  const auto screen = [](double y) { return field(Shape::kNumbers, {10, y}); };
+  CHECK(names({{screen(100), {10, 380}}, {screen(20), {10, 460}}}, "y-direction"));
+  CHECK_FALSE(names({{screen(100), {10, 380}}, {screen(20), {10, 459}}}, "y-direction"));
+  // One point fits some height always: no evidence.
+  CHECK_FALSE(names({{screen(100), {10, 380}}}, "y-direction"));
+}
+
+TEST_CASE("a transposed matrix") {
+  Values m = about_z(0.3);
+  m[3] = 7;
+  CHECK(names({{field(Shape::kMatrix, m), transposed(m)}}, "row-column-order"));
+}
+
+TEST_CASE("reversed polygons, triples, normals and yes for no") {
+  const Expected square = field(Shape::kPolygon, {0, 0, 1, 0, 1, 1, 0, 1}, 0, 2);
+  CHECK(names({{square, {0, 0, 0, 1, 1, 1, 1, 0}}}, "winding"));
+  CHECK(names({{square, {0, 1, 1, 1, 1, 0, 0, 0}}}, "winding"));
+  CHECK_FALSE(names({{square, {0, 0, 1, 1, 1, 0, 0, 1}}}, "winding"));
+  CHECK(names({{field(Shape::kNumbers, {0, 1, 2, 2, 1, 3}, 0), {0, 2, 1, 2, 3, 1}}}, "winding"));
+  CHECK(names({{field(Shape::kPoint, {1, 2, 3}), {-1, -2, -3}}}, "winding"));
+  const auto back = [](double yes) { return field(Shape::kNumbers, {yes}, 0); };
+  CHECK(names({{back(1), {0}}, {back(0), {1}}}, "winding"));
+  CHECK_FALSE(names({{back(1), {0}}, {back(0), {0}}}, "winding"));
+}
+
+TEST_CASE("angles that are halved, doubled, or in degrees") {
+  const double degree = std::numbers::pi / 180;
+  CHECK(names({{field(Shape::kNumbers, {0.5}), {1.0}}}, "half-angle"));
+  CHECK(names({{field(Shape::kNumbers, {0.5}), {0.5 / degree}}}, "degrees-radians"));
+  CHECK(names({{field(Shape::kMatrix, about_z(0.8)), about_z(0.4)}}, "half-angle"));
+  CHECK(names({{field(Shape::kMatrix, about_z(30 * degree)), about_z(30)}}, "degrees-radians"));
+  CHECK(names({{field(Shape::kMatrix, projection(1)), projection(2)}}, "half-angle"));
+  CHECK(
+      names({{field(Shape::kMatrix, projection(60 * degree)), projection(60)}}, "degrees-radians"));
+}
+
+TEST_CASE("a rotation and a translation in the other order") {
+  Values first_turned = about_z(0.7), first_moved = about_z(0.7);
+  first_turned[3] = 5;
+  first_moved[3] = 5 * std::cos(0.7);
+  first_moved[7] = 5 * std::sin(0.7);
+  CHECK(names({{field(Shape::kMatrix, first_turned), first_moved}}, "multiplication-order"));
+  CHECK(names({{field(Shape::kMatrix, first_moved), first_turned}}, "multiplication-order"));
+}
+
+TEST_CASE("a slip that explains some answers of a check and not others is not named") {
+  const Expected point = field(Shape::kPoint, {1, 2, -3});
+  CHECK(slips_of({{point, {1, 2, 3}}, {point, {1, 5, 3}}}).empty());
+  CHECK(slips_of({{point, {1, 2, -3}}}).empty());
+  CHECK(slips_of({{point, {0, 0, 0}}}).empty());
+}
+
+TEST_CASE("a case with a judge of its own is asked again without the slip") {
+  Case input;
+  input.judge = [](const Answer& answer) -> std::optional<Divergence> {
+    if (answer.fields()[0].values[2] < 0) return std::nullopt;
+    return Divergence{};
+  };
+  CaseAnswer answer;
+  answer.state = CaseAnswer::State::kAnswered;
+  answer.answer.emit("p", {1, 2, 3});
+  const auto found = find_slips({input}, {answer});
+  CHECK(std::find(found.begin(), found.end(), "z-sign") != found.end());
+}
+
+TEST_CASE("what a lab says of a slip is enough, and only where an answer matches") {
+  Case input;
+  input.expected = {field(Shape::kNumbers, {3, 4, 5, 6, 7})};
+  input.slipped = {{"multiplication-order", {field(Shape::kNumbers, {7, 1, 8, 2, 0})}}};
+  CaseAnswer answer;
+  answer.state = CaseAnswer::State::kAnswered;
+  answer.answer.emit("f", {7, 1, 8, 2, 0});
+  CHECK(find_slips({input}, {answer}) == std::vector<std::string>{"multiplication-order"});
+  answer.answer = {};
+  answer.answer.emit("f", {7, 1, 8, 2, 1});
+  CHECK(find_slips({input}, {answer}).empty());
+}
+
+TEST_CASE("every slip has a sentence") {
+  for (const char* slip : {"z-sign", "y-direction", "row-column-order", "handedness", "winding",
+                           "half-angle", "degrees-radians", "multiplication-order"})
+    CHECK_FALSE(slip_text(slip).empty());
+  CHECK(slip_text("z-sign") == "your z has the opposite sign: the eye looks down -z");
+}
