@@ -1,0 +1,243 @@
+// What is expected of lab 6: by the program's snap, set-up and fans, and by the exact oracle of coverage.
+#include <cmath>
+#include <cstdint>
+
+#include <fmt/format.h>
+
+#include <glassbox/raster/fan.h>
+#include <glassbox/raster/snap.h>
+#include <glassbox/raster/triangle_setup.h>
+
+#include "labs/06-rasterisation/cases.h"
+#include "labs/labs.h"
+#include "study/oracle/coverage.h"
+
+namespace glassbox::labs {
+
+namespace {
+
+using namespace lab_06;
+
+std::string text_of(const SnappedVertex& v) {
+  return fmt::format("({}, {})", v.x / 256.0, v.y / 256.0);
+}
+
+std::string text_of(const Triangle& t) {
+  const std::int64_t area = double_area(t[0], t[1], t[2]);
+  return fmt::format("{} {} {} px, {}", text_of(t[0]), text_of(t[1]), text_of(t[2]),
+                     area > 0   ? "clockwise on the screen"
+                     : area < 0 ? "counter-clockwise on the screen"
+                                : "without area");
+}
+
+// Of a case "... (C-43)", the line that shows the extreme case.
+std::string command_for(const std::string& what) {
+  const std::size_t id = what.find("C-");
+  return id == std::string::npos ? "" : "\nglassbox study extremes --case " + what.substr(id, 4);
+}
+
+// `values` of many things in one field, which has nothing to do with points.
+Case expect_numbers(const std::string& what, const std::string& restated, const std::string& field,
+                    std::vector<double> values, const std::string& unit = "") {
+  return {what,
+          restated + command_for(what),
+          {{field, Shape::kNumbers, std::move(values), 0, unit, 0}},
+          nullptr,
+          {}};
+}
+
+// ---- 6.1 ----
+
+Case expect_snap(const SnapCase& input) {
+  std::vector<double> steps;
+  std::string text = "positions";
+  for (const float pixels : input.pixels) {
+    steps.push_back(glassbox::snap(pixels));
+    if (steps.size() <= 6)
+      text += fmt::format("{} {} px ({} steps)", steps.size() == 1 ? "" : ",", pixels,
+                          double(pixels) * 256);
+  }
+  if (steps.size() > 6) text += ", ...";
+  return expect_numbers(input.what, text, "steps", steps, "1/256 px");
+}
+
+// ---- 6.2 and 6.3 ----
+
+std::string samples_text(const EdgeCase& input, bool with_point) {
+  std::string text = with_point ? "a, b, p (px):" : "a, b (px):";
+  for (std::size_t i = 0; i < input.samples.size() && i < 6; ++i) {
+    const auto& [a, b, p] = input.samples[i];
+    text += fmt::format("\n  {}: {} {}", i, text_of(a), text_of(b));
+    if (with_point) text += " " + text_of(p);
+  }
+  return text + (input.samples.size() > 6 ? "\n  ..." : "");
+}
+
+Case expect_edge(const EdgeCase& input) {
+  std::vector<double> values, negated;
+  for (const auto& [a, b, p] : input.samples) {
+    values.push_back(double(double_area(a, b, p)));
+    negated.push_back(-values.back());
+  }
+  Case c = expect_numbers(input.what, samples_text(input, true), "edge function", values,
+                          "steps squared");
+  c.slipped = {{"winding", {{"edge function", Shape::kNumbers, negated, 0, "steps squared", 0}}}};
+  return c;
+}
+
+// A triangle with the edge is set up, and asked.
+Case expect_owner(const EdgeCase& input) {
+  std::vector<double> owned;
+  for (const auto& [a, b, p] : input.samples) {
+    // The left normal of b - a on the screen points into a clockwise triangle.
+    const SnappedVertex inner{a.x - (b.y - a.y), a.y + (b.x - a.x)};
+    const auto vertex = [](const SnappedVertex& v) {
+      return ScreenVertex{{float(v.x) / 256, float(v.y) / 256, 0}, 1};
+    };
+    const auto setup = setup_triangle({vertex(inner), vertex(a), vertex(b)});
+    owned.push_back(setup && setup->edges[0].owns_zero ? 1 : 0);
+  }
+  return expect_numbers(input.what, samples_text(input, false), "owned", owned);
+}
+
+// ---- 6.4 ----
+
+Expected coverage_of(const CoverageCase& input, bool clockwise, bool counter_clockwise) {
+  const PixelRect& w = input.window;
+  Expected expected{"times covered", Shape::kCoverage, {}, 0, "", w.x1 - w.x0};
+  for (int y = w.y0; y < w.y1; ++y) {
+    for (int x = w.x0; x < w.x1; ++x) {
+      int times = 0;
+      for (const Triangle& t : input.triangles) {
+        const bool drawn = double_area(t[0], t[1], t[2]) > 0 ? clockwise : counter_clockwise;
+        times += drawn && study::oracle::covers<std::int64_t>(t, x, y) ? 1 : 0;
+      }
+      expected.values.push_back(times);
+    }
+  }
+  return expected;
+}
+
+Case expect_coverage(const CoverageCase& input) {
+  const PixelRect& w = input.window;
+  std::string text =
+      fmt::format("window: pixels {} <= x < {}, {} <= y < {}", w.x0, w.x1, w.y0, w.y1);
+  if (w.x0 != 0 || w.y0 != 0)
+    text += fmt::format("; pixel (i, j) of the picture is ({} + i, {} + j)", w.x0, w.y0);
+  for (std::size_t i = 0; i < input.triangles.size() && i < 4; ++i)
+    text += fmt::format("\n  triangle {}: {}", i, text_of(input.triangles[i]));
+  if (input.triangles.size() > 4) text += fmt::format("\n  ... {} in all", input.triangles.size());
+  const Expected inside{"outside the window", Shape::kNumbers, {0}, 0, "", 0};
+  Case c{input.what,
+         text + command_for(input.what),
+         {coverage_of(input, true, true), inside},
+         nullptr,
+         {}};
+  // Who takes one winding for the only one draws nothing of the other.
+  c.slipped = {{"winding", {coverage_of(input, true, false), inside}},
+               {"winding", {coverage_of(input, false, true), inside}}};
+  return c;
+}
+
+// ---- 6.5 ----
+
+Case expect_apex(const PolygonsCase& input) {
+  std::vector<double> apexes;
+  std::string text = "polygons (px):";
+  for (const auto& polygon : input.polygons) {
+    apexes.push_back(glassbox::fan_apex(polygon));
+    if (apexes.size() > 8) continue;
+    text += fmt::format("\n  {}:", apexes.size() - 1);
+    for (const SnappedVertex& v : polygon) text += " " + text_of(v);
+  }
+  return expect_numbers(input.what, text + (apexes.size() > 8 ? "\n  ..." : ""), "apex", apexes);
+}
+
+// ---- 6.6 ----
+
+// By looking at every centre.
+TileCover cover_of(const TriangleSetup& setup, const PixelRect& tile) {
+  bool all = true;
+  for (const EdgeFunction& edge : setup.edges) {
+    bool some = false;
+    for (int y = tile.y0; y < tile.y1; ++y) {
+      for (int x = tile.x0; x < tile.x1; ++x) {
+        const bool covers = edge.covers(edge.at(std::int64_t(x) * kSubpixels + kPixelCentre,
+                                                std::int64_t(y) * kSubpixels + kPixelCentre));
+        some = some || covers;
+        all = all && covers;
+      }
+    }
+    if (!some) return TileCover::kNone;
+  }
+  return all ? TileCover::kAll : TileCover::kSome;
+}
+
+Case expect_tiles(const TileCase& input) {
+  const auto vertex = [&](std::size_t i) {
+    const SnappedVertex& v = input.triangle[i];
+    return ScreenVertex{{float(v.x) / 256, float(v.y) / 256, 0}, 1};
+  };
+  const auto setup = setup_triangle({vertex(0), vertex(1), vertex(2)});
+  std::vector<double> covers;
+  for (const PixelRect& tile : input.tiles)
+    covers.push_back(setup ? int(cover_of(*setup, tile)) : -1);
+  int columns = 0;
+  while (std::size_t(columns) < input.tiles.size() &&
+         input.tiles[std::size_t(columns)].y0 == input.tiles[0].y0)
+    ++columns;
+  return expect_numbers(
+      input.what,
+      fmt::format("{}\ntiles of {} x {} pixels, {} to a row, the first at pixel ({}, {}); 0 kNone, "
+                  "1 kSome, 2 kAll",
+                  text_of(input.triangle), input.side, input.side, columns, input.tiles[0].x0,
+                  input.tiles[0].y0),
+      "tiles", covers);
+}
+
+template <class Input>
+Check check(const char* name, const char* task, const char* stage, bool hidden,
+            std::vector<Input> (*inputs)(), Case (*expect)(const Input&)) {
+  return {name, task, stage, hidden, [inputs, expect] {
+            std::vector<Case> cases;
+            for (const Input& input : inputs()) cases.push_back(expect(input));
+            return cases;
+          }};
+}
+
+}  // namespace
+
+Lab lab_06() {
+  constexpr bool kHidden = true;
+  return {
+      6,
+      "06-rasterisation",
+      "Rasterisation: which pixels a triangle covers",
+      {{"6.1", "Snap a position to the grid", 10},
+       {"6.2", "The edge function, exactly", 15},
+       {"6.3", "Who owns a shared edge", 15},
+       {"6.4", "The pixels that a triangle covers", 30},
+       {"6.5", "A fan that does not fold back", 10},
+       {"6.6", "A tile against a triangle", 20}},
+      {check("positions go to the nearest step", "6.1", "screen", false, positions, expect_snap),
+       check("positions next to halves and far away", "6.1", "screen", kHidden, more_positions,
+             expect_snap),
+       check("the edge function is twice an area with its sign", "6.2", "coverage", false, edges,
+             expect_edge),
+       check("edges of 32 K pixels", "6.2", "coverage", kHidden, far_edges, expect_edge),
+       check("top and left edges are owned", "6.3", "coverage", false, directions, expect_owner),
+       check("edges in every direction", "6.3", "coverage", kHidden, more_directions, expect_owner),
+       check("every centre belongs to one triangle", "6.4", "coverage", false, triangles,
+             expect_coverage),
+       check("meshes, fans, slivers and far triangles", "6.4", "coverage", kHidden, more_triangles,
+             expect_coverage),
+       check("a fan that does not fold back", "6.5", "coverage", false, polygons, expect_apex),
+       check("flat polygons bent by the snap", "6.5", "coverage", kHidden, thin_polygons,
+             expect_apex),
+       check("tiles without, with some, and with all pixels", "6.6", "coverage", false, tilings,
+             expect_tiles),
+       check("tiles in other places and sizes", "6.6", "coverage", kHidden, more_tilings,
+             expect_tiles)}};
+}
+
+}  // namespace glassbox::labs
