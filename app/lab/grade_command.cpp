@@ -143,7 +143,8 @@ int LabGradeCommand::run_one(const labs::Lab& lab, const labs::Sources& sources)
   const auto sandbox = Sandbox::choose(*place, confinement_);
   if (!sandbox) return refuse(sandbox.error());
   fmt::print(stderr, "sandbox: {}\n", sandbox->in_force());
-  const auto kit = make_kit(sources, lab.folder, kit_.empty() ? *place / "kit" : fs::path(kit_));
+  auto kit = make_kit(sources, lab.folder, kit_.empty() ? *place / "kit" : fs::absolute(kit_));
+  if (kit && !kit_.empty()) kit = copy_kit(*kit, *place / "kit");
   if (!kit) return refuse(kit.error());
   const auto build = scratch.own("build");
   if (!build) return refuse(build.error());

@@ -58,41 +58,36 @@ Result<bool> copy_below(const fs::path& file, const fs::path& from, const fs::pa
   return true;
 }
 
-}  // namespace
-
-std::vector<std::string> headers_of(const std::string& rule) {
-  std::vector<std::string> words;
-  std::string word;
-  for (std::size_t i = 0; i <= rule.size(); ++i) {
-    const char c = i < rule.size() ? rule[i] : '\n';
-    if (c == '\\' && i + 1 < rule.size() && rule[i + 1] == ' ') {
-      word += rule[++i];
-    } else if (c == ' ' || c == '\n' || (c == '\\' && i + 1 < rule.size() && rule[i + 1] == '\n')) {
-      if (!word.empty()) words.push_back(word);
-      word.clear();
-    } else {
-      word += c;
-    }
-  }
-  if (words.size() > 2) return {words.begin() + 2, words.end()};
-  return {};
-}
-
-Result<Kit> make_kit(const Sources& sources, const std::string& folder, const fs::path& directory) {
-  const auto found = path_of(compiler());
-  if (!found) return tl::unexpected(found.error());
+Kit kit_in(const fs::path& directory, const std::string& compiler) {
   Kit kit;
-  kit.compiler = *found;
+  kit.compiler = compiler;
   kit.readable = directory / "for-students";
   kit.include = kit.readable / "include";
-  const fs::path objects = kit.readable / "objects";
-  kit.objects = {objects / "checks.o", objects / "main.o", objects / "witness.o"};
-  const fs::path ready = directory / "ready";
-  if (fs::exists(ready)) return kit;
+  for (const char* name : {"checks.o", "main.o", "witness.o"})
+    kit.objects.push_back(kit.readable / "objects" / name);
+  return kit;
+}
 
+// Whatever the mask of the caller: the user that compiles is another.
+void open_to_all(const Kit& kit, const fs::path& directory) {
+  using fs::perms;
+  std::error_code error;
+  for (fs::recursive_directory_iterator entry(kit.readable, error), end; !error && entry != end;
+       entry.increment(error)) {
+    perms added = perms::group_read | perms::others_read;
+    if (entry->is_directory()) added |= perms::group_exec | perms::others_exec;
+    std::error_code ignored;
+    fs::permissions(entry->path(), added, fs::perm_options::add, ignored);
+  }
+  for (const fs::path& path : {directory, kit.readable})
+    fs::permissions(path, perms(0755), fs::perm_options::replace, error);
+}
+
+Result<void> fill(const Kit& kit, const Sources& sources, const std::string& folder,
+                  const fs::path& directory) {
   const fs::path own = directory / "own";
   std::error_code error;
-  fs::create_directories(objects, error);
+  fs::create_directories(kit.readable / "objects", error);
   fs::create_directories(kit.include, error);
   auto files = support_files(sources, folder, true);
   if (!files) return tl::unexpected(files.error());
@@ -100,8 +95,7 @@ Result<Kit> make_kit(const Sources& sources, const std::string& folder, const fs
   if (!solution) return tl::unexpected(solution.error());
   files->push_back({"student.cpp", *solution});
   for (const SourceFile& file : *files) {
-    if (const auto written = write_if_changed(own / file.path, file.text); !written)
-      return tl::unexpected(written.error());
+    if (const auto written = write_if_changed(own / file.path, file.text); !written) return written;
   }
   std::vector<std::string> words{kit.compiler};
   words.insert(words.end(), flags().begin(), flags().end());
@@ -125,19 +119,64 @@ Result<Kit> make_kit(const Sources& sources, const std::string& folder, const fs
     compiling.insert(compiling.end(), {"-c", compiled[i].string(), "-o", kit.objects[i].string()});
     if (const auto done = call(compiling); !done) return tl::unexpected(done.error());
   }
-  // Whatever the mask of the caller: the user that compiles is another.
-  for (fs::recursive_directory_iterator entry(kit.readable, error), end; entry != end; ++entry) {
-    fs::permissions(entry->path(),
-                    fs::perms::group_read | fs::perms::others_read |
-                        (entry->is_directory() ? fs::perms::group_exec | fs::perms::others_exec
-                                               : fs::perms::none),
-                    fs::perm_options::add, error);
+  // With the solution in it.
+  fs::permissions(own, fs::perms::owner_all, fs::perm_options::replace, error);
+  open_to_all(kit, directory);
+  return {};
+}
+
+}  // namespace
+
+std::vector<std::string> headers_of(const std::string& rule) {
+  std::vector<std::string> words;
+  std::string word;
+  for (std::size_t i = 0; i <= rule.size(); ++i) {
+    const char c = i < rule.size() ? rule[i] : '\n';
+    if (c == '\\' && i + 1 < rule.size() && rule[i + 1] == ' ') {
+      word += rule[++i];
+    } else if (c == ' ' || c == '\n' || (c == '\\' && i + 1 < rule.size() && rule[i + 1] == '\n')) {
+      if (!word.empty()) words.push_back(word);
+      word.clear();
+    } else {
+      word += c;
+    }
   }
-  for (const fs::path& path : {directory, kit.readable})
-    fs::permissions(path, fs::perms(0711), fs::perm_options::replace, error);
-  if (const auto written = write_if_changed(ready, folder + "\n"); !written)
-    return tl::unexpected(written.error());
-  return kit;
+  if (words.size() > 2) return {words.begin() + 2, words.end()};
+  return {};
+}
+
+Result<Kit> make_kit(const Sources& sources, const std::string& folder, const fs::path& directory) {
+  const auto found = path_of(compiler());
+  if (!found) return tl::unexpected(found.error());
+  const std::string label = folder + ", " + *found + "\n";
+  std::error_code error;
+  if (!fs::exists(directory, error)) {
+    // Beside its place, and renamed into it. Where another was faster, its kit is as good.
+    std::string beside = directory.string() + "-XXXXXX";
+    fs::create_directories(directory.parent_path(), error);
+    if (::mkdtemp(beside.data()) == nullptr)
+      return fail(directory.string(), "cannot be made", "name a place that can be written to");
+    const auto filled = fill(kit_in(beside, *found), sources, folder, beside);
+    const auto labelled = filled ? write_if_changed(fs::path(beside) / "lab", label) : filled;
+    if (labelled) fs::rename(beside, directory, error);
+    std::error_code ignored;
+    if (!labelled || error) fs::remove_all(beside, ignored);
+    if (!labelled) return tl::unexpected(labelled.error());
+  }
+  const auto is = read_text_file(directory / "lab");
+  if (is && *is == label) return kit_in(directory, *found);
+  return fail(directory.string(), "is no kit of this lab and compiler",
+              "name another directory, or remove this one");
+}
+
+Result<Kit> copy_kit(const Kit& kit, const fs::path& directory) {
+  const Kit copy = kit_in(directory, kit.compiler);
+  std::error_code error;
+  fs::create_directories(directory, error);
+  fs::copy(kit.readable, copy.readable, fs::copy_options::recursive, error);
+  if (error) return fail(directory.string(), error.message(), "free some space there");
+  open_to_all(copy, directory);
+  return copy;
 }
 
 std::vector<std::string> compile_command(const Kit& kit, const std::string& source,

@@ -19,9 +19,13 @@ struct Kit {
   std::string compiler;                        // its path
 };
 
-// Makes the kit of the lab labs/FOLDER in `directory`, or finds the one that was made there.
+// Makes the kit of the lab labs/FOLDER in `directory`, which must be absolute, or finds the one that was made there. It appears
+// whole: several may make the same one at the same time. An error where it is another lab's or another compiler's.
 Result<Kit> make_kit(const Sources& sources, const std::string& folder,
                      const std::filesystem::path& directory);
+
+// What submissions see of the kit, in another place: one that every user can reach.
+Result<Kit> copy_kit(const Kit& kit, const std::filesystem::path& directory);
 
 // The call that makes `program` of `source`; both are looked for in the directory that it is called in, where kFilesRead then
 // names the files that were included.

@@ -96,7 +96,7 @@ TEST_CASE("GNU parallel grades over a hundred submissions as the class is") {
           "mkdir results && ls class | parallel --will-cite --joblog jobs.log "
           "'mkdir -p results/{} && ") +
       TINY_GRADER
-      " lab grade class/{} --one --lab 99 -o results/{}/results.json' 2>err.log >out.log";
+      " lab grade class/{} --one --lab 99 --kit kit -o results/{}/results.json' 2>err.log >out.log";
   const Outcome outcome = run_program("/bin/sh", {"-c", command}, place.path.string());
   INFO(read(place.path / "err.log"));
   REQUIRE(outcome.exit_code == 0);
