@@ -242,6 +242,7 @@ std::optional<Divergence> judge_rotation(const Map& given, const Answer& answer)
   const double drift = orthogonality_error(before), error = orthogonality_error(after);
   found.actual = found.distance = error;
   found.bound = 16 * u;
+  if (std::isnan(error)) found.kind = Divergence::Kind::kNotANumber;
   if (!(error <= found.bound)) {
     found.element = "largest entry of |R^T R - I|";
     found.explanation = fmt::format("it was {:.3g} before the repair", drift);

@@ -195,6 +195,7 @@ std::optional<Divergence> judge_half_turn(const OntoCase& input, const Answer& a
   found.bound = 16 * u;
   found.element = "largest entry of |R^T R - I|";
   found.actual = found.distance = orthogonality_error(m);
+  if (std::isnan(found.actual)) found.kind = Divergence::Kind::kNotANumber;
   if (!(found.distance <= found.bound)) return found;
   found.element = "determinant";
   found.expected = 1;
