@@ -1,0 +1,270 @@
+#include "labs/05-clipping/outlines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "labs/framework/compare.h"
+#include "study/oracle/clip.h"
+#include "study/oracle/number.h"
+
+#include <glassbox/base/rounding.h>
+#include <glassbox/pipeline/clip_bounds.h>
+#include <glassbox/pipeline/divide.h>
+#include <glassbox/pipeline/viewport.h>
+#include <glassbox/raster/coverage.h>
+#include <glassbox/raster/fan.h>
+#include <glassbox/raster/snap.h>
+
+namespace glassbox::labs {
+
+namespace {
+
+using study::oracle::Rational;
+
+constexpr double kU = unit_roundoff<float>;
+
+double largest(const Point<Clip>& p) {
+  return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), std::abs(p.w)});
+}
+
+// The error that a triangle's vertices may have gathered at any of its planes, each on top of what the ends had
+// (pipeline/clip_bounds.h). The pipeline's own polygon stands for the exact one: it differs by less than the bound.
+double bound_of(std::span<const Point<Clip>> corners, std::span<const ClipPlane> planes) {
+  ClipPolygon polygon;
+  for (const Point<Clip>& p : corners) polygon.vertices[std::size_t(polygon.count++)].position = p;
+  std::vector<ClipVertexBound> bounds(corners.size());
+  double worst = 0;           // vertices that are kept have the same bits
+  if (corners.size() != 3) {  // one plane and a polygon: no inheritance
+    for (const Point<Clip>& p : corners) worst = std::max(worst, kRoundings * kU * largest(p));
+    return worst;
+  }
+  std::vector<ClipStep> steps;
+  clip_triangle({polygon.vertices[0], polygon.vertices[1], polygon.vertices[2]}, planes, &steps);
+  for (std::size_t s = 0; s < steps.size(); ++s) {
+    const ClipStep& step = steps[s];
+    std::vector<ClipVertexBound> after;
+    for (int i = 0; i < step.after.count; ++i) {
+      const auto [from, to] = step.sources[std::size_t(i)];
+      const auto f = std::size_t(from), t = std::size_t(to);
+      ClipVertexBound bound = bounds[f];
+      if (from != to) {
+        const ClipVertex &p = polygon.vertices[f], &q = polygon.vertices[t];
+        bound = crossing_bound(planes[s], p, bounds[f], step.distances[f], q, bounds[t],
+                               step.distances[t], step.after.vertices[std::size_t(i)]);
+        const double rounding =
+            kRoundings * kU * std::max(largest(p.position), largest(q.position));
+        bound.position += glm::dvec4(rounding);
+      }
+      for (int k = 0; k < 4; ++k) worst = std::max(worst, bound.position[k]);
+      after.push_back(bound);
+    }
+    polygon = step.after;
+    bounds = after;
+  }
+  return worst;
+}
+
+const std::vector<double>& field_of(const Answer& answer, const std::string& name) {
+  static const std::vector<double> none;
+  const auto* values = find_field(answer, name);
+  return values != nullptr ? *values : none;
+}
+
+std::vector<Point<Clip>> outline_of(const std::vector<double>& values) {
+  std::vector<Point<Clip>> outline;
+  for (std::size_t i = 0; i + 4 <= values.size(); i += 4) {
+    outline.push_back(
+        {float(values[i]), float(values[i + 1]), float(values[i + 2]), float(values[i + 3])});
+  }
+  return outline;
+}
+
+double apart(const Point<Clip>& a, const Point<Clip>& b) {
+  return std::max({std::abs(double(a.x) - b.x), std::abs(double(a.y) - b.y),
+                   std::abs(double(a.z) - b.z), std::abs(double(a.w) - b.w)});
+}
+
+// The vertex nearest to where one should be; nothing if the outline is empty.
+std::optional<Point<Clip>> nearest(const std::vector<Point<Clip>>& outline,
+                                   const Point<Clip>& place) {
+  if (outline.empty()) return std::nullopt;
+  return *std::min_element(outline.begin(), outline.end(), [&](const auto& a, const auto& b) {
+    return apart(a, place) < apart(b, place);
+  });
+}
+
+// A picture of 48 x 32 pixels.
+constexpr PixelRect kWindow{0, 0, 48, 32};
+constexpr Viewport kViewport{0, 0, 48, 32};
+
+// Nothing where a vertex cannot be drawn.
+std::optional<std::string> cannot_be_drawn(const std::vector<Point<Clip>>& outline) {
+  for (const Point<Clip>& p : outline) {
+    if (!(p.w > 0)) return fmt::format("a vertex has w = {}: it is at or behind the eye", p.w);
+    if (!(std::abs(p.x) <= 2 * p.w && std::abs(p.y) <= 2 * p.w && std::isfinite(p.z)))
+      return fmt::format("a vertex ({}, {}, {}, {}) lies far outside the frustum", p.x, p.y, p.z,
+                         p.w);
+  }
+  return std::nullopt;
+}
+
+void draw(const std::vector<Point<Clip>>& outline, std::vector<double>& counts) {
+  std::vector<ScreenVertex> screen;
+  std::vector<SnappedVertex> snapped;
+  for (const Point<Clip>& p : outline) {
+    screen.push_back(to_screen(divide(p), kViewport));
+    snapped.push_back(snap(screen.back()));
+  }
+  const int count = int(outline.size());
+  const int apex = fan_apex(snapped);
+  for (int i = 0; i + 2 < count; ++i) {
+    const auto [a, b, c] = fan_vertices(apex, count, i);
+    const auto setup = setup_triangle({screen[a], screen[b], screen[c]});
+    if (!setup) continue;
+    for_each_covered(*setup, kWindow, [&](const Coverage& pixel) {
+      ++counts[std::size_t(pixel.y * kWindow.x1 + pixel.x)];
+    });
+  }
+}
+
+}  // namespace
+
+ClipPlane pipeline_plane(const lab_05::Plane& plane) {
+  return {plane.a, plane.b, plane.c, plane.d, 0, ""};
+}
+
+std::vector<ClipPlane> pipeline_frustum() {
+  std::vector<ClipPlane> planes;
+  for (const lab_05::Plane& plane : lab_05::kFrustum) planes.push_back(pipeline_plane(plane));
+  return planes;
+}
+
+std::string restated(std::span<const Point<Clip>> polygon) {
+  std::string text;
+  double twice_area = 0;
+  bool all_in_front = !polygon.empty();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point<Clip>& p = polygon[i];
+    text += fmt::format("vertex {}: clip ({}, {}, {}, {})", i, p.x, p.y, p.z, p.w);
+    if (!(p.w > 0)) {
+      text += ", at or behind the eye\n";
+      all_in_front = false;
+      continue;
+    }
+    const NdcVertex ndc = divide(p);
+    const ScreenVertex screen = to_screen(ndc, {0, 0, 640, 480});
+    text += fmt::format(", NDC ({:.6g}, {:.6g}, {:.6g}), screen ({:.2f}, {:.2f}) of 640 x 480\n",
+                        ndc.position.x, ndc.position.y, ndc.position.z, screen.position.x,
+                        screen.position.y);
+    const Point<Clip>& next = polygon[(i + 1) % polygon.size()];
+    twice_area += double(p.x) / p.w * (double(next.y) / next.w) -
+                  double(next.x) / next.w * (double(p.y) / p.w);
+  }
+  if (all_in_front && polygon.size() > 2)
+    text += fmt::format("winding in NDC: {}\n", twice_area > 0   ? "counter-clockwise"
+                                                : twice_area < 0 ? "clockwise"
+                                                                 : "no area");
+  if (!text.empty()) text.pop_back();
+  return text;
+}
+
+Expected exact_clip(std::span<const Point<Clip>> polygon, std::span<const ClipPlane> planes) {
+  study::oracle::ExactPolygon<Rational> exact;
+  for (const Point<Clip>& p : polygon) exact.push_back(study::oracle::exact_point<Rational>(p));
+  exact = study::oracle::clip(exact, planes);
+  Expected expected{"polygon", Shape::kPolygon, {}, bound_of(polygon, planes), "clip units", 4};
+  if (exact.size() < 3) return expected;
+  for (const auto& p : exact) {
+    for (const Rational* each : {&p.x, &p.y, &p.z, &p.w}) expected.values.push_back(double(*each));
+  }
+  return expected;
+}
+
+std::optional<Divergence> compare_outlines(const Expected& expected, const Answer& answer) {
+  const auto* actual = find_field(answer, expected.field);
+  if (actual == nullptr || actual->size() != expected.values.size())
+    return compare(expected, answer).first;
+  // Of all vertices that could be the first, the one that leaves least wrong.
+  Comparison best = compare(expected, *actual);
+  for (std::size_t start = 4; start < actual->size(); start += 4) {
+    std::vector<double> turned = *actual;
+    std::rotate(turned.begin(), turned.begin() + std::ptrdiff_t(start), turned.end());
+    Comparison comparison = compare(expected, turned);
+    if (comparison.differing < best.differing) best = std::move(comparison);
+  }
+  return best.first;
+}
+
+std::optional<Divergence> compare_shared_edges(const lab_05::PairsCase& pairs,
+                                               const Answer& answer) {
+  const std::vector<ClipPlane> planes = pipeline_frustum();
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto& shared = pairs[i].shared;
+    const auto left = clip_segment({ClipVertex{shared[0], {}}, ClipVertex{shared[1], {}}}, planes);
+    if (!left) continue;
+    const auto first = pairs[i].first(), second = pairs[i].second();
+    // The segment's own ends are rounded as well.
+    const double bound = 2 * std::max(bound_of(first, planes), bound_of(second, planes));
+    const auto one = outline_of(field_of(answer, fmt::format("first {}", i)));
+    const auto two = outline_of(field_of(answer, fmt::format("second {}", i)));
+    for (const ClipVertex& end : *left) {
+      const auto at_one = nearest(one, end.position), at_two = nearest(two, end.position);
+      Divergence found;
+      found.kind = Divergence::Kind::kPosition;
+      found.field = fmt::format("second {}", i);
+      found.unit = "clip units";
+      found.element = fmt::format("edge {}", i);
+      found.explanation = fmt::format("the shared edge ends at ({}, {}, {}, {})", end.position.x,
+                                      end.position.y, end.position.z, end.position.w);
+      if (!at_one || !at_two || !(apart(*at_one, end.position) <= bound) ||
+          !(apart(*at_two, end.position) <= bound)) {
+        found.kind = Divergence::Kind::kMissing;
+        found.bound = bound;
+        found.distance = std::numeric_limits<double>::infinity();
+        found.explanation += ": one of the polygons has no vertex there";
+        return found;
+      }
+      if (*at_one == *at_two) continue;
+      const std::array<float, 4> a{at_one->x, at_one->y, at_one->z, at_one->w};
+      const std::array<float, 4> b{at_two->x, at_two->y, at_two->z, at_two->w};
+      std::size_t k = 0;
+      while (a[k] == b[k]) ++k;
+      found.index = k;
+      found.element += fmt::format(", {}", "xyzw"[k]);
+      found.expected = a[k];
+      found.actual = b[k];
+      found.distance = std::abs(found.expected - found.actual);
+      found.ulps = double(ulp_distance(a[k], b[k]));
+      found.explanation +=
+          ": the triangle that walks it the other way cuts it at other bits, which leaves a crack";
+      return found;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Divergence> compare_coverage(int count, const Answer& answer) {
+  Expected expected{
+      "coverage", Shape::kCoverage, std::vector<double>(std::size_t(kWindow.x1 * kWindow.y1), 1),
+      0,          "triangles",      kWindow.x1};
+  std::vector<double> counts(expected.values.size(), 0);
+  for (int i = 0; i < count; ++i) {
+    const std::string name = fmt::format("triangle {}", i);
+    const auto outline = outline_of(field_of(answer, name));
+    if (const auto why = cannot_be_drawn(outline)) {
+      Divergence found;
+      found.kind = Divergence::Kind::kPosition;
+      found.field = name;
+      found.distance = std::numeric_limits<double>::infinity();
+      found.explanation = *why;
+      return found;
+    }
+    draw(outline, counts);
+  }
+  return compare(expected, counts).first;
+}
+
+}  // namespace glassbox::labs

@@ -1,0 +1,109 @@
+#include "labs/framework/runner.h"
+
+#include "cases.h"
+#include "student.h"
+
+namespace glassbox::labs {
+
+namespace {
+
+using namespace lab_05;
+
+std::vector<double> numbers_of(const Point<Clip>& p) {
+  return {p.x, p.y, p.z, p.w};
+}
+
+std::vector<double> numbers_of(const Polygon& polygon) {
+  std::vector<double> all;
+  for (const Point<Clip>& p : polygon) all.insert(all.end(), {p.x, p.y, p.z, p.w});
+  return all;
+}
+
+// A check that puts each of `inputs` to `ask`.
+template <class Input, class Ask>
+RunnerCheck check(const std::string& name, const std::vector<Input>& inputs, Ask ask) {
+  return {name, int(inputs.size()),
+          [inputs, ask](int index, Answer& answer) { ask(inputs[std::size_t(index)], answer); }};
+}
+
+void ask_faces(const FaceCase& questions, Answer& answer) {
+  std::vector<double> back;
+  for (const FaceQuestion& each : questions)
+    back.push_back(is_back_face(each.face, each.eye) ? 1 : 0);
+  answer.emit("back", back);
+}
+
+void ask_outcode(const Point<Clip>& p, Answer& answer) {
+  answer.emit("outcode", {double(outcode(p))});
+}
+
+void ask_verdict(const std::vector<std::uint32_t>& outcodes, Answer& answer) {
+  answer.emit("verdict", {double(trivial_verdict(outcodes))});
+}
+
+void ask_crossing(const Edge& edge, Answer& answer) {
+  answer.emit("crossing", numbers_of(crossing(edge.plane, edge.p, edge.q)));
+}
+
+void ask_both_ways(const EdgesCase& edges, Answer& answer) {
+  std::vector<double> forward, backward;
+  for (const Edge& edge : edges) {
+    const auto there = numbers_of(crossing(edge.plane, edge.p, edge.q));
+    const auto back = numbers_of(crossing(edge.plane, edge.q, edge.p));
+    forward.insert(forward.end(), there.begin(), there.end());
+    backward.insert(backward.end(), back.begin(), back.end());
+  }
+  answer.emit("p to q", forward);
+  answer.emit("q to p", backward);
+}
+
+void ask_plane(const PlaneCase& input, Answer& answer) {
+  answer.emit("polygon", numbers_of(clip_by_plane(input.polygon, input.plane)));
+}
+
+void ask_frustum(const FrustumCase& input, Answer& answer) {
+  answer.emit("polygon", numbers_of(clip_to_frustum(input.triangle)));
+}
+
+void ask_pairs(const PairsCase& pairs, Answer& answer) {
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    answer.emit("first " + std::to_string(i), numbers_of(clip_to_frustum(pairs[i].first())));
+    answer.emit("second " + std::to_string(i), numbers_of(clip_to_frustum(pairs[i].second())));
+  }
+}
+
+// BEGIN HIDDEN
+void ask_fan(int count, Answer& answer) {
+  int i = 0;
+  for (const auto& triangle : fan_of_triangles(count))
+    answer.emit("triangle " + std::to_string(i++), numbers_of(clip_to_frustum(triangle)));
+}
+// END HIDDEN
+
+}  // namespace
+
+std::vector<RunnerCheck> runner_checks() {
+  std::vector<RunnerCheck> all{
+      check("faces of solids that look away", solids(), ask_faces),
+      check("which planes a point is outside of", points(), ask_outcode),
+      check("accepted, rejected or clipped", outcode_lists(), ask_verdict),
+      check("where an edge meets a plane", edges(53, 1), ask_crossing),
+      check("the same bits from either end", edges_both_ways(), ask_both_ways),
+      check("a polygon and one plane", polygons(), ask_plane),
+      check("a triangle and the frustum", triangles(), ask_frustum),
+      check("a shared edge is cut at one place", pairs_of_triangles(), ask_pairs),
+  };
+  // BEGIN HIDDEN
+  all.push_back(check("an eye in the face's plane", faces_edge_on(), ask_faces));
+  all.push_back(check("points on, before and behind every plane", lattice_points(), ask_outcode));
+  all.push_back(check("a crossing lies on its plane", edges(54, 1), ask_crossing));
+  all.push_back(check("crossings between two floats", ties(), ask_both_ways));
+  all.push_back(check("polygons that touch the plane", more_polygons(), ask_plane));
+  all.push_back(check("triangles through many planes", more_triangles(), ask_frustum));
+  all.push_back(check("triangles around a point fill the picture",
+                      std::vector<int>(kFanCounts.begin(), kFanCounts.end()), ask_fan));
+  // END HIDDEN
+  return all;
+}
+
+}  // namespace glassbox::labs
