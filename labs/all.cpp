@@ -3,7 +3,7 @@
 namespace glassbox::labs {
 
 const std::vector<Lab>& all_labs() {
-  static const std::vector<Lab> all{lab_01(), lab_02(), lab_03(), lab_05(), lab_06()};
+  static const std::vector<Lab> all{lab_01(), lab_02(), lab_03(), lab_05(), lab_06(), lab_07()};
   return all;
 }
 

@@ -10,5 +10,6 @@ Lab lab_02();
 Lab lab_03();
 Lab lab_05();
 Lab lab_06();
+Lab lab_07();
 
 }  // namespace glassbox::labs

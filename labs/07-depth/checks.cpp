@@ -1,0 +1,216 @@
+// What is expected of lab 7: by the program's projections and depth codes, and in 50 digits.
+#include <cmath>
+#include <cstdint>
+
+#include <fmt/format.h>
+
+#include <glassbox/base/rounding.h>
+#include <glassbox/pipeline/projection.h>
+#include <glassbox/raster/depth.h>
+
+#include "labs/07-depth/cases.h"
+#include "labs/labs.h"
+#include "study/oracle/number.h"
+
+namespace glassbox::labs {
+
+namespace {
+
+using namespace lab_07;
+using study::oracle::Decimal;
+
+std::string command_for(const std::string& what) {
+  const std::size_t id = what.find("C-");
+  return id == std::string::npos ? "" : "\nglassbox study extremes --case " + what.substr(id, 4);
+}
+
+std::string text_of(const Planes& p) {
+  return fmt::format("near {}, far {}, {} range", p.near, p.far,
+                     p.range == Range::kStandard ? "standard" : "reversed");
+}
+
+// One number with a bound relative to it; infinity is exact.
+Expected number(const std::string& field, double value, double relative, const std::string& unit) {
+  const double bound = std::isfinite(value) ? relative * std::abs(value) : 0;
+  return {field, Shape::kNumbers, {value}, bound, unit, 0};
+}
+
+// ---- 7.1 ----
+
+Case expect_row(const Planes& input) {
+  const DepthRange range =
+      input.range == Range::kReversed ? DepthRange::kReversed : DepthRange::kStandard;
+  const auto clip_from_eye = perspective_degrees(90, 1, {input.near, input.far, range});
+  if (!clip_from_eye) return {};  // every pair of planes is in order
+  const double a = clip_from_eye->at(2, 2), b = clip_from_eye->at(2, 3);
+  const auto expect = [](double a_, double b_) {
+    // Ours and theirs are within 4 ulps each of the exact value.
+    return std::vector<Expected>{{"a", Shape::kNumbers, {a_}, 8 * ulp(a_), "", 0},
+                                 {"b", Shape::kNumbers, {b_}, 8 * ulp(b_), "world units", 0}};
+  };
+  // An eye that looks along +z has z_clip = -a z + b.
+  return {text_of(input),
+          text_of(input) + "; z_clip = a z_eye + b, w_clip = -z_eye",
+          expect(a, b),
+          nullptr,
+          {{"z-sign", expect(-a, b)}}};
+}
+
+// ---- 7.2 ----
+
+Case expect_distance(const DistanceCase& input) {
+  Case c{input.what, text_of(input.planes) + "; depths", {}, nullptr, {}};
+  for (const double depth : input.depths) {
+    c.restated += fmt::format(" {}", depth);
+    const bool reversed = input.planes.range == Range::kReversed;
+    const Decimal d(depth), from_near = reversed ? Decimal(1) - d : d,
+                            from_far = reversed ? d : Decimal(1) - d;
+    Decimal inverse = from_far / Decimal(input.planes.near);
+    if (std::isfinite(input.planes.far)) inverse += from_near / Decimal(input.planes.far);
+    const double z = inverse.sign() == 0 ? kInfinity : double(Decimal(1) / inverse);
+    // 1 - depth, two quotients, a sum of two numbers >= 0 and a quotient: 4 u, and 1/2 u for what is rounded here.
+    c.expected.push_back(number(fmt::format("distance {}", c.expected.size()), z,
+                                16 * unit_roundoff<double>, "world units"));
+  }
+  c.restated += command_for(input.what);
+  return c;
+}
+
+// ---- 7.3 ----
+
+DepthFormat ours(Format format) {
+  switch (format) {
+    case Format::kUnorm16:
+      return DepthFormat::kUnorm16;
+    case Format::kUnorm24:
+      return DepthFormat::kUnorm24;
+    case Format::kFloat32:
+      return DepthFormat::kFloat32;
+    case Format::kFloat32Reversed:
+      break;
+  }
+  return DepthFormat::kFloat32Reversed;
+}
+
+Case expect_code(const CodeCase& input) {
+  std::vector<double> codes;
+  std::string text = fmt::format("{}; depths", name_of(input.format));
+  for (const float depth : input.depths) {
+    codes.push_back(glassbox::depth_code(ours(input.format), depth));
+    if (codes.size() <= 8) text += fmt::format(" {}", depth);
+  }
+  if (codes.size() > 8) text += " ...";
+  return {input.what,
+          text + command_for(input.what),
+          {{"codes", Shape::kNumbers, codes, 0, "", 0}},
+          nullptr,
+          {}};
+}
+
+// ---- 7.4 ----
+
+// Pixel by pixel, looking through all fragments.
+Case expect_visible(const BufferCase& input) {
+  std::vector<double> seen;
+  for (int pixel = 0; pixel < input.pixels; ++pixel) {
+    double first = -1;
+    std::uint32_t nearest = kEmptyDepth;
+    for (std::size_t i = 0; i < input.fragments.size(); ++i) {
+      const std::uint32_t code = glassbox::depth_code(ours(input.format), input.fragments[i].depth);
+      if (input.fragments[i].pixel != pixel || !in_front(code, nearest)) continue;
+      nearest = code;
+      first = double(i);
+    }
+    seen.push_back(first);
+  }
+  std::string text =
+      fmt::format("{}, {} pixels; fragments (pixel, depth):", name_of(input.format), input.pixels);
+  for (std::size_t i = 0; i < input.fragments.size() && i < 8; ++i)
+    text += fmt::format(" {}: ({}, {})", i, input.fragments[i].pixel, input.fragments[i].depth);
+  if (input.fragments.size() > 8) text += " ...";
+  return {input.what,
+          text + command_for(input.what),
+          {{"seen", Shape::kNumbers, seen, 0, "", 0}},
+          nullptr,
+          {}};
+}
+
+// ---- 7.5 ----
+
+// 1/x, also of infinity.
+Decimal inverse_of(double x) {
+  return std::isinf(x) ? Decimal(0) : Decimal(1) / Decimal(x);
+}
+
+double rung(const LadderCase& input, double d) {
+  const Decimal at_near = inverse_of(input.near), at_far = inverse_of(input.far),
+                here = inverse_of(d);
+  const Decimal whole = at_near - at_far;
+  const bool reversed = input.format == Format::kFloat32Reversed;
+  const double depth = double((reversed ? here - at_far : at_near - here) / whole);
+  // No depth of the cases is near a power of two, so that ours and theirs have the same exponent.
+  Decimal step = Decimal(std::ldexp(1.0, std::ilogb(depth) - 23));
+  if (input.format == Format::kUnorm16 || input.format == Format::kUnorm24)
+    step = Decimal(1) / Decimal(double(glassbox::depth_code(ours(input.format), 1.0f)));
+  const Decimal beyond = here - step * whole;  // 1/d'
+  if (beyond.sign() <= 0 || (beyond - at_far).sign() < 0) return kInfinity;
+  return double(here / beyond - Decimal(1));
+}
+
+Case expect_ladder(const LadderCase& input) {
+  Case c{
+      input.what,
+      fmt::format("{}, near {}, far {}; distances", name_of(input.format), input.near, input.far),
+      {},
+      nullptr,
+      {}};
+  for (const double d : input.distances) {
+    c.restated += fmt::format(" {}", d);
+    // 1/near - 1/far magnifies the roundings of its terms at most 3 times (far >= 2 near): q has 7 u; q/(1 - q) magnifies
+    // that at most 4 times, since no q of the cases is between 3/4 and 1.
+    c.expected.push_back(number(fmt::format("rung {}", c.expected.size()), rung(input, d),
+                                64 * unit_roundoff<double>, ""));
+  }
+  c.restated += command_for(input.what);
+  return c;
+}
+
+template <class Input>
+Check check(const char* name, const char* task, const char* stage, bool hidden,
+            std::vector<Input> (*inputs)(), Case (*expect)(const Input&)) {
+  return {name, task, stage, hidden, [inputs, expect] {
+            std::vector<Case> cases;
+            for (const Input& input : inputs()) cases.push_back(expect(input));
+            return cases;
+          }};
+}
+
+}  // namespace
+
+Lab lab_07() {
+  constexpr bool kHidden = true;
+  return {
+      7,
+      "07-depth",
+      "Depth: which surface is in front, and how surely",
+      {{"7.1", "The depth row of a projection", 20},
+       {"7.2", "From a depth back to its distance", 15},
+       {"7.3", "The codes of four formats", 25},
+       {"7.4", "A z-buffer", 20},
+       {"7.5", "The ladder: how fine a format is", 20}},
+      {check("the near and far planes have the ends of the range", "7.1", "clip", false, planes,
+             expect_row),
+       check("planes very close and very far apart", "7.1", "clip", kHidden, more_planes,
+             expect_row),
+       check("a depth leads back to its distance", "7.2", "NDC", false, depths, expect_distance),
+       check("depths next to the far plane's", "7.2", "NDC", kHidden, more_depths, expect_distance),
+       check("depths become codes", "7.3", "depth", false, codes, expect_code),
+       check("random depths and halves", "7.3", "depth", kHidden, more_codes, expect_code),
+       check("the nearest fragment is seen, the first of equals", "7.4", "depth", false, buffers,
+             expect_visible),
+       check("many fragments", "7.4", "depth", kHidden, more_buffers, expect_visible),
+       check("the ladder of the formats", "7.5", "depth", false, ladders, expect_ladder),
+       check("ladders of other views", "7.5", "depth", kHidden, more_ladders, expect_ladder)}};
+}
+
+}  // namespace glassbox::labs
