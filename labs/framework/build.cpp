@@ -23,8 +23,7 @@ const std::vector<std::string>& compile_flags() {
   return flags;
 }
 
-BuildStep compile_step(const fs::path& source, const fs::path& build_dir, const std::string& name,
-                       const Sources& sources) {
+BuildStep compile_step(const fs::path& source, const fs::path& build_dir, const std::string& name) {
   BuildStep step;
   step.source = source;
   step.output = build_dir / (name + ".o");
@@ -35,8 +34,8 @@ BuildStep compile_step(const fs::path& source, const fs::path& build_dir, const 
   // GLM and the other libraries' headers come from the system.
   step.argv.insert(
       step.argv.end(),
-      {"-I", (build_dir / "src").string(), "-isystem", sources.include.string(), "-MMD", "-MF",
-       step.dependencies.string(), "-c", source.string(), "-o", step.output.string()});
+      {"-I", (build_dir / "src").string(), "-isystem", (build_dir / "include").string(), "-MMD",
+       "-MF", step.dependencies.string(), "-c", source.string(), "-o", step.output.string()});
   return step;
 }
 
@@ -134,13 +133,21 @@ Result<BuildPlan> plan_build(const Sources& sources, const BuildRequest& request
         !written)
       return tl::unexpected(written.error());
   }
+  const auto headers = library_headers(sources, *files);
+  if (!headers) return tl::unexpected(headers.error());
+  for (const SourceFile& header : *headers) {
+    if (const auto written =
+            write_if_changed(request.build_dir / "include" / header.path, header.text);
+        !written)
+      return tl::unexpected(written.error());
+  }
   const fs::path src = request.build_dir / "src";
   BuildPlan plan;
   plan.program = request.build_dir / "runner";
   plan.steps = {
-      compile_step(request.student, request.build_dir, "student", sources),
-      compile_step(src / "runner.cpp", request.build_dir, "checks", sources),
-      compile_step(src / "labs/framework/runner_main.cpp", request.build_dir, "main", sources),
+      compile_step(request.student, request.build_dir, "student"),
+      compile_step(src / "runner.cpp", request.build_dir, "checks"),
+      compile_step(src / "labs/framework/runner_main.cpp", request.build_dir, "main"),
   };
   plan.steps[0].student = true;
   BuildStep link;

@@ -34,7 +34,7 @@ struct BuildPlan {
 };
 
 // Puts the lab's files into build_dir/src and says what must be called. The student's file is compiled where it is, but sees no
-// file of the labs except those: not the solution, and not the judge.
+// file of the labs except those, and no header of the library that they do not need: not the solution, and not the judge.
 Result<BuildPlan> plan_build(const Sources& sources, const BuildRequest& request);
 
 // Whether the step's output is younger than everything it was made from.

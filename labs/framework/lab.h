@@ -26,8 +26,9 @@ struct Expected {
   Shape shape = Shape::kNumbers;
   std::vector<double> values;
   double bound = 0;  // of the distance of each number, in `unit`; 0: exact
-  std::string unit;  // "world units", "px", "radian"; empty: a number of things
-  int columns = 0;   // of coverage: the width in pixels; of a polygon: the numbers of a vertex
+  std::string
+      unit;  // "world units", "px", "radian" (of angles: slips ask for it); empty: a number of things
+  int columns = 0;  // of coverage: the width in pixels; of a polygon: the numbers of a vertex
 };
 
 // Where an answer first departs from what is expected.
@@ -53,7 +54,7 @@ struct Slipped {
 
 // One input. The first case of a check that fails is the one reported in full.
 struct Case {
-  std::string where;     // "triangle 3, vertex 1"; "pixel (10, 12)"
+  std::string where;  // "triangle 3, vertex 1"; "pixel (10, 12)"
   // The input in the spaces where it can be seen: NDC, screen, winding. A line that begins with "glassbox " is a command that
   // shows the case.
   std::string restated;

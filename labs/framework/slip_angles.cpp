@@ -15,11 +15,11 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 
 // A slipped answer is further from its own exact value than the right one may be from its: an angle times 180/pi carries
-// its rounding along. 64 times the bound (57.3 rounded up), and 1e-5 of the largest number, which is 100 roundings of float
-// and still far from any other angle.
+// its rounding along. 64 times the bound (57.3 rounded up), and 1e-5 of the largest number (of a matrix: 1 at least), which is
+// 100 roundings of float and still far from any other angle.
 Expected slipped(const Expected& field, std::vector<double> values) {
   Expected changed = field;
-  double largest = 1;
+  double largest = field.shape == Shape::kMatrix ? 1 : 0;
   for (const double each : values) largest = std::max(largest, std::abs(each));
   changed.values = std::move(values);
   changed.bound = std::max(64 * field.bound, 1e-5 * largest);
@@ -83,7 +83,7 @@ bool is_projection(const std::vector<double>& m) {
 std::vector<Expected> slip_angle(const Expected& field, AngleSlip slip) {
   std::vector<Expected> all;
   const auto& values = field.values;
-  if (field.shape == Shape::kNumbers && values.size() == 1)
+  if (field.shape == Shape::kNumbers && values.size() == 1 && field.unit == "radian")
     return {slipped(field, {slip(values[0])})};
   const auto side = std::size_t(std::max(0, columns_of(field)));
   if (field.shape != Shape::kMatrix || side * side != values.size() || side < 3) return all;

@@ -19,17 +19,23 @@ bool is_file(const fs::path& path) {
   return fs::is_regular_file(path, error);
 }
 
-// The files of the framework that a text includes.
-std::vector<std::string> framework_includes(const std::string& text) {
-  static const std::string kStart = "#include \"labs/framework/";
+// What stands between `start` and `end` in a text, wherever it does.
+std::vector<std::string> between(const std::string& text, const std::string& start, char end) {
   std::vector<std::string> names;
-  for (std::size_t at = text.find(kStart); at != std::string::npos;
-       at = text.find(kStart, at + 1)) {
-    const std::size_t first = at + kStart.size();
-    const std::size_t end = text.find('"', first);
-    if (end != std::string::npos) names.push_back(text.substr(first, end - first));
+  for (std::size_t at = text.find(start); at != std::string::npos; at = text.find(start, at + 1)) {
+    const std::size_t first = at + start.size();
+    const std::size_t last = text.find(end, first);
+    if (last != std::string::npos) names.push_back(text.substr(first, last - first));
   }
   return names;
+}
+
+// The files of the framework that a text includes, and those of the library.
+std::vector<std::string> framework_includes(const std::string& text) {
+  return between(text, "#include \"labs/framework/", '"');
+}
+std::vector<std::string> library_includes(const std::string& text) {
+  return between(text, "#include <glassbox/", '>');
 }
 
 }  // namespace
@@ -110,6 +116,29 @@ Result<std::vector<SourceFile>> support_files(const Sources& sources, const std:
     }
   }
   return files;
+}
+
+Result<std::vector<SourceFile>> library_headers(const Sources& sources,
+                                                const std::vector<SourceFile>& files) {
+  std::vector<SourceFile> headers;
+  std::set<std::string> seen;
+  const auto add_all = [&](const std::string& text) -> Result<void> {
+    for (const std::string& name : library_includes(text)) {
+      if (!seen.insert(name).second) continue;
+      auto header = read_text_file(sources.include / "glassbox" / name);
+      if (!header) return tl::unexpected(header.error());
+      headers.push_back({"glassbox/" + name, std::move(*header)});
+    }
+    return {};
+  };
+  for (const SourceFile& file : files) {
+    if (const auto added = add_all(file.text); !added) return tl::unexpected(added.error());
+  }
+  for (std::size_t i = 0; i < headers.size(); ++i) {
+    const std::string text = headers[i].text;  // `headers` grows
+    if (const auto added = add_all(text); !added) return tl::unexpected(added.error());
+  }
+  return headers;
 }
 
 }  // namespace glassbox::labs

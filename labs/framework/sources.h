@@ -27,6 +27,11 @@ struct SourceFile {
 Result<std::vector<SourceFile>> support_files(const Sources& sources, const std::string& folder,
                                               bool with_hidden);
 
+// The library's headers that those files include, and what these include: types, and little besides. A student's code is compiled
+// with no others, since some would have the answers in them.
+Result<std::vector<SourceFile>> library_headers(const Sources& sources,
+                                                const std::vector<SourceFile>& files);
+
 // student.cpp of the lab, with the solution.
 Result<std::string> solution_text(const Sources& sources, const std::string& folder);
 

@@ -105,8 +105,13 @@ TEST_CASE("reversed polygons, triples, normals and yes for no") {
 
 TEST_CASE("angles that are halved, doubled, or in degrees") {
   const double degree = std::numbers::pi / 180;
-  CHECK(names({{field(Shape::kNumbers, {0.5}), {1.0}}}, "half-angle"));
-  CHECK(names({{field(Shape::kNumbers, {0.5}), {0.5 / degree}}}, "degrees-radians"));
+  Expected angle = field(Shape::kNumbers, {0.5});
+  CHECK_FALSE(names({{angle, {1.0}}}, "half-angle"));  // any number, for all that is known
+  angle.unit = "radian";
+  CHECK(names({{angle, {1.0}}}, "half-angle"));
+  CHECK(names({{angle, {0.5 / degree}}}, "degrees-radians"));
+  angle.values = {1e-7}, angle.bound = 1e-12;
+  CHECK_FALSE(names({{angle, {4e-7}}}, "half-angle"));  // a small angle that is wrong
   CHECK(names({{field(Shape::kMatrix, about_z(0.8)), about_z(0.4)}}, "half-angle"));
   CHECK(names({{field(Shape::kMatrix, about_z(30 * degree)), about_z(30)}}, "degrees-radians"));
   CHECK(names({{field(Shape::kMatrix, projection(1)), projection(2)}}, "half-angle"));
