@@ -1,0 +1,253 @@
+// What is expected of lab 9: by exact rationals, and by the pipeline's own culling, cutting and comfort. Pictures: pictures.h.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <glassbox/base/rounding.h>
+#include <glassbox/pipeline/stereo/align_and_crop.h>
+#include <glassbox/pipeline/stereo/comfort.h>
+#include <glassbox/pipeline/stereo/culling.h>
+
+#include "labs/09-stereo/cases.h"
+#include "labs/09-stereo/pictures.h"
+#include "labs/labs.h"
+#include "study/oracle/matrix.h"
+#include "study/oracle/number.h"
+
+namespace glassbox::labs {
+
+namespace {
+
+using namespace lab_09;
+using study::oracle::Matrix4;
+using study::oracle::Rational;
+
+constexpr double u = unit_roundoff<double>;
+constexpr lab_09::Side kEyes[] = {lab_09::Side::kLeft, lab_09::Side::kRight};
+
+std::string name_of_eye(lab_09::Side side) {
+  return side == lab_09::Side::kLeft ? "left eye" : "right eye";
+}
+
+Rational inverse(double distance) {
+  return std::isinf(distance) ? Rational(0) : Rational(1) / Rational(distance);
+}
+
+// A camera between the eyes with this entry (0, 0), and a picture of this width.
+View centre_view(const Picture& picture) {
+  View view;
+  view.clip_from_eye = perspective_matrix(picture.scale, 0, -1.25, -1.25);
+  view.viewport = {0, 0, float(picture.width), float(picture.width)};
+  return view;
+}
+
+StereoPair pair_of(const Pair& pair) {
+  return {pair.half_separation, pair.window};
+}
+
+// ---- projections ----
+
+std::vector<Expected> projection_fields(lab_09::Side side, const Matrix4<Rational>& m,
+                                        double bound) {
+  std::vector<double> x, others;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) (i == 0 ? x : others).push_back(double(m.at[i][j]));
+  }
+  return {{name_of_eye(side) + ", row of x", Shape::kMatrix, x, bound, "", 4},
+          {name_of_eye(side) + ", rows of y, z, w", Shape::kMatrix, others, 0, "", 4}};
+}
+
+// m02 + m00 (s/f): a quotient, a product and a sum round, to 3 u (|m00 s/f| + |m02|); m03 + m00 s likewise.
+Case expect_projection(const ProjectionCase& input) {
+  const auto& [what, given, pair] = input;
+  const double s = pair.half_separation, scale = std::abs(given.at(0, 0));
+  const double bound = s == 0 ? 0
+                              : 8 * u *
+                                    std::max({scale * s / pair.window, std::abs(given.at(0, 2)),
+                                              scale * s, std::abs(given.at(0, 3))});
+  Case c{what,
+         fmt::format("s = {}, f = {}; the projection's row of x is ({}, {}, {}, {})", s,
+                     pair.window, given.at(0, 0), given.at(0, 1), given.at(0, 2), given.at(0, 3)),
+         {},
+         nullptr,
+         {{"z-sign", {}}, {"row-column-order", {}}, {"multiplication-order", {}}}};
+  const auto projection = study::oracle::exactly<Rational>(given);
+  for (const lab_09::Side side : kEyes) {
+    const Rational shift(side == lab_09::Side::kLeft ? s : -s);
+    auto skew = Matrix4<Rational>::identity(), turned = skew, transposed = skew;
+    skew.at[0][3] = turned.at[0][3] = transposed.at[3][0] = shift;
+    skew.at[0][2] = transposed.at[2][0] = shift * inverse(pair.window);
+    turned.at[0][2] = -skew.at[0][2];
+    const auto add = [&](std::vector<Expected>& to, const Matrix4<Rational>& m) {
+      for (Expected& each : projection_fields(side, m, bound)) to.push_back(std::move(each));
+    };
+    add(c.expected, projection * skew);
+    add(c.slipped[0].expected, projection * turned);
+    add(c.slipped[1].expected, projection * transposed);
+    add(c.slipped[2].expected, skew * projection);
+  }
+  // In the other order a sum has terms of the projection's other rows, each rounded.
+  for (Expected& each : c.slipped[2].expected) {
+    for (const double value : each.values)
+      each.bound = std::max(each.bound, 8 * u * std::abs(value));
+  }
+  for (Expected& each : c.slipped[1].expected) {
+    if (each.bound == 0 && s != 0) each.bound = 8 * u * std::max(1.0, s) * (1 + scale);
+  }
+  return c;
+}
+
+// Both ways have entries right to 3 u, x sums three products of the size `terms` in all (a x, a s z/f, a s), w divides it, and the
+// pixel takes a sum and two products more: below 16 u (terms/w + 1) columns each.
+Case expect_crop(const CropCase& input) {
+  const Picture picture{input.scale, input.width};
+  const auto cut = align_and_crop(centre_view(picture), pair_of(input.pair)).value();
+  Case c{input.what,
+         fmt::format("s = {}, f = {}, scale {}: {} columns are drawn, {} cut",
+                     input.pair.half_separation, input.pair.window, input.scale,
+                     input.width + cut.shift, cut.shift),
+         {},
+         nullptr,
+         {}};
+  for (const lab_09::Side side : kEyes) {
+    const View& view = side == lab_09::Side::kLeft ? cut.left : cut.right;
+    const int first = side == lab_09::Side::kLeft ? cut.left_first : cut.right_first;
+    std::vector<double> columns;
+    double largest = 0;
+    for (const auto& point : input.points) {
+      const Point<World, double> world{point.x, point.y, point.z};
+      const Point<Clip, double> p = view.clip_from_eye * (view.eye_from_world * world);
+      columns.push_back((p.x / p.w + 1) * double(view.viewport.width()) / 2 - first);
+      const double s = input.pair.half_separation;
+      const double terms =
+          input.scale * (std::abs(point.x) + s * p.w / input.pair.window + s) / p.w;
+      largest = std::max(largest, terms + 1);
+    }
+    const double bound = 32 * u * largest * (input.width + cut.shift);
+    c.expected.push_back({side == lab_09::Side::kLeft ? "x, left eye" : "x, right eye",
+                          Shape::kNumbers, columns, bound, "px", 0});
+  }
+  return c;
+}
+
+// ---- parallax ----
+
+// A difference, two quotients and four products round.
+Case expect_parallax(const ParallaxCase& input) {
+  const auto& [what, pair, picture, z] = input;
+  const Rational half_widths = Rational(2) * Rational(pair.half_separation) *
+                               Rational(picture.scale) * (inverse(pair.window) - inverse(z));
+  const double px = double(half_widths * Rational(picture.width) / Rational(2));
+  const double percent = double(half_widths * Rational(50));
+  const double bound = 16 * u * std::max(std::abs(px), std::abs(percent));
+  return {what,
+          fmt::format("s = {}, f = {}, distance {}, scale {}, {} px wide; straight ahead of the "
+                      "centre, the left eye has it at x = {:.9g} px, the right one at {:.9g} px",
+                      pair.half_separation, pair.window, z, picture.scale, picture.width,
+                      (picture.width - px) / 2, (picture.width + px) / 2),
+          {{"px and percent", Shape::kNumbers, {px, percent}, bound, "px or per cent", 0}},
+          nullptr,
+          {}};
+}
+
+// ---- culling ----
+
+Case expect_culled(const CullCase& input) {
+  View centre;
+  centre.near = 1;
+  centre.far = 65;
+  std::vector<double> verdicts;
+  std::string text = "1 is drawn, 2 is culled";
+  for (std::size_t i = 0; i < input.triangles.size(); ++i) {
+    std::array<Outcode, 3> codes{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const StereoPoint& p = input.triangles[i][k];
+      codes[k] = stereo_outcode(StereoClipPoint{p.left_x, p.right_x, p.y, p.z, p.w}, centre);
+    }
+    verdicts.push_back(int(unseen_by_both(codes) ? Verdict::kCull : Verdict::kDraw));
+    if (input.triangles.size() > 10) continue;
+    text += fmt::format("\n{}: {}; left x, right x, y, z, w of its corners", i, input.names[i]);
+    for (const StereoPoint& p : input.triangles[i])
+      text += fmt::format(" ({:.6g}, {:.6g}, {:.6g}, {:.6g}, {:.6g})", p.left_x, p.right_x, p.y,
+                          p.z, p.w);
+  }
+  return {input.what, text, {{"verdicts", Shape::kNumbers, verdicts, 0, "", 0}}, nullptr, {}};
+}
+
+// ---- comfort ----
+
+// A limit is a quotient by a parallax, right to 10 u, and the pipeline's own is 12 u smaller; a step of the filter rounds three
+// times, 4 u, and what it carries along is forgotten by 1/(1 + frames) a step: 22 u + 4 (1 + frames) u.
+Case expect_comfort(const ComfortCase& input) {
+  const View centre = centre_view(input.picture);
+  const ParallaxBudget budget{input.budget.in_front_px, input.budget.behind_px};
+  SeparationFilter filter(input.release_frames);
+  std::vector<double> separations;
+  std::string text = fmt::format(
+      "scale {}, {} px wide, budget {} px in front and {} px behind, release in {} frames",
+      input.picture.scale, input.picture.width, budget.in_front_px, budget.behind_px,
+      input.release_frames);
+  for (std::size_t i = 0; i < input.frames.size(); ++i) {
+    const Frame& frame = input.frames[i];
+    const double limit =
+        largest_half_separation(centre, frame.window, {frame.nearest, frame.farthest}, budget);
+    separations.push_back(filter.next(limit));
+    if (i < 12)
+      text += fmt::format("\nframe {}: {} to {}, window {}; the limit is {:.6g}", i, frame.nearest,
+                          frame.farthest, frame.window, limit);
+  }
+  const double bound = 64 * (1 + input.release_frames) * u *
+                       *std::max_element(separations.begin(), separations.end());
+  return {input.what,
+          text,
+          {{"half separations", Shape::kNumbers, separations, bound, "world units", 0}},
+          nullptr,
+          {}};
+}
+
+template <class Input>
+Check check(const char* name, const char* task, const char* stage, bool hidden,
+            const std::vector<Input>& inputs, Case (*expect)(const Input&)) {
+  return {name, task, stage, hidden, [inputs, expect] {
+            std::vector<Case> cases;
+            for (const Input& input : inputs) cases.push_back(expect(input));
+            return cases;
+          }};
+}
+
+}  // namespace
+
+Lab lab_09() {
+  constexpr bool kHidden = true;
+  return {
+      9,
+      "09-stereo",
+      "Stereo: two eyes, one window, one picture",
+      {{"9.1", "The projections of both eyes", 25},
+       {"9.2", "The parallax of a distance", 15},
+       {"9.3", "Cull what neither eye sees", 20},
+       {"9.4", "Two pictures in one colour buffer", 15},
+       {"9.5", "Colours for coloured glasses", 10},
+       {"9.6", "As much depth as the eyes can bear", 15}},
+      {check("the projections of both eyes", "9.1", "clip", false, projections(),
+             expect_projection),
+       check("align and crop gives the same pictures", "9.1", "screen", false, crops(),
+             expect_crop),
+       check("other projections", "9.1", "clip", kHidden, hidden_projections(), expect_projection),
+       check("align and crop, other pictures", "9.1", "screen", kHidden, hidden_crops(),
+             expect_crop),
+       check("the parallax of a distance", "9.2", "screen", false, distances(), expect_parallax),
+       check("other distances", "9.2", "screen", kHidden, hidden_distances(), expect_parallax),
+       check("what neither eye sees is culled", "9.3", "clip", false, triangles(), expect_culled),
+       check("other triangles", "9.3", "clip", kHidden, hidden_triangles(), expect_culled),
+       check("two pictures in one buffer", "9.4", "anaglyph", false, anaglyphs(), expect_anaglyph),
+       check("other pictures in one buffer", "9.4", "anaglyph", kHidden, hidden_anaglyphs(),
+             expect_anaglyph),
+       check("colours for coloured glasses", "9.5", "anaglyph", false, colours(), expect_colour),
+       check("other colours", "9.5", "anaglyph", kHidden, hidden_colours(), expect_colour),
+       check("separations within the budget", "9.6", "eye", false, sequences(), expect_comfort),
+       check("other sequences", "9.6", "eye", kHidden, hidden_sequences(), expect_comfort)}};
+}
+
+}  // namespace glassbox::labs

@@ -1,0 +1,99 @@
+#include "labs/09-stereo/pictures.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include <glassbox/base/rounding.h>
+#include <glassbox/images/stereo/anaglyph.h>
+
+#include "study/oracle/number.h"
+
+namespace glassbox::labs {
+
+using namespace lab_09;
+using study::oracle::Rational;
+
+namespace {
+
+Image<Rgba8> picture_of(const Anaglyph& anaglyph, const std::vector<Fragment>& fragments) {
+  Image<Rgba8> picture(anaglyph.width, anaglyph.height, anaglyph.background);
+  for (int y = 0; y < anaglyph.height; ++y) {
+    for (int x = 0; x < anaglyph.width; ++x) {
+      const Fragment* nearest = nullptr;
+      for (const Fragment& each : fragments) {
+        const bool here = each.x == x && each.y == y;
+        if (here && (nearest == nullptr || each.depth < nearest->depth)) nearest = &each;
+      }
+      if (nearest != nullptr) picture.at(x, y) = nearest->colour;
+    }
+  }
+  return picture;
+}
+
+}  // namespace
+
+// Both eyes' own pictures, put together by make_anaglyph.
+Case expect_anaglyph(const AnaglyphCase& input) {
+  const Anaglyph& a = input.anaglyph;
+  const Glasses glasses = input.lenses == Lenses::kRedCyan        ? Glasses::kRedCyan
+                          : input.lenses == Lenses::kGreenMagenta ? Glasses::kGreenMagenta
+                                                                  : Glasses::kAmberBlue;
+  const Image<Rgba8> shown =
+      make_anaglyph(picture_of(a, a.left), picture_of(a, a.right), AnaglyphMethod::kMask, glasses)
+          .value();
+  std::vector<double> red, green, blue;
+  for (const Rgba8& pixel : shown.pixels) {
+    red.push_back(pixel.r);
+    green.push_back(pixel.g);
+    blue.push_back(pixel.b);
+  }
+  std::string text =
+      fmt::format("{} lenses, {} x {} px; fragments: {} of the left eye, {} of the right one",
+                  name_of(glasses), a.width, a.height, a.left.size(), a.right.size());
+  if (a.left.size() + a.right.size() <= 10) {
+    for (const auto* fragments : {&a.left, &a.right}) {
+      for (const Fragment& f : *fragments)
+        text += fmt::format("\n{}: pixel ({}, {}), depth {}, colour {}, {}, {}",
+                            fragments == &a.left ? "left" : "right", f.x, f.y, f.depth, f.colour.r,
+                            f.colour.g, f.colour.b);
+    }
+  }
+  return {input.what,
+          text,
+          {{"red", Shape::kMatrix, red, 0, "", a.width},
+           {"green", Shape::kMatrix, green, 0, "", a.width},
+           {"blue", Shape::kMatrix, blue, 0, "", a.width}},
+          nullptr,
+          {}};
+}
+
+// Recoloured colours are at most 1 and right to 10 u; the sizes of a row add up to less than 1.5, and six products and their sum
+// round: 15 u + 9 u.
+Case expect_colour(const ColourCase& input) {
+  const Rational k(input.recolour.desaturate), b(input.recolour.brighten), one(1);
+  std::vector<Rational> eyes;
+  for (const Colour& c : {input.left, input.right}) {
+    const Rational luma = Rational(0.299) * Rational(c[0]) + Rational(0.587) * Rational(c[1]) +
+                          Rational(0.114) * Rational(c[2]);
+    for (const double each : c)
+      eyes.push_back(b + (one - b) * ((one - k) * Rational(each) + k * luma));
+  }
+  std::vector<double> shown, sums;
+  for (const auto& row : input.matrix) {
+    Rational sum;
+    for (std::size_t j = 0; j < 6; ++j) sum += Rational(row[j]) * eyes[j];
+    sums.push_back(double(sum));
+    shown.push_back(std::clamp(double(sum), 0.0, 1.0));
+  }
+  return {
+      input.what,
+      fmt::format("k = {}, b = {}; left ({}), right ({}); before clamping ({:.6g})",
+                  input.recolour.desaturate, input.recolour.brighten, fmt::join(input.left, ", "),
+                  fmt::join(input.right, ", "), fmt::join(sums, ", ")),
+      {{"red, green, blue", Shape::kNumbers, shown, 32 * unit_roundoff<double>, "", 0}},
+      nullptr,
+      {}};
+}
+
+}  // namespace glassbox::labs

@@ -1,0 +1,104 @@
+// Puts the cases of lab 9 to your functions.
+#include "labs/framework/runner.h"
+#include "cases.h"
+#include "student.h"
+
+namespace lab_09 {
+namespace {
+
+using glassbox::labs::Answer;
+using glassbox::labs::RunnerCheck;
+
+template <class Input>
+RunnerCheck put(const std::string& name, const std::vector<Input>& cases,
+                void (*run)(const Input&, Answer&)) {
+  return {name, int(cases.size()),
+          [cases, run](int index, Answer& answer) { run(cases[std::size_t(index)], answer); }};
+}
+
+void projection(const ProjectionCase& input, Answer& answer) {
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    const auto m = eye_projection(input.centre, input.pair, side);
+    std::vector<double> x, others;
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j < 4; ++j) (i == 0 ? x : others).push_back(m.at(i, j));
+    }
+    const std::string eye = side == Side::kLeft ? "left eye" : "right eye";
+    answer.emit(eye + ", row of x", x);
+    answer.emit(eye + ", rows of y, z, w", others);
+  }
+}
+
+// Where your eyes' pictures have the points.
+void crop(const CropCase& input, Answer& answer) {
+  const Transform<Clip, Eye> centre = perspective_matrix(input.scale, 0, -1.25, -1.25);
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    const auto m = eye_projection(centre, input.pair, side);
+    std::vector<double> columns;
+    for (const Point<Eye, double>& point : input.points) {
+      const Point<Clip, double> p = m * point;
+      columns.push_back((p.x / p.w + 1) * input.width / 2);
+    }
+    answer.emit(side == Side::kLeft ? "x, left eye" : "x, right eye", columns);
+  }
+}
+
+void parallax(const ParallaxCase& input, Answer& answer) {
+  const Parallax found = parallax_at(input.pair, input.picture, input.distance);
+  answer.emit("px and percent", {found.px, found.percent});
+}
+
+// 1 is drawn, 2 is culled.
+void culled(const CullCase& input, Answer& answer) {
+  std::vector<double> verdicts;
+  for (const auto& triangle : input.triangles) verdicts.push_back(int(cull(triangle)));
+  answer.emit("verdicts", verdicts);
+}
+
+void anaglyph(const AnaglyphCase& input, Answer& answer) {
+  const Image<Rgba8> shown = draw_anaglyph(input.anaglyph);
+  std::vector<double> red, green, blue;
+  for (const Rgba8& pixel : shown.pixels) {
+    red.push_back(pixel.r);
+    green.push_back(pixel.g);
+    blue.push_back(pixel.b);
+  }
+  answer.emit("red", red);
+  answer.emit("green", green);
+  answer.emit("blue", blue);
+}
+
+void colour(const ColourCase& input, Answer& answer) {
+  const Colour c = anaglyph_colour(input.matrix, input.recolour, input.left, input.right);
+  answer.emit("red, green, blue", {c[0], c[1], c[2]});
+}
+
+void comfort(const ComfortCase& input, Answer& answer) {
+  answer.emit("half separations", comfortable_separations(input.picture, input.budget, input.frames,
+                                                          input.release_frames));
+}
+
+}  // namespace
+}  // namespace lab_09
+
+std::vector<glassbox::labs::RunnerCheck> glassbox::labs::runner_checks() {
+  using namespace lab_09;
+  return {
+      put("the projections of both eyes", projections(), projection),
+      put("align and crop gives the same pictures", crops(), crop),
+      put("the parallax of a distance", distances(), parallax),
+      put("what neither eye sees is culled", triangles(), culled),
+      put("two pictures in one buffer", anaglyphs(), anaglyph),
+      put("colours for coloured glasses", colours(), colour),
+      put("separations within the budget", sequences(), comfort),
+      // BEGIN HIDDEN
+      put("other projections", hidden_projections(), projection),
+      put("align and crop, other pictures", hidden_crops(), crop),
+      put("other distances", hidden_distances(), parallax),
+      put("other triangles", hidden_triangles(), culled),
+      put("other pictures in one buffer", hidden_anaglyphs(), anaglyph),
+      put("other colours", hidden_colours(), colour),
+      put("other sequences", hidden_sequences(), comfort),
+      // END HIDDEN
+  };
+}
