@@ -26,9 +26,8 @@ struct Expected {
   Shape shape = Shape::kNumbers;
   std::vector<double> values;
   double bound = 0;  // of the distance of each number, in `unit`; 0: exact
-  std::string
-      unit;  // "world units", "px", "radian" (of angles: slips ask for it); empty: a number of things
-  int columns = 0;  // of coverage: the width in pixels; of a polygon: the numbers of a vertex
+  std::string unit;  // "world units", "px", "radian" (which makes it an angle); empty: a count
+  int columns = 0;   // of coverage: the width in pixels; of a polygon: the numbers of a vertex
 };
 
 // Where an answer first departs from what is expected.
