@@ -16,6 +16,7 @@ install(TARGETS glassbox glassbox_flags ${targets} EXPORT glassbox
 # What `glassbox lab` hands out and compiles students' code with; the judges are in the program.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/labs DESTINATION ${CMAKE_INSTALL_DATADIR}/glassbox
   PATTERN "CMakeLists.txt" EXCLUDE PATTERN "checks.cpp" EXCLUDE PATTERN "grading" EXCLUDE)
+install(FILES ${PROJECT_SOURCE_DIR}/labs/grading/witness.cpp DESTINATION ${CMAKE_INSTALL_DATADIR}/glassbox/labs/grading)
 install(TARGETS glassbox_program DESTINATION ${CMAKE_INSTALL_BINDIR})
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/glassbox)
