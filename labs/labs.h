@@ -8,6 +8,7 @@ namespace glassbox::labs {
 Lab lab_01();
 Lab lab_02();
 Lab lab_03();
+Lab lab_04();
 Lab lab_05();
 Lab lab_06();
 Lab lab_07();

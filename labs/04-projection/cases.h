@@ -1,0 +1,134 @@
+// The inputs of lab 4, which the runner puts to the student's functions and the judge to the pipeline's.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "student.h"
+
+#include "labs/framework/random.h"
+
+namespace lab_04 {
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+struct Camera {
+  double fovy_radians, aspect, near, far;
+};
+
+inline std::vector<Camera> cameras() {
+  return {{1.0, 4.0 / 3, 0.1, 100},
+          {0.5, 16.0 / 9, 1, 10},
+          {1.5707963267948966, 1, 1, 2},
+          {1.2, 0.5, 0.5, 64}};
+}
+
+// The first is accepted, so that it does not do to refuse everything.
+inline std::vector<std::vector<Camera>> refusals() {
+  return {{{1, 1, 1, 2}, {0, 1, 1, 2}, {-1, 1, 1, 2}, {3.2, 1, 1, 2}},
+          {{1, 1, 1, 2}, {1, 0, 1, 2}, {1, -1, 1, 2}, {1, kInfinity, 1, 2}},
+          {{1, 1, 1, kInfinity}, {1, 1, 0, 2}, {1, 1, -1, 2}, {1, 1, 2, 2}, {1, 1, 3, 2}},
+          {{1, 1, 1, 2}, {kNaN, 1, 1, 2}, {1, kNaN, 1, 2}, {1, 1, kNaN, 2}, {1, 1, 1, kNaN}}};
+}
+
+struct Box {
+  double left, right, bottom, top, near, far;
+};
+
+inline std::vector<Box> boxes() {
+  return {
+      {-1, 1, -1, 1, 0, 1}, {-4, 4, -3, 3, 0.5, 20}, {0, 640, 0, 480, 1, 2}, {-1, 3, -2, 1, -5, 5}};
+}
+
+// BEGIN HIDDEN
+// Planes far apart, an infinite far plane, narrow and wide views (C-08, C-10).
+inline std::vector<Camera> stiff_cameras() {
+  return {{1, 1.5, 0.1, kInfinity}, {1, 1.5, 1e-6, 1e6}, {1e-6, 1, 1, 2}, {3.1, 1, 1, 1000}};
+}
+inline std::vector<Box> more_boxes() {
+  return {{-1e6, 1e-3, 5, 6, 1, 1e9}, {7, 9, -11, -10, -100, -1}};
+}
+// END HIDDEN
+
+struct DialectCase {
+  Dialect dialect;
+  Projection m;
+};
+
+// Numbers of few bits, none of them 0 that need not be: every entry must go to its place.
+inline Projection off_centre() {
+  Projection m;
+  m.at(0, 0) = 1.5;
+  m.at(0, 2) = 0.25;
+  m.at(1, 1) = 2;
+  m.at(1, 2) = -0.5;
+  m.at(2, 2) = -1.25;
+  m.at(2, 3) = -0.625;
+  m.at(3, 2) = -1;
+  m.at(3, 3) = 0;
+  return m;
+}
+inline Projection parallel() {
+  Projection m;
+  m.at(0, 0) = 0.5;
+  m.at(0, 3) = -0.25;
+  m.at(1, 1) = 0.75;
+  m.at(1, 3) = 0.125;
+  m.at(2, 2) = -0.375;
+  m.at(2, 3) = -0.5;
+  return m;
+}
+
+inline std::vector<DialectCase> in_clip_space(Dialect dialect) {
+  return {{dialect, off_centre()}, {dialect, parallel()}};
+}
+
+inline std::vector<Point<Clip, double>> points() {
+  return {{1, 2, 3, 4},  {-0.3, 0.7, 0.1, 1}, {5, -5, 0.2, 0.3},
+          {1, 2, 3, -4}, {1, 1, 1, 0},        {-1e-3, 2e-3, 5e-4, 7e-3}};
+}
+
+inline constexpr Rectangle kPicture{0, 0, 640, 480};
+
+inline std::vector<Point<Ndc, double>> ndc_points() {
+  return {{-1, 1, 0}, {1, -1, 1}, {0, 0.5, 0.25}, {0.3, -0.7, 0.9}, {-0.123, 0.25, 0.5}};
+}
+
+struct DepthCase {
+  double depth, near, far;
+};
+
+inline std::vector<DepthCase> depths() {
+  return {{0, 0.5, 64},     {1, 0.5, 64},       {0.5, 1, 3},
+          {0.75, 0.1, 100}, {0.999, 0.1, 1000}, {0.5, 0.25, kInfinity}};
+}
+
+// BEGIN HIDDEN
+struct ViewportCase {
+  Point<Ndc, double> p;
+  Rectangle viewport;
+};
+inline std::vector<ViewportCase> viewports() {
+  return {{{-1, 1, 0.5}, {100, 50, 320, 200}},
+          {{0.5, 0.75, 0.5}, {-16, 32, 64, 48}},
+          {{1.5, -2, 1.25}, {3, 5, 7, 11}},
+          {{0.1, 0.2, 0.3}, {0, 0, 32768, 16384}}};
+}
+inline std::vector<DepthCase> stiff_depths() {
+  return {
+      {1 - 0x1p-24, 0.1, 1e4}, {1 - 0x1p-40, 0.1, kInfinity}, {1, 0.1, kInfinity}, {1e-9, 1, 1e9}};
+}
+inline std::vector<Point<Clip, double>> random_points() {
+  glassbox::labs::Random random(44);
+  std::vector<Point<Clip, double>> all;
+  for (int i = 0; i < 6; ++i) {
+    const double x = random.between(-3, 3), y = random.between(-3, 3), z = random.between(-1, 2);
+    all.push_back({x, y, z, random.between(-1, 4)});
+  }
+  return all;
+}
+// END HIDDEN
+
+}  // namespace lab_04

@@ -1,0 +1,75 @@
+// Lab 4: from eye space to the screen. You write student.cpp; handout.md explains.
+//
+// Eye space is right-handed: x right, y up, the camera looks down -z. Clip space: w is the distance along the gaze. After the divide
+// x and y lie in [-1, 1], y up, and z in [0, 1], 0 at the near plane. The screen counts pixels from the top left, y down.
+// Matrices act on columns: p_clip = m * p_eye, and m.at(row, column).
+//
+// u = 2^-53 is the roundoff of double. Bounds are of every number of the answer.
+#pragma once
+
+#include <optional>
+
+#include <glassbox/base/spaces.h>
+
+namespace lab_04 {
+
+using glassbox::Clip;
+using glassbox::Eye;
+using glassbox::Ndc;
+using glassbox::Point;
+using glassbox::Screen;
+
+using Projection = glassbox::Transform<Clip, Eye, double>;
+
+// ---- 4.1 ----
+
+// A perspective view around the gaze.
+//   fovy_radians  the full vertical angle, in (0, pi)
+//   aspect        width / height of the picture, positive and finite
+//   near, far     distances along the gaze, 0 < near < far; far may be infinity
+// Throws std::invalid_argument for anything else, NaN too. Within 16 u of the largest entry.
+Projection perspective(double fovy_radians, double aspect, double near, double far);
+
+// ---- 4.2 ----
+
+// A parallel view: the box left <= x <= right, bottom <= y <= top, near <= distance <= far of eye space becomes the canonical
+// volume, and w is 1. left < right, bottom < top, near < far, all finite; near may be negative. Within 16 u of the largest entry.
+Projection orthographic(double left, double right, double bottom, double top, double near,
+                        double far);
+
+// ---- 4.3 ----
+
+enum class Dialect {
+  kOpenGl,        // z of clip space in -w .. w in place of 0 .. w
+  kReversed,      // depth 1 at the near plane and 0 at the far one
+  kLeftHandedEye  // for points of an eye space whose z grows into the scene; clip space stays as it is
+};
+
+// The matrix that does in the dialect what `m` does in ours; `m` is any projection. Within 4 u of the largest entry.
+Projection in_dialect(const Projection& m, Dialect dialect);
+
+// ---- 4.4 ----
+
+// Clip space to NDC; nothing where w <= 0, which is at the eye or behind it, where nothing is seen. Points with w = 1 keep their bits.
+// Within 4 u of the largest coordinate.
+std::optional<Point<Ndc, double>> divide(const Point<Clip, double>& p);
+
+// ---- 4.5 ----
+
+// A rectangle of the screen in pixels; `top` is its smallest y.
+struct Rectangle {
+  double left = 0, top = 0, width = 0, height = 0;
+};
+
+// NDC to pixels: (-1, 1) becomes the top left corner of the rectangle, (1, -1) the bottom right one. z stays as it is, to the bit.
+// x and y within 8 u (|left| + width) and 8 u (|top| + height).
+Point<Screen, double> to_screen(const Point<Ndc, double>& p, const Rectangle& viewport);
+
+// ---- 4.6 ----
+
+// The distance along the gaze that a depth in [0, 1] stands for, in the perspective of 4.1. far may be infinity; depth 1 is then
+// infinitely far, and the answer infinity. With d the depth and z the exact distance, within 8 u z^2 / near: what the rounding of d
+// itself would do, several times over.
+double distance_of(double depth, double near, double far);
+
+}  // namespace lab_04
