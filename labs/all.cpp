@@ -4,7 +4,7 @@ namespace glassbox::labs {
 
 const std::vector<Lab>& all_labs() {
   static const std::vector<Lab> all{lab_01(), lab_02(), lab_03(), lab_04(),
-                                    lab_05(), lab_06(), lab_07()};
+                                    lab_05(), lab_06(), lab_07(), lab_08()};
   return all;
 }
 

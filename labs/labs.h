@@ -12,5 +12,6 @@ Lab lab_04();
 Lab lab_05();
 Lab lab_06();
 Lab lab_07();
+Lab lab_08();
 
 }  // namespace glassbox::labs

@@ -1,0 +1,279 @@
+// What is expected of lab 8 at pixels: quotients of exact rationals.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <glassbox/base/rounding.h>
+
+#include "labs/08-attributes/cases.h"
+#include "labs/08-attributes/surface_checks.h"
+#include "labs/labs.h"
+#include "study/oracle/number.h"
+
+namespace glassbox::labs {
+
+namespace {
+
+using namespace lab_08;
+using study::oracle::Decimal;
+using study::oracle::decimal_from;
+using study::oracle::Rational;
+
+constexpr double u24 = double(unit_roundoff<float>);
+constexpr double u53 = unit_roundoff<double>;
+
+// ---- one pixel ----
+
+Case expect_pixel(const PixelCase& input) {
+  const PixelOfTriangle& at = input.at;
+  std::array<Rational, 3> share;
+  Rational q, area;
+  for (std::size_t k = 0; k < 3; ++k) {
+    area += Rational(at.edges[k]);
+    share[k] = Rational(at.edges[k]) * Rational(double(at.inverse_w[k]));
+    q += share[k];
+  }
+  std::vector<Expected> expected;
+  for (std::size_t i = 0; i < 2; ++i) {
+    Rational sum, spread;
+    const Rational a0(double(at.texcoords[0][i]));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Rational a(double(at.texcoords[k][i]));
+      sum += share[k] * a;
+      spread += share[k] * abs(a - a0);
+    }
+    const double value = double(sum / q);
+    // 13 u of the spread and a last rounding, as raster/interpolate.h derives it; the edge functions are rounded here
+    // as there, and the area, which a student may divide by or not, adds a rounding to each of 1/w and u/w.
+    const double bound = 16 * u24 * double(spread / q) + u24 * std::abs(value);
+    expected.push_back({i == 0 ? "u" : "v", Shape::kNumbers, {value}, bound, "", 0});
+  }
+  std::string text =
+      fmt::format("edge functions {}, {}, {}; 1/w {:.9g}, {:.9g}, {:.9g};", at.edges[0],
+                  at.edges[1], at.edges[2], at.inverse_w[0], at.inverse_w[1], at.inverse_w[2]);
+  for (const auto& [u, v] : at.texcoords) text += fmt::format(" (u, v) = ({:.9g}, {:.9g})", u, v);
+  const auto part = [](const Rational& of, const Rational& sum) { return double(of / sum); };
+  text += fmt::format(
+      "\nweights on the screen {:.6g}, {:.6g}, {:.6g}; on the triangle {:.6g}, "
+      "{:.6g}, {:.6g}",
+      part(Rational(at.edges[0]), area), part(Rational(at.edges[1]), area),
+      part(Rational(at.edges[2]), area), part(share[0], q), part(share[1], q), part(share[2], q));
+  if (*input.command != 0) text += fmt::format("\n{}", input.command);
+  return {input.what, text, expected, nullptr, {}};
+}
+
+// ---- rows of pixels ----
+
+struct ExactPlace {
+  Rational q, u;
+};
+
+ExactPlace place_on(const Line& line, int x) {
+  const Rational far = Rational(x) / Rational(line.pixels), near = Rational(1) - far;
+  const Rational q0 = near * Rational(line.inverse_w0), q1 = far * Rational(line.inverse_w1);
+  const Rational q = q0 + q1;
+  return {q, (q0 * Rational(line.u0) + q1 * Rational(line.u1)) / q};
+}
+
+// R |u| of the contracts: what an error of u of the largest u/w is after the division by the smallest 1/w.
+double scale_of(const Line& line) {
+  const double larger = std::max(line.inverse_w0, line.inverse_w1);
+  return larger / std::min(line.inverse_w0, line.inverse_w1) *
+         std::max(std::abs(line.u0), std::abs(line.u1));
+}
+
+std::string line_text(const Line& line) {
+  return fmt::format("u from {} to {}, 1/w from {} to {}, over {} pixels", line.u0, line.u1,
+                     line.inverse_w0, line.inverse_w1, line.pixels);
+}
+
+// Walking 1/w and u/w by additions makes `pixels` roundings of each, and the ends and the division a few more; walking
+// u within a span makes no more than it saves of the others.
+Case expect_span(const SpanCase& input) {
+  const Line& line = input.line;
+  std::vector<double> values;
+  for (int first = 0; first < line.pixels; first += input.every) {
+    const int end = std::min(first + input.every, line.pixels);
+    const Rational start = place_on(line, first).u;
+    const Rational step = (place_on(line, end).u - start) / Rational(end - first);
+    for (int x = first; x < end; ++x)
+      values.push_back(double(start + step * (Rational(2 * (x - first) + 1) / Rational(2))));
+  }
+  const double bound = 2 * (line.pixels + 8) * u53 * scale_of(line);
+  return {input.what,
+          fmt::format("{}, a division every {}; number x is at x + 1/2\nglassbox study run D-4",
+                      line_text(line), input.every),
+          {{"u at each pixel", Shape::kNumbers, values, bound, "texel", 0}},
+          nullptr,
+          {}};
+}
+
+// The largest error of the law over the spans.
+Decimal law(const Line& line, int every) {
+  Decimal largest;
+  for (int first = 0; first < line.pixels; first += every) {
+    const ExactPlace a = place_on(line, first);
+    const ExactPlace b = place_on(line, std::min(first + every, line.pixels));
+    const Rational r = a.q < b.q ? b.q / a.q : a.q / b.q;
+    const Decimal root = sqrt(decimal_from(r));
+    const Decimal error = decimal_from(abs(b.u - a.u)) * (root - Decimal(1)) / (root + Decimal(1));
+    if (largest < error) largest = error;
+  }
+  return largest;
+}
+
+// Two coordinates of 8 R u each make du; r is right to 16 R u, which its root halves and the sum of 2 below halves
+// again.
+Case expect_choice(const ChoiceCase& input) {
+  const Line& line = input.line;
+  int every = 1;
+  double error = 0;
+  std::string text =
+      fmt::format("{}; at most {} texels\nthe law:", line_text(line), input.tolerance);
+  for (int length = 2; length <= line.pixels; length *= 2) {
+    const Decimal of_length = law(line, length);
+    text += fmt::format(" {} pixels {:.4g}{}", length, double(of_length),
+                        2 * length <= line.pixels ? "," : "");
+    if (Decimal(input.tolerance) < of_length) continue;
+    every = length;
+    error = double(of_length);
+  }
+  return {fmt::format("at most {} texels", input.tolerance),
+          text,
+          {{"pixels from division to division", Shape::kNumbers, {double(every)}, 0, "px", 0},
+           {"error", Shape::kNumbers, {error}, 64 * u53 * scale_of(line), "texel", 0}},
+          nullptr,
+          {}};
+}
+
+// ---- footprints ----
+
+// N = sum E_k q_k a_k and D = sum E_k q_k, with the edge functions E_k, and their derivatives: (N/D)' = (N' - (N/D) D')
+// / D.
+struct ExactGradient {
+  Rational along_x, along_y;
+};
+
+ExactGradient exact_gradient(const FootprintCase& input, double TexturedVertex::*attribute) {
+  Rational n, d, nx, ny, dx, dy;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const TexturedVertex& vertex = input.triangle[k];
+    const TexturedVertex& from = input.triangle[(k + 1) % 3];
+    const TexturedVertex& to = input.triangle[(k + 2) % 3];
+    const Rational ex = Rational(from.y) - Rational(to.y), ey = Rational(to.x) - Rational(from.x);
+    const Rational e =
+        ex * (Rational(input.x) - Rational(from.x)) + ey * (Rational(input.y) - Rational(from.y));
+    const Rational q(vertex.inverse_w), p = q * Rational(vertex.*attribute);
+    n += e * p, nx += ex * p, ny += ey * p;
+    d += e * q, dx += ex * q, dy += ey * q;
+  }
+  return {(nx - n / d * dx) / d, (ny - n / d * dy) / d};
+}
+
+// With the largest 1/w as unit, e the longer side of the box and s = e^2 / area: a plane's slope is right to 20 u s / e, its
+// value at the pixel to 48 u s, which is 48 u k of the value there. (P' - (P/Q) Q') / Q has terms up to 4 k U / e each, U
+// doubled where coordinates are taken from vertex 0; with the errors of P/Q, Q' and 1/Q that makes 1600 k^2 (U/e) u.
+double gradient_bound(const FootprintCase& input, double TexturedVertex::*attribute) {
+  const auto& [a, b, c] = input.triangle;
+  const auto [left, right] = std::minmax({a.x, b.x, c.x});
+  const auto [top, bottom] = std::minmax({a.y, b.y, c.y});
+  const double e = std::max(right - left, bottom - top);
+  const double area = std::abs((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y));
+  double q = 0;
+  const TexturedVertex* vertices[3] = {&a, &b, &c};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const TexturedVertex& from = *vertices[(k + 1) % 3];
+    const TexturedVertex& to = *vertices[(k + 2) % 3];
+    q += std::abs((from.y - to.y) * (input.x - from.x) + (to.x - from.x) * (input.y - from.y)) /
+         area * vertices[k]->inverse_w;
+  }
+  const double k = e * e / area * std::max({a.inverse_w, b.inverse_w, c.inverse_w}) / q;
+  const double largest =
+      std::max({std::abs(a.*attribute), std::abs(b.*attribute), std::abs(c.*attribute)});
+  return 2048 * k * k * largest / e * u53;
+}
+
+Case expect_footprint(const FootprintCase& input) {
+  const ExactGradient u = exact_gradient(input, &TexturedVertex::u);
+  const ExactGradient v = exact_gradient(input, &TexturedVertex::v);
+  const double u_bound = gradient_bound(input, &TexturedVertex::u);
+  const double v_bound = gradient_bound(input, &TexturedVertex::v);
+  const double along_x =
+      std::hypot(input.width * double(u.along_x), input.height * double(v.along_x));
+  const double along_y =
+      std::hypot(input.width * double(u.along_y), input.height * double(v.along_y));
+  const double longer = std::max(along_x, along_y);
+  const double last = std::log2(double(std::max(input.width, input.height)));
+  // Of the length, over itself and ln 2; where it is below 1 the level is 0. And the roundings of lengths and
+  // logarithm.
+  const double of_length = std::hypot(input.width * u_bound, input.height * v_bound);
+  const double level_bound = of_length / std::max(longer, 0.5) / std::log(2.0) + 16 * u53 * last;
+  std::string text;
+  for (const TexturedVertex& t : input.triangle)
+    text +=
+        fmt::format("({}, {}) px: 1/w {}, (u, v) = ({}, {})\n", t.x, t.y, t.inverse_w, t.u, t.v);
+  text +=
+      fmt::format("at ({}, {}), {} x {} texels: {:.6g} texels to a pixel along x, {:.6g} along y",
+                  input.x, input.y, input.width, input.height, along_x, along_y);
+  return {input.what,
+          text,
+          {{"du/dx, du/dy",
+            Shape::kNumbers,
+            {double(u.along_x), double(u.along_y)},
+            u_bound,
+            "per px",
+            0},
+           {"dv/dx, dv/dy",
+            Shape::kNumbers,
+            {double(v.along_x), double(v.along_y)},
+            v_bound,
+            "per px",
+            0},
+           {"level",
+            Shape::kNumbers,
+            {std::clamp(longer > 0 ? std::log2(longer) : 0, 0.0, last)},
+            level_bound,
+            "levels",
+            0}},
+          nullptr,
+          {}};
+}
+
+template <class Input>
+Check check(const char* name, const char* task, bool hidden, const std::vector<Input>& inputs,
+            Case (*expect)(const Input&)) {
+  return {name, task, "shading", hidden, [inputs, expect] {
+            std::vector<Case> cases;
+            for (const Input& input : inputs) cases.push_back(expect(input));
+            return cases;
+          }};
+}
+
+}  // namespace
+
+Lab lab_08() {
+  constexpr bool kHidden = true;
+  Lab lab{
+      8,
+      "08-attributes",
+      "Attributes: perspective, spans, mip levels, and how finely to cut a surface",
+      {{"8.1", "Texture coordinates at a pixel", 25},
+       {"8.2", "Coordinates by spans", 15},
+       {"8.3", "The longest span within a tolerance", 15},
+       {"8.4", "Footprint and mip level", 20},
+       {"8.5", "A Bezier patch in triangles", 15},
+       {"8.6", "The level of a patch", 10}},
+      {check("texture coordinates at a pixel", "8.1", false, pixels(), expect_pixel),
+       check("texture coordinates at other pixels", "8.1", kHidden, hidden_pixels(), expect_pixel),
+       check("coordinates along a row by spans", "8.2", false, spans(), expect_span),
+       check("coordinates along other rows", "8.2", kHidden, hidden_spans(), expect_span),
+       check("the longest span within a tolerance", "8.3", false, choices(), expect_choice),
+       check("the longest span of other rows", "8.3", kHidden, hidden_choices(), expect_choice),
+       check("footprint and mip level", "8.4", false, footprints(), expect_footprint),
+       check("other footprints", "8.4", kHidden, hidden_footprints(), expect_footprint)}};
+  for (Check& each : surface_checks()) lab.checks.push_back(std::move(each));
+  return lab;
+}
+
+}  // namespace glassbox::labs

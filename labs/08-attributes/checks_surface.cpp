@@ -1,0 +1,211 @@
+// What is expected of lab 8 on curved surfaces: Bezier patches in exact rationals.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <glassbox/base/rounding.h>
+
+#include "labs/08-attributes/cases.h"
+#include "labs/08-attributes/surface_checks.h"
+#include "labs/framework/compare.h"
+#include "study/oracle/number.h"
+
+namespace glassbox::labs {
+
+namespace {
+
+using namespace lab_08;
+using study::oracle::Decimal;
+using study::oracle::decimal_from;
+using study::oracle::Rational;
+
+constexpr double u53 = unit_roundoff<double>;
+
+// ---- positions ----
+
+using Place = std::array<Rational, 3>;
+using Rows = std::array<std::array<Place, 4>, 4>;
+
+Rows exactly(const Patch& patch) {
+  Rows rows;
+  for (std::size_t j = 0; j < 4; ++j) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto& p = patch.rows[j][i];
+      rows[j][i] = {Rational(p.x), Rational(p.y), Rational(p.z)};
+    }
+  }
+  return rows;
+}
+
+Place between(const Place& a, const Place& b, const Rational& t) {
+  Place p;
+  for (std::size_t k = 0; k < 3; ++k) p[k] = a[k] + (b[k] - a[k]) * t;
+  return p;
+}
+
+// De Casteljau's construction.
+Place on_curve(std::array<Place, 4> p, const Rational& t) {
+  for (std::size_t left = 3; left > 0; --left) {
+    for (std::size_t i = 0; i < left; ++i) p[i] = between(p[i], p[i + 1], t);
+  }
+  return p[0];
+}
+
+Place on_patch(const Rows& rows, int i, int j, int level) {
+  const Rational u = Rational(i) / Rational(level), v = Rational(j) / Rational(level);
+  return on_curve(
+      {on_curve(rows[0], u), on_curve(rows[1], u), on_curve(rows[2], u), on_curve(rows[3], u)}, v);
+}
+
+void add(const Place& p, std::vector<double>& numbers) {
+  for (const Rational& x : p) numbers.push_back(double(x));
+}
+
+// De Casteljau with a rounded t: six steps of three roundings each, and an error of u in t moves the point by up to 3 *
+// 2 times the largest coordinate along either parameter, 30 u; sums of products with Bernstein polynomials in powers of
+// t: 9 roundings of the weights and 3 of the sum, twice, 24 u. Twice that.
+double position_bound(const Patch& patch) {
+  double largest = 0;
+  for (const auto& row : patch.rows) {
+    for (const auto& p : row)
+      largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  }
+  return 64 * u53 * largest;
+}
+
+std::string patch_text(const Patch& patch) {
+  std::string text;
+  for (std::size_t j = 0; j < 4; ++j) {
+    text += fmt::format("{}rows[{}]", j > 0 ? "\n" : "", j);
+    for (const auto& p : patch.rows[j]) text += fmt::format(" ({:g}, {:g}, {:g})", p.x, p.y, p.z);
+  }
+  return text;
+}
+
+Case expect_patch(const PatchCase& input) {
+  const int n = input.level;
+  const Rows rows = exactly(input.patch);
+  std::vector<double> positions, exchanged, triangles;
+  for (int j = 0; j <= n; ++j) {
+    for (int i = 0; i <= n; ++i) {
+      add(on_patch(rows, i, j, n), positions);
+      add(on_patch(rows, j, i, n), exchanged);
+    }
+  }
+  const bool pole =
+      rows[0][0] == rows[0][1] && rows[0][1] == rows[0][2] && rows[0][2] == rows[0][3];
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < n; ++i) {
+      const double a = j * (n + 1) + i, d = a + n + 1;
+      if (!(pole && j == 0)) triangles.insert(triangles.end(), {a, a + 1, d + 1});
+      triangles.insert(triangles.end(), {a, d + 1, d});
+    }
+  }
+  const Expected indices{"triangles", Shape::kNumbers, triangles, 0, "", 0};
+  const auto places = [&](std::vector<double> values) {
+    return Expected{
+        "positions", Shape::kPolygon, std::move(values), position_bound(input.patch), "", 3};
+  };
+  return {input.what,
+          fmt::format("{}\n{} x {} cells{}", patch_text(input.patch), n, n,
+                      pole ? ", rows[0] is a pole" : ""),
+          {places(positions), indices},
+          nullptr,
+          {{"row-column-order", {places(exchanged), indices}}}};
+}
+
+// ---- seams ----
+
+// Both borders as they should be, within the bound, and equal to the last bit.
+std::optional<Divergence> judge_seam(const SeamCase& input, const Answer& answer) {
+  const Rows rows = exactly(input.a);
+  std::vector<double> border;
+  for (int i = 0; i <= input.level; ++i) add(on_patch(rows, i, input.level, input.level), border);
+  const std::string names[2] = {"border of the first patch", "border of the second patch"};
+  for (const std::string& name : names) {
+    const Expected expected{name, Shape::kPolygon, border, position_bound(input.a), "", 3};
+    if (auto found = compare(expected, answer).first) return found;
+  }
+  const Expected as_first{names[1], Shape::kPolygon, *find_field(answer, names[0]), 0, "", 3};
+  auto found = compare(as_first, answer).first;
+  if (found) found->explanation = "the first patch has another position there: a crack";
+  return found;
+}
+
+Case expect_seam(const SeamCase& input) {
+  return {input.what,
+          fmt::format("{}\n{} x {} cells; the last row is a border of the second patch in the "
+                      "opposite order",
+                      patch_text(input.a), input.level, input.level),
+          {},
+          [input](const Answer& answer) { return judge_seam(input, answer); },
+          {}};
+}
+
+// ---- levels ----
+
+// The longest of the vectors sum_k factor_k P[j + dj_k][i + di_k], for all i and j for which there is one.
+struct Term {
+  std::size_t di, dj;
+  int factor;
+};
+Decimal longest(const Rows& rows, const std::vector<Term>& terms) {
+  std::size_t across = 0, down = 0;
+  for (const Term& t : terms) across = std::max(across, t.di), down = std::max(down, t.dj);
+  Rational largest;
+  for (std::size_t j = 0; j + down < 4; ++j) {
+    for (std::size_t i = 0; i + across < 4; ++i) {
+      Rational squares;
+      for (std::size_t k = 0; k < 3; ++k) {
+        Rational sum;
+        for (const Term& t : terms) sum += Rational(t.factor) * rows[j + t.dj][i + t.di][k];
+        squares += sum * sum;
+      }
+      if (largest < squares) largest = squares;
+    }
+  }
+  return sqrt(decimal_from(largest));
+}
+
+Case expect_level(const LevelCase& input) {
+  const Rows rows = exactly(input.patch);
+  const Decimal uu = longest(rows, {{0, 0, 6}, {1, 0, -12}, {2, 0, 6}});
+  const Decimal vv = longest(rows, {{0, 0, 6}, {0, 1, -12}, {0, 2, 6}});
+  const Decimal uv = longest(rows, {{0, 0, 9}, {1, 0, -9}, {0, 1, -9}, {1, 1, 9}});
+  const Decimal at_level_1 = (uu + Decimal(2) * uv + vv) * Decimal(input.px_per_unit) / Decimal(8);
+  int level = 1;
+  while (level < 256 && Decimal(input.tolerance_px) * Decimal(level * level) < at_level_1) ++level;
+  return {input.what,
+          fmt::format("{}\n{} px to a unit, at most {} px; Muu {:.6g}, Muv {:.6g}, Mvv {:.6g}\n"
+                      "glassbox study run D-26",
+                      patch_text(input.patch), input.px_per_unit, input.tolerance_px, double(uu),
+                      double(uv), double(vv)),
+          {{"level", Shape::kNumbers, {double(level)}, 0, "cells", 0}},
+          nullptr,
+          {}};
+}
+
+template <class Input>
+Check check(const char* name, const char* task, bool hidden, const std::vector<Input>& inputs,
+            Case (*expect)(const Input&)) {
+  return {name, task, "world", hidden, [inputs, expect] {
+            std::vector<Case> cases;
+            for (const Input& input : inputs) cases.push_back(expect(input));
+            return cases;
+          }};
+}
+
+}  // namespace
+
+std::vector<Check> surface_checks() {
+  constexpr bool kHidden = true;
+  return {check("a patch in cells", "8.5", false, patches(), expect_patch),
+          check("patches meet", "8.5", false, seams(), expect_seam),
+          check("other patches in cells", "8.5", kHidden, hidden_patches(), expect_patch),
+          check("other patches meet", "8.5", kHidden, hidden_seams(), expect_seam),
+          check("the level of a patch", "8.6", false, levels(), expect_level),
+          check("the level of other patches", "8.6", kHidden, hidden_levels(), expect_level)};
+}
+
+}  // namespace glassbox::labs
