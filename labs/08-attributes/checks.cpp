@@ -141,7 +141,7 @@ Case expect_choice(const ChoiceCase& input) {
   }
   return {fmt::format("at most {} texels", input.tolerance),
           text,
-          {{"pixels from division to division", Shape::kNumbers, {double(every)}, 0, "px", 0},
+          {{"pixels from division to division", Shape::kNumbers, {double(every)}, 0, "", 0},
            {"error", Shape::kNumbers, {error}, 64 * u53 * scale_of(line), "texel", 0}},
           nullptr,
           {}};

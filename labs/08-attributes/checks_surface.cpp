@@ -181,7 +181,7 @@ Case expect_level(const LevelCase& input) {
                       "glassbox study run D-26",
                       patch_text(input.patch), input.px_per_unit, input.tolerance_px, double(uu),
                       double(uv), double(vv)),
-          {{"level", Shape::kNumbers, {double(level)}, 0, "cells", 0}},
+          {{"level", Shape::kNumbers, {double(level)}, 0, "", 0}},
           nullptr,
           {}};
 }
