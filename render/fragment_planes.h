@@ -10,7 +10,7 @@
 namespace glassbox {
 
 // Where a fragment does not come from a triangle.
-inline constexpr FragmentSource kNoTriangle{0, 0, false};
+inline constexpr FragmentSource kLineOrPoint{0, 0, false};
 
 inline void write_planes(const FragmentStage& stage, const Fragment& fragment, std::uint32_t code,
                          std::uint32_t id, bool writes_depth) {

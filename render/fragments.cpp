@@ -87,7 +87,7 @@ void rasterise(const FragmentStage& stage, const ReadyLine& line) {
   for_each_line_pixel(snap(line.ends[0]), snap(line.ends[1]), stage.window,
                       [&](const LinePixel& pixel) {
                         const Fragment fragment = interpolate(line.ends, pixel);
-                        process_observed(stage, kNoTriangle, fragment, line.id, surface);
+                        process_observed(stage, kLineOrPoint, fragment, line.id, surface);
                       });
   if (stage.samples != nullptr) rasterise_samples(stage, line);
 }
@@ -104,7 +104,7 @@ void rasterise(const FragmentStage& stage, const ReadyPoint& point) {
   fragment.depth = point.position.position.z;
   fragment.inverse_w = point.position.inverse_w;
   const Surface surface{{point.vertex, point.vertex, point.vertex}, {}};
-  process_observed(stage, kNoTriangle, fragment, 0, surface);
+  process_observed(stage, kLineOrPoint, fragment, 0, surface);
 }
 
 }  // namespace glassbox

@@ -156,7 +156,7 @@ void rasterise_quad(const FragmentStage& stage, const std::array<ScreenVertex, 4
     for (std::size_t k = 0; k < 3; ++k) {
       surface.vertices[k] = *varyings[half[std::size_t(setup->order[k])]];
     }
-    rasterise(stage, {*setup, steps_of(stage, *setup), surface, kNoTriangle, 0, false});
+    rasterise(stage, {*setup, steps_of(stage, *setup), surface, kLineOrPoint, 0, false});
   }
 }
 
