@@ -13,5 +13,6 @@ Lab lab_05();
 Lab lab_06();
 Lab lab_07();
 Lab lab_08();
+Lab lab_09();
 
 }  // namespace glassbox::labs
