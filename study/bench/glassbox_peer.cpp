@@ -69,7 +69,8 @@ JudgedPicture GlassboxPeer::picture() {
 }
 
 StereoCost stereo_cost(const BenchScene& bench, const EngineOptions& options, int frames) {
-  const auto& [centre, pair] = *bench.stereo;
+  const View& centre = bench.stereo->centre;  // by name: a lambda takes no binding in clang 14
+  const StereoPair& pair = bench.stereo->pair;
   const AnaglyphMasks masks{bench.passes[0].mask, bench.passes[1].mask};
   const StereoSettings both_settings{bench.settings};
   Rendering one;
