@@ -143,6 +143,11 @@ bool add(const Context& context, std::uint32_t action, const char* name, Conditi
   return seccomp_rule_add(context.get(), action, number, sizeof...(conditions), conditions...) == 0;
 }
 
+// A condition on an argument, counted from 0; libseccomp's own macros for it are C and not C++.
+scmp_arg_cmp equals(unsigned argument, scmp_datum_t value) {
+  return {argument, SCMP_CMP_EQ, value, 0};
+}
+
 Result<SystemCallFilter> exported(const Context& context) {
   const int file = ::memfd_create("filter", MFD_CLOEXEC);
   if (file < 0) return failure("a file in memory");
@@ -174,12 +179,12 @@ Result<SystemCallFilter> runner_filter(bool in_namespace) {
     // Bubblewrap, the first process inside, is under the filter too and waits for the second.
     fine = add(context, SCMP_ACT_ALLOW, "wait4") && fine;
   } else {
-    fine = add(context, SCMP_ACT_ALLOW, "tgkill", SCMP_A0(SCMP_CMP_EQ, kOwnPid)) && fine;
+    fine = add(context, SCMP_ACT_ALLOW, "tgkill", equals(0, kOwnPid)) && fine;
   }
   // Asked, not changed.
-  fine = add(context, SCMP_ACT_ALLOW, "prlimit64", SCMP_A2(SCMP_CMP_EQ, 0)) && fine;
-  for (const scmp_datum_t what : {F_GETFD, F_GETFL})
-    fine = add(context, SCMP_ACT_ALLOW, "fcntl", SCMP_A1(SCMP_CMP_EQ, what)) && fine;
+  fine = add(context, SCMP_ACT_ALLOW, "prlimit64", equals(2, 0)) && fine;
+  for (const scmp_datum_t what : {scmp_datum_t{F_GETFD}, scmp_datum_t{F_GETFL}})
+    fine = add(context, SCMP_ACT_ALLOW, "fcntl", equals(1, what)) && fine;
   // glibc asks whether an output is a terminal, and where a static program lies; it goes on without an answer.
   fine = add(context, SCMP_ACT_ERRNO(ENOTTY), "ioctl") && fine;
   fine = add(context, SCMP_ACT_ERRNO(ENOENT), "readlink") && fine;
