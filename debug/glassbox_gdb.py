@@ -311,6 +311,14 @@ Triangles are numbered through the whole scene, as `glassbox pixel` and --id-out
         )
 
 
+def break_in_body(function, condition):
+    """Stops in the function's first line after its head. At the head itself the parameters may not be there yet: gdb skips
+    no prologue in objects that have location lists."""
+    (head,) = gdb.decode_line(function)[1]
+    after = min(entry.line for entry in head.symtab.linetable() if entry.line > head.line)
+    gdb.execute(f"break -source {head.symtab.filename} -line {after} if {condition}")
+
+
 class StopAtPixel(gdb.Command):
     """glassbox-pixel X Y: stop wherever a triangle, line or point covers the pixel, before its depth test."""
 
@@ -320,14 +328,13 @@ class StopAtPixel(gdb.Command):
     def invoke(self, text, from_tty):
         x, y = whole_numbers(text, 2, "glassbox-pixel X Y")
         here = f"pixel.x == {x} && pixel.y == {y}"
-        gdb.execute(f"break glassbox::interpolate(glassbox::TriangleSetup const&, glassbox::Coverage const&) if {here}")
-        gdb.execute(
-            "break glassbox::interpolate(std::array<glassbox::ScreenVertex, 2ul> const&, glassbox::LinePixel const&)"
-            f" if {here}"
+        break_in_body("glassbox::interpolate(glassbox::TriangleSetup const&, glassbox::Coverage const&)", here)
+        break_in_body(
+            "glassbox::interpolate(std::array<glassbox::ScreenVertex, 2ul> const&, glassbox::LinePixel const&)", here
         )
-        gdb.execute(
-            "break glassbox::point_pixel(glassbox::SnappedVertex const&)"
-            f" if (point.x - 1) >> 8 == {x} && (point.y - 1) >> 8 == {y}"
+        break_in_body(
+            "glassbox::point_pixel(glassbox::SnappedVertex const&)",
+            f"(point.x - 1) >> 8 == {x} && (point.y - 1) >> 8 == {y}",
         )
 
 
