@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 using labs::SourceFile;
 
 // {0}: the lab's folder.
-constexpr const char* kCMakeLists = R"(cmake_minimum_required(VERSION 3.16)
+constexpr const char* kCMakeLists = R"(cmake_minimum_required(VERSION 3.20)
 project({0} CXX)
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -43,6 +43,26 @@ else()
 endif()
 # A product and a sum are two roundings, as in the pipeline.
 target_compile_options(runner PRIVATE -ffp-contract=off -Wall -Wextra -Wno-unused-parameter)
+)";
+
+// CMake's own choice is make, which is not everywhere; glassbox itself is built with Ninja.
+constexpr const char* kPresets = R"({
+  "version": 2,
+  "configurePresets": [
+    {
+      "name": "ninja",
+      "displayName": "Debug build, with Ninja",
+      "generator": "Ninja",
+      "binaryDir": "${sourceDir}/build"
+    },
+    {
+      "name": "make",
+      "displayName": "The same, with make",
+      "generator": "Unix Makefiles",
+      "binaryDir": "${sourceDir}/build"
+    }
+  ]
+}
 )";
 
 constexpr const char* kLaunch = R"({
@@ -82,7 +102,7 @@ constexpr const char* kTasks = R"({
     {
       "label": "build",
       "type": "shell",
-      "command": "cmake -S . -B build && cmake --build build",
+      "command": "cmake --preset $(command -v ninja >/dev/null && echo ninja || echo make) && cmake --build build",
       "group": {"kind": "build", "isDefault": true},
       "problemMatcher": "$gcc"
     },
@@ -154,6 +174,7 @@ Result<std::vector<SourceFile>> make_starter(const labs::Sources& sources, const
   for (SourceFile& file : *support) files.push_back(std::move(file));
   files.push_back(
       {"CMakeLists.txt", fmt::format(kCMakeLists, lab.folder, sources.include.generic_string())});
+  files.push_back({"CMakePresets.json", kPresets});
   files.push_back({".vscode/launch.json", launch_json(lab)});
   files.push_back({".vscode/tasks.json", kTasks});
   files.push_back({".gitignore", "build/\n"});

@@ -33,6 +33,14 @@ struct Desk {
   }
 };
 
+// Where the shell finds the program.
+fs::path path_of(const std::string& program) {
+  const auto found = test::run_program("/bin/sh", {"-c", "command -v " + program}, "/");
+  INFO(program << " is not installed");
+  REQUIRE(found.exit_code == 0);
+  return found.out.substr(0, found.out.find('\n'));
+}
+
 std::string number_of(const Lab& lab) {
   return std::to_string(lab.number);
 }
@@ -60,8 +68,9 @@ TEST_CASE(
   const Desk desk;
   const Lab& lab = all_labs().front();
   REQUIRE(desk.run({"lab", "start", number_of(lab), "mine"}).exit_code == 0);
-  for (const char* file : {"handout.md", "student.h", "student.cpp", "cases.h", "runner.cpp",
-                           "CMakeLists.txt", ".vscode/launch.json", "lab.json"})
+  for (const char* file :
+       {"handout.md", "student.h", "student.cpp", "cases.h", "runner.cpp", "CMakeLists.txt",
+        "CMakePresets.json", ".vscode/launch.json", "lab.json"})
     CHECK(fs::exists(desk.path / "mine" / file));
 
   auto outcome = desk.run({"lab", "check", "mine", "--json", "-", "--html", "report.html"});
@@ -93,16 +102,42 @@ TEST_CASE(
   CHECK(json["tests"][0]["status"] == "not built");
 }
 
-TEST_CASE("a started folder builds by itself") {
+TEST_CASE("a started folder builds with no program but the named ones: Ninja or make") {
   const Desk desk;
+  const std::string preset = GENERATE("ninja", "make");
   REQUIRE(desk.run({"lab", "start", all_labs().front().folder, "mine"}).exit_code == 0);
+  // The programs of the packages g++ (with binutils), cmake and ninja-build or make, and a shell.
+  fs::create_directories(desk.path / "bin");
+  for (const std::string& program : {std::string("sh"), std::string("c++"), std::string("as"),
+                                     std::string("ld"), std::string("cmake"), preset})
+    fs::create_symlink(path_of(program), desk.path / "bin" / program);
+  // The line of docs/labs.md.
   const auto outcome = test::run_program(
-      "/bin/sh",
-      {"-c", "cmake -S mine -B mine/build && cmake --build mine/build && mine/build/runner --list"},
-      desk.path.string());
-  INFO(outcome.err);
+      "/usr/bin/env",
+      {"-u", "CMAKE_GENERATOR", "-u", "CXX", "PATH=" + (desk.path / "bin").string(), "/bin/sh",
+       "-c", "cmake --preset " + preset + " && cmake --build build && build/runner --list"},
+      (desk.path / "mine").string());
+  INFO(preset << ": " << outcome.err);
   CHECK(outcome.exit_code == 0);
   CHECK(outcome.out.find("\"check\": ") != std::string::npos);
+}
+
+TEST_CASE("the editor's task builds a started folder with what there is") {
+  const Desk desk;
+  REQUIRE(desk.run({"lab", "start", all_labs().front().folder, "mine"}).exit_code == 0);
+  const auto tasks =
+      nlohmann::json::parse(read_text_file(desk.path / "mine/.vscode/tasks.json").value());
+  const std::string line = tasks["tasks"][0]["command"];
+  for (const std::string program : {"ninja", "make"}) {
+    // A cmake that says what it was asked for.
+    const fs::path bin = desk.path / program;
+    fs::create_directories(bin);
+    fs::create_symlink("/bin/echo", bin / "cmake");
+    fs::create_symlink("/bin/echo", bin / program);
+    const auto outcome =
+        test::run_program("/usr/bin/env", {"PATH=" + bin.string(), "/bin/sh", "-c", line}, "/");
+    CHECK(outcome.out == "--preset " + program + "\n--build build\n");
+  }
 }
 
 TEST_CASE("lab start writes over nobody's work") {
