@@ -36,32 +36,6 @@ skip() {
   say "skipped: $*"
 }
 
-# summarise LOG: one line "passed failed" from the log of ctest. A suite counts as many tests as Catch2 says that it
-# has; what is no Catch2 suite, or ended before its summary, counts as one.
-summarise() {
-  awk '
-    function close_test() {
-      if (name == "") return
-      if (ok && bad > 0) ok = 0
-      if (!ok && bad == 0) bad = 1
-      if (ok && good == 0) good = 1
-      passed += good; failed += bad
-      name = ""
-    }
-    /^[0-9]+\/[0-9]+ Test: / { close_test(); name = $3; good = 0; bad = 0; ok = 0; absent = 0 }
-    /^Command: ""$/ { absent = 1 } # a program that was not built; ctest goes on to write "Test Passed."
-    /^All tests passed \(/ { for (i = 2; i <= NF; i++) if ($i ~ /^test$/) good += $(i - 1) }
-    /^test cases: / {
-      for (i = 2; i <= NF; i++) {
-        if ($i == "passed") good += $(i - 1)
-        if ($i == "failed") bad += $(i - 1)
-      }
-    }
-    /^Test Passed\.$/ { ok = !absent }
-    END { close_test(); print passed + 0, failed + 0 }
-  ' "$1"
-}
-
 # run_suites PRESET WORDS: builds the preset and runs its suites.
 run_suites() {
   say "$2: building ..."
@@ -81,13 +55,15 @@ run_suites() {
     count "$2: ctest" 1
     return 0
   fi
-  # shellcheck disable=SC2046  # two numbers
-  set -- "$2" $(summarise "$log")
-  if [ "$status" != 0 ] && [ "$3" = 0 ]; then set -- "$1" "$2" 1; fi
+  awk -f "$root/tests/summarise.awk" "$log" >"$directory/summary"
+  # shellcheck disable=SC2046  # three numbers
+  set -- "$2" $(head -n 1 "$directory/summary")
+  if [ "$status" != 0 ] && [ "$3" = 0 ]; then set -- "$1" "$2" 1 "$4"; fi
   passed=$((passed + $2))
   failed=$((failed + $3))
-  sed -n 's/^ *\(skipped: .*\)/  \1/p' "$log" | sort -u >&2
-  say "$1: $2 passed, $3 failed"
+  skipped=$((skipped + $4))
+  sed '1d; s/^/  /' "$directory/summary" >&2
+  say "$1: $2 passed, $3 failed, $4 skipped"
 }
 
 have() { command -v "$1" >/dev/null 2>&1; }

@@ -13,6 +13,7 @@
 
 #include "tests/app/run.h"
 #include "tests/support/random.h"
+#include "tests/support/skip.h"
 
 namespace glassbox::test {
 namespace {
@@ -178,10 +179,7 @@ std::vector<Row> read_rows(const std::string& path) {
 
 TEST_CASE("whole runs agree with the exact coverage masks of the reference table") {
   const std::string path = std::string(GLASSBOX_ASSETS_DIR) + "/golden/mesa-ref/share/coverage.tsv";
-  if (!std::filesystem::exists(path)) {
-    WARN("skipped: " << path << " is not there");
-    return;
-  }
+  if (!std::filesystem::exists(path)) SKIP_TEST("no assets at " << path);
   std::vector<Row> inside, outside;
   for (const Row& row : read_rows(path)) (row.inside_tile() ? inside : outside).push_back(row);
   REQUIRE(inside.size() > 100);

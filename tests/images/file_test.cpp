@@ -15,6 +15,7 @@
 #include <glassbox/images/read.h>
 
 #include "tests/images/temporary_directory.h"
+#include "tests/support/skip.h"
 
 namespace {
 
@@ -165,10 +166,7 @@ TEST_CASE("a write that fails half way leaves the old file and no temporary") {
 }
 
 TEST_CASE("a full device is an error that says so") {
-  if (::access("/dev/full", W_OK) != 0) {
-    WARN("skipped: no /dev/full here");
-    return;
-  }
+  if (::access("/dev/full", W_OK) != 0) SKIP_TEST("/dev/full cannot be written to");
   const auto written = write_file("/dev/full", bytes_of("text"));
   REQUIRE_FALSE(written);
   CHECK(

@@ -1,6 +1,4 @@
 // A table of matrices read back from Mesa, and the same by their formulas in double.
-#include <tests/support/catch.h>
-
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -12,6 +10,9 @@
 #include <glassbox/pipeline/dialects.h>
 #include <glassbox/pipeline/look_at.h>
 #include <glassbox/pipeline/projection.h>
+
+#include "tests/support/catch.h"
+#include "tests/support/skip.h"
 
 namespace glassbox {
 namespace {
@@ -40,11 +41,9 @@ glm::dmat4 ours(const std::string& kind, const std::vector<double>& a) {
 }
 
 TEST_CASE("the table of gluPerspective, gluLookAt and glFrustum matrices is met (S4-12)") {
-  std::ifstream file(std::string(GLASSBOX_ASSETS_DIR) + "/golden/mesa-ref/share/glu_matrices.tsv");
-  if (!file) {
-    WARN("skipped: no golden/mesa-ref/share/glu_matrices.tsv under GLASSBOX_ASSETS_DIR");
-    return;
-  }
+  const std::string path = GLASSBOX_ASSETS_DIR "/golden/mesa-ref/share/glu_matrices.tsv";
+  std::ifstream file(path);
+  if (!file) SKIP_TEST("no assets at " << path);
   int rows = 0;
   for (std::string line; std::getline(file, line);) {
     if (line.empty() || line[0] == '#' || line.rfind("kind", 0) == 0) continue;

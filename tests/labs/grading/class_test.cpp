@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <cstdio>
 #include <thread>
 
 #include "tests/labs/grading/grading.h"
 #include "tests/support/catch.h"
+#include "tests/support/skip.h"
 
 namespace glassbox::test {
 
@@ -83,10 +83,7 @@ TEST_CASE("partial credit is per case") {
 }
 
 TEST_CASE("GNU parallel grades over a hundred submissions as the class is") {
-  if (!have_parallel()) {
-    std::fprintf(stderr, "skipped: submissions graded by GNU parallel (no parallel)\n");
-    return;
-  }
+  if (!have_parallel()) SKIP_TEST("parallel is not installed");
   const Place place;
   write_class(place.path / "class", 105);
   REQUIRE(grader({"grade", "class", "--lab", "99", "-o", "as-class"}, place.path).exit_code == 0);

@@ -1,10 +1,10 @@
 // glassbox bench, from the outside.
 #include <tests/app/run.h>
 #include <tests/support/catch.h>
+#include <tests/support/skip.h>
 
 #include <dlfcn.h>
 
-#include <cstdio>
 #include <set>
 #include <string>
 
@@ -135,10 +135,7 @@ TEST_CASE("the floor is above nothing and the scene's bytes are those of its tab
 }
 
 TEST_CASE("Mesa draws the same pictures") {
-  if (!mesa_is_here()) {
-    std::printf("skipped: the pictures of Mesa (no libOSMesa.so.8; install libosmesa6)\n");
-    return;
-  }
+  if (!mesa_is_here()) SKIP_TEST("no libOSMesa.so.8 (Debian: libosmesa6)");
   const Workplace place;
   const Outcome run = place.run(
       "bench S1 S2 S3 S4bf S4fb S5 S6 S7 --against mesa --threads 2 --size 480x270 --frames 1 "
