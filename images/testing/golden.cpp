@@ -88,8 +88,11 @@ bool is_same(const PictureFile& picture, const fs::path& golden) {
 
 Comparison compare_with_golden(const fs::path& golden, const fs::path& test) {
   std::error_code ignored;
-  return compare_pair({golden.filename().string(), golden.string(), test.string(),
-                       fs::exists(golden, ignored), true});
+  Comparison comparison = compare_pair({golden.filename().string(), golden.string(), test.string(),
+                                        fs::exists(golden, ignored), true});
+  // What approves a picture here is not the option of glassbox diff; the message ends with it.
+  if (comparison.verdict == Verdict::kNew) comparison.error->remedy = "look at " + test.string();
+  return comparison;
 }
 
 struct Traces {
