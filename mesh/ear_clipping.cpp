@@ -72,7 +72,7 @@ public:
       : points_(outline),
         cut_(cut),
         left_(std::uint32_t(outline.size())),
-        budget_((std::int64_t(1) << 27) + (std::int64_t(outline.size()) << 10)),
+        budget_(ear_budget(outline.size())),
         previous_(outline.size()),
         next_(outline.size()),
         turn_(outline.size()),
@@ -94,7 +94,8 @@ public:
     }
   }
 
-  bool run() {
+  EarClipping run() {
+    const std::int64_t budget = budget_;
     while (left_ > 3 && budget_ > 0) {
       if (const auto ear = next_ear()) {
         clip(*ear);
@@ -106,7 +107,8 @@ public:
         break;
       }
     }
-    return cut_fan();
+    const std::int64_t looked_at = budget - budget_;
+    return {cut_fan(), looked_at};
   }
 
 private:
@@ -226,8 +228,8 @@ private:
 
 }  // namespace
 
-bool clip_ears(std::span<const FlatPoint> outline,
-               const std::function<void(const std::array<std::uint32_t, 3>&)>& cut) {
+EarClipping clip_ears(std::span<const FlatPoint> outline,
+                      const std::function<void(const std::array<std::uint32_t, 3>&)>& cut) {
   return EarClipper(outline, cut).run();
 }
 

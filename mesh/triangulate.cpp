@@ -218,7 +218,8 @@ private:
   bool emit_polygon(const Facing& facing) {
     flat_.clear();
     for (const Point<Object>& p : outline_) flat_.push_back(seen_from_front(facing, p));
-    return clip_ears(flat_, [this](const std::array<std::uint32_t, 3>& corners) { emit(corners); });
+    return clip_ears(flat_, [this](const std::array<std::uint32_t, 3>& corners) { emit(corners); })
+        .proper;
   }
 
   // Takes the next number; keeps the triangle if it has an area.

@@ -208,7 +208,7 @@ TEST_CASE("lab watch checks again when the file is saved") {
   const std::string command =
       fmt::format("exec '{}' lab watch mine > watched.txt", GLASSBOX_PROGRAM);
   const auto waited_for = [&](std::size_t reports) {
-    for (int i = 0; i < 600; ++i) {
+    for (int i = 0; i < 6000; ++i) {
       const auto text = read_text_file(desk.path / "watched.txt");
       if (text && count(*text) >= reports) return true;
       usleep(100000);

@@ -1,7 +1,10 @@
 // Processes that crash, hang, shout or lie: each case has a verdict, and nobody waits for long.
-#include <chrono>
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <string>
 
 #include "labs/framework/judge.h"
 #include "labs/framework/process.h"
@@ -40,6 +43,33 @@ private:
   fs::path path_;
 };
 
+// What a process started by a script says of itself in a file.
+class Started {
+public:
+  Started() : file_(fs::temp_directory_path() / ("glassbox-started-" + std::to_string(getpid()))) {
+    fs::remove(file_);
+  }
+  ~Started() { fs::remove(file_); }
+  std::string file() const { return file_.string(); }
+  std::string text() const {
+    std::ifstream in(file_);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+  // Whether the process that the file names has not ended; it may wait for whoever inherits it to notice.
+  bool runs() const {
+    const std::string number = text().substr(0, text().find('\n'));
+    REQUIRE_FALSE(number.empty());
+    std::ifstream stat("/proc/" + number + "/stat");
+    std::string id, name, state;  // "123 (sleep) S ..."
+    if (!(stat >> id >> name >> state)) return false;
+    return state != "Z" && state != "X";
+  }
+
+private:
+  fs::path file_;
+};
+
 }  // namespace
 
 TEST_CASE("a crash costs its own case, and the others are still put") {
@@ -61,20 +91,23 @@ TEST_CASE("an exit before the answer is called so") {
 }
 
 TEST_CASE("a process that hangs is stopped, and so is what it has started") {
-  const auto start = std::chrono::steady_clock::now();
-  const auto answers = Script("answer 0; sleep 60 & sleep 60").run(3, 0.5);
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  CHECK(took.count() < 10);
+  const Started other;
+  const auto answers =
+      Script("answer 0; sleep 600 & echo $! >" + other.file() + "; sleep 600").run(3, 2);
   CHECK(answers.cases[0].state == State::kAnswered);
   CHECK(answers.cases[1].state == State::kTimeout);
   CHECK(answers.cases[2].state == State::kMissing);
+  for (int i = 0; i < 1000 && other.runs(); ++i) usleep(10000);  // a signal takes its time
+  CHECK_FALSE(other.runs());
 }
 
 TEST_CASE("a process whose child keeps the pipes open does not keep the reader") {
-  const auto start = std::chrono::steady_clock::now();
-  const auto answers = Script("answer 0; sleep 60 & exit 0").run(1);
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  CHECK(took.count() < 10);
+  // Were the child waited for, it would have written its second line.
+  const Started other;
+  const auto answers = Script("answer 0; { echo $$; sleep 60; echo ended; } >" + other.file() +
+                              " & until [ -s " + other.file() + " ]; do sleep 0.01; done; exit 0")
+                           .run(1);
+  CHECK(other.text().find("ended") == std::string::npos);
   CHECK(answers.cases[0].state == State::kAnswered);
 }
 
