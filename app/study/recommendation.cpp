@@ -29,10 +29,22 @@ Result<Shot> shot_of(const Scene& scene, PictureOptions picture, const RenderSet
   });
 }
 
-void add_times(const Scene& scene, const std::vector<Shot>& shots, Comparison& comparison) {
-  const auto times = study::frame_times(scene, shots);
-  for (std::size_t i = 0; i < times.size(); ++i) comparison.candidates[i].ns = times[i];
+// Of the candidates that fit: what fails is not recommended, whatever it costs.
+void add_times(const Scene& scene, const std::vector<Shot>& shots, double limit,
+               Comparison& comparison, Progress& progress) {
   comparison.item = "frame";
+  std::vector<Shot> timed;
+  std::vector<std::size_t> which;
+  for (std::size_t i = 0; i < shots.size(); ++i) {
+    if (!(comparison.candidates[i].error < limit)) continue;
+    timed.push_back(shots[i]);
+    which.push_back(i);
+  }
+  if (timed.empty()) return;
+  progress.phase(fmt::format("measuring {}: timing what fits, {} of {} candidates",
+                             name_of(comparison.quantity), timed.size(), shots.size()));
+  const auto times = study::frame_times(scene, timed);
+  for (std::size_t i = 0; i < times.size(); ++i) comparison.candidates[which[i]].ns = times[i];
 }
 
 Result<Comparison> compare_positions(const Scene& scene, const PictureOptions& picture) {
@@ -43,7 +55,8 @@ Result<Comparison> compare_positions(const Scene& scene, const PictureOptions& p
   });
 }
 
-Result<Comparison> compare_depths(const Scene& scene, const PictureOptions& picture) {
+Result<Comparison> compare_depths(const Scene& scene, const PictureOptions& picture, double limit,
+                                  Progress& progress) {
   const std::pair<const char*, DepthFormat> formats[] = {{"d16", DepthFormat::kUnorm16},
                                                          {"d24", DepthFormat::kUnorm24},
                                                          {"d32", DepthFormat::kFloat32},
@@ -65,7 +78,7 @@ Result<Comparison> compare_depths(const Scene& scene, const PictureOptions& pict
     result.candidates.push_back({name, {"--depth", name}, true, vertices->depth_error(format), {}});
     shots.push_back(*shot);
   }
-  add_times(scene, shots, result);
+  add_times(scene, shots, limit, result, progress);
   return result;
 }
 
@@ -86,7 +99,9 @@ Result<Image<Rgba8>> reference_picture(const Scene& scene, PictureOptions pictur
                        settings.transfer);
 }
 
-Result<Comparison> compare_colours(const Scene& scene, const PictureOptions& picture) {
+Result<Comparison> compare_colours(const Scene& scene, const PictureOptions& picture, double limit,
+                                   Progress& progress) {
+  progress.phase("measuring colour: drawing the reference");
   const int factor = reference_factor(picture.size);
   const auto reference = reference_picture(scene, picture, factor);
   if (!reference) return tl::unexpected(reference.error());
@@ -106,9 +121,8 @@ Result<Comparison> compare_colours(const Scene& scene, const PictureOptions& pic
       const auto shot = shot_of(scene, picture, settings);
       if (!shot) return tl::unexpected(shot.error());
       const std::string count = fmt::to_string(samples);
-      TileOptions one_thread;
-      one_thread.threads = 1;
-      Renderer renderer(scene, settings.transfer, Engine::kTile, one_thread);
+      progress.phase(fmt::format("measuring colour: drawing with {}, {} samples", name, count));
+      Renderer renderer(scene, settings.transfer);
       const Rendering drawn = renderer.render(shot->view, settings);
       result.candidates.push_back(
           {fmt::format("{}, {} sample{}", name, count, samples == 1 ? "" : "s"),
@@ -117,22 +131,25 @@ Result<Comparison> compare_colours(const Scene& scene, const PictureOptions& pic
            study::color_error(drawn.buffers.color, *reference),
            {}});
       shots.push_back(*shot);
+      // More samples are all of this work and more.
+      if (result.candidates.back().error < limit) break;
     }
   }
-  add_times(scene, shots, result);
+  add_times(scene, shots, limit, result, progress);
   return result;
 }
 
-Result<Comparison> compare(const Scene& scene, const PictureOptions& picture, Quantity quantity) {
-  switch (quantity) {
+Result<Comparison> compare(const Scene& scene, const PictureOptions& picture,
+                           const study::Budget& budget, Progress& progress) {
+  switch (budget.quantity) {
     case Quantity::kPosition:
       return compare_positions(scene, picture);
     case Quantity::kDepth:
-      return compare_depths(scene, picture);
+      return compare_depths(scene, picture, budget.limit, progress);
     case Quantity::kColour:
       break;
   }
-  return compare_colours(scene, picture);
+  return compare_colours(scene, picture, budget.limit, progress);
 }
 
 // The most accurate candidate where none fits.
@@ -164,7 +181,7 @@ Result<Recommendation> recommend(const Scene& scene, const PictureOptions& pictu
   result.size = picture.size;
   for (const study::Budget& budget : budgets) {
     progress.phase(fmt::format("measuring {}", name_of(budget.quantity)));
-    auto comparison = compare(scene, picture, budget.quantity);
+    auto comparison = compare(scene, picture, budget, progress);
     if (!comparison) return tl::unexpected(comparison.error());
     const auto chosen = study::cheapest(comparison->candidates, budget.limit);
     result.judged.push_back({budget, std::move(*comparison), chosen});

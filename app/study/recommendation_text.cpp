@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -18,17 +19,19 @@ using study::Comparison;
 
 std::string table_of(const Judged& judged) {
   const Comparison& comparison = judged.comparison;
-  const auto fastest = std::ranges::min_element(
-      comparison.candidates, {}, [](const Candidate& each) { return each.ns.median; });
-  const TimeUnit unit = time_unit(fastest->ns.median);
+  double fastest = std::numeric_limits<double>::infinity();
+  for (const Candidate& each : comparison.candidates) {
+    if (each.ns) fastest = std::min(fastest, each.ns->median);
+  }
+  const TimeUnit unit = time_unit(fastest);
   std::vector<Row> rows{
       {"", "error", fmt::format("{}/{}", unit.name, comparison.item), "quartiles", ""}};
   for (std::size_t i = 0; i < comparison.candidates.size(); ++i) {
     const Candidate& each = comparison.candidates[i];
+    const auto time = [&](double ns) { return three_digits(ns / unit.ns); };
     rows.push_back({each.name, fmt::format("{:.3g}", each.error),
-                    three_digits(each.ns.median / unit.ns),
-                    fmt::format("{} .. {}", three_digits(each.ns.lower / unit.ns),
-                                three_digits(each.ns.upper / unit.ns)),
+                    each.ns ? time(each.ns->median) : "",
+                    each.ns ? time(each.ns->lower) + " .. " + time(each.ns->upper) : "",
                     judged.chosen == i                 ? "recommended"
                     : each.error < judged.budget.limit ? "fits"
                                                        : "fails"});
@@ -88,13 +91,18 @@ nlohmann::ordered_json recommendation_json(const Recommendation& recommendation)
                 {"candidates", Json::array()}};
     if (each.chosen) budget["recommended"] = each.comparison.candidates[*each.chosen].name;
     for (const Candidate& candidate : each.comparison.candidates) {
-      budget["candidates"].push_back({{"name", candidate.name},
-                                      {"options", candidate.options},
-                                      {"in_render", candidate.in_render},
-                                      {"error", study::number_json(candidate.error)},
-                                      {"fits", candidate.error < each.budget.limit},
-                                      {"ns", candidate.ns.median},
-                                      {"ns_quartiles", {candidate.ns.lower, candidate.ns.upper}}});
+      Json entry{{"name", candidate.name},
+                 {"options", candidate.options},
+                 {"in_render", candidate.in_render},
+                 {"error", study::number_json(candidate.error)},
+                 {"fits", candidate.error < each.budget.limit},
+                 {"ns", nullptr},
+                 {"ns_quartiles", nullptr}};
+      if (candidate.ns) {
+        entry["ns"] = candidate.ns->median;
+        entry["ns_quartiles"] = {candidate.ns->lower, candidate.ns->upper};
+      }
+      budget["candidates"].push_back(std::move(entry));
     }
     json["budgets"].push_back(std::move(budget));
   }

@@ -15,7 +15,8 @@ struct Candidate {
   std::vector<std::string> options;  // of glassbox render, which ask for it
   bool in_render = true;             // glassbox render can do it
   double error = 0;
-  Quartiles ns;  // for one item
+  std::optional<Quartiles>
+      ns;  // for one item; none where it was not timed: it cannot be recommended
 };
 
 struct Comparison {
@@ -24,7 +25,7 @@ struct Comparison {
   std::vector<Candidate> candidates;
 };
 
-// Of those with an error below `limit` the fastest. Those whose quartiles of time reach down to the fastest's are as fast;
+// Of those timed, with an error below `limit`, the fastest. Those whose quartiles of time reach down to the fastest's are as fast;
 // of them one that render can do, and then the most accurate. None where no candidate is accurate enough.
 std::optional<std::size_t> cheapest(const std::vector<Candidate>& candidates, double limit);
 

@@ -145,6 +145,8 @@ TEST_CASE("study recommend says what fits on this scene, and with which options 
     bool listed = false;
     for (const json& each : budget.at("candidates")) {
       CHECK(each.at("fits") == (each.at("error").get<double>() < budget.at("limit").get<double>()));
+      // Frames are timed where they may be recommended, vertices always.
+      if (budget.at("quantity") != "position") CHECK(each.at("fits") == !each.at("ns").is_null());
       if (each.at("name") == chosen) listed = each.at("fits");
     }
     CHECK(listed);
@@ -160,6 +162,25 @@ TEST_CASE("a budget that nothing meets ends in 1 and names the most accurate can
   const Outcome run = place.run("study recommend teapot --size 64x48 --error-budget depth<1e-12");
   CHECK(run.exit_code == 1);
   CHECK(run.out.find("No candidate fits") != std::string::npos);
+}
+
+TEST_CASE("more samples are drawn only until one number of them fits") {
+  const Workplace place;
+  const auto candidates = [&](const std::string& limit) {
+    const Outcome run = place.run("study recommend teapot --size 64x48 --error-budget colour<" +
+                                  limit + " --json -");
+    INFO(run.err);
+    REQUIRE(run.exit_code <= 1);
+    return json::parse(run.out).at("budgets").at(0).at("candidates");
+  };
+  const json none = candidates("1e-9"), first = candidates("1"), some = candidates("1/40");
+  CHECK(none.size() == 10);
+  for (const json& each : none) CHECK(each.at("ns").is_null());
+  REQUIRE(first.size() == 2);
+  CHECK(first[0].at("name") == "gouraud, 1 sample");
+  CHECK(first[1].at("name") == "phong, 1 sample");
+  CHECK(some.size() > 2);
+  CHECK(some.size() < 10);
 }
 
 TEST_CASE("bad usage of study ends in 2, says why, and writes nothing") {

@@ -62,7 +62,7 @@ TEST_CASE("budgets that are none are refused with what is wrong and how to write
 }
 
 Candidate candidate(double error, double ns, double spread, bool in_render = true) {
-  return {"", {}, in_render, error, {ns - spread, ns, ns + spread}};
+  return {"", {}, in_render, error, Quartiles{ns - spread, ns, ns + spread}};
 }
 
 TEST_CASE("the fastest candidate with an error below the limit is recommended") {
@@ -80,6 +80,11 @@ TEST_CASE(
   CHECK(cheapest({candidate(3, 10, 2), candidate(2, 11, 2), candidate(1, 30, 1)}, 4) == 1u);
   CHECK(cheapest({candidate(1, 10, 2, false), candidate(2, 11, 2), candidate(3, 12, 2)}, 4) == 1u);
   CHECK(cheapest({candidate(1, 10, 2, false), candidate(2, 30, 2)}, 4) == 0u);
+}
+
+TEST_CASE("a candidate that was not timed is not recommended") {
+  CHECK(cheapest({{"", {}, true, 1, {}}, candidate(1, 10, 1)}, 4) == 1u);
+  CHECK_FALSE(cheapest({{"", {}, true, 1, {}}}, 4).has_value());
 }
 
 TEST_CASE("a candidate without an answer never fits") {
