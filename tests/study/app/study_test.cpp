@@ -173,7 +173,7 @@ TEST_CASE("more samples are drawn only until one number of them fits") {
     REQUIRE(run.exit_code <= 1);
     return json::parse(run.out).at("budgets").at(0).at("candidates");
   };
-  const json none = candidates("1e-9"), first = candidates("1"), some = candidates("1/40");
+  const json none = candidates("1e-9"), first = candidates("1"), some = candidates("1/100");
   CHECK(none.size() == 10);
   for (const json& each : none) CHECK(each.at("ns").is_null());
   REQUIRE(first.size() == 2);
