@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <glassbox/images/srgb.h>
 #include <glassbox/pipeline/view.h>

@@ -4,11 +4,14 @@
 #include <memory>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "app/bench/json.h"
 #include "app/bench/page.h"
 #include "app/bench/text.h"
 #include "app/builtin_help.h"
+#include "app/choices.h"
 #include "app/engine_options.h"
 #include "app/exit_codes.h"
 #include "app/output.h"

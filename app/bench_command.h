@@ -5,10 +5,9 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include "app/arguments.h"
 #include "app/bench/report.h"
+#include "app/cli_fwd.h"
 #include "app/progress.h"
 
 #include <glassbox/base/error.h>

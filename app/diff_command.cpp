@@ -5,8 +5,10 @@
 #include <span>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/choices.h"
 #include "app/exit_codes.h"
 #include "app/output.h"
 #include "app/pixel_command.h"

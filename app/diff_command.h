@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
+#include "app/cli_fwd.h"
 
 #include <glassbox/base/error.h>
 #include <glassbox/images/compare/comparison.h>

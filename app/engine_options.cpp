@@ -4,8 +4,11 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "app/arguments.h"
+#include "app/choices.h"
 
 #include <glassbox/base/printable.h>
 #include <glassbox/raster/lanes/target.h>

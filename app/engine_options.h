@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
+
+#include "app/cli_fwd.h"
 
 #include <glassbox/base/error.h>
 #include <glassbox/mesh/scene.h>

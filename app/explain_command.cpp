@@ -1,5 +1,8 @@
 #include "app/explain_command.h"
 
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
 #include "app/builtin_help.h"
 #include "app/explain/plan_report.h"
 #include "app/explain/tile_report_text.h"

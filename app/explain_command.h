@@ -2,8 +2,7 @@
 // long it took.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
+#include "app/cli_fwd.h"
 #include "app/engine_options.h"
 #include "app/picture_question.h"
 

@@ -3,8 +3,10 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "app/arguments.h"
+#include "app/choices.h"
 
 #include <glassbox/mesh/bounds.h>
 #include <glassbox/pipeline/stereo/comfort.h>

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
+#include "app/cli_fwd.h"
 
 #include <glassbox/base/error.h>
 #include <glassbox/mesh/scene.h>

@@ -4,6 +4,7 @@
 #include <span>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "app/arguments.h"
 #include "app/builtin_help.h"

@@ -1,5 +1,7 @@
 #include "app/lab_command.h"
 
+#include <CLI/CLI.hpp>
+
 namespace glassbox::app {
 
 void LabCommand::add_to(CLI::App& app, int& exit_code) {

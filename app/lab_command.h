@@ -1,8 +1,7 @@
 // glassbox lab: assignments, for those who do them and for those who give them.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
+#include "app/cli_fwd.h"
 #include "app/lab/check_command.h"
 #include "app/lab/grade_command.h"
 #include "app/lab/gradescope_command.h"

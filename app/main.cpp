@@ -11,6 +11,7 @@
 #include "app/diff_command.h"
 #include "app/exit_codes.h"
 #include "app/explain_command.h"
+#include "app/first_picture.h"
 #include "app/info_command.h"
 #include "app/inspect_command.h"
 #include "app/lab_command.h"
@@ -85,7 +86,7 @@ int run(int argc, char** argv) {
     if (error.get_exit_code() == 0) return app.exit(error), kSuccess;
     return bad_usage(app, error);
   }
-  if (app.get_subcommands().empty()) exit_code = render.run_first_time();
+  if (app.get_subcommands().empty()) return draw_first_picture();
   return exit_code;
 }
 

@@ -1,6 +1,9 @@
 #include "app/picture_options.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "app/choices.h"
 
 namespace glassbox::app {
 

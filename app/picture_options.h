@@ -6,10 +6,9 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include "app/arguments.h"
 #include "app/camera_options.h"
+#include "app/cli_fwd.h"
 #include "app/eyes_options.h"
 
 #include <glassbox/base/error.h>

@@ -1,6 +1,8 @@
 #include "app/picture_question.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "app/exit_codes.h"
 #include "app/output.h"

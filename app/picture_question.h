@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/cli_fwd.h"
 #include "app/picture_options.h"
 
 #include <glassbox/base/error.h>

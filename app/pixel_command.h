@@ -3,8 +3,7 @@
 
 #include <string>
 
-#include <CLI/CLI.hpp>
-
+#include "app/cli_fwd.h"
 #include "app/picture_question.h"
 
 #include <glassbox/images/compare/differences.h>

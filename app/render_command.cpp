@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <utility>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/builtin_help.h"
@@ -12,7 +14,6 @@
 #include "app/frames/frames.h"
 #include "app/frames/stop_request.h"
 #include "app/output.h"
-#include "app/program_name.h"
 #include "app/progress.h"
 #include "app/stage_report.h"
 
@@ -25,6 +26,18 @@
 #include <glassbox/render/renderer.h>
 
 namespace glassbox::app {
+
+// The picture, and what there is to say about it.
+struct DrawnPicture {
+  Camera camera;
+  View view;  // of the camera between the eyes where there are two
+  Image<Rgba8> image;
+  Framebuffer planes;
+  std::vector<std::pair<std::string, Statistics>>
+      stages;  // of each eye; its name is empty where there is one
+  std::string eyes_text;
+  nlohmann::ordered_json eyes_json;
+};
 
 namespace {
 
@@ -96,19 +109,6 @@ const char* why_empty(Renderer& renderer, const View& view, RenderSettings setti
   return "nothing of the scene is in this picture; without camera options it is framed whole";
 }
 
-// What to try after the first picture.
-std::string next_steps() {
-  const std::string program = program_name();
-  const auto line = [&](const std::string& arguments, const std::string& purpose) {
-    return fmt::format("  {:<56}{}\n", program + " " + arguments, purpose);
-  };
-  return "try next:\n" + line("render teapot --shade flat -o flat.png", "one colour per face") +
-         line("render forest --show depth -o depth.png", "how far everything is") +
-         line("render YOUR.glb --stats", "your own scene (glTF, GLB or OBJ)") +
-         line("info YOUR.glb", "what is in it, and what is wrong with it") +
-         line("render --help", "cameras, shading, depth formats, outputs");
-}
-
 }  // namespace
 
 void RenderCommand::add_to(CLI::App& app, int& exit_code) {
@@ -149,12 +149,6 @@ void RenderCommand::add_to(CLI::App& app, int& exit_code) {
       ->type_name("FILE|-")
       ->group(outputs);
   command.callback([this, &exit_code] { exit_code = run(); });
-}
-
-int RenderCommand::run_first_time() {
-  stats_ = true;
-  first_time_ = true;
-  return run();
 }
 
 Result<void> RenderCommand::check_other_outputs(const std::string& image) const {
@@ -325,7 +319,6 @@ int RenderCommand::report(const std::string& image, const DrawnPicture& drawn,
   fmt::print("{} ({} x {}): {} triangles, {:.0f} ms\n{}", image, drawn.image.width,
              drawn.image.height, drawn.stages.front().second.triangles, times.total_ms,
              drawn.eyes_text);
-  if (first_time_) fmt::print("\n{}", next_steps());
   return kSuccess;
 }
 

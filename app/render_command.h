@@ -3,11 +3,9 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "app/cli_fwd.h"
 #include "app/engine_options.h"
 #include "app/frames/frames_options.h"
 #include "app/picture_options.h"
@@ -21,17 +19,7 @@
 
 namespace glassbox::app {
 
-// The picture, and what there is to say about it.
-struct DrawnPicture {
-  Camera camera;
-  View view;  // of the camera between the eyes where there are two
-  Image<Rgba8> image;
-  Framebuffer planes;
-  std::vector<std::pair<std::string, Statistics>>
-      stages;  // of each eye; its name is empty where there is one
-  std::string eyes_text;
-  nlohmann::ordered_json eyes_json;
-};
+struct DrawnPicture;
 
 // Milliseconds.
 struct RunTimes {
@@ -42,9 +30,6 @@ class RenderCommand {
 public:
   // Adds the subcommand; when it is chosen, `exit_code` gets its result.
   void add_to(CLI::App& app, int& exit_code);
-
-  // What the bare program does: the teapot, its stages, and what to try next.
-  int run_first_time();
 
 private:
   int run();
@@ -69,7 +54,6 @@ private:
   std::optional<std::string> id_output_;
   std::optional<std::string> json_output_;
   bool stats_ = false;
-  bool first_time_ = false;
 };
 
 }  // namespace glassbox::app

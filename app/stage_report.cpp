@@ -1,6 +1,7 @@
 #include "app/stage_report.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace glassbox::app {
 

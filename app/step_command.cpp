@@ -5,8 +5,11 @@
 #include <limits>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "app/arguments.h"
+#include "app/choices.h"
 #include "app/exit_codes.h"
 #include "app/output.h"
 

@@ -5,6 +5,8 @@
 #include <span>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "app/arguments.h"
 #include "app/builtin_help.h"

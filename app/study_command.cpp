@@ -1,5 +1,7 @@
 #include "app/study_command.h"
 
+#include <CLI/CLI.hpp>
+
 namespace glassbox::app {
 
 void StudyCommand::add_to(CLI::App& app, int& exit_code) {

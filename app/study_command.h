@@ -1,8 +1,7 @@
 // glassbox study: error against run time, and the cases that break pipelines.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
+#include "app/cli_fwd.h"
 #include "app/study/extremes_command.h"
 #include "app/study/list_command.h"
 #include "app/study/recommend_command.h"

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "app/builtin_help.h"
 #include "app/shell_line.h"

@@ -15,6 +15,43 @@ quietly() {
   return $status
 }
 
+# show_progress WHAT LOG: until it is killed, how far the build that writes LOG has come. On a terminal a line that moves,
+# elsewhere a line every ten seconds.
+show_progress() {
+  seconds=0
+  while sleep 1 && kill -0 $$ 2>/dev/null; do
+    seconds=$((seconds + 1))
+    # "[12/340] Building CXX object mesh/CMakeFiles/glassbox_mesh.dir/gltf/load.cpp.o" -> "step 12 of 340: mesh/gltf/load.cpp"
+    step=$(tail -n 1 "$2" | sed -n -e 's#CMakeFiles/[^/]*\.dir/##' -e 's#\.o$##' -e 's#^\[\([0-9]*\)/\([0-9]*\)\] [^ ]*.* \([^ ]*\)$#step \1 of \2: \3#p')
+    if [ -t 2 ]; then
+      printf '\r\033[K%s, %s s, %s' "$1" "$seconds" "$step" | cut -c "1-$(progress_columns)" | tr -d '\n' >&2
+    elif [ $((seconds % 10)) = 0 ]; then
+      say "  $1, $seconds s, $step"
+    fi
+  done
+}
+
+progress_columns() {
+  columns=$(stty size <&2 2>/dev/null | cut -d ' ' -f 2)
+  [ "${columns:-0}" -gt 20 ] || columns=80
+  echo $((columns + 3)) # the characters that clear the line take no room
+}
+
+# with_progress WHAT LOG COMMAND...: quietly, but for how far it has come.
+with_progress() {
+  what=$1
+  shift
+  : >"$1"
+  show_progress "$what" "$1" &
+  watcher=$!
+  status=0
+  quietly "$@" || status=$?
+  kill "$watcher" 2>/dev/null
+  wait "$watcher" 2>/dev/null || :
+  if [ -t 2 ]; then printf '\r\033[K' >&2; fi
+  return $status
+}
+
 # packages_of SECTION...: their names in cmake/packages.txt.
 packages_of() {
   for section in "$@"; do
@@ -69,22 +106,39 @@ locked() {
   ) 9>"$root/build/.lock"
 }
 
-# needs_work PRESET: whether building it would do anything.
-needs_work() {
-  ! cmake --build "$root/build/$1" -- -n 2>/dev/null </dev/null | grep -q 'no work to do'
+# directory_of PRESET: the tests are built beside the program, from the same objects.
+directory_of() {
+  case $1 in
+  test) echo "$root/build/release" ;;
+  *) echo "$root/build/$1" ;;
+  esac
 }
 
-# build_preset PRESET [TARGET]: configures where needed and builds.
-build_preset() {
-  directory=$root/build/$1
+# configure_preset PRESET: where that is not done already.
+configure_preset() {
+  directory=$(directory_of "$1")
   cache=$directory/CMakeCache.txt
   # A build belongs to the place where it was made.
   if [ -f "$cache" ] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$cache"; then
     rm -rf "$directory"
   fi
   mkdir -p "$directory" || return 1
-  if [ ! -f "$directory/build.ninja" ]; then
-    (cd "$root" && quietly "$directory/configure.log" cmake --preset "$1") || return 1
+  if [ -f "$directory/build.ninja" ]; then
+    # A build with the tests has the program too.
+    [ "$1" = release ] || grep -qx 'BUILD_TESTING:BOOL=ON' "$cache" && return 0
   fi
-  quietly "$directory/build.log" cmake --build "$directory" ${2:+--target "$2"}
+  (cd "$root" && quietly "$directory/configure.log" cmake --preset "$1")
+}
+
+# needs_work PRESET TARGET: whether building it would do anything.
+needs_work() {
+  ! cmake --build "$(directory_of "$1")" --target "$2" -- -n 2>/dev/null </dev/null | grep -q 'no work to do'
+}
+
+# build_preset PRESET [TARGET]: configures where needed and builds.
+build_preset() {
+  configure_preset "$1" || return 1
+  directory=$(directory_of "$1")
+  with_progress "building ${2:-$1}" "$directory/build.log" \
+    cmake --build "$directory" ${2:+--target "$2"}
 }

@@ -1,5 +1,7 @@
 #include "app/bench/json.h"
 
+#include <nlohmann/json.hpp>
+
 namespace glassbox::app {
 
 namespace {

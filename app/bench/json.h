@@ -1,7 +1,7 @@
 // The benchmark's results for programs.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "app/bench/report.h"
 

@@ -1,6 +1,7 @@
 #include "app/explain/plan_report.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "app/explain/draw_groups.h"
 #include "app/stage_report.h"

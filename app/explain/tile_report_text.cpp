@@ -1,6 +1,7 @@
 #include "app/explain/tile_report_text.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "app/stage_report.h"
 

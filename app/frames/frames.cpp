@@ -5,6 +5,8 @@
 #include <optional>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "app/exit_codes.h"
 #include "app/frames/eye_plan.h"

@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "app/cli_fwd.h"
 #include "app/eyes_options.h"
 #include "app/frames/camera_path.h"
 #include "app/picture_options.h"

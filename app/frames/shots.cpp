@@ -1,6 +1,7 @@
 #include "app/frames/shots.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <glassbox/pipeline/number_text.h>
 

@@ -5,6 +5,8 @@
 #include <variant>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "app/stage_report.h"
 
 #include <glassbox/base/trig.h>

@@ -1,7 +1,7 @@
 // What the script of an inspector page knows of the run besides its columns: matrices, the parameters they come from, counts.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "app/inspect/page.h"
 

@@ -7,6 +7,8 @@
 #include <unistd.h>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "app/exit_codes.h"
 #include "app/lab/report.h"

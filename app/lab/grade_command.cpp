@@ -6,8 +6,11 @@
 #include <thread>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "app/arguments.h"
+#include "app/choices.h"
 #include "app/exit_codes.h"
 #include "app/lab/grade_files.h"
 #include "app/output.h"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
+#include "app/cli_fwd.h"
 
 #include "labs/framework/lab.h"
 #include "labs/framework/sources.h"

@@ -1,5 +1,7 @@
 #include "app/lab/grade_files.h"
 
+#include <nlohmann/json.hpp>
+
 #include "labs/framework/strip.h"
 #include "labs/grading/results.h"
 #include "labs/grading/submission.h"

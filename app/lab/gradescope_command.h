@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include <CLI/CLI.hpp>
+#include "app/cli_fwd.h"
 
 #include "labs/framework/lab.h"
 #include "labs/framework/sources.h"

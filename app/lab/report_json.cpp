@@ -1,5 +1,7 @@
 #include <cmath>
 
+#include <nlohmann/json.hpp>
+
 #include "app/lab/report.h"
 
 #include "labs/framework/slips.h"

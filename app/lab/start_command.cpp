@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "app/exit_codes.h"
 #include "app/lab/find_lab.h"

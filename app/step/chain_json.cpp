@@ -1,4 +1,6 @@
 #include "app/step/chain_text.h"
+
+#include <nlohmann/json.hpp>
 #include "app/step/numbers_text.h"
 
 namespace glassbox::app {

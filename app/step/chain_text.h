@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <glassbox/pipeline/matrices/projection_facts.h>
 #include <glassbox/pipeline/vertex_chain.h>

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <glassbox/pipeline/matrices/conventions_check.h>
 #include <glassbox/pipeline/matrices/findings.h>

@@ -1,5 +1,7 @@
 #include <cmath>
 
+#include <nlohmann/json.hpp>
+
 #include "app/step/chain_text.h"
 #include "app/step/matrix_report.h"
 

@@ -5,6 +5,8 @@
 #include <unistd.h>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "app/exit_codes.h"
 #include "app/output.h"

@@ -1,7 +1,7 @@
 // The report for programs, and for the page's script.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "app/stereo/findings.h"
 #include "app/stereo/text.h"

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "app/exit_codes.h"
 #include "app/output.h"

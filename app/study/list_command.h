@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
+#include "app/cli_fwd.h"
 
 namespace glassbox::app {
 

@@ -1,6 +1,7 @@
 #include "app/study/measuring.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "app/progress.h"
 #include "app/study/build_id.h"

@@ -1,6 +1,8 @@
 #include "app/study/recommend_command.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "app/builtin_help.h"
 #include "app/exit_codes.h"

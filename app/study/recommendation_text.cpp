@@ -2,6 +2,7 @@
 #include <limits>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "app/bench/text.h"
 #include "app/study/recommendation.h"

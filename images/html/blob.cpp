@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <zlib.h>
+#include <nlohmann/json.hpp>
 
 namespace glassbox {
 namespace {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <glassbox/images/atomic_file.h>
 #include <glassbox/images/compare/heat_map.h>

@@ -1,7 +1,7 @@
 // Traces as JSON, schema "glassbox-trace/1" (docs/trace.md): the records with their error bounds.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <glassbox/mesh/scene.h>
 #include <glassbox/render/trace/bounds.h>

@@ -6,6 +6,8 @@
 #include <map>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "study/experiment/pareto.h"
 #include "study/experiment/theory.h"
 

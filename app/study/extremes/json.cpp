@@ -1,5 +1,7 @@
 #include <cmath>
 
+#include <nlohmann/json.hpp>
+
 #include "app/study/extremes/report.h"
 
 namespace glassbox::app {

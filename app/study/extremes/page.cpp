@@ -1,6 +1,8 @@
 #include <cstdint>
 #include <span>
 
+#include <nlohmann/json.hpp>
+
 #include <glassbox/images/html/blob.h>
 
 #include "app/study/extremes/report.h"
