@@ -10,6 +10,7 @@ endif()
 
 option(GLASSBOX_WERROR "Treat warnings as errors, those of g++ 12 and clang++ 14: other compilers have others" OFF)
 option(GLASSBOX_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
+option(GLASSBOX_SOME_TESTS "Build only the tests that ./glassbox test runs under the sanitizers" OFF)
 option(GLASSBOX_FUZZ "Build the libFuzzer targets (needs clang++)" OFF)
 
 # The arithmetic contract: IEEE operations in the written order, so no contraction into FMA.

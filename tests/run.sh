@@ -15,8 +15,9 @@ usage() {
   cat <<'TEXT'
 usage: ./glassbox test [--all]
 
-Builds the tests with g++ and runs them. --all adds what needs more tools and time: clang++, no optimisation, sanitizers,
-a minute of each fuzzer, the HTML pages in a browser, and the format of the sources.
+Builds the tests with g++, every warning an error, and runs them; then some tests of each folder under the sanitizers, and
+the format of the sources. --all adds what needs more tools and time: all tests with clang++, without optimisation and under
+the sanitizers, ThreadSanitizer, a minute of each fuzzer, the HTML pages in a browser, and clang-tidy.
 TEXT
 }
 
@@ -36,15 +37,15 @@ skip() {
   say "skipped: $*"
 }
 
-# run_suites PRESET WORDS: builds the preset and runs its suites.
+# run_suites PRESET WORDS [TARGET]: builds the preset, or one target of it, and runs its suites.
 run_suites() {
   say "$2: building ..."
-  if ! build_preset "$1"; then
+  if ! build_preset "$1" "${3-}"; then
     count "$2: build" 1
     return 0
   fi
   say "$2: testing ..."
-  directory=$root/build/$1
+  directory=$(directory_of "$1")
   rm -f "$directory/Testing/Temporary/LastTest.log"
   status=0
   (cd "$directory" && ctest --output-on-failure --timeout 900 -j "$(getconf _NPROCESSORS_ONLN)") \
@@ -127,7 +128,7 @@ run_browser() {
     return 0
   fi
   status=0
-  (cd "$directory" && CHROMIUM=$(command -v chromium) node run.mjs "$root/build/test/app/glassbox" pages) \
+  (cd "$directory" && CHROMIUM=$(command -v chromium) node run.mjs "$root/build/release/app/glassbox" pages) \
     >"$directory/log" 2>&1 </dev/null || status=$?
   if [ "$status" != 0 ]; then tail -n 60 "$directory/log" >&2; fi
   count "browser" "$status"
@@ -139,6 +140,21 @@ check_format() {
   find "$root" \( -path "$root/build" -o -path "$root/.git" \) -prune -o \
     \( -name '*.h' -o -name '*.cpp' \) -exec clang-format --dry-run -Werror {} + >&2 || status=$?
   count "format" "$status"
+}
+
+# Checks that find bugs, none of style: .clang-tidy.
+run_tidy() {
+  have clang-tidy || { skip "clang-tidy (there is no such program)"; return 0; }
+  say "clang-tidy: reading ..."
+  directory=$(directory_of clang)
+  configure_preset clang || { count "clang-tidy: configure" 1; return 0; }
+  log=$directory/tidy.log
+  status=0
+  find "$root" \( -path "$root/build" -o -path "$root/.git" -o -path "$root/tests" -o -path "$root/labs/[0-9]*" \) -prune \
+    -o -name '*.cpp' -print0 | xargs -0 -n 4 -P "$(getconf _NPROCESSORS_ONLN)" \
+    clang-tidy --quiet -p "$directory" >"$log" 2>/dev/null || status=$?
+  if [ "$status" != 0 ]; then grep -E 'warning:|error:' "$log" | sort -u | head -n 60 >&2; fi
+  count "clang-tidy" "$status"
 }
 
 all=no
@@ -162,14 +178,17 @@ if [ "$all" = yes ]; then
 fi
 
 run_suites test "g++ -O3"
-if [ "$all" = yes ]; then
+check_format
+if [ "$all" = no ]; then
+  run_suites sanitize-some "sanitizers, some tests of each folder" test_sanitized
+else
   run_suites debug "g++ -O0"
   if have clang++; then run_suites clang "clang++ -O3"; else skip "clang++ -O3 (no clang++)"; fi
   run_suites sanitize "sanitizers"
   run_threads
   run_fuzzers
   run_browser
-  check_format
+  run_tidy
 fi
 
 if [ "$skipped" = 0 ]; then
