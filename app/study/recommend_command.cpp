@@ -16,7 +16,7 @@ void StudyRecommendCommand::add_to(CLI::App& study, int& exit_code) {
   command.footer(
       "Examples:\n"
       "  glassbox study recommend forest --error-budget 'position<0.05px, depth<1e-4, "
-      "colour<1/255'\n"
+      "colour<1/100'\n"
       "  glassbox study recommend model.glb --error-budget 'depth<1e-5' --json -\n\n"
       "Everything is measured on this scene, seen by this camera; docs/study.md says how.\n"
       "Exit code 1: a budget cannot be met.\n\n" +
