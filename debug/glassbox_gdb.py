@@ -288,6 +288,38 @@ gdb.execute("skip -rfunction ^(std|glm|tl|__gnu_cxx)::|::Stopwatch::", to_string
 # ---- commands ----
 
 
+class TileEngineNotice(gdb.Breakpoint):
+    """Stops nothing: says once a run that the tile engine draws it."""
+
+    FUNCTION = "glassbox::TileEngine::render"
+
+    def __init__(self):
+        super().__init__(self.FUNCTION, internal=True)
+        self.silent = True
+        self.told = None
+
+    def stop(self):
+        process = gdb.selected_inferior().pid
+        if self.told != process:
+            self.told = process
+            gdb.write(TILE_ENGINE)
+        return False
+
+
+TILE_ENGINE = (
+    "glassbox: the tile engine draws this run, many triangles and pixels at a time, and may never stop here. "
+    "Run it with --engine staged.\n"
+)
+tile_engine_notice = None
+
+
+def watch_for_tile_engine():
+    """What glassbox-triangle and glassbox-pixel stop in are stages of the staged engine."""
+    global tile_engine_notice
+    if tile_engine_notice is None or not tile_engine_notice.is_valid():
+        tile_engine_notice = TileEngineNotice()
+
+
 def whole_numbers(text, count, usage):
     words = gdb.string_to_argv(text)
     if len(words) != count or not all(word.isdecimal() for word in words):
@@ -304,6 +336,7 @@ Triangles are numbered through the whole scene, as `glassbox pixel` and --id-out
 
     def invoke(self, text, from_tty):
         (n,) = whole_numbers(text, 1, "glassbox-triangle N")
+        watch_for_tile_engine()
         gdb.execute(f"break glassbox::ready_triangle if stage.draw.first_number + triangle.number == {n}")
         gdb.execute(
             "break glassbox::rasterise(glassbox::FragmentStage const&, glassbox::ReadyTriangle const&)"
@@ -327,6 +360,7 @@ class StopAtPixel(gdb.Command):
 
     def invoke(self, text, from_tty):
         x, y = whole_numbers(text, 2, "glassbox-pixel X Y")
+        watch_for_tile_engine()
         here = f"pixel.x == {x} && pixel.y == {y}"
         break_in_body("glassbox::interpolate(glassbox::TriangleSetup const&, glassbox::Coverage const&)", here)
         break_in_body(

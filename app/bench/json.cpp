@@ -66,6 +66,7 @@ Json scaling_json(const Scaling& scaling) {
                               {"ms_quartiles", range_of(point.ms)},
                               {"peak_bytes", point.peak_bytes}});
   }
+  if (scaling.ratios) json["ratios"] = {{"x", scaling.ratios->x}, {"ms", scaling.ratios->ms}};
   if (scaling.law) json["exponent"] = scaling.law->exponent;
   if (scaling.bend) {
     json["bend"] = {{"at", scaling.bend->at},

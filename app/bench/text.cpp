@@ -121,6 +121,10 @@ std::string match_text(const study::PictureMatch& match) {
 
 std::string scaling_text(const Scaling& scaling) {
   std::string text;
+  if (scaling.ratios) {
+    text = fmt::format("{:.3g} times the {} take {:.3g} times as long", scaling.ratios->x,
+                       name_of(scaling.by), scaling.ratios->ms);
+  }
   if (scaling.law) {
     text = fmt::format("time grows as {}^{:.2f}", name_of(scaling.by), scaling.law->exponent);
   }

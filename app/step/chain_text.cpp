@@ -175,7 +175,7 @@ std::string decision_text(const VertexChain& chain, const ChainSetting& setting)
     case VertexFate::kBehindEye:
       return text + wrapped("     ", fmt::format("decided: w = {} is negative: behind the eye. "
                                                  "Dividing by it would turn the point round to the "
-                                                 "front (S3-11)",
+                                                 "front (S3-13)",
                                                  brief(w)));
     case VertexFate::kInEyePlane:
       return text + wrapped("     ",

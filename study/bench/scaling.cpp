@@ -101,8 +101,12 @@ void conclude(Scaling& scaling) {
   if (points.size() < 2) return;
   std::vector<Sample> samples;
   for (const ScalingPoint& point : points) samples.push_back({point.x, point.ms.median});
-  scaling.law = fit_power_law(samples);
-  scaling.bend = find_bend(samples);
+  if (samples.size() < kLeastFitted) {
+    scaling.ratios = {samples[1].x / samples[0].x, samples[1].y / samples[0].y};
+  } else {
+    scaling.law = fit_power_law(samples);
+    scaling.bend = find_bend(samples);
+  }
   if (scaling.by != ScaledBy::kTriangles || points.back().peak_bytes == 0) return;
   scaling.bytes_per_triangle =
       (points.back().peak_bytes - points.front().peak_bytes) / (points.back().x - points.front().x);

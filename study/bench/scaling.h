@@ -22,11 +22,17 @@ struct ScalingPoint {
   double peak_bytes = 0;  // the most memory that the process had, scene included
 };
 
+// From the first of two points to the second.
+struct GrowthRatios {
+  double x = 0, ms = 0;
+};
+
 struct Scaling {
   ScaledBy by = ScaledBy::kTriangles;
   std::string what;  // "an ellipsoid at 1920 x 1080"
   std::vector<ScalingPoint> points;
-  std::optional<PowerLaw> law;  // of two points or more
+  std::optional<GrowthRatios> ratios;  // of two points
+  std::optional<PowerLaw> law;         // of three points or more
   std::optional<Bend> bend;
   std::optional<double> bytes_per_triangle;  // from the least number of triangles to the greatest
   std::string stopped;                       // why the series ends early, empty where it does not

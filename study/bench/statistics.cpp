@@ -46,11 +46,10 @@ PowerLaw fit_power_law(std::span<const Sample> samples) {
 }
 
 std::optional<Bend> find_bend(std::span<const Sample> samples) {
-  constexpr std::size_t kLeast = 3;
   constexpr double kLeastTurn = 0.1;
   std::optional<Bend> best;
   const auto left_by = [](const Bend& bend) { return bend.before.squares + bend.after.squares; };
-  for (std::size_t i = kLeast - 1; i + kLeast <= samples.size(); ++i) {
+  for (std::size_t i = kLeastFitted - 1; i + kLeastFitted <= samples.size(); ++i) {
     const Bend bend{samples[i].x, fit_power_law(samples.first(i + 1)),
                     fit_power_law(samples.subspan(i))};
     if (!best || left_by(bend) < left_by(*best)) best = bend;

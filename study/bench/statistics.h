@@ -1,6 +1,7 @@
 // Numbers out of many measurements.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
@@ -25,7 +26,8 @@ struct PowerLaw {
   double factor = 0, exponent = 0;
   double squares = 0;  // what is left of the logarithms' squares
 };
-// At least two different x.
+// At least two different x. Through two points any law goes: what is reported is fitted to kLeastFitted or more.
+inline constexpr std::size_t kLeastFitted = 3;
 PowerLaw fit_power_law(std::span<const Sample> samples);
 
 // Two power laws, one on either side of `at`, an x of the samples that belongs to both.

@@ -198,7 +198,7 @@ Experiment d04_perspective() {
           .reference = "the same interpolation in double",
           .theory =
               "|du| (sqrt r - 1)/(sqrt r + 1) over a span in which w grows r-fold and u by du "
-              "(exact; SPEC B.11), the "
+              "(exact; B.11), the "
               "largest of the line's spans; for an approximate reciprocal u times 2^-12 + 2^-14 "
               "(the table's bound, "
               "2^-11.7), its square after a Newton step; six roundings of float otherwise. Errors "

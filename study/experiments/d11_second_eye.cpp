@@ -180,7 +180,7 @@ Experiment d11_second_eye() {
       .theory =
           "Shared stages are the same bytes: 0. A warp lacks (W/2)(d/h) B (1/z_front - 1/z_back) "
           "columns beside every edge in depth "
-          "(SPEC B.9): over the cards' rows that is a share of the picture, whose colours are "
+          "(B.9): over the cards' rows that is a share of the picture, whose colours are "
           "black or, filled, another cell's: "
           "sqrt(share 255 511/6), sqrt(share (256^2 - 1)/6). Two layers have the first thing "
           "behind every edge, three the next.",

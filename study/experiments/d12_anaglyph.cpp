@@ -224,7 +224,7 @@ Experiment d12_anaglyph() {
       .error_unit = "of white",
       .reference = "equal relative luminance in both eyes; no light of the other eye",
       .theory =
-          "SPEC B.6: the mean over eight colours from the luminances of screen and lenses, colour "
+          "B.6: the mean over eight colours from the luminances of screen and lenses, colour "
           ".411, half-colour .123, Dubois "
           "2009 .075 and 2001 .062, optimised .036, grey 0; desaturated by k and brightened by b "
           "times (1 - k)(1 - b) exactly; "

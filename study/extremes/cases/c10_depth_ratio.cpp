@@ -80,7 +80,7 @@ ExtremeCase c10_depth_ratio() {
           "near 1/8, far 100, 1e5, 1e8 and infinity; distances 0.15 .. 1e7, each 1.37 "
           "times the last; the distance recovered from the depth as stored",
       .stage = "projection",
-      .right = "5 u (1 + z/f) of the distance: reversed float depth keeps its digits (SPEC B.3)",
+      .right = "5 u (1 + z/f) of the distance: reversed float depth keeps its digits (B.3)",
       .unit = "of the distance",
       .oracle = Oracle::kRational,
       .ours = {"reversed depth from the matrix", [] { return judge(ours); }},

@@ -51,7 +51,7 @@ ExtremeCase c11_accumulated_rotation() {
       .stage = "rotation",
       .right =
           "R^T R = I to 8 u of float with a repair every 1000 products; without, the drift "
-          "is linear, about u/3 each (SPEC B.5)",
+          "is linear, about u/3 each (B.5)",
       .unit = "entries of R^T R - I",
       .oracle = Oracle::kProperty,
       .ours = {"nearest_rotation every 1000", [] { return judge(nearest); }},

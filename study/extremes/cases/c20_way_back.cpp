@@ -71,7 +71,7 @@ ExtremeCase c20_way_back() {
       .stage = "unproject",
       .right =
           "5 u (1 + z/f) of the distance, by reversed depth; standard depth loses u z/n "
-          "(SPEC C, bound 8)",
+          "(bound 8)",
       .unit = "of the distance",
       .oracle = Oracle::kAnalytic,
       .ours = {"reversed depth, unproject", [] { return judge(ours); }},

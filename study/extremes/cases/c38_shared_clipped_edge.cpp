@@ -73,7 +73,7 @@ ExtremeCase c38_shared_clipped_edge() {
           "50000 edges through the near plane, each of two triangles that walk it in "
           "opposite directions",
       .stage = "clip",
-      .right = "both cut it at the same bits: (A |dB| + B |dA|) / (|dA| + |dB|) (SPEC B.1)",
+      .right = "both cut it at the same bits: (A |dB| + B |dA|) / (|dA| + |dB|) (B.1)",
       .unit = "edges",
       .oracle = Oracle::kInteger,
       .ours = {"clip_triangle", [] { return judge(pipeline_clips); }},

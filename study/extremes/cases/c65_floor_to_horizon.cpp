@@ -50,7 +50,7 @@ ExtremeCase c65_floor_to_horizon() {
   c.right =
       "13 u (w1 |u1 - u0| + w2 |u2 - u0|) + u |u| (raster/interpolate.h). Without perspective up "
       "to "
-      "(sqrt r - 1)/(sqrt r + 1) = 0.94 for r = 1,000 (SPEC B.11)";
+      "(sqrt r - 1)/(sqrt r + 1) = 0.94 for r = 1,000 (B.11)";
   c.unit = "of the texture";
   c.oracle = Oracle::kRational;
   c.ours = {"u/w over 1/w", [] { return judge(pipeline_attribute); }};

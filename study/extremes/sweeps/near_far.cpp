@@ -55,7 +55,7 @@ Sweep near_far_sweep() {
   sweep.axis = "far plane over near plane";
   sweep.error = "largest relative separation that is confused, half way to the far plane";
   sweep.reference = "the order of the distances themselves";
-  sweep.bound = "s z/(1 - s z) with s = (step + 6 u)(1/n - 1/f); 4 u for reversed float (SPEC B.3)";
+  sweep.bound = "s z/(1 - s z) with s = (step + 6 u)(1/n - 1/f); 4 u for reversed float (B.3)";
   sweep.tolerance = "a tenth of the distance is confused";
   sweep.series = [] {
     std::vector<SweepSeries> all;

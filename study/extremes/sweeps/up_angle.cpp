@@ -63,7 +63,7 @@ Sweep up_angle_sweep() {
   sweep.error = "roll: angle between the computed and the true right-hand axis";
   sweep.error_unit = "radians";
   sweep.reference = "UVN in 50 digits";
-  sweep.bound = "sqrt 3 (8 + 4/sin) u (pipeline/look_at.h, SPEC B.5)";
+  sweep.bound = "sqrt 3 (8 + 4/sin) u (pipeline/look_at.h, B.5)";
   sweep.tolerance =
       "a roll of a thousandth, a pixel in a thousand; or refused: look_at refuses sines "
       "below 2^-20, since nobody can have meant such an up";

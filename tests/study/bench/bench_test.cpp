@@ -104,6 +104,25 @@ TEST_CASE("bench draws with either engine, and refuses threads for the one that 
   CHECK(place.run("bench S2 --engine staged --threads 2").exit_code == 2);
 }
 
+TEST_CASE("two points give the ratio of their times, and no law is fitted to them") {
+  const Workplace here;
+  const auto run =
+      here.run("bench --scaling triangles --most 3000 --size 64x36 --frames 1 --json s.json");
+  REQUIRE(run.exit_code == 0);
+  CHECK(run.out.find(" times the triangles take ") != std::string::npos);
+  CHECK(run.out.find("time grows as") == std::string::npos);
+  const json scaling = json::parse(here.read("s.json")).at("scaling").at(0);
+  const json& points = scaling.at("points");
+  REQUIRE(points.size() == 2);
+  CHECK_FALSE(scaling.contains("exponent"));
+  CHECK_FALSE(scaling.contains("bend"));
+  const auto ratio = [&](const char* of) {
+    return points.at(1).at(of).get<double>() / points.at(0).at(of).get<double>();
+  };
+  CHECK(scaling.at("ratios").at("x") == ratio("x"));
+  CHECK(scaling.at("ratios").at("ms") == ratio("ms"));
+}
+
 TEST_CASE("scaling reports every point up to --most, and what a triangle takes") {
   const Workplace place;
   const Outcome run = place.run(
