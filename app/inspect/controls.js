@@ -90,7 +90,7 @@ function moveCursor(dx, dy) {
 }
 
 function setLayout(layout) {
-  byId("stage").hidden = layout === "space";
+  byId("stage").hidden = byId("zoom").hidden = layout === "space";
   byId("space-panel").hidden = layout === "picture";
   layOut();
   drawPictures();

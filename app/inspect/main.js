@@ -15,6 +15,7 @@ const state = {
 // Changes the state and shows it. `focus`: the name or id of the control to keep the focus on, as its panel is made anew.
 function change(values, focus = null) {
   if (values.triangle !== undefined && values.triangle !== state.triangle && values.vertex === undefined) state.vertex = 0;
+  if (values.space !== undefined && values.space !== state.space) lookAtAll(); // its triangles lie elsewhere
   Object.assign(state, values);
   update();
   if (focus) (document.querySelector(`input[name="${focus}"]:checked`) ?? byId(focus))?.focus();

@@ -37,8 +37,10 @@ function showPixel() {
   const list = fragmentsAt(run, cursor.x, cursor.y), at = 4 * (cursor.y * run.width + cursor.x);
   const bytes = Array.from(state.playbacks[0].picture.subarray(at, at + 4));
   byId("pixel-note").textContent = `${count(list.length, "fragment")}; shows ${bytesText(bytes)}`;
-  const shown = list.length > 200 ? list.slice(0, 200) : list;
-  byId("pixel-fragments").append(...Array.from(shown, (i) => element("li", {}, fragmentButton(run, i))));
+  const shown = list.length > 200 ? list.slice(0, 200) : list, items = Array.from(shown, (i) => element("li", {}, fragmentButton(run, i)));
+  byId("pixel-fragments").append(...items);
+  const chosen = items[shown.indexOf(state.fragment ?? -1)];
+  if (chosen && items.length > 6) byId("pixel-fragments").scrollTop = chosen.offsetTop - 3 * chosen.offsetHeight;
 }
 const bytesText = ([r, g, b, a]) => `(${r}, ${g}, ${b})` + (a === 255 ? "" : ` alpha ${a}`);
 

@@ -32,6 +32,7 @@ function paintPictures() {
 
 function layOut() {
   const box = canvas.getBoundingClientRect();
+  if (!box.width) return; // hidden
   canvas.width = Math.max(1, Math.round(box.width * devicePixelRatio));
   canvas.height = Math.max(1, Math.round(box.height * devicePixelRatio));
   state.panes = paneBoxes(state.runs.length, state.runs[0]).map((pane, i) => ({...pane, playback: state.playbacks[i]}));

@@ -2,16 +2,17 @@
 // the axes are drawn over it (space_marks.js), so that choosing something else does not draw the geometry again.
 
 const spaceCanvas = byId("space"), gl = spaceCanvas.getContext("webgl2", {antialias: true, preserveDrawingBuffer: true});
-const turn = {yaw: 0.6, pitch: 0.35, zoom: 1};
+const turn = {yaw: 0.6, pitch: 0.35, zoom: 1, pivot: [0, 0, 0]}; // the pivot as the shader's positions are: 0 is the middle
 
 const vertexShader = `#version 300 es
 in vec3 position;
 uniform mat3 turned; // to x right, y up, z away
+uniform vec3 pivot;
 uniform vec2 scale;
 out vec3 place, at;
 void main() {
   place = position;
-  at = turned * position;
+  at = turned * (position - pivot);
   gl_Position = vec4(at.xy * scale, at.z * 0.4, 1.0 + 0.25 * at.z);
 }`;
 const fragmentShader = `#version 300 es
@@ -55,7 +56,8 @@ const spaces = {
   object: {name: "Object", place: (corner) => corner.object, frame: () => []},
   world: {name: "World", place: (corner) => corner.world, frame: (run) => frustumLines(run).map(worldFromEye(run))},
   eye: {name: "Eye", place: (corner) => corner.eye, frame: frustumLines},
-  clip: {name: "Clip (x, y, w)", place: ({clip: [x, y, , w]}) => [x, y, w], frame: clipLines, fixed: true, axes: ["x", "y", "w"]},
+  clip: {name: "Clip (x, y, w)", place: ({clip: [x, y, , w]}) => [x, y, w], frame: clipLines, fixed: true, mirrored: true,
+    axes: ["x", "y", "w"]},
   ndc: {name: "NDC", place: ({clip}) => (clip[3] > 0 ? clip.slice(0, 3).map((value) => value / clip[3]) : null),
     frame: () => boxLines([-1, -1, 0], [1, 1, 1]), fixed: true, flip: true, divided: true},
   screen: {name: "Screen", place: ({clip}, run) => (clip[3] > 0 ? screenPlace(divide(clip), run) : null),
@@ -136,27 +138,33 @@ function meshIn(run, name) {
   run.spaces ??= {};
   const draw = name === "object" ? chosenDrawOf(run) : null, kept = run.spaces[name];
   if (kept && kept.draw === draw) return kept;
-  if (kept) releaseMesh(kept);
+  if (kept) {
+    releaseMesh(kept);
+    lookAtAll();
+  }
   return (run.spaces[name] = {draw, ...makeMesh(run, spaces[name], draw ? [draw] : run.facts.draws)});
 }
 
-// Places of all corners and which three of them make a triangle, lines two points each, and where the drawing is centred.
+// Places of all corners, and which three of them make a triangle: `triangles` has those that are seen from both sides, then,
+// from `oneSided` on, the others, counter-clockwise on their visible side. Lines have two points each.
 function makeMesh(run, space, draws) {
-  const places = [], triangles = [], c = run.columns, numbers = c["triangle.number"];
+  const places = [], bothSides = [], oneSide = [], c = run.columns, numbers = c["triangle.number"];
   const add = (place) => places.push(...(place ?? [NaN, NaN, NaN])) / 3 - 1;
   for (const draw of draws) {
     const first = places.length / 3, {positions} = run.facts.meshes[draw.mesh];
+    const [front, back] = [true, false].map((side) => !isCulled(run.facts, draw, side));
+    const triangles = front && back ? bothSides : oneSide, turned = back !== (draw.mirrored && space !== spaces.object);
     for (let i = 0; i < positions; i++) add(space.place(new Corner(run, draw, i), run));
     for (let row = draw.firstRow; row < draw.firstRow + draw.triangles; row++) {
       const cut = space.divided ? run.cut.get(numbers[row]) : undefined;
       const polygon = cut ? cut.map((vertex) => add(space.place(vertex, run))) :
         [first + c["triangle.a"][row], first + c["triangle.b"][row], first + c["triangle.c"][row]];
       if (polygon.some((at) => Number.isNaN(places[3 * at]))) continue; // behind the eye
-      for (let k = 2; k < polygon.length; k++) triangles.push(polygon[0], polygon[k - 1], polygon[k]);
+      for (let k = 2; k < polygon.length; k++) triangles.push(polygon[0], polygon[turned ? k : k - 1], polygon[turned ? k - 1 : k]);
     }
   }
-  const frame = space.frame(run).flat();
-  return {places, triangles, frame, ...centreOf(space.fixed || !triangles.length ? frame : places)};
+  const frame = space.frame(run).flat(), triangles = bothSides.concat(oneSide);
+  return {places, triangles, oneSided: bothSides.length, frame, ...centreOf(space.fixed || !triangles.length ? frame : places)};
 }
 
 function centreOf(places) {
@@ -206,7 +214,7 @@ function turnScale() {
   return [turn.zoom / Math.max(aspect, 1), turn.zoom * Math.min(aspect, 1)];
 }
 
-function drawThings(places, mode, colour, shaded, count, indexes = null) {
+function drawThings(places, mode, colour, shaded, from, count, indexes = null) {
   gl.bindBuffer(gl.ARRAY_BUFFER, places);
   const position = gl.getAttribLocation(program, "position");
   gl.enableVertexAttribArray(position);
@@ -214,11 +222,11 @@ function drawThings(places, mode, colour, shaded, count, indexes = null) {
   gl.uniform4fv(gl.getUniformLocation(program, "colour"), colour);
   gl.uniform1f(gl.getUniformLocation(program, "shaded"), shaded);
   if (!indexes) {
-    gl.drawArrays(mode, 0, count);
+    gl.drawArrays(mode, from, count);
     return;
   }
   gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, indexes);
-  gl.drawElements(mode, count, gl.UNSIGNED_INT, 0);
+  gl.drawElements(mode, count, gl.UNSIGNED_INT, 4 * from);
 }
 
 const packedColour = (text) => {
@@ -233,16 +241,21 @@ function drawGeometry(space, mesh, edgesOnly) {
   gl.clearColor(...colour("--stage"));
   gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
   gl.uniformMatrix3fv(gl.getUniformLocation(program, "turned"), false, turnMatrix(space));
+  gl.uniform3fv(gl.getUniformLocation(program, "pivot"), turn.pivot);
   gl.uniform2fv(gl.getUniformLocation(program, "scale"), turnScale());
   gl.uniform1f(gl.getUniformLocation(program, "reach"), space.divided ? 1 : 1e30);
   if (edgesOnly) {
     buffers.edges ??= indexBufferOf(edgesOfTriangles(mesh.triangles));
-    drawThings(buffers.places, gl.LINES, colour("--mesh"), 0, 2 * mesh.triangles.length, buffers.edges);
+    drawThings(buffers.places, gl.LINES, colour("--mesh"), 0, 0, 2 * mesh.triangles.length, buffers.edges);
   } else {
     buffers.triangles ??= indexBufferOf(mesh.triangles);
-    drawThings(buffers.places, gl.TRIANGLES, colour("--mesh"), 1, mesh.triangles.length, buffers.triangles);
+    drawThings(buffers.places, gl.TRIANGLES, colour("--mesh"), 1, 0, mesh.oneSided, buffers.triangles);
+    gl.enable(gl.CULL_FACE); // as the run does, but from here: so that one sees into rooms
+    gl.frontFace(space.mirrored ? gl.CW : gl.CCW);
+    drawThings(buffers.places, gl.TRIANGLES, colour("--mesh"), 1, mesh.oneSided, mesh.triangles.length - mesh.oneSided, buffers.triangles);
+    gl.disable(gl.CULL_FACE);
   }
-  drawThings(buffers.lines, gl.LINES, colour("--frame"), 0, mesh.frame.length / 3);
+  drawThings(buffers.lines, gl.LINES, colour("--frame"), 0, 0, mesh.frame.length / 3);
 }
 
 let lastLook = "";  // what the geometry was drawn as
@@ -250,7 +263,7 @@ let lastMesh = null;
 function drawSpace() {
   if (!hasWebGl || byId("space-panel").hidden) return;
   const run = state.runs[0], space = spaces[state.space], mesh = meshIn(run, state.space), edgesOnly = byId("edges-only").checked;
-  const look = [turn.yaw, turn.pitch, turn.zoom, spaceCanvas.width, spaceCanvas.height, edgesOnly, colourVariable("--mesh")].join();
+  const look = [turn.yaw, turn.pitch, turn.zoom, ...turn.pivot, spaceCanvas.width, spaceCanvas.height, edgesOnly, colourVariable("--mesh")].join();
   if (mesh !== lastMesh || look !== lastLook) drawGeometry(space, mesh, edgesOnly);
   [lastMesh, lastLook] = [mesh, look];
   drawMarks(run, space, mesh);
@@ -269,13 +282,30 @@ function sizeSpace() {
 
 // ---- turning ----
 
+// The chosen triangle in the middle, so large that its shape is seen; in this space, until another view is asked for.
+function goToTriangle() {
+  const run = state.runs[0], space = spaces[state.space], chain = state.triangle === null ? null : cachedChain(run, state.triangle);
+  const three = chain?.corners.map((corner) => space.place(corner, run)).filter(Boolean) ?? [];
+  if (!three.length) return say("No triangle is chosen that lies in this space.");
+  const {centre, size} = centreOf(three.flat()), mesh = meshIn(run, state.space);
+  turn.pivot = centre.map((value, k) => (value - mesh.centre[k]) * mesh.scale);
+  turn.zoom = clamp(0.4 / (size * mesh.scale), 1, largestZoom);
+  drawSpace();
+}
+const lookAtAll = () => Object.assign(turn, {zoom: 1, pivot: [0, 0, 0]});
+function seeAll() {
+  lookAtAll();
+  drawSpace();
+}
+
 function turnBy(yaw, pitch) {
   turn.yaw += yaw;
   turn.pitch = clamp(turn.pitch + pitch, -Math.PI / 2, Math.PI / 2);
   drawSpace();
 }
+const largestZoom = 1000;
 function zoomSpace(factor) {
-  turn.zoom = clamp(turn.zoom * factor, 0.2, 50);
+  turn.zoom = clamp(turn.zoom * factor, 0.2, largestZoom);
   drawSpace();
 }
 
@@ -287,6 +317,8 @@ function listenToSpace() {
   }
   byId("edges-only").addEventListener("change", drawSpace);
   byId("space-name").addEventListener("change", ({target}) => change({space: target.value}));
+  byId("to-triangle").addEventListener("click", goToTriangle);
+  byId("to-all").addEventListener("click", seeAll);
   let held = null;
   spaceCanvas.addEventListener("pointerdown", (event) => {
     held = [event.clientX, event.clientY];
@@ -304,7 +336,8 @@ function listenToSpace() {
   }, {passive: false});
   spaceCanvas.addEventListener("keydown", (event) => {
     const keys = {ArrowLeft: () => turnBy(-0.1, 0), ArrowRight: () => turnBy(0.1, 0), ArrowUp: () => turnBy(0, -0.1),
-      ArrowDown: () => turnBy(0, 0.1), "+": () => zoomSpace(1.15), "-": () => zoomSpace(1 / 1.15)};
+      ArrowDown: () => turnBy(0, 0.1), "+": () => zoomSpace(1.15), "-": () => zoomSpace(1 / 1.15), 0: seeAll,
+      Enter: goToTriangle};
     if (event.ctrlKey || event.altKey || event.metaKey || !keys[event.key]) return;
     event.preventDefault();
     event.stopPropagation();

@@ -13,13 +13,18 @@ class Eye {
     this.seen = space.divided ? [inFront, ...within] : [inFront];
   }
   fit(place) { return place.map((value, k) => (value - this.centre[k]) * this.scale); }
-  wOf([x, y, z]) { return 1 + 0.25 * (this.m[2] * x + this.m[5] * y + this.m[8] * z); }
+
+  // To x right, y up, z away.
+  turn(fitted) {
+    const [x, y, z] = fitted.map((value, k) => value - turn.pivot[k]), {m} = this;
+    return [0, 1, 2].map((row) => m[row] * x + m[row + 3] * y + m[row + 6] * z);
+  }
+  wOf(fitted) { return 1 + 0.25 * this.turn(fitted)[2]; }
 
   // The point of the canvas of what `fit` made.
   point(fitted) {
-    const [x, y, z] = fitted, {m, turned: [sx, sy]} = this, w = this.wOf(fitted);
-    return [marksCanvas.width * (0.5 + (0.5 * sx * (m[0] * x + m[3] * y + m[6] * z)) / w),
-      marksCanvas.height * (0.5 - (0.5 * sy * (m[1] * x + m[4] * y + m[7] * z)) / w)];
+    const [x, y, z] = this.turn(fitted), [sx, sy] = this.turned, w = 1 + 0.25 * z;
+    return [marksCanvas.width * (0.5 + (0.5 * sx * x) / w), marksCanvas.height * (0.5 - (0.5 * sy * y) / w)];
   }
 
   // Points of the canvas of the part of a polygon, or of a line of two places, that is to be seen.
@@ -61,14 +66,16 @@ const roundBelow = (value) => {
   return power * [5, 2, 1].find((factor) => factor * power <= value * (1 + 1e-9));
 };
 
-// Three lines from the origin, each with the coordinate at its end; from the geometry's lowest corner where the origin lies
-// far from it. Depth is drawn longer on the screen than it is, so its axis is as long as the depths are.
-function axesOf(run, space, {centre, low, size}) {
-  const near = centre.every((value) => Math.abs(value) <= 1.2 * size), from = near ? [0, 0, 0] : low.map((value) => Number(value.toPrecision(3)));
-  const length = roundBelow(0.55 * size);
+// Three lines from the origin, each with the coordinate at its end; from a place nearby where the view is far from the origin.
+// Depth is drawn longer on the screen than it is.
+function axesOf(run, space, {centre, scale, size}) {
+  const seen = size / turn.zoom, middle = centre.map((value, k) => value + turn.pivot[k] / scale);
+  const near = middle.every((value) => Math.abs(value) <= 1.2 * seen), grid = roundBelow(0.1 * seen);
+  const from = middle.map((value) => (near ? 0 : Number((Math.floor((value - 0.45 * seen) / grid) * grid).toPrecision(9))));
   return {from, near, axes: (space.axes ?? letters.slice(0, 3)).map((name, k) => {
-    const depth = space.down && k === 2, to = from.map((value, i) => value + (i === k ? (depth ? screenDepth(run) : length) : 0));
-    return {name, colour: colourVariable(`--axis-${letters[k]}`), to, end: depth ? 1 : Number((from[k] + length).toPrecision(6))};
+    const unit = space.down && k === 2 ? screenDepth(run) : 1, length = roundBelow((0.6 * seen) / unit);
+    return {name, colour: colourVariable(`--axis-${letters[k]}`), to: from.map((value, i) => (i === k ? value + length * unit : value)),
+      end: Number((from[k] / unit + length).toPrecision(9))};
   })};
 }
 

@@ -213,6 +213,27 @@ test("inspect: each space has its axes: the first red, the second green, the thi
   return far;
 });
 
+test("inspect: the 3-D view goes to the chosen triangle and back, shows what the run would show of a face, and sees into rooms", async () => {
+  const opened = await openPage(inspect("room", "room", "--size", "640x360", "--pixel", "320,230"), {}, "", watchMarks), {page} = opened;
+  const look = () => page.evaluate(() => document.getElementById("space").toDataURL());
+  const all = await look();
+  await page.click("#to-triangle");
+  assert.notEqual(await look(), all);
+  await page.click("#to-all");
+  assert.equal(await look(), all);
+  await page.locator("#space").focus();
+  await press(page, "Enter");
+  assert.notEqual(await look(), all);
+  await press(page, "0");
+  assert.equal(await look(), all);
+  // From outside the room's walls turn their backs on the viewer; where nothing is culled they hide what is inside.
+  const closed = await openPage(inspect("closed", "room", "--size", "640x360", "--pixel", "320,230", "--cull", "none"));
+  assert.notEqual(await closed.page.evaluate(() => document.getElementById("space").toDataURL()), all);
+  assert.deepEqual(closed.problems, []);
+  await closed.close();
+  return opened;
+});
+
 // Time that goes by frames, a tenth of a second each, however long they take.
 function timeByFrames() {
   const {requestAnimationFrame} = window;
