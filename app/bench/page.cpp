@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -26,12 +28,14 @@ constexpr const char* kStyle = R"(
   svg { width: 100%; height: auto; font: 13px system-ui, sans-serif; } svg text { fill: var(--text); }
   svg .quiet { fill: var(--quiet); } .grid { stroke: var(--line); } pre { overflow-x: auto; font-size: 13px; }
   .ours { fill: var(--ours); } .peer { fill: var(--peer); } .floor { fill: var(--floor); }
+  .legend svg { width: 1em; height: 1em; margin: 0 .3em 0 .9em; vertical-align: -.1em; }
   .curve { fill: none; stroke: var(--ours); stroke-width: 2; } .law { stroke: var(--quiet); stroke-dasharray: 6 5; }
 )";
 
 // In the picture's own units.
 constexpr double kWidth = 960, kLeft = 150, kRight = 150;
 constexpr double kPlotWidth = kWidth - kLeft - kRight;
+constexpr double kLetter = 7.2;  // the width of an average one in the font of the pictures
 
 std::string escaped(const std::string& text) {
   std::string out;
@@ -80,31 +84,96 @@ std::vector<Bar> bars_of(const BenchReport& report, const Measurement& result) {
   return bars;
 }
 
-// Each group by its own longest bar: scenes differ by more than a bar can show.
-std::string bar_chart(const BenchReport& report) {
-  constexpr double kBar = 13, kGap = 14;
-  std::string body;
-  double y = kGap;
+// UTF-8: a letter begins at a byte that does not continue one.
+bool begins_letter(char c) {
+  return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
+}
+std::ptrdiff_t letters_of(const std::string& text) {
+  return std::ranges::count_if(text, begins_letter);
+}
+
+// The end of a text of more than so many letters: of a path, the file's name.
+std::string shortened(const std::string& text, std::ptrdiff_t letters) {
+  std::ptrdiff_t left_out = letters_of(text) - letters;
+  if (left_out <= 0) return text;
+  const auto from =
+      std::ranges::find_if(text, [&](char c) { return begins_letter(c) && --left_out < 0; });
+  return "…" + std::string(from, text.end());
+}
+
+// Where the bars lie: all on one scale, so that their lengths compare from scene to scene.
+struct BarPlot {
+  double left = 0, width = 0;
+  double longest_ms = 0, step_ms = 0;
+
+  double length(double ms) const { return width * ms / longest_ms; }
+};
+
+// 1, 2 or 5 times a power of ten: some four of them make the whole.
+double step_of(double whole) {
+  const double power = std::pow(10, std::floor(std::log10(whole / 4)));
+  for (const double factor : {1, 2, 5}) {
+    if (4 * factor * power >= whole) return factor * power;
+  }
+  return 10 * power;
+}
+
+constexpr std::ptrdiff_t kLabelLetters = 40;
+std::string label_of(const Measurement& result) {
+  return shortened(result.scene, kLabelLetters) +
+         fmt::format(", {} thread{}", result.threads, result.threads == 1 ? "" : "s");
+}
+
+BarPlot plot_of(const BenchReport& report) {
+  BarPlot plot;
+  std::ptrdiff_t letters = 0;
   for (const Measurement& result : report.results) {
-    const std::vector<Bar> bars = bars_of(report, result);
-    const double longest = std::ranges::max(bars, {}, &Bar::ms).ms;
-    body += text_at(kLeft - 10, y + kBar - 2, "", "end",
-                    fmt::format("{}, {} thr.", result.scene, result.threads));
+    letters = std::max(letters, letters_of(label_of(result)));
+    for (const Bar& bar : bars_of(report, result)) {
+      plot.longest_ms = std::max(plot.longest_ms, bar.ms);
+    }
+  }
+  plot.left = kLetter * double(letters) + 10;
+  plot.width = kWidth - plot.left - kRight - 70;  // behind the longest bar stand its milliseconds
+  plot.step_ms = step_of(plot.longest_ms);
+  return plot;
+}
+
+constexpr double kAxisHeight = 24;
+
+std::string bar_grid(const BarPlot& plot, double bottom) {
+  std::string body;
+  for (int i = 0; i * plot.step_ms <= plot.longest_ms; ++i) {
+    const double ms = i * plot.step_ms, x = plot.left + plot.length(ms);
+    body += line_from("grid", x, kAxisHeight - 6, x, bottom);
+    body += text_at(x, kAxisHeight - 11, "quiet", "middle", fmt::format("{:g} ms", ms));
+  }
+  return body;
+}
+
+std::string bar_chart(const BenchReport& report) {
+  constexpr double kBar = 13, kGap = 10;
+  const BarPlot plot = plot_of(report);
+  std::string body;
+  double y = kAxisHeight;
+  for (const Measurement& result : report.results) {
+    body += text_at(plot.left - 10, y + kBar - 2, "", "end", label_of(result));
     if (result.against) {
       body += text_at(kWidth, y + kBar - 2, "", "end", "ratio " + three_digits(result.ratio()));
     }
-    for (const Bar& bar : bars) {
-      const double length = kPlotWidth * 0.85 * bar.ms / longest;
-      body +=
-          fmt::format("<rect class=\"{}\" x=\"{}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{}\"/>\n",
-                      bar.style, kLeft, y, std::max(length, 1.0), kBar - 2);
-      body +=
-          text_at(kLeft + length + 6, y + kBar - 2, "quiet", "start", three_digits(bar.ms) + " ms");
+    for (const Bar& bar : bars_of(report, result)) {
+      const double length = plot.length(bar.ms);
+      body += fmt::format(
+          "<rect class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.3f}\" height=\"{}\"/>\n",
+          bar.style, plot.left, y, length, kBar - 2);
+      body += text_at(plot.left + length + 6, y + kBar - 2, "quiet", "start",
+                      three_digits(bar.ms) + " ms");
       y += kBar;
     }
     y += kGap;
   }
-  return svg(y, "Milliseconds for each frame; the table below has the same numbers", body);
+  return svg(y, "Milliseconds for each frame; the numbers below are the same",
+             bar_grid(plot, y - kGap / 2) + body);
 }
 
 // ---- curves ----
@@ -161,24 +230,36 @@ std::string curve_chart(const Scaling& scaling) {
   return svg(kTop + kHeight + 48, "Time against " + std::string(name_of(scaling.by)), body);
 }
 
-// What the colours of the bars mean.
-std::string legend(const BenchReport& report) {
-  std::string text = "Time of a frame, each scene on its own scale: Glassbox first";
-  for (const Measurement& result : report.results) {
-    if (!result.against) continue;
-    text += ", then " + result.against->peer;
-    break;
+// What the bars are; which colour is whose, where there is more than one.
+std::string heading(const BenchReport& report) {
+  std::vector<std::pair<const char*, std::string>> series{{"ours", "Glassbox"}};
+  const auto peer = std::ranges::find_if(
+      report.results, [](const Measurement& result) { return result.against.has_value(); });
+  if (peer != report.results.end()) series.emplace_back("peer", peer->against->peer);
+  if (!report.floors.empty()) {
+    series.emplace_back("floor", "the bytes that must move, at the memory's bandwidth");
   }
-  if (!report.floors.empty())
-    text += ", then the bytes that must move over the machine's bandwidth";
-  return "<p>" + escaped(text) + ".</p>\n";
+  std::string text = "<h2>Time of a frame</h2>\n";
+  if (series.size() == 1) return text;
+  text += "<p class=\"legend\">";
+  for (const auto& [style, name] : series) {
+    text += fmt::format(
+        "<svg viewBox=\"0 0 1 1\" aria-hidden=\"true\"><rect class=\"{}\" width=\"1\" "
+        "height=\"1\"/></svg>{}\n",
+        style, escaped(name));
+  }
+  text += "</p>\n";
+  if (peer != report.results.end()) {
+    text += "<p>The ratio is the other's time over that of Glassbox.</p>\n";
+  }
+  return text;
 }
 
 }  // namespace
 
 std::string bench_page(const BenchReport& report) {
   std::string body;
-  if (!report.results.empty()) body += legend(report) + bar_chart(report);
+  if (!report.results.empty()) body += heading(report) + bar_chart(report);
   for (const Scaling& scaling : report.scalings) {
     body += fmt::format("<h2>Time against {}</h2>\n<p>{}</p>\n", name_of(scaling.by),
                         escaped(scaling_text(scaling)));

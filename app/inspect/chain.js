@@ -132,8 +132,8 @@ function verdictOf(run, chain) {
 }
 
 function fateOfFragments(run, number) {
-  const triangle = run.columns["fragment.triangle"], fate = run.columns["fragment.fate"], counts = [0, 0, 0, 0];
-  for (let i = 0; i < triangle.length; i++) if (triangle[i] === number) counts[fate[i]]++;
+  const fate = run.columns["fragment.fate"], counts = [0, 0, 0, 0], [from, to] = fragmentsOfTriangle(run, number);
+  for (let i = from; i < to; i++) counts[fate[i]]++;
   const total = counts.reduce((a, b) => a + b);
   if (!total) return run.facts.rectangle ? "It covers no pixel's centre of the recorded rectangle." :
     "It covers no pixel's centre.";
@@ -141,5 +141,8 @@ function fateOfFragments(run, number) {
     counts.map((each, k) => each && `${each.toLocaleString("en")} ${fates[k]}`).filter(Boolean).join(", ") + ".";
 }
 
-const firstFragmentOf = (run, number) => run.columns["fragment.triangle"].indexOf(number);
+function firstFragmentOf(run, number) {
+  const [from, to] = fragmentsOfTriangle(run, number);
+  return from < to ? from : -1;
+}
 const shortNumber = (value) => String(Number(value.toPrecision(4))).replace("-", "−");

@@ -25,7 +25,7 @@ function listenToPicture() {
     zoomBy(event.deltaY < 0 ? 1 : -1, paneUnder(event));
   }, {passive: false});
   new ResizeObserver(() => { layOut(); drawPictures(); }).observe(canvas);
-  new ResizeObserver(drawSpace).observe(spaceCanvas);
+  new ResizeObserver(sizeSpace).observe(spaceCanvas);
 }
 
 function choosePixelUnder(event) {
@@ -76,6 +76,7 @@ function onKey(event) {
     End: () => scrubTo(state.runs[0].fragmentCount),
     "+": () => zoomBy(1), "=": () => zoomBy(1), "-": () => zoomBy(-1), 0: () => fitPicture(),
     w: () => moveCursor(0, -1), a: () => moveCursor(-1, 0), s: () => moveCursor(0, 1), d: () => moveCursor(1, 0),
+    p: () => byId("play").click(), P: () => byId("play").click(),
     W: () => moveCursor(0, -10), A: () => moveCursor(-10, 0), S: () => moveCursor(0, 10), D: () => moveCursor(10, 0),
   };
   if (!keys[event.key]) return;
@@ -89,11 +90,11 @@ function moveCursor(dx, dy) {
 }
 
 function setLayout(layout) {
-  byId("stage").hidden = layout === "space";
+  byId("stage").hidden = byId("zoom").hidden = layout === "space";
   byId("space-panel").hidden = layout === "picture";
   layOut();
   drawPictures();
-  drawSpace();
+  sizeSpace();
 }
 
 function fitPicture() {

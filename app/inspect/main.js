@@ -7,13 +7,15 @@ const state = {
   fragment: null,  // the chosen fragment
   triangle: null,  // the chosen triangle: that of the fragment, if there is one
   vertex: 0,       // 0 .. 2 its corners, from 3 on the vertices after clipping
-  overlay: "none", space: "ndc", hex: false, fitted: true,
+  stop: null,      // the step of the chain that is looked at
+  overlay: "none", space: "world", hex: false, fitted: true,
   open: new Set(), // the matrices that are open
 };
 
 // Changes the state and shows it. `focus`: the name or id of the control to keep the focus on, as its panel is made anew.
 function change(values, focus = null) {
   if (values.triangle !== undefined && values.triangle !== state.triangle && values.vertex === undefined) state.vertex = 0;
+  if (values.space !== undefined && values.space !== state.space) lookAtAll(); // its triangles lie elsewhere
   Object.assign(state, values);
   update();
   if (focus) (document.querySelector(`input[name="${focus}"]:checked`) ?? byId(focus))?.focus();
@@ -23,10 +25,10 @@ function update() {
   const run = state.runs[0];
   const chain = state.triangle === null ? null : cachedChain(run, state.triangle);
   if (state.vertex >= 3 && !(chain && state.vertex - 3 < chain.polygon.length && chain.marks & marks.cut)) state.vertex = 0;
-  if (state.space === "object" && run.spaces?.object) delete run.spaces.object; // it is of the chosen triangle's mesh
   paintPictures();
   drawPictures();
   showPanel();
+  markStop();
   showScrubber();
   drawSpace();
   writeAddress();
@@ -64,6 +66,7 @@ function fragmentValues(i) {
 
 // The picture goes to the moment after the fragment.
 function chooseFragment(i) {
+  stopPlaying();
   if (!(i >= 0 && i < state.runs[0].fragmentCount)) return;
   Object.assign(state, {cursor: fragmentValues(i).cursor});
   showCursor();
@@ -72,6 +75,7 @@ function chooseFragment(i) {
 
 // The fragment that is seen there at the moment, else the last one that came; the picture stays.
 function choosePixel(x, y) {
+  stopPlaying();
   const run = state.runs[0];
   if (!(x >= 0 && y >= 0 && x < run.width && y < run.height)) return;
   const cursor = {x: Math.floor(x), y: Math.floor(y)};
@@ -82,10 +86,13 @@ function choosePixel(x, y) {
   change(chosen === undefined ? {fragment: null, triangle: null, cursor} : fragmentValues(chosen));
 }
 
+const say = (text) => { byId("now").textContent = text; };
+
 function chooseTriangle(number) {
+  stopPlaying();
   const run = state.runs[0];
   if (!run.rowOf.has(number)) {
-    byId("now").textContent = `Triangle ${number} is not in this page: it has no area as modelled, or the page is of a part of the picture.`;
+    say(`Triangle ${number} is not in this page: it has no area as modelled, or the page is of a part of the picture.`);
     return;
   }
   const first = firstFragmentOf(run, number);
@@ -102,8 +109,12 @@ function stepOnPixel(by) {
   if (next !== undefined) chooseFragment(next);
 }
 
+// The moment after so many fragments, with the last of them chosen.
+const momentValues = (at) => (at > 0 ? {...fragmentValues(at - 1), at} : {at: 0, fragment: null});
+
 function scrubTo(at) {
-  change(at > 0 ? {...fragmentValues(at - 1), at} : {at: 0, fragment: null});
+  stopPlaying();
+  change(momentValues(at));
 }
 
 // ---- the address bar ----
@@ -112,14 +123,15 @@ let addressTimer = 0;
 function writeAddress() {
   clearTimeout(addressTimer);
   addressTimer = setTimeout(() => {
-    const {cursor, fragment, triangle, vertex, overlay, space, at, runs} = state, parts = [];
+    const {cursor, fragment, triangle, vertex, stop, overlay, space, at, runs} = state, parts = [];
     if (cursor) parts.push(`pixel=${cursor.x},${cursor.y}`);
     if (fragment !== null) parts.push(`fragment=${fragment + 1}`);
     else if (triangle !== null) parts.push(`triangle=${triangle}`);
     if (at !== runs[0].fragmentCount) parts.push(`after=${at}`);
     if (vertex) parts.push(`vertex=${vertex}`);
+    if (stop) parts.push(`step=${stop}`);
     if (overlay !== "none") parts.push(`overlay=${overlay}`);
-    if (space !== "ndc") parts.push(`space=${space}`);
+    if (space !== "world") parts.push(`space=${space}`);
     const hash = parts.length ? "#" + parts.join("&") : "#";
     if (hash !== (location.hash || "#")) history.replaceState(null, "", hash);
   }, 120);
@@ -132,9 +144,9 @@ function readAddress() {
     return Number.isInteger(value) && value >= 0 && value < below ? value : null;
   };
   const values = {at: whole("after", run.fragmentCount + 1) ?? run.fragmentCount, fragment: null, triangle: null, cursor: null,
-    vertex: whole("vertex", 13) ?? 0,
+    vertex: whole("vertex", 13) ?? 0, stop: stops.find(({step}) => step === words.get("step"))?.step ?? null,
     overlay: Object.hasOwn(overlays, words.get("overlay") ?? "") ? words.get("overlay") : run.facts.opening_overlay,
-    space: Object.hasOwn(spaces, words.get("space") ?? "") ? words.get("space") : "ndc"};
+    space: Object.hasOwn(spaces, words.get("space") ?? "") ? words.get("space") : "world"};
   const [x, y] = (words.get("pixel") ?? "").split(",").map(Number);
   const fragment = whole("fragment", run.fragmentCount + 1), triangle = whole("triangle", 2 ** 32);
   if (fragment) Object.assign(values, fragmentValues(fragment - 1));
@@ -144,6 +156,8 @@ function readAddress() {
   showCursor();
   drawPictures();
   if (values.cursor && !fragment && triangle === null) choosePixel(x, y);
+  else if (!fragment && triangle === null) chooseSomething();
+  sectionOf(state.stop)?.scrollIntoView({block: "nearest"});
 }
 
 async function start() {
@@ -157,10 +171,10 @@ async function start() {
   listenToControls();
   listenToPicture();
   listenToSpace();
+  listenToPlay();
   layOut();
   byId("message").textContent = "";
   readAddress();
-  if (!location.hash && run.facts.pixel) choosePixel(...run.facts.pixel);
   document.body.dataset.ready = "yes";
   // Needed by one overlay only.
   run.normalPicture = await unpackPicture(run.normals, run.width, run.height);

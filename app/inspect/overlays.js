@@ -46,28 +46,32 @@ function paintCounts(data, counts) {
   return {most, total, pixels};
 }
 
-// How many fragments of each pixel a test holds for, as far as they have come.
-function countFragments({run, at}, test) {
-  const counts = new Uint16Array(run.width * run.height), x = run.columns["fragment.x"], y = run.columns["fragment.y"];
-  for (let i = 0; i < at; i++) if (test(i)) counts[y[i] * run.width + x[i]]++;
+// How many fragments of each pixel a test holds for, as far as they have come: carried on, either way, from the moment for
+// which this was asked for last.
+function countFragments(playback, overlay, test) {
+  const {run, at} = playback, x = run.columns["fragment.x"], y = run.columns["fragment.y"];
+  playback.counted ??= {};
+  const counted = (playback.counted[overlay] ??= {at: 0, counts: new Uint16Array(run.width * run.height)}), {counts} = counted;
+  for (; counted.at < at; counted.at++) if (test(counted.at)) counts[y[counted.at] * run.width + x[counted.at]]++;
+  for (; counted.at > at; counted.at--) if (test(counted.at - 1)) counts[y[counted.at - 1] * run.width + x[counted.at - 1]]--;
   return counts;
 }
 
 function paintOverdraw(playback, data) {
   darken(data);
-  return paintCounts(data, countFragments(playback, () => true));
+  return paintCounts(data, countFragments(playback, "overdraw", () => true));
 }
 
 function paintHidden(playback, data) {
   const fate = playback.run.columns["fragment.fate"];
   darken(data);
-  return paintCounts(data, countFragments(playback, (i) => fate[i] === 0));
+  return paintCounts(data, countFragments(playback, "hidden", (i) => fate[i] === 0));
 }
 
 function paintClipped(playback, data) {
   const {cut} = playback.run, triangle = playback.run.columns["fragment.triangle"];
   darken(data);
-  return paintCounts(data, countFragments(playback, (i) => cut.has(triangle[i])));
+  return paintCounts(data, countFragments(playback, "clipped", (i) => cut.has(triangle[i])));
 }
 
 // Pixels that the culled pieces would have covered.

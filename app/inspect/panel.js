@@ -20,7 +20,8 @@ function counterpart(run, fragment) {
 
 function nothingChosen(fragment) {
   return element("p", {className: "quiet"}, fragment ? "This fragment comes from a line or a point: no triangle leads to it." :
-    "Choose a pixel in the picture, or a triangle by its number.");
+    state.cursor ? "No fragment came here so far: the pixel shows the background. Click on something that is drawn, or enter the number of a triangle." :
+      "Click in the picture, or enter the number of a triangle.");
 }
 
 // ---- the pixel ----
@@ -36,8 +37,10 @@ function showPixel() {
   const list = fragmentsAt(run, cursor.x, cursor.y), at = 4 * (cursor.y * run.width + cursor.x);
   const bytes = Array.from(state.playbacks[0].picture.subarray(at, at + 4));
   byId("pixel-note").textContent = `${count(list.length, "fragment")}; shows ${bytesText(bytes)}`;
-  const shown = list.length > 200 ? list.slice(0, 200) : list;
-  byId("pixel-fragments").append(...Array.from(shown, (i) => element("li", {}, fragmentButton(run, i))));
+  const shown = list.length > 200 ? list.slice(0, 200) : list, items = Array.from(shown, (i) => element("li", {}, fragmentButton(run, i)));
+  byId("pixel-fragments").append(...items);
+  const chosen = items[shown.indexOf(state.fragment ?? -1)];
+  if (chosen && items.length > 6) byId("pixel-fragments").scrollTop = chosen.offsetTop - 3 * chosen.offsetHeight;
 }
 const bytesText = ([r, g, b, a]) => `(${r}, ${g}, ${b})` + (a === 255 ? "" : ` alpha ${a}`);
 
@@ -62,10 +65,11 @@ function chainHeading(run, chain) {
     element("p", {id: "verdict"}, verdictOf(run, chain)), vertexChoice(chain)];
 }
 
+const vertexName = (vertex) => (vertex < 3 ? "ABC"[vertex] : `V${vertex - 3}`);
+
 // The triangle's corners and, where it was cut, the vertices of the polygon.
 function vertexChoice(chain) {
-  const names = [...["A", "B", "C"].map((name, k) => [k, name]),
-    ...(chain.marks & marks.cut ? chain.polygon.map((_, k) => [3 + k, `V${k}`]) : [])];
+  const names = [0, 1, 2, ...(chain.marks & marks.cut ? chain.polygon.map((_, k) => 3 + k) : [])].map((value) => [value, vertexName(value)]);
   return element("fieldset", {className: "segments", id: "vertices"}, element("legend", {className: "hidden"}, "Vertex"),
     ...names.map(([value, name]) => {
       const input = element("input", {type: "radio", name: "vertex", value, checked: state.vertex === value,
@@ -75,7 +79,8 @@ function vertexChoice(chain) {
     }));
 }
 
-const step = (name, ...content) => element("section", {className: "step"}, element("h3", {}, name), ...content);
+// A step of the chain; `id` is that of its stop, where it is one.
+const step = (id, name, ...content) => element("section", {className: "step", id: `step-${id}`}, element("h3", {}, name), ...content);
 
 function chainSections(run, chain, fragment, other) {
   const {facts} = run, vertexOfCorner = (c, k) => c?.polygon.find(({corner}) => corner === c.corners[k]);
@@ -86,27 +91,27 @@ function chainSections(run, chain, fragment, other) {
   const sections = [];
   if (corner) {
     sections.push(
-      step(`Object (position ${corner.position})`, numbersTable("object", coordinateRows(corner.object, "float", null, otherCorner?.object)),
+      step("object", `Object (position ${corner.position})`, numbersTable("object", coordinateRows(corner.object, "float", null, otherCorner?.object)),
         modelMatrix(chain.draw)),
-      step("World", numbersTable("world", coordinateRows(corner.world, "double", corner.bound.world, otherCorner?.world)), viewMatrix(facts)),
-      step("Eye", numbersTable("eye", coordinateRows(corner.eye, "double", corner.bound.eye, otherCorner?.eye)), projectionMatrix(facts),
+      step("world", "World", numbersTable("world", coordinateRows(corner.world, "double", corner.bound.world, otherCorner?.world)), viewMatrix(facts)),
+      step("eye", "Eye", numbersTable("eye", coordinateRows(corner.eye, "double", corner.bound.eye, otherCorner?.eye)), projectionMatrix(facts),
         composedMatrix(chain.draw)),
-      step("Clip", numbersTable("clip", coordinateRows(corner.clip, "float", corner.bound.clip, otherCorner?.clip)),
+      step("clip", "Clip", numbersTable("clip", coordinateRows(corner.clip, "float", corner.bound.clip, otherCorner?.clip)),
         planesOpened(facts, corner)));
   } else {
-    sections.push(step("Clip, made by clipping", numbersTable("clip", coordinateRows(vertex.clip, "float", null, otherVertex?.clip)),
+    sections.push(step("clip", "Clip, made by clipping", numbersTable("clip", coordinateRows(vertex.clip, "float", null, otherVertex?.clip)),
       numbersTable("weights of the corners", vertex.weights.map((value, i) => ({name: "ABC"[i], value, kind: "double"})))));
   }
   if (chain.marks & marks.cut) sections.push(polygonSection(chain));
   if (!vertex) return sections;
   const {ndc, screen, snapped, bound} = vertex;
   sections.push(
-    step("NDC: divided by w", numbersTable("NDC", [...coordinateRows(ndc.position, "float", bound?.ndc.position, otherVertex?.ndc.position),
+    step("ndc", "NDC: divided by w", numbersTable("NDC", [...coordinateRows(ndc.position, "float", bound?.ndc.position, otherVertex?.ndc.position),
       {name: "1/w", value: ndc.inverseW, kind: "float", bound: bound?.ndc.inverseW, other: otherVertex?.ndc.inverseW}]),
     vertex.condition ? element("p", {className: "quiet"}, `A relative change of what came in is magnified by ${vertex.condition.map(shortNumber).join(", ")}.`) :
       element("p", {className: "quiet"}, "Bounds are not carried through a cut."), viewportMatrix(facts)),
-    step("Screen, pixels", numbersTable("screen", coordinateRows(screen.position, "float", bound?.screen, otherVertex?.screen.position))),
-    step("Snapped, 1/256 pixel", numbersTable("snapped", coordinateRows(snapped, "integer", null, otherVertex?.snapped)),
+    step("screen", "Screen, pixels", numbersTable("screen", coordinateRows(screen.position, "float", bound?.screen, otherVertex?.screen.position))),
+    step("snapped", "Snapped, 1/256 pixel", numbersTable("snapped", coordinateRows(snapped, "integer", null, otherVertex?.snapped)),
       bound ? element("p", {className: "quiet"}, snapText(bound.snap)) : null));
   sections.push(...pieceSections(chain, fragment));
   return sections;
@@ -124,7 +129,7 @@ function planesOpened({planes}, corner) {
 }
 
 function polygonSection(chain) {
-  return step("Clipped polygon", element("ol", {}, ...chain.polygon.map(({clip, weights}, k) =>
+  return step("clipped", "Clipped polygon", element("ol", {}, ...chain.polygon.map(({clip, weights}, k) =>
     element("li", {}, `V${k} (${clip.map((value) => floatText(value)).join(", ")})`,
       element("small", {}, weights.includes(1) ? ` corner ${"ABC"[weights.indexOf(1)]}` : " made by a plane")))));
 }
@@ -133,11 +138,11 @@ function pieceSections(chain, fragment) {
   const piece = fragment?.piece ?? chain.pieces[0];
   if (!piece) return [];
   const {setup} = piece, name = chain.pieces.length > 1 ? ` (piece ${chain.pieces.indexOf(piece) + 1} of ${chain.pieces.length})` : "";
-  if (!setup) return [step("Facing" + name, element("p", {}, "No area: nothing to face."))];
-  return [step("Facing" + name, element("p", {}, `${setup.clockwise ? "Clockwise" : "Counter-clockwise"} on the screen, ` +
+  if (!setup) return [step("facing", "Facing" + name, element("p", {}, "No area: nothing to face."))];
+  return [step("facing", "Facing" + name, element("p", {}, `${setup.clockwise ? "Clockwise" : "Counter-clockwise"} on the screen, ` +
     `${doubleText(setup.doubleArea / 131072)} square pixels: shows its ${piece.front ? "front" : "back"}, ` +
     (piece.culled ? "culled." : "kept."))),
-  step("Edges", numbersTable("edges", setup.edges.flatMap(({a, b, c}, k) =>
+  step("edges", "Edges", numbersTable("edges", setup.edges.flatMap(({a, b, c}, k) =>
     [["a", a], ["b", b], ["c", c]].map(([factor, value]) => ({name: `${factor}${k}`, value, kind: "integer"})))),
   element("p", {className: "quiet"}, "E = a x + b y + c in 1/65536 square pixel; positive inside."))];
 }
@@ -149,7 +154,7 @@ function fragmentSections(run, fragment, other) {
   if (fragment.chain) {
     const {bound} = fragment;
     sections.push(
-      step(`Fragment at (${fragment.x}, ${fragment.y})`,
+      step("fragment", `Fragment at (${fragment.x}, ${fragment.y})`,
         numbersTable("edge functions at the pixel's centre", fragment.edges.map((value, k) =>
           ({name: `E${k}`, value, kind: "integer", other: other?.edges[k]}))),
         numbersTable("weights on the screen", fragment.lambda.map((value, k) =>
@@ -160,7 +165,7 @@ function fragmentSections(run, fragment, other) {
           {name: "depth", value: fragment.depth, kind: "float", bound: bound?.depth, other: other?.depth},
           {name: "1/w", value: fragment.inverseW, kind: "float", bound: bound?.inverseW, other: other?.inverseW}])));
   }
-  sections.push(step("Depth test", element("p", {}, depthText(run, fragment))), step("Colour", colourText(fragment), ...(other ? [element("p", {className: "quiet"}, other.name), colourText(other)] : [])));
+  sections.push(step("depth", "Depth test", element("p", {}, depthText(run, fragment))), step("colour", "Colour", colourText(fragment), ...(other ? [element("p", {className: "quiet"}, other.name), colourText(other)] : [])));
   return sections;
 }
 
@@ -195,11 +200,11 @@ function recordSections(run, fragment) {
     (value, k) => ({name: names[k], value, kind: "float"}));
   if (fragment.fate === "hidden") return [];
   const colour = ["r", "g", "b", "a"];
-  return [step("Attributes", ...[["normal", 3], ["position", 3], ["color", 4, colour], ["texcoord", 2, ["u", "v"]]].flatMap(([name, size, names]) =>
+  return [step("attributes", "Attributes", ...[["normal", 3], ["position", 3], ["color", 4, colour], ["texcoord", 2, ["u", "v"]]].flatMap(([name, size, names]) =>
     [element("h4", {}, {normal: "normal, eye space", position: "position, eye space", color: "vertex colour", texcoord: "texture coordinates"}[name]),
       numbersTable(name, row(name, size, names))])),
-  step("Surface: material · vertex colour · texture", numbersTable("surface", row("surface", 4, colour))),
-  step("Light: linear", numbersTable("light", row("light", 4, colour)))];
+  step("surface", "Surface: material · vertex colour · texture", numbersTable("surface", row("surface", 4, colour))),
+  step("light", "Light: linear", numbersTable("light", row("light", 4, colour)))];
 }
 
 // Where the records of a fragment stand: those of the recorded pixels, in order. -1: the page does not have them.

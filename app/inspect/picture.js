@@ -16,15 +16,23 @@ function paintPictures() {
     const {run} = playback;
     playback.moveTo(state.at);
     playback.canvas ??= newCanvas(run.width, run.height);
-    const image = new ImageData(playback.picture.slice(), run.width, run.height);
-    notes.push(note(run, paint ? paint(playback, image.data) : {}));
-    playback.canvas.getContext("2d").putImageData(image, 0, 0);
+    playback.image ??= new ImageData(playback.picture, run.width, run.height); // the same bytes: it follows the picture
+    if (paint) {
+      const image = new ImageData(playback.picture.slice(), run.width, run.height);
+      notes.push(note(run, paint(playback, image.data)));
+      playback.canvas.getContext("2d").putImageData(image, 0, 0);
+    } else {
+      const all = [0, 0, run.width, run.height], changed = playback.takeChanged();
+      playback.canvas.getContext("2d").putImageData(playback.image, 0, 0, ...(playback.painted === state.overlay ? changed : all));
+    }
+    playback.painted = state.overlay;
   }
   byId("overlay-note").textContent = notes.filter(Boolean).join(" | ");
 }
 
 function layOut() {
   const box = canvas.getBoundingClientRect();
+  if (!box.width) return; // hidden
   canvas.width = Math.max(1, Math.round(box.width * devicePixelRatio));
   canvas.height = Math.max(1, Math.round(box.height * devicePixelRatio));
   state.panes = paneBoxes(state.runs.length, state.runs[0]).map((pane, i) => ({...pane, playback: state.playbacks[i]}));

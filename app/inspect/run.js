@@ -15,6 +15,7 @@ async function loadRun(page, name) {
   checkColumns(run);
   indexTriangles(run);
   indexFragments(run);
+  groupFragments(run);
   run.normals = text("normals");
   run.start = await startPicture(run, text("picture"));
   return run;
@@ -101,6 +102,27 @@ function indexFragments(run) {
   }
 }
 
+// The fragments as they came: those of a triangle follow each other and are one group, a line's or point's is one of its own.
+// Group g is groupStart[g] .. groupStart[g + 1] - 1; groupOf has the triangles' by number, firstly the first.
+function groupFragments(run) {
+  const triangle = run.columns["fragment.triangle"], starts = [];
+  run.groupOf = new Map();
+  for (let i = 0; i < run.fragmentCount; i++) {
+    const number = triangle[i];
+    if (i > 0 && number !== noTriangle && number === triangle[i - 1]) continue;
+    if (number !== noTriangle && !run.groupOf.has(number)) run.groupOf.set(number, starts.length);
+    starts.push(i);
+  }
+  run.groupCount = starts.length;
+  run.groupStart = Uint32Array.from([...starts, run.fragmentCount]);
+}
+
+// The fragments of a triangle: from, to (not with it). None: the same number twice.
+function fragmentsOfTriangle(run, number) {
+  const group = run.groupOf.get(number);
+  return group === undefined ? [0, 0] : [run.groupStart[group], run.groupStart[group + 1]];
+}
+
 function fragmentsAt(run, x, y) {
   const pixel = y * run.width + x;
   return run.ofPixel.subarray(run.startOf[pixel], run.startOf[pixel + 1]);
@@ -134,6 +156,14 @@ class Playback {
     this.at = 0;
     this.picture = run.start.slice();
     this.owner = new Int32Array(run.width * run.height).fill(-1);
+    this.changed = [0, 0, run.width, run.height]; // x0, y0, x1, y1 of what nobody has taken yet
+  }
+
+  // The box of the pixels that changed since it was asked for last: x, y, width, height.
+  takeChanged() {
+    const [x0, y0, x1, y1] = this.changed;
+    this.changed = [Infinity, Infinity, -Infinity, -Infinity];
+    return x0 < x1 ? [x0, y0, x1 - x0, y1 - y0] : [0, 0, 0, 0];
   }
 
   moveTo(at) {
@@ -146,8 +176,12 @@ class Playback {
   // The pixel of fragment i shows fragment `shown`.
   show(i, shown) {
     const {columns: c, width, start, place} = this.run, {picture} = this;
-    const pixel = c["fragment.y"][i] * width + c["fragment.x"][i], at = 4 * pixel;
+    const x = c["fragment.x"][i], y = c["fragment.y"][i], pixel = y * width + x, at = 4 * pixel, box = this.changed;
     this.owner[pixel] = shown;
+    if (x < box[0]) box[0] = x;
+    if (y < box[1]) box[1] = y;
+    if (x >= box[2]) box[2] = x + 1;
+    if (y >= box[3]) box[3] = y + 1;
     if (shown < 0) {
       for (let k = 0; k < 4; k++) picture[at + k] = start[at + k];
       return;

@@ -1,16 +1,18 @@
-// The geometry in one space, in three dimensions: the run's triangles, the frustum or the unit cube, the chosen triangle.
+// The geometry in one space, in three dimensions: the run's triangles, and the frustum or the unit cube. What is chosen and
+// the axes are drawn over it (space_marks.js), so that choosing something else does not draw the geometry again.
 
 const spaceCanvas = byId("space"), gl = spaceCanvas.getContext("webgl2", {antialias: true, preserveDrawingBuffer: true});
-const turn = {yaw: 0.6, pitch: 0.35, zoom: 1};
+const turn = {yaw: 0.6, pitch: 0.35, zoom: 1, pivot: [0, 0, 0]}; // the pivot as the shader's positions are: 0 is the middle
 
 const vertexShader = `#version 300 es
 in vec3 position;
 uniform mat3 turned; // to x right, y up, z away
+uniform vec3 pivot;
 uniform vec2 scale;
 out vec3 place, at;
 void main() {
   place = position;
-  at = turned * position;
+  at = turned * (position - pivot);
   gl_Position = vec4(at.xy * scale, at.z * 0.4, 1.0 + 0.25 * at.z);
 }`;
 const fragmentShader = `#version 300 es
@@ -54,7 +56,8 @@ const spaces = {
   object: {name: "Object", place: (corner) => corner.object, frame: () => []},
   world: {name: "World", place: (corner) => corner.world, frame: (run) => frustumLines(run).map(worldFromEye(run))},
   eye: {name: "Eye", place: (corner) => corner.eye, frame: frustumLines},
-  clip: {name: "Clip (x, y, w)", place: ({clip: [x, y, , w]}) => [x, y, w], frame: clipLines, fixed: true},
+  clip: {name: "Clip (x, y, w)", place: ({clip: [x, y, , w]}) => [x, y, w], frame: clipLines, fixed: true, mirrored: true,
+    axes: ["x", "y", "w"]},
   ndc: {name: "NDC", place: ({clip}) => (clip[3] > 0 ? clip.slice(0, 3).map((value) => value / clip[3]) : null),
     frame: () => boxLines([-1, -1, 0], [1, 1, 1]), fixed: true, flip: true, divided: true},
   screen: {name: "Screen", place: ({clip}, run) => (clip[3] > 0 ? screenPlace(divide(clip), run) : null),
@@ -83,7 +86,7 @@ function farOf(run) {
     run.reachesTo = near;
     for (const draw of run.facts.draws) {
       for (let i = 0; i < run.facts.meshes[draw.mesh].positions; i++) {
-        run.reachesTo = Math.max(run.reachesTo, -placeOf(run, draw, i, (corner) => corner.eye)[2]);
+        run.reachesTo = Math.max(run.reachesTo, -new Corner(run, draw, i).eye[2]);
       }
     }
   }
@@ -114,66 +117,89 @@ function clipLines(run) {
 
 // ---- what is drawn ----
 
-// Places of all triangles' corners as one array, and where the drawing is to be centred.
-function meshIn(run, name) {
-  run.spaces ??= {};
-  if (run.spaces[name]) return run.spaces[name];
-  const {place} = spaces[name], c = run.columns, points = [];
-  const chosenDraw = name === "object" ? chosenDrawOf(run) : null;
-  for (const draw of run.facts.draws) {
-    if (chosenDraw && draw !== chosenDraw) continue;
-    const places = Array.from({length: run.facts.meshes[draw.mesh].positions}, (_, i) => placeOf(run, draw, i, place));
-    for (let row = draw.firstRow; row < draw.firstRow + draw.triangles; row++) {
-      const cut = spaces[name].divided && run.cut.get(c["triangle.number"][row]);
-      const polygon = cut ? cut.map((vertex) => place(vertex, run)) : corners.map((corner) => places[c[`triangle.${corner}`][row]]);
-      if (!polygon.every(Boolean)) continue;
-      for (let k = 2; k < polygon.length; k++) points.push(polygon[0], polygon[k - 1], polygon[k]);
-    }
+// A corner's places without their bounds, each computed when somebody asks.
+class Corner {
+  constructor(run, draw, index) {
+    Object.assign(this, {run, draw});
+    this.object = positionOf(run, draw, index).object;
   }
-  const mesh = {points, frame: spaces[name].frame(run)};
-  Object.assign(mesh, centreOf(spaces[name].fixed ? mesh.frame : points.length ? points : mesh.frame));
-  return (run.spaces[name] = mesh);
+  get world() { return affineDouble(this.draw.world_from_object, this.object); }
+  get eye() { return affineDouble(this.run.facts.view.eye_from_world, this.world); }
+  get clip() { return clipFrom(this.draw.clip_from_anchored, anchoredFrom(this.draw, this.object)); }
 }
+
 const chosenDrawOf = (run) => {
   const row = run.rowOf.get(state.triangle ?? -1);
   return row === undefined ? run.facts.draws[0] : drawOfRow(run, row);
 };
 
-// A corner's place without its bounds, which nobody asks for here.
-function placeOf(run, draw, index, place) {
-  const {object} = positionOf(run, draw, index);
-  const corner = {
-    object,
-    get world() { return affineDouble(draw.world_from_object, object); },
-    get eye() { return affineDouble(run.facts.view.eye_from_world, this.world); },
-    get clip() { return clipFrom(draw.clip_from_anchored, anchoredFrom(draw, object)); },
-  };
-  return place(corner, run);
+// The geometry in a space; in object space that of the chosen triangle's draw, of which the last one is kept.
+function meshIn(run, name) {
+  run.spaces ??= {};
+  const draw = name === "object" ? chosenDrawOf(run) : null, kept = run.spaces[name];
+  if (kept && kept.draw === draw) return kept;
+  if (kept) {
+    releaseMesh(kept);
+    lookAtAll();
+  }
+  return (run.spaces[name] = {draw, ...makeMesh(run, spaces[name], draw ? [draw] : run.facts.draws)});
 }
 
-function centreOf(points) {
-  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-  for (const point of points) {
-    for (let k = 0; k < 3; k++) {
-      if (point[k] < low[k]) low[k] = point[k];
-      if (point[k] > high[k]) high[k] = point[k];
+// Places of all corners, and which three of them make a triangle: `triangles` has those that are seen from both sides, then,
+// from `oneSided` on, the others, counter-clockwise on their visible side. Lines have two points each.
+function makeMesh(run, space, draws) {
+  const places = [], bothSides = [], oneSide = [], c = run.columns, numbers = c["triangle.number"];
+  const add = (place) => places.push(...(place ?? [NaN, NaN, NaN])) / 3 - 1;
+  for (const draw of draws) {
+    const first = places.length / 3, {positions} = run.facts.meshes[draw.mesh];
+    const [front, back] = [true, false].map((side) => !isCulled(run.facts, draw, side));
+    const triangles = front && back ? bothSides : oneSide, turned = back !== (draw.mirrored && space !== spaces.object);
+    for (let i = 0; i < positions; i++) add(space.place(new Corner(run, draw, i), run));
+    for (let row = draw.firstRow; row < draw.firstRow + draw.triangles; row++) {
+      const cut = space.divided ? run.cut.get(numbers[row]) : undefined;
+      const polygon = cut ? cut.map((vertex) => add(space.place(vertex, run))) :
+        [first + c["triangle.a"][row], first + c["triangle.b"][row], first + c["triangle.c"][row]];
+      if (polygon.some((at) => Number.isNaN(places[3 * at]))) continue; // behind the eye
+      for (let k = 2; k < polygon.length; k++) triangles.push(polygon[0], polygon[turned ? k : k - 1], polygon[turned ? k - 1 : k]);
     }
   }
+  const frame = space.frame(run).flat(), triangles = bothSides.concat(oneSide);
+  return {places, triangles, oneSided: bothSides.length, frame, ...centreOf(space.fixed || !triangles.length ? frame : places)};
+}
+
+function centreOf(places) {
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < places.length; i++) {
+    if (places[i] < low[i % 3]) low[i % 3] = places[i];
+    if (places[i] > high[i % 3]) high[i % 3] = places[i];
+  }
   const size = Math.max(...[0, 1, 2].map((k) => high[k] - low[k]), 1e-30);
-  return {centre: low.map((value, k) => (value + high[k]) / 2), scale: 1.25 / size};
+  return {low, high, size, centre: low.map((value, k) => (value + high[k]) / 2), scale: 1.25 / size};
 }
 
-function flatten(points, {centre, scale}) {
-  const out = new Float32Array(3 * points.length);
-  points.forEach((point, i) => { for (let k = 0; k < 3; k++) out[3 * i + k] = (point[k] - centre[k]) * scale; });
-  return out;
-}
-
-function bufferOf(numbers) {
-  const buffer = gl.createBuffer();
+function bufferOf(places, {centre, scale}) {
+  const numbers = Float32Array.from(places, (value, i) => (value - centre[i % 3]) * scale), buffer = gl.createBuffer();
   gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
   gl.bufferData(gl.ARRAY_BUFFER, numbers, gl.STATIC_DRAW);
-  return {buffer, count: numbers.length / 3};
+  return buffer;
+}
+function indexBufferOf(indexes) {
+  const buffer = gl.createBuffer();
+  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffer);
+  gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, Uint32Array.from(indexes), gl.STATIC_DRAW);
+  return buffer;
+}
+
+function edgesOfTriangles(triangles) {
+  const edges = [];
+  for (let i = 0; i < triangles.length; i += 3) {
+    edges.push(triangles[i], triangles[i + 1], triangles[i + 1], triangles[i + 2], triangles[i + 2], triangles[i]);
+  }
+  return edges;
+}
+
+function releaseMesh({buffers}) {
+  for (const buffer of Object.values(buffers ?? {})) gl.deleteBuffer(buffer);
 }
 
 // Column by column, as WebGL takes it: first to x right, y up, z away (NDC and the screen run into the picture with z, the
@@ -188,59 +214,19 @@ function turnScale() {
   return [turn.zoom / Math.max(aspect, 1), turn.zoom * Math.min(aspect, 1)];
 }
 
-function edgesOfTriangles(points) {
-  const edges = [];
-  for (let i = 0; i < points.length; i += 3) edges.push(points[i], points[i + 1], points[i + 1], points[i + 2], points[i + 2], points[i]);
-  return edges;
-}
-
-function drawThings({buffer, count: points}, mode, colour, shaded) {
-  gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+function drawThings(places, mode, colour, shaded, from, count, indexes = null) {
+  gl.bindBuffer(gl.ARRAY_BUFFER, places);
   const position = gl.getAttribLocation(program, "position");
   gl.enableVertexAttribArray(position);
   gl.vertexAttribPointer(position, 3, gl.FLOAT, false, 0, 0);
   gl.uniform4fv(gl.getUniformLocation(program, "colour"), colour);
   gl.uniform1f(gl.getUniformLocation(program, "shaded"), shaded);
-  gl.drawArrays(mode, 0, points);
-}
-
-function drawSpace() {
-  byId("no-webgl").hidden = hasWebGl;
-  spaceCanvas.hidden = !hasWebGl;
-  if (!hasWebGl || byId("space-panel").hidden) return;
-  const box = spaceCanvas.getBoundingClientRect();
-  spaceCanvas.width = Math.max(1, Math.round(box.width * devicePixelRatio));
-  spaceCanvas.height = Math.max(1, Math.round(box.height * devicePixelRatio));
-  const run = state.runs[0], space = spaces[state.space], mesh = meshIn(run, state.space);
-  mesh.triangles ??= bufferOf(flatten(mesh.points, mesh));
-  mesh.lines ??= bufferOf(flatten(mesh.frame, mesh));
-  const colour = (name) => [...packedColour(colourVariable(name)).map((byte) => byte / 255), 1];
-  gl.viewport(0, 0, spaceCanvas.width, spaceCanvas.height);
-  gl.clearColor(...colour("--stage"));
-  gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-  gl.uniformMatrix3fv(gl.getUniformLocation(program, "turned"), false, turnMatrix(space));
-  gl.uniform2fv(gl.getUniformLocation(program, "scale"), turnScale());
-  gl.uniform1f(gl.getUniformLocation(program, "reach"), space.divided ? 1 : 1e30);
-  if (byId("edges-only").checked) drawThings((mesh.edges ??= bufferOf(flatten(edgesOfTriangles(mesh.points), mesh))), gl.LINES, colour("--mesh"), 0);
-  else drawThings(mesh.triangles, gl.TRIANGLES, colour("--mesh"), 1);
-  drawThings(mesh.lines, gl.LINES, colour("--accent"), 0);
-  drawChosen(run, space, mesh, colour("--mark"));
-}
-
-// The chosen triangle, seen through whatever lies before it.
-function drawChosen(run, {place}, mesh, colour) {
-  const chain = state.triangle === null ? null : cachedChain(run, state.triangle);
-  const three = chain?.corners.map((corner) => place(corner, run)) ?? [];
-  if (three.length < 3 || !three.every(Boolean)) return;
-  const [a, b, c] = three, chosen = three[state.vertex] ?? a, arm = 0.04 / mesh.scale / turn.zoom;
-  const cross = [0, 1, 2].flatMap((k) => [-arm, arm].map((step) => chosen.map((value, i) => value + (i === k ? step : 0))));
-  gl.disable(gl.DEPTH_TEST);
-  for (const [points, mode] of [[three, gl.TRIANGLES], [[a, b, b, c, c, a, ...cross], gl.LINES]]) {
-    const things = bufferOf(flatten(points, mesh));
-    drawThings(things, mode, colour, 0);
-    gl.deleteBuffer(things.buffer);
+  if (!indexes) {
+    gl.drawArrays(mode, from, count);
+    return;
   }
-  gl.enable(gl.DEPTH_TEST);
+  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, indexes);
+  gl.drawElements(mode, count, gl.UNSIGNED_INT, 4 * from);
 }
 
 const packedColour = (text) => {
@@ -248,24 +234,91 @@ const packedColour = (text) => {
   return [0, 2, 4].map((at) => parseInt(all.slice(at, at + 2), 16));
 };
 
+function drawGeometry(space, mesh, edgesOnly) {
+  const buffers = (mesh.buffers ??= {places: bufferOf(mesh.places, mesh), lines: bufferOf(mesh.frame, mesh)});
+  const colour = (name) => [...packedColour(colourVariable(name)).map((byte) => byte / 255), 1];
+  gl.viewport(0, 0, spaceCanvas.width, spaceCanvas.height);
+  gl.clearColor(...colour("--stage"));
+  gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+  gl.uniformMatrix3fv(gl.getUniformLocation(program, "turned"), false, turnMatrix(space));
+  gl.uniform3fv(gl.getUniformLocation(program, "pivot"), turn.pivot);
+  gl.uniform2fv(gl.getUniformLocation(program, "scale"), turnScale());
+  gl.uniform1f(gl.getUniformLocation(program, "reach"), space.divided ? 1 : 1e30);
+  if (edgesOnly) {
+    buffers.edges ??= indexBufferOf(edgesOfTriangles(mesh.triangles));
+    drawThings(buffers.places, gl.LINES, colour("--mesh"), 0, 0, 2 * mesh.triangles.length, buffers.edges);
+  } else {
+    buffers.triangles ??= indexBufferOf(mesh.triangles);
+    drawThings(buffers.places, gl.TRIANGLES, colour("--mesh"), 1, 0, mesh.oneSided, buffers.triangles);
+    gl.enable(gl.CULL_FACE); // as the run does, but from here: so that one sees into rooms
+    gl.frontFace(space.mirrored ? gl.CW : gl.CCW);
+    drawThings(buffers.places, gl.TRIANGLES, colour("--mesh"), 1, mesh.oneSided, mesh.triangles.length - mesh.oneSided, buffers.triangles);
+    gl.disable(gl.CULL_FACE);
+  }
+  drawThings(buffers.lines, gl.LINES, colour("--frame"), 0, 0, mesh.frame.length / 3);
+}
+
+let lastLook = "";  // what the geometry was drawn as
+let lastMesh = null;
+function drawSpace() {
+  if (!hasWebGl || byId("space-panel").hidden) return;
+  const run = state.runs[0], space = spaces[state.space], mesh = meshIn(run, state.space), edgesOnly = byId("edges-only").checked;
+  const look = [turn.yaw, turn.pitch, turn.zoom, ...turn.pivot, spaceCanvas.width, spaceCanvas.height, edgesOnly, colourVariable("--mesh")].join();
+  if (mesh !== lastMesh || look !== lastLook) drawGeometry(space, mesh, edgesOnly);
+  [lastMesh, lastLook] = [mesh, look];
+  drawMarks(run, space, mesh);
+}
+
+// As large as it is on the page, in device pixels; what was in it is gone.
+function sizeSpace() {
+  const box = spaceCanvas.getBoundingClientRect();
+  for (const canvas of [spaceCanvas, marksCanvas]) {
+    canvas.width = Math.max(1, Math.round(box.width * devicePixelRatio));
+    canvas.height = Math.max(1, Math.round(box.height * devicePixelRatio));
+  }
+  lastMesh = null;
+  drawSpace();
+}
+
 // ---- turning ----
+
+// The chosen triangle in the middle, so large that its shape is seen; in this space, until another view is asked for.
+function goToTriangle() {
+  const run = state.runs[0], space = spaces[state.space], chain = state.triangle === null ? null : cachedChain(run, state.triangle);
+  const three = chain?.corners.map((corner) => space.place(corner, run)).filter(Boolean) ?? [];
+  if (!three.length) return say("No triangle is chosen that lies in this space.");
+  const {centre, size} = centreOf(three.flat()), mesh = meshIn(run, state.space);
+  turn.pivot = centre.map((value, k) => (value - mesh.centre[k]) * mesh.scale);
+  turn.zoom = clamp(0.4 / (size * mesh.scale), 1, largestZoom);
+  drawSpace();
+}
+const lookAtAll = () => Object.assign(turn, {zoom: 1, pivot: [0, 0, 0]});
+function seeAll() {
+  lookAtAll();
+  drawSpace();
+}
 
 function turnBy(yaw, pitch) {
   turn.yaw += yaw;
   turn.pitch = clamp(turn.pitch + pitch, -Math.PI / 2, Math.PI / 2);
   drawSpace();
 }
+const largestZoom = 1000;
 function zoomSpace(factor) {
-  turn.zoom = clamp(turn.zoom * factor, 0.2, 50);
+  turn.zoom = clamp(turn.zoom * factor, 0.2, largestZoom);
   drawSpace();
 }
 
 function listenToSpace() {
+  byId("no-webgl").hidden = hasWebGl;
+  spaceCanvas.hidden = !hasWebGl;
   for (const [name, {name: label}] of Object.entries(spaces)) {
     byId("space-name").append(element("option", {value: name, textContent: label}));
   }
   byId("edges-only").addEventListener("change", drawSpace);
   byId("space-name").addEventListener("change", ({target}) => change({space: target.value}));
+  byId("to-triangle").addEventListener("click", goToTriangle);
+  byId("to-all").addEventListener("click", seeAll);
   let held = null;
   spaceCanvas.addEventListener("pointerdown", (event) => {
     held = [event.clientX, event.clientY];
@@ -283,7 +336,8 @@ function listenToSpace() {
   }, {passive: false});
   spaceCanvas.addEventListener("keydown", (event) => {
     const keys = {ArrowLeft: () => turnBy(-0.1, 0), ArrowRight: () => turnBy(0.1, 0), ArrowUp: () => turnBy(0, -0.1),
-      ArrowDown: () => turnBy(0, 0.1), "+": () => zoomSpace(1.15), "-": () => zoomSpace(1 / 1.15)};
+      ArrowDown: () => turnBy(0, 0.1), "+": () => zoomSpace(1.15), "-": () => zoomSpace(1 / 1.15), 0: seeAll,
+      Enter: goToTriangle};
     if (event.ctrlKey || event.altKey || event.metaKey || !keys[event.key]) return;
     event.preventDefault();
     event.stopPropagation();

@@ -27,8 +27,9 @@ function watchCanvas() {
   };
 }
 
-// Opens the file; settings are Playwright's, `script` runs before those of the page. `problems` has what no page may do.
-export async function openPage(file, settings = {}, hash = "", script = null) {
+// Opens the file; settings are Playwright's, `script` runs before those of the page, `before` has the page before it is
+// opened. `problems` has what no page may do.
+export async function openPage(file, settings = {}, hash = "", script = null, before = null) {
   const context = await running.newContext({
     viewport: {width: 1280, height: 800}, reducedMotion: "reduce", colorScheme: "light", ...settings});
   const page = await context.newPage(), problems = [], address = "file://" + encodeURI(file);
@@ -41,6 +42,7 @@ export async function openPage(file, settings = {}, hash = "", script = null) {
   });
   await page.addInitScript(watchCanvas);
   if (script) await page.addInitScript(script);
+  if (before) await before(page);
   await page.goto(address + hash);
   await settled(page);
   return {page, problems, close: () => context.close()};
@@ -105,6 +107,20 @@ export function textsAround(page, x, y, size) {
       Math.abs(text.y / devicePixelRatio + box.top - py) < reach / 2;
     return window.texts.filter(near).map(({text}) => text.replaceAll("\u00a0", " "));
   }, [x, y, size]);
+}
+
+// Counts how often the page's script goes through its functions and loops, from before it is opened: the work that it does,
+// which is the same on every machine. What it gives has the work since it was called last.
+export async function countWork(page) {
+  const session = await page.context().newCDPSession(page);
+  await session.send("Profiler.enable");
+  await session.send("Profiler.startPreciseCoverage", {callCount: true, detailed: true});
+  return async () => {
+    const {result} = await session.send("Profiler.takePreciseCoverage");
+    const counts = result.filter(({url}) => url.startsWith("file:")).flatMap(({functions}) => functions)
+      .flatMap(({ranges}) => ranges.map(({count}) => count));
+    return counts.reduce((sum, count) => sum + count, 0);
+  };
 }
 
 // Controls of which a screen reader would not know what to say.

@@ -5,8 +5,14 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <regex>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -139,6 +145,54 @@ TEST_CASE("scaling reports every point up to --most, and what a triangle takes")
   CHECK(page.find("http:") == std::string::npos);
 }
 
+// The widths of the page's bars, and the milliseconds that stand behind each.
+std::vector<std::pair<double, double>> bars_of(const std::string& page) {
+  std::vector<std::pair<double, double>> bars;
+  const std::regex bar(
+      "<rect class=\"\\w+\" x=[^>]* width=\"([0-9.]+)\"[^>]*>\\s*<text[^>]*>([0-9.]+) ms");
+  for (std::sregex_iterator found(page.begin(), page.end(), bar), end; found != end; ++found) {
+    bars.emplace_back(std::stod((*found)[1]), std::stod((*found)[2]));
+  }
+  return bars;
+}
+
+TEST_CASE("all bars of the page are on one scale, and a page without a peer names none") {
+  const Workplace place;
+  const Outcome run =
+      place.run("bench S2 cube --threads 1 --floor --size 64x36 --frames 1 --html page.html");
+  INFO(run.err);
+  REQUIRE(run.exit_code == 0);
+  const std::string page = place.read("page.html");
+  const auto bars = bars_of(page);
+  REQUIRE(bars.size() == 4);  // a time and a floor for each
+  const double longest_ms = std::max(bars[0].second, bars[2].second);
+  const double longest = std::max(bars[0].first, bars[2].first);
+  for (const auto& [width, ms] : bars) {
+    INFO(width << " wide for " << ms << " ms, " << longest << " for " << longest_ms);
+    // Three digits of the time: half a unit of the third is at most 1 in 200.
+    CHECK(std::abs(width - longest * ms / longest_ms) <= 0.01 * width + 0.002);
+  }
+  CHECK(page.find("<h2>Time of a frame</h2>") != std::string::npos);
+  CHECK(page.find("at the memory's bandwidth") != std::string::npos);
+  for (const char* untrue : {"first", "own scale", "ratio"}) {
+    INFO(untrue);
+    CHECK(page.find(untrue) == std::string::npos);
+  }
+}
+
+TEST_CASE("a path is shortened to its end beside a bar, and written out in the numbers") {
+  const Workplace place;
+  const std::string name = std::string(50, 'u') + "-the-end.obj";
+  place.write(name, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  REQUIRE(
+      place.run("bench " + name + " --threads 1 --size 64x36 --frames 1 --html p.html").exit_code ==
+      0);
+  const std::string page = place.read("p.html");
+  CHECK(page.find("…uuu") != std::string::npos);
+  CHECK(page.find("-the-end.obj, 1 thread<") != std::string::npos);
+  CHECK(page.find(name + " ") != std::string::npos);
+}
+
 TEST_CASE("the floor is above nothing and the scene's bytes are those of its tables") {
   const Workplace place;
   const Outcome run = place.run("bench S4bf --floor --threads 1 --size 64x36 --frames 1 --json -");
@@ -158,10 +212,12 @@ TEST_CASE("Mesa draws the same pictures") {
   const Workplace place;
   const Outcome run = place.run(
       "bench S1 S2 S3 S4bf S4fb S5 S6 S7 --against mesa --threads 2 --size 480x270 --frames 1 "
-      "--json -");
+      "--json - --html page.html");
   INFO(run.err);
   REQUIRE(run.exit_code == 0);
   const json results = json::parse(run.out).at("results");
+  CHECK(place.read("page.html").find("</svg>" + results.at(0).at("peer").get<std::string>()) !=
+        std::string::npos);
   REQUIRE(results.size() == 8);
   for (const json& result : results) {
     INFO(result.dump(2));
