@@ -10,7 +10,7 @@
 #include "study/oracle/camera.h"
 
 namespace glassbox::study {
-namespace {
+namespace c01 {
 
 using LookAt = Result<EyeFromWorld> (*)(const WorldPoint&, const WorldPoint&, const WorldVector&);
 
@@ -46,9 +46,10 @@ Outcome judge(LookAt look_at_under_test) {
   return worst.outcome(fmt::format("{} of 4 undefined rolls answered", answered));
 }
 
-}  // namespace
+}  // namespace c01
 
 ExtremeCase c01_up_along_gaze() {
+  using namespace c01;
   return {
       .id = "C-01",
       .name = "Up along the gaze",

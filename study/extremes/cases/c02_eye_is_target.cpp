@@ -6,7 +6,7 @@
 #include "study/naive/camera.h"
 
 namespace glassbox::study {
-namespace {
+namespace c02 {
 
 using LookAt = Result<EyeFromWorld> (*)(const WorldPoint&, const WorldPoint&, const WorldVector&);
 
@@ -25,9 +25,10 @@ Outcome judge(LookAt look_at_under_test) {
   return wrong_of(answered, all + 1, "cameras answered wrongly");
 }
 
-}  // namespace
+}  // namespace c02
 
 ExtremeCase c02_eye_is_target() {
+  using namespace c02;
   return {
       .id = "C-02",
       .name = "The eye is the target",

@@ -19,7 +19,7 @@
 #endif
 
 namespace glassbox::study {
-namespace {
+namespace c03 {
 
 // Subnormal numbers count as zero while one of these lives, where the processor can do that.
 class FlushToZero {
@@ -128,9 +128,10 @@ Result<Transform<Clip, Eye>> lens_that_lets_nan_through(double fovy, double near
   return unchecked_lens(fovy, near, far);
 }
 
-}  // namespace
+}  // namespace c03
 
 ExtremeCase c03_numbers_that_are_none() {
+  using namespace c03;
   return {
       .id = "C-03",
       .name = "Zero, NaN, infinity and subnormals at the door",

@@ -11,7 +11,7 @@
 #include "study/oracle/number.h"
 
 namespace glassbox::study {
-namespace {
+namespace c04 {
 
 using AngleOf = double (*)(const glm::dmat4&);
 
@@ -43,9 +43,10 @@ double by_arccosine_in_float(const glm::dmat4& r) {
   return naive::arccosine_angle(glm::mat4(r));
 }
 
-}  // namespace
+}  // namespace c04
 
 ExtremeCase c04_small_angle() {
+  using namespace c04;
   return {
       .id = "C-04",
       .name = "The angle of a small rotation",

@@ -10,7 +10,7 @@
 #include "study/oracle/camera.h"
 
 namespace glassbox::study {
-namespace {
+namespace c05 {
 
 using LookAt = Result<EyeFromWorld> (*)(const WorldPoint&, const WorldPoint&, const WorldVector&);
 
@@ -51,9 +51,10 @@ Result<EyeFromWorld> with_arccosine(const WorldPoint& eye, const WorldPoint& tar
   return by_the_book(eye, target, up);
 }
 
-}  // namespace
+}  // namespace c05
 
 ExtremeCase c05_half_turn() {
+  using namespace c05;
   return {
       .id = "C-05",
       .name = "Half a turn about an axis that is not defined",

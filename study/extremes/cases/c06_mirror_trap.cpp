@@ -9,7 +9,7 @@
 #include "study/oracle/camera.h"
 
 namespace glassbox::study {
-namespace {
+namespace c06 {
 
 using Camera60 = Transform<Clip, World> (*)(const WorldPoint& eye, const WorldPoint& target,
                                             const WorldVector& up);
@@ -66,9 +66,10 @@ Transform<Clip, World> v_reversed(const WorldPoint& eye, const WorldPoint& targe
   return with_axes(eye, target, up, 1, -1);
 }
 
-}  // namespace
+}  // namespace c06
 
 ExtremeCase c06_mirror_trap() {
+  using namespace c06;
   return {
       .id = "C-06",
       .name = "The mirror trap",

@@ -8,7 +8,7 @@
 #include "study/random.h"
 
 namespace glassbox::study {
-namespace {
+namespace c07 {
 
 using Lens = Transform<Clip, Eye> (*)();
 
@@ -54,9 +54,10 @@ Transform<Clip, Eye> w_negated() {
   return m;
 }
 
-}  // namespace
+}  // namespace c07
 
 ExtremeCase c07_handedness() {
+  using namespace c07;
   return {
       .id = "C-07",
       .name = "Handedness mixed",

@@ -11,7 +11,7 @@
 #include "study/oracle/number.h"
 
 namespace glassbox::study {
-namespace {
+namespace c08 {
 
 // The scale of the picture, [1][1]; nothing for an angle that is refused.
 using Scale = std::optional<double> (*)(double fovy_degrees);
@@ -50,9 +50,10 @@ std::optional<double> by_radians(double degrees) {
   return 1 / std::tan(radians_from_degrees(degrees) / 2);
 }
 
-}  // namespace
+}  // namespace c08
 
 ExtremeCase c08_field_of_view() {
+  using namespace c08;
   return {
       .id = "C-08",
       .name = "Fields of view near 0 and 180 degrees",

@@ -10,7 +10,7 @@
 #include "study/oracle/number.h"
 
 namespace glassbox::study {
-namespace {
+namespace c09 {
 
 using oracle::Rational;
 using Lens = Result<Transform<Clip, Eye>> (*)(double near, double far);
@@ -51,9 +51,10 @@ Result<Transform<Clip, Eye>> swapped_when_out_of_order(double near, double far) 
   return far < near ? ours(far, near) : ours(near, far);
 }
 
-}  // namespace
+}  // namespace c09
 
 ExtremeCase c09_planes_out_of_order() {
+  using namespace c09;
   return {
       .id = "C-09",
       .name = "Near and far planes that make no sense, or hardly any",

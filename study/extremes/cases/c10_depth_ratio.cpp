@@ -11,7 +11,7 @@
 #include "study/oracle/number.h"
 
 namespace glassbox::study {
-namespace {
+namespace c10 {
 
 using oracle::Rational;
 
@@ -70,9 +70,10 @@ float through_gl(const Planes& planes, float distance) {
   return naive::depth_through_gl_remap(round_to_float(lens) * Point<Eye>(0, 0, -distance));
 }
 
-}  // namespace
+}  // namespace c10
 
 ExtremeCase c10_depth_ratio() {
+  using namespace c10;
   return {
       .id = "C-10",
       .name = "Far over near from 1000 to infinity",

@@ -9,7 +9,7 @@
 #include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
-namespace {
+namespace c11 {
 
 constexpr int kSteps = 1000000;
 constexpr int kBetweenRepairs = 1000;
@@ -41,9 +41,10 @@ glm::mat3 unit_columns(const glm::mat3& r) {
   return {glm::normalize(r[0]), glm::normalize(r[1]), glm::normalize(r[2])};
 }
 
-}  // namespace
+}  // namespace c11
 
 ExtremeCase c11_accumulated_rotation() {
+  using namespace c11;
   return {
       .id = "C-11",
       .name = "A million rotations",

@@ -12,7 +12,7 @@
 #include "study/random.h"
 
 namespace glassbox::study {
-namespace {
+namespace c12 {
 
 // The view of a pose as a file has it.
 using ViewOf = EyeFromWorld (*)(const Transform<World, Eye>& pose);
@@ -63,9 +63,10 @@ EyeFromWorld unit_columns(const Transform<World, Eye>& pose) {
   return inverse_rigid(repaired);
 }
 
-}  // namespace
+}  // namespace c12
 
 ExtremeCase c12_few_digits() {
+  using namespace c12;
   return {
       .id = "C-12",
       .name = "A rotation with few digits",

@@ -12,7 +12,7 @@
 #include "study/random.h"
 
 namespace glassbox::study {
-namespace {
+namespace c13 {
 
 using oracle::Decimal;
 using ToEye = Point<Eye> (*)(const Transform<Eye, World>&, const Transform<World, Object>&,
@@ -52,9 +52,10 @@ Point<Eye> ours(const Transform<Eye, World>& view, const Transform<World, Object
   return round_to_float(view * model) * p;
 }
 
-}  // namespace
+}  // namespace c13
 
 ExtremeCase c13_large_offset() {
+  using namespace c13;
   return {
       .id = "C-13",
       .name = "An object far from the origin",

@@ -10,7 +10,7 @@
 #include "study/oracle/number.h"
 
 namespace glassbox::study {
-namespace {
+namespace c14 {
 
 using oracle::Rational;
 using ToEye = Point<Eye> (*)(const Transform<Eye, World>&, const Transform<World, Object>&,
@@ -50,9 +50,10 @@ Point<Eye> float_view(const Transform<Eye, World>& view, const Transform<World, 
   return round_to_float(rounded * nearly) * Point<Object>(0, p.y, p.z);
 }
 
-}  // namespace
+}  // namespace c14
 
 ExtremeCase c14_planet() {
+  using namespace c14;
   return {
       .id = "C-14",
       .name = "A cube of a metre on a planet",

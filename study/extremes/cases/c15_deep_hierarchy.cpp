@@ -13,7 +13,7 @@
 #include "study/random.h"
 
 namespace glassbox::study {
-namespace {
+namespace c15 {
 
 using oracle::Decimal;
 constexpr int kDepth = 100;
@@ -80,9 +80,10 @@ glm::dmat4 from_the_leaf(const std::vector<WorldMap>& levels) {
   return product;
 }
 
-}  // namespace
+}  // namespace c15
 
 ExtremeCase c15_deep_hierarchy() {
+  using namespace c15;
   return {
       .id = "C-15",
       .name = "A hundred nested transforms",

@@ -8,7 +8,7 @@
 #include "study/naive/transform.h"
 
 namespace glassbox::study {
-namespace {
+namespace c16 {
 
 Outcome judge(TransformNormal transform) {
   Worst worst;
@@ -28,9 +28,10 @@ Outcome judge(TransformNormal transform) {
   return worst.outcome();
 }
 
-}  // namespace
+}  // namespace c16
 
 ExtremeCase c16_squashed_normal() {
+  using namespace c16;
   return {
       .id = "C-16",
       .name = "Normals under non-uniform scale",

@@ -12,7 +12,7 @@
 #include "study/random.h"
 
 namespace glassbox::study {
-namespace {
+namespace c17 {
 
 Vector<World, double> axis_from(Random& random) {
   const double x = random.between(-1, 1), y = random.between(-1, 1);
@@ -89,9 +89,10 @@ Normal<World> by_edges(const Transform<World, Object>& m, const Normal<Object>& 
   return {float(crossed.x), float(crossed.y), float(crossed.z)};
 }
 
-}  // namespace
+}  // namespace c17
 
 ExtremeCase c17_mirrored_model() {
+  using namespace c17;
   return {
       .id = "C-17",
       .name = "A mirrored model",

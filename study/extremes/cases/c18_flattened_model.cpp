@@ -8,7 +8,7 @@
 #include "study/naive/transform.h"
 
 namespace glassbox::study {
-namespace {
+namespace c18 {
 
 Outcome judge(TransformNormal transform) {
   Worst worst;
@@ -29,9 +29,10 @@ Outcome judge(TransformNormal transform) {
   return worst.outcome();
 }
 
-}  // namespace
+}  // namespace c18
 
 ExtremeCase c18_flattened_model() {
+  using namespace c18;
   return {
       .id = "C-18",
       .name = "A model flattened to a plane",

@@ -10,7 +10,7 @@
 #include "study/oracle/number.h"
 
 namespace glassbox::study {
-namespace {
+namespace c19 {
 
 using oracle::Rational;
 // Turns about the object's own origin, then moves.
@@ -49,9 +49,10 @@ glm::dmat4 transposed_storage(const WorldMap& turn, const WorldMap& move) {
   return (move * WorldMap(glm::transpose(turn.columns))).columns;
 }
 
-}  // namespace
+}  // namespace c19
 
 ExtremeCase c19_order_of_composition() {
+  using namespace c19;
   return {
       .id = "C-19",
       .name = "The order of composition",

@@ -10,7 +10,7 @@
 #include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
-namespace {
+namespace c20 {
 
 constexpr double kNear = 0.01, kFar = 1000;
 
@@ -59,9 +59,10 @@ double inverse_in_float(float distance) {
   return by_inverse(DepthRange::kStandard, distance);
 }
 
-}  // namespace
+}  // namespace c20
 
 ExtremeCase c20_way_back() {
+  using namespace c20;
   return {
       .id = "C-20",
       .name = "From the screen back to the world",

@@ -8,7 +8,7 @@
 #include "study/random.h"
 
 namespace glassbox::study {
-namespace {
+namespace c21 {
 
 constexpr double kNoise = 1e-4;
 
@@ -35,9 +35,10 @@ Outcome judge(PolygonNormal normal) {
   return worst.outcome();
 }
 
-}  // namespace
+}  // namespace c21
 
 ExtremeCase c21_bent_first_corner() {
+  using namespace c21;
   return {
       .id = "C-21",
       .name = "First corners all but on a line",

@@ -10,7 +10,7 @@
 #include "study/naive/normals.h"
 
 namespace glassbox::study {
-namespace {
+namespace c22 {
 
 Outcome judge(PolygonNormal normal) {
   Worst worst;
@@ -37,9 +37,10 @@ Vector<Object, double> newell_in_float(std::span<const Point<Object>> polygon) {
   return {m.x, m.y, m.z};
 }
 
-}  // namespace
+}  // namespace c22
 
 ExtremeCase c22_far_polygon() {
+  using namespace c22;
   return {
       .id = "C-22",
       .name = "A polygon far from the origin",

@@ -6,7 +6,7 @@
 #include "study/naive/normals.h"
 
 namespace glassbox::study {
-namespace {
+namespace c23 {
 
 Outcome judge(PolygonNormal normal) {
   // An arrow head, counter-clockwise, begun at each of its corners in turn: once the second one is reflex.
@@ -28,9 +28,10 @@ Outcome judge(PolygonNormal normal) {
   return wrong_of(reversed, all, "normals reversed");
 }
 
-}  // namespace
+}  // namespace c23
 
 ExtremeCase c23_reflex_corner() {
+  using namespace c23;
   return {
       .id = "C-23",
       .name = "A reflex corner",

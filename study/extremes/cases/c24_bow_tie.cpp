@@ -8,7 +8,7 @@
 #include "study/naive/normals.h"
 
 namespace glassbox::study {
-namespace {
+namespace c24 {
 
 // Whether the face is taken for one that has a front.
 using HasNormal = bool (*)(const Polygon&);
@@ -47,9 +47,10 @@ bool by_open_newell(const Polygon& polygon) {
   return is_not_zero(naive::open_newell(polygon));
 }
 
-}  // namespace
+}  // namespace c24
 
 ExtremeCase c24_bow_tie() {
+  using namespace c24;
   return {
       .id = "C-24",
       .name = "Bow-ties",

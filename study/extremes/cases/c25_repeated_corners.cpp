@@ -9,7 +9,7 @@
 #include "study/naive/normals.h"
 
 namespace glassbox::study {
-namespace {
+namespace c25 {
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;  // indices of positions
 using Cut = Triangles (*)(const Mesh&);
@@ -72,9 +72,10 @@ Triangles by_index_alone(const Mesh& mesh) {
   return kept;
 }
 
-}  // namespace
+}  // namespace c25
 
 ExtremeCase c25_repeated_corners() {
+  using namespace c25;
   return {
       .id = "C-25",
       .name = "Repeated corners",

@@ -13,7 +13,7 @@
 #include "study/naive/normals.h"
 
 namespace glassbox::study {
-namespace {
+namespace c26 {
 
 using oracle::Decimal;
 
@@ -75,9 +75,10 @@ std::array<std::size_t, 2> from_the_first_corner(const Polygon&) {
   return {0, 2};
 }
 
-}  // namespace
+}  // namespace c26
 
 ExtremeCase c26_bent_quad() {
+  using namespace c26;
   return {
       .id = "C-26",
       .name = "A quad that is not flat",

@@ -6,7 +6,7 @@
 #include "study/random.h"
 
 namespace glassbox::study {
-namespace {
+namespace c27 {
 
 using Faces = Facing (*)(std::span<const Point<Object>>, const ObjectViewer&);
 
@@ -49,9 +49,10 @@ Facing without_fallback(std::span<const Point<Object>> face, const ObjectViewer&
   return value > 0 ? Facing::kBack : value < 0 ? Facing::kFront : Facing::kEdgeOn;
 }
 
-}  // namespace
+}  // namespace c27
 
 ExtremeCase c27_edge_on() {
+  using namespace c27;
   return {
       .id = "C-27",
       .name = "An eye in the face's plane",

@@ -7,7 +7,7 @@
 #include "study/random.h"
 
 namespace glassbox::study {
-namespace {
+namespace c28 {
 
 using oracle::Rational;
 
@@ -67,9 +67,10 @@ Answer in_double(std::span<const Point<Object>> face, const ObjectViewer& viewer
   return {naive::facing<double>(face, viewer), false};
 }
 
-}  // namespace
+}  // namespace c28
 
 ExtremeCase c28_nearly_edge_on() {
+  using namespace c28;
   return {
       .id = "C-28",
       .name = "Faces that are nearly edge-on",

@@ -14,7 +14,7 @@
 #include "study/random.h"
 
 namespace glassbox::study {
-namespace {
+namespace c29 {
 
 // Whether a face is left out before anything is transformed; `margin`: the value below which snapping may turn it round.
 using Culls = bool (*)(std::span<const Point<Object>>, const ObjectViewer&, double margin);
@@ -78,9 +78,10 @@ bool exact_but_no_margin(std::span<const Point<Object>> face, const ObjectViewer
   return certainly_back(test_back_face(face, viewer), 0);
 }
 
-}  // namespace
+}  // namespace c29
 
 ExtremeCase c29_world_test_and_area() {
+  using namespace c29;
   return {
       .id = "C-29",
       .name = "The test in space against the area on the screen",

@@ -13,7 +13,7 @@
 #include "study/naive/normals.h"
 
 namespace glassbox::study {
-namespace {
+namespace c30 {
 
 // Culls by a rule of its own in place of the snapped area's sign.
 class CullBy : public Observer {
@@ -87,9 +87,10 @@ bool before_edge_on(std::span<const Point<Object>> face, const WorldPoint& eye,
          -0.1 * std::sqrt(dot(m, m)) * length(sight);
 }
 
-}  // namespace
+}  // namespace c30
 
 ExtremeCase c30_closed_solid() {
+  using namespace c30;
   return {
       .id = "C-30",
       .name = "A closed solid, culled",

@@ -7,7 +7,7 @@
 #include "study/random.h"
 
 namespace glassbox::study {
-namespace {
+namespace c31 {
 
 Outcome judge(PolygonNormal normal) {
   Random random(731);
@@ -36,9 +36,10 @@ Vector<Object, double> factors_exchanged(std::span<const Point<Object>> t) {
   return {m.x, m.y, m.z};
 }
 
-}  // namespace
+}  // namespace c31
 
 ExtremeCase c31_sign_conflict() {
+  using namespace c31;
   return {
       .id = "C-31",
       .name = "Two formulas of one deck with opposite signs",

@@ -3,7 +3,7 @@
 #include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
-namespace {
+namespace c32 {
 
 Outcome judge(Clips clips) {
   // z - w is -1/2 everywhere, so that z = 0 at w = 1/2 and all crossings have few bits: nothing is rounded.
@@ -33,9 +33,10 @@ Outline wrong_end(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   return naive::clip({.crossing = crossing}, t, planes);
 }
 
-}  // namespace
+}  // namespace c32
 
 ExtremeCase c32_through_the_eye() {
+  using namespace c32;
   return {
       .id = "C-32",
       .name = "A triangle through the eye plane",

@@ -9,7 +9,7 @@
 #include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
-namespace {
+namespace c33 {
 
 View view_1080() {
   View view;
@@ -50,9 +50,10 @@ Outline without_guard_band(const ClipTriangle& t, std::span<const ClipPlane> pla
   return pipeline_clips(t, planes.first(2));
 }
 
-}  // namespace
+}  // namespace c33
 
 ExtremeCase c33_w_towards_zero() {
+  using namespace c33;
   return {
       .id = "C-33",
       .name = "w towards zero",

@@ -7,7 +7,7 @@
 #include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
-namespace {
+namespace c34 {
 
 Outcome judge(Clips clips) {
   Random random(734);
@@ -60,9 +60,10 @@ Outline sides_after_divide(const ClipTriangle& t, std::span<const ClipPlane> pla
   return pipeline_clips(divided, planes);
 }
 
-}  // namespace
+}  // namespace c34
 
 ExtremeCase c34_signs_of_w() {
+  using namespace c34;
   return {
       .id = "C-34",
       .name = "All patterns of the signs of w",

@@ -6,7 +6,7 @@
 #include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
-namespace {
+namespace c35 {
 
 bool repeats_a_vertex(const Outline& outline) {
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -56,9 +56,10 @@ Outline repetitions_kept(const ClipTriangle& t, std::span<const ClipPlane> plane
   return outline;
 }
 
-}  // namespace
+}  // namespace c35
 
 ExtremeCase c35_on_the_planes() {
+  using namespace c35;
   return {
       .id = "C-35",
       .name = "Vertices exactly on the planes",

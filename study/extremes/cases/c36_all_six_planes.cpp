@@ -5,7 +5,7 @@
 #include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
-namespace {
+namespace c36 {
 
 Outcome judge(Clips clips) {
   const auto planes = frustum_planes();
@@ -37,9 +37,10 @@ Outline five_planes(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   return pipeline_clips(t, planes.first(5));
 }
 
-}  // namespace
+}  // namespace c36
 
 ExtremeCase c36_all_six_planes() {
+  using namespace c36;
   return {
       .id = "C-36",
       .name = "All six planes cut",

@@ -6,7 +6,7 @@
 #include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
-namespace {
+namespace c38 {
 
 Outcome judge(Clips clips) {
   Random random(738);
@@ -63,9 +63,10 @@ Outline t_in_double(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   return naive::clip({.crossing = crossing}, t, planes);
 }
 
-}  // namespace
+}  // namespace c38
 
 ExtremeCase c38_shared_clipped_edge() {
+  using namespace c38;
   return {
       .id = "C-38",
       .name = "A shared edge, clipped",

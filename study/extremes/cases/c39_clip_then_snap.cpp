@@ -9,7 +9,7 @@
 #include "study/extremes/kit/coverage.h"
 
 namespace glassbox::study {
-namespace {
+namespace c39 {
 
 constexpr int kSide = 64;
 
@@ -65,9 +65,10 @@ Outline asymmetric(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   return naive::clip({}, t, planes);
 }
 
-}  // namespace
+}  // namespace c39
 
 ExtremeCase c39_clip_then_snap() {
+  using namespace c39;
   return {
       .id = "C-39",
       .name = "Clipped, then snapped",

@@ -9,7 +9,7 @@
 #include "study/oracle/coverage.h"
 
 namespace glassbox::study {
-namespace {
+namespace c40 {
 
 using oracle::Decimal;
 constexpr int kSide = 256, kStep = 8;
@@ -120,9 +120,10 @@ Pixels kept_to_24_bits(const ClipTriangle& t, const Viewport&) {
   });
 }
 
-}  // namespace
+}  // namespace c40
 
 ExtremeCase c40_guard_band() {
+  using namespace c40;
   return {
       .id = "C-40",
       .name = "At the guard band and far beyond it",

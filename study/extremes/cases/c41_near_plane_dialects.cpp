@@ -7,7 +7,7 @@
 #include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
-namespace {
+namespace c41 {
 
 // The near plane that is used for vertices of a dialect.
 using NearPlane = ClipPlane (*)(const ApiDialect&);
@@ -39,9 +39,10 @@ ClipPlane always_minus_w(const ApiDialect&) {
   return opengl_near_plane();
 }
 
-}  // namespace
+}  // namespace c41
 
 ExtremeCase c41_near_plane_dialects() {
+  using namespace c41;
   return {
       .id = "C-41",
       .name = "Near planes of two dialects",

@@ -6,7 +6,7 @@
 #include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
-namespace {
+namespace c42 {
 
 using Verdict = ClipVerdict (*)(std::span<const Outcode>);
 
@@ -56,9 +56,10 @@ ClipVerdict one_corner_inside(std::span<const Outcode> codes) {
   return trivial_verdict(codes);
 }
 
-}  // namespace
+}  // namespace c42
 
 ExtremeCase c42_trivial_accept() {
+  using namespace c42;
   return {
       .id = "C-42",
       .name = "Clipping spared",

@@ -5,7 +5,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c43 {
 
 // Direct3D's picture: (1,1)-(3,5) with centres at integers is (1.5,1.5)-(3.5,5.5) with centres at halves. Its vertices are
 // pixel centres; columns 1 and 2, rows 1 to 4 are covered, once each. The pair over (0,0)-(5,5) has 15 and 10 pixels.
@@ -50,9 +50,10 @@ Image<int> drawn(const Covers& covers) {
   return times_covered(covers, {{v(0, 0), v(8, 0), v(8, 8)}, {v(0, 8), v(0, 0), v(8, 8)}}, 8, 8);
 }
 
-}  // namespace
+}  // namespace c43
 
 ExtremeCase c43_centre_on_edge() {
+  using namespace c43;
   const auto with = [](const naive::CoverageParts& parts) {
     return [parts] { return judge(naive::covers_with(parts)); };
   };

@@ -12,7 +12,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c44 {
 
 constexpr double kCentre = 10.5;
 constexpr int kPixel = 10;
@@ -52,9 +52,10 @@ Outcome judge(const Covers& covers) {
                                    worst_fan)};
 }
 
-}  // namespace
+}  // namespace c44
 
 ExtremeCase c44_fan() {
+  using namespace c44;
   const auto with = [](const naive::CoverageParts& parts) {
     return [parts] { return judge(naive::covers_with(parts)); };
   };

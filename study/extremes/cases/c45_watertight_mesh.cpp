@@ -6,7 +6,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c45 {
 
 constexpr int kSide = 1024;
 
@@ -73,9 +73,10 @@ Outcome with(const naive::CoverageParts& parts) {
   return judge(naive::covers_with(parts));
 }
 
-}  // namespace
+}  // namespace c45
 
 ExtremeCase c45_watertight_mesh() {
+  using namespace c45;
   ExtremeCase c;
   c.id = "C-45";
   c.name = "Watertight mesh";

@@ -9,7 +9,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c46 {
 
 constexpr int kSide = 64;
 
@@ -70,9 +70,10 @@ Outcome judge(bool insert_the_vertex, bool predict) {
                       predict ? "; those of the T-junctions are as predicted" : "")};
 }
 
-}  // namespace
+}  // namespace c46
 
 ExtremeCase c46_t_junction() {
+  using namespace c46;
   ExtremeCase c;
   c.id = "C-46";
   c.name = "T-junction";

@@ -12,7 +12,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c47 {
 
 constexpr double kLength = 4000;
 
@@ -60,9 +60,10 @@ Outcome judge_ours() {
   return outcome;
 }
 
-}  // namespace
+}  // namespace c47
 
 ExtremeCase c47_slivers() {
+  using namespace c47;
   ExtremeCase c;
   c.id = "C-47";
   c.name = "Slivers";

@@ -5,7 +5,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c48 {
 
 ScreenTriangle random_triangle(Random& random) {
   ScreenTriangle t;
@@ -39,9 +39,10 @@ Outcome judge_naive() {
   });
 }
 
-}  // namespace
+}  // namespace c48
 
 ExtremeCase c48_negative_coordinates() {
+  using namespace c48;
   ExtremeCase c;
   c.id = "C-48";
   c.name = "Negative coordinates";

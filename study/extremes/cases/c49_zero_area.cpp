@@ -12,7 +12,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c49 {
 
 constexpr int kSide = 64;
 
@@ -85,9 +85,10 @@ Outcome judge(const Draws& draws) {
                       lines, faults, not_numbers)};
 }
 
-}  // namespace
+}  // namespace c49
 
 ExtremeCase c49_zero_area() {
+  using namespace c49;
   ExtremeCase c;
   c.id = "C-49";
   c.name = "No area after snapping";

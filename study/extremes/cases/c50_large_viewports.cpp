@@ -9,7 +9,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c50 {
 
 // Large triangles of random snapped vertices, looked at beside points on their edges: pictures of this size are sampled,
 // not allocated.
@@ -35,9 +35,10 @@ Outcome judge(const Covers& covers) {
   return {double(faults.wrong()), 0, {}, faults.text()};
 }
 
-}  // namespace
+}  // namespace c50
 
 ExtremeCase c50_large_viewports() {
+  using namespace c50;
   ExtremeCase c;
   c.id = "C-50";
   c.name = "8 K and 32 K viewports";

@@ -5,7 +5,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c51 {
 
 constexpr int kSide = 32;
 
@@ -37,9 +37,10 @@ Image<int> drawn(const Covers& covers) {
 
 const naive::CoverageParts kRuleFirst{.rule_before_orientation = true};
 
-}  // namespace
+}  // namespace c51
 
 ExtremeCase c51_winding() {
+  using namespace c51;
   ExtremeCase c;
   c.id = "C-51";
   c.name = "Both windings in one surface";

@@ -10,7 +10,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c52 {
 
 // Every k/512 px near 0, and its neighbours in float; then the same at 2^10 and 2^15 px, where floats are coarse.
 Outcome judge(std::int32_t (*snap)(float)) {
@@ -33,9 +33,10 @@ Outcome judge(std::int32_t (*snap)(float)) {
   return {double(worst), 0, {}, fmt::format("{} of {} positions elsewhere", wrong, tried)};
 }
 
-}  // namespace
+}  // namespace c52
 
 ExtremeCase c52_snap_ties() {
+  using namespace c52;
   ExtremeCase c;
   c.id = "C-52";
   c.name = "Ties of subpixel rounding";

@@ -11,7 +11,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c53 {
 
 constexpr int kSide = 256;
 
@@ -69,9 +69,10 @@ Tiled naive_tiles(const naive::TileRules& rules) {
   };
 }
 
-}  // namespace
+}  // namespace c53
 
 ExtremeCase c53_tile_borders() {
+  using namespace c53;
   ExtremeCase c;
   c.id = "C-53";
   c.name = "Tile borders";

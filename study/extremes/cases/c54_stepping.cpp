@@ -11,7 +11,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c54 {
 
 constexpr int kWidth = 32767;
 
@@ -68,9 +68,10 @@ Outcome judge(const Span& span) {
           fmt::format("{:.2g} relative at column {}", worst, worst_x)};
 }
 
-}  // namespace
+}  // namespace c54
 
 ExtremeCase c54_stepping() {
+  using namespace c54;
   ExtremeCase c;
   c.id = "C-54";
   c.name = "Incremental stepping over 32 K";

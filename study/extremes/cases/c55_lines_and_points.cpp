@@ -14,7 +14,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c55 {
 
 constexpr PixelRect kWindow{0, 0, 24, 24};
 
@@ -90,9 +90,10 @@ Outcome judge_ours() {
   return outcome;
 }
 
-}  // namespace
+}  // namespace c55
 
 ExtremeCase c55_lines_and_points() {
+  using namespace c55;
   ExtremeCase c;
   c.id = "C-55";
   c.name = "Lines and points";

@@ -8,7 +8,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c56 {
 
 // depth = B/z + A with B = n f/(f - n): float rounds the product A z, the sum and the quotient, which confuses depths at
 // relative separations up to 2 u z/f + 4 u (1 - z/f).
@@ -28,9 +28,10 @@ Outcome judge(const DepthPath& path) {
   return worst.outcome();
 }
 
-}  // namespace
+}  // namespace c56
 
 ExtremeCase c56_depth_ladder() {
+  using namespace c56;
   const auto with = [](const DepthPath& path) { return [path] { return judge(path); }; };
   ExtremeCase c;
   c.id = "C-56";

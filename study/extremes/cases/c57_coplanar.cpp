@@ -9,7 +9,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c57 {
 
 constexpr int kSide = 4096;
 
@@ -49,9 +49,10 @@ Outcome judge(const DepthAt& depth) {
   return {worst, 8, {}, fmt::format("{} of {} samples beyond 8 u", off, samples)};
 }
 
-}  // namespace
+}  // namespace c57
 
 ExtremeCase c57_coplanar() {
+  using namespace c57;
   ExtremeCase c;
   c.id = "C-57";
   c.name = "One plane, other triangles";

@@ -11,7 +11,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c58 {
 
 constexpr int kSide = 256;
 
@@ -60,9 +60,10 @@ Image<Rgba8> stipple(const Image<int>& seen) {
 
 const ZBuffer kGivenOrder{.depth = naive::depth_in_given_order};
 
-}  // namespace
+}  // namespace c58
 
 ExtremeCase c58_same_twice() {
+  using namespace c58;
   ExtremeCase c;
   c.id = "C-58";
   c.name = "The same triangle twice";

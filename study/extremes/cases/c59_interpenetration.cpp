@@ -11,7 +11,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c59 {
 
 constexpr int kSide = 256;
 constexpr double kDepthOfView = 1024;  // px, so that slopes are those of a cube
@@ -65,9 +65,10 @@ Image<int> in_16_bits(const std::vector<ScreenTriangle>& triangles) {
   return z_buffered(triangles, kSide, {.format = DepthFormat::kUnorm16});
 }
 
-}  // namespace
+}  // namespace c59
 
 ExtremeCase c59_interpenetration() {
+  using namespace c59;
   ExtremeCase c;
   c.id = "C-59";
   c.name = "Rectangles through each other";

@@ -10,7 +10,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c60 {
 
 // A few 1/256 px wide, 2000 px long, from the near plane to the far one: seen under 89.999 degrees and more.
 ScreenTriangle sliver(Random& random) {
@@ -44,9 +44,10 @@ Outcome judge(const DepthAt& depth) {
   return {worst, 8, {}, fmt::format("{} of {} pixels beyond 8 u", beyond, samples)};
 }
 
-}  // namespace
+}  // namespace c60
 
 ExtremeCase c60_depth_extrapolation() {
+  using namespace c60;
   ExtremeCase c;
   c.id = "C-60";
   c.name = "Depth over slivers";

@@ -11,7 +11,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c61 {
 
 // z = m 2^e exactly, so floor(z (2^24 - 1) + 1/2) = (2 m (2^24 - 1) + 2^-e) >> (1 - e), in whole numbers.
 std::int64_t exact_code(float z) {
@@ -46,9 +46,10 @@ std::uint32_t pipeline_code(float z) {
   return depth_code(DepthFormat::kUnorm24, z);
 }
 
-}  // namespace
+}  // namespace c61
 
 ExtremeCase c61_unorm24_ends() {
+  using namespace c61;
   ExtremeCase c;
   c.id = "C-61";
   c.name = "The ends of 24-bit depth";

@@ -11,7 +11,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c62 {
 
 // How depth is kept, cleared and compared.
 struct DepthTest {
@@ -81,9 +81,10 @@ std::uint32_t raw_bits(DepthFormat, float depth) {
   return std::bit_cast<std::uint32_t>(depth);
 }
 
-}  // namespace
+}  // namespace c62
 
 ExtremeCase c62_reversed_clear() {
+  using namespace c62;
   ExtremeCase c;
   c.id = "C-62";
   c.name = "Cleared and compared the wrong way";

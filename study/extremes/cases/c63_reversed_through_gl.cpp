@@ -7,7 +7,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c63 {
 
 Outcome judge(DepthPath::Detour detour) {
   const DepthPath path{.format = DepthFormat::kFloat32Reversed, .detour = detour};
@@ -19,9 +19,10 @@ Outcome judge(DepthPath::Detour detour) {
           fmt::format("depths {:.2g} apart confused at the distance 1,000", confused)};
 }
 
-}  // namespace
+}  // namespace c63
 
 ExtremeCase c63_reversed_through_gl() {
+  using namespace c63;
   ExtremeCase c;
   c.id = "C-63";
   c.name = "Reversed depth by way of [-1, 1]";

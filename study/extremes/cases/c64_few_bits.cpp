@@ -9,7 +9,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c64 {
 
 // What someone expects a format to tell apart at a distance, relative.
 using Expected = double (*)(const DepthPath&, double distance, double step);
@@ -42,9 +42,10 @@ double without_near_plane(const DepthPath&, double distance, double step) {
   return distance * step;
 }
 
-}  // namespace
+}  // namespace c64
 
 ExtremeCase c64_few_bits() {
+  using namespace c64;
   ExtremeCase c;
   c.id = "C-64";
   c.name = "16 and 24 bits in a large scene";

@@ -8,7 +8,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c65 {
 
 constexpr int kSide = 512;
 
@@ -39,9 +39,10 @@ Image<Rgba8> checks(const AttributeAt& at) {
   return picture;
 }
 
-}  // namespace
+}  // namespace c65
 
 ExtremeCase c65_floor_to_horizon() {
+  using namespace c65;
   ExtremeCase c;
   c.id = "C-65";
   c.name = "Floor to the horizon";

@@ -4,7 +4,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c66 {
 
 constexpr int kSide = 256;
 
@@ -17,9 +17,10 @@ Outcome judge(const AttributeAt& at) {
   return judge_attribute(at, judged, kSide, 1024);
 }
 
-}  // namespace
+}  // namespace c66
 
 ExtremeCase c66_inverse_w() {
+  using namespace c66;
   ExtremeCase c;
   c.id = "C-66";
   c.name = "Distances from 0.001 to a million in one triangle";

@@ -11,7 +11,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c67 {
 
 constexpr int kSize = 1024;
 
@@ -33,9 +33,10 @@ Outcome judge(const TexelAt& texel_at) {
   return worst.outcome();
 }
 
-}  // namespace
+}  // namespace c67
 
 ExtremeCase c67_huge_texcoords() {
+  using namespace c67;
   ExtremeCase c;
   c.id = "C-67";
   c.name = "Huge texture coordinates";

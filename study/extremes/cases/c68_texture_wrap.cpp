@@ -10,7 +10,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c68 {
 
 constexpr int kSize = 8;
 
@@ -49,9 +49,10 @@ Outcome judge(const TexelAt& texel_at) {
   return wrong_of(wrong, all, "texels wrong" + first);
 }
 
-}  // namespace
+}  // namespace c68
 
 ExtremeCase c68_texture_wrap() {
+  using namespace c68;
   ExtremeCase c;
   c.id = "C-68";
   c.name = "Wrapping negatives and exactly 1";

@@ -13,7 +13,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c69 {
 
 constexpr int kSide = 256;
 constexpr int kTexels = 1024;
@@ -159,9 +159,10 @@ std::optional<float> level_without_perspective(const Sheet& sheet, const Coverag
       kTexels, kTexels);
 }
 
-}  // namespace
+}  // namespace c69
 
 ExtremeCase c69_level_of_detail() {
+  using namespace c69;
   ExtremeCase c;
   c.id = "C-69";
   c.name = "Level of detail at outlines";

@@ -11,7 +11,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c70 {
 
 constexpr StereoPair kPair{0.03, 10};
 constexpr double kBound = 1.0 / 256;
@@ -65,9 +65,10 @@ View with_sign_turned(Side side) {
   return view;
 }
 
-}  // namespace
+}  // namespace c70
 
 ExtremeCase c70_zero_parallax() {
+  using namespace c70;
   ExtremeCase c;
   c.id = "C-70";
   c.name = "Nothing moves in the stereo window";

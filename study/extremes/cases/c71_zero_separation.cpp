@@ -7,7 +7,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c71 {
 
 PairScene mono() {
   PairScene scene = pair_scene("forest", 0.03);
@@ -41,9 +41,10 @@ Outcome judge_two_passes() {
   return judge(each_eye_alone(mono()), 2);
 }
 
-}  // namespace
+}  // namespace c71
 
 ExtremeCase c71_zero_separation() {
+  using namespace c71;
   ExtremeCase c;
   c.id = "C-71";
   c.name = "No separation";

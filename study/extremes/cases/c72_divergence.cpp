@@ -12,7 +12,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c72 {
 
 constexpr Display kScreen{2000, 3000};
 constexpr int kWidth = 1920;
@@ -54,9 +54,10 @@ double looking_in_front_only(const View& centre, double window, const DepthSpan&
   return largest_half_separation(centre, window, {span.nearest, window}, {budget_px, budget_px});
 }
 
-}  // namespace
+}  // namespace c72
 
 ExtremeCase c72_divergence() {
+  using namespace c72;
   ExtremeCase c;
   c.id = "C-72";
   c.name = "Eyes that would have to diverge";

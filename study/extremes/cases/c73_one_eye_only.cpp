@@ -12,7 +12,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c73 {
 
 // A wall at the window, 10 away, and small things at 0.5, side by side and tilted, so that the light tells them apart: each eye sees some that the other does not.
 PairScene close_things() {
@@ -81,9 +81,10 @@ Outcome judge_culled(const Keeps& keeps) {
   return judge(each_eye_alone(culled(close_things(), keeps)));
 }
 
-}  // namespace
+}  // namespace c73
 
 ExtremeCase c73_one_eye_only() {
+  using namespace c73;
   ExtremeCase c;
   c.id = "C-73";
   c.name = "Seen by one eye alone";

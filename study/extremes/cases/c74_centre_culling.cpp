@@ -8,7 +8,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c74 {
 
 Outcome judge(StereoCulling culling, Engine engine) {
   std::uint64_t lost = 0, triangles = 0, culled = 0, pixels = 0;
@@ -37,9 +37,10 @@ Outcome judge_ours() {
   return staged.error >= tile.error ? staged : tile;
 }
 
-}  // namespace
+}  // namespace c74
 
 ExtremeCase c74_centre_culling() {
+  using namespace c74;
   ExtremeCase c;
   c.id = "C-74";
   c.name = "Culled by the camera in the middle";

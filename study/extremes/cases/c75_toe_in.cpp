@@ -12,7 +12,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c75 {
 
 constexpr StereoPair kPair{0.3, 10};
 
@@ -53,9 +53,10 @@ Outcome judge(EyeView eye, bool formula) {
                   : fmt::format("{} px", worst)};
 }
 
-}  // namespace
+}  // namespace c75
 
 ExtremeCase c75_toe_in() {
+  using namespace c75;
   ExtremeCase c;
   c.id = "C-75";
   c.name = "Cameras turned towards each other";

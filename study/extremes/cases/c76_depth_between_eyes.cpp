@@ -10,7 +10,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c76 {
 
 const StereoRendering& eyes() {
   static const StereoRendering drawn = [] {
@@ -43,9 +43,10 @@ Outcome judge(const Image<Rgba8>& shown) {
       double(differ), 0, {}, fmt::format("{} of {} pixels differ", differ, right.pixels.size())};
 }
 
-}  // namespace
+}  // namespace c76
 
 ExtremeCase c76_depth_between_eyes() {
+  using namespace c76;
   ExtremeCase c;
   c.id = "C-76";
   c.name = "Depth kept between the eyes";

@@ -13,7 +13,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c77 {
 
 using Bytes = std::array<std::uint8_t, 3>;
 using Mixes = Bytes (*)(const AnaglyphMatrix&, const Rgba8& left, const Rgba8& right);
@@ -130,9 +130,10 @@ AnaglyphMatrix with_misprint() {
   return matrix;
 }
 
-}  // namespace
+}  // namespace c77
 
 ExtremeCase c77_dubois_negatives() {
+  using namespace c77;
   ExtremeCase c;
   c.id = "C-77";
   c.name = "Dubois' negative numbers";

@@ -9,7 +9,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c78 {
 
 struct Drawn {
   EyePictures eyes;
@@ -65,9 +65,10 @@ Outcome judge_ours() {
   return pair.error >= coloured.error ? pair : coloured;
 }
 
-}  // namespace
+}  // namespace c78
 
 ExtremeCase c78_eyes_swapped() {
+  using namespace c78;
   ExtremeCase c;
   c.id = "C-78";
   c.name = "Each eye has the other one's picture";

@@ -11,7 +11,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace c79 {
 
 constexpr double kFrames = 15;
 
@@ -44,9 +44,10 @@ Outcome judge(const std::function<Filter()>& make) {
                    : fmt::format("{:.4f} in one frame, {:.4f} the wrong way", worst, backwards)};
 }
 
-}  // namespace
+}  // namespace c79
 
 ExtremeCase c79_window_step() {
+  using namespace c79;
   ExtremeCase c;
   c.id = "C-79";
   c.name = "The window jumps";

@@ -30,7 +30,7 @@ double share_wrong(const Covers& covers, int side) {
   return double(faults.wrong()) / double(faults.samples);
 }
 
-SweepSeries series_of(const char* name, const Covers& covers, bool ours) {
+SweepSeries viewport_series(const char* name, const Covers& covers, bool ours) {
   SweepSeries series{name, ours, {}, {}};
   for (int side = 1; side <= 32768; side *= 2) {
     series.points.push_back(
@@ -54,11 +54,12 @@ Sweep viewport_sweep() {
   sweep.tolerance = "any wrong pixel";
   sweep.series = [] {
     return std::vector<SweepSeries>{
-        series_of("64-bit integers", pipeline_covers, true),
-        series_of("32-bit integers", naive::covers_with({.inside = naive::int32_inside}), false),
-        series_of("float differences of snapped vertices",
-                  naive::covers_with({.inside = naive::float_difference_inside}), false),
-        series_of("float, not snapped", naive::float_covers, false)};
+        viewport_series("64-bit integers", pipeline_covers, true),
+        viewport_series("32-bit integers", naive::covers_with({.inside = naive::int32_inside}),
+                        false),
+        viewport_series("float differences of snapped vertices",
+                        naive::covers_with({.inside = naive::float_difference_inside}), false),
+        viewport_series("float, not snapped", naive::float_covers, false)};
   };
   return sweep;
 }
