@@ -160,6 +160,7 @@ TEST_CASE(
     "whatever the limits do, the separation stays within them and moves no more than it must "
     "(S0-13)") {
   Random random(102);
+  int rises = 0, falls = 0;
   for (int run = 0; run < 1000; ++run) {
     const double frames = random.between(0, 60), share = low_pass_share(frames);
     SeparationFilter filter(frames);
@@ -169,6 +170,7 @@ TEST_CASE(
       const double s = filter.next(limit);
       bool good = s <= limit && s > 0;
       if (i > 0) {
+        ++(limit > last_s ? rises : falls);
         if (limit > last_s)
           good = good && s >= last_s &&
                  s - last_s <= share * (limit - last_s) + 4 * unit_roundoff<double> * limit;
@@ -182,6 +184,8 @@ TEST_CASE(
       last_limit = limit;
     }
   }
+  CHECK(rises > 10000);
+  CHECK(falls > 10000);
 }
 
 TEST_CASE(
