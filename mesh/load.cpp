@@ -45,6 +45,11 @@ Result<void> check_file(const std::string& path) {
 
 }  // namespace
 
+bool is_gltf_name(const std::string& path) {
+  const std::string extension = lower_case_extension(path);
+  return extension == ".gltf" || extension == ".glb";
+}
+
 Result<Scene> load_scene(const std::string& name_or_path, const LoadLimits& limits) {
   if (name_or_path.empty()) {
     return fail("scene", "the name is empty",
@@ -56,7 +61,7 @@ Result<Scene> load_scene(const std::string& name_or_path, const LoadLimits& limi
   if (const Result<void> file = check_file(name_or_path); !file)
     return tl::unexpected(file.error());
   const std::string extension = lower_case_extension(name_or_path);
-  if (extension == ".gltf" || extension == ".glb") return load_gltf(name_or_path, limits);
+  if (is_gltf_name(name_or_path)) return load_gltf(name_or_path, limits);
   if (extension == ".obj") return load_obj(name_or_path, limits);
   if (extension == ".ply") return load_ply(name_or_path, limits);
   return refuse(

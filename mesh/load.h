@@ -15,4 +15,7 @@ namespace glassbox {
 // missing or unreadable file, and what the loaders find.
 Result<Scene> load_scene(const std::string& name_or_path, const LoadLimits& limits = {});
 
+// Whether load_scene() reads such a path as glTF.
+bool is_gltf_name(const std::string& path);
+
 }  // namespace glassbox
