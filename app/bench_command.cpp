@@ -16,6 +16,7 @@
 #include "app/exit_codes.h"
 #include "app/output.h"
 #include "app/picture_options.h"
+#include "app/progress.h"
 
 #include <glassbox/base/printable.h>
 #include <glassbox/mesh/load.h>
@@ -85,7 +86,7 @@ void BenchCommand::add_to(CLI::App& app, int& exit_code) {
       "in them.\n\n" +
       scene_help() + "\n" + builtin_help());
   command.add_option("SCENE", scenes_,
-                     "of the benchmark, built-in, or a glTF, GLB or OBJ file [S1 to S7]");
+                     "of the benchmark, built-in, or a glTF, GLB, OBJ or PLY file [S1 to S7]");
   add_measure_options(command);
   add_engine_options(command);
   const std::string outputs = "Other outputs";
@@ -165,6 +166,7 @@ Result<BenchScene> BenchCommand::load(const std::string& name) const {
   if (is_bench_scene(name)) return study::make_bench_scene(name, size_.width, size_.height);
   Result<Scene> scene = load_scene(name);
   if (!scene) return tl::unexpected(scene.error());
+  for (const std::string& warning : scene->warnings) Progress().say("warning: " + warning);
   PictureOptions picture;
   picture.size = size_;
   const Result<ChosenView> chosen = choose_view(*scene, picture);

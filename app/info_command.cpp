@@ -1,5 +1,6 @@
 #include "app/info_command.h"
 
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 
 #include "app/builtin_help.h"
 #include "app/exit_codes.h"
+#include "app/info_contents.h"
 #include "app/output.h"
 
 #include <glassbox/base/printable.h>
@@ -87,9 +89,19 @@ std::vector<std::string> findings(const MeshReport& report) {
   return found;
 }
 
+// What the corners have beside a position.
+std::vector<std::string> attributes(const Mesh& mesh) {
+  std::vector<std::string> names;
+  if (!mesh.normals.empty()) names.push_back("normals");
+  if (!mesh.texcoords.empty()) names.push_back("texture coordinates");
+  if (!mesh.colors.empty()) names.push_back("colours");
+  return names;
+}
+
 Json mesh_json(const Mesh& mesh, const MeshReport& report) {
   Json json{{"name", mesh.name},
             {"material", mesh.material},
+            {"attributes", attributes(mesh)},
             {"positions", report.positions},
             {"vertices", report.vertices},
             {"faces", report.faces},
@@ -132,6 +144,10 @@ Totals totals(const Scene& scene, const std::vector<MeshReport>& reports) {
   return sum;
 }
 
+std::array<float, 3> emission_of(const Material& material) {
+  return emits_light(material) ? material.emission : std::array<float, 3>{0, 0, 0};
+}
+
 Json scene_json(const Scene& scene, const std::vector<MeshReport>& reports) {
   const Totals sum = totals(scene, reports);
   Json json{{"scene", scene.name},
@@ -154,7 +170,9 @@ Json scene_json(const Scene& scene, const std::vector<MeshReport>& reports) {
                                  {"textured", material.texture.has_value()},
                                  {"alpha_mode", alpha_name(material.alpha_mode)},
                                  {"double_sided", material.double_sided},
-                                 {"unlit", material.unlit}});
+                                 {"unlit", material.unlit},
+                                 {"emission", emission_of(material)},
+                                 {"emission_textured", material.emission_texture.has_value()}});
   }
   json["images"] = Json::array();
   for (const Image<Rgba8>& image : scene.images) {
@@ -180,18 +198,21 @@ void print_scene(const Scene& scene, const std::vector<MeshReport>& reports) {
   fmt::print("  bounds {}\n", bounds_text(bounds(scene)));
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     const MeshReport& report = reports[i];
-    fmt::print("  mesh {} '{}': {}, {}, {}, {}, Euler characteristic {}, {}\n", i,
+    const std::vector<std::string> has = attributes(scene.meshes[i]);
+    fmt::print("  mesh {} '{}': {}, {}, {}, {}, Euler characteristic {}, {}{}\n", i,
                printable(scene.meshes[i].name), counted(report.faces, "face"),
                counted(report.vertices, "vertex", "vertices"), counted(report.edges, "edge"),
                counted(report.components, "component"), report.euler_characteristic,
-               report.closed ? "closed" : "open");
+               report.closed ? "closed" : "open",
+               has.empty() ? "" : fmt::format("; with {}", fmt::join(has, ", ")));
     for (const std::string& finding : findings(report)) fmt::print("    - {}\n", finding);
   }
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     const Material& material = scene.materials[i];
-    fmt::print("  material {} '{}': {}{}{}{}\n", i, printable(material.name),
+    fmt::print("  material {} '{}': {}{}{}{}{}\n", i, printable(material.name),
                alpha_name(material.alpha_mode), material.texture ? ", textured" : "",
-               material.double_sided ? ", double-sided" : "", material.unlit ? ", unlit" : "");
+               material.double_sided ? ", double-sided" : "", material.unlit ? ", unlit" : "",
+               emits_light(material) ? ", emits light" : "");
   }
   for (std::size_t i = 0; i < scene.images.size(); ++i) {
     fmt::print("  image {}: {} x {}\n", i, scene.images[i].width, scene.images[i].height);
@@ -204,8 +225,19 @@ void print_scene(const Scene& scene, const std::vector<MeshReport>& reports) {
   if (!scene.extensions.empty())
     fmt::print("  extensions: {}\n",
                printable(fmt::format("{}", fmt::join(scene.extensions, ", ")), kLongText));
+}
+
+void print_warnings(const Scene& scene) {
   for (const std::string& warning : scene.warnings)
     fmt::print("  warning: {}\n", printable(warning, kLongText));
+}
+
+// Of a glTF file that has been loaded; of other scenes there is nothing beside what is drawn.
+Result<std::optional<GltfContents>> contents_of(const std::string& file) {
+  if (!is_gltf_name(file)) return std::optional<GltfContents>();
+  auto contents = list_gltf(file);
+  if (!contents) return tl::unexpected(contents.error());
+  return std::optional<GltfContents>(std::move(*contents));
 }
 
 }  // namespace
@@ -218,7 +250,8 @@ void InfoCommand::add_to(CLI::App& app, int& exit_code) {
       "  glassbox info part.obj --json - | jq '.meshes[0].open_edges'\n"
       "  glassbox info teapot --write teapot.glb\n\n" +
       builtin_help());
-  command.add_option("SCENE", scene_, "a glTF, GLB or OBJ file, or the name of a built-in scene")
+  command
+      .add_option("SCENE", scene_, "a glTF, GLB, OBJ or PLY file, or the name of a built-in scene")
       ->required();
   command.add_option("--json", json_output_, "the same as JSON; - is standard output")
       ->type_name("FILE|-");
@@ -233,6 +266,8 @@ int InfoCommand::run() {
   }
   const Result<Scene> scene = load_scene(scene_);
   if (!scene) return refuse(scene.error());
+  const auto contents = contents_of(scene->file);
+  if (!contents) return refuse(contents.error());
   std::vector<MeshReport> reports;
   for (const Mesh& mesh : scene->meshes) reports.push_back(check(mesh));
 
@@ -241,10 +276,16 @@ int InfoCommand::run() {
       return refuse(written.error());
   }
   if (json_output_) {
-    const auto written = write_json(*json_output_, scene_json(*scene, reports));
+    Json json = scene_json(*scene, reports);
+    add_contents(contents->value_or(GltfContents()), json);
+    const auto written = write_json(*json_output_, json);
     if (!written) return refuse(written.error());
   }
-  if (json_output_ != "-") print_scene(*scene, reports);
+  if (json_output_ != "-") {
+    print_scene(*scene, reports);
+    if (*contents) fmt::print("{}", contents_text(**contents));
+    print_warnings(*scene);
+  }
   return kSuccess;
 }
 

@@ -125,7 +125,8 @@ void RenderCommand::add_to(CLI::App& app, int& exit_code) {
       "one\n"
       "stage after the other, and so at the staged engine.\n\n" +
       builtin_help());
-  command.add_option("SCENE", scene_, "a glTF, GLB or OBJ file, or the name of a built-in scene")
+  command
+      .add_option("SCENE", scene_, "a glTF, GLB, OBJ or PLY file, or the name of a built-in scene")
       ->required();
   command.add_option("-o,--output", output_, "image file, .png or .ppm [SCENE.png]")
       ->type_name("FILE");

@@ -73,7 +73,8 @@ void StereoCommand::add_to(CLI::App& app, int& exit_code) {
       "The page needs no network and no other file. The options of the picture are those of\n"
       "glassbox render: the same words with --stereo draw the same pictures.\n\n" +
       builtin_help());
-  command.add_option("SCENE", scene_, "a glTF, GLB or OBJ file, or the name of a built-in scene")
+  command
+      .add_option("SCENE", scene_, "a glTF, GLB, OBJ or PLY file, or the name of a built-in scene")
       ->required();
   add_picture_options(command, picture_);
   const std::size_t before = command.get_options().size();

@@ -15,7 +15,24 @@ Result<Image<Rgba8>> decode_any(std::span<const std::byte> bytes, const DecodeLi
   return fail("", "not a PNG, JPEG, BMP or TGA image", "convert it to PNG");
 }
 
+// Signature, length and name of the first chunk, then width and height, the high byte first.
+std::optional<ImageSize> png_size(std::span<const std::byte> bytes) {
+  constexpr std::size_t kWidth = 16, kHeight = 20, kEnd = 24;
+  if (bytes.size() < kEnd) return std::nullopt;
+  const auto number = [&](std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) value = value << 8 | std::uint32_t(bytes[at + i]);
+    return value;
+  };
+  return ImageSize{number(kWidth), number(kHeight)};
+}
+
 }  // namespace
+
+std::optional<ImageSize> find_image_size(std::span<const std::byte> bytes) {
+  if (is_png(bytes)) return png_size(bytes);
+  return is_stb_format(bytes) ? find_size_with_stb(bytes) : std::nullopt;
+}
 
 Result<Image<Rgba8>> decode_image(std::span<const std::byte> bytes, const DecodeLimits& limits) {
   return unless_out_of_memory([&] { return decode_any(bytes, limits); });

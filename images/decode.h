@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include <glassbox/base/error.h>
@@ -21,5 +22,13 @@ struct DecodeLimits {
 // file too short for the size it claims is refused) before anything is allocated in proportion to it.
 Result<Image<Rgba8>> decode_image(std::span<const std::byte> bytes,
                                   const DecodeLimits& limits = {});
+
+struct ImageSize {
+  std::uint32_t width = 0, height = 0;  // px
+};
+
+// What the header of such a file says. Nothing is decoded, and what follows the header is not looked at where the size can
+// be told without.
+std::optional<ImageSize> find_image_size(std::span<const std::byte> bytes);
 
 }  // namespace glassbox

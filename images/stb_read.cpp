@@ -103,6 +103,15 @@ Result<Pixels> decode(Bytes bytes, int channels, const DecodeLimits& limits) {
 
 }  // namespace
 
+std::optional<ImageSize> find_size_with_stb(Bytes bytes) {
+  constexpr std::uint64_t kAll = std::numeric_limits<std::uint64_t>::max();
+  const auto kind = kind_of(bytes);
+  if (!kind) return std::nullopt;
+  const auto pixels = check(*kind, bytes, {kAll, std::numeric_limits<std::uint32_t>::max()});
+  if (!pixels) return std::nullopt;
+  return ImageSize{std::uint32_t(pixels->width), std::uint32_t(pixels->height)};
+}
+
 bool is_stb_format(Bytes bytes) {
   const auto kind = kind_of(bytes);
   return kind && (*kind != Kind::kTga || read_size(bytes));

@@ -17,4 +17,7 @@ Result<Image<Rgba8>> decode_with_stb(std::span<const std::byte> bytes, const Dec
 Result<StoredImage> decode_stored_with_stb(std::span<const std::byte> bytes,
                                            const DecodeLimits& limits);
 
+// Nothing where stb could not read the file.
+std::optional<ImageSize> find_size_with_stb(std::span<const std::byte> bytes);
+
 }  // namespace glassbox

@@ -7,6 +7,7 @@
 #include <glassbox/mesh/builtin/scenes.h>
 #include <glassbox/mesh/gltf/load.h>
 #include <glassbox/mesh/obj/load.h>
+#include <glassbox/mesh/ply/load.h>
 
 namespace glassbox {
 namespace {
@@ -38,11 +39,16 @@ Result<void> check_file(const std::string& path) {
                   "check the path, or name a built-in scene: " + list_builtins());
   }
   if (fs::is_directory(status))
-    return refuse(path, "is a directory", "name a .gltf, .glb or .obj file in it");
+    return refuse(path, "is a directory", "name a .gltf, .glb, .obj or .ply file in it");
   return {};
 }
 
 }  // namespace
+
+bool is_gltf_name(const std::string& path) {
+  const std::string extension = lower_case_extension(path);
+  return extension == ".gltf" || extension == ".glb";
+}
 
 Result<Scene> load_scene(const std::string& name_or_path, const LoadLimits& limits) {
   if (name_or_path.empty()) {
@@ -55,12 +61,14 @@ Result<Scene> load_scene(const std::string& name_or_path, const LoadLimits& limi
   if (const Result<void> file = check_file(name_or_path); !file)
     return tl::unexpected(file.error());
   const std::string extension = lower_case_extension(name_or_path);
-  if (extension == ".gltf" || extension == ".glb") return load_gltf(name_or_path, limits);
+  if (is_gltf_name(name_or_path)) return load_gltf(name_or_path, limits);
   if (extension == ".obj") return load_obj(name_or_path, limits);
+  if (extension == ".ply") return load_ply(name_or_path, limits);
   return refuse(
       name_or_path,
       extension.empty() ? "has no extension" : "has the unknown extension '" + extension + "'",
-      "scenes are read from .gltf, .glb and .obj files; built-in scenes are " + list_builtins());
+      "scenes are read from .gltf, .glb, .obj and .ply files; built-in scenes are " +
+          list_builtins());
 }
 
 }  // namespace glassbox

@@ -46,7 +46,15 @@ struct Material {
   float alpha_cutoff = 0.5f;  // kMask: kept where alpha >= cutoff
   bool double_sided = false;
   bool unlit = false;
+  // Light of its own, in the units of what it reflects: added to it, times the texture. Unlit materials have none.
+  std::array<float, 3> emission{0, 0, 0};
+  std::optional<std::uint32_t> emission_texture;  // index into Scene::textures
 };
+
+inline bool emits_light(const Material& material) {
+  const std::array<float, 3>& e = material.emission;
+  return !material.unlit && (e[0] != 0 || e[1] != 0 || e[2] != 0);
+}
 
 // ---- placement ----
 

@@ -3,7 +3,7 @@
 //
 //   diffuse  = ambient + sum E max(0, n . l)
 //   specular = sum E max(0, n . h)^shininess          where n . l > 0
-//   colour   = base_color * diffuse + material.specular * specular
+//   colour   = base_color * diffuse + material.specular * specular + emission
 //
 // E is the light's colour times its intensity over pi, so that a white matte surface facing a directional light of pi
 // lux is exactly white; point and spot lights fall off with the square of the distance (KHR_lights_punctual).

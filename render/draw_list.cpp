@@ -61,6 +61,17 @@ Draw make_draw(const Scene& scene, const View& view, std::uint32_t instance,
   return draw;
 }
 
+void choose_textures(const Scene& scene, const PreparedScene& prepared, Draw& draw) {
+  if (const auto& texture = draw.material->texture) {
+    draw.texture = &prepared.textures[*texture];
+    draw.sampler = &scene.textures[*texture].sampler;
+  }
+  if (const auto& texture = draw.material->emission_texture; texture && draw.emits) {
+    draw.emission_texture = &prepared.textures[*texture];
+    draw.emission_sampler = &scene.textures[*texture].sampler;
+  }
+}
+
 void sort_blended(std::vector<Draw>& draws) {
   const auto first_blended = std::stable_partition(
       draws.begin(), draws.end(),
@@ -90,10 +101,8 @@ DrawList make_draw_list(const Scene& scene, const PreparedScene& prepared, const
     draw.prepared = &mesh;
     draw.first_number = list.triangle_count;
     list.triangle_count += draw.triangulation->numbered;
-    if (draw.material->texture && !draw.mesh->texcoords.empty()) {
-      draw.texture = &prepared.textures[*draw.material->texture];
-      draw.sampler = &scene.textures[*draw.material->texture].sampler;
-    }
+    draw.emits = emits_light(*draw.material);
+    if (!draw.mesh->texcoords.empty()) choose_textures(scene, prepared, draw);
     list.draws.push_back(draw);
   }
   sort_blended(list.draws);

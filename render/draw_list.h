@@ -21,6 +21,9 @@ struct Draw {
   const Material* material = nullptr;
   const MipChain* texture = nullptr;  // null: none
   const Sampler* sampler = nullptr;
+  bool emits = false;                          // emits_light(*material)
+  const MipChain* emission_texture = nullptr;  // null: none, or it emits nothing
+  const Sampler* emission_sampler = nullptr;
   const Triangulation* triangulation = nullptr;
   const PreparedMesh* prepared = nullptr;
   std::uint32_t instance = 0;

@@ -17,12 +17,12 @@ namespace glassbox {
 // What a primitive brings for each of its fragments.
 struct Surface {
   std::array<Varyings, 3> vertices;      // interpolated with Fragment::weights
-  std::optional<TexturePlanes> texture;  // of textured triangles
+  std::optional<TexturePlanes> texture;  // of textured triangles, be it in their emission
 };
 
 inline Surface surface_of(const FragmentStage& stage, const ReadyTriangle& triangle) {
   Surface surface{triangle.vertices, {}};
-  if (stage.draw.texture != nullptr) {
+  if (stage.draw.texture != nullptr || stage.draw.emission_texture != nullptr) {
     surface.texture = texture_planes(triangle.setup,
                                      {triangle.vertices[0].texcoord, triangle.vertices[1].texcoord,
                                       triangle.vertices[2].texcoord});
@@ -31,10 +31,10 @@ inline Surface surface_of(const FragmentStage& stage, const ReadyTriangle& trian
 }
 
 // Base-2 level of the mip chain that suits the fragment; 0 for lines and points.
-inline float detail_at(const FragmentStage& stage, const Surface& surface, const Varyings& at,
+inline float detail_at(const MipChain& texture, const Surface& surface, const Varyings& at,
                        const Fragment& fragment) {
   if (!surface.texture) return 0.0f;
-  const Image<Rgba8>& image = stage.draw.texture->levels.front();
+  const Image<Rgba8>& image = texture.levels.front();
   return level_of_detail(texture_gradient(*surface.texture, at.texcoord, fragment.inverse_w),
                          image.width, image.height);
 }
@@ -46,9 +46,9 @@ inline Rgba surface_color(const FragmentStage& stage, const Surface& surface, co
   Rgba color{base.r * at.color[0], base.g * at.color[1], base.b * at.color[2],
              base.a * at.color[3]};
   if (stage.draw.texture != nullptr) {
-    const Rgba texel =
-        sample(*stage.draw.texture, *stage.draw.sampler, at.texcoord,
-               detail_at(stage, surface, at, fragment), stage.settings.transfer, stage.channels);
+    const Rgba texel = sample(*stage.draw.texture, *stage.draw.sampler, at.texcoord,
+                              detail_at(*stage.draw.texture, surface, at, fragment),
+                              stage.settings.transfer, stage.channels);
     color = {color.r * texel.r, color.g * texel.g, color.b * texel.b, color.a * texel.a};
   }
   return color;
@@ -84,6 +84,29 @@ inline Rgba lit(const FragmentStage& stage, const Rgba& base, const Varyings& at
           base.b * light.diffuse[2] + material.specular[2] * light.specular[2], base.a};
 }
 
+// What the surface shines with by itself: its emission times the texture of that.
+inline std::array<float, 3> emission_at(const FragmentStage& stage, const Surface& surface,
+                                        const Varyings& at, const Fragment& fragment) {
+  const std::array<float, 3>& emission = stage.draw.material->emission;
+  if (stage.draw.emission_texture == nullptr) return emission;
+  const MipChain& texture = *stage.draw.emission_texture;
+  const Rgba texel =
+      sample(texture, *stage.draw.emission_sampler, at.texcoord,
+             detail_at(texture, surface, at, fragment), stage.settings.transfer, stage.channels);
+  return {emission[0] * texel.r, emission[1] * texel.g, emission[2] * texel.b};
+}
+
+// The surface in the light, and its own light with it.
+inline Rgba shining(const FragmentStage& stage, const Surface& surface, const Varyings& at,
+                    const Fragment& fragment, const Rgba& base) {
+  Rgba color = lit(stage, base, at);
+  if (!stage.draw.emits || !shows_light(stage.draw, stage.settings)) return color;
+  std::array<float, 3> own = emission_at(stage, surface, at, fragment);
+  if (stage.observer != nullptr) stage.observer->emitted(at, own);
+  color.r += own[0], color.g += own[1], color.b += own[2];
+  return color;
+}
+
 // A direction as a colour: each component from [-1, 1] to [0, 255].
 inline Rgba8 picture_of_normal(const std::array<float, 3>& n) {
   const float squared = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
@@ -103,12 +126,13 @@ struct FragmentColor {
   std::optional<Rgba8> quantity;
 };
 
-inline FragmentColor fragment_color(const FragmentStage& stage, const Varyings& at,
-                                    const Rgba& surface) {
+inline FragmentColor fragment_color(const FragmentStage& stage, const Surface& surface,
+                                    const Varyings& at, const Fragment& fragment,
+                                    const Rgba& base) {
   if (stage.settings.show == Show::kNormal) return {{}, picture_of_normal(at.normal)};
   if (stage.settings.show == Show::kUv) return {{}, picture_of_texcoord(at.texcoord)};
-  Rgba color = lit(stage, surface, at);
-  if (stage.observer != nullptr) stage.observer->lit(at, surface, color);
+  Rgba color = shining(stage, surface, at, fragment, base);
+  if (stage.observer != nullptr) stage.observer->lit(at, base, color);
   const bool blended = stage.draw.material->alpha_mode == AlphaMode::kBlend;
   color.a = blended ? std::clamp(color.a, 0.0f, 1.0f) : 1.0f;  // vertex colours may exceed 1
   return {color, {}};

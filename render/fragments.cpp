@@ -44,7 +44,7 @@ Fate process(const FragmentStage& stage, const FragmentSource& source, const Fra
   }
   const std::size_t pixel = stage.target.depth.index(fragment.x, fragment.y);
   const Rgba8 before = stage.color.pixels[pixel];
-  Rgba8 after = encoded(stage, fragment_color(stage, at, base), before);
+  Rgba8 after = encoded(stage, fragment_color(stage, surface, at, fragment, base), before);
   if (stage.observer != nullptr) stage.observer->encoded(fragment, before, after);
   const bool blended = is_blended(stage);
   if (blended) ++stage.statistics.blended;

@@ -87,7 +87,10 @@ public:
   // The surface's own colour: material times vertex colour times texture.
   virtual void textured(const Varyings& /*at*/, Rgba& /*surface*/) {}
 
-  // The colour in the light, still linear.
+  // The light that the surface shines with by itself; not called where the material has none.
+  virtual void emitted(const Varyings& /*at*/, std::array<float, 3>& /*emission*/) {}
+
+  // The colour in the light, and with what was emitted, still linear.
   virtual void lit(const Varyings& /*at*/, const Rgba& /*surface*/, Rgba& /*color*/) {}
 
   // What is stored, before the colour mask; `before` is what the pixel held.

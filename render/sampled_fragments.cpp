@@ -113,7 +113,8 @@ Fate process(const FragmentStage& stage, const SampledTriangle& triangle,
   if (blended) ++stage.statistics.blended;
   ++stage.statistics.written;
   if (fragment.samples != 0) {
-    write_samples(stage, fragment, fragment_color(stage, at, base), !blended);
+    const FragmentColor color = fragment_color(stage, triangle.surface, at, fragment.shaded, base);
+    write_samples(stage, fragment, color, !blended);
   }
   if (fragment.centre) {
     write_planes(stage, fragment.shaded, fragment.centre_code, triangle.id, !blended);

@@ -49,7 +49,10 @@ ClipTable project_other_eye(const Draw& other_eye, const View& other_view,
 }
 
 bool needs_normals(const Draw& draw, const RenderSettings& settings) {
-  if (settings.show == Show::kNormal) return true;
+  return settings.show == Show::kNormal || shows_light(draw, settings);
+}
+
+bool shows_light(const Draw& draw, const RenderSettings& settings) {
   return settings.show == Show::kColor && settings.shading != Shading::kUnlit &&
          !draw.material->unlit;
 }

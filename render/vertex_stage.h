@@ -54,6 +54,9 @@ struct EyeSpace {
 // True where the draw's colour depends on normals: lit shading of a lit material, or a picture of the normals.
 bool needs_normals(const Draw& draw, const RenderSettings& settings);
 
+// True where the picture shows light: what the surface reflects, and what it emits.
+bool shows_light(const Draw& draw, const RenderSettings& settings);
+
 // True where light is computed with the normals of faces: flat shading, and corners without a normal of their own.
 bool needs_face_normals(const Draw& draw, const RenderSettings& settings);
 

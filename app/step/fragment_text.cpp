@@ -67,8 +67,16 @@ std::string colour_text(const TracedFragment& traced, const RenderSettings& sett
                               ", linear: material, vertex colour, texture");
   if (traced.fate == Fate::kDiscarded)
     return text + sentence("its alpha is below the material's cutoff: discarded");
-  if (settings.show == Show::kColor)
-    text += line("lit      " + color_text(traced.light) + ", linear");
+  if (settings.show == Show::kColor) {
+    const auto& [r, g, b] = traced.emission;
+    const bool emits = r != 0 || g != 0 || b != 0;
+    if (emits) {
+      text += line(fmt::format("emitted  ({}, {}, {}), linear", brief(double(r)), brief(double(g)),
+                               brief(double(b))));
+    }
+    text += line("lit      " + color_text(traced.light) + ", linear" +
+                 (emits ? ", with what is emitted" : ""));
+  }
   text += sentence(
       fmt::format("pixel   {} -> {}{}", bytes_text(traced.before), bytes_text(traced.after),
                   traced.fate == Fate::kBlended ? ", blended over what was there" : ""));

@@ -35,7 +35,8 @@ std::string all_stages(const std::vector<StageText>& stages) {
 
 void SceneStep::add_to(CLI::App& command) {
   const std::string group = "A triangle of a scene";
-  command.add_option("SCENE", scene_, "a glTF, GLB or OBJ file, or the name of a built-in scene");
+  command.add_option("SCENE", scene_,
+                     "a glTF, GLB, OBJ or PLY file, or the name of a built-in scene");
   CLI::Option* triangle =
       command.add_option("--triangle", triangle_, "its number in the scene, counted from 0")
           ->type_name("N")
@@ -119,6 +120,7 @@ int SceneStep::run(bool bits, const std::optional<std::string>& json_output) {
   progress.phase("loading " + scene_);
   const Result<Scene> scene = load_scene(scene_, limits_);
   if (!scene) return refuse(scene.error());
+  for (const std::string& warning : scene->warnings) progress.say("warning: " + warning);
   progress.phase("rendering " + scene_);
   const Result<StepTarget> target = find_target(*scene);
   if (!target) return refuse(target.error());

@@ -23,7 +23,7 @@ void StudyRecommendCommand::add_to(CLI::App& study, int& exit_code) {
       "Everything is measured on this scene, seen by this camera; docs/study.md says how.\n"
       "Exit code 1: a budget cannot be met.\n\n" +
       builtin_help());
-  command.add_option("SCENE", scene_, "built-in, or a glTF, GLB or OBJ file")->required();
+  command.add_option("SCENE", scene_, "built-in, or a glTF, GLB, OBJ or PLY file")->required();
   command
       .add_option("--error-budget", budgets_, "limits of position [px], depth and colour [shares]")
       ->type_name("LIMITS")
@@ -55,6 +55,7 @@ int StudyRecommendCommand::run() const {
   std::vector<std::string> words{scene_};
   for (const std::string& word : words_of(picture_words_)) words.push_back(word);
   Progress progress;
+  for (const std::string& warning : scene->warnings) progress.say("warning: " + warning);
   const auto found = recommend(*scene, picture_, *budgets, words, progress);
   progress.done();
   if (!found) return refuse(found.error());

@@ -27,7 +27,7 @@ std::size_t component_bytes(int component_type) {
   }
 }
 
-// Columns of matrices start at multiples of four bytes.
+// Columns of matrices start at multiples of four bytes, and so do the elements: as far apart as this where the view does not say.
 std::size_t element_bytes(const tinygltf::Accessor& accessor) {
   const std::size_t size = component_bytes(accessor.componentType);
   const auto padded = [](std::size_t bytes) { return (bytes + 3) / 4 * 4; };
@@ -43,17 +43,35 @@ std::size_t element_bytes(const tinygltf::Accessor& accessor) {
   }
 }
 
+// Of the last element, whose last column is not padded (glTF 2.0, section 3.6.2.4).
+std::size_t last_element_bytes(const tinygltf::Accessor& accessor) {
+  const std::size_t size = component_bytes(accessor.componentType);
+  const auto without_padding = [&](std::size_t rows) {
+    return element_bytes(accessor) - (4 - rows * size % 4) % 4;
+  };
+  switch (accessor.type) {
+    case TINYGLTF_TYPE_MAT2:
+      return without_padding(2);
+    case TINYGLTF_TYPE_MAT3:
+      return without_padding(3);
+    case TINYGLTF_TYPE_MAT4:
+      return without_padding(4);
+    default:
+      return element_bytes(accessor);
+  }
+}
+
 std::size_t stride_bytes(const Asset& asset, const tinygltf::Accessor& accessor) {
   const std::size_t stride = asset.model.bufferViews[std::size_t(accessor.bufferView)].byteStride;
   return stride == 0 ? element_bytes(accessor) : stride;
 }
 
-// Whether `count` elements, `stride` apart, fit behind `offset`. Nothing here can overflow: the count is below 2^32,
-// the stride below 2^8.
+// Whether `count` elements, `stride` apart, the last of `last` bytes, fit behind `offset`. Nothing here can overflow: the count is
+// below 2^32, the stride below 2^8.
 bool fits(std::uint64_t available, std::uint64_t offset, std::uint64_t count, std::uint64_t stride,
-          std::uint64_t element) {
+          std::uint64_t last) {
   if (count == 0) return true;
-  return offset <= available && (count - 1) * stride + element <= available - offset;
+  return offset <= available && (count - 1) * stride + last <= available - offset;
 }
 
 tl::unexpected<Error> refuse(std::size_t index, std::string cause) {
@@ -77,7 +95,7 @@ Result<void> check_elements(const Asset& asset, std::size_t index) {
                              " bytes, only " + std::to_string(stride) + " bytes apart");
   }
   if (!fits(view.byteLength, accessor.byteOffset, accessor.count, stride,
-            element_bytes(accessor))) {
+            last_element_bytes(accessor))) {
     return refuse(index, std::to_string(accessor.count) + " elements reach beyond the " +
                              std::to_string(view.byteLength) + " bytes of " +
                              entry("bufferView", std::size_t(accessor.bufferView)));
@@ -106,7 +124,7 @@ Result<void> check_sparse(const Asset& asset, std::size_t index) {
   }
   if (!fits(views[std::size_t(sparse.values.bufferView)].byteLength,
             std::uint64_t(sparse.values.byteOffset), count, element_bytes(accessor),
-            element_bytes(accessor))) {
+            last_element_bytes(accessor))) {
     return refuse(index, "its sparse values reach beyond " +
                              entry("bufferView", std::size_t(sparse.values.bufferView)));
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 #include <string_view>
 
@@ -14,13 +15,22 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<std::string_view, 4> kSupported = {
-    "KHR_lights_punctual", "KHR_materials_unlit", "KHR_mesh_quantization", "KHR_texture_transform"};
+constexpr std::array<std::string_view, 5> kSupported = {
+    "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_unlit",
+    "KHR_mesh_quantization", "KHR_texture_transform"};
 
 // Warnings and names of extensions are kept up to this many: hostile files would fill memory with them.
 constexpr std::size_t kMaxWarnings = 100;
 
-Result<void> check_extensions(Asset& asset) {
+// "the extension 'KHR_x' is not supported and was ignored in 3 places"
+void warn_of_extension(Asset& asset, const std::string& name, std::uint64_t places) {
+  const std::string where = places == 0   ? ""
+                            : places == 1 ? " in one place"
+                                          : " in " + std::to_string(places) + " places";
+  asset.warn("the extension " + in_quotes(name) + " is not supported and was ignored" + where);
+}
+
+Result<void> check_extensions(Asset& asset, const std::map<std::string, std::uint64_t>& found) {
   for (const char* list : {"extensionsRequired", "extensionsUsed"}) {
     for (const json& item : asset.document.value(list, json::array())) {
       const std::string& name = item.get_ref<const std::string&>();
@@ -32,7 +42,8 @@ Result<void> check_extensions(Asset& asset) {
               "the file needs the extension " + in_quotes(name) + ", which is not supported",
               "export it without this extension");
         }
-        asset.warn("the extension " + in_quotes(name) + " is not supported and was ignored");
+        const auto places = found.find(name);
+        warn_of_extension(asset, name, places == found.end() ? 0 : places->second);
       }
       if (asset.extensions.size() >= kMaxWarnings) {
         return fail("extensionsUsed",
@@ -41,6 +52,12 @@ Result<void> check_extensions(Asset& asset) {
       }
       asset.extensions.push_back(printable(name));
     }
+  }
+  // Files that do not list what they use.
+  for (const auto& [name, places] : found) {
+    const bool listed =
+        std::ranges::find(asset.extensions, printable(name)) != asset.extensions.end();
+    if (!listed && !is_supported(name)) warn_of_extension(asset, name, places);
   }
   return {};
 }
@@ -90,12 +107,14 @@ Result<void> check_buffer_views(const Asset& asset) {
 }
 
 // tinygltf turns the checked document into its records. Buffers and images stay with us: it would read files by its own
-// rules and decode images without bound. An accessor without a buffer view is a legal list of indices, but tinygltf
-// refuses that, so that such accessors name a view behind the last one while it reads.
+// rules and decode images without bound. Animations are only counted, and nothing of them is left to read. An accessor
+// without a buffer view is a legal list of indices, but tinygltf refuses that, so that such accessors name a view behind
+// the last one while it reads.
 Result<void> parse_model(Asset& asset) {
   json document = asset.document;
   document.erase("buffers");
   document.erase("images");
+  document.erase("animations");
   const std::size_t views = document.value("bufferViews", json::array()).size();
   document["bufferViews"].push_back({{"buffer", 0}, {"byteLength", 1}});
   if (document.contains("accessors")) {
@@ -136,6 +155,30 @@ void Asset::warn(std::string text) {
                                                     : "further warnings were left out");
 }
 
+void Asset::warn_at(const std::string& place, const std::string& text, std::uint64_t amount) {
+  auto same = std::ranges::find(repeated, text, &Repeated::text);
+  if (same == repeated.end()) {
+    if (repeated.size() >= kMaxWarnings) return warn("further warnings were left out");
+    same = repeated.insert(same, Repeated{text, place, 0, 0});
+  }
+  ++same->places;
+  same->amount += amount;
+}
+
+std::vector<std::string> Asset::all_warnings() const {
+  std::vector<std::string> all = warnings;
+  for (const Repeated& one : repeated) {
+    std::string text = one.text;
+    if (const std::size_t at = text.find("{}"); at != std::string::npos) {
+      text.replace(at, 2, std::to_string(one.amount));
+    }
+    const std::string more =
+        one.places == 1 ? "" : " and " + std::to_string(one.places - 1) + " more";
+    all.push_back(one.first_place + more + ": " + text);
+  }
+  return all;
+}
+
 Result<Asset> open_asset(std::span<const std::byte> bytes, const std::string& directory,
                          const LoadLimits& limits) {
   constexpr std::size_t kMaxJsonBytes = std::size_t(1) << 29;
@@ -144,12 +187,13 @@ Result<Asset> open_asset(std::span<const std::byte> bytes, const std::string& di
   if (container->json.size() > kMaxJsonBytes) {
     return fail("JSON", "has more than 512 MB", "keep the data in a buffer instead of in the text");
   }
-  Result<json> document = read_document(container->json);
+  Result<Document> document = read_document(container->json);
   if (!document) return tl::unexpected(document.error());
 
-  Asset asset{{}, std::move(*document), {}, Resources(directory, limits), limits, 0,
-              {}, container->warnings};
-  if (auto done = check_extensions(asset); !done) return tl::unexpected(done.error());
+  Asset asset{{}, std::move(document->checked), {}, Resources(directory, limits), limits, 0,
+              {}, container->warnings,          {}};
+  if (auto done = check_extensions(asset, document->extensions); !done)
+    return tl::unexpected(done.error());
   if (auto done = parse_model(asset); !done) return tl::unexpected(done.error());
   if (auto done = read_buffers(asset, container->binary); !done)
     return tl::unexpected(done.error());

@@ -26,11 +26,21 @@ struct Asset {
   LoadLimits limits;
   std::uint64_t bytes = 0;  // of the file and the buffers: what memory is to be in proportion to
   std::vector<std::string> extensions;
+
+  // What is said of many places in one sentence.
+  struct Repeated {
+    std::string text, first_place;
+    std::uint64_t places = 0, amount = 0;
+  };
   std::vector<std::string> warnings;
+  std::vector<Repeated> repeated;
 
   // Whether the file lists the extension as used or required.
   bool uses(const std::string& extension) const;
   void warn(std::string text);  // the same warning is kept once
+  // "PLACE and 4 more: TEXT", where {} in the text stands for the sum of the amounts.
+  void warn_at(const std::string& place, const std::string& text, std::uint64_t amount = 0);
+  std::vector<std::string> all_warnings() const;
 };
 
 // The extensions that are honoured; required others are errors, used others warnings.

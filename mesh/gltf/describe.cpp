@@ -1,5 +1,6 @@
 #include <glassbox/mesh/gltf/describe.h>
 
+#include <algorithm>
 #include <cmath>
 #include <variant>
 
@@ -26,6 +27,19 @@ int minify_code(const Sampler& sampler) {
   return 9986 + linear;
 }
 
+// Factors reach to 1; beyond that there is a strength.
+void describe_emission(const Material& material, json& described) {
+  const std::array<float, 3>& e = material.emission;
+  const double strength = std::max({1.0, double(e[0]), double(e[1]), double(e[2])});
+  described["emissiveFactor"] = {e[0] / strength, e[1] / strength, e[2] / strength};
+  if (strength > 1) {
+    described["extensions"]["KHR_materials_emissive_strength"] = {{"emissiveStrength", strength}};
+  }
+  if (material.emission_texture) {
+    described["emissiveTexture"] = {{"index", *material.emission_texture}};
+  }
+}
+
 }  // namespace
 
 json describe(const Sampler& sampler) {
@@ -49,11 +63,13 @@ json describe(const Material& material) {
   }
   if (material.alpha_mode == AlphaMode::kMask) described["alphaCutoff"] = material.alpha_cutoff;
   if (material.double_sided) described["doubleSided"] = true;
+  if (emits_light(material)) describe_emission(material, described);
   if (material.unlit) {
     described["extensions"]["KHR_materials_unlit"] = json::object();
   }
   described["extras"]["glassbox"] = {{"specular", material.specular},
                                      {"shininess", material.shininess}};
+  if (emits_light(material)) described["extras"]["glassbox"]["emission"] = material.emission;
   return described;
 }
 

@@ -11,6 +11,7 @@
 #include <glassbox/mesh/gltf/accessors.h>
 #include <glassbox/mesh/gltf/asset.h>
 #include <glassbox/mesh/gltf/cameras_lights.h>
+#include <glassbox/mesh/gltf/left_out.h>
 #include <glassbox/mesh/gltf/materials.h>
 #include <glassbox/mesh/gltf/nodes.h>
 #include <glassbox/mesh/gltf/primitive.h>
@@ -20,21 +21,6 @@ namespace glassbox {
 namespace {
 
 using namespace gltf;
-
-// The materials of what the scene draws.
-std::vector<bool> used_materials(const Asset& asset, const NodeTree& tree) {
-  std::vector<bool> used(asset.model.materials.size(), false);
-  std::vector<bool> seen(asset.model.meshes.size(), false);
-  for (const std::uint32_t node : tree.drawn) {
-    const int mesh = asset.model.nodes[node].mesh;
-    if (mesh < 0 || seen[std::size_t(mesh)]) continue;
-    seen[std::size_t(mesh)] = true;
-    for (const tinygltf::Primitive& primitive : asset.model.meshes[std::size_t(mesh)].primitives) {
-      if (primitive.material >= 0) used[std::size_t(primitive.material)] = true;
-    }
-  }
-  return used;
-}
 
 // Makes the meshes that the nodes draw. A primitive becomes one Mesh, shared by all nodes that draw it in the same pose.
 class MeshTable {
@@ -165,17 +151,18 @@ Result<Scene> build_scene(Asset& asset) {
     if (auto done = meshes.add_instances(node); !done) return tl::unexpected(done.error());
   }
   if (scene.instances.empty()) {
+    const std::vector<std::string> warnings = asset.all_warnings();
     const auto left_out = std::ranges::find_if(
-        asset.warnings, [](const std::string& w) { return w.ends_with("not drawn"); });
-    const std::string why =
-        left_out == asset.warnings.end() ? std::string() : " (" + *left_out + ")";
+        warnings, [](const std::string& w) { return w.ends_with("not drawn"); });
+    const std::string why = left_out == warnings.end() ? std::string() : " (" + *left_out + ")";
     return fail("", "the scene has nothing to draw" + why,
                 "choose a file with a mesh in its default scene");
   }
   if (auto done = place_cameras_and_lights(asset, *tree, scene); !done)
     return tl::unexpected(done.error());
   scene.extensions = asset.extensions;
-  scene.warnings = asset.warnings;
+  name_left_out(asset, *tree, *materials);
+  scene.warnings = asset.all_warnings();
   return scene;
 }
 

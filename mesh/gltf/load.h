@@ -12,11 +12,13 @@
 namespace glassbox {
 
 // Reads the default scene of a .gltf or .glb file (the first scene where none is named, every root node where there are
-// no scenes). Morph targets stand at their default weights, skins in the pose of their nodes; animations are ignored.
+// no scenes). Morph targets stand at their default weights, skins in the pose of their nodes. What the file asks for and the
+// scene has not is named in Scene::warnings, one line for each kind (left_out.h).
 //
 // Metallic-roughness materials become Blinn-Phong ones:
 //   specular  = mix(0.2, base colour, metallic) * (1 - roughness)^2
 //   shininess = round(2 / max(roughness, 0.1)^4 - 2), kept within 4 .. 256
+//   emission  = emissive factor * strength (KHR_materials_emissive_strength)
 //
 // The file is taken to be hostile: whatever is read is checked against the bytes that exist, external files come only
 // from the file's own directory, and memory stays in proportion to the files read, within `limits`. Errors name the

@@ -46,11 +46,33 @@ void set_specular(Material& material, double metallic, double roughness) {
   material.shininess = shininess_of(roughness);
 }
 
+// No product of it with a texel overflows, nor does the sum with what is reflected (kBrightest of raster/shading.h).
+constexpr double kBrightestEmission = 1e18;
+
+float emission_of(double emitted) {
+  return float(std::min(emitted, kBrightestEmission));
+}
+
+// KHR_materials_unlit leaves no light but the base colour.
+void set_emission(Material& material, const json& document) {
+  const json* factor = find(document, {"emissiveFactor"});
+  if (factor == nullptr || material.unlit) return;
+  const json* strength =
+      find(document, {"extensions", "KHR_materials_emissive_strength", "emissiveStrength"});
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double own = (*factor)[i].get<double>();
+    material.emission[i] = emission_of(own * (strength ? strength->get<double>() : 1.0));
+  }
+}
+
 // What write_glb left in the extras, for which metallic-roughness has no exact counterpart.
-void restore_specular(Material& material, const json& exact) {
+void restore_exact(Material& material, const json& exact) {
   for (std::size_t i = 0; i < 3; ++i)
     material.specular[i] = float(exact["specular"][i].get<double>());
   material.shininess = exact["shininess"].get<int>();
+  if (!exact.contains("emission") || material.unlit) return;
+  for (std::size_t i = 0; i < 3; ++i)
+    material.emission[i] = emission_of(exact["emission"][i].get<double>());
 }
 
 Material convert(const tinygltf::Material& described, const json& document) {
@@ -67,8 +89,9 @@ Material convert(const tinygltf::Material& described, const json& document) {
   material.alpha_cutoff = float(described.alphaCutoff);
   material.double_sided = described.doubleSided;
   material.unlit = find(document, {"extensions", "KHR_materials_unlit"}) != nullptr;
+  set_emission(material, document);
   if (const json* exact = find(document, {"extras", "glassbox"})) {
-    restore_specular(material, *exact);
+    restore_exact(material, *exact);
   } else {
     set_specular(material, pbr.metallicFactor, pbr.roughnessFactor);
   }
@@ -173,14 +196,22 @@ Result<Sampler> convert_sampler(const tinygltf::Sampler& described, std::size_t 
 class TextureTable {
 public:
   TextureTable(Asset& asset, Scene& scene)
-      : asset_(asset), scene_(scene), images_(asset, scene), known_(asset.model.textures.size()) {}
+      : asset_(asset),
+        scene_(scene),
+        images_(asset, scene),
+        known_(asset.model.textures.size()),
+        reported_(asset.model.textures.size(), false) {}
 
   // The index in Scene::textures; nothing where the texture has no image that could be drawn.
   Result<std::optional<std::uint32_t>> add(std::size_t index) {
     if (known_[index]) return known_[index];
     const tinygltf::Texture& described = asset_.model.textures[index];
     if (described.source < 0) {
-      asset_.warn(entry("texture", index) + " has no image in a supported format and was left out");
+      if (!reported_[index]) {
+        asset_.warn_at(entry("texture", index),
+                       "has no image in a supported format and was left out");
+      }
+      reported_[index] = true;
       return std::optional<std::uint32_t>();
     }
     Texture texture;
@@ -203,9 +234,61 @@ private:
   Scene& scene_;
   ImageTable images_;
   std::vector<std::optional<std::uint32_t>> known_;
+  std::vector<bool> reported_;  // textures without an image
 };
 
+// The texture that a material of the file names, and its coordinates; nothing where it cannot be drawn.
+struct NamedTexture {
+  std::optional<std::uint32_t> texture;
+  TexCoordSource texcoords;
+};
+
+Result<NamedTexture> named_texture(const json& info, std::size_t material, TextureTable& textures) {
+  NamedTexture named;
+  const auto texcoords = texcoord_source(info, material);
+  if (!texcoords) return tl::unexpected(texcoords.error());
+  const auto texture = textures.add(info["index"].get<std::size_t>());
+  if (!texture) return tl::unexpected(texture.error());
+  named.texture = *texture;
+  if (*texture) named.texcoords = *texcoords;
+  return named;
+}
+
+// Without its texture all of the surface would shine.
+Result<void> add_emission_texture(Asset& asset, const json& info, std::size_t index,
+                                  TextureTable& textures, Material& material,
+                                  TexCoordSource& source) {
+  const auto named = named_texture(info, index, textures);
+  if (!named) return tl::unexpected(named.error());
+  if (!named->texture || (source.textured && source != named->texcoords)) {
+    material.emission = {};
+    if (named->texture) {
+      asset.warn_at(entry("material", index),
+                    "its emission was left out: its texture has other coordinates than that of the "
+                    "base colour");
+    }
+    return {};
+  }
+  material.emission_texture = named->texture;
+  source = named->texcoords;
+  return {};
+}
+
 }  // namespace
+
+std::vector<bool> used_materials(const Asset& asset, const NodeTree& tree) {
+  std::vector<bool> used(asset.model.materials.size(), false);
+  std::vector<bool> seen(asset.model.meshes.size(), false);
+  for (const std::uint32_t node : tree.drawn) {
+    const int mesh = asset.model.nodes[node].mesh;
+    if (mesh < 0 || seen[std::size_t(mesh)]) continue;
+    seen[std::size_t(mesh)] = true;
+    for (const tinygltf::Primitive& primitive : asset.model.meshes[std::size_t(mesh)].primitives) {
+      if (primitive.material >= 0) used[std::size_t(primitive.material)] = true;
+    }
+  }
+  return used;
+}
 
 Result<Materials> convert_materials(Asset& asset, const std::vector<bool>& used, Scene& scene) {
   Materials materials;
@@ -216,16 +299,15 @@ Result<Materials> convert_materials(Asset& asset, const std::vector<bool>& used,
     TexCoordSource source;
     if (const json* info = find(document, {"pbrMetallicRoughness", "baseColorTexture"});
         info && used[i]) {
-      const auto texcoords = texcoord_source(*info, i);
-      if (!texcoords) return tl::unexpected(texcoords.error());
-      const auto texture = textures.add((*info)["index"].get<std::size_t>());
-      if (!texture) return tl::unexpected(texture.error());
-      material.texture = *texture;
-      if (*texture) source = *texcoords;
+      const auto named = named_texture(*info, i, textures);
+      if (!named) return tl::unexpected(named.error());
+      material.texture = named->texture;
+      source = named->texcoords;
     }
-    if (used[i] && find(document, {"pbrMetallicRoughness", "metallicRoughnessTexture"}) &&
-        !material.unlit) {
-      asset.warn("metallic-roughness textures were ignored; their factors were used");
+    if (const json* info = find(document, {"emissiveTexture"});
+        info && used[i] && emits_light(material)) {
+      auto done = add_emission_texture(asset, *info, i, textures, material, source);
+      if (!done) return tl::unexpected(done.error());
     }
     scene.materials.push_back(std::move(material));
     materials.texcoords.push_back(source);

@@ -7,6 +7,7 @@
 
 #include <glassbox/base/error.h>
 #include <glassbox/mesh/gltf/asset.h>
+#include <glassbox/mesh/gltf/nodes.h>
 #include <glassbox/mesh/scene.h>
 
 namespace glassbox::gltf {
@@ -14,6 +15,7 @@ namespace glassbox::gltf {
 // (u, v) -> offset + rotation * (scale * (u, v)), KHR_texture_transform.
 struct TexCoordTransform {
   double matrix[2][3] = {{1, 0, 0}, {0, 1, 0}};
+  friend bool operator==(const TexCoordTransform&, const TexCoordTransform&) = default;
 };
 
 // How a mesh of a material is to make its texture coordinates.
@@ -21,7 +23,11 @@ struct TexCoordSource {
   std::uint32_t set = 0;  // TEXCOORD_set
   std::optional<TexCoordTransform> transform;
   bool textured = false;
+  friend bool operator==(const TexCoordSource&, const TexCoordSource&) = default;
 };
+
+// Of each material of the file, whether the scene that is drawn uses it.
+std::vector<bool> used_materials(const Asset& asset, const NodeTree& tree);
 
 struct Materials {
   std::vector<TexCoordSource> texcoords;  // one for each of Scene::materials
@@ -29,7 +35,8 @@ struct Materials {
 
 // Fills scene.materials with the file's materials in their order and one for primitives that name none, and
 // scene.textures and scene.images with what the materials named in `used` need: images that nothing drawn uses are not
-// decoded. `used` has one entry per material of the file.
+// decoded. `used` has one entry per material of the file. A mesh has one table of texture coordinates: where the base
+// colour and the emission of a material need different ones, the emission is left out.
 Result<Materials> convert_materials(Asset& asset, const std::vector<bool>& used, Scene& scene);
 
 }  // namespace glassbox::gltf

@@ -132,8 +132,8 @@ std::vector<bool> set_normals(Asset& asset, Mesh& mesh, const Vertices& vertices
              : Normal<Object>(0, 0, 1));
   }
   if (without_direction > 0) {
-    asset.warn(place + ": " + std::to_string(without_direction) +
-               " normals of length zero were left out; their corners are shaded flat");
+    asset.warn_at(place, "{} normals of length zero were left out; their corners are shaded flat",
+                  without_direction);
   }
   return usable;
 }
@@ -145,8 +145,7 @@ Result<void> set_texcoords(Asset& asset, Mesh& mesh, const Attributes& attribute
   if (!read) return tl::unexpected(read.error());
   if (!*read) {
     if (source.textured)
-      asset.warn(place + ": has a texture but no " + name +
-                 ", so that one texel colours all of it");
+      asset.warn_at(place, "has a texture but no " + name + ", so that the texture is left out");
     return {};
   }
   const std::vector<double>& numbers = (*read)->numbers;
@@ -227,8 +226,7 @@ void connect(Asset& asset, Mesh& mesh, int mode, std::size_t n, const CornerOf& 
              const std::string& place) {
   const auto leftover = [&](std::size_t per_shape) {
     if (n % per_shape != 0)
-      asset.warn(place + ": " + std::to_string(n % per_shape) +
-                 " vertices at its end are left over");
+      asset.warn_at(place, "{} vertices at its end are left over", n % per_shape);
   };
   const auto add_line = [&](std::size_t a, std::size_t b) {
     mesh.lines.push_back({corner(a), corner(b)});
@@ -281,7 +279,7 @@ Result<std::optional<Mesh>> convert_primitive(Asset& asset, PrimitiveId id, cons
   const tinygltf::Primitive& primitive = described.primitives[id.primitive];
   const std::string place = place_of(asset, id);
   const auto skip = [&](const std::string& why) {
-    asset.warn(place + ": " + why + ", so that it is not drawn");
+    asset.warn_at(place, why + ", so that it is not drawn");
     return std::optional<Mesh>();
   };
   if (!primitive.attributes.contains("POSITION")) return skip("has no positions");
@@ -293,8 +291,7 @@ Result<std::optional<Mesh>> convert_primitive(Asset& asset, PrimitiveId id, cons
                 "export it without this extension");
   }
   for (const std::size_t accessor : accessors) {
-    if (!has_data(asset, accessor))
-      return skip(entry("accessor", accessor) + " reads a buffer that has no data");
+    if (!has_data(asset, accessor)) return skip("reads a buffer that has no data");
   }
   if (primitive.indices >= 0) {
     if (auto form = check_form(asset, std::size_t(primitive.indices), Semantic::kIndices); !form) {

@@ -1,17 +1,26 @@
 // What the JSON of a glTF file may say: the part of the glTF 2.0 schema that Glassbox reads, as a table.
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <string_view>
 
 #include <glassbox/base/error.h>
 
 namespace glassbox::gltf {
 
+struct Document {
+  nlohmann::json checked;  // only the properties that Glassbox reads
+  // How often each extension occurs anywhere in the file, checked or not.
+  std::map<std::string, std::uint64_t> extensions;
+};
+
 // Parses the text and checks every property that Glassbox reads: its type, its range, the length of its array, and
 // that an index names an entry that exists. What comes back has only these properties, integers written as 3.0 made
 // integers, so that whoever reads it need not check again. Text nested deeper than 256 levels is refused before it is
 // parsed.
-Result<nlohmann::json> read_document(std::string_view text);
+Result<Document> read_document(std::string_view text);
 
 }  // namespace glassbox::gltf

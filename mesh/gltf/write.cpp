@@ -42,7 +42,10 @@ public:
     write_textures();
     for (const Material& material : scene_.materials) {
       document_["materials"].push_back(gltf::describe(material));
-      if (material.unlit) use("KHR_materials_unlit");
+      const json& described = document_["materials"].back();
+      if (described.contains("extensions")) {
+        for (const auto& [name, extension] : described["extensions"].items()) use(name.c_str());
+      }
     }
     if (auto done = write_meshes(); !done) return tl::unexpected(done.error());
     write_nodes();

@@ -264,8 +264,9 @@ private:
 
 // Samples that look at several levels, one lane after the other.
 template <class Source>
-HWY_INLINE RgbLanes sample_levels(const ShadeDraw& draw, const ResolveJob& job,
-                                  const Source& source, const TexcoordLanes& at) {
+HWY_INLINE RgbLanes sample_levels(const MipChain& texture, const Sampler& sampler,
+                                  const ResolveJob& job, const Source& source,
+                                  const TexcoordLanes& at) {
   const PlaneLanes planes = source.texture_planes();
   const VF w = hn::Div(set(1.0f), source.at().inverse_w);
   const auto change = [&](VF over_w, VF coordinate, VF origin, VF inverse_w) HWY_ATTR {
@@ -280,13 +281,13 @@ HWY_INLINE RgbLanes sample_levels(const ShadeDraw& draw, const ResolveJob& job,
     hn::Store(change(planes.over_w[axis].v, at.v, planes.origin.v, planes.inverse_w[axis]), kF,
               change_v[axis]);
   }
-  const Image<Rgba8>& base = draw.texture->levels.front();
+  const Image<Rgba8>& base = texture.levels.front();
   HWY_ALIGN float r[kLanes], g[kLanes], b[kLanes];
   for (std::size_t i = 0; i < kLanes; ++i) {
     const TextureGradient gradient{{change_u[0][i], change_v[0][i]},
                                    {change_u[1][i], change_v[1][i]}};
     const float detail = level_of_detail(gradient, base.width, base.height);
-    const Rgba texel = sample(*draw.texture, *draw.sampler, {u[i], v[i]}, detail, job.transfer,
+    const Rgba texel = sample(texture, sampler, {u[i], v[i]}, detail, job.transfer,
                               ColorMask{true, true, true, false});
     r[i] = texel.r, g[i] = texel.g, b[i] = texel.b;
   }
@@ -294,11 +295,11 @@ HWY_INLINE RgbLanes sample_levels(const ShadeDraw& draw, const ResolveJob& job,
 }
 
 template <class Source>
-HWY_INLINE RgbLanes texture_color(const ShadeDraw& draw, const ResolveJob& job,
-                                  const Source& source) {
+HWY_INLINE RgbLanes texture_color(const MipChain& texture, const Sampler& sampler,
+                                  const ResolveJob& job, const Source& source) {
   const TexcoordLanes at = source.texcoord();
-  if (!samples_base_only(*draw.sampler)) return sample_levels(draw, job, source, at);
-  return sample_base(*draw.texture, *draw.sampler, at.u, at.v, job.transfer);
+  if (!samples_base_only(sampler)) return sample_levels(texture, sampler, job, source, at);
+  return sample_base(texture, sampler, at.u, at.v, job.transfer);
 }
 
 template <class Source>
@@ -311,7 +312,7 @@ HWY_INLINE RgbLanes surface_color(const ShadeDraw& draw, const ResolveJob& job,
     color = {hn::Mul(color.r, vertex.r), hn::Mul(color.g, vertex.g), hn::Mul(color.b, vertex.b)};
   }
   if (draw.texture != nullptr) {
-    const RgbLanes texel = texture_color(draw, job, source);
+    const RgbLanes texel = texture_color(*draw.texture, *draw.sampler, job, source);
     color = {hn::Mul(color.r, texel.r), hn::Mul(color.g, texel.g), hn::Mul(color.b, texel.b)};
   }
   return color;
@@ -345,10 +346,24 @@ HWY_INLINE RgbLanes lit(const ShadeDraw& draw, const ResolveJob& job, const Sour
           reflected(base.b, light.diffuse.z, shine[2], light.specular.z, draw.highlights), base.b)};
 }
 
+// emission_at() of fragment_color.h.
+template <class Source>
+HWY_INLINE RgbLanes emission(const ShadeDraw& draw, const ResolveJob& job, const Source& source) {
+  const std::array<float, 3>& factor = draw.material->emission;
+  const RgbLanes own{set(factor[0]), set(factor[1]), set(factor[2])};
+  if (draw.emission_texture == nullptr) return own;
+  const RgbLanes texel = texture_color(*draw.emission_texture, *draw.emission_sampler, job, source);
+  return {hn::Mul(own.r, texel.r), hn::Mul(own.g, texel.g), hn::Mul(own.b, texel.b)};
+}
+
 // The bytes of an opaque fragment as one integer; those that are not wanted are 0.
 template <class Source>
 HWY_INLINE VI shade(const ShadeDraw& draw, const ResolveJob& job, const Source& source) {
-  const RgbLanes color = lit(draw, job, source, surface_color(draw, job, source));
+  RgbLanes color = lit(draw, job, source, surface_color(draw, job, source));
+  if (HWY_UNLIKELY(draw.emits)) {
+    const RgbLanes own = emission(draw, job, source);
+    color = {hn::Add(color.r, own.r), hn::Add(color.g, own.g), hn::Add(color.b, own.b)};
+  }
   const auto byte = [&](bool wanted, VF channel)
                         HWY_ATTR { return wanted ? encode(job.transfer, channel) : hn::Zero(kI); };
   return hn::Or(

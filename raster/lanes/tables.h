@@ -112,7 +112,7 @@ struct SmallJob {
 struct LargeTriangle {
   TriangleSetup setup;
   std::array<Varyings, 3> vertices;
-  TexturePlanes texture;       // of textured ones
+  TexturePlanes texture;       // of textured ones, be it in their emission
   std::uint32_t draw = 0;      // index into the draw list
   std::uint32_t number = 0;    // in the whole scene
   std::optional<Rgba8> color;  // where all its pixels have the same
@@ -152,6 +152,9 @@ struct ShadeDraw {
   const Sampler* sampler = nullptr;
   LightAt light = LightAt::kNowhere;
   bool highlights = false;  // the material has any, and the light arrives
+  bool emits = false;       // light of its own is added
+  const MipChain* emission_texture = nullptr;
+  const Sampler* emission_sampler = nullptr;
 };
 
 // A tile's colours, from what is seen at its pixels.

@@ -156,25 +156,31 @@ Decision depth_test(const Subject& s) {
                 "and hidden ones are given up");
 }
 
+bool is_textured(const Draw& draw) {
+  return draw.texture != nullptr || draw.emission_texture != nullptr;
+}
+
 Decision texture_coordinates(const Subject& s) {
   constexpr const char* kStage = "texture coordinates";
   if (s.method.staged_because != nullptr) {
     return needed(kStage, "the staged stages interpolate all attributes");
   }
   if (s.method.texture) return needed(kStage, "the material has a texture");
-  return left_out(kStage, s.draw.texture == nullptr ? "there is no texture"
-                          : s.plan.colors           ? "the picture does not show the texture"
-                                                    : "no colours are wanted");
+  if (s.method.emission_texture) return needed(kStage, "the emission has a texture");
+  return left_out(kStage, !is_textured(s.draw) ? "there is no texture"
+                          : s.plan.colors      ? "the picture does not show the texture"
+                                               : "no colours are wanted");
 }
 
 Decision mip_selection(const Subject& s) {
   constexpr const char* kStage = "choice of a mip level";
   const bool staged = s.method.staged_because != nullptr;
-  if (s.draw.texture == nullptr || (!staged && !s.method.texture)) {
+  if (!is_textured(s.draw) || (!staged && !s.method.texture && !s.method.emission_texture)) {
     return left_out(kStage, "no texture is sampled");
   }
   if (staged) return needed(kStage, "the staged stages always choose");
-  if (samples_base_only(*s.draw.sampler)) {
+  if ((!s.method.texture || samples_base_only(*s.draw.sampler)) &&
+      (!s.method.emission_texture || samples_base_only(*s.draw.emission_sampler))) {
     return left_out(kStage, "the sampler looks at the base level alone, with one filter");
   }
   return needed(kStage, "the sampler has levels or filters to choose from");
@@ -202,6 +208,14 @@ Decision highlights(const Subject& s) {
   return needed(kStage, s.plan.leaves_out ? "the material shines" : kNoPlan);
 }
 
+Decision emission(const Subject& s) {
+  constexpr const char* kStage = "emission";
+  if (s.method.light == LightAt::kNowhere) return left_out(kStage, "the picture shows no light");
+  if (s.draw.emits) return needed(kStage, "the material emits light");
+  if (s.method.emission) return needed(kStage, kNoPlan);
+  return left_out(kStage, "the material emits no light");
+}
+
 Decision blending(const Subject& s) {
   constexpr const char* kStage = "colour read-back";
   if (s.draw.material->alpha_mode == AlphaMode::kBlend) {
@@ -222,7 +236,8 @@ std::vector<Decision> decisions(const Plan& plan, const PlannedEye& eye, std::si
           eye_positions(s),   depth_test(s),
           perspective(s),     texture_coordinates(s),
           mip_selection(s),   light(s),
-          highlights(s),      blending(s)};
+          highlights(s),      emission(s),
+          blending(s)};
 }
 
 namespace {

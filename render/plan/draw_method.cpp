@@ -71,12 +71,14 @@ DrawMethod choose_method(const Draw& draw, const Lighting& lighting, const View&
   if (colors && needs_normals(draw, settings)) {
     choose_light(draw, lighting, settings, leave_out, method);
   }
+  method.emission = method.light != LightAt::kNowhere && painted && (!leave_out || draw.emits);
+  method.emission_texture = method.emission && draw.emission_texture != nullptr;
   method.normals = !leave_out || method.light != LightAt::kNowhere;
   method.face_normals = method.normals && needs_face_normals(draw, settings);
   method.eye_positions = method.eye_positions || !leave_out;
   if (draw.prepared->indices.mixed)
     method.large_because = "some of its corners have attributes that others lack";
-  if (method.texture && !draw.prepared->indices.has_texcoords)
+  if ((method.texture || method.emission_texture) && !draw.prepared->indices.has_texcoords)
     method.large_because = "its corners do not say where in the texture they lie";
   return method;
 }

@@ -33,6 +33,8 @@ struct DrawMethod {
   bool highlights = false;  // the material has any
   bool texture = false;
   bool vertex_colors = false;
+  bool emission = false;  // the material has any
+  bool emission_texture = false;
 };
 
 // `colors`: somebody sees them. `leave_out`: what the proofs allow; otherwise everything runs that can.

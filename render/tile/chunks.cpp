@@ -90,7 +90,7 @@ std::optional<Rgba8> only_color(const TileRun& run, const DrawSlot& slot,
 LargeTriangle large_triangle(const TileRun& run, const DrawSlot& slot, const ReadyTriangle& ready) {
   LargeTriangle large{ready.setup, ready.vertices, {},
                       slot.draw,   ready.number,   only_color(run, slot, ready)};
-  if (run.methods[slot.draw].texture) {
+  if (run.methods[slot.draw].texture || run.methods[slot.draw].emission_texture) {
     large.texture = texture_planes(
         ready.setup,
         {ready.vertices[0].texcoord, ready.vertices[1].texcoord, ready.vertices[2].texcoord});

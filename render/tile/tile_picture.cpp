@@ -46,10 +46,15 @@ ShadeDraw shade_draw(const TileRun& run, const DrawSlot& slot) {
   if (method.texture) {
     shade.texture = draw.texture;
     shade.sampler = draw.sampler;
-    if (indices.has_texcoords) {
-      shade.texcoord_indices = or_positions(indices.texcoords);
-      shade.texcoords = draw.mesh->texcoords.data();
-    }
+  }
+  shade.emits = method.emission;
+  if (method.emission_texture) {
+    shade.emission_texture = draw.emission_texture;
+    shade.emission_sampler = draw.emission_sampler;
+  }
+  if ((method.texture || method.emission_texture) && indices.has_texcoords) {
+    shade.texcoord_indices = or_positions(indices.texcoords);
+    shade.texcoords = draw.mesh->texcoords.data();
   }
   if (method.vertex_colors) {
     shade.color_indices = or_positions(indices.colors);

@@ -313,7 +313,10 @@ Json to_json(const Trace& trace, const TracedFragment& traced, const TracedTrian
   json["attributes"] = json_of(traced.at);
   json["surface"] = json_of(traced.surface);
   if (traced.fate == Fate::kDiscarded) return json;
-  if (trace.settings.show == Show::kColor) json["light"] = json_of(traced.light);
+  if (trace.settings.show == Show::kColor) {
+    json["emission"] = traced.emission;
+    json["light"] = json_of(traced.light);
+  }
   json["before"] = json_of(traced.before);
   json["after"] = json_of(traced.after);
   return json;

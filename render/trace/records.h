@@ -95,7 +95,8 @@ struct TracedFragment {
   Varyings at;
   Rgba surface;
   // Where it was written or blended:
-  Rgba light;  // linear; of pictures of light only
+  std::array<float, 3> emission{};  // part of the light: the surface's own
+  Rgba light;                       // linear; of pictures of light only
   Rgba8 before, after;
 };
 

@@ -142,6 +142,10 @@ public:
     fragment_.surface = surface;
   }
 
+  void emitted(const Varyings&, std::array<float, 3>& emission) override {
+    if (tracing_ && filter_.colors) fragment_.emission = emission;
+  }
+
   void lit(const Varyings&, const Rgba&, Rgba& color) override {
     if (tracing_ && filter_.colors) fragment_.light = color;
   }

@@ -282,6 +282,30 @@ TEST_CASE("external files come from the scene's own directory only") {
   CHECK(mentions(error_of(memory.load()), "external files are not read here"));
 }
 
+TEST_CASE("the last element of a matrix accessor has no padding after its last column") {
+  struct Case {
+    const char* type;
+    int component_type;
+    std::size_t bytes;  // of two elements
+  };
+  // glTF 2.0, section 3.6.2.4: columns start at multiples of four bytes.
+  for (const Case& c : {Case{"MAT2", 5121, 14},
+                        {"MAT3", 5121, 23},
+                        {"MAT3", 5123, 46},
+                        {"MAT2", 5123, 16},
+                        {"MAT4", 5121, 32},
+                        {"MAT2", 5126, 32}}) {
+    CAPTURE(c.type, c.component_type, c.bytes);
+    GltfBuilder b;
+    b.triangle();
+    const std::size_t view = b.view(std::vector<std::uint8_t>(c.bytes));
+    b.accessor(view, c.component_type, c.type, 2);
+    CHECK(b.load());
+    b.document["bufferViews"][view]["byteLength"] = c.bytes - 1;
+    CHECK(mentions(error_of(b.load()), "2 elements reach beyond"));
+  }
+}
+
 TEST_CASE("a missing file and a directory are errors that name them") {
   CHECK(mentions(error_of(load_gltf("/nonexistent/duck.glb")),
                  "/nonexistent/duck.glb: there is no such file"));

@@ -49,6 +49,19 @@ TEST_CASE("a path is read according to its extension, in either case") {
   }
 }
 
+TEST_CASE("a PLY file is read by its extension, and a folder's hint names it") {
+  const TemporaryFolder folder;
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  const Result<Scene> scene = load_scene(folder.write("scan.PLY", ply));
+  REQUIRE(scene.has_value());
+  CHECK(scene->name == "scan");
+  CHECK(scene->meshes[0].faces.size() == 1);
+  CHECK(load_scene(folder.path() + "/.").error().remedy.find(".ply") != std::string::npos);
+}
+
 TEST_CASE("what cannot be loaded is refused with file, cause and remedy") {
   const TemporaryFolder folder;
   const auto message = [](const std::string& name) {

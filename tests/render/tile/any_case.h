@@ -179,6 +179,10 @@ private:
     m.alpha_cutoff = float(between(0, 1));
     m.double_sided = one_in(2);
     m.unlit = one_in(4);
+    if (one_in(4)) m.emission = {float(between(0, 1)), 0.0f, float(between(0, 3))};
+    if (textures > 0 && one_in(2)) {
+      m.emission_texture = std::uint32_t(integer(0, int(textures) - 1));
+    }
     return m;
   }
 

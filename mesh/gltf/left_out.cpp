@@ -1,0 +1,186 @@
+#include <glassbox/mesh/gltf/left_out.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <glassbox/mesh/gltf/text.h>
+
+namespace glassbox::gltf {
+namespace {
+
+using nlohmann::json;
+
+std::string separated(const std::string& before, const std::string& next) {
+  return before.empty() ? next : before + ", " + next;
+}
+
+// ---- materials ----
+
+void name_textures(Asset& asset, const std::vector<bool>& used) {
+  std::size_t normal = 0, occlusion = 0, metallic = 0;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    const json& material = asset.document["materials"][i];
+    const json extensions = material.value("extensions", json::object());
+    // An unlit material asks for its base colour alone.
+    if (!used[i] || extensions.contains("KHR_materials_unlit")) continue;
+    normal += material.contains("normalTexture");
+    occlusion += material.contains("occlusionTexture");
+    metallic +=
+        material.value("pbrMetallicRoughness", json::object()).contains("metallicRoughnessTexture");
+  }
+  const auto name = [&](std::size_t count, const std::string& what, const std::string& instead) {
+    if (count > 0) {
+      asset.warn(what + " textures are not drawn (" + counted(count, "material") + ")" + instead);
+    }
+  };
+  name(normal, "normal", "");
+  name(occlusion, "occlusion", "");
+  name(metallic, "metallic-roughness", "; their factors are");
+}
+
+// ---- vertex attributes ----
+
+// Which primitives have it and are drawn without it.
+using Unread = std::map<std::string, std::size_t>;
+
+void find_unread(const tinygltf::Primitive& primitive, std::uint32_t texcoord_set, bool skinned,
+                 Unread& unread) {
+  const std::string texcoords = "TEXCOORD_" + std::to_string(texcoord_set);
+  for (const auto& [name, accessor] : primitive.attributes) {
+    const bool of_skin = name.starts_with("JOINTS_") || name.starts_with("WEIGHTS_");
+    const bool read = name == "POSITION" || name == "NORMAL" || name == "COLOR_0" ||
+                      name == texcoords || (of_skin && skinned);
+    if (!read) ++unread[name];
+  }
+  std::map<std::string, bool> moved;
+  for (const auto& target : primitive.targets) {
+    for (const auto& [name, accessor] : target) {
+      if (name != "POSITION" && name != "NORMAL") moved[name] = true;
+    }
+  }
+  for (const auto& [name, any] : moved) ++unread[name + " of morph targets"];
+}
+
+void name_attributes(Asset& asset, const NodeTree& tree, const Materials& materials) {
+  std::map<int, bool> skinned;  // by mesh, of those drawn
+  for (const std::uint32_t node : tree.drawn) {
+    const tinygltf::Node& described = asset.model.nodes[node];
+    if (described.mesh < 0) continue;
+    bool& any = skinned[described.mesh];
+    any = any || described.skin >= 0;
+  }
+  Unread unread;
+  for (const auto& [mesh, has_skin] : skinned) {
+    for (const tinygltf::Primitive& primitive : asset.model.meshes[std::size_t(mesh)].primitives) {
+      const std::size_t material =
+          primitive.material < 0 ? materials.texcoords.size() - 1 : std::size_t(primitive.material);
+      find_unread(primitive, materials.texcoords[material].set, has_skin, unread);
+    }
+  }
+  constexpr std::size_t kMaxNamed = 16;
+  std::string named;
+  std::size_t count = 0;
+  for (const auto& [name, primitives] : unread) {
+    if (count++ < kMaxNamed) {
+      named = separated(named, printable(name) + " (" + counted(primitives, "primitive") + ")");
+    }
+  }
+  if (count > kMaxNamed) named += " and " + std::to_string(count - kMaxNamed) + " more";
+  if (count > 0) asset.warn("vertex attributes are not drawn: " + named);
+}
+
+// ---- what moves ----
+
+void name_motion(Asset& asset, const NodeTree& tree) {
+  const std::size_t animations = asset.document.value("animations", json::array()).size();
+  if (animations > 0) {
+    asset.warn(counted(animations, "animation") + (animations == 1 ? " is" : " are") +
+               " not played: everything stands as the file places it");
+  }
+  std::vector<bool> drawn(asset.model.skins.size(), false);
+  for (const std::uint32_t node : tree.drawn) {
+    const tinygltf::Node& described = asset.model.nodes[node];
+    if (described.mesh >= 0 && described.skin >= 0) drawn[std::size_t(described.skin)] = true;
+  }
+  const auto skins = std::size_t(std::ranges::count(drawn, true));
+  if (skins > 0) {
+    asset.warn(counted(skins, "skin") + (skins == 1 ? " stands in the pose of its nodes"
+                                                    : " stand in the poses of their nodes"));
+  }
+}
+
+// ---- what stands elsewhere ----
+
+// The light that a node carries, or -1.
+int light_of(const json& node) {
+  if (!node.contains("extensions")) return -1;
+  const json& extensions = node["extensions"];
+  if (!extensions.contains("KHR_lights_punctual")) return -1;
+  return extensions["KHR_lights_punctual"]["light"].get<int>();
+}
+
+// Which entries of a list are carried by a node of the drawn scene.
+struct Carried {
+  std::vector<bool> meshes, cameras, lights;
+
+  static void mark(std::vector<bool>& list, int index) {
+    if (index >= 0) list[std::size_t(index)] = true;
+  }
+};
+
+void name_outside(Asset& asset, const NodeTree& tree) {
+  Carried carried{std::vector<bool>(asset.model.meshes.size()),
+                  std::vector<bool>(asset.model.cameras.size()),
+                  std::vector<bool>(asset.model.lights.size())};
+  std::size_t nodes = 0;
+  for (std::size_t i = 0; i < asset.model.nodes.size(); ++i) {
+    const tinygltf::Node& node = asset.model.nodes[i];
+    const int light = light_of(asset.document["nodes"][i]);
+    if (tree.scene_index[i] == kNone) {
+      nodes += node.mesh >= 0 || node.camera >= 0 || light >= 0;
+      continue;
+    }
+    Carried::mark(carried.meshes, node.mesh);
+    Carried::mark(carried.cameras, node.camera);
+    Carried::mark(carried.lights, light);
+  }
+  std::string named;
+  const auto add = [&](std::size_t count, const char* one, const char* many) {
+    if (count > 0) named = separated(named, counted(count, one, many));
+  };
+  const auto missing = [](const std::vector<bool>& list) {
+    return std::size_t(std::ranges::count(list, false));
+  };
+  const std::size_t scenes = asset.model.scenes.size();
+  add(scenes > 1 ? scenes - 1 : 0, "scene", "scenes");
+  add(nodes, "node that carries something", "nodes that carry something");
+  add(missing(carried.meshes), "mesh", "meshes");
+  add(missing(carried.cameras), "camera", "cameras");
+  add(missing(carried.lights), "light", "lights");
+  if (!named.empty()) asset.warn("in the file, but not in the scene that is drawn: " + named);
+}
+
+// Pictures are taken through the first where none is asked for.
+void name_cameras(Asset& asset, const NodeTree& tree) {
+  const auto cameras = std::ranges::count_if(
+      tree.drawn, [&](std::uint32_t node) { return asset.model.nodes[node].camera >= 0; });
+  if (cameras > 1) {
+    asset.warn(std::to_string(cameras) +
+               " cameras: a picture is taken through the first, unless another is asked for");
+  }
+}
+
+}  // namespace
+
+void name_left_out(Asset& asset, const NodeTree& tree, const Materials& materials) {
+  name_textures(asset, used_materials(asset, tree));
+  name_attributes(asset, tree, materials);
+  name_motion(asset, tree);
+  name_cameras(asset, tree);
+  name_outside(asset, tree);
+}
+
+}  // namespace glassbox::gltf

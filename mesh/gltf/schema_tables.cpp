@@ -1,0 +1,146 @@
+#include <glassbox/mesh/gltf/schema_tables.h>
+
+namespace glassbox::gltf {
+namespace {
+
+Property boolean(const char* name) {
+  return {name, Type::kBoolean};
+}
+Property number(const char* name) {
+  return {name, Type::kNumber};
+}
+Property integer(const char* name) {
+  return Property{name, Type::kInteger}.within(0, kLargestInteger);
+}
+Property string(const char* name) {
+  return {name, Type::kString};
+}
+Property object(const char* name, const char* of) {
+  return {name, Type::kObject, of};
+}
+Property index(const char* name, const char* of) {
+  return {name, Type::kIndex, of};
+}
+Property dictionary(const char* name, const char* of) {
+  return {name, Type::kDictionary, of};
+}
+Property presence(const char* name) {
+  return {name, Type::kPresence};
+}
+
+}  // namespace
+
+// glTF 2.0, section 5, and the extensions' own schemas. Numbers of the specification: 5120 .. 5126 component types,
+// 9728 .. filters, 10497, 33071, 33648 wrap modes.
+const Tables& schema_tables() {
+  const double kMaxCount = 4294967294.0;  // the largest index is kept for "none"
+  static const Tables all = {
+      {"document",
+       {object("asset", "asset").needed(), string("extensionsUsed").list(),
+        string("extensionsRequired").list(), object("extensions", "document.extensions"),
+        index("scene", "scenes"), object("accessors", "accessor").list(),
+        object("animations", "animation").list(), object("buffers", "buffer").list(),
+        object("bufferViews", "bufferView").list(), object("cameras", "camera").list(),
+        object("images", "image").list(), object("materials", "material").list(),
+        object("meshes", "mesh").list(), object("nodes", "node").list(),
+        object("samplers", "sampler").list(), object("scenes", "scene").list(),
+        object("skins", "skin").list(), object("textures", "texture").list()}},
+      {"animation", {string("name"), presence("channels").list()}},
+      {"asset", {string("version").needed(), string("minVersion")}},
+      {"document.extensions", {object("KHR_lights_punctual", "lights")}},
+      {"lights", {object("lights", "light").list().needed()}},
+      {"light",
+       {string("name"), string("type").one_of({"directional", "point", "spot"}).needed(),
+        number("color").list(3, 3).within(0, kInfinity), number("intensity").within(0, kInfinity),
+        number("range").within(std::numeric_limits<double>::min(), kInfinity),
+        object("spot", "spot")}},
+      // The greatest outer angle is pi/2.
+      {"spot",
+       {number("innerConeAngle").within(0, 1.5707963267948966),
+        number("outerConeAngle").within(0, 1.5707963267948968)}},
+      {"accessor",
+       {string("name"), index("bufferView", "bufferViews"), integer("byteOffset"),
+        integer("componentType").within(5120, 5126).needed(), boolean("normalized"),
+        integer("count").within(0, kMaxCount).needed(),
+        string("type").one_of({"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"}).needed(),
+        object("sparse", "sparse")}},
+      {"sparse",
+       {integer("count").within(0, 2147483647).needed(),
+        object("indices", "sparse.indices").needed(), object("values", "sparse.values").needed()}},
+      {"sparse.indices",
+       {index("bufferView", "bufferViews").needed(), integer("byteOffset").within(0, 2147483647),
+        integer("componentType").within(5121, 5125).needed()}},
+      {"sparse.values",
+       {index("bufferView", "bufferViews").needed(), integer("byteOffset").within(0, 2147483647)}},
+      {"buffer",
+       {string("name"), string("uri"), integer("byteLength").within(1, kLargestInteger).needed()}},
+      {"bufferView",
+       {string("name"), index("buffer", "buffers").needed(), integer("byteOffset"),
+        integer("byteLength").within(1, kLargestInteger).needed(),
+        integer("byteStride").within(4, 252)}},
+      {"camera",
+       {string("name"), string("type").one_of({"perspective", "orthographic"}).needed(),
+        object("perspective", "perspective"), object("orthographic", "orthographic")}},
+      {"perspective",
+       {number("yfov").needed(), number("znear").needed(), number("zfar"), number("aspectRatio")}},
+      {"orthographic",
+       {number("xmag").needed(), number("ymag").needed(), number("znear").needed(),
+        number("zfar").needed()}},
+      {"image",
+       {string("name"), string("uri"), string("mimeType"), index("bufferView", "bufferViews")}},
+      {"sampler",
+       {string("name"), integer("magFilter").within(9728, 9729),
+        integer("minFilter").within(9728, 9987), integer("wrapS").within(10497, 33648),
+        integer("wrapT").within(10497, 33648)}},
+      {"texture", {string("name"), index("sampler", "samplers"), index("source", "images")}},
+      {"material",
+       {string("name"), object("pbrMetallicRoughness", "pbr"),
+        string("alphaMode").one_of({"OPAQUE", "MASK", "BLEND"}),
+        number("alphaCutoff").within(0, kInfinity), boolean("doubleSided"),
+        number("emissiveFactor").list(3, 3).within(0, 1), object("emissiveTexture", "textureInfo"),
+        object("normalTexture", "textureInfo"), object("occlusionTexture", "textureInfo"),
+        object("extensions", "material.extensions"), object("extras", "material.extras")}},
+      {"pbr",
+       {number("baseColorFactor").list(4, 4).within(0, 1),
+        object("baseColorTexture", "textureInfo"), number("metallicFactor").within(0, 1),
+        number("roughnessFactor").within(0, 1), object("metallicRoughnessTexture", "textureInfo")}},
+      {"textureInfo",
+       {index("index", "textures").needed(), integer("texCoord").within(0, 2147483647),
+        object("extensions", "textureInfo.extensions")}},
+      {"textureInfo.extensions", {object("KHR_texture_transform", "textureTransform")}},
+      {"textureTransform",
+       {number("offset").list(2, 2), number("scale").list(2, 2), number("rotation"),
+        integer("texCoord").within(0, 2147483647)}},
+      {"material.extensions",
+       {presence("KHR_materials_unlit"),
+        object("KHR_materials_emissive_strength", "emissiveStrength")}},
+      {"emissiveStrength", {number("emissiveStrength").within(0, kInfinity)}},
+      {"material.extras", {object("glassbox", "material.glassbox")}},
+      {"material.glassbox",
+       {number("specular").list(3, 3).within(0, 1).needed(),
+        integer("shininess").within(1, 1024).needed(),
+        number("emission").list(3, 3).within(0, kInfinity)}},
+      {"mesh",
+       {string("name"), object("primitives", "primitive").list().needed(),
+        number("weights").list()}},
+      {"primitive",
+       {dictionary("attributes", "accessors").needed(), index("indices", "accessors"),
+        index("material", "materials"), integer("mode").within(0, 6),
+        dictionary("targets", "accessors").list(), object("extensions", "primitive.extensions")}},
+      {"primitive.extensions", {presence("KHR_draco_mesh_compression")}},
+      {"node",
+       {string("name"), index("children", "nodes").list(), index("camera", "cameras"),
+        index("mesh", "meshes"), index("skin", "skins"), number("matrix").list(16, 16),
+        number("rotation").list(4, 4), number("scale").list(3, 3), number("translation").list(3, 3),
+        number("weights").list(), object("extensions", "node.extensions")}},
+      {"node.extensions", {object("KHR_lights_punctual", "node.light")}},
+      {"node.light", {index("light", "lights").needed()}},
+      {"scene", {string("name"), index("nodes", "nodes").list()}},
+      {"skin",
+       {string("name"), index("inverseBindMatrices", "accessors"), index("skeleton", "nodes"),
+        index("joints", "nodes").list(1).needed()}},
+  };
+  return all;
+}
+
+}  // namespace glassbox::gltf

@@ -1,0 +1,70 @@
+// What of a glTF document is looked at: names, types and ranges of the properties of every kind of object.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace glassbox::gltf {
+
+inline constexpr double kLargestInteger = 0x1p53;  // integers beyond have no exact double
+inline constexpr std::size_t kAny = std::numeric_limits<std::size_t>::max();
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+enum class Type {
+  kBoolean,
+  kInteger,
+  kNumber,
+  kString,
+  kObject,      // `of` names its table
+  kIndex,       // into the top-level array `of`
+  kDictionary,  // any names, the values are indices into `of`
+  kPresence,    // anything; only that it is there matters
+};
+
+struct Property {
+  const char* name;
+  Type type;
+  const char* of = "";
+  bool required = false;
+  bool array = false;
+  std::size_t min_items = 0;
+  std::size_t max_items = kAny;
+  double low = -kInfinity;
+  double high = kInfinity;
+  std::vector<const char*> words = {};  // kString: the values allowed, where there is a list
+
+  Property needed() const {
+    Property copy = *this;
+    copy.required = true;
+    return copy;
+  }
+  Property list(std::size_t least = 0, std::size_t most = kAny) const {
+    Property copy = *this;
+    copy.array = true;
+    copy.min_items = least;
+    copy.max_items = most;
+    return copy;
+  }
+  Property within(double least, double most) const {
+    Property copy = *this;
+    copy.low = least;
+    copy.high = most;
+    return copy;
+  }
+  Property one_of(std::vector<const char*> allowed) const {
+    Property copy = *this;
+    copy.words = std::move(allowed);
+    return copy;
+  }
+};
+
+// By the name that Property::of gives; the document itself is "document".
+using Tables = std::map<std::string, std::vector<Property>, std::less<>>;
+
+const Tables& schema_tables();
+
+}  // namespace glassbox::gltf

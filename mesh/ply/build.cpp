@@ -1,0 +1,362 @@
+#include <glassbox/mesh/ply/build.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <initializer_list>
+#include <optional>
+#include <utility>
+
+#include <glassbox/mesh/ply/places.h>
+#include <glassbox/mesh/ply/values.h>
+
+namespace glassbox::ply {
+namespace {
+
+// Occurrences of one oddity, and the first.
+class Tally {
+public:
+  void add(std::uint64_t index) {
+    if (count_++ == 0) first_ = index;
+  }
+  void report(const char* of, const char* what, obj::Warnings& warnings) const {
+    if (count_ == 0) return;
+    warnings.add(std::to_string(count_) + " " + what + " (first: " + of + " " +
+                 std::to_string(first_) + ")");
+  }
+
+private:
+  std::uint64_t count_ = 0, first_ = 0;
+};
+
+class Builder {
+public:
+  Builder(std::string_view file, const Header& header, const LoadLimits& limits,
+          obj::Warnings& warnings)
+      : header_(header), limits_(limits), warnings_(warnings), values_(file, header) {}
+
+  Result<Built> run() {
+    if (auto done = check_elements(); !done) return tl::unexpected(done.error());
+    for (const Element& element : header_.elements) {
+      auto done = element.name == "vertex" ? read_vertices(element)
+                  : element.name == "face" ? read_faces(element)
+                                           : read_over(element);
+      if (!done) return tl::unexpected(done.error());
+    }
+    if (built_.mesh.faces.empty()) {
+      return fail("element 'face'", "no face has three corners or more", "export the file again");
+    }
+    complete_corners();
+    report();
+    return std::move(built_);
+  }
+
+private:
+  Result<void> check_elements() const {
+    const Element* vertices = header_.find("vertex");
+    const Element* faces = header_.find("face");
+    if (vertices == nullptr || vertices->count == 0) {
+      return fail("header", "there are no vertices", "choose a file with a mesh");
+    }
+    for (const Place& place : VertexPlaces(*vertices).position) {
+      if (!place || vertices->properties[*place].count_type) {
+        return fail("element 'vertex'", "has no numbers x, y and z", "export the file again");
+      }
+    }
+    if (faces != nullptr && faces->count > 0) return {};
+    if (header_.find("tristrips") != nullptr) {
+      return fail("header", "its faces are triangle strips, which are not read",
+                  "export it with polygons: an element 'face' with a list 'vertex_indices'");
+    }
+    return fail("header",
+                "has " + std::to_string(vertices->count) +
+                    (vertices->count == 1 ? " vertex" : " vertices") +
+                    " and no faces: a point cloud, which has no surface to draw",
+                "reconstruct a surface first, as MeshLab and CloudCompare do");
+  }
+
+  // ---- rows ----
+
+  tl::unexpected<Error> refuse(const char* of, std::uint64_t index, std::string cause,
+                               std::string remedy) const {
+    return fail(std::string(of) + " " + std::to_string(index) + " (" + values_.place() + ")",
+                std::move(cause), std::move(remedy));
+  }
+
+  // One element's numbers: row_ has one for each property, of lists the length; lists_ the rest.
+  bool read_row(const Element& element) {
+    row_.resize(element.properties.size());
+    lists_.resize(element.properties.size());
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
+      const Property& property = element.properties[i];
+      if (!values_.next(property.count_type.value_or(property.type), row_[i])) {
+        problem_ = values_.problem();
+        return false;
+      }
+      if (property.count_type && !read_list(property, row_[i], lists_[i])) return false;
+    }
+    return true;
+  }
+
+  bool read_list(const Property& property, double count, std::vector<double>& list) {
+    if (count < 0 || !values_.has_room_for(std::uint64_t(count), property.type)) {
+      problem_ = "its list " + in_quotes(property.name) + " has " +
+                 std::to_string(std::int64_t(count)) + " entries, which the file does not hold";
+      return false;
+    }
+    list.resize(std::size_t(count));
+    for (double& number : list) {
+      if (!values_.next(property.type, number)) {
+        problem_ = values_.problem();
+        return false;
+      }
+    }
+    return true;
+  }
+
+  Result<void> read_over(const Element& element) {
+    if (element.count == 0) return {};
+    not_drawn("elements", element.name + " (" + std::to_string(element.count) + ")");
+    for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
+      if (!read_row(element)) {
+        return refuse(printable(element.name).c_str(), i, problem_, "export the file again");
+      }
+    }
+    return {};
+  }
+
+  // ---- vertices ----
+
+  Result<void> read_vertices(const Element& element) {
+    const VertexPlaces places(element);
+    name_unread(element, "vertex properties",
+                {places.position[0], places.position[1], places.position[2], places.normal[0],
+                 places.normal[1], places.normal[2], places.texcoord[0], places.texcoord[1],
+                 places.color.red, places.color.green, places.color.blue, places.color.alpha});
+    built_.mesh.positions.reserve(element.count);
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      if (!read_row(element)) return refuse("vertex", i, problem_, "export the file again");
+      if (auto done = add_position(places, i); !done) return done;
+      if (places.has_normals()) add_normal(places, i);
+      if (places.has_texcoords())
+        add_texcoord(row_[*places.texcoord[0]], row_[*places.texcoord[1]], i);
+      if (places.color.complete()) add_color(element, places.color);
+    }
+    vertex_colors_ = places.color.complete();
+    return {};
+  }
+
+  Result<void> add_position(const VertexPlaces& places, std::uint64_t index) {
+    std::array<float, 3> p{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double number = row_[*places.position[k]];
+      p[k] = float(number);
+      if (!std::isfinite(p[k])) {
+        const char* what = std::isnan(number)   ? "not a number (NaN)"
+                           : std::isinf(number) ? "infinite"
+                                                : "beyond what a float can hold";
+        return refuse("vertex", index, std::string("its ") + "xyz"[k] + " is " + what,
+                      "repair the vertex and export the file again");
+      }
+    }
+    built_.mesh.positions.push_back({p[0], p[1], p[2]});
+    return {};
+  }
+
+  void add_normal(const VertexPlaces& places, std::uint64_t index) {
+    const double x = row_[*places.normal[0]], y = row_[*places.normal[1]],
+                 z = row_[*places.normal[2]];
+    const double squared = x * x + y * y + z * z;
+    const bool good = squared > 0x1p-1000 && std::isfinite(squared);
+    const double length = std::sqrt(squared);
+    if (!good) odd_normals_.add(index);
+    has_normal_.push_back(good);
+    built_.mesh.normals.push_back(
+        good ? Normal<Object>(float(x / length), float(y / length), float(z / length))
+             : Normal<Object>(0, 0, 1));
+  }
+
+  // The index of what was added.
+  std::uint32_t add_texcoord(double u, double v, std::uint64_t index) {
+    TexCoord t{float(u), float(1.0 - v)};
+    if (!std::isfinite(t.u) || !std::isfinite(t.v)) {
+      odd_texcoords_.add(index);
+      t = {0, 0};
+    }
+    built_.mesh.texcoords.push_back(t);
+    return std::uint32_t(built_.mesh.texcoords.size() - 1);
+  }
+
+  std::uint32_t add_color(const Element& element, const ColorPlaces& places) {
+    const auto type = [&](const Place& place) { return element.properties[*place].type; };
+    Rgba color{light_of(row_[*places.red], type(places.red)),
+               light_of(row_[*places.green], type(places.green)),
+               light_of(row_[*places.blue], type(places.blue)), 1.0f};
+    if (places.alpha) {
+      color.a = float(kept_within(fraction_of(row_[*places.alpha], type(places.alpha))));
+    }
+    built_.mesh.colors.push_back(color);
+    return std::uint32_t(built_.mesh.colors.size() - 1);
+  }
+
+  // ---- faces ----
+
+  Result<void> read_faces(const Element& element) {
+    const Place indices = element.find({"vertex_indices", "vertex_index"});
+    if (!indices || !element.properties[*indices].count_type ||
+        !is_integer(element.properties[*indices].type)) {
+      return fail("element 'face'", "has no list 'vertex_indices' of integers",
+                  "export the file again");
+    }
+    const Place texcoords = element.find({"texcoord"});
+    const ColorPlaces color(element);
+    name_unread(element, "face properties",
+                {indices, texcoords, color.red, color.green, color.blue, color.alpha});
+    Mesh& mesh = built_.mesh;
+    const auto max_corners = std::min(limits_.max_corners, std::uint64_t(kNone));
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      if (!read_row(element)) return refuse("face", i, problem_, "export the file again");
+      const std::vector<double>& corners = lists_[*indices];
+      if (corners.size() < 3) {
+        short_faces_.add(i);
+        continue;
+      }
+      if (corners.size() > max_corners - mesh.corners.size()) {
+        return refuse(
+            "face", i,
+            "the faces have more corners than the limit of " + std::to_string(max_corners),
+            "raise the limit if the file can be trusted");
+      }
+      mesh.faces.push_back({std::uint32_t(mesh.corners.size()), std::uint32_t(corners.size())});
+      if (auto done = add_corners(corners, i); !done) return done;
+      if (texcoords) add_wedges(element.properties[*texcoords], lists_[*texcoords], i);
+      if (color.complete()) add_face_color(element, color);
+    }
+    return {};
+  }
+
+  Result<void> add_corners(const std::vector<double>& corners, std::uint64_t face) {
+    const std::uint64_t count = header_.find("vertex")->count;
+    for (const double index : corners) {
+      if (!(index >= 0 && index < double(count))) {
+        return refuse(
+            "face", face,
+            "names vertex " + std::to_string(std::int64_t(index)) + " of " + std::to_string(count),
+            "export the file again");
+      }
+      built_.mesh.corners.push_back({std::uint32_t(index), kNone, kNone, kNone});
+    }
+    return {};
+  }
+
+  // Texture coordinates of the corners of the last face.
+  void add_wedges(const Property& property, const std::vector<double>& list, std::uint64_t face) {
+    Mesh& mesh = built_.mesh;
+    const Face& last = mesh.faces.back();
+    if (!property.count_type || list.size() != 2 * std::size_t(last.count)) {
+      if (!list.empty()) odd_wedges_.add(face);
+      return;
+    }
+    for (std::uint32_t k = 0; k < last.count; ++k) {
+      wedges_.push_back({float(list[2 * k]), float(1.0 - list[2 * k + 1])});
+      TexCoord& t = wedges_.back();
+      if (!std::isfinite(t.u) || !std::isfinite(t.v)) {
+        odd_wedges_.add(face);
+        t = {0, 0};
+      }
+      mesh.corners[last.first + k].texcoord = std::uint32_t(wedges_.size() - 1);
+    }
+  }
+
+  void add_face_color(const Element& element, const ColorPlaces& places) {
+    std::swap(built_.mesh.colors, face_colors_);
+    const std::uint32_t color = add_color(element, places);
+    std::swap(built_.mesh.colors, face_colors_);
+    const Face& last = built_.mesh.faces.back();
+    for (std::uint32_t k = 0; k < last.count; ++k) {
+      built_.mesh.corners[last.first + k].color = color;
+    }
+  }
+
+  // ---- when all is read: faces may come before the vertices ----
+
+  // Corners have one index into each table, and positions say the others, unless faces have them.
+  void complete_corners() {
+    Mesh& mesh = built_.mesh;
+    const bool by_corner = !wedges_.empty(), by_face = !vertex_colors_ && !face_colors_.empty();
+    if (by_corner) mesh.texcoords = std::move(wedges_);
+    if (by_face) mesh.colors = std::move(face_colors_);
+    for (Corner& corner : mesh.corners) {
+      if (!mesh.normals.empty() && has_normal_[corner.position]) corner.normal = corner.position;
+      if (!by_corner) corner.texcoord = mesh.texcoords.empty() ? kNone : corner.position;
+      if (!by_face) corner.color = mesh.colors.empty() ? kNone : corner.position;
+    }
+    settle_alpha();
+  }
+
+  void settle_alpha() {
+    std::vector<Rgba>& colors = built_.mesh.colors;
+    const bool all_clear = std::ranges::all_of(colors, [](const Rgba& c) { return c.a == 0; });
+    if (!colors.empty() && all_clear) {
+      warnings_.add("the alpha of all colours is 0, and was left out");
+      for (Rgba& color : colors) color.a = 1;
+    }
+    built_.translucent = std::ranges::any_of(colors, [](const Rgba& c) { return c.a < 1; });
+  }
+
+  // ---- what is not drawn ----
+
+  void not_drawn(const std::string& kind, const std::string& name) {
+    auto known = std::ranges::find(unread_, kind, &std::pair<std::string, std::string>::first);
+    if (known == unread_.end()) {
+      unread_.emplace_back(kind, "");
+      known = unread_.end() - 1;
+    }
+    constexpr std::size_t kMaxLength = 400;
+    if (known->second.size() > kMaxLength) return;
+    known->second += (known->second.empty() ? "" : ", ") + printable(name);
+  }
+
+  void name_unread(const Element& element, const char* kind, std::initializer_list<Place> read) {
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
+      if (std::ranges::find(read, Place(i)) == read.end()) {
+        not_drawn(kind, element.properties[i].name);
+      }
+    }
+  }
+
+  void report() {
+    short_faces_.report("face", "faces of fewer than three corners were left out", warnings_);
+    odd_normals_.report("vertex", "normals are zero or not finite and were left out", warnings_);
+    odd_texcoords_.report("vertex", "texture coordinates are not finite and were taken as 0",
+                          warnings_);
+    odd_wedges_.report("face", "faces have texture coordinates that do not fit their corners",
+                       warnings_);
+    for (const auto& [kind, names] : unread_) warnings_.add(kind + " are not drawn: " + names);
+  }
+
+  const Header& header_;
+  const LoadLimits& limits_;
+  obj::Warnings& warnings_;
+  Values values_;
+  Built built_;
+
+  std::vector<double> row_;
+  std::vector<std::vector<double>> lists_;
+  std::string problem_;
+  std::vector<bool> has_normal_;
+  std::vector<TexCoord> wedges_;
+  std::vector<Rgba> face_colors_;
+  bool vertex_colors_ = false;
+  Tally short_faces_, odd_normals_, odd_texcoords_, odd_wedges_;
+  std::vector<std::pair<std::string, std::string>> unread_;
+};
+
+}  // namespace
+
+Result<Built> build_mesh(std::string_view file, const Header& header, const LoadLimits& limits,
+                         obj::Warnings& warnings) {
+  return Builder(file, header, limits, warnings).run();
+}
+
+}  // namespace glassbox::ply

@@ -1,0 +1,56 @@
+// The header of a PLY file: which elements follow, how many of each, and what each of them is made of.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glassbox/base/error.h>
+
+namespace glassbox::ply {
+
+enum class Format { kAscii, kLittleEndian, kBigEndian };
+enum class Type { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat32, kFloat64 };
+
+inline bool is_integer(Type type) {
+  return type != Type::kFloat32 && type != Type::kFloat64;
+}
+inline std::size_t bytes_of(Type type) {
+  constexpr std::size_t kBytes[] = {1, 1, 2, 2, 4, 4, 4, 8};
+  return kBytes[std::size_t(type)];
+}
+
+struct Property {
+  std::string name;
+  Type type = Type::kFloat32;           // of the value, or of each value of the list
+  std::optional<Type> count_type = {};  // of lists: of the number that says how many follow
+};
+
+struct Element {
+  std::string name;
+  std::uint64_t count = 0;
+  std::vector<Property> properties;
+
+  // The index of a property, if there is one with one of the names.
+  std::optional<std::size_t> find(std::initializer_list<std::string_view> names) const;
+};
+
+struct Header {
+  Format format = Format::kAscii;
+  std::vector<Element> elements;      // in the order in which their data come
+  std::vector<std::string> textures;  // "comment TextureFile NAME", a custom of MeshLab
+  std::size_t data_begin = 0;         // offset in the file
+  std::uint64_t data_line = 0;        // number of the line there
+
+  const Element* find(std::string_view name) const;
+};
+
+// Checks every line, and that the counts of elements fit into the bytes that follow the header: in binary a value has the
+// bytes of its type, in text a digit and a blank at least, and a list at least its count.
+Result<Header> parse_header(std::string_view file);
+
+}  // namespace glassbox::ply

@@ -1,0 +1,96 @@
+#include <glassbox/mesh/ply/load.h>
+
+#include <filesystem>
+#include <new>
+#include <string>
+
+#include <glassbox/images/decode.h>
+#include <glassbox/mesh/gltf/files.h>
+#include <glassbox/mesh/obj/directory.h>
+#include <glassbox/mesh/ply/build.h>
+
+namespace glassbox {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The first texture that the header names, where it can be read.
+void add_texture(const std::vector<std::string>& names, obj::Directory directory,
+                 const LoadLimits& limits, Scene& scene, obj::Warnings& warnings) {
+  if (names.empty()) return;
+  const auto leave_out = [&](const std::string& why) {
+    warnings.add("the texture " + in_quotes(names.front()) + " was left out: " + why);
+  };
+  if (names.size() > 1) {
+    warnings.add(std::to_string(names.size() - 1) + " textures beside the first are not drawn");
+  }
+  if (scene.meshes.front().texcoords.empty()) return leave_out("there are no texture coordinates");
+  const auto path = directory.find(names.front());
+  if (!path) return leave_out(path.error().cause);
+  const auto bytes = directory.read(*path);
+  if (!bytes) return leave_out(bytes.error().cause);
+  auto image = decode_image(*bytes, {limits.max_image_pixels, limits.max_image_side});
+  if (!image) return leave_out(image.error().cause);
+  scene.images.push_back(std::move(*image));
+  scene.textures.push_back({0, {}});
+  scene.materials.front().texture = 0;
+}
+
+Result<Scene> load_bytes(std::string_view bytes, obj::Directory directory,
+                         const LoadLimits& limits) {
+  const auto header = ply::parse_header(bytes);
+  if (!header) return tl::unexpected(header.error());
+  obj::Warnings warnings;
+  auto built = ply::build_mesh(bytes, *header, limits, warnings);
+  if (!built) return tl::unexpected(built.error());
+  Scene scene;
+  Material& material = scene.materials.emplace_back();
+  material.double_sided = true;
+  if (built->translucent) material.alpha_mode = AlphaMode::kBlend;
+  scene.meshes.push_back(std::move(built->mesh));
+  scene.nodes.emplace_back();
+  scene.instances.push_back({0, 0});
+  add_texture(header->textures, std::move(directory), limits, scene, warnings);
+  scene.warnings = warnings.take();
+  return scene;
+}
+
+Result<Scene> load_named(const std::string& path, const LoadLimits& limits) {
+  const auto bytes = gltf::read_whole_file(path, limits.max_file_bytes);
+  if (!bytes) return tl::unexpected(bytes.error());
+  const fs::path file(path);
+  const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+  auto scene = load_bytes(text, obj::Directory(file.parent_path(), limits.max_file_bytes), limits);
+  if (!scene) return scene;
+  scene->name = file.stem().string();
+  scene->file = path;
+  return scene;
+}
+
+Error no_memory(const std::string& path) {
+  return {path, "", "there is not enough memory for it",
+          "close other programs, or reduce the scene"};
+}
+
+}  // namespace
+
+Result<Scene> load_ply(const std::string& path, const LoadLimits& limits) try {
+  auto scene = load_named(path, limits);
+  if (!scene) scene.error().file = path;
+  return scene;
+} catch (const std::bad_alloc&) {
+  return tl::unexpected(no_memory(path));
+}
+
+Result<Scene> load_ply_memory(std::string_view bytes, const LoadLimits& limits) try {
+  if (bytes.size() > limits.max_file_bytes) {
+    return fail("",
+                "has more than the limit of " + std::to_string(limits.max_file_bytes) + " bytes",
+                "raise the limit if the file can be trusted");
+  }
+  return load_bytes(bytes, obj::Directory(), limits);
+} catch (const std::bad_alloc&) {
+  return tl::unexpected(no_memory(""));
+}
+
+}  // namespace glassbox

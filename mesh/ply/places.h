@@ -1,0 +1,81 @@
+// Which properties of a PLY element say what, and what their numbers mean.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include <glassbox/images/srgb.h>
+#include <glassbox/mesh/ply/header.h>
+
+namespace glassbox::ply {
+
+using Place = std::optional<std::size_t>;  // of a property in its element
+
+// ---- which properties say what ----
+
+struct ColorPlaces {
+  Place red, green, blue, alpha;
+
+  explicit ColorPlaces(const Element& e)
+      : red(e.find({"red", "diffuse_red", "r"})),
+        green(e.find({"green", "diffuse_green", "g"})),
+        blue(e.find({"blue", "diffuse_blue", "b"})),
+        alpha(e.find({"alpha", "diffuse_alpha", "a"})) {}
+  bool complete() const { return red && green && blue; }
+};
+
+struct VertexPlaces {
+  std::array<Place, 3> position, normal;
+  std::array<Place, 2> texcoord;
+  ColorPlaces color;
+
+  explicit VertexPlaces(const Element& e)
+      : position{e.find({"x"}), e.find({"y"}), e.find({"z"})},
+        normal{e.find({"nx"}), e.find({"ny"}), e.find({"nz"})},
+        texcoord{e.find({"u", "s", "texture_u", "texture_s"}),
+                 e.find({"v", "t", "texture_v", "texture_t"})},
+        color(e) {}
+  bool has_normals() const { return normal[0] && normal[1] && normal[2]; }
+  bool has_texcoords() const { return texcoord[0] && texcoord[1]; }
+};
+
+// ---- colours ----
+
+// Of the brightest that the channel's type has.
+inline double fraction_of(double value, Type type) {
+  switch (type) {
+    case Type::kInt8:
+      return value / 127;
+    case Type::kUint8:
+      return value / 255;
+    case Type::kInt16:
+      return value / 32767;
+    case Type::kUint16:
+      return value / 65535;
+    case Type::kInt32:
+      return value / 2147483647.0;
+    case Type::kUint32:
+      return value / 4294967295.0;
+    case Type::kFloat32:
+    case Type::kFloat64:
+      break;
+  }
+  return value;
+}
+
+// Kept within [0, 1]; what is no number is 0.
+inline double kept_within(double fraction) {
+  return fraction > 0 ? std::min(fraction, 1.0) : 0.0;
+}
+
+// Integers and fractions are sRGB, and rounded to one of its codes.
+inline float light_of(double value, Type type) {
+  const double code = std::floor(kept_within(fraction_of(value, type)) * 255 + 0.5);
+  return decode_srgb(std::uint8_t(code));
+}
+
+}  // namespace glassbox::ply
