@@ -51,6 +51,11 @@ bool has_pose(const CameraOptions& options) {
   return options.eye || options.look_at || options.up;
 }
 
+// The scene is framed: nothing says where the camera stands or looks, though something may say what is up.
+bool is_framed(const CameraOptions& options) {
+  return !options.eye && !options.look_at;
+}
+
 Point<World, double> world_point(const std::array<double, 3>& p) {
   return {p[0], p[1], p[2]};
 }
@@ -73,6 +78,17 @@ Result<Camera> named_camera(const Scene& scene, const std::string& name) {
     known += fmt::format("{}{} '{}'", i == 0 ? "" : ", ", i, scene.cameras[i].name);
   }
   return fail("--camera " + name, "no camera has this name or index", "the scene has " + known);
+}
+
+// The automatic camera, with the `up` and the angle of view that are asked for.
+FramingOptions asked_framing(const CameraOptions& options) {
+  FramingOptions framing;
+  framing.fovy_degrees = kDefaultFovDegrees;
+  const bool legal_fov =
+      options.fov_degrees && *options.fov_degrees > 0 && *options.fov_degrees < 180;
+  if (legal_fov && is_framed(options)) framing.fovy_degrees = *options.fov_degrees;
+  if (options.up) framing.up = {(*options.up)[0], (*options.up)[1], (*options.up)[2]};
+  return framing;
 }
 
 // The pose of --eye, --look-at and --up; what is missing comes from the automatic camera and the scene's centre.
@@ -191,7 +207,9 @@ void add_camera_options(CLI::App& app, CameraOptions& options) {
   add_numbers(app, "--look-at", options.look_at, "X,Y,Z",
               "the point it looks at [the scene's centre]")
       ->group(group);
-  add_numbers(app, "--up", options.up, "X,Y,Z", "what is up in the picture [0,1,0]")->group(group);
+  add_numbers(app, "--up", options.up, "X,Y,Z",
+              "what is up in the picture, which is framed for it [0,1,0]")
+      ->group(group);
   add_number(app, "--fov", options.fov_degrees, "DEGREES",
              "full vertical angle of a perspective view [45]")
       ->group(group);
@@ -203,6 +221,19 @@ void add_camera_options(CLI::App& app, CameraOptions& options) {
       ->group(group);
   add_distance(app, "--near", options.near, "N", "distance of the near plane")->group(group);
   add_distance(app, "--far", options.far, "F|inf", "distance of the far plane")->group(group);
+  add_choice(app, "--view-from", options.formulation.view,
+             {{"uvn", ViewForm::kUvn}, {"axis-angle", ViewForm::kAxisAngle}},
+             "how eye_from_world is made: from the camera's axes, or by turning the gaze to -z and "
+             "rolling [uvn]")
+      ->group(group);
+  add_choice(app, "--projection", options.formulation.projection,
+             {{"perspective", ProjectionForm::kPerspective},
+              {"frustum", ProjectionForm::kFrustum},
+              {"t_pers", ProjectionForm::kTPers},
+              {"alpha_beta", ProjectionForm::kAlphaBeta}},
+             "how clip_from_eye is made: as gluPerspective, as glFrustum, or as the course's "
+             "slides; the same but for rounding [perspective]")
+      ->group(group);
 }
 
 Result<Camera> choose_camera(const Scene& scene, const CameraOptions& options, double aspect) {
@@ -211,20 +242,15 @@ Result<Camera> choose_camera(const Scene& scene, const CameraOptions& options, d
                 "give one of them");
   }
   const Box<World> box = bounds(scene);
-  FramingOptions framing;
-  framing.fovy_degrees = kDefaultFovDegrees;
-  const bool legal_fov =
-      options.fov_degrees && *options.fov_degrees > 0 && *options.fov_degrees < 180;
-  if (legal_fov && !has_pose(options)) framing.fovy_degrees = *options.fov_degrees;
-  const Result<Camera> automatic = frame(scene, aspect, framing);
+  const Result<Camera> automatic = frame(scene, aspect, asked_framing(options));
   if (!automatic) return automatic;
 
   Result<Camera> camera = automatic;
   if (options.camera) {
     camera = named_camera(scene, *options.camera);
-  } else if (has_pose(options)) {
+  } else if (!is_framed(options)) {
     camera = posed_camera(options, *automatic, box);
-  } else if (!scene.cameras.empty()) {
+  } else if (!options.up && !scene.cameras.empty()) {
     camera = scene.cameras.front();
   }
   if (!camera) return camera;
@@ -234,7 +260,7 @@ Result<Camera> choose_camera(const Scene& scene, const CameraOptions& options, d
   if (!lens) return tl::unexpected(lens.error());
   camera->lens = *lens;
 
-  const bool own_planes = !has_pose(options) && is_parallel(own) == is_parallel(*lens);
+  const bool own_planes = is_framed(options) && is_parallel(own) == is_parallel(*lens);
   Planes found = planes_of(own);
   if (!own_planes) {
     const Result<Planes> enclosing = enclosing_planes(*camera, box);

@@ -9,6 +9,7 @@
 
 #include <glassbox/base/error.h>
 #include <glassbox/mesh/scene.h>
+#include <glassbox/pipeline/formulation.h>
 
 namespace glassbox::app {
 
@@ -22,11 +23,13 @@ struct CameraOptions {
   std::optional<std::array<double, 4>> frustum;
   std::optional<double> near;
   std::optional<double> far;  // may be infinite
+  Formulation formulation;    // how the camera's two matrices are made
 };
 
 void add_camera_options(CLI::App& app, CameraOptions& options);
 
-// The pose: --camera, else --eye/--look-at/--up, else the scene's first camera, else automatic framing. The lens: that
+// The pose: --camera, else --eye/--look-at/--up, else the scene's first camera, else automatic framing; with --up alone,
+// framing for that direction. The lens: that
 // camera's own or, with --fov, --ortho or --frustum, the one asked for. Near and far planes: as asked for, else the
 // camera's, else such that they enclose the scene.
 Result<Camera> choose_camera(const Scene& scene, const CameraOptions& options, double aspect);

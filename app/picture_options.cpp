@@ -30,6 +30,11 @@ void add_drawing_options(CLI::App& command, RenderSettings& settings) {
              {{"back", Cull::kBack}, {"front", Cull::kFront}, {"none", Cull::kNone}},
              "faces to leave out [as each material says]")
       ->group(group);
+  add_choice(command, "--cull-stage", settings.cull_stage,
+             {{"screen", CullStage::kScreen}, {"object", CullStage::kObject}},
+             "where faces to leave out are found: by their area on the screen, or before clipping "
+             "where that is certain; same bytes [screen]")
+      ->group(group);
   command.add_flag("--wireframe", settings.wireframe, "the edges of triangles only")->group(group);
   command
       .add_option_function<std::string>(
@@ -63,7 +68,7 @@ Result<ChosenView> choose_centre(const Scene& scene, const PictureOptions& pictu
   const DepthRange range = picture.settings.depth == DepthFormat::kFloat32Reversed
                                ? DepthRange::kReversed
                                : DepthRange::kStandard;
-  const Result<View> view = make_view(*camera, width, height, range);
+  const Result<View> view = make_view(*camera, width, height, range, picture.camera.formulation);
   if (!view) return tl::unexpected(view.error());
   return ChosenView{*camera, *view};
 }

@@ -200,8 +200,12 @@ Result<DrawnPicture> RenderCommand::draw(const Scene& scene, Renderer& renderer)
                          std::move(drawn.image),
                          {},
                          {{"left", both.left_statistics}},
-                         eyes_text(*chosen, both),
+                         eyes_text(*chosen, both) + cropped_text(drawn),
                          eyes_json(*chosen, both)};
+    if (drawn.cropped) {
+      picture.eyes_json["cropped"] = {{"shift_px", drawn.cropped->shift_px},
+                                      {"columns", drawn.cropped->shift}};
+    }
     if (both.passes == 2) picture.stages.emplace_back("right", both.right_statistics);
     return picture;
   });

@@ -37,10 +37,14 @@ std::string stage_table(const Statistics& s, Engine engine) {
   const std::uint64_t vertices = s.vertices + s.moved_in_x;
   text += row("object -> clip space", vertices, vertices,
               s.moved_in_x > 0 ? "vertices, all but x from the left eye" : "vertices");
+  if (s.culled_early > 0) {
+    text += row("cull in object space", drawable, drawable - s.culled_early,
+                grouped(s.culled_early) + " turned away for certain");
+  }
   std::string clipping = grouped(s.rejected + s.clipped_away) + " outside";
   if (s.clipped > 0) clipping += ", " + grouped(s.clipped) + " cut";
   if (tile) clipping += "; those beside the picture go after the cull";
-  text += row("clip", drawable, s.after_clipping, clipping);
+  text += row("clip", drawable - s.culled_early, s.after_clipping, clipping);
   text += row("divide, viewport, snap", s.after_clipping, s.after_clipping - s.zero_area,
               grouped(s.zero_area) + " without area on the screen");
   text += row("back-face cull", s.after_clipping - s.zero_area, s.set_up,
@@ -82,6 +86,7 @@ nlohmann::ordered_json to_json(const Statistics& s) {
           {"eye_positions", s.eye_positions},
           {"lines", s.lines},
           {"points", s.points},
+          {"culled_early", s.culled_early},
           {"rejected", s.rejected},
           {"clipped_away", s.clipped_away},
           {"clipped", s.clipped},

@@ -77,9 +77,41 @@ AnaglyphMasks masks_for(Glasses glasses) {
           {eyes.right.r, eyes.right.g, eyes.right.b, true}};
 }
 
+// `width` columns from `first` on.
+Image<Rgba8> columns_of(const Image<Rgba8>& wide, int first, int width) {
+  Image<Rgba8> cut(width, wide.height);
+  for (int y = 0; y < wide.height; ++y) {
+    for (int x = 0; x < width; ++x) cut.at(x, y) = wide.at(first + x, y);
+  }
+  return cut;
+}
+
+// Both eyes' pictures from frusta that are not skewed, aligned and cropped.
+Result<StereoPicture> draw_and_crop(Renderer& renderer, const ChosenEyes& chosen,
+                                    const RenderSettings& settings,
+                                    const StereoPictureOptions& stereo) {
+  const Result<AlignAndCrop> cut = align_and_crop(chosen.centre, chosen.eyes.pair);
+  if (!cut) return tl::unexpected(cut.error());
+  const int width = int(chosen.centre.viewport.width());
+  Rendering left = renderer.render(cut->left, settings);
+  Rendering right = renderer.render(cut->right, settings);
+  StereoPicture picture;
+  picture.cropped = *cut;
+  picture.rendering.passes = 2;
+  picture.rendering.left_statistics = left.statistics;
+  picture.rendering.right_statistics = right.statistics;
+  Result<Image<Rgba8>> image =
+      recoloured_and_put_together(columns_of(left.buffers.color, cut->left_first, width),
+                                  columns_of(right.buffers.color, cut->right_first, width), stereo);
+  if (!image) return tl::unexpected(image.error());
+  picture.image = std::move(*image);
+  return picture;
+}
+
 Result<StereoPicture> draw_eyes(Renderer& renderer, const ChosenEyes& chosen,
                                 const RenderSettings& settings,
                                 const StereoPictureOptions& stereo) {
+  if (stereo.eyes_by == EyesBy::kCrop) return draw_and_crop(renderer, chosen, settings, stereo);
   const StereoSettings both{settings, stereo.culling};
   const StereoPair& pair = chosen.eyes.pair;
   const Glasses glasses = stereo.anaglyph.glasses.value_or(Glasses::kRedCyan);
@@ -132,6 +164,11 @@ void add_stereo_picture_options(CLI::App& command, StereoPictureOptions& stereo)
              "triangles to leave out: those that neither eye sees, or, losing some, those that the "
              "camera between them does not [union]")
       ->group("Eyes (stereo)");
+  add_choice(command, "--eyes-by", stereo.eyes_by,
+             {{"skew", EyesBy::kSkew}, {"crop", EyesBy::kCrop}},
+             "how each eye sees the window: by a skewed frustum, or by a wider one that is not, "
+             "whose picture is aligned and cropped [skew]")
+      ->group("Eyes (stereo)");
   add_strength(command, "--desaturate", stereo.recolour.desaturate,
                "how far colours are moved to grey before they become an anaglyph, 0 .. 1 [0]");
   add_strength(command, "--brighten", stereo.recolour.brighten, "and to white, 0 .. 1 [0]");
@@ -162,6 +199,10 @@ Result<void> check_stereo_picture(const PictureOptions& picture,
   if (stereo.form.layout && stereo.cable) {
     return fail("--cable", fmt::format("--stereo {} is no anaglyph", name_of(*stereo.form.layout)),
                 "leave it out, or give --stereo anaglyph");
+  }
+  if (stereo.eyes_by == EyesBy::kCrop && stereo.culling == StereoCulling::kCentre) {
+    return fail("--stereo-cull centre", "each eye that is cropped is drawn by itself",
+                "leave it out, or leave out --eyes-by crop");
   }
   if (const auto legal = check_recolour(stereo.recolour); !legal) return legal;
   if (stereo.form.layout == StereoLayout::kInterlaced && picture.size.height == 1) {
@@ -207,6 +248,15 @@ std::string eyes_text(const ChosenEyes& chosen, const StereoRendering& rendering
                     rendering.lost);
   }
   return text;
+}
+
+std::string cropped_text(const StereoPicture& picture) {
+  if (!picture.cropped) return "";
+  const AlignAndCrop& cut = *picture.cropped;
+  return fmt::format(
+      "  cropped from pictures {} columns wider; infinity is shifted by {:.4f} px, so each eye's "
+      "picture\n  is {:.4f} px beside that of a skewed frustum\n",
+      cut.shift, cut.shift_px, std::abs(cut.shift_px - cut.shift) / 2);
 }
 
 nlohmann::ordered_json eyes_json(const ChosenEyes& chosen, const StereoRendering& rendering) {

@@ -15,6 +15,7 @@
 #include <glassbox/images/stereo/cables.h>
 #include <glassbox/images/stereo/layouts.h>
 #include <glassbox/images/stereo/recolour.h>
+#include <glassbox/pipeline/stereo/align_and_crop.h>
 #include <glassbox/render/renderer.h>
 
 namespace glassbox::app {
@@ -32,6 +33,9 @@ struct StereoForm {
   std::optional<StereoLayout> layout;  // absent: an anaglyph
 };
 
+// kSkew: skewed frusta. kCrop: wider frusta that are not skewed, aligned and cropped (S0-08).
+enum class EyesBy { kSkew, kCrop };
+
 struct StereoPictureOptions {
   StereoForm form;
   AnaglyphOptions anaglyph;
@@ -39,6 +43,7 @@ struct StereoPictureOptions {
   std::optional<Cable>
       cable;  // what an anaglyph goes through on its way to the screen; absent: nothing
   StereoCulling culling = StereoCulling::kUnion;
+  EyesBy eyes_by = EyesBy::kSkew;
   std::vector<const CLI::Option*> options;  // those that add_stereo_picture_options has added
 };
 
@@ -50,7 +55,8 @@ Result<void> check_stereo_picture(const PictureOptions& picture,
 
 struct StereoPicture {
   Image<Rgba8> image;
-  StereoRendering rendering;  // its colours may be spent on the image
+  StereoRendering rendering;            // its colours may be spent on the image
+  std::optional<AlignAndCrop> cropped;  // how, where the eyes were cropped
 };
 
 // The options count as checked.
@@ -61,5 +67,8 @@ Result<StereoPicture> render_stereo_picture(Renderer& renderer, const ChosenEyes
 // The parallax of near plane, window and far plane, in pixels and per cent of the width, and what was culled.
 std::string eyes_text(const ChosenEyes& chosen, const StereoRendering& rendering);
 nlohmann::ordered_json eyes_json(const ChosenEyes& chosen, const StereoRendering& rendering);
+
+// How far the eyes' pictures are from the skewed ones; empty where they were not cropped.
+std::string cropped_text(const StereoPicture& picture);
 
 }  // namespace glassbox::app

@@ -9,6 +9,7 @@
 #include <glassbox/pipeline/affine.h>
 #include <glassbox/pipeline/look_at.h>
 #include <glassbox/pipeline/number_text.h>
+#include <glassbox/pipeline/unit_vector.h>
 
 namespace glassbox {
 namespace {
@@ -98,16 +99,31 @@ Result<void> check_request(const Box<World>& bounds, double aspect, const Framin
   return {};
 }
 
+// `v` turned as y is turned to the unit vector `up`: Rodrigues about k = y x up, whose length is the sine and up.y the cosine
+// of the angle. The last factor is written without cancellation for either sign of the cosine.
+Vector<World, double> turned_upright(const Vector<World, double>& v,
+                                     const Vector<World, double>& up) {
+  const double cosine = up.y;
+  const Vector<World, double> k{up.z, 0, -up.x};
+  const double sine_squared = dot(k, k);
+  if (sine_squared == 0) return cosine > 0 ? v : Vector<World, double>{v.x, -v.y, -v.z};
+  const double factor = cosine > 0 ? 1 / (1 + cosine) : (1 - cosine) / sine_squared;
+  return v * cosine + cross(k, v) + k * (dot(k, v) * factor);
+}
+
 // The camera that sees every point that for_each_point(visit) visits.
 template <class ForEachPoint>
 Result<Camera> frame_points(const ForEachPoint& for_each_point, double aspect,
                             const FramingOptions& options) {
   const SinCos azimuth = sin_cos_degrees(options.azimuth_degrees);
   const SinCos elevation = sin_cos_degrees(options.elevation_degrees);
-  const Vector<World, double> towards_eye{elevation.cos * azimuth.sin, elevation.sin,
-                                          elevation.cos * azimuth.cos};
+  const Vector<World, double> with_y_up{elevation.cos * azimuth.sin, elevation.sin,
+                                        elevation.cos * azimuth.cos};
+  // An `up` that is no direction is refused by camera_pose.
+  const Vector<World, double> towards_eye =
+      turned_upright(with_y_up, unit(options.up).value_or(Vector<World, double>{0, 1, 0}));
   const Result<Transform<World, Eye>> turned_pose =
-      camera_pose(Point<World, double>{}, -towards_eye, Vector<World, double>{0, 1, 0});
+      camera_pose(Point<World, double>{}, -towards_eye, options.up);
   if (!turned_pose) return tl::unexpected(turned_pose.error());
 
   // The box of the points along the axes of the eye, whose directions are known before its place.

@@ -11,7 +11,10 @@ struct FramingOptions {
   double azimuth_degrees =
       30;  // where the eye stands, seen from the box: from the +z axis towards +x
   double elevation_degrees =
-      20;                    // above the horizontal plane (y is up); strictly between -90 and 90
+      20;  // above the plane that `up` is perpendicular to; strictly between -90 and 90
+  // What is up in the picture, of any length. The axes that azimuth and elevation are about turn with it, by the shortest way
+  // from y: with z up the azimuth is from -y towards +x. Straight down is a half turn about x.
+  Vector<World, double> up{0, 1, 0};
   double fovy_degrees = 45;  // full vertical angle
   double margin = 1.1;       // size of the picture over that of the box in it; >= 1
 };
@@ -19,7 +22,7 @@ struct FramingOptions {
 // A perspective camera that sees all of the box, or all that the scene draws, from as near as the margin allows, in an
 // image of `aspect` = width / height; what it sees is in the middle of the picture. What has no extent is framed as a
 // cube of side 1 (or 2^-19 of its distance from the origin if that is more). Errors: nothing to see, bounds that are not
-// finite, an aspect that is not positive.
+// finite, an aspect that is not positive, an `up` that is no direction.
 Result<Camera> frame(const Box<World>& bounds, double aspect, const FramingOptions& options = {});
 Result<Camera> frame(const Scene& scene, double aspect, const FramingOptions& options = {});
 

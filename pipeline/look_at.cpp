@@ -4,6 +4,7 @@
 #include <string>
 
 #include <glassbox/pipeline/affine.h>
+#include <glassbox/pipeline/axis_angle.h>
 #include <glassbox/pipeline/number_text.h>
 #include <glassbox/pipeline/unit_vector.h>
 
@@ -101,44 +102,6 @@ Result<Transform<Eye, World>> look_at(const Point<World, double>& eye,
   });
 }
 
-namespace {
-
-// Rodrigues about k = v x (-z) = (-vy, vx, 0), with |k| the sine and -vz the cosine of the angle, so that no angle is ever
-// computed: cos I + [k]x + k k^T (1 - cos)/sin^2. The cross product with an axis is exact, and the last factor is written
-// without cancellation for either sign of the cosine.
-Transform<World, World> gaze_to_minus_z(const WorldVector& v) {
-  const double c = -v.z, sine_squared = v.x * v.x + v.y * v.y;
-  if (sine_squared == 0)
-    return scale<World>(c < 0 ? -1 : 1, 1,
-                        c < 0 ? -1 : 1);  // about y, by 180 degrees or not at all
-  const double factor = c > 0 ? 1 / (1 + c) : (1 - c) / sine_squared;
-  const double kx = -v.y, ky = v.x;
-  Transform<World, World> r;
-  r.at(0, 0) = c + kx * kx * factor;
-  r.at(0, 1) = kx * ky * factor;
-  r.at(0, 2) = ky;
-  r.at(1, 0) = kx * ky * factor;
-  r.at(1, 1) = c + ky * ky * factor;
-  r.at(1, 2) = -kx;
-  r.at(2, 0) = -ky;
-  r.at(2, 1) = kx;
-  r.at(2, 2) = c;
-  return r;
-}
-
-// Turns the direction (x, y) to +y.
-Transform<Eye, World> roll_up(double x, double y) {
-  const double length = std::sqrt(x * x + y * y);
-  Transform<Eye, World> r;
-  r.at(0, 0) = y / length;
-  r.at(0, 1) = -(x / length);
-  r.at(1, 0) = x / length;
-  r.at(1, 1) = y / length;
-  return r;
-}
-
-}  // namespace
-
 Result<Transform<Eye, World>> look_at_axis_angle(const Point<World, double>& eye,
                                                  const Point<World, double>& target,
                                                  const WorldVector& up) {
@@ -146,14 +109,7 @@ Result<Transform<Eye, World>> look_at_axis_angle(const Point<World, double>& eye
   if (!gaze) return tl::unexpected(gaze.error());
   const Result<Directions> directions = directions_of(eye, *gaze, up);
   if (!directions) return tl::unexpected(directions.error());
-  const Transform<World, World> turn = gaze_to_minus_z(directions->gaze);
-  const WorldVector turned_up = turn * directions->up;
-  Transform<Eye, World> m = roll_up(turned_up.x, turned_up.y) * turn *
-                            translate<World>(WorldVector{-eye.x, -eye.y, -eye.z});
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 4; ++column) m.at(row, column) += 0.0;  // -0 becomes 0
-  }
-  return m;
+  return product(axis_angle_factors(eye, directions->gaze, directions->up));
 }
 
 }  // namespace glassbox

@@ -52,6 +52,7 @@ Draw make_draw(const Scene& scene, const View& view, std::uint32_t instance,
   draw.material = &scene.materials[draw.mesh->material];
   draw.instance = instance;
   draw.anchor = anchor_for(box);
+  draw.eye_from_object = eye_from_object;
   const Transform<Eye, Object> eye_from_anchored = eye_from_anchored_of(scene, view, draw);
   draw.eye_from_anchored = round_to_float(eye_from_anchored);
   draw.clip_from_anchored = round_to_float(view.clip_from_eye * eye_from_anchored);

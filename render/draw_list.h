@@ -32,6 +32,7 @@ struct Draw {
   // Positions are taken relative to the anchor, a point near the mesh (see anchor_for), so that meshes modelled far
   // from their origin do not shake.
   Vector<Object> anchor;
+  Transform<Eye, Object> eye_from_object;  // of positions as modelled, in double
   Transform<Clip, Object, float> clip_from_anchored;
   Transform<Eye, Object, float> eye_from_anchored;
   NormalTransform<Eye, Object> eye_normal_from_object;

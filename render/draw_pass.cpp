@@ -39,8 +39,11 @@ PixelRect whole(const Image<Rgba8>& picture) {
 EyeStages make_stages(std::size_t index, const EyePass& eye, const ClipTable& clip,
                       const EyeSpaceTables& eye_space, const Lighting& lighting) {
   const Draw& draw = eye.draws[index];
+  // Whoever watches sees every triangle in all stages; the bytes are the same.
+  const bool watched = eye.observer != nullptr;
   return {{draw, &clip, eye_space, eye.view, eye.settings, lighting, render_planes(eye.view),
-           eye.statistics, eye.observer},
+           eye.statistics, eye.observer,
+           watched ? std::nullopt : object_culling(draw, eye.view, eye.settings).test},
           {draw, shaded_channels(draw, eye.settings), eye.view, eye.settings, lighting, eye.target,
            eye.color, whole(eye.color), eye.statistics, eye.observer,
            eye.target.samples.empty() ? nullptr : &eye.target.samples},

@@ -74,14 +74,19 @@ std::array<ClipVertex, 3> clip_vertices(const PrimitiveStage& stage, const Trian
   return corners;
 }
 
-// What the view's planes leave of a triangle; most are left whole, or nothing of them.
-ClipPolygon clip_to_view(const PrimitiveStage& stage, const Triangle& triangle,
-                         const std::array<ClipVertex, 3>& corners) {
+std::array<Outcode, 3> outcodes_of(const PrimitiveStage& stage, const Triangle& triangle,
+                                   const std::array<ClipVertex, 3>& corners) {
   std::array<Outcode, 3> codes;
   for (std::size_t k = 0; k < 3; ++k) {
     codes[k] =
         outcode_of(stage, corners[k], stage.draw.mesh->corners[triangle.corners[k]].position);
   }
+  return codes;
+}
+
+// What the view's planes leave of a triangle; most are left whole, or nothing of them.
+ClipPolygon clip_to_view(const PrimitiveStage& stage, const std::array<ClipVertex, 3>& corners,
+                         const std::array<Outcode, 3>& codes) {
   switch (trivial_verdict(codes)) {
     case ClipVerdict::kAccept:
       return {{corners[0], corners[1], corners[2]}, 3};
@@ -97,6 +102,17 @@ ClipPolygon clip_to_view(const PrimitiveStage& stage, const Triangle& triangle,
 }
 
 // ---- facing ----
+
+// Turned away for certain, which is known before anything is clipped. What a plane cuts is left to the snapped area.
+bool is_culled_early(const PrimitiveStage& stage, const Triangle& triangle,
+                     const std::array<Outcode, 3>& codes) {
+  if (!stage.object_cull || trivial_verdict(codes) != ClipVerdict::kAccept) return false;
+  const Mesh& mesh = *stage.draw.mesh;
+  const auto corner = [&](std::size_t k) {
+    return mesh.positions[mesh.corners[triangle.corners[k]].position];
+  };
+  return stage.object_cull->removes({corner(0), corner(1), corner(2)});
+}
 
 // Whether a triangle that shows its front or its back is thrown away.
 bool is_culled(const PrimitiveStage& stage, bool front) {
@@ -262,7 +278,12 @@ void ready_triangle(const PrimitiveStage& stage, const Triangle& triangle,
                     TriangleAttributes& attributes, std::vector<ReadyTriangle>& triangles,
                     std::vector<ReadyLine>& lines) {
   const std::array<ClipVertex, 3> corners = clip_vertices(stage, triangle);
-  ClipPolygon polygon = clip_to_view(stage, triangle, corners);
+  const std::array<Outcode, 3> codes = outcodes_of(stage, triangle, corners);
+  if (is_culled_early(stage, triangle, codes)) {
+    ++stage.statistics.culled_early;
+    return;
+  }
+  ClipPolygon polygon = clip_to_view(stage, corners, codes);
   if (stage.observer != nullptr) stage.observer->clipped(stage, triangle, corners, polygon);
   const ScreenPolygon screen = polygon_on_screen(stage, polygon);
   const std::uint32_t number = stage.draw.first_number + triangle.number;

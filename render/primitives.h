@@ -1,5 +1,5 @@
-// Corners become primitives ready to be rasterised: clip, divide, viewport, snap, setup, cull; then, for those that are
-// left, the attributes of their vertices.
+// Corners become primitives ready to be rasterised: cull in object space, where that is asked for, clip, divide, viewport,
+// snap, setup, cull; then, for those that are left, the attributes of their vertices.
 #pragma once
 
 #include <array>
@@ -9,6 +9,7 @@
 #include <glassbox/pipeline/clip.h>
 #include <glassbox/raster/stages.h>
 #include <glassbox/render/draw_list.h>
+#include <glassbox/render/object_cull.h>
 #include <glassbox/render/observer.h>
 #include <glassbox/render/statistics.h>
 #include <glassbox/render/vertex_stage.h>
@@ -50,6 +51,7 @@ struct PrimitiveStage {
   std::array<ClipPlane, kMaxClipPlanes> planes;  // render_planes(view)
   Statistics& statistics;
   Observer* observer = nullptr;
+  std::optional<ObjectCull> object_cull;  // of what no plane cuts; absent: nothing is culled early
 };
 
 // Appends what is left of a triangle of the mesh: nothing, itself, or the fan of its clipped polygon. With

@@ -16,10 +16,15 @@ enum class Show { kColor, kDepth, kNormal, kUv, kId, kOverdraw };
 // kMaterial: back faces, except of double-sided materials.
 enum class Cull { kMaterial, kBack, kFront, kNone };
 
+// Where faces that are turned away are found out. kScreen: by the snapped area, after clipping. kObject: before clipping, in
+// object space, where that is certain (object_cull.h), and the rest by the snapped area. The bytes are the same.
+enum class CullStage { kScreen, kObject };
+
 struct RenderSettings {
   Shading shading = Shading::kPhong;
   Show show = Show::kColor;
   Cull cull = Cull::kMaterial;
+  CullStage cull_stage = CullStage::kScreen;
   bool wireframe = false;  // the edges of triangles instead of their insides
   int samples = 1;         // of each pixel: 1, 2, 4, 8 or 16 (docs/pipeline.md)
   DepthFormat depth = DepthFormat::kFloat32;

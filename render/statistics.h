@@ -21,7 +21,10 @@ struct Statistics {
   std::uint64_t normals = 0;        // carried to eye space, of vertices and of faces
   std::uint64_t eye_positions = 0;  // positions carried to eye space
 
-  // Clipping. Triangles in = left out + rejected + clipped away + clipped + whole.
+  // Culling in object space, where it was asked for.
+  std::uint64_t culled_early = 0;  // facing the wrong way for certain: not clipped
+
+  // Clipping. Triangles in = left out + culled early + rejected + clipped away + clipped + whole.
   std::uint64_t rejected = 0;      // all corners outside one plane
   std::uint64_t clipped_away = 0;  // nothing left after clipping
   std::uint64_t clipped = 0;       // cut, something left

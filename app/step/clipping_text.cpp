@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -72,10 +73,33 @@ std::string cut_text(const SteppedTriangle& stepped) {
   return text;
 }
 
+// What --cull-stage object says of the triangle before anything is clipped.
+std::string early_culling_text(const SteppedTriangle& stepped) {
+  if (!stepped.object_culling) return "";
+  if (!stepped.object_culling->test) {
+    return sentence(fmt::format("not culled in object space: {}", stepped.object_culling->because));
+  }
+  const auto& corners = stepped.triangle->corners;
+  const ObjectCull& cull = *stepped.object_culling->test;
+  const ObjectCull::Judgement judged =
+      cull.judge({corners[0].object, corners[1].object, corners[2].object});
+  const bool whole = std::ranges::all_of(corners, [](const auto& c) { return c.outcode == 0; });
+  const char* verdict = !judged.removed ? "it is left to the snapped area"
+                        : whole         ? "it is removed, and the stages below see nothing of it"
+                                        : "but a plane cuts it, and it is left to the snapped area";
+  const double rounding = judged.test.bound + judged.test.viewer_error_bound;
+  std::string text = fmt::format("culling in object space, before clipping: (P - eye).m = {} {}",
+                                 brief(judged.test.value, 9), bound_text(rounding));
+  if (std::isfinite(judged.margin)) {
+    text += fmt::format("; snapping and float may move it by {}", brief(judged.margin, 3));
+  }
+  return sentence(text + ": " + verdict);
+}
+
 }  // namespace
 
 std::string clipping_text(const SteppedTriangle& stepped, const StepTarget& target) {
-  std::string text = distances_table(stepped, target);
+  std::string text = early_culling_text(stepped) + distances_table(stepped, target);
   std::array<Outcode, 3> codes;
   for (std::size_t k = 0; k < 3; ++k) codes[k] = stepped.triangle->corners[k].outcode;
   switch (trivial_verdict(codes)) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "app/step/chain_text.h"
+#include "app/step/formulation_text.h"
 #include "app/step/matrix_report.h"
 #include "app/step/numbers_text.h"
 #include "app/text_layout.h"
@@ -105,13 +106,15 @@ std::string view_factors_text(const Camera& camera, const View& view) {
   return text + matrix_rows(view.eye_from_world.columns, kIndent, 9);
 }
 
-std::string projection_factors_text(const Camera& camera, const View& view) {
+std::string projection_factors_text(const Camera& camera, const View& view, ProjectionForm form) {
   const double aspect = std::abs(double(view.viewport.width()) / double(view.viewport.height()));
   std::string text =
       sentence("clip_from_eye: " + std::visit(LensText{aspect}, camera.lens)) +
       sentence(fmt::format("near n = {}, far f = {}{}", brief(view.near, 9), far_text(view.far),
                            view.depth_range == DepthRange::kReversed ? ", reversed depth" : ""));
-  if (std::holds_alternative<PerspectiveLens>(camera.lens)) {
+  if (form != ProjectionForm::kPerspective) {
+    text += entries_text(view, form);
+  } else if (std::holds_alternative<PerspectiveLens>(camera.lens)) {
     text += sentence("[0][0] = cot(angle/2)/aspect, [1][1] = cot(angle/2)");
   } else if (std::holds_alternative<OrthographicLens>(camera.lens)) {
     text += sentence("[0][0] = 1/(half height aspect), [1][1] = 1/half height");

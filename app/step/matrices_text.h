@@ -14,7 +14,7 @@ std::string model_factors_text(const Scene& scene, const Instance& instance);
 std::string view_factors_text(const Camera& camera, const View& view);
 
 // Clip from eye: the lens, and the entries that follow from it.
-std::string projection_factors_text(const Camera& camera, const View& view);
+std::string projection_factors_text(const Camera& camera, const View& view, ProjectionForm form);
 
 // The one matrix that the run multiplies with.
 std::string composed_text(const TracedDraw& draw, const DrawBounds& bounds);

@@ -7,9 +7,11 @@
 #include <fmt/format.h>
 
 #include "app/step/clipping_text.h"
+#include "app/step/formulation_text.h"
 #include "app/step/fragment_text.h"
 #include "app/step/matrices_text.h"
 #include "app/step/numbers_text.h"
+#include "app/step/singular_text.h"
 #include "app/text_layout.h"
 
 #include <glassbox/base/printable.h>
@@ -84,8 +86,11 @@ std::string world_text(const Context& c) {
 }
 
 std::string eye_text(const Context& c) {
-  return view_factors_text(c.stepped.chosen.camera, c.stepped.chosen.view) +
-         corners_text(c, [&](std::size_t k) {
+  const ChosenView& chosen = c.stepped.chosen;
+  const bool turned = c.stepped.formulation.view == ViewForm::kAxisAngle;
+  return (turned ? axis_angle_text(chosen.camera, chosen.view)
+                 : view_factors_text(chosen.camera, chosen.view)) +
+         view_difference_text(c.stepped) + corners_text(c, [&](std::size_t k) {
            return number_lines(to_glm(c.triangle().corners[k].eye), c.stepped.bounds.corners[k].eye,
                                c.bits);
          });
@@ -104,8 +109,10 @@ std::uint64_t ulps_from_chain(const View& view, const TracedCorner& corner) {
 
 std::string clip_text(const Context& c) {
   const View& view = c.stepped.chosen.view;
-  std::string text = projection_factors_text(c.stepped.chosen.camera, view) +
-                     composed_text(draw_of(c.stepped), c.stepped.draw_bounds);
+  std::string text =
+      projection_factors_text(c.stepped.chosen.camera, view, c.stepped.formulation.projection) +
+      projection_difference_text(c.stepped) + two_steps_text(view) +
+      composed_text(draw_of(c.stepped), c.stepped.draw_bounds);
   text += corners_text(c, [&](std::size_t k) {
     const TracedCorner& corner = c.triangle().corners[k];
     auto lines = number_lines(to_glm(corner.clip), c.stepped.bounds.corners[k].clip, c.bits);
@@ -146,7 +153,7 @@ std::string vertices_text(const Context& c, const Lines& lines) {
 }
 
 std::string ndc_text(const Context& c) {
-  return vertices_text(c, [&](const TracedVertex& vertex, const VertexBounds& bounds) {
+  std::string text = vertices_text(c, [&](const TracedVertex& vertex, const VertexBounds& bounds) {
     auto lines = number_lines(to_glm(vertex.ndc.position), bounds.ndc.position, c.bits);
     if (bounds.condition != glm::dvec3(0)) {
       for (int i = 0; i < 3; ++i)
@@ -155,6 +162,7 @@ std::string ndc_text(const Context& c) {
     lines.push_back(number_line("1/w", vertex.ndc.inverse_w, bounds.ndc.inverse_w, c.bits));
     return lines;
   });
+  return text + singular_text(c.stepped, c.target);
 }
 
 std::string snap_text(std::int32_t snapped, const SnapStability& snap) {

@@ -8,6 +8,28 @@
 
 namespace glassbox::app {
 
+namespace {
+
+// The view by the usual formulation.
+std::optional<View> usual_view(const Scene& scene, const PictureOptions& picture) {
+  if (picture.camera.formulation == Formulation{}) return std::nullopt;
+  PictureOptions usual = picture;
+  usual.camera.formulation = {};
+  const Result<ChosenView> chosen = choose_view(scene, usual);
+  return chosen ? std::optional(chosen->view) : std::nullopt;
+}
+
+std::optional<ObjectCulling> culling_of(const Scene& scene, const View& view,
+                                        const RenderSettings& settings, std::uint32_t instance) {
+  if (settings.cull_stage == CullStage::kScreen) return std::nullopt;
+  const PreparedScene prepared = prepare(scene, settings.transfer);
+  const DrawList list = make_draw_list(scene, prepared, view);
+  const auto draw = std::ranges::find(list.draws, instance, &Draw::instance);
+  return object_culling(*draw, view, settings);
+}
+
+}  // namespace
+
 Result<SteppedTriangle> step_through(const Scene& scene, const PictureOptions& picture,
                                      std::uint32_t triangle) {
   const Result<ChosenView> chosen = choose_view(scene, picture);
@@ -18,8 +40,12 @@ Result<SteppedTriangle> step_through(const Scene& scene, const PictureOptions& p
   settings.want_id = true;
   TracedRun run = trace(scene, chosen->view, settings, filter);
 
-  SteppedTriangle stepped{
-      *chosen, std::move(run.trace), *find_triangle(scene, triangle), {}, {}, {}, 0};
+  SteppedTriangle stepped;
+  stepped.chosen = *chosen;
+  stepped.formulation = picture.camera.formulation;
+  stepped.usual = usual_view(scene, picture);
+  stepped.trace = std::move(run.trace);
+  stepped.place = *find_triangle(scene, triangle);
   const auto& ids = run.rendering.buffers.id.pixels;
   stepped.seen = int(std::count(ids.begin(), ids.end(), triangle + 1));
   if (stepped.trace.triangles.empty()) return stepped;
@@ -27,6 +53,8 @@ Result<SteppedTriangle> step_through(const Scene& scene, const PictureOptions& p
   stepped.draw_bounds = bounds_of(draw_of(stepped), chosen->view);
   stepped.bounds =
       bounds_of(stepped.trace, *stepped.triangle, draw_of(stepped), stepped.draw_bounds);
+  stepped.object_culling =
+      culling_of(scene, chosen->view, picture.settings, stepped.place.instance);
   return stepped;
 }
 

@@ -7,6 +7,8 @@
 
 #include <glassbox/base/error.h>
 #include <glassbox/mesh/scene.h>
+#include <glassbox/pipeline/formulation.h>
+#include <glassbox/render/object_cull.h>
 #include <glassbox/render/trace/bounds.h>
 #include <glassbox/render/trace/numbering.h>
 #include <glassbox/render/trace/tracer.h>
@@ -23,12 +25,16 @@ struct StepTarget {
 
 struct SteppedTriangle {
   ChosenView chosen;
-  Trace trace;  // of this triangle alone
+  Formulation formulation;    // how the two matrices of `chosen` were made
+  std::optional<View> usual;  // the view as it is made otherwise, where that is another way
+  Trace trace;                // of this triangle alone
   NumberedTriangle place;
   // None: the triangle has no area as modelled, and is not drawn.
   std::optional<TracedTriangle> triangle;
   DrawBounds draw_bounds;
   TriangleBounds bounds;
+  // With --cull-stage object: what the test before clipping says, or why there is none.
+  std::optional<ObjectCulling> object_culling;
   int seen = 0;  // pixels of the finished picture that show it
 };
 

@@ -42,7 +42,10 @@ inline std::size_t select_triangles(const SelectJob& job, Selected* selected,
   std::size_t kept = 0;
   const VI small = set(kSmallSide * kSubpixels);
   for (std::uint32_t i = 0; i < job.count; i += std::uint32_t(kLanes)) {
-    const MI live = first_lanes(job.count - i);
+    MI live = first_lanes(job.count - i);
+    if (job.keep != nullptr) {
+      live = hn::And(live, hn::Gt(hn::LoadU(kI, job.keep + i), hn::Zero(kI)));
+    }
     const VI triangle = hn::Min(hn::Iota(kI, std::int32_t(job.first + i)),
                                 set(std::int32_t(job.first + job.count - 1)));
     const Triple<VI> vertices = job.count - i >= kLanes ? load_indices(job.positions, job.first + i)

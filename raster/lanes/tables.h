@@ -84,7 +84,10 @@ struct SelectJob {
   bool all_large = false;  // leave every triangle to the staged primitives
   PixelRect window;
   int tile_shift = 6;  // log2 of the tile's side
+  // Null, or for each of the `count` triangles whether it goes on: 0 where it does not. kMostLanes more can be read.
+  const std::int32_t* keep = nullptr;
 };
+inline constexpr std::size_t kMostLanes = 64;  // of 32 bits: the widest vectors have 2048 bits
 
 // A triangle that may cover a pixel.
 struct Selected {

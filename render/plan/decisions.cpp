@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <glassbox/raster/texture.h>
+#include <glassbox/render/object_cull.h>
 
 namespace glassbox {
 
@@ -89,6 +90,15 @@ Decision side_clipping(const Subject& s) {
                     "integers hold the edge functions");
   }
   return needed(kStage, "its box may leave the guard band");
+}
+
+// Asked for by name; otherwise it goes without saying that the screen decides.
+Decision early_culling(const Subject& s) {
+  constexpr const char* kStage = "culling in object space";
+  const ObjectCulling culling = object_culling(s.draw, s.eye.view, s.eye.settings);
+  if (!culling.test) return left_out(kStage, culling.because);
+  return needed(kStage, culling.because,
+                in_all("triangles", s.draw.triangulation->triangles.size()));
 }
 
 Decision divide(const Subject& s) {
@@ -229,15 +239,17 @@ Decision blending(const Subject& s) {
 std::vector<Decision> decisions(const Plan& plan, const PlannedEye& eye, std::size_t draw) {
   const Subject s{plan, eye, eye.list.draws[draw], plan.methods[draw]};
   if (!s.method.drawn) return {whole_object(s)};
-  return {whole_object(s),    duplicate_vertices(s),
-          world_positions(s), plane_tests(s),
-          side_clipping(s),   divide(s),
-          normal_matrix(s),   eye_normals(s),
-          eye_positions(s),   depth_test(s),
-          perspective(s),     texture_coordinates(s),
-          mip_selection(s),   light(s),
-          highlights(s),      emission(s),
-          blending(s)};
+  std::vector<Decision> all{whole_object(s),    duplicate_vertices(s),
+                            world_positions(s), plane_tests(s),
+                            side_clipping(s),   divide(s),
+                            normal_matrix(s),   eye_normals(s),
+                            eye_positions(s),   depth_test(s),
+                            perspective(s),     texture_coordinates(s),
+                            mip_selection(s),   light(s),
+                            highlights(s),      emission(s),
+                            blending(s)};
+  if (eye.settings.cull_stage == CullStage::kObject) all.push_back(early_culling(s));
+  return all;
 }
 
 namespace {

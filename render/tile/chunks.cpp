@@ -63,8 +63,12 @@ PixelRect pixels_near(const SnappedVertex& a, const SnappedVertex& b) {
 }
 
 PrimitiveStage primitive_stage(const TileRun& run, const DrawSlot& slot, Statistics& statistics) {
-  return {run.list.draws[slot.draw], nullptr,    slot.eye_space, run.view, run.settings,
-          run.list.lighting,         run.planes, statistics,     nullptr};
+  const Draw& draw = run.list.draws[slot.draw];
+  return {draw,           nullptr,
+          slot.eye_space, run.view,
+          run.settings,   run.list.lighting,
+          run.planes,     statistics,
+          nullptr,        object_culling(draw, run.view, run.settings).test};
 }
 
 void add_entry(const TileRun& run, std::uint32_t entry, const PixelRect& box, Chunk& chunk) {
@@ -98,6 +102,24 @@ LargeTriangle large_triangle(const TileRun& run, const DrawSlot& slot, const Rea
   return large;
 }
 
+// Which of the chunk's triangles go on to be selected: all but those that are turned away for certain. Those that clipping
+// has to look at are asked when they are made ready.
+const std::int32_t* cull_early(const PrimitiveStage& stage, const DrawSlot& slot, Chunk& chunk) {
+  if (!stage.object_cull) return nullptr;
+  const Draw& draw = stage.draw;
+  const std::uint32_t* indices =
+      draw.prepared->indices.positions.data() + std::size_t(chunk.first) * 3;
+  std::int32_t* keep = at_least(chunk.keep, chunk.count + kMostLanes);
+  for (std::uint32_t i = 0; i < chunk.count; ++i, indices += 3) {
+    const auto needs_clipping = [&](int k) { return slot.screen[indices[k]].x == kNeedsClipping; };
+    const auto position = [&](int k) { return draw.mesh->positions[indices[k]]; };
+    const bool uncut = !needs_clipping(0) && !needs_clipping(1) && !needs_clipping(2);
+    keep[i] = uncut && stage.object_cull->removes({position(0), position(1), position(2)}) ? 0 : 1;
+    stage.statistics.culled_early += keep[i] == 0;
+  }
+  return keep;
+}
+
 void fill_from_lanes(const TileRun& run, const Kernels& kernels, const DrawSlot& slot,
                      Chunk& chunk) {
   const Draw& draw = run.list.draws[slot.draw];
@@ -114,6 +136,9 @@ void fill_from_lanes(const TileRun& run, const Kernels& kernels, const DrawSlot&
   job.window = run.window;
   job.tile_shift = std::countr_zero(unsigned(run.tile_side));
 
+  const PrimitiveStage stage = primitive_stage(run, slot, chunk.statistics);
+  job.keep = cull_early(stage, slot, chunk);
+
   SelectCounts counts;
   const std::size_t found =
       kernels.select_triangles(job, at_least(chunk.selected, chunk.count), counts);
@@ -123,7 +148,6 @@ void fill_from_lanes(const TileRun& run, const Kernels& kernels, const DrawSlot&
   s.culled += counts.culled;
   s.set_up += counts.small - counts.zero_area - counts.culled;
 
-  const PrimitiveStage stage = primitive_stage(run, slot, chunk.statistics);
   std::vector<ReadyTriangle> ready;
   std::vector<ReadyLine> no_lines;
   for (const Selected& one : std::span(chunk.selected).first(found)) {

@@ -66,6 +66,7 @@ struct Chunk {
   std::uint32_t slot = 0;              // index into the round's slots
   std::uint32_t first = 0, count = 0;  // triangles
 
+  std::vector<std::int32_t> keep;  // kLanes, where faces are culled in object space
   std::vector<Selected> selected;  // kLanes
   std::vector<LargeTriangle> large;
   std::vector<ReadyTriangle> triangles;  // the other kinds

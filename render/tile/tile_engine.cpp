@@ -27,6 +27,7 @@ constexpr std::size_t kVertexBatch = 4096;
 constexpr std::uint32_t kChunkTriangles = 8192;
 
 void add(const Statistics& part, Statistics& sum) {
+  sum.culled_early += part.culled_early;
   sum.rejected += part.rejected;
   sum.clipped_away += part.clipped_away;
   sum.clipped += part.clipped;

@@ -23,5 +23,6 @@ Experiment d27_hierarchical_raster();
 Experiment d28_elision();
 Experiment d29_trace();
 Experiment d31_supersampling();
+Experiment d32_clipping();
 
 }  // namespace glassbox::study

@@ -112,6 +112,45 @@ TEST_CASE("without a camera the whole scene is in the picture, whatever its size
   }
 }
 
+TEST_CASE("with --up alone the whole scene is in the picture, upright, from its own distance") {
+  const Workplace here;
+  // A tower of 12 along z, as scans often have it.
+  here.write("tower.obj",
+             "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv -1 -1 12\nv 1 -1 12\nv 1 1 12\nv -1 1 12\n"
+             "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+  for (const char* up : {"0,0,1", "0,0,-1", "0,-1,0", "1,0,0", "1,2,-3", "0,1,0"}) {
+    const Outcome outcome =
+        here.run(std::string("render tower.obj --size 64x48 --id-out p.pfm --up ") + up);
+    INFO(up << ": " << outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    const Plane plane = parse_pfm(here.read("p.pfm"));
+    int outermost = 64;  // how far from the border something is seen
+    for (int y = 0; y < 48; ++y) {
+      for (int x = 0; x < 64; ++x) {
+        if (plane.at(x, y) != 0) outermost = std::min({outermost, x, y, 63 - x, 47 - y});
+      }
+    }
+    // The margin is a twentieth of the picture on two sides at least, and nothing is cut off.
+    CHECK(outermost >= 1);
+    CHECK(outermost <= 4);
+  }
+}
+
+TEST_CASE("--up 0,1,0, of any length, is what goes without saying, byte for byte") {
+  const Workplace here;
+  for (const char* scene : {"teapot", "cube --fov 20", "teapot --ortho 9"}) {
+    const std::string words = std::string("render ") + scene + " --size 64x48 -o ";
+    REQUIRE(here.run(words + "a.ppm").exit_code == 0);
+    REQUIRE(here.run(words + "b.ppm --up 0,2.5,0").exit_code == 0);
+    const auto pixels = [&](const char* name) {
+      const std::string bytes = here.read(name);
+      return bytes.substr(bytes.size() - 64 * 48 * 3);
+    };
+    INFO(scene);
+    CHECK(pixels("a.ppm") == pixels("b.ppm"));
+  }
+}
+
 TEST_CASE("--far inf and no far plane at all are the same; what lies far is drawn") {
   const Workplace here;
   here.write("far.obj", "v -1e9 -1e9 -1e9\nv 1e9 -1e9 -1e9\nv 0 1e9 -1e9\nf 1 2 3\n");

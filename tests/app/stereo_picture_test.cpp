@@ -61,6 +61,42 @@ TEST_CASE("the layouts hold each eye's own picture (S0-02)") {
   CHECK(wrong == 0);
 }
 
+TEST_CASE("aligning and cropping makes the skewed pair where whole pixels are cut (S0-08)") {
+  const Workplace here;
+  // Infinity is shifted by s W/(h f) = 0.25 * 64/4 = 4 px: with 90 degrees across the window is as high as it is far.
+  const std::string start =
+      "--fov 90 --size 64x64 --eye 0,1,0 --look-at 1,1,-1 --window 4 --stereo pair "
+      "--eye-separation ";
+  const auto differing = [&](const std::string& separation) {
+    const Image<Rgba8> skewed = rendered(here, start + separation);
+    const Image<Rgba8> cropped = rendered(here, start + separation + " --eyes-by crop");
+    REQUIRE(cropped.width == 128);
+    REQUIRE(cropped.pixels.size() == skewed.pixels.size());
+    int count = 0;
+    for (std::size_t i = 0; i < skewed.pixels.size(); ++i)
+      count += !(skewed.pixels[i] == cropped.pixels[i]);
+    return count;
+  };
+  const int whole = differing("0.5"), halves = differing("0.5625");
+  INFO(whole << " pixels differ at 4 px, " << halves << " at 4.5 px");
+  CHECK(whole <= 64 * 64 * 2 / 1000);
+  CHECK(halves > 10 * whole);
+  const Outcome told = here.run(
+      "render room --fov 90 --size 64x64 --window 4 --eye-separation 0.5 "
+      "--stereo anaglyph --eyes-by crop --json q.json -o p.png");
+  REQUIRE(told.exit_code == 0);
+  CHECK(told.out.find("cropped from pictures 4 columns wider") != std::string::npos);
+  const Json json = Json::parse(here.read("q.json"));
+  CHECK(json.at("stereo").at("cropped").at("columns") == 4);
+  for (const char* refused :
+       {"--ortho 4 --stereo pair --eyes-by crop",
+        "--stereo pair --eyes-by crop --stereo-cull centre", "--eyes-by crop"}) {
+    const Outcome outcome = here.run(std::string("render cube --size 32x32 ") + refused);
+    INFO(refused << ": " << outcome.err);
+    CHECK(outcome.exit_code == 2);
+  }
+}
+
 TEST_CASE("separation 0 gives the mono bytes in one pass (C-71)") {
   const Workplace here;
   const Image<Rgba8> mono = rendered(here, "--size 64x37");

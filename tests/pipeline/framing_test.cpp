@@ -71,6 +71,56 @@ TEST_CASE("a scene fills the picture up to the margin and no further") {
   }
 }
 
+TEST_CASE("the whole scene is in the picture, upright, whatever is up") {
+  const Scene scene = *make_builtin("teapot:3");
+  Random random(75);
+  for (int i = 0; i < 200; ++i) {
+    FramingOptions options;
+    options.up = {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
+    if (i == 0) options.up = {0, -3, 0};
+    if (i == 1) options.up = {1e-9, -1, 0};
+    if (i == 2) options.up = {0, 0, 1};
+    CAPTURE(i, options.up.x, options.up.y, options.up.z);
+    const auto camera = frame(scene, 1.5, options);
+    REQUIRE(camera);
+    const auto view = make_view(*camera, 300, 200);
+    REQUIRE(view);
+    double reach = 0;
+    for_each_drawn_position(scene, [&](const Point<World, double>& p) {
+      const Point<Clip, double> c = view->clip_from_eye * view->eye_from_world * p;
+      CHECK(inside(c));
+      reach = std::max({reach, std::abs(c.x / c.w), std::abs(c.y / c.w)});
+    });
+    CHECK(std::abs(reach * options.margin - 1) < 1e-12);
+    // The elevation is above the plane that up is perpendicular to.
+    const Vector<Eye, double> up = view->eye_from_world * options.up;
+    const double length = std::sqrt(dot(options.up, options.up));
+    CHECK(std::abs(up.x / length) < 1e-14);
+    CHECK(up.y > 0);
+    CHECK(std::abs(up.z / length - 0.34202014332566873) < 1e-12);
+  }
+}
+
+TEST_CASE("a scene turned with what is up is framed the same") {
+  const Box<World> upright = box_of({-1, -2, -3}, {4, 5, 7});
+  // y to z, z to -y: exact.
+  const Box<World> turned = box_of({-1, -7, -2}, {4, 3, 5});
+  FramingOptions options;
+  const Camera before = frame(upright, 1.5, options).value();
+  options.up = {0, 0, 2};
+  const Camera after = frame(turned, 1.5, options).value();
+  for (int column = 0; column < 4; ++column) {
+    CHECK(after.world_from_eye.at(0, column) == Approx(before.world_from_eye.at(0, column)));
+    CHECK(after.world_from_eye.at(1, column) == Approx(-before.world_from_eye.at(2, column)));
+    CHECK(after.world_from_eye.at(2, column) == Approx(before.world_from_eye.at(1, column)));
+  }
+  // The length of up does not matter, and y is what it is without saying.
+  options.up = {0, 17, 0};
+  CHECK(frame(upright, 1.5, options).value().world_from_eye == before.world_from_eye);
+  options.up = {0, 0, 0};
+  CHECK(!frame(upright, 1.5, options));
+}
+
 TEST_CASE("a single point gets a camera too, wherever it is") {
   for (double offset : {0.0, 1.0, 1e6, 1e20}) {
     const Point<World, double> p{offset, -offset, offset};

@@ -49,6 +49,7 @@ public:
     made.scene = scene();
     made.options = options();
     if (one_in(4)) made.settings.samples = one_of({2, 4, 8, 16});
+    if (one_in(4)) made.settings.cull_stage = CullStage::kObject;
     return made;
   }
 
@@ -498,13 +499,13 @@ inline std::string in_words(const AnyCase& c) {
   text << c.view.viewport.width() << " x " << c.view.viewport.height() << " px, "
        << (c.view.perspective ? "perspective" : "parallel") << ", near " << c.view.near << ", far "
        << c.view.far << "; shading " << int(s.shading) << ", show " << int(s.show) << ", cull "
-       << int(s.cull) << ", wireframe " << s.wireframe << ", samples " << s.samples
-       << ", depth format " << int(s.depth) << ", transfer " << int(s.transfer) << ", mask "
-       << s.mask.r << s.mask.g << s.mask.b << s.mask.a << ", wants depth " << s.want_depth
-       << " distance " << s.want_distance << " id " << s.want_id << "; target "
-       << name_of(c.options.target) << ", threads " << c.options.threads << ", tiles of "
-       << c.options.tile_side << ", plan " << c.options.plan << ", round " << c.options.round_size
-       << "\n";
+       << int(s.cull) << ", in object space " << (s.cull_stage == CullStage::kObject)
+       << ", wireframe " << s.wireframe << ", samples " << s.samples << ", depth format "
+       << int(s.depth) << ", transfer " << int(s.transfer) << ", mask " << s.mask.r << s.mask.g
+       << s.mask.b << s.mask.a << ", wants depth " << s.want_depth << " distance "
+       << s.want_distance << " id " << s.want_id << "; target " << name_of(c.options.target)
+       << ", threads " << c.options.threads << ", tiles of " << c.options.tile_side << ", plan "
+       << c.options.plan << ", round " << c.options.round_size << "\n";
   for (const Instance& instance : c.scene.instances) {
     const Mesh& mesh = c.scene.meshes[instance.mesh];
     const Material& material = c.scene.materials[mesh.material];

@@ -1,0 +1,113 @@
+#include "app/step/singular_text.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "app/step/chain_text.h"
+#include "app/text_layout.h"
+
+#include <glassbox/base/rounding.h>
+#include <glassbox/pipeline/dialects.h>
+#include <glassbox/pipeline/divide.h>
+#include <glassbox/pipeline/matrices/decimal.h>
+
+namespace glassbox::app {
+
+namespace {
+
+constexpr const char* kIndent = "     ";
+
+std::string sentence(const std::string& text) {
+  return wrapped(kIndent, text);
+}
+
+// (x, y, z) over w, in double.
+glm::dvec3 divided(const Transform<Clip, EyeLeft>& m, const Point<Eye, double>& eye) {
+  const Point<EyeLeft, double> left(eye.x, eye.y, -eye.z);
+  const Point<Clip, double> p = m * left;
+  return {p.x / p.w, p.y / p.w, p.z / p.w};
+}
+
+std::string point_text(const glm::dvec3& p) {
+  return fmt::format("({}, {}, {})", brief(p.x, 9), brief(p.y, 9), brief(p.z, 9));
+}
+
+// How far x_s and y_s over the window's half sides are from the run's NDC.
+std::string against_ndc(const View& view, const glm::dvec3& p, const TracedCorner& corner) {
+  const NdcVertex ndc = divide(ClipVertex{corner.clip, {}});
+  const double d = p.z;
+  const std::array<double, 2> over{p.x / (d / view.clip_from_eye.at(0, 0)),
+                                   p.y / (d / view.clip_from_eye.at(1, 1))};
+  const std::uint64_t ulps = std::max(ulp_distance(float(over[0]), ndc.position.x),
+                                      ulp_distance(float(over[1]), ndc.position.y));
+  return fmt::format("over the half sides ({}, {}): NDC's x and y{}", brief(over[0], 9),
+                     brief(over[1], 9),
+                     ulps == 0 ? std::string(", the same floats")
+                               : fmt::format(" to {} ulp{}", ulps, ulps == 1 ? "" : "s"));
+}
+
+// The window is centred on the gaze of an eye at the origin.
+bool is_centred(const View& view) {
+  const auto& m = view.clip_from_eye;
+  return m.at(0, 2) == 0 && m.at(0, 3) == 0 && m.at(1, 2) == 0 && m.at(1, 3) == 0;
+}
+
+template <class Lines>
+std::string corners_text(const SteppedTriangle& stepped, const StepTarget& target,
+                         const Lines& lines) {
+  std::string text;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const TracedCorner& corner = stepped.triangle->corners[k];
+    if (!target.wants(k) || !(corner.clip.w > 0)) continue;
+    std::string heading = fmt::format("     vertex {}  ", k);
+    for (const std::string& line : lines(corner)) {
+      text += wrapped(heading, line);
+      heading.assign(heading.size(), ' ');
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string singular_text(const SteppedTriangle& stepped, const StepTarget& target) {
+  const View& view = stepped.chosen.view;
+  if (!view.perspective) {
+    const Transform<Clip, EyeLeft> m = drop_depth();
+    return sentence(
+               "without depth, as the slides draw a parallel view, T_ort = diag(1, 1, 0, 1):") +
+           corners_text(stepped, target,
+                        [&](const TracedCorner& corner) {
+                          return std::vector{point_text(divided(m, corner.eye))};
+                        }) +
+           sentence("z is lost: what is drawn so cannot hide anything");
+  }
+  const double d = view.near;
+  const Transform<Clip, EyeLeft> m = singular_projection(d);
+  std::string text = sentence(
+      fmt::format("without depth, as the slides draw first, onto the view plane z = d = {} (the "
+                  "near plane; z along the gaze), and divided by w:",
+                  brief(d, 9)));
+  text += matrix_rows(m.columns, kIndent, 9);
+  std::uint64_t ulps = 0;
+  text += corners_text(stepped, target, [&](const TracedCorner& corner) {
+    const glm::dvec3 p = divided(m, corner.eye);
+    const glm::dvec3 other = divided(simple_perspective(d), corner.eye);
+    ulps = std::max({ulps, ulp_distance(p.x, other.x), ulp_distance(p.y, other.y)});
+    std::vector<std::string> lines{point_text(p)};
+    if (is_centred(view)) lines.push_back(against_ndc(view, p, corner));
+    return lines;
+  });
+  return text +
+         sentence(fmt::format(
+             "the other way to write it, the identity but for a last row of (0, 0, 1/d, 0), draws "
+             "the same to {} ulp{} of double",
+             ulps, ulps == 1 ? "" : "s")) +
+         sentence(
+             "z_s is d at every vertex: of the matrix's rank 3 nothing is left for depth, so this "
+             "picture can be drawn, and nothing in it hidden");
+}
+
+}  // namespace glassbox::app

@@ -1,0 +1,24 @@
+// A view as the slides build it up: move the eye to the origin, turn the gaze to -z, roll until up is up (S3-16).
+#pragma once
+
+#include <glassbox/base/spaces.h>
+
+namespace glassbox {
+
+// The view is rolled * turned * moved.
+struct AxisAngleFactors {
+  Transform<World, World> moved;  // T(-eye)
+  Transform<World, World>
+      turned;  // R(a, theta) about a = gaze x (-z), whose length is the sine of theta
+  Transform<Eye, World> rolled;  // R_z(roll): up into the upper half of the yz plane
+};
+
+// `gaze` and `up` are unit vectors that do not lie along one line. A gaze along +z, where a is 0/0, turns about y (E8, C-05).
+AxisAngleFactors axis_angle_factors(const Point<World, double>& eye,
+                                    const Vector<World, double>& gaze,
+                                    const Vector<World, double>& up);
+
+// (rolled * turned) * moved, without -0.
+Transform<Eye, World> product(const AxisAngleFactors& factors);
+
+}  // namespace glassbox

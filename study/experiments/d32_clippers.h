@@ -1,0 +1,178 @@
+// The two clippers of D-32: Sutherland and Hodgman's algorithm, once with the planes of the viewing pyramid in eye space and once
+// with those of the box in clip space (S3-11). All else is the same.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <glassbox/base/spaces.h>
+
+namespace glassbox::study::d32 {
+
+inline constexpr std::size_t kPlanes = 6;              // left, right, bottom, top, near, far
+inline constexpr double kWidth = 1024, kHeight = 683;  // px
+
+// A perspective whose entries are floats, so that both spaces have the same pyramid exactly.
+struct Lens {
+  float a = 0, b = 0;           // x' = a x, y' = b y, w = -z
+  float depth = 0, offset = 0;  // z' = depth z + offset
+  float near = 0, far = 0;
+};
+
+// What clipping leaves, in clip space.
+struct Outline {
+  std::array<Point<Clip>, 3 + kPlanes> vertices;
+  std::array<std::int8_t, 3 + kPlanes>
+      cut_by{};  // the plane that made the vertex last; -1: it came so
+  std::size_t count = 0;
+};
+
+using EyeTriangle = std::array<Point<Eye>, 3>;
+
+inline Point<Clip> to_clip(const Lens& lens, const Point<Eye>& p) {
+  return {lens.a * p.x, lens.b * p.y, lens.depth * p.z + lens.offset, -p.z};
+}
+
+// ---- the two spaces ----
+
+struct EyeSpace {
+  using Vertex = Point<Eye>;
+  Lens lens;
+
+  Vertex enter(const Point<Eye>& p) const { return p; }
+  Point<Clip> leave(const Vertex& v) const { return to_clip(lens, v); }
+  // A product and a sum for each side of the pyramid.
+  double distance(std::size_t plane, const Vertex& v) const {
+    switch (plane) {
+      case 0:
+        return double(lens.a) * double(v.x) - double(v.z);
+      case 1:
+        return -double(lens.a) * double(v.x) - double(v.z);
+      case 2:
+        return double(lens.b) * double(v.y) - double(v.z);
+      case 3:
+        return -double(lens.b) * double(v.y) - double(v.z);
+      case 4:
+        return -double(v.z) - double(lens.near);
+      default:
+        return double(lens.far) + double(v.z);
+    }
+  }
+  // x = -+z/a can only be rounded: what was computed stays.
+  void put_on(std::size_t plane, Vertex& v) const {
+    if (plane == 4) v.z = -lens.near;
+    if (plane == 5) v.z = -lens.far;
+  }
+  static Vertex mixed(const Vertex& p, double s, const Vertex& q, double t) {
+    return {float(s * double(p.x) + t * double(q.x)), float(s * double(p.y) + t * double(q.y)),
+            float(s * double(p.z) + t * double(q.z))};
+  }
+};
+
+struct ClipSpace {
+  using Vertex = Point<Clip>;
+  Lens lens;
+
+  Vertex enter(const Point<Eye>& p) const { return to_clip(lens, p); }
+  Point<Clip> leave(const Vertex& v) const { return v; }
+  // A sum, or nothing.
+  double distance(std::size_t plane, const Vertex& v) const {
+    switch (plane) {
+      case 0:
+        return double(v.w) + double(v.x);
+      case 1:
+        return double(v.w) - double(v.x);
+      case 2:
+        return double(v.w) + double(v.y);
+      case 3:
+        return double(v.w) - double(v.y);
+      case 4:
+        return double(v.z);
+      default:
+        return double(v.w) - double(v.z);
+    }
+  }
+  // x = -+w and so on, exactly.
+  void put_on(std::size_t plane, Vertex& v) const {
+    if (plane < 2) v.x = plane == 0 ? -v.w : v.w;
+    if (plane == 2 || plane == 3) v.y = plane == 2 ? -v.w : v.w;
+    if (plane == 4) v.z = 0;
+    if (plane == 5) v.z = v.w;
+  }
+  static Vertex mixed(const Vertex& p, double s, const Vertex& q, double t) {
+    return {float(s * double(p.x) + t * double(q.x)), float(s * double(p.y) + t * double(q.y)),
+            float(s * double(p.z) + t * double(q.z)), float(s * double(p.w) + t * double(q.w))};
+  }
+};
+
+// ---- the algorithm ----
+
+template <class Space>
+struct Polygon {
+  std::array<typename Space::Vertex, 3 + kPlanes> vertices;
+  std::array<std::int8_t, 3 + kPlanes> cut_by;
+  std::size_t count = 0;
+
+  void add(const typename Space::Vertex& v, int plane) {
+    vertices[count] = v;
+    cut_by[count++] = std::int8_t(plane);
+  }
+};
+
+// The crossing is the same from both ends of the edge (SPEC B.1), in double and rounded once.
+template <class Space>
+Polygon<Space> cut(const Space& space, std::size_t plane, const Polygon<Space>& polygon) {
+  std::array<double, 3 + kPlanes> distances;
+  for (std::size_t i = 0; i < polygon.count; ++i)
+    distances[i] = space.distance(plane, polygon.vertices[i]);
+  Polygon<Space> kept;
+  for (std::size_t i = 0; i < polygon.count; ++i) {
+    const std::size_t next = i + 1 == polygon.count ? 0 : i + 1;
+    const double here = distances[i], there = distances[next];
+    if (here >= 0) kept.add(polygon.vertices[i], polygon.cut_by[i]);
+    if (here * there >= 0) continue;
+    const double sum = std::abs(here) + std::abs(there);
+    auto v = Space::mixed(polygon.vertices[i], std::abs(there) / sum, polygon.vertices[next],
+                          std::abs(here) / sum);
+    space.put_on(plane, v);
+    kept.add(v, int(plane));
+  }
+  return kept;
+}
+
+// Outcodes first: most triangles are inside of all planes, or outside of one.
+template <class Space>
+void clip(const Space& space, const EyeTriangle& triangle, Outline& outline) {
+  Polygon<Space> polygon;
+  unsigned all = ~0u, any = 0;
+  for (const Point<Eye>& p : triangle) {
+    const auto v = space.enter(p);
+    unsigned code = 0;
+    for (std::size_t plane = 0; plane < kPlanes; ++plane)
+      code |= unsigned(space.distance(plane, v) < 0) << plane;
+    all &= code;
+    any |= code;
+    polygon.add(v, -1);
+  }
+  outline.count = 0;
+  if (all != 0) return;
+  for (std::size_t plane = 0; plane < kPlanes && any != 0; ++plane) {
+    if ((any >> plane & 1) != 0) polygon = cut(space, plane, polygon);
+  }
+  outline.count = polygon.count;
+  outline.cut_by = polygon.cut_by;
+  for (std::size_t i = 0; i < polygon.count; ++i)
+    outline.vertices[i] = space.leave(polygon.vertices[i]);
+}
+
+// ---- triangles ----
+
+Lens course_lens();
+
+// Around random places in the picture and a little beside it, at all depths, with edges of about `size` picture widths.
+std::vector<EyeTriangle> random_triangles(double size, std::size_t count);
+
+}  // namespace glassbox::study::d32

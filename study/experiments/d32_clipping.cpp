@@ -1,0 +1,125 @@
+// D-32: clipping against the viewing pyramid in eye space, or against the box in clip space (S3-11).
+#include <algorithm>
+#include <cmath>
+
+#include <glassbox/base/rounding.h>
+#include <glassbox/pipeline/projection.h>
+
+#include "study/experiments/consume.h"
+#include "study/experiments/d32_clippers.h"
+#include "study/experiments/experiments.h"
+#include "study/random.h"
+
+namespace glassbox::study {
+
+namespace d32 {
+
+Lens course_lens() {
+  constexpr double kNear = 0.5, kFar = 64;
+  const auto m = perspective_degrees(60, kWidth / kHeight, {kNear, kFar}).value();
+  return {float(m.at(0, 0)), float(m.at(1, 1)), float(m.at(2, 2)),
+          float(m.at(2, 3)), float(kNear),      float(kFar)};
+}
+
+std::vector<EyeTriangle> random_triangles(double size, std::size_t count) {
+  const Lens lens = course_lens();
+  Random random(32);
+  std::vector<EyeTriangle> triangles(count);
+  for (EyeTriangle& triangle : triangles) {
+    const double x = random.between(-1.1, 1.1), y = random.between(-1.1, 1.1);
+    const double distance = std::ldexp(random.between(1, 2), int(random.integer(-1, 5)));
+    for (Point<Eye>& p : triangle) {
+      const double z = distance * random.between(1 - size / 4, 1 + size / 4);
+      p = {float((x + random.between(-2, 2) * size) * z / double(lens.a)),
+           float((y + random.between(-2, 2) * size) * z / double(lens.b)), float(-z)};
+    }
+  }
+  return triangles;
+}
+
+}  // namespace d32
+
+namespace {
+
+using namespace d32;
+
+// How far a vertex lies from the edge of the picture that cut it, px.
+double off_the_edge(const Point<Clip>& p, int plane) {
+  const double along = double(plane < 2 ? p.x : p.y) / double(p.w);
+  const double half_side = (plane < 2 ? kWidth : kHeight) / 2;
+  return std::abs(std::abs(along) - 1) * half_side;
+}
+
+template <class Space>
+double farthest_off(double size, std::size_t count) {
+  const Space space{course_lens()};
+  double farthest = 0;
+  Outline outline;
+  for (const EyeTriangle& triangle : random_triangles(size, count)) {
+    clip(space, triangle, outline);
+    for (std::size_t i = 0; i < outline.count; ++i) {
+      const int plane = outline.cut_by[i];
+      if (plane >= 0 && plane < 4)
+        farthest = std::max(farthest, off_the_edge(outline.vertices[i], plane));
+    }
+  }
+  return farthest;
+}
+
+template <class Space>
+void add_series(std::vector<Configuration>& all, const char* series, double predicted,
+                Effort effort) {
+  constexpr std::size_t kTimed = 8192;
+  const std::size_t count = effort == Effort::kFull ? 400'000 : 40'000;
+  for (const double size : {1.0 / 64, 1.0 / 16, 1.0 / 4, 1.0}) {
+    Configuration c;
+    c.series = series;
+    c.parameter = size;
+    c.error = [=] { return farthest_off<Space>(size, count); };
+    c.predicted_error = predicted;
+    c.work = [triangles = random_triangles(size, kTimed), space = Space{course_lens()}](int) {
+      Outline outline;
+      for (const EyeTriangle& triangle : triangles) {
+        clip(space, triangle, outline);
+        consume(outline);
+      }
+    };
+    c.items = double(kTimed);
+    all.push_back(std::move(c));
+  }
+}
+
+std::vector<Configuration> configurations(Effort effort) {
+  std::vector<Configuration> all;
+  // Three roundings of relative size u each: the crossing's x and z, and the projection's product.
+  const double bound = 3 * double(unit_roundoff<float>) * kWidth / 2;
+  add_series<EyeSpace>(all, "eye space, the pyramid", bound, effort);
+  add_series<ClipSpace>(all, "clip space, the box", 0, effort);
+  return all;
+}
+
+}  // namespace
+
+Experiment d32_clipping() {
+  Experiment e;
+  e.id = "D-32";
+  e.name = "Clipping: in eye space or in clip space";
+  e.question = "What is gained by clipping against a box rather than against the viewing pyramid?";
+  e.axis = "length of a triangle's edges over the picture's width";
+  e.error =
+      "largest distance of a vertex that clipping made from the edge of the picture that made it";
+  e.error_unit = "px";
+  e.reference = "the edge itself";
+  e.theory =
+      "The distances from a plane of the pyramid and from the box's are the same number, so in "
+      "exact "
+      "arithmetic both leave the same polygon. In floats, x = w can be set and x = z/a only "
+      "rounded: x, z and the projection's product by u each, 3 u W/2. A side of the pyramid costs "
+      "a product more for each vertex; the box costs the projection of vertices that are thrown "
+      "away, and a fourth coordinate for each crossing";
+  e.item = "triangle";
+  e.configurations = configurations;
+  return e;
+}
+
+}  // namespace glassbox::study
