@@ -1,6 +1,14 @@
 #include <glassbox/render/trace/run_bounds.h>
 
+#include <utility>
+
 namespace glassbox {
+namespace {
+
+// Triangles come in batches, each followed by its fragments; so many at most (render/draw_pass.cpp).
+constexpr std::size_t kBatch = 1024;
+
+}  // namespace
 
 BoundsOfRun::BoundsOfRun(const View& view) {
   trace_.view = view;
@@ -15,11 +23,14 @@ const DrawBounds& BoundsOfRun::draw(const TracedDraw& draw) {
 }
 
 const BoundsOfRun::Known& BoundsOfRun::triangle(const TracedTriangle& triangle) {
-  // Triangles come in batches, each followed by its fragments.
-  if (fragments_came_) batch_.clear();
-  fragments_came_ = false;
+  if (std::exchange(fragments_came_, false)) {
+    latest_.clear();
+    earlier_.clear();
+  }
+  // Where no fragments come for long, nothing piles up.
+  if (latest_.size() == kBatch) earlier_ = std::exchange(latest_, {});
   const auto& [draw, draw_bounds] = draws_.at(triangle.instance);
-  Known& known = batch_[triangle.number];
+  Known& known = latest_[triangle.number];
   known = {triangle, bounds_of(trace_, triangle, draw, draw_bounds)};
   return known;
 }
@@ -27,8 +38,11 @@ const BoundsOfRun::Known& BoundsOfRun::triangle(const TracedTriangle& triangle) 
 const BoundsOfRun::Known* BoundsOfRun::of(const TracedFragment& fragment) {
   fragments_came_ = true;
   if (!fragment.source.is_triangle) return nullptr;
-  const auto found = batch_.find(fragment.source.number);
-  return found == batch_.end() ? nullptr : &found->second;
+  for (const auto* triangles : {&latest_, &earlier_}) {
+    const auto found = triangles->find(fragment.source.number);
+    if (found != triangles->end()) return &found->second;
+  }
+  return nullptr;
 }
 
 FragmentBounds bounds_of(const BoundsOfRun::Known& known, const TracedFragment& fragment) {

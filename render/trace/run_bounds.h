@@ -31,7 +31,8 @@ public:
 private:
   Trace trace_;
   std::map<std::uint32_t, std::pair<TracedDraw, DrawBounds>> draws_;  // by instance
-  std::map<std::uint32_t, Known> batch_;  // by number: those whose fragments are still to come
+  // By number: the last triangles, whose fragments are still to come, and those before them.
+  std::map<std::uint32_t, Known> latest_, earlier_;
   bool fragments_came_ = false;
 };
 
