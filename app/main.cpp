@@ -20,6 +20,7 @@
 #include "app/step_command.h"
 #include "app/stereo_command.h"
 #include "app/study_command.h"
+#include "app/trace_command.h"
 #include "app/why_command.h"
 
 #include <glassbox/base/printable.h>
@@ -36,9 +37,10 @@ int bad_usage(const CLI::App& app, const CLI::ParseError& error) {
   const bool no_command =
       chosen.empty() && dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
   fmt::print(stderr, "glassbox: {}{}; {} --help shows what there is\n", what,
-             no_command ? " (the subcommands are render, info, explain, step, pixel, why, stereo, "
-                          "inspect, diff, bench, study and lab)"
-                        : "",
+             no_command
+                 ? " (the subcommands are render, info, explain, step, pixel, why, trace, stereo, "
+                   "inspect, diff, bench, study and lab)"
+                 : "",
              command);
   return kBadInput;
 }
@@ -57,6 +59,7 @@ int run(int argc, char** argv) {
   StepCommand step;
   PixelCommand pixel;
   WhyCommand why;
+  TraceCommand trace;
   StereoCommand stereo;
   InspectCommand inspect;
   DiffCommand diff;
@@ -70,6 +73,7 @@ int run(int argc, char** argv) {
   step.add_to(app, exit_code);
   pixel.add_to(app, exit_code);
   why.add_to(app, exit_code);
+  trace.add_to(app, exit_code);
   stereo.add_to(app, exit_code);
   inspect.add_to(app, exit_code);
   diff.add_to(app, exit_code);

@@ -33,6 +33,21 @@ Transform<Target, Source> in_double(const Transform<Target, Source, float>& m) {
   return Transform<Target, Source>(glm::dmat4(m.columns));
 }
 
+void come_back(VertexChain& chain, const ChainMatrices& m, const Viewport& viewport) {
+  const glm::vec4& p = chain.object;
+  if (p.w != 1) return;
+  const auto eye_from_object = in_double(m.eye_from_world) * in_double(m.world_from_object);
+  const auto clip_from_eye = in_double(m.clip_from_eye);
+  const glm::dmat4 eye_from_object_bound =
+      product_bound(glm::dmat4(m.eye_from_world.columns), glm::dmat4(m.world_from_object.columns),
+                    m.eye_from_world_bound, m.world_from_object_bound);
+  const WayThere way{(clip_from_eye * eye_from_object).columns,
+                     product_bound(clip_from_eye.columns, eye_from_object.columns,
+                                   m.clip_from_eye_bound, eye_from_object_bound)};
+  chain.round_trip =
+      round_trip(Point<Object>(p.x, p.y, p.z), chain.clip, chain.to_clip.bound, way, viewport);
+}
+
 bool is_finite(const Point<Clip>& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(p.w);
 }
@@ -100,6 +115,7 @@ VertexChain walk(const glm::vec4& object, const ChainMatrices& matrices, const A
   shown.depth = window_depth(dialect, double(divided.ndc.position.z));
   shown.snap_x = snap_stability(shown.screen.position.x, shown.bound.x);
   shown.snap_y = snap_stability(shown.screen.position.y, shown.bound.y);
+  come_back(chain, matrices, viewport);
   return chain;
 }
 

@@ -11,6 +11,7 @@
 #include <glassbox/pipeline/api_dialects.h>
 #include <glassbox/pipeline/bounds.h>
 #include <glassbox/pipeline/clip.h>
+#include <glassbox/pipeline/round_trip.h>
 #include <glassbox/pipeline/stages.h>
 
 namespace glassbox {
@@ -67,6 +68,7 @@ struct VertexChain {
       -1;  // kOutside: the plane that it is furthest outside of, as seen after the divide
   std::optional<DivideStep> divide;  // where w is finite and not 0, behind the eye too
   std::optional<ScreenStep> screen;
+  std::optional<RoundTrip> round_trip;  // of points with w = 1 that are not behind the eye
 };
 
 VertexChain walk(const glm::vec4& object, const ChainMatrices& matrices, const ApiDialect& dialect,

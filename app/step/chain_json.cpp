@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include "app/step/numbers_text.h"
+#include "app/step/round_trip_text.h"
 
 namespace glassbox::app {
 
@@ -97,6 +98,7 @@ Json chain_json(const VertexChain& chain, const ChainSetting& setting) {
                       {"snap_stable", {s.snap_x.stable, s.snap_y.stable}}};
     if (setting.open_px) json["window"]["open_by_digits"] = *setting.open_px;
   }
+  if (chain.round_trip) json["round_trip"] = round_trip_json(*chain.round_trip);
   return json;
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "app/step/numbers_text.h"
+#include "app/step/round_trip_text.h"
 #include "app/text_layout.h"
 
 #include <glassbox/pipeline/matrices/decimal.h>
@@ -254,6 +255,15 @@ std::string screen_text(const VertexChain& chain, const ChainSetting& setting) {
   return text;
 }
 
+std::string way_back_text(const VertexChain& chain, bool bits) {
+  if (!chain.round_trip) return "";
+  std::string text = "     back to object space in double, from x, y and z of NDC in float:\n";
+  for (const std::string& line : round_trip_lines(*chain.round_trip, bits)) {
+    text += "     " + line + "\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string matrix_rows(const glm::dmat4& m, const std::string& indent, int digits) {
@@ -293,7 +303,8 @@ std::string chain_text(const VertexChain& chain, const ChainSetting& setting) {
   text += at_once_text(chain);
   text += decision_text(chain, setting);
   if (chain.fate != VertexFate::kVisible && chain.fate != VertexFate::kOutside) return text;
-  return text + divide_text(chain, setting.bits) + screen_text(chain, setting);
+  text += divide_text(chain, setting.bits) + screen_text(chain, setting);
+  return text + way_back_text(chain, setting.bits);
 }
 
 }  // namespace glassbox::app

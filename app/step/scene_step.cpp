@@ -11,6 +11,7 @@
 #include "app/exit_codes.h"
 #include "app/output.h"
 #include "app/progress.h"
+#include "app/step/restage.h"
 #include "app/step/stepper.h"
 
 #include <glassbox/base/printable.h>
@@ -90,25 +91,6 @@ Result<StepTarget> SceneStep::find_target(const Scene& scene) const {
   return target;
 }
 
-Result<std::vector<StageText>> SceneStep::restage(const Scene& scene, const StepTarget& target,
-                                                  bool bits,
-                                                  const std::vector<std::string>& words) const {
-  CLI::App app;
-  PictureOptions picture;
-  add_picture_options(app, picture);
-  for (CLI::Option* option : app.get_options())
-    option->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-  try {
-    app.parse(
-        std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 wants the last first
-  } catch (const CLI::Error& error) {
-    return fail("", error.what(), "glassbox step --help lists the picture options");
-  }
-  const auto stepped = step_through(scene, picture, target.triangle);
-  if (!stepped) return tl::unexpected(stepped.error());
-  return stage_texts(scene, *stepped, target, bits);
-}
-
 std::string SceneStep::heading(const SteppedTriangle& stepped) const {
   return fmt::format("triangle {} of {}, {} x {}\n", stepped.place.number, printable(scene_),
                      picture_.size.width, picture_.size.height);
@@ -135,15 +117,22 @@ int SceneStep::run(bool bits, const std::optional<std::string>& json_output) {
       return refuse(written.error());
     if (*json_output == "-") return kSuccess;
   }
-  std::vector<StageText> stages = stage_texts(*scene, *stepped, *target, bits);
+  Staged staged{{words_given(picture_), *target}, stage_texts(*scene, *stepped, *target, bits)};
   fmt::print("{}", heading(*stepped));
   if (!interactive_ && !(on_a_terminal() && !json_output)) {
-    fmt::print("{}", all_stages(stages));
+    fmt::print("{}", all_stages(staged.stages));
     return kSuccess;
   }
-  step_by_hand(
-      std::cin, std::move(stages), words_given(picture_),
-      [&](const std::vector<std::string>& words) { return restage(*scene, *target, bits, words); });
+  const OptionWords options = restage_options();
+  const auto lines = on_a_terminal()
+                         ? terminal_lines([&options](const std::vector<std::string>& words) {
+                             return step_candidates(words, options);
+                           })
+                         : lines_of(std::cin);
+  step_by_hand(*lines, std::move(staged),
+               [&](const StepChoice& choice, const std::vector<std::string>& more) {
+                 return restage(*scene, bits, choice, more);
+               });
   return kSuccess;
 }
 

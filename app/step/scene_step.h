@@ -25,8 +25,6 @@ public:
 
 private:
   Result<StepTarget> find_target(const Scene& scene) const;
-  Result<std::vector<StageText>> restage(const Scene& scene, const StepTarget& target, bool bits,
-                                         const std::vector<std::string>& words) const;
   std::string heading(const SteppedTriangle& stepped) const;
 
   std::string scene_;

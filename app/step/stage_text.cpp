@@ -12,6 +12,7 @@
 #include "app/step/matrices_text.h"
 #include "app/step/numbers_text.h"
 #include "app/step/singular_text.h"
+#include "app/step/round_trip_text.h"
 #include "app/text_layout.h"
 
 #include <glassbox/base/printable.h>
@@ -172,6 +173,24 @@ std::string snap_text(std::int32_t snapped, const SnapStability& snap) {
                          : fmt::format("(not sure: {:.1e} px from the next)", snap.to_boundary));
 }
 
+// From the screen to object space again.
+std::string way_back_text(const Context& c) {
+  const auto& corners = c.stepped.bounds.corners;
+  if (std::none_of(corners.begin(), corners.end(),
+                   [](const CornerBounds& corner) { return corner.round_trip.has_value(); })) {
+    return "";
+  }
+  return sentence(
+             "back to object space in double, from x, y and depth in float: what they still know "
+             "of "
+             "the place") +
+         corners_text(c, [&](std::size_t k) {
+           return corners[k].round_trip
+                      ? round_trip_lines(*corners[k].round_trip, c.bits)
+                      : std::vector<std::string>{"behind the eye: it has no place on the screen"};
+         });
+}
+
 std::string screen_text(const Context& c) {
   const Viewport& v = c.stepped.chosen.view.viewport;
   std::string text = sentence(fmt::format(
@@ -179,13 +198,14 @@ std::string screen_text(const Context& c) {
       brief((double(v.left) + double(v.right)) / 2), brief((double(v.right) - double(v.left)) / 2),
       brief((double(v.top) + double(v.bottom)) / 2),
       brief((double(v.bottom) - double(v.top)) / 2)));
-  return text + vertices_text(c, [&](const TracedVertex& vertex, const VertexBounds& bounds) {
-           return std::vector<std::string>{
-               number_line("x", vertex.screen.position.x, bounds.screen.x, c.bits) +
-                   snap_text(vertex.snapped.x, bounds.snap_x),
-               number_line("y", vertex.screen.position.y, bounds.screen.y, c.bits) +
-                   snap_text(vertex.snapped.y, bounds.snap_y)};
-         });
+  text += vertices_text(c, [&](const TracedVertex& vertex, const VertexBounds& bounds) {
+    return std::vector<std::string>{
+        number_line("x", vertex.screen.position.x, bounds.screen.x, c.bits) +
+            snap_text(vertex.snapped.x, bounds.snap_x),
+        number_line("y", vertex.screen.position.y, bounds.screen.y, c.bits) +
+            snap_text(vertex.snapped.y, bounds.snap_y)};
+  });
+  return text + way_back_text(c);
 }
 
 // ---- setup and facing ----

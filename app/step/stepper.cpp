@@ -15,10 +15,13 @@ constexpr const char* kHelp =
     "  NAME        jump to a stage: object, world, eye, clip, clipping, ndc, screen, setup, "
     "fragments\n"
     "  all         every stage from the first\n"
+    "  triangle N  another triangle of the scene, by its number\n"
+    "  pick X,Y    the triangle that is seen in this pixel, and its fragment there\n"
+    "  vertex K    only this corner: 0, 1 or 2; all of them again with vertex all\n"
     "  --eye 1,2,3 --fov 60 ...          other picture options; shows what they change, stage by "
     "stage\n"
-    "  reset       the options as they were at the start\n"
-    "  q           quit\n";
+    "  reset       the options and the triangle as they were at the start\n"
+    "  help        these lines           q           quit\n";
 
 std::vector<std::string> split_lines(const std::string& text) {
   std::vector<std::string> lines;
@@ -48,38 +51,43 @@ Lengths common_lengths(const std::vector<std::string>& a, const std::vector<std:
   return length;
 }
 
+bool same_target(const StepTarget& a, const StepTarget& b) {
+  return a.triangle == b.triangle && a.vertex == b.vertex && a.pixel == b.pixel;
+}
+
 class Stepper {
 public:
-  Stepper(std::vector<StageText> stages, std::vector<std::string> words, const Restage& restage)
-      : stages_(std::move(stages)),
-        words_(std::move(words)),
-        first_words_(words_),
-        restage_(restage) {}
+  Stepper(Staged staged, const Restage& restage)
+      : now_(std::move(staged)), first_(now_.choice), restage_(restage) {}
 
-  void run(std::istream& in) {
-    fmt::print("{}\n{}", kHelp, stages_[at_].text);
-    for (std::string line; prompt(), std::getline(in, line);) {
-      if (!obey(line)) return;
+  void run(LineReader& lines) {
+    fmt::print("{}\n", kHelp);
+    show();
+    while (const auto line = lines.read(prompt())) {
+      if (!obey(*line)) return;
     }
     fmt::print("\n");
   }
 
 private:
-  void prompt() const {
-    fmt::print("{} {}/{}> ", stages_[at_].name, at_ + 1, stages_.size());
-    std::fflush(stdout);
+  const std::vector<StageText>& stages() const { return now_.stages; }
+
+  std::string prompt() const {
+    return fmt::format("{} {}/{}> ", stages()[at_].name, at_ + 1, stages().size());
   }
 
-  void show() const { fmt::print("{}", stages_[at_].text); }
+  void show() const { fmt::print("{}", stages()[at_].text); }
 
   // False: it was the last command.
   bool obey(const std::string& line) {
     const std::vector<std::string> words = split_words(line);
     const std::string command = words.empty() ? "n" : words.front();
     if (command == "q" || command == "quit") return false;
-    if (command.starts_with("--")) return change(words), true;
-    if (command == "reset") return restart(), true;
+    if (command.starts_with("--")) return change(now_.choice, words), true;
+    if (command == "triangle" || command == "pick" || command == "vertex") return aim(words), true;
+    if (command == "reset") return change(first_, {}), true;
     if (command == "all") return show_all(), true;
+    if (command == "help") return fmt::print("{}", kHelp), true;
     if (command == "n" || command == "next") return go(at_ + 1, "this is the last stage"), true;
     if (command == "p" || command == "b" || command == "back")
       return go(at_ - 1, "this is the first stage"), true;
@@ -88,7 +96,7 @@ private:
   }
 
   void go(std::size_t stage, const char* refusal) {
-    if (stage >= stages_.size()) {
+    if (stage >= stages().size()) {
       fmt::print("  {}\n", refusal);
       return;
     }
@@ -97,45 +105,58 @@ private:
   }
 
   void jump(const std::string& name) {
-    for (std::size_t i = 0; i < stages_.size(); ++i) {
-      if (stages_[i].name == name) return go(i, "");
+    for (std::size_t i = 0; i < stages().size(); ++i) {
+      if (stages()[i].name == name) return go(i, "");
     }
-    fmt::print("{}{}", name == "help" ? "" : "  there is no stage or command of this name\n",
-               kHelp);
+    fmt::print("  there is no stage or command of this name\n{}", kHelp);
   }
 
   void show_all() const {
-    for (const StageText& stage : stages_) fmt::print("{}\n", stage.text);
+    for (const StageText& stage : stages()) fmt::print("{}\n", stage.text);
   }
 
-  void change(const std::vector<std::string>& more) {
-    std::vector<std::string> words = words_;
-    words.insert(words.end(), more.begin(), more.end());
-    replace(words);
-  }
-
-  void restart() { replace(first_words_); }
-
-  void replace(const std::vector<std::string>& words) {
-    const auto stages = restage_(words);
-    if (!stages) {
-      fmt::print("  {}\n", stages.error().message());
+  // "triangle 7" is "--triangle 7".
+  void aim(std::vector<std::string> words) {
+    if (words.size() != 2) {
+      fmt::print("  {} needs one word more: {}\n", words[0],
+                 words[0] == "triangle" ? "a number"
+                 : words[0] == "pick"   ? "X,Y"
+                                        : "0, 1, 2 or all");
       return;
     }
-    const std::size_t count = std::max(stages_.size(), stages->size());
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::string before = i < stages_.size() ? stages_[i].text : "";
-      const std::string after = i < stages->size() ? (*stages)[i].text : "";
-      if (before != after) fmt::print("{}", changed_lines(before, after));
-    }
-    stages_ = *stages;
-    words_ = words;
-    at_ = std::min(at_, stages_.size() - 1);
+    words[0] = "--" + words[0];
+    change(now_.choice, words);
   }
 
-  std::vector<StageText> stages_;
-  std::vector<std::string> words_;
-  const std::vector<std::string> first_words_;
+  // Another triangle is shown as it is; another picture by what it changes.
+  void change(const StepChoice& choice, const std::vector<std::string>& more) {
+    Result<Staged> staged = restage_(choice, more);
+    if (!staged) {
+      fmt::print("  {}\n", staged.error().message());
+      return;
+    }
+    const StepTarget before = now_.choice.target;
+    const bool same = same_target(before, staged->choice.target);
+    if (same) show_changes(stages(), staged->stages);
+    now_ = std::move(*staged);
+    at_ = std::min(at_, stages().size() - 1);
+    if (same) return;
+    if (before.triangle != now_.choice.target.triangle) {
+      fmt::print("  triangle {}\n", now_.choice.target.triangle);
+    }
+    show();
+  }
+
+  static void show_changes(const std::vector<StageText>& from, const std::vector<StageText>& to) {
+    for (std::size_t i = 0; i < std::max(from.size(), to.size()); ++i) {
+      const std::string before = i < from.size() ? from[i].text : "";
+      const std::string after = i < to.size() ? to[i].text : "";
+      if (before != after) fmt::print("{}", changed_lines(before, after));
+    }
+  }
+
+  Staged now_;
+  const StepChoice first_;
   const Restage& restage_;
   std::size_t at_ = 0;
 };
@@ -160,9 +181,30 @@ std::string changed_lines(const std::string& before, const std::string& after) {
   return text;
 }
 
-void step_by_hand(std::istream& in, std::vector<StageText> stages, std::vector<std::string> words,
-                  const Restage& restage) {
-  Stepper(std::move(stages), std::move(words), restage).run(in);
+void step_by_hand(LineReader& lines, Staged staged, const Restage& restage) {
+  Stepper(std::move(staged), restage).run(lines);
+}
+
+std::vector<std::string> step_candidates(const std::vector<std::string>& words,
+                                         const OptionWords& options) {
+  const bool first = words.size() == 1;
+  std::vector<std::string> candidates;
+  if (first) {
+    candidates = {"next", "back",   "object", "world",     "eye",     "clip", "clipping",
+                  "ndc",  "screen", "setup",  "fragments", "picture", "all",  "triangle",
+                  "pick", "vertex", "reset",  "help",      "quit"};
+  } else if (words.size() == 2 && words[0] == "vertex") {
+    return {"0", "1", "2", "all"};
+  } else {
+    const auto option = options.find(words[words.size() - 2]);
+    if (option != options.end() && !option->second.empty()) return option->second;
+    if (!words[0].starts_with("--")) return {};
+  }
+  // All options at once would be no help.
+  if (words.back().starts_with("-")) {
+    for (const auto& [name, choices] : options) candidates.push_back(name);
+  }
+  return candidates;
 }
 
 }  // namespace glassbox::app

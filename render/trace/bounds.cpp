@@ -61,6 +61,8 @@ CornerBounds corner_bounds(const Trace& trace, const TracedCorner& corner, const
   bounds.clip =
       transform_bound(clip, x, anchoring_bound(corner, draw), draw_bounds.clip_from_anchored);
   bounds.clip_magnitude = magnitude(clip, x);
+  bounds.round_trip =
+      round_trip(corner.object, corner.clip, bounds.clip, draw_bounds.way, trace.view.viewport);
   return bounds;
 }
 
@@ -157,15 +159,19 @@ DrawBounds bounds_of(const TracedDraw& draw, const View& view) {
   const glm::dmat4 from_anchored = translate<Object, Object>(anchor).columns;
   const glm::dmat4 eye = eye_from_object.columns * from_anchored;
   const glm::dmat4 clip = view.clip_from_eye.columns * eye;
+  const glm::dmat4 eye_from_object_bound =
+      product_bound(view.eye_from_world.columns, draw.world_from_object.columns);
   const glm::dmat4 eye_bound =
-      product_bound(eye_from_object.columns, from_anchored,
-                    product_bound(view.eye_from_world.columns, draw.world_from_object.columns));
+      product_bound(eye_from_object.columns, from_anchored, eye_from_object_bound);
   DrawBounds bounds;
   bounds.eye_from_anchored = eye_bound + rounding_bound(eye);
   bounds.clip_from_anchored =
       product_bound(view.clip_from_eye.columns, eye, glm::dmat4(0), eye_bound) +
       rounding_bound(clip);
   bounds.viewer = viewer_in_object_space(eye_from_object, view.perspective);
+  bounds.way = {(view.clip_from_eye * eye_from_object).columns,
+                product_bound(view.clip_from_eye.columns, eye_from_object.columns, glm::dmat4(0),
+                              eye_from_object_bound)};
   return bounds;
 }
 

@@ -15,6 +15,7 @@
 #include <glassbox/pipeline/back_face.h>
 #include <glassbox/pipeline/bounds.h>
 #include <glassbox/pipeline/clip_bounds.h>
+#include <glassbox/pipeline/round_trip.h>
 #include <glassbox/raster/bounds.h>
 #include <glassbox/render/trace/records.h>
 
@@ -24,12 +25,14 @@ struct DrawBounds {
   glm::dmat4 clip_from_anchored{0};  // per entry: products in double, then one rounding to float
   glm::dmat4 eye_from_anchored{0};
   std::optional<ObjectViewer> viewer;  // for the test of back faces in object space
+  WayThere way;                        // by the three matrices in double, for the way back
 };
 
 struct CornerBounds {
   glm::dvec3 world{0}, eye{0};
   glm::dvec4 clip{0};
   glm::dvec4 clip_magnitude{0};  // |M||x|: what a relative change of the input is multiplied by
+  std::optional<RoundTrip> round_trip;  // to the screen and back; none where w is not positive
 };
 
 // On which side of a plane a corner is: negative outside.

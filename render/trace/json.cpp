@@ -93,6 +93,14 @@ Json json_of(const Scene& scene, const TracedDraw& draw, const DrawBounds& bound
 
 // ---- triangles ----
 
+Json json_of(const std::optional<RoundTrip>& trip) {
+  if (!trip) return {};
+  return {{"screen", {trip->screen.x, trip->screen.y, trip->screen.z}},
+          {"object", components_of(trip->object)},
+          {"error", components(trip->error)},
+          {"bound", components(trip->bound)}};
+}
+
 Json json_of(const Trace& trace, const TracedCorner& corner, const CornerBounds& bounds) {
   Json planes = Json::array();
   const auto distances = plane_distances(trace, corner, bounds);
@@ -112,7 +120,8 @@ Json json_of(const Trace& trace, const TracedCorner& corner, const CornerBounds&
           {"clip", components_of(corner.clip)},
           {"clip_bound", components(bounds.clip)},
           {"finite", (corner.outcode & kNotFinite) == 0},
-          {"planes", planes}};
+          {"planes", planes},
+          {"round_trip", json_of(bounds.round_trip)}};
 }
 
 const char* verdict_of(const TracedTriangle& triangle) {
@@ -218,8 +227,6 @@ public:
     for (const TracedTriangle& triangle : trace.triangles) triangles_[triangle.number] = &triangle;
   }
 
-  const DrawBounds& bounds(const TracedDraw& draw) const { return draws_.at(draw.instance).second; }
-
   TriangleBounds bounds(const TracedTriangle& triangle) const {
     const auto& [draw, draw_bounds] = draws_.at(triangle.instance);
     return bounds_of(trace_, triangle, *draw, draw_bounds);
@@ -322,16 +329,39 @@ Json to_json(const Trace& trace, const TracedFragment& traced, const TracedTrian
   return json;
 }
 
-Json to_json(const Scene& scene, const Trace& trace) {
-  const Known known(trace);
-  Json planes = Json::array(), draws = Json::array(), triangles = Json::array(),
-       fragments = Json::array();
+Json to_json(const RoundTrips& trips) {
+  return {{"corners", trips.corners},
+          {"unbounded", trips.unbounded},
+          {"largest_error", trips.largest_error},
+          {"bound", trips.bound},
+          {"triangle", trips.place.triangle},
+          {"corner", trips.place.corner},
+          {"axis", trips.place.axis},
+          {"largest_ratio", trips.largest_ratio}};
+}
+
+Json head_json(const Scene& scene, const Trace& trace) {
+  Json planes = Json::array(), draws = Json::array();
   for (const ClipPlane& plane : trace.planes) planes.push_back(json_of(plane));
   for (const TracedDraw& draw : trace.draws) {
-    draws.push_back(json_of(scene, draw, known.bounds(draw)));
+    draws.push_back(json_of(scene, draw, bounds_of(draw, trace.view)));
   }
+  return {{"schema", kTraceSchema},
+          {"complete", trace.complete},
+          {"view", to_json(trace.view)},
+          {"settings", json_of(trace.settings)},
+          {"planes", planes},
+          {"draws", draws}};
+}
+
+Json to_json(const Scene& scene, const Trace& trace) {
+  const Known known(trace);
+  Json json = head_json(scene, trace), triangles = Json::array(), fragments = Json::array();
+  RoundTrips trips;
   for (const TracedTriangle& triangle : trace.triangles) {
-    triangles.push_back(to_json(trace, triangle, known.bounds(triangle)));
+    const TriangleBounds bounds = known.bounds(triangle);
+    trips.see(triangle, bounds);
+    triangles.push_back(to_json(trace, triangle, bounds));
   }
   const TracedTriangle* triangle = nullptr;
   std::optional<TriangleBounds> bounds;  // of the triangle: fragments of one follow each other
@@ -341,14 +371,10 @@ Json to_json(const Scene& scene, const Trace& trace) {
     triangle = its_triangle;
     fragments.push_back(to_json(trace, fragment, triangle, bounds ? &*bounds : nullptr));
   }
-  return {{"schema", kTraceSchema},
-          {"complete", trace.complete},
-          {"view", to_json(trace.view)},
-          {"settings", json_of(trace.settings)},
-          {"planes", planes},
-          {"draws", draws},
-          {"triangles", triangles},
-          {"fragments", fragments}};
+  json["triangles"] = std::move(triangles);
+  json["fragments"] = std::move(fragments);
+  json["round_trip"] = to_json(trips);
+  return json;
 }
 
 }  // namespace glassbox

@@ -6,6 +6,7 @@
 #include <glassbox/mesh/scene.h>
 #include <glassbox/render/trace/bounds.h>
 #include <glassbox/render/trace/records.h>
+#include <glassbox/render/trace/round_trips.h>
 
 namespace glassbox {
 
@@ -15,7 +16,9 @@ inline constexpr const char* kTraceSchema = "glassbox-trace/1";
 // error_handler_t::replace.
 nlohmann::ordered_json to_json(const Scene& scene, const Trace& trace);
 
-// The parts, for those who want them alone.
+// The parts, for those who want them alone. The head is all but the triangles, the fragments and the round trips.
+nlohmann::ordered_json head_json(const Scene& scene, const Trace& trace);
+nlohmann::ordered_json to_json(const RoundTrips& trips);
 nlohmann::ordered_json to_json(const View& view);
 nlohmann::ordered_json to_json(const Trace& trace, const TracedTriangle& triangle,
                                const TriangleBounds& bounds);

@@ -61,16 +61,16 @@ private:
 struct Ratios {
   Worst world{"world, in double"}, eye{"eye, in double"}, clip{"clip, of corners"},
       crossing{"clip, of crossings"}, weights{"weights of crossings"}, ndc{"NDC"}, inverse_w{"1/w"},
-      screen{"screen x, y"}, area{"twice the area, after the snap"}, lambda{"lambda"},
-      depth{"depth"}, fragment_inverse_w{"1/w of fragments"},
-      fragment_weights{"weights of fragments"}, distance{"distance along the gaze"},
-      texcoord{"texture coordinates"};
+      screen{"screen x, y"}, round_trip{"back in object space"},
+      area{"twice the area, after the snap"}, lambda{"lambda"}, depth{"depth"},
+      fragment_inverse_w{"1/w of fragments"}, fragment_weights{"weights of fragments"},
+      distance{"distance along the gaze"}, texcoord{"texture coordinates"};
   int wrongly_stable = 0;
 
   void check() const {
     for (const Worst* one :
-         {&world, &eye, &clip, &crossing, &weights, &ndc, &inverse_w, &screen, &area, &lambda,
-          &depth, &fragment_inverse_w, &fragment_weights, &distance, &texcoord}) {
+         {&world, &eye, &clip, &crossing, &weights, &ndc, &inverse_w, &screen, &round_trip, &area,
+          &lambda, &depth, &fragment_inverse_w, &fragment_weights, &distance, &texcoord}) {
       one->check();
     }
     CHECK(wrongly_stable == 0);
@@ -182,12 +182,14 @@ void compare_corner(const TracedCorner& corner, const CornerBounds& bounds,
   const BigVector world = exact.world * corner.object, eye = exact.eye * corner.object;
   const glm::dvec3 in_world = to_glm(corner.world), in_eye = to_glm(corner.eye);
   const glm::vec4 in_clip = to_glm(corner.clip);
+  const std::optional<RoundTrip>& trip = bounds.round_trip;
   for (int i = 0; i < 4; ++i) {
     const std::size_t k = std::size_t(i);
     ratios.clip.see(Big(in_clip[i]) - clip[k], bounds.clip[i]);
     if (i == 3) break;
     ratios.world.see(Big(in_world[i]) - world[k], bounds.world[i]);
     ratios.eye.see(Big(in_eye[i]) - eye[k], bounds.eye[i]);
+    if (trip) ratios.round_trip.see(trip->error[i], trip->bound[i]);
   }
 }
 
@@ -380,8 +382,7 @@ void compare_scene(const Scene& scene, const View& view, Ratios& ratios) {
 #ifdef __OPTIMIZE__
 constexpr int kScenes = 170;
 #else
-constexpr int kScenes =
-    12;  // for builds that take ten times as long, and check the code rather than the bounds
+constexpr int kScenes = 12;  // where it takes ten times as long: to check the code, not the bounds
 #endif
 constexpr int kTriangles = 1961;  // 170 times three times that: 1,000,110 corners
 

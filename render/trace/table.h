@@ -1,0 +1,165 @@
+// Columns of numbers with names, types and shapes, as NumPy's arrays have them.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+namespace glassbox {
+
+struct Array {
+  std::string name;                // "corner.clip"
+  std::string type;                // NumPy's: "<f4", "|b1"
+  std::vector<std::size_t> shape;  // of one row
+  std::size_t row_bytes = 0;
+  bool wanted = true;
+  std::string bytes;  // row after row, the last index fastest; matrices row by row
+};
+
+// Records of one kind, a column for each of their numbers. A function names every number of a record, always in the same
+// order: for the first row it makes the columns, for the others it fills them.
+class Table {
+public:
+  // `group` > 1: so many rows belong together, and the arrays have that as their second dimension. 0: there is one row, and
+  // no dimension for it.
+  explicit Table(std::string prefix, std::size_t group = 1)
+      : prefix_(std::move(prefix)), group_(group) {}
+
+  // A row that only says what there is.
+  template <class Fill>
+  void declare(const Fill& fill) {
+    declaring_ = true;
+    fill(*this);
+    declaring_ = false;
+  }
+
+  template <class Fill>
+  void add_row(const Fill& fill) {
+    next_ = 0;
+    fill(*this);
+    ++rows_;
+  }
+
+  template <class T>
+  void operator()(const char* name, const T& value) {
+    if (declaring_) {
+      Array array;
+      array.name = prefix_ + "." + name;
+      describe(value, array);
+      arrays_.push_back(std::move(array));
+      return;
+    }
+    Array& array = arrays_[next_++];
+    if (array.wanted) append(value, array.bytes);
+  }
+
+  // Whether it is the name of the table or of one of its arrays.
+  bool names(const std::string& name) const {
+    return name == prefix_ || std::any_of(arrays_.begin(), arrays_.end(),
+                                          [&](const Array& array) { return array.name == name; });
+  }
+
+  // Only these arrays are filled.
+  void choose(const std::vector<std::string>& names) {
+    const auto is_among = [&](const std::string& name) {
+      return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    for (Array& array : arrays_) array.wanted = is_among(prefix_) || is_among(array.name);
+  }
+
+  // Of the arrays that are wanted.
+  std::size_t row_bytes() const {
+    std::size_t bytes = 0;
+    for (const Array& array : arrays_) bytes += array.wanted ? array.row_bytes : 0;
+    return bytes;
+  }
+
+  // Room for so many rows, so that the arrays take no more than their bytes.
+  void reserve(std::size_t rows) {
+    for (Array& array : arrays_) {
+      if (array.wanted) array.bytes.reserve(rows * array.row_bytes);
+    }
+  }
+
+  std::size_t rows() const { return rows_; }
+  std::vector<Array>& arrays() { return arrays_; }
+  const std::vector<Array>& arrays() const { return arrays_; }
+
+  // All dimensions of one of the arrays.
+  std::vector<std::size_t> shape_of(const Array& array) const {
+    std::vector<std::size_t> shape;
+    if (group_ > 0) shape.push_back(rows_ / group_);
+    if (group_ > 1) shape.push_back(group_);
+    shape.insert(shape.end(), array.shape.begin(), array.shape.end());
+    return shape;
+  }
+
+private:
+  template <class T>
+  requires std::is_arithmetic_v<T>
+  static void describe(const T&, Array& array) {
+    const bool one_byte = sizeof(T) == 1;
+    const char order = one_byte ? '|' : std::endian::native == std::endian::little ? '<' : '>';
+    const char kind = std::is_same_v<T, bool>       ? 'b'
+                      : std::is_floating_point_v<T> ? 'f'
+                      : std::is_signed_v<T>         ? 'i'
+                                                    : 'u';
+    array.type = {order, kind, char('0' + sizeof(T))};
+    array.row_bytes = sizeof(T);
+    for (const std::size_t n : array.shape) array.row_bytes *= n;
+  }
+  template <class T, std::size_t N>
+  static void describe(const std::array<T, N>& values, Array& array) {
+    array.shape.push_back(N);
+    describe(values[0], array);
+  }
+  template <int N, class T>
+  static void describe(const glm::vec<N, T>& values, Array& array) {
+    array.shape.push_back(std::size_t(N));
+    describe(values[0], array);
+  }
+  template <class T>
+  static void describe(const glm::mat<4, 4, T>& values, Array& array) {
+    array.shape.push_back(4);
+    describe(values[0], array);
+  }
+
+  template <class T>
+  requires std::is_arithmetic_v<T>
+  static void append(const T& value, std::string& bytes) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
+  }
+  template <class T, std::size_t N>
+  static void append(const std::array<T, N>& values, std::string& bytes) {
+    for (const T& value : values) append(value, bytes);
+  }
+  template <int N, class T>
+  static void append(const glm::vec<N, T>& values, std::string& bytes) {
+    for (int i = 0; i < N; ++i) append(values[i], bytes);
+  }
+  template <class T>
+  static void append(const glm::mat<4, 4, T>& m, std::string& bytes) {
+    for (int row = 0; row < 4; ++row) {
+      for (int column = 0; column < 4; ++column) append(m[column][row], bytes);
+    }
+  }
+
+  std::string prefix_;
+  std::size_t group_;
+  bool declaring_ = false;
+  std::size_t rows_ = 0, next_ = 0;
+  std::vector<Array> arrays_;
+};
+
+}  // namespace glassbox

@@ -1,0 +1,185 @@
+// The prompt of glassbox step on a terminal: line editing, history and completion; the program runs on a pseudo-terminal.
+#include <poll.h>
+#include <pty.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "tests/app/run.h"
+#include "tests/support/catch.h"
+
+namespace glassbox::test {
+namespace {
+
+constexpr const char* kUp = "\x1b[A";
+constexpr const char* kLeft = "\x1b[D";
+
+class PseudoTerminal {
+public:
+  PseudoTerminal(std::vector<std::string> words, const char* kind) {
+    words.insert(words.begin(), GLASSBOX_PROGRAM);
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    const winsize size{40, 120, 0, 0};
+    child_ = ::forkpty(&terminal_, nullptr, nullptr, &size);
+    if (child_ == 0) {
+      ::setenv("TERM", kind, 1);
+      ::execv(argv[0], argv.data());
+      ::_exit(127);
+    }
+    REQUIRE(child_ > 0);
+  }
+  ~PseudoTerminal() {
+    ::close(terminal_);
+    if (child_ <= 0) return;
+    ::kill(child_, SIGKILL);
+    ::waitpid(child_, nullptr, 0);
+  }
+  PseudoTerminal(const PseudoTerminal&) = delete;
+  PseudoTerminal& operator=(const PseudoTerminal&) = delete;
+
+  void type(const std::string& keys) const {
+    REQUIRE(::write(terminal_, keys.data(), keys.size()) == ssize_t(keys.size()));
+  }
+
+  // What appears up to `end`, which must come.
+  std::string until(const std::string& end) {
+    constexpr int kLongest = 60'000;  // ms, of silence
+    for (;;) {
+      if (const std::size_t at = seen_.find(end); at != std::string::npos) {
+        const std::string text = seen_.substr(0, at + end.size());
+        seen_.erase(0, text.size());
+        return text;
+      }
+      pollfd waiting{terminal_, POLLIN, 0};
+      char block[4096];
+      const bool comes = ::poll(&waiting, 1, kLongest) == 1;
+      const ssize_t count = comes ? ::read(terminal_, block, sizeof block) : -1;
+      CAPTURE(end, seen_);
+      REQUIRE(count > 0);
+      seen_.append(block, std::size_t(count));
+    }
+  }
+
+  int exit_code() {
+    char block[4096];
+    while (::read(terminal_, block, sizeof block) > 0) {
+    }
+    int status = 0;
+    ::waitpid(child_, &status, 0);
+    child_ = 0;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+
+private:
+  int terminal_ = -1;
+  pid_t child_ = -1;
+  std::string seen_;
+};
+
+const std::vector<std::string> kStep{"step", "cube", "--triangle", "10", "--size", "64x48"};
+
+TEST_CASE("arrow up recalls the last command, and it can be edited") {
+  PseudoTerminal terminal(kStep, "xterm");
+  terminal.until("object 1/10> ");
+  terminal.type("vertex 1\n");
+  terminal.until("vertex 1  x");
+  terminal.until("object 1/10> ");
+  terminal.type("world\n");
+  terminal.until("world 2/10> ");
+  terminal.type(std::string(kUp) + kUp + "\n");  // vertex 1 again
+  terminal.until("vertex 1");
+  terminal.until("world 2/10> ");
+  // "triangle 1" with a 1 put before its last letter: 11.
+  terminal.type("triangle 1");
+  terminal.type(std::string(kLeft) + "1\n");
+  terminal.until("  triangle 11");
+  terminal.until("world 2/10> ");
+  terminal.type("q\n");
+  CHECK(terminal.exit_code() == 0);
+}
+
+TEST_CASE("the tabulator completes commands, stages, options and their words") {
+  PseudoTerminal terminal(kStep, "xterm");
+  terminal.until("object 1/10> ");
+  terminal.type("frag\t\n");
+  terminal.until("pixel centres are covered");
+  terminal.until("fragments 9/10> ");
+  terminal.type("--sha\tfl\t\n");
+  // Other light: lines that were, and lines that are.
+  CHECK(terminal.until("fragments 9/10> ").find("\n+ ") != std::string::npos);
+  terminal.type("cl\t\t");  // clip and clipping
+  terminal.until("clip clipping");
+  terminal.type("\n");
+  terminal.until("eye -> clip");
+  terminal.until("clip 4/10> ");
+  terminal.type("\x04");  // the end of the input
+  CHECK(terminal.exit_code() == 0);
+}
+
+TEST_CASE("a terminal that can do nothing has the plain prompt") {
+  PseudoTerminal terminal(kStep, "dumb");
+  terminal.until("object 1/10> ");
+  terminal.type("\n");
+  terminal.until("world 2/10> ");
+  terminal.type("q\n");
+  CHECK(terminal.exit_code() == 0);
+}
+
+// The same commands from a file.
+std::string say(const Workplace& here, const std::string& commands) {
+  here.write("commands", commands);
+  here.write("go.sh", "cd \"$(dirname \"$0\")\" && exec " GLASSBOX_PROGRAM
+                      " step cube --triangle 10 --size 64x48 --interactive < commands\n");
+  const Outcome outcome = run_program("/bin/sh", {here.file("go.sh")}, here.path());
+  REQUIRE(outcome.exit_code == 0);
+  return outcome.out;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST_CASE("another triangle, vertex or picked pixel within the prompt, and back to the first") {
+  const Workplace here;
+  const std::string changed = say(here, "triangle 4\nreset\nq\n");
+  CHECK(contains(changed, "  triangle 4\n"));
+  CHECK(contains(changed, "face 2 of mesh 'cube'"));
+  CHECK(contains(changed.substr(changed.find("  triangle 4\n")), "  triangle 10\n"));
+  CHECK(contains(say(here, "--triangle 4\nq\n"), "  triangle 4\n"));
+  const std::string one = say(here, "vertex 2\nq\n"),
+                    again = say(here, "vertex 2\nvertex all\nq\n");
+  CHECK(!contains(one.substr(one.find("1/10>")), "vertex 0"));
+  CHECK(contains(again.substr(again.find("1/10>")), "vertex 0"));
+  const std::string picked = say(here, "pick 32,20\nfragments\nq\n");
+  CHECK(contains(picked, "the fragment of pixel (32, 20)"));
+  // The picture changes, the picked triangle stays.
+  CHECK(contains(say(here, "triangle 4\n--fov 30\nclip\nq\n"), "+ "));
+}
+
+TEST_CASE("what the prompt cannot do it says, and stays") {
+  const Workplace here;
+  for (const auto& [command, part] : {std::pair{"triangle 12", "the scene has 12 triangles"},
+                                      {"triangle", "needs one word more: a number"},
+                                      {"triangle x", "triangle"},
+                                      {"vertex 3", "vertex"},
+                                      {"pick 0,0", "no triangle is seen in this pixel"},
+                                      {"pick 64,0", "64 x 48 pixels"},
+                                      {"pick", "X,Y"},
+                                      {"wold", "no stage or command of this name"}}) {
+    CAPTURE(command);
+    const std::string said = say(here, std::string(command) + "\nworld\nq\n");
+    const std::string after = said.substr(said.find("1/10>"));
+    CHECK(contains(after, part));
+    CHECK(contains(after, "world 2/10>"));
+  }
+  CHECK(contains(say(here, "help\nq\n").substr(800), "triangle N"));
+}
+
+}  // namespace
+}  // namespace glassbox::test
