@@ -1,0 +1,111 @@
+#include "app/usage_error.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "app/command_tree.h"
+
+#include <glassbox/base/near_word.h>
+#include <glassbox/base/printable.h>
+#include <glassbox/mesh/builtin/scenes.h>
+
+namespace glassbox::app {
+
+namespace {
+
+bool is_option(std::string_view word) {
+  return word.size() > 1 && word[0] == '-';
+}
+
+// The subcommand that the words have reached, and its name as it is typed.
+struct Reached {
+  const CLI::App* app;
+  std::string name;
+};
+
+Reached reached_by(const CLI::App& program) {
+  Reached reached{&program, program.get_name()};
+  while (true) {
+    const std::vector<CLI::App*> chosen = reached.app->get_subcommands();
+    // Words that a command does not know end what it hands on.
+    if (chosen.empty() || !reached.app->remaining().empty()) return reached;
+    reached = {chosen.front(), reached.name + " " + chosen.front()->get_name()};
+  }
+}
+
+// The word that is to blame: an option, whose value then stands about, or else the first word.
+std::optional<std::string> unknown_word(const CLI::App& app) {
+  const std::vector<std::string> words = app.remaining();
+  const auto option = std::ranges::find_if(words, is_option);
+  if (option != words.end()) return *option;
+  return words.empty() ? std::nullopt : std::optional(words.front());
+}
+
+std::string without_dashes(std::string_view word) {
+  const std::size_t start = word.find_first_not_of('-');
+  return start == std::string_view::npos ? "" : std::string(word.substr(start));
+}
+
+std::string unknown_option(const CommandFacts& command, const std::string& typed) {
+  std::vector<std::string> names;
+  for (const OptionFacts& option : command.options) {
+    for (const std::string& name : option.names) {
+      if (name.starts_with("--")) names.push_back(without_dashes(name));
+    }
+  }
+  const std::string word = typed.substr(0, typed.find('='));
+  const auto near = near_word(without_dashes(word), names);
+  return "there is no option " + in_quotes(word) + (near ? ", did you mean --" + *near + "?" : "");
+}
+
+bool is_scene(const std::string& word) {
+  std::error_code ignored;
+  return find_builtin(word) != nullptr || std::filesystem::is_regular_file(word, ignored);
+}
+
+std::string unknown_command(const CommandFacts& command, const Reached& reached,
+                            const std::string& typed) {
+  std::vector<std::string> names;
+  std::string list;
+  for (const CommandFacts& one : command.commands) {
+    const bool last = &one == &command.commands.back();
+    list += (names.empty() ? "" : last ? " and " : ", ") + one.name;
+    names.push_back(one.name);
+  }
+  const std::string what = "there is no subcommand " + in_quotes(typed);
+  if (const auto near = near_word(typed, names)) return what + ", did you mean " + *near + "?";
+  if (reached.app->get_parent() == nullptr && is_scene(typed)) {
+    return what + ", did you mean " + reached.name + " render " + printable(typed) + "?";
+  }
+  return what + "; the subcommands are " + list;
+}
+
+std::string problem_with(const Reached& reached, const std::string& word) {
+  const CommandFacts command = command_tree(*reached.app);
+  if (is_option(word)) return unknown_option(command, word);
+  if (!command.commands.empty()) return unknown_command(command, reached, word);
+  return "there is no use for the word " + in_quotes(word);
+}
+
+}  // namespace
+
+std::string usage_problem(const CLI::App& program, const CLI::ParseError& error) {
+  const Reached reached = reached_by(program);
+  // A word that is not known may be why another one is missing.
+  const bool of_words = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
+                        dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+  const auto word = of_words ? unknown_word(*reached.app) : std::nullopt;
+  const std::string what =
+      word ? problem_with(reached, *word) : printable(error.what(), 2000);  // repeats what is wrong
+  return fmt::format("{}{} {} --help shows what there is", what, what.ends_with('?') ? "" : ";",
+                     reached.name);
+}
+
+}  // namespace glassbox::app
