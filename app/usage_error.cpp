@@ -40,12 +40,13 @@ Reached reached_by(const CLI::App& program) {
   }
 }
 
-// The word that is to blame: an option, whose value then stands about, or else the first word.
-std::optional<std::string> unknown_word(const CLI::App& app) {
+// The word that is to blame: where a subcommand is expected the first, else an option, whose value then stands about.
+std::optional<std::string> unknown_word(const CLI::App& app, const CommandFacts& command) {
   const std::vector<std::string> words = app.remaining();
+  if (words.empty()) return std::nullopt;
   const auto option = std::ranges::find_if(words, is_option);
-  if (option != words.end()) return *option;
-  return words.empty() ? std::nullopt : std::optional(words.front());
+  const bool first = option == words.end() || !command.commands.empty();
+  return first ? words.front() : *option;
 }
 
 std::string without_dashes(std::string_view word) {
@@ -87,8 +88,8 @@ std::string unknown_command(const CommandFacts& command, const Reached& reached,
   return what + "; the subcommands are " + list;
 }
 
-std::string problem_with(const Reached& reached, const std::string& word) {
-  const CommandFacts command = command_tree(*reached.app);
+std::string problem_with(const CommandFacts& command, const Reached& reached,
+                         const std::string& word) {
   if (is_option(word)) return unknown_option(command, word);
   if (!command.commands.empty()) return unknown_command(command, reached, word);
   return "there is no use for the word " + in_quotes(word);
@@ -101,9 +102,10 @@ std::string usage_problem(const CLI::App& program, const CLI::ParseError& error)
   // A word that is not known may be why another one is missing.
   const bool of_words = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
                         dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
-  const auto word = of_words ? unknown_word(*reached.app) : std::nullopt;
-  const std::string what =
-      word ? problem_with(reached, *word) : printable(error.what(), 2000);  // repeats what is wrong
+  const CommandFacts command = command_tree(*reached.app);
+  const auto word = of_words ? unknown_word(*reached.app, command) : std::nullopt;
+  const std::string what = word ? problem_with(command, reached, *word)
+                                : printable(error.what(), 2000);  // repeats what is wrong
   return fmt::format("{}{} {} --help shows what there is", what, what.ends_with('?') ? "" : ";",
                      reached.name);
 }

@@ -36,24 +36,22 @@ inline std::size_t edits_between(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-// The nearest of `words` that is at most a third of its letters away, and at most two of them; else the only one that
-// begins with `typed`, if that has three letters or more.
+// The only one of `words` that begins with `typed`, if that has three letters or more; else the nearest, if it is at most
+// a third of its letters away, and at most two of them.
 inline std::optional<std::string> near_word(std::string_view typed,
                                             const std::vector<std::string>& words) {
   constexpr std::size_t kMostEdits = 2, kLongestWord = 64, kTellingBeginning = 3;
   if (typed.size() > kLongestWord) return std::nullopt;
+  const auto begins = [typed](std::string_view word) { return word.starts_with(typed); };
+  if (typed.size() >= kTellingBeginning && std::ranges::count_if(words, begins) == 1) {
+    return *std::ranges::find_if(words, begins);
+  }
   std::optional<std::string> nearest;
   std::size_t fewest = kMostEdits + 1;
   for (const std::string& word : words) {
     const std::size_t edits = edits_between(typed, word);
     if (edits >= fewest || 3 * edits > word.size()) continue;
     fewest = edits;
-    nearest = word;
-  }
-  if (nearest || typed.size() < kTellingBeginning) return nearest;
-  for (const std::string& word : words) {
-    if (!std::string_view(word).starts_with(typed)) continue;
-    if (nearest) return std::nullopt;
     nearest = word;
   }
   return nearest;

@@ -54,7 +54,10 @@ std::string option_line(const OptionFacts& option, const CommandFacts& program) 
   for (const std::string& name : option.names) {
     text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
   }
-  if (!option.value.empty()) text += " -r" + offer(kinds_of(option), program);
+  if (!option.value.empty()) {
+    const ValueKinds kinds = kinds_of(option);
+    text += (kinds.files ? " -r" : " -x") + offer(kinds, program);
+  }
   return text + " -d " + fish_quoted(option.help);
 }
 

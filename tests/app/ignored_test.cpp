@@ -26,7 +26,7 @@ const std::vector<std::string> kScenes{"room", "teapot:3", "f-glyph", "cube"};
 TEST_CASE("an option that changes no byte of a quantity's picture is named, and no other") {
   const std::vector<std::string> options{"--samples 8",        "--shade flat",    "--shade gouraud",
                                          "--shade unlit",      "--transfer none", "--wireframe",
-                                         "--background 1,0,0", "--cull none"};
+                                         "--background 1,0,0", "--cull front"};
   for (const char* show : {"", "depth", "normal", "uv", "id", "overdraw"}) {
     for (const std::string& option : options) {
       const std::string shown = *show ? std::string(" --show ") + show : "";

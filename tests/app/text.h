@@ -26,6 +26,12 @@ inline void check_one_line(const Outcome& outcome, const std::vector<std::string
   }
 }
 
+inline std::vector<std::string> sorted_names(const Workplace& here) {
+  std::vector<std::string> names = here.names();
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 // A line of /bin/sh in the workplace, in which $0 is the program.
 inline Outcome in_shell(const Workplace& here, const std::string& line) {
   return run_program("/bin/sh", {"-c", line, GLASSBOX_PROGRAM}, here.path());

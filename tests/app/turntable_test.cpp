@@ -128,13 +128,13 @@ TEST_CASE("a frame of a turntable is the picture of its angle, whatever the numb
 TEST_CASE("all of a scene is in every frame of its turn, and the frame is not larger than needed") {
   const Workplace scene;
   scene.write("beam.obj", kBeam);
-  for (const std::string& words :
-       {"teapot:3 --size 160x90", "f-glyph --size 90x160", "cube --size 96x96",
-        "forest --size 96x64", scene.file("beam.obj") + " --size 160x90",
-        scene.file("beam.obj") + " --size 64x200",
-        scene.file("beam.obj") + " --size 160x90 --up 0,0,1",
-        scene.file("beam.obj") + " --size 160x90 --fov 90",
-        scene.file("beam.obj") + " --size 160x90 --look-at 100,2,0"}) {
+  for (const std::string& words : std::vector<std::string>{
+           "teapot:3 --size 160x90", "f-glyph --size 90x160", "cube --size 96x96",
+           "forest --size 96x64", scene.file("beam.obj") + " --size 160x90",
+           scene.file("beam.obj") + " --size 64x200",
+           scene.file("beam.obj") + " --size 160x90 --up 0,0,1",
+           scene.file("beam.obj") + " --size 160x90 --fov 90",
+           scene.file("beam.obj") + " --size 160x90 --look-at 100,2,0"}) {
     const Workplace here;
     const std::size_t blank = words.find(' ');
     turn(here, words.substr(0, blank), 24, words.substr(blank));
@@ -151,8 +151,8 @@ TEST_CASE("all of a scene is in every frame of its turn, and the frame is not la
   }
 }
 
-TEST_CASE("the recipe of a turntable's frame makes its bytes as a single picture") {
-  for (const std::string& options :
+TEST_CASE("the recipe of a turntable's frame makes its pixels as a single picture") {
+  for (const char* options :
        {"--size 40x30", "--size 40x30 --shade flat --fov 20 --up 0,1,1", "--size 40x30 --ortho 5",
         "--size 40x30 --eye 3,4,5 --look-at 0,1,0 --camera none",
         "--size 40x30 --stereo anaglyph"}) {
@@ -163,7 +163,7 @@ TEST_CASE("the recipe of a turntable's frame makes its bytes as a single picture
     for (const std::string& word : made.options) words += " " + word;
     INFO(words);
     REQUIRE(here.run(words + " -o alone.png").exit_code == 0);
-    CHECK(here.read("alone.png") == here.read("t-0002.png"));
+    CHECK(picture(here, "alone.png") == picture(here, "t-0002.png"));
   }
 }
 

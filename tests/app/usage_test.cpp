@@ -22,7 +22,7 @@ TEST_CASE("a mistyped word is answered with the one that was probably meant") {
       {"render teapot --Shade flat", {"did you mean --shade?"}},
       {"render teapot --turn --frames 3", {"did you mean --turntable?"}},
       {"rendr teapot", {"no subcommand 'rendr'", "did you mean render?"}},
-      {"rendr --size 10x10 teapot", {"did you mean --size?"}},
+      {"rendr --size 10x10 teapot", {"did you mean render?"}},
       {"study rnu D-4", {"no subcommand 'rnu'", "did you mean run?", "glassbox study --help"}},
       {"lab strat 5 folder", {"did you mean start?"}},
       {"lab start 5 folder --zipp", {"glassbox lab start --help"}},
@@ -62,7 +62,6 @@ TEST_CASE("the nearest word is at most two letters and a third of itself away") 
   CHECK(edits_between("abc", "") == 3);
   CHECK(edits_between("kitten", "sitting") == 3);
   CHECK(edits_between("abcd", "badc") == 2);
-  CHECK(near_word("stereo-", words) == "stereo");
   CHECK(near_word("stereo-c", words) == "stereo-cull");  // begins like no other
   CHECK(!near_word("ste", words));                       // begins like two
   CHECK(!near_word("s", words));
@@ -86,7 +85,7 @@ TEST_CASE("help NAME shows what NAME --help shows, for every subcommand") {
   CHECK(here.run("help").out == here.run("--help").out);
 }
 
-TEST_CASE("-V is --version") {
+TEST_CASE("the version has a short option, -V") {
   const Workplace here;
   const Outcome brief = here.run("-V");
   CHECK(brief.exit_code == 0);
