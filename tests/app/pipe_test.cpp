@@ -84,6 +84,9 @@ TEST_CASE("a scene is read from standard input, whatever its format") {
     CHECK(piped.err.empty());
     CHECK(piped.out == here.run(std::string("render ") + file + options).out);
   }
+  const Outcome nameless = in_shell(here, "\"$0\" render - --size 8x8 -o - < t.obj");
+  CHECK(!has(nameless.out, "glassbox scene"));  // nobody could render it again
+  CHECK(has(here.run("render t.obj --size 8x8 -o -").out, "glassbox scene"));
   CHECK(in_shell(here, "cat t.obj | \"$0\" info -").exit_code == 0);
   CHECK(in_shell(here, "\"$0\" render - --size 8x8 < mark.obj").exit_code == 0);
   CHECK(fs::exists(here.file("stdin.png")));
