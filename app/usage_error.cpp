@@ -54,6 +54,19 @@ std::string without_dashes(std::string_view word) {
   return start == std::string_view::npos ? "" : std::string(word.substr(start));
 }
 
+bool has_option(const CommandFacts& command, const std::string& name) {
+  return std::ranges::any_of(command.options, [&](const OptionFacts& option) {
+    return std::ranges::find(option.names, name) != option.names.end();
+  });
+}
+
+// The subcommand that has the option which was given before any.
+std::optional<std::string> command_with(const CommandFacts& program, const std::string& name) {
+  const auto found = std::ranges::find_if(
+      program.commands, [&](const CommandFacts& one) { return has_option(one, name); });
+  return found == program.commands.end() ? std::nullopt : std::optional(found->name);
+}
+
 std::string unknown_option(const CommandFacts& command, const std::string& typed) {
   std::vector<std::string> names;
   for (const OptionFacts& option : command.options) {
@@ -62,8 +75,13 @@ std::string unknown_option(const CommandFacts& command, const std::string& typed
     }
   }
   const std::string word = typed.substr(0, typed.find('='));
-  const auto near = near_word(without_dashes(word), names);
-  return "there is no option " + in_quotes(word) + (near ? ", did you mean --" + *near + "?" : "");
+  const std::string what = "there is no option " + in_quotes(word);
+  if (const auto near = near_word(without_dashes(word), names)) {
+    return what + ", did you mean --" + *near + "?";
+  }
+  const auto other = command_with(command, word);
+  return other ? what + " here, did you mean " + command.name + " " + *other + " " + word + "?"
+               : what;
 }
 
 bool is_scene(const std::string& word) {
@@ -71,21 +89,25 @@ bool is_scene(const std::string& word) {
   return find_builtin(word) != nullptr || std::filesystem::is_regular_file(word, ignored);
 }
 
+std::string list_of(const std::vector<CommandFacts>& commands) {
+  std::string list = "the subcommands are ";
+  for (const CommandFacts& one : commands) {
+    const bool first = &one == &commands.front(), last = &one == &commands.back();
+    list += (first ? "" : last ? " and " : ", ") + one.name;
+  }
+  return list;
+}
+
 std::string unknown_command(const CommandFacts& command, const Reached& reached,
                             const std::string& typed) {
   std::vector<std::string> names;
-  std::string list;
-  for (const CommandFacts& one : command.commands) {
-    const bool last = &one == &command.commands.back();
-    list += (names.empty() ? "" : last ? " and " : ", ") + one.name;
-    names.push_back(one.name);
-  }
+  for (const CommandFacts& one : command.commands) names.push_back(one.name);
   const std::string what = "there is no subcommand " + in_quotes(typed);
   if (const auto near = near_word(typed, names)) return what + ", did you mean " + *near + "?";
   if (reached.app->get_parent() == nullptr && is_scene(typed)) {
     return what + ", did you mean " + reached.name + " render " + printable(typed) + "?";
   }
-  return what + "; the subcommands are " + list;
+  return what + "; " + list_of(command.commands);
 }
 
 std::string problem_with(const CommandFacts& command, const Reached& reached,
@@ -93,6 +115,23 @@ std::string problem_with(const CommandFacts& command, const Reached& reached,
   if (is_option(word)) return unknown_option(command, word);
   if (!command.commands.empty()) return unknown_command(command, reached, word);
   return "there is no use for the word " + in_quotes(word);
+}
+
+// What CLI11 says, where that is not how anybody speaks.
+std::string in_plain_words(const CommandFacts& command, const CLI::ParseError& error) {
+  const std::string what = printable(error.what(), 2000);  // repeats the word that is wrong
+  if (what == "A subcommand is required") {
+    return "a subcommand is missing; " + list_of(command.commands);
+  }
+  const std::string one = ": 1 required ", missing = " missing";
+  const std::size_t at = what.find(one);
+  if (at != std::string::npos && what.ends_with(missing)) {
+    const std::size_t start = at + one.size();
+    const std::string value = what.substr(start, what.size() - missing.size() - start);
+    return what.substr(0, at) + ": its value, " + value + ", is missing";
+  }
+  const std::size_t twice = what.find(": At Most 1 required but received ");
+  return twice == std::string::npos ? what : what.substr(0, twice) + ": is given more than once";
 }
 
 }  // namespace
@@ -104,8 +143,8 @@ std::string usage_problem(const CLI::App& program, const CLI::ParseError& error)
                         dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
   const CommandFacts command = command_tree(*reached.app);
   const auto word = of_words ? unknown_word(*reached.app, command) : std::nullopt;
-  const std::string what = word ? problem_with(command, reached, *word)
-                                : printable(error.what(), 2000);  // repeats what is wrong
+  const std::string what =
+      word ? problem_with(command, reached, *word) : in_plain_words(command, error);
   return fmt::format("{}{} {} --help shows what there is", what, what.ends_with('?') ? "" : ";",
                      reached.name);
 }

@@ -25,6 +25,9 @@ std::string function_of(const std::string& path) {
   return name;
 }
 
+// Shows the name of a value, and offers nothing for it.
+constexpr const char* kNothing = " ";
+
 // What _arguments does at the place of a value.
 std::string action(const ValueKinds& kinds, const CommandFacts& program) {
   if (kinds.scenes) return "_glassbox_scenes";
@@ -32,7 +35,7 @@ std::string action(const ValueKinds& kinds, const CommandFacts& program) {
   if (kinds.directories) return "_files -/";
   if (kinds.commands) return "(" + joined(names_of(program.commands), " ") + ")";
   if (!kinds.choices.empty()) return "(" + joined(kinds.choices, " ") + ")";
-  return " ";
+  return kNothing;
 }
 
 // "'(-o --output)'{-o,--output}'[image file]:FILE:_files'"
@@ -48,8 +51,10 @@ std::string option_spec(const OptionFacts& option, const CommandFacts& program) 
 
 std::string positional_spec(const OptionFacts& option, const CommandFacts& program) {
   const char* start = option.repeats ? "*:" : option.required ? ":" : "::";
+  const std::string offered = action(kinds_of(option), program);
+  // Options are offered in the same place: a message alone would keep zsh from putting them in.
   return single_quoted(start + specified(option.positional) + ":" +
-                       action(kinds_of(option), program));
+                       (offered == kNothing ? "()" : offered));
 }
 
 std::string specs(const CommandFacts& command, const CommandFacts& program) {

@@ -131,10 +131,11 @@ TEST_CASE("zsh reads its script without a complaint and completes with it") {
              "autoload -U compinit; compinit -u -d ./dump\nsource ./script\nPS1=\n"
              "unsetopt beep\nglassbox() { printf '<%s>' \"$@\" }\n");
   here.write(".zshrc", "source ./rc\n");
-  here.write("keys", "glassbox ren\tcu\t--shad\tfl\t\nexit\n");
+  here.write("keys", "glassbox ren\tcu\t--shad\tfl\t\nglassbox study ru\t--qu\t\nexit\n");
   const Outcome outcome = in_shell(
       here, "(sleep 3; cat keys; sleep 2) | ZDOTDIR=. TERM=dumb script -qec 'zsh -i' /dev/null");
   INFO(outcome.out << outcome.err);
+  CHECK(has(outcome.out, "<study><run><--quick>"));
   CHECK(has(outcome.out, "<render><cube><--shade><flat>"));
 }
 

@@ -27,6 +27,7 @@ TEST_CASE("a mistyped word is answered with the one that was probably meant") {
       {"lab strat 5 folder", {"did you mean start?"}},
       {"lab start 5 folder --zipp", {"glassbox lab start --help"}},
       {"teapot", {"did you mean glassbox render teapot?"}},
+      {"--size 10x10", {"no option '--size' here", "did you mean glassbox render --size?"}},
       {"help rendr", {"did you mean render?"}},
       {"help study rnu", {"did you mean run?"}}};
   for (const auto& [words, parts] : cases) {
@@ -42,6 +43,19 @@ TEST_CASE("what is like nothing there is gets no suggestion") {
     INFO(words << ": " << outcome.err);
     CHECK(outcome.exit_code == 2);
     CHECK(!has(outcome.err, "did you mean"));
+  }
+}
+
+TEST_CASE("what is missing or there twice is said in plain words") {
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"render cube --size", "--size: its value, WxH, is missing; glassbox render --help"},
+      {"render cube -o", "--output: its value, FILE|-, is missing; "},
+      {"render cube --size 8x8 --size 9x9", "--size: is given more than once; "},
+      {"lab", "a subcommand is missing; the subcommands are list, start, "},
+      {"study", "extremes and recommend; glassbox study --help"}};
+  for (const auto& [words, part] : cases) {
+    INFO(words);
+    check_one_line(Workplace().run(words), {part});
   }
 }
 
