@@ -123,28 +123,23 @@ std::string commands_of(const CommandFacts& command, const std::string& name) {
   return text;
 }
 
-// Nothing may stand where a paragraph is begun and nothing follows, or two are begun: groff and mandoc warn.
+bool is_heading(const std::string& line) {
+  return line.starts_with(".SS") || line.starts_with(".SH");
+}
+
+// groff and mandoc warn of a paragraph begun behind a heading, before another beginning or twice.
 std::string without_empty_paragraphs(const std::string& text) {
   std::istringstream lines(text);
-  std::string out, line, held;
-  while (std::getline(lines, line)) {
+  std::string out, line;
+  for (bool begun = false, heading = false; std::getline(lines, line);) {
     if (line == ".PP") {
-      held = ".PP\n";
+      begun = !heading;
       continue;
     }
-    const bool begins_anyway =
-        line.starts_with(".SS") || line.starts_with(".SH") || line.starts_with(".TP");
-    if (!begins_anyway) out += held;
-    held.clear();
+    if (begun && !is_heading(line) && !line.starts_with(".TP")) out += ".PP\n";
+    begun = false;
+    heading = is_heading(line);
     out += line + "\n";
-    // The first paragraph of a section needs no beginning.
-    if (line.starts_with(".SS") || line.starts_with(".SH")) {
-      std::streampos here = lines.tellg();
-      if (std::getline(lines, line) && line != ".PP") {
-        lines.clear();
-        lines.seekg(here);
-      }
-    }
   }
   return out;
 }
