@@ -199,8 +199,9 @@ Planes asked_planes(const CameraOptions& options, Planes found, bool parallel) {
 
 void add_camera_options(CLI::App& app, CameraOptions& options) {
   const std::string group = "Camera";
-  app.add_option("--camera", options.camera, "one of the scene's cameras")
-      ->type_name("NAME|INDEX")
+  app.add_option("--camera", options.camera,
+                 "one of the scene's cameras, the first if it has any; none frames the scene")
+      ->type_name("NAME|INDEX|none")
       ->group(group);
   add_numbers(app, "--eye", options.eye, "X,Y,Z", "where the camera stands (world units)")
       ->group(group);
@@ -237,7 +238,8 @@ void add_camera_options(CLI::App& app, CameraOptions& options) {
 }
 
 Result<Camera> choose_camera(const Scene& scene, const CameraOptions& options, double aspect) {
-  if (options.camera && has_pose(options)) {
+  const bool no_camera = options.camera == "none";
+  if (options.camera && !no_camera && has_pose(options)) {
     return fail("--camera", "the camera's pose is also given by --eye, --look-at or --up",
                 "give one of them");
   }
@@ -246,11 +248,11 @@ Result<Camera> choose_camera(const Scene& scene, const CameraOptions& options, d
   if (!automatic) return automatic;
 
   Result<Camera> camera = automatic;
-  if (options.camera) {
+  if (options.camera && !no_camera) {
     camera = named_camera(scene, *options.camera);
   } else if (!is_framed(options)) {
     camera = posed_camera(options, *automatic, box);
-  } else if (!options.up && !scene.cameras.empty()) {
+  } else if (!options.up && !no_camera && !scene.cameras.empty()) {
     camera = scene.cameras.front();
   }
   if (!camera) return camera;

@@ -14,7 +14,7 @@
 namespace glassbox::app {
 
 struct CameraOptions {
-  std::optional<std::string> camera;  // name or index
+  std::optional<std::string> camera;  // name or index; "none" ignores those of the scene
   std::optional<std::array<double, 3>> eye;
   std::optional<std::array<double, 3>> look_at;
   std::optional<std::array<double, 3>> up;

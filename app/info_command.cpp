@@ -12,12 +12,12 @@
 #include "app/exit_codes.h"
 #include "app/info_contents.h"
 #include "app/output.h"
+#include "app/scene_input.h"
 
 #include <glassbox/base/printable.h>
 #include <glassbox/mesh/bounds.h>
 #include <glassbox/mesh/check.h>
 #include <glassbox/mesh/gltf/write.h>
-#include <glassbox/mesh/load.h>
 
 namespace glassbox::app {
 
@@ -264,7 +264,7 @@ int InfoCommand::run() {
     if (const auto legal = check_extension(*glb_output_, ".glb"); !legal)
       return refuse(legal.error());
   }
-  const Result<Scene> scene = load_scene(scene_);
+  const Result<Scene> scene = load_asked_scene(scene_);
   if (!scene) return refuse(scene.error());
   const auto contents = contents_of(scene->file);
   if (!contents) return refuse(contents.error());

@@ -1,6 +1,5 @@
 #include "app/inspect_command.h"
 
-#include <filesystem>
 #include <span>
 
 #include <fmt/format.h>
@@ -12,20 +11,13 @@
 #include "app/output.h"
 #include "app/program_name.h"
 #include "app/progress.h"
+#include "app/scene_input.h"
 #include "app/shell_line.h"
 
+#include <glassbox/base/printable.h>
 #include <glassbox/images/atomic_file.h>
-#include <glassbox/mesh/load.h>
 
 namespace glassbox::app {
-
-namespace {
-
-std::string default_output(const std::string& scene) {
-  return std::filesystem::path(scene.substr(0, scene.find(':'))).stem().string() + ".html";
-}
-
-}  // namespace
 
 void InspectCommand::add_to(CLI::App& app, int& exit_code) {
   CLI::App& command =
@@ -100,24 +92,24 @@ std::string InspectCommand::command_line() const {
 }
 
 int InspectCommand::run() {
-  if (output_.empty()) output_ = default_output(scene_);
+  if (output_.empty()) output_ = scene_stem(scene_) + ".html";
   if (const auto legal = check_extension(output_, ".html"); !legal) return refuse(legal.error());
   if (const auto legal = check_outputs({output_}); !legal) return refuse(legal.error());
   if (const auto legal = check_pixels(); !legal) return refuse(legal.error());
   tell_of_centres(picture_);
   Progress progress;
-  progress.phase("loading " + scene_);
-  const Result<Scene> scene = load_scene(scene_, limits_);
+  progress.phase("loading " + scene_title(scene_));
+  const Result<Scene> scene = load_asked_scene(scene_, limits_);
   if (!scene) return refuse(scene.error());
   for (const std::string& warning : scene->warnings) progress.say("warning: " + warning);
   const Result<ChosenView> chosen = choose_view(*scene, picture_);
   if (!chosen) return refuse(chosen.error());
 
-  page_.scene_name = scene_;
+  page_.scene_name = scene_title(scene_);
   page_.words = words_given(picture_);
   page_.program = "glassbox " GLASSBOX_VERSION;
   page_.command = command_line();
-  progress.phase("tracing " + scene_);
+  progress.phase("tracing " + scene_title(scene_));
   const Result<PageFacts> page =
       make_inspect_page(*scene, chosen->camera, chosen->view, picture_.settings, page_);
   if (!page) return refuse(page.error());
@@ -126,9 +118,9 @@ int InspectCommand::run() {
     return refuse(written.error());
   }
   progress.done();
-  fmt::print("{}: {} triangle{} and {} fragment{}, {:.1f} MB; open it in a browser\n", output_,
-             page->triangles, page->triangles == 1 ? "" : "s", page->fragments,
-             page->fragments == 1 ? "" : "s", double(page->html.size()) / 1e6);
+  fmt::print("{}: {} triangle{} and {} fragment{}, {:.1f} MB; open it in a browser\n",
+             printable(output_, kLongestMessage), page->triangles, page->triangles == 1 ? "" : "s",
+             page->fragments, page->fragments == 1 ? "" : "s", double(page->html.size()) / 1e6);
   return kSuccess;
 }
 

@@ -8,19 +8,23 @@
 #include <CLI/CLI.hpp>
 
 #include "app/bench_command.h"
+#include "app/completion_command.h"
 #include "app/diff_command.h"
 #include "app/exit_codes.h"
 #include "app/explain_command.h"
 #include "app/first_picture.h"
+#include "app/help_command.h"
 #include "app/info_command.h"
 #include "app/inspect_command.h"
 #include "app/lab_command.h"
+#include "app/man_command.h"
 #include "app/pixel_command.h"
 #include "app/render_command.h"
 #include "app/step_command.h"
 #include "app/stereo_command.h"
 #include "app/study_command.h"
 #include "app/trace_command.h"
+#include "app/usage_error.h"
 #include "app/why_command.h"
 
 #include <glassbox/base/printable.h>
@@ -29,28 +33,13 @@ namespace glassbox::app {
 
 namespace {
 
-// One line: what is wrong, and where help is.
-int bad_usage(const CLI::App& app, const CLI::ParseError& error) {
-  const auto chosen = app.get_subcommands();
-  const std::string command = chosen.empty() ? "glassbox" : "glassbox " + chosen[0]->get_name();
-  const std::string what = printable(error.what(), 2000);  // it repeats the word that is wrong
-  const bool no_command =
-      chosen.empty() && dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
-  fmt::print(stderr, "glassbox: {}{}; {} --help shows what there is\n", what,
-             no_command
-                 ? " (the subcommands are render, info, explain, step, pixel, why, trace, stereo, "
-                   "inspect, diff, bench, study and lab)"
-                 : "",
-             command);
-  return kBadInput;
-}
-
 int run(int argc, char** argv) {
   CLI::App app{"Glassbox: a software rasterizer you can see through.", "glassbox"};
-  app.set_version_flag("--version", std::string("glassbox ") + GLASSBOX_VERSION);
+  app.set_version_flag("-V,--version", std::string("glassbox ") + GLASSBOX_VERSION);
   app.footer(
       "Without a subcommand the built-in teapot is rendered to teapot.png.\n"
-      "glassbox SUBCOMMAND --help shows the options and examples.");
+      "glassbox SUBCOMMAND --help shows the options and examples, glassbox help SUBCOMMAND the "
+      "same.");
 
   int exit_code = kSuccess;
   RenderCommand render;
@@ -67,6 +56,9 @@ int run(int argc, char** argv) {
   BenchPeerCommand bench_peer;
   StudyCommand study;
   LabCommand lab;
+  HelpCommand help;
+  CompletionCommand completion;
+  ManCommand man;
   render.add_to(app, exit_code);
   info.add_to(app, exit_code);
   explain.add_to(app, exit_code);
@@ -81,6 +73,9 @@ int run(int argc, char** argv) {
   bench_peer.add_to(app, exit_code);
   study.add_to(app, exit_code);
   lab.add_to(app, exit_code);
+  help.add_to(app, exit_code);
+  completion.add_to(app, exit_code);
+  man.add_to(app, exit_code);
   app.require_subcommand(0, 1);
 
   try {
@@ -88,7 +83,8 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     // Help and version are no errors; anything else is bad usage, whatever code CLI11 has for it.
     if (error.get_exit_code() == 0) return app.exit(error), kSuccess;
-    return bad_usage(app, error);
+    fmt::print(stderr, "glassbox: {}\n", usage_problem(app, error));
+    return kBadInput;
   }
   if (app.get_subcommands().empty()) return draw_first_picture();
   return exit_code;
@@ -104,7 +100,8 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "glassbox: out of memory; render a smaller --size or a smaller scene\n");
   } catch (const std::exception& error) {
-    fmt::print(stderr, "glassbox: {}\n", error.what());
+    fmt::print(stderr, "glassbox: {}\n",
+               glassbox::printable(error.what(), glassbox::app::kLongestMessage));
   }
   return glassbox::app::kFailure;
 }

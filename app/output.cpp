@@ -31,6 +31,10 @@ Result<void> check_extension(const std::string& path, const std::string& extensi
   std::string found = std::filesystem::path(path).extension().string();
   for (char& c : found) c = char(std::tolower(static_cast<unsigned char>(c)));
   if (found == extension) return {};
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    return tl::unexpected(Error{path, "", "is a directory", "name a " + extension + " file in it"});
+  }
   return tl::unexpected(
       Error{path, "", "this output is a " + extension + " file", "end the name in " + extension});
 }

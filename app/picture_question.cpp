@@ -7,9 +7,9 @@
 #include "app/exit_codes.h"
 #include "app/output.h"
 #include "app/progress.h"
+#include "app/scene_input.h"
 
 #include <glassbox/base/printable.h>
-#include <glassbox/mesh/load.h>
 
 namespace glassbox::app {
 
@@ -25,7 +25,7 @@ void PictureQuestion::add_to(CLI::App& command) {
 
 std::string PictureQuestion::title() const {
   constexpr std::size_t kLongPath = 1000;
-  return fmt::format("{}, {} x {}", printable(scene_, kLongPath), picture_.size.width,
+  return fmt::format("{}, {} x {}", printable(scene_title(scene_), kLongPath), picture_.size.width,
                      picture_.size.height);
 }
 
@@ -34,13 +34,13 @@ int PictureQuestion::answer(const Ask& ask) const {
     if (const auto legal = check_outputs({*json_output_}); !legal) return refuse(legal.error());
   }
   Progress progress;
-  progress.phase("loading " + scene_);
-  const Result<Scene> scene = load_scene(scene_);
+  progress.phase("loading " + scene_title(scene_));
+  const Result<Scene> scene = load_asked_scene(scene_);
   if (!scene) return refuse(scene.error());
   for (const std::string& warning : scene->warnings) progress.say("warning: " + warning);
   const Result<ChosenView> chosen = choose_view(*scene, picture_);
   if (!chosen) return refuse(chosen.error());
-  progress.phase("rendering " + scene_);
+  progress.phase("rendering " + scene_title(scene_));
   const Result<Answer> found = ask(*scene, chosen->view);
   if (!found) return refuse(found.error());
   progress.done();

@@ -6,11 +6,16 @@
 
 #include <fmt/format.h>
 
+#include "app/exit_codes.h"
+
+#include <glassbox/base/printable.h>
+
 namespace glassbox::app {
 
 namespace {
 
 constexpr const char* kWipe = "\r\033[K";
+constexpr std::size_t kLongestPhase = 60;  // the line must not wrap, or it would not be wiped whole
 
 }  // namespace
 
@@ -24,12 +29,12 @@ Progress::~Progress() {
 
 void Progress::phase(const std::string& what) {
   const std::lock_guard lock(mutex_);
-  what_ = what;
+  what_ = printable(what, kLongestPhase);
 }
 
 void Progress::say(const std::string& message) {
   const std::lock_guard lock(mutex_);
-  fmt::print(stderr, "{}glassbox: {}\n", shown_ ? kWipe : "", message);
+  fmt::print(stderr, "{}glassbox: {}\n", shown_ ? kWipe : "", printable(message, kLongestMessage));
   shown_ = false;
 }
 

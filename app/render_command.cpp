@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
+#include <cstdio>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,14 +13,16 @@
 #include "app/exit_codes.h"
 #include "app/frames/frames.h"
 #include "app/frames/stop_request.h"
+#include "app/ignored_options.h"
 #include "app/output.h"
+#include "app/picture_output.h"
 #include "app/progress.h"
+#include "app/scene_input.h"
 #include "app/stage_report.h"
 
+#include <glassbox/base/printable.h>
 #include <glassbox/images/atomic_file.h>
 #include <glassbox/images/recipe.h>
-#include <glassbox/images/write.h>
-#include <glassbox/mesh/load.h>
 #include <glassbox/mesh/triangulate.h>
 #include <glassbox/pipeline/view.h>
 #include <glassbox/render/renderer.h>
@@ -46,11 +48,6 @@ using Clock = std::chrono::steady_clock;
 
 double elapsed_ms(Clock::time_point since) {
   return std::chrono::duration<double, std::milli>(Clock::now() - since).count();
-}
-
-// "models/duck.glb" -> "duck.png", beside where the user stands.
-std::string default_output(const std::string& scene) {
-  return std::filesystem::path(scene.substr(0, scene.find(':'))).stem().string() + ".png";
 }
 
 // Every integer up to 2^24 is a float; id 2^24 - 1 is the last whose successor is one as well.
@@ -120,16 +117,24 @@ void RenderCommand::add_to(CLI::App& app, int& exit_code) {
       "  glassbox render plan.obj --ortho 10 --shade flat --background 1,1,1\n"
       "  glassbox render room --depth-out room.pfm --id-out ids.pfm --json -\n"
       "  glassbox render forest --stereo anaglyph --eye-separation 0.3 --window 12\n"
-      "  glassbox render forest --stereo anaglyph --frames 60 --path walk.json -o walk.png\n\n"
+      "  glassbox render forest --stereo anaglyph --frames 60 --path walk.json -o walk.png\n"
+      "  glassbox render duck.glb --frames 36 --turntable -o turn/\n"
+      "  glassbox render - -o - < duck.glb > duck.png\n\n"
       "No engine option changes a byte (docs/engines.md). step, pixel, why and inspect look at "
       "one\n"
       "stage after the other, and so at the staged engine.\n\n" +
       builtin_help());
   command
-      .add_option("SCENE", scene_, "a glTF, GLB, OBJ or PLY file, or the name of a built-in scene")
+      .add_option("SCENE", scene_,
+                  "a glTF, GLB, OBJ or PLY file, the name of a built-in scene, or - for standard input")
       ->required();
-  command.add_option("-o,--output", output_, "image file, .png or .ppm [SCENE.png]")
-      ->type_name("FILE");
+  command
+      .add_option("-o,--output", output_,
+                  "image file, .png or .ppm [SCENE.png]; - is standard output")
+      ->type_name("FILE|-");
+  add_choice<std::optional<StreamFormat>>(
+      command, "--format", format_, {{"png", StreamFormat::kPng}, {"ppm", StreamFormat::kPpm}},
+      "of -o - [png]");
   add_picture_options(command, picture_);
   add_stereo_picture_options(command, stereo_);
   add_frames_options(command, frames_);
@@ -164,11 +169,15 @@ Result<void> RenderCommand::check_other_outputs(const std::string& image) const 
     paths.push_back(*plane);
   }
   if (json_output_ && *json_output_ != "-") paths.push_back(*json_output_);
+  if (json_output_ == "-" && image == "-") {
+    return fail("--json -", "the picture goes to standard output", "name a file for one of them");
+  }
   return check_outputs(paths);
 }
 
-// So that others can tell how the picture was made.
+// So that others can tell how the picture was made. Nobody has what came through a pipe.
 std::vector<TextEntry> RenderCommand::recipe_text() const {
+  if (scene_ == "-") return {};
   std::vector<std::string> words = words_given(picture_);
   for (const std::string& word : words_of(stereo_.options)) words.push_back(word);
   return to_text(Recipe{scene_, words, GLASSBOX_VERSION});
@@ -219,6 +228,12 @@ int RenderCommand::run_frames(const std::string& usual_output) {
   if (stats_) {
     return refuse({"", "--stats", "each frame has its own", "leave it out, or see --json"});
   }
+  if (output_ == "-") {
+    return refuse({"", "-o -", "frames are many pictures", "name a file or a directory"});
+  }
+  if (format_) {
+    return refuse({"", "--format", "it is about -o -", "end the name in .png or .ppm"});
+  }
   if (const auto legal = check_stereo_picture(picture_, stereo_); !legal) {
     return refuse(legal.error());
   }
@@ -232,17 +247,21 @@ int RenderCommand::run() {
     return refuse(legal.error());
   }
   if (const auto legal = check_engine_options(engine_); !legal) return refuse(legal.error());
-  if (frames_.wanted()) return run_frames(default_output(scene_));
-  const std::string output = output_.empty() ? default_output(scene_) : output_;
-  if (const auto legal = check_image_path(output); !legal) return refuse(legal.error());
+  tell_of_ignored(picture_);
+  const std::string usual = scene_stem(scene_) + ".png";
+  if (frames_.wanted()) return run_frames(usual);
+  const std::string output = output_.empty() ? usual : output_;
+  if (const auto legal = check_picture_output(output, format_, usual); !legal) {
+    return refuse(legal.error());
+  }
   if (const auto legal = check_other_outputs(output); !legal) return refuse(legal.error());
   if (const auto legal = check_stereo_picture(picture_, stereo_); !legal) {
     return refuse(legal.error());
   }
   Progress progress;
 
-  progress.phase("loading " + scene_);
-  const Result<Scene> scene = load_scene(scene_, limits_);
+  progress.phase("loading " + scene_title(scene_));
+  const Result<Scene> scene = load_asked_scene(scene_, limits_);
   if (!scene) return refuse(scene.error());
   for (const std::string& warning : scene->warnings) {
     progress.say("warning: " + warning);
@@ -278,14 +297,24 @@ int RenderCommand::run() {
 
 Result<void> RenderCommand::write_pictures(const std::string& image,
                                            const DrawnPicture& drawn) const {
-  if (const auto written = write_image(image, drawn.image, recipe_text()); !written) {
-    return written;
-  }
+  const auto picture = write_picture(image, format_, drawn.image, recipe_text());
+  if (!picture) return picture;
   if (depth_output_) {
     const auto written = write_file(*depth_output_, encode_pfm(drawn.planes.distance));
     if (!written) return written;
   }
   return id_output_ ? write_ids(*id_output_, drawn.planes.id) : Result<void>();
+}
+
+std::string RenderCommand::stats_text(const DrawnPicture& drawn, const RunTimes& times) const {
+  std::string text = engine_text(engine_) + "\n\n";
+  for (const auto& [eye, statistics] : drawn.stages) {
+    if (!eye.empty()) text += eye + " eye\n";
+    text += stage_table(statistics, engine_.engine) + "\n";
+  }
+  text += time_table(times_of_all(drawn)) + "\n";
+  text += fmt::format("  {:<26}{:>12.1f} ms\n", "loading the scene", times.load_ms);
+  return text + fmt::format("  {:<26}{:>12.1f} ms\n\n", "everything", times.total_ms);
 }
 
 int RenderCommand::report(const std::string& image, const DrawnPicture& drawn,
@@ -311,19 +340,12 @@ int RenderCommand::report(const std::string& image, const DrawnPicture& drawn,
       return refuse(written.error());
   }
   if (json_output_ == "-") return kSuccess;
-  if (stats_) {
-    fmt::print("{}\n\n", engine_text(engine_));
-    for (const auto& [eye, statistics] : drawn.stages) {
-      if (!eye.empty()) fmt::print("{} eye\n", eye);
-      fmt::print("{}\n", stage_table(statistics, engine_.engine));
-    }
-    fmt::print("{}\n", time_table(times_of_all(drawn)));
-    fmt::print("  {:<26}{:>12.1f} ms\n", "loading the scene", times.load_ms);
-    fmt::print("  {:<26}{:>12.1f} ms\n\n", "everything", times.total_ms);
-  }
-  fmt::print("{} ({} x {}): {} triangles, {:.0f} ms\n{}", image, drawn.image.width,
-             drawn.image.height, drawn.stages.front().second.triangles, times.total_ms,
-             drawn.eyes_text);
+  std::FILE* const out = image == "-" ? stderr : stdout;
+  if (stats_) fmt::print(out, "{}", stats_text(drawn, times));
+  if (image == "-") return kSuccess;
+  fmt::print("{} ({} x {}): {} triangles, {:.0f} ms\n{}", printable(image, kLongestMessage),
+             drawn.image.width, drawn.image.height, drawn.stages.front().second.triangles,
+             times.total_ms, drawn.eyes_text);
   return kSuccess;
 }
 

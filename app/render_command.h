@@ -9,6 +9,7 @@
 #include "app/engine_options.h"
 #include "app/frames/frames_options.h"
 #include "app/picture_options.h"
+#include "app/picture_output.h"
 #include "app/stereo_picture.h"
 
 #include <glassbox/base/error.h>
@@ -38,6 +39,7 @@ private:
   Result<DrawnPicture> draw(const Scene& scene, Renderer& renderer) const;
   std::vector<TextEntry> recipe_text() const;
   Result<void> write_pictures(const std::string& image, const DrawnPicture& drawn) const;
+  std::string stats_text(const DrawnPicture& drawn, const RunTimes& times) const;
   // What there is to say when all is written; the exit code.
   int report(const std::string& image, const DrawnPicture& drawn, const RunTimes& times) const;
   // The paths of all outputs, as far as they can be judged before anything is computed.
@@ -45,6 +47,7 @@ private:
 
   std::string scene_ = "teapot";
   std::string output_;  // empty: named after the scene
+  std::optional<StreamFormat> format_;
   PictureOptions picture_;
   StereoPictureOptions stereo_;
   FramesOptions frames_;

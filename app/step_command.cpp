@@ -136,6 +136,22 @@ constexpr const char* kFooter =
     "does).\n"
     "Several points tell more than one. docs/step.md has the whole story.";
 
+// Whether a point that goes through its own matrices has no use for the option, or a scene's triangle has none.
+bool is_for(const CLI::Option& option, bool of_points) {
+  const bool own_matrices = option.get_group() == kGroup;
+  if (!of_points) return !own_matrices;
+  return own_matrices || option.get_name() == "--size" || option.get_group() == "Other outputs";
+}
+
+void tell_of_ignored(const CLI::App& command, bool of_points) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() == 0 || is_for(*option, of_points)) continue;
+    fmt::print(stderr, "glassbox: note: {} is ignored: {}\n", option->get_name(),
+               of_points ? "a point goes through your own matrices"
+                         : "a scene's triangle goes through the picture's matrices");
+  }
+}
+
 }  // namespace
 
 void StepCommand::add_to(CLI::App& app, int& exit_code) {
@@ -152,7 +168,12 @@ void StepCommand::add_to(CLI::App& app, int& exit_code) {
   command.add_option("--json", json_output_, "the same as JSON; - is standard output")
       ->type_name("FILE|-")
       ->group("Other outputs");
-  command.callback([this, &exit_code] { exit_code = run(); });
+  command.callback([this, &command, &exit_code] {
+    if (scene_.is_asked_for() == points_.points.empty()) {
+      tell_of_ignored(command, !scene_.is_asked_for());
+    }
+    exit_code = run();
+  });
 }
 
 int StepCommand::run() {

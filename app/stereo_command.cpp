@@ -13,13 +13,13 @@
 #include "app/exit_codes.h"
 #include "app/output.h"
 #include "app/progress.h"
+#include "app/scene_input.h"
 #include "app/shell_line.h"
 #include "app/stereo/json.h"
 #include "app/stereo/page.h"
 
 #include <glassbox/base/printable.h>
 #include <glassbox/images/atomic_file.h>
-#include <glassbox/mesh/load.h>
 
 namespace glassbox::app {
 
@@ -157,11 +157,11 @@ int StereoCommand::run() {
   if (const auto legal = check_options(); !legal) return refuse(legal.error());
   if (const auto legal = check_engine_options(engine_); !legal) return refuse(legal.error());
   Progress progress;
-  progress.phase("loading " + scene_);
-  const Result<Scene> scene = load_scene(scene_);
+  progress.phase("loading " + scene_title(scene_));
+  const Result<Scene> scene = load_asked_scene(scene_);
   if (!scene) return refuse(scene.error());
   for (const std::string& warning : scene->warnings) progress.say("warning: " + warning);
-  progress.phase("rendering " + scene_);
+  progress.phase("rendering " + scene_title(scene_));
   const Result<ChosenEyes> chosen = choose_eyes(*scene, picture_);
   if (!chosen) return refuse(chosen.error());
   Renderer renderer = make_renderer(*scene, picture_.settings, engine_);
@@ -176,9 +176,9 @@ int StereoCommand::run() {
   progress.done();
   if (json_output_ == "-") return kSuccess;
   constexpr std::size_t kLongPath = 1000;
-  fmt::print("{}, {} x {}\n{}", printable(scene_, kLongPath), picture_.size.width,
+  fmt::print("{}, {} x {}\n{}", printable(scene_title(scene_), kLongPath), picture_.size.width,
              picture_.size.height, stereo_text(*found, words));
-  if (html_output_) fmt::print("\n{}: open it in a browser\n", *html_output_);
+  if (html_output_) fmt::print("\n{}: open it in a browser\n", printable(*html_output_, kLongPath));
   return kSuccess;
 }
 

@@ -18,6 +18,17 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/labs DESTINATION ${CMAKE_INSTALL_DATADIR
   PATTERN "CMakeLists.txt" EXCLUDE PATTERN "checks.cpp" EXCLUDE PATTERN "grading" EXCLUDE)
 install(FILES ${PROJECT_SOURCE_DIR}/labs/grading/witness.cpp DESTINATION ${CMAKE_INSTALL_DATADIR}/glassbox/labs/grading)
 install(TARGETS glassbox_program DESTINATION ${CMAKE_INSTALL_BINDIR})
+# What shells and man read: the program writes it from its own option tables.
+function(install_what_it_writes file destination)
+  list(JOIN ARGN " " words)
+  install(CODE "execute_process(COMMAND \"$<TARGET_FILE:glassbox_program>\" ${words}
+    OUTPUT_FILE \"${PROJECT_BINARY_DIR}/${file}\" COMMAND_ERROR_IS_FATAL ANY)")
+  install(FILES ${PROJECT_BINARY_DIR}/${file} DESTINATION ${destination})
+endfunction()
+install_what_it_writes(glassbox.1 ${CMAKE_INSTALL_MANDIR}/man1 man)
+install_what_it_writes(glassbox ${CMAKE_INSTALL_DATADIR}/bash-completion/completions completion bash)
+install_what_it_writes(_glassbox ${CMAKE_INSTALL_DATADIR}/zsh/site-functions completion zsh)
+install_what_it_writes(glassbox.fish ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d completion fish)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/glassbox)
 install(EXPORT glassbox FILE glassbox-targets.cmake NAMESPACE glassbox:: DESTINATION ${package_dir})

@@ -18,10 +18,10 @@
 #include "app/frames/stop_request.h"
 #include "app/output.h"
 #include "app/progress.h"
+#include "app/scene_input.h"
 
 #include <glassbox/images/recipe.h>
 #include <glassbox/images/write.h>
-#include <glassbox/mesh/load.h>
 #include <glassbox/render/renderer.h>
 
 namespace glassbox::app {
@@ -46,7 +46,7 @@ public:
       if (const auto done = (this->*step)(); !done) return refuse(done.error());
     }
     const StopRequest stop;
-    for (std::size_t i = 0; i < shots_.size(); ++i) {
+    for (std::size_t i = first(); i < last(); ++i) {
       if (stop.asked()) return stopped();
       progress_.phase(of_all("rendering", i));
       if (const auto written = render(i); !written) return refuse(written.error());
@@ -58,41 +58,57 @@ public:
   }
 
 private:
-  int count() const { return *request_.frames.count; }
+  const FrameRange& range() const { return *request_.frames.range; }
+  int count() const { return range().count; }
+  // Eyes are chosen for all frames together, whichever are drawn: each depends on its neighbours.
+  FrameRange aimed() const { return stereo() ? FrameRange{1, count(), count()} : range(); }
+  // Of the shots that are drawn, and behind the last.
+  std::size_t first() const { return std::size_t(range().first - aimed().first); }
+  std::size_t last() const { return std::size_t(range().last - aimed().first) + 1; }
   bool stereo() const { return request_.stereo.form.wanted; }
   const Size& size() const { return request_.picture.size; }
 
   std::string of_all(const char* what, std::size_t i) const {
-    return fmt::format("{} frame {} of {}", what, i + 1, shots_.size());
+    return fmt::format("{} frame {} of {}", what, shots_[i].number, count());
   }
 
-  Result<void> check() {
+  Result<void> read_path() {
+    if (request_.frames.turntable) return {};
     const auto path = read_camera_path(*request_.frames.path);
     if (!path) return tl::unexpected(path.error());
     path_ = *path;
-    if (const auto legal = check_path_options(request_.picture, path_); !legal) return legal;
+    return check_path_options(request_.picture, path_);
+  }
+
+  Result<void> check() {
+    if (const auto read = read_path(); !read) return read;
     const auto names = FrameNames::of(request_.output, request_.usual_output, count());
     if (!names) return tl::unexpected(names.error());
     names_ = *names;
     report_.scene = request_.scene;
-    report_.path = *request_.frames.path;
+    report_.path = request_.frames.path.value_or("");
+    report_.range = range();
     report_.size = size();
-    if (stereo()) report_.plot = request_.frames.plot.value_or(names_.plot());
+    if (stereo() && !range().is_slice()) {
+      report_.plot = request_.frames.plot.value_or(names_.plot());
+    }
     return check_paths();
   }
 
   Result<void> check_paths() const {
     if (const auto legal = check_image_path(names_.name(1)); !legal) return legal;
     std::vector<std::string> paths;
-    for (int number = 1; number <= count(); ++number) paths.push_back(names_.name(number));
+    for (int number = range().first; number <= range().last; ++number) {
+      paths.push_back(names_.name(number));
+    }
     if (!report_.plot.empty()) paths.push_back(report_.plot);
     if (request_.json && *request_.json != "-") paths.push_back(*request_.json);
     return check_outputs(paths);
   }
 
   Result<void> load() {
-    progress_.phase("loading " + request_.scene);
-    Result<Scene> scene = load_scene(request_.scene, request_.limits);
+    progress_.phase("loading " + scene_title(request_.scene));
+    Result<Scene> scene = load_asked_scene(request_.scene, request_.limits);
     if (!scene) return tl::unexpected(scene.error());
     scene_ = std::move(*scene);
     renderer_.emplace(make_renderer(scene_, request_.picture.settings, request_.engine));
@@ -102,7 +118,14 @@ private:
 
   Result<void> aim() {
     progress_.phase("following the path");
-    auto shots = make_shots(scene_, request_.picture, path_, count(), stereo());
+    std::optional<Turntable> turntable;
+    if (request_.frames.turntable) {
+      const double aspect = double(size().width) / double(size().height);
+      const auto made = make_turntable(scene_, request_.picture.camera, aspect);
+      if (!made) return tl::unexpected(made.error());
+      turntable = *made;
+    }
+    auto shots = make_shots(scene_, request_.picture, path_, turntable, aimed(), stereo());
     if (!shots) return tl::unexpected(shots.error());
     shots_ = std::move(*shots);
     say_what_surprises();
@@ -110,12 +133,12 @@ private:
   }
 
   void say_what_surprises() {
-    const double last = path_.keyframes.back().at;
+    const double end = path_.keyframes.empty() ? 0 : path_.keyframes.back().at;
     if (path_.keyframes.size() == 1 && count() > 1) {
       progress_.say("note: the path has one keyframe: the camera stands still");
-    } else if (path_.clock == PathClock::kFrames && last > count()) {
+    } else if (path_.clock == PathClock::kFrames && end > count()) {
       progress_.say(
-          fmt::format("note: the path goes on to frame {}, beyond --frames {}", last, count()));
+          fmt::format("note: the path goes on to frame {}, beyond --frames {}", end, count()));
     }
     std::error_code ignored;
     const std::string next = names_.name(count() + 1);
@@ -162,8 +185,11 @@ private:
     std::vector<const CLI::Option*> options = request_.picture.options;
     options.insert(options.end(), request_.stereo.options.begin(), request_.stereo.options.end());
     const StereoPair* pair = stereo() ? &report_.eyes->pairs[i] : nullptr;
-    const auto recipe =
-        to_text(Recipe{request_.scene, words_for(shots_[i], pair, options), GLASSBOX_VERSION});
+    std::vector<TextEntry> recipe;  // nobody has what came through a pipe
+    if (request_.scene != "-") {
+      recipe =
+          to_text(Recipe{request_.scene, words_for(shots_[i], pair, options), GLASSBOX_VERSION});
+    }
     report_.frames.push_back(drawn->record);
     return write_image(drawn->record.image, drawn->image, recipe);
   }
@@ -208,7 +234,7 @@ private:
   int stopped() {
     progress_.done();
     fmt::print(stderr, "glassbox: stopped: {} of {} frames are written\n", report_.frames.size(),
-               shots_.size());
+               last() - first());
     return kFailure;
   }
 

@@ -1,4 +1,4 @@
-// render --frames --path: a picture for every frame of a camera path, for two eyes with a separation that adapts.
+// render --frames: a picture for every frame of a camera path or of a turn, for two eyes with a separation that adapts.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,5 @@
 #include "app/frames/frames_options.h"
 
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -15,15 +14,6 @@
 namespace glassbox::app {
 
 namespace {
-
-int parse_count(const std::string& text) {
-  int count = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
-  const bool whole = error == std::errc() && end == text.data() + text.size();
-  if (whole && count >= 1 && count <= kMaxFrames) return count;
-  throw CLI::ValidationError(
-      "--frames", fmt::format("needs a whole number from 1 to {}, not '{}'", kMaxFrames, text));
-}
 
 // One number for both sides of the window, or two.
 std::array<double, 2> parse_budget(const std::string& text) {
@@ -49,16 +39,21 @@ double parse_at_least_zero(const std::string& name, const std::string& text) {
 
 void add_frames_options(CLI::App& command, FramesOptions& frames) {
   const std::size_t before = command.get_options().size();
-  const std::string group = "Frames along a path";
+  const std::string group = "Frames";
   const auto add = [&](const std::string& name, const std::string& type, const std::string& help,
                        const std::function<void(const std::string&)>& take) {
     command.add_option_function<std::string>(name, take, help)->type_name(type)->group(group);
   };
-  add("--frames", "N",
-      "as many pictures, FILE-0001.png and so on; or -o with %04d for the number, or a directory",
-      [&frames](const std::string& text) { frames.count = parse_count(text); });
+  add("--frames", "N|FIRST-LAST/N",
+      "as many pictures, FILE-0001.png and so on; or -o with %04d for the number, or a directory; "
+      "or FIRST to LAST of them only",
+      [&frames](const std::string& text) { frames.range = parse_frames(text); });
   add("--path", "FILE.json", "the camera's path: keyframes (docs/stereo.md has the format)",
       [&frames](const std::string& text) { frames.path = text; });
+  command
+      .add_flag("--turntable", frames.turntable,
+                "once around --up through --look-at or the scene's centre, all of it in view")
+      ->group(group);
   add("--parallax-budget", "PERCENT[,PERCENT]",
       "the most parallax in front of the window and behind it, of the width [3]",
       [&frames](const std::string& text) { frames.budget_percent = parse_budget(text); });
@@ -81,30 +76,54 @@ void add_frames_options(CLI::App& command, FramesOptions& frames) {
   frames.options.assign(all.begin() + std::ptrdiff_t(before), all.end());
 }
 
+namespace {
+
+Result<void> check_plot(const FramesOptions& frames) {
+  if (!frames.plot) return {};
+  if (frames.range->is_slice()) {
+    return fail("--plot", "a part of the frames has no plot of them all",
+                "leave it out, or draw all frames");
+  }
+  return check_extension(*frames.plot, ".svg");
+}
+
+Result<void> check_pose(const CameraOptions& camera, const FramesOptions& frames) {
+  if (frames.path && frames.turntable) {
+    return fail("--turntable", "the path says where the camera stands", "leave one of them out");
+  }
+  if (frames.turntable) {
+    if (!camera.camera || *camera.camera == "none") return {};
+    return fail("--camera", "a turntable's camera goes round the scene",
+                "leave it out; --eye says where it begins");
+  }
+  const bool posed = camera.camera || camera.eye || camera.look_at || camera.up;
+  if (!posed) return {};
+  const char* name = camera.camera    ? "--camera"
+                     : camera.eye     ? "--eye"
+                     : camera.look_at ? "--look-at"
+                                      : "--up";
+  return fail(name, "the path says where the camera stands", "leave it out");
+}
+
+}  // namespace
+
 Result<void> check_frames_options(const PictureOptions& picture, const StereoPictureOptions& stereo,
                                   const FramesOptions& frames) {
   for (const CLI::Option* option : frames.options) {
     if (option->count() == 0) continue;
-    if (!frames.count) return fail(option->get_name(), "no number of frames", "give --frames N");
-    if (!frames.path) return fail(option->get_name(), "no camera path", "give --path FILE.json");
+    if (!frames.range) return fail(option->get_name(), "no number of frames", "give --frames N");
+    if (!frames.path && !frames.turntable) {
+      return fail(option->get_name(), "no camera path", "give --path FILE.json, or --turntable");
+    }
     const std::string& name = option->get_name();
-    if (stereo.form.wanted || name == "--frames" || name == "--path") continue;
+    const bool of_any = name == "--frames" || name == "--path" || name == "--turntable";
+    if (stereo.form.wanted || of_any) continue;
     return fail(name, "it is about pictures for two eyes",
                 "give --stereo as well, or leave it out");
   }
   if (!frames.wanted()) return {};
-  if (frames.plot) {
-    if (const auto legal = check_extension(*frames.plot, ".svg"); !legal) return legal;
-  }
-  const CameraOptions& camera = picture.camera;
-  const bool posed = camera.camera || camera.eye || camera.look_at || camera.up;
-  if (posed) {
-    const char* name = camera.camera    ? "--camera"
-                       : camera.eye     ? "--eye"
-                       : camera.look_at ? "--look-at"
-                                        : "--up";
-    return fail(name, "the path says where the camera stands", "leave it out");
-  }
+  if (const auto legal = check_plot(frames); !legal) return legal;
+  if (const auto legal = check_pose(picture.camera, frames); !legal) return legal;
   if (picture.eyes.seen_by) {
     return fail("--seen-by", "frames are for both eyes or for none",
                 "--stereo pair has both pictures at full size");

@@ -1,4 +1,4 @@
-// render --frames --path: what is asked of a sequence of pictures.
+// render --frames, along a --path or round a --turntable: what is asked of a sequence of pictures.
 #pragma once
 
 #include <array>
@@ -9,6 +9,7 @@
 #include "app/cli_fwd.h"
 #include "app/eyes_options.h"
 #include "app/frames/camera_path.h"
+#include "app/frames/frame_range.h"
 #include "app/picture_options.h"
 #include "app/stereo_picture.h"
 
@@ -17,8 +18,9 @@
 namespace glassbox::app {
 
 struct FramesOptions {
-  std::optional<int> count;
-  std::optional<std::string> path;
+  std::optional<FrameRange> range;
+  std::optional<std::string> path;  // a path's file; or else
+  bool turntable = false;
   // The largest parallax in front of the window and behind it, per cent of the width.
   std::array<double, 2> budget_percent{kComfortablePercent, kComfortablePercent};
   double release_frames = 15;
@@ -26,7 +28,7 @@ struct FramesOptions {
   std::optional<std::string> plot;          // absent: named after the pictures
   std::vector<const CLI::Option*> options;  // those that add_frames_options has added
 
-  bool wanted() const { return count || path; }
+  bool wanted() const { return range || path || turntable; }
 };
 
 void add_frames_options(CLI::App& command, FramesOptions& frames);

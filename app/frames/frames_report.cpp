@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <glassbox/base/printable.h>
 #include <glassbox/pipeline/stereo/parallax.h>
 
 namespace glassbox::app {
@@ -13,6 +14,8 @@ namespace glassbox::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kLongPath = 1000;
 
 template <class ValueOf>
 std::pair<double, double> range_of(const FramesReport& report, const ValueOf& value_of) {
@@ -94,20 +97,27 @@ void measure(FrameRecord& record, const View& centre, const StereoPair& pair,
 
 std::string frames_text(const FramesReport& report) {
   const std::size_t count = report.frames.size();
-  std::string text = report.frames.front().image;
-  if (count > 1) text += " to " + report.frames.back().image;
+  std::string text = printable(report.frames.front().image, kLongPath);
+  if (count > 1) text += " to " + printable(report.frames.back().image, kLongPath);
   text += fmt::format(" ({} x {}): {} frame{}, {:.0f} ms\n", report.size.width, report.size.height,
                       count, count == 1 ? "" : "s", report.total_ms);
+  if (report.range.is_slice()) {
+    text.insert(text.rfind(','), fmt::format(" of {}", report.range.count));
+  }
   if (report.eyes) text += eyes_text(report);
-  if (!report.plot.empty()) text += "  plot: " + report.plot + "\n";
+  if (!report.plot.empty()) text += "  plot: " + printable(report.plot, kLongPath) + "\n";
   return text;
 }
 
 nlohmann::ordered_json frames_json(const FramesReport& report) {
   Json json{{"scene", report.scene},
-            {"path", report.path},
+            {"path", report.path.empty() ? Json("turntable") : Json(report.path)},
             {"width", report.size.width},
             {"height", report.size.height}};
+  if (report.range.is_slice()) {
+    json["slice"] = {
+        {"first", report.range.first}, {"last", report.range.last}, {"of", report.range.count}};
+  }
   if (report.eyes) json["stereo"] = eyes_json(report);
   if (!report.plot.empty()) json["plot"] = report.plot;
   Json frames = Json::array();

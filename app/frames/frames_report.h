@@ -9,6 +9,7 @@
 
 #include "app/arguments.h"
 #include "app/frames/eye_plan.h"
+#include "app/frames/frame_range.h"
 #include "app/frames/shots.h"
 
 #include <glassbox/pipeline/stereo/comfort.h>
@@ -27,7 +28,8 @@ struct FrameRecord {
 };
 
 struct FramesReport {
-  std::string scene, path;
+  std::string scene, path;  // no path: a turntable
+  FrameRange range;
   Size size;
   std::vector<FrameRecord> frames;
   std::optional<EyePlan> eyes;

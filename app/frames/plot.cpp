@@ -237,7 +237,9 @@ std::string in_words(const FramesReport& report) {
 
 std::string plot_svg(const FramesReport& report) {
   const std::vector<Panel> panels = panels_of(report);
-  const std::string title = fmt::format("{} along {}", report.scene, report.path);
+  const std::string title = report.path.empty()
+                                ? report.scene + " on a turntable"
+                                : fmt::format("{} along {}", report.scene, report.path);
   Drawing drawing(report);
   drawing.text(kLeft - 60, 28, "head", "start", title);
   drawing.text(kLeft - 60, 48, "quiet", "start",

@@ -1,5 +1,7 @@
 #include "app/frames/shots.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -12,6 +14,7 @@ namespace {
 // The options with the shot's camera in place of what they say of one.
 PictureOptions options_for(const PictureOptions& picture, const CameraAt& at) {
   PictureOptions own = picture;
+  own.camera.camera.reset();
   own.camera.eye = at.eye;
   own.camera.look_at = at.look_at;
   own.camera.up = at.up;
@@ -47,11 +50,13 @@ std::string comma_separated(const std::array<double, 3>& triple) {
 }  // namespace
 
 Result<std::vector<Shot>> make_shots(const Scene& scene, const PictureOptions& picture,
-                                     const CameraPath& path, int count, bool stereo) {
+                                     const CameraPath& path,
+                                     const std::optional<Turntable>& turntable,
+                                     const FrameRange& range, bool stereo) {
   std::vector<Shot> shots;
-  for (int number = 1; number <= count; ++number) {
-    Shot shot{number, time_of_frame(path, number, count), {}, {}, {}, 0};
-    shot.at = camera_at(path, shot.time);
+  for (int number = range.first; number <= range.last; ++number) {
+    Shot shot{number, turntable ? number : time_of_frame(path, number, range.count), {}, {}, {}, 0};
+    shot.at = turntable ? turntable->camera(number, range.count) : camera_at(path, shot.time);
     const PictureOptions own = options_for(picture, shot.at);
     const Result<void> aimed =
         stereo ? aim_eyes(scene, picture, own, path, shot) : aim(scene, own, shot);
@@ -68,10 +73,11 @@ Result<std::vector<Shot>> make_shots(const Scene& scene, const PictureOptions& p
 
 std::vector<std::string> words_for(const Shot& shot, const StereoPair* pair,
                                    const std::vector<const CLI::Option*>& options) {
+  const std::vector<std::string> replaced{"--eye-separation", "--window", "--camera", "--eye",
+                                          "--look-at",        "--up"};
   std::vector<const CLI::Option*> kept;
   for (const CLI::Option* option : options) {
-    const std::string& name = option->get_name();
-    if (name != "--eye-separation" && name != "--window") kept.push_back(option);
+    if (std::ranges::find(replaced, option->get_name()) == replaced.end()) kept.push_back(option);
   }
   std::vector<std::string> words = words_of(kept);
   const auto add = [&words](const char* name, const std::string& value) {

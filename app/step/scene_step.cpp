@@ -12,10 +12,10 @@
 #include "app/output.h"
 #include "app/progress.h"
 #include "app/step/restage.h"
+#include "app/scene_input.h"
 #include "app/step/stepper.h"
 
 #include <glassbox/base/printable.h>
-#include <glassbox/mesh/load.h>
 #include <glassbox/render/trace/json.h>
 
 namespace glassbox::app {
@@ -92,18 +92,22 @@ Result<StepTarget> SceneStep::find_target(const Scene& scene) const {
 }
 
 std::string SceneStep::heading(const SteppedTriangle& stepped) const {
-  return fmt::format("triangle {} of {}, {} x {}\n", stepped.place.number, printable(scene_),
-                     picture_.size.width, picture_.size.height);
+  return fmt::format("triangle {} of {}, {} x {}\n", stepped.place.number,
+                     printable(scene_title(scene_)), picture_.size.width, picture_.size.height);
 }
 
 int SceneStep::run(bool bits, const std::optional<std::string>& json_output) {
+  if (interactive_ && scene_ == "-") {
+    return refuse({"", "--interactive", "standard input is the scene",
+                   "leave it out, or name the scene's file"});
+  }
   tell_of_centres(picture_);
   Progress progress;
-  progress.phase("loading " + scene_);
-  const Result<Scene> scene = load_scene(scene_, limits_);
+  progress.phase("loading " + scene_title(scene_));
+  const Result<Scene> scene = load_asked_scene(scene_, limits_);
   if (!scene) return refuse(scene.error());
   for (const std::string& warning : scene->warnings) progress.say("warning: " + warning);
-  progress.phase("rendering " + scene_);
+  progress.phase("rendering " + scene_title(scene_));
   const Result<StepTarget> target = find_target(*scene);
   if (!target) return refuse(target.error());
   const Result<SteppedTriangle> stepped = step_through(*scene, picture_, target->triangle);

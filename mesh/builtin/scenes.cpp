@@ -1,10 +1,8 @@
 #include <glassbox/mesh/builtin/scenes.h>
 
-#include <algorithm>
 #include <charconv>
-#include <numeric>
-#include <vector>
 
+#include <glassbox/base/near_word.h>
 #include <glassbox/mesh/builtin/checker.h>
 #include <glassbox/mesh/builtin/cube.h>
 #include <glassbox/mesh/builtin/depth_ladder.h>
@@ -38,26 +36,6 @@ constexpr BuiltinScene kScenes[] = {
 
 std::string_view base_name(std::string_view name_and_level) {
   return name_and_level.substr(0, name_and_level.find(':'));
-}
-
-char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-}
-
-// Levenshtein's distance, one row of the table at a time.
-std::size_t edits_between(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t(0));
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (lower(a[i - 1]) != lower(b[j - 1]));
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
-    }
-  }
-  return row.back();
 }
 
 Result<int> read_level(const BuiltinScene& scene, std::string_view name_and_level) {

@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 
 struct MtlText {
   std::string_view text;
+  bool is_all = true;  // whether no library that the OBJ text names is missed
 };
 
 // The steps of both ways in. `mtl` is the only library where it is given.
@@ -28,6 +29,11 @@ Result<Scene> load_text(std::string_view text, const MtlText* mtl, obj::Director
   obj::MaterialMaker materials(scene, directory, limits, warnings);
   if (mtl != nullptr) {
     materials.add_library(mtl->text, "the MTL text");
+    if (!mtl->is_all && !tables->libraries.empty()) {
+      warnings.add(
+          "material libraries are not read, for there is no directory: faces are drawn without "
+          "their materials");
+    }
   } else {
     for (const std::string& names : tables->libraries) materials.read_libraries(names);
   }
@@ -75,8 +81,13 @@ Result<Scene> load_obj_memory(std::string_view obj_text, std::string_view mtl,
                 "has more than the limit of " + std::to_string(limits.max_file_bytes) + " bytes",
                 "raise the limit if the file can be trusted");
   }
-  const MtlText library{mtl};
+  const MtlText library{mtl, true};
   return load_text(obj_text, &library, obj::Directory(), limits);
+}
+
+Result<Scene> load_obj_alone(std::string_view obj_text, const LoadLimits& limits) {
+  const MtlText nothing{{}, false};
+  return load_text(obj_text, &nothing, obj::Directory(), limits);
 }
 
 }  // namespace glassbox

@@ -44,4 +44,7 @@ Result<Scene> load_obj(const std::string& path, const LoadLimits& limits = {});
 Result<Scene> load_obj_memory(std::string_view obj_text, std::string_view mtl,
                               const LoadLimits& limits = {});
 
+// The same from text that is all there is: no material library is read, which is a warning where the text names one.
+Result<Scene> load_obj_alone(std::string_view obj_text, const LoadLimits& limits = {});
+
 }  // namespace glassbox

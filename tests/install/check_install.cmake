@@ -11,6 +11,14 @@ set(prefix "${work}/a prefix")
 file(REMOVE_RECURSE ${prefix} ${work}/consumer-build)
 run(${CMAKE_COMMAND} --install ${build} --prefix ${prefix})
 run(${prefix}/bin/glassbox --version)
+foreach(file man/man1/glassbox.1 bash-completion/completions/glassbox zsh/site-functions/_glassbox
+    fish/vendor_completions.d/glassbox.fish)
+  file(SIZE ${prefix}/share/${file} size)  # an error where it is not there
+  if(size LESS 1000)
+    message(FATAL_ERROR "${file} has ${size} bytes")
+  endif()
+endforeach()
+run(bash -n ${prefix}/share/bash-completion/completions/glassbox)
 run(${CMAKE_COMMAND} -S ${consumer} -B ${work}/consumer-build -G ${generator}
   -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_CXX_FLAGS=${flags})
 run(${CMAKE_COMMAND} --build ${work}/consumer-build)

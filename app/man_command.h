@@ -1,0 +1,15 @@
+// glassbox man: the manual, for man(1).
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace glassbox::app {
+
+class ManCommand {
+public:
+  void add_to(CLI::App& app, int& exit_code);
+};
+
+}  // namespace glassbox::app

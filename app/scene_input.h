@@ -1,0 +1,21 @@
+// The SCENE of a command line: a file, a built-in scene, or "-" for standard input.
+#pragma once
+
+#include <string>
+
+#include <glassbox/base/error.h>
+#include <glassbox/mesh/limits.h>
+#include <glassbox/mesh/scene.h>
+
+namespace glassbox::app {
+
+// Standard input has the limits of a file. It is read once, to its end; where it is a terminal, that is an error.
+Result<Scene> load_asked_scene(const std::string& word, const LoadLimits& limits = {});
+
+// What a line says of the scene: "standard input" for "-", else the word itself.
+std::string scene_title(const std::string& word);
+
+// What outputs are named after: "duck" of "models/duck.glb", "teapot" of "teapot:32", "stdin" of "-".
+std::string scene_stem(const std::string& word);
+
+}  // namespace glassbox::app
