@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/arguments.h"
+#include "app/choices.h"
 
 #include <glassbox/base/trig.h>
 #include <glassbox/mesh/bounds.h>

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/builtin_help.h"
+#include "app/choices.h"
 #include "app/exit_codes.h"
 #include "app/frames/frames.h"
 #include "app/frames/stop_request.h"
@@ -125,8 +126,9 @@ void RenderCommand::add_to(CLI::App& app, int& exit_code) {
       "stage after the other, and so at the staged engine.\n\n" +
       builtin_help());
   command
-      .add_option("SCENE", scene_,
-                  "a glTF, GLB, OBJ or PLY file, the name of a built-in scene, or - for standard input")
+      .add_option(
+          "SCENE", scene_,
+          "a glTF, GLB, OBJ or PLY file, the name of a built-in scene, or - for standard input")
       ->required();
   command
       .add_option("-o,--output", output_,

@@ -13,12 +13,12 @@
 #include "app/exit_codes.h"
 #include "app/output.h"
 #include "app/progress.h"
+#include "app/scene_input.h"
 #include "app/trace/json_text.h"
 #include "app/trace/npz.h"
 
 #include <glassbox/base/printable.h>
 #include <glassbox/images/atomic_file.h>
-#include <glassbox/mesh/load.h>
 #include <glassbox/render/trace/json.h>
 #include <glassbox/render/trace/numbering.h>
 
@@ -94,7 +94,10 @@ void TraceCommand::add_to(CLI::App& app, int& exit_code) {
   CLI::App& command = *app.add_subcommand(
       "trace", "a whole run as data: every stage's numbers as JSON or NumPy arrays");
   command.footer(kFooter + builtin_help());
-  command.add_option("SCENE", scene_, "a glTF, GLB or OBJ file, or the name of a built-in scene")
+  command
+      .add_option(
+          "SCENE", scene_,
+          "a glTF, GLB, OBJ or PLY file, the name of a built-in scene, or - for standard input")
       ->required();
   command.add_option("-o,--output", output_, ".json or .npz; - is JSON on standard output")
       ->type_name("FILE|-")
@@ -240,14 +243,14 @@ int TraceCommand::run() {
   tell_of_centres(picture_);
   filter_.max_bytes = std::numeric_limits<std::uint64_t>::max();  // --max-mb stands in its place
   Progress progress;
-  progress.phase("loading " + scene_);
-  const Result<Scene> scene = load_scene(scene_);
+  progress.phase("loading " + scene_title(scene_));
+  const Result<Scene> scene = load_asked_scene(scene_);
   if (!scene) return refuse(scene.error());
   for (const std::string& warning : scene->warnings) progress.say("warning: " + warning);
   if (const auto legal = check_filter(*scene); !legal) return refuse(legal.error());
   const Result<ChosenView> chosen = choose_view(*scene, picture_);
   if (!chosen) return refuse(chosen.error());
-  progress.phase("tracing " + scene_);
+  progress.phase("tracing " + scene_title(scene_));
   const Result<std::string> written = is_json() ? write_json(*scene, chosen->view, progress)
                                                 : write_npz(*scene, chosen->view, progress);
   if (!written) return refuse(written.error());

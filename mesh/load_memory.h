@@ -11,10 +11,10 @@
 
 namespace glassbox {
 
-enum class SceneFormat { kGlb, kGltf, kObj };
+enum class SceneFormat { kGlb, kGltf, kObj, kPly };
 
-// By how the bytes begin: GLB has its magic number, glTF is a JSON object, and any other text counts as OBJ. None for
-// what is no text.
+// By how the bytes begin: GLB and PLY have a magic word, glTF is a JSON object, and any other text counts as OBJ. None
+// for what is no text.
 std::optional<SceneFormat> format_of(std::span<const std::byte> bytes);
 
 // There is no directory beside the bytes, so nothing else is read: glTF that names external files is an error, material

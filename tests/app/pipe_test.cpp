@@ -99,7 +99,7 @@ TEST_CASE("every command that takes a scene takes it from standard input") {
        {"info -", "info - --json -", "explain - --size 16x16", "stereo - --size 32x32",
         "pixel - --size 16x16 --at 8,8", "why - --size 16x16 --triangle 0",
         "step - --size 16x16 --triangle 0", "inspect - --size 16x16 -o p.html",
-        "render - --size 16x16 --frames 2 --turntable -o f.png"}) {
+        "trace - --size 16x16 -o r.npz", "render - --size 16x16 --frames 2 --turntable -o f.png"}) {
     const Outcome outcome = in_shell(here, std::string("\"$0\" ") + words + " < c.glb");
     INFO(words << ": " << outcome.err);
     CHECK(outcome.exit_code == 0);
@@ -126,7 +126,7 @@ TEST_CASE("standard input that is no scene is refused") {
   const Workplace here;
   const std::vector<std::pair<std::string, std::string>> cases{
       {"\"$0\" render - < /dev/null", "there are no bytes"},
-      {"printf '\\001\\000\\002' | \"$0\" info -", "neither GLB nor glTF nor OBJ"},
+      {"printf '\\001\\000\\002' | \"$0\" info -", "neither GLB nor glTF nor OBJ nor PLY"},
       {"printf '   \\n' | \"$0\" info -", "neither"},
       {"printf 'v 0 0 0\\nf 1 2 3\\n' | \"$0\" info -", "standard input: line 2"},
       {"printf '{\"asset\": ' | \"$0\" info -", "standard input"},
