@@ -63,10 +63,10 @@ TEST_CASE("the layouts hold each eye's own picture (S0-02)") {
 
 TEST_CASE("aligning and cropping makes the skewed pair where whole pixels are cut (S0-08)") {
   const Workplace here;
-  // Infinity is shifted by s W/(h f) = 0.25 * 64/4 = 4 px: with 90 degrees across the window is as high as it is far.
+  // Infinity is shifted by s a W/f px, a = 1 for a right angle: 0.25 * 64/4 = 4 px. Unlit, because highlights are
+  // where each eye has them, and not where the camera between them does.
   const std::string start =
-      "--fov 90 --size 64x64 --eye 0,1,0 --look-at 1,1,-1 --window 4 --stereo pair "
-      "--eye-separation ";
+      "--fov 90 --size 64x64 --window 4 --shade unlit --stereo pair --eye-separation ";
   const auto differing = [&](const std::string& separation) {
     const Image<Rgba8> skewed = rendered(here, start + separation);
     const Image<Rgba8> cropped = rendered(here, start + separation + " --eyes-by crop");
