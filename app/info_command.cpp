@@ -18,6 +18,7 @@
 #include <glassbox/mesh/bounds.h>
 #include <glassbox/mesh/check.h>
 #include <glassbox/mesh/gltf/write.h>
+#include <glassbox/mesh/load.h>
 
 namespace glassbox::app {
 
