@@ -142,6 +142,15 @@ check_format() {
   count "format" "$status"
 }
 
+# Those command lines of docs/ that take minutes.
+run_long_pages() {
+  say "docs: running the lines that take long ..."
+  status=0
+  "$(directory_of test)/tests/docs/test_docs" "[.long]" >"$root/build/long-pages.log" 2>&1 </dev/null || status=$?
+  if [ "$status" != 0 ]; then tail -n 60 "$root/build/long-pages.log" >&2; fi
+  count "docs: the lines that take long" "$status"
+}
+
 # Checks that find bugs, none of style: .clang-tidy.
 run_tidy() {
   have clang-tidy || { skip "clang-tidy (there is no such program)"; return 0; }
@@ -188,6 +197,7 @@ else
   run_threads
   run_fuzzers
   run_browser
+  run_long_pages
   run_tidy
 fi
 

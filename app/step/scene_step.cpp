@@ -11,8 +11,8 @@
 #include "app/exit_codes.h"
 #include "app/output.h"
 #include "app/progress.h"
-#include "app/step/restage.h"
 #include "app/scene_input.h"
+#include "app/step/restage.h"
 #include "app/step/stepper.h"
 
 #include <glassbox/base/printable.h>

@@ -11,8 +11,8 @@
 #include "app/step/fragment_text.h"
 #include "app/step/matrices_text.h"
 #include "app/step/numbers_text.h"
-#include "app/step/singular_text.h"
 #include "app/step/round_trip_text.h"
+#include "app/step/singular_text.h"
 #include "app/text_layout.h"
 
 #include <glassbox/base/printable.h>

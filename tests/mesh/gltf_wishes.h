@@ -48,7 +48,8 @@ public:
     } else {
       std::set<std::size_t> children;
       for (const json& node : list("nodes")) {
-        for (const json& child : node.value("children", json::array())) children.insert(child);
+        for (const json& child : node.value("children", json::array()))
+          children.insert(child.get<std::size_t>());
       }
       for (std::size_t i = 0; i < list("nodes").size(); ++i) {
         if (!children.contains(i)) visit(i);
@@ -82,10 +83,10 @@ private:
   void visit(std::size_t index) {
     const json node = list("nodes")[index];
     if (node.contains("mesh")) {
-      meshes_.insert(node["mesh"]);
+      meshes_.insert(node["mesh"].get<std::size_t>());
       if (node.contains("skin")) {
-        skins_.insert(node["skin"]);
-        skinned_.insert(node["mesh"]);
+        skins_.insert(node["skin"].get<std::size_t>());
+        skinned_.insert(node["mesh"].get<std::size_t>());
       }
     }
     cameras_ += node.contains("camera");
@@ -96,7 +97,7 @@ private:
     for (const json& primitive : list("meshes")[mesh]["primitives"]) {
       json material = json::object();
       if (primitive.contains("material")) {
-        materials_.insert(primitive["material"]);
+        materials_.insert(primitive["material"].get<std::size_t>());
         material = list("materials")[primitive["material"].get<std::size_t>()];
       }
       for (const auto& [name, accessor] : primitive["attributes"].items()) {

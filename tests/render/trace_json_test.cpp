@@ -3,6 +3,8 @@
 #include <set>
 #include <sstream>
 
+#include <nlohmann/json.hpp>
+
 #include <glassbox/mesh/builtin/scenes.h>
 #include <glassbox/pipeline/framing.h>
 #include <glassbox/render/trace/json.h>

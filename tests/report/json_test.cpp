@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "tests/report/comparisons.h"
 
 #include <glassbox/images/report/json.h>

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "study/experiment/result_file.h"
 #include "study/experiment/results_json.h"
 #include "study/experiment/study.h"
