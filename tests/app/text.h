@@ -14,6 +14,16 @@ inline bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
+// The text as one line, each run of blanks and ends of lines a blank: for sentences that are wrapped.
+inline std::string unwrapped(const std::string& text) {
+  std::string line;
+  for (const char c : text) {
+    if (c != ' ' && c != '\n') line += c;
+    else if (!line.ends_with(' ')) line += ' ';
+  }
+  return line;
+}
+
 // Exit code 2 and one line on standard error alone, with these parts.
 inline void check_one_line(const Outcome& outcome, const std::vector<std::string>& parts) {
   INFO(outcome.err);

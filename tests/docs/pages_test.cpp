@@ -28,6 +28,11 @@ const std::vector<Lines> kRunElsewhere{
     {"docs/step.md", "", "tests/app/step_test.cpp replays the page"},
     {"docs/why.md", "", "tests/app/why_test.cpp replays the page"},
     {"docs/benchmark.md", "", "minutes of measuring; tests/study/bench has every option, smaller"},
+    {"docs/command_line.md", "glassbox render teapot --size 320x180 --frames",
+     "tests/app/turntable_test.cpp"},
+    {"docs/command_line.md", "glassbox render forest --size 160x90",
+     "tests/app runs the page's path"},
+    {"docs/trace.md", "glassbox trace", "tests/app/trace_test.cpp, with what NumPy makes of it"},
     {"docs/grading.md", "", "compiles submissions; tests/labs/grading"},
     {"docs/labs.md", "glassbox lab check", "compiles a lab; tests/labs/framework"},
     {"docs/labs.md", "glassbox lab watch", "does not end; tests/labs/framework"},
@@ -51,6 +56,9 @@ struct Ends {
   int exit_code;
 };
 const std::vector<Ends> kEnds{
+    {{"docs/command_line.md", "glassbox render teapot --sise", "a slip"}, 2},
+    {{"docs/command_line.md", "glassbox rendr", "a slip"}, 2},
+    {{"docs/command_line.md", "glassbox render teapot --size 8x8 -o .", "a folder"}, 2},
     {{"docs/diff.md", "glassbox diff images/golden/shade-gouraud", "the pictures differ"}, 1},
     {{"docs/conventions.md", "glassbox render teapot --", "refused, as the page says"}, 2},
 };

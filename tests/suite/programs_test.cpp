@@ -253,6 +253,7 @@ TEST_CASE("the sources that start programs by themselves are those that are know
       "labs/grading/class.cpp",             // itself, for each submission
       "labs/grading/process.cpp",           // bwrap, the compiler, the runner
       "study/bench/peer_process.cpp",       // itself, as a peer
+      "tests/app/step_prompt_test.cpp",     // the program, on a pseudo-terminal
       "tests/labs/grading/class_test.cpp",  // parallel
       "tests/report/junit_test.cpp",        // xmllint
       "tests/support/run_program.h",        // what its callers name
