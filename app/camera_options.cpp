@@ -233,8 +233,7 @@ void add_camera_options(CLI::App& app, CameraOptions& options) {
               {"frustum", ProjectionForm::kFrustum},
               {"t_pers", ProjectionForm::kTPers},
               {"alpha_beta", ProjectionForm::kAlphaBeta}},
-             "how clip_from_eye is made: as gluPerspective, as glFrustum, or as the course's "
-             "slides; the same but for rounding [perspective]")
+             "formulation of clip_from_eye; the same but for rounding [perspective]")
       ->group(group);
 }
 
