@@ -77,3 +77,10 @@ function(add_part name)
   # Not the objects: they need no other part to be built.
   target_link_libraries(${part} ${scope} ${PART_LINKS})
 endfunction()
+
+# compile_together(TARGET NAME FILE ...): these sources are one translation unit, because the headers that they share take
+# longer to compile than they do (docs/building.md has the figures). What is unnamed in one must not be in another.
+function(compile_together target name)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  set_source_files_properties(${ARGN} PROPERTIES UNITY_GROUP ${name})
+endfunction()
