@@ -2,7 +2,8 @@
 
 const overlays = {
   none: {name: "Picture", paint: null, note: () => ""},
-  overdraw: {name: "Overdraw", paint: paintOverdraw, note: (run, {most}) => `Fragments of a pixel, hidden ones too: 1 dark, ${most} white.`},
+  overdraw: {name: "Overdraw", paint: paintOverdraw, note: (run, {most}) =>
+    most > 1 ? `Fragments of a pixel, hidden ones too: 1 dark, ${most} white.` : "No pixel has more than one fragment so far, hidden ones too."},
   hidden: {name: "Depth-failed", paint: paintHidden, note: (run, {total, pixels}) =>
     total ? `${count(total, "fragment")} lost the depth test, in ${count(pixels, "pixel")}.` : "No fragment lost the depth test so far."},
   culled: {name: "Culled", paint: paintCulled, note: (run, {triangles, pixels}) =>

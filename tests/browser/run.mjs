@@ -9,6 +9,7 @@ import {closeBrowser} from "./browser.mjs";
 import {tests} from "./cases.mjs";
 import "./drawing_tests.mjs";
 import "./inspect_tests.mjs";
+import "./inspect_ways_tests.mjs";
 import "./stereo_tests.mjs";
 import "./study_tests.mjs";
 import "./using_tests.mjs";
