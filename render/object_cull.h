@@ -22,7 +22,8 @@ struct ObjectCull {
   bool removes_fronts = false;  // otherwise backs
   double value_per_px2 = 0;     // margin of the test's value for each px^2 of area, where w is 1
 
-  // A row of clip_from_object that the screen depends on, in double, and how far the run's own coordinate may be from what the row
+  // A row of clip_from_object that the screen depends on, in double, and how far the run's own
+  // coordinate may be from what the row
   // gives for p: error . (|p - anchor|, 1).
   struct Row {
     std::array<double, 4> exact{}, error{};

@@ -1,4 +1,5 @@
-// The two clippers of D-32: Sutherland and Hodgman's algorithm, once with the planes of the viewing pyramid in eye space and once
+// The two clippers of D-32: Sutherland and Hodgman's algorithm, once with the planes of the
+// viewing pyramid in eye space and once
 // with those of the box in clip space (S3-11). All else is the same.
 #pragma once
 

@@ -47,7 +47,8 @@ TEST_CASE("every formulation draws the same picture but for a pixel in ten thous
     for (const std::string& form : kForms) {
       const int count = differing(usual, rendered(here, words + form));
       INFO(scene << " " << form << ": " << count << " pixels");
-      // A float entry that is a neighbour moves vertices by 2^-24 of the picture's width, which turns a snap where it falls within
+      // A float entry that is a neighbour moves vertices by 2^-24 of the picture's width,
+      // which turns a snap where it falls within
       // that of a border: of 10^4 vertices and coordinates, 10^4 2 * 320 * 256 2^-24, about 100, each by 2^-8 of a pixel.
       CHECK(count <= 320 * 180 / 10000);
     }
