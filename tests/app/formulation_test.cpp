@@ -175,7 +175,8 @@ TEST_CASE("step says of a triangle whether it is culled before clipping, and by 
   }
   CHECK(removed == 6);
   CHECK(kept == 6);
-  const std::string both_sides = "step cube --size 160x90 --cull none --cull-stage object --triangle 0";
+  const std::string both_sides =
+      "step cube --size 160x90 --cull none --cull-stage object --triangle 0";
   CHECK(contains(here.run(both_sides).out, "not culled in object space"));
 }
 

@@ -18,8 +18,8 @@ inline bool has(const std::string& text, const std::string& part) {
 inline std::string unwrapped(const std::string& text) {
   std::string line;
   for (const char c : text) {
-    if (c != ' ' && c != '\n') line += c;
-    else if (!line.ends_with(' ')) line += ' ';
+    const bool blank = c == ' ' || c == '\n';
+    if (!blank || !line.ends_with(' ')) line += blank ? ' ' : c;
   }
   return line;
 }
