@@ -214,7 +214,8 @@ TEST_CASE("Debian's packages have the programs that the table says") {
       CHECK((program.from != "base" && program.from != "needed"));
       continue;
     }
-    if (program.from == "base") {
+    // apt is what the launcher installs with; its priority differs between releases.
+    if (program.from == "base" && program.package != "apt") {
       CHECK((package.out.find(" yes ") != std::string::npos ||
              package.out.find("required") != std::string::npos));
     }
