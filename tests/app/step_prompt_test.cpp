@@ -66,14 +66,24 @@ public:
     }
   }
 
+  // Of a program that has been told to end. The end of the input (Control-D) means nothing between two prompts, when the
+  // terminal is not the line editor's: it is typed again where nothing happens.
   int exit_code() {
+    constexpr int kSilence = 2000, kTries = 20;  // ms
     char block[4096];
-    while (::read(terminal_, block, sizeof block) > 0) {
+    for (int tries = 0; tries < kTries;) {
+      pollfd waiting{terminal_, POLLIN, 0};
+      if (::poll(&waiting, 1, kSilence) != 1) {
+        ++tries;
+        type("\x04");
+      } else if (::read(terminal_, block, sizeof block) <= 0) {
+        int status = 0;
+        ::waitpid(child_, &status, 0);
+        child_ = 0;
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+      }
     }
-    int status = 0;
-    ::waitpid(child_, &status, 0);
-    child_ = 0;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    return -1;
   }
 
 private:
