@@ -66,6 +66,8 @@ public:
     el_set(edit_, EL_ADDFN, "complete", "completes a word", &Terminal::complete_word);
     el_set(edit_, EL_BIND, "^I", "complete", nullptr);
     el_set(edit_, EL_BIND, "^R", "em-inc-search-prev", nullptr);
+    // The end of the input typed between two prompts, while the terminal still edits lines itself, arrives as NUL.
+    el_set(edit_, EL_BIND, "^@", "em-delete-or-list", nullptr);
   }
   ~Terminal() override {
     el_end(edit_);

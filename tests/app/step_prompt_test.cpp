@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/app/run.h"
-#include "tests/support/catch.h"
+#include "tests/app/text.h"
 
 namespace glassbox::test {
 namespace {
@@ -66,23 +65,29 @@ public:
     }
   }
 
-  // Of a program that has been told to end. The end of the input (Control-D) means nothing between two prompts, when the
-  // terminal is not the line editor's: it is typed again where nothing happens.
+  // Of a program that has been told to end: the process says so, not the terminal. What it still writes is read, lest it
+  // waits for a reader.
   int exit_code() {
-    constexpr int kSilence = 2000, kTries = 20;  // ms
-    char block[4096];
-    for (int tries = 0; tries < kTries;) {
-      pollfd waiting{terminal_, POLLIN, 0};
-      if (::poll(&waiting, 1, kSilence) != 1) {
-        ++tries;
-        type("\x04");
-      } else if (::read(terminal_, block, sizeof block) <= 0) {
-        int status = 0;
-        ::waitpid(child_, &status, 0);
+    constexpr int kLongest = 60'000, kStep = 20;  // ms
+    std::string last = seen_;
+    for (int waited = 0; waited < kLongest; waited += kStep) {
+      int status = 0;
+      const pid_t ended = ::waitpid(child_, &status, WNOHANG);
+      REQUIRE(ended >= 0);
+      if (ended == child_) {
         child_ = 0;
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+        CAPTURE(last, status);
+        REQUIRE(WIFEXITED(status));
+        return WEXITSTATUS(status);
       }
+      pollfd waiting{terminal_, POLLIN, 0};
+      char block[4096];
+      const bool comes = ::poll(&waiting, 1, kStep) == 1;
+      const ssize_t count = comes ? ::read(terminal_, block, sizeof block) : 0;
+      if (count > 0) last.append(block, std::size_t(count));
+      if (count < 0) ::usleep(kStep * 1000);  // hung up: poll does not wait any more
     }
+    FAIL("the program goes on after: " << last);
     return -1;
   }
 
@@ -102,8 +107,11 @@ TEST_CASE("arrow up recalls the last command, and it can be edited") {
   terminal.until("object 1/10> ");
   terminal.type("world\n");
   terminal.until("world 2/10> ");
-  terminal.type(std::string(kUp) + kUp + "\n");  // vertex 1 again
-  terminal.until("vertex 1");
+  terminal.type("vertex all\n");
+  terminal.until("vertex 2  x");
+  terminal.until("world 2/10> ");
+  terminal.type(std::string(kUp) + kUp + kUp + "\n");  // vertex 1 again
+  terminal.until("\n     vertex 1  x");  // the stage's text, not the line that is edited
   terminal.until("world 2/10> ");
   // "triangle 1" with a 1 put before its last letter: 11.
   terminal.type("triangle 1");
@@ -132,6 +140,14 @@ TEST_CASE("the tabulator completes commands, stages, options and their words") {
   CHECK(terminal.exit_code() == 0);
 }
 
+// Between two prompts the terminal edits lines itself, and makes NUL of a Control-D that is read only afterwards.
+TEST_CASE("the end of the input ends the prompt also where it was typed ahead of it") {
+  PseudoTerminal terminal(kStep, "xterm");
+  terminal.until("object 1/10> ");
+  terminal.type(std::string(1, '\0'));
+  CHECK(terminal.exit_code() == 0);
+}
+
 TEST_CASE("a terminal that can do nothing has the plain prompt") {
   PseudoTerminal terminal(kStep, "dumb");
   terminal.until("object 1/10> ");
@@ -149,10 +165,6 @@ std::string say(const Workplace& here, const std::string& commands) {
   const Outcome outcome = run_program("/bin/sh", {here.file("go.sh")}, here.path());
   REQUIRE(outcome.exit_code == 0);
   return outcome.out;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 TEST_CASE("another triangle, vertex or picked pixel within the prompt, and back to the first") {

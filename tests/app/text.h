@@ -10,7 +10,7 @@
 
 namespace glassbox::test {
 
-inline bool has(const std::string& text, const std::string& part) {
+inline bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
@@ -25,14 +25,14 @@ inline std::string unwrapped(const std::string& text) {
 }
 
 // Exit code 2 and one line on standard error alone, with these parts.
-inline void check_one_line(const Outcome& outcome, const std::vector<std::string>& parts) {
-  INFO(outcome.err);
+inline void check_refused(const Outcome& outcome, const std::vector<std::string>& parts) {
+  INFO(outcome.out << outcome.err);
   CHECK(outcome.exit_code == 2);
   CHECK(outcome.out.empty());
   CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
   for (const std::string& part : parts) {
     INFO("expected: " << part);
-    CHECK(has(outcome.err, part));
+    CHECK(contains(outcome.err, part));
   }
 }
 
