@@ -55,8 +55,11 @@ Result<Scene> load_scene(const std::string& name_or_path, const LoadLimits& limi
     return fail("scene", "the name is empty",
                 "name a file or a built-in scene: " + list_builtins());
   }
-  if (find_builtin(name_or_path) != nullptr || is_plain_word(name_or_path))
+  std::error_code ignored;
+  const bool is_there = fs::exists(name_or_path, ignored);
+  if (find_builtin(name_or_path) != nullptr || (is_plain_word(name_or_path) && !is_there)) {
     return make_builtin(name_or_path);
+  }
 
   if (const Result<void> file = check_file(name_or_path); !file)
     return tl::unexpected(file.error());

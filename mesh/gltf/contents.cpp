@@ -41,34 +41,24 @@ GltfContents::TextureUse& use_of(GltfContents::Texture& texture, const std::stri
 }
 
 struct MaterialTextures {
+  const tinygltf::Material& described;
   const json& material;
-  bool drawn;  // the scene that is drawn uses the material
+  const json& textures;  // of the file
+  bool drawn;            // the scene that is drawn uses the material
   GltfContents& contents;
 
   void add(const json& holder, const char* member, const char* what, bool shown) const {
     if (!holder.contains(member)) return;
-    auto& use = use_of(contents.textures[holder[member]["index"].get<std::size_t>()], what);
+    const auto index = holder[member]["index"].get<std::size_t>();
+    auto& use = use_of(contents.textures[index], what);
     ++use.materials;
-    use.drawn = use.drawn || (drawn && shown);
-  }
-  // As that of the base colour, where there is one: otherwise the emission is left out (materials.h).
-  bool has_same_coordinates(const json& pbr) const {
-    if (!pbr.contains("baseColorTexture") || !material.contains("emissiveTexture")) return true;
-    json infos[] = {pbr["baseColorTexture"], material["emissiveTexture"]};
-    for (json& info : infos) {
-      info.erase("index");
-      if (!info.contains("texCoord")) info["texCoord"] = 0u;
-    }
-    return infos[0] == infos[1];
+    use.drawn = use.drawn || (drawn && shown && textures[index].contains("source"));
   }
   void add_all() const {
     const json pbr = material.value("pbrMetallicRoughness", json::object());
-    const bool unlit = material.value("extensions", json::object()).contains("KHR_materials_unlit");
-    const json factor = material.value("emissiveFactor", json::array());
-    bool emits = false;
-    for (const json& channel : factor) emits = emits || channel.get<double>() != 0;
     add(pbr, "baseColorTexture", "base colour", true);
-    add(material, "emissiveTexture", "emission", emits && !unlit && has_same_coordinates(pbr));
+    add(material, "emissiveTexture", "emission",
+        shows_emission_texture(described, material, textures));
     add(pbr, "metallicRoughnessTexture", "metallic and roughness", false);
     add(material, "normalTexture", "normals", false);
     add(material, "occlusionTexture", "occlusion", false);
@@ -76,7 +66,8 @@ struct MaterialTextures {
 };
 
 void list_textures(Asset& asset, const std::vector<bool>& used, GltfContents& contents) {
-  for (const json& described : asset.document.value("textures", json::array())) {
+  const json textures = asset.document.value("textures", json::array());
+  for (const json& described : textures) {
     GltfContents::Texture& texture = contents.textures.emplace_back();
     texture.name = name_of(described);
     if (!described.contains("source")) continue;
@@ -88,7 +79,9 @@ void list_textures(Asset& asset, const std::vector<bool>& used, GltfContents& co
     }
   }
   for (std::size_t i = 0; i < used.size(); ++i) {
-    MaterialTextures{asset.document["materials"][i], used[i], contents}.add_all();
+    MaterialTextures{asset.model.materials[i], asset.document["materials"][i], textures, used[i],
+                     contents}
+        .add_all();
   }
 }
 

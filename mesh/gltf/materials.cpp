@@ -290,6 +290,18 @@ std::vector<bool> used_materials(const Asset& asset, const NodeTree& tree) {
   return used;
 }
 
+bool shows_emission_texture(const tinygltf::Material& described, const json& document,
+                            const json& textures) {
+  const json* own = find(document, {"emissiveTexture"});
+  if (own == nullptr || !emits_light(convert(described, document))) return false;
+  const json* base = find(document, {"pbrMetallicRoughness", "baseColorTexture"});
+  if (base == nullptr || !textures[(*base)["index"].get<std::size_t>()].contains("source")) {
+    return true;
+  }
+  const auto wanted = texcoord_source(*own, 0), present = texcoord_source(*base, 0);
+  return wanted && present && *wanted == *present;
+}
+
 Result<Materials> convert_materials(Asset& asset, const std::vector<bool>& used, Scene& scene) {
   Materials materials;
   TextureTable textures(asset, scene);

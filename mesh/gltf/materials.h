@@ -29,6 +29,11 @@ struct TexCoordSource {
 // Of each material of the file, whether the scene that is drawn uses it.
 std::vector<bool> used_materials(const Asset& asset, const NodeTree& tree);
 
+// Whether a material of the file that is drawn shows its emissive texture, if that has an image: what the material says of
+// its light, and what convert_materials makes of its textures' coordinates. `textures` are the file's.
+bool shows_emission_texture(const tinygltf::Material& described, const nlohmann::json& document,
+                            const nlohmann::json& textures);
+
 struct Materials {
   std::vector<TexCoordSource> texcoords;  // one for each of Scene::materials
 };
@@ -36,7 +41,7 @@ struct Materials {
 // Fills scene.materials with the file's materials in their order and one for primitives that name none, and
 // scene.textures and scene.images with what the materials named in `used` need: images that nothing drawn uses are not
 // decoded. `used` has one entry per material of the file. A mesh has one table of texture coordinates: where the base
-// colour and the emission of a material need different ones, the emission is left out.
+// colour and the emission of a material need different ones, the emission is left out (shows_emission_texture).
 Result<Materials> convert_materials(Asset& asset, const std::vector<bool>& used, Scene& scene);
 
 }  // namespace glassbox::gltf

@@ -138,10 +138,10 @@ std::vector<std::string> Warnings::take() {
   return std::move(kept_);
 }
 
-void Tally::report(const char* what, Warnings& warnings) const {
+void Tally::report(const char* what, Warnings& warnings, const char* where) const {
   if (count_ == 0) return;
-  warnings.add(std::to_string(count_) + " " + what + " (first in line " +
-               std::to_string(first_line_) + ")");
+  warnings.add(std::to_string(count_) + " " + what + " (first" + where + " " +
+               std::to_string(first_) + ")");
 }
 
 }  // namespace glassbox::obj

@@ -79,15 +79,15 @@ private:
 // Counts occurrences of one oddity, for one warning that names the first.
 class Tally {
 public:
-  void add(std::uint64_t line) {
-    if (count_++ == 0) first_line_ = line;
+  void add(std::uint64_t number) {
+    if (count_++ == 0) first_ = number;
   }
-  // Says "<count> <what> (first in line <n>)" where there was any.
-  void report(const char* what, Warnings& warnings) const;
+  // Says "<count> <what> (first<where> <number>)" where there was any.
+  void report(const char* what, Warnings& warnings, const char* where = " in line") const;
 
 private:
   std::uint64_t count_ = 0;
-  std::uint64_t first_line_ = 0;
+  std::uint64_t first_ = 0;
 };
 
 }  // namespace glassbox::obj

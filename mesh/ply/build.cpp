@@ -13,22 +13,6 @@
 namespace glassbox::ply {
 namespace {
 
-// Occurrences of one oddity, and the first.
-class Tally {
-public:
-  void add(std::uint64_t index) {
-    if (count_++ == 0) first_ = index;
-  }
-  void report(const char* of, const char* what, obj::Warnings& warnings) const {
-    if (count_ == 0) return;
-    warnings.add(std::to_string(count_) + " " + what + " (first: " + of + " " +
-                 std::to_string(first_) + ")");
-  }
-
-private:
-  std::uint64_t count_ = 0, first_ = 0;
-};
-
 class Builder {
 public:
   Builder(std::string_view file, const Header& header, const LoadLimits& limits,
@@ -59,7 +43,7 @@ private:
       return fail("header", "there are no vertices", "choose a file with a mesh");
     }
     for (const Place& place : VertexPlaces(*vertices).position) {
-      if (!place || vertices->properties[*place].count_type) {
+      if (!place) {
         return fail("element 'vertex'", "has no numbers x, y and z", "export the file again");
       }
     }
@@ -326,12 +310,13 @@ private:
   }
 
   void report() {
-    short_faces_.report("face", "faces of fewer than three corners were left out", warnings_);
-    odd_normals_.report("vertex", "normals are zero or not finite and were left out", warnings_);
-    odd_texcoords_.report("vertex", "texture coordinates are not finite and were taken as 0",
-                          warnings_);
-    odd_wedges_.report("face", "faces have texture coordinates that do not fit their corners",
-                       warnings_);
+    constexpr const char *kFace = ": face", *kVertex = ": vertex";
+    short_faces_.report("faces of fewer than three corners were left out", warnings_, kFace);
+    odd_normals_.report("normals are zero or not finite and were left out", warnings_, kVertex);
+    odd_texcoords_.report("texture coordinates are not finite and were taken as 0", warnings_,
+                          kVertex);
+    odd_wedges_.report("faces have texture coordinates that do not fit their corners", warnings_,
+                       kFace);
     for (const auto& [kind, names] : unread_) warnings_.add(kind + " are not drawn: " + names);
   }
 
@@ -348,7 +333,7 @@ private:
   std::vector<TexCoord> wedges_;
   std::vector<Rgba> face_colors_;
   bool vertex_colors_ = false;
-  Tally short_faces_, odd_normals_, odd_texcoords_, odd_wedges_;
+  obj::Tally short_faces_, odd_normals_, odd_texcoords_, odd_wedges_;
   std::vector<std::pair<std::string, std::string>> unread_;
 };
 

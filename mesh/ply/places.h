@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
+#include <string_view>
 
 #include <glassbox/images/srgb.h>
 #include <glassbox/mesh/ply/header.h>
@@ -17,14 +19,20 @@ using Place = std::optional<std::size_t>;  // of a property in its element
 
 // ---- which properties say what ----
 
+// A number of each element: a list of that name says something else.
+inline Place scalar(const Element& e, std::initializer_list<std::string_view> names) {
+  const Place place = e.find(names);
+  return place && !e.properties[*place].count_type ? place : Place();
+}
+
 struct ColorPlaces {
   Place red, green, blue, alpha;
 
   explicit ColorPlaces(const Element& e)
-      : red(e.find({"red", "diffuse_red", "r"})),
-        green(e.find({"green", "diffuse_green", "g"})),
-        blue(e.find({"blue", "diffuse_blue", "b"})),
-        alpha(e.find({"alpha", "diffuse_alpha", "a"})) {}
+      : red(scalar(e, {"red", "diffuse_red", "r"})),
+        green(scalar(e, {"green", "diffuse_green", "g"})),
+        blue(scalar(e, {"blue", "diffuse_blue", "b"})),
+        alpha(scalar(e, {"alpha", "diffuse_alpha", "a"})) {}
   bool complete() const { return red && green && blue; }
 };
 
@@ -34,10 +42,10 @@ struct VertexPlaces {
   ColorPlaces color;
 
   explicit VertexPlaces(const Element& e)
-      : position{e.find({"x"}), e.find({"y"}), e.find({"z"})},
-        normal{e.find({"nx"}), e.find({"ny"}), e.find({"nz"})},
-        texcoord{e.find({"u", "s", "texture_u", "texture_s"}),
-                 e.find({"v", "t", "texture_v", "texture_t"})},
+      : position{scalar(e, {"x"}), scalar(e, {"y"}), scalar(e, {"z"})},
+        normal{scalar(e, {"nx"}), scalar(e, {"ny"}), scalar(e, {"nz"})},
+        texcoord{scalar(e, {"u", "s", "texture_u", "texture_s"}),
+                 scalar(e, {"v", "t", "texture_v", "texture_t"})},
         color(e) {}
   bool has_normals() const { return normal[0] && normal[1] && normal[2]; }
   bool has_texcoords() const { return texcoord[0] && texcoord[1]; }

@@ -84,6 +84,9 @@ TEST_CASE("what cannot be loaded is refused with file, cause and remedy") {
   CHECK(contains(message(folder.write("teapot", "?")), "has no extension"));
   CHECK(contains(message(folder.path() + "/."), "is a directory"));
   CHECK(contains(message(""), "the name is empty"));
+  std::filesystem::create_directory("folder_without_extension");
+  CHECK(contains(message("folder_without_extension"), "is a directory"));
+  std::filesystem::remove("folder_without_extension");
 }
 
 }  // namespace

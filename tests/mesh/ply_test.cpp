@@ -160,6 +160,24 @@ TEST_CASE("PLY: what is not drawn is named, with its count") {
   CHECK(scene.meshes[0].corners[1].normal == 1);
 }
 
+TEST_CASE("PLY: a list that has the name of a number is not read as one") {
+  PlyBuilder b(PlyFormat::kAscii);
+  b.element("vertex", 3).property("float", "x").property("float", "y").property("float", "z");
+  for (const char* name : {"red", "green", "blue"}) b.list("uchar", "float", name);
+  b.element("face", 1).list("uchar", "int", "vertex_indices");
+  b.begin_data();
+  for (int i = 0; i < 3; ++i) {
+    b.floats({double(i % 2), double(i / 2), 0});
+    for (int channel = 0; channel < 3; ++channel) b.uchars({1}).floats({0.5});
+    b.end_row();
+  }
+  b.uchars({3}).ints({0, 1, 2}).end_row();
+  const Scene scene = loaded(b.file());
+  CHECK(scene.meshes[0].colors.empty());
+  CHECK(scene.warnings ==
+        std::vector<std::string>{"vertex properties are not drawn: red, green, blue"});
+}
+
 TEST_CASE("PLY: a texture that the header names is read from the file's own folder") {
   const TemporaryDirectory folder;
   const auto png = encode_png(Image<Rgba8>(2, 1, {1, 2, 3, 255}));
