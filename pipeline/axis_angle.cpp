@@ -9,14 +9,13 @@ namespace glassbox {
 namespace {
 
 // Rodrigues about k = v x (-z) = (-vy, vx, 0), with |k| the sine and -vz the cosine of the angle, so that no angle is ever
-// computed: cos I + [k]x + k k^T (1 - cos)/sin^2. The cross product with an axis is exact, and the last factor is written
-// without cancellation for either sign of the cosine.
+// computed: cos I + [k]x + k k^T (1 - cos)/sin^2. The cross product with an axis is exact.
 Transform<World, World> gaze_to_minus_z(const Vector<World, double>& v) {
   const double c = -v.z, sine_squared = v.x * v.x + v.y * v.y;
   if (sine_squared == 0)
     return scale<World>(c < 0 ? -1 : 1, 1,
                         c < 0 ? -1 : 1);  // about y, by 180 degrees or not at all
-  const double factor = c > 0 ? 1 / (1 + c) : (1 - c) / sine_squared;
+  const double factor = rodrigues_factor(c, sine_squared);
   const double kx = -v.y, ky = v.x;
   Transform<World, World> r;
   r.at(0, 0) = c + kx * kx * factor;

@@ -5,6 +5,11 @@
 
 namespace glassbox {
 
+// (1 - cosine)/sine^2 of Rodrigues' formula, without cancellation for either sign of the cosine; sine_squared > 0.
+inline double rodrigues_factor(double cosine, double sine_squared) {
+  return cosine > 0 ? 1 / (1 + cosine) : (1 - cosine) / sine_squared;
+}
+
 // The view is rolled * turned * moved.
 struct AxisAngleFactors {
   Transform<World, World> moved;  // T(-eye)

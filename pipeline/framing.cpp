@@ -7,6 +7,7 @@
 #include <glassbox/base/trig.h>
 #include <glassbox/mesh/bounds.h>
 #include <glassbox/pipeline/affine.h>
+#include <glassbox/pipeline/axis_angle.h>
 #include <glassbox/pipeline/look_at.h>
 #include <glassbox/pipeline/number_text.h>
 #include <glassbox/pipeline/unit_vector.h>
@@ -100,14 +101,14 @@ Result<void> check_request(const Box<World>& bounds, double aspect, const Framin
 }
 
 // `v` turned as y is turned to the unit vector `up`: Rodrigues about k = y x up, whose length is the sine and up.y the cosine
-// of the angle. The last factor is written without cancellation for either sign of the cosine.
+// of the angle.
 Vector<World, double> turned_upright(const Vector<World, double>& v,
                                      const Vector<World, double>& up) {
   const double cosine = up.y;
   const Vector<World, double> k{up.z, 0, -up.x};
   const double sine_squared = dot(k, k);
   if (sine_squared == 0) return cosine > 0 ? v : Vector<World, double>{v.x, -v.y, -v.z};
-  const double factor = cosine > 0 ? 1 / (1 + cosine) : (1 - cosine) / sine_squared;
+  const double factor = rodrigues_factor(cosine, sine_squared);
   return v * cosine + cross(k, v) + k * (dot(k, v) * factor);
 }
 

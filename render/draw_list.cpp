@@ -67,7 +67,7 @@ void choose_textures(const Scene& scene, const PreparedScene& prepared, Draw& dr
     draw.texture = &prepared.textures[*texture];
     draw.sampler = &scene.textures[*texture].sampler;
   }
-  if (const auto& texture = draw.material->emission_texture; texture && draw.emits) {
+  if (const auto& texture = draw.material->emission_texture; texture && draw.emits()) {
     draw.emission_texture = &prepared.textures[*texture];
     draw.emission_sampler = &scene.textures[*texture].sampler;
   }
@@ -102,8 +102,11 @@ DrawList make_draw_list(const Scene& scene, const PreparedScene& prepared, const
     draw.prepared = &mesh;
     draw.first_number = list.triangle_count;
     list.triangle_count += draw.triangulation->numbered;
-    draw.emits = emits_light(*draw.material);
-    if (!draw.mesh->texcoords.empty()) choose_textures(scene, prepared, draw);
+    const bool has_texcoords = !draw.mesh->texcoords.empty();
+    if (emits_light(*draw.material) && (has_texcoords || !draw.material->emission_texture)) {
+      draw.emission = draw.material->emission;
+    }
+    if (has_texcoords) choose_textures(scene, prepared, draw);
     list.draws.push_back(draw);
   }
   sort_blended(list.draws);

@@ -1,6 +1,7 @@
 // The scene made ready for one view: what is drawn, in which order, with which matrices.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include <glassbox/raster/shading.h>
 #include <glassbox/raster/texture.h>
 #include <glassbox/render/prepared_scene.h>
+#include <glassbox/render/settings.h>
 
 namespace glassbox {
 
@@ -21,9 +23,12 @@ struct Draw {
   const Material* material = nullptr;
   const MipChain* texture = nullptr;  // null: none
   const Sampler* sampler = nullptr;
-  bool emits = false;                          // emits_light(*material)
+  // The material's, or 0 where its texture lacks coordinates: without it all of the surface would shine.
+  std::array<float, 3> emission{};
   const MipChain* emission_texture = nullptr;  // null: none, or it emits nothing
   const Sampler* emission_sampler = nullptr;
+  bool emits() const { return emission[0] != 0 || emission[1] != 0 || emission[2] != 0; }
+
   const Triangulation* triangulation = nullptr;
   const PreparedMesh* prepared = nullptr;
   std::uint32_t instance = 0;
@@ -39,6 +44,21 @@ struct Draw {
   double distance_of_centre = 0;  // of the box, along the gaze: the order of blended draws
   bool mirrored = false;          // the determinant is negative: front faces run clockwise
 };
+
+// Whether a triangle of the draw that shows its front, or its back, is thrown away.
+inline bool is_culled(const Draw& draw, Cull cull, bool front) {
+  switch (cull) {
+    case Cull::kMaterial:
+      return !front && !draw.material->double_sided;
+    case Cull::kBack:
+      return !front;
+    case Cull::kFront:
+      return front;
+    case Cull::kNone:
+      break;
+  }
+  return false;
+}
 
 struct DrawList {
   std::vector<Draw> draws;  // opaque and masked in file order, then blended far to near

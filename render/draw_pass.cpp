@@ -12,9 +12,6 @@ namespace glassbox {
 
 namespace {
 
-// Triangles are carried through the stages in batches, so that each stage can be timed and memory stays small.
-constexpr std::size_t kBatch = 1024;
-
 void count_input(const Draw& draw, Statistics& statistics) {
   ++statistics.instances;
   statistics.triangles += draw.triangulation->numbered;
@@ -110,8 +107,8 @@ void draw_primitives(std::size_t index, const DrawTables& tables,
   for (std::size_t i = 0; i < eyes.size(); ++i) {
     stages.push_back(make_stages(index, eyes[i], tables.clip[i], tables.eye_space, lighting));
   }
-  for (std::size_t at = 0; at < triangles.size(); at += kBatch) {
-    ready_batch(stages, triangles.subspan(at, std::min(kBatch, triangles.size() - at)));
+  for (std::size_t at = 0; at < triangles.size(); at += kTriangleBatch) {
+    ready_batch(stages, triangles.subspan(at, std::min(kTriangleBatch, triangles.size() - at)));
     rasterise_ready(stages);
   }
   const Mesh& mesh = *eyes.front().draws[index].mesh;

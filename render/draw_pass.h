@@ -26,6 +26,10 @@ struct EyePass {
   Observer* observer = nullptr;
 };
 
+// Triangles are carried through the stages in batches, each followed by its fragments, so that each stage can be timed and
+// memory stays small.
+inline constexpr std::size_t kTriangleBatch = 1024;
+
 // What the vertex stage makes of a draw.
 struct DrawTables {
   std::vector<ClipTable> clip;  // by eye

@@ -87,7 +87,7 @@ inline Rgba lit(const FragmentStage& stage, const Rgba& base, const Varyings& at
 // What the surface shines with by itself: its emission times the texture of that.
 inline std::array<float, 3> emission_at(const FragmentStage& stage, const Surface& surface,
                                         const Varyings& at, const Fragment& fragment) {
-  const std::array<float, 3>& emission = stage.draw.material->emission;
+  const std::array<float, 3>& emission = stage.draw.emission;
   if (stage.draw.emission_texture == nullptr) return emission;
   const MipChain& texture = *stage.draw.emission_texture;
   const Rgba texel =
@@ -100,7 +100,7 @@ inline std::array<float, 3> emission_at(const FragmentStage& stage, const Surfac
 inline Rgba shining(const FragmentStage& stage, const Surface& surface, const Varyings& at,
                     const Fragment& fragment, const Rgba& base) {
   Rgba color = lit(stage, base, at);
-  if (!stage.draw.emits || !shows_light(stage.draw, stage.settings)) return color;
+  if (!stage.draw.emits() || !shows_light(stage.draw, stage.settings)) return color;
   std::array<float, 3> own = emission_at(stage, surface, at, fragment);
   if (stage.observer != nullptr) stage.observer->emitted(at, own);
   color.r += own[0], color.g += own[1], color.b += own[2];

@@ -20,24 +20,6 @@ constexpr int kX = 0, kY = 1, kW = 3;  // the rows that the screen depends on
 
 // ---- whether there is a test at all ----
 
-struct Wanted {
-  bool fronts = false, backs = false;
-};
-
-Wanted faces_to_remove(const Draw& draw, const RenderSettings& settings) {
-  switch (settings.cull) {
-    case Cull::kMaterial:
-      return {false, !draw.material->double_sided};
-    case Cull::kBack:
-      return {false, true};
-    case Cull::kFront:
-      return {true, false};
-    case Cull::kNone:
-      break;
-  }
-  return {};
-}
-
 bool rows_are(const Transform<Clip, Eye>& m, bool perspective) {
   const bool no_shear = m.at(kX, 1) == 0 && m.at(kY, 0) == 0;
   const bool w = m.at(kW, 0) == 0 && m.at(kW, 1) == 0 && m.at(kW, 2) == (perspective ? -1 : 0) &&
@@ -199,8 +181,9 @@ ObjectCull::Judgement ObjectCull::judge(const std::array<Point<Object>, 3>& tria
 
 ObjectCulling object_culling(const Draw& draw, const View& view, const RenderSettings& settings) {
   if (settings.cull_stage == CullStage::kScreen) return {{}, "nobody asked for it"};
-  const Wanted wanted = faces_to_remove(draw, settings);
-  if (!wanted.fronts && !wanted.backs) return {{}, "both sides of its faces are drawn"};
+  const bool fronts = is_culled(draw, settings.cull, true);
+  if (!fronts && !is_culled(draw, settings.cull, false))
+    return {{}, "both sides of its faces are drawn"};
   if (!draw.prepared->all_finite || draw.prepared->bounds.empty()) {
     return {{}, "a position is not finite, or there is none"};
   }
@@ -213,7 +196,7 @@ ObjectCulling object_culling(const Draw& draw, const View& view, const RenderSet
   }
   ObjectCull cull;
   cull.viewer = *viewer;
-  cull.removes_fronts = wanted.fronts;
+  cull.removes_fronts = fronts;
   fill_rows(draw, view, cull);
   cull.anchor = draw.anchor;
   cull.half_width_px = double(view.viewport.width()) / 2;

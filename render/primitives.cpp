@@ -114,21 +114,6 @@ bool is_culled_early(const PrimitiveStage& stage, const Triangle& triangle,
   return stage.object_cull->removes({corner(0), corner(1), corner(2)});
 }
 
-// Whether a triangle that shows its front or its back is thrown away.
-bool is_culled(const PrimitiveStage& stage, bool front) {
-  switch (stage.settings.cull) {
-    case Cull::kMaterial:
-      return !front && !stage.draw.material->double_sided;
-    case Cull::kBack:
-      return !front;
-    case Cull::kFront:
-      return front;
-    case Cull::kNone:
-      return false;
-  }
-  return false;
-}
-
 // Counter-clockwise in the world is counter-clockwise on the screen: the eye sees what a person there would see. A
 // mirroring model matrix turns the winding round, and the outside with it.
 bool shows_front(const PrimitiveStage& stage, const TriangleSetup& setup) {
@@ -153,7 +138,7 @@ std::optional<Visible> setup_visible(const PrimitiveStage& stage, const ScreenPo
     return std::nullopt;
   }
   const bool front = shows_front(stage, *setup);
-  bool culled = is_culled(stage, front);
+  bool culled = is_culled(stage.draw, stage.settings.cull, front);
   if (stage.observer != nullptr) stage.observer->faced(*setup, front, culled);
   if (culled) {
     ++stage.statistics.culled;

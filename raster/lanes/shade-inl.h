@@ -349,7 +349,7 @@ HWY_INLINE RgbLanes lit(const ShadeDraw& draw, const ResolveJob& job, const Sour
 // emission_at() of fragment_color.h.
 template <class Source>
 HWY_INLINE RgbLanes emission(const ShadeDraw& draw, const ResolveJob& job, const Source& source) {
-  const std::array<float, 3>& factor = draw.material->emission;
+  const std::array<float, 3>& factor = draw.emission;
   const RgbLanes own{set(factor[0]), set(factor[1]), set(factor[2])};
   if (draw.emission_texture == nullptr) return own;
   const RgbLanes texel = texture_color(*draw.emission_texture, *draw.emission_sampler, job, source);

@@ -155,7 +155,8 @@ struct ShadeDraw {
   const Sampler* sampler = nullptr;
   LightAt light = LightAt::kNowhere;
   bool highlights = false;  // the material has any, and the light arrives
-  bool emits = false;       // light of its own is added
+  bool emits = false;       // light of its own is added:
+  std::array<float, 3> emission{};
   const MipChain* emission_texture = nullptr;
   const Sampler* emission_sampler = nullptr;
 };

@@ -221,7 +221,7 @@ Decision highlights(const Subject& s) {
 Decision emission(const Subject& s) {
   constexpr const char* kStage = "emission";
   if (s.method.light == LightAt::kNowhere) return left_out(kStage, "the picture shows no light");
-  if (s.draw.emits) return needed(kStage, "the material emits light");
+  if (s.draw.emits()) return needed(kStage, "the material emits light");
   if (s.method.emission) return needed(kStage, kNoPlan);
   return left_out(kStage, "the material emits no light");
 }

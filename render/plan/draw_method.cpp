@@ -60,10 +60,8 @@ DrawMethod choose_method(const Draw& draw, const Lighting& lighting, const View&
   method.staged_because = why_staged(draw, settings);
   choose_vertex_stages(draw, view, leave_out, method);
 
-  const bool both = draw.material->double_sided;
-  method.keep_front = settings.cull != Cull::kFront;
-  method.keep_back = settings.cull == Cull::kNone || settings.cull == Cull::kFront ||
-                     (settings.cull == Cull::kMaterial && both);
+  method.keep_front = !is_culled(draw, settings.cull, true);
+  method.keep_back = !is_culled(draw, settings.cull, false);
 
   const bool painted = colors && settings.show == Show::kColor;
   method.texture = painted && draw.texture != nullptr;
@@ -71,7 +69,7 @@ DrawMethod choose_method(const Draw& draw, const Lighting& lighting, const View&
   if (colors && needs_normals(draw, settings)) {
     choose_light(draw, lighting, settings, leave_out, method);
   }
-  method.emission = method.light != LightAt::kNowhere && painted && (!leave_out || draw.emits);
+  method.emission = method.light != LightAt::kNowhere && painted && (!leave_out || draw.emits());
   method.emission_texture = method.emission && draw.emission_texture != nullptr;
   method.normals = !leave_out || method.light != LightAt::kNowhere;
   method.face_normals = method.normals && needs_face_normals(draw, settings);

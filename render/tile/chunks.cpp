@@ -102,8 +102,8 @@ LargeTriangle large_triangle(const TileRun& run, const DrawSlot& slot, const Rea
   return large;
 }
 
-// Which of the chunk's triangles go on to be selected: all but those that are turned away for certain. Those that clipping
-// has to look at are asked when they are made ready.
+// Which of the chunk's triangles go on to be selected: all but those that are turned away for certain. Those that are made
+// ready one by one are asked there: all of a draw that says so, and those that clipping has to look at.
 const std::int32_t* cull_early(const PrimitiveStage& stage, const DrawSlot& slot, Chunk& chunk) {
   if (!stage.object_cull) return nullptr;
   const Draw& draw = stage.draw;
@@ -137,7 +137,7 @@ void fill_from_lanes(const TileRun& run, const Kernels& kernels, const DrawSlot&
   job.tile_shift = std::countr_zero(unsigned(run.tile_side));
 
   const PrimitiveStage stage = primitive_stage(run, slot, chunk.statistics);
-  job.keep = cull_early(stage, slot, chunk);
+  if (!job.all_large) job.keep = cull_early(stage, slot, chunk);
 
   SelectCounts counts;
   const std::size_t found =

@@ -48,6 +48,7 @@ ShadeDraw shade_draw(const TileRun& run, const DrawSlot& slot) {
     shade.sampler = draw.sampler;
   }
   shade.emits = method.emission;
+  shade.emission = draw.emission;
   if (method.emission_texture) {
     shade.emission_texture = draw.emission_texture;
     shade.emission_sampler = draw.emission_sampler;

@@ -186,6 +186,7 @@ void fill_fragment(Table& table, const TracedFragment& traced, const FragmentBou
   table("color", traced.at.color);
   table("texcoord", traced.at.texcoord);
   table("surface", numbers_of(traced.surface));
+  table("emission", traced.emission);
   table("light", numbers_of(traced.light));
   table("before", numbers_of(traced.before));
   table("after", numbers_of(traced.after));

@@ -2,13 +2,9 @@
 
 #include <utility>
 
+#include <glassbox/render/draw_pass.h>
+
 namespace glassbox {
-namespace {
-
-// Triangles come in batches, each followed by its fragments; so many at most (render/draw_pass.cpp).
-constexpr std::size_t kBatch = 1024;
-
-}  // namespace
 
 BoundsOfRun::BoundsOfRun(const View& view) {
   trace_.view = view;
@@ -28,7 +24,7 @@ const BoundsOfRun::Known& BoundsOfRun::triangle(const TracedTriangle& triangle) 
     earlier_.clear();
   }
   // Where no fragments come for long, nothing piles up.
-  if (latest_.size() == kBatch) earlier_ = std::exchange(latest_, {});
+  if (latest_.size() == kTriangleBatch) earlier_ = std::exchange(latest_, {});
   const auto& [draw, draw_bounds] = draws_.at(triangle.instance);
   Known& known = latest_[triangle.number];
   known = {triangle, bounds_of(trace_, triangle, draw, draw_bounds)};

@@ -1,6 +1,5 @@
-// The two clippers of D-32: Sutherland and Hodgman's algorithm, once with the planes of the
-// viewing pyramid in eye space and once
-// with those of the box in clip space (S3-11). All else is the same.
+// The two clippers of D-32: Sutherland and Hodgman's algorithm, once with the planes of the viewing pyramid in eye space
+// and once with those of the box in clip space (S3-11). All else is the same.
 #pragma once
 
 #include <array>
@@ -23,10 +22,19 @@ struct Lens {
   float near = 0, far = 0;
 };
 
+// Rounding may bend a sliver, which then crosses a plane more than twice: of n corners with k inside there are at most
+// 2 min(k, n - k) crossings, and a cut leaves no more than 3n/2.
+constexpr std::size_t most_vertices() {
+  std::size_t most = 3;
+  for (std::size_t plane = 0; plane < kPlanes; ++plane) most = most * 3 / 2;
+  return most;
+}
+inline constexpr std::size_t kMostVertices = most_vertices();
+
 // What clipping leaves, in clip space.
 struct Outline {
-  std::array<Point<Clip>, 3 + kPlanes> vertices;
-  std::array<std::int8_t, 3 + kPlanes>
+  std::array<Point<Clip>, kMostVertices> vertices;
+  std::array<std::int8_t, kMostVertices>
       cut_by{};  // the plane that made the vertex last; -1: it came so
   std::size_t count = 0;
 };
@@ -113,8 +121,8 @@ struct ClipSpace {
 
 template <class Space>
 struct Polygon {
-  std::array<typename Space::Vertex, 3 + kPlanes> vertices;
-  std::array<std::int8_t, 3 + kPlanes> cut_by;
+  std::array<typename Space::Vertex, kMostVertices> vertices;
+  std::array<std::int8_t, kMostVertices> cut_by;
   std::size_t count = 0;
 
   void add(const typename Space::Vertex& v, int plane) {
@@ -126,7 +134,7 @@ struct Polygon {
 // The crossing is the same from both ends of the edge (SPEC B.1), in double and rounded once.
 template <class Space>
 Polygon<Space> cut(const Space& space, std::size_t plane, const Polygon<Space>& polygon) {
-  std::array<double, 3 + kPlanes> distances;
+  std::array<double, kMostVertices> distances;
   for (std::size_t i = 0; i < polygon.count; ++i)
     distances[i] = space.distance(plane, polygon.vertices[i]);
   Polygon<Space> kept;

@@ -92,9 +92,12 @@ TEST_CASE("turning about an axis and rolling makes the matrix of the three axes 
     const auto turned =
         made(c, {ViewForm::kAxisAngle, ProjectionForm::kPerspective}).eye_from_world;
     for (int row = 0; row < 3; ++row) {
-      for (int column = 0; column < 3; ++column)
-        largest = std::max(largest, std::abs(uvn.at(row, column) - turned.at(row, column)));
-      farthest = std::max(farthest, std::abs(uvn.at(row, 3) - turned.at(row, 3)));
+      for (int column = 0; column < 4; ++column) {
+        const double apart = std::abs(uvn.at(row, column) - turned.at(row, column));
+        REQUIRE(std::isfinite(apart));
+        double& most = column < 3 ? largest : farthest;
+        most = std::max(most, apart);
+      }
     }
   }
   WARN("S3-16: rotations up to " << largest / u << " u apart, translations " << farthest / u

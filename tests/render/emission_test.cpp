@@ -143,6 +143,20 @@ TEST_CASE("emission is left out where no material emits, and the picture is blac
   CHECK(is_caught(quad, view, {}, without_texture));
 }
 
+TEST_CASE("a surface without the coordinates that its emission's texture needs emits nothing") {
+  Scene scene = textured_quad(false, true);
+  Scene dark = textured_quad(false, false);
+  dark.materials[0].emission = {};
+  for (Scene* each : {&scene, &dark}) {
+    each->meshes[0].texcoords.clear();
+    for (Corner& corner : each->meshes[0].corners) corner.texcoord = kNone;
+  }
+  CHECK(render_tiled(scene, planned_view(), {}).buffers.color.pixels ==
+        render_tiled(dark, planned_view(), {}).buffers.color.pixels);
+  CHECK_FALSE(decision(scene, planned_view(), "emission").needed);
+  check_planned(scene, planned_view());
+}
+
 TEST_CASE("a trace has what was emitted beside the light that it is part of") {
   const Scene scene = ball_at({0, 0, -4}, lamp({0.125f, 0.5f, 0}));
   TraceFilter filter;

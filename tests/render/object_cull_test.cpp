@@ -16,13 +16,8 @@ namespace glassbox {
 namespace {
 
 using test::AnyCase;
+using test::kShare;
 using test::Random;
-
-#if defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-constexpr int kShare = 1;
-#else
-constexpr int kShare = 10;
-#endif
 
 RenderSettings early(RenderSettings settings = {}) {
   settings.cull_stage = CullStage::kObject;
@@ -56,10 +51,7 @@ TEST_CASE("culling in object space first changes no byte of any picture, in eith
     Random random(1000 + seed);
     AnyCase c = test::any_case(random, 200, 130);
     if (seed % 4 != 0) c.settings.cull = seed % 4 == 1 ? Cull::kFront : Cull::kBack;
-    if (!difference(c).empty()) {
-      test::shrink(c, [](const AnyCase& smaller) { return !difference(smaller).empty(); });
-      FAIL_CHECK("seed " << 1000 + seed << ": " << difference(c) << "\n" << test::in_words(c));
-    }
+    test::check_no_difference(1000 + seed, c, difference);
     const Statistics s = render_staged(c.scene, c.view, early(c.settings)).statistics;
     removed += s.culled_early;
     culled += s.culled;

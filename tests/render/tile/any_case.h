@@ -20,6 +20,14 @@
 
 namespace glassbox::test {
 
+// The cases of a test are divided by this: without optimisation a lane costs a function call, and
+// an instrumented one more, so that a sample of the cases is enough there.
+#if defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+inline constexpr int kShare = 1;
+#else
+inline constexpr int kShare = 10;
+#endif
+
 struct AnyCase {
   Scene scene;
   View view;

@@ -8,14 +8,8 @@ namespace glassbox {
 namespace {
 
 using test::AnyCase;
+using test::kShare;
 using test::Random;
-
-// Without optimisation a lane costs a function call, and an instrumented one more: a sample of the cases is enough there.
-#if defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-constexpr int kShare = 1;
-#else
-constexpr int kShare = 10;
-#endif
 
 std::string difference(const AnyCase& c) {
   const Rendering staged = render_staged(c.scene, c.view, c.settings);
@@ -23,11 +17,8 @@ std::string difference(const AnyCase& c) {
   return test::planes_differ(staged.buffers, tiled.buffers, c.settings.want_depth);
 }
 
-// Shrinks a case on which the engines differ, and says so.
-void check_case(std::uint64_t seed, AnyCase c) {
-  if (difference(c).empty()) return;
-  test::shrink(c, [](const AnyCase& smaller) { return !difference(smaller).empty(); });
-  FAIL_CHECK("seed " << seed << ": " << difference(c) << "\n" << test::in_words(c));
+void check_case(std::uint64_t seed, const AnyCase& c) {
+  test::check_no_difference(seed, c, difference);
 }
 
 TEST_CASE("the tile engine draws any triangles as the staged reference does", "[tile]") {

@@ -12,11 +12,7 @@ namespace {
 using test::AnyCase;
 using test::Random;
 
-#if defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-constexpr int kFrames = 1000;
-#else
-constexpr int kFrames = 200;
-#endif
+constexpr int kFrames = test::kShare == 1 ? 1000 : 200;
 constexpr int kCases = 50;  // drawn again and again
 
 // Bytes of this process that are in memory.

@@ -7,6 +7,7 @@
 #include <glassbox/render/tile/tile_engine.h>
 
 #include "tests/render/scenes.h"
+#include "tests/render/tile/any_case.h"
 #include "tests/render/tile/planes_differ.h"
 #include "tests/support/catch.h"
 
@@ -39,6 +40,15 @@ inline void check_same(const Scene& scene, const View& view, const RenderSetting
   const Rendering tiled = render_tiled(scene, view, settings, options);
   check_same_planes(staged.buffers, tiled.buffers, settings.want_depth);
   check_same_counts(staged.statistics, tiled.statistics);
+}
+
+// `difference` says in words where two pictures of a case differ. A case on which they do is
+// shrunk, and said.
+template <class Difference>
+void check_no_difference(std::uint64_t seed, AnyCase c, const Difference& difference) {
+  if (difference(c).empty()) return;
+  shrink(c, [&](const AnyCase& smaller) { return !difference(smaller).empty(); });
+  FAIL_CHECK("seed " << seed << ": " << difference(c) << "\n" << in_words(c));
 }
 
 }  // namespace glassbox::test
