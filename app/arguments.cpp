@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <glassbox/render/trace/numbering.h>
+
 #include <glassbox/images/srgb.h>
 #include <glassbox/pipeline/view.h>
 
@@ -21,18 +23,6 @@ bool read_number(std::string_view text, double& value) {
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   return error == std::errc() && end == text.data() + text.size() && !text.empty();
-}
-
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts{""};
-  for (const char c : text) {
-    if (c == separator) {
-      parts.emplace_back();
-    } else {
-      parts.back() += c;
-    }
-  }
-  return parts;
 }
 
 // N whole numbers from 0 that an int can hold, or nothing.
@@ -52,6 +42,18 @@ std::optional<std::array<int, N>> read_whole_numbers(const std::string& text, ch
 }
 
 }  // namespace
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts{""};
+  for (const char c : text) {
+    if (c == separator) {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
 
 template <std::size_t N>
 std::array<double, N> parse_numbers(const std::string& option, const std::string& text) {
@@ -90,6 +92,13 @@ PixelAt parse_pixel(const std::string& option, const std::string& text) {
         option, fmt::format("needs X,Y in whole pixels from the top left, not '{}'", text));
   }
   return {(*place)[0], (*place)[1]};
+}
+
+Result<void> check_triangle(const std::string& what, const Scene& scene, std::uint32_t number) {
+  if (find_triangle(scene, number)) return {};
+  return fail(fmt::format("{} {}", what, number),
+              fmt::format("the scene has {} triangles", count_triangles(scene)),
+              "they are numbered from 0");
 }
 
 Result<void> check_pixel(const std::string& option, PixelAt pixel, const Size& size) {

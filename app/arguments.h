@@ -3,11 +3,14 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include <glassbox/base/error.h>
 #include <glassbox/images/compare/differences.h>
 #include <glassbox/images/image.h>
+#include <glassbox/mesh/scene.h>
 #include <glassbox/raster/stages.h>
 
 namespace glassbox::app {
@@ -16,6 +19,12 @@ struct Size {
   int width = 1280;
   int height = 720;
 };
+
+// "a,b," -> "a", "b", "": the parts between separators, empty ones too.
+std::vector<std::string> split(const std::string& text, char separator);
+
+// An error where the scene has no triangle of this number; `what` is the option or command that asks for it.
+Result<void> check_triangle(const std::string& what, const Scene& scene, std::uint32_t number);
 
 // "1.5,-2,0": exactly N finite numbers. Throws CLI::ValidationError, which names the option, otherwise.
 template <std::size_t N>

@@ -5,6 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/arguments.h"
+
 namespace glassbox::app {
 
 namespace {
@@ -26,22 +28,10 @@ OptionFacts facts_of(const CLI::Option& option) {
   return facts;
 }
 
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts{""};
-  for (const char c : text) {
-    if (c == separator) {
-      parts.emplace_back();
-    } else {
-      parts.back() += c;
-    }
-  }
-  return parts;
-}
-
 // What is written as it stands, unlike "FILE" and "WxH".
 bool is_literal(const std::string& word) {
   const auto is_one_of_them = [](unsigned char c) {
-    return std::islower(c) != 0 || std::isdigit(c) != 0 || c == '-';
+    return std::islower(c) != 0 || std::isdigit(c) != 0 || c == '-' || c == '_';
   };
   return !word.empty() && word != "-" && std::ranges::all_of(word, is_one_of_them);
 }

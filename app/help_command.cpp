@@ -26,6 +26,10 @@ const CLI::App* command_named(const CLI::App& app, const std::string& name) {
 int refuse_word(const CLI::App& app, const std::string& word) {
   std::vector<std::string> names;
   for (const CLI::App* command : commands_of(app)) names.push_back(command->get_name());
+  if (names.empty()) {
+    return refuse({"", "help", in_quotes(app.get_name()) + " has no subcommands",
+                   "glassbox help " + app.get_name() + " shows its options"});
+  }
   const auto near = near_word(word, names);
   return refuse({"", "help", "there is no subcommand " + in_quotes(word),
                  near ? "did you mean " + *near + "?" : "glassbox help lists them"});

@@ -251,9 +251,7 @@ void InfoCommand::add_to(CLI::App& app, int& exit_code) {
       "  glassbox info part.obj --json - | jq '.meshes[0].open_edges'\n"
       "  glassbox info teapot --write teapot.glb\n\n" +
       builtin_help());
-  command
-      .add_option("SCENE", scene_, "a glTF, GLB, OBJ or PLY file, or the name of a built-in scene")
-      ->required();
+  command.add_option("SCENE", scene_, kSceneHelp)->required();
   command.add_option("--json", json_output_, "the same as JSON; - is standard output")
       ->type_name("FILE|-");
   command.add_option("--write", glb_output_, "write the scene as GLB")->type_name("FILE.glb");

@@ -30,9 +30,7 @@ void InspectCommand::add_to(CLI::App& app, int& exit_code) {
       "The page needs no network and no other file. The options of the picture are those of\n"
       "glassbox render: the same words show the same picture.\n\n" +
       builtin_help());
-  command
-      .add_option("SCENE", scene_, "a glTF, GLB, OBJ or PLY file, or the name of a built-in scene")
-      ->required();
+  command.add_option("SCENE", scene_, kSceneHelp)->required();
   command.add_option("-o,--output", output_, "the page, .html [SCENE.html]")->type_name("FILE");
   command
       .add_option_function<std::string>(

@@ -69,7 +69,11 @@ Result<ChosenView> choose_centre(const Scene& scene, const PictureOptions& pictu
                                ? DepthRange::kReversed
                                : DepthRange::kStandard;
   const Result<View> view = make_view(*camera, width, height, range, picture.camera.formulation);
-  if (!view) return tl::unexpected(view.error());
+  if (!view) {
+    Error error = view.error();
+    if (error.place == "projection form") error.place = "--projection";  // as it was asked for
+    return tl::unexpected(error);
+  }
   return ChosenView{*camera, *view};
 }
 

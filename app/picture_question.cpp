@@ -14,9 +14,7 @@
 namespace glassbox::app {
 
 void PictureQuestion::add_to(CLI::App& command) {
-  command
-      .add_option("SCENE", scene_, "a glTF, GLB, OBJ or PLY file, or the name of a built-in scene")
-      ->required();
+  command.add_option("SCENE", scene_, kSceneHelp)->required();
   add_picture_options(command, picture_);
   command.add_option("--json", json_output_, "the same as JSON; - is standard output")
       ->type_name("FILE|-")

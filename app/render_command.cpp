@@ -24,9 +24,9 @@
 #include <glassbox/base/printable.h>
 #include <glassbox/images/atomic_file.h>
 #include <glassbox/images/recipe.h>
-#include <glassbox/mesh/triangulate.h>
 #include <glassbox/pipeline/view.h>
 #include <glassbox/render/renderer.h>
+#include <glassbox/render/trace/numbering.h>
 
 namespace glassbox::app {
 
@@ -53,14 +53,6 @@ double elapsed_ms(Clock::time_point since) {
 
 // Every integer up to 2^24 is a float; id 2^24 - 1 is the last whose successor is one as well.
 constexpr std::uint64_t kMaxIdTriangles = (1u << 24) - 1;
-
-std::uint64_t count_triangles(const Scene& scene) {
-  std::uint64_t count = 0;
-  for (const Instance& instance : scene.instances) {
-    for (const Face& face : scene.meshes[instance.mesh].faces) count += numbers_of(face);
-  }
-  return count;
-}
 
 Result<void> write_ids(const std::string& path, const Image<std::uint32_t>& ids) {
   Image<float> as_floats(ids.width, ids.height);
@@ -125,11 +117,7 @@ void RenderCommand::add_to(CLI::App& app, int& exit_code) {
       "one\n"
       "stage after the other, and so at the staged engine.\n\n" +
       builtin_help());
-  command
-      .add_option(
-          "SCENE", scene_,
-          "a glTF, GLB, OBJ or PLY file, the name of a built-in scene, or - for standard input")
-      ->required();
+  command.add_option("SCENE", scene_, kSceneHelp)->required();
   command
       .add_option("-o,--output", output_,
                   "image file, .png or .ppm [SCENE.png]; - is standard output")

@@ -9,6 +9,10 @@
 
 namespace glassbox::app {
 
+// What --help says of it.
+inline constexpr const char* kSceneHelp =
+    "a file (glTF, GLB, OBJ, PLY), a built-in scene, or -: standard input";
+
 // Standard input has the limits of a file. It is read once, to its end; where it is a terminal, that is an error.
 Result<Scene> load_asked_scene(const std::string& word, const LoadLimits& limits = {});
 

@@ -73,9 +73,7 @@ void StereoCommand::add_to(CLI::App& app, int& exit_code) {
       "The page needs no network and no other file. The options of the picture are those of\n"
       "glassbox render: the same words with --stereo draw the same pictures.\n\n" +
       builtin_help());
-  command
-      .add_option("SCENE", scene_, "a glTF, GLB, OBJ or PLY file, or the name of a built-in scene")
-      ->required();
+  command.add_option("SCENE", scene_, kSceneHelp)->required();
   add_picture_options(command, picture_);
   const std::size_t before = command.get_options().size();
   add_anaglyph_options(command, anaglyph_);

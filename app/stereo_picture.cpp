@@ -77,9 +77,11 @@ AnaglyphMasks masks_for(Glasses glasses) {
           {eyes.right.r, eyes.right.g, eyes.right.b, true}};
 }
 
-// `width` columns from `first` on.
-Image<Rgba8> columns_of(const Image<Rgba8>& wide, int first, int width) {
-  Image<Rgba8> cut(width, wide.height);
+// `width` columns from `first` on; nothing of a plane that was not drawn.
+template <class Pixel>
+Image<Pixel> columns_of(const Image<Pixel>& wide, int first, int width) {
+  if (wide.pixels.empty()) return {};
+  Image<Pixel> cut(width, wide.height);
   for (int y = 0; y < wide.height; ++y) {
     for (int x = 0; x < width; ++x) cut.at(x, y) = wide.at(first + x, y);
   }
@@ -100,6 +102,8 @@ Result<StereoPicture> draw_and_crop(Renderer& renderer, const ChosenEyes& chosen
   picture.rendering.passes = 2;
   picture.rendering.left_statistics = left.statistics;
   picture.rendering.right_statistics = right.statistics;
+  picture.rendering.left.distance = columns_of(left.buffers.distance, cut->left_first, width);
+  picture.rendering.right.distance = columns_of(right.buffers.distance, cut->right_first, width);
   Result<Image<Rgba8>> image =
       recoloured_and_put_together(columns_of(left.buffers.color, cut->left_first, width),
                                   columns_of(right.buffers.color, cut->right_first, width), stereo);

@@ -17,6 +17,7 @@
 #include "app/trace/json_text.h"
 #include "app/trace/npz.h"
 
+#include <glassbox/base/near_word.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/images/atomic_file.h>
 #include <glassbox/render/trace/json.h>
@@ -49,21 +50,9 @@ std::string counted(const TraceCounts& counts) {
                      counts.fragments == 1 ? "" : "s");
 }
 
-std::vector<std::string> split_at_commas(const std::string& text) {
-  std::vector<std::string> names{""};
-  for (const char c : text) {
-    if (c == ',') {
-      names.emplace_back();
-    } else {
-      names.back() += c;
-    }
-  }
-  return names;
-}
-
 void parse_stages(const std::string& text, TraceFilter& filter) {
   filter.triangles = filter.fragments = filter.colors = false;
-  for (const std::string& name : split_at_commas(text)) {
+  for (const std::string& name : split(text, ',')) {
     if (name == "triangles") {
       filter.triangles = true;
     } else if (name == "fragments") {
@@ -79,11 +68,15 @@ void parse_stages(const std::string& text, TraceFilter& filter) {
   }
 }
 
-// The names of all arrays, for those who have named another.
-std::string names_of(const TraceArrays& arrays) {
-  std::string names;
+// The names of all arrays, and of the groups that they are in.
+std::vector<std::string> names_of(const TraceArrays& arrays) {
+  std::vector<std::string> names;
   for (const Table* table : arrays.tables()) {
-    for (const Array& array : table->arrays()) names += (names.empty() ? "" : ", ") + array.name;
+    for (const Array& array : table->arrays()) {
+      names.push_back(array.name);
+      const std::string group = array.name.substr(0, array.name.find('.'));
+      if (std::ranges::find(names, group) == names.end()) names.push_back(group);
+    }
   }
   return names;
 }
@@ -94,11 +87,7 @@ void TraceCommand::add_to(CLI::App& app, int& exit_code) {
   CLI::App& command = *app.add_subcommand(
       "trace", "a whole run as data: every stage's numbers as JSON or NumPy arrays");
   command.footer(kFooter + builtin_help());
-  command
-      .add_option(
-          "SCENE", scene_,
-          "a glTF, GLB, OBJ or PLY file, the name of a built-in scene, or - for standard input")
-      ->required();
+  command.add_option("SCENE", scene_, kSceneHelp)->required();
   command.add_option("-o,--output", output_, ".json or .npz; - is JSON on standard output")
       ->type_name("FILE|-")
       ->required();
@@ -124,7 +113,7 @@ void TraceCommand::add_filter(CLI::App& command) {
       ->group(group);
   command
       .add_option_function<std::string>(
-          "--arrays", [this](const std::string& text) { arrays_ = split_at_commas(text); },
+          "--arrays", [this](const std::string& text) { arrays_ = split(text, ','); },
           "of an .npz: only these arrays (vertex.ndc) or groups of arrays (vertex) [all]")
       ->type_name("LIST")
       ->group(group);
@@ -164,10 +153,9 @@ Result<void> TraceCommand::check_words() const {
 }
 
 Result<void> TraceCommand::check_filter(const Scene& scene) const {
-  if (filter_.triangle && !find_triangle(scene, *filter_.triangle)) {
-    return fail(fmt::format("--triangle {}", *filter_.triangle),
-                fmt::format("the scene has {} triangles", count_triangles(scene)),
-                "they are numbered from 0");
+  if (filter_.triangle) {
+    const auto legal = check_triangle("--triangle", scene, *filter_.triangle);
+    if (!legal) return legal;
   }
   if (filter_.instance && *filter_.instance >= scene.instances.size()) {
     return fail(fmt::format("--instance {}", *filter_.instance),
@@ -216,8 +204,11 @@ Result<std::string> TraceCommand::write_npz(const Scene& scene, const View& view
                                             Progress& progress) {
   TraceArrays arrays(view, arrays_);
   if (!arrays.unknown().empty()) {
-    return fail("--arrays", "there is no array or group '" + arrays.unknown()[0] + "'",
-                "the arrays are " + names_of(arrays));
+    const std::string word = arrays.unknown()[0];
+    const std::vector<std::string> names = names_of(arrays);
+    const auto near = near_word(word, names);
+    return fail("--arrays", "there is no array or group " + in_quotes(word),
+                near ? "did you mean " + std::string(*near) + "?" : "docs/trace.md lists them");
   }
   TraceCounter counter;
   trace(scene, view, picture_.settings, filter_, counter);

@@ -130,6 +130,11 @@ std::string in_plain_words(const CommandFacts& command, const CLI::ParseError& e
     const std::string value = what.substr(start, what.size() - missing.size() - start);
     return what.substr(0, at) + ": its value, " + value + ", is missing";
   }
+  const std::string unread = "Could not convert: ", is = " = ";
+  if (const std::size_t equals = what.find(is); what.starts_with(unread) && equals != what.npos) {
+    return what.substr(unread.size(), equals - unread.size()) + ": needs another value than " +
+           in_quotes(what.substr(equals + is.size()));
+  }
   const std::size_t twice = what.find(": At Most 1 required but received ");
   return twice == std::string::npos ? what : what.substr(0, twice) + ": is given more than once";
 }

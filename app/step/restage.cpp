@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/arguments.h"
+#include "app/command_tree.h"
 #include "app/picture_options.h"
 #include "app/step/stepped.h"
 
@@ -44,10 +45,8 @@ Result<StepTarget> target_of(const Scene& scene, const Request& request, StepTar
     if (*request.vertex != "all") target.vertex = (*request.vertex)[0] - '0';
   }
   if (request.triangle) {
-    if (!find_triangle(scene, *request.triangle)) {
-      return fail(fmt::format("triangle {}", *request.triangle),
-                  fmt::format("the scene has {} triangles", count_triangles(scene)),
-                  "they are numbered from 0");
+    if (const auto legal = check_triangle("triangle", scene, *request.triangle); !legal) {
+      return tl::unexpected(legal.error());
     }
     target.triangle = *request.triangle;
     target.pixel.reset();
@@ -63,20 +62,6 @@ Result<StepTarget> target_of(const Scene& scene, const Request& request, StepTar
     target.pixel = request.pick;
   }
   return target;
-}
-
-// "a|b|c" as words; nothing where it stands for other values.
-std::vector<std::string> choices_of(const std::string& type_name) {
-  if (type_name.find('|') == std::string::npos) return {};
-  std::vector<std::string> choices{""};
-  for (const char c : type_name) {
-    if (c == '|') {
-      choices.emplace_back();
-    } else {
-      choices.back() += c;
-    }
-  }
-  return choices;
 }
 
 }  // namespace
@@ -107,10 +92,9 @@ OptionWords restage_options() {
   Request request;
   add_options(app, request);
   OptionWords options;
-  for (const CLI::Option* option : app.get_options()) {
-    if (option->get_name() != "--help") {
-      options[option->get_name()] = choices_of(option->get_type_name());
-    }
+  for (const OptionFacts& option : command_tree(app).options) {
+    const std::string& name = option.names.back();
+    if (name != "--help") options[name] = kinds_of(option).choices;
   }
   return options;
 }

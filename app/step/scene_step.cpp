@@ -36,8 +36,7 @@ std::string all_stages(const std::vector<StageText>& stages) {
 
 void SceneStep::add_to(CLI::App& command) {
   const std::string group = "A triangle of a scene";
-  command.add_option("SCENE", scene_,
-                     "a glTF, GLB, OBJ or PLY file, or the name of a built-in scene");
+  command.add_option("SCENE", scene_, kSceneHelp);
   CLI::Option* triangle =
       command.add_option("--triangle", triangle_, "its number in the scene, counted from 0")
           ->type_name("N")
@@ -82,10 +81,8 @@ Result<StepTarget> SceneStep::find_target(const Scene& scene) const {
     return fail("", "no triangle is named",
                 "give --triangle N, or --pick X,Y for what a pixel shows");
   }
-  if (!find_triangle(scene, *triangle_)) {
-    return fail(fmt::format("--triangle {}", *triangle_),
-                fmt::format("the scene has {} triangles", count_triangles(scene)),
-                "they are numbered from 0");
+  if (const auto legal = check_triangle("--triangle", scene, *triangle_); !legal) {
+    return tl::unexpected(legal.error());
   }
   target.triangle = *triangle_;
   return target;

@@ -6,14 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "tests/app/run.h"
+#include "tests/app/text.h"
 
 namespace glassbox::test {
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 // Two scenes and two cameras over one triangle. The second scene would put another one over the picture.
 constexpr const char* kTwoScenes = R"({

@@ -1,17 +1,13 @@
 // What a file asks for and the picture lacks is said once, by every command that loads it; and PLY files go everywhere.
 #include <nlohmann/json.hpp>
 
-#include "tests/app/run.h"
+#include "tests/app/text.h"
 #include "tests/support/catch.h"
 
 namespace glassbox::test {
 namespace {
 
 using Json = nlohmann::json;
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 std::size_t count_of(const std::string& text, const std::string& part) {
   std::size_t count = 0;

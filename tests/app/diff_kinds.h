@@ -11,7 +11,7 @@
 
 #include <stb/stb_image_write.h>
 
-#include "tests/app/run.h"
+#include "tests/app/text.h"
 #include "tests/compare/pictures.h"
 #include "tests/images/png_builder.h"
 
@@ -171,10 +171,6 @@ inline StoredImage shifted(const StoredImage& image) {
     }
   }
   return result;
-}
-
-inline bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace glassbox::test

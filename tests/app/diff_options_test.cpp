@@ -1,7 +1,6 @@
 // Masks, boxes, metrics, sidecars and bad usage of glassbox diff.
 #include "tests/support/catch.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -37,17 +36,6 @@ public:
   }
   Workplace here;
 };
-
-void check_refused(const Outcome& outcome, const std::vector<std::string>& parts) {
-  INFO(outcome.out << outcome.err);
-  CHECK(outcome.exit_code == 2);
-  CHECK(outcome.out.empty());
-  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
-  for (const std::string& part : parts) {
-    INFO("expected: " << part);
-    CHECK(contains(outcome.err, part));
-  }
-}
 
 TEST_CASE("boxes and masks leave pixels out, alone and together") {
   const TwoPixels two;

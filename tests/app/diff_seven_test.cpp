@@ -52,12 +52,9 @@ void check_different(const Outcome& outcome, const std::string& name) {
   CHECK(outcome.err.empty());
 }
 
-void check_refused(const Outcome& outcome, const std::string& name) {
-  INFO(outcome.out << outcome.err);
-  CHECK(outcome.exit_code == 2);
-  CHECK(outcome.out.empty());
-  CHECK(outcome.err.find("glassbox: " + name + ": ") == 0);
-  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+void check_refused_by_name(const Outcome& outcome, const std::string& name) {
+  check_refused(outcome, {name});
+  CHECK(outcome.err.starts_with("glassbox: " + name + ": "));
 }
 
 TEST_CASE(
@@ -72,8 +69,8 @@ TEST_CASE(
     for (const char* test : {"up", "wrong", "shifted", "wider"}) {
       check_different(all.diff(test), all.name(test));
     }
-    check_refused(all.diff("missing"), all.name("missing"));
-    check_refused(all.diff("corrupt"), all.name("corrupt"));
+    check_refused_by_name(all.diff("missing"), all.name("missing"));
+    check_refused_by_name(all.diff("corrupt"), all.name("corrupt"));
   }
 }
 

@@ -16,27 +16,12 @@
 #include <glassbox/images/read.h>
 #include <glassbox/raster/lanes/target.h>
 
-#include "tests/app/run.h"
+#include "tests/app/text.h"
 
 namespace glassbox::test {
 namespace {
 
 using Json = nlohmann::json;
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-void check_refused(const Outcome& outcome, const std::vector<std::string>& parts) {
-  INFO(outcome.err);
-  CHECK(outcome.exit_code == 2);
-  CHECK(outcome.out.empty());
-  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
-  for (const std::string& part : parts) {
-    INFO("expected: " << part);
-    CHECK(contains(outcome.err, part));
-  }
-}
 
 // All that a command writes, by name; JSON, which has times, left out.
 std::vector<std::pair<std::string, std::string>> files_of(const std::string& words) {

@@ -1,17 +1,13 @@
 // glassbox explain: what a picture needs and what is left out of it, and the numbers of a run, without its picture.
 #include <nlohmann/json.hpp>
 
-#include "tests/app/run.h"
+#include "tests/app/text.h"
 #include "tests/support/catch.h"
 
 namespace glassbox::test {
 namespace {
 
 using Json = nlohmann::json;
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 void check_counts(const Json& json) {
   const auto count = [&](const char* name) { return json.at(name).get<std::uint64_t>(); };

@@ -1,31 +1,15 @@
 // Files that are not there, cannot be read or cannot be written: one line, exit code 2, and nothing half done.
 #include "tests/support/catch.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "tests/app/run.h"
+#include "tests/app/text.h"
 
 namespace glassbox::test {
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-void check_refused(const Outcome& outcome, const std::vector<std::string>& parts) {
-  INFO(outcome.err);
-  CHECK(outcome.exit_code == 2);
-  CHECK(outcome.out.empty());
-  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
-  for (const std::string& part : parts) {
-    INFO("expected: " << part);
-    CHECK(contains(outcome.err, part));
-  }
-}
 
 TEST_CASE("a scene that cannot be had is refused by name, with a remedy") {
   const Workplace here;

@@ -6,7 +6,6 @@
 #include <glassbox/images/read.h>
 #include <nlohmann/json.hpp>
 
-#include "tests/app/run.h"
 #include "tests/app/text.h"
 #include "tests/support/catch.h"
 
@@ -14,10 +13,6 @@ namespace glassbox::test {
 namespace {
 
 using Json = nlohmann::json;
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 Image<Rgba8> rendered(const Workplace& here, const std::string& words) {
   const Outcome outcome = here.run("render " + words + " -o p.png");

@@ -34,7 +34,7 @@ TEST_CASE("an option that changes no byte of a quantity's picture is named, and 
       const Rendered of_teapot = rendered("teapot:2" + shown + " " + option);
       const bool changes = of_room.bytes != room || of_teapot.bytes != teapot;
       INFO((*show ? show : "colours") << " with " << option);
-      CHECK(has(of_room.err, "note: " + option + " is ignored: ") == !changes);
+      CHECK(contains(of_room.err, "note: " + option + " is ignored: ") == !changes);
       CHECK(of_teapot.err == of_room.err);
     }
   }
@@ -47,7 +47,7 @@ TEST_CASE("the default given in words is no reason for a note about samples") {
 TEST_CASE("a window without parallax is ignored with a note") {
   const std::string plain = "forest --stereo pair --eye-separation 0";
   const Rendered with = rendered(plain + " --window 3");
-  CHECK(has(with.err, "note: --window 3 is ignored"));
+  CHECK(contains(with.err, "note: --window 3 is ignored"));
   CHECK(with.bytes == rendered(plain).bytes);
   CHECK(rendered("forest --stereo pair --eye-separation 0.1 --window 3").err.empty());
 }
@@ -63,14 +63,14 @@ TEST_CASE("step names what points and what triangles have no use for") {
     INFO(option << ": " << with.err);
     CHECK(with.exit_code == 0);
     CHECK(with.out == plain.out);
-    CHECK(has(with.err, "note: " + std::string(option).substr(0, 4)));
-    CHECK(has(with.err, "is ignored"));
+    CHECK(contains(with.err, "note: " + std::string(option).substr(0, 4)));
+    CHECK(contains(with.err, "is ignored"));
   }
   const std::string triangle = "step cube --triangle 0 --size 64x64";
   CHECK(here.run(triangle + " --shade flat").err.empty());
   const Outcome with = here.run(triangle + " --proj p.txt");
   CHECK(with.out == here.run(triangle).out);
-  CHECK(has(with.err, "note: --proj is ignored"));
+  CHECK(contains(with.err, "note: --proj is ignored"));
 }
 
 }  // namespace

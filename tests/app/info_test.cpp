@@ -7,16 +7,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/app/run.h"
+#include "tests/app/text.h"
 
 namespace glassbox::test {
 namespace {
 
 using Json = nlohmann::json;
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 Json info(const Workplace& here, const std::string& scene) {
   const Outcome outcome = here.run("info " + scene + " --json -");

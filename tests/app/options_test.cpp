@@ -9,16 +9,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/app/run.h"
+#include "tests/app/text.h"
 
 #include <glassbox/images/read.h>
 
 namespace glassbox::test {
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 Image<Rgba8> picture(const Workplace& here, const std::string& name) {
   const auto image = read_image(here.file(name));
@@ -176,6 +172,8 @@ TEST_CASE("without arguments the teapot is rendered and the next steps are named
   CHECK(here.names() == std::vector<std::string>{"teapot.png"});
   CHECK(contains(outcome.out, "try next"));
   CHECK(contains(outcome.out, "glassbox render"));
+  REQUIRE(here.run("render teapot -o x.png").exit_code == 0);
+  CHECK((here.read("teapot.png") == here.read("x.png")));  // the bytes are nothing to print
 }
 
 TEST_CASE("help and version are printed on standard output, with examples for each subcommand") {

@@ -37,7 +37,7 @@ TEST_CASE("with -o - what is asked for in words goes to standard error or to fil
   const std::string plain = here.run("render cube --size 16x16 -o -").out;
   const Outcome stats = here.run("render cube --size 16x16 -o - --stats");
   CHECK(stats.out == plain);
-  CHECK(has(stats.err, "depth test"));
+  CHECK(contains(stats.err, "depth test"));
   const Outcome json = here.run("render cube --size 16x16 -o - --json j.json --depth-out d.pfm");
   CHECK(json.out == plain);
   CHECK(nlohmann::json::parse(here.read("j.json"))["image"] == "-");
@@ -49,26 +49,26 @@ TEST_CASE("with -o - what is asked for in words goes to standard error or to fil
 
 TEST_CASE("standard output takes one thing, and no picture goes to a terminal") {
   const Workplace here;
-  check_one_line(here.run("render cube -o - --json -"), {"--json -", "standard output"});
-  check_one_line(here.run("render cube --frames 3 --turntable -o -"), {"-o -", "many pictures"});
-  check_one_line(here.run("render cube --format ppm"), {"--format", "-o -"});
-  check_one_line(here.run("render cube -o a.png --format ppm"), {"--format"});
-  check_one_line(here.run("render cube --frames 3 --turntable --format ppm"), {"--format"});
-  check_one_line(here.run("render cube -o - --format jpg"), {"png|ppm"});
+  check_refused(here.run("render cube -o - --json -"), {"--json -", "standard output"});
+  check_refused(here.run("render cube --frames 3 --turntable -o -"), {"-o -", "many pictures"});
+  check_refused(here.run("render cube --format ppm"), {"--format", "-o -"});
+  check_refused(here.run("render cube -o a.png --format ppm"), {"--format"});
+  check_refused(here.run("render cube --frames 3 --turntable --format ppm"), {"--format"});
+  check_refused(here.run("render cube -o - --format jpg"), {"png|ppm"});
   CHECK(here.names().empty());
   // script(1) of bsdutils gives the program a terminal.
   const Outcome terminal =
       in_shell(here, "script -qec \"$0 render cube --size 8x8 -o -\" /dev/null </dev/null");
   CHECK(terminal.exit_code == 2);
-  CHECK(has(terminal.out, "standard output is a terminal"));
-  CHECK(!has(terminal.out, "PNG\r"));
+  CHECK(contains(terminal.out, "standard output is a terminal"));
+  CHECK(!contains(terminal.out, "PNG\r"));
 }
 
 TEST_CASE("a picture that cannot be written to the end is an error") {
   const Workplace here;
   if (!fs::exists("/dev/full")) SKIP_TEST("there is no /dev/full");
   const Outcome full = in_shell(here, "\"$0\" render cube --size 64x64 -o - > /dev/full");
-  check_one_line(full, {"standard output", "No space left"});
+  check_refused(full, {"standard output", "No space left"});
 }
 
 TEST_CASE("a scene is read from standard input, whatever its format") {
@@ -86,8 +86,8 @@ TEST_CASE("a scene is read from standard input, whatever its format") {
     CHECK(piped.out == here.run(std::string("render ") + file + options).out);
   }
   const Outcome nameless = in_shell(here, "\"$0\" render - --size 8x8 -o - < t.obj");
-  CHECK(!has(nameless.out, "glassbox scene"));  // nobody could render it again
-  CHECK(has(here.run("render t.obj --size 8x8 -o -").out, "glassbox scene"));
+  CHECK(!contains(nameless.out, "glassbox scene"));  // nobody could render it again
+  CHECK(contains(here.run("render t.obj --size 8x8 -o -").out, "glassbox scene"));
   CHECK(in_shell(here, "cat t.obj | \"$0\" info -").exit_code == 0);
   CHECK(in_shell(here, "\"$0\" render - --size 8x8 < mark.obj").exit_code == 0);
   CHECK(fs::exists(here.file("stdin.png")));
@@ -114,13 +114,13 @@ TEST_CASE("what comes through a pipe names no other files") {
   here.write("e.gltf",
              R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 36, "uri": "e.bin"}]})");
   here.write("e.bin", std::string(36, '\0'));
-  check_one_line(in_shell(here, "\"$0\" render - -o a.png < e.gltf"),
-                 {"standard input", "buffer", "'e.bin' is external", "embed"});
+  check_refused(in_shell(here, "\"$0\" render - -o a.png < e.gltf"),
+                {"standard input", "buffer", "'e.bin' is external", "embed"});
   here.write("m.mtl", "newmtl red\nKd 1 0 0\n");
   here.write("m.obj", "mtllib m.mtl\nusemtl red\n" + kTriangle);
   const Outcome library = in_shell(here, "\"$0\" render - --size 8x8 -o b.png < m.obj");
   CHECK(library.exit_code == 0);
-  CHECK(has(library.err, "material libraries are not read"));
+  CHECK(contains(library.err, "material libraries are not read"));
 }
 
 TEST_CASE("standard input that is no scene is refused") {
@@ -136,11 +136,11 @@ TEST_CASE("standard input that is no scene is refused") {
       {"\"$0\" render - <&-", "standard input: cannot be read"}};
   for (const auto& [line, part] : cases) {
     INFO(line);
-    check_one_line(in_shell(here, line), {part});
+    check_refused(in_shell(here, line), {part});
   }
   const Outcome terminal = in_shell(here, "script -qec \"$0 info -\" /dev/null < /dev/null");
   CHECK(terminal.exit_code == 2);
-  CHECK(has(terminal.out, "standard input: is a terminal"));
+  CHECK(contains(terminal.out, "standard input: is a terminal"));
   CHECK(here.names().empty());
 }
 
@@ -151,7 +151,7 @@ TEST_CASE("bytes from memory have the limits of a file") {
   limits.max_file_bytes = kTriangle.size() - 1;
   const auto refused = load_scene_memory(bytes, limits);
   REQUIRE(!refused);
-  CHECK(has(refused.error().cause, "more than the limit"));
+  CHECK(contains(refused.error().cause, "more than the limit"));
 }
 
 }  // namespace

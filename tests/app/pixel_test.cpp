@@ -12,8 +12,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/app/run.h"
 #include "tests/app/scenes.h"
+#include "tests/app/text.h"
 
 #include <glassbox/images/read.h>
 
@@ -270,15 +270,6 @@ TEST_CASE("a line is seen at a distance, and has no triangle's number") {
   CHECK(outcome.out.find("background") == std::string::npos);
 }
 
-void check_refused(const Workplace& here, const std::string& words, const std::string& part) {
-  const Outcome outcome = here.run("pixel " + words);
-  INFO(words << ": " << outcome.err);
-  CHECK(outcome.exit_code == 2);
-  CHECK(outcome.out.empty());
-  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
-  CHECK(outcome.err.find(part) != std::string::npos);
-}
-
 TEST_CASE("every command that takes a pixel refuses the same ones in the same words") {
   const Workplace here;
   for (const std::string option : {"pixel cube --at", "step cube --pick", "inspect cube --pixel"}) {
@@ -306,13 +297,17 @@ TEST_CASE("every command that takes a pixel refuses the same ones in the same wo
 
 TEST_CASE("no pixel, no scene and options of other commands are refused") {
   const Workplace here;
-  check_refused(here, "cube --at 1280,0", "1280 x 720");
-  check_refused(here, "cube --size 40x30", "--at");
-  check_refused(here, "--at 1,1", "SCENE");
-  check_refused(here, "nothing.glb --at 1,1", "nothing.glb");
-  check_refused(here, "cube --at 1,1 -o x.png", "-o");
-  check_refused(here, "cube --size 40x30 --at 1,1 --near 3 --far 2", "far plane");
-  check_refused(here, "cube --size 40x30 --at 1,1 --json nowhere/x.json", "nowhere");
+  const auto check = [&](const std::string& words, const std::string& part) {
+    INFO(words);
+    check_refused(here.run("pixel " + words), {part});
+  };
+  check("cube --at 1280,0", "1280 x 720");
+  check("cube --size 40x30", "--at");
+  check("--at 1,1", "SCENE");
+  check("nothing.glb --at 1,1", "nothing.glb");
+  check("cube --at 1,1 -o x.png", "-o");
+  check("cube --size 40x30 --at 1,1 --near 3 --far 2", "far plane");
+  check("cube --size 40x30 --at 1,1 --json nowhere/x.json", "nowhere");
   CHECK(here.names().empty());
 }
 

@@ -23,7 +23,7 @@ const std::string kWalk = R"({"camera_path": 1, "interpolation": "smooth", "keyf
 
 std::string draw(const Workplace& here, const std::string& options, const std::string& frames) {
   const Outcome outcome = here.run("render forest " + options + " --frames " + frames +
-                                   (has(options, "--size") ? "" : " --size 96x64"));
+                                   (contains(options, "--size") ? "" : " --size 96x64"));
   INFO(options << " " << frames << ": " << outcome.err);
   REQUIRE(outcome.exit_code == 0);
   return outcome.out;
@@ -79,8 +79,8 @@ TEST_CASE("names have as many digits as the whole sequence needs") {
 TEST_CASE("a slice says what it is part of") {
   const Workplace here;
   here.write("p.json", kWalk);
-  CHECK(has(draw(here, "--path p.json -o f.png", "2-4/9"), "f-0002.png to f-0004.png"));
-  CHECK(has(draw(here, "--path p.json -o f.png", "2-4/9"), "3 frames of 9"));
+  CHECK(contains(draw(here, "--path p.json -o f.png", "2-4/9"), "f-0002.png to f-0004.png"));
+  CHECK(contains(draw(here, "--path p.json -o f.png", "2-4/9"), "3 frames of 9"));
   const auto json = nlohmann::json::parse(draw(here, "--path p.json -o f.png --json -", "2-4/9"));
   CHECK(json["slice"] == nlohmann::json{{"first", 2}, {"last", 4}, {"of", 9}});
   CHECK(json["frames"].size() == 3);
@@ -91,10 +91,10 @@ TEST_CASE("slices that cannot be are refused") {
   for (const char* frames : {"0-3/9", "3-2/9", "2-10/9", "1-2/", "/9", "1-/9", "-2/9", "1-2-3/9",
                              "1-2/0", "1-2", "1-2/9/9", "1-2/100001", "a-b/c", "1,2/9"}) {
     INFO(frames);
-    check_one_line(Workplace().run(std::string("render cube --turntable --frames=") + frames),
-                   {"--frames"});
+    check_refused(Workplace().run(std::string("render cube --turntable --frames=") + frames),
+                  {"--frames"});
   }
-  check_one_line(
+  check_refused(
       Workplace().run("render forest --turntable --stereo anaglyph --frames 1-2/9 --plot p.svg"),
       {"--plot", "all frames"});
 }
@@ -113,7 +113,7 @@ std::string block_with(const std::string& word) {
       continue;
     }
     in_block = !in_block;
-    if (!in_block && has(block, word)) return block;
+    if (!in_block && contains(block, word)) return block;
     block.clear();
   }
   FAIL("no block of docs/command_line.md has " << word);

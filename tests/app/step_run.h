@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/app/run.h"
+#include "tests/app/text.h"
 #include "tests/pipeline/matrices/textbook.h"
 #include "tests/support/catch.h"
 
@@ -17,10 +17,6 @@ namespace glassbox::test {
 namespace book = textbook;
 using book::Rows;
 using Json = nlohmann::json;
-
-inline bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 // Sixteen numbers in the order of rows, or of columns, each printed by `format` and followed by `after`.
 inline std::string numbers(const Rows& m, bool columns, const char* format,

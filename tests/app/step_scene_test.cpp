@@ -1,17 +1,13 @@
 // glassbox step SCENE: a triangle of a scene through every stage.
 #include <nlohmann/json.hpp>
 
-#include "tests/app/run.h"
+#include "tests/app/text.h"
 #include "tests/support/catch.h"
 
 namespace glassbox::test {
 namespace {
 
 using Json = nlohmann::json;
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 std::size_t longest_line(const std::string& text) {
   std::size_t longest = 0;

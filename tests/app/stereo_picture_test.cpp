@@ -1,4 +1,5 @@
 // glassbox render --stereo and --seen-by: both eyes in one picture, from the command line.
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -94,6 +95,27 @@ TEST_CASE("aligning and cropping makes the skewed pair where whole pixels are cu
     const Outcome outcome = here.run(std::string("render cube --size 32x32 ") + refused);
     INFO(refused << ": " << outcome.err);
     CHECK(outcome.exit_code == 2);
+  }
+}
+
+TEST_CASE("frames of cropped eyes are measured like those of skewed ones") {
+  const Workplace here;
+  const auto parallax = [&](const std::string& eyes) {
+    const Outcome outcome = here.run(
+        "render forest --size 96x64 --frames 2 --turntable --stereo anaglyph --json - --eyes-by " +
+        eyes);
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    return Json::parse(outcome.out).at("frames").at(0);
+  };
+  const Json skewed = parallax("skew"), cropped = parallax("crop");
+  CHECK(cropped.at("separation") == skewed.at("separation"));
+  for (const char* name : {"in_front_px", "behind_px"}) {
+    INFO(name);
+    const double px = cropped.at(name);
+    CHECK(px > 0);
+    // Each eye's picture is half a pixel beside that of the skewed frustum at most.
+    CHECK(std::abs(px - skewed.at(name).get<double>()) <= 1);
   }
 }
 

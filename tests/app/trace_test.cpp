@@ -9,8 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/app/run.h"
 #include "tests/app/sessions.h"
+#include "tests/app/text.h"
 #include "tests/support/catch.h"
 #include "tests/support/skip.h"
 
@@ -90,10 +90,6 @@ std::map<std::string, NpyArray> parse_npz(const std::string& path) {
     arrays[name] = parse_npy(file);
   }
   return arrays;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 // ---- both forms ----
@@ -225,6 +221,15 @@ TEST_CASE("trace refuses what it cannot write, says what to do, and writes nothi
 }
 
 // ---- docs/trace.md ----
+
+TEST_CASE("a limit below nothing and an array that is not there are refused, with what was meant") {
+  const Workplace here;
+  const std::string run = "trace cube --size 16x16 -o run.npz ";
+  check_refused(here.run(run + "--max-mb -1"), {"--max-mb", "'-1'"});
+  check_refused(here.run(run + "--arrays vertex.ndk"), {"--arrays", "'vertex.ndk'", "vertex.ndc?"});
+  check_refused(here.run(run + "--arrays nothing_like_it"), {"docs/trace.md lists them"});
+  CHECK(here.names().empty());
+}
 
 TEST_CASE("docs/trace.md names every array with its type and the shape of a row") {
   const Workplace here;

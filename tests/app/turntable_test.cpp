@@ -191,8 +191,8 @@ TEST_CASE("a turn in stereo keeps the budget, with no path to name") {
       here.run("render forest --frames 6 --turntable --stereo anaglyph --size 96x64 -o t.png");
   INFO(outcome.err);
   REQUIRE(outcome.exit_code == 0);
-  CHECK(has(outcome.out, "(budget 3.00 %)"));
-  CHECK(has(here.read("t.svg"), "forest on a turntable"));
+  CHECK(contains(outcome.out, "(budget 3.00 %)"));
+  CHECK(contains(here.read("t.svg"), "forest on a turntable"));
 }
 
 TEST_CASE("turntables that cannot be are refused") {
@@ -207,7 +207,7 @@ TEST_CASE("turntables that cannot be are refused") {
   for (const auto& [options, parts] : cases) {
     const Workplace here;
     INFO(options);
-    check_one_line(here.run("render cube --size 16x16 " + options), parts);
+    check_refused(here.run("render cube --size 16x16 " + options), parts);
     CHECK(here.names().empty());
   }
 }
@@ -245,7 +245,7 @@ TEST_CASE("--camera none frames a scene as if its file had no camera") {
   CHECK(bytes("camera.gltf") != bytes("plain.gltf"));
   CHECK(bytes("camera.gltf --camera 0") == bytes("camera.gltf"));  // it is called "none"
   CHECK(bytes("cube --camera none") == bytes("cube"));
-  CHECK(has(here.run("info camera.gltf --json -").out, "\"none\""));
+  CHECK(contains(here.run("info camera.gltf --json -").out, "\"none\""));
 }
 
 }  // namespace

@@ -10,9 +10,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/app/run.h"
 #include "tests/app/scenes.h"
 #include "tests/app/sessions.h"
+#include "tests/app/text.h"
 
 namespace glassbox::test {
 namespace {
@@ -25,10 +25,6 @@ Json why(const Workplace& here, const std::string& words) {
   REQUIRE(outcome.exit_code == 0);
   CHECK(outcome.err.empty());
   return Json::parse(outcome.out);
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 // The words after the program's name in the lines that suggest a command.
