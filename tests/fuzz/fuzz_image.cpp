@@ -1,25 +1,29 @@
 // Hostile image files: PNG, JPEG, BMP, TGA by decode_image; PPM, PGM and PFM by their own readers.
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 
 #include <glassbox/images/decode.h>
 #include <glassbox/images/read.h>
 
+#include "tests/fuzz/promises.h"
+
 namespace {
+
+using glassbox::fuzz::require;
 
 constexpr glassbox::DecodeLimits kLimits{.max_pixels = 1 << 16, .max_side = 4096};
 
 template <class Pixel>
 void check(const glassbox::Result<glassbox::Image<Pixel>>& image) {
   if (!image) {
-    if (image.error().cause.empty() || image.error().remedy.empty()) std::abort();
+    glassbox::fuzz::check_error(image.error());
     return;
   }
   const auto pixels = std::uint64_t(image->width) * std::uint64_t(image->height);
-  if (image->width < 1 || image->height < 1 || pixels > kLimits.max_pixels) std::abort();
-  if (image->pixels.size() != pixels) std::abort();
+  require(image->width >= 1 && image->height >= 1, "a size above zero");
+  require(pixels <= kLimits.max_pixels, "pixels within the limit");
+  require(image->pixels.size() == pixels, "as many pixels as the size says");
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -17,22 +16,14 @@
 #include "app/step/matrix_text.h"
 #include "app/step/point_step.h"
 #include "app/text_layout.h"
+#include "tests/fuzz/promises.h"
 
 namespace {
 
 using namespace glassbox;
 using namespace glassbox::app;
-
-void require(bool holds, const char* what) {
-  if (holds) return;
-  std::fprintf(stderr, "the reader of matrices breaks a promise: %s\n", what);
-  std::abort();
-}
-
-void check_error(const Error& error) {
-  require(!error.cause.empty() && !error.remedy.empty(), "cause and remedy");
-  require(error.message().find('\n') == std::string::npos, "one line");
-}
+using fuzz::check_error;
+using fuzz::require;
 
 void check_numbers(const MatrixText& matrix) {
   for (std::size_t i = 0; i < 16; ++i) {

@@ -1,63 +1,16 @@
 // Hostile OBJ and MTL text. The first byte chooses limits; a line "%%MTL" starts the material library.
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <string_view>
 
 #include <glassbox/mesh/obj/load.h>
 
+#include "tests/fuzz/promises.h"
+
 namespace {
 
-// What loaders guarantee (mesh/mesh.h), so that later stages need not check.
-void require(bool holds, const char* what) {
-  if (holds) return;
-  std::fprintf(stderr, "the loaded scene breaks a promise: %s\n", what);
-  std::abort();
-}
-
-template <class Table>
-bool in_range_or_none(std::uint32_t index, const Table& table) {
-  return index == glassbox::kNone || index < table.size();
-}
-
-void check_corner(const glassbox::Corner& corner, const glassbox::Mesh& mesh) {
-  require(corner.position < mesh.positions.size(), "position in range");
-  require(in_range_or_none(corner.normal, mesh.normals), "normal in range");
-  require(in_range_or_none(corner.texcoord, mesh.texcoords), "texture coordinate in range");
-  require(in_range_or_none(corner.color, mesh.colors), "colour in range");
-}
-
-void check_mesh(const glassbox::Mesh& mesh) {
-  for (const auto& p : mesh.positions) {
-    require(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z), "finite position");
-  }
-  for (const auto& n : mesh.normals) {
-    const double length = std::sqrt(double(n.x) * double(n.x) + double(n.y) * double(n.y) +
-                                    double(n.z) * double(n.z));
-    // Each component is off by half an ulp at most, 2^-25.
-    require(std::abs(length - 1) < 0x1p-23, "unit normal");
-  }
-  for (const auto& t : mesh.texcoords) {
-    require(std::isfinite(t.u) && std::isfinite(t.v), "finite texture coordinate");
-  }
-  for (const auto& c : mesh.colors) {
-    for (const float channel : {c.r, c.g, c.b, c.a}) {
-      require(channel >= 0 && channel <= 1, "colour in [0, 1]");
-    }
-  }
-  for (const auto& face : mesh.faces) {
-    require(face.count >= 3, "three corners");
-    require(face.first <= mesh.corners.size() && face.count <= mesh.corners.size() - face.first,
-            "face in range");
-  }
-  for (const auto& corner : mesh.corners) check_corner(corner, mesh);
-  for (const auto& line : mesh.lines) {
-    for (const auto& corner : line) check_corner(corner, mesh);
-  }
-  for (const auto& corner : mesh.points) check_corner(corner, mesh);
-}
+using glassbox::fuzz::check_mesh;
+using glassbox::fuzz::require;
 
 void check_scene(const glassbox::Scene& scene) {
   require(!scene.materials.empty() && !scene.meshes.empty(), "something to draw");
@@ -90,12 +43,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view obj = text.substr(0, split);
   const std::string_view mtl =
       split == std::string_view::npos ? std::string_view() : text.substr(split + kSeparator.size());
-  const auto scene = glassbox::load_obj_memory(obj, mtl, limits);
-  if (scene) {
-    check_scene(*scene);
-  } else {
-    require(!scene.error().cause.empty() && !scene.error().remedy.empty(), "cause and remedy");
-    require(scene.error().message().find('\n') == std::string::npos, "one line");
-  }
+  glassbox::fuzz::check_loaded(glassbox::load_obj_memory(obj, mtl, limits), check_scene);
   return 0;
 }

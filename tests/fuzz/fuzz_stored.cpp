@@ -3,8 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <span>
 #include <variant>
 
@@ -16,6 +14,8 @@
 #include <glassbox/images/utf8.h>
 #include <glassbox/images/write.h>
 
+#include "tests/fuzz/promises.h"
+
 namespace {
 
 using namespace glassbox;
@@ -23,17 +23,11 @@ using Bytes = std::span<const std::byte>;
 
 constexpr DecodeLimits kLimits{.max_pixels = 1 << 16, .max_side = 4096};
 
-void require(bool holds, const char* what) {
-  if (holds) return;
-  std::fprintf(stderr, "a promise is broken: %s\n", what);
-  std::abort();
-}
+using fuzz::require;
 
 template <class T>
 void require_explained(const Result<T>& result) {
-  if (result) return;
-  require(!result.error().cause.empty() && !result.error().remedy.empty(), "cause and remedy");
-  require(result.error().message().find('\n') == std::string::npos, "one line");
+  if (!result) fuzz::check_error(result.error());
 }
 
 std::uint8_t nearest_8(std::uint8_t sample) {
