@@ -16,8 +16,11 @@ usage() {
 usage: ./glassbox test [--all]
 
 Builds the tests with g++, every warning an error, and runs them; then
-the format of the sources. --all adds what needs more tools and time: all tests with clang++, without optimisation and under
-the sanitizers, ThreadSanitizer, a minute of each fuzzer, the HTML pages in a browser, and clang-tidy.
+the format of the sources, and some tests of each folder under the
+sanitizers. --all adds what needs more tools and time: all tests with
+clang++, without optimisation and under the sanitizers,
+ThreadSanitizer, a minute of each fuzzer, the HTML pages in a browser,
+and clang-tidy.
 TEXT
 }
 
@@ -188,8 +191,9 @@ fi
 
 run_suites test "g++ -O3"
 check_format
-if [ "$all" = yes ]; then
+if [ "$all" = no ]; then
   run_suites sanitize-some "sanitizers, some tests of each folder" test_sanitized
+else
   run_suites debug "g++ -O0"
   if have clang++; then run_suites clang "clang++ -O3"; else skip "clang++ -O3 (no clang++)"; fi
   run_suites sanitize "sanitizers"
