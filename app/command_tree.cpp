@@ -72,4 +72,16 @@ ValueKinds kinds_of(const OptionFacts& option) {
   return kinds;
 }
 
+void refuse_empty_names(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    const ValueKinds kinds = kinds_of(facts_of(*option));
+    if (option->get_positional() || !(kinds.files || kinds.directories)) continue;
+    option->check(
+        [](const std::string& word) { return word.empty() ? "an empty name names no file" : ""; });
+  }
+  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) {
+    refuse_empty_names(*command);
+  }
+}
+
 }  // namespace glassbox::app

@@ -45,4 +45,7 @@ struct ValueKinds {
 
 ValueKinds kinds_of(const OptionFacts& option);
 
+// Makes an empty word an error of usage wherever an option takes the name of a file or directory.
+void refuse_empty_names(CLI::App& app);
+
 }  // namespace glassbox::app

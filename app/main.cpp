@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/bench_command.h"
+#include "app/command_tree.h"
 #include "app/completion_command.h"
 #include "app/diff_command.h"
 #include "app/exit_codes.h"
@@ -77,6 +78,7 @@ int run(int argc, char** argv) {
   completion.add_to(app, exit_code);
   man.add_to(app, exit_code);
   app.require_subcommand(0, 1);
+  refuse_empty_names(app);
 
   try {
     app.parse(argc, argv);

@@ -145,6 +145,13 @@ Result<void> TraceCommand::check_words() const {
   if (is_json() && !arrays_.empty()) {
     return fail("--arrays", "JSON has records, not arrays", "give -o FILE.npz, or --stages");
   }
+  for (const std::string& array : arrays_) {
+    const bool of_fragments = array.substr(0, array.find('.')) == "fragment";
+    if (of_fragments && !filter_.fragments) {
+      return fail("--arrays " + array, "--stages leaves the fragments out",
+                  "add fragments to --stages, or leave it out");
+    }
+  }
   if (output_ != "-") {
     if (const auto legal = check_outputs({output_}); !legal) return legal;
   }

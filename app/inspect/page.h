@@ -23,8 +23,8 @@ struct InspectOptions {
   std::optional<PixelAt> pixel;    // chosen on opening, with all records of its fragments
   std::optional<PixelRect>
       rectangle;  // only what reaches into it, with all records of its fragments
-  std::uint64_t max_triangles = 1'000'000;
-  std::uint64_t max_fragments = 4'000'000;
+  std::uint32_t max_triangles = 1'000'000;
+  std::uint32_t max_fragments = 4'000'000;
 };
 
 struct PageFacts {

@@ -217,10 +217,9 @@ TEST_CASE("trace refuses what it cannot write, says what to do, and writes nothi
   refuses("cube -o run.npz --stages triangles,wheels", "wheels");
   refuses("cube -o run.npz --arrays corner.clap", "corner.clip");
   refuses("cube -o run.json --arrays corner.clip", "--stages");
+  refuses("cube -o run.npz --stages triangles --arrays corner.clip,fragment", "--arrays fragment");
   refuses("nothing-here.glb -o run.npz", "nothing-here.glb");
 }
-
-// ---- docs/trace.md ----
 
 TEST_CASE("a limit below nothing and an array that is not there are refused, with what was meant") {
   const Workplace here;
@@ -230,6 +229,8 @@ TEST_CASE("a limit below nothing and an array that is not there are refused, wit
   check_refused(here.run(run + "--arrays nothing_like_it"), {"docs/trace.md lists them"});
   CHECK(here.names().empty());
 }
+
+// ---- docs/trace.md ----
 
 TEST_CASE("docs/trace.md names every array with its type and the shape of a row") {
   const Workplace here;

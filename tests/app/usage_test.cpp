@@ -51,11 +51,24 @@ TEST_CASE("what is missing or there twice is said in plain words") {
       {"render cube --size", "--size: its value, WxH, is missing; glassbox render --help"},
       {"render cube -o", "--output: its value, FILE|-, is missing; "},
       {"render cube --size 8x8 --size 9x9", "--size: is given more than once; "},
+      {"inspect cube --max-triangles -1", "--max-triangles"},
       {"lab", "a subcommand is missing; the subcommands are list, start, "},
       {"study", "extremes and recommend; glassbox study --help"}};
   for (const auto& [words, part] : cases) {
     INFO(words);
     check_refused(Workplace().run(words), {part});
+  }
+}
+
+TEST_CASE("an empty word is no name of a file") {
+  const Workplace here;
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"render", "cube", "--size", "8x8", "--output", ""},
+        {"diff", "a.png", "b.png", "--html", ""},
+        {"study", "report", "a.json", "--svg", ""}}) {
+    const Outcome outcome = run_program(GLASSBOX_PROGRAM, words, here.path());
+    check_refused(outcome, {words[words.size() - 2] + ": an empty name names no file"});
+    CHECK(here.names().empty());
   }
 }
 
