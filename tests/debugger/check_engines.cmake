@@ -1,6 +1,6 @@
 # Called by tests/debugger/CMakeLists.txt with root, program, work: whether glassbox-triangle and glassbox-pixel say that a run
-# is drawn by the tile engine, once a run, and say nothing of the staged one. The program needs no debug information for that:
-# without it the commands cannot set their own stops, and only that fails.
+# is drawn by the tile engine, once a run, and say nothing of the staged one. Their own stops, which a program with debug
+# information has, are removed: the runs go on to their ends.
 set(engines tile staged tile staged)
 set(commands "glassbox-triangle 0" "glassbox-triangle 0" "glassbox-pixel 3 4" "glassbox-pixel 3 4")
 find_program(gdb NAMES gdb)
@@ -12,7 +12,9 @@ endif()
 foreach(engine command IN ZIP_LISTS engines commands)
   execute_process(
     COMMAND ${CMAKE_COMMAND} -E env --unset=DEBUGINFOD_URLS SHELL=/bin/sh
-      ${gdb} -nx --batch -ex "source ${root}/debug/glassbox_gdb.py" -ex "${command}" -ex "run" -ex "run"
+      ${gdb} -nx --batch -ex "source ${root}/debug/glassbox_gdb.py" -ex "${command}"
+      -ex "python [stop.delete() for stop in gdb.breakpoints() if not isinstance(stop, TileEngineNotice)]"
+      -ex "run" -ex "run"
       --args ${program} render cube --size 64x64 --engine ${engine} -o ${work}/cube.png
     OUTPUT_VARIABLE said ERROR_VARIABLE errors RESULT_VARIABLE result TIMEOUT 300)
   if(errors MATCHES "Python scripting is not supported")
