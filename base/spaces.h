@@ -11,6 +11,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <glassbox/base/numbers.h>
+
 namespace glassbox {
 
 struct Object {};  // as modelled
@@ -154,9 +156,11 @@ Transform<A, C, T> operator*(const Transform<A, B, T>& a_from_b,
   return a_from_c;
 }
 
+#include <glassbox/base/formulas/transform_row.h>
+
 template <class Target, class Source, class T>
 T transform_row(const Transform<Target, Source, T>& m, int row, const Point<Source, T>& p) {
-  return m.at(row, 0) * p.x + m.at(row, 1) * p.y + m.at(row, 2) * p.z + m.at(row, 3);
+  return transform_row(m, row, p.x, p.y, p.z);
 }
 
 // Between affine spaces the last row is (0, 0, 0, 1) and is not read.

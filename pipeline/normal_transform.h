@@ -3,9 +3,10 @@
 
 #include <glm/mat3x3.hpp>
 
-#include <cmath>
+#include <array>
 
 #include <glassbox/base/spaces.h>
+#include <glassbox/pipeline/formulas.h>
 
 namespace glassbox {
 
@@ -33,18 +34,15 @@ NormalTransform<Target, Source> normal_transform(const Transform<Target, Source>
 // Not of unit length. Row times column, from left to right, in float.
 template <class Target, class Source>
 Normal<Target> operator*(const NormalTransform<Target, Source>& m, const Normal<Source>& n) {
-  return {m.at(0, 0) * n.x + m.at(0, 1) * n.y + m.at(0, 2) * n.z,
-          m.at(1, 0) * n.x + m.at(1, 1) * n.y + m.at(1, 2) * n.z,
-          m.at(2, 0) * n.x + m.at(2, 1) * n.y + m.at(2, 2) * n.z};
+  const std::array<float, 3> from{n.x, n.y, n.z};
+  return {transform_normal_row(m, 0, from), transform_normal_row(m, 1, from),
+          transform_normal_row(m, 2, from)};
 }
 
-// n/|n|, the length taken in double, where squares of floats neither overflow nor vanish. Zero stays zero.
 template <class Space>
 Normal<Space> normalized(const Normal<Space>& n) {
-  const double x = n.x, y = n.y, z = n.z;
-  const double length = std::sqrt(x * x + y * y + z * z);
-  if (!(length > 0)) return n;
-  return {float(x / length), float(y / length), float(z / length)};
+  const auto [x, y, z] = unit_normal(std::array<float, 3>{n.x, n.y, n.z});
+  return {x, y, z};
 }
 
 }  // namespace glassbox

@@ -1,6 +1,7 @@
 // NDC to pixels (S3-17).
 #pragma once
 
+#include <glassbox/pipeline/formulas.h>
 #include <glassbox/pipeline/stages.h>
 
 namespace glassbox {
@@ -17,11 +18,9 @@ struct Viewport {
 // X = x (right - left)/2 + (right + left)/2 and Y = y (top - bottom)/2 + (top + bottom)/2: the sign of y flips
 // because screens count rows downwards. Exact where sizes are powers of two and x, y have few enough bits.
 inline ScreenVertex to_screen(const NdcVertex& ndc, const Viewport& viewport) {
-  const float x = ndc.position.x * ((viewport.right - viewport.left) * 0.5f) +
-                  (viewport.right + viewport.left) * 0.5f;
-  const float y = ndc.position.y * ((viewport.top - viewport.bottom) * 0.5f) +
-                  (viewport.top + viewport.bottom) * 0.5f;
-  return {{x, y, ndc.position.z}, ndc.inverse_w};
+  return {{to_pixels(ndc.position.x, viewport.left, viewport.right),
+           to_pixels(ndc.position.y, viewport.bottom, viewport.top), ndc.position.z},
+          ndc.inverse_w};
 }
 
 }  // namespace glassbox

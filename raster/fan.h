@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include <glassbox/raster/formulas.h>
 #include <glassbox/raster/stages.h>
 
 namespace glassbox {
@@ -14,7 +15,7 @@ namespace glassbox {
 // have at most 26 bits.
 inline std::int64_t double_area(const SnappedVertex& a, const SnappedVertex& b,
                                 const SnappedVertex& c) {
-  return std::int64_t(b.x - a.x) * (c.y - a.y) - std::int64_t(c.x - a.x) * (b.y - a.y);
+  return double_area<std::int64_t>({a.x, b.x, c.x}, {a.y, b.y, c.y});
 }
 
 // The vertex whose fan (apex, apex + i + 1, apex + i + 2) has no two triangles that turn opposite ways. A convex

@@ -38,10 +38,13 @@ struct Lighting {
   bool perspective = true;  // otherwise the viewer stands infinitely far along +z
 };
 
-struct Reflection {
-  std::array<float, 3> diffuse{};
-  std::array<float, 3> specular{};
+// Light that leaves a surface, before the surface's colours are multiplied in.
+template <class F>
+struct ReflectionOf {
+  std::array<F, 3> diffuse{};
+  std::array<F, 3> specular{};
 };
+using Reflection = ReflectionOf<float>;
 
 // The scene's lights as the view sees them. A scene without any gets a headlight: directional, 0.9 pi lux, from behind
 // the viewer's right shoulder, along (1, 1, 2) in eye space.

@@ -22,18 +22,22 @@ struct MipChain {
 MipChain make_mip_chain(const Image<Rgba8>& image, Transfer transfer, bool first_level_only);
 
 // How fast texture coordinates change from pixel to pixel: the derivatives of (u, v) along screen x and y, per pixel.
-struct TextureGradient {
-  std::array<float, 2> along_x{};
-  std::array<float, 2> along_y{};
+template <class F>
+struct TextureGradientOf {
+  std::array<F, 2> along_x{};
+  std::array<F, 2> along_y{};
 };
+using TextureGradient = TextureGradientOf<float>;
 
 // The plane equations of 1/w, u/w and v/w over the screen, from which the derivatives at a pixel follow analytically
 // (Heckbert and Moreton 1991). Coordinates are taken relative to vertex 0, so large ones lose nothing (C-67).
-struct TexturePlanes {
-  std::array<float, 2> origin{};               // texcoord of vertex 0
-  std::array<std::array<float, 2>, 2> over_w;  // [axis][u, v]: d((u - u0)/w)
-  std::array<float, 2> inverse_w{};            // [axis]: d(1/w)
+template <class F>
+struct TexturePlanesOf {
+  std::array<F, 2> origin{};                 // texcoord of vertex 0
+  std::array<std::array<F, 2>, 2> over_w{};  // [axis][u, v]: d((u - u0)/w)
+  std::array<F, 2> inverse_w{};              // [axis]: d(1/w)
 };
+using TexturePlanes = TexturePlanesOf<float>;
 
 TexturePlanes texture_planes(const TriangleSetup& triangle,
                              const std::array<std::array<float, 2>, 3>& texcoords);

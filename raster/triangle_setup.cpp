@@ -10,25 +10,10 @@ namespace glassbox {
 
 namespace {
 
-// The edge from `from` to `to` of a triangle that runs clockwise on the screen. Its top edges point right and its left
-// edges point up.
 EdgeFunction edge_function(const SnappedVertex& from, const SnappedVertex& to) {
-  EdgeFunction edge;
-  edge.a = from.y - to.y;
-  edge.b = to.x - from.x;
-  edge.c = -(edge.a * from.x + edge.b * from.y);
-  const bool top = edge.a == 0 && edge.b > 0;
-  const bool left = edge.a > 0;
-  edge.owns_zero = top || left;
-  return edge;
-}
-
-// Which pixel centres lie at or after `low`, and before or at `high`.
-int first_pixel(std::int32_t low) {
-  return (low + kPixelCentre - 1) >> kSubpixelBits;
-}
-int end_pixel(std::int32_t high) {
-  return ((high - kPixelCentre) >> kSubpixelBits) + 1;
+  const auto slopes = edge_slopes<std::int64_t>(from.x, from.y, to.x, to.y);
+  return {slopes.a, slopes.b, edge_value<std::int64_t>(slopes, from.x, from.y, 0, 0),
+          owns_its_points(slopes)};
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include <glassbox/raster/blend.h>
+#include <glassbox/raster/light_formulas.h>
 #include <glassbox/raster/texture.h>
 #include <glassbox/render/fragments.h>
 
@@ -67,21 +68,17 @@ inline bool is_blended(const FragmentStage& stage) {
 
 // ---- light ----
 
-inline bool has_normal(const std::array<float, 3>& n) {
-  return n[0] != 0 || n[1] != 0 || n[2] != 0;
-}
-
 inline Rgba lit(const FragmentStage& stage, const Rgba& base, const Varyings& at) {
+  if (!needs_normals(stage.draw, stage.settings)) return base;
   const Material& material = *stage.draw.material;
-  // Lines and points without normals shine by themselves (glTF 2.0, 3.7.2.1).
-  if (!needs_normals(stage.draw, stage.settings) || !has_normal(at.normal)) return base;
   const Reflection light =
       stage.settings.shading == Shading::kPhong
           ? illuminate(stage.lighting, at.position, at.normal, material.shininess)
           : Reflection{at.diffuse, at.specular};
-  return {base.r * light.diffuse[0] + material.specular[0] * light.specular[0],
-          base.g * light.diffuse[1] + material.specular[1] * light.specular[1],
-          base.b * light.diffuse[2] + material.specular[2] * light.specular[2], base.a};
+  constexpr bool kHighlights = true;
+  const auto [r, g, b] =
+      lit<float>({base.r, base.g, base.b}, at.normal, light, material.specular, kHighlights);
+  return {r, g, b, base.a};
 }
 
 // What the surface shines with by itself: its emission times the texture of that.

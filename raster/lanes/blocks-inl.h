@@ -8,6 +8,7 @@
 #endif
 
 #include <glassbox/raster/lanes/depth-inl.h>
+#include <glassbox/raster/lanes/quads-inl.h>
 #include <glassbox/raster/lanes/tables.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -20,16 +21,8 @@ namespace HWY_NAMESPACE {
 template <int kEdge>
 HWY_INLINE Doubles quad_offsets(const TriangleSetup& setup, std::size_t i) {
   const EdgeFunction& edge = setup.edges[kEdge];
-  const VD right = hn::Set(kD, double(edge.a * kSubpixels));
-  const VD down = hn::Set(kD, double(edge.b * kSubpixels));
-  return each_half([&](VD column, VD row)
-                       HWY_ATTR { return hn::Add(hn::Mul(right, column), hn::Mul(down, row)); },
-                   promote(to_float(quad_columns(i))), promote(to_float(quad_rows(i))));
-}
-
-HWY_INLINE Doubles plus(const Doubles& offsets, double first) {
-  return each_half([first](VD offset) HWY_ATTR { return hn::Add(offset, hn::Set(kD, first)); },
-                   offsets);
+  return widened(to_float(quad_columns(i))) * double(edge.a * kSubpixels) +
+         widened(to_float(quad_rows(i))) * double(edge.b * kSubpixels);
 }
 
 // The edge function at the centre of a pixel of the screen.
@@ -38,24 +31,22 @@ HWY_INLINE double edge_at_pixel(const EdgeFunction& edge, int x, int y) {
                         std::int64_t(y) * kSubpixels + kPixelCentre));
 }
 
-constexpr std::size_t kQuadVectors = kQuadPixels / kLanes;
-
 // A large triangle's depth over quads.
 struct LargeDepth {
   explicit LargeDepth(const TriangleSetup& triangle)
       : setup(triangle),
-        inverse_area(set(triangle.inverse_area)),
-        depth0(set(triangle.depth[0])),
-        depth1(set(triangle.depth[1] - triangle.depth[0])),
-        depth2(set(triangle.depth[2] - triangle.depth[0])) {}
+        inverse_area(triangle.inverse_area),
+        depth0(triangle.depth[0]),
+        depth1(triangle.depth[1] - triangle.depth[0]),
+        depth2(triangle.depth[2] - triangle.depth[0]) {}
 
-  HWY_INLINE VF at(const Doubles& e1, const Doubles& e2) const {
-    return depth_at(depth0, depth1, depth2, hn::Mul(round_to_float(e1), inverse_area),
-                    hn::Mul(round_to_float(e2), inverse_area));
+  HWY_INLINE Floats at(const Doubles& e1, const Doubles& e2) const {
+    return interpolate(depth0, depth1, depth2, screen_weight(rounded(e1), inverse_area),
+                       screen_weight(rounded(e2), inverse_area));
   }
 
   const TriangleSetup& setup;
-  VF inverse_area, depth0, depth1, depth2;
+  Floats inverse_area, depth0, depth1, depth2;
 };
 
 // The depth codes of a quad's pixels.
@@ -66,9 +57,9 @@ inline void fill_quad_depths(const TriangleSetup& setup, DepthFormat format, int
   const double first2 = edge_at_pixel(setup.edges[2], x, y);
   with_code(format, [&](const auto& code_of) HWY_ATTR {
     for (std::size_t k = 0; k < kQuadPixels; k += kLanes) {
-      hn::Store(code_of(depth.at(plus(quad_offsets<1>(setup, k), first1),
-                                 plus(quad_offsets<2>(setup, k), first2))),
-                kI, codes + k);
+      store(
+          code_of(depth.at(quad_offsets<1>(setup, k) + first1, quad_offsets<2>(setup, k) + first2)),
+          codes + k);
     }
   });
 }
@@ -87,11 +78,11 @@ inline void fill_block(TileBuffer& tile, std::size_t index) {
   block.plain = false;
   auto* seen = reinterpret_cast<std::int32_t*>(tile.reference() + index * kBlockPixels);
   for (std::size_t i = 0; i < kBlockPixels; i += kLanes) {
-    hn::Store(set(std::int32_t(block.reference)), kI, seen + i);
+    store(std::int32_t(block.reference), seen + i);
   }
   if (block.triangle == nullptr) {
     for (std::size_t i = 0; i < kBlockPixels; i += kLanes) {
-      hn::Store(set(block.nearest), kI, tile.depth() + index * kBlockPixels + i);
+      store(block.nearest, tile.depth() + index * kBlockPixels + i);
     }
   } else {
     fill_block_depths(*block.triangle, tile, index);

@@ -1,4 +1,4 @@
-// Depth at the pixels, and its codes as tiles keep them: depth.h over lanes.
+// Codes of depth as tiles keep them, by the format.
 
 #if defined(GLASSBOX_DEPTH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_DEPTH_INL_H_
@@ -8,43 +8,26 @@
 #endif
 
 #include <glassbox/raster/depth.h>
-#include <glassbox/raster/lanes/lanes-inl.h>
-#include <glassbox/raster/lanes/tile_buffer.h>
+#include <glassbox/raster/lanes/formulas-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
-HWY_INLINE VF clamped(VF z) {
-  const VF at_most_one = hn::IfThenElse(hn::Lt(z, set(1.0f)), z, set(1.0f));
-  return hn::IfThenElseZero(hn::Gt(z, hn::Zero(kF)), at_most_one);
-}
-
 struct FloatCode {
   explicit FloatCode(DepthFormat) {}
-  HWY_INLINE VI operator()(VF z) const { return hn::BitCast(kI, clamped(z)); }
+  HWY_INLINE Ints operator()(Floats depth) const { return float_depth_code(depth); }
 };
 
 struct ReversedCode {
   explicit ReversedCode(DepthFormat) {}
-  HWY_INLINE VI operator()(VF z) const {
-    return hn::Sub(hn::BitCast(kI, set(1.0f)), hn::BitCast(kI, clamped(z)));
-  }
+  HWY_INLINE Ints operator()(Floats depth) const { return reversed_depth_code(depth); }
 };
 
 struct UnormCode {
-  explicit UnormCode(DepthFormat format)
-      : steps(format == DepthFormat::kUnorm24 ? 0xffffff : 0xffff) {}
+  explicit UnormCode(DepthFormat format) : steps(unorm_depth_steps(format)) {}
+  HWY_INLINE Ints operator()(Floats depth) const { return unorm_depth_code(depth, steps); }
   double steps;
-
-  HWY_INLINE VI operator()(VF z) const {
-    const Doubles code = each_half(
-        [this](VD v) HWY_ATTR {
-          return hn::Floor(hn::Add(hn::Mul(v, hn::Set(kD, steps)), hn::Set(kD, 0.5)));
-        },
-        promote(clamped(z)));
-    return hn::ConvertTo(kI, round_to_float(code));  // integers below 2^24: floats hold them
-  }
 };
 
 // Calls work with the code of the format.
@@ -59,11 +42,6 @@ HWY_INLINE void with_code(DepthFormat format, const Work& work) {
     case DepthFormat::kUnorm16:
       return work(UnormCode(format));
   }
-}
-
-// d0 + (lambda_1 (d1 - d0) + lambda_2 (d2 - d0))
-HWY_INLINE VF depth_at(VF d0, VF d1_less_d0, VF d2_less_d0, VF lambda1, VF lambda2) {
-  return hn::Add(d0, hn::Add(hn::Mul(lambda1, d1_less_d0), hn::Mul(lambda2, d2_less_d0)));
 }
 
 }  // namespace HWY_NAMESPACE

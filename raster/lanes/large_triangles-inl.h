@@ -56,9 +56,9 @@ HWY_INLINE LargeEdge large_edge(const TriangleSetup& setup) {
   return e;
 }
 
-HWY_INLINE MI covers(const Doubles& values, std::int64_t least) {
+HWY_INLINE IntMask covers(const Doubles& values, std::int64_t least) {
   // Zero or one: exact as a float, and the sign of an integer survives its rounding.
-  return as_int_mask(hn::Ge(round_to_float(values), set(float(least))));
+  return int_mask(rounded(values) >= float(least));
 }
 
 template <class Code>
@@ -142,27 +142,24 @@ private:
     const double first2 = edge_at_pixel(edges_[2].edge, x, y);
     const std::size_t at = block * kBlockPixels + std::size_t(quad * kQuadPixels);
     for (std::size_t k = 0; k < kQuadVectors; ++k) {
-      const Doubles e1 = plus(edges_[1].offsets[k], first1);
-      const Doubles e2 = plus(edges_[2].offsets[k], first2);
-      MI covered = first_lanes(kLanes);
+      const Doubles e1 = edges_[1].offsets[k] + first1;
+      const Doubles e2 = edges_[2].offsets[k] + first2;
+      IntMask covered = first_lanes(kLanes);
       if (!whole) {
-        covered = hn::And(hn::And(covers(plus(edges_[0].offsets[k], first0), edges_[0].least),
-                                  covers(e1, edges_[1].least)),
-                          covers(e2, edges_[2].least));
-        if (tile_.is_ragged())
-          covered = hn::And(covered, on_screen(tile_.window(), x, y, k * kLanes));
-        if (hn::AllFalse(kI, covered)) continue;
+        covered = covers(edges_[0].offsets[k] + first0, edges_[0].least) &&
+                  covers(e1, edges_[1].least) && covers(e2, edges_[2].least);
+        if (tile_.is_ragged()) covered = covered && on_screen(tile_.window(), x, y, k * kLanes);
+        if (none(covered)) continue;
       }
-      const VI code = code_of_(depth_.at(e1, e2));
+      const Ints code = code_of_(depth_.at(e1, e2));
       TileDepth* depth = tile_.depth() + at + k * kLanes;
       auto* seen = reinterpret_cast<std::int32_t*>(tile_.reference() + at) + k * kLanes;
-      const VI stored = hn::Load(kI, depth);
-      const MI passes = hn::And(covered, hn::Lt(code, stored));
-      hn::Store(hn::IfThenElse(passes, code, stored), kI, depth);
-      hn::Store(hn::IfThenElse(passes, set(std::int32_t(reference_)), hn::Load(kI, seen)), kI,
-                seen);
-      counts_.covered += hn::CountTrue(kI, covered);
-      counts_.written += hn::CountTrue(kI, passes);
+      const Ints stored = load(depth);
+      const IntMask passes = covered && code < stored;
+      store(select(passes, code, stored), depth);
+      store(select(passes, std::int32_t(reference_), load(seen)), seen);
+      counts_.covered += count_of(covered);
+      counts_.written += count_of(passes);
     }
   }
 

@@ -21,14 +21,9 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
-HWY_INLINE VF distance_lanes(const ResolveJob& job, VF depth, VF inverse_w) {
-  if (job.perspective) return hn::Div(set(1.0f), inverse_w);
-  return round_to_float(each_half(
-      [&](VD d) HWY_ATTR {
-        const VD from_near = job.reversed ? hn::Sub(hn::Set(kD, 1.0), d) : d;
-        return hn::Add(hn::Set(kD, job.near), hn::Mul(from_near, hn::Set(kD, job.far - job.near)));
-      },
-      promote(depth)));
+HWY_INLINE Floats distance_of(const ResolveJob& job, Floats depth, Floats inverse_w) {
+  if (job.perspective) return 1.0f / inverse_w;
+  return parallel_distance(depth, job.reversed, job.near, job.far);
 }
 
 // A line of the cache.
@@ -86,6 +81,7 @@ HWY_INLINE void store_quad(const From* from, const Rows& rows, const PixelRect& 
 template <class Pixel>
 HWY_INLINE void stream_rows(const std::uint32_t* from, std::ptrdiff_t pitch,
                             const PixelRect& window, Image<Pixel>& image) {
+  const hn::RebindToUnsigned<DF> words;
   const Rows rows = rows_of(image);
   const std::ptrdiff_t width = window.x1 - window.x0;
   for (int y = window.y0; y < window.y1; ++y, from += pitch) {
@@ -95,7 +91,7 @@ HWY_INLINE void stream_rows(const std::uint32_t* from, std::ptrdiff_t pitch,
     const std::ptrdiff_t end = begin + (width - begin) / kLineWords * kLineWords;
     std::copy(from, from + begin, to);
     for (std::ptrdiff_t i = begin; i < end; i += std::ptrdiff_t(kLanes)) {
-      hn::Stream(hn::LoadU(kU, from + i), kU, to + i);
+      hn::Stream(hn::LoadU(words, from + i), words, to + i);
     }
     std::copy(from + end, from + width, to + end);
   }
@@ -219,8 +215,7 @@ private:
       const int qx = x + (quad % 2) * kQuadSide, qy = y + (quad / 2) * kQuadSide;
       HWY_ALIGN std::int32_t colors[kQuadPixels];
       for (std::size_t k = 0; k < kQuadPixels; k += kLanes) {
-        hn::Store(shade(job_.draws[triangle.draw], job_, LargeSource(shape, qx, qy, k)), kI,
-                  colors + k);
+        store(shade(job_.draws[triangle.draw], job_, LargeSource(shape, qx, qy, k)), colors + k);
       }
       store_quad(colors, color_, tile_.window(), qx, qy);
     }
@@ -257,14 +252,14 @@ private:
     if (b.plain && b.reference == kNothing && job_.keep_picture) return;
     QuadPixels pixels;
     if (job_.keep_picture) {
-      load(pixels, x, y);
+      take_from_picture(pixels, x, y);
     } else {
       clear(pixels);
     }
     for (std::size_t k = 0; k < kQuadPixels; k += kLanes) {
       const auto* at = reinterpret_cast<const std::int32_t*>(
           tile_.reference() + block * kBlockPixels + std::size_t(quad) * kQuadPixels + k);
-      resolve_lanes(b.plain ? set(std::int32_t(b.reference)) : hn::Load(kI, at), x, y, k, pixels);
+      resolve_lanes(b.plain ? Ints(std::int32_t(b.reference)) : load(at), x, y, k, pixels);
     }
     const PixelRect& window = tile_.window();
     if (job_.picture != nullptr) store_quad(pixels.color, color_, window, x, y);
@@ -281,70 +276,64 @@ private:
     for (std::size_t k = 0; k < kQuadPixels; k += kLanes) {
       const TileDepth* at =
           tile_.depth() + block * kBlockPixels + std::size_t(quad) * kQuadPixels + k;
-      const VI depth = b.plain ? set(b.nearest) : hn::Load(kI, at);
-      const MI empty = hn::Eq(depth, set(kEmptyTileDepth));
-      hn::Store(hn::IfThenElse(empty, set(std::int32_t(kEmptyDepth)), depth), kI, codes + k);
+      const Ints depth = b.plain ? Ints(b.nearest) : load(at);
+      store(select(depth == kEmptyTileDepth, std::int32_t(kEmptyDepth), depth), codes + k);
     }
     store_quad(codes, depth_, tile_.window(), x, y);
   }
 
   HWY_INLINE void clear(QuadPixels& pixels) const {
     for (std::size_t k = 0; k < kQuadPixels; k += kLanes) {
-      hn::Store(set(std::bit_cast<std::int32_t>(job_.background)), kI, pixels.color + k);
-      hn::Store(set(std::numeric_limits<float>::infinity()), kF, pixels.distance + k);
-      hn::Store(hn::Zero(kI), kI, pixels.id + k);
+      store(std::bit_cast<std::int32_t>(job_.background), pixels.color + k);
+      store(std::numeric_limits<float>::infinity(), pixels.distance + k);
+      store(0, pixels.id + k);
     }
   }
 
-  HWY_INLINE void load(QuadPixels& pixels, int x, int y) const {
+  HWY_INLINE void take_from_picture(QuadPixels& pixels, int x, int y) const {
     const PixelRect& window = tile_.window();
     if (job_.picture != nullptr) load_quad(pixels.color, *job_.picture, window, x, y);
     if (job_.distance != nullptr) load_quad(pixels.distance, *job_.distance, window, x, y);
     if (job_.id != nullptr) load_quad(pixels.id, *job_.id, window, x, y);
   }
 
-  HWY_INLINE void resolve_lanes(VI seen, int x, int y, std::size_t k, QuadPixels& pixels) {
-    MI pending = hn::And(hn::Ne(seen, set(std::int32_t(kNothing))),
-                         hn::Ne(seen, set(std::int32_t(kInPicture))));
-    while (!hn::AllFalse(kI, pending)) {
+  HWY_INLINE void resolve_lanes(Ints seen, int x, int y, std::size_t k, QuadPixels& pixels) {
+    IntMask pending = seen != std::int32_t(kNothing) && seen != std::int32_t(kInPicture);
+    while (!none(pending)) {
       HWY_ALIGN std::int32_t references[kLanes];
-      hn::Store(seen, kI, references);
-      const auto first = Reference(references[hn::FindFirstTrue(kI, pending)]);
-      MI same;
+      store(seen, references);
+      const auto first = Reference(references[hn::FindFirstTrue(kI, pending.m)]);
+      IntMask same;
       if ((first & kLargeReference) != 0) {
-        same = hn::And(pending, hn::Eq(seen, set(std::int32_t(first))));
+        same = pending && seen == std::int32_t(first);
         const LargeShape& shape = shape_of(first);
         finish(job_.draws[shape.triangle->draw], LargeSource(shape, x, y, k), same, k, pixels);
       } else {
         const ShadeDraw& draw = draw_of(first);
-        const VI begin = set(std::int32_t(draw.first_reference));
-        same = hn::And(pending, hn::And(at_least(seen, begin),
-                                        hn::Lt(seen, set(std::int32_t(draw.end_reference)))));
-        const VI reference = hn::IfThenElse(same, seen, set(std::int32_t(first)));
-        const SmallSource source(draw, hn::Sub(reference, begin), hn::Add(quad_columns(k), set(x)),
-                                 hn::Add(quad_rows(k), set(y)));
+        const Ints begin = std::int32_t(draw.first_reference);
+        same = pending && seen >= begin && seen < std::int32_t(draw.end_reference);
+        const Ints reference = select(same, seen, std::int32_t(first));
+        const SmallSource source(draw, reference - begin, quad_columns(k) + x, quad_rows(k) + y);
         finish(draw, source, same, k, pixels);
       }
-      pending = hn::AndNot(same, pending);
+      pending = pending && !same;
     }
   }
 
   template <class Source>
-  HWY_INLINE void finish(const ShadeDraw& draw, const Source& source, MI lanes, std::size_t k,
+  HWY_INLINE void finish(const ShadeDraw& draw, const Source& source, IntMask lanes, std::size_t k,
                          QuadPixels& pixels) {
     if (job_.picture != nullptr) {
-      const VI before = hn::Load(kI, pixels.color + k);
-      const VI mask = set(mask_);
-      const VI color = hn::Or(hn::And(shade(draw, job_, source), mask), hn::AndNot(mask, before));
-      hn::Store(hn::IfThenElse(lanes, color, before), kI, pixels.color + k);
+      const Ints before = load(pixels.color + k);
+      const Ints color = (shade(draw, job_, source) & mask_) | (before & ~mask_);
+      store(select(lanes, color, before), pixels.color + k);
     }
     if (job_.distance != nullptr) {
-      const VF distance = distance_lanes(job_, source.depth(), source.at().inverse_w);
-      hn::Store(hn::IfThenElse(as_float_mask(lanes), distance, hn::Load(kF, pixels.distance + k)),
-                kF, pixels.distance + k);
+      const Floats distance = distance_of(job_, source.depth(), source.at().inverse_w);
+      store(select(float_mask(lanes), distance, load(pixels.distance + k)), pixels.distance + k);
     }
     if (job_.id != nullptr) {
-      hn::Store(hn::IfThenElse(lanes, source.id(), hn::Load(kI, pixels.id + k)), kI, pixels.id + k);
+      store(select(lanes, source.id(), load(pixels.id + k)), pixels.id + k);
     }
   }
 

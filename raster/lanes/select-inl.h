@@ -13,26 +13,18 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
-HWY_INLINE VI smallest(const Triple<VI>& v) {
-  return hn::Min(v.v0, hn::Min(v.v1, v.v2));
+HWY_INLINE Ints smallest(const OfVertices<Ints>& v) {
+  return least(v[0], least(v[1], v[2]));
 }
-HWY_INLINE VI largest(const Triple<VI>& v) {
-  return hn::Max(v.v0, hn::Max(v.v1, v.v2));
-}
-
-// As pixels_in_box() of triangle_setup.h.
-HWY_INLINE VI first_pixel(VI low) {
-  return hn::ShiftRight<kSubpixelBits>(hn::Add(low, set(kPixelCentre - 1)));
-}
-HWY_INLINE VI end_pixel(VI high) {
-  return hn::Add(hn::ShiftRight<kSubpixelBits>(hn::Sub(high, set(kPixelCentre))), set(1));
+HWY_INLINE Ints largest(const OfVertices<Ints>& v) {
+  return greatest(v[0], greatest(v[1], v[2]));
 }
 
 // The indices of kLanes triangles from `first` on.
-HWY_INLINE Triple<VI> load_indices(IndexTriples triples, std::uint32_t first) {
-  Triple<VI> indices;
+HWY_INLINE OfVertices<Ints> load_indices(IndexTriples triples, std::uint32_t first) {
+  OfVertices<Ints> indices;
   hn::LoadInterleaved3(kI, reinterpret_cast<const std::int32_t*>(triples) + std::size_t(first) * 3,
-                       indices.v0, indices.v1, indices.v2);
+                       indices[0].v, indices[1].v, indices[2].v);
   return indices;
 }
 
@@ -40,62 +32,58 @@ HWY_INLINE Triple<VI> load_indices(IndexTriples triples, std::uint32_t first) {
 inline std::size_t select_triangles(const SelectJob& job, Selected* selected,
                                     SelectCounts& counts) {
   std::size_t kept = 0;
-  const VI small = set(kSmallSide * kSubpixels);
+  const Ints small = kSmallSide * kSubpixels;
+  const IntMask nowhere = small < small;
   for (std::uint32_t i = 0; i < job.count; i += std::uint32_t(kLanes)) {
-    MI live = first_lanes(job.count - i);
-    if (job.keep != nullptr) {
-      live = hn::And(live, hn::Gt(hn::LoadU(kI, job.keep + i), hn::Zero(kI)));
-    }
-    const VI triangle = hn::Min(hn::Iota(kI, std::int32_t(job.first + i)),
-                                set(std::int32_t(job.first + job.count - 1)));
-    const Triple<VI> vertices = job.count - i >= kLanes ? load_indices(job.positions, job.first + i)
-                                                        : gather_indices(job.positions, triangle);
-    const Triple<VI> entries = entries_of(vertices);
-    Triple<VI> x, y;
+    IntMask live = first_lanes(job.count - i);
+    if (job.keep != nullptr) live = live && Ints(hn::LoadU(kI, job.keep + i)) > 0;
+    const Ints triangle = least(hn::Iota(kI, std::int32_t(job.first + i)),
+                                Ints(std::int32_t(job.first + job.count - 1)));
+    const OfVertices<Ints> vertices = job.count - i >= kLanes
+                                          ? load_indices(job.positions, job.first + i)
+                                          : gather_indices(job.positions, triangle);
+    const OfVertices<Ints> entries = entries_of(vertices);
+    OfVertices<Ints> x, y;
     gather_position(job.screen, entries, x, y);
-    const VI left = smallest(x), right = largest(x), top = smallest(y), bottom = largest(y);
+    const Ints left = smallest(x), right = largest(x), top = smallest(y), bottom = largest(y);
 
     // A difference that wraps around is negative: the triangle is not small.
-    const VI wide = hn::Sub(right, left), high = hn::Sub(bottom, top);
-    MI is_small = hn::And(hn::And(at_least(small, wide), at_least(small, high)),
-                          hn::And(at_least(wide, hn::Zero(kI)), hn::Gt(left, set(kNeedsClipping))));
-    if (job.all_large) is_small = hn::Lt(wide, wide);
-    const MI is_large = hn::AndNot(is_small, live);
-    is_small = hn::And(is_small, live);
+    const Ints wide = right - left, high = bottom - top;
+    IntMask is_small = small >= wide && small >= high && wide >= 0 && left > kNeedsClipping;
+    if (job.all_large) is_small = nowhere;
+    const IntMask is_large = live && !is_small;
+    is_small = is_small && live;
 
-    const VI area = double_area(x, y);
-    const MI flat = hn::And(is_small, hn::Eq(area, hn::Zero(kI)));
-    const MI clockwise = hn::Gt(area, hn::Zero(kI));
-    const MI counter = hn::Lt(area, hn::Zero(kI));
-    const MI front = job.mirrored ? clockwise : counter;
-    const MI back = job.mirrored ? counter : clockwise;
-    const MI none = hn::Lt(area, area);
-    const MI facing =
-        hn::And(is_small, hn::Or(job.keep_front ? front : none, job.keep_back ? back : none));
-    counts.small += hn::CountTrue(kI, is_small);
-    counts.zero_area += hn::CountTrue(kI, flat);
-    counts.culled +=
-        hn::CountTrue(kI, is_small) - hn::CountTrue(kI, flat) - hn::CountTrue(kI, facing);
+    const Ints area = double_area(x, y);
+    const IntMask flat = is_small && area == 0;
+    const IntMask clockwise = area > 0, counter = area < 0;
+    const IntMask front = job.mirrored ? clockwise : counter;
+    const IntMask back = job.mirrored ? counter : clockwise;
+    const IntMask facing =
+        is_small && ((job.keep_front ? front : nowhere) || (job.keep_back ? back : nowhere));
+    counts.small += count_of(is_small);
+    counts.zero_area += count_of(flat);
+    counts.culled += count_of(is_small) - count_of(flat) - count_of(facing);
 
-    const VI x0 = hn::Max(first_pixel(left), set(job.window.x0));
-    const VI y0 = hn::Max(first_pixel(top), set(job.window.y0));
-    const VI x1 = hn::Min(end_pixel(right), set(job.window.x1));
-    const VI y1 = hn::Min(end_pixel(bottom), set(job.window.y1));
-    const MI meets_pixels = hn::And(hn::Lt(x0, x1), hn::Lt(y0, y1));
-    const MI keep = hn::Or(hn::And(facing, meets_pixels), is_large);
-    if (hn::AllFalse(kI, keep)) continue;
+    const Ints x0 = greatest(first_pixel(left), Ints(job.window.x0));
+    const Ints y0 = greatest(first_pixel(top), Ints(job.window.y0));
+    const Ints x1 = least(end_pixel(right), Ints(job.window.x1));
+    const Ints y1 = least(end_pixel(bottom), Ints(job.window.y1));
+    const IntMask meets_pixels = x0 < x1 && y0 < y1;
+    const IntMask keep = (facing && meets_pixels) || is_large;
+    if (none(keep)) continue;
 
     HWY_ALIGN std::int32_t triangles[kLanes], low_x[kLanes], low_y[kLanes], high_x[kLanes],
         high_y[kLanes];
-    const auto to_tile = [&](VI pixel)
-                             HWY_ATTR { return hn::ShiftRightSame(pixel, job.tile_shift); };
-    const VI marked = hn::Or(triangle, hn::IfThenElseZero(is_large, set(std::int32_t(kLarge))));
-    hn::CompressStore(marked, keep, kI, triangles);
-    hn::CompressStore(to_tile(x0), keep, kI, low_x);
-    hn::CompressStore(to_tile(y0), keep, kI, low_y);
-    hn::CompressStore(to_tile(hn::Sub(x1, set(1))), keep, kI, high_x);
-    hn::CompressStore(to_tile(hn::Sub(y1, set(1))), keep, kI, high_y);
-    const std::size_t found = hn::CountTrue(kI, keep);
+    const auto to_tile = [&](Ints pixel)
+                             HWY_ATTR { return hn::ShiftRightSame(pixel.v, job.tile_shift); };
+    const Ints marked = triangle | select(is_large, std::int32_t(kLarge), 0);
+    hn::CompressStore(marked.v, keep.m, kI, triangles);
+    hn::CompressStore(to_tile(x0), keep.m, kI, low_x);
+    hn::CompressStore(to_tile(y0), keep.m, kI, low_y);
+    hn::CompressStore(to_tile(x1 - 1), keep.m, kI, high_x);
+    hn::CompressStore(to_tile(y1 - 1), keep.m, kI, high_y);
+    const std::size_t found = count_of(keep);
     for (std::size_t k = 0; k < found; ++k) {
       selected[kept++] = {std::uint32_t(triangles[k]), std::uint16_t(low_x[k]),
                           std::uint16_t(low_y[k]), std::uint16_t(high_x[k]),

@@ -1,4 +1,5 @@
-// Between stored bytes and linear light: transfer.h over lanes.
+// Between stored bytes and linear light. A second writing of what transfer.h does: there are 256 codes, so what matters is
+// the way to them, and lanes have another one. tests/raster/lanes holds the two together, for every byte and every float.
 
 #if defined(GLASSBOX_TRANSFER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_TRANSFER_INL_H_
@@ -7,7 +8,7 @@
 #define GLASSBOX_TRANSFER_INL_H_
 #endif
 
-#include <glassbox/raster/lanes/lanes-inl.h>
+#include <glassbox/raster/lanes/formulas-inl.h>
 #include <glassbox/raster/lanes/srgb_tables.h>
 #include <glassbox/raster/transfer.h>
 
@@ -16,43 +17,40 @@ namespace glassbox {
 namespace HWY_NAMESPACE {
 
 // decode_unorm8(): byte / 255 = byte / 256 + byte / 65280. The first term is exact, the second errs by 2^-24 of 1/255 of the
-// result, and the sum is rounded: the same float as the division's, for each of the 256 bytes (tests/raster/lanes).
-HWY_INLINE VF decode_unorm8(VI byte) {
-  const VF b = to_float(byte);
-  return hn::Add(hn::Mul(b, set(1.0f / 256)), hn::Mul(b, set(1.0f / 65280)));
+// result, and the sum is rounded: the same float as the division's, for each of the 256 bytes.
+HWY_INLINE Floats decode_unorm8(Ints byte) {
+  const Floats b = to_float(byte);
+  return b * (1.0f / 256) + b * (1.0f / 65280);
 }
 
-HWY_INLINE VF decode(Transfer transfer, VI byte) {
+HWY_INLINE Floats decode(Transfer transfer, Ints byte) {
   if (transfer == Transfer::kNone) return decode_unorm8(byte);
-  return hn::GatherIndex(kF, kLinearOfSrgb.data(), byte);
+  return hn::GatherIndex(kF, kLinearOfSrgb.data(), byte.v);
 }
 
 // encode_unorm8(): floor(255 v + 1/2). With c the floor of the rounded product, the code is c or c + 1: c + 1 where 255 v >= c + 1/2,
 // that is 256 v - (c + 1/2) >= v. The product with 256 is exact, and near the tie so is the difference (Sterbenz), so the
 // comparison is decided as in exact arithmetic.
-HWY_INLINE VI encode_unorm8(VF value) {
-  const VF v = hn::IfThenElseZero(hn::Gt(value, hn::Zero(kF)),
-                                  hn::IfThenElse(hn::Lt(value, set(1.0f)), value, set(1.0f)));
-  const VF below = hn::Floor(hn::Mul(v, set(255.0f)));
-  const MF up = hn::Ge(hn::Sub(hn::Mul(v, set(256.0f)), hn::Add(below, set(0.5f))), v);
-  return hn::Sub(hn::ConvertTo(kI, below), hn::VecFromMask(kI, as_int_mask(up)));
+HWY_INLINE Ints encode_unorm8(Floats value) {
+  const Floats v = in_unit_range(value);
+  const Floats below = floor(v * 255.0f);
+  return to_integer(below) + one_where(v * 256.0f - (below + 0.5f) >= v);
 }
 
 // encode_srgb(), by the same tables with entries of 32 bits.
-HWY_INLINE VI encode_srgb(VF linear) {
-  const VF lowest = set(kSrgbThreshold[1]), highest = set(kSrgbThreshold[255]);
-  const MF some = hn::Ge(linear, lowest);
-  const MF all = hn::Ge(linear, highest);
-  const VF inside = hn::IfThenElse(hn::AndNot(all, some), linear, lowest);
-  const VI bucket = hn::Sub(hn::ShiftRight<srgb_detail::kBucketShift>(hn::BitCast(kI, inside)),
-                            set(std::int32_t(srgb_detail::kFirstBucket)));
-  const VI code = hn::GatherIndex(kI, kCodeOfBucket32.data(), bucket);
-  const VF next = hn::GatherIndex(kF, kSrgbThreshold.data() + 1, code);
-  const VI found = hn::Sub(code, hn::VecFromMask(kI, as_int_mask(hn::Ge(inside, next))));
-  return hn::IfThenElse(as_int_mask(all), set(255), hn::IfThenElseZero(as_int_mask(some), found));
+HWY_INLINE Ints encode_srgb(Floats linear) {
+  const Floats lowest = kSrgbThreshold[1], highest = kSrgbThreshold[255];
+  const FloatMask some = linear >= lowest, all = linear >= highest;
+  const Floats inside = select(some && !all, linear, lowest);
+  const Ints bucket = shifted_right<srgb_detail::kBucketShift>(bits_of(inside)) -
+                      std::int32_t(srgb_detail::kFirstBucket);
+  const Ints code = hn::GatherIndex(kI, kCodeOfBucket32.data(), bucket.v);
+  const Floats next = hn::GatherIndex(kF, kSrgbThreshold.data() + 1, code.v);
+  const Ints found = code + one_where(inside >= next);
+  return select(int_mask(all), 255, select(int_mask(some), found, 0));
 }
 
-HWY_INLINE VI encode(Transfer transfer, VF linear) {
+HWY_INLINE Ints encode(Transfer transfer, Floats linear) {
   return transfer == Transfer::kSrgb ? encode_srgb(linear) : encode_unorm8(linear);
 }
 

@@ -94,7 +94,7 @@ TEST_CASE("fixed-point depth is exactly floor(z (2^bits - 1) + 1/2)") {
   for (int i = 0; i < 20000; ++i) {
     const float z = float(std::ldexp(random.unit(), int(random.integer(-32, 0))));
     for (const int bits : {16, 24}) {
-      const std::int64_t code = quantise_depth(z, bits);
+      const std::int64_t code = unorm_depth_code(z, std::ldexp(1.0, bits) - 1);
       // 2 code <= 2 z (2^bits - 1) + 1 < 2 code + 2, where z = mantissa 2^-shift exactly.
       int exponent = 0;
       const auto mantissa = std::int64_t(std::ldexp(std::frexp(z, &exponent), 24));

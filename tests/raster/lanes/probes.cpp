@@ -12,7 +12,6 @@
 #include <hwy/highway.h>
 
 #include <glassbox/raster/lanes/depth-inl.h>
-#include <glassbox/raster/lanes/lighting-inl.h>
 #include <glassbox/raster/lanes/texture-inl.h>
 #include <glassbox/raster/lanes/transfer-inl.h>
 #include <glassbox/raster/lanes/vertices-inl.h>
@@ -27,85 +26,81 @@ template <class T>
 T entry(std::span<const T> from, std::size_t i) {
   return from[std::min(i, from.size() - 1)];
 }
-template <class D, class T>
-HWY_INLINE hn::Vec<D> load(D d, std::span<const T> from, std::size_t i) {
+template <class T>
+HWY_INLINE auto load(std::span<const T> from, std::size_t i) {
   HWY_ALIGN T lanes[kLanes];
   for (std::size_t k = 0; k < kLanes; ++k) lanes[k] = entry(from, i + k);
-  return hn::Load(d, lanes);
+  return HWY_NAMESPACE::load(lanes);
 }
 template <class V, class T>
 HWY_INLINE void store(V v, T* to, std::size_t i, std::size_t size) {
-  const hn::DFromV<V> d;
-  HWY_ALIGN hn::TFromD<decltype(d)> lanes[kLanes];
-  hn::Store(v, d, lanes);
+  HWY_ALIGN T lanes[kLanes];
+  HWY_NAMESPACE::store(v, lanes);
   for (std::size_t k = 0; k < kLanes && i + k < size; ++k) to[i + k] = lanes[k];
 }
 
 inline void snap_all(std::span<const float> pixels, std::int32_t* subpixels) {
   for (std::size_t i = 0; i < pixels.size(); i += kLanes) {
-    store(snap(load(kF, pixels, i)), subpixels, i, pixels.size());
+    store(snap(load(pixels, i)), subpixels, i, pixels.size());
   }
 }
 
 inline void encode_all(Transfer transfer, std::span<const float> linear, std::int32_t* bytes) {
   for (std::size_t i = 0; i < linear.size(); i += kLanes) {
-    store(encode(transfer, load(kF, linear, i)), bytes, i, linear.size());
+    store(encode(transfer, load(linear, i)), bytes, i, linear.size());
   }
 }
 
 inline void decode_all(Transfer transfer, std::span<const std::int32_t> bytes, float* linear) {
   for (std::size_t i = 0; i < bytes.size(); i += kLanes) {
-    store(decode(transfer, load(kI, bytes, i)), linear, i, bytes.size());
+    store(decode(transfer, load(bytes, i)), linear, i, bytes.size());
   }
 }
 
 inline void depth_code_all(DepthFormat format, std::span<const float> depths, std::int32_t* codes) {
   with_code(format, [&](const auto& code_of) HWY_ATTR {
     for (std::size_t i = 0; i < depths.size(); i += kLanes) {
-      store(code_of(load(kF, depths, i)), codes, i, depths.size());
+      store(code_of(load(depths, i)), codes, i, depths.size());
     }
   });
+}
+
+HWY_INLINE std::array<Floats, 3> load_triple(std::span<const std::array<float, 3>> from,
+                                             std::size_t i) {
+  HWY_ALIGN float c[3][kLanes];
+  for (std::size_t k = 0; k < kLanes; ++k) {
+    for (std::size_t axis = 0; axis < 3; ++axis) c[axis][k] = entry(from, i + k)[axis];
+  }
+  return {hn::LoadU(kF, c[0]), hn::LoadU(kF, c[1]), hn::LoadU(kF, c[2])};
+}
+HWY_INLINE void store_components(const std::array<Floats, 3>& v, float (&to)[3][kLanes]) {
+  for (std::size_t axis = 0; axis < 3; ++axis) hn::StoreU(v[axis].v, kF, to[axis]);
 }
 
 inline void sample_all(const MipChain& texture, const Sampler& sampler, Transfer transfer,
                        std::span<const TexCoord> at, Rgba* colors) {
   for (std::size_t i = 0; i < at.size(); i += kLanes) {
-    HWY_ALIGN float u[kLanes], v[kLanes], r[kLanes], g[kLanes], b[kLanes];
+    HWY_ALIGN float u[kLanes], v[kLanes];
     for (std::size_t k = 0; k < kLanes; ++k) u[k] = entry(at, i + k).u, v[k] = entry(at, i + k).v;
-    const RgbLanes rgb = sample_base(texture, sampler, hn::Load(kF, u), hn::Load(kF, v), transfer);
-    hn::Store(rgb.r, kF, r);
-    hn::Store(rgb.g, kF, g);
-    hn::Store(rgb.b, kF, b);
+    const Rgb rgb =
+        sample_base(texture, sampler, {HWY_NAMESPACE::load(u), HWY_NAMESPACE::load(v)}, transfer);
+    float channels[3][kLanes];
+    store_components(rgb, channels);
     for (std::size_t k = 0; k < kLanes && i + k < at.size(); ++k) {
-      colors[i + k] = {r[k], g[k], b[k], 0};
+      colors[i + k] = {channels[0][k], channels[1][k], channels[2][k], 0};
     }
   }
 }
 
-using Float3 = std::array<float, 3>;
-
-HWY_INLINE Vec3 load_vec3(std::span<const Float3> from, std::size_t i) {
-  HWY_ALIGN float c[3][kLanes];
-  for (std::size_t k = 0; k < kLanes; ++k) {
-    for (std::size_t axis = 0; axis < 3; ++axis) c[axis][k] = entry(from, i + k)[axis];
-  }
-  return {hn::Load(kF, c[0]), hn::Load(kF, c[1]), hn::Load(kF, c[2])};
-}
-HWY_INLINE void store_vec3(const Vec3& v, float (&to)[3][kLanes]) {
-  hn::StoreU(v.x, kF, to[0]);
-  hn::StoreU(v.y, kF, to[1]);
-  hn::StoreU(v.z, kF, to[2]);
-}
-
 inline void illuminate_all(const Lighting& lighting, int shininess, bool highlights,
-                           std::span<const Float3> positions, std::span<const Float3> normals,
-                           Reflection* reflections) {
+                           std::span<const std::array<float, 3>> positions,
+                           std::span<const std::array<float, 3>> normals, Reflection* reflections) {
   for (std::size_t i = 0; i < positions.size(); i += kLanes) {
-    const ReflectionLanes light =
-        illuminate(lighting, load_vec3(positions, i), load_vec3(normals, i), shininess, highlights);
+    const ReflectionOf<Floats> light = reflected_light(
+        lighting, load_triple(positions, i), load_triple(normals, i), shininess, highlights);
     float diffuse[3][kLanes], specular[3][kLanes];
-    store_vec3(light.diffuse, diffuse);
-    store_vec3(light.specular, specular);
+    store_components(light.diffuse, diffuse);
+    store_components(light.specular, specular);
     for (std::size_t k = 0; k < kLanes && i + k < positions.size(); ++k) {
       reflections[i + k] = {{diffuse[0][k], diffuse[1][k], diffuse[2][k]},
                             {specular[0][k], specular[1][k], specular[2][k]}};

@@ -1,0 +1,82 @@
+// One number at a time, for the formulas of the stages (base/formulas, pipeline/formulas, raster/formulas): texts without a
+// namespace, which are read here as functions of single numbers, and once more for each instruction set by the lanes.
+// raster/lanes/numbers-inl.h has these names for as many numbers as a processor's vectors hold; no formula knows which it is
+// compiled for.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+
+namespace glassbox {
+
+template <class F>
+concept Number = std::floating_point<F>;
+template <class I>
+concept WholeNumber = std::same_as<I, std::int32_t> || std::same_as<I, std::int64_t>;
+
+using std::abs;
+using std::floor;
+using std::sqrt;
+
+// ---- conditions ----
+
+// What may hold for some numbers and not for others: `if` is for what holds for all of them.
+template <class T>
+inline T select(bool condition, T yes, T no) {
+  return condition ? yes : no;
+}
+inline bool none(bool condition) {
+  return !condition;
+}
+inline std::int32_t one_where(bool condition) {
+  return condition ? 1 : 0;
+}
+
+// ---- kinds of numbers ----
+
+// Rounded to nearest.
+inline float to_float(std::int32_t i) {
+  return float(i);
+}
+inline float to_float(std::int64_t i) {
+  return float(i);
+}
+// Of a number that is an integer.
+inline std::int32_t to_integer(float x) {
+  return std::int32_t(x);
+}
+inline std::int32_t to_integer(double x) {
+  return std::int32_t(x);
+}
+
+inline double widened(float x) {
+  return x;
+}
+inline float rounded(double x) {
+  return float(x);
+}
+
+inline std::int32_t bits_of(float x) {
+  return std::bit_cast<std::int32_t>(x);
+}
+inline float float_of(std::int32_t bits) {
+  return std::bit_cast<float>(bits);
+}
+
+// i 2^kBits, and i 2^-kBits rounded down.
+template <int kBits, WholeNumber I>
+inline I shifted_left(I i) {
+  return i * (I(1) << kBits);
+}
+template <int kBits, WholeNumber I>
+inline I shifted_right(I i) {
+  return i >> kBits;
+}
+
+#include <glassbox/base/formulas/common.h>
+
+}  // namespace glassbox

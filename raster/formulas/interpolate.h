@@ -1,0 +1,65 @@
+// Depth and attributes at a point of a triangle. With E_k its edge functions there and A their sum, exact integers, `fl` the
+// rounding to float, and every operation rounded:
+//
+//   lambda_k   = fl(E_k) * fl(1 / fl(A))
+//   depth      = d0 + (lambda_1 (d1 - d0) + lambda_2 (d2 - d0))
+//   q          = (lambda_0 / w0 + lambda_1 / w1) + lambda_2 / w2            (the 1/w_k are inputs)
+//   weight_k   = (lambda_k / w_k) * (1 / q)
+//   attribute  = a0 + (weight_1 (a1 - a0) + weight_2 (a2 - a0))
+//
+// Nothing depends on where the walk over the pixels began, so every way of walking gives the same bits.
+// Errors to first order in u = 2^-24, relative to the exact value for the snapped triangle and the 1/w_k as given
+// (tests/raster/interpolate_test.cpp holds them against rationals):
+//   - lambda: 4u (E_k, A, 1/A and the product are rounded), also in the far corner of a sliver.
+//   - depth: 8u, which a reversed depth range needs near 0. Vertex 0 is the one of smallest depth, so nothing cancels:
+//     4u of lambda, then a difference, a product and two sums of numbers that are not negative. Never below the
+//     smallest depth; and a flat triangle has exactly its own.
+//   - q: 7u. A sum of positive numbers: no cancellation however different the w are (C-66).
+//   - weight: 10u. The rounding of A and 1/A divides out, which leaves 3u of lambda_k / w_k, 5u of q and two operations.
+//   - attribute: 13u (weight_1 |a1 - a0| + weight_2 |a2 - a0|) + u |attribute|, absolute. One that is equal at the three
+//     vertices is exactly that everywhere.
+
+template <Number F>
+inline F screen_weight(F edge, F inverse_area) {
+  return edge * inverse_area;
+}
+
+// From the value at vertex 0 and what the others have more than it, by the weights of the others: for depth those on the
+// screen, for attributes those in space.
+template <Number F>
+inline F interpolate(F a0, F a1_less_a0, F a2_less_a0, F weight1, F weight2) {
+  return a0 + (weight1 * a1_less_a0 + weight2 * a2_less_a0);
+}
+
+// Weights on the triangle in space, and 1/w there.
+template <Number F>
+struct WeightsInSpace {
+  F weight0, weight1, weight2;
+  F inverse_w;
+};
+
+template <Number F>
+inline WeightsInSpace<F> perspective(const std::array<F, 3>& lambda,
+                                     const std::array<F, 3>& inverse_w) {
+  const F share0 = lambda[0] * inverse_w[0];
+  const F share1 = lambda[1] * inverse_w[1];
+  const F share2 = lambda[2] * inverse_w[2];
+  const F q = share0 + share1 + share2;
+  const F w = 1.0f / q;
+  return {share0 * w, share1 * w, share2 * w, q};
+}
+
+// All three w are equal: perspective changes nothing.
+template <Number F>
+inline auto is_affine(const std::array<F, 3>& inverse_w) {
+  return inverse_w[0] == inverse_w[1] && inverse_w[1] == inverse_w[2];
+}
+
+template <Number F>
+inline WeightsInSpace<F> weights_in_space(const std::array<F, 3>& lambda,
+                                          const std::array<F, 3>& inverse_w) {
+  const auto affine = is_affine(inverse_w);
+  const WeightsInSpace<F> seen = perspective(lambda, inverse_w);
+  return {select(affine, lambda[0], seen.weight0), select(affine, lambda[1], seen.weight1),
+          select(affine, lambda[2], seen.weight2), select(affine, inverse_w[0], seen.inverse_w)};
+}

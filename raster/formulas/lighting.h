@@ -1,0 +1,92 @@
+// Light that arrives at a surface and leaves it; raster/shading.h has the formula that these are the terms of.
+
+// base^exponent by repeated squaring: no library function, so the same bits everywhere.
+template <Number F>
+inline F power(F base, int exponent) {
+  F result = 1.0f;
+  for (; exponent > 0; exponent >>= 1) {
+    if ((exponent & 1) != 0) result = result * base;
+    base = base * base;
+  }
+  return result;
+}
+
+// What is left of a light at a point: distance, range and cone.
+template <Number F>
+struct Arrival {
+  std::array<F, 3> towards;  // unit vector at the light
+  F fraction;
+};
+
+template <Number F>
+inline Arrival<F> arrive(const EyeLight& light, const std::array<F, 3>& at) {
+  const std::array<F, 3> axis{F(light.towards.x), F(light.towards.y), F(light.towards.z)};
+  if (light.kind == LightKind::kDirectional) return {axis, F(1.0f)};
+
+  const std::array<F, 3> position{F(light.position.x), F(light.position.y), F(light.position.z)};
+  const std::array<F, 3> path = difference(position, at);
+  const F squared = dot(path, path);
+  const std::array<F, 3> towards = unit(path);
+  F fraction = least(1.0f / squared, F(kBrightest));
+  if (light.inverse_range > 0.0f) {
+    const F reach = squared * light.inverse_range * light.inverse_range;
+    fraction = fraction * greatest(F(0.0f), 1.0f - reach * reach);
+  }
+  if (light.kind == LightKind::kSpot) {
+    const F cosine = dot(axis, towards);
+    const F cone = clamped(cosine * light.cone_scale + light.cone_offset, F(0.0f), F(1.0f));
+    fraction = fraction * (cone * cone);
+  }
+  const auto apart = squared > 0.0f;
+  return {zero_unless(apart, towards), select(apart, fraction, F(0.0f))};
+}
+
+// `normal` need not be of unit length. Without `highlights` the specular part is not computed, and is 0.
+template <Number F>
+inline ReflectionOf<F> reflected_light(const Lighting& lighting, const std::array<F, 3>& position,
+                                       const std::array<F, 3>& normal, int shininess,
+                                       bool highlights) {
+  const F zero = 0.0f, ambient = lighting.ambient;
+  const std::array<F, 3> n = unit(normal);
+  std::array<F, 3> viewer{zero, zero, F(1.0f)};
+  if (highlights && lighting.perspective) {
+    viewer = unit(difference({zero, zero, zero}, position));
+  }
+  ReflectionOf<F> reflection{{ambient, ambient, ambient}, {zero, zero, zero}};
+  for (const EyeLight& light : lighting.lights) {
+    const Arrival<F> arrival = arrive(light, position);
+    const F facing = dot(n, arrival.towards);
+    const auto lit = facing > 0.0f;
+    if (none(lit)) continue;
+    F highlight = zero;
+    if (highlights) {
+      const F cosine = dot(n, unit(sum(arrival.towards, viewer)));
+      highlight = power(least(F(1.0f), greatest(zero, cosine)), shininess);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      const F incoming = light.radiance[i] * arrival.fraction;
+      const F diffuse = reflection.diffuse[i], specular = reflection.specular[i];
+      reflection.diffuse[i] = select(lit, diffuse + incoming * facing, diffuse);
+      if (highlights) {
+        reflection.specular[i] = select(lit, specular + incoming * highlight, specular);
+      }
+    }
+  }
+  return reflection;
+}
+
+// What a surface sends out of the light that falls on it. One without a normal shines by itself (glTF 2.0, 3.7.2.1). Without
+// `highlights` the specular part is left out.
+template <Number F>
+inline std::array<F, 3> lit(const std::array<F, 3>& base, const std::array<F, 3>& normal,
+                            const ReflectionOf<F>& light, const std::array<float, 3>& specular,
+                            bool highlights) {
+  const auto has_normal = normal[0] != 0.0f || normal[1] != 0.0f || normal[2] != 0.0f;
+  std::array<F, 3> color;
+  for (std::size_t i = 0; i < 3; ++i) {
+    F reflected = base[i] * light.diffuse[i];
+    if (highlights) reflected = reflected + specular[i] * light.specular[i];
+    color[i] = select(has_normal, reflected, base[i]);
+  }
+  return color;
+}

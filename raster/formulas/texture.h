@@ -1,0 +1,146 @@
+// Samples from an image, and how fast its coordinates change from pixel to pixel.
+
+// The coordinate within one period of its wrap mode: [0, 1), or [0, 2] where every second copy is mirrored, or [0, 1].
+// Exact but for negative ones near 0, which the sum may round up to the whole period: to the first texel's side. One that is
+// not finite is 0.
+template <Number F>
+inline F wrap_coordinate(Wrap wrap, F t) {
+  F wrapped = t;
+  switch (wrap) {
+    case Wrap::kRepeat:
+      wrapped = least(t - floor(t), F(0x1.fffffep-1f));
+      break;
+    case Wrap::kMirroredRepeat:
+      wrapped = t - 2.0f * floor(t * 0.5f);
+      break;
+    case Wrap::kClampToEdge:
+      wrapped = clamped(t, F(0.0f), F(1.0f));
+      break;
+  }
+  return select(is_finite(t), wrapped, F(0.0f));
+}
+
+// Into [0, period), of an index that is off either end by less than one.
+template <WholeNumber I>
+inline I into_period(I i, int period) {
+  const I zero = 0, whole = period;
+  const I from_below = select(i < zero, i + whole, i);
+  return select(from_below < whole, from_below, from_below - whole);
+}
+
+// A texel index that may be off either end by less than a period.
+template <WholeNumber I>
+inline I wrap_texel(Wrap wrap, I i, int size) {
+  const I last = size - 1;
+  switch (wrap) {
+    case Wrap::kRepeat:
+      return into_period(i, size);
+    case Wrap::kMirroredRepeat: {
+      const I j = into_period(i, 2 * size);
+      return select(last < j, (last + size) - j, j);
+    }
+    case Wrap::kClampToEdge:
+      return greatest(I(0), least(i, last));
+  }
+  return i;
+}
+
+// ---- one level ----
+
+// The texel that (u, v) is in, and the mean of the four around it; texel(x, y) is the colour of one, and colours have a mix() of
+// their channels. Coordinates are wrapped already. Texel centres are at halves.
+template <Number F, class Texel>
+inline auto sample_nearest(const Sampler& sampler, int width, int height, F u, F v,
+                           const Texel& texel) {
+  const auto x = to_integer(floor(u * float(width)));
+  const auto y = to_integer(floor(v * float(height)));
+  return texel(wrap_texel(sampler.wrap_u, x, width), wrap_texel(sampler.wrap_v, y, height));
+}
+
+template <Number F, class Texel>
+inline auto sample_linear(const Sampler& sampler, int width, int height, F u, F v,
+                          const Texel& texel) {
+  const F x = u * float(width) - 0.5f, y = v * float(height) - 0.5f;
+  const F left = floor(x), above = floor(y);
+  const auto column = to_integer(left), row = to_integer(above);
+  const auto x0 = wrap_texel(sampler.wrap_u, column, width);
+  const auto x1 = wrap_texel(sampler.wrap_u, column + 1, width);
+  const auto y0 = wrap_texel(sampler.wrap_v, row, height);
+  const auto y1 = wrap_texel(sampler.wrap_v, row + 1, height);
+  const F across = x - left, down = y - above;
+  return mix(mix(texel(x0, y0), texel(x1, y0), across), mix(texel(x0, y1), texel(x1, y1), across),
+             down);
+}
+
+// ---- level of detail ----
+
+// What lambda_k / w_k changes by over one pixel, from what the edge function changes by.
+template <Number F>
+inline F slope_over_w(F edge_step, F inverse_area, F inverse_w) {
+  return edge_step * inverse_area * inverse_w;
+}
+
+// `slopes`: [axis][vertex]; `texcoords`: [vertex][u, v].
+template <Number F, class Condition>
+inline TexturePlanesOf<F> planes_over_w(const std::array<std::array<F, 3>, 2>& slopes,
+                                        const std::array<std::array<F, 2>, 3>& texcoords,
+                                        Condition affine) {
+  TexturePlanesOf<F> planes;
+  planes.origin = texcoords[0];
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const std::array<F, 3>& slope = slopes[axis];
+    planes.inverse_w[axis] = select(affine, F(0.0f), slope[0] + slope[1] + slope[2]);
+    for (std::size_t i = 0; i < 2; ++i) {
+      planes.over_w[axis][i] = slope[1] * (texcoords[1][i] - texcoords[0][i]) +
+                               slope[2] * (texcoords[2][i] - texcoords[0][i]);
+    }
+  }
+  return planes;
+}
+
+template <Number F>
+inline TextureGradientOf<F> gradient_at(const TexturePlanesOf<F>& planes,
+                                        const std::array<F, 2>& texcoord, F inverse_w) {
+  const F w = 1.0f / inverse_w;
+  TextureGradientOf<F> gradient;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const F from_origin = texcoord[i] - planes.origin[i];
+    gradient.along_x[i] = (planes.over_w[0][i] - from_origin * planes.inverse_w[0]) * w;
+    gradient.along_y[i] = (planes.over_w[1][i] - from_origin * planes.inverse_w[1]) * w;
+  }
+  return gradient;
+}
+
+// log2 of a positive finite number: the exponent, and a series in s = (m - 1)/(m + 1) for the mantissa m in
+// [sqrt(1/2), sqrt(2)): log2 m = 2/ln 2 (s + s^3/3 + s^5/5 + s^7/7 + ...), |s| < 0.1716. What is left out is below
+// 5e-8; a level of detail needs no more.
+template <Number F>
+inline F log2_positive(F x) {
+  const auto subnormal = x < 0x1p-126f;
+  const auto bits = bits_of(select(subnormal, x * 0x1p23f, x));
+  const F half_to_one = float_of((bits & 0x007fffff) | 0x3f000000);
+  const auto low = half_to_one < 0.70710678f;
+  const auto exponent = shifted_right<23>(bits) - 126 - one_where(low) - one_where(subnormal) * 23;
+  const F m = select(low, half_to_one * 2.0f, half_to_one);
+  const F s = (m - 1.0f) / (m + 1.0f);
+  const F s2 = s * s;
+  const F series = s * (1.0f + s2 * (1.0f / 3.0f + s2 * (1.0f / 5.0f + s2 * (1.0f / 7.0f))));
+  return to_float(exponent) + 2.88539008f * series;
+}
+
+template <Number F>
+inline F squared_texels(const std::array<F, 2>& change, int width, int height) {
+  const F x = change[0] * float(width);
+  const F y = change[1] * float(height);
+  return x * x + y * y;
+}
+
+// log2 of the longer side of a pixel's footprint, in texels of level 0.
+template <Number F>
+inline F level_of_detail(const TextureGradientOf<F>& gradient, int width, int height) {
+  const F longest = greatest(squared_texels(gradient.along_x, width, height),
+                             squared_texels(gradient.along_y, width, height));
+  const F level = select(is_finite(longest), 0.5f * log2_positive(longest),
+                         F(std::numeric_limits<float>::max()));
+  return select(longest > 0.0f, level, F(-std::numeric_limits<float>::infinity()));
+}

@@ -1,0 +1,45 @@
+// The formulas of the stages, over lanes.
+
+#if defined(GLASSBOX_FORMULAS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLASSBOX_FORMULAS_INL_H_
+#undef GLASSBOX_FORMULAS_INL_H_
+#else
+#define GLASSBOX_FORMULAS_INL_H_
+#endif
+
+#include <glassbox/raster/lanes/numbers-inl.h>
+#include <glassbox/raster/shading.h>
+#include <glassbox/raster/stages.h>
+#include <glassbox/raster/texture.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace glassbox {
+namespace HWY_NAMESPACE {
+
+// What compilers find too large for the loop over the pixels, and call: it must become part of it all the same.
+template <Number F>
+HWY_INLINE F wrap_coordinate(Wrap wrap, F t);
+template <WholeNumber I>
+HWY_INLINE I wrap_texel(Wrap wrap, I i, int size);
+template <Number F, class Texel>
+HWY_INLINE auto sample_nearest(const Sampler& sampler, int width, int height, F u, F v,
+                               const Texel& texel);
+template <Number F, class Texel>
+HWY_INLINE auto sample_linear(const Sampler& sampler, int width, int height, F u, F v,
+                              const Texel& texel);
+
+#include <glassbox/base/formulas/common.h>
+#include <glassbox/base/formulas/transform_row.h>
+#include <glassbox/pipeline/formulas/vertex.h>
+#include <glassbox/raster/formulas/depth.h>
+#include <glassbox/raster/formulas/edges.h>
+#include <glassbox/raster/formulas/interpolate.h>
+#include <glassbox/raster/formulas/lighting.h>
+#include <glassbox/raster/formulas/snap.h>
+#include <glassbox/raster/formulas/texture.h>
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glassbox
+HWY_AFTER_NAMESPACE();
+
+#endif

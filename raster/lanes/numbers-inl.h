@@ -1,0 +1,316 @@
+// Many numbers at a time: what base/numbers.h has for one, over the vectors that the processor has, of 16 floats at most.
+//
+// Every operation is the IEEE one, so each lane has the bits that one number alone would have. No multiplication and addition
+// in one, no approximate reciprocals.
+
+#if defined(GLASSBOX_NUMBERS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLASSBOX_NUMBERS_INL_H_
+#undef GLASSBOX_NUMBERS_INL_H_
+#else
+#define GLASSBOX_NUMBERS_INL_H_
+#endif
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace glassbox {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using DF = hn::CappedTag<float, 16>;
+using DI = hn::RebindToSigned<DF>;
+inline constexpr DF kF;
+inline constexpr DI kI;
+inline constexpr std::size_t kLanes = hn::MaxLanes(DF());
+
+// ---- conditions ----
+
+// What holds in some lanes.
+struct FloatMask {
+  hn::Mask<DF> m;
+};
+struct IntMask {
+  hn::Mask<DI> m;
+};
+
+HWY_INLINE FloatMask operator&&(FloatMask a, FloatMask b) {
+  return {hn::And(a.m, b.m)};
+}
+HWY_INLINE FloatMask operator||(FloatMask a, FloatMask b) {
+  return {hn::Or(a.m, b.m)};
+}
+HWY_INLINE FloatMask operator!(FloatMask a) {
+  return {hn::Not(a.m)};
+}
+HWY_INLINE IntMask operator&&(IntMask a, IntMask b) {
+  return {hn::And(a.m, b.m)};
+}
+HWY_INLINE IntMask operator||(IntMask a, IntMask b) {
+  return {hn::Or(a.m, b.m)};
+}
+HWY_INLINE IntMask operator!(IntMask a) {
+  return {hn::Not(a.m)};
+}
+HWY_INLINE bool none(FloatMask a) {
+  return hn::AllFalse(kF, a.m);
+}
+HWY_INLINE bool none(IntMask a) {
+  return hn::AllFalse(kI, a.m);
+}
+
+HWY_INLINE FloatMask float_mask(IntMask a) {
+  return {hn::RebindMask(kF, a.m)};
+}
+HWY_INLINE IntMask int_mask(FloatMask a) {
+  return {hn::RebindMask(kI, a.m)};
+}
+HWY_INLINE std::size_t count_of(IntMask a) {
+  return hn::CountTrue(kI, a.m);
+}
+// Lanes 0 .. count - 1.
+HWY_INLINE IntMask first_lanes(std::size_t count) {
+  return {hn::FirstN(kI, count)};
+}
+
+// ---- floats ----
+
+struct Floats {
+  hn::Vec<DF> v;
+
+  Floats() = default;
+  HWY_INLINE Floats(hn::Vec<DF> lanes) : v(lanes) {}
+  HWY_INLINE Floats(float x) : v(hn::Set(kF, x)) {}
+};
+
+template <class F>
+concept Number = std::same_as<F, Floats>;
+
+HWY_INLINE Floats operator+(Floats a, Floats b) {
+  return hn::Add(a.v, b.v);
+}
+HWY_INLINE Floats operator-(Floats a, Floats b) {
+  return hn::Sub(a.v, b.v);
+}
+HWY_INLINE Floats operator-(Floats a) {
+  return hn::Neg(a.v);
+}
+HWY_INLINE Floats operator*(Floats a, Floats b) {
+  return hn::Mul(a.v, b.v);
+}
+HWY_INLINE Floats operator/(Floats a, Floats b) {
+  return hn::Div(a.v, b.v);
+}
+HWY_INLINE FloatMask operator<(Floats a, Floats b) {
+  return {hn::Lt(a.v, b.v)};
+}
+HWY_INLINE FloatMask operator<=(Floats a, Floats b) {
+  return {hn::Le(a.v, b.v)};
+}
+HWY_INLINE FloatMask operator>(Floats a, Floats b) {
+  return {hn::Gt(a.v, b.v)};
+}
+HWY_INLINE FloatMask operator>=(Floats a, Floats b) {
+  return {hn::Ge(a.v, b.v)};
+}
+HWY_INLINE FloatMask operator==(Floats a, Floats b) {
+  return {hn::Eq(a.v, b.v)};
+}
+HWY_INLINE FloatMask operator!=(Floats a, Floats b) {
+  return {hn::Ne(a.v, b.v)};
+}
+HWY_INLINE Floats select(FloatMask condition, Floats yes, Floats no) {
+  return hn::IfThenElse(condition.m, yes.v, no.v);
+}
+HWY_INLINE Floats abs(Floats x) {
+  return hn::Abs(x.v);
+}
+HWY_INLINE Floats floor(Floats x) {
+  return hn::Floor(x.v);
+}
+HWY_INLINE Floats sqrt(Floats x) {
+  return hn::Sqrt(x.v);
+}
+
+// ---- integers of 32 bits ----
+
+struct Ints {
+  hn::Vec<DI> v;
+
+  Ints() = default;
+  HWY_INLINE Ints(hn::Vec<DI> lanes) : v(lanes) {}
+  HWY_INLINE Ints(std::int32_t i) : v(hn::Set(kI, i)) {}
+};
+
+template <class I>
+concept WholeNumber = std::same_as<I, Ints>;
+
+HWY_INLINE Ints operator+(Ints a, Ints b) {
+  return hn::Add(a.v, b.v);
+}
+HWY_INLINE Ints operator-(Ints a, Ints b) {
+  return hn::Sub(a.v, b.v);
+}
+HWY_INLINE Ints operator*(Ints a, Ints b) {
+  return hn::Mul(a.v, b.v);
+}
+HWY_INLINE Ints operator&(Ints a, Ints b) {
+  return hn::And(a.v, b.v);
+}
+HWY_INLINE Ints operator|(Ints a, Ints b) {
+  return hn::Or(a.v, b.v);
+}
+HWY_INLINE IntMask operator<(Ints a, Ints b) {
+  return {hn::Lt(a.v, b.v)};
+}
+HWY_INLINE IntMask operator>(Ints a, Ints b) {
+  return {hn::Gt(a.v, b.v)};
+}
+HWY_INLINE IntMask operator>=(Ints a, Ints b) {
+  return {hn::Not(hn::Lt(a.v, b.v))};
+}
+HWY_INLINE IntMask operator==(Ints a, Ints b) {
+  return {hn::Eq(a.v, b.v)};
+}
+HWY_INLINE IntMask operator!=(Ints a, Ints b) {
+  return {hn::Ne(a.v, b.v)};
+}
+HWY_INLINE Ints select(IntMask condition, Ints yes, Ints no) {
+  return hn::IfThenElse(condition.m, yes.v, no.v);
+}
+HWY_INLINE Ints one_where(IntMask condition) {
+  return hn::IfThenElseZero(condition.m, hn::Set(kI, 1));
+}
+HWY_INLINE Ints one_where(FloatMask condition) {
+  return one_where(int_mask(condition));
+}
+HWY_INLINE Ints abs(Ints i) {
+  return hn::Abs(i.v);
+}
+HWY_INLINE Ints least(Ints a, Ints b) {
+  return hn::Min(a.v, b.v);
+}
+HWY_INLINE Ints greatest(Ints a, Ints b) {
+  return hn::Max(a.v, b.v);
+}
+template <int kBits>
+HWY_INLINE Ints shifted_left(Ints i) {
+  return hn::ShiftLeft<kBits>(i.v);
+}
+template <int kBits>
+HWY_INLINE Ints shifted_right(Ints i) {
+  return hn::ShiftRight<kBits>(i.v);
+}
+
+// From and to memory that is aligned as the vectors are.
+HWY_INLINE Floats load(const float* from) {
+  return hn::Load(kF, from);
+}
+HWY_INLINE Ints load(const std::int32_t* from) {
+  return hn::Load(kI, from);
+}
+HWY_INLINE void store(Floats x, float* to) {
+  hn::Store(x.v, kF, to);
+}
+HWY_INLINE void store(Ints i, std::int32_t* to) {
+  hn::Store(i.v, kI, to);
+}
+
+// ---- from one kind to another ----
+
+HWY_INLINE Floats to_float(Ints i) {
+  return hn::ConvertTo(kF, i.v);
+}
+HWY_INLINE Ints to_integer(Floats x) {
+  return hn::ConvertTo(kI, x.v);
+}
+HWY_INLINE Ints bits_of(Floats x) {
+  return hn::BitCast(kI, x.v);
+}
+HWY_INLINE Floats float_of(Ints bits) {
+  return hn::BitCast(kF, bits.v);
+}
+
+// ---- doubles ----
+
+#if HWY_TARGET == HWY_SCALAR
+using DD = hn::Rebind<double, DF>;
+#else
+using DD = hn::Repartition<double, DF>;
+inline constexpr hn::Half<DF> kHalfF;
+#endif
+inline constexpr DD kD;
+
+// As many doubles as there are floats: those of the lower half, and those of the upper one. (A single lane has no halves: both are
+// the same.)
+struct Doubles {
+  hn::Vec<DD> low, high;
+
+  Doubles() = default;
+  HWY_INLINE Doubles(hn::Vec<DD> low_lanes, hn::Vec<DD> high_lanes)
+      : low(low_lanes), high(high_lanes) {}
+  HWY_INLINE Doubles(double x) : low(hn::Set(kD, x)), high(low) {}
+};
+struct DoubleMask {
+  hn::Mask<DD> low, high;
+};
+
+HWY_INLINE Doubles operator+(const Doubles& a, const Doubles& b) {
+  return {hn::Add(a.low, b.low), hn::Add(a.high, b.high)};
+}
+HWY_INLINE Doubles operator-(const Doubles& a, const Doubles& b) {
+  return {hn::Sub(a.low, b.low), hn::Sub(a.high, b.high)};
+}
+HWY_INLINE Doubles operator*(const Doubles& a, const Doubles& b) {
+  return {hn::Mul(a.low, b.low), hn::Mul(a.high, b.high)};
+}
+HWY_INLINE Doubles operator/(const Doubles& a, const Doubles& b) {
+  return {hn::Div(a.low, b.low), hn::Div(a.high, b.high)};
+}
+HWY_INLINE DoubleMask operator>(const Doubles& a, const Doubles& b) {
+  return {hn::Gt(a.low, b.low), hn::Gt(a.high, b.high)};
+}
+HWY_INLINE Doubles select(const DoubleMask& condition, const Doubles& yes, const Doubles& no) {
+  return {hn::IfThenElse(condition.low, yes.low, no.low),
+          hn::IfThenElse(condition.high, yes.high, no.high)};
+}
+HWY_INLINE Doubles floor(const Doubles& x) {
+  return {hn::Floor(x.low), hn::Floor(x.high)};
+}
+HWY_INLINE Doubles sqrt(const Doubles& x) {
+  return {hn::Sqrt(x.low), hn::Sqrt(x.high)};
+}
+
+#if HWY_TARGET == HWY_SCALAR
+HWY_INLINE Doubles widened(Floats x) {
+  const auto d = hn::PromoteTo(kD, x.v);
+  return {d, d};
+}
+HWY_INLINE Floats rounded(const Doubles& x) {
+  return hn::DemoteTo(kF, x.low);
+}
+#else
+HWY_INLINE Doubles widened(Floats x) {
+  return {hn::PromoteTo(kD, hn::LowerHalf(kHalfF, x.v)),
+          hn::PromoteTo(kD, hn::UpperHalf(kHalfF, x.v))};
+}
+HWY_INLINE Floats rounded(const Doubles& x) {
+  return hn::Combine(kF, hn::DemoteTo(kHalfF, x.high), hn::DemoteTo(kHalfF, x.low));
+}
+#endif
+// Of integers below 2^24, which floats hold.
+HWY_INLINE Ints to_integer(const Doubles& x) {
+  return to_integer(rounded(x));
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glassbox
+HWY_AFTER_NAMESPACE();
+
+#endif
