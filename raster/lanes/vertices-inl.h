@@ -90,7 +90,7 @@ HWY_INLINE void store_entries(Ints x, Ints y, Floats z, Floats inverse_w, Snappe
 
 template <bool kTestPlanes, bool kDivide>
 HWY_INLINE void transform_vertices_with(const VertexJob& job) {
-  const Viewport& port = job.viewport;
+  const Viewport port = job.viewport;  // not reloaded after each store
   const Float3 anchor = broadcast(job.anchor);
   in_lanes(job.positions.size(), [&](std::size_t i, std::size_t count) HWY_ATTR {
     const Float3 p = difference(load_triples(&job.positions[i].x, count), anchor);
