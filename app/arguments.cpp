@@ -9,10 +9,9 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <glassbox/render/trace/numbering.h>
-
 #include <glassbox/images/srgb.h>
 #include <glassbox/pipeline/view.h>
+#include <glassbox/render/trace/numbering.h>
 
 namespace glassbox::app {
 

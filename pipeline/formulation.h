@@ -7,11 +7,9 @@
 //                    kTPers         by the window's half-height on the view plane, which is the near plane (S4-10)
 //                    kAlphaBeta     by half the horizontal angle, and z' = alpha + beta/z (S3-12, S3-14)
 //
-// In double, entries of the rotation are within 16 u of each other. So are those of
-// clip_from_eye but for rounding: 12 ulps, and
-// for kAlphaBeta, whose angle is rounded, 4 times fov_condition() of the horizontal angle more.
-// Rounded to float most entries are
-// the same, and the rest are neighbours.
+// In double, entries of the rotation are within 16 u of each other. So are those of clip_from_eye but for rounding: 12 ulps,
+// and for kAlphaBeta, whose angle is rounded, 4 times fov_condition() of the horizontal angle more. Rounded to float most
+// entries are the same, and the rest are neighbours.
 #pragma once
 
 #include <optional>
@@ -33,9 +31,8 @@ struct Formulation {
   friend bool operator==(const Formulation&, const Formulation&) = default;
 };
 
-// make_view with the matrices made these ways. Errors, besides its own: a projection form other
-// than kPerspective for a parallel
-// lens; kTPers and kAlphaBeta with reversed depth, or with a window that is not centred on the gaze.
+// make_view with the matrices made these ways. Errors, besides its own: a projection form other than kPerspective for a
+// parallel lens; kTPers and kAlphaBeta with reversed depth, or with a window that is not centred on the gaze.
 Result<View> make_view(const Camera& camera, int width, int height, DepthRange depth_range,
                        const Formulation& formulation);
 

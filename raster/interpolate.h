@@ -70,11 +70,7 @@ template <std::size_t N>
 std::array<float, N> interpolate(const std::array<float, N>& a0, const std::array<float, N>& a1,
                                  const std::array<float, N>& a2,
                                  const std::array<float, 3>& weights) {
-  std::array<float, N> a;
-  for (std::size_t i = 0; i < N; ++i) {
-    a[i] = interpolate(a0[i], a1[i] - a0[i], a2[i] - a0[i], weights[1], weights[2]);
-  }
-  return a;
+  return interpolate(a0, a1, a2, weights[1], weights[2]);
 }
 
 // mix(a0, a1, a2) for each attribute of three vertices.

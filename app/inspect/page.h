@@ -23,6 +23,7 @@ struct InspectOptions {
   std::optional<PixelAt> pixel;    // chosen on opening, with all records of its fragments
   std::optional<PixelRect>
       rectangle;  // only what reaches into it, with all records of its fragments
+  // Of 32 bits: CLI11 wraps a negative number of 64.
   std::uint32_t max_triangles = 1'000'000;
   std::uint32_t max_fragments = 4'000'000;
 };

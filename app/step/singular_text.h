@@ -7,9 +7,8 @@
 
 namespace glassbox::app {
 
-// The corners asked for, as far as they are in front of the eye, by the singular projection onto
-// the near plane; of a parallel view by
-// diag(1, 1, 0, 1).
+// The corners asked for, as far as they are in front of the eye, by the singular projection onto the near plane; of a
+// parallel view by diag(1, 1, 0, 1).
 std::string singular_text(const SteppedTriangle& stepped, const StepTarget& target);
 
 }  // namespace glassbox::app

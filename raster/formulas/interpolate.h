@@ -31,6 +31,17 @@ inline F interpolate(F a0, F a1_less_a0, F a2_less_a0, F weight1, F weight2) {
   return a0 + (weight1 * a1_less_a0 + weight2 * a2_less_a0);
 }
 
+// Each component of an attribute, from those of the three vertices.
+template <Number F, std::size_t N>
+inline std::array<F, N> interpolate(const std::array<F, N>& a0, const std::array<F, N>& a1,
+                                    const std::array<F, N>& a2, F weight1, F weight2) {
+  std::array<F, N> a;
+  for (std::size_t i = 0; i < N; ++i) {
+    a[i] = interpolate(a0[i], a1[i] - a0[i], a2[i] - a0[i], weight1, weight2);
+  }
+  return a;
+}
+
 // Weights on the triangle in space, and 1/w there.
 template <Number F>
 struct WeightsInSpace {

@@ -33,36 +33,28 @@ inline constexpr std::size_t kLanes = hn::MaxLanes(DF());
 // ---- conditions ----
 
 // What holds in some lanes.
-struct FloatMask {
-  hn::Mask<DF> m;
+template <class D>
+struct MaskOf {
+  hn::Mask<D> m;
 };
-struct IntMask {
-  hn::Mask<DI> m;
-};
+using FloatMask = MaskOf<DF>;
+using IntMask = MaskOf<DI>;
 
-HWY_INLINE FloatMask operator&&(FloatMask a, FloatMask b) {
+template <class D>
+HWY_INLINE MaskOf<D> operator&&(MaskOf<D> a, MaskOf<D> b) {
   return {hn::And(a.m, b.m)};
 }
-HWY_INLINE FloatMask operator||(FloatMask a, FloatMask b) {
+template <class D>
+HWY_INLINE MaskOf<D> operator||(MaskOf<D> a, MaskOf<D> b) {
   return {hn::Or(a.m, b.m)};
 }
-HWY_INLINE FloatMask operator!(FloatMask a) {
+template <class D>
+HWY_INLINE MaskOf<D> operator!(MaskOf<D> a) {
   return {hn::Not(a.m)};
 }
-HWY_INLINE IntMask operator&&(IntMask a, IntMask b) {
-  return {hn::And(a.m, b.m)};
-}
-HWY_INLINE IntMask operator||(IntMask a, IntMask b) {
-  return {hn::Or(a.m, b.m)};
-}
-HWY_INLINE IntMask operator!(IntMask a) {
-  return {hn::Not(a.m)};
-}
-HWY_INLINE bool none(FloatMask a) {
-  return hn::AllFalse(kF, a.m);
-}
-HWY_INLINE bool none(IntMask a) {
-  return hn::AllFalse(kI, a.m);
+template <class D>
+HWY_INLINE bool none(MaskOf<D> a) {
+  return hn::AllFalse(D(), a.m);
 }
 
 HWY_INLINE FloatMask float_mask(IntMask a) {

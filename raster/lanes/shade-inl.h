@@ -29,17 +29,6 @@ HWY_INLINE Float3 gather_triple(const T* table, Ints at) {
   return {float_of(xy.first), float_of(xy.second), gather(from + 2, word)};
 }
 
-// Attributes of the three vertices, at a point between them.
-template <std::size_t N>
-HWY_INLINE std::array<Floats, N> interpolate(const WeightsInSpace<Floats>& at,
-                                             const OfVertices<std::array<Floats, N>>& a) {
-  std::array<Floats, N> here;
-  for (std::size_t i = 0; i < N; ++i) {
-    here[i] = interpolate(a[0][i], a[1][i] - a[0][i], a[2][i] - a[0][i], at.weight1, at.weight2);
-  }
-  return here;
-}
-
 // A small triangle in every lane: gathered from the draw's tables.
 class SmallSource {
 public:
@@ -87,14 +76,14 @@ public:
 
   HWY_INLINE Float3 normal() const {
     const OfVertices<Ints> corner = corners(draw_.normal_indices);
-    return interpolate<3>(at_, {facing(gather_triple(draw_.normals, corner[0])),
-                                facing(gather_triple(draw_.normals, corner[1])),
-                                facing(gather_triple(draw_.normals, corner[2]))});
+    return here<3>({facing(gather_triple(draw_.normals, corner[0])),
+                    facing(gather_triple(draw_.normals, corner[1])),
+                    facing(gather_triple(draw_.normals, corner[2]))});
   }
   HWY_INLINE Float3 position() const {
-    return interpolate<3>(at_, {gather_triple(draw_.eye_positions, vertices_[0]),
-                                gather_triple(draw_.eye_positions, vertices_[1]),
-                                gather_triple(draw_.eye_positions, vertices_[2])});
+    return here<3>({gather_triple(draw_.eye_positions, vertices_[0]),
+                    gather_triple(draw_.eye_positions, vertices_[1]),
+                    gather_triple(draw_.eye_positions, vertices_[2])});
   }
   HWY_INLINE Rgb color() const {
     const OfVertices<Ints> corner = corners(draw_.color_indices);
@@ -103,9 +92,9 @@ public:
       return Rgb{gather(&draw_.colors->r, at), gather(&draw_.colors->g, at),
                  gather(&draw_.colors->b, at)};
     };
-    return interpolate<3>(at_, {at_vertex(0), at_vertex(1), at_vertex(2)});
+    return here<3>({at_vertex(0), at_vertex(1), at_vertex(2)});
   }
-  HWY_INLINE Float2 texcoord() const { return interpolate<2>(at_, texcoords()); }
+  HWY_INLINE Float2 texcoord() const { return here<2>(texcoords()); }
   HWY_INLINE TexturePlanesOf<Floats> texture_planes() const {
     return planes_over_w(slopes_, texcoords(), affine_);
   }
@@ -124,6 +113,11 @@ public:
   }
 
 private:
+  // An attribute of the three vertices, at the pixel.
+  template <std::size_t N>
+  HWY_INLINE std::array<Floats, N> here(const OfVertices<std::array<Floats, N>>& a) const {
+    return interpolate(a[0], a[1], a[2], at_.weight1, at_.weight2);
+  }
   HWY_INLINE OfVertices<Float2> texcoords() const {
     const OfVertices<Ints> corner = corners(draw_.texcoord_indices);
     const auto at_vertex = [&](std::size_t k) HWY_ATTR {

@@ -1,5 +1,5 @@
 // Between stored bytes and linear light. A second writing of what transfer.h does: there are 256 codes, so what matters is
-// the way to them, and lanes have another one. tests/raster/lanes holds the two together, for every byte and every float.
+// the way to them, and lanes have another one. tests/raster/lanes holds the two together: for every byte, at every threshold, and for floats all over.
 
 #if defined(GLASSBOX_TRANSFER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_TRANSFER_INL_H_

@@ -342,6 +342,10 @@ TEST_CASE("the level of detail is log2 of the longer side of the footprint") {
     const TextureGradient g{{std::ldexp(1.0f, k), 0}, {0, 0}};
     CHECK(level_of_detail(g, 4, 64) == float(k + 2));  // powers of two exactly
   }
+  // Squares below the smallest normal float, which are powers of two all the same.
+  for (int k = -74; k <= -63; ++k) {
+    CHECK(level_of_detail({{std::ldexp(1.0f, k), 0}, {0, 0}}, 1, 1) == float(k));
+  }
   const float most = std::numeric_limits<float>::max();
   CHECK(level_of_detail({}, 8, 8) == -INFINITY);
   CHECK(level_of_detail({{1e30f, 0}, {0, 0}}, 8, 8) == most);

@@ -241,6 +241,28 @@ std::vector<float> flattened(const std::vector<Reflection>& light, bool highligh
   return all;
 }
 
+TEST_CASE("lanes find the level of detail of the scalar stage, whatever the gradient") {
+  Random random(13);
+  std::vector<TextureGradient> gradients;
+  const std::vector<float> special = special_values();
+  for (const float a : special) {
+    for (const float b : special) gradients.push_back({{a, 0.0f}, {b, 1.0f}});
+  }
+  // Squares from below the smallest float to infinity.
+  for (int i = 0; i < 20000; ++i) {
+    const auto change = [&] {
+      return float(std::ldexp(random.between(-1, 1), int(random.integer(-90, 70))));
+    };
+    gradients.push_back({{change(), change()}, {change(), change()}});
+  }
+  std::vector<float> expected, actual(gradients.size());
+  for (const TextureGradient& g : gradients) expected.push_back(level_of_detail(g, 640, 480));
+  for_each_target([&](const LaneProbes& lanes) {
+    lanes.level_of_detail(640, 480, gradients, actual.data());
+    CHECK(differing(expected, actual) == 0);
+  });
+}
+
 TEST_CASE("lanes light as the scalar stage does: every kind of light, near, far and where it is") {
   Random random(11);
   const auto anywhere = [&](double most) {

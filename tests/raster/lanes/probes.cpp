@@ -92,6 +92,21 @@ inline void sample_all(const MipChain& texture, const Sampler& sampler, Transfer
   }
 }
 
+inline void level_of_detail_all(int width, int height, std::span<const TextureGradient> gradients,
+                                float* levels) {
+  for (std::size_t i = 0; i < gradients.size(); i += kLanes) {
+    HWY_ALIGN float c[4][kLanes];
+    for (std::size_t k = 0; k < kLanes; ++k) {
+      const TextureGradient& g = entry(gradients, i + k);
+      c[0][k] = g.along_x[0], c[1][k] = g.along_x[1];
+      c[2][k] = g.along_y[0], c[3][k] = g.along_y[1];
+    }
+    const TextureGradientOf<Floats> gradient{{hn::LoadU(kF, c[0]), hn::LoadU(kF, c[1])},
+                                             {hn::LoadU(kF, c[2]), hn::LoadU(kF, c[3])}};
+    store(level_of_detail(gradient, width, height), levels, i, gradients.size());
+  }
+}
+
 inline void illuminate_all(const Lighting& lighting, int shininess, bool highlights,
                            std::span<const std::array<float, 3>> positions,
                            std::span<const std::array<float, 3>> normals, Reflection* reflections) {
@@ -108,8 +123,8 @@ inline void illuminate_all(const Lighting& lighting, int shininess, bool highlig
   }
 }
 
-const test::LaneProbes kProbes{snap_all,       encode_all, decode_all,
-                               depth_code_all, sample_all, illuminate_all};
+const test::LaneProbes kProbes{snap_all,   encode_all,          decode_all,    depth_code_all,
+                               sample_all, level_of_detail_all, illuminate_all};
 
 }  // namespace probes
 }  // namespace HWY_NAMESPACE

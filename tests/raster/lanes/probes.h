@@ -23,6 +23,8 @@ struct LaneProbes {
   // Alpha is not sampled.
   void (*sample_base)(const MipChain& texture, const Sampler& sampler, Transfer transfer,
                       std::span<const TexCoord> at, Rgba* colors);
+  void (*level_of_detail)(int width, int height, std::span<const TextureGradient> gradients,
+                          float* levels);
   void (*illuminate)(const Lighting& lighting, int shininess, bool highlights,
                      std::span<const std::array<float, 3>> positions,
                      std::span<const std::array<float, 3>> normals, Reflection* reflections);
