@@ -178,7 +178,7 @@ TEST_CASE(
   // The adaptor of SPEC 0.2 puts them where the right-handed projection does.
   const Json correct =
       step_json(here, {kModel, s4_5(), book::perspective_d3d_right(kFovy, 1, 0.1, 100), kPoints});
-  for (const std::size_t i : {0, 1}) {
+  for (const std::size_t i : {0u, 1u}) {
     CHECK(double(answer.json["alternatives"][0]["window"][i]) ==
           Approx(double(correct["points"][0]["window"]["position"][i])));
   }
