@@ -11,6 +11,7 @@ endif()
 option(GLASSBOX_WERROR "Treat warnings as errors, those of g++ 12 and clang++ 14: other compilers have others" OFF)
 option(GLASSBOX_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
 option(GLASSBOX_SOME_TESTS "Build only the tests that ./glassbox test runs under the sanitizers" OFF)
+option(GLASSBOX_TOGETHER "Compile sources together where that is quicker" ON)
 option(GLASSBOX_FUZZ "Build the libFuzzer targets (needs clang++)" OFF)
 
 # The arithmetic contract: IEEE operations in the written order, so no contraction into FMA.
@@ -81,6 +82,6 @@ endfunction()
 # compile_together(TARGET NAME FILE ...): these sources are one translation unit, because the headers that they share take
 # longer to compile than they do (docs/building.md has the figures). What is unnamed in one must not be in another.
 function(compile_together target name)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${GLASSBOX_TOGETHER} UNITY_BUILD_MODE GROUP)
   set_source_files_properties(${ARGN} PROPERTIES UNITY_GROUP ${name})
 endfunction()

@@ -158,8 +158,8 @@ run_long_pages() {
 run_tidy() {
   have clang-tidy || { skip "clang-tidy (there is no such program)"; return 0; }
   say "clang-tidy: reading ..."
-  directory=$(directory_of clang)
-  configure_preset clang || { count "clang-tidy: configure" 1; return 0; }
+  directory=$(directory_of tidy)
+  configure_preset tidy || { count "clang-tidy: configure" 1; return 0; }
   log=$directory/tidy.log
   status=0
   find "$root" \( -path "$root/build" -o -path "$root/.git" -o -path "$root/tests" -o -path "$root/labs/[0-9]*" \) -prune \

@@ -36,6 +36,7 @@ inline std::string joined(const std::vector<std::string>& words, const std::stri
 
 inline std::vector<std::string> names_of(const std::vector<CommandFacts>& commands) {
   std::vector<std::string> names;
+  names.reserve(commands.size());
   for (const CommandFacts& command : commands) names.push_back(command.name);
   return names;
 }

@@ -16,8 +16,9 @@ Mesh make_squares(const char* name, double half_side, double nearer_by) {
   mesh.name = name;
   for (int rung = 0; rung < kColumns * kRows; ++rung) {
     const double distance = double(1 << rung) * (1 - nearer_by);
-    const double x = 0.2 * (rung % kColumns - 0.5 * (kColumns - 1));
-    const double y = 0.2 * (0.5 * (kRows - 1) - rung / kColumns);
+    const int column = rung % kColumns, row = rung / kColumns;
+    const double x = 0.2 * (column - 0.5 * (kColumns - 1));
+    const double y = 0.2 * (0.5 * (kRows - 1) - row);
     const double side = 2 * half_side * distance;
     add_rectangle(mesh, {(x - half_side) * distance, (y - half_side) * distance, -distance},
                   {side, 0, 0}, {0, side, 0});

@@ -142,7 +142,7 @@ Result<std::shared_ptr<const Bytes>> Resources::read(std::string_view uri) {
     total_bytes_ += bytes->size();
     return std::make_shared<const Bytes>(std::move(*bytes));
   }
-  const auto refuse = [&](std::string cause) {
+  const auto refuse = [&](const std::string& cause) {
     return fail("", "the URI " + in_quotes(uri) + " " + cause,
                 "name a file beside the scene by a relative path");
   };
