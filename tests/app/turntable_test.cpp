@@ -50,8 +50,8 @@ double distance(const Triple& a, const Triple& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-void turn(const Workplace& here, const std::string& scene, int frames, const std::string& options,
-          const std::string& name = "t.png") {
+void turn(const Workplace& here, const std::string& scene, std::size_t frames,
+          const std::string& options, const std::string& name = "t.png") {
   const Outcome outcome = here.run(
       fmt::format("render {} --frames {} --turntable {} -o {}", scene, frames, options, name));
   INFO(scene << " " << options << ": " << outcome.err);
@@ -90,15 +90,15 @@ TEST_CASE("a turntable's eye goes once around up through the target, at one dist
                                                    {"--up 0,2,0", {0, 1, 0}},
                                                    {"--up 1,0,0", {1, 0, 0}}}) {
     const Workplace here;
-    constexpr int kFrames = 10;
+    constexpr std::size_t kFrames = 10;
     turn(here, "teapot:2", kFrames, options + " --size 32x24");
     std::vector<Triple> eyes;
-    for (int i = 1; i <= kFrames; ++i) {
+    for (std::size_t i = 1; i <= kFrames; ++i) {
       const Recipe made = recipe(here, fmt::format("t-{:04}.png", i));
       eyes.push_back(triple_after(made.options, "--eye"));
       const Triple target = triple_after(made.options, "--look-at");
       CHECK(target == triple_after(recipe(here, "t-0001.png").options, "--look-at"));
-      const auto along_up = [&](const Triple& p) {
+      const auto along_up = [&up = up](const Triple& p) {
         return p[0] * up[0] + p[1] * up[1] + p[2] * up[2];
       };
       INFO(options << " frame " << i);
@@ -108,7 +108,7 @@ TEST_CASE("a turntable's eye goes once around up through the target, at one dist
     }
     // From the last frame to the first it is one step more: the loop is closed.
     const double step = distance(eyes[0], eyes[1]);
-    for (int i = 0; i < kFrames; ++i) {
+    for (std::size_t i = 0; i < kFrames; ++i) {
       CHECK(std::abs(distance(eyes[i], eyes[(i + 1) % kFrames]) - step) < 1e-13);
     }
     CHECK(step > 0);

@@ -220,10 +220,9 @@ TEST_CASE("Debian's packages have the programs that the table says") {
              package.out.find("required") != std::string::npos));
     }
     ++asked;
-    CHECK(std::ranges::any_of(files[name], [&](const std::string& file) {
+    CHECK(std::ranges::any_of(files[name], [&, &package = program.package](const auto& file) {
       const auto [first, last] = owners.equal_range(file);
-      return std::any_of(first, last,
-                         [&](const auto& owner) { return owner.second == program.package; });
+      return std::any_of(first, last, [&](const auto& owner) { return owner.second == package; });
     }));
   }
   CHECK(asked > 30);
