@@ -179,11 +179,21 @@ Result<Kit> copy_kit(const Kit& kit, const fs::path& directory) {
   return copy;
 }
 
+namespace {
+
+// The option by which a compiler stops after ten errors.
+std::string ten_errors(const std::string& compiler) {
+  const bool is_clang = fs::path(compiler).filename().string().find("clang") != std::string::npos;
+  return is_clang ? "-ferror-limit=10" : "-fmax-errors=10";
+}
+
+}  // namespace
+
 std::vector<std::string> compile_command(const Kit& kit, const std::string& source,
                                          const std::string& program) {
   std::vector<std::string> words{kit.compiler};
   words.insert(words.end(), flags().begin(), flags().end());
-  words.insert(words.end(), {"-fmax-errors=10", "-I", kit.include.string(), source});
+  words.insert(words.end(), {ten_errors(kit.compiler), "-I", kit.include.string(), source});
   for (const fs::path& object : kit.objects) words.push_back(object.string());
   words.insert(words.end(), {"-MD", "-MF", kFilesRead, "-o", program});
   return words;

@@ -37,7 +37,9 @@ inline const std::vector<Hostile>& hostile_runs() {
        "for (int i = 0; i < 64; ++i) close(i);\nfor (volatile int i = 0;; ++i) {}", posix},
       {"memory", "out of memory", "for (;;) kept.emplace_back(1 << 22, 1);",
        "#include <vector>\nstd::vector<std::vector<char>> kept;\n"},
-      {"malloc", "out of memory", "for (;;) std::memset(std::malloc(1 << 22), 1, 1 << 22);",
+      // The pointer is volatile, or the compiler does without the memory.
+      {"malloc", "out of memory",
+       "for (void* volatile p;;) std::memset(p = std::malloc(1 << 22), 1, 1 << 22);",
        "#include <cstdlib>\n#include <cstring>\n"},
       {"fork-bomb", "forbidden call", "for (;;) fork();", posix},
       {"threads", "forbidden call", "for (;;) new std::thread([] { for (;;) {} });",
