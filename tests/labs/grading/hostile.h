@@ -39,7 +39,7 @@ inline const std::vector<Hostile>& hostile_runs() {
        "#include <vector>\nstd::vector<std::vector<char>> kept;\n"},
       // The pointer is volatile, or the compiler does without the memory.
       {"malloc", "out of memory",
-       "for (void* volatile p;;) std::memset(p = std::malloc(1 << 22), 1, 1 << 22);",
+       "for (void* volatile p;;) p = std::malloc(1 << 22), std::memset(p, 1, 1 << 22);",
        "#include <cstdlib>\n#include <cstring>\n"},
       {"fork-bomb", "forbidden call", "for (;;) fork();", posix},
       {"threads", "forbidden call", "for (;;) new std::thread([] { for (;;) {} });",
