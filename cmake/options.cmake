@@ -69,7 +69,7 @@ function(add_part name)
   set_target_properties(${part} PROPERTIES EXPORT_NAME ${name})
   foreach(target ${part} ${first})
     target_include_directories(${target} ${scope}
-      $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include> $<INSTALL_INTERFACE:include>)
+      $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
     target_link_libraries(${target} ${scope} glassbox_flags glm::glm tl::expected)
     if(scope STREQUAL PUBLIC)
       target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:glassbox_warnings> ${PART_USES})

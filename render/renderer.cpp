@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include <glassbox/render/stopwatch.h>
+#include <glassbox/render/engine/stopwatch.h>
 #include <glassbox/render/tile/tile_pair.h>
 
 namespace glassbox {

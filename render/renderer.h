@@ -5,8 +5,8 @@
 
 #include <glassbox/mesh/scene.h>
 #include <glassbox/pipeline/view.h>
-#include <glassbox/render/prepared_scene.h>
-#include <glassbox/render/staged.h>
+#include <glassbox/render/engine/prepared_scene.h>
+#include <glassbox/render/staged/staged.h>
 #include <glassbox/render/stereo/render_pair.h>
 #include <glassbox/render/tile/tile_engine.h>
 

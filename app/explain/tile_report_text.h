@@ -5,8 +5,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <glassbox/render/settings.h>
-#include <glassbox/render/statistics.h>
+#include <glassbox/render/engine/settings.h>
+#include <glassbox/render/engine/statistics.h>
 #include <glassbox/render/tile/tile_report.h>
 
 namespace glassbox::app {

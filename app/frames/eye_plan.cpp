@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include <glassbox/render/stereo/depth_seen.h>
+#include <glassbox/render/depth_seen.h>
 
 namespace glassbox::app {
 
@@ -35,7 +35,7 @@ DepthSpan both(const DepthSpan& a, const DepthSpan& b) {
   return {std::min(a.nearest, b.nearest), std::max(a.farthest, b.farthest)};
 }
 
-// All that can be drawn. Distances are floats, made with a few roundings (render/distance.h).
+// All that can be drawn. Distances are floats, made with a few roundings (render/engine/distance.h).
 DepthSpan whole_range(const View& view) {
   constexpr double kMargin = 1e-6;
   const double far = std::isinf(view.far) ? 0 : std::abs(view.far);

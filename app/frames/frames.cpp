@@ -8,7 +8,6 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/exit_codes.h"
 #include "app/frames/eye_plan.h"
 #include "app/frames/frame_names.h"
 #include "app/frames/frames_report.h"
@@ -16,9 +15,10 @@
 #include "app/frames/plot.h"
 #include "app/frames/shots.h"
 #include "app/frames/stop_request.h"
-#include "app/output.h"
-#include "app/progress.h"
-#include "app/scene_input.h"
+#include "app/options/scene_input.h"
+#include "app/report/exit_codes.h"
+#include "app/report/output.h"
+#include "app/report/progress.h"
 
 #include <glassbox/images/recipe.h>
 #include <glassbox/images/write.h>

@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "app/engine_options.h"
 #include "app/frames/frames_options.h"
-#include "app/picture_options.h"
-#include "app/stereo_picture.h"
+#include "app/options/engine_options.h"
+#include "app/options/picture_options.h"
+#include "app/options/stereo_picture.h"
 
 #include <glassbox/mesh/limits.h>
 

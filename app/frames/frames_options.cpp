@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "app/arguments.h"
 #include "app/frames/path_file.h"
-#include "app/output.h"
+#include "app/options/arguments.h"
+#include "app/report/output.h"
 
 #include <glassbox/pipeline/number_text.h>
 

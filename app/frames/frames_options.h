@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "app/cli_fwd.h"
-#include "app/eyes_options.h"
 #include "app/frames/camera_path.h"
 #include "app/frames/frame_range.h"
-#include "app/picture_options.h"
-#include "app/stereo_picture.h"
+#include "app/options/cli_fwd.h"
+#include "app/options/eyes_options.h"
+#include "app/options/picture_options.h"
+#include "app/options/stereo_picture.h"
 
 #include <glassbox/base/error.h>
 

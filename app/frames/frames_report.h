@@ -7,10 +7,10 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "app/arguments.h"
 #include "app/frames/eye_plan.h"
 #include "app/frames/frame_range.h"
 #include "app/frames/shots.h"
+#include "app/options/arguments.h"
 
 #include <glassbox/pipeline/stereo/comfort.h>
 #include <glassbox/pipeline/stereo/stereo_pair.h>

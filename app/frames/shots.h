@@ -8,7 +8,7 @@
 #include "app/frames/camera_path.h"
 #include "app/frames/frame_range.h"
 #include "app/frames/turntable.h"
-#include "app/picture_options.h"
+#include "app/options/picture_options.h"
 
 #include <glassbox/base/error.h>
 #include <glassbox/mesh/scene.h>

@@ -1,8 +1,8 @@
 // A camera that goes once around a scene: the last picture is followed by the first.
 #pragma once
 
-#include "app/camera_options.h"
 #include "app/frames/camera_path.h"
+#include "app/options/camera_options.h"
 
 #include <glassbox/base/error.h>
 #include <glassbox/base/spaces.h>

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/stage_report.h"
+#include "app/report/stage_report.h"
 
 #include <glassbox/base/trig.h>
 #include <glassbox/render/trace/bounds.h>

@@ -11,16 +11,15 @@
 #include <nlohmann/json.hpp>
 
 #include "app/inspect/manifest.h"
+#include "page_parts.h"  // made by html/embed.cmake
 
-#include <glassbox/images/html/blob.h>
-#include <glassbox/images/report/page_blob.h>
-#include <glassbox/render/staged.h>
+#include <glassbox/compare/report/page_blob.h>
+#include <glassbox/html/blob.h>
+#include <glassbox/render/staged/staged.h>
 #include <glassbox/render/trace/bounds.h>
 #include <glassbox/render/trace/column_pack.h>
 #include <glassbox/render/trace/columns.h>
 #include <glassbox/render/trace/tracer.h>
-
-#include "page_parts.h"  // made by html/embed.cmake
 
 namespace glassbox::app {
 namespace {

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include <glassbox/base/error.h>
-#include <glassbox/images/compare/differences.h>
+#include <glassbox/compare/pixels/differences.h>
 #include <glassbox/mesh/scene.h>
 #include <glassbox/pipeline/view.h>
 #include <glassbox/raster/stages.h>
-#include <glassbox/render/settings.h>
+#include <glassbox/render/engine/settings.h>
 
 namespace glassbox::app {
 

@@ -10,10 +10,9 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/exit_codes.h"
 #include "app/lab/report.h"
-#include "app/output.h"
-
+#include "app/report/exit_codes.h"
+#include "app/report/output.h"
 #include "labs/framework/check_lab.h"
 
 namespace glassbox::app {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "app/cli_fwd.h"
 #include "app/lab/find_lab.h"
+#include "app/options/cli_fwd.h"
 
 namespace glassbox::app {
 

@@ -9,12 +9,11 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/arguments.h"
-#include "app/choices.h"
-#include "app/exit_codes.h"
 #include "app/lab/grade_files.h"
-#include "app/output.h"
-
+#include "app/options/arguments.h"
+#include "app/options/choices.h"
+#include "app/report/exit_codes.h"
+#include "app/report/output.h"
 #include "labs/grading/class.h"
 #include "labs/grading/grade.h"
 #include "labs/grading/overview.h"

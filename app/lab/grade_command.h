@@ -6,8 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "app/cli_fwd.h"
-
+#include "app/options/cli_fwd.h"
 #include "labs/framework/lab.h"
 #include "labs/framework/sources.h"
 #include "labs/grading/kit.h"

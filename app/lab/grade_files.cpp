@@ -2,11 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/report/output.h"
 #include "labs/framework/strip.h"
 #include "labs/grading/results.h"
 #include "labs/grading/submission.h"
-
-#include "app/output.h"
 
 namespace glassbox::app {
 

@@ -5,8 +5,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "app/exit_codes.h"
-
+#include "app/report/exit_codes.h"
 #include "labs/grading/autograder.h"
 
 #include <glassbox/images/atomic_file.h>

@@ -4,8 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "app/cli_fwd.h"
-
+#include "app/options/cli_fwd.h"
 #include "labs/framework/lab.h"
 #include "labs/framework/sources.h"
 

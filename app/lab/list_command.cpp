@@ -4,10 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/exit_codes.h"
-#include "app/output.h"
-#include "app/program_name.h"
-
+#include "app/report/exit_codes.h"
+#include "app/report/output.h"
+#include "app/report/program_name.h"
 #include "labs/labs.h"
 
 namespace glassbox::app {

@@ -6,11 +6,10 @@
 
 #include "app/lab/pictures.h"
 #include "app/lab/report.h"
-
 #include "labs/framework/compare.h"
 #include "labs/framework/slips.h"
 
-#include <glassbox/images/html/blob.h>
+#include <glassbox/html/blob.h>
 #include <glassbox/images/write.h>
 
 namespace glassbox::app {

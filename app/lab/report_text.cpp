@@ -5,10 +5,9 @@
 #include <fmt/format.h>
 
 #include "app/lab/report.h"
-#include "app/program_name.h"
-#include "app/shell_line.h"
-#include "app/text_layout.h"
-
+#include "app/report/program_name.h"
+#include "app/report/shell_line.h"
+#include "app/report/text_layout.h"
 #include "labs/framework/slips.h"
 
 #include <glassbox/base/printable.h>

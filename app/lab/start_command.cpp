@@ -7,12 +7,11 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "app/exit_codes.h"
 #include "app/lab/find_lab.h"
 #include "app/lab/starter.h"
-#include "app/output.h"
-#include "app/shell_line.h"
-
+#include "app/report/exit_codes.h"
+#include "app/report/output.h"
+#include "app/report/shell_line.h"
 #include "labs/framework/zip.h"
 
 #include <glassbox/images/atomic_file.h>

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/cli_fwd.h"
+#include "app/options/cli_fwd.h"
 
 namespace glassbox::app {
 

@@ -7,11 +7,10 @@
 
 #include <fmt/format.h>
 
+#include "app/report/text_layout.h"
+#include "app/step/matrices/decimal.h"
 #include "app/step/numbers_text.h"
 #include "app/step/round_trip_text.h"
-#include "app/text_layout.h"
-
-#include <glassbox/pipeline/matrices/decimal.h>
 
 namespace glassbox::app {
 

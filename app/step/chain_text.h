@@ -6,7 +6,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <glassbox/pipeline/matrices/projection_facts.h>
+#include "app/step/matrices/projection_facts.h"
+
 #include <glassbox/pipeline/vertex_chain.h>
 
 namespace glassbox::app {

@@ -6,10 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "app/report/text_layout.h"
+#include "app/step/matrices/decimal.h"
 #include "app/step/numbers_text.h"
-#include "app/text_layout.h"
-
-#include <glassbox/pipeline/matrices/decimal.h>
 
 namespace glassbox::app {
 

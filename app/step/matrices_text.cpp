@@ -6,15 +6,15 @@
 
 #include <fmt/format.h>
 
+#include "app/report/text_layout.h"
 #include "app/step/chain_text.h"
 #include "app/step/formulation_text.h"
+#include "app/step/matrices/decimal.h"
 #include "app/step/matrix_report.h"
 #include "app/step/numbers_text.h"
-#include "app/text_layout.h"
 
 #include <glassbox/base/printable.h>
 #include <glassbox/base/trig.h>
-#include <glassbox/pipeline/matrices/decimal.h>
 
 namespace glassbox::app {
 

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "app/report/text_layout.h"
 #include "app/step/chain_text.h"
-#include "app/text_layout.h"
+#include "app/step/matrices/decimal.h"
+#include "app/step/matrices/projection_factors.h"
 
 #include <glassbox/base/trig.h>
-#include <glassbox/pipeline/matrices/decimal.h>
-#include <glassbox/pipeline/matrices/projection_factors.h>
 
 namespace glassbox::app {
 

@@ -6,8 +6,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <glassbox/pipeline/matrices/conventions_check.h>
-#include <glassbox/pipeline/matrices/findings.h>
+#include "app/step/matrices/conventions_check.h"
+#include "app/step/matrices/findings.h"
 
 namespace glassbox::app {
 

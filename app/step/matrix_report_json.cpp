@@ -3,10 +3,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/step/chain_text.h"
+#include "app/step/matrices/projection_factors.h"
 #include "app/step/matrix_report.h"
 
 #include <glassbox/base/trig.h>
-#include <glassbox/pipeline/matrices/projection_factors.h>
 
 namespace glassbox::app {
 

@@ -21,7 +21,8 @@
 #include <string_view>
 
 #include <glassbox/base/error.h>
-#include <glassbox/pipeline/matrices/matrix_facts.h>
+
+#include "app/step/matrices/matrix_facts.h"
 
 namespace glassbox::app {
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include <glassbox/pipeline/matrices/decimal.h>
+#include "app/step/matrices/decimal.h"
 
 namespace glassbox::app {
 

@@ -5,7 +5,8 @@
 #include <fmt/format.h>
 
 #include <glassbox/base/printable.h>
-#include <glassbox/pipeline/matrices/dialect_guess.h>
+
+#include "app/step/matrices/dialect_guess.h"
 
 namespace glassbox::app {
 

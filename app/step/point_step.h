@@ -8,12 +8,12 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "app/step/matrices/conventions_check.h"
+#include "app/step/matrices/findings.h"
 #include "app/step/matrix_report.h"
 #include "app/step/matrix_text.h"
 
 #include <glassbox/base/error.h>
-#include <glassbox/pipeline/matrices/conventions_check.h>
-#include <glassbox/pipeline/matrices/findings.h>
 #include <glassbox/pipeline/vertex_chain.h>
 
 namespace glassbox::app {

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/report/text_layout.h"
 #include "app/step/chain_text.h"
+#include "app/step/matrices/decimal.h"
+#include "app/step/matrices/projection_facts.h"
 #include "app/step/point_step.h"
-#include "app/text_layout.h"
-
-#include <glassbox/pipeline/matrices/decimal.h>
-#include <glassbox/pipeline/matrices/projection_facts.h>
 
 namespace glassbox::app {
 

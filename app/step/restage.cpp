@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "app/arguments.h"
-#include "app/command_tree.h"
-#include "app/picture_options.h"
+#include "app/options/arguments.h"
+#include "app/options/command_tree.h"
+#include "app/options/picture_options.h"
 #include "app/step/stepped.h"
 
 namespace glassbox::app {

@@ -8,15 +8,15 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/exit_codes.h"
-#include "app/output.h"
-#include "app/progress.h"
-#include "app/scene_input.h"
+#include "app/options/scene_input.h"
+#include "app/report/exit_codes.h"
+#include "app/report/output.h"
+#include "app/report/progress.h"
 #include "app/step/restage.h"
 #include "app/step/stepper.h"
+#include "app/trace/json.h"
 
 #include <glassbox/base/printable.h>
-#include <glassbox/render/trace/json.h>
 
 namespace glassbox::app {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/cli_fwd.h"
+#include "app/options/cli_fwd.h"
 #include "app/step/stage_text.h"
 #include "app/step/stepped.h"
 

@@ -5,13 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "app/report/text_layout.h"
 #include "app/step/chain_text.h"
-#include "app/text_layout.h"
+#include "app/step/matrices/decimal.h"
 
 #include <glassbox/base/rounding.h>
 #include <glassbox/pipeline/dialects.h>
 #include <glassbox/pipeline/divide.h>
-#include <glassbox/pipeline/matrices/decimal.h>
 
 namespace glassbox::app {
 

@@ -6,18 +6,18 @@
 
 #include <fmt/format.h>
 
+#include "app/report/text_layout.h"
 #include "app/step/clipping_text.h"
 #include "app/step/formulation_text.h"
 #include "app/step/fragment_text.h"
+#include "app/step/matrices/decimal.h"
 #include "app/step/matrices_text.h"
 #include "app/step/numbers_text.h"
 #include "app/step/round_trip_text.h"
 #include "app/step/singular_text.h"
-#include "app/text_layout.h"
 
 #include <glassbox/base/printable.h>
 #include <glassbox/base/rounding.h>
-#include <glassbox/pipeline/matrices/decimal.h>
 
 namespace glassbox::app {
 

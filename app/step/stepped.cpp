@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <glassbox/render/staged.h>
+#include <glassbox/render/staged/staged.h>
 
 namespace glassbox::app {
 

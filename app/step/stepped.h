@@ -3,12 +3,12 @@
 
 #include <optional>
 
-#include "app/picture_options.h"
+#include "app/options/picture_options.h"
 
 #include <glassbox/base/error.h>
 #include <glassbox/mesh/scene.h>
 #include <glassbox/pipeline/formulation.h>
-#include <glassbox/render/object_cull.h>
+#include <glassbox/render/engine/object_cull.h>
 #include <glassbox/render/trace/bounds.h>
 #include <glassbox/render/trace/numbering.h>
 #include <glassbox/render/trace/tracer.h>

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include <glassbox/render/stereo/depth_seen.h>
+#include <glassbox/render/depth_seen.h>
 
 namespace glassbox::app {
 

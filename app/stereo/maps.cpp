@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glassbox/images/compare/heat_map.h>
+#include <glassbox/compare/pixels/heat_map.h>
 
 namespace glassbox::app {
 

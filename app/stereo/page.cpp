@@ -8,11 +8,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/stereo/maps.h"
-
-#include <glassbox/images/html/blob.h>
-#include <glassbox/images/write.h>
-
 #include "stereo_page_parts.h"  // made by html/embed.cmake
+
+#include <glassbox/html/blob.h>
+#include <glassbox/images/write.h>
 
 namespace glassbox::app {
 

@@ -9,10 +9,10 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/exit_codes.h"
-#include "app/output.h"
-#include "app/program_name.h"
-#include "app/progress.h"
+#include "app/report/exit_codes.h"
+#include "app/report/output.h"
+#include "app/report/program_name.h"
+#include "app/report/progress.h"
 
 #include <glassbox/base/printable.h>
 #include <glassbox/images/atomic_file.h>

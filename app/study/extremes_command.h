@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/cli_fwd.h"
+#include "app/options/cli_fwd.h"
 #include "app/study/extremes/report.h"
 
 #include <glassbox/base/error.h>

@@ -4,10 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/exit_codes.h"
-#include "app/output.h"
-#include "app/text_layout.h"
-
+#include "app/report/exit_codes.h"
+#include "app/report/output.h"
+#include "app/report/text_layout.h"
 #include "study/experiment/experiment.h"
 
 namespace glassbox::app {

@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "app/progress.h"
+#include "app/report/progress.h"
 #include "app/study/build_id.h"
-
-#include <glassbox/base/printable.h>
-
 #include "study/bench/machine.h"
 #include "study/experiment/result_file.h"
 #include "study/experiment/study.h"
+
+#include <glassbox/base/printable.h>
 
 namespace glassbox::app {
 

@@ -5,11 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "app/cli_fwd.h"
+#include "app/options/cli_fwd.h"
+#include "study/experiment/results.h"
 
 #include <glassbox/base/error.h>
-
-#include "study/experiment/results.h"
 
 namespace glassbox::app {
 

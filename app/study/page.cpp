@@ -5,13 +5,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/program_name.h"
-
-#include <glassbox/images/html/blob.h>
-
+#include "app/report/program_name.h"
 #include "study/experiment/results_json.h"
-
 #include "study_page_parts.h"  // made by html/embed.cmake
+
+#include <glassbox/html/blob.h>
 
 namespace glassbox::app {
 

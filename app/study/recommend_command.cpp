@@ -4,11 +4,11 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/builtin_help.h"
-#include "app/exit_codes.h"
-#include "app/output.h"
+#include "app/options/builtin_help.h"
+#include "app/report/exit_codes.h"
+#include "app/report/output.h"
 
-#include <glassbox/mesh/load.h>
+#include <glassbox/mesh/formats/load.h>
 
 namespace glassbox::app {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "app/arguments.h"
-#include "app/camera_options.h"
-#include "app/cli_fwd.h"
+#include "app/options/arguments.h"
+#include "app/options/camera_options.h"
+#include "app/options/cli_fwd.h"
 #include "app/study/recommendation.h"
 
 #include <glassbox/base/error.h>

@@ -4,13 +4,12 @@
 
 #include <fmt/format.h>
 
-#include "app/shell_line.h"
-
-#include <glassbox/render/renderer.h>
-
+#include "app/report/shell_line.h"
 #include "study/bench/machine.h"
 #include "study/recommend/pictures.h"
 #include "study/recommend/vertices.h"
+
+#include <glassbox/render/renderer.h>
 
 namespace glassbox::app {
 

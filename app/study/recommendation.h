@@ -7,13 +7,12 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "app/picture_options.h"
-#include "app/progress.h"
+#include "app/options/picture_options.h"
+#include "app/report/progress.h"
+#include "study/recommend/candidates.h"
 
 #include <glassbox/base/error.h>
 #include <glassbox/mesh/scene.h>
-
-#include "study/recommend/candidates.h"
 
 namespace glassbox::app {
 

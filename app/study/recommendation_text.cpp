@@ -5,10 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bench/text.h"
+#include "app/report/text_layout.h"
 #include "app/study/recommendation.h"
 #include "app/study/table.h"
-#include "app/text_layout.h"
-
 #include "study/experiment/results_json.h"
 
 namespace glassbox::app {

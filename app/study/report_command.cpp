@@ -5,12 +5,11 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "app/exit_codes.h"
-#include "app/output.h"
-#include "app/shell_line.h"
+#include "app/report/exit_codes.h"
+#include "app/report/output.h"
+#include "app/report/shell_line.h"
 #include "app/study/page.h"
 #include "app/study/svg.h"
-
 #include "study/experiment/result_file.h"
 
 namespace glassbox::app {

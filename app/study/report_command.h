@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "app/cli_fwd.h"
+#include "app/options/cli_fwd.h"
 #include "app/study/measuring.h"
 
 #include <glassbox/base/error.h>

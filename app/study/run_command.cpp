@@ -4,11 +4,10 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/exit_codes.h"
-#include "app/output.h"
+#include "app/report/exit_codes.h"
+#include "app/report/output.h"
 #include "app/study/csv.h"
 #include "app/study/text.h"
-
 #include "study/experiment/results_json.h"
 #include "study/experiment/theory.h"
 

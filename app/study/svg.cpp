@@ -11,9 +11,8 @@
 #include <iterator>
 #include <optional>
 
-#include "app/output.h"
+#include "app/report/output.h"
 #include "app/study/gnuplot.h"
-
 #include "study/experiment/pareto.h"
 
 namespace glassbox::app {

@@ -8,8 +8,7 @@
 #include <fmt/format.h>
 
 #include "app/bench/text.h"
-#include "app/text_layout.h"
-
+#include "app/report/text_layout.h"
 #include "study/experiment/pareto.h"
 #include "study/experiment/theory.h"
 

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <glassbox/render/trace/json.h>
+#include "app/trace/json.h"
 
 namespace glassbox::app {
 

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include <glassbox/images/metrics/ciede2000.h>
+#include <glassbox/images/colour/ciede2000.h>
 #include <glassbox/images/out_of_memory.h>
 
 namespace glassbox {

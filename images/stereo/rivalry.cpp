@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include <glassbox/images/metrics/fixed_sum.h>
+#include <glassbox/images/colour/fixed_sum.h>
 #include <glassbox/images/out_of_memory.h>
 
 namespace glassbox {

@@ -5,9 +5,9 @@
 #include <limits>
 #include <vector>
 
-#include "student.h"
+#include <glassbox/base/random.h>
 
-#include "labs/framework/random.h"
+#include "student.h"
 
 namespace lab_04 {
 
@@ -121,7 +121,7 @@ inline std::vector<DepthCase> stiff_depths() {
       {1 - 0x1p-24, 0.1, 1e4}, {1 - 0x1p-40, 0.1, kInfinity}, {1, 0.1, kInfinity}, {1e-9, 1, 1e9}};
 }
 inline std::vector<Point<Clip, double>> random_points() {
-  glassbox::labs::Random random(44);
+  glassbox::Random random(44);
   std::vector<Point<Clip, double>> all;
   for (int i = 0; i < 6; ++i) {
     const double x = random.between(-3, 3), y = random.between(-3, 3), z = random.between(-1, 2);

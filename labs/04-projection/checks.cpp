@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "exact/number.h"
 #include "labs/04-projection/cases.h"
 #include "labs/labs.h"
-#include "study/oracle/number.h"
 
 #include <glassbox/base/rounding.h>
 #include <glassbox/pipeline/dialects.h>
@@ -15,7 +15,7 @@ namespace glassbox::labs {
 
 namespace {
 
-using study::oracle::Rational;
+using exact::Rational;
 
 constexpr double kU = unit_roundoff<double>;
 

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <vector>
 
-#include "student.h"
+#include <glassbox/base/random.h>
 
-#include "labs/framework/random.h"
+#include "student.h"
 
 namespace lab_05 {
 
-using glassbox::labs::Random;
+using glassbox::Random;
 
 // ---- 5.1: faces ----
 

@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
+#include "exact/clip.h"
+#include "exact/number.h"
 #include "labs/05-clipping/outlines.h"
 #include "labs/framework/compare.h"
-#include "study/oracle/clip.h"
-#include "study/oracle/number.h"
 
 #include <glassbox/base/rounding.h>
 
@@ -15,7 +15,7 @@ namespace glassbox::labs {
 
 namespace {
 
-using study::oracle::Rational;
+using exact::Rational;
 
 double largest(const lab_05::Edge& edge) {
   double m = 0;
@@ -27,9 +27,8 @@ double largest(const lab_05::Edge& edge) {
 
 std::vector<double> exact_crossing(const lab_05::Edge& edge) {
   const ClipPlane plane = pipeline_plane(edge.plane);
-  const auto p = study::oracle::exact_point<Rational>(edge.p),
-             q = study::oracle::exact_point<Rational>(edge.q);
-  const Rational at_p = study::oracle::distance(plane, p), at_q = study::oracle::distance(plane, q);
+  const auto p = exact::exact_point<Rational>(edge.p), q = exact::exact_point<Rational>(edge.q);
+  const Rational at_p = exact::distance(plane, p), at_q = exact::distance(plane, q);
   const Rational t = at_p / (at_p - at_q);
   return {double(p.x + t * (q.x - p.x)), double(p.y + t * (q.y - p.y)),
           double(p.z + t * (q.z - p.z)), double(p.w + t * (q.w - p.w))};

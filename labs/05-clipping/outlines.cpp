@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "exact/clip.h"
+#include "exact/number.h"
 #include "labs/framework/compare.h"
-#include "study/oracle/clip.h"
-#include "study/oracle/number.h"
 
 #include <glassbox/base/rounding.h>
 #include <glassbox/pipeline/clip_bounds.h>
@@ -22,7 +22,7 @@ namespace glassbox::labs {
 
 namespace {
 
-using study::oracle::Rational;
+using exact::Rational;
 
 constexpr double kU = unit_roundoff<float>;
 
@@ -172,9 +172,9 @@ std::string restated(std::span<const Point<Clip>> polygon) {
 }
 
 Expected exact_clip(std::span<const Point<Clip>> polygon, std::span<const ClipPlane> planes) {
-  study::oracle::ExactPolygon<Rational> exact;
-  for (const Point<Clip>& p : polygon) exact.push_back(study::oracle::exact_point<Rational>(p));
-  exact = study::oracle::clip(exact, planes);
+  exact::ExactPolygon<Rational> exact;
+  for (const Point<Clip>& p : polygon) exact.push_back(exact::exact_point<Rational>(p));
+  exact = exact::clip(exact, planes);
   Expected expected{"polygon", Shape::kPolygon, {}, bound_of(polygon, planes), "clip units", 4};
   if (exact.size() < 3) return expected;
   for (const auto& p : exact) {

@@ -8,12 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "labs/framework/random.h"
+#include <glassbox/base/random.h>
+
 #include "student.h"
 
 namespace lab_06 {
 
-using glassbox::labs::Random;
+using glassbox::Random;
 
 // In pixels; multiples of 1/256 lose nothing.
 inline SnappedVertex at(double x, double y) {

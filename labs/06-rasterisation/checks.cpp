@@ -8,9 +8,9 @@
 #include <glassbox/raster/snap.h>
 #include <glassbox/raster/triangle_setup.h>
 
+#include "exact/coverage.h"
 #include "labs/06-rasterisation/cases.h"
 #include "labs/labs.h"
-#include "study/oracle/coverage.h"
 
 namespace glassbox::labs {
 
@@ -110,7 +110,7 @@ Expected coverage_of(const CoverageCase& input, bool clockwise, bool counter_clo
       int times = 0;
       for (const Triangle& t : input.triangles) {
         const bool drawn = double_area(t[0], t[1], t[2]) > 0 ? clockwise : counter_clockwise;
-        times += drawn && study::oracle::covers<std::int64_t>(t, x, y) ? 1 : 0;
+        times += drawn && exact::covers<std::int64_t>(t, x, y) ? 1 : 0;
       }
       expected.values.push_back(times);
     }

@@ -6,12 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "labs/framework/random.h"
+#include <glassbox/base/random.h>
+
 #include "student.h"
 
 namespace lab_07 {
 
-using glassbox::labs::Random;
+using glassbox::Random;
 
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 

@@ -8,16 +8,16 @@
 #include <glassbox/pipeline/projection.h>
 #include <glassbox/raster/depth.h>
 
+#include "exact/number.h"
 #include "labs/07-depth/cases.h"
 #include "labs/labs.h"
-#include "study/oracle/number.h"
 
 namespace glassbox::labs {
 
 namespace {
 
 using namespace lab_07;
-using study::oracle::Decimal;
+using exact::Decimal;
 
 std::string command_for(const std::string& what) {
   const std::size_t id = what.find("C-");

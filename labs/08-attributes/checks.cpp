@@ -6,19 +6,19 @@
 
 #include <glassbox/base/rounding.h>
 
+#include "exact/number.h"
 #include "labs/08-attributes/cases.h"
 #include "labs/08-attributes/surface_checks.h"
 #include "labs/labs.h"
-#include "study/oracle/number.h"
 
 namespace glassbox::labs {
 
 namespace {
 
 using namespace lab_08;
-using study::oracle::Decimal;
-using study::oracle::decimal_from;
-using study::oracle::Rational;
+using exact::Decimal;
+using exact::decimal_from;
+using exact::Rational;
 
 constexpr double u24 = double(unit_roundoff<float>);
 constexpr double u53 = unit_roundoff<double>;

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "labs/framework/random.h"
+#include <glassbox/base/random.h>
+
 #include "student.h"
 
 namespace lab_09 {
@@ -185,7 +186,7 @@ inline std::vector<CullCase> hidden_triangles() {
   odd.add("on the near plane", {StereoPoint{0, 0, 0, 0, 1}, {1, 1, 0, 0, 1}, {0, 0, 1, 0, 1}});
   odd.add("two corners above, one far below",
           {seen_at(pair, 0, 20, 8), seen_at(pair, 1, 20, 8), seen_at(pair, 0, -20, 8)});
-  glassbox::labs::Random random(9);
+  glassbox::Random random(9);
   CullCase many{"two hundred triangles", {}, {}};
   for (int i = 0; i < 200; ++i) {
     const Pair eyes{random.between(0.05, 1), random.between(2, 20)};
@@ -257,7 +258,7 @@ inline std::vector<AnaglyphCase> hidden_anaglyphs() {
   far.anaglyph.left = {{0, 1, 1.0f, {9, 8, 7, 255}}};
   far.anaglyph.right = {{2, 1, 1.0f, {4, 5, 6, 255}}};
   std::vector<AnaglyphCase> all{equal, far};
-  glassbox::labs::Random random(94);
+  glassbox::Random random(94);
   const auto byte = [&] { return std::uint8_t(random.integer(0, 255)); };
   for (const Lenses lenses : {Lenses::kRedCyan, Lenses::kGreenMagenta, Lenses::kAmberBlue}) {
     AnaglyphCase c = anaglyph_case("many fragments", lenses, 12, 7);
@@ -353,7 +354,7 @@ inline std::vector<ComfortCase> sequences() {
 // BEGIN HIDDEN
 inline std::vector<ComfortCase> hidden_sequences() {
   const Picture picture{1.9, 1920};
-  glassbox::labs::Random random(96);
+  glassbox::Random random(96);
   std::vector<Frame> walk;
   for (int i = 0; i < 60; ++i) {
     const double nearest = random.between(0.5, 6), farthest = nearest + random.between(0, 30);

@@ -9,19 +9,19 @@
 #include <glassbox/pipeline/stereo/comfort.h>
 #include <glassbox/pipeline/stereo/culling.h>
 
+#include "exact/matrix.h"
+#include "exact/number.h"
 #include "labs/09-stereo/cases.h"
 #include "labs/09-stereo/pictures.h"
 #include "labs/labs.h"
-#include "study/oracle/matrix.h"
-#include "study/oracle/number.h"
 
 namespace glassbox::labs {
 
 namespace {
 
 using namespace lab_09;
-using study::oracle::Matrix4;
-using study::oracle::Rational;
+using exact::Matrix4;
+using exact::Rational;
 
 constexpr double u = unit_roundoff<double>;
 constexpr lab_09::Side kEyes[] = {lab_09::Side::kLeft, lab_09::Side::kRight};
@@ -72,7 +72,7 @@ Case expect_projection(const ProjectionCase& input) {
          {},
          nullptr,
          {{"z-sign", {}}, {"row-column-order", {}}, {"multiplication-order", {}}}};
-  const auto projection = study::oracle::exactly<Rational>(given);
+  const auto projection = exact::exactly<Rational>(given);
   for (const lab_09::Side side : kEyes) {
     const Rational shift(side == lab_09::Side::kLeft ? s : -s);
     auto skew = Matrix4<Rational>::identity(), turned = skew, transposed = skew;

@@ -7,12 +7,12 @@
 #include <glassbox/base/rounding.h>
 #include <glassbox/images/stereo/anaglyph.h>
 
-#include "study/oracle/number.h"
+#include "exact/number.h"
 
 namespace glassbox::labs {
 
 using namespace lab_09;
-using study::oracle::Rational;
+using exact::Rational;
 
 namespace {
 

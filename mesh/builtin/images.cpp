@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <glassbox/base/random.h>
+
 namespace glassbox {
 namespace {
 
@@ -20,14 +22,11 @@ int random_offset(std::uint64_t seed, std::uint64_t index, int amplitude) {
 }  // namespace
 
 std::uint64_t scramble(std::uint64_t x) {
-  x += 0x9e3779b97f4a7c15u;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
+  return Random(x).bits();
 }
 
 double random_unit(std::uint64_t seed, std::uint64_t index) {
-  return double(scramble(scramble(seed) + index) >> 11) * 0x1p-53;
+  return Random(scramble(seed) + index).unit();
 }
 
 Image<Rgba8> make_checks(int cells, int cell_px, Rgba8 first, Rgba8 second) {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include <glassbox/base/error.h>
-#include <glassbox/mesh/gltf/files.h>
+#include <glassbox/mesh/input/files.h>
 #include <glassbox/mesh/limits.h>
 
 namespace glassbox::gltf {

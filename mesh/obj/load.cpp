@@ -4,8 +4,8 @@
 #include <system_error>
 
 #include <glassbox/images/read.h>
+#include <glassbox/mesh/input/directory.h>
 #include <glassbox/mesh/obj/build.h>
-#include <glassbox/mesh/obj/directory.h>
 #include <glassbox/mesh/obj/materials.h>
 #include <glassbox/mesh/obj/parse.h>
 

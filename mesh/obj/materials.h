@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include <glassbox/mesh/input/directory.h>
 #include <glassbox/mesh/limits.h>
-#include <glassbox/mesh/obj/directory.h>
 #include <glassbox/mesh/obj/mtl.h>
 #include <glassbox/mesh/scene.h>
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include <glassbox/mesh/obj/text.h>
+#include <glassbox/mesh/input/text.h>
 
 namespace glassbox::obj {
 

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include <glassbox/base/error.h>
+#include <glassbox/mesh/input/text.h>
 #include <glassbox/mesh/limits.h>
 #include <glassbox/mesh/mesh.h>
-#include <glassbox/mesh/obj/text.h>
 
 namespace glassbox::obj {
 

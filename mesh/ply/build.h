@@ -7,9 +7,9 @@
 #include <vector>
 
 #include <glassbox/base/error.h>
+#include <glassbox/mesh/input/text.h>
 #include <glassbox/mesh/limits.h>
 #include <glassbox/mesh/mesh.h>
-#include <glassbox/mesh/obj/text.h>
 #include <glassbox/mesh/ply/header.h>
 
 namespace glassbox::ply {

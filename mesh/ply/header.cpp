@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <glassbox/mesh/obj/text.h>
+#include <glassbox/mesh/input/text.h>
 
 namespace glassbox::ply {
 namespace {

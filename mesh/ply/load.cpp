@@ -5,8 +5,8 @@
 #include <string>
 
 #include <glassbox/images/decode.h>
-#include <glassbox/mesh/gltf/files.h>
-#include <glassbox/mesh/obj/directory.h>
+#include <glassbox/mesh/input/directory.h>
+#include <glassbox/mesh/input/files.h>
 #include <glassbox/mesh/ply/build.h>
 
 namespace glassbox {

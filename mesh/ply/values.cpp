@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <utility>
 
-#include <glassbox/mesh/obj/text.h>
+#include <glassbox/mesh/input/text.h>
 
 namespace glassbox::ply {
 namespace {

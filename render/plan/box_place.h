@@ -2,7 +2,7 @@
 #pragma once
 
 #include <glassbox/pipeline/view.h>
-#include <glassbox/render/draw_list.h>
+#include <glassbox/render/engine/draw_list.h>
 
 namespace glassbox {
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include <glassbox/raster/texture.h>
-#include <glassbox/render/object_cull.h>
+#include <glassbox/render/engine/object_cull.h>
 
 namespace glassbox {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <glassbox/render/vertex_stage.h>
+#include <glassbox/render/staged/vertex_stage.h>
 
 namespace glassbox {
 

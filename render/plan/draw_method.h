@@ -2,9 +2,9 @@
 #pragma once
 
 #include <glassbox/raster/lanes/tables.h>
-#include <glassbox/render/draw_list.h>
+#include <glassbox/render/engine/draw_list.h>
+#include <glassbox/render/engine/settings.h>
 #include <glassbox/render/plan/box_place.h>
-#include <glassbox/render/settings.h>
 
 namespace glassbox {
 

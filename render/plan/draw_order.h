@@ -5,7 +5,7 @@
 #include <span>
 
 #include <glassbox/raster/depth.h>
-#include <glassbox/render/draw_list.h>
+#include <glassbox/render/engine/draw_list.h>
 
 namespace glassbox {
 

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include <glassbox/pipeline/view.h>
-#include <glassbox/render/draw_list.h>
+#include <glassbox/render/engine/draw_list.h>
+#include <glassbox/render/engine/settings.h>
 #include <glassbox/render/plan/draw_method.h>
-#include <glassbox/render/settings.h>
 
 namespace glassbox {
 

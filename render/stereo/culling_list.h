@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <glassbox/mesh/scene.h>
-#include <glassbox/render/draw_pass.h>
+#include <glassbox/render/staged/draw_pass.h>
 #include <glassbox/render/stereo/render_pair.h>
 
 namespace glassbox {

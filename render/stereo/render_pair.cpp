@@ -4,13 +4,13 @@
 #include <utility>
 #include <vector>
 
-#include <glassbox/render/draw_list.h>
-#include <glassbox/render/draw_pass.h>
-#include <glassbox/render/show.h>
-#include <glassbox/render/staged.h>
+#include <glassbox/render/engine/draw_list.h>
+#include <glassbox/render/engine/show.h>
+#include <glassbox/render/engine/stopwatch.h>
+#include <glassbox/render/staged/draw_pass.h>
+#include <glassbox/render/staged/staged.h>
 #include <glassbox/render/stereo/culling_list.h>
 #include <glassbox/render/stereo/pair_driver.h>
-#include <glassbox/render/stopwatch.h>
 
 namespace glassbox {
 

@@ -10,10 +10,10 @@
 #include <glassbox/mesh/scene.h>
 #include <glassbox/pipeline/stereo/stereo_pair.h>
 #include <glassbox/pipeline/view.h>
-#include <glassbox/render/framebuffer.h>
-#include <glassbox/render/observer.h>
-#include <glassbox/render/settings.h>
-#include <glassbox/render/statistics.h>
+#include <glassbox/render/engine/framebuffer.h>
+#include <glassbox/render/engine/observer.h>
+#include <glassbox/render/engine/settings.h>
+#include <glassbox/render/engine/statistics.h>
 
 namespace glassbox {
 

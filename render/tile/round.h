@@ -7,10 +7,10 @@
 #include <vector>
 
 #include <glassbox/raster/lanes/kernels.h>
-#include <glassbox/render/draw_list.h>
+#include <glassbox/render/engine/draw_list.h>
 #include <glassbox/render/plan/draw_method.h>
-#include <glassbox/render/primitives.h>
-#include <glassbox/render/vertex_stage.h>
+#include <glassbox/render/staged/primitives.h>
+#include <glassbox/render/staged/vertex_stage.h>
 
 namespace glassbox {
 

@@ -13,7 +13,7 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
-#include <glassbox/render/stopwatch.h>
+#include <glassbox/render/engine/stopwatch.h>
 #include <glassbox/render/tile/round.h>
 #include <glassbox/render/tile/tile_pass.h>
 #include <glassbox/render/tile/tile_picture.h>

@@ -12,11 +12,11 @@
 #include <glassbox/mesh/scene.h>
 #include <glassbox/pipeline/view.h>
 #include <glassbox/raster/lanes/target.h>
-#include <glassbox/render/framebuffer.h>
+#include <glassbox/render/engine/framebuffer.h>
+#include <glassbox/render/engine/prepared_scene.h>
+#include <glassbox/render/engine/settings.h>
 #include <glassbox/render/plan/plan.h>
-#include <glassbox/render/prepared_scene.h>
-#include <glassbox/render/settings.h>
-#include <glassbox/render/staged.h>
+#include <glassbox/render/staged/staged.h>
 #include <glassbox/render/tile/tile_report.h>
 
 namespace glassbox {

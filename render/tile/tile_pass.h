@@ -4,8 +4,8 @@
 #include <vector>
 
 #include <glassbox/raster/lanes/kernels.h>
-#include <glassbox/render/fragments.h>
-#include <glassbox/render/framebuffer.h>
+#include <glassbox/render/engine/framebuffer.h>
+#include <glassbox/render/staged/fragments.h>
 #include <glassbox/render/tile/round.h>
 
 namespace glassbox {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include <glassbox/render/show.h>
+#include <glassbox/render/engine/show.h>
 
 namespace glassbox {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include <glassbox/render/prepared_scene.h>
+#include <glassbox/render/engine/prepared_scene.h>
 #include <glassbox/render/tile/tile_engine.h>
 #include <glassbox/render/tile/tile_pass.h>
 

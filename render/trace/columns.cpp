@@ -5,8 +5,8 @@
 
 #include <glassbox/raster/blend.h>
 #include <glassbox/raster/triangle_setup.h>
-#include <glassbox/render/draw_list.h>
-#include <glassbox/render/primitives.h>
+#include <glassbox/render/engine/draw_list.h>
+#include <glassbox/render/staged/primitives.h>
 
 namespace glassbox {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <glassbox/mesh/scene.h>
-#include <glassbox/render/staged.h>
+#include <glassbox/render/staged/staged.h>
 #include <glassbox/render/trace/records.h>
 
 namespace glassbox {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include <glassbox/raster/blend.h>
-#include <glassbox/render/distance.h>
+#include <glassbox/render/engine/distance.h>
 
 namespace glassbox {
 

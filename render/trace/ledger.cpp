@@ -7,8 +7,8 @@
 #include <utility>
 
 #include <glassbox/raster/blend.h>
-#include <glassbox/render/distance.h>
-#include <glassbox/render/draw_list.h>
+#include <glassbox/render/engine/distance.h>
+#include <glassbox/render/engine/draw_list.h>
 #include <glassbox/render/trace/outside.h>
 
 namespace glassbox {

@@ -11,8 +11,8 @@
 
 #include <glassbox/images/image.h>
 #include <glassbox/pipeline/view.h>
-#include <glassbox/render/observer.h>
-#include <glassbox/render/settings.h>
+#include <glassbox/render/engine/observer.h>
+#include <glassbox/render/engine/settings.h>
 #include <glassbox/render/trace/end.h>
 #include <glassbox/render/trace/records.h>
 

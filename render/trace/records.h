@@ -11,8 +11,8 @@
 #include <glassbox/pipeline/stages.h>
 #include <glassbox/pipeline/view.h>
 #include <glassbox/raster/stages.h>
-#include <glassbox/render/observer.h>
-#include <glassbox/render/settings.h>
+#include <glassbox/render/engine/observer.h>
+#include <glassbox/render/engine/settings.h>
 
 namespace glassbox {
 

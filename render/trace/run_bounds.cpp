@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include <glassbox/render/draw_pass.h>
+#include <glassbox/render/staged/draw_pass.h>
 
 namespace glassbox {
 

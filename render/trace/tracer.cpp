@@ -12,8 +12,8 @@
 #include <glassbox/raster/fan.h>
 #include <glassbox/raster/snap.h>
 #include <glassbox/raster/triangle_setup.h>
-#include <glassbox/render/draw_list.h>
-#include <glassbox/render/primitives.h>
+#include <glassbox/render/engine/draw_list.h>
+#include <glassbox/render/staged/primitives.h>
 
 namespace glassbox {
 namespace {

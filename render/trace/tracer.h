@@ -5,7 +5,7 @@
 #include <optional>
 
 #include <glassbox/mesh/scene.h>
-#include <glassbox/render/staged.h>
+#include <glassbox/render/staged/staged.h>
 #include <glassbox/render/trace/records.h>
 
 namespace glassbox {

@@ -11,7 +11,7 @@
 #include <glassbox/mesh/triangulate.h>
 #include <glassbox/raster/snap.h>
 #include <glassbox/raster/triangle_setup.h>
-#include <glassbox/render/staged.h>
+#include <glassbox/render/staged/staged.h>
 #include <glassbox/render/trace/tracer.h>
 
 namespace glassbox {

@@ -12,7 +12,7 @@
 #include <glassbox/pipeline/back_face.h>
 #include <glassbox/pipeline/clip.h>
 #include <glassbox/pipeline/view.h>
-#include <glassbox/render/settings.h>
+#include <glassbox/render/engine/settings.h>
 #include <glassbox/render/trace/end.h>
 #include <glassbox/render/trace/ledger.h>
 #include <glassbox/render/trace/miss.h>

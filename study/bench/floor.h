@@ -1,7 +1,7 @@
 // What no rasterizer can be faster than on this machine: the bytes that a scene has to move, over what its memory moves.
 #pragma once
 
-#include "study/bench/scenes.h"
+#include "study/scenes/scenes.h"
 
 namespace glassbox::study {
 

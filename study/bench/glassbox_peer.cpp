@@ -4,7 +4,7 @@
 #include <utility>
 
 #include <glassbox/raster/blend.h>
-#include <glassbox/render/stopwatch.h>
+#include <glassbox/render/engine/stopwatch.h>
 #include <glassbox/render/tile/tile_pair.h>
 
 #include "study/bench/statistics.h"

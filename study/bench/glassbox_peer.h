@@ -5,11 +5,11 @@
 #include <vector>
 
 #include <glassbox/images/image.h>
-#include <glassbox/render/prepared_scene.h>
+#include <glassbox/render/engine/prepared_scene.h>
 #include <glassbox/render/renderer.h>
 
-#include "study/bench/picture_match.h"
-#include "study/bench/scenes.h"
+#include "study/scenes/picture_match.h"
+#include "study/scenes/scenes.h"
 
 namespace glassbox::study {
 

@@ -9,9 +9,9 @@
 #include "study/bench/floor.h"
 #include "study/bench/glassbox_peer.h"
 #include "study/bench/peer_process.h"
-#include "study/bench/picture_match.h"
-#include "study/bench/scenes.h"
 #include "study/bench/statistics.h"
+#include "study/scenes/picture_match.h"
+#include "study/scenes/scenes.h"
 
 namespace glassbox::study {
 

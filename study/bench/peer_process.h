@@ -11,8 +11,8 @@
 #include <glassbox/base/error.h>
 
 #include "study/bench/channel.h"
-#include "study/bench/picture_match.h"
-#include "study/bench/scenes.h"
+#include "study/scenes/picture_match.h"
+#include "study/scenes/scenes.h"
 
 namespace glassbox::study {
 

@@ -9,8 +9,8 @@
 #include <glassbox/pipeline/projection.h>
 #include <glassbox/pipeline/viewport.h>
 
-#include "study/oracle/matrix.h"
-#include "study/oracle/number.h"
+#include "exact/matrix.h"
+#include "exact/number.h"
 
 namespace glassbox::study {
 
@@ -20,7 +20,7 @@ inline constexpr double kShotFocal =
     kShotHeight / 2.0;  // px: a vertical field of view of 90 degrees
 
 struct Shot {
-  oracle::PythagoreanRotation world_from_object, eye_from_world;
+  exact::PythagoreanRotation world_from_object, eye_from_world;
   Vector<World, double> object, eye;          // where they are: exactly these numbers
   std::vector<Point<Object, double>> points;  // in the unit ball, multiples of 2^-20: floats too
 };
@@ -36,7 +36,7 @@ Vector<Space, double> random_direction(Random& random) {
   }
 }
 
-inline glm::dmat3 rounded(const oracle::PythagoreanRotation& r) {
+inline glm::dmat3 rounded(const exact::PythagoreanRotation& r) {
   glm::dmat3 m;
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column)
@@ -57,8 +57,8 @@ inline Point<Object, double> random_point(Random& random) {
 inline Shot make_shot(std::uint64_t seed, double offset, int points) {
   Random random(seed);
   Shot shot;
-  shot.world_from_object = oracle::pythagorean_rotation(random);
-  shot.eye_from_world = oracle::pythagorean_rotation(random);
+  shot.world_from_object = exact::pythagorean_rotation(random);
+  shot.eye_from_world = exact::pythagorean_rotation(random);
   shot.eye = random_direction<World>(random) * offset;
   const glm::dvec3 in_eye{random.between(-1, 1), random.between(-1, 1), -kShotDistance};
   const glm::dvec3 from_eye = glm::transpose(rounded(shot.eye_from_world)) * in_eye;
@@ -75,7 +75,7 @@ inline Viewport shot_viewport() {
 }
 
 template <class Target, class Source>
-Transform<Target, Source> placed(const oracle::PythagoreanRotation& rotation,
+Transform<Target, Source> placed(const exact::PythagoreanRotation& rotation,
                                  const Vector<Target, double>& offset) {
   Transform<Target, Source> m{glm::dmat4(rounded(rotation))};
   m.at(0, 3) = offset.x, m.at(1, 3) = offset.y, m.at(2, 3) = offset.z;
@@ -91,19 +91,19 @@ inline Transform<Eye, World> view_of(const Shot& shot) {
 // Where the points of a shot are seen, to 50 digits.
 class ExactShot {
 public:
-  using Decimal = oracle::Decimal;
+  using Decimal = exact::Decimal;
 
   explicit ExactShot(const Shot& shot)
-      : world_from_object_(oracle::exactly<Decimal>(shot.world_from_object)),
-        eye_from_world_(oracle::exactly<Decimal>(shot.eye_from_world)),
-        clip_from_eye_(oracle::exactly<Decimal>(shot_projection())) {
+      : world_from_object_(exact::exactly<Decimal>(shot.world_from_object)),
+        eye_from_world_(exact::exactly<Decimal>(shot.eye_from_world)),
+        clip_from_eye_(exact::exactly<Decimal>(shot_projection())) {
     from_eye_ = {Decimal(shot.object.x) - Decimal(shot.eye.x),
                  Decimal(shot.object.y) - Decimal(shot.eye.y),
                  Decimal(shot.object.z) - Decimal(shot.eye.z), Decimal(0)};
   }
 
   std::array<Decimal, 2> screen(const Point<Object, double>& p) const {
-    auto relative = world_from_object_ * oracle::exactly<Decimal>(p);
+    auto relative = world_from_object_ * exact::exactly<Decimal>(p);
     for (std::size_t i = 0; i < 3; ++i) relative[i] += from_eye_[i];
     const auto clip = clip_from_eye_ * (eye_from_world_ * relative);
     const Decimal half_width(kShotWidth / 2), half_height(kShotHeight / 2);
@@ -112,8 +112,8 @@ public:
   }
 
 private:
-  oracle::Matrix4<Decimal> world_from_object_, eye_from_world_, clip_from_eye_;
-  oracle::Vector4<Decimal> from_eye_;
+  exact::Matrix4<Decimal> world_from_object_, eye_from_world_, clip_from_eye_;
+  exact::Vector4<Decimal> from_eye_;
 };
 
 }  // namespace glassbox::study

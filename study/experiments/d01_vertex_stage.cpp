@@ -31,7 +31,7 @@ double rms_error(double offset, int shots) {
       const Pixels seen = Way::pixels(way(Way::input(p)));
       const auto right = exact.screen(p);
       const double squared =
-          square(oracle::error_of(seen[0], right[0])) + square(oracle::error_of(seen[1], right[1]));
+          square(exact::error_of(seen[0], right[0])) + square(exact::error_of(seen[1], right[1]));
       sum += std::min(squared, square(diagonal()));
     }
   }

@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <utility>
 
+#include <glassbox/base/random.h>
 #include <glassbox/base/trig.h>
 
 #include "study/experiments/consume.h"
 #include "study/experiments/experiments.h"
 #include "study/experiments/rounding_model.h"
-#include "study/random.h"
 
 namespace glassbox::study {
 namespace {

@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include <glassbox/base/random.h>
 #include <glassbox/raster/stages.h>
 
 #include "study/experiments/kernels/edge_kernels.h"
-#include "study/random.h"
 
 namespace glassbox::study {
 

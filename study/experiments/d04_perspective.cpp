@@ -9,7 +9,8 @@
 #include "study/experiments/kernels/reciprocal_kernels.h"
 #include "study/experiments/reciprocal_table.h"
 #include "study/experiments/rounding_model.h"
-#include "study/random.h"
+
+#include <glassbox/base/random.h>
 
 namespace glassbox::study {
 namespace {

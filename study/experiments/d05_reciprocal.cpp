@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glassbox/base/random.h>
 #include <glassbox/base/rounding.h>
 
 #include "study/experiments/consume.h"
@@ -9,7 +10,6 @@
 #include "study/experiments/kernels/reciprocal_kernels.h"
 #include "study/experiments/reciprocal_table.h"
 #include "study/experiments/rounding_model.h"
-#include "study/random.h"
 
 namespace glassbox::study {
 namespace {

@@ -19,7 +19,7 @@ constexpr double kNear = 0.1, kDistance = 10;
 // The vertices' coordinates in the world are floats exactly (multiples of 1/8 below 2^21), and so is the eye: all errors are
 // the arithmetic's.
 struct Field {
-  oracle::PythagoreanRotation eye_from_world;
+  exact::PythagoreanRotation eye_from_world;
   Vector<World, double> eye;
   std::vector<Point<World>> points;  // 10 units along the gaze, give or take rounding to eighths
 };
@@ -31,7 +31,7 @@ double in_eighths(double x) {
 Field make_field(std::uint64_t seed, double offset, int points) {
   Random random(seed);
   Field field;
-  field.eye_from_world = oracle::pythagorean_rotation(random);
+  field.eye_from_world = exact::pythagorean_rotation(random);
   const Vector<World, double> eye = random_direction<World>(random) * offset;
   field.eye = {in_eighths(eye.x), in_eighths(eye.y), in_eighths(eye.z)};
   const glm::dmat3 world_from_eye = glm::transpose(rounded(field.eye_from_world));
@@ -117,19 +117,19 @@ double distance_of(Depth depth) {
 
 template <class Way>
 double rms_error(Depth depth, double offset, int fields) {
-  using oracle::Decimal;
+  using exact::Decimal;
   double sum = 0;
   for (int i = 0; i < fields; ++i) {
     const Field field = make_field(std::uint64_t(i) + 1, offset, kPointsOfField);
     const Way way(field, depth);
-    const auto rotation = oracle::exactly<Decimal>(field.eye_from_world);
-    const auto clip_from_eye = oracle::exactly<Decimal>(projection(depth));
+    const auto rotation = exact::exactly<Decimal>(field.eye_from_world);
+    const auto clip_from_eye = exact::exactly<Decimal>(projection(depth));
     for (const Point<World>& p : field.points) {
-      const oracle::Vector4<Decimal> from_eye{
+      const exact::Vector4<Decimal> from_eye{
           Decimal(double(p.x)) - Decimal(field.eye.x), Decimal(double(p.y)) - Decimal(field.eye.y),
           Decimal(double(p.z)) - Decimal(field.eye.z), Decimal(1)};
       const auto right = clip_from_eye * (rotation * from_eye);
-      sum += square(oracle::error_of(divide(way(p)).position.z, right[2] / right[3]));
+      sum += square(exact::error_of(divide(way(p)).position.z, right[2] / right[3]));
     }
   }
   return std::sqrt(sum / (fields * kPointsOfField)) * distance_of(depth);

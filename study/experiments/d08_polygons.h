@@ -6,12 +6,12 @@
 #include <cmath>
 #include <cstdint>
 
+#include <glassbox/base/random.h>
 #include <glassbox/base/spaces.h>
 #include <glassbox/base/trig.h>
 
+#include "exact/number.h"
 #include "study/experiments/d01_shots.h"
-#include "study/oracle/number.h"
-#include "study/random.h"
 
 namespace glassbox::study {
 
@@ -57,7 +57,7 @@ inline ExactVector in_space(const glm::dmat3& turn, double x, double y, double z
 // Corners off the plane by up to kNoise sqrt(3) either way: a deviation of kNoise. The plane's own normal is right.
 inline NormalCase noisy_case(std::uint64_t seed, double bend) {
   Random random(seed);
-  const glm::dmat3 turn = rounded(oracle::pythagorean_rotation(random));
+  const glm::dmat3 turn = rounded(exact::pythagorean_rotation(random));
   const PlanePolygon flat = bent_octagon(bend);
   NormalCase c;
   for (std::size_t i = 0; i < kPolygonCorners; ++i) {
@@ -71,7 +71,7 @@ inline NormalCase noisy_case(std::uint64_t seed, double bend) {
 
 // Newell's vector of the corners as they are.
 inline ExactVector exact_newell(const FloatPolygon& p) {
-  using oracle::Decimal;
+  using exact::Decimal;
   std::array<Decimal, 3> m;
   const auto at = [&](std::size_t i, std::size_t axis) {
     const auto& q = p[i % kPolygonCorners];

@@ -14,8 +14,8 @@
 #include <glassbox/pipeline/divide.h>
 #include <glassbox/raster/fan.h>
 #include <glassbox/raster/snap.h>
-#include <glassbox/render/draw_list.h>
-#include <glassbox/render/vertex_stage.h>
+#include <glassbox/render/engine/draw_list.h>
+#include <glassbox/render/staged/vertex_stage.h>
 
 namespace glassbox::study::d09 {
 

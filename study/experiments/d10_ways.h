@@ -7,8 +7,8 @@
 #include <vector>
 
 #include <glassbox/pipeline/stereo/culling.h>
-#include <glassbox/render/draw_list.h>
-#include <glassbox/render/vertex_stage.h>
+#include <glassbox/render/engine/draw_list.h>
+#include <glassbox/render/staged/vertex_stage.h>
 
 namespace glassbox::study::d10 {
 

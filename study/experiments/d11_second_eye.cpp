@@ -4,7 +4,7 @@
 #include <limits>
 #include <memory>
 
-#include <glassbox/images/metrics/errors.h>
+#include <glassbox/compare/metrics/errors.h>
 #include <glassbox/images/stored_image.h>
 #include <glassbox/mesh/builtin/forest.h>
 #include <glassbox/mesh/builtin/images.h>

@@ -5,12 +5,12 @@
 
 #include <fmt/format.h>
 
-#include <glassbox/images/metrics/ciede2000.h>
+#include <glassbox/images/colour/ciede2000.h>
 #include <glassbox/images/stereo/recolour.h>
 #include <glassbox/images/stereo/rivalry.h>
 #include <glassbox/mesh/builtin/images.h>
 #include <glassbox/mesh/builtin/room.h>
-#include <glassbox/render/staged.h>
+#include <glassbox/render/staged/staged.h>
 
 #include "study/experiments/consume.h"
 #include "study/experiments/d12_seen.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-#include <glassbox/images/metrics/ciede2000.h>
+#include <glassbox/images/colour/ciede2000.h>
 #include <glassbox/images/stereo/anaglyph.h>
 #include <glassbox/images/stereo/lenses.h>
 #include <glassbox/images/stereo/recolour.h>

@@ -3,7 +3,7 @@
 
 #include <glassbox/mesh/builtin/scenes.h>
 #include <glassbox/pipeline/framing.h>
-#include <glassbox/render/staged.h>
+#include <glassbox/render/staged/staged.h>
 #include <glassbox/render/tile/tile_engine.h>
 #include <glassbox/render/trace/tracer.h>
 

@@ -11,8 +11,8 @@
 #include <glassbox/pipeline/divide.h>
 #include <glassbox/pipeline/view.h>
 #include <glassbox/raster/snap.h>
-#include <glassbox/render/draw_list.h>
-#include <glassbox/render/vertex_stage.h>
+#include <glassbox/render/engine/draw_list.h>
+#include <glassbox/render/staged/vertex_stage.h>
 
 #include "study/experiments/consume.h"
 #include "study/experiments/d31_pieces.h"

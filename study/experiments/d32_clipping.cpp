@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glassbox/base/random.h>
 #include <glassbox/base/rounding.h>
 #include <glassbox/pipeline/projection.h>
 
 #include "study/experiments/consume.h"
 #include "study/experiments/d32_clippers.h"
 #include "study/experiments/experiments.h"
-#include "study/random.h"
 
 namespace glassbox::study {
 

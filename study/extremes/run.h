@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "study/extremes/extreme_case.h"
+#include "study/extremes/kit/extreme_case.h"
 
 namespace glassbox::study {
 

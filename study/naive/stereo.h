@@ -9,7 +9,7 @@
 #include <glassbox/images/stereo/anaglyph.h>
 #include <glassbox/mesh/scene.h>
 #include <glassbox/pipeline/stereo/stereo_pair.h>
-#include <glassbox/render/framebuffer.h>
+#include <glassbox/render/engine/framebuffer.h>
 
 namespace glassbox::study::naive {
 

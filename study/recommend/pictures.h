@@ -7,7 +7,7 @@
 #include <glassbox/images/image.h>
 #include <glassbox/mesh/scene.h>
 #include <glassbox/pipeline/view.h>
-#include <glassbox/render/settings.h>
+#include <glassbox/render/engine/settings.h>
 
 #include "study/bench/statistics.h"
 

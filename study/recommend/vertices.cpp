@@ -11,18 +11,18 @@
 #include <glassbox/pipeline/affine.h>
 #include <glassbox/pipeline/divide.h>
 #include <glassbox/raster/snap.h>
-#include <glassbox/render/vertex_stage.h>
+#include <glassbox/render/staged/vertex_stage.h>
 
+#include "exact/matrix.h"
+#include "exact/number.h"
 #include "study/experiment/runner.h"
 #include "study/experiment/timing.h"
-#include "study/oracle/matrix.h"
-#include "study/oracle/number.h"
 
 namespace glassbox::study {
 
 namespace {
 
-using oracle::Decimal;
+using exact::Decimal;
 
 // ---- the right answer ----
 
@@ -31,28 +31,28 @@ Transform<World, Object> world_from_object(const Scene& scene, const Draw& draw)
 }
 
 // All three matrices are exactly the doubles that the pipeline starts from.
-oracle::Matrix4<Decimal> exact_clip_from_object(const Scene& scene, const View& view,
-                                                const Draw& draw) {
-  return oracle::exactly<Decimal>(view.clip_from_eye) *
-         (oracle::exactly<Decimal>(view.eye_from_world) *
-          oracle::exactly<Decimal>(world_from_object(scene, draw)));
+exact::Matrix4<Decimal> exact_clip_from_object(const Scene& scene, const View& view,
+                                               const Draw& draw) {
+  return exact::exactly<Decimal>(view.clip_from_eye) *
+         (exact::exactly<Decimal>(view.eye_from_world) *
+          exact::exactly<Decimal>(world_from_object(scene, draw)));
 }
 
 enum class Where { kInside, kBeside, kNotBetweenPlanes };
 
-Where where(const oracle::Vector4<Decimal>& clip) {
+Where where(const exact::Vector4<Decimal>& clip) {
   if (clip[3] <= 0 || clip[2] < 0 || clip[2] > clip[3]) return Where::kNotBetweenPlanes;
   return abs(clip[0]) <= clip[3] && abs(clip[1]) <= clip[3] ? Where::kInside : Where::kBeside;
 }
 
 // Of the eye-space distance, from clip z (rows 2 and 3 of a projection read z and w of eye space alone).
-double distance_of(const View& view, const oracle::Vector4<Decimal>& clip) {
+double distance_of(const View& view, const exact::Vector4<Decimal>& clip) {
   if (view.perspective) return double(clip[3]);
   return double((Decimal(view.clip_from_eye.at(2, 3)) - clip[2]) /
                 Decimal(view.clip_from_eye.at(2, 2)));
 }
 
-RightPlace place_of(const View& view, const oracle::Vector4<Decimal>& clip, std::size_t draw,
+RightPlace place_of(const View& view, const exact::Vector4<Decimal>& clip, std::size_t draw,
                     std::uint32_t vertex) {
   const auto half = [](float a, float b) {
     return (Decimal(double(a)) + Decimal(double(b))) / Decimal(2);
@@ -173,7 +173,7 @@ Result<SceneVertices> SceneVertices::of(const Scene& scene, const View& view, st
       if (number++ % step != 0) continue;
       const auto& p = draw.mesh->positions[i];
       if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) continue;
-      const auto clip = matrix * oracle::exactly<Decimal>(p);
+      const auto clip = matrix * exact::exactly<Decimal>(p);
       if (const Where at = where(clip); at != Where::kNotBetweenPlanes)
         (at == Where::kInside ? inside : beside).push_back(place_of(view, clip, d, i));
     }

@@ -7,7 +7,7 @@
 #include <glassbox/mesh/scene.h>
 #include <glassbox/pipeline/view.h>
 #include <glassbox/raster/depth.h>
-#include <glassbox/render/draw_list.h>
+#include <glassbox/render/engine/draw_list.h>
 
 #include "study/recommend/candidates.h"
 

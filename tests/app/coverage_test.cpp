@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
+#include <glassbox/base/random.h>
 #include "tests/app/run.h"
-#include "tests/support/random.h"
 #include "tests/support/skip.h"
 
 namespace glassbox::test {

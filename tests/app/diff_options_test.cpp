@@ -7,7 +7,7 @@
 
 #include "tests/app/diff_kinds.h"
 
-#include <glassbox/images/compare/tolerance.h>
+#include <glassbox/compare/pixels/tolerance.h>
 
 namespace glassbox::test {
 namespace {

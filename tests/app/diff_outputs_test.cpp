@@ -10,7 +10,7 @@
 
 #include "tests/app/diff_kinds.h"
 
-#include <glassbox/images/compare/heat_map.h>
+#include <glassbox/compare/pixels/heat_map.h>
 #include <glassbox/images/read.h>
 
 namespace glassbox::test {

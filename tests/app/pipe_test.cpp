@@ -9,7 +9,7 @@
 #include "tests/app/text.h"
 #include "tests/support/skip.h"
 
-#include <glassbox/mesh/load_memory.h>
+#include <glassbox/mesh/formats/load_memory.h>
 
 namespace glassbox::test {
 namespace {

@@ -4,16 +4,16 @@
 #include <cmath>
 
 #include <glassbox/base/expansion.h>
+#include <glassbox/base/random.h>
 
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 
 namespace {
 
 using glassbox::Exact2;
 using glassbox::Exact3;
 using glassbox::Expansion;
-using glassbox::test::Random;
+using glassbox::Random;
 using Rational = boost::multiprecision::cpp_rational;
 
 int sign_of(double x) {

@@ -1,6 +1,6 @@
 // The trigonometry against 50 digits (Boost.Multiprecision), in ulps of the exact result.
 #include <tests/support/catch.h>
-#include <tests/support/random.h>
+#include <glassbox/base/random.h>
 
 #include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -17,7 +17,6 @@ namespace {
 
 // The reduction of arguments up to 2^20 costs 7 of the 50 digits; 16 are needed.
 using Exact = boost::multiprecision::cpp_bin_float_50;
-using test::Random;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const Exact kExactPi = boost::multiprecision::acos(Exact(-1));

@@ -10,8 +10,8 @@
 #include "tests/compare/pictures.h"
 #include "tests/images/temporary_directory.h"
 
+#include <glassbox/compare/pictures/approve.h>
 #include <glassbox/images/atomic_file.h>
-#include <glassbox/images/compare/approve.h>
 #include <glassbox/images/write.h>
 
 namespace glassbox::test {

@@ -9,7 +9,7 @@
 
 #include "tests/compare/pictures.h"
 
-#include <glassbox/images/compare/selection.h>
+#include <glassbox/compare/pixels/selection.h>
 
 namespace glassbox::test {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "tests/compare/pictures.h"
 
-#include <glassbox/images/compare/explanation.h>
+#include <glassbox/compare/pixels/explanation.h>
 #include <glassbox/images/srgb.h>
 
 namespace glassbox::test {

@@ -7,7 +7,7 @@
 
 #include "tests/compare/pictures.h"
 
-#include <glassbox/images/compare/heat_map.h>
+#include <glassbox/compare/pixels/heat_map.h>
 
 namespace glassbox::test {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "tests/images/temporary_directory.h"
 
-#include <glassbox/images/compare/pairing.h>
+#include <glassbox/compare/pictures/pairing.h>
 
 namespace glassbox::test {
 namespace {

@@ -10,9 +10,8 @@
 #include <variant>
 #include <vector>
 
-#include "tests/support/random.h"
-
-#include <glassbox/images/compare/differences.h>
+#include <glassbox/base/random.h>
+#include <glassbox/compare/pixels/differences.h>
 #include <glassbox/images/stored_image.h>
 
 namespace glassbox::test {

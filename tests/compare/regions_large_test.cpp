@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include <glassbox/images/compare/regions.h>
+#include <glassbox/compare/pixels/regions.h>
 
 namespace glassbox::test {
 namespace {

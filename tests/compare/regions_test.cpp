@@ -6,9 +6,9 @@
 #include <tuple>
 #include <vector>
 
-#include "tests/support/random.h"
+#include <glassbox/base/random.h>
 
-#include <glassbox/images/compare/regions.h>
+#include <glassbox/compare/pixels/regions.h>
 
 namespace glassbox::test {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <glassbox/images/compare/rules.h>
+#include <glassbox/compare/pictures/rules.h>
 
 namespace glassbox::test {
 namespace {

@@ -8,9 +8,9 @@
 #include "tests/compare/pictures.h"
 #include "tests/images/temporary_directory.h"
 
+#include <glassbox/compare/pictures/comparison.h>
+#include <glassbox/compare/pixels/selection.h>
 #include <glassbox/images/atomic_file.h>
-#include <glassbox/images/compare/comparison.h>
-#include <glassbox/images/compare/selection.h>
 #include <glassbox/images/write.h>
 
 namespace glassbox::test {

@@ -6,7 +6,7 @@
 
 #include "tests/compare/pictures.h"
 
-#include <glassbox/images/compare/explanation.h>
+#include <glassbox/compare/pixels/explanation.h>
 
 namespace glassbox::test {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "tests/images/temporary_directory.h"
 
-#include <glassbox/images/compare/sidecar.h>
+#include <glassbox/compare/pictures/sidecar.h>
 
 namespace glassbox::test {
 namespace {

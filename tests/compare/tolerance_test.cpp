@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/random.h"
+#include <glassbox/base/random.h>
 
-#include <glassbox/images/compare/tolerance.h>
+#include <glassbox/compare/pixels/tolerance.h>
 
 namespace glassbox::test {
 namespace {

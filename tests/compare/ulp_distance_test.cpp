@@ -8,9 +8,9 @@
 #include <limits>
 #include <vector>
 
-#include "tests/support/random.h"
+#include <glassbox/base/random.h>
 
-#include <glassbox/images/compare/differences.h>
+#include <glassbox/compare/pixels/differences.h>
 
 namespace glassbox::test {
 namespace {

@@ -1,7 +1,10 @@
-// "Data flows down this list, and no file includes one that stands further down": README's list of folders.
+// "Data flows down this list, and no file includes one that stands further down": README's list of folders. And no folders
+// include each other in a circle, a folder and its subfolders included.
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -53,6 +56,46 @@ bool is_source(const std::string& file) {
   return file.ends_with(".h") || file.ends_with(".cpp");
 }
 
+std::string folder_of(const std::string& file) {
+  return std::filesystem::path(file).parent_path().generic_string();
+}
+
+// Which folders each folder includes something of.
+using Arrows = std::map<std::string, std::set<std::string>>;
+
+Arrows arrows_of_tree() {
+  Arrows arrows;
+  for (const std::string& file : text_files()) {
+    if (!is_source(file) || file.starts_with("tests/")) continue;
+    for (const std::string& line : lines_of(file)) {
+      const std::string included = included_by(file, line);
+      if (included.empty() || !exists(tree() / included)) continue;
+      const std::string from = folder_of(file), to = folder_of(included);
+      if (from != to) arrows[from].insert(to);
+    }
+  }
+  return arrows;
+}
+
+// The folders of a circle, in order; empty where there is none. A folder that includes none of those left is in no circle.
+std::vector<std::string> circle_in(Arrows arrows) {
+  std::size_t removed = 0;
+  do {
+    for (auto& [from, targets] : arrows) {
+      std::erase_if(targets, [&](const std::string& to) { return !arrows.contains(to); });
+    }
+    removed = std::erase_if(arrows, [](const auto& folder) { return folder.second.empty(); });
+  } while (removed > 0);
+  if (arrows.empty()) return {};
+  std::vector<std::string> way{arrows.begin()->first};
+  for (;;) {
+    const std::string& next = *arrows[way.back()].begin();
+    const auto seen = std::ranges::find(way, next);
+    if (seen != way.end()) return {seen, way.end()};
+    way.push_back(next);
+  }
+}
+
 }  // namespace
 
 TEST_CASE("no file includes one that stands further down README's list of folders") {
@@ -89,6 +132,20 @@ TEST_CASE("an include that runs back is found, in every way to write it") {
     CAPTURE(line);
     CHECK_FALSE(runs_back(folders, file, line));
   }
+}
+
+TEST_CASE("no folders include each other in a circle") {
+  const Arrows arrows = arrows_of_tree();
+  REQUIRE(arrows.size() > 30);
+  REQUIRE(arrows.at("render/tile").contains("render/engine"));
+  CHECK(circle_in(arrows) == std::vector<std::string>{});
+}
+
+TEST_CASE("a circle of folders is found, however long") {
+  using Names = std::vector<std::string>;
+  CHECK(circle_in({{"a", {"b", "c"}}, {"b", {"c"}}}) == Names{});
+  CHECK(circle_in({{"a", {"b"}}, {"b", {"c", "d"}}, {"c", {"b"}}}) == Names{"b", "c"});
+  CHECK(circle_in({{"a", {"a/b"}}, {"a/b", {"d"}}, {"d", {"a"}}}) == Names{"a", "a/b", "d"});
 }
 
 }  // namespace glassbox::test

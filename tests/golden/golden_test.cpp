@@ -10,10 +10,10 @@
 #include "tests/images/temporary_directory.h"
 #include "tests/support/run_program.h"
 
+#include <glassbox/compare/testing/catch2.h>
 #include <glassbox/images/png_text.h>
 #include <glassbox/images/read.h>
 #include <glassbox/images/recipe.h>
-#include <glassbox/images/testing/catch2.h>
 
 namespace glassbox::test {
 namespace {

@@ -8,9 +8,9 @@
 #include <glassbox/images/read.h>
 #include <glassbox/images/write.h>
 
+#include <glassbox/base/random.h>
 #include "tests/images/plain_builder.h"
 #include "tests/images/png_builder.h"
-#include "tests/support/random.h"
 #include "tests/support/skip.h"
 
 namespace {
@@ -122,7 +122,7 @@ TEST_CASE("a JPEG decodes, and cut off at any length is refused") {
 }
 
 TEST_CASE("a PNG cut off at any length is refused") {
-  test::Random random(3);
+  Random random(3);
   Image<Rgba8> image(31, 17);
   for (Rgba8& pixel : image.pixels) pixel = {std::uint8_t(random.bits()), 1, 2, 200};
   const auto whole = encode_png(image).value();
@@ -183,7 +183,7 @@ TEST_CASE("an image that claims more pixels than its bytes can hold is refused a
 }
 
 TEST_CASE("what is no image is refused") {
-  test::Random random(17);
+  Random random(17);
   CHECK_FALSE(decode({}));
   for (const char* text :
        {"GIF89a", "8BPS", "#?RADIANCE\n", "P6 1 1 255\nabc", "hello", "<svg/>"}) {

@@ -7,8 +7,8 @@
 #include <glassbox/images/read.h>
 #include <glassbox/images/write.h>
 
+#include <glassbox/base/random.h>
 #include "tests/images/temporary_directory.h"
-#include "tests/support/random.h"
 
 namespace {
 
@@ -17,7 +17,7 @@ using test::TemporaryDirectory;
 
 enum class Alpha { kOpaque, kVaried };
 
-Image<Rgba8> random_image(int width, int height, Alpha alpha, test::Random& random) {
+Image<Rgba8> random_image(int width, int height, Alpha alpha, Random& random) {
   Image<Rgba8> image(width, height);
   for (Rgba8& pixel : image.pixels) {
     const std::uint64_t bits = random.bits();
@@ -42,7 +42,7 @@ bool contains(const std::vector<std::byte>& bytes, std::string_view text) {
 TEST_CASE("a PNG gives back the pixels it was made of, at every size from 1 x 1") {
   const std::uint64_t seed = 7;
   CAPTURE(seed);
-  test::Random random(seed);
+  Random random(seed);
   for (const int width : {1, 2, 3, 7, 64, 257}) {
     for (const int height : {1, 2, 5, 33}) {
       for (const Alpha alpha : {Alpha::kOpaque, Alpha::kVaried}) {
@@ -66,7 +66,7 @@ TEST_CASE("an opaque picture is stored as RGB, any other as RGBA") {
 }
 
 TEST_CASE("the same picture and text give the same PNG bytes") {
-  test::Random random(11);
+  Random random(11);
   const auto image = random_image(100, 40, Alpha::kVaried, random);
   const std::vector<TextEntry> text{{"Command", "glassbox render duck.glb"}};
   CHECK(encode_png(image, text).value() == encode_png(image, text).value());
@@ -103,7 +103,7 @@ TEST_CASE("a picture without pixels is refused") {
 }
 
 TEST_CASE("the extension chooses the format, and others are refused before anything is written") {
-  test::Random random(13);
+  Random random(13);
   const auto image = random_image(9, 5, Alpha::kOpaque, random);
   const TemporaryDirectory directory;
   for (const char* name : {"a.png", "b.PNG", "c.ppm", "d.b.PpM"}) {

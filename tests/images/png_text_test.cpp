@@ -1,9 +1,8 @@
+#include <glassbox/base/random.h>
 #include <glassbox/images/png_text.h>
 
-#include "tests/support/catch.h"
-
 #include "tests/images/png_builder.h"
-#include "tests/support/random.h"
+#include "tests/support/catch.h"
 
 namespace {
 
@@ -138,7 +137,7 @@ TEST_CASE("a PNG cut off anywhere is an error") {
 TEST_CASE("random chunks give text or an error, never worse") {
   const std::uint64_t seed = 23;
   CAPTURE(seed);
-  test::Random random(seed);
+  Random random(seed);
   for (int round = 0; round < 3000; ++round) {
     Bytes png = test::png_signature();
     for (std::int64_t chunk = random.integer(0, 4); chunk > 0; --chunk) {

@@ -6,7 +6,7 @@
 
 #include <glassbox/images/png_text.h>
 
-#include "tests/support/random.h"
+#include <glassbox/base/random.h>
 #include "tests/support/run_program.h"
 
 namespace {
@@ -17,7 +17,7 @@ using namespace std::string_literals;
 const Recipe kDuck{"my duck.glb", {"--camera", "Main \"view\"", "--size", "64x48"}, "0.1.0"};
 
 // Words with everything that a shell, JSON or a line could trip over.
-std::string nasty_word(test::Random& random) {
+std::string nasty_word(Random& random) {
   static const std::vector<std::string> kPieces{"a",
                                                 "Z",
                                                 "7",
@@ -82,7 +82,7 @@ TEST_CASE("a recipe is three entries that people can read, too") {
 TEST_CASE("a recipe comes back from a PNG, whatever is in its words") {
   const std::uint64_t seed = 29;
   CAPTURE(seed);
-  test::Random random(seed);
+  Random random(seed);
   for (int round = 0; round < 500; ++round) {
     Recipe recipe{"s" + nasty_word(random), {}, "1.20.3-rc+4"};
     for (std::int64_t n = random.integer(0, 5); n > 0; --n) {
@@ -196,7 +196,7 @@ TEST_CASE("words that would not look like what they are, are not quoted at all")
 TEST_CASE("a shell reads back every word that is quoted") {
   const std::uint64_t seed = 31;
   CAPTURE(seed);
-  test::Random random(seed);
+  Random random(seed);
   std::string script = "printf '%s\\n'", expected;
   for (int round = 0; round < 2000; ++round) {
     const std::string word = nasty_word(random);

@@ -6,7 +6,7 @@
 
 #include <glassbox/images/srgb.h>
 
-#include "tests/support/random.h"
+#include <glassbox/base/random.h>
 
 namespace {
 
@@ -60,7 +60,7 @@ TEST_CASE("every sRGB byte decodes to the nearest float and encodes back to itse
 TEST_CASE("the sRGB encoder agrees with 50-digit arithmetic on random floats") {
   const std::uint64_t seed = 41;
   CAPTURE(seed);
-  test::Random random(seed);
+  Random random(seed);
   for (int i = 0; i < 20000; ++i) {
     // Every other one small, where the floats are dense.
     const float linear =

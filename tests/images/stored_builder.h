@@ -11,10 +11,10 @@
 #include <variant>
 #include <vector>
 
+#include <glassbox/base/random.h>
 #include <glassbox/images/stored_image.h>
 
 #include "tests/images/png_builder.h"
-#include "tests/support/random.h"
 
 namespace glassbox::test {
 

@@ -168,7 +168,7 @@ TEST_CASE("a small file of every format, cut off anywhere, is refused") {
 TEST_CASE("a small file of every format with one byte changed decodes whole or is refused") {
   const std::uint64_t seed = 59;
   CAPTURE(seed);
-  test::Random random(seed);
+  Random random(seed);
   for (const auto& [name, bytes] : small_files()) {
     for (std::size_t at = 0; at < bytes.size(); ++at) {
       for (int round = 0; round < 4; ++round) {
@@ -327,7 +327,7 @@ TEST_CASE("a TGA that stb would read in another order is refused") {
 TEST_CASE("garbage behind the first bytes of every format decodes whole or is refused") {
   const std::uint64_t seed = 61;
   CAPTURE(seed);
-  test::Random random(seed);
+  Random random(seed);
   const std::vector<std::string> starts{"",
                                         "\x89PNG\r\n\x1a\n",
                                         "\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR"s,

@@ -158,7 +158,7 @@ TEST_CASE("gamma, primaries, profiles and significant bits change no sample") {
 TEST_CASE("every format and channel count of PNG gives back what it was made of") {
   const std::uint64_t seed = 41;
   CAPTURE(seed);
-  test::Random random(seed);
+  Random random(seed);
   for (int round = 0; round < 40; ++round) {
     const int width = int(random.integer(1, 40)), height = int(random.integer(1, 20));
     for (int channels = 1; channels <= 4; ++channels) {
@@ -183,7 +183,7 @@ TEST_CASE("every format and channel count of PNG gives back what it was made of"
 TEST_CASE("a PNG decodes the same interlaced and not, without libpng's writer") {
   const std::uint64_t seed = 43;
   CAPTURE(seed);
-  test::Random random(seed);
+  Random random(seed);
   for (int round = 0; round < 60; ++round) {
     const int width = int(random.integer(1, 19)), height = int(random.integer(1, 19));
     const int channels = int(random.integer(1, 4));
@@ -259,7 +259,7 @@ TEST_CASE("a PFM keeps the bits of its floats, in both byte orders") {
 TEST_CASE("random floats of any bits survive a PFM") {
   const std::uint64_t seed = 47;
   CAPTURE(seed);
-  test::Random random(seed);
+  Random random(seed);
   for (int round = 0; round < 100; ++round) {
     const int width = int(random.integer(1, 20)), height = int(random.integer(1, 20));
     for (const int channels : {1, 3}) {
@@ -318,7 +318,7 @@ TEST_CASE("TGA decodes grey, colour, palettes and alpha, packed and not") {
 TEST_CASE("an image in memory as stored is what its file decodes to") {
   const std::uint64_t seed = 53;
   CAPTURE(seed);
-  test::Random random(seed);
+  Random random(seed);
   Image<Rgba8> image(7, 5);
   for (Rgba8& pixel : image.pixels) pixel = {std::uint8_t(random.bits()), 2, 3, 255};
   CHECK(as_stored(image).channels == 3);

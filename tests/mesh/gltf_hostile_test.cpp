@@ -8,8 +8,9 @@
 #include "tests/mesh/gltf_builder.h"
 #include "tests/support/allocations.h"
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 #include "tests/support/skip.h"
+
+#include <glassbox/base/random.h>
 
 using namespace glassbox;
 using namespace glassbox::test;

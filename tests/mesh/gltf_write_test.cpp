@@ -4,8 +4,8 @@
 #include <limits>
 
 #include <glassbox/mesh/builtin/scenes.h>
+#include <glassbox/mesh/formats/load.h>
 #include <glassbox/mesh/gltf/write.h>
-#include <glassbox/mesh/load.h>
 #include <glassbox/mesh/triangulate.h>
 
 #include "tests/images/temporary_directory.h"

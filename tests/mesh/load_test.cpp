@@ -1,4 +1,4 @@
-#include <glassbox/mesh/load.h>
+#include <glassbox/mesh/formats/load.h>
 
 #include <filesystem>
 #include <fstream>

@@ -1,10 +1,9 @@
-#include <glassbox/mesh/normals.h>
-
+#include <glassbox/base/random.h>
 #include <glassbox/base/trig.h>
+#include <glassbox/mesh/normals.h>
 
 #include "tests/mesh/polygons.h"
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 
 namespace glassbox::test {
 namespace {

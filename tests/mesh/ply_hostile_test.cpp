@@ -6,7 +6,8 @@
 
 #include "tests/mesh/ply_builder.h"
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
+
+#include <glassbox/base/random.h>
 
 namespace glassbox::test {
 namespace {

@@ -12,7 +12,7 @@
 
 #include <glassbox/images/srgb.h>
 #include <glassbox/images/write.h>
-#include <glassbox/mesh/load.h>
+#include <glassbox/mesh/formats/load.h>
 #include <glassbox/mesh/triangulate.h>
 
 namespace glassbox::test {

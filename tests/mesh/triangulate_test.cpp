@@ -8,9 +8,9 @@
 #include <glassbox/mesh/ear_clipping.h>
 #include <glassbox/mesh/topology.h>
 
+#include <glassbox/base/random.h>
 #include "tests/mesh/polygons.h"
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 
 namespace glassbox::test {
 namespace {

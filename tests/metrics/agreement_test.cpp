@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include <glassbox/images/metrics/metric.h>
+#include <glassbox/compare/metrics/metric.h>
 
 #include "tests/metrics/pictures.h"
 #include "tests/support/catch.h"

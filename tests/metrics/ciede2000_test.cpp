@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include <glassbox/images/metrics/ciede2000.h>
+#include <glassbox/images/colour/ciede2000.h>
 
-#include "tests/support/random.h"
+#include <glassbox/base/random.h>
 
 namespace {
 
@@ -67,7 +67,7 @@ TEST_CASE(
 }
 
 TEST_CASE("CIEDE2000 of a colour with itself is 0, of black and white 100") {
-  glassbox::test::Random random(3);
+  glassbox::Random random(3);
   for (int i = 0; i < 100; ++i) {
     const Lab lab = lab_of_linear(random.unit(), random.unit(), random.unit());
     CHECK(ciede2000(lab, lab) == 0);

@@ -1,11 +1,11 @@
-#include <glassbox/images/metrics/errors.h>
+#include <glassbox/compare/metrics/errors.h>
 
 #include <cmath>
 #include <limits>
 
+#include <glassbox/base/random.h>
 #include "tests/metrics/pictures.h"
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include <glassbox/images/metrics/flip.h>
+#include <glassbox/compare/metrics/flip.h>
 
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 
-#include <glassbox/images/compare/heat_map.h>
-#include <glassbox/images/metrics/flip_input.h>
+#include <glassbox/compare/metrics/flip_input.h>
+#include <glassbox/compare/pixels/heat_map.h>
 
 #include "tests/metrics/pictures.h"
 #include "tests/support/catch.h"

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <limits>
 
-#include <glassbox/images/metrics/metric.h>
+#include <glassbox/compare/metrics/metric.h>
 
 #include "tests/metrics/pictures.h"
 #include "tests/support/catch.h"

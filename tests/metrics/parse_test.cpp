@@ -1,4 +1,4 @@
-#include <glassbox/images/metrics/metric.h>
+#include <glassbox/compare/metrics/metric.h>
 
 #include "tests/support/catch.h"
 

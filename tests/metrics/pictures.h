@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <glassbox/images/compare/differences.h>
+#include <glassbox/compare/pixels/differences.h>
 #include <glassbox/images/stored_image.h>
 
 namespace glassbox::test {

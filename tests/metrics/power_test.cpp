@@ -1,10 +1,10 @@
 // The elementary functions of FLIP against the C library's in double precision.
-#include <glassbox/images/metrics/power.h>
+#include <glassbox/images/colour/power.h>
 
 #include <cmath>
 
+#include <glassbox/base/random.h>
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 
 namespace {
 
@@ -43,7 +43,7 @@ TEST_CASE("base-2 logarithms and powers of 2 keep their bounds", "[metrics]") {
   CHECK(worst_log < 0x1p-23);
 
   double worst_power = 0;
-  test::Random random(kSeed);
+  Random random(kSeed);
   for (int i = 0; i < 1000000; ++i) {
     const float value = float(random.between(-126, 127));
     const double truth = std::exp2(double(value));
@@ -53,7 +53,7 @@ TEST_CASE("base-2 logarithms and powers of 2 keep their bounds", "[metrics]") {
 }
 
 TEST_CASE("powers keep their bound, and 0 stays 0", "[metrics]") {
-  test::Random random(kSeed);
+  Random random(kSeed);
   for (int i = 0; i < 1000000; ++i) {
     const float base = float(random.between(0, i % 2 == 0 ? 1 : 400));
     const float exponent = float(random.unit());

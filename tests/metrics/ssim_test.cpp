@@ -1,4 +1,4 @@
-#include <glassbox/images/metrics/ssim.h>
+#include <glassbox/compare/metrics/ssim.h>
 
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>

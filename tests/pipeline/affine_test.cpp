@@ -1,6 +1,6 @@
 #include <tests/pipeline/rational.h>
 #include <tests/support/catch.h>
-#include <tests/support/random.h>
+#include <glassbox/base/random.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -14,7 +14,6 @@
 namespace glassbox {
 namespace {
 
-using test::Random;
 using test::Rational;
 using test::RationalMatrix;
 

@@ -4,17 +4,17 @@
 #include <cstdint>
 #include <vector>
 
+#include <glassbox/base/random.h>
 #include <glassbox/pipeline/back_face.h>
 #include <glassbox/pipeline/divide.h>
 
 #include "tests/pipeline/rational_geometry.h"
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 
 namespace {
 
 using namespace glassbox;
-using glassbox::test::Random;
+using glassbox::Random;
 using glassbox::test::Rational;
 
 using Polygon = std::vector<Point<Object>>;

@@ -1,6 +1,6 @@
 // The true/false bank of S3.39-40 and the claims around it, as statements that a machine checks (S3-18).
 #include <tests/support/catch.h>
-#include <tests/support/random.h>
+#include <glassbox/base/random.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,6 @@
 
 namespace glassbox {
 namespace {
-
-using test::Random;
 
 constexpr double u = unit_roundoff<double>;
 using WorldMap = Transform<World, World>;

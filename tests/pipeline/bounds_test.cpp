@@ -14,15 +14,14 @@
 #include <glassbox/pipeline/divide.h>
 #include <glassbox/pipeline/vertex_chain.h>
 
+#include <glassbox/base/random.h>
 #include "tests/pipeline/dyadic.h"
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 
 namespace glassbox {
 namespace {
 
 using test::Dyadic;
-using test::Random;
 
 std::string page_of_docs() {
   std::ifstream page(GLASSBOX_SOURCE_DIR "/docs/step.md");

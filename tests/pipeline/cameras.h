@@ -1,7 +1,7 @@
 // Random cameras for property tests.
 #pragma once
 
-#include <tests/support/random.h>
+#include <glassbox/base/random.h>
 
 #include <cmath>
 

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include <glassbox/base/random.h>
 #include <glassbox/pipeline/clip.h>
 
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 
 namespace glassbox::test {
 

@@ -5,13 +5,13 @@
 #include <limits>
 #include <vector>
 
+#include <glassbox/base/random.h>
 #include <glassbox/pipeline/clip.h>
 #include <glassbox/pipeline/divide.h>
 
 #include "tests/pipeline/clip_cases.h"
 #include "tests/pipeline/rational_geometry.h"
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 
 using namespace glassbox;
 using namespace glassbox::test;

@@ -12,8 +12,6 @@
 namespace glassbox {
 namespace {
 
-using test::Random;
-
 constexpr double u = unit_roundoff<double>;
 using WorldPoint = Point<World, double>;
 

@@ -2,10 +2,10 @@
 #include <bit>
 #include <cstdint>
 
+#include <glassbox/base/random.h>
 #include <glassbox/pipeline/divide.h>
 
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 
 namespace {
 
@@ -20,7 +20,7 @@ std::uint32_t bits(float x) {
 TEST_CASE("for w = 1 the divide can be left out: the bits are the same (S4-08)") {
   const std::uint64_t seed = 31;
   INFO("seed " << seed);
-  test::Random random(seed);
+  Random random(seed);
   volatile float one = 1;  // a division that the compiler cannot leave out
   for (int i = 0; i < 10000; ++i) {
     const float x = std::bit_cast<float>(std::uint32_t(random.bits()));
@@ -36,7 +36,7 @@ TEST_CASE("for w = 1 the divide can be left out: the bits are the same (S4-08)")
 TEST_CASE("the quotient is the float nearest to the exact one; multiplying by 1/w often is not") {
   const std::uint64_t seed = 32;
   INFO("seed " << seed);
-  test::Random random(seed);
+  Random random(seed);
   int product_differs = 0;
   for (int i = 0; i < 10000; ++i) {
     const float x = float(random.between(-4, 4)), w = float(random.between(0.5, 100));

@@ -15,8 +15,6 @@
 namespace glassbox {
 namespace {
 
-using test::Random;
-
 constexpr double u = unit_roundoff<double>;
 
 std::uint64_t ulps_apart(const glm::dmat4& a, const glm::dmat4& b) {

@@ -1,5 +1,5 @@
 #include <tests/support/catch.h>
-#include <tests/support/random.h>
+#include <glassbox/base/random.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +13,6 @@
 
 namespace glassbox {
 namespace {
-
-using test::Random;
 
 Box<World> box_of(const Point<World, double>& low, const Point<World, double>& high) {
   Box<World> box;

@@ -27,7 +27,6 @@ namespace {
 
 using test::LensCase;
 using test::LookAtCase;
-using test::Random;
 
 constexpr double uf = unit_roundoff<float>, ud = unit_roundoff<double>;
 

@@ -21,7 +21,6 @@ namespace glassbox {
 namespace {
 
 using test::LookAtCase;
-using test::Random;
 using test::Rational;
 
 constexpr double u = unit_roundoff<double>;

@@ -1,16 +1,16 @@
+#include <glassbox/base/random.h>
 #include <tests/pipeline/rational.h>
 #include <tests/support/catch.h>
-#include <tests/support/random.h>
 
 #include <cmath>
 
 #include <glassbox/pipeline/affine.h>
+#include <glassbox/pipeline/formulas.h>
 #include <glassbox/pipeline/normal_transform.h>
 
 namespace glassbox {
 namespace {
 
-using test::Random;
 using Linear = Transform<World, Object>;
 using Vec = glm::dvec3;
 
@@ -103,6 +103,25 @@ TEST_CASE("sizes that overflow or vanish in float and double do not matter") {
   for (int e : {-600, -300, -60, 60, 300, 600}) {
     const double s = std::ldexp(1.0, e);
     CHECK(normalized(normal_transform(scale<World, Object>(s, 2 * s, 3 * s)) * n) == plain);
+  }
+}
+
+TEST_CASE(
+    "a unit normal has length 1 from the smallest float to the largest, and zero stays zero") {
+  for (const float length : {0x1p-149f, 1e-38f, 1e-31f, 1.0f, 1e30f, 0x1.fffffep127f}) {
+    CAPTURE(length);
+    CHECK(unit_normal<float>({length, 0, 0}) == std::array{1.0f, 0.0f, 0.0f});
+    CHECK(unit_normal<float>({0, -length, 0}) == std::array{0.0f, -1.0f, 0.0f});
+  }
+  CHECK(unit_normal<float>({0, 0, 0}) == std::array{0.0f, 0.0f, 0.0f});
+}
+
+TEST_CASE(
+    "a parallel view's depth is a distance from its near plane, or from its far one if reversed") {
+  for (const bool reversed : {false, true}) {
+    CHECK(parallel_distance(0.0f, reversed, 2, 10) == (reversed ? 10.0f : 2.0f));
+    CHECK(parallel_distance(1.0f, reversed, 2, 10) == (reversed ? 2.0f : 10.0f));
+    CHECK(parallel_distance(0.25f, reversed, 2, 10) == (reversed ? 8.0f : 4.0f));
   }
 }
 

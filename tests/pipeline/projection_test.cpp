@@ -16,7 +16,6 @@ namespace glassbox {
 namespace {
 
 using test::LensCase;
-using test::Random;
 using Exact = boost::multiprecision::cpp_bin_float_50;
 
 constexpr double u = unit_roundoff<double>;

@@ -1,24 +1,24 @@
 // The exact oracle (study/oracle) over Boost's own rationals: headers of tests may show the library.
 #pragma once
 
-#include <tests/support/random.h>
+#include <glassbox/base/random.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
 
-#include "study/oracle/matrix.h"
+#include "exact/matrix.h"
 
 namespace glassbox::test {
 
 using Rational = boost::multiprecision::cpp_rational;
-using RationalMatrix = study::oracle::Matrix4<Rational>;
-using RationalVector = study::oracle::Vector4<Rational>;
-using study::oracle::pythagorean_rotation;
-using study::oracle::PythagoreanRotation;
+using RationalMatrix = exact::Matrix4<Rational>;
+using RationalVector = exact::Vector4<Rational>;
+using exact::pythagorean_rotation;
+using exact::PythagoreanRotation;
 
 // The very numbers of a matrix.
 template <class Matrix>
 RationalMatrix exactly(const Matrix& m) {
-  return study::oracle::exactly<Rational>(m);
+  return exact::exactly<Rational>(m);
 }
 
 inline double error_of(double value, const Rational& exact) {

@@ -1,25 +1,25 @@
-// Clip space in rational arithmetic (study/oracle/clip.h), over Boost's own rationals.
+// Clip space in rational arithmetic (exact/clip.h), over Boost's own rationals.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
 
-#include "study/oracle/clip.h"
+#include "exact/clip.h"
 
 namespace glassbox::test {
 
 using Rational = boost::multiprecision::cpp_rational;
-using RationalPoint = study::oracle::ExactPoint<Rational>;
-using RationalPolygon = study::oracle::ExactPolygon<Rational>;
-using study::oracle::clip;
-using study::oracle::distance;
-using study::oracle::twice_ndc_area;
+using RationalPoint = exact::ExactPoint<Rational>;
+using RationalPolygon = exact::ExactPolygon<Rational>;
+using exact::clip;
+using exact::distance;
+using exact::twice_ndc_area;
 
 inline RationalPoint exactly(const Point<Clip>& p) {
-  return study::oracle::exact_point<Rational>(p);
+  return exact::exact_point<Rational>(p);
 }
 template <class Polygon>
 RationalPolygon exactly(const Polygon& polygon) {
-  return study::oracle::exact_polygon<Rational>(polygon);
+  return exact::exact_polygon<Rational>(polygon);
 }
 
 }  // namespace glassbox::test

@@ -3,7 +3,7 @@
 // generic ones of SPEC C.
 #include <tests/pipeline/rational.h>
 #include <tests/support/catch.h>
-#include <tests/support/random.h>
+#include <glassbox/base/random.h>
 
 #include <cmath>
 
@@ -16,7 +16,6 @@
 namespace glassbox {
 namespace {
 
-using test::Random;
 using test::Rational;
 using test::RationalMatrix;
 using test::RationalVector;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glassbox/base/random.h>
 #include <glassbox/base/rounding.h>
 #include <glassbox/base/spaces.h>
 #include <glassbox/pipeline/divide.h>
@@ -10,12 +11,11 @@
 
 #include "tests/pipeline/rational.h"
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 
 namespace {
 
 using namespace glassbox;
-using glassbox::test::Random;
+using glassbox::Random;
 using glassbox::test::Rational;
 
 constexpr double kU = 0x1p-24;

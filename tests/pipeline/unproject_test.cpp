@@ -13,7 +13,6 @@
 namespace glassbox {
 namespace {
 
-using test::Random;
 using WorldPoint = Point<World, double>;
 
 View view_of(const Lens& lens, DepthRange range = DepthRange::kStandard) {

@@ -1,10 +1,10 @@
 // Encoding, masks and blending.
 #include <cmath>
 
+#include <glassbox/base/random.h>
 #include <glassbox/raster/blend.h>
 
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 
 namespace {
 
@@ -12,7 +12,7 @@ using namespace glassbox;
 
 constexpr Transfer kTransfers[] = {Transfer::kSrgb, Transfer::kNone};
 
-Rgba8 random_texel(test::Random& random) {
+Rgba8 random_texel(Random& random) {
   const std::uint64_t bits = random.bits();
   return {std::uint8_t(bits), std::uint8_t(bits >> 8), std::uint8_t(bits >> 16),
           std::uint8_t(bits >> 24)};
@@ -43,7 +43,7 @@ TEST_CASE("colours outside [0, 1] are clamped, and not a number is black") {
 }
 
 TEST_CASE("blending with alpha 0 keeps every byte, and with alpha 1 replaces it") {
-  test::Random random(1);
+  Random random(1);
   for (const Transfer transfer : kTransfers) {
     for (int i = 0; i < 5000; ++i) {
       const Rgba8 stored = random_texel(random), drawn = random_texel(random);
@@ -59,7 +59,7 @@ TEST_CASE("blending with alpha 0 keeps every byte, and with alpha 1 replaces it"
 TEST_CASE("blending is the weighted mean in linear light") {
   // c and keep and their products and sum are rounded: 4 roundings of numbers up to 1, so 4 u = 2.4e-7 beside the exact
   // value, and 6.1e-5 of a byte; then the byte is the nearest one.
-  test::Random random(2);
+  Random random(2);
   for (int i = 0; i < 5000; ++i) {
     const Rgba8 stored = random_texel(random), drawn = random_texel(random);
     const Rgba source = decoded(Transfer::kNone, drawn);

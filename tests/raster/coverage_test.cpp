@@ -3,11 +3,11 @@
 #include <set>
 #include <vector>
 
+#include <glassbox/base/random.h>
 #include <glassbox/raster/coverage.h>
 
 #include "tests/raster/exact.h"
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 
 namespace {
 

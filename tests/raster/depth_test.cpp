@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include <glassbox/base/random.h>
 #include <glassbox/pipeline/divide.h>
 #include <glassbox/pipeline/projection.h>
 #include <glassbox/raster/coverage.h>
@@ -12,7 +13,6 @@
 
 #include "tests/raster/exact.h"
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 
 namespace {
 

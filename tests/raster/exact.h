@@ -9,7 +9,7 @@
 #include <glassbox/raster/snap.h>
 #include <glassbox/raster/triangle_setup.h>
 
-#include "study/oracle/coverage.h"
+#include "exact/coverage.h"
 
 namespace glassbox::test {
 
@@ -32,7 +32,7 @@ inline ScreenVertex screen_vertex(std::int64_t x, std::int64_t y, float depth = 
   return {{float(x) / float(kSubpixels), float(y) / float(kSubpixels), depth}, inverse_w};
 }
 
-using study::oracle::SnappedTriangle;
+using exact::SnappedTriangle;
 
 inline std::array<ScreenVertex, 3> screen_triangle(const SnappedTriangle& t) {
   return {screen_vertex(t[0].x, t[0].y), screen_vertex(t[1].x, t[1].y),
@@ -48,10 +48,10 @@ inline std::ostream& operator<<(std::ostream& out, const SnappedTriangle& t) {
 // The oracle's coverage, in the compiler's own wide integers: tests ask it millions of times.
 inline Int128 cross_at(const SnappedVertex& a, const SnappedVertex& b, std::int64_t x,
                        std::int64_t y) {
-  return study::oracle::cross_at<Int128>(a, b, x, y);
+  return exact::cross_at<Int128>(a, b, x, y);
 }
 inline bool covers_exactly(const SnappedTriangle& t, std::int64_t x, std::int64_t y) {
-  return study::oracle::covers<Int128>(t, x, y);
+  return exact::covers<Int128>(t, x, y);
 }
 
 }  // namespace glassbox::test

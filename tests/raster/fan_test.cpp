@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
+#include <glassbox/base/random.h>
 #include <tests/support/catch.h>
-#include <tests/support/random.h>
 
 namespace glassbox {
 namespace {
@@ -45,7 +45,7 @@ TEST_CASE("a convex polygon is cut from its first vertex") {
 
 TEST_CASE("every quad without a crossing has an apex whose fan does not fold (C-39, C-49)") {
   constexpr std::uint64_t kSeed = 39;
-  test::Random random(kSeed);
+  Random random(kSeed);
   int bent = 0;
   for (int trial = 0; trial < 100000; ++trial) {
     const auto coordinate = [&] { return std::int32_t(random.integer(-6, 6)); };

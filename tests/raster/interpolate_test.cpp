@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glassbox/base/random.h>
 #include <glassbox/raster/coverage.h>
 #include <glassbox/raster/depth.h>
+#include <glassbox/raster/formulas.h>
 #include <glassbox/raster/interpolate.h>
 
 #include "tests/raster/exact.h"
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 
 namespace {
 
@@ -166,6 +167,19 @@ TEST_CASE("what is equal at the vertices is exactly that everywhere") {
       REQUIRE(plain_interpolation(a, a, a, fragment.weights) == a);
     });
   }
+}
+
+TEST_CASE("two w equal are not three: the weights are those in space") {
+  const std::array<float, 3> lambda{0.25f, 0.25f, 0.5f};
+  for (const std::array<float, 3>& inverse_w :
+       {std::array{1.0f, 1.0f, 0.5f}, std::array{0.5f, 1.0f, 1.0f}, std::array{1.0f, 0.5f, 1.0f}}) {
+    const WeightsInSpace<float> weights = weights_in_space(lambda, inverse_w);
+    const float q = lambda[0] * inverse_w[0] + lambda[1] * inverse_w[1] + lambda[2] * inverse_w[2];
+    CHECK(weights.inverse_w == q);  // powers of two: exact
+    CHECK(std::abs(weights.weight2 - lambda[2] * inverse_w[2] / q) <= 2 * 0x1p-24);
+    CHECK(weights.weight2 != lambda[2]);
+  }
+  CHECK(weights_in_space<float>(lambda, {0.3f, 0.3f, 0.3f}).weight2 == lambda[2]);
 }
 
 TEST_CASE("all w equal: the weights are the screen's, and the distance is exact") {

@@ -4,12 +4,12 @@
 #include <set>
 #include <vector>
 
+#include <glassbox/base/random.h>
 #include <glassbox/raster/line.h>
 #include <glassbox/raster/point.h>
 
 #include "tests/raster/exact.h"
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 
 namespace {
 

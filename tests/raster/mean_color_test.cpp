@@ -2,17 +2,17 @@
 #include <cmath>
 #include <vector>
 
+#include <glassbox/base/random.h>
 #include <glassbox/raster/mean_color.h>
 
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 
 namespace glassbox {
 namespace {
 
 constexpr std::array kCounts{1, 2, 4, 8, 16};
 
-std::vector<Rgba8> any_colors(test::Random& random, int count) {
+std::vector<Rgba8> any_colors(Random& random, int count) {
   std::vector<Rgba8> colors;
   const int range = random.integer(0, 1) == 0 ? 255 : 3;  // neighbours, too, where ties are
   const int first = int(random.integer(0, 255 - range));
@@ -47,7 +47,7 @@ TEST_CASE("equal colours have themselves as mean") {
 }
 
 TEST_CASE("the mean is that of light, to half a byte, whatever the order") {
-  test::Random random(4);
+  Random random(4);
   for (int i = 0; i < 20000; ++i) {
     std::vector<Rgba8> colors = any_colors(random, kCounts[std::size_t(i % 5)]);
     const Rgba8 mean = mean_color(Transfer::kSrgb, colors);
@@ -62,7 +62,7 @@ TEST_CASE("the mean is that of light, to half a byte, whatever the order") {
 }
 
 TEST_CASE("without a transfer, and for alpha, the mean is that of bytes, halves rounded up") {
-  test::Random random(5);
+  Random random(5);
   for (int i = 0; i < 20000; ++i) {
     const std::vector<Rgba8> colors = any_colors(random, kCounts[std::size_t(i % 5)]);
     const Rgba8 mean = mean_color(Transfer::kNone, colors);

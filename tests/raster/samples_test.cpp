@@ -5,12 +5,12 @@
 #include <set>
 #include <vector>
 
+#include <glassbox/base/random.h>
 #include <glassbox/raster/interpolate.h>
 #include <glassbox/raster/samples.h>
 
 #include "tests/raster/exact.h"
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 
 namespace {
 

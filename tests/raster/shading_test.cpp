@@ -3,11 +3,12 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 
+#include <glassbox/base/random.h>
 #include <glassbox/base/trig.h>
+#include <glassbox/raster/light_formulas.h>
 #include <glassbox/raster/shading.h>
 
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 
 namespace {
 
@@ -153,6 +154,42 @@ TEST_CASE("the highlight is the cosine to the power of the shininess, within n -
     REQUIRE(abs(Decimal(light.specular[0]) - exact) <= bound * exact);
     if (n == 1) REQUIRE(light.specular[0] == cosine);
   }
+}
+
+TEST_CASE("no highlight is brighter than the light: a cosine that rounding leaves above 1 is 1") {
+  const Lighting lighting = lighting_of(directional(kPi));
+  Random random(6);
+  for (int i = 0; i < 2000; ++i) {
+    // The viewer stands where the light comes from, and the surface faces both, whatever the length of its normal.
+    const float length = float(random.between(1, 2));
+    const Float3 normal{0, 0, length};
+    const Reflection light = illuminate(lighting, {0, 0, -length}, normal, 1 << 20);
+    REQUIRE(light.specular[0] <= 1);
+    // And seen from aside, along h.
+    const float x = float(random.between(-1, 1)), y = float(random.between(-1, 1));
+    const Float3 viewer = unit<float>({x, y, 1});
+    const Float3 half = unit<float>({viewer[0], viewer[1], viewer[2] + 1});
+    REQUIRE(illuminate(lighting, {-x, -y, -1}, half, 1 << 20).specular[0] <= 1);
+  }
+}
+
+TEST_CASE(
+    "in a parallel view the highlight is the same everywhere, in a perspective one it moves") {
+  Lighting lighting = lighting_of(directional(kPi));
+  const Float3 tilted{0.2f, 0, 1}, aside{3, 0, -1};
+  CHECK(illuminate(lighting, aside, tilted, 8).specular !=
+        illuminate(lighting, kBelow, tilted, 8).specular);
+  lighting.perspective = false;
+  CHECK(illuminate(lighting, aside, tilted, 8).specular ==
+        illuminate(lighting, kBelow, tilted, 8).specular);
+}
+
+TEST_CASE("a surface without a normal shows its own colour, and no light") {
+  const Float3 base{0.25f, 0.5f, 0.75f}, white{1, 1, 1};
+  const Reflection light{{2, 2, 2}, {3, 3, 3}};
+  CHECK(lit<float>(base, {0, 0, 0}, light, white, true) == base);
+  CHECK(lit<float>(base, {0, 0, 1e-30f}, light, white, true) == Float3{3.5f, 4, 4.5f});
+  CHECK(lit<float>(base, {0, 0, 1}, light, white, false) == Float3{0.5f, 1, 1.5f});
 }
 
 TEST_CASE("light is finite however strong and near the source: bright is never black") {

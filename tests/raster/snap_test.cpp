@@ -2,16 +2,16 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 
+#include <glassbox/base/random.h>
 #include <glassbox/raster/snap.h>
 
 #include "tests/raster/exact.h"
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 
 namespace {
 
+using glassbox::Random;
 using glassbox::snap;
-using glassbox::test::Random;
 using glassbox::test::Rational;
 using BigInt = boost::multiprecision::cpp_int;
 

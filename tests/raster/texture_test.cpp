@@ -3,13 +3,13 @@
 #include <cmath>
 #include <limits>
 
+#include <glassbox/base/random.h>
 #include <glassbox/raster/coverage.h>
 #include <glassbox/raster/interpolate.h>
 #include <glassbox/raster/texture.h>
 
 #include "tests/raster/exact.h"
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 
 namespace {
 

@@ -13,9 +13,9 @@
 #include <glassbox/pipeline/look_at.h>
 #include <glassbox/render/trace/tracer.h>
 
+#include <glassbox/base/random.h>
 #include "tests/render/scenes.h"
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 
 namespace glassbox {
 namespace {
@@ -23,8 +23,6 @@ namespace {
 namespace mp = boost::multiprecision;
 // Products of four doubles and sums of some are exact in it, or as good as that: what it rounds is 2^-250 of any bound.
 using Big = mp::number<mp::cpp_bin_float<320, mp::digit_base_2>, mp::et_off>;
-
-using test::Random;
 
 // The largest error in units of its bound. A bound of 0 admits no error.
 class Worst {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstring>
 
+#include <glassbox/base/random.h>
 #include <glassbox/mesh/builtin/scenes.h>
 #include <glassbox/pipeline/framing.h>
 #include <glassbox/render/trace/column_pack.h>
@@ -10,7 +11,6 @@
 #include <glassbox/render/trace/tracer.h>
 
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 
 namespace glassbox {
 namespace {
@@ -71,7 +71,7 @@ std::vector<T> unpacked(const ColumnPack& pack, const std::string& name) {
 }
 
 template <class T>
-std::vector<T> random_bits(test::Random& random, std::size_t count) {
+std::vector<T> random_bits(Random& random, std::size_t count) {
   std::vector<T> numbers(count);
   for (T& number : numbers) {
     const std::uint64_t bits = random.bits();
@@ -87,7 +87,7 @@ bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
 }
 
 TEST_CASE("columns of every type come back to the bit, NaN and empty ones included") {
-  test::Random random(41);
+  Random random(41);
   const auto u8 = random_bits<std::uint8_t>(random, 1000);
   const auto u16 = random_bits<std::uint16_t>(random, 999);
   const auto u32 = random_bits<std::uint32_t>(random, 1001);

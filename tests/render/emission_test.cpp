@@ -1,7 +1,7 @@
 // Light that surfaces emit: one sum after lighting, the same bytes in both engines, nothing where no material emits.
 #include <glassbox/images/srgb.h>
-#include <glassbox/render/trace/json.h>
 #include <glassbox/render/trace/tracer.h>
+#include "app/trace/json.h"
 
 #include <nlohmann/json.hpp>
 

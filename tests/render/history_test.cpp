@@ -9,11 +9,11 @@
 
 #include <glassbox/mesh/builtin/scenes.h>
 #include <glassbox/raster/triangle_setup.h>
-#include <glassbox/render/trace/history_json.h>
+#include "app/pixel/history_json.h"
 
+#include <glassbox/base/random.h>
 #include "tests/render/scenes.h"
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 
 namespace glassbox::test {
 namespace {

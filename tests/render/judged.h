@@ -9,9 +9,9 @@
 
 #include <glassbox/pipeline/view.h>
 #include <glassbox/render/trace/verdict.h>
-#include <glassbox/render/trace/verdict_json.h>
-#include <glassbox/render/trace/verdict_text.h>
 
+#include "app/why/verdict_json.h"
+#include "app/why/verdict_text.h"
 #include "tests/render/scenes.h"
 #include "tests/support/catch.h"
 

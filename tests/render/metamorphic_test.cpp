@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include <glassbox/mesh/builtin/scenes.h>
-#include <glassbox/render/staged.h>
+#include <glassbox/render/staged/staged.h>
 
 #include "tests/render/scenes.h"
 #include "tests/support/catch.h"

@@ -4,9 +4,9 @@
 #include <glassbox/mesh/builtin/scenes.h>
 #include <glassbox/pipeline/divide.h>
 #include <glassbox/raster/triangle_setup.h>
-#include <glassbox/render/object_cull.h>
+#include <glassbox/render/engine/object_cull.h>
 #include <glassbox/render/renderer.h>
-#include <glassbox/render/vertex_stage.h>
+#include <glassbox/render/staged/vertex_stage.h>
 
 #include "tests/render/stereo/pairs.h"
 #include "tests/render/tile/any_case.h"
@@ -17,7 +17,6 @@ namespace {
 
 using test::AnyCase;
 using test::kShare;
-using test::Random;
 
 RenderSettings early(RenderSettings settings = {}) {
   settings.cull_stage = CullStage::kObject;

@@ -11,14 +11,12 @@
 #include <glassbox/pipeline/vertex_chain.h>
 #include <glassbox/render/trace/tracer.h>
 
+#include <glassbox/base/random.h>
 #include "tests/render/scenes.h"
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 
 namespace glassbox {
 namespace {
-
-using test::Random;
 
 constexpr int kSide = 256;  // px
 

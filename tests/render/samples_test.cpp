@@ -14,8 +14,6 @@
 namespace glassbox {
 namespace {
 
-using test::Random;
-
 constexpr std::array kCounts{2, 4, 8, 16};
 
 // White and unlit, in a parallel view in which a unit is a pixel, the middle of the picture at 0.

@@ -4,14 +4,13 @@
 #include <array>
 #include <vector>
 
+#include <glassbox/base/random.h>
 #include <glassbox/mesh/bounds.h>
 #include <glassbox/mesh/scene.h>
 #include <glassbox/pipeline/affine.h>
 #include <glassbox/pipeline/framing.h>
 #include <glassbox/pipeline/look_at.h>
 #include <glassbox/pipeline/view.h>
-
-#include "tests/support/random.h"
 
 namespace glassbox::test {
 

@@ -1,6 +1,6 @@
 // What goes into a stage comes out of it or is accounted for.
 #include <glassbox/mesh/builtin/scenes.h>
-#include <glassbox/render/staged.h>
+#include <glassbox/render/staged/staged.h>
 
 #include "tests/render/scenes.h"
 #include "tests/support/catch.h"

@@ -7,9 +7,9 @@
 
 #include <glassbox/mesh/builtin/scenes.h>
 #include <glassbox/pipeline/framing.h>
-#include <glassbox/render/trace/json.h>
 #include <glassbox/render/trace/tracer.h>
 
+#include "app/trace/json.h"
 #include "tests/render/scenes.h"
 #include "tests/support/catch.h"
 

@@ -7,7 +7,7 @@
 
 #include <glassbox/base/rounding.h>
 #include <glassbox/mesh/builtin/scenes.h>
-#include <glassbox/mesh/load.h>
+#include <glassbox/mesh/formats/load.h>
 #include <glassbox/pipeline/affine.h>
 #include <glassbox/pipeline/clip.h>
 #include <glassbox/pipeline/divide.h>

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <glassbox/raster/depth.h>
-#include <glassbox/render/staged.h>
+#include <glassbox/render/staged/staged.h>
 
 #include "tests/render/judged.h"
 #include "tests/support/catch.h"

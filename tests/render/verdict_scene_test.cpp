@@ -6,12 +6,12 @@
 #include <vector>
 
 #include <glassbox/mesh/builtin/scenes.h>
-#include <glassbox/render/staged.h>
+#include <glassbox/render/staged/staged.h>
 #include <glassbox/render/trace/ledger.h>
 
+#include <glassbox/base/random.h>
 #include "tests/render/scenes.h"
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 
 namespace glassbox::test {
 namespace {

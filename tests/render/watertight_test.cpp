@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include <glassbox/base/trig.h>
-#include <glassbox/render/staged.h>
+#include <glassbox/render/staged/staged.h>
 
 #include "tests/render/scenes.h"
 #include "tests/support/catch.h"
@@ -36,7 +36,7 @@ TEST_CASE("no pixel seen from inside a closed mesh is left open (C-32, C-38, C-4
   // The surface passes behind the eye on all sides, so triangles cross the near plane:
   // nothing may open at the cuts.
   constexpr std::uint64_t kSeed = 32;
-  test::Random random(kSeed);
+  Random random(kSeed);
   for (int trial = 0; trial < 60; ++trial) {
     const int n = int(random.integer(1, 9));
     const Scene scene = test::scene_of(test::star_shaped_surface(n, 0.2, random));
@@ -55,7 +55,7 @@ TEST_CASE(
     "no pixel of a convex room is covered twice, also where the guard band cuts (C-36, C-39, "
     "C-40)") {
   constexpr std::uint64_t kSeed = 36;
-  test::Random random(kSeed);
+  Random random(kSeed);
   for (int trial = 0; trial < 200; ++trial) {
     const int n = int(random.integer(1, 5));
     const Scene scene = test::scene_of(test::star_shaped_surface(n, 0.0, random));
@@ -75,7 +75,7 @@ TEST_CASE(
 
 TEST_CASE("edges that run exactly through pixel centres have one owner in whole pictures (C-43)") {
   // Square pictures with 90 degrees of view, along an axis: grid lines and the diagonals of the quads meet centres.
-  test::Random random(43);
+  Random random(43);
   for (const int size : {33, 64, 65}) {
     for (const int n : {1, 2, 4}) {
       INFO(size << " x " << size << ", grid " << n);

@@ -10,7 +10,7 @@
 
 #include <zlib.h>
 
-#include <glassbox/images/compare/selection.h>
+#include <glassbox/compare/pixels/selection.h>
 
 namespace glassbox::test {
 

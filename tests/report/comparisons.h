@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include <glassbox/images/compare/comparison.h>
+#include <glassbox/compare/pictures/comparison.h>
 
 namespace glassbox::test {
 

@@ -6,10 +6,10 @@
 #include "tests/compare/pictures.h"
 #include "tests/images/temporary_directory.h"
 
+#include <glassbox/compare/pixels/heat_map.h>
+#include <glassbox/compare/report/heat.h>
 #include <glassbox/images/atomic_file.h>
-#include <glassbox/images/compare/heat_map.h>
 #include <glassbox/images/read.h>
-#include <glassbox/images/report/heat.h>
 #include <glassbox/images/write.h>
 
 namespace glassbox::test {

@@ -10,7 +10,7 @@
 
 #include "tests/report/comparisons.h"
 
-#include <glassbox/images/report/json.h>
+#include <glassbox/compare/report/json.h>
 
 namespace glassbox::test {
 namespace {

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
+#include <glassbox/base/random.h>
 #include "tests/images/temporary_directory.h"
 #include "tests/report/comparisons.h"
 #include "tests/report/xml.h"
-#include "tests/support/random.h"
 #include "tests/support/skip.h"
 
-#include <glassbox/images/report/junit.h>
+#include <glassbox/compare/report/junit.h>
 
 namespace glassbox::test {
 namespace {

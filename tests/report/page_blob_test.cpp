@@ -4,17 +4,15 @@
 #include <cstring>
 #include <type_traits>
 
-#include <glassbox/images/report/page_blob.h>
-#include <glassbox/images/report/page_crops.h>
+#include <glassbox/base/random.h>
+#include <glassbox/compare/report/page_blob.h>
+#include <glassbox/compare/report/page_crops.h>
 
 #include "tests/report/blob.h"
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 
 namespace glassbox {
 namespace {
-
-using test::Random;
 
 // Any bits at all: floats are NaN with any payload, infinite and subnormal, too.
 template <class Sample>

@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <glassbox/images/compare/heat_map.h>
-#include <glassbox/images/report/page.h>
+#include <glassbox/compare/pixels/heat_map.h>
+#include <glassbox/compare/report/page.h>
 #include <glassbox/images/write.h>
 
 #include "tests/images/temporary_directory.h"

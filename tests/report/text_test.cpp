@@ -7,7 +7,7 @@
 
 #include "tests/report/comparisons.h"
 
-#include <glassbox/images/report/text.h>
+#include <glassbox/compare/report/text.h>
 
 namespace glassbox::test {
 namespace {

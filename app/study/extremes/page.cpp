@@ -3,10 +3,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include <glassbox/images/html/blob.h>
+#include <glassbox/html/blob.h>
 
 #include "app/study/extremes/report.h"
-
 #include "extremes_page_parts.h"  // made by html/embed.cmake
 
 namespace glassbox::app {

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "app/report/text_layout.h"
 #include "app/study/extremes/report.h"
-#include "app/text_layout.h"
 
 namespace glassbox::app {
 

@@ -6,10 +6,10 @@
 #include <glassbox/pipeline/dialects.h>
 #include <glassbox/pipeline/normal_transform.h>
 #include <glassbox/raster/shading.h>
-#include <glassbox/render/stopwatch.h>
+#include <glassbox/render/engine/stopwatch.h>
 
 #include "study/bench/mesa/shaders.h"
-#include "study/bench/vertex_arrays.h"
+#include "study/scenes/vertex_arrays.h"
 
 namespace glassbox::study {
 

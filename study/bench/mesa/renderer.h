@@ -8,8 +8,8 @@
 #include <glassbox/base/error.h>
 
 #include "study/bench/mesa/osmesa.h"
-#include "study/bench/picture_match.h"
-#include "study/bench/scenes.h"
+#include "study/scenes/picture_match.h"
+#include "study/scenes/scenes.h"
 
 namespace glassbox::study {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glassbox/render/staged.h>
+#include <glassbox/render/staged/staged.h>
 
 namespace glassbox::study {
 

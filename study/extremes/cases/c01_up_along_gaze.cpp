@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
+#include "exact/camera.h"
 #include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/world.h"
 #include "study/extremes/kit/worst.h"
 #include "study/naive/camera.h"
-#include "study/oracle/camera.h"
 
 namespace glassbox::study {
 namespace c01 {
@@ -23,15 +23,14 @@ Outcome judge(LookAt look_at_under_test) {
   for (const double sine : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 2e-6}) {
     const WorldVector up = gaze + across * sine;
     const auto view = look_at_under_test(eye, target, up);
-    const oracle::Matrix4<oracle::Decimal> exact = oracle::look_at(eye, target, up);
+    const exact::Matrix4<exact::Decimal> exact = exact::look_at(eye, target, up);
     // look_at.h: rotation entries within (8 + 4/sine) u. sine of the angle: atan(sine) makes no difference to it.
     const double bound = (8 + 4 / sine) * u;
     for (int row = 0; row < 3; ++row) {
       for (int column = 0; column < 3; ++column) {
-        const double error = view
-                                 ? oracle::error_of(view->at(row, column),
+        const double error = view ? exact::error_of(view->at(row, column),
                                                     exact.at[std::size_t(row)][std::size_t(column)])
-                                 : 1;
+                                  : 1;
         worst.see(error, bound, fmt::format("up {:g} rad from the gaze", sine), 1 / sine);
       }
     }

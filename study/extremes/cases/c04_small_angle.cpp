@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
+#include "exact/number.h"
 #include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/world.h"
 #include "study/extremes/kit/worst.h"
 #include "study/naive/camera.h"
-#include "study/oracle/number.h"
 
 namespace glassbox::study {
 namespace c04 {
@@ -25,8 +25,8 @@ Outcome judge(AngleOf angle_of) {
       // The angle that the matrix as rounded stands for: sine and cosine are entries of it.
       const double sine = axis.z != 0 ? r->at(1, 0) : axis.y != 0 ? r->at(0, 2) : -r->at(2, 1);
       const double cosine = axis.z != 0 ? r->at(0, 0) : axis.y != 0 ? r->at(2, 2) : r->at(1, 1);
-      const oracle::Decimal exact = oracle::atan2(oracle::Decimal(sine), oracle::Decimal(cosine));
-      const double error = oracle::error_of(angle_of(r->columns), exact) / double(exact);
+      const exact::Decimal exact = exact::atan2(exact::Decimal(sine), exact::Decimal(cosine));
+      const double error = exact::error_of(angle_of(r->columns), exact) / double(exact);
       worst.see(error, 4 * unit_roundoff<double>, fmt::format("angle {:g}", radians), 1 / radians);
     }
   }

@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
+#include "exact/camera.h"
 #include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/world.h"
 #include "study/extremes/kit/worst.h"
 #include "study/naive/camera.h"
-#include "study/oracle/camera.h"
 
 namespace glassbox::study {
 namespace c05 {
@@ -21,13 +21,12 @@ Outcome judge(LookAt look_at_under_test) {
   for (const double off : {0.0, 1e-200, 1e-17, 1e-12, 1e-9, -1e-9, 1e-6, -1e-6}) {
     const WorldPoint target{off, -2 * off, 1};
     const auto view = look_at_under_test(eye, target, up);
-    const oracle::Matrix4<oracle::Decimal> exact = oracle::look_at(eye, target, up);
+    const exact::Matrix4<exact::Decimal> exact = exact::look_at(eye, target, up);
     for (int row = 0; row < 3; ++row) {
       for (int column = 0; column < 3; ++column) {
-        const double error = view
-                                 ? oracle::error_of(view->at(row, column),
+        const double error = view ? exact::error_of(view->at(row, column),
                                                     exact.at[std::size_t(row)][std::size_t(column)])
-                                 : HUGE_VAL;
+                                  : HUGE_VAL;
         // Two rotations of 8 u each and their product: gamma_3 of entries below 1, and the angle of the roll, whose
         // sine and cosine are quotients of entries with 16 u of error over the length of up in the plane (at least
         // 0.97): 8 + 8 + 3 + 17 = 36 u.

@@ -2,11 +2,11 @@
 #include <glassbox/pipeline/look_at.h>
 #include <glassbox/pipeline/projection.h>
 
+#include "exact/camera.h"
 #include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/world.h"
 #include "study/extremes/kit/worst.h"
 #include "study/naive/camera.h"
-#include "study/oracle/camera.h"
 
 namespace glassbox::study {
 namespace c06 {
@@ -21,17 +21,17 @@ Outcome judge(Camera60 camera) {
   const WorldPoint eye{1, 2, 6}, target{0.5, 1, 0};
   const WorldVector up{0, 1, 0};
   const auto clip_from_world = camera(eye, target, up);
-  const auto eye_from_world = oracle::look_at(eye, target, up);
-  const oracle::Decimal cotangent = oracle::sqrt(oracle::Decimal(3));  // of 30 degrees
+  const auto eye_from_world = exact::look_at(eye, target, up);
+  const exact::Decimal cotangent = exact::sqrt(exact::Decimal(3));  // of 30 degrees
   Worst worst;
   for (const auto& [x, y] : kGlyph) {
-    const auto p = eye_from_world * oracle::exactly<oracle::Decimal>(WorldPoint(x, y, 0));
+    const auto p = eye_from_world * exact::exactly<exact::Decimal>(WorldPoint(x, y, 0));
     const Point<Clip, double> c = clip_from_world * WorldPoint(x, y, 0);
     // Entries of both matrices are within 16 u, coordinates below 8 and w above 5: 16 u * 4 * 8 in a coordinate of clip
     // space, and the quotient has twice that over 5.
     constexpr double kBound = 2 * 16 * 4 * 8 / 5.0 * unit_roundoff<double>;
-    worst.see(oracle::error_of(c.x / c.w, cotangent * p[0] / -p[2]), kBound, "x of the glyph");
-    worst.see(oracle::error_of(c.y / c.w, cotangent * p[1] / -p[2]), kBound, "y of the glyph");
+    worst.see(exact::error_of(c.x / c.w, cotangent * p[0] / -p[2]), kBound, "x of the glyph");
+    worst.see(exact::error_of(c.y / c.w, cotangent * p[1] / -p[2]), kBound, "y of the glyph");
   }
   return worst.outcome();
 }

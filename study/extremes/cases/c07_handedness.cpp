@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <glassbox/base/random.h>
 #include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/worst.h"
-#include "study/random.h"
 
 namespace glassbox::study {
 namespace c07 {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <optional>
 
+#include "exact/number.h"
 #include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/worst.h"
-#include "study/oracle/number.h"
 
 namespace glassbox::study {
 namespace c08 {
@@ -20,11 +20,11 @@ Outcome judge(Scale scale) {
   Worst worst;
   for (const double degrees : {1e-6, 1e-3, 1.0, 45.0, 90.0, 179.0, 179.99, 179.9999}) {
     const auto value = scale(degrees);
-    const oracle::Decimal half =
-        oracle::Decimal(degrees) * oracle::pi() / oracle::Decimal(std::int64_t(360));
-    const oracle::Decimal exact = oracle::Decimal(1) / oracle::tan(half);
+    const exact::Decimal half =
+        exact::Decimal(degrees) * exact::pi() / exact::Decimal(std::int64_t(360));
+    const exact::Decimal exact = exact::Decimal(1) / exact::tan(half);
     // projection.h: 4 ulps, each at most 2 u of the value.
-    worst.see(value ? oracle::error_of(*value, exact) / double(exact) : HUGE_VAL,
+    worst.see(value ? exact::error_of(*value, exact) / double(exact) : HUGE_VAL,
               8 * unit_roundoff<double>, fmt::format("{} degrees", degrees),
               fov_condition(radians_from_degrees(degrees)));
   }

@@ -4,15 +4,15 @@
 #include <fmt/format.h>
 #include <cmath>
 
+#include "exact/number.h"
 #include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/worst.h"
 #include "study/naive/projection.h"
-#include "study/oracle/number.h"
 
 namespace glassbox::study {
 namespace c09 {
 
-using oracle::Rational;
+using exact::Rational;
 using Lens = Result<Transform<Clip, Eye>> (*)(double near, double far);
 
 Outcome judge(Lens lens) {
@@ -25,8 +25,8 @@ Outcome judge(Lens lens) {
     const std::string where = fmt::format("near {:g}, far {:g}", n, f);
     // projection.h: 4 ulps, each at most 2 u of the value.
     constexpr double kBound = 8 * unit_roundoff<double>;
-    worst.see(m ? oracle::error_of(m->at(2, 2), alpha) / -double(alpha) : HUGE_VAL, kBound, where);
-    worst.see(m ? oracle::error_of(m->at(2, 3), beta) / -double(beta) : HUGE_VAL, kBound, where);
+    worst.see(m ? exact::error_of(m->at(2, 2), alpha) / -double(alpha) : HUGE_VAL, kBound, where);
+    worst.see(m ? exact::error_of(m->at(2, 3), beta) / -double(beta) : HUGE_VAL, kBound, where);
   }
   int accepted = 0;
   for (const auto& [n, f] :

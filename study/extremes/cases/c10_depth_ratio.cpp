@@ -5,15 +5,15 @@
 #include <fmt/format.h>
 #include <limits>
 
+#include "exact/number.h"
 #include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/worst.h"
 #include "study/naive/projection.h"
-#include "study/oracle/number.h"
 
 namespace glassbox::study {
 namespace c10 {
 
-using oracle::Rational;
+using exact::Rational;
 
 struct Planes {
   double near, far;

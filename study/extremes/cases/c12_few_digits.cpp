@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glassbox/base/random.h>
 #include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/world.h"
 #include "study/extremes/kit/worst.h"
-#include "study/random.h"
 
 namespace glassbox::study {
 namespace c12 {

@@ -4,17 +4,17 @@
 
 #include <fmt/format.h>
 
+#include <glassbox/base/random.h>
+#include "exact/camera.h"
 #include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/world.h"
 #include "study/extremes/kit/worst.h"
 #include "study/naive/transform.h"
-#include "study/oracle/camera.h"
-#include "study/random.h"
 
 namespace glassbox::study {
 namespace c13 {
 
-using oracle::Decimal;
+using exact::Decimal;
 using ToEye = Point<Eye> (*)(const Transform<Eye, World>&, const Transform<World, Object>&,
                              const Point<Object>&);
 
@@ -25,23 +25,23 @@ Outcome judge(ToEye to_eye) {
     const WorldVector place{offset, -offset, offset * 0.5};
     const WorldPoint eye = WorldPoint{3, 4, 5} + place, target = WorldPoint{0, 0, 0} + place;
     const auto view = look_at(eye, target, {0, 1, 0}).value();
-    const auto exact_view = oracle::look_at(eye, target, {0, 1, 0});
+    const auto exact_view = exact::look_at(eye, target, {0, 1, 0});
     for (int i = 0; i < 100; ++i) {
       const Point<Object> p{float(random.between(-1, 1)), float(random.between(-1, 1)),
                             float(random.between(-1, 1))};
       const Point<Eye> image = to_eye(view, translate<World, Object>(place), p);
-      const oracle::Vector4<Decimal> world{Decimal(place.x) + Decimal(double(p.x)),
-                                           Decimal(place.y) + Decimal(double(p.y)),
-                                           Decimal(place.z) + Decimal(double(p.z)), Decimal(1)};
+      const exact::Vector4<Decimal> world{Decimal(place.x) + Decimal(double(p.x)),
+                                          Decimal(place.y) + Decimal(double(p.y)),
+                                          Decimal(place.z) + Decimal(double(p.z)), Decimal(1)};
       const auto exact = exact_view * world;
       // In float: matrix entries u |M||x| and the transform gamma_4 |M||x|, |M||x| <= sqrt(3) + 7.1 < 9. In double: the
       // translation, three products and sums of sizes up to 2.3 offset and the rotation's own 16 u of them.
       const double bound =
           9 * (unit_roundoff<float> + gamma<float>(4)) + 24 * 2.3 * offset * unit_roundoff<double>;
       const std::string where = fmt::format("offset {:g}", offset);
-      worst.see(oracle::error_of(double(image.x), exact[0]), bound, where);
-      worst.see(oracle::error_of(double(image.y), exact[1]), bound, where);
-      worst.see(oracle::error_of(double(image.z), exact[2]), bound, where);
+      worst.see(exact::error_of(double(image.x), exact[0]), bound, where);
+      worst.see(exact::error_of(double(image.y), exact[1]), bound, where);
+      worst.see(exact::error_of(double(image.z), exact[2]), bound, where);
     }
   }
   return worst.outcome();

@@ -3,16 +3,16 @@
 
 #include <fmt/format.h>
 
+#include "exact/number.h"
 #include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/world.h"
 #include "study/extremes/kit/worst.h"
 #include "study/naive/transform.h"
-#include "study/oracle/number.h"
 
 namespace glassbox::study {
 namespace c14 {
 
-using oracle::Rational;
+using exact::Rational;
 using ToEye = Point<Eye> (*)(const Transform<Eye, World>&, const Transform<World, Object>&,
                              const Point<Object>&);
 
@@ -28,10 +28,10 @@ Outcome judge(ToEye to_eye) {
                             (corner & 4) != 0 ? half : -half};
       const Point<Eye> image = to_eye(view, translate<World, Object>(place), p);
       const std::string where = fmt::format("a cube of {:.1f} m", 2 * half);
-      worst.see(oracle::error_of(double(image.x), Rational(double(p.x))), 0, where);
-      worst.see(oracle::error_of(double(image.y), Rational(double(p.y))), 0, where);
+      worst.see(exact::error_of(double(image.x), Rational(double(p.x))), 0, where);
+      worst.see(exact::error_of(double(image.y), Rational(double(p.y))), 0, where);
       // One rounding of z - 2, below 4 in size: half an ulp of 2.
-      worst.see(oracle::error_of(double(image.z), Rational(double(p.z)) - Rational(2)), 0x1p-23,
+      worst.see(exact::error_of(double(image.z), Rational(double(p.z)) - Rational(2)), 0x1p-23,
                 where);
     }
   }

@@ -5,17 +5,17 @@
 #include <algorithm>
 #include <vector>
 
+#include <glassbox/base/random.h>
+#include "exact/matrix.h"
+#include "exact/number.h"
 #include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/world.h"
 #include "study/extremes/kit/worst.h"
-#include "study/oracle/matrix.h"
-#include "study/oracle/number.h"
-#include "study/random.h"
 
 namespace glassbox::study {
 namespace c15 {
 
-using oracle::Decimal;
+using exact::Decimal;
 constexpr int kDepth = 100;
 
 using Compose = glm::dmat4 (*)(const std::vector<WorldMap>&);
@@ -37,10 +37,10 @@ std::vector<WorldMap> hierarchy() {
 Outcome judge(Compose compose) {
   const std::vector<WorldMap> levels = hierarchy();
   const glm::dmat4 product = compose(levels);
-  auto exact = oracle::Matrix4<Decimal>::identity();
+  auto exact = exact::Matrix4<Decimal>::identity();
   Worst worst;
   for (const WorldMap& level : levels) {
-    exact = exact * oracle::exactly<Decimal>(level);
+    exact = exact * exact::exactly<Decimal>(level);
   }
   // Level i rounds entries of the product so far: gamma_4 |P_(i-1)||M_i|, carried on by a rotation and scale of at most
   // 1.25. |P||M| <= sqrt(3) 1.25 in the linear part and 4 (3 1.25 + i) in the last column; over 100 levels
@@ -49,14 +49,14 @@ Outcome judge(Compose compose) {
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 4; ++column) {
       worst.see(
-          oracle::error_of(product[column][row], exact.at[std::size_t(row)][std::size_t(column)]),
+          exact::error_of(product[column][row], exact.at[std::size_t(row)][std::size_t(column)]),
           bound, "object to world");
     }
   }
   // There and back.
   const auto back = inverse_affine(WorldMap(product));
   const WorldPoint p{1, 2, 3};
-  const auto there = exact * oracle::exactly<Decimal>(p);
+  const auto there = exact * exact::exactly<Decimal>(p);
   const WorldPoint home =
       back ? *back * WorldPoint(double(there[0]), double(there[1]), double(there[2]))
            : WorldPoint(HUGE_VAL, 0, 0);

@@ -1,15 +1,15 @@
 #include <glassbox/mesh/builtin/cube.h>
 #include <glassbox/pipeline/affine.h>
 #include <glassbox/pipeline/look_at.h>
-#include <glassbox/render/staged.h>
+#include <glassbox/render/staged/staged.h>
 
 #include <string>
 
+#include <glassbox/base/random.h>
 #include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/normals_case.h"
 #include "study/extremes/kit/worst.h"
 #include "study/naive/transform.h"
-#include "study/random.h"
 
 namespace glassbox::study {
 namespace c17 {

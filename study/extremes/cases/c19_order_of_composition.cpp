@@ -2,17 +2,17 @@
 
 #include <fmt/format.h>
 
+#include "exact/matrix.h"
+#include "exact/number.h"
 #include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/world.h"
 #include "study/extremes/kit/worst.h"
 #include "study/naive/transform.h"
-#include "study/oracle/matrix.h"
-#include "study/oracle/number.h"
 
 namespace glassbox::study {
 namespace c19 {
 
-using oracle::Rational;
+using exact::Rational;
 // Turns about the object's own origin, then moves.
 using Place = glm::dmat4 (*)(const WorldMap& turn, const WorldMap& move);
 
@@ -23,13 +23,13 @@ Outcome judge(Place place) {
     const WorldVector offset{3, -5, 8};
     const glm::dmat4 m = place(turn, translate<World>(offset));
     for (const WorldPoint& p : {WorldPoint(0, 0, 0), WorldPoint(1, 2, 3), WorldPoint(-4, 0, 7)}) {
-      const auto turned = oracle::exactly<Rational>(turn) * oracle::exactly<Rational>(p);
+      const auto turned = exact::exactly<Rational>(turn) * exact::exactly<Rational>(p);
       const Rational exact[] = {turned[0] + Rational(3), turned[1] - Rational(5),
                                 turned[2] + Rational(8)};
       const WorldPoint placed = WorldMap(m) * p;
       const double found[] = {placed.x, placed.y, placed.z};
       for (std::size_t k = 0; k < 3; ++k) {
-        worst.see(oracle::error_of(found[k], exact[k]), 0, fmt::format("{} degrees", degrees));
+        worst.see(exact::error_of(found[k], exact[k]), 0, fmt::format("{} degrees", degrees));
       }
     }
   }

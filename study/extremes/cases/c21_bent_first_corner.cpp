@@ -5,7 +5,8 @@
 #include "study/extremes/kit/polygons.h"
 #include "study/extremes/kit/worst.h"
 #include "study/naive/normals.h"
-#include "study/random.h"
+
+#include <glassbox/base/random.h>
 
 namespace glassbox::study {
 namespace c21 {
@@ -14,7 +15,7 @@ constexpr double kNoise = 1e-4;
 
 Outcome judge(PolygonNormal normal) {
   Random random(721);
-  const Vector<Object, oracle::Rational> up(0, 0, 1);
+  const Vector<Object, exact::Rational> up(0, 0, 1);
   Worst worst;
   for (const double bend : {1e-1, 1e-2, 1e-3, 1e-4}) {
     for (int i = 0; i < 50; ++i) {

@@ -15,7 +15,7 @@
 namespace glassbox::study {
 namespace c26 {
 
-using oracle::Decimal;
+using exact::Decimal;
 
 struct Quads {
   double (*deviation)(const Polygon&);                            // from the mean plane
@@ -34,9 +34,9 @@ Outcome judge(const Quads& quads) {
       // m = (-h, -h, 2); the corners lie +-(h/2)/|m| from the plane through their mean, h/4 to first order.
       const Decimal height{double(h)};
       const Decimal exact =
-          height / Decimal(2) / oracle::sqrt(Decimal(2) * height * height + Decimal(4));
+          height / Decimal(2) / exact::sqrt(Decimal(2) * height * height + Decimal(4));
       // In double: a dozen roundings of numbers up to 1.
-      worst.see(oracle::error_of(quads.deviation(turned), exact), gamma<double>(12),
+      worst.see(exact::error_of(quads.deviation(turned), exact), gamma<double>(12),
                 fmt::format("corner lifted by {:g}", h));
       const auto [a, b] = quads.diagonal(turned);
       using Corner2 = std::pair<float, float>;

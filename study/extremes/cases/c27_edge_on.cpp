@@ -1,9 +1,9 @@
+#include <glassbox/base/random.h>
 #include <glassbox/pipeline/back_face.h>
 
 #include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/worst.h"
 #include "study/naive/normals.h"
-#include "study/random.h"
 
 namespace glassbox::study {
 namespace c27 {

@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glassbox/base/random.h>
 #include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/worst.h"
 #include "study/naive/normals.h"
-#include "study/random.h"
 
 namespace glassbox::study {
 namespace c29 {

@@ -1,8 +1,8 @@
 #include <glassbox/mesh/builtin/sphere.h>
 #include <glassbox/mesh/normals.h>
 #include <glassbox/pipeline/look_at.h>
-#include <glassbox/render/draw_list.h>
-#include <glassbox/render/staged.h>
+#include <glassbox/render/engine/draw_list.h>
+#include <glassbox/render/staged/staged.h>
 
 #include <cmath>
 #include <utility>

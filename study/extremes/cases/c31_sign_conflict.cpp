@@ -1,10 +1,10 @@
+#include <glassbox/base/random.h>
 #include <glassbox/mesh/normals.h>
 
 #include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/polygons.h"
 #include "study/extremes/kit/worst.h"
 #include "study/naive/normals.h"
-#include "study/random.h"
 
 namespace glassbox::study {
 namespace c31 {

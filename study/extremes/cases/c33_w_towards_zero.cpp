@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "study/extremes/cases/cases.h"
-#include "study/extremes/kit/clip_case.h"
+#include "study/extremes/cases/clip_case.h"
 #include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "study/extremes/cases/cases.h"
-#include "study/extremes/kit/clip_case.h"
+#include "study/extremes/cases/clip_case.h"
 #include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
@@ -25,9 +25,9 @@ Outcome judge(Clips clips) {
         p[std::size_t(k)] = behind ? random_position(random, -1, 0) : random_position(random, 0, 1);
       }
       const ClipTriangle t = clip_corners(p[0], p[1], p[2]);
-      const auto exact = oracle::clip(oracle::exact_polygon<oracle::Rational>(t), planes);
+      const auto exact = exact::clip(exact::exact_polygon<exact::Rational>(t), planes);
       const bool too_near = std::any_of(
-          exact.begin(), exact.end(), [](const auto& v) { return v.w < oracle::Rational(0.0625); });
+          exact.begin(), exact.end(), [](const auto& v) { return v.w < exact::Rational(0.0625); });
       if (too_near) continue;
       const Outline outline = clips(t, planes);
       const std::string where = fmt::format("signs of w {:03b}", signs);

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "study/extremes/cases/cases.h"
-#include "study/extremes/kit/clip_case.h"
+#include "study/extremes/cases/clip_case.h"
 #include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {

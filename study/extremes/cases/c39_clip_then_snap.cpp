@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "study/extremes/cases/cases.h"
-#include "study/extremes/kit/clip_coverage.h"
+#include "study/extremes/cases/clip_coverage.h"
 #include "study/extremes/kit/coverage.h"
 
 namespace glassbox::study {

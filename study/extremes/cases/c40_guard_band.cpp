@@ -3,15 +3,15 @@
 #include <limits>
 #include <set>
 
+#include "exact/coverage.h"
 #include "study/extremes/cases/cases.h"
-#include "study/extremes/kit/clip_coverage.h"
+#include "study/extremes/cases/clip_coverage.h"
 #include "study/extremes/kit/worst.h"
-#include "study/oracle/coverage.h"
 
 namespace glassbox::study {
 namespace c40 {
 
-using oracle::Decimal;
+using exact::Decimal;
 constexpr int kSide = 256, kStep = 8;
 
 using Pixels = std::set<std::pair<int, int>>;
@@ -90,7 +90,7 @@ Pixels ours(const ClipTriangle& t, const Viewport& viewport) {
 // that is wrong.
 template <class ToInteger>
 Pixels without_guard_band(const ClipTriangle& t, ToInteger to_integer) {
-  oracle::SnappedTriangle snapped;
+  exact::SnappedTriangle snapped;
   for (std::size_t k = 0; k < 3; ++k) {
     const double x = 128 + 128 * double(t[k].position.x), y = 128 - 128 * double(t[k].position.y);
     snapped[k] = {to_integer(std::floor(x * 256 + 0.5)), to_integer(std::floor(y * 256 + 0.5))};
@@ -98,7 +98,7 @@ Pixels without_guard_band(const ClipTriangle& t, ToInteger to_integer) {
   Pixels pixels;
   for (int y = kStep / 2; y < kSide; y += kStep) {
     for (int x = kStep / 2; x < kSide; x += kStep) {
-      if (oracle::covers<oracle::Integer>(snapped, x, y)) pixels.insert({x, y});
+      if (exact::covers<exact::Integer>(snapped, x, y)) pixels.insert({x, y});
     }
   }
   return pixels;

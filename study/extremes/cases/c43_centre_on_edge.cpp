@@ -1,7 +1,8 @@
 #include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/coverage.h"
 #include "study/naive/coverage.h"
-#include "study/random.h"
+
+#include <glassbox/base/random.h>
 
 namespace glassbox::study {
 

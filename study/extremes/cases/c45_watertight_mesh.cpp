@@ -2,7 +2,8 @@
 #include "study/extremes/kit/coverage.h"
 #include "study/extremes/kit/screen_scene.h"
 #include "study/naive/coverage.h"
-#include "study/random.h"
+
+#include <glassbox/base/random.h>
 
 namespace glassbox::study {
 

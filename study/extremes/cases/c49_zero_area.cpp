@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <glassbox/base/random.h>
 #include <glassbox/raster/coverage.h>
 #include <glassbox/raster/interpolate.h>
 
 #include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/coverage.h"
 #include "study/naive/coverage.h"
-#include "study/random.h"
 
 namespace glassbox::study {
 

@@ -7,7 +7,8 @@
 #include "study/extremes/kit/coverage.h"
 #include "study/extremes/kit/screen_scene.h"
 #include "study/naive/tiles.h"
-#include "study/random.h"
+
+#include <glassbox/base/random.h>
 
 namespace glassbox::study {
 

@@ -4,13 +4,13 @@
 
 #include <fmt/format.h>
 
+#include <glassbox/base/random.h>
 #include <glassbox/raster/line.h>
 #include <glassbox/raster/point.h>
 
 #include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/coverage.h"
 #include "study/naive/lines.h"
-#include "study/random.h"
 
 namespace glassbox::study {
 

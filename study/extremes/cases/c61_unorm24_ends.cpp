@@ -7,7 +7,8 @@
 #include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/depth.h"
 #include "study/naive/depth.h"
-#include "study/random.h"
+
+#include <glassbox/base/random.h>
 
 namespace glassbox::study {
 

@@ -7,7 +7,8 @@
 #include "study/extremes/kit/texel.h"
 #include "study/extremes/kit/worst.h"
 #include "study/naive/attribute.h"
-#include "study/random.h"
+
+#include <glassbox/base/random.h>
 
 namespace glassbox::study {
 

@@ -1,7 +1,7 @@
 // The cases, one file each.
 #pragma once
 
-#include "study/extremes/extreme_case.h"
+#include "study/extremes/kit/extreme_case.h"
 
 namespace glassbox::study {
 

@@ -4,10 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <glassbox/base/random.h>
 #include <glassbox/images/write.h>
 #include <glassbox/raster/coverage.h>
-
-#include "study/random.h"
 
 namespace glassbox::study {
 
@@ -30,7 +29,7 @@ SnappedTriangle exact_snap(const ScreenTriangle& t) {
 
 bool covers_exactly(const SnappedTriangle& t, std::int64_t x, std::int64_t y) {
   __extension__ typedef __int128 Int128;
-  return oracle::covers<Int128>(t, x, y);
+  return exact::covers<Int128>(t, x, y);
 }
 
 std::string CoverageFaults::text() const {

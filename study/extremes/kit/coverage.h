@@ -12,13 +12,13 @@
 #include <glassbox/raster/snap.h>
 #include <glassbox/raster/stages.h>
 
-#include "study/extremes/extreme_case.h"
-#include "study/oracle/coverage.h"
+#include "exact/coverage.h"
+#include "study/extremes/kit/extreme_case.h"
 
 namespace glassbox::study {
 
 using ScreenTriangle = std::array<ScreenVertex, 3>;
-using oracle::SnappedTriangle;
+using exact::SnappedTriangle;
 
 // A rasterizer: calls the visitor for each pixel of the window that it thinks covered.
 using Visit = std::function<void(int x, int y)>;

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include <glassbox/base/random.h>
 #include <glassbox/pipeline/dialects.h>
 #include <glassbox/pipeline/divide.h>
 
 #include "study/extremes/kit/screen_scene.h"
-#include "study/random.h"
 
 namespace glassbox::study {
 

@@ -15,19 +15,18 @@ inline Normal<World> by_cofactors(const Transform<World, Object>& m, const Norma
 }
 
 // The signed cofactors of the very matrix, times the very normal.
-inline Vector<Object, oracle::Rational> exact_normal(const Transform<World, Object>& m,
-                                                     const Normal<Object>& n) {
-  using V = Vector<Object, oracle::Rational>;
+inline Vector<Object, exact::Rational> exact_normal(const Transform<World, Object>& m,
+                                                    const Normal<Object>& n) {
+  using V = Vector<Object, exact::Rational>;
   const auto column = [&](int k) {
-    return V(oracle::Rational(m.at(0, k)), oracle::Rational(m.at(1, k)),
-             oracle::Rational(m.at(2, k)));
+    return V(exact::Rational(m.at(0, k)), exact::Rational(m.at(1, k)), exact::Rational(m.at(2, k)));
   };
   const V cofactors[] = {cross(column(1), column(2)), cross(column(2), column(0)),
                          cross(column(0), column(1))};
-  const oracle::Rational sign(dot(column(0), cofactors[0]) < 0 ? -1 : 1);
-  return cofactors[0] * (sign * oracle::Rational(double(n.x))) +
-         cofactors[1] * (sign * oracle::Rational(double(n.y))) +
-         cofactors[2] * (sign * oracle::Rational(double(n.z)));
+  const exact::Rational sign(dot(column(0), cofactors[0]) < 0 ? -1 : 1);
+  return cofactors[0] * (sign * exact::Rational(double(n.x))) +
+         cofactors[1] * (sign * exact::Rational(double(n.y))) +
+         cofactors[2] * (sign * exact::Rational(double(n.z)));
 }
 
 inline double normal_error(const Normal<World>& normal, const Transform<World, Object>& m,

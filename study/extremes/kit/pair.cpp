@@ -3,7 +3,7 @@
 #include <glassbox/mesh/bounds.h>
 #include <glassbox/mesh/builtin/scenes.h>
 #include <glassbox/pipeline/framing.h>
-#include <glassbox/render/staged.h>
+#include <glassbox/render/staged/staged.h>
 
 namespace glassbox::study {
 

@@ -9,7 +9,7 @@
 #include <glassbox/pipeline/view.h>
 #include <glassbox/render/stereo/render_pair.h>
 
-#include "study/extremes/extreme_case.h"
+#include "study/extremes/kit/extreme_case.h"
 
 namespace glassbox::study {
 

@@ -8,7 +8,7 @@
 #include <glassbox/mesh/mesh.h>
 #include <glassbox/mesh/normals.h>
 
-#include "study/oracle/number.h"
+#include "exact/number.h"
 
 namespace glassbox::study {
 
@@ -37,16 +37,16 @@ inline Vector<Object, double> newell_in_double(std::span<const Point<Object>> po
 }
 
 // The same stage's code in rationals.
-inline Vector<Object, oracle::Rational> exact_newell(std::span<const Point<Object>> polygon) {
-  std::vector<Point<Object, oracle::Rational>> exact;
+inline Vector<Object, exact::Rational> exact_newell(std::span<const Point<Object>> polygon) {
+  std::vector<Point<Object, exact::Rational>> exact;
   for (const Point<Object>& p : polygon) {
-    exact.emplace_back(oracle::Rational(double(p.x)), oracle::Rational(double(p.y)),
-                       oracle::Rational(double(p.z)));
+    exact.emplace_back(exact::Rational(double(p.x)), exact::Rational(double(p.y)),
+                       exact::Rational(double(p.z)));
   }
-  return newell_vector<oracle::Rational>(exact);
+  return newell_vector<exact::Rational>(exact);
 }
 
 // The angle between a vector and an exact one; pi/2 for a vector without direction.
-double angle_to(const Vector<Object, double>& v, const Vector<Object, oracle::Rational>& exact);
+double angle_to(const Vector<Object, double>& v, const Vector<Object, exact::Rational>& exact);
 
 }  // namespace glassbox::study

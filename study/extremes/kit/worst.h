@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "study/extremes/extreme_case.h"
+#include "study/extremes/kit/extreme_case.h"
 
 namespace glassbox::study {
 

@@ -4,8 +4,8 @@
 #include <glassbox/base/trig.h>
 #include <glassbox/pipeline/projection.h>
 
+#include "exact/number.h"
 #include "study/extremes/sweeps/sweeps.h"
-#include "study/oracle/number.h"
 
 namespace glassbox::study {
 
@@ -25,9 +25,9 @@ double both_ends(double degrees) {
 }
 
 double relative_error(double degrees, double scale) {
-  const oracle::Decimal half = oracle::Decimal(degrees) * oracle::pi() / oracle::Decimal(360);
-  const oracle::Decimal exact = oracle::Decimal(1) / oracle::tan(half);
-  return oracle::error_of(scale, exact) / double(exact);
+  const exact::Decimal half = exact::Decimal(degrees) * exact::pi() / exact::Decimal(360);
+  const exact::Decimal exact = exact::Decimal(1) / exact::tan(half);
+  return exact::error_of(scale, exact) / double(exact);
 }
 
 struct Way {

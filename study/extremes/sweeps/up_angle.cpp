@@ -5,9 +5,9 @@
 #include <glassbox/base/rounding.h>
 #include <glassbox/pipeline/look_at.h>
 
+#include "exact/camera.h"
 #include "study/extremes/sweeps/sweeps.h"
 #include "study/naive/camera.h"
-#include "study/oracle/camera.h"
 
 namespace glassbox::study {
 
@@ -28,10 +28,10 @@ Vector<World, double> up_at(double angle) {
 }
 
 double angle_between_u(const Transform<Eye, World>& found,
-                       const oracle::Matrix4<oracle::Decimal>& exact) {
-  const oracle::DecimalVector u(exact.at[0][0], exact.at[0][1], exact.at[0][2]);
-  return oracle::angle(
-      oracle::exactly(Vector<World, double>(found.at(0, 0), found.at(0, 1), found.at(0, 2))), u);
+                       const exact::Matrix4<exact::Decimal>& exact) {
+  const exact::DecimalVector u(exact.at[0][0], exact.at[0][1], exact.at[0][2]);
+  return exact::angle(
+      exact::exactly(Vector<World, double>(found.at(0, 0), found.at(0, 1), found.at(0, 2))), u);
 }
 
 SweepSeries series_of(const char* name, bool ours, LooksAt looks_at, double roundoff) {
@@ -41,7 +41,7 @@ SweepSeries series_of(const char* name, bool ours, LooksAt looks_at, double roun
     const auto found = looks_at(kEye, kTarget, up_at(angle));
     const bool sound = found && std::isfinite(found->at(0, 0));
     const double error = sound
-                             ? angle_between_u(*found, oracle::look_at(kEye, kTarget, up_at(angle)))
+                             ? angle_between_u(*found, exact::look_at(kEye, kTarget, up_at(angle)))
                              : std::numeric_limits<double>::infinity();
     // (8 + 4/sine) u for each entry (pipeline/look_at.h), three entries; no promise where there is no answer.
     const double bound = std::sqrt(3.0) * (8 + 4 / std::sin(angle)) * roundoff;

@@ -4,7 +4,8 @@
 #include "study/extremes/kit/coverage.h"
 #include "study/extremes/sweeps/sweeps.h"
 #include "study/naive/coverage.h"
-#include "study/random.h"
+
+#include <glassbox/base/random.h>
 
 namespace glassbox::study {
 

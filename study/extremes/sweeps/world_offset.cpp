@@ -3,13 +3,13 @@
 
 #include <glm/geometric.hpp>
 
+#include <glassbox/base/random.h>
 #include <glassbox/base/rounding.h>
 #include <glassbox/pipeline/affine.h>
 #include <glassbox/pipeline/bounds.h>
 #include <glassbox/pipeline/look_at.h>
 
 #include "study/extremes/sweeps/sweeps.h"
-#include "study/random.h"
 
 namespace glassbox::study {
 

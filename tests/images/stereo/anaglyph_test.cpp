@@ -12,7 +12,6 @@ namespace {
 
 using namespace glassbox;
 using test::noise;
-using test::Random;
 
 // Independent of the program's tables: IEC 61966-2-1 in double, by libm.
 double light_of(std::uint8_t byte) {

@@ -12,7 +12,6 @@ namespace {
 
 using namespace glassbox;
 using test::noise;
-using test::Random;
 
 Image<Rgba8> through(const Image<Rgba8>& sent, Cable cable) {
   auto arrived = send(sent, cable);

@@ -1,14 +1,12 @@
+#include "tests/images/stereo/pictures.h"
 #include "tests/support/catch.h"
 
 #include <glassbox/images/stereo/layouts.h>
-
-#include "tests/images/stereo/pictures.h"
 
 namespace {
 
 using namespace glassbox;
 using test::noise;
-using test::Random;
 
 struct Eyes {
   Image<Rgba8> left, right;

@@ -12,7 +12,6 @@ namespace {
 
 using namespace glassbox;
 using test::noise;
-using test::Random;
 
 struct Scene {
   Image<Rgba8> left, right;

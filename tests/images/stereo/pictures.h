@@ -1,9 +1,8 @@
 // Pictures to make stereo pairs of.
 #pragma once
 
+#include <glassbox/base/random.h>
 #include <glassbox/images/image.h>
-
-#include "tests/support/random.h"
 
 namespace glassbox::test {
 

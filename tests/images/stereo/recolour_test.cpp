@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include <glassbox/images/metrics/ciede2000.h>
+#include <glassbox/images/colour/ciede2000.h>
 #include <glassbox/images/stereo/recolour.h>
 
 #include "tests/images/stereo/pictures.h"
@@ -13,7 +13,6 @@ namespace {
 
 using namespace glassbox;
 using test::noise;
-using test::Random;
 using enum AnaglyphMethod;
 
 Viewing seen(AnaglyphMethod method) {

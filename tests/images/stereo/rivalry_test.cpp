@@ -13,7 +13,6 @@ namespace {
 
 using namespace glassbox;
 using test::noise;
-using test::Random;
 using enum AnaglyphMethod;
 
 // White, grey, red, green, blue, yellow, cyan, magenta: what the averages of B.6 are over.

@@ -3,10 +3,10 @@
 
 #include <glassbox/images/read.h>
 #include <glassbox/images/write.h>
-#include <glassbox/mesh/load.h>
+#include <glassbox/mesh/formats/load.h>
 #include <glassbox/pipeline/framing.h>
 #include <glassbox/pipeline/view.h>
-#include <glassbox/render/staged.h>
+#include <glassbox/render/staged/staged.h>
 
 namespace {
 

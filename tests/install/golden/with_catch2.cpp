@@ -1,4 +1,4 @@
-#include <glassbox/images/testing/catch2.h>
+#include <glassbox/compare/testing/catch2.h>
 
 #include "renderer.h"
 

@@ -1,4 +1,4 @@
-#include <glassbox/images/testing/gtest.h>
+#include <glassbox/compare/testing/gtest.h>
 
 #include "renderer.h"
 

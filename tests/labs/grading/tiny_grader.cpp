@@ -3,8 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/exit_codes.h"
 #include "app/lab/grade_command.h"
+#include "app/report/exit_codes.h"
 #include "tests/labs/grading/tiny_lab.h"
 
 int main(int argc, char** argv) {

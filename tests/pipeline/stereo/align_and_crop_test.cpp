@@ -8,8 +8,6 @@
 namespace glassbox {
 namespace {
 
-using test::Random;
-
 double snapped(double px) {
   return std::floor(px * 256 + 0.5);
 }

@@ -12,7 +12,6 @@ namespace glassbox {
 namespace {
 
 using test::kInfinity;
-using test::Random;
 
 DepthSpan random_span(Random& random, const View& view) {
   const double a = test::random_distance(random, view), b = test::random_distance(random, view);

@@ -10,7 +10,6 @@
 namespace glassbox {
 namespace {
 
-using test::Random;
 constexpr double u = unit_roundoff<double>;
 
 Transform<Clip, World> composed(const View& view) {

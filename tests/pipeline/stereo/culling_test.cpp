@@ -15,7 +15,6 @@ namespace glassbox {
 namespace {
 
 using test::kInfinity;
-using test::Random;
 
 using FloatMatrix = Transform<Clip, Object, float>;
 

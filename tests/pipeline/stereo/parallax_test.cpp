@@ -11,7 +11,6 @@ namespace glassbox {
 namespace {
 
 using test::kInfinity;
-using test::Random;
 
 double measured_px(const View& centre, const StereoPair& pair, const Point<World, double>& p) {
   return test::screen_of(eye_view(centre, pair, Side::kRight), p).x -

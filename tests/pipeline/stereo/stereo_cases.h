@@ -2,7 +2,7 @@
 #pragma once
 
 #include <tests/support/catch.h>
-#include <tests/support/random.h>
+#include <glassbox/base/random.h>
 
 #include <cmath>
 #include <limits>

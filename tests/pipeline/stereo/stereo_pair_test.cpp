@@ -12,7 +12,6 @@ namespace glassbox {
 namespace {
 
 using test::kInfinity;
-using test::Random;
 using test::view_of;
 
 bool same_bits(float a, float b) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include <glassbox/base/random.h>
 #include <glassbox/pipeline/clip.h>
 #include <glassbox/pipeline/divide.h>
 #include <glassbox/pipeline/projection.h>
@@ -15,13 +16,11 @@
 
 #include "tests/raster/exact.h"
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 
 namespace glassbox {
 namespace {
 
 using test::operator<<;
-using test::Random;
 using test::SnappedTriangle;
 
 template <class T>

@@ -4,20 +4,19 @@
 #include <limits>
 #include <vector>
 
+#include <glassbox/base/random.h>
 #include <glassbox/base/trig.h>
 #include <glassbox/images/srgb.h>
 #include <glassbox/raster/snap.h>
 
 #include "tests/raster/lanes/probes.h"
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 
 namespace glassbox {
 namespace {
 
 using test::lane_probes;
 using test::LaneProbes;
-using test::Random;
 using Float3 = std::array<float, 3>;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();

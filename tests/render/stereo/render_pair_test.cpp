@@ -5,9 +5,9 @@
 #include <glassbox/mesh/builtin/scenes.h>
 #include <glassbox/pipeline/framing.h>
 #include <glassbox/pipeline/stereo/parallax.h>
-#include <glassbox/render/draw_pass.h>
 #include <glassbox/render/renderer.h>
-#include <glassbox/render/staged.h>
+#include <glassbox/render/staged/draw_pass.h>
+#include <glassbox/render/staged/staged.h>
 #include <glassbox/render/stereo/render_pair.h>
 
 #include "tests/render/stereo/pairs.h"

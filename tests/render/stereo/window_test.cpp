@@ -4,25 +4,23 @@
 #include <string>
 #include <vector>
 
+#include <glassbox/base/random.h>
 #include <glassbox/base/trig.h>
 #include <glassbox/mesh/builtin/images.h>
 #include <glassbox/pipeline/divide.h>
 #include <glassbox/pipeline/stereo/align_and_crop.h>
 #include <glassbox/raster/snap.h>
-#include <glassbox/render/draw_list.h>
-#include <glassbox/render/staged.h>
+#include <glassbox/render/engine/draw_list.h>
+#include <glassbox/render/staged/staged.h>
+#include <glassbox/render/staged/vertex_stage.h>
 #include <glassbox/render/stereo/render_pair.h>
-#include <glassbox/render/vertex_stage.h>
 
 #include "tests/render/scenes.h"
 #include "tests/render/stereo/pairs.h"
 #include "tests/support/catch.h"
-#include "tests/support/random.h"
 
 namespace glassbox {
 namespace {
-
-using test::Random;
 
 RenderSettings with_ids() {
   RenderSettings settings;

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <glassbox/mesh/formats/load.h>
 #include <glassbox/mesh/gltf/load.h>
-#include <glassbox/mesh/load.h>
 
 #include "tests/render/tile/same_picture.h"
 #include "tests/support/skip.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <type_traits>
 
-#include <glassbox/render/framebuffer.h>
+#include <glassbox/render/engine/framebuffer.h>
 
 namespace glassbox::test {
 

@@ -9,7 +9,6 @@ namespace {
 
 using test::AnyCase;
 using test::kShare;
-using test::Random;
 
 std::string difference(const AnyCase& c) {
   const Rendering staged = render_staged(c.scene, c.view, c.settings);

@@ -10,7 +10,6 @@ namespace glassbox {
 namespace {
 
 using test::AnyCase;
-using test::Random;
 
 constexpr int kFrames = test::kShare == 1 ? 1000 : 200;
 constexpr int kCases = 50;  // drawn again and again

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include <glassbox/render/staged.h>
+#include <glassbox/render/staged/staged.h>
 #include <glassbox/render/tile/tile_engine.h>
 
 #include "tests/render/scenes.h"

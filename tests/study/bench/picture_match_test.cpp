@@ -1,8 +1,8 @@
 #include <tests/support/catch.h>
 
 #include <study/bench/glassbox_peer.h>
-#include <study/bench/picture_match.h>
-#include <study/bench/scenes.h>
+#include "study/scenes/picture_match.h"
+#include "study/scenes/scenes.h"
 
 namespace glassbox::study {
 namespace {

@@ -10,8 +10,8 @@
 #include <glassbox/render/stereo/render_pair.h>
 
 #include <study/bench/glassbox_peer.h>
-#include <study/bench/scenes.h>
-#include <study/bench/vertex_arrays.h>
+#include "study/scenes/scenes.h"
+#include "study/scenes/vertex_arrays.h"
 
 namespace glassbox::study {
 namespace {

@@ -1,5 +1,5 @@
 #include <tests/support/catch.h>
-#include <tests/support/random.h>
+#include <glassbox/base/random.h>
 
 #include <cmath>
 #include <vector>
@@ -52,7 +52,7 @@ TEST_CASE("the fit finds the power law that the samples were made with") {
 }
 
 TEST_CASE("samples that scatter by a factor of up to 1.1 leave the exponent within 0.02") {
-  test::Random random(7);
+  Random random(7);
   std::vector<Sample> samples = power_law(3, 1, 1000, 15);
   for (Sample& sample : samples) sample.y *= std::exp(random.between(-1, 1) * std::log(1.1));
   // The estimate's deviation is s / sqrt(sum of (x - mean)^2) = 0.0550 / sqrt(280 ln(2)^2) = 0.0047; four of them.

@@ -1,18 +1,18 @@
 // D-32: the pyramid in eye space and the box in clip space leave the same polygon (S3-11).
 #include <cmath>
 
+#include "exact/clip.h"
+#include "exact/number.h"
 #include "study/experiments/d32_clippers.h"
-#include "study/oracle/clip.h"
-#include "study/oracle/number.h"
 #include "tests/study/experiments/laws.h"
 
 namespace glassbox::test {
 namespace {
 
 using namespace study;
-using oracle::ExactPoint;
-using oracle::ExactPolygon;
-using oracle::Rational;
+using exact::ExactPoint;
+using exact::ExactPolygon;
+using exact::Rational;
 
 // A lens with planes for which depth and offset are floats exactly: near 1, far 2.
 d32::Lens exact_lens() {
@@ -48,8 +48,8 @@ TEST_CASE("in exact arithmetic the pyramid and the box leave the same polygon (S
       in_eye.push_back({Rational(double(p.x)), Rational(double(p.y)), Rational(double(p.z)), 1});
       in_clip.push_back(project(lens, in_eye.back()));
     }
-    in_eye = oracle::clip(in_eye, std::span<const ClipPlane>(pyramid(lens)));
-    in_clip = oracle::clip(in_clip, std::span<const ClipPlane>(frustum_planes()));
+    in_eye = exact::clip(in_eye, std::span<const ClipPlane>(pyramid(lens)));
+    in_clip = exact::clip(in_clip, std::span<const ClipPlane>(frustum_planes()));
     REQUIRE(in_eye.size() == in_clip.size());
     ++(in_eye.empty() ? empty : in_eye.size() == 3 ? whole : cut);
     for (std::size_t i = 0; i < in_eye.size(); ++i) {

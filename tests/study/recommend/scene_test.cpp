@@ -5,7 +5,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <glassbox/mesh/load.h>
+#include <glassbox/mesh/formats/load.h>
 
 #include "study/recommend/pictures.h"
 #include "study/recommend/vertices.h"

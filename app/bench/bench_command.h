@@ -1,0 +1,59 @@
+// glassbox bench: how fast it is, against whom, and how its time grows.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/bench/report.h"
+#include "app/options/arguments.h"
+#include "app/options/cli_fwd.h"
+#include "app/report/progress.h"
+
+#include <glassbox/base/error.h>
+
+namespace glassbox::app {
+
+class BenchCommand {
+public:
+  void add_to(CLI::App& app, int& exit_code);
+
+private:
+  enum class Peer { kMesa };
+
+  void add_measure_options(CLI::App& command);
+  void add_engine_options(CLI::App& command);
+  int run();
+  Result<void> check_options() const;
+  std::vector<std::string> scene_names() const;
+  Result<study::BenchScene> load(const std::string& name) const;
+  study::MeasureOptions measure_options(int threads) const;
+  Result<void> measure_scene(const std::string& name, BenchReport& report,
+                             Progress& progress) const;
+  Result<void> measure_scenes(BenchReport& report, Progress& progress) const;
+  void measure_scaling(BenchReport& report, Progress& progress) const;
+  Result<void> write_outputs(const BenchReport& report) const;
+
+  std::vector<std::string> scenes_;
+  std::optional<Peer> against_;
+  study::EngineOptions engine_;
+  std::vector<int> threads_;
+  int frames_ = 9;
+  Size size_{1920, 1080};
+  std::optional<study::ScaledBy> scaling_;
+  double most_ = 0;
+  bool floor_ = false;
+  std::optional<std::string> json_output_, html_output_;
+};
+
+// The process beside it that draws with the peer: bench starts it, and nobody else.
+class BenchPeerCommand {
+public:
+  void add_to(CLI::App& app, int& exit_code);
+
+private:
+  std::string scene_;
+  Size size_;
+};
+
+}  // namespace glassbox::app

@@ -1,0 +1,25 @@
+// glassbox explain SCENE: what the plan leaves out and why; with --analyze, what went into every stage, what came out, and how
+// long it took.
+#pragma once
+
+#include "app/options/cli_fwd.h"
+#include "app/options/engine_options.h"
+#include "app/options/picture_question.h"
+
+namespace glassbox::app {
+
+class ExplainCommand {
+public:
+  void add_to(CLI::App& app, int& exit_code);
+
+private:
+  Result<Answer> answer(const Scene& scene, const View& view) const;
+  Answer explain_staged(const Scene& scene, const View& view) const;
+  Answer explain_tiles(const Scene& scene, const View& view) const;
+
+  PictureQuestion question_;
+  EngineOptions engine_;
+  bool analyze_ = false;
+};
+
+}  // namespace glassbox::app

@@ -1,0 +1,291 @@
+#include "app/info/info_command.h"
+
+#include <optional>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/info/info_contents.h"
+#include "app/options/builtin_help.h"
+#include "app/options/scene_input.h"
+#include "app/report/exit_codes.h"
+#include "app/report/output.h"
+
+#include <glassbox/base/printable.h>
+#include <glassbox/mesh/bounds.h>
+#include <glassbox/mesh/check.h>
+#include <glassbox/mesh/formats/load.h>
+#include <glassbox/mesh/gltf/write.h>
+
+namespace glassbox::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class Space>
+Json bounds_json(const Box<Space>& box) {
+  if (box.empty()) return nullptr;
+  return {{"low", {box.low.x, box.low.y, box.low.z}},
+          {"high", {box.high.x, box.high.y, box.high.z}}};
+}
+
+template <class Space>
+std::string bounds_text(const Box<Space>& box) {
+  if (box.empty()) return "nothing";
+  return fmt::format("({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g})", box.low.x, box.low.y,
+                     box.low.z, box.high.x, box.high.y, box.high.z);
+}
+
+// Warnings and paths are shown whole, within reason.
+constexpr std::size_t kLongText = 1000;
+
+// "1 face", "2 faces".
+std::string counted(std::uint64_t n, const std::string& one, const std::string& many = "") {
+  return fmt::format("{} {}", n, n == 1 ? one : many.empty() ? one + "s" : many);
+}
+
+std::string alpha_name(AlphaMode mode) {
+  switch (mode) {
+    case AlphaMode::kOpaque:
+      return "opaque";
+    case AlphaMode::kMask:
+      return "mask";
+    case AlphaMode::kBlend:
+      return "blend";
+  }
+  return "";
+}
+
+std::string lens_name(const Lens& lens) {
+  if (std::holds_alternative<OrthographicLens>(lens)) return "orthographic";
+  return std::holds_alternative<FrustumLens>(lens) ? "frustum" : "perspective";
+}
+
+// The findings about a mesh, one phrase each; none for a mesh without fault. Open edges are mentioned, but are no fault.
+std::vector<std::string> findings(const MeshReport& report) {
+  std::vector<std::string> found;
+  const auto count = [&](std::uint64_t n, const char* one, const char* many) {
+    if (n > 0) found.push_back(counted(n, one, many));
+  };
+  count(report.open_edges, "open edge", "open edges");
+  count(report.non_manifold_edges, "edge with more than two faces",
+        "edges with more than two faces");
+  count(report.inconsistent_edges, "edge where the winding changes",
+        "edges where the winding changes");
+  count(report.pinched_vertices, "pinched vertex", "pinched vertices");
+  count(report.degenerate_faces, "face without area", "faces without area");
+  count(report.degenerate_triangles, "triangle without area", "triangles without area");
+  count(report.self_intersecting_faces, "face that crosses itself", "faces that cross themselves");
+  count(report.duplicate_faces, "duplicate face", "duplicate faces");
+  if (report.non_planar_faces > 0) {
+    found.push_back(fmt::format("{} (face {} by {:.3g})",
+                                counted(report.non_planar_faces, "bent face"),
+                                report.worst_planarity_face, report.worst_planarity_deviation));
+  }
+  count(report.unused_positions, "unused vertex", "unused vertices");
+  return found;
+}
+
+// What the corners have beside a position.
+std::vector<std::string> attributes(const Mesh& mesh) {
+  std::vector<std::string> names;
+  if (!mesh.normals.empty()) names.push_back("normals");
+  if (!mesh.texcoords.empty()) names.push_back("texture coordinates");
+  if (!mesh.colors.empty()) names.push_back("colours");
+  return names;
+}
+
+Json mesh_json(const Mesh& mesh, const MeshReport& report) {
+  Json json{{"name", mesh.name},
+            {"material", mesh.material},
+            {"attributes", attributes(mesh)},
+            {"positions", report.positions},
+            {"vertices", report.vertices},
+            {"faces", report.faces},
+            {"triangles", report.triangles},
+            {"lines", report.lines},
+            {"points", report.points},
+            {"bounds", bounds_json(report.bounds)},
+            {"area", report.area},
+            {"edges", report.edges},
+            {"open_edges", report.open_edges},
+            {"non_manifold_edges", report.non_manifold_edges},
+            {"inconsistent_edges", report.inconsistent_edges},
+            {"pinched_vertices", report.pinched_vertices},
+            {"unused_vertices", report.unused_positions},
+            {"components", report.components},
+            {"euler_characteristic", report.euler_characteristic},
+            {"closed", report.closed}};
+  json["genus"] = report.genus ? Json(*report.genus) : Json(nullptr);
+  json["degenerate_faces"] = report.degenerate_faces;
+  json["degenerate_triangles"] = report.degenerate_triangles;
+  json["self_intersecting_faces"] = report.self_intersecting_faces;
+  json["duplicate_faces"] = report.duplicate_faces;
+  json["non_planar_faces"] = report.non_planar_faces;
+  json["worst_planarity_deviation"] = report.worst_planarity_deviation;
+  json["findings"] = findings(report);
+  return json;
+}
+
+struct Totals {
+  std::uint64_t triangles = 0, lines = 0, points = 0;  // after instancing, as drawn
+};
+
+Totals totals(const Scene& scene, const std::vector<MeshReport>& reports) {
+  Totals sum;
+  for (const Instance& instance : scene.instances) {
+    sum.triangles += reports[instance.mesh].triangles;
+    sum.lines += reports[instance.mesh].lines;
+    sum.points += reports[instance.mesh].points;
+  }
+  return sum;
+}
+
+std::array<float, 3> emission_of(const Material& material) {
+  return emits_light(material) ? material.emission : std::array<float, 3>{0, 0, 0};
+}
+
+Json scene_json(const Scene& scene, const std::vector<MeshReport>& reports) {
+  const Totals sum = totals(scene, reports);
+  Json json{{"scene", scene.name},
+            {"file", scene.file},
+            {"instances", scene.instances.size()},
+            {"nodes", scene.nodes.size()},
+            {"triangles", sum.triangles},
+            {"lines", sum.lines},
+            {"points", sum.points},
+            {"bounds", bounds_json(bounds(scene))}};
+  json["meshes"] = Json::array();
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    json["meshes"].push_back(mesh_json(scene.meshes[i], reports[i]));
+  }
+  json["materials"] = Json::array();
+  for (const Material& material : scene.materials) {
+    const Rgba& color = material.base_color;
+    json["materials"].push_back({{"name", material.name},
+                                 {"base_color", {color.r, color.g, color.b, color.a}},
+                                 {"textured", material.texture.has_value()},
+                                 {"alpha_mode", alpha_name(material.alpha_mode)},
+                                 {"double_sided", material.double_sided},
+                                 {"unlit", material.unlit},
+                                 {"emission", emission_of(material)},
+                                 {"emission_textured", material.emission_texture.has_value()}});
+  }
+  json["images"] = Json::array();
+  for (const Image<Rgba8>& image : scene.images) {
+    json["images"].push_back({{"width", image.width}, {"height", image.height}});
+  }
+  json["cameras"] = Json::array();
+  for (const Camera& camera : scene.cameras) {
+    json["cameras"].push_back({{"name", camera.name}, {"lens", lens_name(camera.lens)}});
+  }
+  json["lights"] = scene.lights.size();
+  json["extensions"] = scene.extensions;
+  json["warnings"] = scene.warnings;
+  return json;
+}
+
+void print_scene(const Scene& scene, const std::vector<MeshReport>& reports) {
+  const Totals sum = totals(scene, reports);
+  fmt::print("{}\n",
+             printable(scene.file.empty() ? scene.name + " (built-in)" : scene.file, kLongText));
+  fmt::print("  {} of {}: {}, {}, {} as drawn\n", counted(scene.instances.size(), "instance"),
+             counted(scene.meshes.size(), "mesh", "meshes"), counted(sum.triangles, "triangle"),
+             counted(sum.lines, "line"), counted(sum.points, "point"));
+  fmt::print("  bounds {}\n", bounds_text(bounds(scene)));
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    const MeshReport& report = reports[i];
+    const std::vector<std::string> has = attributes(scene.meshes[i]);
+    fmt::print("  mesh {} '{}': {}, {}, {}, {}, Euler characteristic {}, {}{}\n", i,
+               printable(scene.meshes[i].name), counted(report.faces, "face"),
+               counted(report.vertices, "vertex", "vertices"), counted(report.edges, "edge"),
+               counted(report.components, "component"), report.euler_characteristic,
+               report.closed ? "closed" : "open",
+               has.empty() ? "" : fmt::format("; with {}", fmt::join(has, ", ")));
+    for (const std::string& finding : findings(report)) fmt::print("    - {}\n", finding);
+  }
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    const Material& material = scene.materials[i];
+    fmt::print("  material {} '{}': {}{}{}{}{}\n", i, printable(material.name),
+               alpha_name(material.alpha_mode), material.texture ? ", textured" : "",
+               material.double_sided ? ", double-sided" : "", material.unlit ? ", unlit" : "",
+               emits_light(material) ? ", emits light" : "");
+  }
+  for (std::size_t i = 0; i < scene.images.size(); ++i) {
+    fmt::print("  image {}: {} x {}\n", i, scene.images[i].width, scene.images[i].height);
+  }
+  for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
+    fmt::print("  camera {} '{}': {}\n", i, printable(scene.cameras[i].name),
+               lens_name(scene.cameras[i].lens));
+  }
+  if (!scene.lights.empty()) fmt::print("  {}\n", counted(scene.lights.size(), "light"));
+  if (!scene.extensions.empty())
+    fmt::print("  extensions: {}\n",
+               printable(fmt::format("{}", fmt::join(scene.extensions, ", ")), kLongText));
+}
+
+void print_warnings(const Scene& scene) {
+  for (const std::string& warning : scene.warnings)
+    fmt::print("  warning: {}\n", printable(warning, kLongText));
+}
+
+// Of a glTF file that has been loaded; of other scenes there is nothing beside what is drawn.
+Result<std::optional<GltfContents>> contents_of(const std::string& file) {
+  if (!is_gltf_name(file)) return std::optional<GltfContents>();
+  auto contents = list_gltf(file);
+  if (!contents) return tl::unexpected(contents.error());
+  return std::optional<GltfContents>(std::move(*contents));
+}
+
+}  // namespace
+
+void InfoCommand::add_to(CLI::App& app, int& exit_code) {
+  CLI::App& command = *app.add_subcommand("info", "what is in a scene, and what is wrong with it");
+  command.footer(
+      "Examples:\n"
+      "  glassbox info duck.glb\n"
+      "  glassbox info part.obj --json - | jq '.meshes[0].open_edges'\n"
+      "  glassbox info teapot --write teapot.glb\n\n" +
+      builtin_help());
+  command.add_option("SCENE", scene_, kSceneHelp)->required();
+  command.add_option("--json", json_output_, "the same as JSON; - is standard output")
+      ->type_name("FILE|-");
+  command.add_option("--write", glb_output_, "write the scene as GLB")->type_name("FILE.glb");
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+int InfoCommand::run() {
+  if (glb_output_) {
+    if (const auto legal = check_extension(*glb_output_, ".glb"); !legal)
+      return refuse(legal.error());
+  }
+  const Result<Scene> scene = load_asked_scene(scene_);
+  if (!scene) return refuse(scene.error());
+  const auto contents = contents_of(scene->file);
+  if (!contents) return refuse(contents.error());
+  std::vector<MeshReport> reports;
+  for (const Mesh& mesh : scene->meshes) reports.push_back(check(mesh));
+
+  if (glb_output_) {
+    if (const auto written = write_glb(*scene, *glb_output_); !written)
+      return refuse(written.error());
+  }
+  if (json_output_) {
+    Json json = scene_json(*scene, reports);
+    add_contents(contents->value_or(GltfContents()), json);
+    const auto written = write_json(*json_output_, json);
+    if (!written) return refuse(written.error());
+  }
+  if (json_output_ != "-") {
+    print_scene(*scene, reports);
+    if (*contents) fmt::print("{}", contents_text(**contents));
+    print_warnings(*scene);
+  }
+  return kSuccess;
+}
+
+}  // namespace glassbox::app

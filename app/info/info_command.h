@@ -1,0 +1,23 @@
+// glassbox info SCENE: what is in a scene, and what is wrong with it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/options/cli_fwd.h"
+
+namespace glassbox::app {
+
+class InfoCommand {
+public:
+  void add_to(CLI::App& app, int& exit_code);
+
+private:
+  int run();
+
+  std::string scene_;
+  std::optional<std::string> json_output_;
+  std::optional<std::string> glb_output_;
+};
+
+}  // namespace glassbox::app

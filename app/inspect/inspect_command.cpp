@@ -1,0 +1,125 @@
+#include "app/inspect/inspect_command.h"
+
+#include <span>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "app/options/arguments.h"
+#include "app/options/builtin_help.h"
+#include "app/options/scene_input.h"
+#include "app/report/exit_codes.h"
+#include "app/report/output.h"
+#include "app/report/program_name.h"
+#include "app/report/progress.h"
+#include "app/report/shell_line.h"
+
+#include <glassbox/base/printable.h>
+#include <glassbox/images/atomic_file.h>
+
+namespace glassbox::app {
+
+void InspectCommand::add_to(CLI::App& app, int& exit_code) {
+  CLI::App& command =
+      *app.add_subcommand("inspect", "every stage of a picture, fragment by fragment, as a page");
+  command.footer(
+      "Examples:\n"
+      "  glassbox inspect teapot -o teapot.html\n"
+      "  glassbox inspect room --size 640x360 --pixel 320,180\n"
+      "  glassbox inspect huge.glb --rect 600,300,680,380 -o part.html\n\n"
+      "The page needs no network and no other file. The options of the picture are those of\n"
+      "glassbox render: the same words show the same picture.\n\n" +
+      builtin_help());
+  command.add_option("SCENE", scene_, kSceneHelp)->required();
+  command.add_option("-o,--output", output_, "the page, .html [SCENE.html]")->type_name("FILE");
+  command
+      .add_option_function<std::string>(
+          "--pixel",
+          [this](const std::string& text) { page_.pixel = parse_pixel("--pixel", text); },
+          "the pixel chosen on opening, with every number of its fragments")
+      ->type_name("X,Y");
+  command
+      .add_option_function<std::string>(
+          "--rect",
+          [this](const std::string& text) { page_.rectangle = parse_rectangle("--rect", text); },
+          "only what reaches into these pixels, x0 <= x < x1, with every number")
+      ->type_name("X0,Y0,X1,Y1");
+  add_picture_options(command, picture_);
+  const std::string group = "Limits";
+  command
+      .add_option("--max-triangles", page_.max_triangles,
+                  fmt::format("in a page [{}]", page_.max_triangles))
+      ->type_name("N")
+      ->group(group);
+  command
+      .add_option("--max-fragments", page_.max_fragments,
+                  fmt::format("in a page [{}]", page_.max_fragments))
+      ->type_name("N")
+      ->group(group);
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+Result<void> InspectCommand::check_pixels() const {
+  const auto& r = page_.rectangle;
+  if (r) {
+    if (const auto legal = check_rectangle("--rect", *r, picture_.size); !legal) return legal;
+  }
+  if (!page_.pixel) return {};
+  if (const auto legal = check_pixel("--pixel", *page_.pixel, picture_.size); !legal) return legal;
+  const auto [x, y] = *page_.pixel;
+  if (r && (x < r->x0 || x >= r->x1 || y < r->y0 || y >= r->y1)) {
+    return fail(fmt::format("--pixel {},{}", x, y), "the pixel lies outside of --rect",
+                "name a pixel inside");
+  }
+  return {};
+}
+
+// What makes this page again.
+std::string InspectCommand::command_line() const {
+  std::vector<std::string> words{"inspect", scene_};
+  const std::vector<std::string> picture = words_given(picture_);
+  words.insert(words.end(), picture.begin(), picture.end());
+  if (page_.pixel) {
+    words.insert(words.end(), {"--pixel", fmt::format("{},{}", page_.pixel->x, page_.pixel->y)});
+  }
+  if (const auto& r = page_.rectangle) {
+    words.insert(words.end(), {"--rect", fmt::format("{},{},{},{}", r->x0, r->y0, r->x1, r->y1)});
+  }
+  words.insert(words.end(), {"-o", output_});
+  return shell_line(words).value_or("");
+}
+
+int InspectCommand::run() {
+  if (output_.empty()) output_ = scene_stem(scene_) + ".html";
+  if (const auto legal = check_extension(output_, ".html"); !legal) return refuse(legal.error());
+  if (const auto legal = check_outputs({output_}); !legal) return refuse(legal.error());
+  if (const auto legal = check_pixels(); !legal) return refuse(legal.error());
+  tell_of_centres(picture_);
+  Progress progress;
+  progress.phase("loading " + scene_title(scene_));
+  const Result<Scene> scene = load_asked_scene(scene_, limits_);
+  if (!scene) return refuse(scene.error());
+  for (const std::string& warning : scene->warnings) progress.say("warning: " + warning);
+  const Result<ChosenView> chosen = choose_view(*scene, picture_);
+  if (!chosen) return refuse(chosen.error());
+
+  page_.scene_name = scene_title(scene_);
+  page_.words = words_given(picture_);
+  page_.program = "glassbox " GLASSBOX_VERSION;
+  page_.command = command_line();
+  progress.phase("tracing " + scene_title(scene_));
+  const Result<PageFacts> page =
+      make_inspect_page(*scene, chosen->camera, chosen->view, picture_.settings, page_);
+  if (!page) return refuse(page.error());
+  progress.phase("writing " + output_);
+  if (const auto written = write_file(output_, std::as_bytes(std::span(page->html))); !written) {
+    return refuse(written.error());
+  }
+  progress.done();
+  fmt::print("{}: {} triangle{} and {} fragment{}, {:.1f} MB; open it in a browser\n",
+             printable(output_, kLongestMessage), page->triangles, page->triangles == 1 ? "" : "s",
+             page->fragments, page->fragments == 1 ? "" : "s", double(page->html.size()) / 1e6);
+  return kSuccess;
+}
+
+}  // namespace glassbox::app

@@ -1,0 +1,25 @@
+#include "app/lab/lab_command.h"
+
+#include <CLI/CLI.hpp>
+
+namespace glassbox::app {
+
+void LabCommand::add_to(CLI::App& app, int& exit_code) {
+  CLI::App& command = *app.add_subcommand("lab", "assignments: start one, check it, hand one out");
+  command.footer(
+      "Examples:\n"
+      "  glassbox lab list\n"
+      "  glassbox lab start 5 ~/lab5\n"
+      "  glassbox lab check ~/lab5\n\n"
+      "docs/labs.md explains the labs.");
+  command.require_subcommand(1);
+  list_.add_to(command, exit_code);
+  start_.add_to(command, exit_code);
+  check_.add_to(command, exit_code);
+  watch_.add_to(command, exit_code);
+  export_.add_to(command, exit_code);
+  grade_.add_to(command, exit_code);
+  gradescope_.add_to(command, exit_code);
+}
+
+}  // namespace glassbox::app

@@ -1,0 +1,27 @@
+// glassbox lab: assignments, for those who do them and for those who give them.
+#pragma once
+
+#include "app/lab/check_command.h"
+#include "app/lab/grade_command.h"
+#include "app/lab/gradescope_command.h"
+#include "app/lab/list_command.h"
+#include "app/lab/start_command.h"
+#include "app/options/cli_fwd.h"
+
+namespace glassbox::app {
+
+class LabCommand {
+public:
+  void add_to(CLI::App& app, int& exit_code);
+
+private:
+  LabListCommand list_;
+  LabStartCommand start_;
+  LabCheckCommand check_;
+  LabWatchCommand watch_;
+  LabExportCommand export_;
+  LabGradeCommand grade_;
+  LabGradescopeCommand gradescope_;
+};
+
+}  // namespace glassbox::app

@@ -1,0 +1,87 @@
+#include "app/options/command_tree.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include <CLI/CLI.hpp>
+
+#include "app/options/arguments.h"
+
+namespace glassbox::app {
+
+namespace {
+
+OptionFacts facts_of(const CLI::Option& option) {
+  OptionFacts facts;
+  for (const std::string& name : option.get_snames()) facts.names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) facts.names.push_back("--" + name);
+  if (facts.names.empty()) {
+    facts.positional = option.get_name();
+    facts.repeats = option.get_expected_max() > 1;
+  } else if (option.get_expected_max() > 0) {
+    const std::string type = option.get_type_name();
+    facts.value = type.substr(0, type.find(':'));  // without what CLI11 adds of validators
+  }
+  facts.help = option.get_description();
+  facts.group = option.get_group();
+  facts.required = option.get_required();
+  return facts;
+}
+
+// What is written as it stands, unlike "FILE" and "WxH".
+bool is_literal(const std::string& word) {
+  const auto is_one_of_them = [](unsigned char c) {
+    return std::islower(c) != 0 || std::isdigit(c) != 0 || c == '-' || c == '_';
+  };
+  return !word.empty() && word != "-" && std::ranges::all_of(word, is_one_of_them);
+}
+
+}  // namespace
+
+CommandFacts command_tree(const CLI::App& app) {
+  CommandFacts facts{app.get_name(), app.get_description(), app.get_footer(), {}, {}};
+  for (const CLI::Option* option : app.get_options()) {
+    if (!option->get_group().empty()) facts.options.push_back(facts_of(*option));
+  }
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (!command->get_group().empty()) facts.commands.push_back(command_tree(*command));
+  }
+  return facts;
+}
+
+ValueKinds kinds_of(const OptionFacts& option) {
+  ValueKinds kinds;
+  const std::string& word = option.is_positional() ? option.positional : option.value;
+  for (const std::string& part : split(word, '|')) {
+    if (part == "SCENE") {
+      kinds.scenes = kinds.files = true;
+    } else if (part == "COMMAND") {
+      kinds.commands = true;
+    } else if (part == "SHELL") {
+      kinds.choices = {"bash", "zsh", "fish"};
+    } else if (part.starts_with("FILE")) {
+      kinds.files = true;
+    } else if (part.starts_with("DIR") || part.starts_with("FOLDER")) {
+      kinds.directories = true;
+    } else if (is_literal(part)) {
+      kinds.choices.push_back(part);
+    } else if (option.is_positional() && part != "LAB" && part != "ID" && part != "CASE") {
+      kinds.files = true;  // such as the REFERENCE and TEST of diff
+    }
+  }
+  return kinds;
+}
+
+void refuse_empty_names(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    const ValueKinds kinds = kinds_of(facts_of(*option));
+    if (option->get_positional() || !(kinds.files || kinds.directories)) continue;
+    option->check(
+        [](const std::string& word) { return word.empty() ? "an empty name names no file" : ""; });
+  }
+  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) {
+    refuse_empty_names(*command);
+  }
+}
+
+}  // namespace glassbox::app

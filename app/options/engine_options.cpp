@@ -1,0 +1,127 @@
+#include "app/options/engine_options.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/options/arguments.h"
+#include "app/options/choices.h"
+
+#include <glassbox/base/printable.h>
+#include <glassbox/raster/lanes/target.h>
+
+namespace glassbox::app {
+
+namespace {
+
+const char* const kGroup = "Engine";
+
+// More than any machine has: beyond it, it is a slip of the finger.
+constexpr int kMostThreads = 1024;
+
+constexpr std::size_t kLongWord = 100;
+
+std::string names_of(const std::vector<Target>& targets, const char* separator) {
+  std::string names;
+  for (const Target target : targets) {
+    names += (names.empty() ? "" : separator) + std::string(name_of(target));
+  }
+  return names;
+}
+
+int parse_threads(const std::string& text) {
+  const double threads = parse_number("--threads", text);
+  if (!(threads >= 1 && threads <= kMostThreads) || threads != std::floor(threads)) {
+    throw CLI::ValidationError(
+        "--threads", fmt::format("needs a whole number from 1 to {}, not '{}'", kMostThreads,
+                                 printable(text, kLongWord)));
+  }
+  return int(threads);
+}
+
+Target parse_target(const std::string& text) {
+  const std::vector<Target> available = available_targets();
+  const auto target = target_named(CLI::detail::to_lower(text));
+  if (!target) {
+    throw CLI::ValidationError("--target",
+                               fmt::format("needs one of {}, not '{}'", names_of(available, "|"),
+                                           printable(text, kLongWord)));
+  }
+  if (std::ranges::find(available, *target) == available.end()) {
+    throw CLI::ValidationError(
+        "--target", fmt::format("{} is not for this machine, which can do {}", name_of(*target),
+                                names_of(available, ", ")));
+  }
+  return *target;
+}
+
+int threads_of(const EngineOptions& options) {
+  return options.tile.threads > 0 ? options.tile.threads : default_threads();
+}
+
+}  // namespace
+
+CLI::Option* add_target_option(CLI::App& command, Target& target) {
+  return command
+      .add_option_function<std::string>(
+          "--target", [&target](const std::string& text) { target = parse_target(text); },
+          fmt::format("instructions to use [{}]", name_of(best_target())))
+      ->type_name(names_of(available_targets(), "|"))
+      ->group(kGroup);
+}
+
+void add_engine_options(CLI::App& command, EngineOptions& options) {
+  add_choice(command, "--engine", options.engine,
+             {{"tile", Engine::kTile}, {"staged", Engine::kStaged}},
+             "what draws: the fast one, or the reference; same bytes [tile]")
+      ->group(kGroup);
+  options.of_tiles = {
+      command
+          .add_option_function<std::string>(
+              "--threads",
+              [&options](const std::string& text) { options.tile.threads = parse_threads(text); },
+              "threads of the tile engine [all]")
+          ->type_name("N")
+          ->group(kGroup),
+      add_target_option(command, options.tile.target),
+      command
+          .add_flag_callback(
+              "--no-plan", [&options] { options.tile.plan = false; },
+              "leave nothing out that the scene does not need")
+          ->group(kGroup)};
+}
+
+Result<void> check_engine_options(const EngineOptions& options) {
+  if (options.engine == Engine::kTile) return {};
+  for (const CLI::Option* option : options.of_tiles) {
+    if (option->count() == 0) continue;
+    return fail(option->get_name(), "it is about the tile engine, and --engine staged draws",
+                "leave one of the two out");
+  }
+  return {};
+}
+
+Renderer make_renderer(const Scene& scene, const RenderSettings& settings,
+                       const EngineOptions& options) {
+  return {scene, settings.transfer, options.engine, options.tile};
+}
+
+std::string engine_text(const EngineOptions& options) {
+  if (options.engine == Engine::kStaged) return "the staged engine";
+  const int threads = threads_of(options);
+  return fmt::format("the tile engine, {} thread{}, {}", threads, threads == 1 ? "" : "s",
+                     name_of(options.tile.target));
+}
+
+nlohmann::ordered_json engine_json(const EngineOptions& options) {
+  if (options.engine == Engine::kStaged) return {{"name", "staged"}};
+  return {{"name", "tile"},
+          {"threads", threads_of(options)},
+          {"target", name_of(options.tile.target)},
+          {"plan", options.tile.plan}};
+}
+
+}  // namespace glassbox::app

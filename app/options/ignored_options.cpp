@@ -1,0 +1,51 @@
+#include "app/options/ignored_options.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+#include <fmt/format.h>
+
+namespace glassbox::app {
+
+namespace {
+
+// "--shade flat" as it was given; empty where it was not.
+std::string given(const PictureOptions& picture, const std::string& name) {
+  const std::vector<std::string> words = words_given(picture);
+  const auto option = std::ranges::find(words, name);
+  if (option == words.end()) return {};
+  return name + " " + *std::next(option);
+}
+
+void tell(const std::string& words, const std::string& why) {
+  if (!words.empty()) fmt::print(stderr, "glassbox: note: {} is ignored: {}\n", words, why);
+}
+
+// Made of another plane of the framebuffer when all is drawn.
+bool is_of_a_plane(Show show) {
+  return show == Show::kDepth || show == Show::kId || show == Show::kOverdraw;
+}
+
+}  // namespace
+
+void tell_of_ignored(const PictureOptions& picture) {
+  const RenderSettings& settings = picture.settings;
+  const std::string show = given(picture, "--show");
+  if (is_of_a_plane(settings.show)) {
+    if (settings.samples > 1) {
+      tell(given(picture, "--samples"), show + " is of pixel centres, as --samples 1 draws them");
+    }
+  }
+  if (settings.show != Show::kColor) {
+    // Flat faces have normals of their own.
+    const bool flat_normals = settings.show == Show::kNormal && settings.shading == Shading::kFlat;
+    if (!flat_normals) tell(given(picture, "--shade"), show + " has no light");
+    tell(given(picture, "--transfer"), show + " stores no light");
+  }
+  if (picture.eyes.separation == 0.0) {
+    tell(given(picture, "--window"), "the eyes stand in one place, and nothing has parallax");
+  }
+}
+
+}  // namespace glassbox::app

@@ -1,0 +1,146 @@
+#include "app/options/picture_options.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "app/options/choices.h"
+
+namespace glassbox::app {
+
+namespace {
+
+void add_drawing_options(CLI::App& command, RenderSettings& settings) {
+  const std::string group = "Picture";
+  add_choice(command, "--shade", settings.shading,
+             {{"unlit", Shading::kUnlit},
+              {"flat", Shading::kFlat},
+              {"gouraud", Shading::kGouraud},
+              {"phong", Shading::kPhong}},
+             "where lighting is computed [phong]")
+      ->group(group);
+  add_choice(command, "--show", settings.show,
+             {{"depth", Show::kDepth},
+              {"normal", Show::kNormal},
+              {"uv", Show::kUv},
+              {"id", Show::kId},
+              {"overdraw", Show::kOverdraw}},
+             "a quantity in place of the colours")
+      ->group(group);
+  add_choice(command, "--cull", settings.cull,
+             {{"back", Cull::kBack}, {"front", Cull::kFront}, {"none", Cull::kNone}},
+             "faces to leave out [as each material says]")
+      ->group(group);
+  add_choice(command, "--cull-stage", settings.cull_stage,
+             {{"screen", CullStage::kScreen}, {"object", CullStage::kObject}},
+             "where faces to leave out are found: by their area on the screen, or before clipping "
+             "where that is certain; same bytes [screen]")
+      ->group(group);
+  command.add_flag("--wireframe", settings.wireframe, "the edges of triangles only")->group(group);
+  command
+      .add_option_function<std::string>(
+          "--background",
+          [&settings](const std::string& text) { settings.background = parse_background(text); },
+          "background as displayed, each 0 .. 1 [0.1,0.12,0.15]")
+      ->type_name("R,G,B")
+      ->group(group);
+  add_choice(command, "--transfer", settings.transfer,
+             {{"srgb", Transfer::kSrgb}, {"none", Transfer::kNone}},
+             "encoding of stored colours [srgb]")
+      ->group(group);
+  add_choice<int>(command, "--samples", settings.samples,
+                  {{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}, {"16", 16}},
+                  "samples of each pixel, whose mean is its colour [1]")
+      ->group(group);
+  add_choice(command, "--depth", settings.depth,
+             {{"d32", DepthFormat::kFloat32},
+              {"d32r", DepthFormat::kFloat32Reversed},
+              {"d24", DepthFormat::kUnorm24},
+              {"d16", DepthFormat::kUnorm16}},
+             "depth buffer format; d32r is reversed [d32]")
+      ->group(group);
+}
+
+Result<ChosenView> choose_centre(const Scene& scene, const PictureOptions& picture) {
+  const auto [width, height] = picture.size;
+  const Result<Camera> camera =
+      choose_camera(scene, picture.camera, double(width) / double(height));
+  if (!camera) return tl::unexpected(camera.error());
+  const DepthRange range = picture.settings.depth == DepthFormat::kFloat32Reversed
+                               ? DepthRange::kReversed
+                               : DepthRange::kStandard;
+  const Result<View> view = make_view(*camera, width, height, range, picture.camera.formulation);
+  if (!view) {
+    Error error = view.error();
+    if (error.place == "projection form") error.place = "--projection";  // as it was asked for
+    return tl::unexpected(error);
+  }
+  return ChosenView{*camera, *view};
+}
+
+}  // namespace
+
+void add_picture_options(CLI::App& command, PictureOptions& picture) {
+  const std::size_t before = command.get_options().size();
+  command
+      .add_option_function<std::string>(
+          "--size", [&picture](const std::string& text) { picture.size = parse_size(text); },
+          "image size in pixels [1280x720]")
+      ->type_name("WxH");
+  add_camera_options(command, picture.camera);
+  add_eyes_options(command, picture.eyes);
+  add_drawing_options(command, picture.settings);
+  const auto all = command.get_options();
+  picture.options.assign(all.begin() + std::ptrdiff_t(before), all.end());
+}
+
+void tell_of_centres(const PictureOptions& picture) {
+  if (picture.settings.samples == 1) return;
+  fmt::print(stderr,
+             "glassbox: note: --samples {}: this looks at pixel centres, as --samples 1 draws "
+             "them\n",
+             picture.settings.samples);
+}
+
+std::vector<std::string> words_of(std::span<const CLI::Option* const> options) {
+  std::vector<std::string> words;
+  for (const CLI::Option* option : options) {
+    if (option->count() == 0) continue;
+    words.push_back(option->get_name());
+    const bool flag = option->get_expected_max() == 0;
+    if (!flag) words.push_back(option->results().back());
+  }
+  return words;
+}
+
+std::vector<std::string> words_given(const PictureOptions& picture) {
+  return words_of(picture.options);
+}
+
+Result<ChosenView> choose_view(const Scene& scene, const PictureOptions& picture) {
+  const EyesOptions& eyes = picture.eyes;
+  if (!eyes.seen_by) {
+    if (!eyes.separation && !eyes.window) return choose_centre(scene, picture);
+    return fail(eyes.separation ? "--eye-separation" : "--window", "one picture has no use for it",
+                "say whose it is with --seen-by left or --seen-by right");
+  }
+  return choose_eyes(scene, picture).map([&](const ChosenEyes& chosen) {
+    return ChosenView{chosen.camera, eye_view(chosen.centre, chosen.eyes.pair, *eyes.seen_by)};
+  });
+}
+
+Result<ChosenEyes> choose_eyes(const Scene& scene, const PictureOptions& picture) {
+  const Result<ChosenView> centre = choose_centre(scene, picture);
+  if (!centre) return tl::unexpected(centre.error());
+  std::optional<double> look_at;
+  if (const auto& target = picture.camera.look_at) {
+    look_at = -(centre->view.eye_from_world *
+                Point<World, double>{(*target)[0], (*target)[1], (*target)[2]})
+                   .z;
+  }
+  return choose_pair(scene, centre->view, picture.settings, picture.eyes, look_at)
+      .map([&](const ChosenPair& eyes) {
+        return ChosenEyes{centre->camera, centre->view, eyes};
+      });
+}
+
+}  // namespace glassbox::app

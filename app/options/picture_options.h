@@ -1,0 +1,55 @@
+// The options that decide on a picture: its size, the camera, and how it is drawn. Every subcommand that makes a picture
+// takes them, and a picture's recipe is made of them.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/options/arguments.h"
+#include "app/options/camera_options.h"
+#include "app/options/cli_fwd.h"
+#include "app/options/eyes_options.h"
+
+#include <glassbox/base/error.h>
+#include <glassbox/mesh/scene.h>
+#include <glassbox/pipeline/view.h>
+#include <glassbox/render/engine/settings.h>
+
+namespace glassbox::app {
+
+struct PictureOptions {
+  Size size;
+  CameraOptions camera;
+  EyesOptions eyes;
+  RenderSettings settings;
+  std::vector<const CLI::Option*> options;  // those that add_picture_options has added
+};
+
+void add_picture_options(CLI::App& command, PictureOptions& picture);
+
+// For commands that follow what is drawn to pixel centres: a note where the picture has several samples.
+void tell_of_centres(const PictureOptions& picture);
+
+// Those of the options that the user gave, as words: "--size", "640x480".
+std::vector<std::string> words_of(std::span<const CLI::Option* const> options);
+
+// Whoever gives these words gets this picture.
+std::vector<std::string> words_given(const PictureOptions& picture);
+
+// The view of the scene that the options ask for, and the camera it comes from. With --seen-by it is that eye's view.
+struct ChosenView {
+  Camera camera;
+  View view;
+};
+Result<ChosenView> choose_view(const Scene& scene, const PictureOptions& picture);
+
+// The camera between the eyes, and the eyes.
+struct ChosenEyes {
+  Camera camera;
+  View centre;
+  ChosenPair eyes;
+};
+Result<ChosenEyes> choose_eyes(const Scene& scene, const PictureOptions& picture);
+
+}  // namespace glassbox::app

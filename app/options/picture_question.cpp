@@ -1,0 +1,57 @@
+#include "app/options/picture_question.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/options/scene_input.h"
+#include "app/report/exit_codes.h"
+#include "app/report/output.h"
+#include "app/report/progress.h"
+
+#include <glassbox/base/printable.h>
+
+namespace glassbox::app {
+
+void PictureQuestion::add_to(CLI::App& command) {
+  command.add_option("SCENE", scene_, kSceneHelp)->required();
+  add_picture_options(command, picture_);
+  command.add_option("--json", json_output_, "the same as JSON; - is standard output")
+      ->type_name("FILE|-")
+      ->group("Other outputs");
+}
+
+std::string PictureQuestion::title() const {
+  constexpr std::size_t kLongPath = 1000;
+  return fmt::format("{}, {} x {}", printable(scene_title(scene_), kLongPath), picture_.size.width,
+                     picture_.size.height);
+}
+
+int PictureQuestion::answer(const Ask& ask) const {
+  if (json_output_ && json_output_ != "-") {
+    if (const auto legal = check_outputs({*json_output_}); !legal) return refuse(legal.error());
+  }
+  Progress progress;
+  progress.phase("loading " + scene_title(scene_));
+  const Result<Scene> scene = load_asked_scene(scene_);
+  if (!scene) return refuse(scene.error());
+  for (const std::string& warning : scene->warnings) progress.say("warning: " + warning);
+  const Result<ChosenView> chosen = choose_view(*scene, picture_);
+  if (!chosen) return refuse(chosen.error());
+  progress.phase("rendering " + scene_title(scene_));
+  const Result<Answer> found = ask(*scene, chosen->view);
+  if (!found) return refuse(found.error());
+  progress.done();
+
+  if (json_output_) {
+    nlohmann::ordered_json json{
+        {"scene", scene_}, {"width", picture_.size.width}, {"height", picture_.size.height}};
+    json.update(found->json);
+    const auto written = write_json(*json_output_, json);
+    if (!written) return refuse(written.error());
+  }
+  if (json_output_ != "-") fmt::print("{}", found->text);
+  return kSuccess;
+}
+
+}  // namespace glassbox::app

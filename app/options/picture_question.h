@@ -1,0 +1,47 @@
+// A command that asks something about the picture of a scene: `glassbox COMMAND SCENE [picture options] [--json FILE|-]`.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "app/options/cli_fwd.h"
+#include "app/options/picture_options.h"
+
+#include <glassbox/base/error.h>
+#include <glassbox/mesh/scene.h>
+
+namespace glassbox::app {
+
+// The same for programs and for people.
+struct Answer {
+  nlohmann::ordered_json json;
+  std::string text;
+};
+
+class PictureQuestion {
+public:
+  using Ask = std::function<Result<Answer>(const Scene&, const View&)>;
+
+  // SCENE, the options of the picture, and --json.
+  void add_to(CLI::App& command);
+
+  const std::string& scene_name() const { return scene_; }
+  const PictureOptions& picture() const { return picture_; }
+
+  // "teapot, 640 x 480"
+  std::string title() const;
+
+  // Loads the scene, chooses the view, asks, and gives the answer: as text, as JSON (after the scene's name and the
+  // picture's size), or both. The exit code.
+  int answer(const Ask& ask) const;
+
+private:
+  std::string scene_;
+  PictureOptions picture_;
+  std::optional<std::string> json_output_;
+};
+
+}  // namespace glassbox::app

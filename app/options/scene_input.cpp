@@ -1,0 +1,62 @@
+#include "app/options/scene_input.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <vector>
+
+#include <glassbox/mesh/formats/load.h>
+#include <glassbox/mesh/formats/load_memory.h>
+
+namespace glassbox::app {
+
+namespace {
+
+constexpr const char* kStandardInput = "standard input";
+
+Result<std::vector<std::byte>> read_standard_input(std::uint64_t max_bytes) {
+  if (::isatty(STDIN_FILENO) == 1) {
+    return fail("", "is a terminal", "send a file in: glassbox render - < duck.glb");
+  }
+  constexpr std::size_t kBlock = std::size_t(1) << 20;
+  std::vector<std::byte> bytes;
+  while (bytes.size() <= max_bytes) {
+    const std::size_t size = bytes.size();
+    bytes.resize(size + kBlock);
+    const ssize_t n = ::read(STDIN_FILENO, bytes.data() + size, kBlock);
+    bytes.resize(size + std::size_t(n > 0 ? n : 0));
+    if (n == 0) return bytes;
+    if (n < 0 && errno != EINTR) {
+      return fail("", "cannot be read: " + std::string(std::strerror(errno)),
+                  "check what sends it");
+    }
+  }
+  return fail("", "has more than the limit of " + std::to_string(max_bytes) + " bytes",
+              "raise the limit if the file can be trusted");
+}
+
+}  // namespace
+
+Result<Scene> load_asked_scene(const std::string& word, const LoadLimits& limits) {
+  if (word != "-") return load_scene(word, limits);
+  return read_standard_input(limits.max_file_bytes)
+      .and_then(
+          [&](const std::vector<std::byte>& bytes) { return load_scene_memory(bytes, limits); })
+      .map_error([](Error error) {
+        error.file = kStandardInput;
+        return error;
+      });
+}
+
+std::string scene_title(const std::string& word) {
+  return word == "-" ? kStandardInput : word;
+}
+
+std::string scene_stem(const std::string& word) {
+  if (word == "-") return "stdin";
+  return std::filesystem::path(word.substr(0, word.find(':'))).stem().string();
+}
+
+}  // namespace glassbox::app

@@ -1,0 +1,161 @@
+#include "app/pixel/history_text.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "app/report/text_layout.h"
+#include "app/why/verdict_text.h"
+
+#include <glassbox/base/printable.h>
+
+namespace glassbox::app {
+
+namespace {
+
+constexpr std::size_t kMissesShown = 3;
+
+std::string bytes_text(const Rgba8& c) {
+  return fmt::format("({}, {}, {}, {})", c.r, c.g, c.b, c.a);
+}
+
+std::string cut(const std::string& text, std::size_t width) {
+  return printable(text, text.size() > width ? width - 3 : width);
+}
+
+// "12 of teapot", with the material where it has a name.
+std::string surface_text(const Scene& scene, const PixelEvent& event) {
+  const Mesh& mesh = scene.meshes[scene.instances[event.instance].mesh];
+  const std::string& material = scene.materials[mesh.material].name;
+  const std::string whose = mesh.name.empty() ? mesh_text(scene, event.instance) : mesh.name;
+  std::string text = event.source.is_triangle ? fmt::format("{} of {}", event.face, whose)
+                                              : "line/point of " + whose;
+  if (!material.empty() && material != mesh.name) text += ", " + material;
+  return text;
+}
+
+std::string row(const std::string& number, const std::string& triangle, const std::string& surface,
+                const std::string& fate, const std::string& distance, const std::string& code,
+                const std::string& bytes) {
+  std::string text = fmt::format("  {:>3} {:>8}  {:<28}{:<13}{:<12}{:<10}{}", number, triangle,
+                                 cut(surface, 27), fate, distance, code, bytes);
+  text.erase(text.find_last_not_of(' ') + 1);
+  return text + "\n";
+}
+
+std::string note(const std::string& text) {
+  return wrapped(std::string(15, ' '), text);
+}
+
+std::string depth_note(const PixelEvent& event, const std::vector<PixelEvent>& events) {
+  if (!event.stored_by) return {};
+  const PixelEvent& by = events[*event.stored_by];
+  if (event.code == event.stored) {
+    return fmt::format("as deep as #{} to the bit, and of equal depths the first drawn stays",
+                       *event.stored_by);
+  }
+  return fmt::format("behind #{}: {:08x} is not below {:08x}; {:.9g} further along the gaze",
+                     *event.stored_by, event.code, event.stored, event.distance - by.distance);
+}
+
+// What a row has no room for; empty where it says everything.
+std::string note_of(const PixelHistory& history, const PixelEvent& event) {
+  std::string text;
+  switch (event.touch) {
+    case Touch::kClipped:
+      return fmt::format("the {} plane cut off its {}, which would be here (by {:.9g})",
+                         event.plane, event.front ? "front" : "back", -event.inside);
+    case Touch::kTurnedAway:
+      return fmt::format("shows its {}: signed area {:.9g} px^2, counter-clockwise is positive",
+                         event.front ? "front" : "back", event.area_px2);
+    case Touch::kHidden:
+      return depth_note(event, history.events);
+    case Touch::kDiscarded:
+      return fmt::format("alpha {:.9g} is below the cutoff, {:.9g}", event.alpha, event.cutoff);
+    case Touch::kMasked:
+      return event.writes_depth ? "the colour mask lets nothing through; its depth is written"
+                                : "the colour mask lets nothing through";
+    case Touch::kBlended:
+      text = fmt::format("light ({:.4g}, {:.4g}, {:.4g}) with alpha {:.4g} over {}", event.light.r,
+                         event.light.g, event.light.b, event.alpha, bytes_text(event.before));
+      break;
+    case Touch::kWritten:
+      break;
+  }
+  if (event.overwritten_by) {
+    text += (text.empty() ? "" : "; ") + fmt::format("overwritten by #{}", *event.overwritten_by);
+  }
+  return text;
+}
+
+std::string event_text(const Scene& scene, const PixelHistory& history, std::size_t i) {
+  const PixelEvent& event = history.events[i];
+  const bool drawn = event.touch >= Touch::kMasked;
+  std::string text = row(
+      fmt::format("#{}", i), event.source.is_triangle ? std::to_string(event.source.number) : "",
+      surface_text(scene, event), name_of(event.touch),
+      event.touch == Touch::kTurnedAway ? "" : fmt::format("{:.9g}", event.distance),
+      is_fragment(event) ? fmt::format("{:08x}", event.code) : "",
+      drawn ? bytes_text(event.after) : "");
+  const std::string more = note_of(history, event);
+  return more.empty() ? text : text + note(more);
+}
+
+std::string misses_text(const Scene& scene, const PixelHistory& history, bool all) {
+  const std::size_t shown =
+      all ? history.misses.size() : std::min(kMissesShown, history.misses.size());
+  std::string text = fmt::format(
+      "\n{} whose box reaches into the pixel miss{} its centre{}\n",
+      history.misses.size() == 1 ? "1 triangle"
+                                 : fmt::format("{} triangles", history.misses.size()),
+      history.misses.size() == 1 ? "es" : "",
+      shown < history.misses.size() ? fmt::format("; the nearest {} (--all lists them):", shown)
+                                    : ":");
+  for (std::size_t i = 0; i < shown; ++i) {
+    const PixelMiss& missed = history.misses[i];
+    const std::string how =
+        missed.miss.value == 0
+            ? std::string("on an edge that belongs to the neighbour")
+            : fmt::format("outside an edge by {} (E = {})", subpixels_text(missed.miss.subpixels),
+                          missed.miss.value);
+    PixelEvent event;
+    event.instance = missed.instance;
+    event.face = missed.face;
+    text += fmt::format("      {:>8}  {:<28}{}\n", missed.number,
+                        cut(surface_text(scene, event), 27), how);
+  }
+  return text;
+}
+
+std::string last_line(const Scene& scene, const PixelHistory& history) {
+  const std::string bytes = bytes_text(history.shown);
+  if (!history.shows_bytes) {
+    return fmt::format("the picture shows {}: --show paints it anew after the last fragment\n",
+                       bytes);
+  }
+  if (!history.shows) return fmt::format("the picture shows {}: the background\n", bytes);
+  const PixelEvent& event = history.events[*history.shows];
+  const std::string what = event.source.is_triangle
+                               ? fmt::format("triangle {}", event.source.number)
+                               : "a line or a point of " + mesh_text(scene, event.instance);
+  return fmt::format("the picture shows {}: #{}, {}{}\n", bytes, *history.shows, what,
+                     event.touch == Touch::kBlended ? ", and what it was laid over" : "");
+}
+
+}  // namespace
+
+std::string history_text(const Scene& scene, const PixelHistory& history, bool all_misses) {
+  std::string text =
+      row("", "triangle", "face of mesh, material", "fate", "distance", "depth", "pixel after");
+  text += row("", "", "", "cleared", "", "ffffffff", bytes_text(history.cleared));
+  for (std::size_t i = 0; i < history.events.size(); ++i) text += event_text(scene, history, i);
+  if (!history.misses.empty()) text += misses_text(scene, history, all_misses);
+  if (history.without_area > 0) {
+    text += fmt::format("\n{} more reach into it, but have no area after snapping\n",
+                        history.without_area);
+  }
+  if (!history.complete) text += "\nthe history is cut off: it takes too much memory\n";
+  return text + "\n" + last_line(scene, history);
+}
+
+}  // namespace glassbox::app

@@ -1,0 +1,156 @@
+#include "app/pixel/pixel_command.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/options/arguments.h"
+#include "app/options/builtin_help.h"
+#include "app/pixel/history_json.h"
+#include "app/pixel/history_text.h"
+#include "app/report/exit_codes.h"
+#include "app/report/shell_line.h"
+#include "app/why/verdict_text.h"
+
+#include <glassbox/pipeline/unproject.h>
+#include <glassbox/render/trace/numbering.h>
+
+namespace glassbox::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// The point of the world that lies `distance` along the gaze behind the pixel's centre.
+Result<Point<World, double>> world_point(const View& view, PixelAt pixel, double distance) {
+  const auto& m = view.clip_from_eye;
+  const double clip_z = double(m.at(2, 2)) * -distance + double(m.at(2, 3));
+  const double ndc_z = view.perspective ? clip_z / distance : clip_z;
+  return unproject(view, {pixel.x + 0.5, pixel.y + 0.5, ndc_z});
+}
+
+// What the picture has at the pixel in the end.
+struct SeenPixel {
+  Rgba8 color;
+  std::optional<NumberedTriangle> triangle;  // none: a line, a point or the background
+  std::optional<double> distance;            // none: the background
+  std::optional<Point<World, double>> world;
+};
+
+SeenPixel seen_at(const Scene& scene, const View& view, const Framebuffer& buffers, PixelAt at) {
+  SeenPixel seen;
+  seen.color = buffers.color.at(at.x, at.y);
+  const std::uint32_t id = buffers.id.at(at.x, at.y);
+  if (id > 0) seen.triangle = find_triangle(scene, id - 1);
+  const double distance = double(buffers.distance.at(at.x, at.y));
+  if (!std::isfinite(distance)) return seen;
+  seen.distance = distance;
+  if (const auto world = world_point(view, at, distance)) seen.world = *world;
+  return seen;
+}
+
+std::string text_of(const Scene& scene, const SeenPixel& seen) {
+  const Rgba8& c = seen.color;
+  std::string text = fmt::format("  colour    ({}, {}, {}), alpha {}\n", c.r, c.g, c.b, c.a);
+  if (!seen.distance) return text + "  nothing was drawn here: this is the background\n";
+  text += seen.triangle ? fmt::format("  triangle  {}: {}\n", seen.triangle->number,
+                                      place_of(scene, seen.triangle->instance, seen.triangle->face))
+                        : "  triangle  none: a line or a point\n";
+  text += fmt::format("  distance  {:.9g} along the gaze\n", *seen.distance);
+  if (seen.world) {
+    text += fmt::format("  world     ({:.9g}, {:.9g}, {:.9g})\n", seen.world->x, seen.world->y,
+                        seen.world->z);
+  }
+  return text;
+}
+
+Json json_of(const Scene& scene, const SeenPixel& seen) {
+  const Rgba8& c = seen.color;
+  Json json{{"color", {c.r, c.g, c.b, c.a}}};
+  if (seen.triangle) {
+    const Instance& instance = scene.instances[seen.triangle->instance];
+    json["triangle"] = seen.triangle->number;
+    json["instance"] = seen.triangle->instance;
+    json["mesh"] = scene.meshes[instance.mesh].name;
+    json["face"] = seen.triangle->face;
+  }
+  if (seen.distance) json["distance"] = *seen.distance;
+  if (seen.world) json["world"] = {seen.world->x, seen.world->y, seen.world->z};
+  return json;
+}
+
+// Whether these are the words of options that add_picture_options knows, as words_given has them, and nothing else is among
+// them: no "--" or "++" that would change what the words after it mean.
+bool are_picture_options(const std::vector<std::string>& words) {
+  CLI::App app;
+  PictureOptions picture;
+  add_picture_options(app, picture);
+  try {
+    app.parse(
+        std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 wants the last first
+  } catch (const CLI::Error&) {
+    return false;  // --help, too
+  }
+  return words_given(picture) == words;
+}
+
+}  // namespace
+
+std::string pixel_command_line(const Recipe& recipe, PixelAt pixel) {
+  if (recipe.scene.starts_with('-') || !are_picture_options(recipe.options)) return {};
+  std::vector<std::string> words{"pixel", recipe.scene};
+  words.insert(words.end(), recipe.options.begin(), recipe.options.end());
+  words.insert(words.end(), {"--at", fmt::format("{},{}", pixel.x, pixel.y)});
+  return shell_line(words).value_or("");
+}
+
+void PixelCommand::add_to(CLI::App& app, int& exit_code) {
+  CLI::App& command =
+      *app.add_subcommand("pixel", "what is seen in one pixel of a picture, and its whole history");
+  command.footer(
+      "Examples:\n"
+      "  glassbox pixel teapot --at 640,360\n"
+      "  glassbox pixel room --size 320x180 --shade flat --at 12,34 --json -\n\n"
+      "The history has every fragment that touched the pixel, in drawing order, and triangles "
+      "that\n"
+      "were culled or clipped where they would have covered it, or that miss its centre.\n"
+      "The options are those of glassbox render: the same words show the same picture.\n\n" +
+      builtin_help());
+  command
+      .add_option_function<std::string>(
+          "--at", [this](const std::string& text) { at_ = parse_pixel("--at", text); },
+          "the pixel, counted from 0 at the top left")
+      ->type_name("X,Y")
+      ->required();
+  command.add_flag("--all", all_,
+                   "list all triangles that miss the pixel's centre, not the nearest few");
+  question_.add_to(command);
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+int PixelCommand::run() const {
+  const auto legal = check_pixel("--at", at_, question_.picture().size);
+  if (!legal) return refuse(legal.error());
+  tell_of_centres(question_.picture());
+  return question_.answer(
+      [this](const Scene& scene, const View& view) { return answer(scene, view); });
+}
+
+Answer PixelCommand::answer(const Scene& scene, const View& view) const {
+  RenderSettings settings = question_.picture().settings;
+  settings.want_distance = true;
+  settings.want_id = true;
+  Rendering rendering;
+  const PixelHistory history = pixel_history(scene, view, settings, at_.x, at_.y, &rendering);
+  const SeenPixel seen = seen_at(scene, view, rendering.buffers, at_);
+
+  Json json{{"x", at_.x}, {"y", at_.y}};
+  json.update(json_of(scene, seen));
+  json["history"] = to_json(scene, history);
+  return {json, fmt::format("pixel ({}, {}) of {}\n{}\n{}", at_.x, at_.y, question_.title(),
+                            text_of(scene, seen), history_text(scene, history, all_))};
+}
+
+}  // namespace glassbox::app

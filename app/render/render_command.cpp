@@ -1,0 +1,342 @@
+#include "app/render/render_command.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <utility>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/frames/frames.h"
+#include "app/frames/stop_request.h"
+#include "app/options/builtin_help.h"
+#include "app/options/choices.h"
+#include "app/options/ignored_options.h"
+#include "app/options/scene_input.h"
+#include "app/report/exit_codes.h"
+#include "app/report/output.h"
+#include "app/report/picture_output.h"
+#include "app/report/progress.h"
+#include "app/report/stage_report.h"
+
+#include <glassbox/base/printable.h>
+#include <glassbox/images/atomic_file.h>
+#include <glassbox/images/recipe.h>
+#include <glassbox/pipeline/view.h>
+#include <glassbox/render/renderer.h>
+#include <glassbox/render/trace/numbering.h>
+
+namespace glassbox::app {
+
+// The picture, and what there is to say about it.
+struct DrawnPicture {
+  Camera camera;
+  View view;  // of the camera between the eyes where there are two
+  Image<Rgba8> image;
+  Framebuffer planes;
+  std::vector<std::pair<std::string, Statistics>>
+      stages;  // of each eye; its name is empty where there is one
+  std::string eyes_text;
+  nlohmann::ordered_json eyes_json;
+};
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+double elapsed_ms(Clock::time_point since) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - since).count();
+}
+
+// Every integer up to 2^24 is a float; id 2^24 - 1 is the last whose successor is one as well.
+constexpr std::uint64_t kMaxIdTriangles = (1u << 24) - 1;
+
+Result<void> write_ids(const std::string& path, const Image<std::uint32_t>& ids) {
+  Image<float> as_floats(ids.width, ids.height);
+  for (std::size_t i = 0; i < ids.pixels.size(); ++i) as_floats.pixels[i] = float(ids.pixels[i]);
+  return write_file(path, encode_pfm(as_floats));
+}
+
+Json camera_json(const Camera& camera, const View& view) {
+  Json matrix = Json::array();
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column)
+      matrix.push_back(camera.world_from_eye.at(row, column));
+  }
+  Json json{{"name", camera.name},
+            {"projection", view.perspective ? "perspective" : "parallel"},
+            {"near", view.near}};
+  json["far"] = std::isinf(view.far) ? Json("inf") : Json(view.far);
+  json["world_from_eye_rows"] = matrix;
+  return json;
+}
+
+bool nothing_drawn(const DrawnPicture& drawn) {
+  return std::ranges::all_of(drawn.stages, [](const auto& eye) { return eye.second.covered == 0; });
+}
+
+// Nothing but the times, of all eyes together.
+Statistics times_of_all(const DrawnPicture& drawn) {
+  Statistics sum;
+  for (const auto& [eye, one] : drawn.stages) {
+    sum.prepare_ms += one.prepare_ms;
+    sum.vertex_ms += one.vertex_ms;
+    sum.triangle_ms += one.triangle_ms;
+    sum.fragment_ms += one.fragment_ms;
+  }
+  return sum;
+}
+
+// What to tell somebody whose picture shows the background only.
+const char* why_empty(Renderer& renderer, const View& view, RenderSettings settings) {
+  settings.cull = Cull::kNone;
+  if (renderer.render(view, settings).statistics.covered > 0) {
+    return "every face in view is turned away; --cull none shows it from behind";
+  }
+  return "nothing of the scene is in this picture; without camera options it is framed whole";
+}
+
+}  // namespace
+
+void RenderCommand::add_to(CLI::App& app, int& exit_code) {
+  CLI::App& command = *app.add_subcommand("render", "render a scene to an image");
+  command.footer(
+      "Examples:\n"
+      "  glassbox render duck.glb -o duck.png\n"
+      "  glassbox render teapot --eye 5,5,11 --look-at 0,1.5,0 --fov 30 --size 1920x1080\n"
+      "  glassbox render plan.obj --ortho 10 --shade flat --background 1,1,1\n"
+      "  glassbox render room --depth-out room.pfm --id-out ids.pfm --json -\n"
+      "  glassbox render forest --stereo anaglyph --eye-separation 0.3 --window 12\n"
+      "  glassbox render forest --stereo anaglyph --frames 60 --path walk.json -o walk.png\n"
+      "  glassbox render duck.glb --frames 36 --turntable -o turn/\n"
+      "  glassbox render - -o - < duck.glb > duck.png\n\n"
+      "No engine option changes a byte (docs/engines.md). step, pixel, why and inspect look at "
+      "one\n"
+      "stage after the other, and so at the staged engine.\n\n" +
+      builtin_help());
+  command.add_option("SCENE", scene_, kSceneHelp)->required();
+  command
+      .add_option("-o,--output", output_,
+                  "image file, .png or .ppm [SCENE.png]; - is standard output")
+      ->type_name("FILE|-");
+  add_choice<std::optional<StreamFormat>>(
+      command, "--format", format_, {{"png", StreamFormat::kPng}, {"ppm", StreamFormat::kPpm}},
+      "of -o - [png]");
+  add_picture_options(command, picture_);
+  add_stereo_picture_options(command, stereo_);
+  add_frames_options(command, frames_);
+  add_engine_options(command, engine_);
+
+  const std::string outputs = "Other outputs";
+  command
+      .add_option("--depth-out", depth_output_,
+                  "distance along the gaze, +inf where nothing was drawn")
+      ->type_name("FILE.pfm")
+      ->group(outputs);
+  command.add_option("--id-out", id_output_, "1 + the number of the triangle seen, 0 for none")
+      ->type_name("FILE.pfm")
+      ->group(outputs);
+  command.add_flag("--stats", stats_, "print what every stage did")->group(outputs);
+  command
+      .add_option("--json", json_output_, "camera, counts and times as JSON; - is standard output")
+      ->type_name("FILE|-")
+      ->group(outputs);
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+Result<void> RenderCommand::check_other_outputs(const std::string& image) const {
+  if (stereo_.form.wanted && (depth_output_ || id_output_)) {
+    return fail(depth_output_ ? "--depth-out" : "--id-out", "each eye has its own",
+                "render one eye at a time, with --seen-by left and --seen-by right");
+  }
+  std::vector<std::string> paths{image};
+  for (const std::optional<std::string>& plane : {depth_output_, id_output_}) {
+    if (!plane) continue;
+    if (const auto legal = check_extension(*plane, ".pfm"); !legal) return legal;
+    paths.push_back(*plane);
+  }
+  if (json_output_ && *json_output_ != "-") paths.push_back(*json_output_);
+  if (json_output_ == "-" && image == "-") {
+    return fail("--json -", "the picture goes to standard output", "name a file for one of them");
+  }
+  return check_outputs(paths);
+}
+
+// So that others can tell how the picture was made. Nobody has what came through a pipe.
+std::vector<TextEntry> RenderCommand::recipe_text() const {
+  if (scene_ == "-") return {};
+  std::vector<std::string> words = words_given(picture_);
+  for (const std::string& word : words_of(stereo_.options)) words.push_back(word);
+  return to_text(Recipe{scene_, words, GLASSBOX_VERSION});
+}
+
+Result<DrawnPicture> RenderCommand::draw(const Scene& scene, Renderer& renderer) const {
+  RenderSettings settings = picture_.settings;
+  settings.want_distance = depth_output_.has_value();
+  settings.want_id = id_output_.has_value();
+  if (!stereo_.form.wanted) {
+    return choose_view(scene, picture_).map([&](const ChosenView& chosen) {
+      Rendering rendering = renderer.render(chosen.view, settings);
+      Image<Rgba8> image = std::move(rendering.buffers.color);
+      return DrawnPicture{chosen.camera,
+                          chosen.view,
+                          std::move(image),
+                          std::move(rendering.buffers),
+                          {{"", rendering.statistics}},
+                          {},
+                          {}};
+    });
+  }
+  const Result<ChosenEyes> chosen = choose_eyes(scene, picture_);
+  if (!chosen) return tl::unexpected(chosen.error());
+  return render_stereo_picture(renderer, *chosen, settings, stereo_).map([&](StereoPicture drawn) {
+    const StereoRendering& both = drawn.rendering;
+    DrawnPicture picture{chosen->camera,
+                         chosen->centre,
+                         std::move(drawn.image),
+                         {},
+                         {{"left", both.left_statistics}},
+                         eyes_text(*chosen, both) + cropped_text(drawn),
+                         eyes_json(*chosen, both)};
+    if (drawn.cropped) {
+      picture.eyes_json["cropped"] = {{"shift_px", drawn.cropped->shift_px},
+                                      {"columns", drawn.cropped->shift}};
+    }
+    if (both.passes == 2) picture.stages.emplace_back("right", both.right_statistics);
+    return picture;
+  });
+}
+
+int RenderCommand::run_frames(const std::string& usual_output) {
+  if (depth_output_ || id_output_) {
+    return refuse({"", depth_output_ ? "--depth-out" : "--id-out", "each frame has its own",
+                   "leave it out; one frame's picture says how it is rendered alone"});
+  }
+  if (stats_) {
+    return refuse({"", "--stats", "each frame has its own", "leave it out, or see --json"});
+  }
+  if (output_ == "-") {
+    return refuse({"", "-o -", "frames are many pictures", "name a file or a directory"});
+  }
+  if (format_) {
+    return refuse({"", "--format", "it is about -o -", "end the name in .png or .ppm"});
+  }
+  if (const auto legal = check_stereo_picture(picture_, stereo_); !legal) {
+    return refuse(legal.error());
+  }
+  return render_frames(
+      {scene_, output_, usual_output, picture_, stereo_, frames_, engine_, limits_, json_output_});
+}
+
+int RenderCommand::run() {
+  const Clock::time_point start = Clock::now();
+  if (const auto legal = check_frames_options(picture_, stereo_, frames_); !legal) {
+    return refuse(legal.error());
+  }
+  if (const auto legal = check_engine_options(engine_); !legal) return refuse(legal.error());
+  tell_of_ignored(picture_);
+  const std::string usual = scene_stem(scene_) + ".png";
+  if (frames_.wanted()) return run_frames(usual);
+  const std::string output = output_.empty() ? usual : output_;
+  if (const auto legal = check_picture_output(output, format_, usual); !legal) {
+    return refuse(legal.error());
+  }
+  if (const auto legal = check_other_outputs(output); !legal) return refuse(legal.error());
+  if (const auto legal = check_stereo_picture(picture_, stereo_); !legal) {
+    return refuse(legal.error());
+  }
+  Progress progress;
+
+  progress.phase("loading " + scene_title(scene_));
+  const Result<Scene> scene = load_asked_scene(scene_, limits_);
+  if (!scene) return refuse(scene.error());
+  for (const std::string& warning : scene->warnings) {
+    progress.say("warning: " + warning);
+  }
+  const double load_ms = elapsed_ms(start);
+
+  if (id_output_ && count_triangles(*scene) > kMaxIdTriangles) {
+    return refuse({scene_, "--id-out",
+                   fmt::format("the scene has {} triangles, and floats are exact only up to {}",
+                               count_triangles(*scene), kMaxIdTriangles + 1),
+                   "leave --id-out out, or split the scene"});
+  }
+
+  progress.phase(fmt::format("rendering {} triangles", count_triangles(*scene)));
+  Renderer renderer = make_renderer(*scene, picture_.settings, engine_);
+  const Result<DrawnPicture> drawn = draw(*scene, renderer);
+  if (!drawn) return refuse(drawn.error());
+  {
+    // Ctrl-C waits until what is being written is whole.
+    const StopRequest stop;
+    progress.phase("writing " + output);
+    if (const auto written = write_pictures(output, *drawn); !written) {
+      return refuse(written.error());
+    }
+    if (stop.asked()) return kFailure;
+  }
+  progress.done();
+  if (nothing_drawn(*drawn)) {
+    fmt::print(stderr, "glassbox: note: {}\n", why_empty(renderer, drawn->view, picture_.settings));
+  }
+  return report(output, *drawn, {load_ms, elapsed_ms(start)});
+}
+
+Result<void> RenderCommand::write_pictures(const std::string& image,
+                                           const DrawnPicture& drawn) const {
+  const auto picture = write_picture(image, format_, drawn.image, recipe_text());
+  if (!picture) return picture;
+  if (depth_output_) {
+    const auto written = write_file(*depth_output_, encode_pfm(drawn.planes.distance));
+    if (!written) return written;
+  }
+  return id_output_ ? write_ids(*id_output_, drawn.planes.id) : Result<void>();
+}
+
+std::string RenderCommand::stats_text(const DrawnPicture& drawn, const RunTimes& times) const {
+  std::string text = engine_text(engine_) + "\n\n";
+  for (const auto& [eye, statistics] : drawn.stages) {
+    if (!eye.empty()) text += eye + " eye\n";
+    text += stage_table(statistics, engine_.engine) + "\n";
+  }
+  text += time_table(times_of_all(drawn)) + "\n";
+  text += fmt::format("  {:<26}{:>12.1f} ms\n", "loading the scene", times.load_ms);
+  return text + fmt::format("  {:<26}{:>12.1f} ms\n\n", "everything", times.total_ms);
+}
+
+int RenderCommand::report(const std::string& image, const DrawnPicture& drawn,
+                          const RunTimes& times) const {
+  if (json_output_) {
+    Json json{{"scene", scene_},
+              {"image", image},
+              {"width", drawn.image.width},
+              {"height", drawn.image.height},
+              {"camera", camera_json(drawn.camera, drawn.view)},
+              {"engine", engine_json(engine_)}};
+    if (!drawn.eyes_json.is_null()) json["stereo"] = drawn.eyes_json;
+    for (const auto& [eye, statistics] : drawn.stages) {
+      json[eye.empty() ? "stages" : "stages_" + eye] = to_json(statistics);
+    }
+    // The tile engine's eyes take turns, and are timed together.
+    if (engine_.engine == Engine::kTile && drawn.stages.size() > 1) {
+      json["stages_right"].erase("ms");
+    }
+    json["load_ms"] = times.load_ms;
+    json["total_ms"] = times.total_ms;
+    if (const auto written = write_json(*json_output_, json); !written)
+      return refuse(written.error());
+  }
+  if (json_output_ == "-") return kSuccess;
+  std::FILE* const out = image == "-" ? stderr : stdout;
+  if (stats_) fmt::print(out, "{}", stats_text(drawn, times));
+  if (image == "-") return kSuccess;
+  fmt::print("{} ({} x {}): {} triangles, {:.0f} ms\n{}", printable(image, kLongestMessage),
+             drawn.image.width, drawn.image.height, drawn.stages.front().second.triangles,
+             times.total_ms, drawn.eyes_text);
+  return kSuccess;
+}
+
+}  // namespace glassbox::app

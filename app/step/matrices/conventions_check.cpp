@@ -1,0 +1,277 @@
+#include "app/step/matrices/conventions_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/step/matrices/projection_factors.h"
+
+namespace glassbox {
+namespace {
+
+// ---- where the points go ----
+
+struct Landing {
+  int visible = 0, behind = 0, in_front = 0;
+  std::optional<glm::dvec2> window;  // of the first that is visible
+};
+
+Landing send(const MatrixSetup& s, const Viewport& viewport, std::span<const CheckedPoint> points) {
+  const glm::dmat4 clip_from_object = s.projection.m * s.view.m * s.model.m;
+  Landing landing;
+  for (const CheckedPoint& point : points) {
+    const glm::dvec4 c = clip_from_object * point.object;
+    landing.behind += c.w < 0;
+    landing.in_front += c.w > 0;
+    const double low = s.dialect.z_from_minus_w ? -c.w : 0;
+    const bool inside = c.w > 0 && std::abs(c.x) <= c.w && std::abs(c.y) <= c.w && c.z >= low &&
+                        c.z <= c.w;  // false where one is NaN
+    if (!inside) continue;
+    const glm::dvec2 window{c.x / c.w * (double(viewport.right) - double(viewport.left)) / 2 +
+                                (double(viewport.right) + double(viewport.left)) / 2,
+                            c.y / c.w * (double(viewport.top) - double(viewport.bottom)) / 2 +
+                                (double(viewport.top) + double(viewport.bottom)) / 2};
+    if (point.expected && !(std::abs(window.x - point.expected->x) <= kExpectedWithinPx &&
+                            std::abs(window.y - point.expected->y) <= kExpectedWithinPx)) {
+      continue;
+    }
+    ++landing.visible;
+    if (!landing.window) landing.window = window;
+  }
+  return landing;
+}
+
+// ---- what speaks for a change ----
+
+struct Judged {
+  MatrixFacts model, view;
+  ProjectionFacts projection;
+  bool projection_sound = false;
+  std::optional<Eyepoint> eye;
+
+  explicit Judged(const MatrixSetup& s)
+      : model(facts_of(s.model.m)),
+        view(facts_of(s.view.m)),
+        projection(projection_facts(projection_part(s.projection), s.dialect.depth)),
+        projection_sound(projection.kind != ProjectionKind::kNone && !projection.depth_lost &&
+                         !projection.looks_transposed && facts_of(s.projection.m).rank == 4),
+        eye(view.affine ? eyepoint_of(s.view) : std::nullopt) {}
+
+  // 0: not what it claims to be.
+  int soundness_of_view() const { return view.rigid() ? 2 : view.invertible() ? 1 : 0; }
+  int soundness() const {
+    return int(model.invertible()) + soundness_of_view() + int(projection_sound);
+  }
+  bool spoils(const Judged& before) const {
+    return int(model.invertible()) < int(before.model.invertible()) ||
+           soundness_of_view() < before.soundness_of_view() ||
+           projection_sound < before.projection_sound;
+  }
+};
+
+class Reasons {
+public:
+  Reasons(Alternative& alternative) : alternative_(alternative) {}
+  void add(double weight, std::string reason) {
+    alternative_.score += weight;
+    if (!reason.empty()) alternative_.reasons.push_back(std::move(reason));
+  }
+
+private:
+  Alternative& alternative_;
+};
+
+void weigh_soundness(const Judged& before, const Judged& after, Reasons reasons) {
+  if (after.model.invertible() && !before.model.invertible()) {
+    reasons.add(8, "then the model matrix is affine, as given it is not");
+  }
+  if (after.soundness_of_view() > before.soundness_of_view()) {
+    reasons.add(8, after.view.rigid() ? "then the view is rigid, as given it is not"
+                                      : "then the view is affine, as given it is not");
+  }
+  if (after.projection_sound && !before.projection_sound) {
+    reasons.add(8, std::string("then the projection is ") +
+                       (after.projection.kind == ProjectionKind::kPerspective ? "a perspective one"
+                                                                              : "a parallel one") +
+                       ", as given it is none");
+  }
+}
+
+void weigh_eyepoint(const Judged& before, const Judged& after, Reasons reasons) {
+  if (!before.eye || !after.eye) return;
+  if (after.eye->level != before.eye->level) {
+    reasons.add(after.eye->level ? 4 : -4,
+                after.eye->level ? "then the camera stands upright, as given it is rolled" : "");
+  }
+  const int saved = before.eye->digits - after.eye->digits;
+  if (saved >= 3) {
+    reasons.add(2, "then the eye stands at " + position_text(*after.eye) +
+                       ", rounder numbers than " + position_text(*before.eye));
+  } else if (saved <= -3) {
+    reasons.add(-2, "");
+  }
+}
+
+void weigh_hand(const MatrixSetup& changed, const Landing& before, const Landing& after,
+                Reasons reasons) {
+  const int points = before.behind + before.in_front;
+  if (before.behind == points && after.in_front == points) {
+    reasons.add(3, points == 1
+                       ? "as given w is negative: the projection looks the other way"
+                       : "as given every w is negative (" + std::to_string(points) + " of " +
+                             std::to_string(points) + "): the projection looks the other way");
+  }
+  const auto drawn = world_drawn(changed);
+  if (!drawn) return;
+  if (changed.world) {
+    reasons.add(*changed.world == *drawn ? 4 : -4,
+                *changed.world == *drawn ? "then your world's handedness fits" : "");
+  } else if (changed.dialect.window_y_up || changed.dialect.ndc_y_down) {  // OpenGL, Vulkan
+    reasons.add(*drawn == Hand::kRight ? 1 : -1, "");
+  }
+}
+
+void weigh_range(const Judged& before, const MatrixSetup& changed, Reasons reasons) {
+  const DepthReading* likely = before.projection.likely_range();
+  if (likely == nullptr || likely->from_minus_one != changed.dialect.z_from_minus_w) return;
+  reasons.add(4, "for depth " + std::string(likely->from_minus_one ? "-1" : "0") + " .. 1 it has " +
+                     planes_text(*likely) + ", round numbers");
+}
+
+void weigh(Change change, const MatrixSetup& changed, const Judged& judged, const Landing& before,
+           const Landing& after, Reasons reasons) {
+  switch (change) {
+    case Change::kEyeHand:
+    case Change::kTurnRound:
+      return weigh_hand(changed, before, after, reasons);
+    case Change::kDepthRange:
+      return weigh_range(judged, changed, reasons);
+    case Change::kDegrees:
+      return reasons.add(6, "[1][1] is the cotangent of half of " +
+                                std::to_string(*judged.projection.degrees_taken_as_radians) +
+                                " radians");
+    case Change::kRadians:
+      if (!judged.projection.radians_taken_as_degrees) return;
+      return reasons.add(6, "the angle of view is " +
+                                std::to_string(*judged.projection.radians_taken_as_degrees) +
+                                " degrees in radians");
+    case Change::kClearCorner:
+      return reasons.add(6, "[3][3] is 1, as in the identity");
+    default:
+      return;
+  }
+}
+
+// What a setup does to points, however it is made up.
+struct Map {
+  glm::dmat4 clip_from_object;
+  bool z_from_minus_w;
+
+  explicit Map(const MatrixSetup& s)
+      : clip_from_object(s.projection.m * s.view.m * s.model.m),
+        z_from_minus_w(s.dialect.z_from_minus_w) {}
+  friend bool operator==(const Map&, const Map&) = default;
+};
+
+class Search {
+public:
+  Search(const MatrixSetup& setup, const Viewport& viewport, std::span<const CheckedPoint> points)
+      : setup_(setup),
+        viewport_(viewport),
+        points_(points),
+        judged_(setup),
+        before_(send(setup, viewport, points)),
+        tried_{Map(setup)} {
+    for (const CheckedPoint& point : points) expects_ = expects_ || point.expected;
+  }
+
+  ConventionsReport run() {
+    report_.points = int(points_.size());
+    report_.visible = before_.visible;
+    report_.behind_eye = before_.behind;
+    if (before_.visible == report_.points) return report_;
+    for (const Slip& slip : slips()) {
+      if (is_tried(slip)) try_changes(slip, nullptr);
+    }
+    for (const Alternative& one : report_.alternatives) most_ = std::max(most_, one.points);
+    if (before_.visible == 0 && most_ < report_.points) try_pairs();
+    std::stable_sort(report_.alternatives.begin(), report_.alternatives.end(),
+                     [](const Alternative& a, const Alternative& b) {
+                       return a.points != b.points ? a.points > b.points : a.score > b.score;
+                     });
+    return report_;
+  }
+
+private:
+  bool is_tried(const Slip& slip) const {
+    return expects_ || (slip.change != Change::kFlipX && slip.change != Change::kFlipY);
+  }
+
+  void try_pairs() {
+    for (std::size_t i = 0; i < slips().size(); ++i) {
+      for (std::size_t j = i + 1; j < slips().size(); ++j) {
+        if (is_tried(slips()[i]) && is_tried(slips()[j])) try_changes(slips()[i], &slips()[j]);
+      }
+    }
+  }
+
+  // With two changes a single point goes nearly anywhere: something in the matrices has to speak for them, or more points.
+  bool is_credible(const Alternative& pair) const {
+    constexpr double kSomethingInTheMatrices = 4;
+    return pair.score >= kSomethingInTheMatrices ||
+           (pair.points >= 3 && pair.points == report_.points);
+  }
+
+  void try_changes(const Slip& slip, const Slip* second) {
+    MatrixSetup changed = setup_;
+    if (!apply(slip.change, changed)) return;
+    if (second != nullptr && !apply(second->change, changed)) return;
+    const Map map(changed);
+    if (std::find(tried_.begin(), tried_.end(), map) != tried_.end()) return;
+    tried_.push_back(map);
+    const Landing after = send(changed, viewport_, points_);
+    if (after.visible <= (second == nullptr ? before_.visible : most_)) return;
+    const Judged judged(changed);
+    if (judged.spoils(judged_)) {
+      ++report_.spoiling;
+      return;
+    }
+    Alternative found;
+    found.change = slip.change;
+    found.id = slip.id;
+    found.what = slip.what;
+    found.remedy = slip.remedy;
+    if (second != nullptr) {
+      found.second = second->change;
+      found.second_id = second->id;
+      found.what += std::string(", and ") + second->what;
+      found.remedy += std::string("; ") + second->remedy;
+    }
+    found.points = after.visible;
+    found.window = after.window;
+    weigh_soundness(judged_, judged, found);
+    weigh_eyepoint(judged_, judged, found);
+    weigh(slip.change, changed, judged_, before_, after, found);
+    if (second != nullptr) weigh(second->change, changed, judged_, before_, after, found);
+    if (second != nullptr && !is_credible(found)) return;
+    report_.alternatives.push_back(std::move(found));
+  }
+
+  const MatrixSetup& setup_;
+  const Viewport& viewport_;
+  const std::span<const CheckedPoint> points_;
+  const Judged judged_;
+  const Landing before_;
+  bool expects_ = false;
+  int most_ = 0;  // points that a single change brings in
+  std::vector<Map> tried_;
+  ConventionsReport report_;
+};
+
+}  // namespace
+
+ConventionsReport check_conventions(const MatrixSetup& setup, const Viewport& viewport,
+                                    std::span<const CheckedPoint> points) {
+  return Search(setup, viewport, points).run();
+}
+
+}  // namespace glassbox

@@ -1,0 +1,211 @@
+#include "app/step/step_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/options/arguments.h"
+#include "app/options/choices.h"
+#include "app/report/exit_codes.h"
+#include "app/report/output.h"
+
+namespace glassbox::app {
+
+namespace {
+
+constexpr const char* kGroup = "Your own matrices";
+
+glm::dvec4 parse_point(const std::string& text) {
+  constexpr double kLargest = double(std::numeric_limits<float>::max());
+  const auto commas = std::count(text.begin(), text.end(), ',');
+  if (commas != 2 && commas != 3) {
+    throw CLI::ValidationError("--point", "needs X,Y,Z or X,Y,Z,W, not '" + text + "'");
+  }
+  glm::dvec4 point(0, 0, 0, 1);
+  if (commas == 3) {
+    const auto [x, y, z, w] = parse_numbers<4>("--point", text);
+    point = {x, y, z, w};
+  } else {
+    const auto [x, y, z] = parse_numbers<3>("--point", text);
+    point = {x, y, z, 1};
+  }
+  for (int i = 0; i < 4; ++i) {
+    if (std::abs(point[i]) > kLargest) {
+      throw CLI::ValidationError("--point", "needs numbers that a float can hold, up to 3.4e38");
+    }
+  }
+  return point;
+}
+
+std::array<double, 4> parse_window(const std::string& text) {
+  const auto window = parse_numbers<4>("--viewport", text);
+  constexpr double kEnd = 1 << 20;
+  for (const double number : window) {
+    if (std::abs(number) > kEnd) {
+      throw CLI::ValidationError("--viewport", "needs numbers up to 1048576, not '" + text + "'");
+    }
+  }
+  if (!(window[2] > 0 && window[3] != 0)) {
+    throw CLI::ValidationError(
+        "--viewport",
+        "needs x,y,width,height with a positive width and a height, not '" + text + "'");
+  }
+  return window;
+}
+
+void add_points(CLI::App& command, PointStepOptions& o) {
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--point",
+          [&o](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) o.points.push_back(parse_point(text));
+          },
+          "the point in object space; again for more points")
+      ->type_name("X,Y,Z[,W]")
+      ->allow_extra_args(false)
+      ->group(kGroup);
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--expect",
+          [&o](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) {
+              const auto [x, y] = parse_numbers<2>("--expect", text);
+              o.expected.push_back({x, y});
+            }
+          },
+          "where the point ought to appear; again for further points, in order")
+      ->type_name("X,Y")
+      ->allow_extra_args(false)
+      ->group(kGroup);
+}
+
+void add_matrices(CLI::App& command, PointStepOptions& o) {
+  const auto add = [&](const char* name, std::optional<std::string>& source, const char* help) {
+    command.add_option(name, source, help)->type_name("FILE|-|NUMBERS")->group(kGroup);
+  };
+  add("--model", o.model, "world from object; the identity where it is not given");
+  add("--view", o.view, "eye from world; the identity where it is not given");
+  add("--proj", o.projection, "clip from eye; a product with the view will do, too");
+  add_choice<std::optional<NumberOrder>>(
+      command, "--order", o.order,
+      {{"rows", NumberOrder::kRows}, {"columns", NumberOrder::kColumns}},
+      "what the numbers list first: rows of p' = M p, or columns (rows of p M)")
+      ->group(kGroup);
+}
+
+void add_conventions(CLI::App& command, PointStepOptions& o) {
+  Choices<const ApiDialect*> dialects;
+  for (const ApiDialect& dialect : api_dialects()) dialects.push_back({dialect.name, &dialect});
+  add_choice<const ApiDialect*>(
+      command, "--dialect", o.dialect, dialects,
+      "whose clip space and window; else what the projection looks made for")
+      ->group(kGroup);
+  add_choice<std::optional<Hand>>(command, "--world", o.world,
+                                  {{"right", Hand::kRight}, {"left", Hand::kLeft}},
+                                  "the handedness of your world, if you know it")
+      ->group(kGroup);
+}
+
+// --size is among the picture's options.
+void add_window(CLI::App& command, PointStepOptions& o) {
+  command
+      .add_option_function<std::string>(
+          "--viewport", [&o](const std::string& text) { o.window = parse_window(text); },
+          "the window's rectangle, as glViewport takes it")
+      ->type_name("X,Y,W,H")
+      ->group(kGroup)
+      ->excludes(command.get_option("--size"));
+}
+
+constexpr const char* kFooter =
+    "Examples:\n"
+    "  glassbox step teapot --triangle 1000\n"
+    "  glassbox step room --size 320x180 --pick 160,90 --bits\n"
+    "  glassbox step model.glb --triangle 7 --vertex 0 --json trace.json\n"
+    "  glassbox step --point 0,0,0 --view view.txt --proj proj.txt --size 1280x720\n"
+    "  glassbox step --point 1,2,3 --model m.txt --view v.txt --proj p.txt --dialect vulkan\n"
+    "  glassbox step --point 0,0,-5 --proj '1 0 0 0  0 1 0 0  0 0 -1.02 -0.202  0 0 -1 0'\n"
+    "  myprogram | glassbox step --point 0,0,0 --point 1,1,1 --view - --proj proj.txt --json -\n\n"
+    "A matrix is a file, - for standard input, or the sixteen numbers themselves, as your program\n"
+    "prints them: brackets, commas and names do not matter. The first four are the first row of\n"
+    "p' = M p, unless --order columns is given or the layout says otherwise (GLM's to_string "
+    "does).\n"
+    "Several points tell more than one. docs/step.md has the whole story.";
+
+// Whether a point that goes through its own matrices has no use for the option, or a scene's triangle has none.
+bool is_for(const CLI::Option& option, bool of_points) {
+  const bool own_matrices = option.get_group() == kGroup;
+  if (!of_points) return !own_matrices;
+  return own_matrices || option.get_name() == "--size" || option.get_group() == "Other outputs";
+}
+
+void tell_of_ignored(const CLI::App& command, bool of_points) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() == 0 || is_for(*option, of_points)) continue;
+    fmt::print(stderr, "glassbox: note: {} is ignored: {}\n", option->get_name(),
+               of_points ? "a point goes through your own matrices"
+                         : "a scene's triangle goes through the picture's matrices");
+  }
+}
+
+}  // namespace
+
+void StepCommand::add_to(CLI::App& app, int& exit_code) {
+  CLI::App& command = *app.add_subcommand(
+      "step", "a triangle of a scene, or a point through your own matrices, through every space");
+  command.footer(kFooter);
+  scene_.add_to(command);
+  add_points(command, points_);
+  add_matrices(command, points_);
+  add_conventions(command, points_);
+  add_window(command, points_);
+  command.add_flag("--bits", bits_, "the bits of each float, too, in hexadecimal")
+      ->group("Other outputs");
+  command.add_option("--json", json_output_, "the same as JSON; - is standard output")
+      ->type_name("FILE|-")
+      ->group("Other outputs");
+  command.callback([this, &command, &exit_code] {
+    if (scene_.is_asked_for() == points_.points.empty()) {
+      tell_of_ignored(command, !scene_.is_asked_for());
+    }
+    exit_code = run();
+  });
+}
+
+int StepCommand::run() {
+  if (scene_.is_asked_for() && !points_.points.empty()) {
+    return refuse({"", "--point", "a scene is named, too",
+                   "give a scene and a triangle, or points and matrices"});
+  }
+  if (scene_.is_asked_for()) return scene_.run(bits_, json_output_);
+  if (points_.points.empty()) {
+    return refuse({"", "", "there is nothing to step through",
+                   "give a scene and --triangle N, or --point X,Y,Z and your matrices"});
+  }
+  return run_points();
+}
+
+int StepCommand::run_points() {
+  const std::vector<std::string> words = words_given(scene_.picture());
+  if (std::find(words.begin(), words.end(), "--size") != words.end()) {
+    const auto [width, height] = scene_.picture().size;
+    points_.window = {0, 0, double(width), double(height)};
+  }
+  points_.bits = bits_;
+  const auto step = step_points(points_);
+  if (!step) return refuse(step.error());
+  if (json_output_) {
+    if (const auto written = write_json(*json_output_, point_step_json(*step)); !written) {
+      return refuse(written.error());
+    }
+    if (*json_output_ == "-") return kSuccess;
+  }
+  fmt::print("{}", point_step_text(*step));
+  return kSuccess;
+}
+
+}  // namespace glassbox::app

@@ -1,0 +1,183 @@
+#include "app/stereo/stereo_command.h"
+
+#include <array>
+#include <cmath>
+#include <span>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/options/arguments.h"
+#include "app/options/builtin_help.h"
+#include "app/options/scene_input.h"
+#include "app/report/exit_codes.h"
+#include "app/report/output.h"
+#include "app/report/progress.h"
+#include "app/report/shell_line.h"
+#include "app/stereo/json.h"
+#include "app/stereo/page.h"
+
+#include <glassbox/base/printable.h>
+#include <glassbox/images/atomic_file.h>
+
+namespace glassbox::app {
+
+namespace {
+
+void add_report_options(CLI::App& command, StereoQuestion& question) {
+  const std::string group = "What the pair is held against";
+  command
+      .add_option_function<std::string>(
+          "--budget",
+          [&question](const std::string& text) {
+            question.budget_percent = parse_number("--budget", text);
+          },
+          fmt::format("parallax allowed before and behind the window, per cent of the width [{:g}]",
+                      question.budget_percent))
+      ->type_name("PERCENT")
+      ->group(group);
+  command
+      .add_option_function<std::string>(
+          "--display",
+          [&question](const std::string& text) {
+            const auto [width, distance] = parse_numbers<2>("--display", text);
+            question.display = {width, distance};
+          },
+          fmt::format("the picture's width and how far away it is, mm [{:g},{:g}]",
+                      question.display.width_mm, question.display.viewing_distance_mm))
+      ->type_name("WIDTH,DISTANCE")
+      ->group(group);
+  command
+      .add_option_function<std::string>(
+          "--target-rivalry",
+          [&question](const std::string& text) {
+            question.target_rivalry = parse_number("--target-rivalry", text);
+          },
+          fmt::format("mean rivalry of the anaglyph to aim at, 0 to 1 [{:g}]",
+                      question.target_rivalry))
+      ->type_name("R")
+      ->group(group);
+}
+
+}  // namespace
+
+void StereoCommand::add_to(CLI::App& app, int& exit_code) {
+  CLI::App& command = *app.add_subcommand(
+      "stereo", "how a pair of eyes sees a scene, what disturbs them, and what to change");
+  command.footer(
+      "Examples:\n"
+      "  glassbox stereo forest\n"
+      "  glassbox stereo forest --eye-separation 0.3 --window 12 --html forest.html\n"
+      "  glassbox stereo room --anaglyph dubois --display 2000,3000 --json -\n\n"
+      "The page needs no network and no other file. The options of the picture are those of\n"
+      "glassbox render: the same words with --stereo draw the same pictures.\n\n" +
+      builtin_help());
+  command.add_option("SCENE", scene_, kSceneHelp)->required();
+  add_picture_options(command, picture_);
+  const std::size_t before = command.get_options().size();
+  add_anaglyph_options(command, anaglyph_);
+  add_report_options(command, question_);
+  const auto all = command.get_options();
+  options_.assign(all.begin() + std::ptrdiff_t(before), all.end());
+  add_engine_options(command, engine_);
+  const std::string outputs = "Other outputs";
+  command.add_option("--html", html_output_, "the report as a page, with pictures and maps")
+      ->type_name("FILE")
+      ->group(outputs);
+  command.add_option("--json", json_output_, "the same as JSON; - is standard output")
+      ->type_name("FILE|-")
+      ->group(outputs);
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+Result<void> StereoCommand::check_options() const {
+  if (picture_.eyes.seen_by) {
+    return fail("--seen-by", "the report is about both eyes", "leave it out");
+  }
+  const double budget = question_.budget_percent;
+  if (!(budget >= 0 && budget <= 100)) {
+    return fail("--budget", fmt::format("{:g} is no share of the width", budget),
+                "give per cent, 0 to 100");
+  }
+  const Display& display = question_.display;
+  if (!(display.width_mm > 0 && display.viewing_distance_mm > 0)) {
+    return fail(
+        "--display",
+        fmt::format("{:g} by {:g} mm is no display", display.width_mm, display.viewing_distance_mm),
+        "give its picture's width and its distance, above 0");
+  }
+  const double target = question_.target_rivalry;
+  if (!(target >= 0 && target <= 1)) {
+    return fail("--target-rivalry", fmt::format("{:g} is no rivalry", target), "give 0 to 1");
+  }
+  const auto matrix = anaglyph_matrix(question_.method, question_.glasses);
+  if (!matrix) return tl::unexpected(matrix.error());
+  std::vector<std::string> paths;
+  if (html_output_) {
+    if (const auto legal = check_extension(*html_output_, ".html"); !legal) return legal;
+    if (const auto legal = check_page_size(picture_.size.width, picture_.size.height); !legal) {
+      return legal;
+    }
+    paths.push_back(*html_output_);
+  }
+  if (json_output_ && *json_output_ != "-") paths.push_back(*json_output_);
+  return check_outputs(paths);
+}
+
+// What makes this report again.
+std::string StereoCommand::command_line() const {
+  std::vector<std::string> words{"stereo", scene_};
+  for (const std::string& word : words_given(picture_)) words.push_back(word);
+  for (const std::string& word : words_of(options_)) words.push_back(word);
+  if (html_output_) words.insert(words.end(), {"--html", *html_output_});
+  return shell_line(words).value_or("");
+}
+
+Result<void> StereoCommand::write_outputs(const Scene& scene, const StereoFindings& found,
+                                          const StereoWords& words) const {
+  nlohmann::ordered_json json{
+      {"scene", scene_}, {"width", picture_.size.width}, {"height", picture_.size.height}};
+  json.update(stereo_json(scene, found, words));
+  if (html_output_) {
+    const Result<std::string> page =
+        make_stereo_page(found, json, {"glassbox " GLASSBOX_VERSION, command_line()});
+    if (!page) return tl::unexpected(page.error());
+    const auto written = write_file(*html_output_, std::as_bytes(std::span(*page)));
+    if (!written) return written;
+  }
+  return json_output_ ? write_json(*json_output_, json) : Result<void>();
+}
+
+int StereoCommand::run() {
+  question_.method = anaglyph_.method.value_or(question_.method);
+  question_.glasses = anaglyph_.glasses.value_or(question_.glasses);
+  if (const auto legal = check_options(); !legal) return refuse(legal.error());
+  if (const auto legal = check_engine_options(engine_); !legal) return refuse(legal.error());
+  Progress progress;
+  progress.phase("loading " + scene_title(scene_));
+  const Result<Scene> scene = load_asked_scene(scene_);
+  if (!scene) return refuse(scene.error());
+  for (const std::string& warning : scene->warnings) progress.say("warning: " + warning);
+  progress.phase("rendering " + scene_title(scene_));
+  const Result<ChosenEyes> chosen = choose_eyes(*scene, picture_);
+  if (!chosen) return refuse(chosen.error());
+  Renderer renderer = make_renderer(*scene, picture_.settings, engine_);
+  const Result<StereoFindings> found =
+      find_stereo(*scene, renderer, *chosen, picture_.settings, question_);
+  if (!found) return refuse(found.error());
+  const StereoWords words{verdicts_of(*scene, *found), advise(*scene, *found)};
+  progress.phase("writing the report");
+  if (const auto written = write_outputs(*scene, *found, words); !written) {
+    return refuse(written.error());
+  }
+  progress.done();
+  if (json_output_ == "-") return kSuccess;
+  constexpr std::size_t kLongPath = 1000;
+  fmt::print("{}, {} x {}\n{}", printable(scene_title(scene_), kLongPath), picture_.size.width,
+             picture_.size.height, stereo_text(*found, words));
+  if (html_output_) fmt::print("\n{}: open it in a browser\n", printable(*html_output_, kLongPath));
+  return kSuccess;
+}
+
+}  // namespace glassbox::app

@@ -1,0 +1,26 @@
+#include "app/study/study_command.h"
+
+#include <CLI/CLI.hpp>
+
+namespace glassbox::app {
+
+void StudyCommand::add_to(CLI::App& app, int& exit_code) {
+  CLI::App& command = *app.add_subcommand(
+      "study", "what accuracy costs: measured errors and times beside the theory");
+  command.footer(
+      "Examples:\n"
+      "  glassbox study list\n"
+      "  glassbox study run D-4 --quick\n"
+      "  glassbox study report --quick -o report.html\n"
+      "  glassbox study extremes\n"
+      "  glassbox study recommend forest --error-budget 'depth<1e-4, colour<1/100'\n\n"
+      "docs/study.md explains how errors and times are measured.");
+  command.require_subcommand(1);
+  list_.add_to(command, exit_code);
+  run_.add_to(command, exit_code);
+  report_.add_to(command, exit_code);
+  extremes_.add_to(command, exit_code);
+  recommend_.add_to(command, exit_code);
+}
+
+}  // namespace glassbox::app

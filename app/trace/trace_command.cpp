@@ -1,0 +1,259 @@
+#include "app/trace/trace_command.h"
+
+#include <filesystem>
+#include <limits>
+#include <span>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/options/arguments.h"
+#include "app/options/builtin_help.h"
+#include "app/options/scene_input.h"
+#include "app/report/exit_codes.h"
+#include "app/report/output.h"
+#include "app/report/progress.h"
+#include "app/trace/json.h"
+#include "app/trace/json_text.h"
+#include "app/trace/npz.h"
+
+#include <glassbox/base/near_word.h>
+#include <glassbox/base/printable.h>
+#include <glassbox/images/atomic_file.h>
+#include <glassbox/render/trace/numbering.h>
+
+namespace glassbox::app {
+
+namespace {
+
+constexpr const char* kFooter =
+    "Examples:\n"
+    "  glassbox trace teapot --size 320x180 -o run.npz\n"
+    "  glassbox trace room --size 320x180 --rect 150,80,170,100 -o run.json\n"
+    "  glassbox trace room --arrays vertex,fragment.depth,fragment.pixel -o depths.npz\n"
+    "  glassbox trace cube --size 64x48 --stages triangles -o - | jq '.triangles[0].corners'\n\n"
+    "Every stage's numbers with their bounds; docs/trace.md has the names, shapes and units. An "
+    ".npz\n"
+    "opens with numpy.load. The options of the picture are those of glassbox render.\n\n";
+
+constexpr double kMegabyte = 1e6;
+constexpr std::uint64_t kWorthSaying = 10'000'000;  // bytes
+
+std::string megabytes(std::uint64_t bytes) {
+  return fmt::format("{:.{}f} MB", double(bytes) / kMegabyte, bytes < kWorthSaying ? 2 : 0);
+}
+
+std::string counted(const TraceCounts& counts) {
+  return fmt::format("{} triangle{} and {} fragment{}", counts.triangles,
+                     counts.triangles == 1 ? "" : "s", counts.fragments,
+                     counts.fragments == 1 ? "" : "s");
+}
+
+void parse_stages(const std::string& text, TraceFilter& filter) {
+  filter.triangles = filter.fragments = filter.colors = false;
+  for (const std::string& name : split(text, ',')) {
+    if (name == "triangles") {
+      filter.triangles = true;
+    } else if (name == "fragments") {
+      filter.fragments = true;
+    } else if (name == "colors") {
+      filter.fragments = filter.colors = true;
+    } else {
+      throw CLI::ValidationError("--stages",
+                                 "needs names out of triangles, fragments and colors, "
+                                 "separated by commas, not '" +
+                                     name + "'");
+    }
+  }
+}
+
+// The names of all arrays, and of the groups that they are in.
+std::vector<std::string> names_of(const TraceArrays& arrays) {
+  std::vector<std::string> names;
+  for (const Table* table : arrays.tables()) {
+    for (const Array& array : table->arrays()) {
+      names.push_back(array.name);
+      const std::string group = array.name.substr(0, array.name.find('.'));
+      if (std::ranges::find(names, group) == names.end()) names.push_back(group);
+    }
+  }
+  return names;
+}
+
+}  // namespace
+
+void TraceCommand::add_to(CLI::App& app, int& exit_code) {
+  CLI::App& command = *app.add_subcommand(
+      "trace", "a whole run as data: every stage's numbers as JSON or NumPy arrays");
+  command.footer(kFooter + builtin_help());
+  command.add_option("SCENE", scene_, kSceneHelp)->required();
+  command.add_option("-o,--output", output_, ".json or .npz; - is JSON on standard output")
+      ->type_name("FILE|-")
+      ->required();
+  add_filter(command);
+  add_picture_options(command, picture_);
+  command
+      .add_option("--max-mb", max_megabytes_,
+                  fmt::format("refuse to write more megabytes than that, before compression [{}]",
+                              max_megabytes_))
+      ->type_name("N")
+      ->group("Limits");
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+void TraceCommand::add_filter(CLI::App& command) {
+  const std::string group = "What is kept";
+  command
+      .add_option_function<std::string>(
+          "--stages", [this](const std::string& text) { parse_stages(text, filter_); },
+          "out of triangles,fragments,colors: the geometric stages; coverage, depth and weights; "
+          "attributes and colours [all]")
+      ->type_name("LIST")
+      ->group(group);
+  command
+      .add_option_function<std::string>(
+          "--arrays", [this](const std::string& text) { arrays_ = split(text, ','); },
+          "of an .npz: only these arrays (vertex.ndc) or groups of arrays (vertex) [all]")
+      ->type_name("LIST")
+      ->group(group);
+  command
+      .add_option("--triangle", filter_.triangle, "only this triangle, by its number in the scene")
+      ->type_name("N")
+      ->group(group);
+  command.add_option("--instance", filter_.instance, "only this instance of a mesh")
+      ->type_name("K")
+      ->group(group);
+  command
+      .add_option_function<std::string>(
+          "--rect",
+          [this](const std::string& text) { filter_.pixels = parse_rectangle("--rect", text); },
+          "only what reaches into these pixels, x0 <= x < x1")
+      ->type_name("X0,Y0,X1,Y1")
+      ->group(group);
+}
+
+bool TraceCommand::is_json() const {
+  return output_ == "-" || check_extension(output_, ".json").has_value();
+}
+
+Result<void> TraceCommand::check_words() const {
+  if (!is_json() && !check_extension(output_, ".npz")) {
+    return tl::unexpected(Error{output_, "", "a trace is a .json or an .npz file",
+                                "end the name in one of them, or give - for JSON"});
+  }
+  if (is_json() && !arrays_.empty()) {
+    return fail("--arrays", "JSON has records, not arrays", "give -o FILE.npz, or --stages");
+  }
+  for (const std::string& array : arrays_) {
+    const bool of_fragments = array.substr(0, array.find('.')) == "fragment";
+    if (of_fragments && !filter_.fragments) {
+      return fail("--arrays " + array, "--stages leaves the fragments out",
+                  "add fragments to --stages, or leave it out");
+    }
+  }
+  if (output_ != "-") {
+    if (const auto legal = check_outputs({output_}); !legal) return legal;
+  }
+  if (filter_.pixels) return check_rectangle("--rect", *filter_.pixels, picture_.size);
+  return {};
+}
+
+Result<void> TraceCommand::check_filter(const Scene& scene) const {
+  if (filter_.triangle) {
+    const auto legal = check_triangle("--triangle", scene, *filter_.triangle);
+    if (!legal) return legal;
+  }
+  if (filter_.instance && *filter_.instance >= scene.instances.size()) {
+    return fail(fmt::format("--instance {}", *filter_.instance),
+                fmt::format("the scene has {} instances", scene.instances.size()),
+                "they are numbered from 0");
+  }
+  return {};
+}
+
+Result<void> TraceCommand::check_size(std::uint64_t bytes, const TraceCounts& counts,
+                                      Progress& progress) const {
+  const std::string size =
+      fmt::format("{}, {}{}", counted(counts), is_json() ? "about " : "", megabytes(bytes));
+  if (double(bytes) > double(max_megabytes_) * kMegabyte) {
+    return fail(
+        fmt::format("--max-mb {}", max_megabytes_), "the run has " + size,
+        fmt::format("keep less of it (--triangle, --instance, --rect, --stages{}, a smaller "
+                    "--size), or allow as much with --max-mb {}",
+                    is_json() ? "" : ", --arrays",
+                    bytes / std::uint64_t(kMegabyte) + 1 +
+                        (is_json() ? bytes / std::uint64_t(kMegabyte) / 20 : 0)));
+  }
+  if (bytes > kWorthSaying) progress.say(size + " are to be written");
+  return {};
+}
+
+Result<std::string> TraceCommand::write_json(const Scene& scene, const View& view,
+                                             Progress& progress) {
+  constexpr std::uint64_t kOneIn = 101;
+  TraceText sample(scene, view, picture_.settings, kOneIn);
+  trace(scene, view, picture_.settings, filter_, sample);
+  const TraceCounts counts = sample.counts();
+  if (const auto legal = check_size(sample.bytes(), counts, progress); !legal) {
+    return tl::unexpected(legal.error());
+  }
+  TraceText whole(scene, view, picture_.settings);
+  trace(scene, view, picture_.settings, filter_, whole);
+  const std::string text = whole.finish(scene_);
+  progress.done();
+  return write_text(output_, text).map([&] {
+    return counted(counts) + ", " + megabytes(text.size());
+  });
+}
+
+Result<std::string> TraceCommand::write_npz(const Scene& scene, const View& view,
+                                            Progress& progress) {
+  TraceArrays arrays(view, arrays_);
+  if (!arrays.unknown().empty()) {
+    const std::string word = arrays.unknown()[0];
+    const std::vector<std::string> names = names_of(arrays);
+    const auto near = near_word(word, names);
+    return fail("--arrays", "there is no array or group " + in_quotes(word),
+                near ? "did you mean " + std::string(*near) + "?" : "docs/trace.md lists them");
+  }
+  TraceCounter counter;
+  trace(scene, view, picture_.settings, filter_, counter);
+  const TraceCounts counts = counter.counts();
+  const std::uint64_t bytes = arrays.bytes_for(counts);
+  if (const auto legal = check_size(bytes, counts, progress); !legal) {
+    return tl::unexpected(legal.error());
+  }
+  arrays.reserve(counts);
+  trace(scene, view, picture_.settings, filter_, arrays);
+  arrays.finish();
+  const auto npz =
+      make_npz(arrays, head_text(scene, scene_, view, picture_.settings, counter.draws()));
+  if (!npz) return tl::unexpected(npz.error());
+  progress.done();
+  return write_file(output_, *npz).map([&] {
+    return counted(counts) + ", " + megabytes(bytes) + " of arrays";
+  });
+}
+
+int TraceCommand::run() {
+  if (const auto legal = check_words(); !legal) return refuse(legal.error());
+  tell_of_centres(picture_);
+  filter_.max_bytes = std::numeric_limits<std::uint64_t>::max();  // --max-mb stands in its place
+  Progress progress;
+  progress.phase("loading " + scene_title(scene_));
+  const Result<Scene> scene = load_asked_scene(scene_);
+  if (!scene) return refuse(scene.error());
+  for (const std::string& warning : scene->warnings) progress.say("warning: " + warning);
+  if (const auto legal = check_filter(*scene); !legal) return refuse(legal.error());
+  const Result<ChosenView> chosen = choose_view(*scene, picture_);
+  if (!chosen) return refuse(chosen.error());
+  progress.phase("tracing " + scene_title(scene_));
+  const Result<std::string> written = is_json() ? write_json(*scene, chosen->view, progress)
+                                                : write_npz(*scene, chosen->view, progress);
+  if (!written) return refuse(written.error());
+  if (output_ != "-") fmt::print("{}: {}\n", printable(output_), *written);
+  return kSuccess;
+}
+
+}  // namespace glassbox::app

@@ -1,0 +1,45 @@
+// glassbox trace SCENE -o run.json|run.npz: a whole run as data.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/options/picture_options.h"
+
+#include <glassbox/render/trace/arrays.h>
+#include <glassbox/render/trace/tracer.h>
+
+namespace CLI {
+class App;
+}
+
+namespace glassbox::app {
+
+class Progress;
+
+class TraceCommand {
+public:
+  void add_to(CLI::App& app, int& exit_code);
+
+private:
+  void add_filter(CLI::App& command);
+  int run();
+  bool is_json() const;
+  Result<void> check_words() const;
+  Result<void> check_filter(const Scene& scene) const;
+  Result<void> check_size(std::uint64_t bytes, const TraceCounts& counts, Progress& progress) const;
+  // What was written, in words.
+  Result<std::string> write_json(const Scene& scene, const View& view, Progress& progress);
+  Result<std::string> write_npz(const Scene& scene, const View& view, Progress& progress);
+
+  std::string scene_;
+  std::string output_;
+  PictureOptions picture_;
+  TraceFilter filter_;
+  std::vector<std::string> arrays_;
+  std::uint32_t max_megabytes_ = 500;  // unsigned of 32 bits: CLI11 wraps a negative number of 64
+};
+
+}  // namespace glassbox::app

@@ -1,0 +1,187 @@
+#include "app/why/verdict_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace glassbox {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json optional_number(std::optional<std::uint32_t> number) {
+  return number ? Json(*number) : Json();
+}
+
+Json json_of(const Point<Object>& p) {
+  return {p.x, p.y, p.z};
+}
+Json json_of(const Point<Clip>& p) {
+  return {p.x, p.y, p.z, p.w};
+}
+Json json_of(const Rgba8& c) {
+  return {c.r, c.g, c.b, c.a};
+}
+
+Json json_of(const ViewConventions& c) {
+  return {{"right_handed_eye", c.right_handed_eye},
+          {"gaze_is_minus_z", c.gaze_is_minus_z},
+          {"hands_mixed", c.hands_mixed},
+          {"near_depth", c.near_depth},
+          {"opengl_range", c.opengl_range}};
+}
+
+Json json_of(const NoAreaVerdict& found) {
+  constexpr const char* kReasons[] = {"repeated-position", "collinear", "whole-face"};
+  Json corners = Json::array();
+  for (const Point<Object>& corner : found.corners) corners.push_back(json_of(corner));
+  return {{"reason", kReasons[std::size_t(found.reason)]}, {"face_corners", corners}};
+}
+
+Json json_of(const ClippingVerdict& found) {
+  const ClipPlane& e = found.equation;
+  Json json{{"plane", e.name}, {"equation", {e.a, e.b, e.c, e.d, e.e}}};
+  for (const ClippedCorner& corner : found.corners) {
+    Json one{{"clip", json_of(corner.clip)},
+             {"along_gaze", corner.along_gaze},
+             {"inside", corner.inside}};
+    if (corner.screen) one["screen"] = {corner.screen->x, corner.screen->y, corner.screen->z};
+    json["corners"].push_back(one);
+  }
+  for (const ClipCount& step : found.steps) {
+    json["steps"].push_back({{"plane", step.plane}, {"vertices_left", step.vertices_left}});
+  }
+  json["inside_opengl_depth"] = found.inside_opengl_depth;
+  return json;
+}
+
+Json json_of(const NoScreenAreaVerdict& found) {
+  Json json{{"area_px2", found.area_px2}};
+  for (std::size_t k = 0; k < 3; ++k) {
+    json["screen"].push_back({found.screen[k].x, found.screen[k].y});
+    json["snapped"].push_back({found.snapped[k].x, found.snapped[k].y});
+  }
+  return json;
+}
+
+Json json_of(const CullVerdict& found) {
+  constexpr const char* kRules[] = {"material", "back", "front", "none"};
+  constexpr const char* kFacings[] = {"front", "edge-on", "back"};
+  Json json{{"area_px2", found.area_px2},
+            {"shows", found.front ? "front" : "back"},
+            {"mirrored", found.mirrored},
+            {"cull", kRules[std::size_t(found.rule)]},
+            {"double_sided", found.double_sided}};
+  if (const auto& test = found.object_space) {
+    json["object_space"] = {{"facing", kFacings[std::size_t(test->facing)]},
+                            {"value", test->value},
+                            {"bound", test->bound},
+                            {"viewer_error_bound", test->viewer_error_bound},
+                            {"used_exact", test->used_exact}};
+  }
+  return json;
+}
+
+Json json_of(const Outside& o) {
+  Json json{{"left_px", double(o.left) / kSubpixels},
+            {"top_px", double(o.top) / kSubpixels},
+            {"right_px", double(o.right) / kSubpixels},
+            {"bottom_px", double(o.bottom) / kSubpixels}};
+  if (o.beyond_edge) json["beyond_edge_px"] = *o.beyond_edge / kSubpixels;
+  return json;
+}
+
+Json json_of(const std::vector<Rival>& rivals) {
+  Json json = Json::array();
+  for (const Rival& rival : rivals) {
+    json.push_back({{"triangle", optional_number(rival.number)}, {"pixels", rival.pixels}});
+  }
+  return json;
+}
+
+Json json_of(const FragmentTally& t, const FragmentDetails& d) {
+  Json json{{"covered", t.covered},
+            {"hidden", t.hidden},
+            {"discarded", t.discarded},
+            {"masked", t.masked},
+            {"overwritten", t.overwritten},
+            {"visible", t.visible},
+            {"unchanged", t.unchanged},
+            {"veiled", t.veiled},
+            {"hidden_by", json_of(d.hidden_by)},
+            {"overwritten_by", json_of(d.overwritten_by)}};
+  if (const auto& h = d.closest_hidden) {
+    json["closest_hidden"] = {{"at", {h->x, h->y}},
+                              {"code", h->code},
+                              {"stored", h->stored},
+                              {"distance", h->distance},
+                              {"stored_distance", h->stored_distance},
+                              {"by", optional_number(h->by)}};
+  }
+  if (const auto& discarded = d.closest_discarded) {
+    json["closest_discarded"] = {{"at", {discarded->x, discarded->y}},
+                                 {"alpha", discarded->alpha},
+                                 {"cutoff", discarded->cutoff}};
+  }
+  if (const auto& u = d.unchanged) {
+    json["unchanged_example"] = {{"at", {u->x, u->y}},
+                                 {"blended", u->blended},
+                                 {"alpha", u->alpha},
+                                 {"bytes", json_of(u->bytes)}};
+  }
+  if (d.example) {
+    const PixelRect& box = d.visible_box;
+    json["box"] = {box.x0, box.y0, box.x1, box.y1};
+    json["example"] = *d.example;
+  }
+  return json;
+}
+
+}  // namespace
+
+Json to_json(const Miss& miss) {
+  return {{"at", {miss.x, miss.y}},
+          {"edge", miss.edge},
+          {"value", miss.value},
+          {"subpixels", miss.subpixels}};
+}
+
+Json to_json(const TriangleVerdict& verdict) {
+  Json json{{"triangle", verdict.triangle.number},
+            {"instance", verdict.triangle.instance},
+            {"face", verdict.triangle.face},
+            {"end", name_of(verdict.end)},
+            {"stage", stage_of(verdict.end)},
+            {"seen", is_seen(verdict.end)},
+            {"view", json_of(verdict.conventions)},
+            {"pieces",
+             {{"without_area", verdict.pieces_without_area},
+              {"turned_away", verdict.pieces_turned_away},
+              {"set_up", verdict.pieces_set_up}}}};
+  if (verdict.no_area) json["no_area"] = json_of(*verdict.no_area);
+  if (verdict.clipping) json["clipping"] = json_of(*verdict.clipping);
+  if (verdict.no_screen_area) json["no_screen_area"] = json_of(*verdict.no_screen_area);
+  if (verdict.cull) json["cull"] = json_of(*verdict.cull);
+  if (verdict.outside) json["outside"] = json_of(*verdict.outside);
+  if (verdict.nearest_centre) json["nearest_centre"] = to_json(*verdict.nearest_centre);
+  if (verdict.end == End::kLines) json["line_pixels"] = verdict.line_pixels;
+  if (verdict.fragments.covered > 0) {
+    json["fragments"] = json_of(verdict.fragments, verdict.details);
+  }
+  return json;
+}
+
+Json to_json(const SceneVerdict& verdict) {
+  Json json{{"triangles", verdict.triangles}, {"view", json_of(verdict.conventions)}};
+  json["ends"] = Json::array();
+  for (std::size_t i = 0; i < kEnds; ++i) {
+    const SceneVerdict::Group& group = verdict.groups[i];
+    if (group.triangles == 0) continue;
+    json["ends"].push_back({{"end", name_of(End(i))},
+                            {"stage", stage_of(End(i))},
+                            {"triangles", group.triangles},
+                            {"example", group.example}});
+  }
+  return json;
+}
+
+}  // namespace glassbox

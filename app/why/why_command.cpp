@@ -1,0 +1,157 @@
+#include "app/why/why_command.h"
+
+#include <charconv>
+#include <vector>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/options/builtin_help.h"
+#include "app/report/shell_line.h"
+#include "app/report/text_layout.h"
+#include "app/why/verdict_json.h"
+#include "app/why/verdict_text.h"
+
+namespace glassbox::app {
+
+namespace {
+
+std::uint64_t parse_number(const std::string& text) {
+  std::uint64_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size()) {
+    throw CLI::ValidationError(
+        "--triangle", "needs a triangle's number, counted from 0 in the scene, not '" + text + "'");
+  }
+  return number;
+}
+
+// The pixel where there is most to see about the triangle.
+std::optional<std::array<int, 2>> telling_pixel(const TriangleVerdict& verdict) {
+  const FragmentDetails& d = verdict.details;
+  if (d.example) return d.example;
+  if (verdict.end == End::kHidden) return {{d.closest_hidden->x, d.closest_hidden->y}};
+  if (verdict.end == End::kDiscarded) return {{d.closest_discarded->x, d.closest_discarded->y}};
+  if (verdict.end == End::kOverwritten) return d.overwritten_at;
+  if (verdict.nearest_centre) return {{verdict.nearest_centre->x, verdict.nearest_centre->y}};
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string WhyCommand::command(const char* subcommand, const std::string& option,
+                                const std::string& value) const {
+  std::vector<std::string> words{subcommand, question_.scene_name()};
+  const std::vector<std::string> given = words_given(question_.picture());
+  words.insert(words.end(), given.begin(), given.end());
+  words.insert(words.end(), {option, value});
+  return shell_line(words).value_or("");
+}
+
+std::string WhyCommand::triangle_text(const Scene& scene, const View& view,
+                                      const TriangleVerdict& verdict) const {
+  const NumberedTriangle& triangle = verdict.triangle;
+  std::string text = fmt::format("triangle {} of {}: {}\n", triangle.number, question_.title(),
+                                 words_for(verdict.end));
+  text += fmt::format("  what   {}\n", place_of(scene, triangle.instance, triangle.face));
+  text += fmt::format("  stage  {}\n", stage_of(verdict.end));
+  const char* label = "  why    ";
+  for (const std::string& paragraph : explain(view, verdict)) {
+    text += wrapped(label, paragraph);
+    label = "         ";
+  }
+  std::vector<std::string> lines;
+  if (const auto at = telling_pixel(verdict)) {
+    lines.push_back(command("pixel", "--at", fmt::format("{},{}", (*at)[0], (*at)[1])));
+  }
+  if (verdict.traced) {
+    lines.push_back(command("step", "--triangle", std::to_string(triangle.number)));
+  }
+  label = "  look   ";
+  for (const std::string& line : lines) {
+    if (line.empty()) continue;
+    text += label + line + "\n";
+    label = "         ";
+  }
+  return text;
+}
+
+std::string WhyCommand::scene_text(const SceneVerdict& found) const {
+  std::string text = fmt::format("{}: {} triangle{}\n", question_.title(), found.triangles,
+                                 found.triangles == 1 ? "" : "s");
+  if (found.triangles == 0) {
+    return text + "  Nothing here is a triangle; glassbox pixel follows lines and points, too.\n";
+  }
+  text += fmt::format("  {:>10}  {:<23}{:<13}{}\n", "triangles", "end", "stage", "for example");
+  for (std::size_t i = 0; i < kEnds; ++i) {
+    const SceneVerdict::Group& group = found.groups[i];
+    if (group.triangles == 0) continue;
+    text += fmt::format("  {:>10}  {:<23}{:<13}{}\n", group.triangles, words_for(End(i)),
+                        stage_of(End(i)), group.example);
+  }
+  const std::optional<End> loss = found.commonest_loss();
+  if (!loss) return text;
+  const SceneVerdict::Group& lost = found.at(*loss);
+  text +=
+      wrapped("  ", fmt::format("{}: {}.",
+                                lost.triangles == found.triangles
+                                    ? std::string("All of them end there")
+                                    : fmt::format("Most that are lost end as {}", words_for(*loss)),
+                                meaning_of(*loss)));
+  const std::string line = command("why", "--triangle", std::to_string(lost.example));
+  if (!found.all_lost() && !line.empty()) text += "  look   " + line + "\n";
+  return text;
+}
+
+void WhyCommand::add_to(CLI::App& app, int& exit_code) {
+  CLI::App& command = *app.add_subcommand(
+      "why", "why a triangle is not seen, or where it is; without --triangle, of all of them");
+  command.footer(
+      "Examples:\n"
+      "  glassbox why cube --triangle 0\n"
+      "  glassbox why teapot --triangle 4711 --size 320x180\n"
+      "  glassbox why room --eye 0,1,9 --look-at 0,1,20\n\n"
+      "The options are those of glassbox render: the same words show the same picture.\n\n" +
+      builtin_help());
+  command
+      .add_option_function<std::string>(
+          "--triangle", [this](const std::string& text) { triangle_ = parse_number(text); },
+          "its number in the scene, from 0, as glassbox pixel and render --id-out count them")
+      ->type_name("N");
+  question_.add_to(command);
+  command.callback([this, &exit_code] {
+    tell_of_centres(question_.picture());
+    exit_code = question_.answer(
+        [this](const Scene& scene, const View& view) { return answer(scene, view); });
+  });
+}
+
+Result<Answer> WhyCommand::answer(const Scene& scene, const View& view) const {
+  return triangle_ ? about_triangle(scene, view, *triangle_) : about_scene(scene, view);
+}
+
+Result<Answer> WhyCommand::about_triangle(const Scene& scene, const View& view,
+                                          std::uint64_t number) const {
+  const Result<TriangleVerdict> found =
+      triangle_verdict(scene, view, question_.picture().settings, number);
+  if (!found) return tl::unexpected(found.error());
+  Answer answer{to_json(*found), triangle_text(scene, view, *found)};
+  answer.json["why"] = explain(view, *found);
+  return answer;
+}
+
+// Where nothing is seen, one triangle stands for those that end as most do.
+Result<Answer> WhyCommand::about_scene(const Scene& scene, const View& view) const {
+  const SceneVerdict found = scene_verdict(scene, view, question_.picture().settings);
+  Answer answer{to_json(found), scene_text(found)};
+  const std::optional<End> loss = found.commonest_loss();
+  if (!loss || !found.all_lost()) return answer;
+  const Result<Answer> example = about_triangle(scene, view, found.at(*loss).example);
+  if (!example) return tl::unexpected(example.error());
+  answer.json["example"] = example->json;
+  answer.text += "\n" + example->text;
+  return answer;
+}
+
+}  // namespace glassbox::app

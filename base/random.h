@@ -1,0 +1,32 @@
+// Numbers that look random, for studies, labs and tests: the same on every machine, from a seed.
+#pragma once
+
+#include <cstdint>
+
+namespace glassbox {
+
+// SplitMix64 (Steele, Lea and Flood 2014).
+class Random {
+public:
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+
+  std::uint64_t bits() {
+    state_ += 0x9e3779b97f4a7c15u;
+    std::uint64_t z = state_;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+  }
+  // Uniform in [0, 1), a multiple of 2^-53.
+  double unit() { return double(bits() >> 11) * 0x1p-53; }
+  double between(double low, double high) { return low + (high - low) * unit(); }
+  // Uniform in [low, high], both included.
+  std::int64_t integer(std::int64_t low, std::int64_t high) {
+    return low + std::int64_t(bits() % std::uint64_t(high - low + 1));
+  }
+
+private:
+  std::uint64_t state_;
+};
+
+}  // namespace glassbox

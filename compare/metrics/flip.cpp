@@ -1,0 +1,104 @@
+#include <glassbox/compare/metrics/flip.h>
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include <glassbox/compare/pixels/heat_map.h>
+#include <glassbox/images/colour/fixed_sum.h>
+
+namespace glassbox {
+namespace {
+
+// Errors counted by their nearest multiple of 2^-16.
+class Histogram {
+public:
+  void add(float error) { ++counts_[std::size_t(error * float(kBins) + 0.5f)]; }
+  void add(const Histogram& other) {
+    for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += other.counts_[i];
+  }
+  // The smallest error that at least `rank` of the errors do not exceed.
+  double at_rank(std::uint64_t rank) const {
+    std::size_t bin = 0;
+    for (std::uint64_t seen = counts_[0]; seen < rank; seen += counts_[bin]) ++bin;
+    return double(bin) / kBins;
+  }
+
+private:
+  static constexpr int kBins = 1 << 16;
+  std::vector<std::uint32_t> counts_ = std::vector<std::uint32_t>(kBins + 1);
+};
+
+// A thread's tile and what it has counted.
+struct Worker {
+  std::unique_ptr<FlipTile> tile = std::make_unique<FlipTile>();
+  FixedSum sum;
+  Histogram histogram;
+  float largest = 0;
+
+  void count(float error) {
+    sum.add(double(error));
+    histogram.add(error);
+    largest = std::max(largest, error);
+  }
+};
+
+using Workers = tbb::enumerable_thread_specific<Worker>;
+
+FlipErrors combine(const Workers& workers) {
+  FixedSum sum;
+  Histogram histogram;
+  FlipErrors errors;
+  for (const Worker& worker : workers) {
+    sum.add(worker.sum);
+    histogram.add(worker.histogram);
+    errors.max = std::max(errors.max, double(worker.largest));
+  }
+  errors.pixels = sum.count();
+  if (errors.pixels == 0) return errors;
+  errors.mean = sum.mean();
+  errors.median = histogram.at_rank((errors.pixels + 1) / 2);
+  errors.p95 = histogram.at_rank((errors.pixels * 95 + 99) / 100);
+  return errors;
+}
+
+}  // namespace
+
+FlipErrors flip(const PicturePair& pair, TileSize tiles) {
+  Workers workers;
+  for_each_tile(pair.reference.width, pair.reference.height, tiles, [&](const PixelBox& tile) {
+    Worker& worker = workers.local();
+    worker.tile->compute(pair, tile);
+    for (int y = 0; y < tile.height; ++y) {
+      const float* error = worker.tile->error().row(y);
+      for (int x = 0; x < tile.width; ++x) {
+        if (pair.selection.compares(tile.x + x, tile.y + y)) worker.count(error[x]);
+      }
+    }
+  });
+  return combine(workers);
+}
+
+Image<std::uint8_t> flip_heat_map(const PicturePair& pair) {
+  Image<std::uint8_t> levels(pair.reference.width, pair.reference.height);
+  tbb::enumerable_thread_specific<std::unique_ptr<FlipTile>> tiles(
+      [] { return std::make_unique<FlipTile>(); });
+  for_each_tile(levels.width, levels.height, kLargestFlipTile, [&](const PixelBox& box) {
+    FlipTile& tile = *tiles.local();
+    tile.compute(pair, box);
+    for (int y = 0; y < box.height; ++y) {
+      for (int x = 0; x < box.width; ++x) {
+        const bool compared = pair.selection.compares(box.x + x, box.y + y);
+        levels.at(box.x + x, box.y + y) =
+            compared ? std::uint8_t(std::ceil(tile.error().row(y)[x] * float(kHeatHottest)))
+                     : kHeatLeftOut;
+      }
+    }
+  });
+  return levels;
+}
+
+}  // namespace glassbox

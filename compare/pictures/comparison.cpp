@@ -1,0 +1,201 @@
+#include <glassbox/compare/pictures/comparison.h>
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <glassbox/base/printable.h>
+#include <glassbox/compare/pictures/rules.h>
+#include <glassbox/compare/pictures/sidecar.h>
+#include <glassbox/compare/pixels/explanation.h>
+#include <glassbox/compare/pixels/words.h>
+#include <glassbox/images/png_text.h>
+#include <glassbox/images/read.h>
+
+namespace glassbox {
+namespace {
+
+PictureFacts facts(const std::string& path, const StoredImage& image) {
+  return {path, image.width, image.height, channel_names(image), format_name(image)};
+}
+
+bool is_float(const StoredImage& image) {
+  return std::holds_alternative<std::vector<float>>(image.samples);
+}
+
+// Why the tolerances do not allow the differences; empty if they do.
+std::vector<std::string> broken_limits(const CompareOptions& options, const PicturePair& pair,
+                                       const Differences& found,
+                                       const std::vector<MetricValue>& metrics) {
+  std::vector<std::string> broken;
+  const auto& [fuzzy, max_ulp] = options.tolerance;
+  if (fuzzy && !allows(*fuzzy, found)) {
+    const std::string needed = found.largest == kUnbounded ? steps_text(kUnbounded, pair.reference)
+                                                           : to_string(tightest(found));
+    broken.push_back(fmt::format("{} is not within {}", needed, to_string(*fuzzy)));
+  }
+  if (max_ulp && found.largest > *max_ulp) {
+    broken.push_back(fmt::format("{} is not within {}", steps_text(found.largest, pair.reference),
+                                 steps_text(*max_ulp, pair.reference)));
+  }
+  for (const MetricValue& metric : metrics) {
+    if (metric.passes) continue;
+    const std::string value = metric.value ? fmt::format("{:.6g}", *metric.value)
+                                           : "not defined (" + metric.why_not + ")";
+    broken.push_back(fmt::format("{} is {}, not {}", metric.name, value,
+                                 to_string({metric.name, metric.limit})));
+  }
+  return broken;
+}
+
+bool gates(const CompareOptions& options) {
+  return !options.tolerance.empty() || has_limit(options.metrics);
+}
+
+void judge(Comparison& comparison, const CompareOptions& options, const PicturePair& pair) {
+  const Differences& found = *comparison.differences;
+  const bool same = found.differing == 0;
+  comparison.verdict = same ? Verdict::kSame : Verdict::kDifferent;
+  if (!same) comparison.reasons.push_back(differences_text(pair, found));
+  if (!gates(options)) return;
+  const auto broken = broken_limits(options, pair, found, comparison.metrics);
+  comparison.reasons.insert(comparison.reasons.begin(), broken.begin(), broken.end());
+  if (!broken.empty()) {
+    comparison.verdict = Verdict::kDifferent;
+  } else if (!same) {
+    comparison.verdict = Verdict::kWithinTolerance;
+  }
+}
+
+std::string words_of(const Recipe& recipe) {
+  std::string text = recipe.scene;
+  for (const std::string& word : recipe.options) text += " " + word;
+  return printable(text, 400);
+}
+
+std::optional<Recipe> recipe_in(const std::string& path) {
+  const auto bytes = read_file(path);
+  if (!bytes) return std::nullopt;
+  const auto text = read_png_text(*bytes);
+  return text ? recipe_of(*text) : std::nullopt;
+}
+
+// What the recipes in the two files tell about the difference.
+void consult_recipes(Comparison& comparison, const CompareOptions& options) {
+  const auto reference = recipe_in(comparison.reference.path);
+  const auto test = recipe_in(comparison.test.path);
+  if (!reference || !test) return;
+  if (reference->scene != test->scene || reference->options != test->options) {
+    comparison.hints.push_back("they were rendered from other words: the reference from \"" +
+                               words_of(*reference) + "\", the test from \"" + words_of(*test) +
+                               "\"");
+  }
+  if (reference->version != test->version) {
+    comparison.hints.push_back("the reference was rendered by glassbox " + reference->version +
+                               ", the test by " + test->version);
+  }
+  if (options.inspect_command && comparison.differences && comparison.differences->differing > 0) {
+    comparison.inspect_command = options.inspect_command(*test, comparison.differences->first);
+  }
+}
+
+Comparison uncompared(Comparison comparison, Error error) {
+  comparison.verdict = Verdict::kUncompared;
+  comparison.error = std::move(error);
+  return comparison;
+}
+
+}  // namespace
+
+Result<Selection> selection_of(const StoredImage& reference, const std::vector<PixelBox>& ignore,
+                               const std::string& mask) {
+  Selection selection(reference.width, reference.height);
+  for (const PixelBox& box : ignore) {
+    if (const auto done = selection.leave_out(box); !done) return tl::unexpected(done.error());
+  }
+  if (!mask.empty()) {
+    const auto image = read_stored(mask);
+    if (!image) return tl::unexpected(image.error());
+    if (auto done = selection.leave_out_black(*image); !done) {
+      done.error().file = mask;
+      return tl::unexpected(done.error());
+    }
+  }
+  if (selection.compared_pixels() == 0) {
+    return fail("", "every pixel is left out, so nothing is compared",
+                "make --ignore or --mask smaller");
+  }
+  return selection;
+}
+
+Comparison compare_files(const std::string& reference_path, const std::string& test_path,
+                         const CompareOptions& options) {
+  Comparison comparison;
+  comparison.name = test_path;
+  comparison.reference.path = reference_path;
+  comparison.test.path = test_path;
+
+  const auto sidecar = find_sidecar(reference_path);
+  if (!sidecar) return uncompared(std::move(comparison), sidecar.error());
+  const auto reference = read_stored(reference_path);
+  if (!reference) return uncompared(std::move(comparison), reference.error());
+  comparison.reference = facts(reference_path, *reference);
+  const auto test = read_stored(test_path);
+  if (!test) return uncompared(std::move(comparison), test.error());
+  comparison.test = facts(test_path, *test);
+
+  comparison.reasons = explain_shapes(*reference, *test);
+  if (!comparison.reasons.empty()) {
+    comparison.verdict = Verdict::kDifferent;
+    consult_recipes(comparison, options);
+    return comparison;
+  }
+  Rules rules = combine(options, *sidecar, comparison.notes);
+  if (!is_float(*reference)) rules.options.tolerance.max_ulp.reset();  // it is about floats only
+  comparison.tolerance = tolerance_text(rules.options);
+  comparison.tolerance_reason = rules.reason;
+  comparison.ignore = rules.options.ignore;
+  comparison.mask = rules.options.mask;
+  comparison.nan_equals_nan = options.nan_equals_nan;
+  const auto selection = selection_of(*reference, comparison.ignore, comparison.mask);
+  if (!selection) return uncompared(std::move(comparison), selection.error());
+
+  const PicturePair pair{*reference, *test, *selection, options.nan_equals_nan};
+  comparison.differences = find_differences(pair);
+  comparison.metrics = measure(pair, rules.options.metrics);
+  judge(comparison, rules.options, pair);
+  if (comparison.differences->differing > 0) {
+    comparison.hints = explain_differences(pair, *comparison.differences);
+  }
+  if (rules.tolerance_of_sidecar && passes(comparison.verdict)) {
+    const std::string note = stale_text(rules, *comparison.differences);
+    if (!note.empty()) comparison.notes.push_back(note);
+  }
+  if (!passes(comparison.verdict)) consult_recipes(comparison, options);
+  return comparison;
+}
+
+Comparison compare_pair(const PicturePaths& paths, const CompareOptions& options) {
+  if (paths.has_reference && paths.has_test) {
+    Comparison comparison = compare_files(paths.reference, paths.test, options);
+    comparison.name = paths.name;
+    return comparison;
+  }
+  Comparison comparison;
+  comparison.name = paths.name;
+  comparison.reference.path = paths.reference;
+  comparison.test.path = paths.test;
+  if (paths.has_test) {
+    comparison.verdict = Verdict::kNew;
+    comparison.error = Error{paths.reference, "", "there is no such reference",
+                             "look at " + paths.test + "; --approve makes it the reference"};
+  } else {
+    comparison.verdict = Verdict::kMissing;
+    comparison.error = Error{paths.test, "", "there is no such picture",
+                             paths.has_reference ? "render it, or delete its reference"
+                                                 : "name two pictures that are there"};
+  }
+  return comparison;
+}
+
+}  // namespace glassbox

@@ -1,0 +1,87 @@
+// The whole verdict on one pair of pictures: what every report is made from.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glassbox/base/error.h>
+#include <glassbox/compare/metrics/metric.h>
+#include <glassbox/compare/pictures/pairing.h>
+#include <glassbox/compare/pixels/differences.h>
+#include <glassbox/compare/pixels/selection.h>
+#include <glassbox/compare/pixels/tolerance.h>
+#include <glassbox/images/recipe.h>
+
+namespace glassbox {
+
+enum class Verdict : std::uint8_t {
+  kSame,             // every compared sample
+  kWithinTolerance,  // different, and the tolerance that was asked for allows it
+  kDifferent,
+  kNew,         // there is no reference
+  kMissing,     // there is no test picture
+  kUncompared,  // one of the two cannot be read, or an option does not fit them: see `error`
+};
+
+inline bool passes(Verdict verdict) {
+  return verdict == Verdict::kSame || verdict == Verdict::kWithinTolerance;
+}
+
+struct CompareOptions {
+  Tolerance tolerance;
+  std::vector<MetricRequest> metrics;
+  std::vector<PixelBox> ignore;
+  std::string mask;  // file; empty: none
+  bool nan_equals_nan = false;
+  // The command that shows how a pixel of a picture made by this recipe came about; empty where there is none.
+  std::function<std::string(const Recipe& recipe, PixelAt pixel)> inspect_command;
+};
+
+// What is known of a picture before its samples are looked at.
+struct PictureFacts {
+  std::string path;
+  int width = 0, height = 0;  // px
+  std::string channels;       // "RGB"
+  std::string format;         // "8 bits"
+};
+
+struct Comparison {
+  std::string
+      name;  // what people call the pair: its path below the two directories, or the test's path
+  PictureFacts reference, test;
+  Verdict verdict = Verdict::kSame;
+  std::optional<Error> error;              // of kNew, kMissing and kUncompared
+  std::optional<Differences> differences;  // none where sizes, channels or formats differ
+  std::vector<MetricValue> metrics;
+  std::vector<std::string>
+      reasons;  // why it is not the same, or too different: sentences, the decisive one first
+  std::vector<std::string>
+      hints;  // what may be behind it: a shift, a flip, swapped channels, another recipe
+  std::vector<std::string>
+      notes;              // about the test itself: a stale tolerance, an option that was overruled
+  std::string tolerance;  // the one that applied, as it would be written; empty: none
+  std::string tolerance_reason;  // of the sidecar
+  std::string inspect_command;  // shows how glassbox made the first differing pixel; empty: unknown
+  std::vector<PixelBox> ignore;  // what was left out, the sidecar's boxes included
+  std::string mask;              // file
+  bool nan_equals_nan = false;
+};
+
+// Reads both files and compares them. The sidecar of the reference adds its boxes and its mask; its tolerance applies
+// where the options have none (options win, and a note says so). Pictures pass if they are the same, or if a fuzzy
+// annotation, a number of ulps or limits on metrics are given and all of them hold. Whatever stands in the way of a
+// verdict is in `error`.
+Comparison compare_files(const std::string& reference, const std::string& test,
+                         const CompareOptions& options = {});
+
+// The same under the pair's name; kNew or kMissing where one of the two is not there.
+Comparison compare_pair(const PicturePaths& paths, const CompareOptions& options = {});
+
+// The pixels that a comparison looked at, for whoever shows them.
+Result<Selection> selection_of(const StoredImage& reference, const std::vector<PixelBox>& ignore,
+                               const std::string& mask);
+
+}  // namespace glassbox

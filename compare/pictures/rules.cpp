@@ -1,0 +1,77 @@
+#include <glassbox/compare/pictures/rules.h>
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace glassbox {
+
+namespace {
+
+bool has_tolerance(const Sidecar& sidecar) {
+  return !sidecar.tolerance.empty() || has_limit(sidecar.metrics);
+}
+
+}  // namespace
+
+bool has_limit(const std::vector<MetricRequest>& metrics) {
+  return std::any_of(metrics.begin(), metrics.end(),
+                     [](const MetricRequest& metric) { return metric.limit.has_value(); });
+}
+
+Rules combine(const CompareOptions& options, const std::optional<Sidecar>& sidecar,
+              std::vector<std::string>& notes) {
+  Rules rules;
+  rules.options = options;
+  if (!sidecar) return rules;
+  rules.sidecar_path = sidecar->path;
+  rules.options.ignore.insert(rules.options.ignore.end(), sidecar->ignore.begin(),
+                              sidecar->ignore.end());
+  if (rules.options.mask.empty()) rules.options.mask = sidecar->mask;
+  if (!options.tolerance.empty() || has_limit(options.metrics)) {
+    if (has_tolerance(*sidecar)) {
+      notes.push_back("the tolerance of " + sidecar->path + " is overruled by the one given");
+    }
+    return rules;
+  }
+  rules.tolerance_of_sidecar = has_tolerance(*sidecar);
+  rules.reason = sidecar->reason;
+  rules.options.tolerance = sidecar->tolerance;
+  rules.options.metrics.insert(rules.options.metrics.end(), sidecar->metrics.begin(),
+                               sidecar->metrics.end());
+  return rules;
+}
+
+std::string tolerance_text(const CompareOptions& options) {
+  std::string text;
+  const auto add = [&text](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
+  if (options.tolerance.fuzzy) add(to_string(*options.tolerance.fuzzy));
+  if (options.tolerance.max_ulp) add(fmt::format("{} ulps", *options.tolerance.max_ulp));
+  for (const MetricRequest& metric : options.metrics) {
+    if (metric.limit) add(to_string(metric));
+  }
+  return text;
+}
+
+std::string stale_text(const Rules& rules, const Differences& found) {
+  if (!rules.tolerance_of_sidecar) return {};
+  const auto& [fuzzy, max_ulp] = rules.options.tolerance;
+  if (found.differing == 0) {
+    const bool leaves_out = !rules.options.ignore.empty() || !rules.options.mask.empty();
+    return "stale: the tolerance of " + rules.sidecar_path + " is not needed: delete " +
+           (leaves_out ? "its lines" : "the file");
+  }
+  const bool wide_fuzzy = fuzzy && (found.largest < fuzzy->max_difference.highest ||
+                                    found.differing < fuzzy->total_pixels.highest);
+  const bool wide_ulps = max_ulp && found.largest < *max_ulp;
+  if (!wide_fuzzy && !wide_ulps) return {};
+  std::string enough;
+  if (wide_fuzzy) enough = to_string(Fuzzy{{0, found.largest}, {0, found.differing}});
+  if (wide_ulps) {
+    enough += fmt::format("{}max-ulp: {}", wide_fuzzy ? " and " : "", found.largest);
+  }
+  return "stale: " + rules.sidecar_path + " allows more than is needed; enough is " + enough;
+}
+
+}  // namespace glassbox

@@ -1,0 +1,33 @@
+// What applies to one pair: the options given, and what the sidecar of the reference adds to them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glassbox/compare/pictures/comparison.h>
+#include <glassbox/compare/pictures/sidecar.h>
+
+namespace glassbox {
+
+struct Rules {
+  CompareOptions options;
+  bool tolerance_of_sidecar = false;
+  std::string sidecar_path;  // empty: none
+  std::string reason;        // of the sidecar's tolerance
+};
+
+// The sidecar's boxes and mask are added (its mask where there is none); its tolerance applies unless the options have
+// one, which adds a note.
+Rules combine(const CompareOptions& options, const std::optional<Sidecar>& sidecar,
+              std::vector<std::string>& notes);
+
+bool has_limit(const std::vector<MetricRequest>& metrics);
+
+// The tolerances as they would be written; empty: none.
+std::string tolerance_text(const CompareOptions& options);
+
+// In words, that the sidecar's tolerance allows more than these differences need; empty if it does not.
+std::string stale_text(const Rules& rules, const Differences& found);
+
+}  // namespace glassbox

@@ -1,0 +1,36 @@
+// The tolerance of one picture, kept beside its reference together with the reason for it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glassbox/base/error.h>
+#include <glassbox/compare/metrics/metric.h>
+#include <glassbox/compare/pixels/selection.h>
+#include <glassbox/compare/pixels/tolerance.h>
+
+namespace glassbox {
+
+// A text file of lines "key: value", the keys those of the command line: fuzzy, max-ulp, metric, ignore, mask, and
+// reason, which must be there. # starts a comment line; a line without a key is a fuzzy annotation.
+//
+//     # teapot.png.fuzzy
+//     maxDifference=0-1;totalPixels=0-4
+//     reason: four pixels of the rim are ties that the hardware breaks the other way
+struct Sidecar {
+  std::string path;
+  Tolerance tolerance;
+  std::vector<MetricRequest> metrics;
+  std::vector<PixelBox> ignore;
+  std::string mask;  // file, beside the sidecar unless absolute; empty: none
+  std::string reason;
+};
+
+// Reads "NAME.fuzzy" for the reference NAME, with or without the extension of NAME (teapot.png.fuzzy, teapot.fuzzy);
+// none if there is no such file, an error where both are there.
+Result<std::optional<Sidecar>> find_sidecar(const std::string& reference);
+
+Result<Sidecar> parse_sidecar(const std::string& path, const std::string& text);
+
+}  // namespace glassbox

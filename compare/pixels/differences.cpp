@@ -1,0 +1,121 @@
+#include <glassbox/compare/pixels/differences.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include <glassbox/base/rounding.h>
+#include <glassbox/compare/pixels/regions.h>
+
+namespace glassbox {
+namespace {
+
+template <class Sample>
+std::uint32_t steps_between(Sample a, Sample b, bool) {
+  return a < b ? std::uint32_t(b - a) : std::uint32_t(a - b);
+}
+std::uint32_t steps_between(float a, float b, bool nan_equals_nan) {
+  return ulp_distance(a, b, nan_equals_nan);
+}
+
+template <class Sample>
+void compare_row(const Sample* reference, const Sample* test, int channels, bool nan_equals_nan,
+                 std::span<std::uint32_t> steps) {
+  for (std::uint32_t& largest : steps) {
+    largest = 0;
+    for (int channel = 0; channel < channels; ++channel) {
+      largest = std::max(largest, steps_between(*reference++, *test++, nan_equals_nan));
+    }
+  }
+}
+
+// Rows whose bytes are the same need no look at their samples, unless NaN differs from itself.
+template <class Sample>
+bool same_bytes(const Sample* reference, const Sample* test, std::size_t samples) {
+  return std::memcmp(reference, test, samples * sizeof(Sample)) == 0;
+}
+
+template <class Sample>
+bool has_nan(const Sample*, std::size_t) {
+  return false;
+}
+bool has_nan(const float* samples, std::size_t count) {
+  return std::any_of(samples, samples + count, [](float sample) { return std::isnan(sample); });
+}
+
+void leave_out_row(const Selection& selection, int y, std::span<std::uint32_t> steps) {
+  if (selection.everything()) return;
+  for (std::size_t x = 0; x < steps.size(); ++x) {
+    if (!selection.compares(int(x), y)) steps[x] = 0;
+  }
+}
+
+void grow(PixelBox& box, int x, int y) {
+  if (box.width == 0) {
+    box = {x, y, 1, 1};
+    return;
+  }
+  const int right = std::max(box.x + box.width, x + 1);
+  const int bottom = std::max(box.y + box.height, y + 1);
+  box.x = std::min(box.x, x);
+  box.y = std::min(box.y, y);
+  box.width = right - box.x;
+  box.height = bottom - box.y;
+}
+
+}  // namespace
+
+std::uint32_t ulp_distance(float a, float b, bool nan_equals_nan) {
+  if (std::isnan(a) || std::isnan(b)) {
+    return nan_equals_nan && std::isnan(a) && std::isnan(b) ? 0 : kUnbounded;
+  }
+  const bool across_zero =
+      std::signbit(a) != std::signbit(b);  // -0 and +0 count as two floats here
+  if (a == b && !across_zero) return 0;
+  if (std::isinf(a) || std::isinf(b)) return kUnbounded;
+  // At most 2 * 0x7f7fffff + 1 between the two largest finite floats: below kUnbounded.
+  return std::uint32_t(ulp_distance(a, b)) + (across_zero ? 1 : 0);
+}
+
+bool row_differences(const PicturePair& pair, int y, std::span<std::uint32_t> steps) {
+  const auto row_samples = std::size_t(pair.reference.width) * std::size_t(pair.reference.channels);
+  return std::visit(
+      [&](const auto& samples) {
+        using Samples = std::decay_t<decltype(samples)>;
+        const auto* reference = samples.data() + std::size_t(y) * row_samples;
+        const auto* test =
+            std::get<Samples>(pair.test.samples).data() + std::size_t(y) * row_samples;
+        if (same_bytes(reference, test, row_samples) &&
+            (pair.nan_equals_nan || !has_nan(reference, row_samples))) {
+          std::fill(steps.begin(), steps.end(), 0u);
+          return false;
+        }
+        compare_row(reference, test, pair.reference.channels, pair.nan_equals_nan, steps);
+        leave_out_row(pair.selection, y, steps);
+        return true;
+      },
+      pair.reference.samples);
+}
+
+Differences find_differences(const PicturePair& pair, std::size_t kept_regions) {
+  Differences found;
+  found.compared = pair.selection.compared_pixels();
+  RegionFinder regions(pair.reference.width, kept_regions);
+  std::vector<std::uint32_t> steps(std::size_t(pair.reference.width));
+  for (int y = 0; y < pair.reference.height; ++y) {
+    const bool may_differ = row_differences(pair, y, steps);
+    regions.add_row(y, steps);
+    if (!may_differ) continue;
+    for (int x = 0; x < pair.reference.width; ++x) {
+      if (steps[std::size_t(x)] == 0) continue;
+      if (found.differing++ == 0) found.first = {x, y};
+      found.largest = std::max(found.largest, steps[std::size_t(x)]);
+      grow(found.box, x, y);
+    }
+  }
+  found.regions = regions.worst();
+  found.region_count = regions.count();
+  return found;
+}
+
+}  // namespace glassbox

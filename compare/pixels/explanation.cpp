@@ -1,0 +1,359 @@
+#include <glassbox/compare/pixels/explanation.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <glassbox/images/srgb.h>
+
+namespace glassbox {
+namespace {
+
+// "Channel c of the test's pixel (x, y) fits channel source[c] of the reference's pixel
+// (x_sign x + x_offset, y_sign y + y_offset)."
+template <class Sample>
+struct Hypothesis {
+  std::string words;
+  int x_sign = 1, x_offset = 0;
+  int y_sign = 1, y_offset = 0;
+  std::array<int, 4> source = {0, 1, 2, 3};
+  std::function<bool(int channel, Sample from, Sample to)> fits = {};  // none: if they are the same
+};
+
+template <class Sample>
+using Hypotheses = std::vector<Hypothesis<Sample>>;
+
+bool has_colour(const StoredImage& image) {
+  return image.channels >= 3;
+}
+bool is_alpha(int channel, int channels) {
+  return channels % 2 == 0 && channel == channels - 1;
+}
+
+// Row y; pixel x of it starts at channels * x.
+template <class Sample>
+const Sample* row_of(const StoredImage& image, int y) {
+  const auto& samples = std::get<std::vector<Sample>>(image.samples);
+  return samples.data() + std::size_t(y) * std::size_t(image.width) * std::size_t(image.channels);
+}
+
+template <class Sample>
+const Sample* pixel_at(const StoredImage& image, PixelAt at) {
+  return row_of<Sample>(image, at.y) + std::ptrdiff_t(at.x) * image.channels;
+}
+
+// As find_differences sees it.
+template <class Sample>
+bool same_sample(const PicturePair& pair, Sample a, Sample b) {
+  if constexpr (std::is_integral_v<Sample>) {
+    return a == b;
+  } else {
+    return ulp_distance(a, b, pair.nan_equals_nan) == 0;
+  }
+}
+
+template <class Sample>
+bool same_pixel(const PicturePair& pair, const Sample* from, const Sample* to) {
+  for (int channel = 0; channel < pair.reference.channels; ++channel) {
+    if (!same_sample(pair, from[channel], to[channel])) return false;
+  }
+  return true;
+}
+
+template <class Sample>
+bool foretells(const PicturePair& pair, const Hypothesis<Sample>& hypothesis, const Sample* from,
+               const Sample* to) {
+  for (int channel = 0; channel < pair.reference.channels; ++channel) {
+    const Sample sample = from[hypothesis.source[std::size_t(channel)]];
+    const bool fits = hypothesis.fits ? hypothesis.fits(channel, sample, to[channel])
+                                      : same_sample(pair, sample, to[channel]);
+    if (!fits) return false;
+  }
+  return true;
+}
+
+// Compared pixels of the test ...
+struct Score {
+  std::uint64_t misses = 0;  // that are not as the hypothesis says
+  std::uint64_t open = 0;    // that differ, and come or go beyond the edge
+};
+
+bool is_within(int place, int size) {
+  return place >= 0 && place < size;
+}
+
+template <class Sample>
+void score_row(const PicturePair& pair, const Hypothesis<Sample>& hypothesis, int y, Score& score) {
+  const int x_sign = hypothesis.x_sign, x_offset = hypothesis.x_offset;
+  const int y_sign = hypothesis.y_sign, y_offset = hypothesis.y_offset;
+  const int width = pair.reference.width, height = pair.reference.height;
+  const int channels = pair.reference.channels;
+  const int from_y = y_sign * y + y_offset, to_y = y_sign * (y - y_offset);
+  const Sample* reference = row_of<Sample>(pair.reference, y);
+  const Sample* test = row_of<Sample>(pair.test, y);
+  const Sample* from_row =
+      is_within(from_y, height) ? row_of<Sample>(pair.reference, from_y) : nullptr;
+  for (int x = 0; x < width; ++x, reference += channels, test += channels) {
+    if (!pair.selection.compares(x, y)) continue;
+    const int from_x = x_sign * x + x_offset, to_x = x_sign * (x - x_offset);
+    const Sample* from = from_row && is_within(from_x, width)
+                             ? from_row + std::ptrdiff_t(from_x) * channels
+                             : nullptr;
+    if (from) score.misses += foretells(pair, hypothesis, from, test) ? 0 : 1;
+    if (!from || !is_within(to_x, width) || !is_within(to_y, height)) {
+      score.open += same_pixel(pair, reference, test) ? 0 : 1;
+    }
+  }
+}
+
+// Of all rows, from the first that differs, where a wrong hypothesis soon fails. Stops above `limit` misses.
+template <class Sample>
+Score score_of(const PicturePair& pair, const Hypothesis<Sample>& hypothesis, int first_row,
+               std::uint64_t limit) {
+  const int height = pair.reference.height;
+  Score score;
+  for (int i = 0; i < height && score.misses <= limit; ++i) {
+    score_row(pair, hypothesis, (first_row + i) % height, score);
+  }
+  return score;
+}
+
+// Whether the pixel has changed as the hypothesis says, away from the ends of the range: there, clamping makes any
+// large constant fit.
+template <class Sample>
+bool is_evidence(const PicturePair& pair, const Hypothesis<Sample>& hypothesis, const Sample* from,
+                 const Sample* to) {
+  for (int channel = 0; channel < pair.reference.channels; ++channel) {
+    const Sample sample = to[channel];
+    if (sample == from[channel]) continue;
+    if (sample == 0 || sample == std::numeric_limits<Sample>::max()) return false;
+  }
+  return !same_pixel(pair, from, to) && foretells(pair, hypothesis, from, to);
+}
+
+// A change of values that explains all pixels has to be seen in two colours. If only one has changed, an object has
+// another colour, or has vanished before a black background.
+template <class Sample>
+bool is_seen_in_two_colours(const PicturePair& pair, const Hypothesis<Sample>& hypothesis,
+                            const Differences& differences) {
+  if (differences.differing == differences.compared) return true;
+  const int channels = pair.reference.channels;
+  const Sample* seen = nullptr;
+  for (int y = differences.first.y; y < pair.reference.height; ++y) {
+    const Sample* from = row_of<Sample>(pair.reference, y);
+    const Sample* to = row_of<Sample>(pair.test, y);
+    for (int x = 0; x < pair.reference.width; ++x, from += channels, to += channels) {
+      if (!pair.selection.compares(x, y) || !is_evidence(pair, hypothesis, from, to)) continue;
+      if (seen && !std::equal(from, from + channels, seen)) return true;
+      seen = from;
+    }
+  }
+  return false;
+}
+
+constexpr int kFarthestMove = 2;  // px
+
+template <class Sample>
+void add_moves(Hypotheses<Sample>& all) {
+  for (int dy = -kFarthestMove; dy <= kFarthestMove; ++dy) {
+    for (int dx = -kFarthestMove; dx <= kFarthestMove; ++dx) {
+      if (dx == 0 && dy == 0) continue;
+      all.push_back({fmt::format("the test is the reference moved by ({:+}, {:+}) pixels", dx, dy),
+                     1, -dx, 1, -dy});
+    }
+  }
+}
+
+template <class Sample>
+void add_mirrorings(Hypotheses<Sample>& all, int width, int height) {
+  all.push_back({"the test is the reference upside down", 1, 0, -1, height - 1});
+  all.push_back({"the test is the reference mirrored left to right", -1, width - 1, 1, 0});
+  all.push_back({"the test is the reference turned by 180 degrees", -1, width - 1, -1, height - 1});
+}
+
+template <class Sample>
+void add_swapped_channels(Hypotheses<Sample>& all) {
+  Hypothesis<Sample> swapped{"red and blue have changed places"};
+  swapped.source = {2, 1, 0, 3};
+  all.push_back(swapped);
+}
+
+template <class Sample>
+Sample clamped_sum(Sample sample, int offset) {
+  return Sample(std::clamp(int(sample) + offset, 0, int(std::numeric_limits<Sample>::max())));
+}
+
+// The constant is read off the first pixel that differs.
+template <class Sample>
+void add_constant(Hypotheses<Sample>& all, const PicturePair& pair, PixelAt first) {
+  const int channels = pair.reference.channels;
+  const Sample* from = pixel_at<Sample>(pair.reference, first);
+  const Sample* to = pixel_at<Sample>(pair.test, first);
+  std::array<int, 4> offset{};
+  std::string words;
+  for (int channel = 0; channel < channels; ++channel) {
+    offset[std::size_t(channel)] = int(to[channel]) - int(from[channel]);
+    words += fmt::format("{}{:+}", channel == 0 ? "" : ", ", offset[std::size_t(channel)]);
+  }
+  Hypothesis<Sample> constant{fmt::format("every pixel is the reference's with ({}) added", words)};
+  constant.fits = [offset](int channel, Sample from, Sample to) {
+    return to == clamped_sum(from, offset[std::size_t(channel)]);
+  };
+  all.push_back(constant);
+}
+
+// `fits` for the colours, alpha as it is.
+template <class Sample, class Fits>
+Hypothesis<Sample> of_colours(std::string words, int channels, Fits fits) {
+  Hypothesis<Sample> hypothesis{std::move(words)};
+  hypothesis.fits = [channels, fits](int channel, Sample from, Sample to) {
+    return is_alpha(channel, channels) ? from == to : fits(from, to);
+  };
+  return hypothesis;
+}
+
+// Whether `encoded` may be the sRGB encoding of a number that is stored as `linear` without it: each byte stands for
+// the numbers that are rounded to it.
+bool is_encoding(std::uint8_t linear, std::uint8_t encoded) {
+  return encode_srgb((float(linear) - 0.5f) / 255) <= encoded &&
+         encoded <= encode_srgb((float(linear) + 0.5f) / 255);
+}
+
+void add_encodings(Hypotheses<std::uint8_t>& all, int channels) {
+  all.push_back(of_colours<std::uint8_t>(
+      "the test's colours are sRGB-encoded once more than the reference's", channels,
+      [](std::uint8_t from, std::uint8_t to) { return is_encoding(from, to); }));
+  all.push_back(of_colours<std::uint8_t>(
+      "the test's colours are sRGB-encoded once less than the reference's", channels,
+      [](std::uint8_t from, std::uint8_t to) { return is_encoding(to, from); }));
+}
+
+template <class Sample>
+Hypotheses<Sample> hypotheses(const PicturePair& pair, PixelAt first) {
+  Hypotheses<Sample> all;
+  const int channels = pair.reference.channels;
+  if constexpr (std::is_integral_v<Sample>) {
+    add_constant(all, pair, first);
+    all.push_back(of_colours<Sample>(
+        "the test's colours are the reference's inverted", channels,
+        [](Sample from, Sample to) { return to == std::numeric_limits<Sample>::max() - from; }));
+  }
+  if constexpr (std::is_same_v<Sample, std::uint8_t>) add_encodings(all, channels);
+  if (has_colour(pair.reference)) add_swapped_channels(all);
+  add_mirrorings(all, pair.reference.width, pair.reference.height);
+  add_moves(all);
+  return all;
+}
+
+std::string but_for(std::uint64_t misses) {
+  if (misses == 0) return {};
+  return fmt::format(" (but for {} pixel{})", misses, misses == 1 ? "" : "s");
+}
+
+// The hypothesis with the fewest misses, if it explains nine of ten of what differs and leaves at most half of it open.
+template <class Sample>
+std::optional<std::string> best_explanation(const PicturePair& pair,
+                                            const Differences& differences) {
+  constexpr std::uint64_t kOneIn = 10;
+  std::uint64_t limit = differences.differing / kOneIn;
+  std::optional<std::string> best;
+  for (const auto& hypothesis : hypotheses<Sample>(pair, differences.first)) {
+    const auto [misses, open] = score_of(pair, hypothesis, differences.first.y, limit);
+    if (misses > limit || (best && misses == limit) || open > differences.differing / 2) continue;
+    if (hypothesis.fits && !is_seen_in_two_colours(pair, hypothesis, differences)) continue;
+    best = hypothesis.words + but_for(misses);
+    limit = misses;
+  }
+  return best;
+}
+
+// "only alpha differs", "only green differs".
+template <class Sample>
+std::optional<std::string> only_channel(const PicturePair& pair) {
+  constexpr std::array kNames{"red", "green", "blue", "alpha"};
+  const int channels = pair.reference.channels;
+  std::array<bool, 4> differs{};
+  for (int y = 0; y < pair.reference.height; ++y) {
+    const Sample* from = row_of<Sample>(pair.reference, y);
+    const Sample* to = row_of<Sample>(pair.test, y);
+    for (int x = 0; x < pair.reference.width; ++x, from += channels, to += channels) {
+      if (!pair.selection.compares(x, y)) continue;
+      for (int c = 0; c < channels; ++c) {
+        differs[std::size_t(c)] |= !same_sample(pair, from[c], to[c]);
+      }
+    }
+  }
+  if (channels == 1 || std::count(differs.begin(), differs.end(), true) != 1) return {};
+  const auto channel = int(std::find(differs.begin(), differs.end(), true) - differs.begin());
+  if (is_alpha(channel, channels)) return "only alpha differs";
+  return channels == 2 ? "only grey differs"
+                       : fmt::format("only {} differs", kNames[std::size_t(channel)]);
+}
+
+std::string size_of(const StoredImage& image) {
+  return fmt::format("{} x {}", image.width, image.height);
+}
+
+bool opaque(const StoredImage& image) {
+  return std::visit(
+      [&](const auto& samples) {
+        using Sample = typename std::decay_t<decltype(samples)>::value_type;
+        const auto step = std::size_t(image.channels);
+        const Sample full = std::is_integral_v<Sample> ? std::numeric_limits<Sample>::max() : 1;
+        for (std::size_t i = step - 1; i < samples.size(); i += step) {
+          if (samples[i] != full) return false;
+        }
+        return true;
+      },
+      image.samples);
+}
+
+}  // namespace
+
+std::vector<std::string> explain_differences(const PicturePair& pair,
+                                             const Differences& differences) {
+  if (differences.differing == 0) return {};
+  return std::visit(
+      [&](const auto& samples) {
+        using Sample = typename std::decay_t<decltype(samples)>::value_type;
+        std::vector<std::string> hints;
+        if (auto best = best_explanation<Sample>(pair, differences)) hints.push_back(*best);
+        if (auto only = only_channel<Sample>(pair)) hints.push_back(*only);
+        return hints;
+      },
+      pair.reference.samples);
+}
+
+std::vector<std::string> explain_shapes(const StoredImage& reference, const StoredImage& test) {
+  std::vector<std::string> sentences;
+  if (reference.width != test.width || reference.height != test.height) {
+    sentences.push_back(
+        fmt::format("the reference has {} pixels, the test {}", size_of(reference), size_of(test)));
+    if (reference.width == test.height && reference.height == test.width) {
+      sentences.push_back("width and height have changed places");
+    }
+  }
+  if (reference.channels != test.channels) {
+    sentences.push_back(fmt::format("the reference is {}, the test {}", channel_names(reference),
+                                    channel_names(test)));
+    const StoredImage& more = reference.channels > test.channels ? reference : test;
+    if (std::abs(reference.channels - test.channels) == 1 && more.channels % 2 == 0 &&
+        opaque(more)) {
+      sentences.push_back("the alpha channel is opaque everywhere");
+    }
+  }
+  if (reference.samples.index() != test.samples.index()) {
+    sentences.push_back(fmt::format("the reference has {} a sample, the test {}",
+                                    format_name(reference), format_name(test)));
+  }
+  return sentences;
+}
+
+}  // namespace glassbox

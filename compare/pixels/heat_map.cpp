@@ -1,0 +1,90 @@
+#include <glassbox/compare/pixels/heat_map.h>
+
+#include <algorithm>
+#include <bit>
+
+namespace glassbox {
+namespace {
+
+struct Stop {
+  int level;
+  int r, g, b;
+};
+constexpr Stop kStops[] = {{1, 104, 48, 200},
+                           {64, 200, 30, 120},
+                           {128, 240, 84, 36},
+                           {192, 255, 190, 40},
+                           {254, 255, 255, 255}};
+constexpr Rgba8 kLeftOut{62, 76, 96, 255};
+
+std::uint8_t between(int a, int b, int numerator, int denominator) {
+  return std::uint8_t(a + (b - a) * numerator / denominator);
+}
+
+constexpr std::uint32_t kFloatEnd = 1u << 24;  // ulps: two octaves
+
+std::uint32_t end_of_scale(const StoredImage& image) {
+  struct End {
+    std::uint32_t operator()(const std::vector<std::uint8_t>&) const { return 255; }
+    std::uint32_t operator()(const std::vector<std::uint16_t>&) const { return 65535; }
+    std::uint32_t operator()(const std::vector<float>&) const { return kFloatEnd; }
+  };
+  return std::visit(End{}, image.samples);
+}
+
+// log2 in 1/256, linear between powers of two: whole numbers, so that every machine gives the same picture.
+std::uint32_t log2_256(std::uint32_t steps) {
+  const auto exponent = std::uint32_t(std::bit_width(steps) - 1);
+  return exponent * 256 + std::uint32_t((std::uint64_t(steps) << 8 >> exponent) - 256);
+}
+
+}  // namespace
+
+const std::array<Rgba8, 256>& heat_colours() {
+  static const std::array<Rgba8, 256> colours = [] {
+    std::array<Rgba8, 256> table{};
+    for (std::size_t i = 0; i + 1 < std::size(kStops); ++i) {
+      const Stop& from = kStops[i];
+      const Stop& to = kStops[i + 1];
+      for (int level = from.level; level <= to.level; ++level) {
+        const int done = level - from.level, all = to.level - from.level;
+        table[std::size_t(level)] = {between(from.r, to.r, done, all),
+                                     between(from.g, to.g, done, all),
+                                     between(from.b, to.b, done, all), 255};
+      }
+    }
+    table[kHeatLeftOut] = kLeftOut;
+    return table;
+  }();
+  return colours;
+}
+
+std::uint8_t heat_level(std::uint32_t steps, const StoredImage& image) {
+  if (steps == 0) return kHeatSame;
+  const std::uint32_t end = end_of_scale(image);
+  const std::uint32_t height = log2_256(std::min(steps, end));
+  return std::uint8_t(1 + height * (kHeatHottest - 1u) / log2_256(end));
+}
+
+Image<std::uint8_t> heat_map(const PicturePair& pair) {
+  Image<std::uint8_t> levels(pair.reference.width, pair.reference.height);
+  std::vector<std::uint32_t> steps(std::size_t(levels.width));
+  for (int y = 0; y < levels.height; ++y) {
+    row_differences(pair, y, steps);
+    for (int x = 0; x < levels.width; ++x) {
+      levels.at(x, y) = pair.selection.compares(x, y)
+                            ? heat_level(steps[std::size_t(x)], pair.reference)
+                            : kHeatLeftOut;
+    }
+  }
+  return levels;
+}
+
+Image<Rgba8> heat_picture(const Image<std::uint8_t>& levels) {
+  Image<Rgba8> picture(levels.width, levels.height);
+  std::transform(levels.pixels.begin(), levels.pixels.end(), picture.pixels.begin(),
+                 [](std::uint8_t level) { return heat_colours()[level]; });
+  return picture;
+}
+
+}  // namespace glassbox

@@ -1,0 +1,29 @@
+// Differences as colours: black where nothing differs, then violet, red, orange, yellow and white as they grow.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include <glassbox/compare/pixels/differences.h>
+#include <glassbox/images/image.h>
+
+namespace glassbox {
+
+inline constexpr std::uint8_t kHeatSame = 0;       // compared and the same
+inline constexpr std::uint8_t kHeatLeftOut = 255;  // not compared
+inline constexpr std::uint8_t kHeatHottest = 254;  // 1 to 254: how far apart
+
+// The colour of each level: a single step is plainly visible, what is left out is blue-grey.
+const std::array<Rgba8, 256>& heat_colours();
+
+// The level of a difference in steps, on a logarithmic scale that ends at the largest difference of the format (for
+// floats at 2^24 ulps, a factor of four).
+std::uint8_t heat_level(std::uint32_t steps, const StoredImage& image);
+
+// One level a pixel.
+Image<std::uint8_t> heat_map(const PicturePair& pair);
+
+// The picture of the levels.
+Image<Rgba8> heat_picture(const Image<std::uint8_t>& levels);
+
+}  // namespace glassbox

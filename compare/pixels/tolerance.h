@@ -1,0 +1,52 @@
+// How different a picture may be: nothing unless asked for, then within limits that all have to hold.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glassbox/base/error.h>
+#include <glassbox/compare/pixels/differences.h>
+
+namespace glassbox {
+
+// Both ends are allowed.
+struct CountRange {
+  std::uint64_t lowest = 0;
+  std::uint64_t highest = 0;
+  bool has(std::uint64_t count) const { return lowest <= count && count <= highest; }
+  friend bool operator==(const CountRange&, const CountRange&) = default;
+};
+
+// The annotation of the web-platform-tests: the largest difference of a channel, in steps, and the number of pixels
+// that differ (https://web-platform-tests.org/writing-tests/reftests.html).
+struct Fuzzy {
+  CountRange max_difference;  // steps
+  CountRange total_pixels;
+  friend bool operator==(const Fuzzy&, const Fuzzy&) = default;
+};
+
+// "maxDifference=0-1;totalPixels=0-4"; a name may be left out ("0-1;0-4"), and named parts may change places. A single
+// number means exactly that number.
+Result<Fuzzy> parse_fuzzy(const std::string& text);
+std::string to_string(const Fuzzy& fuzzy);
+
+// Both numbers within their ranges; pictures that do not differ at all pass where one of the ranges starts at 0, and no
+// range allows kUnbounded.
+bool allows(const Fuzzy& fuzzy, const Differences& differences);
+
+// The annotation that allows these differences and no others.
+Fuzzy tightest(const Differences& differences);
+
+struct Tolerance {
+  std::optional<Fuzzy> fuzzy;
+  std::optional<std::uint32_t>
+      max_ulp;  // the largest distance of two samples; of pictures of floats only
+  bool empty() const { return !fuzzy && !max_ulp; }
+};
+
+// A whole number of ulps below kUnbounded.
+Result<std::uint32_t> parse_max_ulp(const std::string& text);
+
+}  // namespace glassbox

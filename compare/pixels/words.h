@@ -1,0 +1,24 @@
+// Pixels and differences in words.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include <glassbox/compare/pixels/differences.h>
+#include <glassbox/images/stored_image.h>
+
+namespace glassbox {
+
+// "(12, 0, 255)": the samples of a pixel, floats with the fewest digits that give them back.
+std::string pixel_text(const StoredImage& image, PixelAt pixel);
+
+// "3/255", "3/65535", "3 ulps"; "no finite distance" for kUnbounded.
+std::string steps_text(std::uint32_t steps, const StoredImage& image);
+
+// "12 of 57600 pixels differ, by up to 3/255, in 2 regions; first (2, 1): (0, 0, 0) became (0, 0, 1)".
+std::string differences_text(const PicturePair& pair, const Differences& found);
+
+// The tightest fuzzy annotation that allows the differences; that there is none, in words, for kUnbounded.
+std::string suggested_fuzzy(const Differences& found);
+
+}  // namespace glassbox

@@ -1,0 +1,26 @@
+// The heat map of a comparison as a picture file.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include <glassbox/base/error.h>
+#include <glassbox/compare/pictures/comparison.h>
+#include <glassbox/images/image.h>
+
+namespace glassbox {
+
+enum class HeatOf : std::uint8_t {
+  kSteps,  // the largest difference of a channel
+  kFlip,   // the error that FLIP sees
+};
+
+// The levels of compare/heat_map.h, one a pixel. Both files are read again. An error where the two cannot be compared
+// pixel by pixel.
+Result<Image<std::uint8_t>> heat_levels(const Comparison& comparison, HeatOf of = HeatOf::kSteps);
+
+// Writes them as a picture, .png or .ppm.
+Result<void> write_heat(const std::string& path, const Comparison& comparison,
+                        HeatOf of = HeatOf::kSteps);
+
+}  // namespace glassbox

@@ -1,0 +1,138 @@
+#include <glassbox/compare/report/json.h>
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+namespace glassbox {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// JSON has no infinities.
+Json number(double value) {
+  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+  return std::isnan(value) ? Json("nan") : Json(value);
+}
+
+Json steps(std::uint32_t steps) {
+  return steps == kUnbounded ? Json("unbounded") : Json(steps);
+}
+
+Json point(PixelAt pixel) {
+  return {{"x", pixel.x}, {"y", pixel.y}};
+}
+
+Json box(const PixelBox& box) {
+  return {{"x", box.x}, {"y", box.y}, {"width", box.width}, {"height", box.height}};
+}
+
+Json picture(const PictureFacts& facts) {
+  Json json{{"path", facts.path}};
+  if (facts.width == 0) return json;
+  json["width"] = facts.width;
+  json["height"] = facts.height;
+  json["channels"] = facts.channels;
+  json["format"] = facts.format;
+  return json;
+}
+
+Json region(const Region& region) {
+  return {{"box", box(region.box)},
+          {"pixels", region.pixels},
+          {"largest", steps(region.largest)},
+          {"worst", point(region.worst)}};
+}
+
+Json differences(const Differences& found) {
+  Json json{{"compared_pixels", found.compared},
+            {"differing_pixels", found.differing},
+            {"largest", steps(found.largest)}};
+  if (found.differing == 0) return json;
+  json["first"] = point(found.first);
+  json["box"] = box(found.box);
+  json["region_count"] = found.region_count;
+  for (const Region& one : found.regions) json["regions"].push_back(region(one));
+  return json;
+}
+
+Json metric(const MetricValue& metric) {
+  Json json{{"name", metric.name}};
+  json["value"] = metric.value ? number(*metric.value) : Json(nullptr);
+  if (!metric.value) json["why_not"] = metric.why_not;
+  if (metric.limit) {
+    json["limit"] = to_string(MetricRequest{metric.name, metric.limit});
+    json["passes"] = metric.passes;
+  }
+  return json;
+}
+
+Json error(const Error& error) {
+  return {{"file", error.file},
+          {"place", error.place},
+          {"cause", error.cause},
+          {"remedy", error.remedy}};
+}
+
+void add_words(Json& json, const char* key, const std::vector<std::string>& sentences) {
+  if (!sentences.empty()) json[key] = sentences;
+}
+
+void add_word(Json& json, const char* key, const std::string& text) {
+  if (!text.empty()) json[key] = text;
+}
+
+}  // namespace
+
+const char* verdict_word(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kSame:
+      return "same";
+    case Verdict::kWithinTolerance:
+      return "within-tolerance";
+    case Verdict::kDifferent:
+      return "different";
+    case Verdict::kNew:
+      return "new";
+    case Verdict::kMissing:
+      return "missing";
+    case Verdict::kUncompared:
+      break;
+  }
+  return "uncompared";
+}
+
+Json to_json(const Comparison& comparison) {
+  Json json{{"name", comparison.name}, {"verdict", verdict_word(comparison.verdict)}};
+  if (comparison.error) json["error"] = error(*comparison.error);
+  json["reference"] = picture(comparison.reference);
+  json["test"] = picture(comparison.test);
+  if (comparison.differences) json["differences"] = differences(*comparison.differences);
+  for (const MetricValue& one : comparison.metrics) json["metrics"].push_back(metric(one));
+  for (const PixelBox& one : comparison.ignore) json["ignore"].push_back(box(one));
+  add_word(json, "mask", comparison.mask);
+  add_word(json, "tolerance", comparison.tolerance);
+  add_word(json, "tolerance_reason", comparison.tolerance_reason);
+  add_words(json, "reasons", comparison.reasons);
+  add_words(json, "hints", comparison.hints);
+  add_words(json, "notes", comparison.notes);
+  add_word(json, "inspect_command", comparison.inspect_command);
+  return json;
+}
+
+Json json_report(std::span<const Comparison> comparisons) {
+  Json summary = Json::object();
+  for (const Verdict verdict : {Verdict::kSame, Verdict::kWithinTolerance, Verdict::kDifferent,
+                                Verdict::kNew, Verdict::kMissing, Verdict::kUncompared}) {
+    summary[verdict_word(verdict)] = 0;
+  }
+  Json pictures = Json::array();
+  for (const Comparison& comparison : comparisons) {
+    Json& count = summary[verdict_word(comparison.verdict)];
+    count = count.get<std::uint64_t>() + 1;
+    pictures.push_back(to_json(comparison));
+  }
+  return {{"schema", "glassbox-diff-1"}, {"summary", summary}, {"pictures", pictures}};
+}
+
+}  // namespace glassbox

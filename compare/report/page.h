@@ -1,0 +1,29 @@
+// Comparisons as one HTML page that needs nothing else: no network, no other file.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include <glassbox/base/error.h>
+#include <glassbox/compare/pictures/comparison.h>
+#include <glassbox/compare/report/page_crops.h>
+
+namespace glassbox {
+
+struct PageOptions {
+  std::string title = "glassbox diff";
+  std::string program;  // "glassbox 0.1.0"
+  std::string command;  // the command line that made the page
+  CropLimits crops;
+  // Samples of all pictures in the page, before they are compressed: a pair of 4096 x 4096 RGBA with its heat map fits.
+  std::uint64_t max_bytes = std::uint64_t(9) << 24;
+};
+
+// Writes the page, wholly or not at all. Pairs that differ come with their exact samples, the worst first, until
+// max_bytes are used up; the page says which are left out, and how to get a page of them. Pictures that are the same
+// are only names, unless one is all there is. The files are read again, a pair at a time.
+Result<void> write_page(const std::string& path, std::span<const Comparison> comparisons,
+                        const PageOptions& options = {});
+
+}  // namespace glassbox

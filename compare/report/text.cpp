@@ -1,0 +1,93 @@
+#include <glassbox/compare/report/text.h>
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include <glassbox/base/printable.h>
+
+namespace glassbox {
+namespace {
+
+constexpr std::size_t kLongestName = 400;
+
+std::string line(const std::string& label, const std::string& text) {
+  return fmt::format("  {}: {}\n", label, printable(text, 2000));
+}
+
+std::string value_text(const MetricValue& metric) {
+  return metric.value ? fmt::format("{:.6g}", *metric.value) : "not defined: " + metric.why_not;
+}
+
+// Why the pictures are not the same, or were not compared.
+std::string reason(const Comparison& comparison) {
+  if (comparison.error) return comparison.error->message();
+  return comparison.reasons.empty() ? "" : comparison.reasons.front();
+}
+
+}  // namespace
+
+std::string verdict_name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kSame:
+      return "same";
+    case Verdict::kWithinTolerance:
+      return "within tolerance";
+    case Verdict::kDifferent:
+      return "different";
+    case Verdict::kNew:
+      return "new";
+    case Verdict::kMissing:
+      return "missing";
+    case Verdict::kUncompared:
+      break;
+  }
+  return "not compared";
+}
+
+std::string one_line(const Comparison& comparison) {
+  std::string text =
+      printable(comparison.name, kLongestName) + ": " + verdict_name(comparison.verdict);
+  const std::string why = reason(comparison);
+  if (!why.empty()) text += ": " + printable(why, 1000);
+  return text;
+}
+
+std::string details(const Comparison& comparison) {
+  std::string text;
+  for (std::size_t i = 1; i < comparison.reasons.size(); ++i) {
+    text += line("and", comparison.reasons[i]);
+  }
+  if (!comparison.tolerance.empty()) text += line("tolerance", comparison.tolerance);
+  if (!comparison.tolerance_reason.empty()) text += line("because", comparison.tolerance_reason);
+  for (const MetricValue& metric : comparison.metrics)
+    text += line(metric.name, value_text(metric));
+  for (const std::string& hint : comparison.hints) text += line("likely", hint);
+  for (const std::string& note : comparison.notes) text += line("note", note);
+  // As it stands: a command that is cut off is another command.
+  if (!comparison.inspect_command.empty()) {
+    text += fmt::format("  inspect: {}\n", comparison.inspect_command);
+  }
+  return text;
+}
+
+std::string summary_line(std::span<const Comparison> comparisons) {
+  constexpr std::array kVerdicts{Verdict::kSame,      Verdict::kWithinTolerance,
+                                 Verdict::kDifferent, Verdict::kMissing,
+                                 Verdict::kNew,       Verdict::kUncompared};
+  std::string text =
+      fmt::format("{} picture{}", comparisons.size(), comparisons.size() == 1 ? "" : "s");
+  const char* separator = ": ";
+  for (const Verdict verdict : kVerdicts) {
+    const auto count =
+        std::count_if(comparisons.begin(), comparisons.end(),
+                      [verdict](const Comparison& one) { return one.verdict == verdict; });
+    if (count == 0) continue;
+    text += fmt::format("{}{} {}", separator, count, verdict_name(verdict));
+    separator = ", ";
+  }
+  return text;
+}
+
+}  // namespace glassbox

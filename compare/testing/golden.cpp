@@ -1,0 +1,172 @@
+#include <glassbox/compare/testing/golden.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <variant>
+
+#include <glassbox/compare/pictures/approve.h>
+#include <glassbox/compare/pictures/comparison.h>
+#include <glassbox/compare/pictures/sidecar.h>
+#include <glassbox/compare/report/heat.h>
+#include <glassbox/compare/report/page.h>
+#include <glassbox/compare/report/text.h>
+#include <glassbox/images/atomic_file.h>
+#include <glassbox/images/read.h>
+#include <glassbox/images/write.h>
+
+namespace glassbox {
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value != nullptr && *value != '\0' ? value : nullptr;
+}
+
+bool approval_asked() {
+  const char* value = environment("GLASSBOX_APPROVE");
+  return value != nullptr && std::string(value) != "0";
+}
+
+fs::path golden_path(const std::string& golden, const std::string& source_file) {
+  return fs::absolute(fs::path(source_file).parent_path() / golden).lexically_normal();
+}
+
+// Where the traces of a failure go: below the folder of failures, under the golden's name (of an absolute one the last
+// part, of a relative one without its ways up).
+fs::path failure_path(const std::string& golden) {
+  const char* folder = environment("GLASSBOX_FAILURES");
+  const fs::path name(golden);
+  fs::path below;
+  for (const fs::path& part : name.is_absolute() ? name.filename() : name.lexically_normal()) {
+    if (part != "..") below /= part;
+  }
+  return fs::absolute(folder != nullptr ? fs::path(folder) : fs::path("golden-failures")) / below;
+}
+
+Result<std::vector<std::byte>> encode(const StoredImage& image, const fs::path& golden) {
+  if (golden.extension() == ".png") return encode_png(image);
+  if (golden.extension() == ".pfm") return encode_pfm(image);
+  return tl::unexpected(
+      Error{golden.string(), "", "a golden image is a .png or a .pfm file", "end its name so"});
+}
+
+Result<void> make_folder_of(const fs::path& file) {
+  std::error_code error;
+  fs::create_directories(file.parent_path(), error);
+  if (!error) return {};
+  return tl::unexpected(Error{file.parent_path().string(), "", "cannot be made: " + error.message(),
+                              "check the permissions"});
+}
+
+Result<void> keep(const StoredImage& image, const fs::path& file) {
+  const auto bytes = encode(image, file);
+  if (!bytes) return tl::unexpected(bytes.error());
+  if (const auto made = make_folder_of(file); !made) return made;
+  return write_file(file.string(), *bytes);
+}
+
+Result<void> keep(const PictureFile& picture, const fs::path& file) {
+  const auto bytes = read_file(picture.path);
+  if (!bytes) return tl::unexpected(bytes.error());
+  if (const auto made = make_folder_of(file); !made) return made;
+  return write_file(file.string(), *bytes);
+}
+
+// The quick way to say yes, without a file written.
+bool is_same(const StoredImage& image, const fs::path& golden) {
+  const auto expected = read_stored(golden.string());
+  return expected && *expected == image;
+}
+
+bool is_same(const PictureFile& picture, const fs::path& golden) {
+  const auto image = read_stored(picture.path);
+  return image && is_same(*image, golden);
+}
+
+Comparison compare_with_golden(const fs::path& golden, const fs::path& test) {
+  std::error_code ignored;
+  Comparison comparison = compare_pair({golden.filename().string(), golden.string(), test.string(),
+                                        fs::exists(golden, ignored), true});
+  // What approves a picture here is not the option of glassbox diff; the message ends with it.
+  if (comparison.verdict == Verdict::kNew) comparison.error->remedy = "look at " + test.string();
+  return comparison;
+}
+
+struct Traces {
+  fs::path picture, heat, page;
+};
+
+Traces traces_of(const fs::path& test) {
+  return {test, fs::path(test).replace_extension(".heat.png"),
+          fs::path(test).replace_extension(".html")};
+}
+
+// A test that passes leaves nothing of an earlier failure behind.
+void remove(const Traces& traces) {
+  std::error_code ignored;
+  for (const fs::path& file : {traces.picture, traces.heat, traces.page}) fs::remove(file, ignored);
+}
+
+// Heat map and page beside the test's picture, and where they are.
+std::string leave(const Traces& traces, const Comparison& comparison) {
+  std::string text = "  picture: " + traces.picture.string() + "\n";
+  const auto tell = [&text](const std::string& what, const fs::path& file,
+                            const Result<void>& written) {
+    text += "  " + what + ": " + (written ? file.string() : written.error().message()) + "\n";
+  };
+  if (comparison.differences) {
+    tell("heat map", traces.heat, write_heat(traces.heat.string(), comparison));
+  }
+  PageOptions options;
+  options.title = comparison.name;
+  tell("page", traces.page, write_page(traces.page.string(), std::span(&comparison, 1), options));
+  return text;
+}
+
+GoldenOutcome approved(const fs::path& golden, const Traces& traces) {
+  if (const auto done = approve(golden.string(), traces.picture.string()); !done) {
+    return {false, "not approved: " + done.error().message()};
+  }
+  remove(traces);
+  return {true, "approved as the golden image " + golden.string()};
+}
+
+template <class Picture>
+GoldenOutcome check(const Picture& picture, const std::string& golden_name,
+                    const std::string& source_file) {
+  const fs::path golden = golden_path(golden_name, source_file);
+  const Traces traces = traces_of(failure_path(golden_name));
+  if (is_same(picture, golden)) {
+    remove(traces);
+    return {true, "is the golden image " + golden.string()};
+  }
+  if (const auto kept = keep(picture, traces.picture); !kept) {
+    return {false, kept.error().message()};
+  }
+  const Comparison comparison = compare_with_golden(golden, traces.picture);
+  if (passes(comparison.verdict)) {
+    remove(traces);
+    return {true, "matches the golden image " + golden.string() + "\n" + details(comparison)};
+  }
+  if (approval_asked()) return approved(golden, traces);
+  return {false, "does not match the golden image " + golden.string() + "\n  " +
+                     one_line(comparison) + "\n" + details(comparison) + leave(traces, comparison) +
+                     "  If the picture is right, run the test again with GLASSBOX_APPROVE=1."};
+}
+
+}  // namespace
+
+GoldenOutcome check_golden(const StoredImage& image, const std::string& golden,
+                           const std::string& source_file) {
+  return check(image, golden, source_file);
+}
+
+GoldenOutcome check_golden(const PictureFile& picture, const std::string& golden,
+                           const std::string& source_file) {
+  return check(picture, golden, source_file);
+}
+
+}  // namespace glassbox

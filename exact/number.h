@@ -1,0 +1,92 @@
+// Arithmetic without rounding, or with so little that it does not matter: what right answers are computed in.
+//
+//   Integer    128 bits, exact; throws rather than wraps round           whatever follows the snap
+//   Rational   exact, of any size                                        floats and doubles, + - * /
+//   Decimal    50 digits and more, correctly rounded                     roots, angles; long products
+//
+// One interface over two kinds of library types: Boost.Multiprecision's integers and rationals, and its binary floats. The
+// library stays behind it (number.cpp), so that a case that uses the oracle does not take ten times as long to compile.
+#pragma once
+
+#include <compare>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace glassbox::exact {
+
+struct IntegerKind {};
+struct RationalKind {};
+struct DecimalKind {};
+
+// A value like any other number. Every operation that has no answer throws std::domain_error, std::range_error or
+// std::overflow_error: an infinity or NaN that goes in, a fraction into Integer, a division by zero, an overflow of Integer.
+template <class Kind>
+class Number {
+public:
+  Number() : Number(std::int64_t(0)) {}
+  Number(std::integral auto value) : Number(std::int64_t(value)) {}
+  Number(std::int64_t value);
+  // The very number, every bit of it.
+  explicit Number(double value);
+  Number(const Number& other);
+  Number& operator=(const Number& other);
+  ~Number();
+
+  Number& operator+=(const Number& other);
+  Number& operator-=(const Number& other);
+  Number& operator*=(const Number& other);
+  Number& operator/=(const Number& other);  // Integer: towards zero
+
+  // -1, 0 or 1.
+  int sign() const;
+  // The nearest double.
+  explicit operator double() const;
+  std::string text() const;
+
+  friend Number operator+(Number a, const Number& b) { return a += b; }
+  friend Number operator-(Number a, const Number& b) { return a -= b; }
+  friend Number operator*(Number a, const Number& b) { return a *= b; }
+  friend Number operator/(Number a, const Number& b) { return a /= b; }
+  friend Number operator-(const Number& a) { return Number() - a; }
+  friend Number abs(const Number& a) { return a.sign() < 0 ? -a : a; }
+  friend bool operator==(const Number& a, const Number& b) { return a.compare(b) == 0; }
+  friend std::strong_ordering operator<=>(const Number& a, const Number& b) {
+    return a.compare(b) <=> 0;
+  }
+
+  // The library's number lives here. Only number.cpp looks inside.
+  void* storage() { return storage_; }
+  const void* storage() const { return storage_; }
+
+private:
+  int compare(const Number& other) const;
+
+  alignas(16) std::byte storage_[96];
+};
+
+using Integer = Number<IntegerKind>;
+using Rational = Number<RationalKind>;
+using Decimal = Number<DecimalKind>;
+
+// From the narrower kind to the wider one; the second is rounded to Decimal's digits.
+Rational rational_from(const Integer& a);
+Decimal decimal_from(const Rational& a);
+
+Decimal sqrt(const Decimal& a);
+Decimal sin(const Decimal& radians);
+Decimal cos(const Decimal& radians);
+Decimal tan(const Decimal& radians);
+Decimal atan2(const Decimal& y, const Decimal& x);
+const Decimal& pi();
+
+// |value - exact|; infinity where the value is infinite or NaN.
+template <class Kind>
+double error_of(double value, const Number<Kind>& exact);
+
+extern template class Number<IntegerKind>;
+extern template class Number<RationalKind>;
+extern template class Number<DecimalKind>;
+
+}  // namespace glassbox::exact

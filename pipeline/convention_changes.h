@@ -1,2 +1,0 @@
-#pragma once
-#include <glassbox/pipeline/matrices/slips.h>

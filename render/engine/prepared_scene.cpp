@@ -1,0 +1,85 @@
+#include <glassbox/render/engine/prepared_scene.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <glassbox/mesh/bounds.h>
+
+namespace glassbox {
+
+namespace {
+
+// index_of(corner, triangle) for each corner of each triangle.
+template <class IndexOf>
+std::vector<std::uint32_t> gather_indices(const Mesh& mesh, const Triangulation& triangulation,
+                                          const IndexOf& index_of) {
+  std::vector<std::uint32_t> indices;
+  indices.reserve(triangulation.triangles.size() * 3);
+  for (const Triangle& triangle : triangulation.triangles) {
+    for (const std::uint32_t corner : triangle.corners) {
+      indices.push_back(index_of(mesh.corners[corner], triangle));
+    }
+  }
+  return indices;
+}
+
+// Nothing is kept that the positions say already.
+std::vector<std::uint32_t> unless_equal(std::vector<std::uint32_t> indices,
+                                        const std::vector<std::uint32_t>& positions) {
+  if (indices == positions) return {};
+  indices.shrink_to_fit();
+  return indices;
+}
+
+CornerIndices corner_indices(const Mesh& mesh, const Triangulation& triangulation) {
+  CornerIndices indices;
+  indices.positions = gather_indices(mesh, triangulation,
+                                     [](const Corner& c, const Triangle&) { return c.position; });
+  const auto first_face = std::uint32_t(mesh.normals.size());
+  indices.normals = unless_equal(
+      gather_indices(mesh, triangulation,
+                     [&](const Corner& c, const Triangle& triangle) {
+                       return c.normal != kNone ? c.normal : first_face + triangle.face;
+                     }),
+      indices.positions);
+  // An attribute that corners may lack.
+  const auto gather_optional = [&](std::uint32_t Corner::*member, bool& has_any) {
+    std::vector<std::uint32_t> found = gather_indices(
+        mesh, triangulation, [&](const Corner& c, const Triangle&) { return c.*member; });
+    const auto lacking = std::size_t(std::ranges::count(found, kNone));
+    has_any = lacking < found.size();
+    indices.mixed = indices.mixed || (has_any && lacking > 0);
+    return has_any ? unless_equal(std::move(found), indices.positions)
+                   : std::vector<std::uint32_t>{};
+  };
+  indices.texcoords = gather_optional(&Corner::texcoord, indices.has_texcoords);
+  indices.colors = gather_optional(&Corner::color, indices.has_colors);
+  return indices;
+}
+
+}  // namespace
+
+PreparedScene prepare(const Scene& scene, Transfer transfer) {
+  PreparedScene prepared;
+  prepared.meshes.reserve(scene.meshes.size());
+  for (const Mesh& mesh : scene.meshes) {
+    PreparedMesh& made = prepared.meshes.emplace_back();
+    made.triangulation = triangulate(mesh);
+    made.bounds = bounds(mesh);
+    made.indices = corner_indices(mesh, made.triangulation);
+    made.all_have_normals = std::ranges::none_of(
+        mesh.corners, [](const Corner& corner) { return corner.normal == kNone; });
+    for_each_drawn_position(mesh, [&](const Point<Object>& p) {
+      made.all_finite =
+          made.all_finite && std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+    });
+  }
+  prepared.textures.reserve(scene.textures.size());
+  for (const Texture& texture : scene.textures) {
+    prepared.textures.push_back(make_mip_chain(scene.images[texture.image], transfer,
+                                               texture.sampler.mip == MipFilter::kNone));
+  }
+  return prepared;
+}
+
+}  // namespace glassbox

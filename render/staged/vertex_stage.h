@@ -1,0 +1,68 @@
+// Object space to clip space, once for each entry of the mesh's tables; and what lighting needs in eye space.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <glassbox/pipeline/clip.h>
+#include <glassbox/pipeline/stages.h>
+#include <glassbox/pipeline/view.h>
+#include <glassbox/render/engine/draw_list.h>
+#include <glassbox/render/engine/observer.h>
+#include <glassbox/render/engine/settings.h>
+
+namespace glassbox {
+
+// What one eye sees of the mesh's positions, by position.
+struct ClipTable {
+  std::vector<Point<Clip>> positions;
+  std::vector<Outcode> outcodes;  // with respect to render_planes of the eye's view
+};
+
+// Entry `index` of the mesh's positions.
+Point<Clip> project_vertex(const Draw& draw, std::uint32_t index);
+
+ClipTable project_vertices(const Draw& draw, const View& view, Observer* observer = nullptr);
+
+// The same for a stereo pair's other eye, from what the first one sees. The skew moves x alone (S0-03): y, z and w are
+// taken over, and equal what projecting anew would give.
+ClipTable project_other_eye(const Draw& other_eye, const View& other_view,
+                            const ClipTable& first_eye, Observer* observer = nullptr);
+
+// What lighting needs, the same for both eyes of a pair. Empty where nothing is lit.
+struct EyeSpaceTables {
+  std::vector<Point<Eye>> positions;  // by position
+  std::vector<Normal<Eye>> normals;   // by normal, unit length
+  std::vector<Normal<Eye>>
+      face_normals;  // by face, unit length; empty where every corner has its own
+};
+
+// The same without saying where the tables are kept; entries of tables that nobody needs may be missing.
+struct EyeSpace {
+  bool lit = false;
+  std::span<const Point<Eye>> positions;
+  std::span<const Normal<Eye>> normals, face_normals;
+
+  EyeSpace() = default;
+  EyeSpace(const EyeSpaceTables& tables)
+      : lit(!tables.positions.empty()),
+        positions(tables.positions),
+        normals(tables.normals),
+        face_normals(tables.face_normals) {}
+};
+
+// True where the draw's colour depends on normals: lit shading of a lit material, or a picture of the normals.
+bool needs_normals(const Draw& draw, const RenderSettings& settings);
+
+// True where the picture shows light: what the surface reflects, and what it emits.
+bool shows_light(const Draw& draw, const RenderSettings& settings);
+
+// True where light is computed with the normals of faces: flat shading, and corners without a normal of their own.
+bool needs_face_normals(const Draw& draw, const RenderSettings& settings);
+
+// Unit normals in eye space of all faces of the mesh, appended.
+void append_face_normals(const Draw& draw, std::vector<Normal<Eye>>& normals);
+
+EyeSpaceTables make_eye_space_tables(const Draw& draw, const RenderSettings& settings);
+
+}  // namespace glassbox

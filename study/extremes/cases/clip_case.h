@@ -1,0 +1,57 @@
+// What the cases about clipping share: clippers under judgement, and areas in rationals.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include <glassbox/base/random.h>
+#include <glassbox/pipeline/clip.h>
+
+#include "exact/clip.h"
+#include "exact/number.h"
+#include "study/naive/clip.h"
+
+namespace glassbox::study {
+
+using ClipTriangle = std::array<ClipVertex, 3>;
+using Outline = naive::Outline;
+using Clips = Outline (*)(const ClipTriangle&, std::span<const ClipPlane>);
+
+inline ClipTriangle clip_corners(const Point<Clip>& a, const Point<Clip>& b, const Point<Clip>& c) {
+  return {ClipVertex{a, {1, 0, 0}}, ClipVertex{b, {0, 1, 0}}, ClipVertex{c, {0, 0, 1}}};
+}
+
+inline Point<Clip> random_position(Random& random, double w_low, double w_high) {
+  const double x = random.between(-1.5, 1.5), y = random.between(-1.5, 1.5);
+  const double z = random.between(-0.5, 1.5);
+  return {float(x), float(y), float(z), float(random.between(w_low, w_high))};
+}
+
+inline Outline pipeline_clips(const ClipTriangle& triangle, std::span<const ClipPlane> planes) {
+  const ClipPolygon polygon = clip_triangle(triangle, planes);
+  Outline outline;
+  for (int i = 0; i < polygon.count; ++i) {
+    outline.push_back(polygon.vertices[std::size_t(i)].position);
+  }
+  return outline;
+}
+
+inline exact::ExactPolygon<exact::Rational> exact_outline(const Outline& outline) {
+  exact::ExactPolygon<exact::Rational> exact;
+  for (const Point<Clip>& p : outline) exact.push_back(exact::exact_point<exact::Rational>(p));
+  return exact;
+}
+
+// |twice the area of the outline - twice the exact one|, in square NDC units; infinite where a w is zero.
+double area_error(const Outline& outline, const ClipTriangle& triangle,
+                  std::span<const ClipPlane> planes);
+
+// near, left, right, bottom, top: without the far plane, which can meet a triangle at any small angle and has then no
+// useful bound on the area.
+inline std::vector<ClipPlane> planes_without_far() {
+  const auto planes = frustum_planes();
+  return {planes[0], planes[2], planes[3], planes[4], planes[5]};
+}
+
+}  // namespace glassbox::study
