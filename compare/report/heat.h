@@ -15,7 +15,7 @@ enum class HeatOf : std::uint8_t {
   kFlip,   // the error that FLIP sees
 };
 
-// The levels of compare/heat_map.h, one a pixel. Both files are read again. An error where the two cannot be compared
+// The levels of compare/pixels/heat_map.h, one a pixel. Both files are read again. An error where the two cannot be compared
 // pixel by pixel.
 Result<Image<std::uint8_t>> heat_levels(const Comparison& comparison, HeatOf of = HeatOf::kSteps);
 

@@ -1,7 +1,7 @@
 // What MatchesGolden does, for any test framework; catch2.h and gtest.h beside this file are the matchers.
 //
 // A golden image is a picture kept with the tests that has been looked at and found right. A test makes the picture again and
-// compares, exactly unless a sidecar (NAME.fuzzy, see compare/sidecar.h) allows more. Where they differ, the folder
+// compares, exactly unless a sidecar (NAME.fuzzy, see compare/pictures/sidecar.h) allows more. Where they differ, the folder
 // golden-failures below the directory in which the test runs (or the one that the environment variable
 // GLASSBOX_FAILURES names) gets the test's picture, a heat map and a page to open in a browser.
 //
