@@ -13,15 +13,18 @@
 namespace glassbox {
 
 // Both make the same bytes.
-enum class Engine { kTile, kStaged };
+enum class EngineKind { kTile, kStaged };
+
+std::unique_ptr<Engine> make_engine(EngineKind kind, const TileOptions& options = {});
 
 class Renderer {
 public:
-  // The scene must outlive it and not change. `transfer` is that of the settings rendered with. `options` are the tile engine's.
-  Renderer(const Scene& scene, Transfer transfer, Engine engine = Engine::kTile,
-           const TileOptions& options = {});
+  // The scene must outlive it and not change. `transfer` is that of the settings rendered with.
+  Renderer(const Scene& scene, Transfer transfer, std::unique_ptr<Engine> engine);
 
-  Engine engine() const { return tiles_ ? Engine::kTile : Engine::kStaged; }
+  // `options` are the tile engine's.
+  Renderer(const Scene& scene, Transfer transfer, EngineKind kind = EngineKind::kTile,
+           const TileOptions& options = {});
 
   // As render_staged; the depth plane only if it is asked for.
   Rendering render(const View& view, const RenderSettings& settings);
@@ -38,9 +41,9 @@ private:
   void count_preparation(Statistics& statistics);
 
   const Scene& scene_;
-  PreparedScene prepared_;  // of the tile engine, as is the rest
   double prepare_ms_ = 0;
-  std::unique_ptr<TileEngine> tiles_;
+  PreparedScene prepared_;
+  std::unique_ptr<Engine> engine_;
 };
 
 }  // namespace glassbox

@@ -128,7 +128,7 @@ void BenchCommand::add_measure_options(CLI::App& command) {
 void BenchCommand::add_engine_options(CLI::App& command) {
   const std::string group = "Engine";
   add_choice(command, "--engine", engine_.engine,
-             {{"tile", Engine::kTile}, {"staged", Engine::kStaged}}, "which one draws [tile]")
+             {{"tile", EngineKind::kTile}, {"staged", EngineKind::kStaged}}, "which one draws [tile]")
       ->group(group);
   command
       .add_option_function<std::string>(
@@ -140,7 +140,7 @@ void BenchCommand::add_engine_options(CLI::App& command) {
 }
 
 Result<void> BenchCommand::check_options() const {
-  if (engine_.engine == Engine::kStaged && !threads_.empty() && threads_ != std::vector<int>{1}) {
+  if (engine_.engine == EngineKind::kStaged && !threads_.empty() && threads_ != std::vector<int>{1}) {
     return fail("--threads", "the staged engine has one thread", "leave one of the two out");
   }
   if (!(most_ >= 0)) return fail("--most", "is no number of things", "give a number above 0");
@@ -230,7 +230,7 @@ void BenchCommand::measure_scaling(BenchReport& report, Progress& progress) cons
 
 int BenchCommand::run() {
   if (const auto legal = check_options(); !legal) return refuse(legal.error());
-  const bool staged = engine_.engine == Engine::kStaged;
+  const bool staged = engine_.engine == EngineKind::kStaged;
   if (threads_.empty()) {
     threads_ = {1};
     if (!staged && study::processor_count() > 1) threads_.push_back(study::processor_count());

@@ -54,14 +54,14 @@ Result<Answer> ExplainCommand::answer(const Scene& scene, const View& view) cons
   if (const auto legal = check_engine_options(engine_); !legal) {
     return tl::unexpected(legal.error());
   }
-  return engine_.engine == Engine::kStaged ? explain_staged(scene, view)
+  return engine_.engine == EngineKind::kStaged ? explain_staged(scene, view)
                                            : explain_tiles(scene, view);
 }
 
 Answer ExplainCommand::explain_staged(const Scene& scene, const View& view) const {
   const Statistics statistics = render_staged(scene, view, question_.picture().settings).statistics;
   return {to_json(statistics), question_.title() + "\n\n" +
-                                   stage_table(statistics, Engine::kStaged) + "\n" +
+                                   stage_table(statistics, EngineKind::kStaged) + "\n" +
                                    time_table(statistics)};
 }
 
@@ -80,7 +80,7 @@ Answer ExplainCommand::explain_tiles(const Scene& scene, const View& view) const
       draw_twice(scene, prepared, view, settings, engine_.tile, report).statistics;
   answer.json.update(to_json(statistics));
   answer.json["tile"] = to_json(statistics, report);
-  answer.text += "\n" + engine_text(engine_) + "\n\n" + stage_table(statistics, Engine::kTile) +
+  answer.text += "\n" + engine_text(engine_) + "\n\n" + stage_table(statistics, EngineKind::kTile) +
                  "\n" + tile_text(statistics, report);
   return answer;
 }

@@ -66,7 +66,7 @@ int draw_first_picture() {
   if (!rendering) return refuse(rendering.error());
   const Statistics& statistics = rendering->statistics;
   const double total_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-  fmt::print("{}\n{}\n", stage_table(statistics, Engine::kTile), time_table(statistics));
+  fmt::print("{}\n{}\n", stage_table(statistics, EngineKind::kTile), time_table(statistics));
   fmt::print("{} ({} x {}): {} triangles, {:.0f} ms\n\n{}", kFile, kWidth, kHeight,
              statistics.triangles, total_ms, next_steps());
   return kSuccess;

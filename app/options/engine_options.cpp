@@ -75,7 +75,7 @@ CLI::Option* add_target_option(CLI::App& command, Target& target) {
 
 void add_engine_options(CLI::App& command, EngineOptions& options) {
   add_choice(command, "--engine", options.engine,
-             {{"tile", Engine::kTile}, {"staged", Engine::kStaged}},
+             {{"tile", EngineKind::kTile}, {"staged", EngineKind::kStaged}},
              "what draws: the fast one, or the reference; same bytes [tile]")
       ->group(kGroup);
   options.of_tiles = {
@@ -95,7 +95,7 @@ void add_engine_options(CLI::App& command, EngineOptions& options) {
 }
 
 Result<void> check_engine_options(const EngineOptions& options) {
-  if (options.engine == Engine::kTile) return {};
+  if (options.engine == EngineKind::kTile) return {};
   for (const CLI::Option* option : options.of_tiles) {
     if (option->count() == 0) continue;
     return fail(option->get_name(), "it is about the tile engine, and --engine staged draws",
@@ -110,14 +110,14 @@ Renderer make_renderer(const Scene& scene, const RenderSettings& settings,
 }
 
 std::string engine_text(const EngineOptions& options) {
-  if (options.engine == Engine::kStaged) return "the staged engine";
+  if (options.engine == EngineKind::kStaged) return "the staged engine";
   const int threads = threads_of(options);
   return fmt::format("the tile engine, {} thread{}, {}", threads, threads == 1 ? "" : "s",
                      name_of(options.tile.target));
 }
 
 nlohmann::ordered_json engine_json(const EngineOptions& options) {
-  if (options.engine == Engine::kStaged) return {{"name", "staged"}};
+  if (options.engine == EngineKind::kStaged) return {{"name", "staged"}};
   return {{"name", "tile"},
           {"threads", threads_of(options)},
           {"target", name_of(options.tile.target)},

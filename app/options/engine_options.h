@@ -16,7 +16,7 @@
 namespace glassbox::app {
 
 struct EngineOptions {
-  Engine engine = Engine::kTile;
+  EngineKind engine = EngineKind::kTile;
   TileOptions tile;
   std::vector<const CLI::Option*> of_tiles;  // those that only the tile engine has
 };

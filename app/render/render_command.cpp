@@ -321,7 +321,7 @@ int RenderCommand::report(const std::string& image, const DrawnPicture& drawn,
       json[eye.empty() ? "stages" : "stages_" + eye] = to_json(statistics);
     }
     // The tile engine's eyes take turns, and are timed together.
-    if (engine_.engine == Engine::kTile && drawn.stages.size() > 1) {
+    if (engine_.engine == EngineKind::kTile && drawn.stages.size() > 1) {
       json["stages_right"].erase("ms");
     }
     json["load_ms"] = times.load_ms;

@@ -24,8 +24,8 @@ std::string time_row(const std::string& stage, double ms) {
 
 }  // namespace
 
-std::string stage_table(const Statistics& s, Engine engine) {
-  const bool tile = engine == Engine::kTile;
+std::string stage_table(const Statistics& s, EngineKind engine) {
+  const bool tile = engine == EngineKind::kTile;
   const std::uint64_t modelled = s.triangles - s.degenerate;
   const std::uint64_t drawable = modelled - s.left_out;
   std::string text = fmt::format("  {:<26}{:>12} {:>12}\n", "stage", "in", "out");

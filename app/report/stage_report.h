@@ -12,7 +12,7 @@
 namespace glassbox::app {
 
 // A table of one line per stage, in order, of what the engine counts (docs/engines.md).
-std::string stage_table(const Statistics& statistics, Engine engine);
+std::string stage_table(const Statistics& statistics, EngineKind engine);
 
 // How long the stages took.
 std::string time_table(const Statistics& statistics);

@@ -9,20 +9,32 @@
 #include <glassbox/raster/blend.h>
 #include <glassbox/raster/light_formulas.h>
 #include <glassbox/raster/texture.h>
-#include <glassbox/render/staged/fragments.h>
+#include <glassbox/render/engine/observer.h>
+#include <glassbox/render/staged/ready.h>
 
 namespace glassbox {
 
 // ---- the surface's own colour ----
 
+// Where a fragment does not come from a triangle.
+inline constexpr FragmentSource kLineOrPoint{0, 0, false};
+
 // What a primitive brings for each of its fragments.
 struct Surface {
   std::array<Varyings, 3> vertices;      // interpolated with Fragment::weights
   std::optional<TexturePlanes> texture;  // of textured triangles, be it in their emission
+  FragmentSource source;
+  std::uint32_t id = 0;  // what Framebuffer::id gets
+  bool has_centres =
+      false;  // where samples are drawn it writes to the planes of pixel centres, too
 };
 
 inline Surface surface_of(const FragmentStage& stage, const ReadyTriangle& triangle) {
-  Surface surface{triangle.vertices, {}};
+  Surface surface;
+  surface.vertices = triangle.vertices;
+  surface.source = {triangle.number, triangle.piece, true};
+  surface.id = triangle.number + 1;
+  surface.has_centres = true;
   if (stage.draw.texture != nullptr || stage.draw.emission_texture != nullptr) {
     surface.texture = texture_planes(triangle.setup,
                                      {triangle.vertices[0].texcoord, triangle.vertices[1].texcoord,
@@ -94,12 +106,13 @@ inline std::array<float, 3> emission_at(const FragmentStage& stage, const Surfac
 }
 
 // The surface in the light, and its own light with it.
-inline Rgba shining(const FragmentStage& stage, const Surface& surface, const Varyings& at,
-                    const Fragment& fragment, const Rgba& base) {
+template <class Watch>
+Rgba shining(const FragmentStage& stage, const Watch& watch, const Surface& surface,
+             const Varyings& at, const Fragment& fragment, const Rgba& base) {
   Rgba color = lit(stage, base, at);
   if (!stage.draw.emits() || !shows_light(stage.draw, stage.settings)) return color;
   std::array<float, 3> own = emission_at(stage, surface, at, fragment);
-  if (stage.observer != nullptr) stage.observer->emitted(at, own);
+  watch.emitted(at, own);
   color.r += own[0], color.g += own[1], color.b += own[2];
   return color;
 }
@@ -123,13 +136,13 @@ struct FragmentColor {
   std::optional<Rgba8> quantity;
 };
 
-inline FragmentColor fragment_color(const FragmentStage& stage, const Surface& surface,
-                                    const Varyings& at, const Fragment& fragment,
-                                    const Rgba& base) {
+template <class Watch>
+FragmentColor fragment_color(const FragmentStage& stage, const Watch& watch, const Surface& surface,
+                             const Varyings& at, const Fragment& fragment, const Rgba& base) {
   if (stage.settings.show == Show::kNormal) return {{}, picture_of_normal(at.normal)};
   if (stage.settings.show == Show::kUv) return {{}, picture_of_texcoord(at.texcoord)};
-  Rgba color = shining(stage, surface, at, fragment, base);
-  if (stage.observer != nullptr) stage.observer->lit(at, base, color);
+  Rgba color = shining(stage, watch, surface, at, fragment, base);
+  watch.lit(at, base, color);
   const bool blended = stage.draw.material->alpha_mode == AlphaMode::kBlend;
   color.a = blended ? std::clamp(color.a, 0.0f, 1.0f) : 1.0f;  // vertex colours may exceed 1
   return {color, {}};

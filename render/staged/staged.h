@@ -1,15 +1,23 @@
-// The staged reference: every stage in order, one primitive at a time. The picture it makes is the definition of the
+// The staged reference: every stage in order (reference.h), one primitive at a time. The picture it makes is the definition of the
 // right picture.
 #pragma once
 
 #include <glassbox/mesh/scene.h>
 #include <glassbox/pipeline/view.h>
-#include <glassbox/render/engine/framebuffer.h>
-#include <glassbox/render/engine/observer.h>
-#include <glassbox/render/engine/settings.h>
-#include <glassbox/render/engine/statistics.h>
+#include <glassbox/render/engine/engine.h>
 
 namespace glassbox {
+
+// Triangles are carried through the stages in batches, each followed by its fragments, so that each stage can be timed and
+// memory stays small.
+inline constexpr std::size_t kTriangleBatch = 1024;
+
+// The eyes of a pair take turns, triangle by triangle, and share what is the same for both (S0-03).
+class StagedEngine : public Engine {
+public:
+  NotSubmitted draw(const PictureJob& job) override;
+  bool culls_as_centre() const override { return true; }
+};
 
 struct Rendering {
   Framebuffer buffers;

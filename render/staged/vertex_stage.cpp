@@ -19,33 +19,9 @@ Point<Clip> project_vertex(const Draw& draw, std::uint32_t index) {
   return draw.clip_from_anchored * relative_to_anchor(draw, draw.mesh->positions[index]);
 }
 
-ClipTable project_vertices(const Draw& draw, const View& view, Observer* observer) {
-  const auto planes = render_planes(view);
-  const std::vector<Point<Object>>& positions = draw.mesh->positions;
-  ClipTable table;
-  table.positions.reserve(positions.size());
-  table.outcodes.reserve(positions.size());
-  for (std::uint32_t i = 0; i < positions.size(); ++i) {
-    Point<Clip> clip = project_vertex(draw, i);
-    if (observer != nullptr) observer->projected(draw, i, clip);
-    table.positions.push_back(clip);
-    table.outcodes.push_back(outcode(clip, planes));
-  }
-  return table;
-}
-
-ClipTable project_other_eye(const Draw& other_eye, const View& other_view,
-                            const ClipTable& first_eye, Observer* observer) {
-  const auto planes = render_planes(other_view);
-  ClipTable table = first_eye;
-  for (std::uint32_t i = 0; i < table.positions.size(); ++i) {
-    Point<Clip>& clip = table.positions[i];
-    clip.x = transform_row(other_eye.clip_from_anchored, 0,
-                           relative_to_anchor(other_eye, other_eye.mesh->positions[i]));
-    if (observer != nullptr) observer->projected(other_eye, i, clip);
-    table.outcodes[i] = outcode(clip, planes);
-  }
-  return table;
+float project_x(const Draw& draw, std::uint32_t index) {
+  return transform_row(draw.clip_from_anchored, 0,
+                       relative_to_anchor(draw, draw.mesh->positions[index]));
 }
 
 bool needs_normals(const Draw& draw, const RenderSettings& settings) {

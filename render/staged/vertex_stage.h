@@ -8,8 +8,8 @@
 #include <glassbox/pipeline/stages.h>
 #include <glassbox/pipeline/view.h>
 #include <glassbox/render/engine/draw_list.h>
-#include <glassbox/render/engine/observer.h>
 #include <glassbox/render/engine/settings.h>
+#include <glassbox/render/staged/watch.h>
 
 namespace glassbox {
 
@@ -21,13 +21,39 @@ struct ClipTable {
 
 // Entry `index` of the mesh's positions.
 Point<Clip> project_vertex(const Draw& draw, std::uint32_t index);
+float project_x(const Draw& draw, std::uint32_t index);
 
-ClipTable project_vertices(const Draw& draw, const View& view, Observer* observer = nullptr);
+template <class Watch = Nobody>
+ClipTable project_vertices(const Draw& draw, const View& view, const Watch& watch = {}) {
+  const auto planes = render_planes(view);
+  const std::vector<Point<Object>>& positions = draw.mesh->positions;
+  ClipTable table;
+  table.positions.reserve(positions.size());
+  table.outcodes.reserve(positions.size());
+  for (std::uint32_t i = 0; i < positions.size(); ++i) {
+    Point<Clip> clip = project_vertex(draw, i);
+    watch.projected(draw, i, clip);
+    table.positions.push_back(clip);
+    table.outcodes.push_back(outcode(clip, planes));
+  }
+  return table;
+}
 
 // The same for a stereo pair's other eye, from what the first one sees. The skew moves x alone (S0-03): y, z and w are
 // taken over, and equal what projecting anew would give.
+template <class Watch = Nobody>
 ClipTable project_other_eye(const Draw& other_eye, const View& other_view,
-                            const ClipTable& first_eye, Observer* observer = nullptr);
+                            const ClipTable& first_eye, const Watch& watch = {}) {
+  const auto planes = render_planes(other_view);
+  ClipTable table = first_eye;
+  for (std::uint32_t i = 0; i < table.positions.size(); ++i) {
+    Point<Clip>& clip = table.positions[i];
+    clip.x = project_x(other_eye, i);
+    watch.projected(other_eye, i, clip);
+    table.outcodes[i] = outcode(clip, planes);
+  }
+  return table;
+}
 
 // What lighting needs, the same for both eyes of a pair. Empty where nothing is lit.
 struct EyeSpaceTables {
@@ -49,6 +75,12 @@ struct EyeSpace {
         positions(tables.positions),
         normals(tables.normals),
         face_normals(tables.face_normals) {}
+};
+
+// What the vertex stage makes of a draw.
+struct DrawTables {
+  std::vector<ClipTable> clip;  // by eye
+  EyeSpaceTables eye_space;     // of all eyes
 };
 
 // True where the draw's colour depends on normals: lit shading of a lit material, or a picture of the normals.

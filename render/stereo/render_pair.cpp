@@ -1,90 +1,128 @@
 #include <glassbox/render/stereo/render_pair.h>
 
 #include <array>
-#include <utility>
-#include <vector>
+#include <optional>
 
-#include <glassbox/render/engine/draw_list.h>
-#include <glassbox/render/engine/show.h>
-#include <glassbox/render/engine/stopwatch.h>
-#include <glassbox/render/staged/draw_pass.h>
+#include <glassbox/raster/blend.h>
 #include <glassbox/render/staged/staged.h>
-#include <glassbox/render/stereo/culling_list.h>
-#include <glassbox/render/stereo/pair_driver.h>
 
 namespace glassbox {
 
 namespace {
 
-class StagedPair : public PairDriver {
+// Pictures of a plane of the buffer are coloured after the run, all channels at once.
+bool painted_by_fragments(Show what) {
+  return what == Show::kColor || what == Show::kNormal || what == Show::kUv;
+}
+
+RenderSettings with_mask(RenderSettings settings, const ColorMask& mask) {
+  settings.mask = mask;
+  return settings;
+}
+
+// Puts the channels of the right eye's mask into the left eye's picture.
+void merge_channels(const ColorMask& mask, StereoRendering& both) {
+  for (std::size_t i = 0; i < both.left.color.pixels.size(); ++i) {
+    write_masked(mask, both.right.color.pixels[i], both.left.color.pixels[i]);
+  }
+  both.right.color = {};
+}
+
+// A pair of eyes in a scene, and who draws what they see.
+class Pair {
 public:
-  StagedPair(const Scene& scene, const View& centre, const StereoPair& pair, StereoCulling culling,
-             const StereoObservers& observers)
-      : scene_(scene),
-        centre_(centre),
+  Pair(Engine& engine, const Scene& scene, const PreparedScene& prepared, const View& centre,
+       const StereoPair& pair, StereoCulling culling, const StereoObservers& observers)
+      : engine_(engine),
+        scene_(scene),
+        prepared_(prepared),
+        culling_{culling, centre},
         left_view_(eye_view(centre, pair, Side::kLeft)),
         right_view_(eye_view(centre, pair, Side::kRight)),
-        culling_(culling),
         observers_(observers) {}
 
-  void draw_centre(const RenderSettings& settings, StereoRendering& into) override {
-    Rendering mono = render_staged(scene_, centre_, settings, observers_.left);
-    into.left_statistics = mono.statistics;
-    into.left = std::move(mono.buffers);
+  // Zero separation: the eyes stand in one place, and one pass serves both.
+  void draw_once(const RenderSettings& settings, StereoRendering& into) {
+    into.passes = 1;
+    into.right = {};
+    into.right_statistics = {};
+    into.culled = into.lost = 0;
+    const EyePicture eye{culling_.centre,      settings,       into.left, into.left.color,
+                         into.left_statistics, observers_.left};
+    engine_.draw({scene_, prepared_, {&eye, 1}});
   }
 
-  void draw_eyes(const RenderSettings& left_settings, const RenderSettings& right_settings,
-                 bool one_color_buffer, StereoRendering& both) override {
-    both.left_statistics = both.right_statistics = {};
-    PreparedScene prepared;
-    DrawList list;
-    std::vector<Draw> right_draws;
-    {
-      const Stopwatch watch(both.left_statistics.prepare_ms);
-      prepared = prepare(scene_, left_settings.transfer);
-      list = make_draw_list(scene_, prepared, left_view_);
-      right_draws = draws_of_other_eye(list.draws, scene_, right_view_);
-      const int width = int(centre_.viewport.width()), height = int(centre_.viewport.height());
-      both.left = cleared_framebuffer(width, height, left_settings);
-      both.right = cleared_framebuffer(width, height, right_settings, !one_color_buffer);
-    }
-    const std::array<EyePass, 2> eyes{{{list.draws, left_view_, left_settings, both.left,
-                                        both.left.color, both.left_statistics, observers_.left},
-                                       {right_draws, right_view_, right_settings, both.right,
-                                        one_color_buffer ? both.left.color : both.right.color,
-                                        both.right_statistics, observers_.right}}};
-
-    CullingList submitted(culling_, scene_, centre_, list.draws);
-    for (std::size_t i = 0; i < list.draws.size(); ++i) {
-      const DrawTables tables = transform_draw(i, eyes);
-      draw_primitives(i, tables, submitted.triangles_of(i, tables), list.lighting, eyes);
-    }
-    for (Statistics* statistics : {&both.left_statistics, &both.right_statistics}) {
-      statistics->rejected += submitted.culled();
-    }
-    both.culled = submitted.culled();
-    both.lost = submitted.lost();
-    for (const EyePass& eye : eyes) resolve_samples(eye.settings, eye.target, eye.color);
-    if (one_color_buffer) return;
-    show(left_settings.show, both.left);
-    show(right_settings.show, both.right);
+  // Both eyes' pictures, which differ in the settings' masks at most. With one colour buffer it is the left eye's; then the
+  // fragments themselves paint what is shown.
+  void draw_eyes(const RenderSettings& left, const RenderSettings& right, bool one_color_buffer,
+                 StereoRendering& into) {
+    into.passes = 2;
+    Image<Rgba8>& right_color = one_color_buffer ? into.left.color : into.right.color;
+    const std::array<EyePicture, 2> eyes{
+        {{left_view_, left, into.left, into.left.color, into.left_statistics, observers_.left},
+         {right_view_, right, into.right, right_color, into.right_statistics, observers_.right}}};
+    const NotSubmitted left_out = engine_for_culling().draw({scene_, prepared_, eyes, &culling_});
+    into.culled = left_out.culled;
+    into.lost = left_out.lost;
   }
 
 private:
+  // What may lose triangles is the reference's where the engine does not lose them.
+  Engine& engine_for_culling() {
+    if (culling_.how == StereoCulling::kUnion || engine_.culls_as_centre()) return engine_;
+    return reference_;
+  }
+
+  Engine& engine_;
+  StagedEngine reference_;
   const Scene& scene_;
-  const View& centre_;
+  const PreparedScene& prepared_;
+  const PairCulling culling_;
   const View left_view_, right_view_;
-  const StereoCulling culling_;
-  const StereoObservers& observers_;
+  const StereoObservers observers_;
 };
+
+void draw_pair(Pair& eyes, const StereoPair& pair, const RenderSettings& settings,
+               StereoRendering& into) {
+  if (pair.half_separation == 0) {
+    eyes.draw_once(settings, into);
+    into.right = into.left;
+    return;
+  }
+  eyes.draw_eyes(settings, settings, false, into);
+}
 
 }  // namespace
 
+void render_pair(Engine& engine, const Scene& scene, const PreparedScene& prepared,
+                 const View& centre, const StereoPair& pair, const StereoSettings& settings,
+                 StereoRendering& into, const StereoObservers& observers) {
+  Pair eyes(engine, scene, prepared, centre, pair, settings.culling, observers);
+  draw_pair(eyes, pair, settings.render, into);
+}
+
+void render_masked_anaglyph(Engine& engine, const Scene& scene, const PreparedScene& prepared,
+                            const View& centre, const StereoPair& pair,
+                            const StereoSettings& settings, const AnaglyphMasks& masks,
+                            StereoRendering& into, const StereoObservers& observers) {
+  Pair eyes(engine, scene, prepared, centre, pair, settings.culling, observers);
+  const RenderSettings& render = settings.render;
+  if (pair.half_separation == 0) {
+    eyes.draw_once(with_mask(render, {}), into);
+  } else if (painted_by_fragments(render.show)) {
+    eyes.draw_eyes(with_mask(render, masks.left), with_mask(render, masks.right), true, into);
+  } else {
+    draw_pair(eyes, pair, render, into);
+    merge_channels(masks.right, into);
+  }
+}
+
 StereoRendering render_pair(const Scene& scene, const View& centre, const StereoPair& pair,
                             const StereoSettings& settings, const StereoObservers& observers) {
+  StagedEngine engine;
   StereoRendering both;
-  StagedPair staged(scene, centre, pair, settings.culling, observers);
-  draw_pair(staged, pair, settings.render, both);
+  render_pair(engine, scene, prepare(scene, settings.render.transfer), centre, pair, settings, both,
+              observers);
   return both;
 }
 
@@ -92,9 +130,10 @@ StereoRendering render_masked_anaglyph(const Scene& scene, const View& centre,
                                        const StereoPair& pair, const StereoSettings& settings,
                                        const AnaglyphMasks& masks,
                                        const StereoObservers& observers) {
+  StagedEngine engine;
   StereoRendering both;
-  StagedPair staged(scene, centre, pair, settings.culling, observers);
-  draw_masked_anaglyph(staged, pair, settings.render, masks, both);
+  render_masked_anaglyph(engine, scene, prepare(scene, settings.render.transfer), centre, pair,
+                         settings, masks, both, observers);
   return both;
 }
 

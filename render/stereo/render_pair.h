@@ -10,17 +10,9 @@
 #include <glassbox/mesh/scene.h>
 #include <glassbox/pipeline/stereo/stereo_pair.h>
 #include <glassbox/pipeline/view.h>
-#include <glassbox/render/engine/framebuffer.h>
-#include <glassbox/render/engine/observer.h>
-#include <glassbox/render/engine/settings.h>
-#include <glassbox/render/engine/statistics.h>
+#include <glassbox/render/engine/engine.h>
 
 namespace glassbox {
-
-// Which triangles are submitted at all (S0-04).
-//   kUnion   those that the frustum of one of the eyes may show: nothing is lost
-//   kCentre  those that the frustum of the camera between the eyes may show: what only a skewed frustum sees is lost (E20)
-enum class StereoCulling { kUnion, kCentre };
 
 struct StereoSettings {
   RenderSettings render;  // of each eye; an anaglyph's masks take the place of render.mask
@@ -43,19 +35,29 @@ struct StereoRendering {
   std::uint64_t lost = 0;    // of these, triangles in the frustum of an eye: 0 with kUnion
 };
 
-// The pair counts as checked (check_pair).
-StereoRendering render_pair(const Scene& scene, const View& centre, const StereoPair& pair,
-                            const StereoSettings& settings, const StereoObservers& observers = {});
-
 // The channels that each eye may write into the one picture. Alpha is written by the right eye, and is 1 in any case.
 struct AnaglyphMasks {
   ColorMask left{true, false, false, false};
   ColorMask right{false, true, true, true};
 };
 
+// By any engine. `prepared` was made from the scene with the settings' transfer; the pair counts as checked (check_pair).
+// Memory of `into` is used again.
+void render_pair(Engine& engine, const Scene& scene, const PreparedScene& prepared,
+                 const View& centre, const StereoPair& pair, const StereoSettings& settings,
+                 StereoRendering& into, const StereoObservers& observers = {});
+
 // An anaglyph the deck's way (S0-05): one colour buffer, which is left.color of the result; right.color is empty. Each eye
 // has its own depth, which is what clearing it between two passes amounts to. The picture has the bytes of the two pictures
 // of render_pair with the channels of each eye put together (S0-02).
+void render_masked_anaglyph(Engine& engine, const Scene& scene, const PreparedScene& prepared,
+                            const View& centre, const StereoPair& pair,
+                            const StereoSettings& settings, const AnaglyphMasks& masks,
+                            StereoRendering& into, const StereoObservers& observers = {});
+
+// By the staged reference, with everything made for it alone.
+StereoRendering render_pair(const Scene& scene, const View& centre, const StereoPair& pair,
+                            const StereoSettings& settings, const StereoObservers& observers = {});
 StereoRendering render_masked_anaglyph(const Scene& scene, const View& centre,
                                        const StereoPair& pair, const StereoSettings& settings,
                                        const AnaglyphMasks& masks,

@@ -6,6 +6,9 @@
 #include <glassbox/raster/point.h>
 #include <glassbox/raster/samples.h>
 #include <glassbox/raster/snap.h>
+#include <glassbox/render/staged/ready_lines.h>
+#include <glassbox/render/staged/reference.h>
+#include <glassbox/render/staged/watch.h>
 #include <glassbox/render/tile/round.h>
 
 namespace glassbox {
@@ -62,13 +65,16 @@ PixelRect pixels_near(const SnappedVertex& a, const SnappedVertex& b) {
           (bottom >> kSubpixelBits) + 2};
 }
 
-PrimitiveStage primitive_stage(const TileRun& run, const DrawSlot& slot, Statistics& statistics) {
+PrimitiveStage primitive_stage(const TileRun& run, const DrawSlot& slot) {
   const Draw& draw = run.list.draws[slot.draw];
-  return {draw,           nullptr,
-          slot.eye_space, run.view,
-          run.settings,   run.list.lighting,
-          run.planes,     statistics,
-          nullptr,        object_culling(draw, run.view, run.settings).test};
+  return {.draw = draw,
+          .clip = nullptr,
+          .eye_space = slot.eye_space,
+          .view = run.view,
+          .settings = run.settings,
+          .lighting = run.list.lighting,
+          .planes = run.planes,
+          .object_cull = object_culling(draw, run.view, run.settings).test};
 }
 
 void add_entry(const TileRun& run, std::uint32_t entry, const PixelRect& box, Chunk& chunk) {
@@ -115,7 +121,7 @@ const std::int32_t* cull_early(const PrimitiveStage& stage, const DrawSlot& slot
     const auto position = [&](int k) { return draw.mesh->positions[indices[k]]; };
     const bool uncut = !needs_clipping(0) && !needs_clipping(1) && !needs_clipping(2);
     keep[i] = uncut && stage.object_cull->removes({position(0), position(1), position(2)}) ? 0 : 1;
-    stage.statistics.culled_early += keep[i] == 0;
+    chunk.statistics.culled_early += keep[i] == 0;
   }
   return keep;
 }
@@ -136,7 +142,7 @@ void fill_from_lanes(const TileRun& run, const Kernels& kernels, const DrawSlot&
   job.window = run.window;
   job.tile_shift = std::countr_zero(unsigned(run.tile_side));
 
-  const PrimitiveStage stage = primitive_stage(run, slot, chunk.statistics);
+  const PrimitiveStage stage = primitive_stage(run, slot);
   if (!job.all_large) job.keep = cull_early(stage, slot, chunk);
 
   SelectCounts counts;
@@ -148,6 +154,7 @@ void fill_from_lanes(const TileRun& run, const Kernels& kernels, const DrawSlot&
   s.culled += counts.culled;
   s.set_up += counts.small - counts.zero_area - counts.culled;
 
+  const Counting watch(s);
   std::vector<ReadyTriangle> ready;
   std::vector<ReadyLine> no_lines;
   for (const Selected& one : std::span(chunk.selected).first(found)) {
@@ -157,8 +164,8 @@ void fill_from_lanes(const TileRun& run, const Kernels& kernels, const DrawSlot&
     }
     ready.clear();
     TriangleAttributes attributes;
-    ready_triangle(stage, draw.triangulation->triangles[one.triangle & ~kLarge], attributes, ready,
-                   no_lines);
+    ready_triangle(stage, watch, draw.triangulation->triangles[one.triangle & ~kLarge], attributes,
+                   ready, no_lines);
     for (const ReadyTriangle& triangle : ready) {
       add_entry(run, kOfChunk | std::uint32_t(chunk.large.size()), triangle.setup.bounds, chunk);
       chunk.large.push_back(large_triangle(run, slot, triangle));
@@ -170,14 +177,15 @@ void fill_from_lanes(const TileRun& run, const Kernels& kernels, const DrawSlot&
 
 void fill_staged(const TileRun& run, const DrawSlot& slot, Chunk& chunk) {
   const Draw& draw = run.list.draws[slot.draw];
-  const PrimitiveStage stage = primitive_stage(run, slot, chunk.statistics);
+  const PrimitiveStage stage = primitive_stage(run, slot);
+  const Counting watch(chunk.statistics);
   if (chunk.kind == Chunk::Kind::kLinesAndPoints) {
-    for (const auto& line : draw.mesh->lines) ready_line(stage, line, chunk.lines);
-    for (const Corner& point : draw.mesh->points) ready_point(stage, point, chunk.points);
+    for (const auto& line : draw.mesh->lines) ready_line(stage, watch, line, chunk.lines);
+    for (const Corner& point : draw.mesh->points) ready_point(stage, watch, point, chunk.points);
   }
   for (std::uint32_t i = 0; i < chunk.count; ++i) {
     TriangleAttributes attributes;
-    ready_triangle(stage, draw.triangulation->triangles[chunk.first + i], attributes,
+    ready_triangle(stage, watch, draw.triangulation->triangles[chunk.first + i], attributes,
                    chunk.triangles, chunk.lines);
   }
   std::uint32_t entry = kOfChunk;

@@ -9,7 +9,7 @@
 #include <glassbox/raster/lanes/kernels.h>
 #include <glassbox/render/engine/draw_list.h>
 #include <glassbox/render/plan/draw_method.h>
-#include <glassbox/render/staged/primitives.h>
+#include <glassbox/render/staged/ready.h>
 #include <glassbox/render/staged/vertex_stage.h>
 
 namespace glassbox {

@@ -335,6 +335,11 @@ int default_threads() {
 TileEngine::TileEngine(const TileOptions& options) : state_(std::make_unique<State>(options)) {}
 TileEngine::~TileEngine() = default;
 
+NotSubmitted TileEngine::draw(const PictureJob& job) {
+  render(job.scene, job.prepared, job.eyes);
+  return {};
+}
+
 void TileEngine::render(const Scene& scene, const PreparedScene& prepared,
                         std::span<const EyePicture> eyes, TileReport* report) {
   assert(!eyes.empty() && eyes.size() <= kMostEyes);

@@ -12,9 +12,7 @@
 #include <glassbox/mesh/scene.h>
 #include <glassbox/pipeline/view.h>
 #include <glassbox/raster/lanes/target.h>
-#include <glassbox/render/engine/framebuffer.h>
-#include <glassbox/render/engine/prepared_scene.h>
-#include <glassbox/render/engine/settings.h>
+#include <glassbox/render/engine/engine.h>
 #include <glassbox/render/plan/plan.h>
 #include <glassbox/render/staged/staged.h>
 #include <glassbox/render/tile/tile_report.h>
@@ -34,26 +32,16 @@ struct TileOptions {
   Planner planner = make_plans;  // tests plant wrong plans
 };
 
-// What an eye sees, and where it goes.
-struct EyePicture {
-  const View& view;
-  const RenderSettings& settings;
-  Framebuffer& target;  // memory of planes that have the right size is used again
-  // target.color; or a picture of the view's size that is there already, over which this one is drawn. (Not with pictures of
-  // planes of the buffer: Show::kDepth, kId, kOverdraw.)
-  Image<Rgba8>& color;
-  Statistics& statistics;
-
-  bool draws_over() const { return &color != &target.color; }
-};
-
 // Keeps its threads and memory from one picture to the next.
-class TileEngine {
+class TileEngine : public Engine {
 public:
   explicit TileEngine(const TileOptions& options);
-  ~TileEngine();
+  ~TileEngine() override;
   TileEngine(const TileEngine&) = delete;
   TileEngine& operator=(const TileEngine&) = delete;
+
+  // Pictures of a pair share their vertices: the other eye's get an x of their own. Nothing is culled for both eyes beforehand.
+  NotSubmitted draw(const PictureJob& job) override;
 
   // As render_staged. `prepared` was made from the scene with the settings' transfer. `report`, unless null, is added to, at the cost
   // of two looks at the clock for each task.

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include <glassbox/render/staged/lines_points.h>
+#include <glassbox/render/staged/watch.h>
+
 namespace glassbox {
 
 namespace {
@@ -15,28 +18,27 @@ void draw_staged_primitives(const TilePass& pass, const Chunk& chunk,
                             std::span<const std::uint32_t> bin, const PixelRect& window,
                             SamplePlanes* samples, Statistics& statistics) {
   const Draw& draw = pass.run.list.draws[pass.round.slots[chunk.slot].draw];
-  const FragmentStage stage{draw,
-                            shaded_channels(draw, pass.run.settings),
-                            pass.run.view,
-                            pass.run.settings,
-                            pass.run.list.lighting,
-                            pass.target,
-                            pass.color,
-                            window,
-                            statistics,
-                            nullptr,
-                            samples};
+  const FragmentStage stage{.draw = draw,
+                            .channels = shaded_channels(draw, pass.run.settings),
+                            .view = pass.run.view,
+                            .settings = pass.run.settings,
+                            .lighting = pass.run.list.lighting,
+                            .target = pass.target,
+                            .color = pass.color,
+                            .window = window,
+                            .samples = samples};
+  const Counting watch(statistics);
   for (const std::uint32_t entry : bin) {
     std::size_t i = entry & ~kOfChunk;
     if (i < chunk.triangles.size()) {
-      rasterise(stage, chunk.triangles[i]);
+      rasterise(stage, watch, chunk.triangles[i]);
       continue;
     }
     i -= chunk.triangles.size();
     if (i < chunk.lines.size()) {
-      rasterise(stage, chunk.lines[i]);
+      rasterise(stage, watch, chunk.lines[i]);
     } else {
-      rasterise(stage, chunk.points[i - chunk.lines.size()]);
+      rasterise(stage, watch, chunk.points[i - chunk.lines.size()]);
     }
   }
 }

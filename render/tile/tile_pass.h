@@ -5,7 +5,7 @@
 
 #include <glassbox/raster/lanes/kernels.h>
 #include <glassbox/render/engine/framebuffer.h>
-#include <glassbox/render/staged/fragments.h>
+#include <glassbox/render/staged/ready.h>
 #include <glassbox/render/tile/round.h>
 
 namespace glassbox {

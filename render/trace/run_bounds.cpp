@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include <glassbox/render/staged/draw_pass.h>
+#include <glassbox/render/staged/staged.h>
 
 namespace glassbox {
 

@@ -13,7 +13,7 @@
 #include <glassbox/raster/snap.h>
 #include <glassbox/raster/triangle_setup.h>
 #include <glassbox/render/engine/draw_list.h>
-#include <glassbox/render/staged/primitives.h>
+#include <glassbox/render/staged/ready.h>
 
 namespace glassbox {
 namespace {

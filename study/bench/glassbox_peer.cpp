@@ -5,37 +5,26 @@
 
 #include <glassbox/raster/blend.h>
 #include <glassbox/render/engine/stopwatch.h>
-#include <glassbox/render/tile/tile_pair.h>
+#include <glassbox/render/stereo/render_pair.h>
 
 #include "study/bench/statistics.h"
 
 namespace glassbox::study {
 
 GlassboxPeer::GlassboxPeer(const BenchScene& bench, const EngineOptions& options)
-    : bench_(bench), drawn_(bench.passes.size()) {
-  if (options.engine == Engine::kStaged) return;
+    : bench_(bench),
+      prepared_(prepare(bench.scene, bench.settings.transfer)),
+      drawn_(bench.passes.size()) {
   TileOptions tile = options.tile;
   tile.plan = tile.plan && bench.reject_objects;
-  prepared_ = prepare(bench.scene, bench.settings.transfer);
-  tiles_ = std::make_unique<TileEngine>(tile);
+  engine_ = make_engine(options.engine, tile);
 }
 
 void GlassboxPeer::draw_over(const BenchPass& pass, const RenderSettings& settings,
                              Rendering& into) {
   Image<Rgba8>& picture = drawn_.front().buffers.color;
-  if (tiles_ != nullptr) {
-    const EyePicture eye{pass.view, settings, into.buffers, picture, into.statistics};
-    tiles_->render(bench_.scene, prepared_, {&eye, 1});
-    return;
-  }
-  Rendering drawn = render_staged(bench_.scene, pass.view, settings);
-  if (&into != &drawn_.front()) {
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-      write_masked(settings.mask, drawn.buffers.color.pixels[i], picture.pixels[i]);
-    }
-    drawn.buffers.color = {};
-  }
-  into = std::move(drawn);
+  const EyePicture eye{pass.view, settings, into.buffers, picture, into.statistics};
+  engine_->draw({bench_.scene, prepared_, {&eye, 1}});
 }
 
 void GlassboxPeer::draw(const RenderSettings& settings) {
@@ -75,23 +64,16 @@ StereoCost stereo_cost(const BenchScene& bench, const EngineOptions& options, in
   const StereoSettings both_settings{bench.settings};
   Rendering one;
   StereoRendering both;
-  std::function<void()> draw_one, draw_both;
-  PreparedScene prepared;
-  std::unique_ptr<TileEngine> tiles;
-  if (options.engine == Engine::kStaged) {
-    draw_one = [&] { one = render_staged(bench.scene, centre, bench.settings); };
-    draw_both = [&] {
-      both = render_masked_anaglyph(bench.scene, centre, pair, both_settings, masks);
-    };
-  } else {
-    prepared = prepare(bench.scene, bench.settings.transfer);
-    tiles = std::make_unique<TileEngine>(options.tile);
-    draw_one = [&] { tiles->render(bench.scene, prepared, centre, bench.settings, one); };
-    draw_both = [&] {
-      render_masked_anaglyph(*tiles, bench.scene, prepared, centre, pair, both_settings, masks,
-                             both);
-    };
-  }
+  const PreparedScene prepared = prepare(bench.scene, bench.settings.transfer);
+  const std::unique_ptr<Engine> engine = make_engine(options.engine, options.tile);
+  const auto draw_one = [&] {
+    const EyePicture eye{centre, bench.settings, one.buffers, one.buffers.color, one.statistics};
+    engine->draw({bench.scene, prepared, {&eye, 1}});
+  };
+  const auto draw_both = [&] {
+    render_masked_anaglyph(*engine, bench.scene, prepared, centre, pair, both_settings, masks,
+                           both);
+  };
   const auto timed = [](const std::function<void()>& draw) {
     double elapsed = 0;
     {

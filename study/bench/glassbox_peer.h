@@ -14,7 +14,7 @@
 namespace glassbox::study {
 
 struct EngineOptions {
-  Engine engine = Engine::kTile;
+  EngineKind engine = EngineKind::kTile;
   TileOptions tile{.threads =
                        1};  // of the tile engine; the staged one has neither threads nor tiles
 };
@@ -37,8 +37,8 @@ private:
 
   const BenchScene& bench_;
   PreparedScene prepared_;
-  std::unique_ptr<TileEngine> tiles_;  // null: the staged driver
-  std::vector<Rendering> drawn_;       // by pass; the first one has the colours of all
+  std::unique_ptr<Engine> engine_;
+  std::vector<Rendering> drawn_;  // by pass; the first one has the colours of all
 };
 
 // What the second eye costs: both eyes of an anaglyph in one run that shares their work, against one eye's picture by the same

@@ -71,7 +71,7 @@ Picture draw_both_over_tiles(const Stage& s) {
   return render_tiled(s.scene, s.right, s.settings, {.threads = 1}).buffers.color;
 }
 Picture draw_together_over_tiles(const Stage& s) {
-  Renderer renderer(s.scene, s.settings.transfer, Engine::kTile, {.threads = 1});
+  Renderer renderer(s.scene, s.settings.transfer, EngineKind::kTile, {.threads = 1});
   return renderer.render_pair(s.centre, s.pair, {.render = s.settings}).right.color;
 }
 

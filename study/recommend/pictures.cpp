@@ -52,7 +52,7 @@ std::vector<Quartiles> frame_times(const Scene& scene, std::span<const Shot> sho
     TileOptions options;
     options.threads = 1;
     renderers.push_back(
-        std::make_unique<Renderer>(scene, shot.settings.transfer, Engine::kTile, options));
+        std::make_unique<Renderer>(scene, shot.settings.transfer, EngineKind::kTile, options));
     works.push_back({[renderer = renderers.back().get(), &shot] {
       renderer->render(shot.view, shot.settings);
     }});

@@ -96,7 +96,7 @@ TEST_CASE("nearly half of a closed surface goes before clipping (S4-19)") {
 TEST_CASE("each eye of a pair culls for itself, and has the bytes of late culling") {
   for (const PairCase& c : pair_cases()) {
     INFO(c.name);
-    for (const Engine engine : {Engine::kStaged, Engine::kTile}) {
+    for (const EngineKind engine : {EngineKind::kStaged, EngineKind::kTile}) {
       Renderer renderer(c.scene, Transfer::kSrgb, engine);
       RenderSettings settings;
       settings.cull = Cull::kBack;

@@ -275,7 +275,7 @@ TEST_CASE("both engines draw the same samples, for threads, targets, tiles and r
 TEST_CASE("an engine draws one sample after several, and several after one, in the same memory") {
   const Scene scene = *make_builtin("room");
   const View view = *make_view(test::camera_for(scene, 1.5), 90, 60);
-  Renderer renderer(scene, Transfer::kSrgb, Engine::kTile, {2, 32});
+  Renderer renderer(scene, Transfer::kSrgb, EngineKind::kTile, {2, 32});
   for (const int samples : {4, 1, 16, 2, 1}) {
     RenderSettings settings;
     settings.samples = samples;
@@ -304,7 +304,7 @@ TEST_CASE("each eye of a pair has its samples, and an anaglyph's eyes share the 
     }
     CHECK(differing == 0);
     for (const std::size_t round : {std::size_t{1} << 23, std::size_t{200}}) {
-      Renderer tiles(c.scene, Transfer::kSrgb, Engine::kTile, {2, 32, best_target(), true, round});
+      Renderer tiles(c.scene, Transfer::kSrgb, EngineKind::kTile, {2, 32, best_target(), true, round});
       const StereoRendering tiled = tiles.render_pair(c.centre, c.pair, settings);
       test::check_same_planes(both.left, tiled.left, false);
       test::check_same_planes(both.right, tiled.right, false);

@@ -26,12 +26,12 @@ Outcome judge(const EyePictures& eyes, int passes) {
 
 Outcome judge_ours() {
   Outcome worst;
-  for (const Engine engine : {Engine::kStaged, Engine::kTile}) {
+  for (const EngineKind engine : {EngineKind::kStaged, EngineKind::kTile}) {
     const PairScene s = mono();
     Renderer renderer(s.scene, Transfer::kSrgb, engine);
     const StereoRendering drawn = renderer.render_pair(s.centre, s.pair, {});
     const Outcome outcome = judge({drawn.left.color, drawn.right.color}, drawn.passes);
-    if (engine == Engine::kStaged || outcome.error > worst.error) worst = outcome;
+    if (engine == EngineKind::kStaged || outcome.error > worst.error) worst = outcome;
   }
   return worst;
 }

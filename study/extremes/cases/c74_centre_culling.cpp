@@ -10,7 +10,7 @@ namespace glassbox::study {
 
 namespace c74 {
 
-Outcome judge(StereoCulling culling, Engine engine) {
+Outcome judge(StereoCulling culling, EngineKind engine) {
   std::uint64_t lost = 0, triangles = 0, culled = 0, pixels = 0;
   for (const double share : {0.01, 0.03, 0.1}) {
     const PairScene s = pair_scene("forest", share);
@@ -32,8 +32,8 @@ Outcome judge(StereoCulling culling, Engine engine) {
 }
 
 Outcome judge_ours() {
-  const Outcome staged = judge(StereoCulling::kUnion, Engine::kStaged);
-  const Outcome tile = judge(StereoCulling::kUnion, Engine::kTile);
+  const Outcome staged = judge(StereoCulling::kUnion, EngineKind::kStaged);
+  const Outcome tile = judge(StereoCulling::kUnion, EngineKind::kTile);
   return staged.error >= tile.error ? staged : tile;
 }
 
@@ -51,9 +51,9 @@ ExtremeCase c74_centre_culling() {
   c.oracle = Oracle::kInteger;
   c.ours = {"the union of both frusta, both engines", judge_ours};
   c.naive = {"centre culling, staged engine",
-             [] { return judge(StereoCulling::kCentre, Engine::kStaged); }};
+             [] { return judge(StereoCulling::kCentre, EngineKind::kStaged); }};
   c.mutants = {
-      {"centre culling, tile engine", [] { return judge(StereoCulling::kCentre, Engine::kTile); }}};
+      {"centre culling, tile engine", [] { return judge(StereoCulling::kCentre, EngineKind::kTile); }}};
   return c;
 }
 

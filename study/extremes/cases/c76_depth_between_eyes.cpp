@@ -22,7 +22,7 @@ const StereoRendering& eyes() {
   return drawn;
 }
 
-Image<Rgba8> masked(Engine engine) {
+Image<Rgba8> masked(EngineKind engine) {
   const PairScene s = pair_scene("forest", 0.03);
   Renderer renderer(s.scene, Transfer::kSrgb, engine);
   return renderer.render_masked_anaglyph(s.centre, s.pair, {}, {}).left.color;
@@ -56,8 +56,8 @@ ExtremeCase c76_depth_between_eyes() {
   c.unit = "pixels";
   c.oracle = Oracle::kProperty;
   c.ours = {"a depth buffer for each eye, both engines", [] {
-              const Outcome staged = judge(masked(Engine::kStaged));
-              const Outcome tile = judge(masked(Engine::kTile));
+              const Outcome staged = judge(masked(EngineKind::kStaged));
+              const Outcome tile = judge(masked(EngineKind::kTile));
               return staged.error >= tile.error ? staged : tile;
             }};
   c.naive = {"depth not cleared between the eyes", [] { return judge(without_clearing()); }};
@@ -69,7 +69,7 @@ ExtremeCase c76_depth_between_eyes() {
              make_anaglyph(eyes().right.color, eyes().left.color, AnaglyphMethod::kMask).value());
        }}};
   c.pictures = {{"naive", [] { return png_of(without_clearing()); }},
-                {"ours", [] { return png_of(masked(Engine::kTile)); }}};
+                {"ours", [] { return png_of(masked(EngineKind::kTile)); }}};
   return c;
 }
 

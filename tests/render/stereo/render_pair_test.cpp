@@ -6,8 +6,8 @@
 #include <glassbox/pipeline/framing.h>
 #include <glassbox/pipeline/stereo/parallax.h>
 #include <glassbox/render/renderer.h>
-#include <glassbox/render/staged/draw_pass.h>
 #include <glassbox/render/staged/staged.h>
+#include <glassbox/render/staged/vertex_stage.h>
 #include <glassbox/render/stereo/render_pair.h>
 
 #include "tests/render/stereo/pairs.h"
@@ -33,11 +33,11 @@ std::size_t differing_pixels(const Image<Rgba8>& a, const Image<Rgba8>& b) {
 // The staged one, and the tile engine with one tile and with many.
 std::vector<Renderer> many_renderers(const Scene& scene) {
   std::vector<Renderer> all;
-  all.emplace_back(scene, Transfer::kSrgb, Engine::kStaged);
-  all.emplace_back(scene, Transfer::kSrgb, Engine::kTile,
+  all.emplace_back(scene, Transfer::kSrgb, EngineKind::kStaged);
+  all.emplace_back(scene, Transfer::kSrgb, EngineKind::kTile,
                    TileOptions{.threads = 1, .tile_side = 128});
   all.emplace_back(
-      scene, Transfer::kSrgb, Engine::kTile,
+      scene, Transfer::kSrgb, EngineKind::kTile,
       TileOptions{.threads = 3, .tile_side = 16, .target = Target::kScalar, .plan = false});
   return all;
 }
@@ -149,35 +149,34 @@ TEST_CASE("a depth buffer that is not cleared between the eyes shows in the righ
   red.mask = {true, false, false, false};
   cyan.mask = {false, true, true, true};
   const PreparedScene prepared = prepare(c.scene, Transfer::kSrgb);
-  const DrawList list = make_draw_list(c.scene, prepared, left);
-  const std::vector<Draw> others = draws_of_other_eye(list.draws, c.scene, right);
-  Framebuffer shared = cleared_framebuffer(c.width, c.height, red);
+  Framebuffer of_left, of_right;
   Statistics statistics;
-  const std::array<EyePass, 1> first{{{list.draws, left, red, shared, shared.color, statistics}}};
-  const std::array<EyePass, 1> second{{{others, right, cyan, shared, shared.color, statistics}}};
-  const auto draw_all = [&](std::span<const EyePass> eye) {
-    for (std::size_t i = 0; i < list.draws.size(); ++i) {
-      draw_primitives(i, transform_draw(i, eye), list.draws[i].triangulation->triangles,
-                      list.lighting, eye);
-    }
-  };
+  StagedEngine engine;
+  const EyePicture first{left, red, of_left, of_left.color, statistics};
+  engine.draw({c.scene, prepared, {&first, 1}});
 
   SECTION("cleared, two passes after each other are the masked anaglyph") {
-    draw_all(first);
-    shared.depth = cleared_framebuffer(c.width, c.height, red).depth;
-    draw_all(second);
-    CHECK(shared.color == right_way.left.color);
+    const EyePicture second{right, cyan, of_right, of_left.color, statistics};
+    engine.draw({c.scene, prepared, {&second, 1}});
+    CHECK(of_left.color == right_way.left.color);
   }
   SECTION("not cleared, the left eye's silhouettes hide the right eye's picture") {
-    draw_all(first);
-    draw_all(second);
-    CHECK(differing_pixels(shared.color, right_way.left.color) > 0);
+    struct DepthLeft : Observer {
+      explicit DepthLeft(const Image<std::uint32_t>& codes) : left(codes) {}
+      void compared(const FragmentSource&, const Fragment& fragment, std::uint32_t code,
+                    std::uint32_t, bool& in_front) override {
+        in_front = in_front && glassbox::in_front(code, left.at(fragment.x, fragment.y));
+      }
+      const Image<std::uint32_t>& left;
+    } kept(of_left.depth);
+    const EyePicture second{right, cyan, of_right, of_left.color, statistics, &kept};
+    engine.draw({c.scene, prepared, {&second, 1}});
+    CHECK(differing_pixels(of_left.color, right_way.left.color) > 0);
   }
   SECTION("with the colours cleared too, the left eye's picture is gone") {
-    draw_all(first);
-    shared = cleared_framebuffer(c.width, c.height, red);
-    draw_all(second);
-    CHECK(differing_pixels(shared.color, right_way.left.color) > 0);
+    const EyePicture second{right, cyan, of_right, of_right.color, statistics};
+    engine.draw({c.scene, prepared, {&second, 1}});
+    CHECK(differing_pixels(of_right.color, right_way.left.color) > 0);
   }
 }
 

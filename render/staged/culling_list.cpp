@@ -1,4 +1,4 @@
-#include <glassbox/render/stereo/culling_list.h>
+#include <glassbox/render/staged/culling_list.h>
 
 #include <array>
 
@@ -33,8 +33,8 @@ std::span<const Triangle> CullingList::triangles_of(std::size_t draw, const Draw
     const bool unseen_by_pair = unseen(draws_[draw], triangle, pair);
     const bool culled = centre.empty() ? unseen_by_pair : unseen(draws_[draw], triangle, centre);
     if (!culled) kept_.push_back(triangle);
-    culled_ += culled;
-    lost_ += culled && !unseen_by_pair;
+    left_out_.culled += culled;
+    left_out_.lost += culled && !unseen_by_pair;
   }
   return kept_;
 }

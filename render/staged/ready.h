@@ -1,17 +1,14 @@
-// Corners become primitives ready to be rasterised: cull in object space, where that is asked for, clip, divide, viewport,
-// snap, setup, cull; then, for those that are left, the attributes of their vertices.
+// What one draw's primitives need on their way through the stages, and what they are halfway: ready to be rasterised.
 #pragma once
 
 #include <array>
 #include <optional>
-#include <vector>
 
 #include <glassbox/pipeline/clip.h>
 #include <glassbox/raster/stages.h>
 #include <glassbox/render/engine/draw_list.h>
+#include <glassbox/render/engine/framebuffer.h>
 #include <glassbox/render/engine/object_cull.h>
-#include <glassbox/render/engine/observer.h>
-#include <glassbox/render/engine/statistics.h>
 #include <glassbox/render/staged/vertex_stage.h>
 
 namespace glassbox {
@@ -40,7 +37,7 @@ struct TriangleAttributes {
   std::optional<std::array<Varyings, 3>> front, back;
 };
 
-// What one draw's primitives need to be made ready for one eye.
+// From the corners to the screen, for one eye.
 struct PrimitiveStage {
   const Draw& draw;
   const ClipTable* clip;  // null: vertices are projected as triangles ask for them
@@ -49,21 +46,27 @@ struct PrimitiveStage {
   const RenderSettings& settings;
   const Lighting& lighting;
   std::array<ClipPlane, kMaxClipPlanes> planes;  // render_planes(view)
-  Statistics& statistics;
-  Observer* observer = nullptr;
   std::optional<ObjectCull> object_cull;  // of what no plane cuts; absent: nothing is culled early
 };
 
-// Appends what is left of a triangle of the mesh: nothing, itself, or the fan of its clipped polygon. With
-// RenderSettings::wireframe its edges are appended to `lines` instead. `attributes` belongs to the triangle: empty before
-// the first eye, the same for the next one.
-void ready_triangle(const PrimitiveStage& stage, const Triangle& triangle,
-                    TriangleAttributes& attributes, std::vector<ReadyTriangle>& triangles,
-                    std::vector<ReadyLine>& lines);
+// From the screen to the pixels.
+struct FragmentStage {
+  const Draw& draw;
+  ColorMask channels;  // that are shaded: shaded_channels(draw, settings)
+  const View& view;
+  const RenderSettings& settings;
+  const Lighting& lighting;
+  Framebuffer& target;    // every plane but the colours
+  Image<Rgba8>& color;    // the target's own, or that which the eyes of an anaglyph share
+  PixelRect window;       // the part of the picture that is drawn
+  SamplePlanes* samples;  // null: one sample, at the pixel's centre, straight into `color`
+};
 
-void ready_line(const PrimitiveStage& stage, const std::array<Corner, 2>& line,
-                std::vector<ReadyLine>& lines);
-
-void ready_point(const PrimitiveStage& stage, const Corner& point, std::vector<ReadyPoint>& points);
+// Those that are written, and alpha where the material asks for it.
+inline ColorMask shaded_channels(const Draw& draw, const RenderSettings& settings) {
+  ColorMask channels = settings.mask;
+  channels.a = channels.a || draw.material->alpha_mode != AlphaMode::kOpaque;
+  return channels;
+}
 
 }  // namespace glassbox

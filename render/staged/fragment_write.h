@@ -1,0 +1,53 @@
+// What a fragment leaves behind: its colour, at the pixel or at its samples; and what belongs to the pixel's centre.
+#pragma once
+
+#include <glassbox/raster/blend.h>
+#include <glassbox/render/engine/distance.h>
+#include <glassbox/render/staged/covered_fragments.h>
+#include <glassbox/render/staged/fragment_color.h>
+
+namespace glassbox {
+
+// With several samples they have the colour, and the pixel gets their mean at the end.
+inline bool shows_color(const FragmentStage& stage, const CoveredFragment& fragment) {
+  return stage.samples == nullptr || fragment.samples != 0;
+}
+
+template <class Watch>
+void write_over(const FragmentStage& stage, const Watch& watch, const CoveredFragment& fragment,
+                const FragmentColor& color, Rgba8& pixel) {
+  Rgba8 after = encoded(stage, color, pixel);
+  watch.encoded(fragment.place, pixel, after);
+  write_masked(stage.settings.mask, after, pixel);
+}
+
+template <class Watch>
+void write_color(const FragmentStage& stage, const Watch& watch, const CoveredFragment& fragment,
+                 const FragmentColor& color, bool writes_depth) {
+  const int x = fragment.place.x, y = fragment.place.y;
+  if (stage.samples == nullptr) {
+    return write_over(stage, watch, fragment, color, stage.color.at(x, y));
+  }
+  const std::span<Rgba8> colors = stage.samples->colors(x, y);
+  const std::span<std::uint32_t> depths = stage.samples->depths(x, y);
+  for_each_bit(fragment.samples, [&](std::size_t s) {
+    write_over(stage, watch, fragment, color, colors[s]);
+    if (writes_depth) depths[s] = fragment.codes[s];
+  });
+}
+
+// The planes of the framebuffer that belong to pixel centres: everything but the colours.
+inline void write_planes(const FragmentStage& stage, const CoveredFragment& fragment,
+                         std::uint32_t id, bool writes_depth) {
+  Framebuffer& target = stage.target;
+  const std::size_t pixel = target.depth.index(fragment.place.x, fragment.place.y);
+  if (writes_depth) target.depth.pixels[pixel] = fragment.centre_code;
+  if (!target.distance.pixels.empty()) {
+    target.distance.pixels[pixel] =
+        distance_along_gaze(stage.view, fragment.place.depth, fragment.place.inverse_w);
+  }
+  if (!target.id.pixels.empty()) target.id.pixels[pixel] = id;
+  if (!target.writes.pixels.empty()) ++target.writes.pixels[pixel];
+}
+
+}  // namespace glassbox

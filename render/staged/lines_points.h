@@ -1,0 +1,109 @@
+// Lines and points become fragments: at pixel centres, and with several samples to those of a rectangle one pixel wide around
+// the line, with square ends, and of the unit square around the point. Which pixel centres they have does not depend on
+// samples.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include <glassbox/raster/line.h>
+#include <glassbox/raster/point.h>
+#include <glassbox/render/staged/reference.h>
+
+namespace glassbox {
+
+template <class Watch>
+void draw_centre(const FragmentStage& stage, const Watch& watch, const Surface& surface,
+                 const Fragment& place) {
+  CoveredFragment fragment;
+  fragment.place = place;
+  fragment.centre = true;
+  fragment.centre_code = depth_code(stage.settings.depth, place.depth);
+  watch.ended(surface.source, fragment.place, draw_fragment(stage, watch, surface, fragment));
+}
+
+// ---- samples ----
+
+inline ScreenVertex moved(const ScreenVertex& vertex, double x, double y) {
+  ScreenVertex at = vertex;
+  at.position.x = float(double(at.position.x) + x);
+  at.position.y = float(double(at.position.y) + y);
+  return at;
+}
+
+// A quadrilateral, whose corners run around it, as two triangles that share a diagonal.
+template <class Watch>
+void rasterise_quad(const FragmentStage& stage, const Watch& watch,
+                    const std::array<ScreenVertex, 4>& corners,
+                    const std::array<const Varyings*, 4>& varyings) {
+  for (const std::array<std::size_t, 3>& half :
+       {std::array<std::size_t, 3>{0, 1, 2}, std::array<std::size_t, 3>{0, 2, 3}}) {
+    const auto setup = setup_triangle({corners[half[0]], corners[half[1]], corners[half[2]]});
+    if (!setup) continue;
+    Surface surface;
+    surface.source = kLineOrPoint;
+    for (std::size_t k = 0; k < 3; ++k) {
+      surface.vertices[k] = *varyings[half[std::size_t(setup->order[k])]];
+    }
+    rasterise_surface(stage, watch, *setup, surface);
+  }
+}
+
+// Both halves of the rectangle have the ends' depth and 1/w at the ends, so that nothing changes across the line.
+template <class Watch>
+void rasterise_samples(const FragmentStage& stage, const Watch& watch, const ReadyLine& line) {
+  const auto& [a, b] = line.ends;
+  const double dx = double(b.position.x) - double(a.position.x);
+  const double dy = double(b.position.y) - double(a.position.y);
+  const double length = std::sqrt(dx * dx + dy * dy);
+  if (length == 0) return;
+  const double x = -dy / length / 2, y = dx / length / 2;  // half a pixel across
+  const Varyings &at_a = line.vertices[0], &at_b = line.vertices[1];
+  rasterise_quad(stage, watch, {moved(a, x, y), moved(a, -x, -y), moved(b, -x, -y), moved(b, x, y)},
+                 {&at_a, &at_a, &at_b, &at_b});
+}
+
+template <class Watch>
+void rasterise_samples(const FragmentStage& stage, const Watch& watch, const ReadyPoint& point) {
+  const ScreenVertex& p = point.position;
+  const Varyings& at = point.vertex;
+  rasterise_quad(
+      stage, watch,
+      {moved(p, -0.5, -0.5), moved(p, 0.5, -0.5), moved(p, 0.5, 0.5), moved(p, -0.5, 0.5)},
+      {&at, &at, &at, &at});
+}
+
+// ---- lines and points ----
+
+template <class Watch>
+void rasterise(const FragmentStage& stage, const Watch& watch, const ReadyLine& line) {
+  Surface surface;
+  surface.vertices = {line.vertices[0], line.vertices[0], line.vertices[1]};
+  surface.source = kLineOrPoint;
+  surface.id = line.id;
+  for_each_line_pixel(snap(line.ends[0]), snap(line.ends[1]), stage.window,
+                      [&](const LinePixel& pixel) {
+                        draw_centre(stage, watch, surface, interpolate(line.ends, pixel));
+                      });
+  if (stage.samples != nullptr) rasterise_samples(stage, watch, line);
+}
+
+template <class Watch>
+void rasterise(const FragmentStage& stage, const Watch& watch, const ReadyPoint& point) {
+  if (stage.samples != nullptr) rasterise_samples(stage, watch, point);
+  const PointPixel pixel = point_pixel(snap(point.position));
+  const PixelRect& window = stage.window;
+  if (pixel.x < window.x0 || pixel.x >= window.x1 || pixel.y < window.y0 || pixel.y >= window.y1)
+    return;
+  Fragment place;
+  place.x = pixel.x;
+  place.y = pixel.y;
+  place.depth = point.position.position.z;
+  place.inverse_w = point.position.inverse_w;
+  Surface surface;
+  surface.vertices = {point.vertex, point.vertex, point.vertex};
+  surface.source = kLineOrPoint;
+  draw_centre(stage, watch, surface, place);
+}
+
+}  // namespace glassbox

@@ -1,0 +1,68 @@
+// Vertices on the screen; and lines, points and the edges of triangles, ready to be rasterised.
+#pragma once
+
+#include <vector>
+
+#include <glassbox/pipeline/divide.h>
+#include <glassbox/pipeline/viewport.h>
+#include <glassbox/render/staged/corners.h>
+#include <glassbox/render/staged/ready.h>
+
+namespace glassbox {
+
+template <class Watch>
+ScreenVertex on_screen(const PrimitiveStage& stage, const Watch& watch, const ClipVertex& vertex) {
+  NdcVertex ndc = divide(vertex);
+  watch.divided(vertex, ndc);
+  ScreenVertex screen = to_screen(ndc, stage.view.viewport);
+  watch.placed(ndc, screen);
+  return screen;
+}
+
+template <class Watch>
+void ready_segment(const PrimitiveStage& stage, const Watch& watch,
+                   const std::array<ClipVertex, 2>& ends, const std::array<Varyings, 3>& corners,
+                   std::uint32_t id, std::vector<ReadyLine>& lines) {
+  const std::optional<std::array<ClipVertex, 2>> kept = clip_segment(ends, stage.planes);
+  if (!kept) return;
+  const auto& [first, second] = *kept;
+  const ScreenVertex begin = on_screen(stage, watch, first), end = on_screen(stage, watch, second);
+  lines.push_back({{begin, end},
+                   {attributes_at(corners, first.weights), attributes_at(corners, second.weights)},
+                   id});
+}
+
+// Those of a triangle, clipped one by one: a clipped triangle has edges that are not its own.
+template <class Watch>
+void ready_edges(const PrimitiveStage& stage, const Watch& watch,
+                 const std::array<ClipVertex, 3>& corners,
+                 const std::array<Varyings, 3>& attributes, std::uint32_t id,
+                 std::vector<ReadyLine>& lines) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    ready_segment(stage, watch, {corners[k], corners[(k + 1) % 3]}, attributes, id, lines);
+  }
+}
+
+template <class Watch>
+void ready_line(const PrimitiveStage& stage, const Watch& watch, const std::array<Corner, 2>& line,
+                std::vector<ReadyLine>& lines) {
+  std::array<ClipVertex, 2> ends;
+  std::array<Varyings, 3> vertices;
+  for (std::size_t k = 0; k < 2; ++k) {
+    ends[k].position = clip_position(stage, line[k].position);
+    ends[k].weights[k] = 1.0;
+    vertices[k] = corner_attributes(stage, line[k]);
+  }
+  ready_segment(stage, watch, ends, vertices, 0, lines);
+}
+
+template <class Watch>
+void ready_point(const PrimitiveStage& stage, const Watch& watch, const Corner& point,
+                 std::vector<ReadyPoint>& points) {
+  ClipVertex vertex;
+  vertex.position = clip_position(stage, point.position);
+  if (!clip_point(vertex.position, stage.planes)) return;
+  points.push_back({on_screen(stage, watch, vertex), corner_attributes(stage, point)});
+}
+
+}  // namespace glassbox

@@ -1,0 +1,103 @@
+// The reference: a triangle's way through every stage, in order. From its corners to pieces on the screen, and from there to the
+// pixels; in two steps because the eyes of a pair take turns between them, and the tile engine sorts there. `watch` is one of
+// watch.h, and is shown what each stage has made.
+#pragma once
+
+#include <vector>
+
+#include <glassbox/raster/fan.h>
+#include <glassbox/raster/interpolate.h>
+#include <glassbox/raster/snap.h>
+#include <glassbox/raster/triangle_setup.h>
+#include <glassbox/render/staged/corners.h>
+#include <glassbox/render/staged/covered_fragments.h>
+#include <glassbox/render/staged/fragment_color.h>
+#include <glassbox/render/staged/fragment_write.h>
+#include <glassbox/render/staged/ready_lines.h>
+
+namespace glassbox {
+
+// Appends what is left of a triangle of the mesh: nothing, itself, or the fan of its clipped polygon. With
+// RenderSettings::wireframe its edges are appended to `lines` instead. `attributes` belongs to the triangle: empty before
+// the first eye, the same for the next one.
+template <class Watch>
+void ready_triangle(const PrimitiveStage& stage, const Watch& watch, const Triangle& triangle,
+                    TriangleAttributes& attributes, std::vector<ReadyTriangle>& triangles,
+                    std::vector<ReadyLine>& lines) {
+  const std::uint32_t number = stage.draw.first_number + triangle.number;
+  const std::array<ClipVertex, 3> corners = clip_vertices(stage, triangle);    // transform
+  const std::array<Outcode, 3> codes = outcodes_of(stage, triangle, corners);  // outcode
+  if (is_culled_early(stage, triangle, codes)) return watch.culled_early();
+  ClipPolygon polygon = clip_to_view(stage, corners, codes);  // clip
+  watch.clipped(stage, triangle, corners, codes, polygon);
+
+  const std::size_t count = std::size_t(polygon.count);
+  std::array<ScreenVertex, kMaxClipVertices> screen;
+  std::array<SnappedVertex, kMaxClipVertices> snapped;
+  for (std::size_t k = 0; k < count; ++k) {
+    screen[k] = on_screen(stage, watch, polygon.vertices[k]);  // divide, viewport
+    snapped[k] = snap(screen[k]);                              // snap
+  }
+  const int apex = fan_apex(std::span(snapped).first(count));
+
+  const std::array<Varyings, 3>* visible = nullptr;
+  for (int i = 0; i < fan_size(polygon); ++i) {
+    const std::array<std::size_t, 3> piece = fan_vertices(apex, polygon.count, i);
+    const std::array<ScreenVertex, 3> vertices{screen[piece[0]], screen[piece[1]],
+                                               screen[piece[2]]};
+    std::optional<TriangleSetup> setup = setup_triangle(vertices);  // set up
+    watch.set_up(std::uint32_t(i), vertices, setup);
+    if (!setup) continue;
+    const bool front = shows_front(stage.draw, *setup);
+    bool culled = is_culled(stage.draw, stage.settings.cull, front);  // cull
+    watch.faced(*setup, front, culled);
+    if (culled) continue;
+    if (visible == nullptr) visible = &attributes_of(stage, triangle, front, attributes);
+    if (stage.settings.wireframe) break;
+    ReadyTriangle ready{*setup, {}, number, std::uint32_t(i)};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const ClipVertex& vertex = polygon.vertices[piece[std::size_t(setup->order[k])]];
+      ready.vertices[k] = attributes_at(*visible, vertex.weights);
+    }
+    triangles.push_back(ready);
+  }
+  if (stage.settings.wireframe && visible != nullptr) {
+    ready_edges(stage, watch, corners, *visible, number + 1, lines);
+  }
+  watch.prepared(triangle);
+}
+
+// A fragment from the depth test to the pixel; with several samples, to those that it covers.
+template <class Watch>
+Fate draw_fragment(const FragmentStage& stage, const Watch& watch, const Surface& surface,
+                   CoveredFragment& fragment) {
+  test_depth(stage, watch, surface.source, fragment);  // depth test
+  if (fragment.is_empty()) return Fate::kHidden;
+  const Varyings at = interpolate(surface.vertices, fragment.place.weights);  // interpolate
+  Rgba base = surface_color(stage, surface, at, fragment.place);              // texture
+  watch.textured(at, base);
+  if (is_discarded(*stage.draw.material, base)) return Fate::kDiscarded;
+  const bool blended = is_blended(stage);
+  if (shows_color(stage, fragment)) {
+    const FragmentColor color =
+        fragment_color(stage, watch, surface, at, fragment.place, base);  // light
+    write_color(stage, watch, fragment, color, !blended);                 // mask, blend, write
+  }
+  if (fragment.centre) write_planes(stage, fragment, surface.id, !blended);
+  return blended ? Fate::kBlended : Fate::kWritten;
+}
+
+template <class Watch>
+void rasterise_surface(const FragmentStage& stage, const Watch& watch, const TriangleSetup& setup,
+                       const Surface& surface) {
+  for_each_fragment(stage, watch, setup, surface, [&](CoveredFragment& fragment) {  // cover
+    watch.ended(surface.source, fragment.place, draw_fragment(stage, watch, surface, fragment));
+  });
+}
+
+template <class Watch>
+void rasterise(const FragmentStage& stage, const Watch& watch, const ReadyTriangle& triangle) {
+  rasterise_surface(stage, watch, triangle.setup, surface_of(stage, triangle));
+}
+
+}  // namespace glassbox

@@ -1,0 +1,121 @@
+// Who watches a run of the staged stages, as a type: nobody, somebody who counts, or somebody who counts and tells an observer.
+// What nobody does costs nothing. The methods are Observer's, in the order of the stages.
+#pragma once
+
+#include <glassbox/render/engine/observer.h>
+#include <glassbox/render/engine/statistics.h>
+
+namespace glassbox {
+
+struct Nobody {
+  void draw(const Draw&) const {}
+  void projected(const Draw&, std::uint32_t, Point<Clip>&) const {}
+  void culled_early() const {}
+  void clipped(const PrimitiveStage&, const Triangle&, const std::array<ClipVertex, 3>&,
+               const std::array<Outcode, 3>&, ClipPolygon&) const {}
+  void divided(const ClipVertex&, NdcVertex&) const {}
+  void placed(const NdcVertex&, ScreenVertex&) const {}
+  void set_up(std::uint32_t, const std::array<ScreenVertex, 3>&,
+              std::optional<TriangleSetup>&) const {}
+  void faced(const TriangleSetup&, bool, bool&) const {}
+  void prepared(const Triangle&) const {}
+  void interpolated(const FragmentSource&, const Coverage&, Fragment&) const {}
+  void compared(const FragmentSource&, const Fragment&, std::uint32_t, std::uint32_t, bool&) const {
+  }
+  void textured(const Varyings&, Rgba&) const {}
+  void emitted(const Varyings&, std::array<float, 3>&) const {}
+  void lit(const Varyings&, const Rgba&, Rgba&) const {}
+  void encoded(const Fragment&, const Rgba8&, Rgba8&) const {}
+  void ended(const FragmentSource&, const Fragment&, Fate) const {}
+};
+
+// Counts what comes out of the stages.
+struct Counting : Nobody {
+  Statistics& statistics;
+
+  explicit Counting(Statistics& counts) : statistics(counts) {}
+
+  void culled_early() const { ++statistics.culled_early; }
+  void clipped(const PrimitiveStage&, const Triangle&, const std::array<ClipVertex, 3>&,
+               const std::array<Outcode, 3>& codes, ClipPolygon& polygon) const {
+    switch (trivial_verdict(codes)) {
+      case ClipVerdict::kAccept:
+        break;
+      case ClipVerdict::kReject:
+        ++statistics.rejected;
+        break;
+      case ClipVerdict::kClip:
+        ++(polygon.count == 0 ? statistics.clipped_away : statistics.clipped);
+        break;
+    }
+  }
+  void set_up(std::uint32_t, const std::array<ScreenVertex, 3>&,
+              std::optional<TriangleSetup>& setup) const {
+    ++statistics.after_clipping;
+    if (!setup) ++statistics.zero_area;
+  }
+  void faced(const TriangleSetup&, bool, bool& culled) const {
+    ++(culled ? statistics.culled : statistics.set_up);
+  }
+  void ended(const FragmentSource&, const Fragment&, Fate fate) const {
+    ++statistics.covered;
+    statistics.depth_failed += fate == Fate::kHidden;
+    statistics.discarded += fate == Fate::kDiscarded;
+    statistics.written += fate == Fate::kWritten || fate == Fate::kBlended;
+    statistics.blended += fate == Fate::kBlended;
+  }
+};
+
+// Counts, and tells an observer, who may change what a stage has made: what is counted is what goes on.
+struct Observed : Counting {
+  Observer& observer;
+
+  Observed(Statistics& counts, Observer& told) : Counting(counts), observer(told) {}
+
+  void draw(const Draw& drawn) const { observer.draw(drawn); }
+  void projected(const Draw& draw, std::uint32_t index, Point<Clip>& clip) const {
+    observer.projected(draw, index, clip);
+  }
+  void clipped(const PrimitiveStage& stage, const Triangle& triangle,
+               const std::array<ClipVertex, 3>& corners, const std::array<Outcode, 3>& codes,
+               ClipPolygon& polygon) const {
+    Counting::clipped(stage, triangle, corners, codes, polygon);
+    observer.clipped(stage, triangle, corners, polygon);
+  }
+  void divided(const ClipVertex& clip, NdcVertex& ndc) const { observer.divided(clip, ndc); }
+  void placed(const NdcVertex& ndc, ScreenVertex& screen) const { observer.placed(ndc, screen); }
+  void set_up(std::uint32_t piece, const std::array<ScreenVertex, 3>& vertices,
+              std::optional<TriangleSetup>& setup) const {
+    observer.set_up(piece, vertices, setup);
+    Counting::set_up(piece, vertices, setup);
+  }
+  void faced(const TriangleSetup& setup, bool front, bool& culled) const {
+    observer.faced(setup, front, culled);
+    Counting::faced(setup, front, culled);
+  }
+  void prepared(const Triangle& triangle) const { observer.prepared(triangle); }
+  void interpolated(const FragmentSource& source, const Coverage& coverage,
+                    Fragment& fragment) const {
+    observer.interpolated(source, coverage, fragment);
+  }
+  void compared(const FragmentSource& source, const Fragment& fragment, std::uint32_t code,
+                std::uint32_t stored, bool& in_front) const {
+    observer.compared(source, fragment, code, stored, in_front);
+  }
+  void textured(const Varyings& at, Rgba& surface) const { observer.textured(at, surface); }
+  void emitted(const Varyings& at, std::array<float, 3>& emission) const {
+    observer.emitted(at, emission);
+  }
+  void lit(const Varyings& at, const Rgba& surface, Rgba& color) const {
+    observer.lit(at, surface, color);
+  }
+  void encoded(const Fragment& fragment, const Rgba8& before, Rgba8& after) const {
+    observer.encoded(fragment, before, after);
+  }
+  void ended(const FragmentSource& source, const Fragment& fragment, Fate fate) const {
+    Counting::ended(source, fragment, fate);
+    observer.ended(source, fragment, fate);
+  }
+};
+
+}  // namespace glassbox
