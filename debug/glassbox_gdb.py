@@ -337,10 +337,13 @@ Triangles are numbered through the whole scene, as `glassbox pixel` and --id-out
     def invoke(self, text, from_tty):
         (n,) = whole_numbers(text, 1, "glassbox-triangle N")
         watch_for_tile_engine()
-        gdb.execute(f"break glassbox::ready_triangle if stage.draw.first_number + triangle.number == {n}")
         gdb.execute(
-            "break glassbox::rasterise(glassbox::FragmentStage const&, glassbox::ReadyTriangle const&)"
-            f" if triangle.number == {n}"
+            "break glassbox::ready_triangle<glassbox::Counting>"
+            f" if stage.draw.first_number + triangle.number == {n}"
+        )
+        gdb.execute(
+            "break glassbox::rasterise<glassbox::Counting>(glassbox::FragmentStage const&,"
+            f" glassbox::Counting const&, glassbox::ReadyTriangle const&) if triangle.number == {n}"
         )
 
 

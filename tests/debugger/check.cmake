@@ -9,7 +9,7 @@ endif()
 get_filename_component(name ${page} NAME)
 set(answered ${work}/answered-${name})
 execute_process(
-  COMMAND ${CMAKE_COMMAND} -E env --unset=DEBUGINFOD_URLS SHELL=/bin/sh
+  COMMAND ${CMAKE_COMMAND} -E env --unset=DEBUGINFOD_URLS SHELL=/bin/sh ASAN_OPTIONS=detect_leaks=0
     ${gdb} -nx --batch -ex "python page = '${page}'" -x ${replay} ${program}
   OUTPUT_FILE ${answered} ERROR_VARIABLE errors RESULT_VARIABLE result TIMEOUT 300)
 if(errors MATCHES "Python scripting is not supported")

@@ -114,8 +114,9 @@ TEST_CASE("a started folder builds with no program but the named ones: Ninja or 
   // The line of docs/labs.md.
   const auto outcome = test::run_program(
       "/usr/bin/env",
-      {"-u", "CMAKE_GENERATOR", "-u", "CXX", "PATH=" + (desk.path / "bin").string(), "/bin/sh",
-       "-c", "cmake --preset " + preset + " && cmake --build build && build/runner --list"},
+      {"-u", "CMAKE_GENERATOR", "-u", "CMAKE_CXX_COMPILER_LAUNCHER", "-u", "CXX",
+       "PATH=" + (desk.path / "bin").string(), "/bin/sh", "-c",
+       "cmake --preset " + preset + " && cmake --build build && build/runner --list"},
       (desk.path / "mine").string());
   INFO(preset << ": " << outcome.err);
   CHECK(outcome.exit_code == 0);
