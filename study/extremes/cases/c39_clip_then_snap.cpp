@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "study/extremes/cases/cases.h"
 #include "study/extremes/cases/clip_coverage.h"
 #include "study/extremes/kit/coverage.h"
+#include "study/extremes/kit/extreme_case.h"
 
 namespace glassbox::study {
 namespace c39 {

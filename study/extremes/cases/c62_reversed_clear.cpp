@@ -4,8 +4,8 @@
 
 #include <glassbox/render/tile/tile_engine.h>
 
-#include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/depth.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/screen_scene.h"
 #include "study/extremes/kit/worst.h"
 

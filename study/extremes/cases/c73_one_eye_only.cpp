@@ -6,7 +6,7 @@
 #include <glassbox/render/stereo/disparity.h>
 #include <glassbox/render/stereo/monocular.h>
 
-#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/pair.h"
 #include "study/extremes/kit/screen_scene.h"
 
