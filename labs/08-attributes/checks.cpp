@@ -240,16 +240,6 @@ Case expect_footprint(const FootprintCase& input) {
           {}};
 }
 
-template <class Input>
-Check check(const char* name, const char* task, bool hidden, const std::vector<Input>& inputs,
-            Case (*expect)(const Input&)) {
-  return {name, task, "shading", hidden, [inputs, expect] {
-            std::vector<Case> cases;
-            for (const Input& input : inputs) cases.push_back(expect(input));
-            return cases;
-          }};
-}
-
 }  // namespace
 
 Lab lab_08() {
@@ -264,14 +254,17 @@ Lab lab_08() {
        {"8.4", "Footprint and mip level", 20},
        {"8.5", "A Bezier patch in triangles", 15},
        {"8.6", "The level of a patch", 10}},
-      {check("texture coordinates at a pixel", "8.1", false, pixels(), expect_pixel),
-       check("texture coordinates at other pixels", "8.1", kHidden, hidden_pixels(), expect_pixel),
-       check("coordinates along a row by spans", "8.2", false, spans(), expect_span),
-       check("coordinates along other rows", "8.2", kHidden, hidden_spans(), expect_span),
-       check("the longest span within a tolerance", "8.3", false, choices(), expect_choice),
-       check("the longest span of other rows", "8.3", kHidden, hidden_choices(), expect_choice),
-       check("footprint and mip level", "8.4", false, footprints(), expect_footprint),
-       check("other footprints", "8.4", kHidden, hidden_footprints(), expect_footprint)}};
+      {check("texture coordinates at a pixel", "8.1", "shading", false, pixels, expect_pixel),
+       check("texture coordinates at other pixels", "8.1", "shading", kHidden, hidden_pixels,
+             expect_pixel),
+       check("coordinates along a row by spans", "8.2", "shading", false, spans, expect_span),
+       check("coordinates along other rows", "8.2", "shading", kHidden, hidden_spans, expect_span),
+       check("the longest span within a tolerance", "8.3", "shading", false, choices,
+             expect_choice),
+       check("the longest span of other rows", "8.3", "shading", kHidden, hidden_choices,
+             expect_choice),
+       check("footprint and mip level", "8.4", "shading", false, footprints, expect_footprint),
+       check("other footprints", "8.4", "shading", kHidden, hidden_footprints, expect_footprint)}};
   for (Check& each : surface_checks()) lab.checks.push_back(std::move(each));
   return lab;
 }

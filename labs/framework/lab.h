@@ -74,6 +74,17 @@ struct Check {
   std::function<std::vector<Case>()> cases;
 };
 
+// A check that expects of each of `inputs` what `expect` says.
+template <class Input>
+Check check(const char* name, const char* task, const char* stage, bool hidden,
+            std::vector<Input> (*inputs)(), Case (*expect)(const Input&)) {
+  return {name, task, stage, hidden, [inputs, expect] {
+            std::vector<Case> cases;
+            for (const Input& input : inputs()) cases.push_back(expect(input));
+            return cases;
+          }};
+}
+
 struct Task {
   std::string id;     // "5.2"
   std::string title;  // "Clip a polygon against one plane"
