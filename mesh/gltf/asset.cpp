@@ -183,8 +183,10 @@ Result<Asset> open_asset(std::span<const std::byte> bytes, const std::string& di
   Result<Document> document = read_document(container->json);
   if (!document) return tl::unexpected(document.error());
 
-  Asset asset{{}, std::move(document->checked), {}, Resources(directory, limits), limits, 0,
-              {}, container->warnings,          {}};
+  Asset asset{.document = std::move(document->checked),
+              .resources = Resources(directory, limits),
+              .limits = limits,
+              .warnings = container->warnings};
   if (auto done = check_extensions(asset, document->extensions); !done)
     return tl::unexpected(done.error());
   if (auto done = parse_model(asset); !done) return tl::unexpected(done.error());
