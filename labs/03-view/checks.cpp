@@ -155,7 +155,7 @@ Case expect_onto(const OntoCase& input) {
     rotation[3 * i + j] = double(v[i] * v[j] * factor - v[k]);
     rotation[3 * j + i] = double(v[i] * v[j] * factor + v[k]);
   }
-  // As above: the axis to 10 u / s, multiplied by the sine or not.
+  // The axis is right to 10 u / s, multiplied by the sine or not.
   const double sine = double(std::sqrt(square));
   const double bound = cosine >= 0 ? 64 * u : 32 * u * (1 + 1 / sine);
   const double angle = std::atan2(sine, double(cosine));

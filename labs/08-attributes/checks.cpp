@@ -205,8 +205,8 @@ Case expect_footprint(const FootprintCase& input) {
       std::hypot(input.width * double(u.along_y), input.height * double(v.along_y));
   const double longer = std::max(along_x, along_y);
   const double last = std::log2(double(std::max(input.width, input.height)));
-  // Of the length, over itself and ln 2; where it is below 1 the level is 0. And the roundings of lengths and
-  // logarithm.
+  // The level is off by the error of the length, over the length and ln 2 (a length below 1 is level 0), and by the
+  // roundings of lengths and logarithm.
   const double of_length = std::hypot(input.width * u_bound, input.height * v_bound);
   const double level_bound = of_length / std::max(longer, 0.5) / std::log(2.0) + 16 * u53 * last;
   std::string text;

@@ -68,8 +68,8 @@ struct Case {
 struct Check {
   std::string name;  // "points in front of the eye have negative z"
   std::string task;  // Task::id
-  std::string
-      stage;  // "world", "eye", "clip", "NDC", "screen", "coverage", "depth", "shading", "anaglyph"
+  // "world", "eye", "clip", "NDC", "screen", "coverage", "depth", "shading", "anaglyph".
+  std::string stage;
   bool hidden = false;  // not part of what a student is given
   std::function<std::vector<Case>()> cases;
 };

@@ -44,7 +44,7 @@ Outcome judge(const DepthTest& test) {
   return wrong_of(wrong, questions, "answers of the depth test wrong");
 }
 
-// The same by whole runs: a triangle over the whole picture, alone, at both ends of the range and between.
+// Pictures that stay black: a triangle over the whole picture, alone, at both ends of the range and between.
 int runs_without_a_picture() {
   int black = 0;
   for (const DepthFormat format : kFormats) {
