@@ -45,7 +45,7 @@ inline float to_float(std::int32_t i) {
 inline float to_float(std::int64_t i) {
   return float(i);
 }
-// Of a number that is an integer.
+// x is an integer.
 inline std::int32_t to_integer(float x) {
   return std::int32_t(x);
 }

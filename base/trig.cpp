@@ -87,8 +87,8 @@ Reduced reduce_radians(double x) {
   constexpr double p1 = 0x1.921fb544p+0, p2 = 0x1.0b4611a6p-34, p3 = 0x1.3198a2ep-69,
                    p4 = 0x1.b839a252049c1p-104;
   const double n = std::floor(x * 0.63661977236758134308 + 0.5);
-  const double a =
-      x - n * p1;  // exact: both are multiples of x's last bit or coarser, the difference is small
+  // Exact: both are multiples of x's last bit or coarser, the difference is small.
+  const double a = x - n * p1;
   const double b = n * p2;
   // Knuth's two-sum: a - b = high + low exactly, whichever is larger.
   const double high = a - b;

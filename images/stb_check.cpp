@@ -21,8 +21,8 @@ tl::unexpected<Error> cut_off(const char* format) {
 // The Huffman tables of one segment. stb writes behind its own where a table has more than 256 codes
 // (github.com/nothings/stb, issue 1289).
 bool has_sound_tables(Bytes segment) {
-  constexpr std::size_t kHeadBytes = 17,
-                        kMostCodes = 256;  // the kind and number of a table, 16 counts
+  // The kind and number of a table, 16 counts; and what they count at the most.
+  constexpr std::size_t kHeadBytes = 17, kMostCodes = 256;
   while (!segment.empty()) {
     if (segment.size() < kHeadBytes) return false;
     std::size_t codes = 0;
@@ -72,8 +72,8 @@ std::uint64_t packed_bytes(Bytes packets, std::uint64_t pixels, std::uint64_t pi
 }  // namespace
 
 Result<void> check_jpeg(Bytes bytes) {
-  constexpr int kMaxScans =
-      500;  // an encoder writes about ten; each one costs a pass over the image
+  // An encoder writes about ten; each one costs a pass over the image.
+  constexpr int kMaxScans = 500;
   const auto broken = [](const std::string& cause) {
     return fail("", "JPEG with " + cause, "save the image again");
   };

@@ -12,7 +12,7 @@ namespace glassbox {
 // Whether the bytes start like a JPEG, BMP or TGA file. TGA has no signature, only a plausible header.
 bool is_stb_format(std::span<const std::byte> bytes);
 
-// Of such bytes.
+// The picture of a file that is_stb_format.
 Result<Image<Rgba8>> decode_with_stb(std::span<const std::byte> bytes, const DecodeLimits& limits);
 Result<StoredImage> decode_stored_with_stb(std::span<const std::byte> bytes,
                                            const DecodeLimits& limits);

@@ -35,8 +35,8 @@ struct MeshReport {
   std::uint32_t degenerate_faces = 0;      // without area, dropped
   std::uint32_t degenerate_triangles = 0;  // without area, dropped from faces that are kept
   std::uint32_t self_intersecting_faces = 0;
-  std::uint32_t duplicate_faces =
-      0;  // the same vertices as an earlier face, in the same or the opposite direction
+  // The same vertices as an earlier face, in the same or the opposite direction.
+  std::uint32_t duplicate_faces = 0;
   std::uint32_t non_planar_faces = 0;
   double worst_planarity_deviation = 0;  // object units
   std::uint32_t worst_planarity_face = kNone;

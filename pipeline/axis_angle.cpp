@@ -13,8 +13,8 @@ namespace {
 Transform<World, World> gaze_to_minus_z(const Vector<World, double>& v) {
   const double c = -v.z, sine_squared = v.x * v.x + v.y * v.y;
   if (sine_squared == 0)
-    return scale<World>(c < 0 ? -1 : 1, 1,
-                        c < 0 ? -1 : 1);  // about y, by 180 degrees or not at all
+    // About y, by 180 degrees or not at all.
+    return scale<World>(c < 0 ? -1 : 1, 1, c < 0 ? -1 : 1);
   const double factor = rodrigues_factor(c, sine_squared);
   const double kx = -v.y, ky = v.x;
   Transform<World, World> r;

@@ -13,8 +13,8 @@ inline double rodrigues_factor(double cosine, double sine_squared) {
 // The view is rolled * turned * moved.
 struct AxisAngleFactors {
   Transform<World, World> moved;  // T(-eye)
-  Transform<World, World>
-      turned;  // R(a, theta) about a = gaze x (-z), whose length is the sine of theta
+  // R(a, theta) about a = gaze x (-z), whose length is the sine of theta.
+  Transform<World, World> turned;
   Transform<Eye, World> rolled;  // R_z(roll): up into the upper half of the yz plane
 };
 

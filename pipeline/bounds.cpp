@@ -10,8 +10,8 @@ namespace glassbox {
 namespace {
 
 constexpr double kU = unit_roundoff<float>;
-constexpr double kHalfSubnormal =
-    0x1p-150;  // the most that one product or quotient loses to underflow
+// The most that one product or quotient loses to underflow.
+constexpr double kHalfSubnormal = 0x1p-150;
 constexpr double kRoundUp = 1 + 0x1p-40;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 

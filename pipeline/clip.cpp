@@ -203,8 +203,8 @@ ClipVerdict classify_box(const Box<Object>& box,
       size += std::abs(double(clip_from_object.at(int(row), int(k)))) *
               std::max(std::abs(low[k]), std::abs(high[k]));
     }
-    if (!(size <= kLargestFloat / 2))
-      return ClipVerdict::kClip;                         // may overflow: look at each vertex
+    // It may overflow: look at each vertex.
+    if (!(size <= kLargestFloat / 2)) return ClipVerdict::kClip;
     error[row] = gamma<float>(4) * size + 4 * 0x1p-149;  // products may be subnormal
   }
   bool inside_all = true;

@@ -13,11 +13,11 @@ struct ClipVertexBound {
   glm::dvec3 weights{0};
 };
 
-// Of the distance from the plane: |a| dx + |b| dy + |c| dz + |d| dw. The sum itself is exact in its sign, and right to a few
+// How far the distance from the plane may be off: |a| dx + |b| dy + |c| dz + |d| dw. The sum itself is exact in its sign, and right to a few
 // ulps of double.
 double distance_bound(const ClipPlane& plane, const glm::dvec4& position_bound);
 
-// Of the crossing X = p + s (q - p), s = dp/(dp - dq). Exact arithmetic on exact ends gives X* = (1 - s*) p* + s* q*, so
+// How far the crossing may be off: X = p + s (q - p), s = dp/(dp - dq). Exact arithmetic on exact ends gives X* = (1 - s*) p* + s* q*, so
 //   |X - X*| <= (1 - s + ds) |p - p*| + (s + ds) |q - q*| + ds |q - p| + u |X|,
 //   ds = (|dq| b(dp) + |dp| b(dq)) / (D (D - b(dp) - b(dq))),   D = |dp - dq|, b() the bounds of the distances.
 // The plane's own coordinate follows from the others (clip.h): where that is one coordinate, it inherits from w alone.

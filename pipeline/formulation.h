@@ -38,7 +38,7 @@ Result<View> make_view(const Camera& camera, int width, int height, DepthRange d
 
 // ---- the factors, for whoever wants to look at them ----
 
-// Of kAxisAngle. The pose is rigid.
+// The factors of kAxisAngle. The pose is rigid.
 AxisAngleFactors axis_angle_factors(const Transform<World, Eye>& world_from_eye);
 
 // Between the scale and the box: the viewing pyramid with a right angle at its top, |x|, |y| <= z.
@@ -47,12 +47,12 @@ struct RegularPyramid {};
 // S4.18-20: a perspective matrix as what happens to the slides' left-handed eye, one step after the other. The product
 // clip_from_pyramid * moved * scaled * eye_left_from_eye() is clip_from_eye bit for bit.
 struct PerspectiveFactors {
-  Transform<RegularPyramid, EyeLeft>
-      scaled;  // diag(d/h, d/h, 1, 1), or with one scale for each of x and y
-  Transform<RegularPyramid, RegularPyramid>
-      moved;  // the identity, but for windows beside the gaze, and a pair's eyes
-  Transform<Clip, RegularPyramid>
-      clip_from_pyramid;  // the pyramid to the box: x, y stay, depth and w follow
+  // diag(d/h, d/h, 1, 1), or with one scale for each of x and y.
+  Transform<RegularPyramid, EyeLeft> scaled;
+  // The identity, but for windows beside the gaze, and a pair's eyes.
+  Transform<RegularPyramid, RegularPyramid> moved;
+  // The pyramid to the box: x, y stay, depth and w follow.
+  Transform<Clip, RegularPyramid> clip_from_pyramid;
   bool has_moved = false;
 };
 

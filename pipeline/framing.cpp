@@ -189,8 +189,8 @@ Result<NearFar> near_far_for(const Transform<World, Eye>& world_from_eye,
   if (!depths) return tl::unexpected(depths.error());
   const double margin = margin_of(*depths);
   double far = depths->high + margin;
-  if (!(depths->high > 0))
-    far = std::max(depths->high - depths->low, margin);  // all of it behind the eye
+  // All of it is behind the eye.
+  if (!(depths->high > 0)) far = std::max(depths->high - depths->low, margin);
   return NearFar{std::max(depths->low - margin, far / kMaxDepthRatio), far};
 }
 

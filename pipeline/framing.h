@@ -8,10 +8,10 @@
 namespace glassbox {
 
 struct FramingOptions {
-  double azimuth_degrees =
-      30;  // where the eye stands, seen from the box: from the +z axis towards +x
-  double elevation_degrees =
-      20;  // above the plane that `up` is perpendicular to; strictly between -90 and 90
+  // Where the eye stands, seen from the box: from the +z axis towards +x.
+  double azimuth_degrees = 30;
+  // Above the plane that `up` is perpendicular to; strictly between -90 and 90.
+  double elevation_degrees = 20;
   // What is up in the picture, of any length. The axes that azimuth and elevation are about turn with it, by the shortest way
   // from y: with z up the azimuth is from -y towards +x. Straight down is a half turn about x.
   Vector<World, double> up{0, 1, 0};

@@ -64,8 +64,8 @@ struct VertexChain {
   Point<Clip> at_once;  // by one matrix, composed in double and rounded once, as `render` does it
   std::array<PlaneStep, 6> planes;
   VertexFate fate = VertexFate::kVisible;
-  int deciding_plane =
-      -1;  // kOutside: the plane that it is furthest outside of, as seen after the divide
+  // kOutside: the plane that it is furthest outside of, as seen after the divide.
+  int deciding_plane = -1;
   std::optional<DivideStep> divide;  // where w is finite and not 0, behind the eye too
   std::optional<ScreenStep> screen;
   std::optional<RoundTrip> round_trip;  // of points with w = 1 that are not behind the eye

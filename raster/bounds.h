@@ -23,8 +23,8 @@ struct FragmentBounds {
   double depth = 0;
   double inverse_w = 0;
   std::array<double, 3> weights{};
-  double distance =
-      0;  // of 1 / inverse_w, the distance along the gaze: w^2 delta(1/w) to first order
+  // Of 1 / inverse_w, the distance along the gaze: w^2 delta(1/w) to first order.
+  double distance = 0;
 };
 
 FragmentBounds fragment_bounds(const TriangleSetup& setup, const Fragment& fragment,

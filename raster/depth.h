@@ -14,7 +14,7 @@ enum class DepthFormat { kFloat32, kFloat32Reversed, kUnorm24, kUnorm16 };
 // what lies exactly on the far plane, and with an infinite far plane whatever rounds to it.)
 inline constexpr std::uint32_t kEmptyDepth = 0xffffffffu;
 
-// Of the formats of whole numbers: the code of depth 1.
+// The code of depth 1 in a format of whole numbers.
 inline double unorm_depth_steps(DepthFormat format) {
   return format == DepthFormat::kUnorm24 ? 0xffffff : 0xffff;
 }

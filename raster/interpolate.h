@@ -39,7 +39,7 @@ inline std::array<float, 3> screen_weights(const TriangleSetup& triangle, const 
   return lambda;
 }
 
-// The same depth as that of the whole fragment.
+// The depth alone, with the bits that interpolate() gives the whole fragment.
 inline float interpolate_depth(const TriangleSetup& triangle, const Coverage& at) {
   return depth_from(screen_weights(triangle, at), triangle.depth);
 }

@@ -48,8 +48,8 @@ struct EdgeFunction {
 };
 
 struct TriangleSetup {
-  std::array<EdgeFunction, 3>
-      edges;  // edge k is opposite vertex k, so E_k / double_area is vertex k's weight
+  // Edge k is opposite vertex k, so E_k / double_area is vertex k's weight.
+  std::array<EdgeFunction, 3> edges;
   std::int64_t double_area = 0;  // E_0 + E_1 + E_2, always positive
   bool clockwise = false;        // as seen on the screen, in the order in which the vertices came
   std::array<int, 3> order{};    // order[k]: the incoming vertex that became vertex k
@@ -69,8 +69,8 @@ struct Coverage {
 struct Fragment {
   int x = 0, y = 0;
   std::array<float, 3> lambda{};  // barycentric weights on the screen
-  std::array<float, 3>
-      weights{};    // barycentric weights on the triangle in space: lambda after perspective
+  // Barycentric weights on the triangle in space: lambda after perspective.
+  std::array<float, 3> weights{};
   float depth = 0;  // NDC z
   float inverse_w = 1;
 };

@@ -40,8 +40,8 @@ Result<Compromise> measure_recolour(const Image<Rgba8>& left, const Image<Rgba8>
 struct Suggestion {
   Compromise chosen;
   bool meets_target = false;  // false where even greys have more rivalry: then `chosen` is grey
-  std::vector<Compromise>
-      curve;  // the best for targets from no change to grey: rivalry falls, difference grows
+  // The best for targets from no change to grey: rivalry falls, difference grows.
+  std::vector<Compromise> curve;
 };
 
 // The strengths that bring the mean rivalry down to `target` at the least mean difference. For each brightening the

@@ -156,16 +156,6 @@ Case expect_angle(const AngleCase& input) {
           {}};
 }
 
-template <class Input>
-Check check(const char* name, const char* task, bool hidden, const std::vector<Input>& inputs,
-            Case (*expect)(const Input&)) {
-  return {name, task, "object", hidden, [inputs, expect] {
-            std::vector<Case> cases;
-            for (const Input& input : inputs) cases.push_back(expect(input));
-            return cases;
-          }};
-}
-
 }  // namespace
 
 Lab lab_01() {
@@ -179,22 +169,26 @@ Lab lab_01() {
        {"1.3", "Turn all faces the same way round", 20},
        {"1.4", "Newell's normal", 25},
        {"1.5", "The angle between two vectors", 10}},
-      {check("the tables are as the text says", "1.1", false, texts(), expect_tables),
-       check("texts with mistakes and odd numbers", "1.1", kHidden, hidden_texts(), expect_tables),
-       check("every edge is found, and who uses it", "1.2", false, edge_meshes(), expect_edges),
-       check("tori, books and repeated corners", "1.2", kHidden, hidden_edge_meshes(),
+      {check("the tables are as the text says", "1.1", "object", false, texts, expect_tables),
+       check("texts with mistakes and odd numbers", "1.1", "object", kHidden, hidden_texts,
+             expect_tables),
+       check("every edge is found, and who uses it", "1.2", "object", false, edge_meshes,
              expect_edges),
-       check("faces are turned until all agree", "1.3", false, turn_meshes(), expect_turns),
-       check("a surface with one side is told from one with two", "1.3", false, one_sided_meshes(),
-             expect_sides),
-       check("meshes in several pieces", "1.3", kHidden, hidden_turn_meshes(), expect_turns),
-       check("the normal has the length and the direction of the area", "1.4", false, polygons(),
+       check("tori, books and repeated corners", "1.2", "object", kHidden, hidden_edge_meshes,
+             expect_edges),
+       check("faces are turned until all agree", "1.3", "object", false, turn_meshes, expect_turns),
+       check("a surface with one side is told from one with two", "1.3", "object", false,
+             one_sided_meshes, expect_sides),
+       check("meshes in several pieces", "1.3", "object", kHidden, hidden_turn_meshes,
+             expect_turns),
+       check("the normal has the length and the direction of the area", "1.4", "object", false,
+             polygons, expect_newell),
+       check("the normal is as good far away", "1.4", "object", false, far_polygons, expect_newell),
+       check("polygons that are concave, bent or thin", "1.4", "object", kHidden, hidden_polygons,
              expect_newell),
-       check("the normal is as good far away", "1.4", false, far_polygons(), expect_newell),
-       check("polygons that are concave, bent or thin", "1.4", kHidden, hidden_polygons(),
-             expect_newell),
-       check("angles between vectors", "1.5", false, angles(), expect_angle),
-       check("angles near 0 and near half a turn", "1.5", kHidden, hidden_angles(), expect_angle)}};
+       check("angles between vectors", "1.5", "object", false, angles, expect_angle),
+       check("angles near 0 and near half a turn", "1.5", "object", kHidden, hidden_angles,
+             expect_angle)}};
 }
 
 }  // namespace glassbox::labs

@@ -9,7 +9,6 @@ namespace lab_01 {
 namespace {
 
 using glassbox::labs::Answer;
-using glassbox::labs::RunnerCheck;
 
 void emit_mesh(const Mesh& mesh, Answer& answer) {
   std::vector<double> positions, faces;
@@ -24,62 +23,47 @@ void emit_mesh(const Mesh& mesh, Answer& answer) {
   answer.emit("faces", faces);
 }
 
-RunnerCheck read(const std::string& name, const std::vector<TextCase>& cases) {
-  return {name, int(cases.size()), [cases](int index, Answer& answer) {
-            const TextCase& each = cases[std::size_t(index)];
-            emit_mesh(read_mesh(each.good), answer);
-            if (each.bad.empty()) return;
-            double refused = 0;
-            try {
-              read_mesh(each.bad);
-            } catch (const std::invalid_argument&) {
-              refused = 1;
-            }
-            answer.emit("refused", {refused});
-          }};
+void ask_read(const TextCase& input, Answer& answer) {
+  emit_mesh(read_mesh(input.good), answer);
+  if (input.bad.empty()) return;
+  double refused = 0;
+  try {
+    read_mesh(input.bad);
+  } catch (const std::invalid_argument&) {
+    refused = 1;
+  }
+  answer.emit("refused", {refused});
 }
 
-RunnerCheck edges(const std::string& name, const std::vector<MeshCase>& cases) {
-  return {name, int(cases.size()), [cases](int index, Answer& answer) {
-            const EdgeTable table = find_edges(cases[std::size_t(index)].mesh);
-            std::vector<double> rows;
-            for (const Edge& edge : table.edges) {
-              rows.insert(rows.end(), {double(edge.low), double(edge.high), double(edge.ascending),
-                                       double(edge.descending)});
-            }
-            answer.emit("edges", rows);
-            answer.emit("V - E + F", {double(table.euler)});
-            answer.emit("closed", {table.closed ? 1.0 : 0.0});
-          }};
+void ask_edges(const MeshCase& input, Answer& answer) {
+  const EdgeTable table = find_edges(input.mesh);
+  std::vector<double> rows;
+  for (const Edge& edge : table.edges) {
+    rows.insert(rows.end(), {double(edge.low), double(edge.high), double(edge.ascending),
+                             double(edge.descending)});
+  }
+  answer.emit("edges", rows);
+  answer.emit("V - E + F", {double(table.euler)});
+  answer.emit("closed", {table.closed ? 1.0 : 0.0});
 }
 
-RunnerCheck turn(const std::string& name, const std::vector<MeshCase>& cases) {
-  return {name, int(cases.size()), [cases](int index, Answer& answer) {
-            const auto turns = faces_to_turn(cases[std::size_t(index)].mesh);
-            if (turns) answer.emit("turned", {turns->begin(), turns->end()});
-          }};
+void ask_turn(const MeshCase& input, Answer& answer) {
+  const auto turns = faces_to_turn(input.mesh);
+  if (turns) answer.emit("turned", {turns->begin(), turns->end()});
 }
 
-RunnerCheck sides(const std::string& name, const std::vector<SidesCase>& cases) {
-  return {name, int(cases.size()), [cases](int index, Answer& answer) {
-            const SidesCase& each = cases[std::size_t(index)];
-            answer.emit("of the one-sided", {faces_to_turn(each.one_sided) ? 1.0 : 0.0});
-            answer.emit("of the two-sided", {faces_to_turn(each.two_sided) ? 1.0 : 0.0});
-          }};
+void ask_sides(const SidesCase& input, Answer& answer) {
+  answer.emit("of the one-sided", {faces_to_turn(input.one_sided) ? 1.0 : 0.0});
+  answer.emit("of the two-sided", {faces_to_turn(input.two_sided) ? 1.0 : 0.0});
 }
 
-RunnerCheck newell(const std::string& name, const std::vector<PolygonCase>& cases) {
-  return {name, int(cases.size()), [cases](int index, Answer& answer) {
-            const Vector<Object> m = newell_vector(cases[std::size_t(index)].corners);
-            answer.emit("newell", {m.x, m.y, m.z});
-          }};
+void ask_newell(const PolygonCase& input, Answer& answer) {
+  const Vector<Object> m = newell_vector(input.corners);
+  answer.emit("newell", {m.x, m.y, m.z});
 }
 
-RunnerCheck angle(const std::string& name, const std::vector<AngleCase>& cases) {
-  return {name, int(cases.size()), [cases](int index, Answer& answer) {
-            const AngleCase& each = cases[std::size_t(index)];
-            answer.emit("angle", {angle_between(each.a, each.b)});
-          }};
+void ask_angle(const AngleCase& input, Answer& answer) {
+  answer.emit("angle", {angle_between(input.a, input.b)});
 }
 
 }  // namespace
@@ -88,19 +72,19 @@ RunnerCheck angle(const std::string& name, const std::vector<AngleCase>& cases) 
 std::vector<glassbox::labs::RunnerCheck> glassbox::labs::runner_checks() {
   using namespace lab_01;
   return {
-      read("the tables are as the text says", texts()),
-      edges("every edge is found, and who uses it", edge_meshes()),
-      turn("faces are turned until all agree", turn_meshes()),
-      sides("a surface with one side is told from one with two", one_sided_meshes()),
-      newell("the normal has the length and the direction of the area", polygons()),
-      newell("the normal is as good far away", far_polygons()),
-      angle("angles between vectors", angles()),
+      check("the tables are as the text says", texts(), ask_read),
+      check("every edge is found, and who uses it", edge_meshes(), ask_edges),
+      check("faces are turned until all agree", turn_meshes(), ask_turn),
+      check("a surface with one side is told from one with two", one_sided_meshes(), ask_sides),
+      check("the normal has the length and the direction of the area", polygons(), ask_newell),
+      check("the normal is as good far away", far_polygons(), ask_newell),
+      check("angles between vectors", angles(), ask_angle),
       // BEGIN HIDDEN
-      read("texts with mistakes and odd numbers", hidden_texts()),
-      edges("tori, books and repeated corners", hidden_edge_meshes()),
-      turn("meshes in several pieces", hidden_turn_meshes()),
-      newell("polygons that are concave, bent or thin", hidden_polygons()),
-      angle("angles near 0 and near half a turn", hidden_angles()),
+      check("texts with mistakes and odd numbers", hidden_texts(), ask_read),
+      check("tori, books and repeated corners", hidden_edge_meshes(), ask_edges),
+      check("meshes in several pieces", hidden_turn_meshes(), ask_turn),
+      check("polygons that are concave, bent or thin", hidden_polygons(), ask_newell),
+      check("angles near 0 and near half a turn", hidden_angles(), ask_angle),
       // END HIDDEN
   };
 }

@@ -287,43 +287,34 @@ Case expect_repair(const DriftCase& input) {
           {}};
 }
 
-template <class Input>
-Check check(const char* name, const char* task, bool hidden, const std::vector<Input>& inputs,
-            Case (*expect)(const Input&)) {
-  return {name, task, "world", hidden, [inputs, expect] {
-            std::vector<Case> cases;
-            for (const Input& input : inputs) cases.push_back(expect(input));
-            return cases;
-          }};
-}
-
 }  // namespace
 
 Lab lab_02() {
   constexpr bool kHidden = true;
-  return {2,
-          "02-affine",
-          "Affine maps: composition, correspondences, rotations",
-          {{"2.1", "Turn the plane about a point", 15},
-           {"2.2", "Compose translations, rotations, scalings and shears", 25},
-           {"2.3", "Fit an affine map to three pairs of points", 20},
-           {"2.4", "Find the axis and the angle of a rotation", 25},
-           {"2.5", "Repair a rotation that has drifted", 15}},
-          {check("the plane turns about a point", "2.1", false, turns(), expect_turn),
-           check("other points and angles", "2.1", kHidden, hidden_turns(), expect_turn),
-           check("one step", "2.2", false, single_steps(), expect_composition),
-           check("steps one after the other", "2.2", false, compositions(), expect_composition),
-           check("mirrors, shears and deep hierarchies", "2.2", kHidden, hidden_compositions(),
-                 expect_composition),
-           check("three points determine a map", "2.3", false, fits(), expect_fit),
-           check("three points on a line do not", "2.3", false, lines(), expect_line),
-           check("needles and flat targets", "2.3", kHidden, hidden_fits(), expect_fit),
-           check("axis and angle", "2.4", false, rotations(), expect_axis),
-           check("axis and angle near no turn and half a turn", "2.4", false, stiff_rotations(),
-                 expect_axis),
-           check("other axes and angles", "2.4", kHidden, hidden_rotations(), expect_axis),
-           check("what has drifted is a rotation again", "2.5", false, drifts(), expect_repair),
-           check("other drifts", "2.5", kHidden, hidden_drifts(), expect_repair)}};
+  return {
+      2,
+      "02-affine",
+      "Affine maps: composition, correspondences, rotations",
+      {{"2.1", "Turn the plane about a point", 15},
+       {"2.2", "Compose translations, rotations, scalings and shears", 25},
+       {"2.3", "Fit an affine map to three pairs of points", 20},
+       {"2.4", "Find the axis and the angle of a rotation", 25},
+       {"2.5", "Repair a rotation that has drifted", 15}},
+      {check("the plane turns about a point", "2.1", "world", false, turns, expect_turn),
+       check("other points and angles", "2.1", "world", kHidden, hidden_turns, expect_turn),
+       check("one step", "2.2", "world", false, single_steps, expect_composition),
+       check("steps one after the other", "2.2", "world", false, compositions, expect_composition),
+       check("mirrors, shears and deep hierarchies", "2.2", "world", kHidden, hidden_compositions,
+             expect_composition),
+       check("three points determine a map", "2.3", "world", false, fits, expect_fit),
+       check("three points on a line do not", "2.3", "world", false, lines, expect_line),
+       check("needles and flat targets", "2.3", "world", kHidden, hidden_fits, expect_fit),
+       check("axis and angle", "2.4", "world", false, rotations, expect_axis),
+       check("axis and angle near no turn and half a turn", "2.4", "world", false, stiff_rotations,
+             expect_axis),
+       check("other axes and angles", "2.4", "world", kHidden, hidden_rotations, expect_axis),
+       check("what has drifted is a rotation again", "2.5", "world", false, drifts, expect_repair),
+       check("other drifts", "2.5", "world", kHidden, hidden_drifts, expect_repair)}};
 }
 
 }  // namespace glassbox::labs

@@ -7,7 +7,6 @@ namespace lab_02 {
 namespace {
 
 using glassbox::labs::Answer;
-using glassbox::labs::RunnerCheck;
 
 std::vector<double> numbers(const Matrix3& m) {
   std::vector<double> all;
@@ -24,50 +23,35 @@ std::vector<double> numbers(const Transform<Target, Source>& m) {
   return all;
 }
 
-RunnerCheck turn_checks(const std::string& name, const std::vector<TurnCase>& cases) {
-  return {name, int(cases.size()), [cases](int index, Answer& answer) {
-            const TurnCase& each = cases[std::size_t(index)];
-            answer.emit("matrix", numbers(turn_about(each.centre, each.degrees)));
-          }};
+void ask_turn(const TurnCase& input, Answer& answer) {
+  answer.emit("matrix", numbers(turn_about(input.centre, input.degrees)));
 }
 
-RunnerCheck compose_checks(const std::string& name, const std::vector<ComposeCase>& cases) {
-  return {name, int(cases.size()), [cases](int index, Answer& answer) {
-            answer.emit("world_from_object", numbers(compose(cases[std::size_t(index)].steps)));
-          }};
+void ask_compose(const ComposeCase& input, Answer& answer) {
+  answer.emit("world_from_object", numbers(compose(input.steps)));
 }
 
-RunnerCheck fit_checks(const std::string& name, const std::vector<FitCase>& cases) {
-  return {name, int(cases.size()), [cases](int index, Answer& answer) {
-            const FitCase& each = cases[std::size_t(index)];
-            const auto m = fit_affine(each.source, each.target);
-            if (!m) return;
-            answer.emit("linear part", {m->at[0][0], m->at[0][1], m->at[1][0], m->at[1][1]});
-            answer.emit("map", numbers(*m));
-          }};
+void ask_fit(const FitCase& input, Answer& answer) {
+  const auto m = fit_affine(input.source, input.target);
+  if (!m) return;
+  answer.emit("linear part", {m->at[0][0], m->at[0][1], m->at[1][0], m->at[1][1]});
+  answer.emit("map", numbers(*m));
 }
 
-RunnerCheck line_checks(const std::string& name, const std::vector<LineCase>& cases) {
-  return {name, int(cases.size()), [cases](int index, Answer& answer) {
-            const LineCase& each = cases[std::size_t(index)];
-            const std::array<Point2, 3> target{{{0, 0}, {1, 0}, {0, 1}}};
-            answer.emit("on a line", {fit_affine(each.on_a_line, target) ? 1.0 : 0.0});
-            answer.emit("off it", {fit_affine(each.off_it, target) ? 1.0 : 0.0});
-          }};
+void ask_line(const LineCase& input, Answer& answer) {
+  const std::array<Point2, 3> target{{{0, 0}, {1, 0}, {0, 1}}};
+  answer.emit("on a line", {fit_affine(input.on_a_line, target) ? 1.0 : 0.0});
+  answer.emit("off it", {fit_affine(input.off_it, target) ? 1.0 : 0.0});
 }
 
-RunnerCheck axis_checks(const std::string& name, const std::vector<RotationCase>& cases) {
-  return {name, int(cases.size()), [cases](int index, Answer& answer) {
-            const AxisAngle found = axis_angle_of(rotation_of(cases[std::size_t(index)]));
-            answer.emit("axis", {found.axis.x, found.axis.y, found.axis.z});
-            answer.emit("angle", {found.radians});
-          }};
+void ask_axis(const RotationCase& input, Answer& answer) {
+  const AxisAngle found = axis_angle_of(rotation_of(input));
+  answer.emit("axis", {found.axis.x, found.axis.y, found.axis.z});
+  answer.emit("angle", {found.radians});
 }
 
-RunnerCheck repair_checks(const std::string& name, const std::vector<DriftCase>& cases) {
-  return {name, int(cases.size()), [cases](int index, Answer& answer) {
-            answer.emit("rotation", numbers(repaired(cases[std::size_t(index)].matrix)));
-          }};
+void ask_repair(const DriftCase& input, Answer& answer) {
+  answer.emit("rotation", numbers(repaired(input.matrix)));
 }
 
 }  // namespace
@@ -76,20 +60,20 @@ RunnerCheck repair_checks(const std::string& name, const std::vector<DriftCase>&
 std::vector<glassbox::labs::RunnerCheck> glassbox::labs::runner_checks() {
   using namespace lab_02;
   return {
-      turn_checks("the plane turns about a point", turns()),
-      compose_checks("one step", single_steps()),
-      compose_checks("steps one after the other", compositions()),
-      fit_checks("three points determine a map", fits()),
-      line_checks("three points on a line do not", lines()),
-      axis_checks("axis and angle", rotations()),
-      axis_checks("axis and angle near no turn and half a turn", stiff_rotations()),
-      repair_checks("what has drifted is a rotation again", drifts()),
+      check("the plane turns about a point", turns(), ask_turn),
+      check("one step", single_steps(), ask_compose),
+      check("steps one after the other", compositions(), ask_compose),
+      check("three points determine a map", fits(), ask_fit),
+      check("three points on a line do not", lines(), ask_line),
+      check("axis and angle", rotations(), ask_axis),
+      check("axis and angle near no turn and half a turn", stiff_rotations(), ask_axis),
+      check("what has drifted is a rotation again", drifts(), ask_repair),
       // BEGIN HIDDEN
-      turn_checks("other points and angles", hidden_turns()),
-      compose_checks("mirrors, shears and deep hierarchies", hidden_compositions()),
-      fit_checks("needles and flat targets", hidden_fits()),
-      axis_checks("other axes and angles", hidden_rotations()),
-      repair_checks("other drifts", hidden_drifts()),
+      check("other points and angles", hidden_turns(), ask_turn),
+      check("mirrors, shears and deep hierarchies", hidden_compositions(), ask_compose),
+      check("needles and flat targets", hidden_fits(), ask_fit),
+      check("other axes and angles", hidden_rotations(), ask_axis),
+      check("other drifts", hidden_drifts(), ask_repair),
       // END HIDDEN
   };
 }

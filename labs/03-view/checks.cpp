@@ -155,7 +155,7 @@ Case expect_onto(const OntoCase& input) {
     rotation[3 * i + j] = double(v[i] * v[j] * factor - v[k]);
     rotation[3 * j + i] = double(v[i] * v[j] * factor + v[k]);
   }
-  // As above: the axis to 10 u / s, multiplied by the sine or not.
+  // The axis is right to 10 u / s, multiplied by the sine or not.
   const double sine = double(std::sqrt(square));
   const double bound = cosine >= 0 ? 64 * u : 32 * u * (1 + 1 / sine);
   const double angle = std::atan2(sine, double(cosine));
@@ -257,16 +257,6 @@ Case expect_hand(const HandCase& input) {
           {}};
 }
 
-template <class Input>
-Check check(const char* name, const char* task, bool hidden, const std::vector<Input>& inputs,
-            Case (*expect)(const Input&)) {
-  return {name, task, "eye", hidden, [inputs, expect] {
-            std::vector<Case> cases;
-            for (const Input& input : inputs) cases.push_back(expect(input));
-            return cases;
-          }};
-}
-
 }  // namespace
 
 Lab lab_03() {
@@ -280,21 +270,25 @@ Lab lab_03() {
        {"3.3", "The view matrix by two rotations", 25},
        {"3.4", "Tell rotations from mirrors", 10},
        {"3.5", "A left-handed projection for a right-handed eye", 15}},
-      {check("the view from the axes of the eye", "3.1", false, cameras(), expect_uvn),
-       check("cameras without a view are refused", "3.1", false, refused_cameras(), expect_refused),
-       check("other cameras", "3.1", kHidden, hidden_cameras(), expect_uvn),
-       check("other cameras without a view", "3.1", kHidden, hidden_refused_cameras(),
+      {check("the view from the axes of the eye", "3.1", "eye", false, cameras, expect_uvn),
+       check("cameras without a view are refused", "3.1", "eye", false, refused_cameras,
              expect_refused),
-       check("one direction onto another", "3.2", false, directions(), expect_onto),
-       check("half a turn", "3.2", false, opposite_directions(), expect_half_turn),
-       check("other directions", "3.2", kHidden, hidden_directions(), expect_onto),
-       check("other half turns", "3.2", kHidden, hidden_opposite_directions(), expect_half_turn),
-       check("two rotations give the same view", "3.3", false, cameras(), expect_axis_angle),
-       check("two rotations, other cameras", "3.3", kHidden, hidden_cameras(), expect_axis_angle),
-       check("rotations, mirrors and neither", "3.4", false, kinds(), expect_kind),
-       check("other matrices", "3.4", kHidden, hidden_kinds(), expect_kind),
-       check("a left-handed projection for a right-handed eye", "3.5", false, hands(), expect_hand),
-       check("other projections", "3.5", kHidden, hidden_hands(), expect_hand)}};
+       check("other cameras", "3.1", "eye", kHidden, hidden_cameras, expect_uvn),
+       check("other cameras without a view", "3.1", "eye", kHidden, hidden_refused_cameras,
+             expect_refused),
+       check("one direction onto another", "3.2", "eye", false, directions, expect_onto),
+       check("half a turn", "3.2", "eye", false, opposite_directions, expect_half_turn),
+       check("other directions", "3.2", "eye", kHidden, hidden_directions, expect_onto),
+       check("other half turns", "3.2", "eye", kHidden, hidden_opposite_directions,
+             expect_half_turn),
+       check("two rotations give the same view", "3.3", "eye", false, cameras, expect_axis_angle),
+       check("two rotations, other cameras", "3.3", "eye", kHidden, hidden_cameras,
+             expect_axis_angle),
+       check("rotations, mirrors and neither", "3.4", "eye", false, kinds, expect_kind),
+       check("other matrices", "3.4", "eye", kHidden, hidden_kinds, expect_kind),
+       check("a left-handed projection for a right-handed eye", "3.5", "eye", false, hands,
+             expect_hand),
+       check("other projections", "3.5", "eye", kHidden, hidden_hands, expect_hand)}};
 }
 
 }  // namespace glassbox::labs

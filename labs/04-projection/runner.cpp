@@ -11,13 +11,6 @@ namespace {
 
 using namespace lab_04;
 
-// A check that puts each of `inputs` to `ask`.
-template <class Input, class Ask>
-RunnerCheck check(const std::string& name, const std::vector<Input>& inputs, Ask ask) {
-  return {name, int(inputs.size()),
-          [inputs, ask](int index, Answer& answer) { ask(inputs[std::size_t(index)], answer); }};
-}
-
 void emit(const Projection& m, Answer& answer) {
   std::vector<double> rows;
   for (int i = 0; i < 16; ++i) rows.push_back(m.at(i / 4, i % 4));

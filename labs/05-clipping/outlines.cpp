@@ -14,9 +14,7 @@
 #include <glassbox/pipeline/clip_bounds.h>
 #include <glassbox/pipeline/divide.h>
 #include <glassbox/pipeline/viewport.h>
-#include <glassbox/raster/coverage.h>
-#include <glassbox/raster/fan.h>
-#include <glassbox/raster/snap.h>
+#include <glassbox/raster/outline.h>
 
 namespace glassbox::labs {
 
@@ -109,25 +107,6 @@ std::optional<std::string> cannot_be_drawn(const std::vector<Point<Clip>>& outli
                          p.w);
   }
   return std::nullopt;
-}
-
-void draw(const std::vector<Point<Clip>>& outline, std::vector<double>& counts) {
-  std::vector<ScreenVertex> screen;
-  std::vector<SnappedVertex> snapped;
-  for (const Point<Clip>& p : outline) {
-    screen.push_back(to_screen(divide(p), kViewport));
-    snapped.push_back(snap(screen.back()));
-  }
-  const int count = int(outline.size());
-  const int apex = fan_apex(snapped);
-  for (int i = 0; i + 2 < count; ++i) {
-    const auto [a, b, c] = fan_vertices(apex, count, i);
-    const auto setup = setup_triangle({screen[a], screen[b], screen[c]});
-    if (!setup) continue;
-    for_each_covered(*setup, kWindow, [&](const Coverage& pixel) {
-      ++counts[std::size_t(pixel.y * kWindow.x1 + pixel.x)];
-    });
-  }
 }
 
 }  // namespace
@@ -262,7 +241,9 @@ std::optional<Divergence> compare_coverage(int count, const Answer& answer) {
       found.explanation = *why;
       return found;
     }
-    draw(outline, counts);
+    for_each_covered(outline, kViewport, kWindow, [&](const Coverage& pixel) {
+      ++counts[std::size_t(pixel.y * kWindow.x1 + pixel.x)];
+    });
   }
   return compare(expected, counts).first;
 }

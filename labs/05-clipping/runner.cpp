@@ -19,13 +19,6 @@ std::vector<double> numbers_of(const Polygon& polygon) {
   return all;
 }
 
-// A check that puts each of `inputs` to `ask`.
-template <class Input, class Ask>
-RunnerCheck check(const std::string& name, const std::vector<Input>& inputs, Ask ask) {
-  return {name, int(inputs.size()),
-          [inputs, ask](int index, Answer& answer) { ask(inputs[std::size_t(index)], answer); }};
-}
-
 void ask_faces(const FaceCase& questions, Answer& answer) {
   std::vector<double> back;
   for (const FaceQuestion& each : questions)

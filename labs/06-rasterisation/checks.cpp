@@ -195,16 +195,6 @@ Case expect_tiles(const TileCase& input) {
       "tiles", covers);
 }
 
-template <class Input>
-Check check(const char* name, const char* task, const char* stage, bool hidden,
-            std::vector<Input> (*inputs)(), Case (*expect)(const Input&)) {
-  return {name, task, stage, hidden, [inputs, expect] {
-            std::vector<Case> cases;
-            for (const Input& input : inputs()) cases.push_back(expect(input));
-            return cases;
-          }};
-}
-
 }  // namespace
 
 Lab lab_06() {

@@ -7,15 +7,6 @@ namespace lab_06 {
 namespace {
 
 using glassbox::labs::Answer;
-using glassbox::labs::RunnerCheck;
-
-// A check that puts each of `inputs` to `ask`.
-template <class Input>
-RunnerCheck check(const std::string& name, const std::vector<Input>& inputs,
-                  void (*ask)(const Input&, Answer&)) {
-  return {name, int(inputs.size()),
-          [inputs, ask](int index, Answer& answer) { ask(inputs[std::size_t(index)], answer); }};
-}
 
 void ask_snap(const SnapCase& input, Answer& answer) {
   std::vector<double> steps;

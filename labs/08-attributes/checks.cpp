@@ -205,8 +205,8 @@ Case expect_footprint(const FootprintCase& input) {
       std::hypot(input.width * double(u.along_y), input.height * double(v.along_y));
   const double longer = std::max(along_x, along_y);
   const double last = std::log2(double(std::max(input.width, input.height)));
-  // Of the length, over itself and ln 2; where it is below 1 the level is 0. And the roundings of lengths and
-  // logarithm.
+  // The level is off by the error of the length, over the length and ln 2 (a length below 1 is level 0), and by the
+  // roundings of lengths and logarithm.
   const double of_length = std::hypot(input.width * u_bound, input.height * v_bound);
   const double level_bound = of_length / std::max(longer, 0.5) / std::log(2.0) + 16 * u53 * last;
   std::string text;
@@ -240,16 +240,6 @@ Case expect_footprint(const FootprintCase& input) {
           {}};
 }
 
-template <class Input>
-Check check(const char* name, const char* task, bool hidden, const std::vector<Input>& inputs,
-            Case (*expect)(const Input&)) {
-  return {name, task, "shading", hidden, [inputs, expect] {
-            std::vector<Case> cases;
-            for (const Input& input : inputs) cases.push_back(expect(input));
-            return cases;
-          }};
-}
-
 }  // namespace
 
 Lab lab_08() {
@@ -264,14 +254,17 @@ Lab lab_08() {
        {"8.4", "Footprint and mip level", 20},
        {"8.5", "A Bezier patch in triangles", 15},
        {"8.6", "The level of a patch", 10}},
-      {check("texture coordinates at a pixel", "8.1", false, pixels(), expect_pixel),
-       check("texture coordinates at other pixels", "8.1", kHidden, hidden_pixels(), expect_pixel),
-       check("coordinates along a row by spans", "8.2", false, spans(), expect_span),
-       check("coordinates along other rows", "8.2", kHidden, hidden_spans(), expect_span),
-       check("the longest span within a tolerance", "8.3", false, choices(), expect_choice),
-       check("the longest span of other rows", "8.3", kHidden, hidden_choices(), expect_choice),
-       check("footprint and mip level", "8.4", false, footprints(), expect_footprint),
-       check("other footprints", "8.4", kHidden, hidden_footprints(), expect_footprint)}};
+      {check("texture coordinates at a pixel", "8.1", "shading", false, pixels, expect_pixel),
+       check("texture coordinates at other pixels", "8.1", "shading", kHidden, hidden_pixels,
+             expect_pixel),
+       check("coordinates along a row by spans", "8.2", "shading", false, spans, expect_span),
+       check("coordinates along other rows", "8.2", "shading", kHidden, hidden_spans, expect_span),
+       check("the longest span within a tolerance", "8.3", "shading", false, choices,
+             expect_choice),
+       check("the longest span of other rows", "8.3", "shading", kHidden, hidden_choices,
+             expect_choice),
+       check("footprint and mip level", "8.4", "shading", false, footprints, expect_footprint),
+       check("other footprints", "8.4", "shading", kHidden, hidden_footprints, expect_footprint)}};
   for (Check& each : surface_checks()) lab.checks.push_back(std::move(each));
   return lab;
 }

@@ -186,26 +186,17 @@ Case expect_level(const LevelCase& input) {
           {}};
 }
 
-template <class Input>
-Check check(const char* name, const char* task, bool hidden, const std::vector<Input>& inputs,
-            Case (*expect)(const Input&)) {
-  return {name, task, "world", hidden, [inputs, expect] {
-            std::vector<Case> cases;
-            for (const Input& input : inputs) cases.push_back(expect(input));
-            return cases;
-          }};
-}
-
 }  // namespace
 
 std::vector<Check> surface_checks() {
   constexpr bool kHidden = true;
-  return {check("a patch in cells", "8.5", false, patches(), expect_patch),
-          check("patches meet", "8.5", false, seams(), expect_seam),
-          check("other patches in cells", "8.5", kHidden, hidden_patches(), expect_patch),
-          check("other patches meet", "8.5", kHidden, hidden_seams(), expect_seam),
-          check("the level of a patch", "8.6", false, levels(), expect_level),
-          check("the level of other patches", "8.6", kHidden, hidden_levels(), expect_level)};
+  return {
+      check("a patch in cells", "8.5", "world", false, patches, expect_patch),
+      check("patches meet", "8.5", "world", false, seams, expect_seam),
+      check("other patches in cells", "8.5", "world", kHidden, hidden_patches, expect_patch),
+      check("other patches meet", "8.5", "world", kHidden, hidden_seams, expect_seam),
+      check("the level of a patch", "8.6", "world", false, levels, expect_level),
+      check("the level of other patches", "8.6", "world", kHidden, hidden_levels, expect_level)};
 }
 
 }  // namespace glassbox::labs

@@ -7,14 +7,6 @@ namespace lab_08 {
 namespace {
 
 using glassbox::labs::Answer;
-using glassbox::labs::RunnerCheck;
-
-template <class Input>
-RunnerCheck check(const char* name, const std::vector<Input>& inputs,
-                  void (*put)(const Input&, Answer&)) {
-  return {name, int(inputs.size()),
-          [inputs, put](int index, Answer& answer) { put(inputs[std::size_t(index)], answer); }};
-}
 
 void put_pixel(const PixelCase& input, Answer& answer) {
   const auto [u, v] = texcoord_at(input.at);

@@ -206,16 +206,6 @@ Case expect_comfort(const ComfortCase& input) {
           {}};
 }
 
-template <class Input>
-Check check(const char* name, const char* task, const char* stage, bool hidden,
-            const std::vector<Input>& inputs, Case (*expect)(const Input&)) {
-  return {name, task, stage, hidden, [inputs, expect] {
-            std::vector<Case> cases;
-            for (const Input& input : inputs) cases.push_back(expect(input));
-            return cases;
-          }};
-}
-
 }  // namespace
 
 Lab lab_09() {
@@ -230,24 +220,21 @@ Lab lab_09() {
        {"9.4", "Two pictures in one colour buffer", 15},
        {"9.5", "Colours for coloured glasses", 10},
        {"9.6", "As much depth as the eyes can bear", 15}},
-      {check("the projections of both eyes", "9.1", "clip", false, projections(),
-             expect_projection),
-       check("align and crop gives the same pictures", "9.1", "screen", false, crops(),
-             expect_crop),
-       check("other projections", "9.1", "clip", kHidden, hidden_projections(), expect_projection),
-       check("align and crop, other pictures", "9.1", "screen", kHidden, hidden_crops(),
-             expect_crop),
-       check("the parallax of a distance", "9.2", "screen", false, distances(), expect_parallax),
-       check("other distances", "9.2", "screen", kHidden, hidden_distances(), expect_parallax),
-       check("what neither eye sees is culled", "9.3", "clip", false, triangles(), expect_culled),
-       check("other triangles", "9.3", "clip", kHidden, hidden_triangles(), expect_culled),
-       check("two pictures in one buffer", "9.4", "anaglyph", false, anaglyphs(), expect_anaglyph),
-       check("other pictures in one buffer", "9.4", "anaglyph", kHidden, hidden_anaglyphs(),
+      {check("the projections of both eyes", "9.1", "clip", false, projections, expect_projection),
+       check("align and crop gives the same pictures", "9.1", "screen", false, crops, expect_crop),
+       check("other projections", "9.1", "clip", kHidden, hidden_projections, expect_projection),
+       check("align and crop, other pictures", "9.1", "screen", kHidden, hidden_crops, expect_crop),
+       check("the parallax of a distance", "9.2", "screen", false, distances, expect_parallax),
+       check("other distances", "9.2", "screen", kHidden, hidden_distances, expect_parallax),
+       check("what neither eye sees is culled", "9.3", "clip", false, triangles, expect_culled),
+       check("other triangles", "9.3", "clip", kHidden, hidden_triangles, expect_culled),
+       check("two pictures in one buffer", "9.4", "anaglyph", false, anaglyphs, expect_anaglyph),
+       check("other pictures in one buffer", "9.4", "anaglyph", kHidden, hidden_anaglyphs,
              expect_anaglyph),
-       check("colours for coloured glasses", "9.5", "anaglyph", false, colours(), expect_colour),
-       check("other colours", "9.5", "anaglyph", kHidden, hidden_colours(), expect_colour),
-       check("separations within the budget", "9.6", "eye", false, sequences(), expect_comfort),
-       check("other sequences", "9.6", "eye", kHidden, hidden_sequences(), expect_comfort)}};
+       check("colours for coloured glasses", "9.5", "anaglyph", false, colours, expect_colour),
+       check("other colours", "9.5", "anaglyph", kHidden, hidden_colours, expect_colour),
+       check("separations within the budget", "9.6", "eye", false, sequences, expect_comfort),
+       check("other sequences", "9.6", "eye", kHidden, hidden_sequences, expect_comfort)}};
 }
 
 }  // namespace glassbox::labs

@@ -7,14 +7,6 @@ namespace lab_09 {
 namespace {
 
 using glassbox::labs::Answer;
-using glassbox::labs::RunnerCheck;
-
-template <class Input>
-RunnerCheck put(const std::string& name, const std::vector<Input>& cases,
-                void (*run)(const Input&, Answer&)) {
-  return {name, int(cases.size()),
-          [cases, run](int index, Answer& answer) { run(cases[std::size_t(index)], answer); }};
-}
 
 void projection(const ProjectionCase& input, Answer& answer) {
   for (const Side side : {Side::kLeft, Side::kRight}) {
@@ -84,21 +76,21 @@ void comfort(const ComfortCase& input, Answer& answer) {
 std::vector<glassbox::labs::RunnerCheck> glassbox::labs::runner_checks() {
   using namespace lab_09;
   return {
-      put("the projections of both eyes", projections(), projection),
-      put("align and crop gives the same pictures", crops(), crop),
-      put("the parallax of a distance", distances(), parallax),
-      put("what neither eye sees is culled", triangles(), culled),
-      put("two pictures in one buffer", anaglyphs(), anaglyph),
-      put("colours for coloured glasses", colours(), colour),
-      put("separations within the budget", sequences(), comfort),
+      check("the projections of both eyes", projections(), projection),
+      check("align and crop gives the same pictures", crops(), crop),
+      check("the parallax of a distance", distances(), parallax),
+      check("what neither eye sees is culled", triangles(), culled),
+      check("two pictures in one buffer", anaglyphs(), anaglyph),
+      check("colours for coloured glasses", colours(), colour),
+      check("separations within the budget", sequences(), comfort),
       // BEGIN HIDDEN
-      put("other projections", hidden_projections(), projection),
-      put("align and crop, other pictures", hidden_crops(), crop),
-      put("other distances", hidden_distances(), parallax),
-      put("other triangles", hidden_triangles(), culled),
-      put("other pictures in one buffer", hidden_anaglyphs(), anaglyph),
-      put("other colours", hidden_colours(), colour),
-      put("other sequences", hidden_sequences(), comfort),
+      check("other projections", hidden_projections(), projection),
+      check("align and crop, other pictures", hidden_crops(), crop),
+      check("other distances", hidden_distances(), parallax),
+      check("other triangles", hidden_triangles(), culled),
+      check("other pictures in one buffer", hidden_anaglyphs(), anaglyph),
+      check("other colours", hidden_colours(), colour),
+      check("other sequences", hidden_sequences(), comfort),
       // END HIDDEN
   };
 }

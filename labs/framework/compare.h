@@ -30,10 +30,10 @@ struct Comparison {
 // `actual` against `expected.values`, by the shape.
 Comparison compare(const Expected& expected, const std::vector<double>& actual);
 
-// The same for the field of the answer that has the name. A field that is not there is missing.
+// The answer's field of the same name against what is expected of it. A field that is not there is missing.
 Comparison compare(const Expected& expected, const Answer& answer);
 
-// Of a whole case: its own judge, or each expected field in turn until one differs.
+// Where a case's answer is wrong: its own judge, or each expected field in turn until one differs.
 std::optional<Divergence> judge_case(const Case& input, const Answer& answer);
 
 // The numbers of an answer's field; null if there is none of the name.

@@ -82,10 +82,13 @@ double points_of_case(const Lab& lab, const std::vector<std::size_t>& counts,
 
 CheckResult judge_check(const Check& check, const std::vector<Case>& cases,
                         const CheckAnswers& answers, double points) {
-  CheckResult result{check.name,      check.task, check.stage, check.hidden, 0,  0,
-                     Verdict::kRight, {},         0,           {},           {}, answers.said,
-                     answers.seconds};
-  result.max_score = points * double(cases.size());
+  CheckResult result{.name = check.name,
+                     .task = check.task,
+                     .stage = check.stage,
+                     .hidden = check.hidden,
+                     .max_score = points * double(cases.size()),
+                     .said = answers.said,
+                     .seconds = answers.seconds};
   const CaseAnswer none;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const CaseAnswer& answer = i < answers.cases.size() ? answers.cases[i] : none;

@@ -34,8 +34,8 @@ struct FirstFailure {
   Verdict verdict = Verdict::kWrong;
   std::string text;                      // how it crashed, what it threw, what is malformed
   std::optional<Divergence> divergence;  // of a wrong answer
-  std::optional<Comparison>
-      comparison;  // of the field that diverges, where the case has no judge of its own
+  // Of the field that diverges, where the case has no judge of its own.
+  std::optional<Comparison> comparison;
   std::optional<Expected> expected;  // that field
   std::vector<double> actual;        // what was answered in it
 };
@@ -45,11 +45,11 @@ struct CheckResult {
   bool hidden = false;
   double score = 0, max_score = 0;
   Verdict verdict = Verdict::kRight;  // of the first case that is not right
-  std::vector<Verdict> cases;
+  std::vector<Verdict> cases = {};
   std::size_t right = 0;
-  std::optional<FirstFailure> first;
-  std::vector<std::string>
-      slips;         // ids that make every answer of the check right, the likeliest first
+  std::optional<FirstFailure> first = {};
+  // Ids that make every answer of the check right, the likeliest first.
+  std::vector<std::string> slips = {};
   std::string said;  // what the student's code printed
   double seconds = 0;
 };

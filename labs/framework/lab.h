@@ -68,11 +68,22 @@ struct Case {
 struct Check {
   std::string name;  // "points in front of the eye have negative z"
   std::string task;  // Task::id
-  std::string
-      stage;  // "world", "eye", "clip", "NDC", "screen", "coverage", "depth", "shading", "anaglyph"
+  // "world", "eye", "clip", "NDC", "screen", "coverage", "depth", "shading", "anaglyph".
+  std::string stage;
   bool hidden = false;  // not part of what a student is given
   std::function<std::vector<Case>()> cases;
 };
+
+// A check that expects of each of `inputs` what `expect` says.
+template <class Input>
+Check check(const char* name, const char* task, const char* stage, bool hidden,
+            std::vector<Input> (*inputs)(), Case (*expect)(const Input&)) {
+  return {name, task, stage, hidden, [inputs, expect] {
+            std::vector<Case> cases;
+            for (const Input& input : inputs()) cases.push_back(expect(input));
+            return cases;
+          }};
+}
 
 struct Task {
   std::string id;     // "5.2"

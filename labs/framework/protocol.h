@@ -29,8 +29,8 @@ struct CaseAnswer {
 struct CheckAnswers {
   std::string check;
   std::vector<CaseAnswer> cases;  // one for each case of the check
-  std::string
-      malformed;     // the first line that is no answer and names no case, and why; empty if none
+  // The first line that is no answer and names no case, and why; empty if none.
+  std::string malformed;
   std::string said;  // what the student's code printed
   double seconds = 0;
 };

@@ -4,6 +4,7 @@
 // Nothing of glassbox but headers of types is compiled into a runner, so that there is no reference in it to call.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -33,6 +34,13 @@ struct RunnerCheck {
   int cases = 0;
   std::function<void(int index, Answer& answer)> run;
 };
+
+// A check that puts each of `inputs` to `ask`.
+template <class Input, class Ask>
+RunnerCheck check(const char* name, const std::vector<Input>& inputs, Ask ask) {
+  return {name, int(inputs.size()),
+          [inputs, ask](int index, Answer& answer) { ask(inputs[std::size_t(index)], answer); }};
+}
 
 // Defined by the lab's runner.cpp.
 std::vector<RunnerCheck> runner_checks();

@@ -96,8 +96,8 @@ Candidates transposed(const Expected& field, const Values& values) {
 Candidates reversed_polygon(const Expected& field, const Values& values) {
   const auto columns = std::size_t(std::max(1, columns_of(field)));
   const std::size_t count = values.size() / columns;
-  constexpr std::size_t kMost =
-      64;  // a clipped polygon has ten at most; more would cost quadratic time
+  // A clipped polygon has ten at most; more would cost quadratic time.
+  constexpr std::size_t kMost = 64;
   if (!is_vertex_list(field) || values.size() % columns != 0 || count < 3 || count > kMost)
     return {};
   Candidates all;

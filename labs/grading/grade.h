@@ -17,8 +17,8 @@ struct Graded {
   LabResult result;
   std::string outcome;  // "graded", "missing file", "compile error", "compile timeout", ...
   std::string said;     // what the compiler said, or why the file was refused
-  std::vector<std::string>
-      names;  // of each check: "passed", "wrong answer", "crash (SIGSEGV)", "timeout", ...
+  // Of each check: "passed", "wrong answer", "crash (SIGSEGV)", "timeout", ...
+  std::vector<std::string> names;
 };
 
 // The lab with no points given, and `outcome` for every check: what a result says until it is known.

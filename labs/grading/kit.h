@@ -13,8 +13,8 @@ namespace glassbox::labs::grading {
 
 struct Kit {
   std::filesystem::path readable;  // all of it that a submission's compiler sees
-  std::filesystem::path
-      include;  // headers: those of the lab that its own student.cpp includes, and no others
+  // Headers: those of the lab that its own student.cpp includes, and no others.
+  std::filesystem::path include;
   std::vector<std::filesystem::path> objects;  // the runner without the student's functions
   std::string compiler;                        // its path
 };

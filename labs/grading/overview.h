@@ -10,8 +10,8 @@ namespace glassbox::labs::grading {
 
 struct Row {
   std::string name;
-  nlohmann::ordered_json
-      results;  // results.json; unfinished_json() where there is none that can be read
+  // results.json; unfinished_json() where there is none that can be read.
+  nlohmann::ordered_json results;
 };
 
 // submission, score, max_score, outcome, then the score of each task. A text that a spreadsheet would take for a formula begins

@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <linux/seccomp.h>
-#include <poll.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -12,7 +11,6 @@
 
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstring>
@@ -21,47 +19,12 @@
 
 #include <fmt/format.h>
 
+#include "labs/framework/follow.h"
 #include "labs/grading/landlock.h"
 
 namespace glassbox::labs::grading {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-class Descriptor {
-public:
-  explicit Descriptor(int number = -1) : number_(number) {}
-  ~Descriptor() { close(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int get() const { return number_; }
-  // Above those of the child, so that none is overwritten before it is passed on.
-  void set(int number) {
-    close();
-    number_ = ::fcntl(number, F_DUPFD_CLOEXEC, 10);
-    ::close(number);
-  }
-  void close() {
-    if (number_ >= 0) ::close(number_);
-    number_ = -1;
-  }
-
-private:
-  int number_;
-};
-
-struct Pipe {
-  Descriptor read, write;
-  Pipe() {
-    int ends[2];
-    if (::pipe2(ends, O_CLOEXEC) != 0) return;
-    read.set(ends[0]);
-    write.set(ends[1]);
-    ::fcntl(read.get(), F_SETFL, O_NONBLOCK);
-  }
-  bool valid() const { return read.get() >= 0 && write.get() >= 0; }
-};
 
 // What the child needs, laid out before the fork: after it nothing may be allocated.
 struct Prepared {
@@ -140,57 +103,6 @@ bool become(uid_t user) {
   give_up(prepared, "the program");
 }
 
-// One stream of a process's output.
-struct Stream {
-  Descriptor* from;
-  std::size_t allowed, kept;
-  std::string text{};
-  std::size_t seen = 0;
-
-  bool open() const { return from->get() >= 0; }
-  bool too_much() const { return seen > allowed; }
-  void read() {
-    char block[65536];
-    while (open() && !too_much()) {
-      const ssize_t got = ::read(from->get(), block, sizeof block);
-      if (got > 0) {
-        seen += static_cast<std::size_t>(got);
-        if (text.size() < kept)
-          text.append(block, std::min(static_cast<std::size_t>(got), kept - text.size()));
-      } else if (got < 0 && errno == EINTR) {
-        continue;
-      } else {
-        if (got == 0 || errno != EAGAIN) from->close();
-        return;
-      }
-    }
-  }
-};
-
-// Until the process ends, its time is up or it writes too much. True if it has ended.
-bool follow(pid_t process, std::array<Stream, 3>& streams, Clock::time_point deadline) {
-  const Descriptor ended(static_cast<int>(::syscall(SYS_pidfd_open, process, 0)));
-  while (true) {
-    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
-    if (left <= 0) return false;
-    std::array<pollfd, 4> waited{};
-    for (std::size_t i = 0; i < streams.size(); ++i)
-      waited[i] = {streams[i].from->get(), POLLIN, 0};
-    waited[3] = {ended.get(), POLLIN, 0};
-    // Without a descriptor for the process (before Linux 5.3) it is asked for every 10 ms.
-    const auto wait_ms = ended.get() >= 0 ? left : std::min<decltype(left)>(left, 10);
-    ::poll(waited.data(), waited.size(), static_cast<int>(std::min<decltype(left)>(wait_ms, 1000)));
-    for (Stream& stream : streams) {
-      stream.read();
-      if (stream.too_much()) return false;
-    }
-    siginfo_t info{};
-    if (::waitid(P_PID, static_cast<id_t>(process), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
-        info.si_pid == process)
-      return true;
-  }
-}
-
 RunOutcome not_started(std::string why) {
   RunOutcome outcome;
   outcome.ending = RunOutcome::Ending::kNotStarted;
@@ -253,30 +165,20 @@ RunOutcome launch(const Launch& launch) {
   prepared.errors = errors.write.get();
   prepared.filter_file = filter_file.get();
 
-  const auto start = Clock::now();
   const pid_t parent = ::getpid();
   const pid_t process = ::fork();
   if (process < 0) return not_started(fmt::format("fork: {}", std::strerror(errno)));
   if (process == 0) child(prepared, parent);
   for (Pipe* pipe : {&answers, &said, &notes, &errors}) pipe->write.close();
 
-  std::array<Stream, 3> streams{
-      Stream{&answers.read, launch.limits.output_bytes, launch.limits.output_bytes},
-      Stream{&said.read, launch.limits.said_bytes, launch.limits.kept_bytes},
-      Stream{&notes.read, 4096, 64}};
-  const auto deadline = start + std::chrono::duration_cast<Clock::duration>(
-                                    std::chrono::duration<double>(launch.limits.seconds));
-  const bool ended = follow(process, streams, deadline);
-  // Before it is waited for, while the number cannot be another's.
-  ::kill(-process, SIGKILL);
-  if (!ended) ::kill(process, SIGKILL);
-  int status = 0;
-  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
-  for (Stream& stream : streams) stream.read();
+  const Limits& limits = launch.limits;
+  std::array<Stream, 3> streams{Stream{&answers, limits.output_bytes, limits.output_bytes},
+                                Stream{&said, limits.kept_bytes, limits.said_bytes},
+                                Stream{&notes, 64, 4096}};
+  const Followed followed = follow(process, streams, limits.seconds);
 
   RunOutcome outcome;
-  outcome.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  outcome.seconds = followed.seconds;
   char why[128];
   const ssize_t length = ::read(errors.read.get(), why, sizeof why);
   if (length > static_cast<ssize_t>(sizeof(int))) {
@@ -290,10 +192,10 @@ RunOutcome launch(const Launch& launch) {
   const bool too_much = streams[0].too_much() || streams[1].too_much() || streams[2].too_much();
   if (too_much) {
     outcome.ending = RunOutcome::Ending::kTooMuchOutput;
-  } else if (!ended) {
+  } else if (!followed.ended) {
     outcome.ending = RunOutcome::Ending::kTimeout;
   } else {
-    classify(outcome, status, streams[2].text, launch.in_bubblewrap);
+    classify(outcome, followed.status, streams[2].text, launch.in_bubblewrap);
   }
   return outcome;
 }

@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
+#include "labs/framework/process.h"
 #include "labs/framework/run_check.h"
 #include "labs/grading/limits.h"
 #include "labs/grading/system_calls.h"
 
 namespace glassbox::labs::grading {
 
-// Descriptors that a process is given besides the standard ones.
-inline constexpr int kAnswersFd = 3;
+// Descriptors that a process is given besides the standard ones and kAnswersFd.
 inline constexpr int kNotesFd = 4;   // witness.cpp
 inline constexpr int kFilterFd = 5;  // for bubblewrap, which puts the filter in force itself
 

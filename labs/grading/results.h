@@ -18,7 +18,7 @@ inline constexpr const char* kUnfinished = "grading did not finish";
 // fields is in extra_data. Nothing in it depends on when or where it was made. `confinement` is Sandbox::in_force().
 nlohmann::ordered_json gradescope_json(const Graded& graded, const std::string& confinement);
 
-// The same before anything is known of it, not even the lab.
+// results.json of a submission of which nothing is known yet, not even the lab.
 nlohmann::ordered_json unfinished_json();
 
 // From results.json: hidden checks count, but say nothing but their names.

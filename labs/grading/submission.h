@@ -9,15 +9,15 @@
 
 namespace glassbox::labs::grading {
 
-inline constexpr std::size_t kLargestSource = std::size_t(1)
-                                              << 20;  // bytes; a solution has some 10 KiB
+// Bytes; a solution has some 10 KiB.
+inline constexpr std::size_t kLargestSource = std::size_t(1) << 20;
 
 // The text of student.cpp at the top of the folder, or in the only folder in it (what unpacking an archive leaves). Links are not
 // followed, and what is no regular file, or larger than kLargestSource, is refused: a link to the solution is no
 // submission, and a pipe would never end.
 Result<std::string> read_submission(const std::filesystem::path& folder);
 
-// Another file of it, by the same rules.
+// The text of the file `name`, found and refused by the rules of read_submission().
 Result<std::string> read_submitted(const std::filesystem::path& folder, const std::string& name);
 
 // The folders of a class, by name: of every folder in `submissions` but those that begin with a dot. Links are passed over.

@@ -59,8 +59,8 @@ Image<Rgba8> make_boards(Rgba8 color, std::uint64_t seed) {
   Image<Rgba8> image(kSide, kSide);
   for (int y = 0; y < kSide; ++y) {
     const int board = y / kBoard;
-    const int end =
-        int(scramble(seed + std::uint64_t(board)) % kSide);  // where the board's ends meet
+    // Where the board's ends meet.
+    const int end = int(scramble(seed + std::uint64_t(board)) % kSide);
     for (int x = 0; x < kSide; ++x) {
       const bool joint = y % kBoard == 0 || x == end;
       const int shade = random_offset(seed, std::uint64_t(board), 22);

@@ -106,25 +106,18 @@ Result<void> check_buffer_views(const Asset& asset) {
   return {};
 }
 
-// tinygltf turns the checked document into its records. Buffers and images stay with us: it would read files by its own
-// rules and decode images without bound. Animations are only counted, and nothing of them is left to read. An accessor
-// without a buffer view is a legal list of indices, but tinygltf refuses that, so that such accessors name a view behind
-// the last one while it reads.
+// tinygltf takes text alone, and is given what was checked instead of the file's own: it would read buffers by its own
+// rules, decode images without bound, and keep animations and extensions that nothing here draws.
 Result<void> parse_model(Asset& asset) {
   json document = asset.document;
-  document.erase("buffers");
-  document.erase("images");
-  document.erase("animations");
-  const std::size_t views = document.value("bufferViews", json::array()).size();
-  document["bufferViews"].push_back({{"buffer", 0}, {"byteLength", 1}});
-  if (document.contains("accessors")) {
-    for (json& accessor : document["accessors"]) {
-      if (!accessor.contains("bufferView")) accessor["bufferView"] = views;
-    }
-  }
-  const std::string text = document.dump(-1, ' ', false, json::error_handler_t::replace);
-  std::string error;
-  std::string warning;
+  for (const char* kept_here : {"buffers", "images", "animations"}) document.erase(kept_here);
+  // It refuses indices without a buffer view, which glTF allows (they are 0, or sparse): these have one while it reads.
+  json& views = document["bufferViews"];
+  const int stand_in = int(views.size());
+  views.push_back({{"buffer", 0}, {"byteLength", 1}});
+  for (json& accessor : document["accessors"]) accessor.emplace("bufferView", stand_in);
+  const std::string text = document.dump();
+  std::string error, warning;
   tinygltf::TinyGLTF reader;
   reader.SetFsCallbacks(tinygltf::FsCallbacks{});
   if (!reader.LoadASCIIFromString(&asset.model, &error, &warning, text.c_str(),
@@ -134,7 +127,7 @@ Result<void> parse_model(Asset& asset) {
   }
   asset.model.bufferViews.pop_back();
   for (tinygltf::Accessor& accessor : asset.model.accessors) {
-    if (std::size_t(accessor.bufferView) == views) accessor.bufferView = -1;
+    if (accessor.bufferView == stand_in) accessor.bufferView = -1;
   }
   return {};
 }
@@ -190,8 +183,10 @@ Result<Asset> open_asset(std::span<const std::byte> bytes, const std::string& di
   Result<Document> document = read_document(container->json);
   if (!document) return tl::unexpected(document.error());
 
-  Asset asset{{}, std::move(document->checked), {}, Resources(directory, limits), limits, 0,
-              {}, container->warnings,          {}};
+  Asset asset{.document = std::move(document->checked),
+              .resources = Resources(directory, limits),
+              .limits = limits,
+              .warnings = container->warnings};
   if (auto done = check_extensions(asset, document->extensions); !done)
     return tl::unexpected(done.error());
   if (auto done = parse_model(asset); !done) return tl::unexpected(done.error());

@@ -18,14 +18,14 @@ namespace glassbox::gltf {
 
 struct Asset {
   // Where an index names something, it exists (schema.h). Buffers and images are not in the model.
-  tinygltf::Model model;
+  tinygltf::Model model = {};
   nlohmann::json document;  // the same, as checked; for extensions, extras and images
-  std::vector<std::shared_ptr<const Bytes>>
-      buffers;  // null: a buffer for which the file has no data
+  // Null: a buffer for which the file has no data.
+  std::vector<std::shared_ptr<const Bytes>> buffers = {};
   Resources resources;
   LoadLimits limits;
   std::uint64_t bytes = 0;  // of the file and the buffers: what memory is to be in proportion to
-  std::vector<std::string> extensions;
+  std::vector<std::string> extensions = {};
 
   // What is said of many places in one sentence.
   struct Repeated {
@@ -33,7 +33,7 @@ struct Asset {
     std::uint64_t places = 0, amount = 0;
   };
   std::vector<std::string> warnings;
-  std::vector<Repeated> repeated;
+  std::vector<Repeated> repeated = {};
 
   // Whether the file lists the extension as used or required.
   bool uses(const std::string& extension) const;

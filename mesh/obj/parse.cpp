@@ -152,7 +152,7 @@ Parser::Status Parser::vertex(Words words) {
   return {};
 }
 
-// Of the vertex just read.
+// The colour of the vertex that was read last.
 void Parser::vertex_color(const std::array<Number, 3>& channels) {
   VertexColor color;
   color.given = true;

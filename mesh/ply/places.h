@@ -53,7 +53,7 @@ struct VertexPlaces {
 
 // ---- colours ----
 
-// Of the brightest that the channel's type has.
+// A channel's value as a fraction of the brightest that its type has.
 inline double fraction_of(double value, Type type) {
   switch (type) {
     case Type::kInt8:

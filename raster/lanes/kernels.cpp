@@ -19,8 +19,13 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
-const Kernels kKernels{transform_vertices, transform_normals, transform_positions, select_triangles,
-                       draw_small,         draw_large,        resolve_tile};
+const Kernels kKernels{.transform_vertices = transform_vertices,
+                       .transform_normals = transform_normals,
+                       .transform_positions = transform_positions,
+                       .select_triangles = select_triangles,
+                       .draw_small = draw_small,
+                       .draw_large = draw_large,
+                       .resolve_tile = resolve_tile};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace glassbox

@@ -38,8 +38,8 @@ inline CodeRange code_range(const TriangleSetup& setup, DepthFormat format) {
 struct LargeEdge {
   EdgeFunction edge;
   std::int64_t least = 0;  // the smallest value that counts as covered
-  std::int64_t below = 0,
-               above = 0;  // how far a block's smallest and largest value lie from its first
+  // How far a block's smallest and largest value lie from its first.
+  std::int64_t below = 0, above = 0;
   Doubles offsets[kQuadVectors];
 };
 

@@ -296,7 +296,7 @@ HWY_INLINE Floats rounded(const Doubles& x) {
   return hn::Combine(kF, hn::DemoteTo(kHalfF, x.high), hn::DemoteTo(kHalfF, x.low));
 }
 #endif
-// Of integers below 2^24, which floats hold.
+// x holds integers below 2^24, which floats hold.
 HWY_INLINE Ints to_integer(const Doubles& x) {
   return to_integer(rounded(x));
 }

@@ -24,7 +24,7 @@ HWY_INLINE Ints quad_rows(std::size_t i) {
   return shifted_right<2>(hn::Iota(kI, std::int32_t(i)));
 }
 
-// Those that are pixels of the screen, where the quad at (x, y) reaches beyond it.
+// Which of the quad's pixels i .. i + kLanes - 1 are on the screen, where the quad at (x, y) reaches beyond it.
 HWY_INLINE IntMask on_screen(const PixelRect& window, int x, int y, std::size_t i) {
   return quad_columns(i) + x < window.x1 && quad_rows(i) + y < window.y1;
 }

@@ -187,19 +187,19 @@ private:
   bool is_plain(const TileBlock& b) const {
     return b.plain && plain_blocks_ && (b.reference == kNothing || mask_ == -1);
   }
-  // Of a plain block: its pixels differ in colour.
+  // Whether the pixels of a plain block differ in colour.
   bool is_shaded(const TileBlock& b) const {
     return job_.picture != nullptr && b.reference != kNothing &&
            !job_.large[b.reference & ~kLargeReference]->color;
   }
-  // Of a plain block that is not.
+  // The one colour of a plain block that is not shaded.
   std::uint32_t color_of(const TileBlock& b) const {
     if (job_.picture == nullptr) return 0;
     return std::bit_cast<std::uint32_t>(b.reference == kNothing
                                             ? job_.background
                                             : *job_.large[b.reference & ~kLargeReference]->color);
   }
-  // Of a plain block of one depth.
+  // The depth code of a plain block whose pixels all have the same depth.
   static std::uint32_t code_of(const TileBlock& b) {
     return b.nearest == kEmptyTileDepth ? kEmptyDepth : std::uint32_t(b.nearest);
   }
@@ -363,7 +363,7 @@ private:
   bool plain_blocks_;  // may be stored without a look at what their pixels have in other planes
   bool streams_color_;
   Rows color_, depth_;
-  // Of the pixels before: neighbours are likely to have the same.
+  // What the pixels before were shaded with: neighbours are likely to have the same.
   const ShadeDraw* draw_ = nullptr;
   Reference shape_reference_ = kNothing;
   LargeShape shape_;

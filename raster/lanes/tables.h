@@ -133,8 +133,8 @@ enum class LightAt : std::uint8_t { kNowhere, kVertices, kFragments };
 
 // What the small triangles of a draw need to be shaded, and the large ones of the same draw.
 struct ShadeDraw {
-  Reference first_reference = kReferenceStep,
-            end_reference = kReferenceStep;  // of the small triangles
+  // The references of the small triangles.
+  Reference first_reference = kReferenceStep, end_reference = kReferenceStep;
   IndexTriples positions = nullptr;
   const SnappedEntry* screen = nullptr;  // by position
   bool mirrored = false;
@@ -164,8 +164,8 @@ struct ShadeDraw {
 // A tile's colours, from what is seen at its pixels.
 struct ResolveJob {
   std::span<const ShadeDraw> draws;  // by draw
-  std::span<const std::uint32_t>
-      by_reference;  // draws with small triangles, in the order of their references
+  // Draws with small triangles, in the order of their references.
+  std::span<const std::uint32_t> by_reference;
   const LargeTriangle* const* large = nullptr;  // by reference without the top bit
   const Lighting* lighting = nullptr;
   Transfer transfer = Transfer::kSrgb;

@@ -10,7 +10,7 @@ namespace glassbox {
 // kScalar: plain C++, for every processor.
 enum class Target { kScalar, kSse4, kAvx2, kAvx512, kNeon };
 
-// Those that were compiled in and that this processor has, the best one last. Never empty.
+// The targets that were compiled in and that this processor has, the best one last. Never empty.
 std::vector<Target> available_targets();
 Target best_target();
 

@@ -50,8 +50,8 @@ public:
   const T& operator[](std::size_t i) const { return data_[i]; }
 
 private:
-  static constexpr std::size_t kAlignment =
-      64;  // bytes: the longest vectors, and a line of the cache
+  // Bytes: the longest vectors, and a line of the cache.
+  static constexpr std::size_t kAlignment = 64;
   struct Free {
     void operator()(T* data) const { ::operator delete[](data, std::align_val_t{kAlignment}); }
   };
@@ -62,7 +62,7 @@ struct TileBlock {
   TileDepth nearest = kEmptyTileDepth;   // no pixel of the block is nearer ...
   TileDepth farthest = kEmptyTileDepth;  // ... or farther
   bool plain = true;
-  // Of a plain block: what covers it, and with what depths; null where all have the same.
+  // What covers a plain block, and the triangle that its depths come from; null where all have the same.
   Reference reference = kNothing;
   const TriangleSetup* triangle = nullptr;
 };
@@ -99,16 +99,16 @@ public:
     return std::size_t(blocks_across_) * std::size_t(blocks_across_);
   }
 
-  // Of the block at column bx, row by within the tile.
+  // Where the block at column bx, row by of the tile is stored.
   std::size_t block_index(int bx, int by) const {
     return std::size_t(by) * std::size_t(blocks_across_) + std::size_t(bx);
   }
-  // Of the first pixel of the quad at column qx, row qy within the tile.
+  // Where the first pixel of the quad at column qx, row qy of the tile is stored.
   std::size_t quad_index(int qx, int qy) const {
     return block_index(qx >> 1, qy >> 1) * kBlockPixels +
            std::size_t((qy & 1) * 2 + (qx & 1)) * kQuadPixels;
   }
-  // Of a pixel of the screen.
+  // Where the pixel (x, y) of the screen is stored.
   std::size_t pixel_index(int x, int y) const {
     const int dx = x - window_.x0, dy = y - window_.y0;
     return quad_index(dx / kQuadSide, dy / kQuadSide) +

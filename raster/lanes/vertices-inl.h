@@ -100,7 +100,7 @@ HWY_INLINE void transform_vertices_with(const VertexJob& job) {
                           kDivide ? transform_row(job.clip_from_anchored, 3, p) : Floats(1.0f)};
     FloatMask inside;
     if constexpr (kTestPlanes) inside = surely_inside_but_for_x(job, clip);
-    // The others' positions are not used; dividing by 1 keeps them from trouble.
+    // Positions that are not inside are not used; dividing by 1 keeps them from trouble.
     Floats w = clip.w;
     if constexpr (kTestPlanes) w = select(inside, clip.w, 1.0f);
     const auto over_w = [&](Floats v) HWY_ATTR { return kDivide ? v / w : v; };

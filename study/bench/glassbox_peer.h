@@ -15,8 +15,8 @@ namespace glassbox::study {
 
 struct EngineOptions {
   EngineKind engine = EngineKind::kTile;
-  TileOptions tile{.threads =
-                       1};  // of the tile engine; the staged one has neither threads nor tiles
+  // Of the tile engine; the staged one has neither threads nor tiles.
+  TileOptions tile{.threads = 1};
 };
 
 class GlassboxPeer {

@@ -34,7 +34,7 @@ public:
   const std::string& description() const { return description_; }
   // Draws so many frames; milliseconds of each.
   Result<std::vector<double>> frames(int count);
-  // Of the last frame.
+  // What the last frame drew.
   Result<Picture> picture(int width, int height);
 
 private:

@@ -19,14 +19,14 @@ const char* name_of(Standing standing);  // "front"
 bool compete(const ExperimentResult& experiment, const ConfigurationResult& a,
              const ConfigurationResult& b);
 
-// Of each configuration, by its times with that many threads. Times count as different where their interquartile ranges
+// The standing of each configuration, by its times with that many threads. Times count as different where their interquartile ranges
 // do not overlap; errors are exact. An error that is no number is dominated by every number.
 std::vector<Standing> standings(const ExperimentResult& experiment, int threads = 1);
 
 // Null where the configuration was not timed with that many threads.
 const Timing* timing_of(const ConfigurationResult& result, int threads);
 
-// Those that anything was timed with, ascending.
+// The numbers of threads that anything was timed with, ascending.
 std::vector<int> thread_counts(const ExperimentResult& experiment);
 
 }  // namespace glassbox::study

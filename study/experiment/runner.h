@@ -25,7 +25,7 @@ ExperimentResult run_experiment(const Experiment& experiment, const RunOptions& 
 // Null where there is none; in either case of letters.
 const Experiment* find_experiment(const std::vector<Experiment>& all, const std::string& id);
 
-// Of this program on this machine.
+// Where results come from that this program measures on this machine.
 Origin origin_here(const std::string& version, Effort effort, int threads);
 
 }  // namespace glassbox::study

@@ -11,8 +11,8 @@ namespace glassbox::study {
 inline constexpr double kLeastRatio = 0.5, kGreatestRatio = 2;
 
 struct TheoryCheck {
-  double ratio =
-      1;  // measured over predicted; 1 where both are 0, infinite where only the prediction is
+  // Measured over predicted; 1 where both are 0, infinite where only the prediction is.
+  double ratio = 1;
   bool finding = false;  // outside [1/2, 2], or no number
 };
 

@@ -16,8 +16,8 @@ namespace glassbox::study {
 
 inline constexpr int kShotWidth = 1920, kShotHeight = 1080;
 inline constexpr double kShotDistance = 4;  // of the object's centre along the gaze
-inline constexpr double kShotFocal =
-    kShotHeight / 2.0;  // px: a vertical field of view of 90 degrees
+// px: a vertical field of view of 90 degrees.
+inline constexpr double kShotFocal = kShotHeight / 2.0;
 
 struct Shot {
   exact::PythagoreanRotation world_from_object, eye_from_world;

@@ -41,8 +41,8 @@ double rate(Fault fault, EdgeArithmetic arithmetic, int width, int samples) {
 
 // E is off by the roundings of its products and sums. A centre lies anywhere within half a pixel, 256 steps, of its edge
 // along the minor axis: the decision is wrong for a share E|error of E| / (major * 256) of them.
-using RoundingError = double (*)(
-    const EdgeSample&);  // E|error of E|, to be multiplied by the relative rms of a rounding
+// E|error of E|, to be multiplied by the relative rms of a rounding.
+using RoundingError = double (*)(const EdgeSample&);
 
 double product(const EdgeSample& s) {
   return double(s.dx()) * (s.y - s.from.y);

@@ -50,8 +50,8 @@ double largest_confusion(const std::vector<Rung>& rungs) {
   for (std::size_t i = rungs.size(); i-- > 0;)
     least[i] = running = std::min(running, rungs[i].code);
   double largest = 0;
-  std::uint32_t greatest =
-      0;  // up to here: an earlier rung with a smaller code has nothing that a later one lacks
+  // Up to here: an earlier rung with a smaller code has nothing that a later one lacks.
+  std::uint32_t greatest = 0;
   std::size_t j = 0;
   for (std::size_t i = 0; i < rungs.size() / 4 + 1; ++i) {
     if (i > 0 && rungs[i].code <= greatest) continue;

@@ -30,17 +30,16 @@ struct Stage {
   Scene scene;
   View centre, left, right;
   StereoPair pair;
-  RenderSettings settings;
+  RenderSettings settings = {};
 };
 
 Stage make_stage(std::string name, Scene scene, const View& centre, const StereoPair& pair) {
-  Stage stage{std::move(name),
-              std::move(scene),
-              centre,
-              eye_view(centre, pair, Side::kLeft),
-              eye_view(centre, pair, Side::kRight),
-              pair,
-              {}};
+  Stage stage{.name = std::move(name),
+              .scene = std::move(scene),
+              .centre = centre,
+              .left = eye_view(centre, pair, Side::kLeft),
+              .right = eye_view(centre, pair, Side::kRight),
+              .pair = pair};
   stage.settings.transfer = Transfer::kNone;
   stage.settings.background = {0, 0, 0, 255};
   stage.settings.want_distance = true;

@@ -56,8 +56,8 @@ inline void walk_rows(const TriangleSetup& t, Counts& counts) {
   for (int y = box.y0; y < box.y1; ++y) {
     std::int64_t x0 = box.x0, x1 = box.x1;
     for (const EdgeFunction& e : t.edges) {
-      const std::int64_t first = value_at(e, 0, y) - least(e),
-                         step = e.a * kSubpixels;  // first + step x >= 0
+      // Pixel x is inside where first + step x >= 0.
+      const std::int64_t first = value_at(e, 0, y) - least(e), step = e.a * kSubpixels;
       if (step > 0) x0 = std::max(x0, floor_div(-first + step - 1, step));
       if (step < 0) x1 = std::min(x1, floor_div(first, -step) + 1);
       if (step == 0 && first < 0) x1 = x0;

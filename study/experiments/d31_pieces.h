@@ -115,7 +115,7 @@ inline constexpr NamedPattern kPatterns[] = {{Pattern::kStandard, "D3D standard"
                                              {Pattern::kJittered, "jittered"},
                                              {Pattern::kRotated, "rotated grid"}};
 
-// Of pixel number `pixel`; those that do not change from pixel to pixel come ready made.
+// The sample positions of pixel number `pixel`. Patterns that are the same in all pixels come ready made.
 inline void place_samples(Pattern pattern, std::size_t pixel, Positions& positions) {
   const int samples = int(positions.size());
   if (pattern == Pattern::kStandard || pattern == Pattern::kRotated) return;

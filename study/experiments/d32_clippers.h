@@ -34,8 +34,8 @@ inline constexpr std::size_t kMostVertices = most_vertices();
 // What clipping leaves, in clip space.
 struct Outline {
   std::array<Point<Clip>, kMostVertices> vertices;
-  std::array<std::int8_t, kMostVertices>
-      cut_by{};  // the plane that made the vertex last; -1: it came so
+  // The plane that made the vertex last; -1: it came so.
+  std::array<std::int8_t, kMostVertices> cut_by{};
   std::size_t count = 0;
 };
 

@@ -15,8 +15,8 @@ struct Candidate {
   std::vector<std::string> options;  // of glassbox render, which ask for it
   bool in_render = true;             // glassbox render can do it
   double error = 0;
-  std::optional<Quartiles>
-      ns;  // for one item; none where it was not timed: it cannot be recommended
+  // For one item; none where it was not timed: it cannot be recommended.
+  std::optional<Quartiles> ns;
 };
 
 struct Comparison {

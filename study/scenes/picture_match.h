@@ -14,8 +14,8 @@ struct Picture {
 
 struct JudgedPicture {
   Picture picture;
-  Image<std::uint8_t>
-      edge;  // 1 where another triangle, or nothing, is seen at one of the pixel's eight neighbours
+  // 1 where another triangle, or nothing, is seen at one of the pixel's eight neighbours.
+  Image<std::uint8_t> edge;
 };
 
 // Sets 1 where the depth is not that of an empty buffer.
@@ -31,8 +31,8 @@ struct PictureMatch {
   std::uint64_t pixels = 0;
   std::uint64_t covered = 0, peer_covered = 0;
   std::uint64_t coverage_differs = 0;
-  std::uint64_t color_differs =
-      0;  // of the pixels that both or neither covers: by more than kSameColor
+  // Of the pixels that both or neither covers: by more than kSameColor.
+  std::uint64_t color_differs = 0;
   std::uint64_t away_from_edges = 0;  // of these two, those that are not at an edge
   int largest_elsewhere = 0;          // 1/255, where neither differs
 

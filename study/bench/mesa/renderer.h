@@ -22,7 +22,7 @@ public:
   std::string description() const;
   // From the first clear to the end of glFinish, in milliseconds.
   double frame_ms();
-  // Of the last frame.
+  // What the last frame drew.
   Picture picture() const;
 
 private:

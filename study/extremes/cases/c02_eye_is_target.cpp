@@ -1,6 +1,6 @@
 #include <glassbox/pipeline/look_at.h>
 
-#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/world.h"
 #include "study/extremes/kit/worst.h"
 #include "study/naive/camera.h"

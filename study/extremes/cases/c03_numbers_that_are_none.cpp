@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/world.h"
 #include "study/extremes/kit/worst.h"
 #include "study/naive/camera.h"

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "exact/number.h"
-#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/world.h"
 #include "study/extremes/kit/worst.h"
 #include "study/naive/camera.h"

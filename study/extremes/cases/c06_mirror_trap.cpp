@@ -3,7 +3,7 @@
 #include <glassbox/pipeline/projection.h>
 
 #include "exact/camera.h"
-#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/world.h"
 #include "study/extremes/kit/worst.h"
 #include "study/naive/camera.h"

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "exact/number.h"
-#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "exact/number.h"
-#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/worst.h"
 #include "study/naive/projection.h"
 

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/world.h"
 #include "study/extremes/kit/worst.h"
 

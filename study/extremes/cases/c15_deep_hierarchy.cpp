@@ -8,7 +8,7 @@
 #include <glassbox/base/random.h>
 #include "exact/matrix.h"
 #include "exact/number.h"
-#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/world.h"
 #include "study/extremes/kit/worst.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include <glassbox/base/random.h>
-#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/normals_case.h"
 #include "study/extremes/kit/worst.h"
 #include "study/naive/transform.h"

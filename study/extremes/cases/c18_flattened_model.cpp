@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/normals_case.h"
 #include "study/extremes/kit/worst.h"
 #include "study/naive/transform.h"

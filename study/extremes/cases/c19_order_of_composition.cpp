@@ -4,7 +4,7 @@
 
 #include "exact/matrix.h"
 #include "exact/number.h"
-#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/world.h"
 #include "study/extremes/kit/worst.h"
 #include "study/naive/transform.h"

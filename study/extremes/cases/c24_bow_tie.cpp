@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/polygons.h"
 #include "study/extremes/kit/worst.h"
 #include "study/naive/normals.h"

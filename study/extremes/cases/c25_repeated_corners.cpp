@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/polygons.h"
 #include "study/extremes/kit/worst.h"
 #include "study/naive/normals.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/polygons.h"
 #include "study/extremes/kit/worst.h"
 #include "study/naive/normals.h"

@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include <glassbox/base/random.h>
-#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/worst.h"
 #include "study/naive/normals.h"
 

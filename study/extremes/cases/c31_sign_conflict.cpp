@@ -1,7 +1,7 @@
 #include <glassbox/base/random.h>
 #include <glassbox/mesh/normals.h>
 
-#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/polygons.h"
 #include "study/extremes/kit/worst.h"
 #include "study/naive/normals.h"

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "study/extremes/cases/cases.h"
 #include "study/extremes/cases/clip_case.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <string>
 
-#include "study/extremes/cases/cases.h"
 #include "study/extremes/cases/clip_case.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "study/extremes/cases/cases.h"
 #include "study/extremes/cases/clip_case.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {

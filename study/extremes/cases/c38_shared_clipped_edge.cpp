@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 #include <algorithm>
 
-#include "study/extremes/cases/cases.h"
 #include "study/extremes/cases/clip_case.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {

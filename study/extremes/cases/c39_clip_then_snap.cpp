@@ -1,12 +1,13 @@
 #include <glassbox/base/trig.h>
+#include <glassbox/raster/outline.h>
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "study/extremes/cases/cases.h"
-#include "study/extremes/cases/clip_coverage.h"
+#include "study/extremes/cases/clip_case.h"
 #include "study/extremes/kit/coverage.h"
+#include "study/extremes/kit/extreme_case.h"
 
 namespace glassbox::study {
 namespace c39 {
@@ -35,8 +36,8 @@ Image<int> times_covered_by_fan(Clips clips, int fan) {
     // Every other one begins elsewhere, so that shared edges are walked from all corners.
     const Point<Clip>&a = rim[i], &b = rim[(i + 1) % rim.size()];
     const ClipTriangle t = i % 2 == 0 ? clip_corners(hub, a, b) : clip_corners(b, hub, a);
-    visit_covered(clips(t, planes), viewport, {0, 0, kSide, kSide},
-                  [&](int x, int y) { ++times.at(x, y); });
+    for_each_covered(clips(t, planes), viewport, {0, 0, kSide, kSide},
+                     [&](const Coverage& pixel) { ++times.at(pixel.x, pixel.y); });
   }
   return times;
 }

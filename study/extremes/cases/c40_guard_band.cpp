@@ -3,9 +3,11 @@
 #include <limits>
 #include <set>
 
+#include <glassbox/raster/outline.h>
+
 #include "exact/coverage.h"
-#include "study/extremes/cases/cases.h"
-#include "study/extremes/cases/clip_coverage.h"
+#include "study/extremes/cases/clip_case.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
@@ -76,8 +78,8 @@ Outcome judge(Covers covers) {
 
 Pixels covered_by(const Outline& outline, const Viewport& viewport) {
   Pixels pixels;
-  visit_covered(outline, viewport, {0, 0, kSide, kSide}, [&](int x, int y) {
-    if (sampled(x, y)) pixels.insert({x, y});
+  for_each_covered(outline, viewport, {0, 0, kSide, kSide}, [&](const Coverage& pixel) {
+    if (sampled(pixel.x, pixel.y)) pixels.insert({pixel.x, pixel.y});
   });
   return pixels;
 }

@@ -1,5 +1,5 @@
-#include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/coverage.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/naive/coverage.h"
 
 #include <glassbox/base/random.h>

@@ -6,8 +6,8 @@
 #include <glassbox/raster/coverage.h>
 #include <glassbox/raster/interpolate.h>
 
-#include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/coverage.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/naive/coverage.h"
 
 namespace glassbox::study {

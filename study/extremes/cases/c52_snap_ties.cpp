@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/coverage.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/naive/coverage.h"
 
 namespace glassbox::study {

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/coverage.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/screen_scene.h"
 #include "study/naive/tiles.h"
 

@@ -6,8 +6,8 @@
 #include <glassbox/raster/coverage.h>
 #include <glassbox/raster/interpolate.h>
 
-#include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/coverage.h"
+#include "study/extremes/kit/extreme_case.h"
 
 namespace glassbox::study {
 
@@ -38,7 +38,7 @@ void stepped_span(const std::function<void(int, float)>& visit) {
   for (int x = 0; x < kWidth; ++x, u += step) visit(x, u);
 }
 
-// The same, begun anew every `anchor` pixels.
+// An addition of the increment per pixel, begun anew every `anchor` pixels.
 void anchored_span(int anchor, const std::function<void(int, float)>& visit) {
   const float step = 1.0f / float(kWidth);
   for (int x = 0; x < kWidth; ++x) {

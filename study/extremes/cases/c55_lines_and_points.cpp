@@ -8,8 +8,8 @@
 #include <glassbox/raster/line.h>
 #include <glassbox/raster/point.h>
 
-#include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/coverage.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/naive/lines.h"
 
 namespace glassbox::study {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/depth.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/naive/depth.h"
 
 #include <glassbox/base/random.h>

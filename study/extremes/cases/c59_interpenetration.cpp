@@ -5,8 +5,8 @@
 #include <glassbox/base/rounding.h>
 #include <glassbox/base/trig.h>
 
-#include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/depth.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {

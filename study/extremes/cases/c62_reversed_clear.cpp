@@ -4,8 +4,8 @@
 
 #include <glassbox/render/tile/tile_engine.h>
 
-#include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/depth.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/screen_scene.h"
 #include "study/extremes/kit/worst.h"
 
@@ -44,7 +44,7 @@ Outcome judge(const DepthTest& test) {
   return wrong_of(wrong, questions, "answers of the depth test wrong");
 }
 
-// The same by whole runs: a triangle over the whole picture, alone, at both ends of the range and between.
+// Pictures that stay black: a triangle over the whole picture, alone, at both ends of the range and between.
 int runs_without_a_picture() {
   int black = 0;
   for (const DepthFormat format : kFormats) {

@@ -2,8 +2,8 @@
 
 #include <glassbox/base/rounding.h>
 
-#include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/depth.h"
+#include "study/extremes/kit/extreme_case.h"
 
 namespace glassbox::study {
 

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/depth.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {

@@ -1,5 +1,5 @@
-#include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/attribute.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/naive/attribute.h"
 
 namespace glassbox::study {

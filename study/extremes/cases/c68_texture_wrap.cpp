@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/texel.h"
 #include "study/extremes/kit/worst.h"
 #include "study/naive/attribute.h"

@@ -7,8 +7,8 @@
 #include <glassbox/base/rounding.h>
 #include <glassbox/raster/texture.h>
 
-#include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/attribute.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {

@@ -5,8 +5,8 @@
 #include <glassbox/pipeline/dialects.h>
 #include <glassbox/pipeline/stereo/parallax.h>
 
-#include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/attribute.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/pair.h"
 
 namespace glassbox::study {

@@ -2,7 +2,7 @@
 
 #include <glassbox/render/renderer.h>
 
-#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/pair.h"
 
 namespace glassbox::study {

@@ -6,7 +6,7 @@
 #include <glassbox/pipeline/stereo/comfort.h>
 #include <glassbox/pipeline/stereo/parallax.h>
 
-#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/pair.h"
 #include "study/extremes/kit/worst.h"
 

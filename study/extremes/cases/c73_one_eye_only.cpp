@@ -6,7 +6,7 @@
 #include <glassbox/render/stereo/disparity.h>
 #include <glassbox/render/stereo/monocular.h>
 
-#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/pair.h"
 #include "study/extremes/kit/screen_scene.h"
 
@@ -29,7 +29,7 @@ PairScene close_things() {
   return {scene_of(std::move(mesh), material), view_from_origin(320, 180, 0.1), {0.3, 10}};
 }
 
-// The same with those triangles alone of which `keeps` says so.
+// Whether a triangle is kept, by where each eye's clip space has it.
 using Keeps = std::function<bool(const std::array<Point<Clip>, 3>& left,
                                  const std::array<Point<Clip>, 3>& right, const View& centre)>;
 

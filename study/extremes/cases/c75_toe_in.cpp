@@ -6,8 +6,8 @@
 #include <glassbox/pipeline/stereo/constructions.h>
 #include <glassbox/pipeline/stereo/parallax.h>
 
-#include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/attribute.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/pair.h"
 
 namespace glassbox::study {

@@ -3,8 +3,8 @@
 #include <glassbox/images/stereo/anaglyph.h>
 #include <glassbox/render/renderer.h>
 
-#include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/coverage.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/pair.h"
 #include "study/naive/stereo.h"
 

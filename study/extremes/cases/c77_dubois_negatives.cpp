@@ -7,7 +7,7 @@
 
 #include <glassbox/images/stereo/anaglyph.h>
 
-#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/worst.h"
 #include "study/naive/stereo.h"
 

@@ -3,8 +3,8 @@
 #include <glassbox/images/stereo/order.h>
 #include <glassbox/render/stereo/disparity.h>
 
-#include "study/extremes/cases/cases.h"
 #include "study/extremes/kit/coverage.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/pair.h"
 
 namespace glassbox::study {

@@ -6,7 +6,7 @@
 
 #include <glassbox/pipeline/stereo/comfort.h>
 
-#include "study/extremes/cases/cases.h"
+#include "study/extremes/kit/extreme_case.h"
 #include "study/naive/stereo.h"
 
 namespace glassbox::study {

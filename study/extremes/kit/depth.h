@@ -50,7 +50,7 @@ struct ZBuffer {
 // 1 + the number of the triangle that each pixel shows; 0: none.
 Image<int> z_buffered(const std::vector<ScreenTriangle>& triangles, int side,
                       const ZBuffer& buffer);
-// The same by whole runs, of the staged and of the tile engine; empty if they do not agree.
+// The triangle that each pixel shows when the staged and the tile engine draw them; empty if they do not agree.
 Image<int> drawn_by_engines(const std::vector<ScreenTriangle>& triangles, int side);
 
 }  // namespace glassbox::study

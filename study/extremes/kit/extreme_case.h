@@ -17,8 +17,8 @@ namespace glassbox::study {
 enum class Oracle { kRational, kInteger, kExtended, kAnalytic, kProperty };
 
 struct Outcome {
-  double error =
-      0;  // in the case's unit, worst over all that the case tries; infinity for a NaN or no answer
+  // In the case's unit, worst over all that the case tries; infinity for a NaN or no answer.
+  double error = 0;
   double bound = 0;                 // what the right code stays within; 0: exact
   std::optional<double> condition;  // the condition number there, where the case has one
   std::string seen;  // what came out, in one line: "18 gaps, 12 doubles of 2,600,000 samples"
@@ -27,8 +27,8 @@ struct Outcome {
 };
 
 struct Subject {
-  std::string
-      name;  // "float differences"; for a mutant what was changed: "the tie rule is missing"
+  // "float differences"; for a mutant what was changed: "the tie rule is missing".
+  std::string name;
   std::function<Outcome()> judged;
 };
 

@@ -1,14 +1,21 @@
-#include "study/extremes/cases/clip_coverage.h"
+// A convex polygon of clip space by itself: the stages from the divide to coverage, one after the other.
+#pragma once
+
+#include <span>
+#include <vector>
 
 #include <glassbox/pipeline/divide.h>
+#include <glassbox/pipeline/viewport.h>
 #include <glassbox/raster/coverage.h>
 #include <glassbox/raster/fan.h>
 #include <glassbox/raster/snap.h>
 
-namespace glassbox::study {
+namespace glassbox {
 
-void visit_covered(const Outline& outline, const Viewport& viewport, const PixelRect& window,
-                   const std::function<void(int x, int y)>& visit) {
+// Calls visit(Coverage) for every pixel that the polygon covers within `window`. Vertices must be within the guard band.
+template <class Visit>
+void for_each_covered(std::span<const Point<Clip>> outline, const Viewport& viewport,
+                      const PixelRect& window, Visit&& visit) {
   std::vector<ScreenVertex> screen;
   std::vector<SnappedVertex> snapped;
   for (const Point<Clip>& p : outline) {
@@ -20,9 +27,8 @@ void visit_covered(const Outline& outline, const Viewport& viewport, const Pixel
   for (int i = 0; i + 2 < count; ++i) {
     const auto [a, b, c] = fan_vertices(apex, count, i);
     const auto setup = setup_triangle({screen[a], screen[b], screen[c]});
-    if (!setup) continue;
-    for_each_covered(*setup, window, [&](const Coverage& pixel) { visit(pixel.x, pixel.y); });
+    if (setup) for_each_covered(*setup, window, visit);
   }
 }
 
-}  // namespace glassbox::study
+}  // namespace glassbox
