@@ -162,12 +162,12 @@ run_doxygen() {
   log=$root/build/doxygen.log
   status=0
   (cd "$root" && doxygen docs/Doxyfile) >"$log" 2>&1 </dev/null || status=$?
-  pages=$root/build/api/html
+  pages=$root/build/api
   grep -q 'One way of looking at a scene' "$pages/structglassbox_1_1View.html" >>"$log" 2>&1 || status=1
-  grep -ho 'href="[^"#:]*"' "$pages"/*.html | sed 's/^href="//; s/"$//' | sort -u >"$root/build/api/links"
+  grep -ho 'href="[^"#:]*"' "$pages"/*.html | sed 's/^href="//; s/"$//' | sort -u >"$root/build/api-links"
   while read -r link; do
     [ -e "$pages/$link" ] || { echo "linked, but not there: $link" >>"$log"; status=1; }
-  done <"$root/build/api/links"
+  done <"$root/build/api-links"
   if [ "$status" != 0 ]; then tail -n 60 "$log" >&2; fi
   count "API pages" "$status"
 }
