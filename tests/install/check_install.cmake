@@ -1,4 +1,5 @@
-# Called by tests/install/CMakeLists.txt with build, consumer, clone, example, work, compiler, flags, generator.
+# Called by tests/install/CMakeLists.txt with build, consumer, clone, example, work, compiler, flags,
+# strict, generator.
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT result EQUAL 0)

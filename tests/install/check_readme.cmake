@@ -24,7 +24,7 @@ block_of_readme(text numbers)
 file(WRITE ${house}/house.cpp "${program}")
 file(WRITE ${house}/CMakeLists.txt "${lines}")
 run(${CMAKE_COMMAND} -S ${house} -B ${house}/build -G ${generator}
-  -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_CXX_FLAGS=${flags})
+  -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${compiler} "-DCMAKE_CXX_FLAGS=${flags} ${strict}")
 run(${CMAKE_COMMAND} --build ${house}/build)
 
 # run_house(EXPECTED EXIT CODE, TEXT THAT IT PRINTS)
