@@ -1,5 +1,9 @@
 // What docs/doxygen_filter.awk makes of the headers' comments for the pages of docs/api.md.
+#include <algorithm>
+#include <fstream>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "tests/docs/tree.h"
 #include "tests/images/temporary_directory.h"
@@ -18,7 +22,45 @@ std::string filtered(const std::string& header) {
   return outcome.out;
 }
 
+// What stands between backquotes in a cell of a table: cell 1 is the first.
+std::vector<std::string> quoted(const std::string& row, int cell) {
+  std::istringstream cells(row);
+  std::string text;
+  for (int i = 0; i <= cell; ++i) std::getline(cells, text, '|');
+  std::vector<std::string> all;
+  std::istringstream parts(text);
+  for (int i = 0; std::getline(parts, text, '`'); ++i) {
+    if (i % 2 == 1) all.push_back(text);
+  }
+  return all;
+}
+
+bool has_word(const std::vector<std::string>& headers, const std::string& word) {
+  return std::ranges::any_of(headers, [&](const std::string& header) {
+    const auto lines = lines_of(header);
+    return std::ranges::any_of(lines, [&](const std::string& line) {
+      const std::size_t at = line.find(word);
+      return !line.starts_with("//") && at != line.npos &&
+             (at == 0 || std::string(" *&").find(line[at - 1]) != std::string::npos);
+    });
+  });
+}
+
 }  // namespace
+
+TEST_CASE("the headers that docs/api.md lists have the names that it lists beside them") {
+  int names = 0;
+  for (const std::string& row : lines_of("docs/api.md")) {
+    if (!row.starts_with("| ")) continue;
+    for (const std::string& name : quoted(row, 3)) {
+      CAPTURE(row, name);
+      CHECK(has_word(quoted(row, 2), name));
+      ++names;
+    }
+  }
+  CHECK(names > 15);
+  CHECK_FALSE(has_word({"mesh/formats/load.h"}, "save_scene"));
+}
 
 TEST_CASE("a header's comments become documentation where they are about something") {
   CHECK(filtered("// A file.\n#pragma once\n\n// A type.\nstruct A;\n") ==
