@@ -7,6 +7,7 @@ foreach(part ${parts})
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${part} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/glassbox
     FILES_MATCHING PATTERN "*.h")
 endforeach()
+install(FILES ${PROJECT_SOURCE_DIR}/include/glassbox/glassbox.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/glassbox)
 
 set(targets ${parts})
 list(TRANSFORM targets PREPEND glassbox_)

@@ -20,7 +20,7 @@ the format of the sources, and some tests of each folder under the
 sanitizers. --all adds what needs more tools and time: all tests with
 clang++, without optimisation and under the sanitizers,
 ThreadSanitizer, a minute of each fuzzer, the HTML pages in a browser,
-and clang-tidy.
+the pages that Doxygen makes of the headers, and clang-tidy.
 TEXT
 }
 
@@ -157,6 +157,24 @@ run_long_pages() {
   count "docs: the lines that take long" "$status"
 }
 
+# The library's pages (docs/api.md): made without a complaint, with the headers' comments in them, and no link to nowhere.
+run_doxygen() {
+  have doxygen || { skip "API pages (no doxygen)"; return 0; }
+  say "API pages: writing ..."
+  rm -rf "$root/build/api"
+  log=$root/build/doxygen.log
+  status=0
+  (cd "$root" && doxygen docs/Doxyfile) >"$log" 2>&1 </dev/null || status=$?
+  pages=$root/build/api
+  grep -q 'One way of looking at a scene' "$pages/structglassbox_1_1View.html" >>"$log" 2>&1 || status=1
+  grep -ho 'href="[^"#:]*"' "$pages"/*.html | sed 's/^href="//; s/"$//' | sort -u >"$root/build/api-links"
+  while read -r link; do
+    [ -e "$pages/$link" ] || { echo "linked, but not there: $link" >>"$log"; status=1; }
+  done <"$root/build/api-links"
+  if [ "$status" != 0 ]; then tail -n 60 "$log" >&2; fi
+  count "API pages" "$status"
+}
+
 # Checks that find bugs, none of style: .clang-tidy.
 run_tidy() {
   have clang-tidy || { skip "clang-tidy (there is no such program)"; return 0; }
@@ -204,6 +222,7 @@ else
   run_fuzzers
   run_browser
   run_long_pages
+  run_doxygen
   run_tidy
 fi
 

@@ -10,14 +10,14 @@
 
 namespace glassbox {
 
-// All conditions have to hold. Empty ones hold always.
+// All conditions have to hold. Empty ones hold always: TraceFilter{.triangle = 4}.
 struct TraceFilter {
-  std::optional<std::uint32_t> instance;  // index into Scene::instances
-  std::optional<std::uint32_t> triangle;  // number in the whole scene
-  std::optional<std::uint32_t> position;  // index into Mesh::positions: triangles with that vertex
+  std::optional<std::uint32_t> instance{};  // index into Scene::instances
+  std::optional<std::uint32_t> triangle{};  // number in the whole scene
+  std::optional<std::uint32_t> position{};  // into Mesh::positions: triangles with that vertex
   // Fragments of these pixels, and triangles whose box on the screen reaches into them, or would if they had not been
   // clipped at the near and far planes.
-  std::optional<PixelRect> pixels;
+  std::optional<PixelRect> pixels{};
   // By stage: what there is of triangles, of fragments, and of the colours of fragments.
   bool triangles = true;
   bool fragments = true;

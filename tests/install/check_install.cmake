@@ -1,4 +1,5 @@
-# Called by tests/install/CMakeLists.txt with build, consumer, example, work, compiler, flags, generator.
+# Called by tests/install/CMakeLists.txt with build, consumer, clone, example, work, compiler, flags,
+# strict, generator.
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT result EQUAL 0)
@@ -23,4 +24,5 @@ run(${CMAKE_COMMAND} -S ${consumer} -B ${work}/consumer-build -G ${generator}
   -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_CXX_FLAGS=${flags})
 run(${CMAKE_COMMAND} --build ${work}/consumer-build)
 run(${work}/consumer-build/consumer ${work}/consumer.png)
+include(${CMAKE_CURRENT_LIST_DIR}/check_readme.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/check_golden.cmake)
