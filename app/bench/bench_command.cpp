@@ -20,6 +20,7 @@
 #include "study/bench/machine.h"
 #include "study/bench/peer_process.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/mesh/formats/load.h>
 #include <glassbox/raster/lanes/target.h>
@@ -185,8 +186,7 @@ Result<void> BenchCommand::measure_scene(const std::string& name, BenchReport& r
   const Result<BenchScene> bench = load(name);
   if (!bench) return tl::unexpected(bench.error());
   for (const int threads : threads_) {
-    progress.phase(
-        fmt::format("drawing {} with {} thread{}", name, threads, threads == 1 ? "" : "s"));
+    progress.phase(fmt::format("drawing {} with {}", name, counted(threads, "thread")));
     std::unique_ptr<PeerProcess> peer;
     if (against_ && bench->peers_draw_it) {
       auto started = start_mesa(*bench, threads);

@@ -11,6 +11,7 @@
 #include "app/bench/text.h"
 #include "bench_page.h"  // made by html/embed.cmake
 
+#include <glassbox/base/counted.h>
 #include <glassbox/html/escaped.h>
 
 namespace glassbox::app {
@@ -95,8 +96,7 @@ double step_of(double whole) {
 
 constexpr std::ptrdiff_t kLabelLetters = 40;
 std::string label_of(const Measurement& result) {
-  return shortened(result.scene, kLabelLetters) +
-         fmt::format(", {} thread{}", result.threads, result.threads == 1 ? "" : "s");
+  return shortened(result.scene, kLabelLetters) + ", " + counted(result.threads, "thread");
 }
 
 BarPlot plot_of(const BenchReport& report) {

@@ -10,6 +10,7 @@
 #include "app/options/arguments.h"
 #include "app/options/choices.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/raster/lanes/target.h>
 
@@ -111,8 +112,7 @@ Renderer make_renderer(const Scene& scene, const RenderSettings& settings,
 
 std::string engine_text(const EngineOptions& options) {
   if (options.engine == Engine::kStaged) return "the staged engine";
-  const int threads = threads_of(options);
-  return fmt::format("the tile engine, {} thread{}, {}", threads, threads == 1 ? "" : "s",
+  return fmt::format("the tile engine, {}, {}", counted(threads_of(options), "thread"),
                      name_of(options.tile.target));
 }
 

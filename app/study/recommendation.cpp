@@ -9,6 +9,7 @@
 #include "study/recommend/pictures.h"
 #include "study/recommend/vertices.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/render/renderer.h>
 
 namespace glassbox::app {
@@ -123,12 +124,11 @@ Result<Comparison> compare_colours(const Scene& scene, const PictureOptions& pic
       progress.phase(fmt::format("measuring colour: drawing with {}, {} samples", name, count));
       Renderer renderer(scene, settings.transfer);
       const Rendering drawn = renderer.render(shot->view, settings);
-      result.candidates.push_back(
-          {fmt::format("{}, {} sample{}", name, count, samples == 1 ? "" : "s"),
-           {"--shade", name, "--samples", count},
-           true,
-           study::color_error(drawn.buffers.color, *reference),
-           {}});
+      result.candidates.push_back({fmt::format("{}, {}", name, counted(samples, "sample")),
+                                   {"--shade", name, "--samples", count},
+                                   true,
+                                   study::color_error(drawn.buffers.color, *reference),
+                                   {}});
       shots.push_back(*shot);
       // More samples are all of this work and more.
       if (result.candidates.back().error < limit) break;

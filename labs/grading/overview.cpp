@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <glassbox/base/counted.h>
 #include <glassbox/html/escaped.h>
 
 #include "class_page.h"  // made by html/embed.cmake
@@ -110,7 +111,8 @@ std::string class_html(const std::vector<Row>& rows) {
   }
   std::string html =
       fmt::format("<header><h1>{}</h1></header>\n<main>\n<section>\n", escaped(title));
-  html += fmt::format("<p>{} submissions; on average {:.3g} of {:.6g} points.</p>\n", rows.size(),
+  html += fmt::format("<p>{}; on average {:.3g} of {:.6g} points.</p>\n",
+                      counted(rows.size(), "submission"),
                       rows.empty() ? 0 : sum / static_cast<double>(rows.size()), most);
   if (!sandbox.empty()) html += fmt::format("<p>Sandbox: {}.</p>\n", escaped(sandbox));
   html += "</section>\n<section>\n";
