@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 
 #include <glassbox/mesh/scene.h>
 #include <glassbox/pipeline/view.h>
@@ -14,6 +15,10 @@ namespace glassbox {
 
 // Both make the same bytes.
 enum class Engine { kTile, kStaged };
+
+constexpr std::string_view name_of(Engine engine) {
+  return engine == Engine::kTile ? "tile" : "staged";
+}
 
 class Renderer {
 public:

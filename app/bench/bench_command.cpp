@@ -111,12 +111,10 @@ void BenchCommand::add_measure_options(CLI::App& command) {
           "--size", [this](const std::string& text) { size_ = parse_size(text); },
           "of the picture [1920x1080]")
       ->type_name("WxH");
-  add_choice<std::optional<ScaledBy>>(command, "--scaling", scaling_,
-                                      {{"triangles", ScaledBy::kTriangles},
-                                       {"pixels", ScaledBy::kPixels},
-                                       {"threads", ScaledBy::kThreads},
-                                       {"tile", ScaledBy::kTile}},
-                                      "how time grows with this, in place of scenes");
+  add_choice(
+      command, "--scaling", scaling_,
+      choices_of({ScaledBy::kTriangles, ScaledBy::kPixels, ScaledBy::kThreads, ScaledBy::kTile}),
+      "how time grows with this, in place of scenes");
   command
       .add_option_function<std::string>(
           "--most", [this](const std::string& text) { most_ = parse_number("--most", text); },
@@ -128,8 +126,8 @@ void BenchCommand::add_measure_options(CLI::App& command) {
 
 void BenchCommand::add_engine_options(CLI::App& command) {
   const std::string group = "Engine";
-  add_choice(command, "--engine", engine_.engine,
-             {{"tile", Engine::kTile}, {"staged", Engine::kStaged}}, "which one draws [tile]")
+  add_choice(command, "--engine", engine_.engine, choices_of({Engine::kTile, Engine::kStaged}),
+             "which one draws [tile]")
       ->group(group);
   command
       .add_option_function<std::string>(
@@ -238,7 +236,7 @@ int BenchCommand::run() {
   BenchReport report;
   report.machine = study::machine_name();
   report.compiler = study::compiler_name();
-  report.engine = staged ? "staged" : "tile";
+  report.engine = name_of(engine_.engine);
   report.target = name_of(staged ? Target::kScalar : engine_.tile.target);
   report.width = size_.width;
   report.height = size_.height;

@@ -75,8 +75,7 @@ CLI::Option* add_target_option(CLI::App& command, Target& target) {
 }
 
 void add_engine_options(CLI::App& command, EngineOptions& options) {
-  add_choice(command, "--engine", options.engine,
-             {{"tile", Engine::kTile}, {"staged", Engine::kStaged}},
+  add_choice(command, "--engine", options.engine, choices_of({Engine::kTile, Engine::kStaged}),
              "what draws: the fast one, or the reference; same bytes [tile]")
       ->group(kGroup);
   options.of_tiles = {
@@ -117,8 +116,8 @@ std::string engine_text(const EngineOptions& options) {
 }
 
 nlohmann::ordered_json engine_json(const EngineOptions& options) {
-  if (options.engine == Engine::kStaged) return {{"name", "staged"}};
-  return {{"name", "tile"},
+  if (options.engine == Engine::kStaged) return {{"name", name_of(options.engine)}};
+  return {{"name", name_of(options.engine)},
           {"threads", threads_of(options)},
           {"target", name_of(options.tile.target)},
           {"plan", options.tile.plan}};

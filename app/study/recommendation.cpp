@@ -10,6 +10,7 @@
 #include "study/recommend/vertices.h"
 
 #include <glassbox/base/counted.h>
+#include <glassbox/render/engine/names.h>
 #include <glassbox/render/renderer.h>
 
 namespace glassbox::app {
@@ -57,15 +58,13 @@ Result<Comparison> compare_positions(const Scene& scene, const PictureOptions& p
 
 Result<Comparison> compare_depths(const Scene& scene, const PictureOptions& picture, double limit,
                                   Progress& progress) {
-  const std::pair<const char*, DepthFormat> formats[] = {{"d16", DepthFormat::kUnorm16},
-                                                         {"d24", DepthFormat::kUnorm24},
-                                                         {"d32", DepthFormat::kFloat32},
-                                                         {"d32r", DepthFormat::kFloat32Reversed}};
   Comparison result;
   result.quantity = Quantity::kDepth;
   result.reference = "50 digits";
   std::vector<Shot> shots;
-  for (const auto& [name, format] : formats) {
+  for (const DepthFormat format : {DepthFormat::kUnorm16, DepthFormat::kUnorm24,
+                                   DepthFormat::kFloat32, DepthFormat::kFloat32Reversed}) {
+    const std::string name(name_of(format));
     RenderSettings settings = picture.settings;
     settings.depth = format;
     const auto shot = shot_of(scene, picture, settings);
@@ -110,10 +109,9 @@ Result<Comparison> compare_colours(const Scene& scene, const PictureOptions& pic
   result.error = "root mean square difference of red, green and blue, 1 for 255 steps";
   result.reference = fmt::format(
       "the picture {0} x {0} times as large with 16 samples, averaged in light", factor);
-  const std::pair<const char*, Shading> shadings[] = {{"gouraud", Shading::kGouraud},
-                                                      {"phong", Shading::kPhong}};
   std::vector<Shot> shots;
-  for (const auto& [name, shading] : shadings) {
+  for (const Shading shading : {Shading::kGouraud, Shading::kPhong}) {
+    const std::string name(name_of(shading));
     for (const int samples : {1, 2, 4, 8, 16}) {
       RenderSettings settings = picture.settings;
       settings.shading = shading;
