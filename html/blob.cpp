@@ -23,11 +23,6 @@ Result<Bytes> deflated(std::span<const std::uint8_t> bytes) {
   return out;
 }
 
-void replace(std::string& text, std::string_view mark, std::string_view value) {
-  const std::size_t at = text.find(mark);
-  text.replace(at, mark.size(), value);
-}
-
 }  // namespace
 
 std::string base64(std::span<const std::uint8_t> bytes) {
@@ -61,20 +56,6 @@ std::string json_block(std::string_view id, const nlohmann::ordered_json& json) 
   safe.reserve(text.size());
   for (const char c : text) safe += c == '<' ? std::string("\\u003c") : std::string(1, c);
   return fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n", id, safe);
-}
-
-std::string assemble_page(std::string_view html, std::string_view style,
-                          std::span<const std::string_view> script, std::string_view style_hash,
-                          std::string_view script_hash, std::string_view data) {
-  std::string whole_script;
-  for (const std::string_view part : script) whole_script += part;
-  std::string page(html);
-  replace(page, "{STYLE_HASH}", style_hash);
-  replace(page, "{SCRIPT_HASH}", script_hash);
-  replace(page, "{STYLE}", style);
-  replace(page, "{SCRIPT}", whole_script);
-  replace(page, "{DATA}", data);
-  return page;
 }
 
 }  // namespace glassbox

@@ -25,9 +25,4 @@ std::string data_block(std::string_view id, std::string_view text);
 // UTF-8 become U+FFFD.
 std::string json_block(std::string_view id, const nlohmann::ordered_json& json);
 
-// A page made of the parts that html/embed.cmake embeds: {STYLE}, {SCRIPT}, their hashes and {DATA} filled in.
-std::string assemble_page(std::string_view html, std::string_view style,
-                          std::span<const std::string_view> script, std::string_view style_hash,
-                          std::string_view script_hash, std::string_view data);
-
 }  // namespace glassbox

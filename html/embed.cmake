@@ -1,7 +1,7 @@
-# embed_page(DIR HTML ... STYLES ... [LIBRARIES ...] SCRIPTS ... [HEADER NAME]): makes page_parts.h, or a header of that name, in the current
-# build directory: the files of an HTML page as string literals, and the hashes by which its Content-Security-Policy allows
-# the style and the script, and no others. Files are looked for in DIR, then beside this one, where lies what several pages
-# share; LIBRARIES are paths, of scripts of any length that stand before the others.
+# embed_page(NAME DIR [BODY ...] STYLES ... [LIBRARIES ...] [SCRIPTS ...]): makes name_page.h in the current build directory,
+# kNamePage of html/page.h: the files of an HTML page as string literals, and the hashes by which its Content-Security-Policy
+# allows the style and the script, and no others. Files are looked for in DIR, then beside this one, where lies what several
+# pages share; LIBRARIES are paths, of scripts of any length that stand before the others.
 set(GLASSBOX_HTML_DIR ${CMAKE_CURRENT_LIST_DIR} CACHE INTERNAL "")
 
 # base64 of bytes written as hexadecimal digits.
@@ -59,12 +59,12 @@ function(literals_of text out)
   set(${out} "${literals}" PARENT_SCOPE)
 endfunction()
 
-function(embed_page dir)
-  cmake_parse_arguments(PAGE "" "HTML;HEADER" "STYLES;LIBRARIES;SCRIPTS" ${ARGN})
-  if(NOT PAGE_HEADER)
-    set(PAGE_HEADER page_parts.h)
+function(embed_page name dir)
+  cmake_parse_arguments(PAGE "" "BODY" "STYLES;LIBRARIES;SCRIPTS" ${ARGN})
+  set(page_body "")
+  if(PAGE_BODY)
+    read_page_part(${dir} ${PAGE_BODY} page_body)
   endif()
-  read_page_part(${dir} ${PAGE_HTML} page_html)
   set(page_style "")
   foreach(file ${PAGE_STYLES})
     read_page_part(${dir} ${file} text)
@@ -91,5 +91,10 @@ function(embed_page dir)
     string(SHA256 hash "${page_${part}}")
     base64_of_hex(${hash} page_${part}_hash)
   endforeach()
-  configure_file(${GLASSBOX_HTML_DIR}/page_parts.h.in ${CMAKE_CURRENT_BINARY_DIR}/${PAGE_HEADER} @ONLY)
+  if(page_script STREQUAL "")
+    set(page_script_hash "")
+    set(page_script_literals "    \"\",\n") # an array is not empty
+  endif()
+  string(TOLOWER ${name} file)
+  configure_file(${GLASSBOX_HTML_DIR}/page.h.in ${CMAKE_CURRENT_BINARY_DIR}/${file}_page.h @ONLY)
 endfunction()

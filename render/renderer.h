@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 
 #include <glassbox/mesh/scene.h>
 #include <glassbox/pipeline/view.h>
@@ -16,6 +17,10 @@ namespace glassbox {
 enum class EngineKind { kTile, kStaged };
 
 std::unique_ptr<Engine> make_engine(EngineKind kind, const TileOptions& options = {});
+
+constexpr std::string_view name_of(EngineKind engine) {
+  return engine == EngineKind::kTile ? "tile" : "staged";
+}
 
 class Renderer {
 public:

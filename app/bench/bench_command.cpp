@@ -20,6 +20,7 @@
 #include "study/bench/machine.h"
 #include "study/bench/peer_process.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/mesh/formats/load.h>
 #include <glassbox/raster/lanes/target.h>
@@ -110,12 +111,10 @@ void BenchCommand::add_measure_options(CLI::App& command) {
           "--size", [this](const std::string& text) { size_ = parse_size(text); },
           "of the picture [1920x1080]")
       ->type_name("WxH");
-  add_choice<std::optional<ScaledBy>>(command, "--scaling", scaling_,
-                                      {{"triangles", ScaledBy::kTriangles},
-                                       {"pixels", ScaledBy::kPixels},
-                                       {"threads", ScaledBy::kThreads},
-                                       {"tile", ScaledBy::kTile}},
-                                      "how time grows with this, in place of scenes");
+  add_choice(
+      command, "--scaling", scaling_,
+      choices_of({ScaledBy::kTriangles, ScaledBy::kPixels, ScaledBy::kThreads, ScaledBy::kTile}),
+      "how time grows with this, in place of scenes");
   command
       .add_option_function<std::string>(
           "--most", [this](const std::string& text) { most_ = parse_number("--most", text); },
@@ -128,7 +127,7 @@ void BenchCommand::add_measure_options(CLI::App& command) {
 void BenchCommand::add_engine_options(CLI::App& command) {
   const std::string group = "Engine";
   add_choice(command, "--engine", engine_.engine,
-             {{"tile", EngineKind::kTile}, {"staged", EngineKind::kStaged}}, "which one draws [tile]")
+             choices_of({EngineKind::kTile, EngineKind::kStaged}), "which one draws [tile]")
       ->group(group);
   command
       .add_option_function<std::string>(
@@ -140,7 +139,8 @@ void BenchCommand::add_engine_options(CLI::App& command) {
 }
 
 Result<void> BenchCommand::check_options() const {
-  if (engine_.engine == EngineKind::kStaged && !threads_.empty() && threads_ != std::vector<int>{1}) {
+  if (engine_.engine == EngineKind::kStaged && !threads_.empty() &&
+      threads_ != std::vector<int>{1}) {
     return fail("--threads", "the staged engine has one thread", "leave one of the two out");
   }
   if (!(most_ >= 0)) return fail("--most", "is no number of things", "give a number above 0");
@@ -185,8 +185,7 @@ Result<void> BenchCommand::measure_scene(const std::string& name, BenchReport& r
   const Result<BenchScene> bench = load(name);
   if (!bench) return tl::unexpected(bench.error());
   for (const int threads : threads_) {
-    progress.phase(
-        fmt::format("drawing {} with {} thread{}", name, threads, threads == 1 ? "" : "s"));
+    progress.phase(fmt::format("drawing {} with {}", name, counted(threads, "thread")));
     std::unique_ptr<PeerProcess> peer;
     if (against_ && bench->peers_draw_it) {
       auto started = start_mesa(*bench, threads);
@@ -238,7 +237,7 @@ int BenchCommand::run() {
   BenchReport report;
   report.machine = study::machine_name();
   report.compiler = study::compiler_name();
-  report.engine = staged ? "staged" : "tile";
+  report.engine = name_of(engine_.engine);
   report.target = name_of(staged ? Target::kScalar : engine_.tile.target);
   report.width = size_.width;
   report.height = size_.height;

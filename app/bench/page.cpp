@@ -9,6 +9,10 @@
 #include <fmt/format.h>
 
 #include "app/bench/text.h"
+#include "bench_page.h"  // made by html/embed.cmake
+
+#include <glassbox/base/counted.h>
+#include <glassbox/html/escaped.h>
 
 namespace glassbox::app {
 
@@ -18,38 +22,10 @@ using study::Measurement;
 using study::Scaling;
 using study::ScalingPoint;
 
-constexpr const char* kStyle = R"(
-  :root { color-scheme: light dark; --page: #fff; --text: #171b22; --quiet: #566071; --line: #d3d7de;
-    --ours: #1456c4; --peer: #b35300; --floor: #1b6e3a; }
-  @media (prefers-color-scheme: dark) { :root { --page: #14171c; --text: #eef1f5; --quiet: #a6b0bf;
-    --line: #353c47; --ours: #7fb2ff; --peer: #ff9a4d; --floor: #6fd08c; } }
-  body { max-width: 62rem; margin: 2rem auto; padding: 0 1rem; background: var(--page); color: var(--text);
-    font: 15px system-ui, sans-serif; }
-  svg { width: 100%; height: auto; font: 13px system-ui, sans-serif; } svg text { fill: var(--text); }
-  svg .quiet { fill: var(--quiet); } .grid { stroke: var(--line); } pre { overflow-x: auto; font-size: 13px; }
-  .ours { fill: var(--ours); } .peer { fill: var(--peer); } .floor { fill: var(--floor); }
-  .legend svg { width: 1em; height: 1em; margin: 0 .3em 0 .9em; vertical-align: -.1em; }
-  .curve { fill: none; stroke: var(--ours); stroke-width: 2; } .law { stroke: var(--quiet); stroke-dasharray: 6 5; }
-)";
-
 // In the picture's own units.
 constexpr double kWidth = 960, kLeft = 150, kRight = 150;
 constexpr double kPlotWidth = kWidth - kLeft - kRight;
 constexpr double kLetter = 7.2;  // the width of an average one in the font of the pictures
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&') {
-      out += "&amp;";
-    } else if (c == '<') {
-      out += "&lt;";
-    } else {
-      out += c;
-    }
-  }
-  return out;
-}
 
 std::string text_at(double x, double y, const char* style, const char* anchor,
                     const std::string& what) {
@@ -120,8 +96,7 @@ double step_of(double whole) {
 
 constexpr std::ptrdiff_t kLabelLetters = 40;
 std::string label_of(const Measurement& result) {
-  return shortened(result.scene, kLabelLetters) +
-         fmt::format(", {} thread{}", result.threads, result.threads == 1 ? "" : "s");
+  return shortened(result.scene, kLabelLetters) + ", " + counted(result.threads, "thread");
 }
 
 BarPlot plot_of(const BenchReport& report) {
@@ -258,20 +233,19 @@ std::string heading(const BenchReport& report) {
 }  // namespace
 
 std::string bench_page(const BenchReport& report) {
-  std::string body;
-  if (!report.results.empty()) body += heading(report) + bar_chart(report);
-  for (const Scaling& scaling : report.scalings) {
-    body += fmt::format("<h2>Time against {}</h2>\n<p>{}</p>\n", name_of(scaling.by),
-                        escaped(scaling_text(scaling)));
-    if (!scaling.points.empty()) body += curve_chart(scaling);
+  std::string content = "<header><h1>glassbox bench</h1></header>\n<main>\n";
+  if (!report.results.empty()) {
+    content += "<section>\n" + heading(report) + bar_chart(report) + "</section>\n";
   }
-  return fmt::format(
-      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
-      "'unsafe-inline'\">\n<meta name=\"viewport\" content=\"width=device-width\">\n"
-      "<title>glassbox bench</title>\n<style>{}</style>\n</head>\n<body>\n<h1>glassbox bench</h1>\n"
-      "{}<h2>Numbers</h2>\n<pre>{}</pre>\n</body>\n</html>\n",
-      kStyle, body, escaped(bench_text(report)));
+  for (const Scaling& scaling : report.scalings) {
+    content += fmt::format("<section>\n<h2>Time against {}</h2>\n<p>{}</p>\n", name_of(scaling.by),
+                           escaped(scaling_text(scaling)));
+    if (!scaling.points.empty()) content += curve_chart(scaling);
+    content += "</section>\n";
+  }
+  content += fmt::format("<section>\n<h2>Numbers</h2>\n<pre>{}</pre>\n</section>\n</main>\n",
+                         escaped(bench_text(report)));
+  return assemble_page(kBenchPage, "glassbox bench", content);
 }
 
 }  // namespace glassbox::app

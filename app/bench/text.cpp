@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <glassbox/base/counted.h>
+
 namespace glassbox::app {
 
 namespace {
@@ -45,8 +47,8 @@ std::string results_table(const BenchReport& report) {
 // What a row has besides its times.
 std::string remarks(const Measurement& result) {
   std::string text;
-  const std::string where = fmt::format("{}, {} thread{}: ", result.scene, result.threads,
-                                        result.threads == 1 ? "" : "s");
+  const std::string where =
+      fmt::format("{}, {}: ", result.scene, counted(result.threads, "thread"));
   if (result.against) text += where + match_text(result.against->match) + "\n";
   if (result.stereo) {
     text += fmt::format("{}both eyes in one run take {} ms, {} times one eye's {} ms\n", where,
@@ -64,12 +66,11 @@ std::string remarks(const Measurement& result) {
 std::string floor_table(const BenchReport& report) {
   std::string text;
   for (const study::Floor& floor : report.floors) {
-    text +=
-        fmt::format("{} thread{}: memory is read at {} GB/s and written at {} GB/s; {} GFLOP/s\n",
-                    floor.threads, floor.threads == 1 ? "" : "s",
-                    three_digits(floor.read_bytes_per_second / 1e9),
-                    three_digits(floor.written_bytes_per_second / 1e9),
-                    three_digits(floor.operations_per_second / 1e9));
+    text += fmt::format("{}: memory is read at {} GB/s and written at {} GB/s; {} GFLOP/s\n",
+                        counted(floor.threads, "thread"),
+                        three_digits(floor.read_bytes_per_second / 1e9),
+                        three_digits(floor.written_bytes_per_second / 1e9),
+                        three_digits(floor.operations_per_second / 1e9));
   }
   text += fmt::format("\n{:<12} {:>7}  {:>8}  {:>9}  {:>9}  {:>8}  {}\n", "scene", "threads",
                       "MB read", "written", "floor, ms", "ms", "times the floor");

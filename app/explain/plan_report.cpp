@@ -7,6 +7,7 @@
 #include "app/report/stage_report.h"
 #include "app/report/text_layout.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
 
 namespace glassbox::app {
@@ -34,7 +35,7 @@ std::string lines_of(const std::vector<Decision>& decisions) {
 }
 
 std::string counted(std::uint64_t count, const std::string& thing) {
-  return grouped(count) + " " + thing + (count == 1 ? "" : "s");
+  return grouped(count) + " " + inflected(count, thing);
 }
 
 const std::string& name_of(const Scene& scene, const Draw& draw) {

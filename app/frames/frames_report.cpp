@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/pipeline/stereo/parallax.h>
 
@@ -99,8 +100,8 @@ std::string frames_text(const FramesReport& report) {
   const std::size_t count = report.frames.size();
   std::string text = printable(report.frames.front().image, kLongPath);
   if (count > 1) text += " to " + printable(report.frames.back().image, kLongPath);
-  text += fmt::format(" ({} x {}): {} frame{}, {:.0f} ms\n", report.size.width, report.size.height,
-                      count, count == 1 ? "" : "s", report.total_ms);
+  text += fmt::format(" ({} x {}): {}, {:.0f} ms\n", report.size.width, report.size.height,
+                      counted(count, "frame"), report.total_ms);
   if (report.range.is_slice()) {
     text.insert(text.rfind(','), fmt::format(" of {}", report.range.count));
   }

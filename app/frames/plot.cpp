@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <glassbox/html/escaped.h>
+
 namespace glassbox::app {
 
 namespace {
@@ -80,22 +82,6 @@ void fit(Panel& panel) {
   const double margin = (high - low) * 0.06;
   panel.low = low < 0 ? low - margin : low;
   panel.high = high + margin;
-}
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    const bool control = static_cast<unsigned char>(c) < 0x20;
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else
-      out += control ? '?' : c;
-  }
-  return out;
 }
 
 class Drawing {

@@ -14,6 +14,7 @@
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/mesh/bounds.h>
 #include <glassbox/mesh/check.h>
@@ -42,11 +43,6 @@ std::string bounds_text(const Box<Space>& box) {
 
 // Warnings and paths are shown whole, within reason.
 constexpr std::size_t kLongText = 1000;
-
-// "1 face", "2 faces".
-std::string counted(std::uint64_t n, const std::string& one, const std::string& many = "") {
-  return fmt::format("{} {}", n, n == 1 ? one : many.empty() ? one + "s" : many);
-}
 
 std::string alpha_name(AlphaMode mode) {
   switch (mode) {

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
 
 namespace glassbox::app {
@@ -15,10 +16,6 @@ namespace glassbox::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string counted(std::size_t n, const std::string& one) {
-  return fmt::format("{} {}{}", n, one, n == 1 ? "" : "s");
-}
 
 std::string attribute_names(const GltfContents::Primitive& primitive) {
   std::vector<std::string> names;

@@ -14,6 +14,7 @@
 #include "app/report/progress.h"
 #include "app/report/shell_line.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/images/atomic_file.h>
 
@@ -116,9 +117,9 @@ int InspectCommand::run() {
     return refuse(written.error());
   }
   progress.done();
-  fmt::print("{}: {} triangle{} and {} fragment{}, {:.1f} MB; open it in a browser\n",
-             printable(output_, kLongestMessage), page->triangles, page->triangles == 1 ? "" : "s",
-             page->fragments, page->fragments == 1 ? "" : "s", double(page->html.size()) / 1e6);
+  fmt::print("{}: {} and {}, {:.1f} MB; open it in a browser\n",
+             printable(output_, kLongestMessage), counted(page->triangles, "triangle"),
+             counted(page->fragments, "fragment"), double(page->html.size()) / 1e6);
   return kSuccess;
 }
 

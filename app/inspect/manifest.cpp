@@ -10,6 +10,7 @@
 #include "app/report/stage_report.h"
 
 #include <glassbox/base/trig.h>
+#include <glassbox/render/engine/names.h>
 #include <glassbox/render/trace/bounds.h>
 
 namespace glassbox::app {
@@ -117,34 +118,6 @@ Json planes_json(const std::vector<ClipPlane>& planes) {
     json.push_back({{"name", p.name}, {"factors", {p.a, p.b, p.c, p.d, p.e}}});
   }
   return json;
-}
-
-const char* name_of(DepthFormat format) {
-  switch (format) {
-    case DepthFormat::kFloat32:
-      return "d32";
-    case DepthFormat::kFloat32Reversed:
-      return "d32r";
-    case DepthFormat::kUnorm24:
-      return "d24";
-    case DepthFormat::kUnorm16:
-      return "d16";
-  }
-  return "";
-}
-
-const char* name_of(Cull cull) {
-  switch (cull) {
-    case Cull::kMaterial:
-      return "material";
-    case Cull::kBack:
-      return "back";
-    case Cull::kFront:
-      return "front";
-    case Cull::kNone:
-      return "none";
-  }
-  return "";
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/inspect/manifest.h"
-#include "page_parts.h"  // made by html/embed.cmake
+#include "inspect_page.h"  // made by html/embed.cmake
 
 #include <glassbox/compare/report/page_blob.h>
 #include <glassbox/html/blob.h>
@@ -395,9 +395,9 @@ Result<PageFacts> make_inspect_page(const Scene& scene, const Camera& camera, co
     const auto rest = add_blob("picture", picture_text(run.rendering.buffers.color));
     if (!rest) return tl::unexpected(rest.error());
   }
-  return PageFacts{assemble_page(kPageHtml, kPageStyle, kPageScript, kPageStyleHash,
-                                 kPageScriptHash, json_block("manifest", manifest) + blobs),
-                   run.triangle_count, run.fragment_count};
+  return PageFacts{
+      assemble_page(kInspectPage, "glassbox inspect", json_block("manifest", manifest) + blobs),
+      run.triangle_count, run.fragment_count};
 }
 
 }  // namespace glassbox::app

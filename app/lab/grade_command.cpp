@@ -30,21 +30,6 @@ namespace {
 namespace fs = std::filesystem;
 using namespace labs::grading;
 
-const std::vector<std::pair<std::string, Confinement>>& confinements() {
-  static const std::vector<std::pair<std::string, Confinement>> names{
-      {"bubblewrap", Confinement::kBubblewrap},
-      {"landlock", Confinement::kLandlock},
-      {"limits", Confinement::kLimits}};
-  return names;
-}
-
-std::string name_of(Confinement confinement) {
-  for (const auto& [name, each] : confinements()) {
-    if (each == confinement) return name;
-  }
-  return {};
-}
-
 }  // namespace
 
 void LabGradeCommand::add_to(CLI::App& lab, int& exit_code) {
@@ -80,9 +65,7 @@ void LabGradeCommand::add_to(CLI::App& lab, int& exit_code) {
   command.add_option("--memory-limit", memory_mib_, "MiB for each check; 512")
       ->check(CLI::Range(std::size_t(64), std::size_t(1) << 20));
   add_choice(command, "--sandbox", confinement_,
-             Choices<std::optional<Confinement>>{{"bubblewrap", Confinement::kBubblewrap},
-                                                 {"landlock", Confinement::kLandlock},
-                                                 {"limits", Confinement::kLimits}},
+             choices_of({Confinement::kBubblewrap, Confinement::kLandlock, Confinement::kLimits}),
              "this one or none; the strongest that works here");
   command
       .add_option("--kit", kit_,
@@ -178,7 +161,7 @@ std::vector<std::string> LabGradeCommand::command_for_one(const labs::Lab& lab,
           "--memory-limit",
           std::to_string(memory_mib_),
           "--sandbox",
-          name_of(sandbox.confinement()),
+          std::string(name_of(sandbox.confinement())),
           "--kit=" + kit_,
           "--",
           (fs::path(submissions_) / name).string()};

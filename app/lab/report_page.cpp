@@ -6,10 +6,12 @@
 
 #include "app/lab/pictures.h"
 #include "app/lab/report.h"
+#include "lab_page.h"  // made by html/embed.cmake
 #include "labs/framework/compare.h"
 #include "labs/framework/slips.h"
 
 #include <glassbox/html/blob.h>
+#include <glassbox/html/escaped.h>
 #include <glassbox/images/write.h>
 
 namespace glassbox::app {
@@ -19,49 +21,6 @@ namespace {
 using labs::CheckResult;
 using labs::Divergence;
 using labs::FirstFailure;
-
-constexpr const char* kHead = R"(<!doctype html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src 'unsafe-inline'">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta name="color-scheme" content="light dark">
-<link rel="icon" href="data:,">
-<style>
-body { max-width: 62rem; margin: 1.5rem auto; padding: 0 1rem; font: 16px/1.45 system-ui, sans-serif; }
-h1 { font-size: 1.4rem; } h2 { margin: 0; font-size: 1.05rem; }
-section { margin: 1rem 0; padding: .8rem 1rem; border: 1px solid #8886; border-left: .35rem solid #1b6e3a; border-radius: 6px; }
-section.wrong { border-left-color: #b3261e; }
-table { border-collapse: collapse; } th, td { padding: .15rem .9rem .15rem 0; text-align: left; vertical-align: top; }
-td { font-variant-numeric: tabular-nums; } pre, code { font-family: ui-monospace, Menlo, Consolas, monospace; font-size: .88rem; }
-pre { overflow-x: auto; margin: .4rem 0; padding: .5rem; background: #8881; border-radius: 4px; }
-.slip { font-weight: 600; } .quiet { opacity: .75; }
-figure { display: inline-block; margin: .4rem 1rem .4rem 0; } figcaption { font-size: .88rem; }
-img { image-rendering: pixelated; border: 1px solid #8886; } svg { border: 1px solid #8886; background: #8881; }
-</style>
-)";
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '&') {
-      out += "&amp;";
-    } else if (c == '<') {
-      out += "&lt;";
-    } else if (c == '>') {
-      out += "&gt;";
-    } else if (c == '"') {
-      out += "&quot;";
-    } else if ((byte < 0x20 && c != '\n' && c != '\t') || byte == 0x7f) {
-      out += '?';
-    } else {
-      out += c;
-    }
-  }
-  return out;
-}
 
 std::string row(const char* name, const std::string& value) {
   return fmt::format("<tr><th scope=row>{}</th><td>{}</td></tr>\n", name, escaped(value));
@@ -155,17 +114,17 @@ std::string table_of_tasks(const labs::LabResult& result) {
 
 Result<std::string> lab_report_page(const LabReport& report) {
   const labs::LabResult& result = report.result;
-  const std::string title = fmt::format("Lab {}: {}", result.number, escaped(result.title));
-  std::string html = std::string(kHead) + "<title>" + title + "</title>\n</head>\n<body>\n<h1>" +
-                     title + "</h1>\n" + table_of_tasks(result);
+  const std::string title = fmt::format("Lab {}: {}", result.number, result.title);
+  std::string html = "<header><h1>" + escaped(title) + "</h1></header>\n<main>\n<section>\n" +
+                     table_of_tasks(result) + "</section>\n";
   if (!result.not_built.empty())
     html += "<section class=wrong><h2>It does not compile</h2>\n<pre>" + escaped(result.not_built) +
             "</pre></section>\n";
   for (const CheckResult& check : result.checks) {
     html += fmt::format(
-        "<section{}>\n<h2>{}</h2>\n<p class=quiet>task {}, stage {}{}: {} of {} cases right, {} "
-        "points</p>\n",
-        check.right == check.cases.size() ? "" : " class=wrong", escaped(check.name),
+        "<section class={}>\n<h2>{}</h2>\n<p class=quiet>task {}, stage {}{}: {} of {} cases "
+        "right, {} points</p>\n",
+        check.right == check.cases.size() ? "right" : "wrong", escaped(check.name),
         escaped(check.task), escaped(check.stage), check.hidden ? ", hidden" : "", check.right,
         check.cases.size(), points_text(check.score, check.max_score));
     if (check.first) {
@@ -175,7 +134,7 @@ Result<std::string> lab_report_page(const LabReport& report) {
     }
     html += "</section>\n";
   }
-  return html + "</body>\n</html>\n";
+  return assemble_page(kLabPage, title, html + "</main>\n");
 }
 
 }  // namespace glassbox::app

@@ -1,6 +1,7 @@
 // Options whose value is one of some names.
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,8 +14,16 @@ namespace glassbox::app {
 template <class Enum>
 using Choices = std::vector<std::pair<std::string, Enum>>;
 
+// Of values that have a name_of.
 template <class Enum>
-CLI::Option* add_choice(CLI::App& app, const std::string& name, Enum& value,
+Choices<Enum> choices_of(std::initializer_list<Enum> values) {
+  Choices<Enum> choices;
+  for (const Enum value : values) choices.emplace_back(name_of(value), value);
+  return choices;
+}
+
+template <class Value, class Enum = Value>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, Value& value,
                         const Choices<Enum>& choices, const std::string& help) {
   std::string names;
   for (const auto& [choice, unused] : choices) names += (names.empty() ? "" : "|") + choice;

@@ -10,6 +10,7 @@
 #include "app/options/arguments.h"
 #include "app/options/choices.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/raster/lanes/target.h>
 
@@ -75,7 +76,7 @@ CLI::Option* add_target_option(CLI::App& command, Target& target) {
 
 void add_engine_options(CLI::App& command, EngineOptions& options) {
   add_choice(command, "--engine", options.engine,
-             {{"tile", EngineKind::kTile}, {"staged", EngineKind::kStaged}},
+             choices_of({EngineKind::kTile, EngineKind::kStaged}),
              "what draws: the fast one, or the reference; same bytes [tile]")
       ->group(kGroup);
   options.of_tiles = {
@@ -111,14 +112,13 @@ Renderer make_renderer(const Scene& scene, const RenderSettings& settings,
 
 std::string engine_text(const EngineOptions& options) {
   if (options.engine == EngineKind::kStaged) return "the staged engine";
-  const int threads = threads_of(options);
-  return fmt::format("the tile engine, {} thread{}, {}", threads, threads == 1 ? "" : "s",
+  return fmt::format("the tile engine, {}, {}", counted(threads_of(options), "thread"),
                      name_of(options.tile.target));
 }
 
 nlohmann::ordered_json engine_json(const EngineOptions& options) {
-  if (options.engine == EngineKind::kStaged) return {{"name", "staged"}};
-  return {{"name", "tile"},
+  if (options.engine == EngineKind::kStaged) return {{"name", name_of(options.engine)}};
+  return {{"name", name_of(options.engine)},
           {"threads", threads_of(options)},
           {"target", name_of(options.tile.target)},
           {"plan", options.tile.plan}};

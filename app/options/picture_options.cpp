@@ -5,6 +5,8 @@
 
 #include "app/options/choices.h"
 
+#include <glassbox/render/engine/names.h>
+
 namespace glassbox::app {
 
 namespace {
@@ -12,22 +14,14 @@ namespace {
 void add_drawing_options(CLI::App& command, RenderSettings& settings) {
   const std::string group = "Picture";
   add_choice(command, "--shade", settings.shading,
-             {{"unlit", Shading::kUnlit},
-              {"flat", Shading::kFlat},
-              {"gouraud", Shading::kGouraud},
-              {"phong", Shading::kPhong}},
+             choices_of({Shading::kUnlit, Shading::kFlat, Shading::kGouraud, Shading::kPhong}),
              "where lighting is computed [phong]")
       ->group(group);
   add_choice(command, "--show", settings.show,
-             {{"depth", Show::kDepth},
-              {"normal", Show::kNormal},
-              {"uv", Show::kUv},
-              {"id", Show::kId},
-              {"overdraw", Show::kOverdraw}},
+             choices_of({Show::kDepth, Show::kNormal, Show::kUv, Show::kId, Show::kOverdraw}),
              "a quantity in place of the colours")
       ->group(group);
-  add_choice(command, "--cull", settings.cull,
-             {{"back", Cull::kBack}, {"front", Cull::kFront}, {"none", Cull::kNone}},
+  add_choice(command, "--cull", settings.cull, choices_of({Cull::kBack, Cull::kFront, Cull::kNone}),
              "faces to leave out [as each material says]")
       ->group(group);
   add_choice(command, "--cull-stage", settings.cull_stage,
@@ -44,18 +38,15 @@ void add_drawing_options(CLI::App& command, RenderSettings& settings) {
       ->type_name("R,G,B")
       ->group(group);
   add_choice(command, "--transfer", settings.transfer,
-             {{"srgb", Transfer::kSrgb}, {"none", Transfer::kNone}},
-             "encoding of stored colours [srgb]")
+             choices_of({Transfer::kSrgb, Transfer::kNone}), "encoding of stored colours [srgb]")
       ->group(group);
   add_choice<int>(command, "--samples", settings.samples,
                   {{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}, {"16", 16}},
                   "samples of each pixel, whose mean is its colour [1]")
       ->group(group);
   add_choice(command, "--depth", settings.depth,
-             {{"d32", DepthFormat::kFloat32},
-              {"d32r", DepthFormat::kFloat32Reversed},
-              {"d24", DepthFormat::kUnorm24},
-              {"d16", DepthFormat::kUnorm16}},
+             choices_of({DepthFormat::kFloat32, DepthFormat::kFloat32Reversed,
+                         DepthFormat::kUnorm24, DepthFormat::kUnorm16}),
              "depth buffer format; d32r is reversed [d32]")
       ->group(group);
 }

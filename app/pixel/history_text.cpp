@@ -7,6 +7,7 @@
 #include "app/report/text_layout.h"
 #include "app/why/verdict_text.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
 
 namespace glassbox::app {
@@ -104,13 +105,12 @@ std::string event_text(const Scene& scene, const PixelHistory& history, std::siz
 std::string misses_text(const Scene& scene, const PixelHistory& history, bool all) {
   const std::size_t shown =
       all ? history.misses.size() : std::min(kMissesShown, history.misses.size());
-  std::string text = fmt::format(
-      "\n{} whose box reaches into the pixel miss{} its centre{}\n",
-      history.misses.size() == 1 ? "1 triangle"
-                                 : fmt::format("{} triangles", history.misses.size()),
-      history.misses.size() == 1 ? "es" : "",
-      shown < history.misses.size() ? fmt::format("; the nearest {} (--all lists them):", shown)
-                                    : ":");
+  std::string text = fmt::format("\n{} whose box reaches into the pixel {} its centre{}\n",
+                                 counted(history.misses.size(), "triangle"),
+                                 inflected(history.misses.size(), "misses", "miss"),
+                                 shown < history.misses.size()
+                                     ? fmt::format("; the nearest {} (--all lists them):", shown)
+                                     : ":");
   for (std::size_t i = 0; i < shown; ++i) {
     const PixelMiss& missed = history.misses[i];
     const std::string how =

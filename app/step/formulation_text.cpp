@@ -9,6 +9,7 @@
 #include "app/step/chain_text.h"
 #include "app/step/matrices/decimal.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/rounding.h>
 #include <glassbox/base/trig.h>
 
@@ -140,9 +141,9 @@ std::string projection_difference_text(const SteppedTriangle& stepped) {
   const std::uint64_t ulps =
       largest_over(4, a, b, [](double x, double y) { return ulp_distance(x, y); });
   return sentence(
-      fmt::format("the lens's own matrix is the same but for rounding: entries differ by up to {} "
-                  "ulp{}; {}",
-                  ulps, ulps == 1 ? "" : "s", other_floats(a, b)));
+      fmt::format("the lens's own matrix is the same but for rounding: entries differ by up to "
+                  "{}; {}",
+                  counted(ulps, "ulp"), other_floats(a, b)));
 }
 
 }  // namespace glassbox::app

@@ -7,6 +7,7 @@
 #include "app/step/matrices/decimal.h"
 #include "app/step/matrices/projection_factors.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/trig.h>
 
 namespace glassbox::app {
@@ -224,9 +225,9 @@ std::string alternatives_text(const ConventionsReport& report) {
     text += wrapped("       -> ", a.remedy);
   }
   if (report.spoiling > 0) {
-    text += wrapped("  ",
-                    fmt::format("{} more would do, but spoil{} a matrix that is sound as it stands",
-                                report.spoiling, report.spoiling == 1 ? "s" : ""));
+    text +=
+        wrapped("  ", fmt::format("{} more would do, but {} a matrix that is sound as it stands",
+                                  report.spoiling, inflected(report.spoiling, "spoils", "spoil")));
   }
   return text;
 }

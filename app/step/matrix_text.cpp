@@ -11,6 +11,7 @@
 
 #include "app/step/matrix_lexer.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/base/rounding.h>
 
@@ -67,8 +68,8 @@ Error count_error(const std::string& name, std::size_t count) {
   if (count == 12) remedy = "if the last row is missing, add 0 0 0 1";
   if (count == 9) remedy = "a 3x3 matrix becomes one of ours with a column 0 0 0 and a row 0 0 0 1";
   return {name, "",
-          fmt::format("has {}{} number{}", count > 64 ? "more than " : "",
-                      std::min<std::size_t>(count, 64), count == 1 ? "" : "s") +
+          fmt::format("has {}{}", count > 64 ? "more than " : "",
+                      counted(std::min<std::size_t>(count, 64), "number")) +
               ", and a matrix has 16",
           remedy};
 }

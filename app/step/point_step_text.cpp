@@ -9,6 +9,8 @@
 #include "app/step/matrices/projection_facts.h"
 #include "app/step/point_step.h"
 
+#include <glassbox/base/counted.h>
+
 namespace glassbox::app {
 
 namespace {
@@ -73,7 +75,7 @@ std::string changes_text(const PointStep& step) {
   const bool expects = step.walks.front().expected.has_value();
   const bool pairs = report.alternatives.front().second.has_value();
   const std::string line = fmt::format(
-      "If the point{} ought to be {}, {} would do{}:", report.points == 1 ? "" : "s",
+      "If the {} ought to be {}, {} would do{}:", inflected(report.points, "point"),
       expects ? "where it is expected" : "in the picture",
       pairs ? "two changes together" : "one of these changes",
       report.alternatives.size() == 1 ? ""

@@ -9,6 +9,7 @@
 #include "app/step/chain_text.h"
 #include "app/step/matrices/decimal.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/rounding.h>
 #include <glassbox/pipeline/dialects.h>
 #include <glassbox/pipeline/divide.h>
@@ -44,8 +45,7 @@ std::string against_ndc(const View& view, const glm::dvec3& p, const TracedCorne
                                       ulp_distance(float(over[1]), ndc.position.y));
   return fmt::format("over the half sides ({}, {}): NDC's x and y{}", brief(over[0], 9),
                      brief(over[1], 9),
-                     ulps == 0 ? std::string(", the same floats")
-                               : fmt::format(" to {} ulp{}", ulps, ulps == 1 ? "" : "s"));
+                     ulps == 0 ? std::string(", the same floats") : " to " + counted(ulps, "ulp"));
 }
 
 // The window is centred on the gaze of an eye at the origin.
@@ -103,8 +103,8 @@ std::string singular_text(const SteppedTriangle& stepped, const StepTarget& targ
   return text +
          sentence(fmt::format(
              "the other way to write it, the identity but for a last row of (0, 0, 1/d, 0), draws "
-             "the same to {} ulp{} of double",
-             ulps, ulps == 1 ? "" : "s")) +
+             "the same to {} of double",
+             counted(ulps, "ulp"))) +
          sentence(
              "z_s is d at every vertex: of the matrix's rank 3 nothing is left for depth, so this "
              "picture can be drawn, and nothing in it hidden");

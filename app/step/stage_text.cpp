@@ -16,6 +16,7 @@
 #include "app/step/round_trip_text.h"
 #include "app/step/singular_text.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/base/rounding.h>
 
@@ -118,10 +119,9 @@ std::string clip_text(const Context& c) {
     const TracedCorner& corner = c.triangle().corners[k];
     auto lines = number_lines(to_glm(corner.clip), c.stepped.bounds.corners[k].clip, c.bits);
     const std::uint64_t ulps = ulps_from_chain(view, corner);
-    lines.push_back(ulps == 0
-                        ? "the same bits as by way of world and eye space in double"
-                        : fmt::format("by way of world and eye space in double: {} ulp{} away",
-                                      ulps, ulps == 1 ? "" : "s"));
+    lines.push_back(ulps == 0 ? "the same bits as by way of world and eye space in double"
+                              : fmt::format("by way of world and eye space in double: {} away",
+                                            counted(ulps, "ulp")));
     return lines;
   });
   return text;
@@ -275,10 +275,10 @@ std::string fragments_text(const Context& c) {
   const auto& fragments = c.stepped.trace.fragments;
   std::map<Fate, int> fates;
   for (const TracedFragment& fragment : fragments) ++fates[fragment.fate];
-  std::string text = sentence(
-      fmt::format("{} pixel centre{} covered: {} hidden, {} discarded, {} written, {} blended",
-                  fragments.size(), fragments.size() == 1 ? " is" : "s are", fates[Fate::kHidden],
-                  fates[Fate::kDiscarded], fates[Fate::kWritten], fates[Fate::kBlended]));
+  std::string text = sentence(fmt::format(
+      "{} covered: {} hidden, {} discarded, {} written, {} blended",
+      counted(fragments.size(), "pixel centre is", "pixel centres are"), fates[Fate::kHidden],
+      fates[Fate::kDiscarded], fates[Fate::kWritten], fates[Fate::kBlended]));
   if (fragments.empty()) return text;
   const auto chosen =
       std::find_if(fragments.begin(), fragments.end(), [&](const TracedFragment& f) {
@@ -295,10 +295,9 @@ std::string fragments_text(const Context& c) {
 
 std::string picture_text(const Context& c) {
   const auto& fragments = c.stepped.trace.fragments;
-  return sentence(
-      fmt::format("{} pixel{} of the finished picture show{} this triangle, of {} that it covered",
-                  c.stepped.seen, c.stepped.seen == 1 ? "" : "s", c.stepped.seen == 1 ? "s" : "",
-                  fragments.size()));
+  return sentence(fmt::format("{} of the finished picture {} this triangle, of {} that it covered",
+                              counted(c.stepped.seen, "pixel"),
+                              inflected(c.stepped.seen, "shows", "show"), fragments.size()));
 }
 
 std::string without_trailing_blanks(const std::string& text) {

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/stereo/maps.h"
-#include "stereo_page_parts.h"  // made by html/embed.cmake
+#include "stereo_page.h"  // made by html/embed.cmake
 
 #include <glassbox/html/blob.h>
 #include <glassbox/images/write.h>
@@ -125,8 +125,7 @@ Result<std::string> make_stereo_page(const StereoFindings& found, const Json& re
       {"heat", heat_names()},
       {"ghost_limit", ghost_limit(found.colour)}};
   manifest["pictures"] = std::move(*pictures);
-  return assemble_page(kPageHtml, kPageStyle, kPageScript, kPageStyleHash, kPageScriptHash,
-                       json_block("manifest", manifest));
+  return assemble_page(kStereoPage, "glassbox stereo", json_block("manifest", manifest));
 }
 
 }  // namespace glassbox::app

@@ -7,7 +7,7 @@
 
 #include "app/report/program_name.h"
 #include "study/experiment/results_json.h"
-#include "study_page_parts.h"  // made by html/embed.cmake
+#include "study_page.h"  // made by html/embed.cmake
 
 #include <glassbox/html/blob.h>
 
@@ -27,8 +27,7 @@ std::string study_page(const study::StudyResults& results, const std::string& co
   manifest["command"] = command;
   for (std::size_t i = 0; i < results.experiments.size(); ++i)
     manifest["experiments"][i]["command"] = command_of(results.experiments[i], results.origin);
-  return assemble_page(kPageHtml, kPageStyle, kPageScript, kPageStyleHash, kPageScriptHash,
-                       json_block("manifest", manifest));
+  return assemble_page(kStudyPage, "glassbox study", json_block("manifest", manifest));
 }
 
 }  // namespace glassbox::app

@@ -9,6 +9,8 @@
 #include "study/recommend/pictures.h"
 #include "study/recommend/vertices.h"
 
+#include <glassbox/base/counted.h>
+#include <glassbox/render/engine/names.h>
 #include <glassbox/render/renderer.h>
 
 namespace glassbox::app {
@@ -56,15 +58,13 @@ Result<Comparison> compare_positions(const Scene& scene, const PictureOptions& p
 
 Result<Comparison> compare_depths(const Scene& scene, const PictureOptions& picture, double limit,
                                   Progress& progress) {
-  const std::pair<const char*, DepthFormat> formats[] = {{"d16", DepthFormat::kUnorm16},
-                                                         {"d24", DepthFormat::kUnorm24},
-                                                         {"d32", DepthFormat::kFloat32},
-                                                         {"d32r", DepthFormat::kFloat32Reversed}};
   Comparison result;
   result.quantity = Quantity::kDepth;
   result.reference = "50 digits";
   std::vector<Shot> shots;
-  for (const auto& [name, format] : formats) {
+  for (const DepthFormat format : {DepthFormat::kUnorm16, DepthFormat::kUnorm24,
+                                   DepthFormat::kFloat32, DepthFormat::kFloat32Reversed}) {
+    const std::string name(name_of(format));
     RenderSettings settings = picture.settings;
     settings.depth = format;
     const auto shot = shot_of(scene, picture, settings);
@@ -109,10 +109,9 @@ Result<Comparison> compare_colours(const Scene& scene, const PictureOptions& pic
   result.error = "root mean square difference of red, green and blue, 1 for 255 steps";
   result.reference = fmt::format(
       "the picture {0} x {0} times as large with 16 samples, averaged in light", factor);
-  const std::pair<const char*, Shading> shadings[] = {{"gouraud", Shading::kGouraud},
-                                                      {"phong", Shading::kPhong}};
   std::vector<Shot> shots;
-  for (const auto& [name, shading] : shadings) {
+  for (const Shading shading : {Shading::kGouraud, Shading::kPhong}) {
+    const std::string name(name_of(shading));
     for (const int samples : {1, 2, 4, 8, 16}) {
       RenderSettings settings = picture.settings;
       settings.shading = shading;
@@ -123,12 +122,11 @@ Result<Comparison> compare_colours(const Scene& scene, const PictureOptions& pic
       progress.phase(fmt::format("measuring colour: drawing with {}, {} samples", name, count));
       Renderer renderer(scene, settings.transfer);
       const Rendering drawn = renderer.render(shot->view, settings);
-      result.candidates.push_back(
-          {fmt::format("{}, {} sample{}", name, count, samples == 1 ? "" : "s"),
-           {"--shade", name, "--samples", count},
-           true,
-           study::color_error(drawn.buffers.color, *reference),
-           {}});
+      result.candidates.push_back({fmt::format("{}, {}", name, counted(samples, "sample")),
+                                   {"--shade", name, "--samples", count},
+                                   true,
+                                   study::color_error(drawn.buffers.color, *reference),
+                                   {}});
       shots.push_back(*shot);
       // More samples are all of this work and more.
       if (result.candidates.back().error < limit) break;

@@ -12,6 +12,8 @@
 #include "study/experiment/pareto.h"
 #include "study/experiment/theory.h"
 
+#include <glassbox/base/counted.h>
+
 namespace glassbox::app {
 
 namespace {
@@ -119,10 +121,10 @@ TimeUnit time_unit(const ExperimentResult& result) {
 }
 
 std::string origin_text(const study::Origin& origin) {
-  return fmt::format("{}; {} {}; glassbox {}; {} run, up to {} thread{}", origin.machine,
-                     origin.compiler, origin.flags, origin.version,
-                     origin.effort == study::Effort::kQuick ? "quick" : "full", origin.threads,
-                     origin.threads == 1 ? "" : "s");
+  return fmt::format("{}; {} {}; glassbox {}; {} run, up to {}", origin.machine, origin.compiler,
+                     origin.flags, origin.version,
+                     origin.effort == study::Effort::kQuick ? "quick" : "full",
+                     counted(origin.threads, "thread"));
 }
 
 std::string study_text(const study::StudyResults& results) {
@@ -133,9 +135,9 @@ std::string study_text(const study::StudyResults& results) {
     findings += study::count_findings(each);
     unexplained += study::count_unexplained(each);
   }
-  return text + fmt::format("\n{} experiment{}, {} finding{}, {} of them not explained\n",
-                            results.experiments.size(), results.experiments.size() == 1 ? "" : "s",
-                            findings, findings == 1 ? "" : "s", unexplained);
+  return text + fmt::format("\n{}, {}, {} of them not explained\n",
+                            counted(results.experiments.size(), "experiment"),
+                            counted(findings, "finding"), unexplained);
 }
 
 }  // namespace glassbox::app

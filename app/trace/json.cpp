@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <glassbox/render/engine/names.h>
+
 namespace glassbox {
 namespace {
 
@@ -41,33 +43,13 @@ Json json_of(const Rgba& c) {
 
 // ---- settings ----
 
-const char* name_of(Shading shading) {
-  constexpr const char* kNames[] = {"unlit", "flat", "gouraud", "phong"};
-  return kNames[std::size_t(shading)];
-}
-
-const char* name_of(Show show) {
-  constexpr const char* kNames[] = {"color", "depth", "normal", "uv", "id", "overdraw"};
-  return kNames[std::size_t(show)];
-}
-
-const char* name_of(Cull cull) {
-  constexpr const char* kNames[] = {"material", "back", "front", "none"};
-  return kNames[std::size_t(cull)];
-}
-
-const char* name_of(DepthFormat format) {
-  constexpr const char* kNames[] = {"d32", "d32r", "d24", "d16"};
-  return kNames[std::size_t(format)];
-}
-
 Json json_of(const RenderSettings& s) {
   return {{"shading", name_of(s.shading)},
           {"show", name_of(s.show)},
           {"cull", name_of(s.cull)},
           {"wireframe", s.wireframe},
           {"depth", name_of(s.depth)},
-          {"transfer", s.transfer == Transfer::kSrgb ? "srgb" : "none"},
+          {"transfer", name_of(s.transfer)},
           {"background", json_of(s.background)},
           {"mask", {s.mask.r, s.mask.g, s.mask.b, s.mask.a}}};
 }

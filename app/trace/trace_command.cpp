@@ -18,6 +18,7 @@
 #include "app/trace/json_text.h"
 #include "app/trace/npz.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/near_word.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/images/atomic_file.h>
@@ -44,10 +45,8 @@ std::string megabytes(std::uint64_t bytes) {
   return fmt::format("{:.{}f} MB", double(bytes) / kMegabyte, bytes < kWorthSaying ? 2 : 0);
 }
 
-std::string counted(const TraceCounts& counts) {
-  return fmt::format("{} triangle{} and {} fragment{}", counts.triangles,
-                     counts.triangles == 1 ? "" : "s", counts.fragments,
-                     counts.fragments == 1 ? "" : "s");
+std::string text_of(const TraceCounts& counts) {
+  return counted(counts.triangles, "triangle") + " and " + counted(counts.fragments, "fragment");
 }
 
 void parse_stages(const std::string& text, TraceFilter& filter) {
@@ -175,7 +174,7 @@ Result<void> TraceCommand::check_filter(const Scene& scene) const {
 Result<void> TraceCommand::check_size(std::uint64_t bytes, const TraceCounts& counts,
                                       Progress& progress) const {
   const std::string size =
-      fmt::format("{}, {}{}", counted(counts), is_json() ? "about " : "", megabytes(bytes));
+      fmt::format("{}, {}{}", text_of(counts), is_json() ? "about " : "", megabytes(bytes));
   if (double(bytes) > double(max_megabytes_) * kMegabyte) {
     return fail(
         fmt::format("--max-mb {}", max_megabytes_), "the run has " + size,
@@ -203,7 +202,7 @@ Result<std::string> TraceCommand::write_json(const Scene& scene, const View& vie
   const std::string text = whole.finish(scene_);
   progress.done();
   return write_text(output_, text).map([&] {
-    return counted(counts) + ", " + megabytes(text.size());
+    return text_of(counts) + ", " + megabytes(text.size());
   });
 }
 
@@ -232,7 +231,7 @@ Result<std::string> TraceCommand::write_npz(const Scene& scene, const View& view
   if (!npz) return tl::unexpected(npz.error());
   progress.done();
   return write_file(output_, *npz).map([&] {
-    return counted(counts) + ", " + megabytes(bytes) + " of arrays";
+    return text_of(counts) + ", " + megabytes(bytes) + " of arrays";
   });
 }
 

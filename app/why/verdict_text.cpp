@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
 
 #include "app/step/matrices/slips.h"
@@ -21,9 +22,8 @@ const char* slip_remedy(Change change) {
 
 std::string lines_text(std::uint64_t pixels) {
   return fmt::format(
-      "The picture is a wireframe: of the triangle its edges are drawn, which are seen in {} "
-      "pixel{}.",
-      pixels, pixels == 1 ? "" : "s");
+      "The picture is a wireframe: of the triangle its edges are drawn, which are seen in {}.",
+      counted(pixels, "pixel"));
 }
 
 // Of cut triangles, pieces may fare differently.

@@ -13,6 +13,8 @@
 #include "app/why/verdict_json.h"
 #include "app/why/verdict_text.h"
 
+#include <glassbox/base/counted.h>
+
 namespace glassbox::app {
 
 namespace {
@@ -78,8 +80,8 @@ std::string WhyCommand::triangle_text(const Scene& scene, const View& view,
 }
 
 std::string WhyCommand::scene_text(const SceneVerdict& found) const {
-  std::string text = fmt::format("{}: {} triangle{}\n", question_.title(), found.triangles,
-                                 found.triangles == 1 ? "" : "s");
+  std::string text =
+      fmt::format("{}: {}\n", question_.title(), counted(found.triangles, "triangle"));
   if (found.triangles == 0) {
     return text + "  Nothing here is a triangle; glassbox pixel follows lines and points, too.\n";
   }

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include <glassbox/base/counted.h>
 #include <glassbox/images/srgb.h>
 
 namespace glassbox {
@@ -254,7 +255,7 @@ Hypotheses<Sample> hypotheses(const PicturePair& pair, PixelAt first) {
 
 std::string but_for(std::uint64_t misses) {
   if (misses == 0) return {};
-  return fmt::format(" (but for {} pixel{})", misses, misses == 1 ? "" : "s");
+  return " (but for " + counted(misses, "pixel") + ")";
 }
 
 // The hypothesis with the fewest misses, if it explains nine of ten of what differs and leaves at most half of it open.

@@ -2,16 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <glassbox/base/counted.h>
 #include <glassbox/compare/pixels/tolerance.h>
 
 namespace glassbox {
-namespace {
-
-std::string plural(std::uint64_t count, const std::string& word) {
-  return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
-}
-
-}  // namespace
 
 std::string pixel_text(const StoredImage& image, PixelAt pixel) {
   const auto channels = std::size_t(image.channels);
@@ -30,7 +24,7 @@ std::string pixel_text(const StoredImage& image, PixelAt pixel) {
 
 std::string steps_text(std::uint32_t steps, const StoredImage& image) {
   if (steps == kUnbounded) return "no finite distance";
-  if (std::holds_alternative<std::vector<float>>(image.samples)) return plural(steps, "ulp");
+  if (std::holds_alternative<std::vector<float>>(image.samples)) return counted(steps, "ulp");
   const bool bytes = std::holds_alternative<std::vector<std::uint8_t>>(image.samples);
   return fmt::format("{}/{}", steps, bytes ? 255 : 65535);
 }
@@ -40,7 +34,7 @@ std::string differences_text(const PicturePair& pair, const Differences& found) 
                                  ? "some by no finite distance"
                                  : "by up to " + steps_text(found.largest, pair.reference);
   return fmt::format("{} of {} pixels differ, {}, in {}; first ({}, {}): {} became {}",
-                     found.differing, found.compared, extent, plural(found.region_count, "region"),
+                     found.differing, found.compared, extent, counted(found.region_count, "region"),
                      found.first.x, found.first.y, pixel_text(pair.reference, found.first),
                      pixel_text(pair.test, found.first));
 }

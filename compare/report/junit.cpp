@@ -1,80 +1,32 @@
 #include <glassbox/compare/report/junit.h>
 
 #include <algorithm>
-#include <string_view>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <glassbox/compare/report/text.h>
+#include <glassbox/html/escaped.h>
 
 namespace glassbox {
 namespace {
 
-constexpr std::string_view kReplacement = "\xef\xbf\xbd";  // U+FFFD
-
-// Names may be anything but UTF-8; the JSON library replaces what is not.
-std::string valid_utf8(const std::string& text) {
-  using nlohmann::json;
-  return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace))
-      .get<std::string>();
-}
-
-// XML 1.0 has neither U+FFFE nor U+FFFF.
-void replace_noncharacters(std::string& text) {
-  for (const std::string_view code : {"\xef\xbf\xbe", "\xef\xbf\xbf"}) {
-    for (auto at = text.find(code); at != std::string::npos; at = text.find(code)) {
-      text.replace(at, code.size(), kReplacement);
-    }
-  }
-}
-
-// Nor control characters but tab, line feed and carriage return, which attributes hold as references only.
-std::string escaped(const std::string& any_text) {
-  std::string text = valid_utf8(any_text);
-  replace_noncharacters(text);
+// Attributes hold tab, line feed and carriage return as references only.
+std::string in_xml(const std::string& text) {
   std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\t':
-        out += "&#9;";
-        break;
-      case '\n':
-        out += "&#10;";
-        break;
-      case '\r':
-        out += "&#13;";
-        break;
-      default:
-        if (static_cast<unsigned char>(c) < 0x20) {
-          out += kReplacement;
-        } else {
-          out += c;
-        }
-    }
+  for (const char c : escaped(text)) {
+    const bool space = c == '\t' || c == '\n' || c == '\r';
+    out += space ? fmt::format("&#{};", int(c)) : std::string(1, c);
   }
   return out;
 }
 
 std::string test_case(const std::string& suite, const Comparison& comparison) {
-  const std::string start = fmt::format("    <testcase classname=\"{}\" name=\"{}\"",
-                                        escaped(suite), escaped(comparison.name));
+  const std::string start = fmt::format("    <testcase classname=\"{}\" name=\"{}\"", in_xml(suite),
+                                        in_xml(comparison.name));
   if (passes(comparison.verdict)) return start + "/>\n";
   const char* kind = comparison.verdict == Verdict::kUncompared ? "error" : "failure";
   return fmt::format("{}>\n      <{} message=\"{}\">{}</{}>\n    </testcase>\n", start, kind,
-                     escaped(one_line(comparison)), escaped(details(comparison)), kind);
+                     in_xml(one_line(comparison)), in_xml(details(comparison)), kind);
 }
 
 }  // namespace
@@ -88,7 +40,7 @@ std::string junit_report(const std::string& suite, std::span<const Comparison> c
   const auto tests = std::ptrdiff_t(comparisons.size());
   std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
   text += fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\">\n",
-                      escaped(suite), tests, tests - passed - errors, errors);
+                      in_xml(suite), tests, tests - passed - errors, errors);
   for (const Comparison& comparison : comparisons) text += test_case(suite, comparison);
   return text + "  </testsuite>\n</testsuites>\n";
 }

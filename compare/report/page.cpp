@@ -15,12 +15,13 @@
 #include <glassbox/compare/report/json.h>
 #include <glassbox/compare/report/page_blob.h>
 #include <glassbox/html/blob.h>
+#include <glassbox/html/page.h>
 #include <glassbox/images/atomic_file.h>
 #include <glassbox/images/out_of_memory.h>
 #include <glassbox/images/recipe.h>
 #include <glassbox/images/stored_image.h>
 
-#include "page_parts.h"  // made by html/embed.cmake
+#include "diff_page.h"  // made by html/embed.cmake
 
 namespace glassbox {
 namespace {
@@ -205,7 +206,7 @@ Result<std::string> make_page(std::span<const Comparison> comparisons, const Pag
     }
     manifest["pairs"].push_back(std::move(pair));
   }
-  return assemble_page(kPageHtml, kPageStyle, kPageScript, kPageStyleHash, kPageScriptHash,
+  return assemble_page(kDiffPage, "glassbox diff",
                        json_block("manifest", manifest) + writer.blobs());
 }
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
 
 namespace glassbox {
@@ -76,8 +77,7 @@ std::string summary_line(std::span<const Comparison> comparisons) {
   constexpr std::array kVerdicts{Verdict::kSame,      Verdict::kWithinTolerance,
                                  Verdict::kDifferent, Verdict::kMissing,
                                  Verdict::kNew,       Verdict::kUncompared};
-  std::string text =
-      fmt::format("{} picture{}", comparisons.size(), comparisons.size() == 1 ? "" : "s");
+  std::string text = counted(comparisons.size(), "picture");
   const char* separator = ": ";
   for (const Verdict verdict : kVerdicts) {
     const auto count =

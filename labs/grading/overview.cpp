@@ -5,6 +5,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <glassbox/base/counted.h>
+#include <glassbox/html/escaped.h>
+
+#include "class_page.h"  // made by html/embed.cmake
+
 namespace glassbox::labs::grading {
 
 namespace {
@@ -53,43 +58,6 @@ std::string csv_text(const std::string& text) {
   for (const char c : cell) quoted += c == '"' ? "\"\"" : std::string(1, c);
   return quoted + '"';
 }
-
-std::string escaped(const std::string& text) {
-  std::string html;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        html += "&amp;";
-        break;
-      case '<':
-        html += "&lt;";
-        break;
-      case '>':
-        html += "&gt;";
-        break;
-      case '"':
-        html += "&quot;";
-        break;
-      default:
-        html += c;
-    }
-  }
-  return html;
-}
-
-constexpr const char* kStyle = R"css(
-:root { color-scheme: light dark; }
-body { max-width: 70rem; margin: 1.5rem auto; padding: 0 1rem; font: 1rem/1.45 system-ui, sans-serif; }
-summary { display: flex; gap: 1rem; align-items: baseline; padding: .3rem 0; border-bottom: 1px solid #8886; cursor: pointer; }
-summary b { flex: 1; overflow-wrap: anywhere; }
-meter { width: 10rem; }
-table { width: 100%; border-collapse: collapse; font-variant-numeric: tabular-nums; }
-th, td { padding: .2rem .6rem .2rem 0; text-align: left; vertical-align: top; border-bottom: 1px solid #8883; }
-pre { margin: .3rem 0 .8rem; padding: .5rem; max-height: 20rem; overflow: auto; white-space: pre-wrap; background: #8882; }
-.score { min-width: 7rem; text-align: right; font-variant-numeric: tabular-nums; }
-.failed { color: #b3261e; } .passed { color: #1b6e3a; }
-@media (prefers-color-scheme: dark) { .failed { color: #ff8a80; } .passed { color: #6fd08c; } }
-)css";
 
 std::string check_row(const Json& test) {
   const std::string status = test.at("status");
@@ -142,16 +110,14 @@ std::string class_html(const std::vector<Row>& rows) {
     most = std::max(most, max_score(row));
   }
   std::string html =
-      "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
-      "'unsafe-inline'\">\n<meta name=\"viewport\" content=\"width=device-width\">\n";
-  html += fmt::format("<title>{0}</title><style>{1}</style></head><body>\n<h1>{0}</h1>\n",
-                      escaped(title), kStyle);
-  html += fmt::format("<p>{} submissions; on average {:.3g} of {:.6g} points.</p>\n", rows.size(),
+      fmt::format("<header><h1>{}</h1></header>\n<main>\n<section>\n", escaped(title));
+  html += fmt::format("<p>{}; on average {:.3g} of {:.6g} points.</p>\n",
+                      counted(rows.size(), "submission"),
                       rows.empty() ? 0 : sum / static_cast<double>(rows.size()), most);
   if (!sandbox.empty()) html += fmt::format("<p>Sandbox: {}.</p>\n", escaped(sandbox));
+  html += "</section>\n<section>\n";
   for (const Row& row : rows) html += submission_html(row);
-  return html + "</body></html>\n";
+  return assemble_page(kClassPage, title, html + "</section>\n</main>\n");
 }
 
 }  // namespace glassbox::labs::grading

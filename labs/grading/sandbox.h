@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "labs/framework/run_check.h"
@@ -19,6 +20,11 @@ enum class Confinement {
   kLandlock,  // the machine's processes and network, shut off by the system-call filter; no file but those named
   kLimits,  // the filter; a compiler reads every file that its user can read
 };
+
+constexpr std::string_view name_of(Confinement confinement) {
+  constexpr std::string_view kNames[] = {"bubblewrap", "landlock", "limits"};
+  return kNames[std::size_t(confinement)];
+}
 
 class Sandbox {
 public:

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <glassbox/base/counted.h>
 #include <glassbox/mesh/gltf/text.h>
 
 namespace glassbox::gltf {
@@ -97,7 +98,7 @@ void name_attributes(Asset& asset, const NodeTree& tree, const Materials& materi
 void name_motion(Asset& asset, const NodeTree& tree) {
   const std::size_t animations = asset.document.value("animations", json::array()).size();
   if (animations > 0) {
-    asset.warn(counted(animations, "animation") + (animations == 1 ? " is" : " are") +
+    asset.warn(counted(animations, "animation is", "animations are") +
                " not played: everything stands as the file places it");
   }
   std::vector<bool> drawn(asset.model.skins.size(), false);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include <glassbox/base/counted.h>
 #include <glassbox/mesh/ply/places.h>
 #include <glassbox/mesh/ply/values.h>
 
@@ -53,8 +54,7 @@ private:
                   "export it with polygons: an element 'face' with a list 'vertex_indices'");
     }
     return fail("header",
-                "has " + std::to_string(vertices->count) +
-                    (vertices->count == 1 ? " vertex" : " vertices") +
+                "has " + counted(vertices->count, "vertex", "vertices") +
                     " and no faces: a point cloud, which has no surface to draw",
                 "reconstruct a surface first, as MeshLab and CloudCompare do");
   }

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <glassbox/base/counted.h>
+
 namespace glassbox::study {
 
 namespace {
@@ -27,8 +29,7 @@ int processor_count() {
 }
 
 std::string machine_name() {
-  const int count = processor_count();
-  return fmt::format("{}, {} processor{}", processor_name(), count, count == 1 ? "" : "s");
+  return processor_name() + ", " + counted(processor_count(), "processor");
 }
 
 std::string compiler_name() {

@@ -6,7 +6,7 @@
 #include <glassbox/html/blob.h>
 
 #include "app/study/extremes/report.h"
-#include "extremes_page_parts.h"  // made by html/embed.cmake
+#include "extremes_page.h"  // made by html/embed.cmake
 
 namespace glassbox::app {
 
@@ -21,8 +21,7 @@ std::string extremes_page(const ExtremesReport& report, const std::string& comma
       pictures.push_back({{"name", picture.name}, {"png", base64(std::span(bytes, png.size()))}});
     }
   }
-  return assemble_page(kPageHtml, kPageStyle, kPageScript, kPageStyleHash, kPageScriptHash,
-                       json_block("manifest", manifest));
+  return assemble_page(kExtremesPage, "glassbox study extremes", json_block("manifest", manifest));
 }
 
 }  // namespace glassbox::app

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <glassbox/base/counted.h>
 #include <glassbox/render/renderer.h>
 
 #include "study/extremes/kit/extreme_case.h"
@@ -20,8 +21,8 @@ Outcome judge(const EyePictures& eyes, int passes) {
   return {double(differ) + passes - 1,
           0,
           {},
-          fmt::format("{} pixels differ between the eyes, {} pass{}", differ, passes,
-                      passes == 1 ? "" : "es")};
+          fmt::format("{} pixels differ between the eyes, {}", differ,
+                      counted(passes, "pass", "passes"))};
 }
 
 Outcome judge_ours() {

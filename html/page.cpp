@@ -1,0 +1,46 @@
+#include <glassbox/html/page.h>
+
+#include <fmt/format.h>
+
+#include <glassbox/html/escaped.h>
+
+namespace glassbox {
+namespace {
+
+// What the page may do, and no more.
+std::string policy_of(const PageParts& parts) {
+  std::string policy = "default-src 'none'; img-src data:; ";
+  if (!parts.script_hash.empty())
+    policy += fmt::format("script-src 'sha256-{}'; ", parts.script_hash);
+  return policy + fmt::format("style-src 'sha256-{}'", parts.style_hash);
+}
+
+}  // namespace
+
+std::string assemble_page(const PageParts& parts, const std::string& title,
+                          std::string_view content) {
+  std::string page = fmt::format(
+      R"(<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="{}">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+<link rel="icon" href="data:,">
+<title>{}</title>
+<style>{}</style>
+</head>
+<body>
+)",
+      policy_of(parts), escaped(title), parts.style);
+  page.append(parts.body).append(content);
+  if (!parts.script_hash.empty()) {
+    page += "<script type=\"module\">";
+    for (const std::string_view piece : parts.script) page += piece;
+    page += "</script>\n";
+  }
+  return page + "</body>\n</html>\n";
+}
+
+}  // namespace glassbox
