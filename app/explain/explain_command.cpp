@@ -55,7 +55,7 @@ Result<Answer> ExplainCommand::answer(const Scene& scene, const View& view) cons
     return tl::unexpected(legal.error());
   }
   return engine_.engine == EngineKind::kStaged ? explain_staged(scene, view)
-                                           : explain_tiles(scene, view);
+                                               : explain_tiles(scene, view);
 }
 
 Answer ExplainCommand::explain_staged(const Scene& scene, const View& view) const {

@@ -1,6 +1,6 @@
 // The trigonometry against 50 digits (Boost.Multiprecision), in ulps of the exact result.
-#include <tests/support/catch.h>
 #include <glassbox/base/random.h>
+#include <tests/support/catch.h>
 
 #include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>

@@ -1,6 +1,6 @@
+#include <glassbox/base/random.h>
 #include <tests/pipeline/rational.h>
 #include <tests/support/catch.h>
-#include <glassbox/base/random.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -1,6 +1,6 @@
 // The true/false bank of S3.39-40 and the claims around it, as statements that a machine checks (S3-18).
-#include <tests/support/catch.h>
 #include <glassbox/base/random.h>
+#include <tests/support/catch.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // Object to screen against exact rationals: cameras by Pythagorean rotations, windows and planes of integers, so that the
 // oracle needs no square root (SPEC C.9, oracle 2). The stages' own order of operations is in float; the bounds are the
 // generic ones of SPEC C.
+#include <glassbox/base/random.h>
 #include <tests/pipeline/rational.h>
 #include <tests/support/catch.h>
-#include <glassbox/base/random.h>
 
 #include <cmath>
 

@@ -304,7 +304,8 @@ TEST_CASE("each eye of a pair has its samples, and an anaglyph's eyes share the 
     }
     CHECK(differing == 0);
     for (const std::size_t round : {std::size_t{1} << 23, std::size_t{200}}) {
-      Renderer tiles(c.scene, Transfer::kSrgb, EngineKind::kTile, {2, 32, best_target(), true, round});
+      Renderer tiles(c.scene, Transfer::kSrgb, EngineKind::kTile,
+                     {2, 32, best_target(), true, round});
       const StereoRendering tiled = tiles.render_pair(c.centre, c.pair, settings);
       test::check_same_planes(both.left, tiled.left, false);
       test::check_same_planes(both.right, tiled.right, false);

@@ -52,8 +52,8 @@ ExtremeCase c74_centre_culling() {
   c.ours = {"the union of both frusta, both engines", judge_ours};
   c.naive = {"centre culling, staged engine",
              [] { return judge(StereoCulling::kCentre, EngineKind::kStaged); }};
-  c.mutants = {
-      {"centre culling, tile engine", [] { return judge(StereoCulling::kCentre, EngineKind::kTile); }}};
+  c.mutants = {{"centre culling, tile engine",
+                [] { return judge(StereoCulling::kCentre, EngineKind::kTile); }}};
   return c;
 }
 

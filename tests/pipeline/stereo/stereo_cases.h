@@ -1,8 +1,8 @@
 // Random cameras and pairs of eyes, and what they see, in double.
 #pragma once
 
-#include <tests/support/catch.h>
 #include <glassbox/base/random.h>
+#include <tests/support/catch.h>
 
 #include <cmath>
 #include <limits>

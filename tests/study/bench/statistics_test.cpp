@@ -1,5 +1,5 @@
-#include <tests/support/catch.h>
 #include <glassbox/base/random.h>
+#include <tests/support/catch.h>
 
 #include <cmath>
 #include <vector>
