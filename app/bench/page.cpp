@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "app/bench/text.h"
+#include "app/report/svg.h"
 #include "bench_page.h"  // made by html/embed.cmake
 
 #include <glassbox/base/counted.h>
@@ -26,18 +27,6 @@ using study::ScalingPoint;
 constexpr double kWidth = 960, kLeft = 150, kRight = 150;
 constexpr double kPlotWidth = kWidth - kLeft - kRight;
 constexpr double kLetter = 7.2;  // the width of an average one in the font of the pictures
-
-std::string text_at(double x, double y, const char* style, const char* anchor,
-                    const std::string& what) {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"{}\" text-anchor=\"{}\">{}</text>\n",
-                     x, y, style, anchor, escaped(what));
-}
-
-std::string line_from(const char* style, double x0, double y0, double x1, double y1) {
-  return fmt::format(
-      "<line class=\"{}\" x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\"/>\n", style, x0,
-      y0, x1, y1);
-}
 
 std::string svg(double height, const std::string& told, const std::string& body) {
   return fmt::format("<svg viewBox=\"0 0 {} {:.0f}\" role=\"img\" aria-label=\"{}\">\n{}</svg>\n",
@@ -85,15 +74,6 @@ struct BarPlot {
   double length(double ms) const { return width * ms / longest_ms; }
 };
 
-// 1, 2 or 5 times a power of ten: some four of them make the whole.
-double step_of(double whole) {
-  const double power = std::pow(10, std::floor(std::log10(whole / 4)));
-  for (const double factor : {1, 2, 5}) {
-    if (4 * factor * power >= whole) return factor * power;
-  }
-  return 10 * power;
-}
-
 constexpr std::ptrdiff_t kLabelLetters = 40;
 std::string label_of(const Measurement& result) {
   return shortened(result.scene, kLabelLetters) + ", " + counted(result.threads, "thread");
@@ -110,7 +90,7 @@ BarPlot plot_of(const BenchReport& report) {
   }
   plot.left = kLetter * double(letters) + 10;
   plot.width = kWidth - plot.left - kRight - 70;  // behind the longest bar stand its milliseconds
-  plot.step_ms = step_of(plot.longest_ms);
+  plot.step_ms = tick_step(plot.longest_ms, 4);
   return plot;
 }
 
@@ -120,8 +100,8 @@ std::string bar_grid(const BarPlot& plot, double bottom) {
   std::string body;
   for (int i = 0; i * plot.step_ms <= plot.longest_ms; ++i) {
     const double ms = i * plot.step_ms, x = plot.left + plot.length(ms);
-    body += line_from("grid", x, kAxisHeight - 6, x, bottom);
-    body += text_at(x, kAxisHeight - 11, "quiet", "middle", fmt::format("{:g} ms", ms));
+    body += svg_line("grid", x, kAxisHeight - 6, x, bottom);
+    body += svg_text(x, kAxisHeight - 11, "quiet", "middle", fmt::format("{:g} ms", ms));
   }
   return body;
 }
@@ -132,17 +112,17 @@ std::string bar_chart(const BenchReport& report) {
   std::string body;
   double y = kAxisHeight;
   for (const Measurement& result : report.results) {
-    body += text_at(plot.left - 10, y + kBar - 2, "", "end", label_of(result));
+    body += svg_text(plot.left - 10, y + kBar - 2, "", "end", label_of(result));
     if (result.against) {
-      body += text_at(kWidth, y + kBar - 2, "", "end", "ratio " + three_digits(result.ratio()));
+      body += svg_text(kWidth, y + kBar - 2, "", "end", "ratio " + three_digits(result.ratio()));
     }
     for (const Bar& bar : bars_of(report, result)) {
       const double length = plot.length(bar.ms);
       body += fmt::format(
           "<rect class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.3f}\" height=\"{}\"/>\n",
           bar.style, plot.left, y, length, kBar - 2);
-      body += text_at(plot.left + length + 6, y + kBar - 2, "quiet", "start",
-                      three_digits(bar.ms) + " ms");
+      body += svg_text(plot.left + length + 6, y + kBar - 2, "quiet", "start",
+                       three_digits(bar.ms) + " ms");
       y += kBar;
     }
     y += kGap;
@@ -180,14 +160,14 @@ std::string curve_chart(const Scaling& scaling) {
   std::string body;
   for (double power = x_axis.low; power <= x_axis.high; ++power) {
     const double x = x_at(std::pow(10, power));
-    body += line_from("grid", x, kTop, x, kTop + kHeight);
-    body += text_at(x, kTop + kHeight + 18, "quiet", "middle",
-                    fmt::format("{:g}", std::pow(10, power)));
+    body += svg_line("grid", x, kTop, x, kTop + kHeight);
+    body += svg_text(x, kTop + kHeight + 18, "quiet", "middle",
+                     fmt::format("{:g}", std::pow(10, power)));
   }
   for (double power = y_axis.low; power <= y_axis.high; ++power) {
     const double y = y_at(std::pow(10, power));
-    body += line_from("grid", kLeft, y, kLeft + kPlotWidth, y);
-    body += text_at(kLeft - 8, y + 4, "quiet", "end", fmt::format("{:g} ms", std::pow(10, power)));
+    body += svg_line("grid", kLeft, y, kLeft + kPlotWidth, y);
+    body += svg_text(kLeft - 8, y + 4, "quiet", "end", fmt::format("{:g} ms", std::pow(10, power)));
   }
   std::string points;
   for (const ScalingPoint& point : scaling.points) {
@@ -198,10 +178,10 @@ std::string curve_chart(const Scaling& scaling) {
   body += fmt::format("<polyline class=\"curve\" points=\"{}\"/>\n", points);
   if (scaling.bend) {
     const double x = x_at(scaling.bend->at);
-    body += line_from("law", x, kTop, x, kTop + kHeight);
+    body += svg_line("law", x, kTop, x, kTop + kHeight);
   }
-  body += text_at(kLeft + kPlotWidth / 2, kTop + kHeight + 38, "quiet", "middle",
-                  std::string(name_of(scaling.by)));
+  body += svg_text(kLeft + kPlotWidth / 2, kTop + kHeight + 38, "quiet", "middle",
+                   std::string(name_of(scaling.by)));
   return svg(kTop + kHeight + 48, "Time against " + std::string(name_of(scaling.by)), body);
 }
 

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "app/report/svg.h"
+
 #include <glassbox/html/escaped.h>
 
 namespace glassbox::app {
@@ -55,16 +57,6 @@ struct Panel {
 
 // ---- axes ----
 
-// 1, 2 or 5 times a power of ten, so that the range has at most `most` steps.
-double tick_step(double range, int most) {
-  const double least = range / most;
-  const double power = std::pow(10.0, std::floor(std::log10(least)));
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (factor * power >= least) return factor * power;
-  }
-  return 10 * power;
-}
-
 std::string number(double value) {
   return fmt::format("{:.6g}", value == 0 ? 0.0 : value);
 }
@@ -110,9 +102,7 @@ public:
 
   void text(double x, double y, const std::string& style, const char* anchor,
             const std::string& what) {
-    body_ +=
-        fmt::format("  <text x=\"{:.1f}\" y=\"{:.1f}\" class=\"{}\" text-anchor=\"{}\">{}</text>\n",
-                    x, y, style, anchor, escaped(what));
+    body_ += svg_text(x, y, style, anchor, what);
   }
 
   const std::string& body() const { return body_; }
@@ -124,9 +114,7 @@ private:
   }
 
   void line(const std::string& style, double x0, double y0, double x1, double y1) {
-    body_ += fmt::format(
-        "  <line class=\"{}\" x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\"/>\n", style,
-        x0, y0, x1, y1);
+    body_ += svg_line(style, x0, y0, x1, y1);
   }
 
   void draw_frame_ticks(double top, double height) {

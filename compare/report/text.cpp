@@ -7,6 +7,7 @@
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
+#include <glassbox/compare/report/json.h>
 
 namespace glassbox {
 namespace {
@@ -30,21 +31,8 @@ std::string reason(const Comparison& comparison) {
 }  // namespace
 
 std::string verdict_name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kSame:
-      return "same";
-    case Verdict::kWithinTolerance:
-      return "within tolerance";
-    case Verdict::kDifferent:
-      return "different";
-    case Verdict::kNew:
-      return "new";
-    case Verdict::kMissing:
-      return "missing";
-    case Verdict::kUncompared:
-      break;
-  }
-  return "not compared";
+  if (verdict == Verdict::kUncompared) return "not compared";
+  return verdict == Verdict::kWithinTolerance ? "within tolerance" : verdict_word(verdict);
 }
 
 std::string one_line(const Comparison& comparison) {

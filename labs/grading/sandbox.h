@@ -1,6 +1,7 @@
 // Where a submission is compiled and run: the strongest confinement that this machine offers.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>

@@ -1,6 +1,7 @@
 // The names of settings: on the command line, in JSON, in reports.
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 #include <glassbox/render/engine/settings.h>
