@@ -22,6 +22,7 @@ LEFT_OUT = (
     (r"\b0x[0-9a-f]{6,}", "0x..."),
     (r"[^\s\"]*/include/glassbox/", ""),
     (re.escape(ROOT) + "/", ""),
+    (r"(?<![\w./])(\.\./)+", ""),  # where a compiler's cache makes paths relative
     (r"(\.(cpp|h))(:|, line )\d+", r"\1"),
     (r"^\d+\t", "    "),
 )

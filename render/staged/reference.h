@@ -24,7 +24,6 @@ template <class Watch>
 void ready_triangle(const PrimitiveStage& stage, const Watch& watch, const Triangle& triangle,
                     TriangleAttributes& attributes, std::vector<ReadyTriangle>& triangles,
                     std::vector<ReadyLine>& lines) {
-  const std::uint32_t number = stage.draw.first_number + triangle.number;
   const std::array<ClipVertex, 3> corners = clip_vertices(stage, triangle);    // transform
   const std::array<Outcode, 3> codes = outcodes_of(stage, triangle, corners);  // outcode
   if (is_culled_early(stage, triangle, codes)) return watch.culled_early();
@@ -40,6 +39,7 @@ void ready_triangle(const PrimitiveStage& stage, const Watch& watch, const Trian
   }
   const int apex = fan_apex(std::span(snapped).first(count));
 
+  const std::uint32_t number = stage.draw.first_number + triangle.number;
   const std::array<Varyings, 3>* visible = nullptr;
   for (int i = 0; i < fan_size(polygon); ++i) {
     const std::array<std::size_t, 3> piece = fan_vertices(apex, polygon.count, i);
