@@ -35,7 +35,7 @@ struct FragmentSource {
 
 // Derive from it and override the stages of interest. What a stage has made comes by reference: whoever changes it has
 // replaced the stage, and the run goes on with what it finds. The defaults change nothing, so a run that is watched only
-// gives the same bytes as one that is not; without an observer a stage pays one comparison with null.
+// gives the same bytes as one that is not; a run without an observer is compiled without it (staged/watch.h).
 //
 // Calls come draw by draw; within a draw all vertices first, then triangles in batches, each followed by the fragments of the
 // batch. For one triangle they come in the order in which they stand here.
