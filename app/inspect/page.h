@@ -21,8 +21,8 @@ struct InspectOptions {
   std::string program;             // "glassbox 0.1.0"
   std::string command;             // the command line that made the page
   std::optional<PixelAt> pixel;    // chosen on opening, with all records of its fragments
-  std::optional<PixelRect>
-      rectangle;  // only what reaches into it, with all records of its fragments
+  // Only what reaches into it, with all records of its fragments.
+  std::optional<PixelRect> rectangle;
   // Of 32 bits: CLI11 wraps a negative number of 64.
   std::uint32_t max_triangles = 1'000'000;
   std::uint32_t max_fragments = 4'000'000;

@@ -15,11 +15,11 @@
 namespace glassbox::app {
 
 struct EyesOptions {
-  std::optional<double>
-      separation;  // from eye to eye, world units; absent: a thirtieth of the window's distance
+  // From eye to eye, world units; absent: a thirtieth of the window's distance.
+  std::optional<double> separation;
   std::optional<double> window;  // along the gaze, world units; absent: at the point of interest
-  std::optional<Side>
-      seen_by;  // the one eye whose picture is wanted; absent: the camera between them
+  // The one eye whose picture is wanted; absent: the camera between them.
+  std::optional<Side> seen_by;
 };
 
 void add_eyes_options(CLI::App& command, EyesOptions& eyes);

@@ -40,8 +40,8 @@ struct StereoPictureOptions {
   StereoForm form;
   AnaglyphOptions anaglyph;
   Recolour recolour;  // of each eye's picture, before they are put together
-  std::optional<Cable>
-      cable;  // what an anaglyph goes through on its way to the screen; absent: nothing
+  // What an anaglyph goes through on its way to the screen; absent: nothing.
+  std::optional<Cable> cable;
   StereoCulling culling = StereoCulling::kUnion;
   EyesBy eyes_by = EyesBy::kSkew;
   std::vector<const CLI::Option*> options;  // those that add_stereo_picture_options has added

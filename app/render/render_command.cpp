@@ -36,8 +36,8 @@ struct DrawnPicture {
   View view;  // of the camera between the eyes where there are two
   Image<Rgba8> image;
   Framebuffer planes;
-  std::vector<std::pair<std::string, Statistics>>
-      stages;  // of each eye; its name is empty where there is one
+  // Of each eye; its name is empty where there is one.
+  std::vector<std::pair<std::string, Statistics>> stages;
   std::string eyes_text;
   nlohmann::ordered_json eyes_json;
 };

@@ -16,8 +16,8 @@ namespace glassbox {
 struct FlipErrors {
   std::uint64_t pixels = 0;
   double mean = 0;  // off by 2^-33 at most: fixed_sum.h
-  double median =
-      0;  // the smallest error, to the nearest 2^-16, that half of the pixels do not exceed
+  // The smallest error, to the nearest 2^-16, that half of the pixels do not exceed.
+  double median = 0;
   double p95 = 0;  // the same for 95 in 100 pixels
   double max = 0;
 };

@@ -49,17 +49,17 @@ struct PictureFacts {
 };
 
 struct Comparison {
-  std::string
-      name;  // what people call the pair: its path below the two directories, or the test's path
+  // What people call the pair: its path below the two directories, or the test's path.
+  std::string name;
   PictureFacts reference, test;
   Verdict verdict = Verdict::kSame;
   std::optional<Error> error;              // of kNew, kMissing and kUncompared
   std::optional<Differences> differences;  // none where sizes, channels or formats differ
   std::vector<MetricValue> metrics;
-  std::vector<std::string>
-      reasons;  // why it is not the same, or too different: sentences, the decisive one first
-  std::vector<std::string>
-      hints;  // what may be behind it: a shift, a flip, swapped channels, another recipe
+  // Why it is not the same, or too different: sentences, the decisive one first.
+  std::vector<std::string> reasons;
+  // What may be behind it: a shift, a flip, swapped channels, another recipe.
+  std::vector<std::string> hints;
   std::vector<std::string>
       notes;              // about the test itself: a stale tolerance, an option that was overruled
   std::string tolerance;  // the one that applied, as it would be written; empty: none

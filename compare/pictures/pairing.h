@@ -18,8 +18,8 @@ struct PicturePaths {
 
 struct Pairing {
   std::vector<PicturePaths> pictures;  // by name
-  std::vector<std::string>
-      orphans;  // sidecars of the reference directory that belong to no picture
+  // Sidecars of the reference directory that belong to no picture.
+  std::vector<std::string> orphans;
 };
 
 // All pictures below the two directories, subfolders included (links to folders are not followed): files whose extension is

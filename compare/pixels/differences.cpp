@@ -69,8 +69,8 @@ std::uint32_t ulp_distance(float a, float b, bool nan_equals_nan) {
   if (std::isnan(a) || std::isnan(b)) {
     return nan_equals_nan && std::isnan(a) && std::isnan(b) ? 0 : kUnbounded;
   }
-  const bool across_zero =
-      std::signbit(a) != std::signbit(b);  // -0 and +0 count as two floats here
+  // -0 and +0 count as two floats here.
+  const bool across_zero = std::signbit(a) != std::signbit(b);
   if (a == b && !across_zero) return 0;
   if (std::isinf(a) || std::isinf(b)) return kUnbounded;
   // At most 2 * 0x7f7fffff + 1 between the two largest finite floats: below kUnbounded.

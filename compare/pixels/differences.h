@@ -50,8 +50,8 @@ struct Differences {
   PixelAt first;                // row by row, where differing > 0
   PixelBox box;                 // of all pixels that differ
   std::uint64_t region_count = 0;
-  std::vector<Region>
-      regions;  // the worst first: by largest difference, then by pixels; `kept_regions` at most
+  // The worst first: by largest difference, then by pixels; `kept_regions` at most.
+  std::vector<Region> regions;
 };
 
 // One pass over the rows; memory in proportion to a row and to the regions kept.

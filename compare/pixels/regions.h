@@ -39,8 +39,8 @@ private:
   std::uint64_t count_ = 0;
   std::vector<Run> runs_;     // of the last row
   std::vector<Region> open_;  // components that the runs belong to
-  std::vector<std::size_t>
-      into_;  // a joined component points to the one that took it in, any other to itself
+  // A joined component points to the one that took it in, any other to itself.
+  std::vector<std::size_t> into_;
   std::vector<Region> closed_;  // a heap, the mildest first
 };
 

@@ -41,8 +41,8 @@ Fuzzy tightest(const Differences& differences);
 
 struct Tolerance {
   std::optional<Fuzzy> fuzzy;
-  std::optional<std::uint32_t>
-      max_ulp;  // the largest distance of two samples; of pictures of floats only
+  // The largest distance of two samples; of pictures of floats only.
+  std::optional<std::uint32_t> max_ulp;
   bool empty() const { return !fuzzy && !max_ulp; }
 };
 

@@ -45,8 +45,8 @@ struct PictureJob {
   // One eye, or the two of a stereo pair: then their views differ in the row of x of clip_from_eye alone, their settings in the
   // mask. Work done once for both is counted and timed with the first.
   std::span<const EyePicture> eyes;
-  const PairCulling* culling =
-      nullptr;  // of a pair; an engine may leave kUnion out, which changes no picture
+  // Of a pair; an engine may leave kUnion out, which changes no picture.
+  const PairCulling* culling = nullptr;
 };
 
 // Triangles that were not submitted to the eyes of a pair; and of these, those in the frustum of an eye.

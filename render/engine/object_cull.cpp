@@ -135,8 +135,8 @@ std::array<double, 3> farthest_from_anchor(const std::array<Point<Object>, 3>& t
 // The corners along one axis of the screen.
 struct Extent {
   double length_px = 0;  // from the first corner to the last
-  double displacement_px =
-      0;  // what a corner may be away from where the exact map has it, once snapped
+  // What a corner may be away from where the exact map has it, once snapped.
+  double displacement_px = 0;
 };
 
 Extent extent_of(const std::array<double, 3>& over_w, double error, double error_w, double nearest,

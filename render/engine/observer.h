@@ -27,8 +27,8 @@ enum class Fate : std::uint8_t {
 
 // Where a fragment comes from.
 struct FragmentSource {
-  std::uint32_t number =
-      0;  // of the triangle, in the whole scene; of no meaning for lines and points
+  // Of the triangle, in the whole scene; of no meaning for lines and points.
+  std::uint32_t number = 0;
   std::uint32_t piece = 0;  // of the fan that clipping left of it
   bool is_triangle = true;
 };

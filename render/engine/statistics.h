@@ -28,8 +28,8 @@ struct Statistics {
   std::uint64_t rejected = 0;      // all corners outside one plane
   std::uint64_t clipped_away = 0;  // nothing left after clipping
   std::uint64_t clipped = 0;       // cut, something left
-  std::uint64_t after_clipping =
-      0;  // triangles that go on: whole ones, and the fans of the cut ones
+  // Triangles that go on: whole ones, and the fans of the cut ones.
+  std::uint64_t after_clipping = 0;
 
   // Setup. after_clipping = zero_area + culled + set_up.
   std::uint64_t zero_area = 0;  // after snapping

@@ -11,8 +11,8 @@ namespace glassbox {
 struct Decision {
   const char* stage = "";
   bool needed = true;
-  std::string
-      because;  // the proof, or what stands against it; the same words for all draws that it holds for
+  // The proof, or what stands against it; the same words for all draws that it holds for.
+  std::string because;
   std::string numbers;  // those of this draw; empty where there are none
 };
 

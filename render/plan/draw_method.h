@@ -20,8 +20,8 @@ struct DrawMethod {
   bool drawn = true;        // otherwise no stage sees any of it
   bool test_planes = true;  // each is asked whether clipping has to look at it
   bool divide = true;       // by w, which may differ from 1
-  bool normals =
-      false;  // carried to eye space; and of faces, where some corner has none of its own
+  // Carried to eye space; and of faces, where some corner has none of its own.
+  bool normals = false;
   bool face_normals = false;
   bool eye_positions = false;  // light asks where the surface is
 

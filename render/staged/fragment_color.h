@@ -25,8 +25,8 @@ struct Surface {
   std::optional<TexturePlanes> texture;  // of textured triangles, be it in their emission
   FragmentSource source;
   std::uint32_t id = 0;  // what Framebuffer::id gets
-  bool has_centres =
-      false;  // where samples are drawn it writes to the planes of pixel centres, too
+  // Where samples are drawn it writes to the planes of pixel centres, too.
+  bool has_centres = false;
 };
 
 inline Surface surface_of(const FragmentStage& stage, const ReadyTriangle& triangle) {

@@ -79,9 +79,8 @@ Fate draw_fragment(const FragmentStage& stage, const Watch& watch, const Surface
   if (is_discarded(*stage.draw.material, base)) return Fate::kDiscarded;
   const bool blended = is_blended(stage);
   if (shows_color(stage, fragment)) {
-    const FragmentColor color =
-        fragment_color(stage, watch, surface, at, fragment.place, base);  // light
-    write_color(stage, watch, fragment, color, !blended);                 // mask, blend, write
+    const FragmentColor lit = fragment_color(stage, watch, surface, at, fragment.place, base);
+    write_color(stage, watch, fragment, lit, !blended);  // mask, blend, write
   }
   if (fragment.centre) write_planes(stage, fragment, surface.id, !blended);
   return blended ? Fate::kBlended : Fate::kWritten;

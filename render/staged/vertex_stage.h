@@ -59,8 +59,8 @@ ClipTable project_other_eye(const Draw& other_eye, const View& other_view,
 struct EyeSpaceTables {
   std::vector<Point<Eye>> positions;  // by position
   std::vector<Normal<Eye>> normals;   // by normal, unit length
-  std::vector<Normal<Eye>>
-      face_normals;  // by face, unit length; empty where every corner has its own
+  // By face, unit length; empty where every corner has its own.
+  std::vector<Normal<Eye>> face_normals;
 };
 
 // The same without saying where the tables are kept; entries of tables that nobody needs may be missing.

@@ -15,8 +15,8 @@ struct TilePass {
   const TileRun& run;
   const Kernels& kernels;
   const Round& round;
-  ResolveJob
-      resolve;  // resolve.keep_picture: planes are cleared already, and may hold earlier rounds
+  // With keep_picture: planes are cleared already, and may hold earlier rounds.
+  ResolveJob resolve;
   Framebuffer& target;
   Image<Rgba8>& color;  // target.color, or the picture that this one is drawn over
   // Depth lives in target.depth between rounds, and while staged primitives are drawn.

@@ -52,8 +52,8 @@ struct VertexBounds {
 struct TriangleBounds {
   std::array<CornerBounds, 3> corners;
   std::vector<VertexBounds> polygon;  // as TracedTriangle::polygon
-  std::vector<double>
-      double_area;  // by piece, square pixels: that of the snapped piece against the exact one
+  // By piece, square pixels: that of the snapped piece against the exact one.
+  std::vector<double> double_area;
   std::optional<BackFaceTest> back_face;  // in object space; none where there is no test to be made
 };
 

@@ -229,8 +229,8 @@ PixelHistory pixel_history(const Scene& scene, const TracedRun& run, int x, int 
   for (std::size_t i = 0; i < trace.draws.size(); ++i) turn[trace.draws[i].instance] = i;
 
   std::vector<std::pair<Place, PixelEvent>> placed;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>>
-      faces;  // of the traced triangles: number, face
+  // Of the traced triangles: number, face.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> faces;
   for (const TracedTriangle& triangle : trace.triangles) {
     faces.emplace_back(triangle.number, triangle.face);
     if (auto event = event_without_fragment(triangle, trace, x, y)) {

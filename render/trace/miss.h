@@ -11,8 +11,8 @@ namespace glassbox {
 
 struct Miss {
   int x = 0, y = 0;  // the pixel
-  std::size_t edge =
-      0;  // of TriangleSetup::edges: the one that its centre lies furthest outside of
+  // Of TriangleSetup::edges: the one that its centre lies furthest outside of.
+  std::size_t edge = 0;
   std::int64_t value = 0;  // E there, exactly; 0 on an edge that belongs to the neighbour
   // How far outside of that edge's line the centre lies: -value / (the edge's length), in 1/256 px. Moving the edge by
   // as much brings it to the centre. Right to 2 ulps.

@@ -30,8 +30,8 @@ struct ViewConventions {
   bool gaze_is_minus_z = true;   // what the projection takes for the gaze: +z otherwise
   bool hands_mixed = false;      // the two do not belong together (SPEC E12, C-07)
   double near_depth = 0;  // z/w of the point `near` along the gaze; 0, or 1 for a reversed range
-  bool opengl_range =
-      false;  // near_depth is closer to -1: the projection is made for -w <= z <= w (E16)
+  // `near_depth` is closer to -1: the projection is made for -w <= z <= w (E16).
+  bool opengl_range = false;
 };
 ViewConventions conventions_of(const View& view);
 
@@ -63,8 +63,8 @@ struct ClipCount {
 };
 
 struct ClippingVerdict {
-  std::size_t plane =
-      0;  // index into Trace::planes: all corners lie outside of it, or it left nothing of the rest
+  // Index into Trace::planes: all corners lie outside of it, or it left nothing of the rest.
+  std::size_t plane = 0;
   ClipPlane equation;
   std::array<ClippedCorner, 3> corners;
   std::vector<ClipCount> steps;      // of kClippedAway: up to the deciding plane
@@ -85,8 +85,8 @@ struct CullVerdict {
   bool mirrored = false;  // the model matrix mirrors: fronts run clockwise
   Cull rule = Cull::kMaterial;
   bool double_sided = false;
-  std::optional<BackFaceTest>
-      object_space;  // (P - eye) . m; none where the model matrix has no inverse
+  // (P - eye) . m; none where the model matrix has no inverse.
+  std::optional<BackFaceTest> object_space;
 };
 
 // ---- the whole ----
@@ -117,8 +117,8 @@ Result<TriangleVerdict> triangle_verdict(const Scene& scene, const View& view,
 struct SceneVerdict {
   struct Group {
     std::uint64_t triangles = 0;
-    std::uint32_t example =
-        0;  // of what is seen, the one with the most visible pixels; else the first
+    // Of what is seen, the one with the most visible pixels; else the first.
+    std::uint32_t example = 0;
     std::uint32_t example_pixels = 0;
   };
   std::array<Group, kEnds> groups;

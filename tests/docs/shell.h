@@ -14,8 +14,8 @@ namespace glassbox::test {
 
 struct ShellLine {
   std::string text;  // as a reader would copy it
-  std::string
-      output;  // what stands below a line that begins with "$ ", up to the next one or the end of the block
+  // What stands below a line that begins with "$ ", up to the next one or the end of the block.
+  std::string output;
   bool has_output = false;
 };
 

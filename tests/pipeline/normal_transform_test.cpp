@@ -80,8 +80,8 @@ TEST_CASE("mirrored objects keep their normals outward (C-17)") {
   for (const Vec& n :
        {Vec(1, 0, 0), Vec(-1, 0, 0), Vec(0, 1, 0), Vec(0, -1, 0), Vec(0, 0, 1), Vec(0, 0, -1)}) {
     const Normal<World> outward = normal_transform(map) * Normal<Object>(glm::vec3(n));
-    const Vector<World, double> way_out =
-        map * Vector<Object, double>(n);  // centre of the cube's face
+    // Centre of the cube's face.
+    const Vector<World, double> way_out = map * Vector<Object, double>(n);
     CHECK(outward.x * way_out.x + outward.y * way_out.y + outward.z * way_out.z > 0);
   }
 }

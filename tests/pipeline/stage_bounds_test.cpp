@@ -100,8 +100,8 @@ TEST_CASE("bounds 1 to 3 hold for every vertex, and stable vertices snap where t
     screen_ratio = std::max(screen_ratio, screen_error / screen_bound);
 
     // Snap: floor(256 X + 1/2). The boundaries are where 256 X + 1/2 is an integer.
-    const double scaled =
-        double(screen.position.x) * 256 + 0.5;  // exact: 24 bits and one below them
+    // Exact: 24 bits and one below them.
+    const double scaled = double(screen.position.x) * 256 + 0.5;
     const double to_boundary =
         std::min(scaled - std::floor(scaled), std::floor(scaled) + 1 - scaled) / 256;
     if (to_boundary > screen_bound) {

@@ -339,8 +339,8 @@ TEST_CASE("changes that spoil a sound matrix are counted, not proposed") {
     for (const Alternative& a : report.alternatives) {
       CAPTURE(i, a.what);
       CHECK(a.change != Change::kTransposeView);
-      const bool moves =
-          s.model_offset[0] != 0 || s.model_offset[2] != 0;  // a rotation's transpose is sound
+      // A rotation's transpose is sound.
+      const bool moves = s.model_offset[0] != 0 || s.model_offset[2] != 0;
       CHECK((a.change != Change::kTransposeModel || !moves));
       CHECK(a.change != Change::kTransposeAll);
     }
