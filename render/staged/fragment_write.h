@@ -22,18 +22,22 @@ void write_over(const FragmentStage& stage, const Watch& watch, const CoveredFra
 }
 
 template <class Watch>
-void write_color(const FragmentStage& stage, const Watch& watch, const CoveredFragment& fragment,
-                 const FragmentColor& color, bool writes_depth) {
+void write_samples(const FragmentStage& stage, const Watch& watch, const CoveredFragment& fragment,
+                   const FragmentColor& color, bool writes_depth) {
   const int x = fragment.place.x, y = fragment.place.y;
-  if (stage.samples == nullptr) {
-    return write_over(stage, watch, fragment, color, stage.color.at(x, y));
-  }
   const std::span<Rgba8> colors = stage.samples->colors(x, y);
   const std::span<std::uint32_t> depths = stage.samples->depths(x, y);
   for_each_bit(fragment.samples, [&](std::size_t s) {
     write_over(stage, watch, fragment, color, colors[s]);
     if (writes_depth) depths[s] = fragment.codes[s];
   });
+}
+
+template <class Watch>
+void write_color(const FragmentStage& stage, const Watch& watch, const CoveredFragment& fragment,
+                 const FragmentColor& color, bool writes_depth) {
+  if (stage.samples != nullptr) return write_samples(stage, watch, fragment, color, writes_depth);
+  write_over(stage, watch, fragment, color, stage.color.at(fragment.place.x, fragment.place.y));
 }
 
 // The planes of the framebuffer that belong to pixel centres: everything but the colours.

@@ -59,10 +59,20 @@ struct Counting : Nobody {
   }
   void ended(const FragmentSource&, const Fragment&, Fate fate) const {
     ++statistics.covered;
-    statistics.depth_failed += fate == Fate::kHidden;
-    statistics.discarded += fate == Fate::kDiscarded;
-    statistics.written += fate == Fate::kWritten || fate == Fate::kBlended;
-    statistics.blended += fate == Fate::kBlended;
+    switch (fate) {
+      case Fate::kHidden:
+        ++statistics.depth_failed;
+        break;
+      case Fate::kDiscarded:
+        ++statistics.discarded;
+        break;
+      case Fate::kBlended:
+        ++statistics.blended;
+        [[fallthrough]];
+      case Fate::kWritten:
+        ++statistics.written;
+        break;
+    }
   }
 };
 
