@@ -13,7 +13,6 @@
 namespace {
 
 using namespace glassbox;
-using namespace glassbox::test;
 using Float3 = std::array<float, 3>;
 using Decimal = boost::multiprecision::cpp_bin_float_50;
 
