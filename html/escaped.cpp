@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include <glassbox/images/utf8.h>
+#include <glassbox/base/utf8.h>
 
 namespace glassbox {
 namespace {

@@ -39,6 +39,13 @@ function paneUnder(event) {
   return pane && {pane, x, y};
 }
 
+// The scale one step up or down among `usable` ones; below them, that at which the whole picture fits.
+function scaleBeside(steps, usable = scales) {
+  const up = usable.find((scale) => scale > view.scale * 1.001);
+  const down = usable.findLast((scale) => scale < view.scale * 0.999);
+  return (steps > 0 ? up : Math.max(down ?? 0, Math.min(fitScale(), 1))) ?? view.scale;
+}
+
 // Boxes for `count` panes, in as many columns as show the picture largest.
 function paneBoxes(count, size) {
   const gap = Math.round(8 * devicePixelRatio), strip = stripHeight();

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include <glassbox/base/utf8.h>
 #include <glassbox/images/png_read.h>
-#include <glassbox/images/utf8.h>
 
 namespace glassbox {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include <glassbox/base/utf8.h>
 #include <glassbox/images/png_text.h>
-#include <glassbox/images/utf8.h>
 
 namespace glassbox {
 namespace {

@@ -52,6 +52,9 @@ std::array<ClipPlane, 4> guard_band_planes(const Viewport& viewport);
 // depth of slightly more than 1 is possible then.
 std::array<ClipPlane, kMaxClipPlanes> render_planes(const View& view);
 
+// Where they stand in it; the four of the guard band follow.
+inline constexpr std::size_t kNearPlane = 0, kEyePlane = 1, kFarPlane = 2;
+
 // a x + b y + c z + d w + e in double. The sign is exact, 0 only on the plane, for coefficients that are zero or 2^-200 ..
 // 2^200 in size (base/expansion.h); the value is right to a few ulps of its largest term.
 double signed_distance(const ClipPlane& plane, const Point<Clip>& position);

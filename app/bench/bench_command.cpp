@@ -13,6 +13,7 @@
 #include "app/options/builtin_help.h"
 #include "app/options/choices.h"
 #include "app/options/engine_options.h"
+#include "app/options/output_options.h"
 #include "app/options/picture_options.h"
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
@@ -90,12 +91,9 @@ void BenchCommand::add_to(CLI::App& app, int& exit_code) {
   add_measure_options(command);
   add_engine_options(command);
   const std::string outputs = "Other outputs";
-  command.add_option("--html", html_output_, "the same as a page, with bars and curves")
-      ->type_name("FILE")
+  add_html_output(command, html_output_, "the same as a page, with bars and curves")
       ->group(outputs);
-  command.add_option("--json", json_output_, "the same as JSON; - is standard output")
-      ->type_name("FILE|-")
-      ->group(outputs);
+  add_json_output(command, json_output_)->group(outputs);
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 
@@ -144,13 +142,7 @@ Result<void> BenchCommand::check_options() const {
     return fail("--threads", "the staged engine has one thread", "leave one of the two out");
   }
   if (!(most_ >= 0)) return fail("--most", "is no number of things", "give a number above 0");
-  std::vector<std::string> paths;
-  if (html_output_) {
-    if (const auto legal = check_extension(*html_output_, ".html"); !legal) return legal;
-    paths.push_back(*html_output_);
-  }
-  if (json_output_ && *json_output_ != "-") paths.push_back(*json_output_);
-  return check_outputs(paths);
+  return check_report_outputs(html_output_, json_output_);
 }
 
 std::vector<std::string> BenchCommand::scene_names() const {

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/options/choices.h"
+#include "app/options/output_options.h"
 #include "app/pixel/pixel_command.h"
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
@@ -165,12 +166,8 @@ void DiffCommand::add_to(CLI::App& app, int& exit_code) {
   add_choice(command, "--heat", heat_of_, {{"steps", HeatOf::kSteps}, {"flip", HeatOf::kFlip}},
              "what the heat map shows: differences, or what FLIP says one sees [steps]")
       ->group(reports);
-  command.add_option("--html", page_, "one page with everything, to open in a browser")
-      ->type_name("FILE")
-      ->group(reports);
-  command.add_option("--json", json_, "everything as JSON; - is standard output")
-      ->type_name("FILE|-")
-      ->group(reports);
+  add_html_output(command, page_, "one page with everything, to open in a browser")->group(reports);
+  add_json_output(command, json_, "everything")->group(reports);
   command.add_option("--junit", junit_, "JUnit's XML for servers; - is standard output")
       ->type_name("FILE|-")
       ->group(reports);

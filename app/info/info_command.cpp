@@ -10,6 +10,7 @@
 
 #include "app/info/info_contents.h"
 #include "app/options/builtin_help.h"
+#include "app/options/output_options.h"
 #include "app/options/scene_input.h"
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
@@ -248,8 +249,7 @@ void InfoCommand::add_to(CLI::App& app, int& exit_code) {
       "  glassbox info teapot --write teapot.glb\n\n" +
       builtin_help());
   command.add_option("SCENE", scene_, kSceneHelp)->required();
-  command.add_option("--json", json_output_, "the same as JSON; - is standard output")
-      ->type_name("FILE|-");
+  add_json_output(command, json_output_);
   command.add_option("--write", glb_output_, "write the scene as GLB")->type_name("FILE.glb");
   command.callback([this, &exit_code] { exit_code = run(); });
 }

@@ -107,9 +107,7 @@ function drawTriangle(run, origin, cell) {
 }
 
 function zoomBy(steps, at = null) {
-  const up = scales.find((scale) => scale > view.scale * 1.001);
-  const down = scales.findLast((scale) => scale < view.scale * 0.999);
-  zoomTo((steps > 0 ? up : Math.max(down ?? 0, Math.min(fitScale(), 1))) ?? view.scale, at);
+  zoomTo(scaleBeside(steps), at);
 }
 
 // What is under a point of a pane stays there.

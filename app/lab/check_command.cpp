@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/lab/report.h"
+#include "app/options/output_options.h"
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
 #include "labs/framework/check_lab.h"
@@ -83,10 +84,8 @@ void LabCheckCommand::add_to(CLI::App& lab, int& exit_code) {
       "  glassbox lab check labs/05-clipping --hidden\n\n"
       "The exit code is 0 for full marks and 1 for less.");
   command.add_option("FOLDER", folder_, "made by glassbox lab start, or a lab's own")->required();
-  command.add_option("--json", json_output_, "the report as JSON; - is standard output")
-      ->type_name("FILE|-");
-  command.add_option("--html", html_output_, "the report as a page with pictures")
-      ->type_name("FILE");
+  add_json_output(command, json_output_, "the report");
+  add_html_output(command, html_output_, "the report as a page with pictures");
   command.add_flag("--hidden", hidden_, "hidden checks too");
   command.add_option("--time-limit", seconds_, "seconds that a check may take")
       ->check(CLI::Range(0.1, 3600.0))
@@ -113,8 +112,7 @@ void LabWatchCommand::add_to(CLI::App& lab, int& exit_code) {
       "  glassbox lab watch ~/lab5\n\n"
       "Ctrl-C ends it.");
   command.add_option("FOLDER", folder_, "made by glassbox lab start, or a lab's own")->required();
-  command.add_option("--html", html_output_, "the last report as a page with pictures")
-      ->type_name("FILE");
+  add_html_output(command, html_output_, "the last report as a page with pictures");
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/options/output_options.h"
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
 #include "app/report/program_name.h"
@@ -49,8 +50,7 @@ std::string list_text() {
 
 void LabListCommand::add_to(CLI::App& lab, int& exit_code) {
   CLI::App& command = *lab.add_subcommand("list", "the labs, their tasks and points");
-  command.add_option("--json", json_output_, "the same as JSON; - is standard output")
-      ->type_name("FILE|-");
+  add_json_output(command, json_output_);
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/options/output_options.h"
 #include "app/options/scene_input.h"
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
@@ -16,9 +17,7 @@ namespace glassbox::app {
 void PictureQuestion::add_to(CLI::App& command) {
   command.add_option("SCENE", scene_, kSceneHelp)->required();
   add_picture_options(command, picture_);
-  command.add_option("--json", json_output_, "the same as JSON; - is standard output")
-      ->type_name("FILE|-")
-      ->group("Other outputs");
+  add_json_output(command, json_output_)->group("Other outputs");
 }
 
 std::string PictureQuestion::title() const {

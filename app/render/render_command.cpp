@@ -14,6 +14,7 @@
 #include "app/options/builtin_help.h"
 #include "app/options/choices.h"
 #include "app/options/ignored_options.h"
+#include "app/options/output_options.h"
 #include "app/options/scene_input.h"
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
@@ -140,10 +141,7 @@ void RenderCommand::add_to(CLI::App& app, int& exit_code) {
       ->type_name("FILE.pfm")
       ->group(outputs);
   command.add_flag("--stats", stats_, "print what every stage did")->group(outputs);
-  command
-      .add_option("--json", json_output_, "camera, counts and times as JSON; - is standard output")
-      ->type_name("FILE|-")
-      ->group(outputs);
+  add_json_output(command, json_output_, "camera, counts and times")->group(outputs);
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 

@@ -60,4 +60,15 @@ Result<void> check_outputs(const std::vector<std::string>& paths) {
   return {};
 }
 
+Result<void> check_report_outputs(const std::optional<std::string>& page,
+                                  const std::optional<std::string>& data) {
+  std::vector<std::string> paths;
+  if (page) {
+    if (const auto legal = check_extension(*page, ".html"); !legal) return legal;
+    paths.push_back(*page);
+  }
+  if (data && *data != "-") paths.push_back(*data);
+  return check_outputs(paths);
+}
+
 }  // namespace glassbox::app

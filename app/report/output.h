@@ -1,6 +1,7 @@
 // Where machine-readable results go: a file, written wholly or not at all, or standard output.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,5 +23,9 @@ Result<void> check_extension(const std::string& path, const std::string& extensi
 // What can be known before a long run: an error if the directory of one of the paths does not exist, or if two of them
 // are the same file.
 Result<void> check_outputs(const std::vector<std::string>& paths);
+
+// The same of a report: its page, an .html file, and its data, which may go to standard output.
+Result<void> check_report_outputs(const std::optional<std::string>& page,
+                                  const std::optional<std::string>& data);
 
 }  // namespace glassbox::app

@@ -10,6 +10,7 @@
 
 #include "app/options/arguments.h"
 #include "app/options/choices.h"
+#include "app/options/output_options.h"
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
 
@@ -165,9 +166,7 @@ void StepCommand::add_to(CLI::App& app, int& exit_code) {
   add_window(command, points_);
   command.add_flag("--bits", bits_, "the bits of each float, too, in hexadecimal")
       ->group("Other outputs");
-  command.add_option("--json", json_output_, "the same as JSON; - is standard output")
-      ->type_name("FILE|-")
-      ->group("Other outputs");
+  add_json_output(command, json_output_)->group("Other outputs");
   command.callback([this, &command, &exit_code] {
     if (scene_.is_asked_for() == points_.points.empty()) {
       tell_of_ignored(command, !scene_.is_asked_for());

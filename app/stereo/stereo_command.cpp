@@ -10,6 +10,7 @@
 
 #include "app/options/arguments.h"
 #include "app/options/builtin_help.h"
+#include "app/options/output_options.h"
 #include "app/options/scene_input.h"
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
@@ -82,12 +83,9 @@ void StereoCommand::add_to(CLI::App& app, int& exit_code) {
   options_.assign(all.begin() + std::ptrdiff_t(before), all.end());
   add_engine_options(command, engine_);
   const std::string outputs = "Other outputs";
-  command.add_option("--html", html_output_, "the report as a page, with pictures and maps")
-      ->type_name("FILE")
+  add_html_output(command, html_output_, "the report as a page, with pictures and maps")
       ->group(outputs);
-  command.add_option("--json", json_output_, "the same as JSON; - is standard output")
-      ->type_name("FILE|-")
-      ->group(outputs);
+  add_json_output(command, json_output_)->group(outputs);
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 
@@ -113,16 +111,12 @@ Result<void> StereoCommand::check_options() const {
   }
   const auto matrix = anaglyph_matrix(question_.method, question_.glasses);
   if (!matrix) return tl::unexpected(matrix.error());
-  std::vector<std::string> paths;
   if (html_output_) {
-    if (const auto legal = check_extension(*html_output_, ".html"); !legal) return legal;
     if (const auto legal = check_page_size(picture_.size.width, picture_.size.height); !legal) {
       return legal;
     }
-    paths.push_back(*html_output_);
   }
-  if (json_output_ && *json_output_ != "-") paths.push_back(*json_output_);
-  return check_outputs(paths);
+  return check_report_outputs(html_output_, json_output_);
 }
 
 // What makes this report again.

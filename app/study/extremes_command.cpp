@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/options/output_options.h"
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
 #include "app/report/program_name.h"
@@ -71,13 +72,10 @@ void StudyExtremesCommand::add_to(CLI::App& study, int& exit_code) {
       ->type_name("NAME|all");
   command.add_option("-o", picture_directory_, "write the pictures of the chosen cases there")
       ->type_name("DIRECTORY");
-  command
-      .add_option(
-          "--html", html_output_,
-          "the same as a page, with curves and pictures; with all sweeps if nothing is chosen")
-      ->type_name("FILE");
-  command.add_option("--json", json_output_, "the same as JSON; - is standard output")
-      ->type_name("FILE|-");
+  add_html_output(
+      command, html_output_,
+      "the same as a page, with curves and pictures; with all sweeps if nothing is chosen");
+  add_json_output(command, json_output_);
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 
@@ -86,13 +84,7 @@ Result<void> StudyExtremesCommand::check_options() const {
     return fail("--case", "shows one case, and others are named as well",
                 "leave one of the two out");
   }
-  std::vector<std::string> paths;
-  if (html_output_) {
-    if (const auto legal = check_extension(*html_output_, ".html"); !legal) return legal;
-    paths.push_back(*html_output_);
-  }
-  if (json_output_ && *json_output_ != "-") paths.push_back(*json_output_);
-  return check_outputs(paths);
+  return check_report_outputs(html_output_, json_output_);
 }
 
 Result<std::vector<const ExtremeCase*>> StudyExtremesCommand::chosen_cases() const {

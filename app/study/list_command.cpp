@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/options/output_options.h"
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
 #include "app/report/text_layout.h"
@@ -45,8 +46,7 @@ std::string list_text() {
 
 void StudyListCommand::add_to(CLI::App& study, int& exit_code) {
   CLI::App& command = *study.add_subcommand("list", "the experiments and what they ask");
-  command.add_option("--json", json_output_, "the same as JSON; - is standard output")
-      ->type_name("FILE|-");
+  add_json_output(command, json_output_);
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/options/builtin_help.h"
+#include "app/options/output_options.h"
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
 
@@ -39,8 +40,7 @@ void StudyRecommendCommand::add_to(CLI::App& study, int& exit_code) {
   const auto options = command.get_options();
   picture_words_.assign(options.begin() + std::ptrdiff_t(before), options.end());
   picture_words_.push_back(size);
-  command.add_option("--json", json_output_, "the same as JSON; - is standard output")
-      ->type_name("FILE|-");
+  add_json_output(command, json_output_);
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 

@@ -45,13 +45,7 @@ Result<void> StudyReportCommand::check_options() const {
   if (svg_directory_ && !std::filesystem::is_directory(*svg_directory_)) {
     return fail("--svg", *svg_directory_ + " is no directory", "make it first");
   }
-  std::vector<std::string> paths;
-  if (page_) {
-    if (const auto legal = check_extension(*page_, ".html"); !legal) return legal;
-    paths.push_back(*page_);
-  }
-  if (measuring_.file) paths.push_back(*measuring_.file);
-  return check_outputs(paths);
+  return check_report_outputs(page_, measuring_.file);
 }
 
 Result<study::StudyResults> StudyReportCommand::results() const {

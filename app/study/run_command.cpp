@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/options/output_options.h"
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
 #include "app/study/csv.h"
@@ -23,8 +24,7 @@ void StudyRunCommand::add_to(CLI::App& study, int& exit_code) {
       "Errors are the same in every run; times are medians and quartiles of repetitions in turn.\n"
       "Exit code 1: an error is not within a factor of two of the theory, and nobody knows why.");
   add_measuring_options(command, measuring_);
-  command.add_option("--json", json_output_, "the results as JSON; - is standard output")
-      ->type_name("FILE|-");
+  add_json_output(command, json_output_, "the results");
   command.add_option("--csv", csv_output_, "the results as comma-separated values")
       ->type_name("FILE|-");
   command.callback([this, &exit_code] { exit_code = run(); });

@@ -151,12 +151,12 @@ std::string restated(std::span<const Point<Clip>> polygon) {
 }
 
 Expected exact_clip(std::span<const Point<Clip>> polygon, std::span<const ClipPlane> planes) {
-  exact::ExactPolygon<Rational> exact;
-  for (const Point<Clip>& p : polygon) exact.push_back(exact::exact_point<Rational>(p));
-  exact = exact::clip(exact, planes);
+  exact::ExactPolygon<Rational> corners;
+  for (const Point<Clip>& p : polygon) corners.push_back(exact::exact_point<Rational>(p));
+  const exact::ExactPolygon<Rational> kept = exact::clip(corners, planes);
   Expected expected{"polygon", Shape::kPolygon, {}, bound_of(polygon, planes), "clip units", 4};
-  if (exact.size() < 3) return expected;
-  for (const auto& p : exact) {
+  if (kept.size() < 3) return expected;
+  for (const auto& p : kept) {
     for (const Rational* each : {&p.x, &p.y, &p.z, &p.w}) expected.values.push_back(double(*each));
   }
   return expected;

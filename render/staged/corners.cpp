@@ -102,8 +102,8 @@ std::array<Outcode, 3> outcodes_of(const PrimitiveStage& stage, const Triangle& 
 }
 
 ClipPolygon clip_to_view(const PrimitiveStage& stage, const std::array<ClipVertex, 3>& corners,
-                         const std::array<Outcode, 3>& codes) {
-  switch (trivial_verdict(codes)) {
+                         ClipVerdict verdict) {
+  switch (verdict) {
     case ClipVerdict::kAccept:
       return {{corners[0], corners[1], corners[2]}, 3};
     case ClipVerdict::kReject:
@@ -114,9 +114,8 @@ ClipPolygon clip_to_view(const PrimitiveStage& stage, const std::array<ClipVerte
   return clip_triangle(corners, stage.planes);
 }
 
-bool is_culled_early(const PrimitiveStage& stage, const Triangle& triangle,
-                     const std::array<Outcode, 3>& codes) {
-  if (!stage.object_cull || trivial_verdict(codes) != ClipVerdict::kAccept) return false;
+bool is_culled_early(const PrimitiveStage& stage, const Triangle& triangle, ClipVerdict verdict) {
+  if (!stage.object_cull || verdict != ClipVerdict::kAccept) return false;
   const Mesh& mesh = *stage.draw.mesh;
   const auto corner = [&](std::size_t k) {
     return mesh.positions[mesh.corners[triangle.corners[k]].position];

@@ -16,13 +16,12 @@ std::array<Outcode, 3> outcodes_of(const PrimitiveStage& stage, const Triangle& 
 
 // What the view's planes leave of a triangle; most are left whole, or nothing of them.
 ClipPolygon clip_to_view(const PrimitiveStage& stage, const std::array<ClipVertex, 3>& corners,
-                         const std::array<Outcode, 3>& codes);
+                         ClipVerdict verdict);
 
 // ---- facing ----
 
 // Turned away for certain, which is known before anything is clipped. What a plane cuts is left to the snapped area.
-bool is_culled_early(const PrimitiveStage& stage, const Triangle& triangle,
-                     const std::array<Outcode, 3>& codes);
+bool is_culled_early(const PrimitiveStage& stage, const Triangle& triangle, ClipVerdict verdict);
 
 // Counter-clockwise in the world is counter-clockwise on the screen: the eye sees what a person there would see. A
 // mirroring model matrix turns the winding round, and the outside with it.

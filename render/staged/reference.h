@@ -26,9 +26,10 @@ void ready_triangle(const PrimitiveStage& stage, const Watch& watch, const Trian
                     std::vector<ReadyLine>& lines) {
   const std::array<ClipVertex, 3> corners = clip_vertices(stage, triangle);    // transform
   const std::array<Outcode, 3> codes = outcodes_of(stage, triangle, corners);  // outcode
-  if (is_culled_early(stage, triangle, codes)) return watch.culled_early();
-  ClipPolygon polygon = clip_to_view(stage, corners, codes);  // clip
-  watch.clipped(stage, triangle, corners, codes, polygon);
+  const ClipVerdict verdict = trivial_verdict(codes);
+  if (is_culled_early(stage, triangle, verdict)) return watch.culled_early();
+  ClipPolygon polygon = clip_to_view(stage, corners, verdict);  // clip
+  watch.clipped(stage, triangle, corners, verdict, polygon);
 
   const std::size_t count = std::size_t(polygon.count);
   std::array<ScreenVertex, kMaxClipVertices> screen;

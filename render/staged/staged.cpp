@@ -18,8 +18,8 @@ namespace {
 template <class Watch>
 struct EyeRun {
   const EyePicture& picture;
-  std::vector<Draw> draws;
-  Watch watch;
+  const std::vector<Draw>& draws;
+  const Watch& watch;
 };
 
 PixelRect whole(const Image<Rgba8>& picture) {
@@ -166,27 +166,20 @@ void clear(const EyePicture& eye) {
 }
 
 template <class Watch>
-std::vector<EyeRun<Watch>> make_runs(const PictureJob& job, const DrawList& list,
-                                     const std::vector<Watch>& watches) {
-  std::vector<EyeRun<Watch>> eyes;
-  for (std::size_t i = 0; i < job.eyes.size(); ++i) {
-    const EyePicture& eye = job.eyes[i];
-    eyes.push_back({eye, i == 0 ? list.draws : draws_of_other_eye(list.draws, job.scene, eye.view),
-                    watches[i]});
-  }
-  return eyes;
-}
-
-template <class Watch>
 NotSubmitted draw_watched(const PictureJob& job, const std::vector<Watch>& watches) {
+  const EyePicture& first = job.eyes.front();
   DrawList list;
-  std::vector<EyeRun<Watch>> eyes;
+  std::vector<Draw> of_second;
   {
-    const Stopwatch stopwatch(job.eyes.front().statistics.prepare_ms);
-    list = make_draw_list(job.scene, job.prepared, job.eyes.front().view);
-    eyes = make_runs(job, list, watches);
+    const Stopwatch stopwatch(first.statistics.prepare_ms);
+    list = make_draw_list(job.scene, job.prepared, first.view);
+    if (job.eyes.size() > 1) {
+      of_second = draws_of_other_eye(list.draws, job.scene, job.eyes[1].view);
+    }
     for (const EyePicture& eye : job.eyes) clear(eye);
   }
+  std::vector<EyeRun<Watch>> eyes{{first, list.draws, watches.front()}};
+  if (job.eyes.size() > 1) eyes.push_back({job.eyes[1], of_second, watches[1]});
   std::optional<CullingList> pair;
   if (job.culling != nullptr) {
     pair.emplace(job.culling->how, job.scene, job.culling->centre, list.draws);

@@ -12,7 +12,7 @@ struct Nobody {
   void projected(const Draw&, std::uint32_t, Point<Clip>&) const {}
   void culled_early() const {}
   void clipped(const PrimitiveStage&, const Triangle&, const std::array<ClipVertex, 3>&,
-               const std::array<Outcode, 3>&, ClipPolygon&) const {}
+               ClipVerdict, ClipPolygon&) const {}
   void divided(const ClipVertex&, NdcVertex&) const {}
   void placed(const NdcVertex&, ScreenVertex&) const {}
   void set_up(std::uint32_t, const std::array<ScreenVertex, 3>&,
@@ -37,8 +37,8 @@ struct Counting : Nobody {
 
   void culled_early() const { ++statistics.culled_early; }
   void clipped(const PrimitiveStage&, const Triangle&, const std::array<ClipVertex, 3>&,
-               const std::array<Outcode, 3>& codes, ClipPolygon& polygon) const {
-    switch (trivial_verdict(codes)) {
+               ClipVerdict verdict, ClipPolygon& polygon) const {
+    switch (verdict) {
       case ClipVerdict::kAccept:
         break;
       case ClipVerdict::kReject:
@@ -87,9 +87,9 @@ struct Observed : Counting {
     observer.projected(draw, index, clip);
   }
   void clipped(const PrimitiveStage& stage, const Triangle& triangle,
-               const std::array<ClipVertex, 3>& corners, const std::array<Outcode, 3>& codes,
+               const std::array<ClipVertex, 3>& corners, ClipVerdict verdict,
                ClipPolygon& polygon) const {
-    Counting::clipped(stage, triangle, corners, codes, polygon);
+    Counting::clipped(stage, triangle, corners, verdict, polygon);
     observer.clipped(stage, triangle, corners, polygon);
   }
   void divided(const ClipVertex& clip, NdcVertex& ndc) const { observer.divided(clip, ndc); }

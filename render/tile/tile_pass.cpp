@@ -109,7 +109,8 @@ private:
     pass_.kernels.resolve_tile(resolve, tile_);
   }
 
-  // And back: what was seen is in the picture. (Beyond the screen's edge nothing is seen, but whole quads are read.)
+  // From the framebuffer to the buffer: depths, and for every pixel that what it shows is in the picture already. (Beyond the
+  // screen's edge nothing is shown, but whole quads are read.)
   void load() {
     std::fill_n(tile_.reference(), tile_.block_count() * kBlockPixels, kInPicture);
     for (std::size_t i = 0; i < tile_.block_count(); ++i) {

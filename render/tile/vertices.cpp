@@ -17,11 +17,10 @@ VertexJob vertex_job(const TileRun& run, std::uint32_t index) {
   job.anchor = draw.anchor;
   job.clip_from_anchored = draw.clip_from_anchored;
   job.viewport = run.view.viewport;
-  const ClipPlane& eye = run.planes[1];
-  const ClipPlane& far = run.planes[2];
+  const ClipPlane &near = run.planes[kNearPlane], &far = run.planes[kFarPlane];
   // With a reversed range the near plane is z = w and the far plane z = 0.
-  job.far_factor = float(std::max(far.d, run.planes[0].d));
-  job.smallest_w = float(-eye.e);
+  job.far_factor = float(std::max(far.d, near.d));
+  job.smallest_w = float(-run.planes[kEyePlane].e);
   job.band_x = surely_in_band(run.view.viewport.width());
   job.band_y = surely_in_band(run.view.viewport.height());
   job.test_planes = run.methods[index].test_planes;

@@ -183,7 +183,7 @@ std::vector<PixelEvent> in_order(std::vector<std::pair<Place, PixelEvent>> place
   std::stable_sort(placed.begin(), placed.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<PixelEvent> events;
-  for (auto& [place, event] : placed) events.push_back(std::move(event));
+  for (const auto& [place, event] : placed) events.push_back(event);
   return events;
 }
 
@@ -254,7 +254,7 @@ PixelHistory pixel_history(const Scene& scene, const TracedRun& run, int x, int 
       const auto found = std::lower_bound(faces.begin(), faces.end(), std::pair{number, 0u});
       if (found != faces.end() && found->first == number) event.face = found->second;
     }
-    placed.push_back({{turn[traced.instance], number, traced.source.piece}, std::move(event)});
+    placed.push_back({{turn[traced.instance], number, traced.source.piece}, event});
   }
   std::stable_sort(
       history.misses.begin(), history.misses.end(),

@@ -6,12 +6,12 @@
 #include <span>
 #include <variant>
 
+#include <glassbox/base/utf8.h>
 #include <glassbox/images/decode.h>
 #include <glassbox/images/png_text.h>
 #include <glassbox/images/read.h>
 #include <glassbox/images/recipe.h>
 #include <glassbox/images/stored_image.h>
-#include <glassbox/images/utf8.h>
 #include <glassbox/images/write.h>
 
 #include "tests/fuzz/promises.h"

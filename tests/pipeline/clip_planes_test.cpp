@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include <glassbox/base/random.h>
@@ -15,6 +16,13 @@
 
 using namespace glassbox;
 using namespace glassbox::test;
+
+TEST_CASE("the planes that rendering clips with stand where their names say") {
+  const auto planes = render_planes(perspective_view(1280, 720, 0.001));
+  CHECK(std::string(planes[kNearPlane].name) == "near");
+  CHECK(std::string(planes[kEyePlane].name) == "eye");
+  CHECK(std::string(planes[kFarPlane].name).starts_with("far"));
+}
 
 TEST_CASE("the guard band keeps what it can hold and cuts the rest at its edge (C-40)") {
   // 1024 px: pixels to NDC and back are exact. NDC x of a screen position relative to the centre.

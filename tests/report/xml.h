@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include <glassbox/images/utf8.h>
+#include <glassbox/base/utf8.h>
 
 namespace glassbox::test {
 

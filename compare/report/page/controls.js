@@ -3,10 +3,7 @@
 // Zooms by one step; what is under the given point of a pane stays there.
 function zoomBy(steps, at = null) {
   if (!state.pair?.pictures.length) return;
-  const usable = scales.filter((scale) => scale <= largestScale());
-  const up = usable.find((scale) => scale > view.scale * 1.001);
-  const down = usable.findLast((scale) => scale < view.scale * 0.999);
-  zoomTo((steps > 0 ? up : Math.max(down ?? 0, Math.min(fitScale(), 1))) ?? view.scale, at);
+  zoomTo(scaleBeside(steps, scales.filter((scale) => scale <= largestScale())), at);
 }
 
 function zoomTo(scale, at = null) {

@@ -1,0 +1,18 @@
+#include "app/options/output_options.h"
+
+#include <CLI/CLI.hpp>
+
+namespace glassbox::app {
+
+CLI::Option* add_json_output(CLI::App& command, std::optional<std::string>& target,
+                             const std::string& what) {
+  return command.add_option("--json", target, what + " as JSON; - is standard output")
+      ->type_name("FILE|-");
+}
+
+CLI::Option* add_html_output(CLI::App& command, std::optional<std::string>& target,
+                             const std::string& help) {
+  return command.add_option("--html", target, help)->type_name("FILE");
+}
+
+}  // namespace glassbox::app
