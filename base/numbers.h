@@ -76,6 +76,10 @@ template <int kBits, WholeNumber I>
 inline I shifted_right(I i) {
   return i >> kBits;
 }
+template <WholeNumber I>
+inline I shifted_right(I i, I bits) {
+  return i >> bits;
+}
 
 #include <glassbox/base/formulas/common.h>
 

@@ -61,12 +61,19 @@ Footprint footprint(int i, int short_side, int long_side) {
   return covered;
 }
 
+std::vector<Footprint> footprints(int short_side, int long_side) {
+  std::vector<Footprint> covered;
+  for (int i = 0; i < short_side; ++i) covered.push_back(footprint(i, short_side, long_side));
+  return covered;
+}
+
 Image<Rgba8> half(const Image<Rgba8>& image, Transfer transfer) {
-  Image<Rgba8> smaller(std::max(1, image.width / 2), std::max(1, image.height / 2));
+  Image<Rgba8> smaller(side_of_level(image.width, 1), side_of_level(image.height, 1));
+  const std::vector<Footprint> all_columns = footprints(smaller.width, image.width);
   for (int y = 0; y < smaller.height; ++y) {
     const Footprint rows = footprint(y, smaller.height, image.height);
     for (int x = 0; x < smaller.width; ++x) {
-      const Footprint columns = footprint(x, smaller.width, image.width);
+      const Footprint& columns = all_columns[std::size_t(x)];
       Rgba sum{0, 0, 0, 0};
       for (int row = 0; row < rows.count; ++row) {
         for (int column = 0; column < columns.count; ++column) {
@@ -83,21 +90,38 @@ Image<Rgba8> half(const Image<Rgba8>& image, Transfer transfer) {
 
 // ---- sampling ----
 
-Rgba sample_level(const Image<Rgba8>& image, const Sampler& sampler, Filter filter, float u,
-                  float v, Transfer transfer, const ColorMask& wanted) {
-  const auto texel = [&](int x, int y) { return decode_texel(image.at(x, y), transfer, wanted); };
-  return filter == Filter::kNearest
-             ? sample_nearest(sampler, image.width, image.height, u, v, texel)
-             : sample_linear(sampler, image.width, image.height, u, v, texel);
-}
+// The texels of a chain, in linear light.
+class LinearTexture {
+public:
+  LinearTexture(const MipChain& chain, Transfer transfer, const ColorMask& wanted)
+      : chain_(chain), transfer_(transfer), wanted_(wanted) {}
+
+  int last_level() const { return chain_.last_level(); }
+  TextureLevelOf<std::int32_t> base() const { return {chain_.width, chain_.height, 0}; }
+  TextureLevelOf<std::int32_t> level(std::int32_t k) const {
+    return {side_of_level(chain_.width, k), side_of_level(chain_.height, k),
+            chain_.first[std::size_t(k)]};
+  }
+  Rgba texel(const TextureLevelOf<std::int32_t>& level, std::int32_t x, std::int32_t y) const {
+    return decode_texel(chain_.texels[std::size_t(level.first + y * level.width + x)], transfer_,
+                        wanted_);
+  }
+
+private:
+  const MipChain& chain_;
+  Transfer transfer_;
+  const ColorMask& wanted_;
+};
 
 }  // namespace
 
 MipChain make_mip_chain(const Image<Rgba8>& image, Transfer transfer, bool first_level_only) {
-  MipChain chain;
-  chain.levels.push_back(image);
-  while (!first_level_only && (chain.levels.back().width > 1 || chain.levels.back().height > 1)) {
-    chain.levels.push_back(half(chain.levels.back(), transfer));
+  MipChain chain{image.width, image.height, {0}, image.pixels};
+  Image<Rgba8> level = image;
+  while (!first_level_only && (level.width > 1 || level.height > 1)) {
+    level = half(level, transfer);
+    chain.first.push_back(std::int32_t(chain.texels.size()));
+    chain.texels.insert(chain.texels.end(), level.pixels.begin(), level.pixels.end());
   }
   return chain;
 }
@@ -127,23 +151,8 @@ float level_of_detail(const TextureGradient& gradient, int width, int height) {
 
 Rgba sample(const MipChain& texture, const Sampler& sampler, const std::array<float, 2>& texcoord,
             float level_of_detail, Transfer transfer, const ColorMask& wanted) {
-  const float u = wrap_coordinate(sampler.wrap_u, texcoord[0]);
-  const float v = wrap_coordinate(sampler.wrap_v, texcoord[1]);
-  const auto level = [&](std::size_t k, Filter filter) {
-    return sample_level(texture.levels[k], sampler, filter, u, v, transfer, wanted);
-  };
-  if (!(level_of_detail > 0.0f)) return level(0, sampler.magnify);
-  if (sampler.mip == MipFilter::kNone) return level(0, sampler.minify);
-
-  const float last = float(texture.levels.size() - 1);
-  const float position = std::min(level_of_detail, last);
-  if (sampler.mip == MipFilter::kNearest) {
-    return level(std::size_t(std::floor(position + 0.5f)), sampler.minify);
-  }
-  const float finer = std::floor(position);
-  if (finer == position) return level(std::size_t(finer), sampler.minify);
-  return mix(level(std::size_t(finer), sampler.minify),
-             level(std::size_t(finer) + 1, sampler.minify), position - finer);
+  return sample_texture(LinearTexture(texture, transfer, wanted), sampler, texcoord,
+                        level_of_detail);
 }
 
 }  // namespace glassbox

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <atomic>
+#include <mutex>
 #include <vector>
 
 #include <glassbox/images/image.h>
@@ -12,14 +14,49 @@
 
 namespace glassbox {
 
-// An image and its halvings down to one texel: level k is max(1, size >> k) on each side.
-struct MipChain {
-  std::vector<Image<Rgba8>> levels;
+// One level of a texture: its size, and the number of its first texel in the chain.
+template <class I>
+struct TextureLevelOf {
+  I width, height, first;
 };
 
-// Each texel is the mean of the texels it covers, in linear light, re-encoded. `levels` stops after the first when
+// An image and its halvings down to one texel: level k is max(1, size >> k) on each side.
+struct MipChain {
+  int width = 0, height = 0;        // of level 0
+  std::vector<std::int32_t> first;  // by level: the number of its first texel
+  std::vector<Rgba8> texels;        // level by level, row by row from the top
+
+  int last_level() const { return int(first.size()) - 1; }
+};
+
+// Each texel is the mean of the texels it covers, in linear light, re-encoded. The chain stops after the first level when
 // the sampler never looks at the others.
 MipChain make_mip_chain(const Image<Rgba8>& image, Transfer transfer, bool first_level_only);
+
+// The chain of an image, which must stay where it is, made when somebody asks for it first: what is not seen costs nothing.
+class LazyMipChain {
+public:
+  LazyMipChain(const Image<Rgba8>& image, Transfer transfer, bool first_level_only)
+      : image_(image), transfer_(transfer), first_level_only_(first_level_only) {}
+
+  // By any thread; the others wait for the one that makes it.
+  const MipChain& get() const {
+    std::call_once(once_, [&] {
+      chain_ = make_mip_chain(image_, transfer_, first_level_only_);
+      made_ = true;
+    });
+    return chain_;
+  }
+  bool made() const { return made_; }
+
+private:
+  const Image<Rgba8>& image_;
+  Transfer transfer_;
+  bool first_level_only_;
+  mutable std::once_flag once_;
+  mutable MipChain chain_;
+  mutable std::atomic<bool> made_ = false;
+};
 
 // How fast texture coordinates change from pixel to pixel: the derivatives of (u, v) along screen x and y, per pixel.
 template <class F>

@@ -22,21 +22,20 @@ inline F wrap_coordinate(Wrap wrap, F t) {
 
 // Into [0, period), of an index that is off either end by less than one.
 template <WholeNumber I>
-inline I into_period(I i, int period) {
-  const I zero = 0, whole = period;
-  const I from_below = select(i < zero, i + whole, i);
-  return select(from_below < whole, from_below, from_below - whole);
+inline I into_period(I i, I period) {
+  const I from_below = select(i < 0, i + period, i);
+  return select(from_below < period, from_below, from_below - period);
 }
 
 // A texel index that may be off either end by less than a period.
 template <WholeNumber I>
-inline I wrap_texel(Wrap wrap, I i, int size) {
+inline I wrap_texel(Wrap wrap, I i, I size) {
   const I last = size - 1;
   switch (wrap) {
     case Wrap::kRepeat:
       return into_period(i, size);
     case Wrap::kMirroredRepeat: {
-      const I j = into_period(i, 2 * size);
+      const I j = into_period(i, size + size);
       return select(last < j, (last + size) - j, j);
     }
     case Wrap::kClampToEdge:
@@ -47,29 +46,43 @@ inline I wrap_texel(Wrap wrap, I i, int size) {
 
 // ---- one level ----
 
-// The texel that (u, v) is in, and the mean of the four around it; texel(x, y) is the colour of one, and colours have a mix() of
-// their channels. Coordinates are wrapped already. Texel centres are at halves.
-template <Number F, class Texel>
-inline auto sample_nearest(const Sampler& sampler, int width, int height, F u, F v,
-                           const Texel& texel) {
-  const auto x = to_integer(floor(u * float(width)));
-  const auto y = to_integer(floor(v * float(height)));
-  return texel(wrap_texel(sampler.wrap_u, x, width), wrap_texel(sampler.wrap_v, y, height));
+// How wide or high a level is whose base has `side` texels there.
+template <WholeNumber I>
+inline I side_of_level(int side, I level) {
+  return greatest(I(1), shifted_right(I(side), level));
 }
 
-template <Number F, class Texel>
-inline auto sample_linear(const Sampler& sampler, int width, int height, F u, F v,
-                          const Texel& texel) {
-  const F x = u * float(width) - 0.5f, y = v * float(height) - 0.5f;
+// The texel that (u, v) is in, and the mean of the four around it. A texture has a texel(level, x, y), and colours have a mix()
+// of their channels. Coordinates are wrapped already. Texel centres are at halves.
+template <Number F, class Texture, WholeNumber I>
+inline auto sample_nearest(const Texture& texture, const Sampler& sampler,
+                           const TextureLevelOf<I>& level, F u, F v) {
+  const I x = to_integer(floor(u * to_float(level.width)));
+  const I y = to_integer(floor(v * to_float(level.height)));
+  return texture.texel(level, wrap_texel(sampler.wrap_u, x, level.width),
+                       wrap_texel(sampler.wrap_v, y, level.height));
+}
+
+template <Number F, class Texture, WholeNumber I>
+inline auto sample_linear(const Texture& texture, const Sampler& sampler,
+                          const TextureLevelOf<I>& level, F u, F v) {
+  const F x = u * to_float(level.width) - 0.5f, y = v * to_float(level.height) - 0.5f;
   const F left = floor(x), above = floor(y);
-  const auto column = to_integer(left), row = to_integer(above);
-  const auto x0 = wrap_texel(sampler.wrap_u, column, width);
-  const auto x1 = wrap_texel(sampler.wrap_u, column + 1, width);
-  const auto y0 = wrap_texel(sampler.wrap_v, row, height);
-  const auto y1 = wrap_texel(sampler.wrap_v, row + 1, height);
+  const I column = to_integer(left), row = to_integer(above);
+  const I x0 = wrap_texel(sampler.wrap_u, column, level.width);
+  const I x1 = wrap_texel(sampler.wrap_u, column + 1, level.width);
+  const I y0 = wrap_texel(sampler.wrap_v, row, level.height);
+  const I y1 = wrap_texel(sampler.wrap_v, row + 1, level.height);
   const F across = x - left, down = y - above;
-  return mix(mix(texel(x0, y0), texel(x1, y0), across), mix(texel(x0, y1), texel(x1, y1), across),
-             down);
+  return mix(mix(texture.texel(level, x0, y0), texture.texel(level, x1, y0), across),
+             mix(texture.texel(level, x0, y1), texture.texel(level, x1, y1), across), down);
+}
+
+template <Number F, class Texture, WholeNumber I>
+inline auto sample_level(const Texture& texture, const Sampler& sampler, Filter filter,
+                         const TextureLevelOf<I>& level, F u, F v) {
+  return filter == Filter::kNearest ? sample_nearest(texture, sampler, level, u, v)
+                                    : sample_linear(texture, sampler, level, u, v);
 }
 
 // ---- level of detail ----
@@ -143,4 +156,42 @@ inline F level_of_detail(const TextureGradientOf<F>& gradient, int width, int he
   const F level = select(is_finite(longest), 0.5f * log2_positive(longest),
                          F(std::numeric_limits<float>::max()));
   return select(longest > 0.0f, level, F(-std::numeric_limits<float>::infinity()));
+}
+
+// ---- between levels ----
+
+// The level whose texels are about as large as the pixel, or the two that such a one would lie between. `position`: in
+// 0 .. last_level.
+template <Number F, class Texture>
+inline auto sample_minified(const Texture& texture, const Sampler& sampler, F u, F v, F position) {
+  const Filter filter = sampler.minify;
+  if (sampler.mip == MipFilter::kNone) {
+    return sample_level(texture, sampler, filter, texture.base(), u, v);
+  }
+  if (sampler.mip == MipFilter::kNearest) {
+    const auto nearest = to_integer(floor(position + 0.5f));
+    return sample_level(texture, sampler, filter, texture.level(nearest), u, v);
+  }
+  const F finer = floor(position), beyond = position - finer;
+  const auto color = sample_level(texture, sampler, filter, texture.level(to_integer(finer)), u, v);
+  if (none(beyond > 0.0f)) return color;
+  const auto coarser = to_integer(least(finer + 1.0f, F(float(texture.last_level()))));
+  return mix(color, sample_level(texture, sampler, filter, texture.level(coarser), u, v), beyond);
+}
+
+// One filtered sample. A texture has base(), and level(k) for k in 0 .. last_level().
+template <Number F, class Texture>
+inline auto sample_texture(const Texture& texture, const Sampler& sampler,
+                           const std::array<F, 2>& texcoord, F level_of_detail) {
+  const F u = wrap_coordinate(sampler.wrap_u, texcoord[0]);
+  const F v = wrap_coordinate(sampler.wrap_v, texcoord[1]);
+  const auto magnified = !(level_of_detail > 0.0f);
+  const F last = float(texture.last_level());
+  const F position = select(magnified, F(0.0f), least(level_of_detail, last));
+  if (sampler.magnify == sampler.minify || none(magnified)) {
+    return sample_minified(texture, sampler, u, v, position);
+  }
+  const auto base = sample_level(texture, sampler, sampler.magnify, texture.base(), u, v);
+  if (none(!magnified)) return base;
+  return select(magnified, base, sample_minified(texture, sampler, u, v, position));
 }

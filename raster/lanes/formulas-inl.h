@@ -20,13 +20,20 @@ namespace HWY_NAMESPACE {
 template <Number F>
 HWY_INLINE F wrap_coordinate(Wrap wrap, F t);
 template <WholeNumber I>
-HWY_INLINE I wrap_texel(Wrap wrap, I i, int size);
-template <Number F, class Texel>
-HWY_INLINE auto sample_nearest(const Sampler& sampler, int width, int height, F u, F v,
-                               const Texel& texel);
-template <Number F, class Texel>
-HWY_INLINE auto sample_linear(const Sampler& sampler, int width, int height, F u, F v,
-                              const Texel& texel);
+HWY_INLINE I wrap_texel(Wrap wrap, I i, I size);
+template <Number F, class Texture, WholeNumber I>
+HWY_INLINE auto sample_nearest(const Texture& texture, const Sampler& sampler,
+                               const TextureLevelOf<I>& level, F u, F v);
+template <Number F, class Texture, WholeNumber I>
+HWY_INLINE auto sample_linear(const Texture& texture, const Sampler& sampler,
+                              const TextureLevelOf<I>& level, F u, F v);
+template <Number F, class Texture, WholeNumber I>
+HWY_INLINE auto sample_level(const Texture& texture, const Sampler& sampler, Filter filter,
+                             const TextureLevelOf<I>& level, F u, F v);
+// And what is large enough to be called.
+template <Number F, class Texture>
+HWY_NOINLINE auto sample_minified(const Texture& texture, const Sampler& sampler, F u, F v,
+                                  F position);
 
 #include <glassbox/base/formulas/common.h>
 #include <glassbox/base/formulas/transform_row.h>

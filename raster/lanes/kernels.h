@@ -15,7 +15,7 @@ struct Kernels {
   void (*transform_normals)(const NormalJob& job);
   void (*transform_positions)(const EyePositionJob& job);
   // Writes to `selected`, which has room for job.count, and returns how many there are.
-  std::size_t (*select_triangles)(const SelectJob& job, Selected* selected, SelectCounts& counts);
+  std::size_t (*select_triangles)(const SelectJob& job, BinEntry* selected, SelectCounts& counts);
   void (*draw_small)(const SmallJob& job, const std::uint32_t* triangles, std::size_t count,
                      TileBuffer& tile, FragmentCounts& counts);
   void (*draw_large)(const TriangleSetup& setup, Reference reference, TileBuffer& tile,

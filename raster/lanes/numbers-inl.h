@@ -200,6 +200,10 @@ HWY_INLINE Ints shifted_right(Ints i) {
   return hn::ShiftRight<kBits>(i.v);
 }
 
+HWY_INLINE Ints shifted_right(Ints i, Ints bits) {
+  return hn::Shr(i.v, bits.v);
+}
+
 // From and to memory that is aligned as the vectors are.
 HWY_INLINE Floats load(const float* from) {
   return hn::Load(kF, from);

@@ -7,6 +7,8 @@
 #define GLASSBOX_SELECT_INL_H_
 #endif
 
+#include <bit>
+
 #include <glassbox/raster/lanes/setup-inl.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -28,8 +30,16 @@ HWY_INLINE OfVertices<Ints> load_indices(IndexTriples triples, std::uint32_t fir
   return indices;
 }
 
-// Writes those that are left to `selected`, which has room for job.count, and returns how many there are.
-inline std::size_t select_triangles(const SelectJob& job, Selected* selected,
+// Bin entries, a word of each in each vector.
+HWY_INLINE void store_words(const std::array<Ints, 3>& words, BinEntry* to) {
+  static_assert(std::endian::native == std::endian::little);
+  static_assert(sizeof(BinEntry) == 3 * sizeof(std::int32_t));
+  hn::StoreInterleaved3(words[0].v, words[1].v, words[2].v, kI,
+                        reinterpret_cast<std::int32_t*>(to));
+}
+
+// Writes those that may cover a pixel to `selected`, which has room for job.count + kMostLanes, and returns how many there are.
+inline std::size_t select_triangles(const SelectJob& job, BinEntry* selected,
                                     SelectCounts& counts) {
   std::size_t kept = 0;
   const Ints small = kSmallSide * kSubpixels;
@@ -73,22 +83,17 @@ inline std::size_t select_triangles(const SelectJob& job, Selected* selected,
     const IntMask keep = (facing && meets_pixels) || is_large;
     if (none(keep)) continue;
 
-    HWY_ALIGN std::int32_t triangles[kLanes], low_x[kLanes], low_y[kLanes], high_x[kLanes],
-        high_y[kLanes];
     const auto to_tile = [&](Ints pixel)
-                             HWY_ATTR { return hn::ShiftRightSame(pixel.v, job.tile_shift); };
+                             HWY_ATTR { return Ints(hn::ShiftRightSame(pixel.v, job.tile_shift)); };
+    const auto in_one_word = [&](Ints tile_x, Ints tile_y)
+                                 HWY_ATTR { return tile_x | shifted_left<16>(tile_y); };
     const Ints marked = triangle | select(is_large, std::int32_t(kLarge), 0);
-    hn::CompressStore(marked.v, keep.m, kI, triangles);
-    hn::CompressStore(to_tile(x0), keep.m, kI, low_x);
-    hn::CompressStore(to_tile(y0), keep.m, kI, low_y);
-    hn::CompressStore(to_tile(x1 - 1), keep.m, kI, high_x);
-    hn::CompressStore(to_tile(y1 - 1), keep.m, kI, high_y);
-    const std::size_t found = count_of(keep);
-    for (std::size_t k = 0; k < found; ++k) {
-      selected[kept++] = {std::uint32_t(triangles[k]), std::uint16_t(low_x[k]),
-                          std::uint16_t(low_y[k]), std::uint16_t(high_x[k]),
-                          std::uint16_t(high_y[k])};
-    }
+    const Ints low_tile = in_one_word(to_tile(x0), to_tile(y0));
+    const Ints high_tile = in_one_word(to_tile(x1 - 1), to_tile(y1 - 1));
+    store_words({hn::Compress(marked.v, keep.m), hn::Compress(low_tile.v, keep.m),
+                 hn::Compress(high_tile.v, keep.m)},
+                selected + kept);
+    kept += count_of(keep);
   }
   return kept;
 }

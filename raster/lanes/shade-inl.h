@@ -230,32 +230,15 @@ private:
 
 // ---- colour ----
 
-// Samples that look at several levels, one lane after the other.
-template <class Source>
-HWY_INLINE Rgb sample_levels(const MipChain& texture, const Sampler& sampler, const ResolveJob& job,
-                             const Source& source, const Float2& texcoord) {
-  const Image<Rgba8>& base = texture.levels.front();
-  const TextureGradientOf<Floats> gradient =
-      gradient_at(source.texture_planes(), texcoord, source.at().inverse_w);
-  HWY_ALIGN float u[kLanes], v[kLanes], detail[kLanes];
-  store(texcoord[0], u);
-  store(texcoord[1], v);
-  store(level_of_detail(gradient, base.width, base.height), detail);
-  HWY_ALIGN float r[kLanes], g[kLanes], b[kLanes];
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    const Rgba texel = sample(texture, sampler, {u[i], v[i]}, detail[i], job.transfer,
-                              ColorMask{true, true, true, false});
-    r[i] = texel.r, g[i] = texel.g, b[i] = texel.b;
-  }
-  return {load(r), load(g), load(b)};
-}
-
 template <class Source>
 HWY_INLINE Rgb texture_color(const MipChain& texture, const Sampler& sampler, const ResolveJob& job,
                              const Source& source) {
   const Float2 at = source.texcoord();
-  if (!samples_base_only(sampler)) return sample_levels(texture, sampler, job, source, at);
-  return sample_base(texture, sampler, at, job.transfer);
+  if (samples_base_only(sampler)) return sample_base(texture, sampler, at, job.transfer);
+  const TextureGradientOf<Floats> gradient =
+      gradient_at(source.texture_planes(), at, source.at().inverse_w);
+  return sample_texture(TextureInLanes(texture, job.transfer), sampler, at,
+                        level_of_detail(gradient, texture.width, texture.height));
 }
 
 template <class Source>
@@ -264,7 +247,7 @@ HWY_INLINE Rgb surface_color(const ShadeDraw& draw, const ResolveJob& job, const
   Rgb color{Floats(base.r), Floats(base.g), Floats(base.b)};
   if (draw.color_indices != nullptr) color = product(color, source.color());
   if (draw.texture != nullptr) {
-    color = product(color, texture_color(*draw.texture, *draw.sampler, job, source));
+    color = product(color, texture_color(draw.texture->get(), *draw.sampler, job, source));
   }
   return color;
 }
@@ -282,7 +265,8 @@ template <class Source>
 HWY_INLINE Rgb emission(const ShadeDraw& draw, const ResolveJob& job, const Source& source) {
   const Rgb own{Floats(draw.emission[0]), Floats(draw.emission[1]), Floats(draw.emission[2])};
   if (draw.emission_texture == nullptr) return own;
-  return product(own, texture_color(*draw.emission_texture, *draw.emission_sampler, job, source));
+  return product(own,
+                 texture_color(draw.emission_texture->get(), *draw.emission_sampler, job, source));
 }
 
 // The bytes of an opaque fragment as one integer; those that are not wanted are 0.

@@ -1,7 +1,8 @@
-// The table of images/srgb.h with entries that lanes can gather.
+// The table of images/srgb.h as lanes look things up: all of a bucket in one entry.
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -9,10 +10,20 @@
 
 namespace glassbox {
 
-inline constexpr auto kCodeOfBucket32 = [] {
-  std::array<std::int32_t, srgb_detail::kCodeOfBucket.size()> codes{};
-  for (std::size_t i = 0; i < codes.size(); ++i) codes[i] = srgb_detail::kCodeOfBucket[i];
-  return codes;
+// What to add to the lower half of a float's bits so that the upper half becomes its code: the code of the bucket's lowest float,
+// and as much as lets a float at or above the bucket's threshold, if it has one, carry into the next code.
+inline constexpr auto kSrgbCarry = [] {
+  using namespace srgb_detail;
+  static_assert(kBucketShift == 16);
+  std::array<std::int32_t, kCodeOfBucket.size()> carries{};
+  for (std::size_t i = 0; i < carries.size(); ++i) {
+    const std::size_t code = kCodeOfBucket[i];
+    carries[i] = std::int32_t(code << 16);
+    if (code == 255) continue;
+    const auto next = std::bit_cast<std::uint32_t>(kSrgbThreshold[code + 1]);
+    if (next >> 16 == kFirstBucket + i) carries[i] += 0x10000 - std::int32_t(next & 0xffff);
+  }
+  return carries;
 }();
 
 }  // namespace glassbox

@@ -89,10 +89,10 @@ struct SelectJob {
 };
 inline constexpr std::size_t kMostLanes = 64;  // of 32 bits: the widest vectors have 2048 bits
 
-// A triangle that may cover a pixel.
-struct Selected {
-  std::uint32_t triangle = 0;  // with kLarge: for the staged primitives to look at
-  // Tiles, both ends included; not of large ones.
+// What goes into the bins of a rectangle of tiles, both ends included: the index of a triangle in its draw, or of something else,
+// with the top bit. A triangle with that bit is for the staged primitives to look at, and its tiles say nothing.
+struct BinEntry {
+  std::uint32_t entry = 0;
   std::uint16_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };
 inline constexpr std::uint32_t kLarge = 0x80000000u;
@@ -151,13 +151,13 @@ struct ShadeDraw {
   const Rgba* colors = nullptr;
 
   const Material* material = nullptr;
-  const MipChain* texture = nullptr;
+  const LazyMipChain* texture = nullptr;
   const Sampler* sampler = nullptr;
   LightAt light = LightAt::kNowhere;
   bool highlights = false;  // the material has any, and the light arrives
   bool emits = false;       // light of its own is added:
   std::array<float, 3> emission{};
-  const MipChain* emission_texture = nullptr;
+  const LazyMipChain* emission_texture = nullptr;
   const Sampler* emission_sampler = nullptr;
 };
 

@@ -1,5 +1,4 @@
-// Samples from images over lanes that look at one level each; samples between two levels, and those whose filters differ from
-// lane to lane, are left to sample() of texture.h.
+// Samples from textures over lanes.
 
 #if defined(GLASSBOX_TEXTURE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_TEXTURE_INL_H_
@@ -30,19 +29,41 @@ HWY_INLINE Rgb decode_texel(Ints texel, Transfer transfer) {
           decode(transfer, shifted_right<16>(texel) & 255)};
 }
 
+HWY_INLINE Rgb select(FloatMask condition, const Rgb& yes, const Rgb& no) {
+  return {select(condition, yes[0], no[0]), select(condition, yes[1], no[1]),
+          select(condition, yes[2], no[2])};
+}
+
+// The texels of a chain, in linear light.
+class TextureInLanes {
+public:
+  HWY_INLINE TextureInLanes(const MipChain& chain, Transfer transfer)
+      : chain_(chain), transfer_(transfer) {}
+
+  int last_level() const { return chain_.last_level(); }
+  HWY_INLINE TextureLevelOf<Ints> base() const { return {chain_.width, chain_.height, 0}; }
+  HWY_INLINE TextureLevelOf<Ints> level(Ints k) const {
+    return {side_of_level(chain_.width, k), side_of_level(chain_.height, k),
+            hn::GatherIndex(kI, chain_.first.data(), k.v)};
+  }
+  HWY_INLINE Rgb texel(const TextureLevelOf<Ints>& level, Ints x, Ints y) const {
+    const auto* texels = reinterpret_cast<const std::int32_t*>(chain_.texels.data());
+    return decode_texel(hn::GatherIndex(kI, texels, (level.first + y * level.width + x).v),
+                        transfer_);
+  }
+
+private:
+  const MipChain& chain_;
+  Transfer transfer_;
+};
+
 // sample() for samplers that look at the base level alone.
 HWY_INLINE Rgb sample_base(const MipChain& texture, const Sampler& sampler,
                            const std::array<Floats, 2>& texcoord, Transfer transfer) {
-  const Image<Rgba8>& image = texture.levels.front();
-  const auto* pixels = reinterpret_cast<const std::int32_t*>(image.pixels.data());
-  const auto texel = [&](Ints x, Ints y) HWY_ATTR {
-    return decode_texel(hn::GatherIndex(kI, pixels, (y * image.width + x).v), transfer);
-  };
-  const Floats u = wrap_coordinate(sampler.wrap_u, texcoord[0]);
-  const Floats v = wrap_coordinate(sampler.wrap_v, texcoord[1]);
-  return sampler.magnify == Filter::kNearest
-             ? sample_nearest(sampler, image.width, image.height, u, v, texel)
-             : sample_linear(sampler, image.width, image.height, u, v, texel);
+  const TextureInLanes texels(texture, transfer);
+  return sample_level(texels, sampler, sampler.magnify, texels.base(),
+                      wrap_coordinate(sampler.wrap_u, texcoord[0]),
+                      wrap_coordinate(sampler.wrap_v, texcoord[1]));
 }
 
 }  // namespace HWY_NAMESPACE

@@ -37,17 +37,14 @@ HWY_INLINE Ints encode_unorm8(Floats value) {
   return to_integer(below) + one_where(v * 256.0f - (below + 0.5f) >= v);
 }
 
-// encode_srgb(), by the same tables with entries of 32 bits.
+// encode_srgb(), in one look at a table. Below the first bucket the code is 0, as it is at its lowest float.
 HWY_INLINE Ints encode_srgb(Floats linear) {
-  const Floats lowest = kSrgbThreshold[1], highest = kSrgbThreshold[255];
-  const FloatMask some = linear >= lowest, all = linear >= highest;
-  const Floats inside = select(some && !all, linear, lowest);
-  const Ints bucket = shifted_right<srgb_detail::kBucketShift>(bits_of(inside)) -
-                      std::int32_t(srgb_detail::kFirstBucket);
-  const Ints code = hn::GatherIndex(kI, kCodeOfBucket32.data(), bucket.v);
-  const Floats next = hn::GatherIndex(kF, kSrgbThreshold.data() + 1, code.v);
-  const Ints found = code + one_where(inside >= next);
-  return select(int_mask(all), 255, select(int_mask(some), found, 0));
+  const Floats lowest = float_of(Ints(std::int32_t(srgb_detail::kFirstBucket << 16)));
+  const Floats highest = kSrgbThreshold[255];
+  const Ints bits = bits_of(select(linear > lowest, least(linear, highest), lowest));
+  const Ints bucket = shifted_right<16>(bits) - std::int32_t(srgb_detail::kFirstBucket);
+  const Ints carry = hn::GatherIndex(kI, kSrgbCarry.data(), bucket.v);
+  return shifted_right<16>(carry + (bits & 0xffff));
 }
 
 HWY_INLINE Ints encode(Transfer transfer, Floats linear) {

@@ -64,11 +64,11 @@ Draw make_draw(const Scene& scene, const View& view, std::uint32_t instance,
 
 void choose_textures(const Scene& scene, const PreparedScene& prepared, Draw& draw) {
   if (const auto& texture = draw.material->texture) {
-    draw.texture = &prepared.textures[*texture];
+    draw.texture = prepared.textures[*texture].get();
     draw.sampler = &scene.textures[*texture].sampler;
   }
   if (const auto& texture = draw.material->emission_texture; texture && draw.emits()) {
-    draw.emission_texture = &prepared.textures[*texture];
+    draw.emission_texture = prepared.textures[*texture].get();
     draw.emission_sampler = &scene.textures[*texture].sampler;
   }
 }

@@ -21,11 +21,11 @@ namespace glassbox {
 struct Draw {
   const Mesh* mesh = nullptr;
   const Material* material = nullptr;
-  const MipChain* texture = nullptr;  // null: none
+  const LazyMipChain* texture = nullptr;  // null: none
   const Sampler* sampler = nullptr;
   // The material's, or 0 where its texture lacks coordinates: without it all of the surface would shine.
   std::array<float, 3> emission{};
-  const MipChain* emission_texture = nullptr;  // null: none, or it emits nothing
+  const LazyMipChain* emission_texture = nullptr;  // null: none, or it emits nothing
   const Sampler* emission_sampler = nullptr;
   bool emits() const { return emission[0] != 0 || emission[1] != 0 || emission[2] != 0; }
 

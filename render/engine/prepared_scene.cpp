@@ -74,10 +74,9 @@ PreparedScene prepare(const Scene& scene, Transfer transfer) {
           made.all_finite && std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
     });
   }
-  prepared.textures.reserve(scene.textures.size());
   for (const Texture& texture : scene.textures) {
-    prepared.textures.push_back(make_mip_chain(scene.images[texture.image], transfer,
-                                               texture.sampler.mip == MipFilter::kNone));
+    prepared.textures.push_back(std::make_unique<LazyMipChain>(
+        scene.images[texture.image], transfer, texture.sampler.mip == MipFilter::kNone));
   }
   return prepared;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <glassbox/base/box.h>
@@ -34,8 +35,8 @@ struct PreparedMesh {
 
 // Belongs to the scene it was made from, which must outlive it and not change.
 struct PreparedScene {
-  std::vector<PreparedMesh> meshes;  // by mesh
-  std::vector<MipChain> textures;    // by texture
+  std::vector<PreparedMesh> meshes;                     // by mesh
+  std::vector<std::unique_ptr<LazyMipChain>> textures;  // by texture
 };
 
 // `transfer` decides how the halvings of textures are averaged: it must be that of the settings rendered with.

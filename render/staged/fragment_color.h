@@ -47,9 +47,8 @@ inline Surface surface_of(const FragmentStage& stage, const ReadyTriangle& trian
 inline float detail_at(const MipChain& texture, const Surface& surface, const Varyings& at,
                        const Fragment& fragment) {
   if (!surface.texture) return 0.0f;
-  const Image<Rgba8>& image = texture.levels.front();
   return level_of_detail(texture_gradient(*surface.texture, at.texcoord, fragment.inverse_w),
-                         image.width, image.height);
+                         texture.width, texture.height);
 }
 
 // Material times vertex colour times texture.
@@ -59,9 +58,10 @@ inline Rgba surface_color(const FragmentStage& stage, const Surface& surface, co
   Rgba color{base.r * at.color[0], base.g * at.color[1], base.b * at.color[2],
              base.a * at.color[3]};
   if (stage.draw.texture != nullptr) {
-    const Rgba texel = sample(*stage.draw.texture, *stage.draw.sampler, at.texcoord,
-                              detail_at(*stage.draw.texture, surface, at, fragment),
-                              stage.settings.transfer, stage.channels);
+    const MipChain& texture = stage.draw.texture->get();
+    const Rgba texel =
+        sample(texture, *stage.draw.sampler, at.texcoord, detail_at(texture, surface, at, fragment),
+               stage.settings.transfer, stage.channels);
     color = {color.r * texel.r, color.g * texel.g, color.b * texel.b, color.a * texel.a};
   }
   return color;
@@ -98,7 +98,7 @@ inline std::array<float, 3> emission_at(const FragmentStage& stage, const Surfac
                                         const Varyings& at, const Fragment& fragment) {
   const std::array<float, 3>& emission = stage.draw.emission;
   if (stage.draw.emission_texture == nullptr) return emission;
-  const MipChain& texture = *stage.draw.emission_texture;
+  const MipChain& texture = stage.draw.emission_texture->get();
   const Rgba texel =
       sample(texture, *stage.draw.emission_sampler, at.texcoord,
              detail_at(texture, surface, at, fragment), stage.settings.transfer, stage.channels);

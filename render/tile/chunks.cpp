@@ -16,8 +16,7 @@ namespace glassbox {
 namespace {
 
 // Sorts entries into the chunk's bins by counting; within a bin they keep their order.
-void sort_into_bins(Chunk& chunk) {
-  const std::vector<BinEntry>& entries = chunk.unsorted;
+void sort_into_bins(std::span<const BinEntry> entries, Chunk& chunk) {
   chunk.tiles = {};
   chunk.starts.assign(1, 0);
   chunk.entries.clear();
@@ -126,8 +125,9 @@ const std::int32_t* cull_early(const PrimitiveStage& stage, const DrawSlot& slot
   return keep;
 }
 
-void fill_from_lanes(const TileRun& run, const Kernels& kernels, const DrawSlot& slot,
-                     Chunk& chunk) {
+// The entries of the bins: the small triangles, and in their places what came of the large ones.
+std::span<const BinEntry> fill_from_lanes(const TileRun& run, const Kernels& kernels,
+                                          const DrawSlot& slot, Chunk& chunk) {
   const Draw& draw = run.list.draws[slot.draw];
   const DrawMethod& method = run.methods[slot.draw];
   SelectJob job;
@@ -146,36 +146,40 @@ void fill_from_lanes(const TileRun& run, const Kernels& kernels, const DrawSlot&
   if (!job.all_large) job.keep = cull_early(stage, slot, chunk);
 
   SelectCounts counts;
-  const std::size_t found =
-      kernels.select_triangles(job, at_least(chunk.selected, chunk.count), counts);
+  BinEntry* selected = at_least(chunk.selected, chunk.count + kMostLanes);
+  const std::span found(selected, kernels.select_triangles(job, selected, counts));
   Statistics& s = chunk.statistics;
   s.after_clipping += counts.small;
   s.zero_area += counts.zero_area;
   s.culled += counts.culled;
   s.set_up += counts.small - counts.zero_area - counts.culled;
 
+  const auto is_large = [](const BinEntry& one) { return (one.entry & kLarge) != 0; };
+  if (std::ranges::none_of(found, is_large)) return found;
+
   const Counting watch(s);
   std::vector<ReadyTriangle> ready;
   std::vector<ReadyLine> no_lines;
-  for (const Selected& one : std::span(chunk.selected).first(found)) {
-    if ((one.triangle & kLarge) == 0) {
-      chunk.unsorted.push_back({one.triangle, one.x0, one.y0, one.x1, one.y1});
+  for (const BinEntry& one : found) {
+    if (!is_large(one)) {
+      chunk.unsorted.push_back(one);
       continue;
     }
     ready.clear();
     TriangleAttributes attributes;
-    ready_triangle(stage, watch, draw.triangulation->triangles[one.triangle & ~kLarge], attributes,
+    ready_triangle(stage, watch, draw.triangulation->triangles[one.entry & ~kLarge], attributes,
                    ready, no_lines);
     for (const ReadyTriangle& triangle : ready) {
       add_entry(run, kOfChunk | std::uint32_t(chunk.large.size()), triangle.setup.bounds, chunk);
       chunk.large.push_back(large_triangle(run, slot, triangle));
     }
   }
+  return chunk.unsorted;
 }
 
 // ---- the staged primitives ----
 
-void fill_staged(const TileRun& run, const DrawSlot& slot, Chunk& chunk) {
+std::span<const BinEntry> fill_staged(const TileRun& run, const DrawSlot& slot, Chunk& chunk) {
   const Draw& draw = run.list.draws[slot.draw];
   const PrimitiveStage stage = primitive_stage(run, slot);
   const Counting watch(chunk.statistics);
@@ -201,6 +205,7 @@ void fill_staged(const TileRun& run, const DrawSlot& slot, Chunk& chunk) {
     const SnappedVertex at = snap(point.position);
     add_entry(run, entry++, pixels_near(at, at), chunk);
   }
+  return chunk.unsorted;
 }
 
 }  // namespace
@@ -213,12 +218,9 @@ void fill_chunk(const TileRun& run, const Kernels& kernels, const Round& round, 
   chunk.points.clear();
   chunk.statistics = {};
   chunk.unsorted.clear();
-  if (chunk.kind == Chunk::Kind::kLanes) {
-    fill_from_lanes(run, kernels, slot, chunk);
-  } else {
-    fill_staged(run, slot, chunk);
-  }
-  sort_into_bins(chunk);
+  sort_into_bins(chunk.kind == Chunk::Kind::kLanes ? fill_from_lanes(run, kernels, slot, chunk)
+                                                   : fill_staged(run, slot, chunk),
+                 chunk);
 }
 
 }  // namespace glassbox

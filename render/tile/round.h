@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include <glassbox/base/large_pages.h>
 #include <glassbox/raster/lanes/kernels.h>
 #include <glassbox/render/engine/draw_list.h>
 #include <glassbox/render/plan/draw_method.h>
@@ -28,7 +29,7 @@ struct TileRun {
 // Grows, and never gives memory back: the next picture is likely to need as much.
 template <class T>
 T* at_least(std::vector<T>& memory, std::size_t size) {
-  if (memory.size() < size) memory.resize(size);
+  grow_in_large_pages(memory, size);
   return memory.data();
 }
 
@@ -53,12 +54,6 @@ struct DrawSlot {
 // An entry of a bin: the index of a small triangle in its draw, or, with the top bit, of one of the chunk's primitives.
 inline constexpr std::uint32_t kOfChunk = 0x80000000u;
 
-// What goes into the bins of a rectangle of tiles, both ends included.
-struct BinEntry {
-  std::uint32_t entry = 0;
-  std::uint16_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-};
-
 // Some primitives of one draw, sorted into tiles in the order of the draw.
 struct Chunk {
   enum class Kind { kLanes, kStagedTriangles, kLinesAndPoints };
@@ -67,7 +62,7 @@ struct Chunk {
   std::uint32_t first = 0, count = 0;  // triangles
 
   std::vector<std::int32_t> keep;  // kLanes, where faces are culled in object space
-  std::vector<Selected> selected;  // kLanes
+  std::vector<BinEntry> selected;  // kLanes
   std::vector<LargeTriangle> large;
   std::vector<ReadyTriangle> triangles;  // the other kinds
   std::vector<ReadyLine> lines;

@@ -9,6 +9,7 @@
 #include <glassbox/raster/texture.h>
 
 #include "tests/raster/exact.h"
+#include "tests/raster/levels.h"
 #include "tests/support/catch.h"
 
 namespace {
@@ -200,15 +201,17 @@ TEST_CASE("a mip chain halves down to one texel, whatever the size") {
        {std::array{1, 1}, {7, 5}, {16, 1}, {1, 9}, {13, 6}, {640, 3}, {3, 3}, {64, 32}}) {
     const MipChain chain =
         make_mip_chain(random_image(random, width, height), Transfer::kSrgb, false);
-    const std::size_t last = chain.levels.size() - 1;
-    for (std::size_t k = 0; k <= last; ++k) {
-      CHECK(chain.levels[k].width == std::max(1, width >> k));
-      CHECK(chain.levels[k].height == std::max(1, height >> k));
+    CHECK((chain.width == width && chain.height == height));
+    // Level after level without a gap, the last of one texel.
+    std::int32_t texels = 0;
+    for (int k = 0; k <= chain.last_level(); ++k) {
+      CHECK(chain.first[std::size_t(k)] == texels);
+      texels += std::max(1, width >> k) * std::max(1, height >> k);
     }
-    CHECK((chain.levels[last].width == 1 && chain.levels[last].height == 1));
-    CHECK(
-        make_mip_chain(random_image(random, width, height), Transfer::kSrgb, true).levels.size() ==
-        1);
+    CHECK(chain.texels.size() == std::size_t(texels));
+    CHECK(chain.first.back() == texels - 1);
+    CHECK(make_mip_chain(random_image(random, width, height), Transfer::kSrgb, true).last_level() ==
+          0);
   }
 }
 
@@ -217,9 +220,7 @@ TEST_CASE("an image of one colour has that colour at every level, to the byte") 
     for (int byte = 0; byte < 256; ++byte) {
       const Rgba8 color{std::uint8_t(byte), std::uint8_t(255 - byte), 7, std::uint8_t(byte)};
       const MipChain chain = make_mip_chain(Image<Rgba8>(13, 6 + byte % 3, color), transfer, false);
-      for (const Image<Rgba8>& level : chain.levels) {
-        for (const Rgba8& texel : level.pixels) REQUIRE(texel == color);
-      }
+      for (const Rgba8& texel : chain.texels) REQUIRE(texel == color);
     }
   }
 }
@@ -230,8 +231,8 @@ TEST_CASE("a texel of a level is the mean of exactly the area it covers") {
     const Image<Rgba8> image =
         random_image(random, int(random.integer(1, 24)), int(random.integer(1, 24)));
     const MipChain chain = make_mip_chain(image, Transfer::kNone, false);
-    if (chain.levels.size() < 2) continue;
-    const Image<Rgba8>& small = chain.levels[1];
+    if (chain.last_level() == 0) continue;
+    const Image<Rgba8> small = levels_of(chain)[1];
     for (int y = 0; y < small.height; ++y) {
       for (int x = 0; x < small.width; ++x) {
         // Areas in units of 1 / (small.width small.height) source texels.
@@ -260,24 +261,26 @@ TEST_CASE("a texel of a level is the mean of exactly the area it covers") {
 TEST_CASE("mip levels are means of light, not of bytes") {
   Image<Rgba8> image(2, 1, {0, 0, 0, 255});
   image.at(1, 0) = {255, 255, 255, 255};
-  CHECK(make_mip_chain(image, Transfer::kSrgb, false).levels[1].at(0, 0) ==
-        Rgba8{188, 188, 188, 255});
-  CHECK(make_mip_chain(image, Transfer::kNone, false).levels[1].at(0, 0) ==
-        Rgba8{128, 128, 128, 255});
+  const auto smallest = [&](Transfer transfer) {
+    return make_mip_chain(image, transfer, false).texels.back();
+  };
+  CHECK(smallest(Transfer::kSrgb) == Rgba8{188, 188, 188, 255});
+  CHECK(smallest(Transfer::kNone) == Rgba8{128, 128, 128, 255});
 }
 
 TEST_CASE("trilinear filtering is continuous in the level of detail and exact at whole levels") {
   Random random(8);
   const MipChain chain = make_mip_chain(random_image(random, 24, 10), Transfer::kNone, false);
   const Sampler trilinear = sampler_of(Wrap::kRepeat, Filter::kLinear, MipFilter::kLinear);
-  const float last = float(chain.levels.size() - 1);
+  const std::vector<Image<Rgba8>> levels = levels_of(chain);
+  const float last = float(chain.last_level());
   for (int i = 0; i < 200; ++i) {
     const float u = float(random.between(-2, 2)), v = float(random.between(-2, 2));
     const auto at = [&](float detail) {
       return double(sample_at(chain, trilinear, u, v, detail).r);
     };
     for (float level = 0; level <= last; ++level) {
-      const MipChain alone{{chain.levels[std::size_t(level)]}};
+      const MipChain alone = chain_of({levels[std::size_t(level)]});
       const double exact = double(sample_at(alone, trilinear, u, v, 0).r);
       CHECK(at(level) == exact);
       // 2^-10 of a level away from it: at most 2^-10 of a change of 1, and the roundings of one mix.
@@ -292,11 +295,12 @@ TEST_CASE("trilinear filtering is continuous in the level of detail and exact at
 
 TEST_CASE("the level of detail chooses filter and level as the sampler says") {
   // Level k is all of one byte: 10 k.
-  MipChain chain;
+  std::vector<Image<Rgba8>> levels;
   for (int k = 0; k < 4; ++k) {
     const auto byte = std::uint8_t(10 * k);
-    chain.levels.emplace_back(8 >> k, 8 >> k, Rgba8{byte, byte, byte, 255});
+    levels.emplace_back(8 >> k, 8 >> k, Rgba8{byte, byte, byte, 255});
   }
+  const MipChain chain = chain_of(levels);
   const auto level = [&](MipFilter mip, float detail) {
     return double(
                sample_at(chain, sampler_of(Wrap::kRepeat, Filter::kLinear, mip), 0.3f, 0.3f, detail)

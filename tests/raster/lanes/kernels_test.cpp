@@ -380,20 +380,20 @@ TEST_CASE("selecting keeps every triangle that covers a pixel, for the tiles whe
 
     for (const Target target : available_targets()) {
       INFO("target " << name_of(target) << ", round " << round);
-      std::vector<Selected> selected(job.count);
+      std::vector<BinEntry> selected(job.count + kMostLanes);
       SelectCounts counts;
       selected.resize(kernels(target).select_triangles(job, selected.data(), counts));
       std::size_t next = 0, wrong = 0;
       std::uint64_t small = 0, flat = 0, culled = 0;
       for (std::uint32_t i = job.first; i < shapes.size(); ++i) {
-        const Selected* one = next < selected.size() && (selected[next].triangle & ~kLarge) == i
+        const BinEntry* one = next < selected.size() && (selected[next].entry & ~kLarge) == i
                                   ? &selected[next]
                                   : nullptr;
         if (one != nullptr) ++next;
         const bool clips = std::any_of(&screen[3 * i], &screen[3 * i] + 3,
                                        [](const SnappedEntry& e) { return e.x == kNeedsClipping; });
         if (clips || !is_small(shapes[i])) {
-          wrong += one != nullptr && (one->triangle & kLarge) != 0 ? 0 : 1;
+          wrong += one != nullptr && (one->entry & kLarge) != 0 ? 0 : 1;
           continue;
         }
         ++small;
@@ -411,7 +411,7 @@ TEST_CASE("selecting keeps every triangle that covers a pixel, for the tiles whe
         }
         for_each_covered(*setup, job.window, [&](const Coverage& pixel) {
           const int x = pixel.x >> job.tile_shift, y = pixel.y >> job.tile_shift;
-          const bool there = one != nullptr && (one->triangle & kLarge) == 0 && x >= one->x0 &&
+          const bool there = one != nullptr && (one->entry & kLarge) == 0 && x >= one->x0 &&
                              x <= one->x1 && y >= one->y0 && y <= one->y1;
           wrong += there ? 0 : 1;
         });

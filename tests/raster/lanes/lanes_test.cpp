@@ -183,7 +183,40 @@ std::vector<float> flattened(const std::vector<Rgba>& colors) {
   return all;
 }
 
-TEST_CASE("lanes sample textures as the scalar stage does: every wrap, filter and coordinate") {
+// A level of detail for each coordinate. Vectors of all kinds: magnified throughout, at one whole level, and mixed.
+std::vector<float> levels_of_detail(Random& random, std::size_t count) {
+  const std::vector<float> special{kNaN,      -kInfinity, kInfinity,     -0.0f, 0.0f,
+                                   0x1p-149f, -1e-6f,     0.5f,          1.0f,  1.5f,
+                                   0x1p30f,   6.0f,       0x1.7ffffep+1f};
+  std::vector<float> levels;
+  while (levels.size() < count) {
+    const std::int64_t kind = random.integer(0, 3);
+    const float whole = float(random.integer(0, 7));
+    for (int i = 0; i < 48; ++i) {
+      const float choices[] = {
+          float(random.between(-9, 0)), whole, float(random.between(-1, 8)),
+          special[std::size_t(random.integer(0, std::int64_t(special.size()) - 1))]};
+      levels.push_back(choices[kind]);
+    }
+  }
+  levels.resize(count);
+  return levels;
+}
+
+std::vector<Sampler> all_filters(Wrap wrap_u, Wrap wrap_v) {
+  std::vector<Sampler> samplers;
+  for (const Filter magnify : {Filter::kNearest, Filter::kLinear}) {
+    for (const Filter minify : {Filter::kNearest, Filter::kLinear}) {
+      for (const MipFilter mip : {MipFilter::kNone, MipFilter::kNearest, MipFilter::kLinear}) {
+        samplers.push_back({wrap_u, wrap_v, magnify, minify, mip});
+      }
+    }
+  }
+  return samplers;
+}
+
+TEST_CASE(
+    "lanes sample textures as the scalar stage does: every wrap, filter, level and coordinate") {
   Random random(5);
   const int sides[] = {1, 2, 3, 5, 7, 8, 64, 97};
   std::vector<float> coordinates{0.0f,       -0.0f, 1.0f,           -1.0f,      2.0f,     -2.0f,
@@ -202,6 +235,7 @@ TEST_CASE("lanes sample textures as the scalar stage does: every wrap, filter an
     at.push_back({u, coordinates[other]});
   }
 
+  const Wrap wraps[] = {Wrap::kRepeat, Wrap::kMirroredRepeat, Wrap::kClampToEdge};
   for (const int width : sides) {
     const int height = sides[std::size_t(random.integer(0, 7))];
     Image<Rgba8> image(width, height);
@@ -209,19 +243,21 @@ TEST_CASE("lanes sample textures as the scalar stage does: every wrap, filter an
       const std::uint64_t bits = random.bits();
       texel = {std::uint8_t(bits), std::uint8_t(bits >> 8), std::uint8_t(bits >> 16), 255};
     }
-    const MipChain texture = make_mip_chain(image, Transfer::kSrgb, true);
-    for (const Wrap wrap : {Wrap::kRepeat, Wrap::kMirroredRepeat, Wrap::kClampToEdge}) {
-      for (const Filter filter : {Filter::kNearest, Filter::kLinear}) {
+    const MipChain texture = make_mip_chain(image, Transfer::kSrgb, false);
+    for (const Wrap wrap : wraps) {
+      for (const Sampler& sampler : all_filters(wrap, wraps[random.integer(0, 2)])) {
         const Transfer transfer = random.integer(0, 1) == 0 ? Transfer::kSrgb : Transfer::kNone;
-        const Sampler sampler{wrap, wrap, filter, filter, MipFilter::kNone};
-        INFO(width << " x " << height << ", wrap " << int(wrap) << ", filter " << int(filter));
+        INFO(width << " x " << height << ", wraps " << int(wrap) << " " << int(sampler.wrap_v)
+                   << ", filters " << int(sampler.magnify) << " " << int(sampler.minify) << " "
+                   << int(sampler.mip));
+        const std::vector<float> levels = levels_of_detail(random, at.size());
         std::vector<Rgba> expected, actual(at.size());
-        for (const TexCoord& t : at) {
-          expected.push_back(sample(texture, sampler, {t.u, t.v}, 0.0f, transfer,
+        for (std::size_t i = 0; i < at.size(); ++i) {
+          expected.push_back(sample(texture, sampler, {at[i].u, at[i].v}, levels[i], transfer,
                                     ColorMask{true, true, true, false}));
         }
         for_each_target([&](const LaneProbes& lanes) {
-          lanes.sample_base(texture, sampler, transfer, at, actual.data());
+          lanes.sample(texture, sampler, transfer, at, levels, actual.data());
           CHECK(differing(flattened(expected), flattened(actual)) == 0);
         });
       }

@@ -78,12 +78,14 @@ HWY_INLINE void store_components(const std::array<Floats, 3>& v, float (&to)[3][
 }
 
 inline void sample_all(const MipChain& texture, const Sampler& sampler, Transfer transfer,
-                       std::span<const TexCoord> at, Rgba* colors) {
+                       std::span<const TexCoord> at, std::span<const float> levels, Rgba* colors) {
   for (std::size_t i = 0; i < at.size(); i += kLanes) {
     HWY_ALIGN float u[kLanes], v[kLanes];
     for (std::size_t k = 0; k < kLanes; ++k) u[k] = entry(at, i + k).u, v[k] = entry(at, i + k).v;
-    const Rgb rgb =
-        sample_base(texture, sampler, {HWY_NAMESPACE::load(u), HWY_NAMESPACE::load(v)}, transfer);
+    const std::array<Floats, 2> texcoord{HWY_NAMESPACE::load(u), HWY_NAMESPACE::load(v)};
+    const Rgb rgb = samples_base_only(sampler) ? sample_base(texture, sampler, texcoord, transfer)
+                                               : sample_texture(TextureInLanes(texture, transfer),
+                                                                sampler, texcoord, load(levels, i));
     float channels[3][kLanes];
     store_components(rgb, channels);
     for (std::size_t k = 0; k < kLanes && i + k < at.size(); ++k) {
