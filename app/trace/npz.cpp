@@ -45,11 +45,11 @@ std::string npy_header(const std::string& type, const std::vector<std::size_t>& 
 Result<std::vector<std::byte>> make_npz(TraceArrays& arrays, const std::string& about) {
   std::vector<labs::ZipEntry> files;
   files.push_back(entry("about", "|u1", {about.size()}, about));
-  for (Table* table : arrays.tables()) {
-    for (Array& array : table->arrays()) {
+  for (Table& table : arrays.tables()) {
+    for (Array& array : table.arrays()) {
       if (!array.wanted) continue;
       files.push_back(
-          entry(array.name, array.type, table->shape_of(array), std::exchange(array.bytes, {})));
+          entry(array.name, array.type, table.shape_of(array), std::exchange(array.bytes, {})));
     }
   }
   return labs::make_zip(files);

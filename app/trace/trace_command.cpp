@@ -70,8 +70,8 @@ void parse_stages(const std::string& text, TraceFilter& filter) {
 // The names of all arrays, and of the groups that they are in.
 std::vector<std::string> names_of(const TraceArrays& arrays) {
   std::vector<std::string> names;
-  for (const Table* table : arrays.tables()) {
-    for (const Array& array : table->arrays()) {
+  for (const Table& table : arrays.tables()) {
+    for (const Array& array : table.arrays()) {
       names.push_back(array.name);
       const std::string group = array.name.substr(0, array.name.find('.'));
       if (std::ranges::find(names, group) == names.end()) names.push_back(group);

@@ -9,16 +9,11 @@
 #include <glassbox/raster/blend.h>
 #include <glassbox/render/engine/distance.h>
 #include <glassbox/render/engine/draw_list.h>
-#include <glassbox/render/trace/outside.h>
+#include <glassbox/render/trace/reach.h>
 
 namespace glassbox {
 
 namespace {
-
-std::vector<ClipPlane> planes_of(const View& view) {
-  const auto planes = render_planes(view);
-  return {planes.begin(), planes.end()};
-}
 
 std::optional<std::uint32_t> number_or_none(std::uint32_t number) {
   if (number == kNone) return std::nullopt;
@@ -86,7 +81,7 @@ Ledger::Ledger(const View& view, const RenderSettings& settings,
     : view_(view),
       settings_(settings),
       subject_(subject),
-      planes_(planes_of(view)),
+      planes_(render_planes(view)),
       width_(int(view.viewport.width())),
       height_(int(view.viewport.height())),
       nearest_(std::size_t(width_) * std::size_t(height_), Nearest{kNone, 0}),

@@ -134,7 +134,7 @@ private:
   const View& view_;
   const RenderSettings& settings_;
   const std::optional<std::uint32_t> subject_;
-  const std::vector<ClipPlane> planes_;
+  const std::array<ClipPlane, kMaxClipPlanes> planes_;
   const int width_, height_;
 
   const Draw* draw_ = nullptr;

@@ -7,6 +7,8 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -130,6 +132,10 @@ private:
     describe(values[0], array);
   }
   template <class T>
+  static void describe(const std::optional<T>&, Array& array) {
+    describe(T{}, array);
+  }
+  template <class T>
   static void describe(const glm::mat<4, 4, T>& values, Array& array) {
     array.shape.push_back(4);
     describe(values[0], array);
@@ -147,6 +153,11 @@ private:
   template <int N, class T>
   static void append(const glm::vec<N, T>& values, std::string& bytes) {
     for (int i = 0; i < N; ++i) append(values[i], bytes);
+  }
+  // No value is NaN.
+  template <class T>
+  static void append(const std::optional<T>& value, std::string& bytes) {
+    append(value.value_or(T(std::numeric_limits<double>::quiet_NaN())), bytes);
   }
   template <class T>
   static void append(const glm::mat<4, 4, T>& m, std::string& bytes) {

@@ -15,9 +15,8 @@
 #include <glassbox/render/engine/settings.h>
 #include <glassbox/render/trace/end.h>
 #include <glassbox/render/trace/ledger.h>
-#include <glassbox/render/trace/miss.h>
 #include <glassbox/render/trace/numbering.h>
-#include <glassbox/render/trace/outside.h>
+#include <glassbox/render/trace/reach.h>
 #include <glassbox/render/trace/records.h>
 
 namespace glassbox {
