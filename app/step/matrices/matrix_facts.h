@@ -29,7 +29,8 @@ bool is_small(const glm::dmat4& m, int row, int column);
 struct GivenMatrix {
   glm::dmat4 m{1};
   glm::dmat4 uncertainty{0};
-  bool given = false;  // the identity otherwise
+  bool given = false;    // the identity otherwise
+  std::string origin{};  // how it came in: "view.txt, read by rows, 6 digits"
 };
 
 std::string row_text(const glm::dmat4& m, int row);  // "(0, 0, -1, 0)"
