@@ -6,7 +6,6 @@
 
 #include <glassbox/base/printable.h>
 
-#include "app/step/matrices/dialect_guess.h"
 
 namespace glassbox::app {
 

@@ -223,8 +223,8 @@ private:
 
   void try_changes(const Slip& slip, const Slip* second) {
     MatrixSetup changed = setup_;
-    if (!apply(slip.change, changed)) return;
-    if (second != nullptr && !apply(second->change, changed)) return;
+    if (!slip.undo(changed)) return;
+    if (second != nullptr && !second->undo(changed)) return;
     const Map map(changed);
     if (std::find(tried_.begin(), tried_.end(), map) != tried_.end()) return;
     tried_.push_back(map);
