@@ -307,8 +307,10 @@ Result<PageFacts> make_inspect_page(const Scene& scene, const Camera& camera, co
   RenderSettings settings = at_centres(asked);
   if (asked.show != Show::kNormal && asked.show != Show::kUv) settings.show = Show::kColor;
 
-  const ColumnRun run = record_columns(
-      scene, view, settings, {options.rectangle, options.max_triangles, options.max_fragments});
+  const ColumnRun run = record_columns(scene, view, settings,
+                                       {.pixels = options.rectangle,
+                                        .max_triangles = options.max_triangles,
+                                        .max_fragments = options.max_fragments});
   if (const auto fits = check_limits(run, options); !fits) return tl::unexpected(fits.error());
 
   Json manifest = manifest_of(scene, camera, view, settings, options, run);

@@ -6,7 +6,6 @@
 
 #include <glassbox/base/printable.h>
 
-
 namespace glassbox::app {
 
 namespace {

@@ -39,7 +39,7 @@ struct PointStep {
   };
 
   MatrixSetup setup;
-  // Of the projection; ProjectionKind::kNone where none was given or it is not one, and nothing is said in its terms.
+  // What the projection does. ProjectionKind::kNone where none was given, or it is not one: nothing is said in its terms.
   ProjectionFacts lens;
   std::string dialect_reason;
   std::array<double, 4> window{0, 0, 1280, 720};

@@ -225,10 +225,8 @@ int StepCommand::run_triangle() {
   }
   tell_of_centres(picture_);
   Progress progress;
-  progress.phase("loading " + scene_title(scene_));
-  const Result<Scene> scene = load_asked_scene(scene_, limits_);
+  const Result<Scene> scene = load_asked_scene(scene_, progress, limits_);
   if (!scene) return refuse(scene.error());
-  for (const std::string& warning : scene->warnings) progress.say("warning: " + warning);
   progress.phase("rendering " + scene_title(scene_));
   if (!triangle_ && !pick_) {
     return refuse({"", "", "no triangle is named",

@@ -69,7 +69,7 @@ std::array<PlaneDistance, kMaxClipPlanes> plane_distances(const Trace& trace,
                                                           const TracedCorner& corner,
                                                           const CornerBounds& bounds);
 
-// Of a fragment of that triangle; the numbers of its vertices are exact up to their own bounds.
+// What a fragment of the piece begins with: how exact depth and 1/w of the vertices are, up to their own bounds.
 SetupBounds setup_bounds(const TracedPiece& piece, const TriangleBounds& bounds);
 
 // ---- of a whole run ----
@@ -104,7 +104,7 @@ private:
 // Of all triangles of a trace, by number.
 std::map<std::uint32_t, BoundsOfRun::Known> bounds_of_all(const Trace& trace);
 
-// Of a fragment of that triangle.
+// The bounds of a fragment of that triangle.
 FragmentBounds bounds_of(const BoundsOfRun::Known& known, const TracedFragment& fragment);
 
 // The round trips of a run taken together: object space to the screen in float and back (pipeline/round_trip.h).
@@ -118,11 +118,12 @@ struct RoundTripPlace {
 struct RoundTrips {
   std::uint64_t corners = 0;    // of triangles, that have a place on the screen
   std::uint64_t unbounded = 0;  // of these, how many nothing can be said of
-  // Of the others, the coordinate that comes back furthest from where it was, in units of its object space ...
+  // Of those that something can be said of, the coordinate that comes back furthest from where it was, in units of its object
+  // space, with its bound and its place.
   double largest_error = 0;
   double bound = 0;
   RoundTripPlace place;
-  // ... and how much of its bound any of them uses: never more than 1.
+  // How much of its bound any coordinate uses: never more than 1.
   double largest_ratio = 0;
 
   void see(const TracedTriangle& triangle, const TriangleBounds& bounds);

@@ -41,7 +41,7 @@ inline constexpr std::uint32_t kNoTriangle = 0xffffffffu;
 
 // Fragments in the order in which they came.
 struct FragmentColumns {
-  // Its number in the whole scene; kNoTriangle for lines and points.
+  // The number of its triangle in the whole scene; kNoTriangle for lines and points.
   std::vector<std::uint32_t> triangle;
   std::vector<std::uint8_t> piece;
   std::vector<std::uint16_t> x, y;

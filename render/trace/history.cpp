@@ -223,7 +223,7 @@ PixelHistory pixel_history(const Scene& scene, const TracedRun& run, int x, int 
   for (std::size_t i = 0; i < trace.draws.size(); ++i) turn[trace.draws[i].instance] = i;
 
   std::vector<std::pair<Place, PixelEvent>> placed;
-  // Of the traced triangles: number, face.
+  // Number and face of each traced triangle.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> faces;
   for (const TracedTriangle& triangle : trace.triangles) {
     faces.emplace_back(triangle.number, triangle.face);

@@ -155,13 +155,14 @@ void Ledger::count_hidden(const FragmentSource& source, const Fragment& fragment
   ++hidden_by_[by.number];
   auto& closest = details_.closest_hidden;
   if (closest && closest->code - closest->stored <= code_ - stored_) return;
-  closest = {fragment.x,
-             fragment.y,
-             code_,
-             stored_,
-             distance_along_gaze(view_, fragment.depth, fragment.inverse_w),
-             by.distance,
-             number_or_none(by.number)};
+  closest = FragmentDetails::Hidden{
+      .x = fragment.x,
+      .y = fragment.y,
+      .code = code_,
+      .stored = stored_,
+      .distance = distance_along_gaze(view_, fragment.depth, fragment.inverse_w),
+      .stored_distance = by.distance,
+      .by = number_or_none(by.number)};
 }
 
 void Ledger::count_discarded(const FragmentSource& source, const Fragment& fragment) {
@@ -170,7 +171,8 @@ void Ledger::count_discarded(const FragmentSource& source, const Fragment& fragm
   if (source.number != subject_) return;
   auto& closest = details_.closest_discarded;
   if (closest && closest->alpha >= alpha_) return;
-  closest = {fragment.x, fragment.y, alpha_, draw_->material->alpha_cutoff};
+  closest = FragmentDetails::Discarded{
+      .x = fragment.x, .y = fragment.y, .alpha = alpha_, .cutoff = draw_->material->alpha_cutoff};
 }
 
 void Ledger::count_written(const FragmentSource& source, const Fragment& fragment, Fate fate) {
@@ -190,7 +192,11 @@ void Ledger::count_written(const FragmentSource& source, const Fragment& fragmen
   write_masked(mask, after_, stored);
   lay(pixel, number, stored == before_);
   if (number == subject_ && stored == before_ && !details_.unchanged) {
-    details_.unchanged = {fragment.x, fragment.y, fate == Fate::kBlended, alpha_, before_};
+    details_.unchanged = FragmentDetails::Unchanged{.x = fragment.x,
+                                                    .y = fragment.y,
+                                                    .blended = fate == Fate::kBlended,
+                                                    .alpha = alpha_,
+                                                    .bytes = before_};
   }
 }
 

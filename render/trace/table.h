@@ -80,7 +80,7 @@ public:
     for (Array& array : arrays_) array.wanted = is_among(prefix_) || is_among(array.name);
   }
 
-  // Of the arrays that are wanted.
+  // The bytes that a row takes in all arrays that are wanted.
   std::size_t row_bytes() const {
     std::size_t bytes = 0;
     for (const Array& array : arrays_) bytes += array.wanted ? array.row_bytes : 0;

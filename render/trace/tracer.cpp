@@ -68,7 +68,8 @@ public:
   // The polygon's vertices come first; after them, in pictures of edges, the ends of edges.
   void divided(const ClipVertex& clip, NdcVertex& ndc) override {
     of_polygon_ = watching_ && int(current_.polygon.size()) < polygon_count_;
-    if (of_polygon_) current_.polygon.push_back({clip, ndc, {}, {}});
+    if (of_polygon_)
+      current_.polygon.push_back({.clip = clip, .ndc = ndc, .screen = {}, .snapped = {}});
   }
 
   void placed(const NdcVertex&, ScreenVertex& screen) override {
@@ -174,7 +175,7 @@ private:
                        });
   }
 
-  // The same for the triangle as it would be without the near and the far plane.
+  // Whether the triangle would reach the wanted pixels without the near and the far plane.
   bool would_reach_wanted_pixels() const {
     std::array<Outcode, 3> codes;
     for (std::size_t k = 0; k < 3; ++k) {

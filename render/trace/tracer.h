@@ -52,7 +52,7 @@ struct TracedRun {
   Trace trace;
 };
 
-// The same, everything kept.
+// Such a run with all of its records kept.
 TracedRun trace(const Scene& scene, const View& view, const RenderSettings& settings,
                 const TraceFilter& filter);
 
