@@ -1,3 +1,4 @@
+// Stages 2 to 4 of a stepped triangle: the three matrices, their factors, and the slides' ways to them.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -75,7 +76,7 @@ std::string axes_text(const Camera& camera, const View& view) {
   return text + rows(view.eye_from_world.columns);
 }
 
-// By moving, turning and rolling.
+// Eye from world by moving, turning and rolling.
 std::string axis_angle_text(const Camera& camera, const View& view) {
   const AxisAngleFactors factors = axis_angle_factors(camera.world_from_eye);
   const glm::dmat4& pose = camera.world_from_eye.columns;
@@ -97,7 +98,7 @@ std::string axis_angle_text(const Camera& camera, const View& view) {
   return text + sentence("their product, bit for bit:") + rows(view.eye_from_world.columns);
 }
 
-// By how much the matrix differs from that of the usual formulation; empty where it is that.
+// By how much eye_from_world differs from that of the usual formulation; empty where it is that.
 std::string view_difference_text(const SteppedTriangle& stepped) {
   if (!stepped.usual || stepped.formulation.view == ViewForm::kUvn) return "";
   const glm::dmat4& a = stepped.chosen.view.eye_from_world.columns;
@@ -214,6 +215,7 @@ std::string two_steps_text(const View& view) {
   return text + sentence("their product is clip_from_eye, bit for bit");
 }
 
+// By how much clip_from_eye differs from that of the usual formulation; empty where it is that.
 std::string projection_difference_text(const SteppedTriangle& stepped) {
   if (!stepped.usual || stepped.formulation.projection == ProjectionForm::kPerspective) return "";
   const glm::dmat4& a = stepped.chosen.view.clip_from_eye.columns;

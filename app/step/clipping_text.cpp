@@ -1,3 +1,4 @@
+// Stage 5 of a stepped triangle: the planes, one after the other.
 #include <algorithm>
 #include <array>
 #include <cmath>

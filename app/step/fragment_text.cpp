@@ -1,3 +1,4 @@
+// Stage 9 of a stepped triangle: one of its fragments.
 #include <fmt/format.h>
 
 #include "app/step/matrices/decimal.h"

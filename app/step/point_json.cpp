@@ -1,3 +1,4 @@
+// A point step as JSON: its matrices, what was found in them, and each point's walk.
 #include <cmath>
 
 #include <nlohmann/json.hpp>

@@ -1,3 +1,4 @@
+// The beginning of a point step's text: what the three matrices are.
 #include <fmt/format.h>
 
 #include "app/report/text_layout.h"

@@ -1,3 +1,4 @@
+// The text of a point step, and the end of it: where the points are, what is wrong, and what would bring them into the picture.
 #include <algorithm>
 
 #include <fmt/format.h>

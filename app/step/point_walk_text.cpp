@@ -1,3 +1,4 @@
+// The middle of a point step's text: each point's way from object space to the window.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,3 +1,4 @@
+// Stage 6 of a stepped triangle as the slides draw it without depth.
 #include <algorithm>
 #include <array>
 
