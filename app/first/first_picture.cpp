@@ -45,7 +45,7 @@ Result<View> framed(const Scene& scene) {
   });
 }
 
-// The same picture as `glassbox render teapot`.
+// Draws and writes the picture that `glassbox render teapot` makes.
 Result<Rendering> drawn_and_written() {
   const Result<Scene> scene = make_builtin(kScene);
   if (!scene) return tl::unexpected(scene.error());

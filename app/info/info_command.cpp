@@ -230,7 +230,7 @@ void print_warnings(const Scene& scene) {
     fmt::print("  warning: {}\n", printable(warning, kLongText));
 }
 
-// Of a glTF file that has been loaded; of other scenes there is nothing beside what is drawn.
+// What a loaded glTF file has beside what is drawn; nothing for other scenes.
 Result<std::optional<GltfContents>> contents_of(const std::string& file) {
   if (!is_gltf_name(file)) return std::optional<GltfContents>();
   auto contents = list_gltf(file);

@@ -23,7 +23,7 @@ std::string attribute_names(const GltfContents::Primitive& primitive) {
   return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
 }
 
-// Of the primitives with the same attributes and number of targets, how many there are.
+// How many primitives have the same attributes and number of targets.
 std::string primitives_text(const GltfContents& contents) {
   std::map<std::pair<std::string, std::size_t>, std::size_t> groups;
   for (const GltfContents::Primitive& primitive : contents.primitives) {

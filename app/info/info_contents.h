@@ -11,7 +11,7 @@ namespace glassbox::app {
 // Adds "animations", "skins", "primitives" (with the file's vertex attributes and morph targets) and "textures".
 void add_contents(const GltfContents& contents, nlohmann::ordered_json& json);
 
-// The same in lines; primitives of the same attributes together.
+// Animations, skins, primitives and textures in lines; primitives of the same attributes together.
 std::string contents_text(const GltfContents& contents);
 
 }  // namespace glassbox::app

@@ -97,10 +97,8 @@ int InspectCommand::run() {
   if (const auto legal = check_pixels(); !legal) return refuse(legal.error());
   tell_of_centres(picture_);
   Progress progress;
-  progress.phase("loading " + scene_title(scene_));
-  const Result<Scene> scene = load_asked_scene(scene_, limits_);
+  const Result<Scene> scene = load_asked_scene(scene_, progress, limits_);
   if (!scene) return refuse(scene.error());
-  for (const std::string& warning : scene->warnings) progress.say("warning: " + warning);
   const Result<ChosenView> chosen = choose_view(*scene, picture_);
   if (!chosen) return refuse(chosen.error());
 

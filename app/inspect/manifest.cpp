@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <variant>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "app/report/number_json.h"
 #include "app/report/stage_report.h"
 
 #include <glassbox/base/trig.h>
@@ -103,7 +105,7 @@ Json draws_json(const Scene& scene, const View& view, const ColumnRun& run) {
          {"first_number", draw.first_number},
          {"triangles", run.triangles_of_draw[d]},
          {"mirrored", draw.mirrored},
-         {"anchor", {draw.anchor.x, draw.anchor.y, draw.anchor.z}},
+         {"anchor", numbers_json(draw.anchor)},
          {"world_from_object", rows(scene.nodes[instance.node].world_from_node)},
          {"nodes", nodes_json(scene, instance.node)},
          {"clip_from_anchored", rows(draw.clip_from_anchored)},
@@ -112,7 +114,7 @@ Json draws_json(const Scene& scene, const View& view, const ColumnRun& run) {
   return json;
 }
 
-Json planes_json(const std::vector<ClipPlane>& planes) {
+Json planes_json(std::span<const ClipPlane> planes) {
   Json json = Json::array();
   for (const ClipPlane& p : planes) {
     json.push_back({{"name", p.name}, {"factors", {p.a, p.b, p.c, p.d, p.e}}});
@@ -125,7 +127,6 @@ Json planes_json(const std::vector<ClipPlane>& planes) {
 Json manifest_of(const Scene& scene, const Camera& camera, const View& view,
                  const RenderSettings& settings, const InspectOptions& options,
                  const ColumnRun& run) {
-  const Rgba8& b = settings.background;
   Json json{{"format", "glassbox inspect"},
             {"version", 1},
             {"program", options.program},
@@ -134,7 +135,7 @@ Json manifest_of(const Scene& scene, const Camera& camera, const View& view,
             {"options", options.words},
             {"width", run.rendering.buffers.color.width},
             {"height", run.rendering.buffers.color.height},
-            {"background", {b.r, b.g, b.b, b.a}},
+            {"background", numbers_json(settings.background)},
             {"depth_format", name_of(settings.depth)},
             {"cull", name_of(settings.cull)},
             {"wireframe", settings.wireframe},
@@ -145,10 +146,7 @@ Json manifest_of(const Scene& scene, const Camera& camera, const View& view,
             {"meshes", Json::array()},
             {"stages", to_json(run.rendering.statistics)}};
   if (options.pixel) json["pixel"] = {options.pixel->x, options.pixel->y};
-  if (options.rectangle) {
-    const PixelRect& r = *options.rectangle;
-    json["rectangle"] = {r.x0, r.y0, r.x1, r.y1};
-  }
+  if (options.rectangle) json["rectangle"] = numbers_json(*options.rectangle);
   return json;
 }
 

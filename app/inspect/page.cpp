@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "app/inspect/manifest.h"
+#include "app/report/number_json.h"
 #include "inspect_page.h"  // made by html/embed.cmake
 
 #include <glassbox/compare/report/page_blob.h>
@@ -35,6 +36,52 @@ Json entries_json(const ColumnPack& pack) {
     json.push_back({entry.name, entry.type, entry.count});
   }
   return json;
+}
+
+// ---- columns ----
+
+// What a column gets of a record: a number, or several one after the other.
+template <class T>
+requires std::is_arithmetic_v<T> std::array<T, 1> numbers_of(T number) {
+  return {number};
+}
+template <class T, std::size_t N>
+std::array<T, N> numbers_of(const std::array<T, N>& numbers) {
+  return numbers;
+}
+template <int N, class T>
+std::array<T, std::size_t(N)> numbers_of(const glm::vec<N, T>& v) {
+  std::array<T, std::size_t(N)> numbers;
+  for (int i = 0; i < N; ++i) numbers[std::size_t(i)] = v[i];
+  return numbers;
+}
+std::array<float, 4> numbers_of(const Rgba& c) {
+  return {c.r, c.g, c.b, c.a};
+}
+std::array<std::uint8_t, 4> numbers_of(const Rgba8& c) {
+  return {c.r, c.g, c.b, c.a};
+}
+
+template <class Record, class Pick>
+void add_column(ColumnPack& pack, const char* name, const std::vector<Record>& records,
+                const Pick& pick) {
+  using Numbers = decltype(numbers_of(pick(records[0])));
+  std::vector<typename Numbers::value_type> column;
+  for (const Record& record : records) {
+    const Numbers numbers = numbers_of(pick(record));
+    column.insert(column.end(), numbers.begin(), numbers.end());
+  }
+  pack.add(name, column);
+}
+
+// The corners, vertices or pieces of all records, one after the other.
+template <class Record, class Parts>
+auto parts_of(const std::vector<Record>& records, Parts Record::*parts) {
+  std::vector<typename Parts::value_type> all;
+  for (const Record& record : records) {
+    all.insert(all.end(), (record.*parts).begin(), (record.*parts).end());
+  }
+  return all;
 }
 
 // ---- geometry ----
@@ -68,21 +115,18 @@ std::vector<UsedPositions> used_positions(const Scene& scene, const ColumnRun& r
 void add_positions(const Scene& scene, const std::vector<UsedPositions>& used, ColumnPack& pack,
                    Json& meshes) {
   std::vector<std::uint32_t> index;
-  std::array<std::vector<float>, 3> position;
+  std::vector<Point<Object>> positions;
   for (std::size_t m = 0; m < used.size(); ++m) {
     meshes.push_back({{"name", scene.meshes[m].name}, {"positions", used[m].index.size()}});
     for (const std::uint32_t i : used[m].index) {
-      const Point<Object>& p = scene.meshes[m].positions[i];
       index.push_back(i);
-      position[0].push_back(p.x);
-      position[1].push_back(p.y);
-      position[2].push_back(p.z);
+      positions.push_back(scene.meshes[m].positions[i]);
     }
   }
   pack.add("position.index", index);
-  pack.add("position.x", position[0]);
-  pack.add("position.y", position[1]);
-  pack.add("position.z", position[2]);
+  add_column(pack, "position.x", positions, [](const auto& p) { return p.x; });
+  add_column(pack, "position.y", positions, [](const auto& p) { return p.y; });
+  add_column(pack, "position.z", positions, [](const auto& p) { return p.z; });
 }
 
 void add_triangles(const Scene& scene, const ColumnRun& run, const std::vector<UsedPositions>& used,
@@ -104,24 +148,16 @@ void add_triangles(const Scene& scene, const ColumnRun& run, const std::vector<U
 }
 
 void add_cut_triangles(const ColumnRun& run, ColumnPack& pack) {
-  std::vector<std::uint32_t> number;
-  std::vector<std::uint8_t> count;
-  std::vector<float> clip;
-  std::vector<double> weights;
+  std::vector<ClipVertex> vertices;
   for (const CutTriangle& cut : run.cut) {
-    number.push_back(cut.number);
-    count.push_back(std::uint8_t(cut.polygon.count));
-    for (int k = 0; k < cut.polygon.count; ++k) {
-      const ClipVertex& vertex = cut.polygon.vertices[std::size_t(k)];
-      const auto& p = vertex.position;
-      clip.insert(clip.end(), {p.x, p.y, p.z, p.w});
-      weights.insert(weights.end(), vertex.weights.begin(), vertex.weights.end());
-    }
+    const auto begin = cut.polygon.vertices.begin();
+    vertices.insert(vertices.end(), begin, begin + cut.polygon.count);
   }
-  pack.add("cut.number", number);
-  pack.add("cut.count", count);
-  pack.add("cut.clip", clip);
-  pack.add("cut.weights", weights);
+  add_column(pack, "cut.number", run.cut, [](const auto& cut) { return cut.number; });
+  add_column(pack, "cut.count", run.cut,
+             [](const auto& cut) { return std::uint8_t(cut.polygon.count); });
+  add_column(pack, "cut.clip", vertices, [](const auto& v) { return to_glm(v.position); });
+  add_column(pack, "cut.weights", vertices, [](const auto& v) { return v.weights; });
 }
 
 // ---- fragments ----
@@ -139,158 +175,80 @@ void add_fragments(const FragmentColumns& fragments, ColumnPack& pack) {
 
 // ---- all records of a few pixels ----
 
-template <std::size_t N>
-void append(std::vector<float>& column, const std::array<float, N>& numbers) {
-  column.insert(column.end(), numbers.begin(), numbers.end());
-}
-void append(std::vector<float>& column, const Rgba& color) {
-  column.insert(column.end(), {color.r, color.g, color.b, color.a});
-}
-
 void add_fragment_records(const Trace& trace, ColumnPack& pack) {
-  std::vector<double> edges;
-  std::vector<float> lambda, weights, depth, inverse_w;
-  std::vector<std::uint32_t> code, stored;
-  std::vector<float> normal, position, diffuse, specular, color, texcoord, surface, light;
-  std::vector<std::uint8_t> before, after;
-  for (const TracedFragment& f : trace.fragments) {
-    for (const std::int64_t edge : f.coverage.edges) edges.push_back(double(edge));  // below 2^52
-    append(lambda, f.fragment.lambda);
-    append(weights, f.fragment.weights);
-    depth.push_back(f.fragment.depth);
-    inverse_w.push_back(f.fragment.inverse_w);
-    code.push_back(f.code);
-    stored.push_back(f.stored);
-    append(normal, f.at.normal);
-    append(position, f.at.position);
-    append(diffuse, f.at.diffuse);
-    append(specular, f.at.specular);
-    append(color, f.at.color);
-    append(texcoord, f.at.texcoord);
-    append(surface, f.surface);
-    append(light, f.light);
-    before.insert(before.end(), {f.before.r, f.before.g, f.before.b, f.before.a});
-    after.insert(after.end(), {f.after.r, f.after.g, f.after.b, f.after.a});
-  }
-  pack.add("record.edges", edges);
-  pack.add("record.lambda", lambda);
-  pack.add("record.weights", weights);
-  pack.add("record.depth", depth);
-  pack.add("record.inverse_w", inverse_w);
-  pack.add("record.code", code);
-  pack.add("record.stored", stored);
-  pack.add("record.normal", normal);
-  pack.add("record.position", position);
-  pack.add("record.diffuse", diffuse);
-  pack.add("record.specular", specular);
-  pack.add("record.color", color);
-  pack.add("record.texcoord", texcoord);
-  pack.add("record.surface", surface);
-  pack.add("record.light", light);
-  pack.add("record.before", before);
-  pack.add("record.after", after);
+  const auto add = [&](const char* name, const auto& pick) {
+    add_column(pack, name, trace.fragments, pick);
+  };
+  add("record.edges", [](const TracedFragment& f) {
+    const auto& [a, b, c] = f.coverage.edges;
+    return glm::dvec3(double(a), double(b), double(c));  // below 2^52
+  });
+  add("record.lambda", [](const TracedFragment& f) { return f.fragment.lambda; });
+  add("record.weights", [](const TracedFragment& f) { return f.fragment.weights; });
+  add("record.depth", [](const TracedFragment& f) { return f.fragment.depth; });
+  add("record.inverse_w", [](const TracedFragment& f) { return f.fragment.inverse_w; });
+  add("record.code", [](const TracedFragment& f) { return f.code; });
+  add("record.stored", [](const TracedFragment& f) { return f.stored; });
+  add("record.normal", [](const TracedFragment& f) { return f.at.normal; });
+  add("record.position", [](const TracedFragment& f) { return f.at.position; });
+  add("record.diffuse", [](const TracedFragment& f) { return f.at.diffuse; });
+  add("record.specular", [](const TracedFragment& f) { return f.at.specular; });
+  add("record.color", [](const TracedFragment& f) { return f.at.color; });
+  add("record.texcoord", [](const TracedFragment& f) { return f.at.texcoord; });
+  add("record.surface", [](const TracedFragment& f) { return f.surface; });
+  add("record.light", [](const TracedFragment& f) { return f.light; });
+  add("record.before", [](const TracedFragment& f) { return f.before; });
+  add("record.after", [](const TracedFragment& f) { return f.after; });
 }
 
-// What is known of a triangle besides its record.
-struct KnownTriangle {
-  const TracedTriangle* triangle = nullptr;
-  TriangleBounds bounds;
-};
-
-std::map<std::uint32_t, KnownTriangle> bounds_of_all(const Trace& trace) {
-  std::map<std::uint32_t, KnownTriangle> known;
-  std::map<std::uint32_t, const TracedDraw*> draws;
-  std::map<std::uint32_t, DrawBounds> of_draw;
-  for (const TracedDraw& draw : trace.draws) {
-    draws[draw.instance] = &draw;
-    of_draw[draw.instance] = bounds_of(draw, trace.view);
-  }
-  for (const TracedTriangle& t : trace.triangles) {
-    known[t.number] = {&t, bounds_of(trace, t, *draws.at(t.instance), of_draw.at(t.instance))};
-  }
-  return known;
-}
-
-void append(std::vector<double>& column, const glm::dvec3& v) {
-  column.insert(column.end(), {v.x, v.y, v.z});
-}
-void append(std::vector<double>& column, const glm::dvec4& v) {
-  column.insert(column.end(), {v.x, v.y, v.z, v.w});
+void add_triangle_records(const Trace& trace, ColumnPack& pack) {
+  const auto& triangles = trace.triangles;
+  const auto corners = parts_of(triangles, &TracedTriangle::corners);
+  const auto polygons = parts_of(triangles, &TracedTriangle::polygon);
+  const auto pieces = parts_of(triangles, &TracedTriangle::pieces);
+  add_column(pack, "traced.number", triangles, [](const auto& t) { return t.number; });
+  add_column(pack, "traced.world", corners, [](const auto& c) { return to_glm(c.world); });
+  add_column(pack, "traced.eye", corners, [](const auto& c) { return to_glm(c.eye); });
+  add_column(pack, "traced.clip", corners, [](const auto& c) { return to_glm(c.clip); });
+  add_column(pack, "traced.outcode", corners, [](const auto& c) { return c.outcode; });
+  add_column(pack, "traced.vertices", triangles,
+             [](const auto& t) { return std::uint8_t(t.polygon.size()); });
+  add_column(pack, "traced.ndc", polygons, [](const TracedVertex& v) {
+    return glm::vec4(to_glm(v.ndc.position), v.ndc.inverse_w);
+  });
+  add_column(pack, "traced.screen", polygons,
+             [](const auto& v) { return to_glm(v.screen.position); });
+  add_column(pack, "traced.pieces", triangles,
+             [](const auto& t) { return std::uint8_t(t.pieces.size()); });
+  add_column(pack, "traced.area", pieces,
+             [](const auto& p) { return p.setup ? double(p.setup->double_area) : 0; });
+  add_column(pack, "traced.inverse_area", pieces,
+             [](const auto& p) { return p.setup ? p.setup->inverse_area : 0; });
+  add_column(pack, "traced.flags", pieces, [](const TracedPiece& p) {
+    return std::uint8_t((p.setup && p.setup->clockwise ? 1 : 0) | (p.front ? 2 : 0) |
+                        (p.culled ? 4 : 0));
+  });
 }
 
 void add_bounds(const Trace& trace, ColumnPack& pack) {
   const auto known = bounds_of_all(trace);
-  std::vector<double> world, eye, clip, ndc, screen, fragment;
-  for (const TracedTriangle& t : trace.triangles) {
-    const TriangleBounds& bounds = known.at(t.number).bounds;
-    for (const CornerBounds& corner : bounds.corners) {
-      append(world, corner.world);
-      append(eye, corner.eye);
-      append(clip, corner.clip);
-    }
-    for (const VertexBounds& vertex : bounds.polygon) {
-      append(ndc, glm::dvec4(vertex.ndc.position, vertex.ndc.inverse_w));
-      append(screen, vertex.screen);
-    }
-  }
-  for (const TracedFragment& f : trace.fragments) {
-    FragmentBounds bounds;
-    if (const auto found = known.find(f.source.number);
-        f.source.is_triangle && found != known.end()) {
-      const TracedPiece& piece = found->second.triangle->pieces[f.source.piece];
-      bounds = fragment_bounds(*piece.setup, f.fragment, setup_bounds(piece, found->second.bounds));
-    }
-    fragment.insert(fragment.end(), bounds.lambda.begin(), bounds.lambda.end());
-    fragment.insert(fragment.end(), bounds.weights.begin(), bounds.weights.end());
-    fragment.insert(fragment.end(), {bounds.depth, bounds.inverse_w});
-  }
-  pack.add("bound.world", world);
-  pack.add("bound.eye", eye);
-  pack.add("bound.clip", clip);
-  pack.add("bound.ndc", ndc);
-  pack.add("bound.screen", screen);
-  pack.add("bound.fragment", fragment);
-}
-
-void add_triangle_records(const Trace& trace, ColumnPack& pack) {
-  std::vector<std::uint32_t> number, outcode;
-  std::vector<std::uint8_t> vertices, pieces, flags;
-  std::vector<double> world, eye, area;
-  std::vector<float> clip, ndc, screen, inverse_area;
-  for (const TracedTriangle& t : trace.triangles) {
-    number.push_back(t.number);
-    for (const TracedCorner& c : t.corners) {
-      world.insert(world.end(), {c.world.x, c.world.y, c.world.z});
-      eye.insert(eye.end(), {c.eye.x, c.eye.y, c.eye.z});
-      clip.insert(clip.end(), {c.clip.x, c.clip.y, c.clip.z, c.clip.w});
-      outcode.push_back(c.outcode);
-    }
-    vertices.push_back(std::uint8_t(t.polygon.size()));
-    for (const TracedVertex& v : t.polygon) {
-      ndc.insert(ndc.end(),
-                 {v.ndc.position.x, v.ndc.position.y, v.ndc.position.z, v.ndc.inverse_w});
-      screen.insert(screen.end(), {v.screen.position.x, v.screen.position.y, v.screen.position.z});
-    }
-    pieces.push_back(std::uint8_t(t.pieces.size()));
-    for (const TracedPiece& p : t.pieces) {
-      area.push_back(p.setup ? double(p.setup->double_area) : 0);
-      inverse_area.push_back(p.setup ? p.setup->inverse_area : 0);
-      flags.push_back(std::uint8_t((p.setup && p.setup->clockwise ? 1 : 0) | (p.front ? 2 : 0) |
-                                   (p.culled ? 4 : 0)));
-    }
-  }
-  pack.add("traced.number", number);
-  pack.add("traced.world", world);
-  pack.add("traced.eye", eye);
-  pack.add("traced.clip", clip);
-  pack.add("traced.outcode", outcode);
-  pack.add("traced.vertices", vertices);
-  pack.add("traced.ndc", ndc);
-  pack.add("traced.screen", screen);
-  pack.add("traced.pieces", pieces);
-  pack.add("traced.area", area);
-  pack.add("traced.inverse_area", inverse_area);
-  pack.add("traced.flags", flags);
+  std::vector<TriangleBounds> triangles;
+  for (const TracedTriangle& t : trace.triangles) triangles.push_back(known.at(t.number).bounds);
+  const auto corners = parts_of(triangles, &TriangleBounds::corners);
+  const auto polygons = parts_of(triangles, &TriangleBounds::polygon);
+  add_column(pack, "bound.world", corners, [](const auto& c) { return c.world; });
+  add_column(pack, "bound.eye", corners, [](const auto& c) { return c.eye; });
+  add_column(pack, "bound.clip", corners, [](const auto& c) { return c.clip; });
+  add_column(pack, "bound.ndc", polygons,
+             [](const auto& v) { return glm::dvec4(v.ndc.position, v.ndc.inverse_w); });
+  add_column(pack, "bound.screen", polygons, [](const auto& v) { return v.screen; });
+  add_column(pack, "bound.fragment", trace.fragments, [&](const TracedFragment& f) {
+    const auto found = known.find(f.source.number);
+    const bool is_known = f.source.is_triangle && found != known.end();
+    const FragmentBounds b = is_known ? bounds_of(found->second, f) : FragmentBounds{};
+    return std::array{b.lambda[0],  b.lambda[1],  b.lambda[2], b.weights[0],
+                      b.weights[1], b.weights[2], b.depth,     b.inverse_w};
+  });
 }
 
 // ---- pictures ----
@@ -349,8 +307,10 @@ Result<PageFacts> make_inspect_page(const Scene& scene, const Camera& camera, co
   RenderSettings settings = at_centres(asked);
   if (asked.show != Show::kNormal && asked.show != Show::kUv) settings.show = Show::kColor;
 
-  const ColumnRun run = record_columns(
-      scene, view, settings, {options.rectangle, options.max_triangles, options.max_fragments});
+  const ColumnRun run = record_columns(scene, view, settings,
+                                       {.pixels = options.rectangle,
+                                        .max_triangles = options.max_triangles,
+                                        .max_fragments = options.max_fragments});
   if (const auto fits = check_limits(run, options); !fits) return tl::unexpected(fits.error());
 
   Json manifest = manifest_of(scene, camera, view, settings, options, run);
@@ -365,7 +325,7 @@ Result<PageFacts> make_inspect_page(const Scene& scene, const Camera& camera, co
   add_cut_triangles(run, pack);
   add_fragments(run.fragments, pack);
   if (const auto pixels = recorded_pixels(options)) {
-    manifest["recorded"] = {pixels->x0, pixels->y0, pixels->x1, pixels->y1};
+    manifest["recorded"] = numbers_json(*pixels);
     TraceFilter filter;
     filter.pixels = pixels;
     filter.max_bytes = kMaxRecords * sizeof(TracedFragment);

@@ -31,7 +31,7 @@ void add_picture_options(CLI::App& command, PictureOptions& picture);
 // For commands that follow what is drawn to pixel centres: a note where the picture has several samples.
 void tell_of_centres(const PictureOptions& picture);
 
-// Those of the options that the user gave, as words: "--size", "640x480".
+// The options that the user gave, of these, as words: "--size", "640x480".
 std::vector<std::string> words_of(std::span<const CLI::Option* const> options);
 
 // Whoever gives these words gets this picture.

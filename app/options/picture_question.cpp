@@ -31,10 +31,8 @@ int PictureQuestion::answer(const Ask& ask) const {
     if (const auto legal = check_outputs({*json_output_}); !legal) return refuse(legal.error());
   }
   Progress progress;
-  progress.phase("loading " + scene_title(scene_));
-  const Result<Scene> scene = load_asked_scene(scene_);
+  const Result<Scene> scene = load_asked_scene(scene_, progress);
   if (!scene) return refuse(scene.error());
-  for (const std::string& warning : scene->warnings) progress.say("warning: " + warning);
   const Result<ChosenView> chosen = choose_view(*scene, picture_);
   if (!chosen) return refuse(chosen.error());
   progress.phase("rendering " + scene_title(scene_));

@@ -15,7 +15,7 @@
 
 namespace glassbox::app {
 
-// The same for programs and for people.
+// An answer, for programs and for people.
 struct Answer {
   nlohmann::ordered_json json;
   std::string text;

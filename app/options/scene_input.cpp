@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "app/report/progress.h"
+
 #include <glassbox/mesh/formats/load.h>
 #include <glassbox/mesh/formats/load_memory.h>
 
@@ -48,6 +50,15 @@ Result<Scene> load_asked_scene(const std::string& word, const LoadLimits& limits
         error.file = kStandardInput;
         return error;
       });
+}
+
+Result<Scene> load_asked_scene(const std::string& word, Progress& progress,
+                               const LoadLimits& limits) {
+  progress.phase("loading " + scene_title(word));
+  return load_asked_scene(word, limits).map([&](Scene scene) {
+    for (const std::string& warning : scene.warnings) progress.say("warning: " + warning);
+    return scene;
+  });
 }
 
 std::string scene_title(const std::string& word) {

@@ -9,12 +9,18 @@
 
 namespace glassbox::app {
 
+class Progress;
+
 // What --help says of it.
 inline constexpr const char* kSceneHelp =
     "a file (glTF, GLB, OBJ, PLY), a built-in scene, or -: standard input";
 
 // Standard input has the limits of a file. It is read once, to its end; where it is a terminal, that is an error.
 Result<Scene> load_asked_scene(const std::string& word, const LoadLimits& limits = {});
+
+// Loads it as the phase "loading" of a command's progress, and says the warnings about it there.
+Result<Scene> load_asked_scene(const std::string& word, Progress& progress,
+                               const LoadLimits& limits = {});
 
 // What a line says of the scene: "standard input" for "-", else the word itself.
 std::string scene_title(const std::string& word);

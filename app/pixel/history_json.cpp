@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/report/number_json.h"
 #include "app/why/verdict_json.h"
 
 namespace glassbox {
@@ -9,10 +10,6 @@ namespace glassbox {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json json_of(const Rgba8& c) {
-  return {c.r, c.g, c.b, c.a};
-}
 
 Json index_or_null(const std::optional<std::size_t>& index) {
   return index ? Json(*index) : Json();
@@ -50,9 +47,9 @@ Json json_of(const Scene& scene, const PixelEvent& event) {
     json["cutoff"] = event.cutoff;
     return json;
   }
-  json["light"] = {event.light.r, event.light.g, event.light.b, event.light.a};
-  json["before"] = json_of(event.before);
-  json["after"] = json_of(event.after);
+  json["light"] = numbers_json(event.light);
+  json["before"] = numbers_json(event.before);
+  json["after"] = numbers_json(event.after);
   json["overwritten_by"] = index_or_null(event.overwritten_by);
   return json;
 }
@@ -60,8 +57,9 @@ Json json_of(const Scene& scene, const PixelEvent& event) {
 }  // namespace
 
 Json to_json(const Scene& scene, const PixelHistory& history) {
-  Json json{
-      {"cleared", json_of(history.cleared)}, {"events", Json::array()}, {"misses", Json::array()}};
+  Json json{{"cleared", numbers_json(history.cleared)},
+            {"events", Json::array()},
+            {"misses", Json::array()}};
   for (const PixelEvent& event : history.events) json["events"].push_back(json_of(scene, event));
   for (const PixelMiss& missed : history.misses) {
     Json one{{"triangle", missed.number}, {"instance", missed.instance}, {"face", missed.face}};
@@ -71,7 +69,7 @@ Json to_json(const Scene& scene, const PixelHistory& history) {
   }
   json["without_area"] = history.without_area;
   json["shows"] = index_or_null(history.shows);
-  json["shown"] = json_of(history.shown);
+  json["shown"] = numbers_json(history.shown);
   json["shows_bytes"] = history.shows_bytes;
   json["complete"] = history.complete;
   return json;

@@ -11,6 +11,7 @@
 #include "app/pixel/history_json.h"
 #include "app/pixel/history_text.h"
 #include "app/report/exit_codes.h"
+#include "app/report/number_json.h"
 #include "app/report/shell_line.h"
 #include "app/why/verdict_text.h"
 
@@ -67,8 +68,7 @@ std::string text_of(const Scene& scene, const SeenPixel& seen) {
 }
 
 Json json_of(const Scene& scene, const SeenPixel& seen) {
-  const Rgba8& c = seen.color;
-  Json json{{"color", {c.r, c.g, c.b, c.a}}};
+  Json json{{"color", numbers_json(seen.color)}};
   if (seen.triangle) {
     const Instance& instance = scene.instances[seen.triangle->instance];
     json["triangle"] = seen.triangle->number;
@@ -77,7 +77,7 @@ Json json_of(const Scene& scene, const SeenPixel& seen) {
     json["face"] = seen.triangle->face;
   }
   if (seen.distance) json["distance"] = *seen.distance;
-  if (seen.world) json["world"] = {seen.world->x, seen.world->y, seen.world->z};
+  if (seen.world) json["world"] = numbers_json(*seen.world);
   return json;
 }
 

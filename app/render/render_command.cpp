@@ -79,7 +79,7 @@ bool nothing_drawn(const DrawnPicture& drawn) {
   return std::ranges::all_of(drawn.stages, [](const auto& eye) { return eye.second.covered == 0; });
 }
 
-// Nothing but the times, of all eyes together.
+// The times of all eyes together, without counts.
 Statistics times_of_all(const DrawnPicture& drawn) {
   Statistics sum;
   for (const auto& [eye, one] : drawn.stages) {
@@ -247,13 +247,8 @@ int RenderCommand::run() {
     return refuse(legal.error());
   }
   Progress progress;
-
-  progress.phase("loading " + scene_title(scene_));
-  const Result<Scene> scene = load_asked_scene(scene_, limits_);
+  const Result<Scene> scene = load_asked_scene(scene_, progress, limits_);
   if (!scene) return refuse(scene.error());
-  for (const std::string& warning : scene->warnings) {
-    progress.say("warning: " + warning);
-  }
   const double load_ms = elapsed_ms(start);
 
   if (id_output_ && count_triangles(*scene) > kMaxIdTriangles) {

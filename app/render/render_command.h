@@ -34,7 +34,7 @@ public:
 
 private:
   int run();
-  // The same along a camera path.
+  // Draws the frames of a camera path.
   int run_frames(const std::string& usual_output);
   Result<DrawnPicture> draw(const Scene& scene, Renderer& renderer) const;
   std::vector<TextEntry> recipe_text() const;

@@ -14,7 +14,7 @@ namespace glassbox::app {
 // `target` is a path, or "-" for standard output.
 Result<void> write_json(const std::string& target, const nlohmann::ordered_json& json);
 
-// The same for text that stands as it is.
+// Writes text to such a target as it is.
 Result<void> write_text(const std::string& target, const std::string& text);
 
 // An error if `path` does not end in `extension` (".pfm"), in either case.
@@ -24,7 +24,7 @@ Result<void> check_extension(const std::string& path, const std::string& extensi
 // are the same file.
 Result<void> check_outputs(const std::vector<std::string>& paths);
 
-// The same of a report: its page, an .html file, and its data, which may go to standard output.
+// The check of a report's outputs before a long run: its page, an .html file, and its data, which may go to standard output.
 Result<void> check_report_outputs(const std::optional<std::string>& page,
                                   const std::optional<std::string>& data);
 

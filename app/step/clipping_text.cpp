@@ -1,22 +1,17 @@
-#include "app/step/clipping_text.h"
-
+// Stage 5 of a stepped triangle: the planes, one after the other.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "app/report/text_layout.h"
 #include "app/step/matrices/decimal.h"
-#include "app/step/numbers_text.h"
+#include "app/step/number_text.h"
+#include "app/step/stage_parts.h"
 
 namespace glassbox::app {
 
 namespace {
-
-std::string sentence(const std::string& text) {
-  return wrapped("     ", text);
-}
 
 std::string distances_table(const SteppedTriangle& stepped, const StepTarget& target) {
   std::string text = fmt::format("     {:<20}", "distance inside of");

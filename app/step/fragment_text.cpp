@@ -1,18 +1,13 @@
-#include "app/step/fragment_text.h"
-
+// Stage 9 of a stepped triangle: one of its fragments.
 #include <fmt/format.h>
 
-#include "app/report/text_layout.h"
 #include "app/step/matrices/decimal.h"
-#include "app/step/numbers_text.h"
+#include "app/step/number_text.h"
+#include "app/step/stage_parts.h"
 
 namespace glassbox::app {
 
 namespace {
-
-std::string sentence(const std::string& text) {
-  return wrapped("     ", text);
-}
 
 std::string line(const std::string& text) {
   return "     " + text + "\n";

@@ -6,15 +6,12 @@
 
 #include <glassbox/base/printable.h>
 
-#include "app/step/matrices/dialect_guess.h"
-
 namespace glassbox::app {
 
 namespace {
 
 Result<void> read_matrix(const char* option, const std::optional<std::string>& source,
-                         std::optional<NumberOrder> asked, GivenMatrix& matrix,
-                         std::string& origin) {
+                         std::optional<NumberOrder> asked, GivenMatrix& matrix) {
   if (!source) return {};
   const auto located = [&](Error error) {
     error.place = error.place.empty() ? option : std::string(option) + ", " + error.place;
@@ -26,13 +23,13 @@ Result<void> read_matrix(const char* option, const std::optional<std::string>& s
   if (!parsed) return located(parsed.error());
   const NumberOrder order = order_of(*parsed, asked);
   matrix = to_matrix(*parsed, order);
-  origin = fmt::format("{}, read by {}", printable(read->name),
-                       order == NumberOrder::kRows ? "rows" : "columns");
-  if (!parsed->recognised.empty()) origin += fmt::format(" ({})", parsed->recognised);
+  matrix.origin = fmt::format("{}, read by {}", printable(read->name),
+                              order == NumberOrder::kRows ? "rows" : "columns");
+  if (!parsed->recognised.empty()) matrix.origin += fmt::format(" ({})", parsed->recognised);
   return {};
 }
 
-Result<void> read_matrices(const PointStepOptions& o, PointStep& step) {
+Result<void> read_matrices(const PointStepOptions& o, MatrixSetup& s) {
   const auto is_stdin = [](const std::optional<std::string>& source) {
     return source && *source == "-" ? 1 : 0;
   };
@@ -40,12 +37,11 @@ Result<void> read_matrices(const PointStepOptions& o, PointStep& step) {
     return fail("--model, --view, --proj", "more than one of them is standard input",
                 "put the others into files");
   }
-  MatrixSetup& s = step.setup;
-  const auto model = read_matrix("--model", o.model, o.order, s.model, step.origins.model);
+  const auto model = read_matrix("--model", o.model, o.order, s.model);
   if (!model) return model;
-  const auto view = read_matrix("--view", o.view, o.order, s.view, step.origins.view);
+  const auto view = read_matrix("--view", o.view, o.order, s.view);
   if (!view) return view;
-  return read_matrix("--proj", o.projection, o.order, s.projection, step.origins.projection);
+  return read_matrix("--proj", o.projection, o.order, s.projection);
 }
 
 void choose_dialect(const ApiDialect* asked, PointStep& step) {
@@ -106,9 +102,13 @@ Result<PointStep> step_points(const PointStepOptions& o) {
   PointStep step;
   step.bits = o.bits;
   step.setup.world = o.world;
-  if (const auto read = read_matrices(o, step); !read) return tl::unexpected(read.error());
+  if (const auto read = read_matrices(o, step.setup); !read) return tl::unexpected(read.error());
   choose_dialect(o.dialect, step);
   take_window(o.window, step);
+  if (step.setup.projection.given) {
+    const ProjectionFacts lens = projection_facts(step.setup.projection, step.setup.dialect.depth);
+    if (!lens.looks_transposed) step.lens = lens;
+  }
 
   std::vector<CheckedPoint> checked;
   for (std::size_t i = 0; i < o.points.size(); ++i) {

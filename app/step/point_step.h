@@ -1,4 +1,5 @@
-// Points through one's own matrices: what `glassbox step --point` works out before anything is printed.
+// glassbox step --point X,Y,Z --model FILE --view FILE --proj FILE: points through one's own matrices, space by space, with a check
+// of each matrix, and where a point vanishes the convention that would make it visible.
 #pragma once
 
 #include <array>
@@ -10,8 +11,8 @@
 
 #include "app/step/matrices/conventions_check.h"
 #include "app/step/matrices/findings.h"
-#include "app/step/matrix_report.h"
-#include "app/step/matrix_text.h"
+#include "app/step/matrices/projection_facts.h"
+#include "app/step/printed_matrix.h"
 
 #include <glassbox/base/error.h>
 #include <glassbox/pipeline/vertex_chain.h>
@@ -21,7 +22,8 @@ namespace glassbox::app {
 struct PointStepOptions {
   std::vector<glm::dvec4> points;
   std::vector<glm::dvec2> expected;  // where the first of them should appear in the window
-  std::optional<std::string> model, view, projection;  // sources, as read_matrix_source has them
+  // Sources, as read_matrix_source has them.
+  std::optional<std::string> model, view, projection;
   std::optional<NumberOrder> order;
   const ApiDialect* dialect = nullptr;          // nullptr: to be guessed
   std::optional<std::array<double, 4>> window;  // x, y, width, height
@@ -37,7 +39,8 @@ struct PointStep {
   };
 
   MatrixSetup setup;
-  MatrixOrigins origins;
+  // What the projection does. ProjectionKind::kNone where none was given, or it is not one: nothing is said in its terms.
+  ProjectionFacts lens;
   std::string dialect_reason;
   std::array<double, 4> window{0, 0, 1280, 720};
   Viewport viewport;  // the same, made ready for to_screen
@@ -49,7 +52,7 @@ struct PointStep {
 
 Result<PointStep> step_points(const PointStepOptions& options);
 
-std::string point_step_text(const PointStep& step);
-nlohmann::ordered_json point_step_json(const PointStep& step);
+std::string point_step_text(const PointStep& step);             // point_verdict_text.cpp
+nlohmann::ordered_json point_step_json(const PointStep& step);  // point_json.cpp
 
 }  // namespace glassbox::app

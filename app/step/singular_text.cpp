@@ -1,13 +1,13 @@
-#include "app/step/singular_text.h"
-
+// Stage 6 of a stepped triangle as the slides draw it without depth.
 #include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
 
 #include "app/report/text_layout.h"
-#include "app/step/chain_text.h"
 #include "app/step/matrices/decimal.h"
+#include "app/step/number_text.h"
+#include "app/step/stage_parts.h"
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/rounding.h>
@@ -17,12 +17,6 @@
 namespace glassbox::app {
 
 namespace {
-
-constexpr const char* kIndent = "     ";
-
-std::string sentence(const std::string& text) {
-  return wrapped(kIndent, text);
-}
 
 // (x, y, z) over w, in double.
 glm::dvec3 divided(const Transform<Clip, EyeLeft>& m, const Point<Eye, double>& eye) {

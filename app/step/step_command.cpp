@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <unistd.h>
+
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -11,13 +13,20 @@
 #include "app/options/arguments.h"
 #include "app/options/choices.h"
 #include "app/options/output_options.h"
+#include "app/options/scene_input.h"
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
+#include "app/report/progress.h"
+#include "app/step/prompt.h"
+#include "app/trace/json.h"
+
+#include <glassbox/base/printable.h>
 
 namespace glassbox::app {
 
 namespace {
 
+constexpr const char* kSceneGroup = "A triangle of a scene";
 constexpr const char* kGroup = "Your own matrices";
 
 glm::dvec4 parse_point(const std::string& text) {
@@ -159,7 +168,7 @@ void StepCommand::add_to(CLI::App& app, int& exit_code) {
   CLI::App& command = *app.add_subcommand(
       "step", "a triangle of a scene, or a point through your own matrices, through every space");
   command.footer(kFooter);
-  scene_.add_to(command);
+  add_triangle(command);
   add_points(command, points_);
   add_matrices(command, points_);
   add_conventions(command, points_);
@@ -168,30 +177,92 @@ void StepCommand::add_to(CLI::App& app, int& exit_code) {
       ->group("Other outputs");
   add_json_output(command, json_output_)->group("Other outputs");
   command.callback([this, &command, &exit_code] {
-    if (scene_.is_asked_for() == points_.points.empty()) {
-      tell_of_ignored(command, !scene_.is_asked_for());
-    }
+    const bool asks_for_points = !points_.points.empty();
+    if (scene_.empty() == asks_for_points) tell_of_ignored(command, asks_for_points);
     exit_code = run();
   });
 }
 
+void StepCommand::add_triangle(CLI::App& command) {
+  command.add_option("SCENE", scene_, kSceneHelp);
+  CLI::Option* triangle =
+      command.add_option("--triangle", triangle_, "its number in the scene, counted from 0")
+          ->type_name("N")
+          ->group(kSceneGroup);
+  command
+      .add_option_function<std::string>(
+          "--pick", [this](const std::string& text) { pick_ = parse_pixel("--pick", text); },
+          "the triangle that is seen in this pixel, and its fragment there")
+      ->type_name("X,Y")
+      ->group(kSceneGroup)
+      ->excludes(triangle);
+  command.add_option("--vertex", vertex_, "only this corner of it: 0, 1 or 2")
+      ->type_name("K")
+      ->check(CLI::Range(0, 2))
+      ->group(kSceneGroup);
+  command
+      .add_flag("--interactive", interactive_,
+                "stage by stage, even where the input is no terminal")
+      ->group(kSceneGroup);
+  add_picture_options(command, picture_);
+}
+
 int StepCommand::run() {
-  if (scene_.is_asked_for() && !points_.points.empty()) {
-    return refuse({"", "--point", "a scene is named, too",
-                   "give a scene and a triangle, or points and matrices"});
-  }
-  if (scene_.is_asked_for()) return scene_.run(bits_, json_output_);
-  if (points_.points.empty()) {
+  if (points_.points.empty() && scene_.empty()) {
     return refuse({"", "", "there is nothing to step through",
                    "give a scene and --triangle N, or --point X,Y,Z and your matrices"});
   }
-  return run_points();
+  if (points_.points.empty()) return run_triangle();
+  if (scene_.empty()) return run_points();
+  return refuse({"", "--point", "a scene is named, too",
+                 "give a scene and a triangle, or points and matrices"});
+}
+
+int StepCommand::run_triangle() {
+  if (interactive_ && scene_ == "-") {
+    return refuse({"", "--interactive", "standard input is the scene",
+                   "leave it out, or name the scene's file"});
+  }
+  tell_of_centres(picture_);
+  Progress progress;
+  const Result<Scene> scene = load_asked_scene(scene_, progress, limits_);
+  if (!scene) return refuse(scene.error());
+  progress.phase("rendering " + scene_title(scene_));
+  if (!triangle_ && !pick_) {
+    return refuse({"", "", "no triangle is named",
+                   "give --triangle N, or --pick X,Y for what a pixel shows"});
+  }
+  StepTarget target;
+  target.vertex = vertex_;
+  const auto aimed = aim(target, *scene, picture_, triangle_, pick_, "--");
+  if (!aimed) return refuse(aimed.error());
+  const Result<SteppedTriangle> stepped = step_through(*scene, picture_, target.triangle);
+  if (!stepped) return refuse(stepped.error());
+  progress.done();
+
+  if (json_output_) {
+    nlohmann::ordered_json json = to_json(*scene, stepped->trace);
+    json["scene"] = scene_;
+    if (const auto written = write_json(*json_output_, json); !written)
+      return refuse(written.error());
+    if (*json_output_ == "-") return kSuccess;
+  }
+  std::vector<StageText> stages = stage_texts(*scene, *stepped, target, bits_);
+  fmt::print("triangle {} of {}, {} x {}\n", stepped->place.number, printable(scene_title(scene_)),
+             picture_.size.width, picture_.size.height);
+  const bool terminal = isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
+  if (interactive_ || (terminal && !json_output_)) {
+    step_by_hand(*scene, {words_given(picture_), target}, std::move(stages), bits_, terminal);
+  } else {
+    for (const StageText& stage : stages) fmt::print("\n{}", stage.text);
+  }
+  return kSuccess;
 }
 
 int StepCommand::run_points() {
-  const std::vector<std::string> words = words_given(scene_.picture());
+  const std::vector<std::string> words = words_given(picture_);
   if (std::find(words.begin(), words.end(), "--size") != words.end()) {
-    const auto [width, height] = scene_.picture().size;
+    const auto [width, height] = picture_.size;
     points_.window = {0, 0, double(width), double(height)};
   }
   points_.bits = bits_;

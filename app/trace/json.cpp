@@ -1,44 +1,46 @@
 #include "app/trace/json.h"
 
-#include <map>
-#include <string>
+#include <optional>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
+#include "app/report/number_json.h"
+
 #include <glassbox/render/engine/names.h>
+#include <glassbox/render/trace/fields.h>
 
 namespace glassbox {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-// ---- spaces ----
+// Puts each number under its name.
+struct JsonFields {
+  Json& json;
 
-Json rows(const glm::dmat4& m) {
-  Json json = Json::array();
-  for (int row = 0; row < 4; ++row) json.push_back({m[0][row], m[1][row], m[2][row], m[3][row]});
-  return json;
-}
+  template <class T>
+  void operator()(const char* name, const T& value) {
+    json[name] = value;
+  }
+  template <class T>
+  void operator()(const char* name, const std::optional<T>& value) {
+    json[name] = value ? numbers_json(*value) : Json();
+  }
+  template <int N, class T>
+  void operator()(const char* name, const glm::vec<N, T>& value) {
+    json[name] = numbers_json(value);
+  }
+  template <class T>
+  void operator()(const char* name, const glm::mat<4, 4, T>& value) {
+    json[name] = rows_json(value);
+  }
+};
 
-template <int N, class T>
-Json components(const glm::vec<N, T>& v) {
-  Json json = Json::array();
-  for (int i = 0; i < N; ++i) json.push_back(v[i]);
-  return json;
-}
-
-template <class V>
-Json components_of(const V& v) {
-  return components(to_glm(v));
-}
-
-Json json_of(const Rgba8& c) {
-  return {c.r, c.g, c.b, c.a};
-}
-
-Json json_of(const Rgba& c) {
-  return {c.r, c.g, c.b, c.a};
+template <class... Records>
+void add_fields(Json& json, const Records&... records) {
+  JsonFields fields{json};
+  each_field(records..., fields);
 }
 
 // ---- settings ----
@@ -50,8 +52,8 @@ Json json_of(const RenderSettings& s) {
           {"wireframe", s.wireframe},
           {"depth", name_of(s.depth)},
           {"transfer", name_of(s.transfer)},
-          {"background", json_of(s.background)},
-          {"mask", {s.mask.r, s.mask.g, s.mask.b, s.mask.a}}};
+          {"background", numbers_json(s.background)},
+          {"mask", numbers_json(s.mask)}};
 }
 
 Json json_of(const ClipPlane& plane) {
@@ -60,27 +62,21 @@ Json json_of(const ClipPlane& plane) {
 
 Json json_of(const Scene& scene, const TracedDraw& draw, const DrawBounds& bounds) {
   const Mesh& mesh = scene.meshes[scene.instances[draw.instance].mesh];
-  return {{"instance", draw.instance},
-          {"mesh", mesh.name},
-          {"material", scene.materials[mesh.material].name},
-          {"first_number", draw.first_number},
-          {"mirrored", draw.mirrored},
-          {"world_from_object", rows(draw.world_from_object.columns)},
-          {"anchor", components_of(draw.anchor)},
-          {"clip_from_anchored", rows(glm::dmat4(draw.clip_from_anchored.columns))},
-          {"clip_from_anchored_bound", rows(bounds.clip_from_anchored)},
-          {"eye_from_anchored", rows(glm::dmat4(draw.eye_from_anchored.columns))},
-          {"eye_from_anchored_bound", rows(bounds.eye_from_anchored)}};
+  Json json{{"instance", draw.instance},
+            {"mesh", mesh.name},
+            {"material", scene.materials[mesh.material].name}};
+  add_fields(json, draw, bounds);
+  return json;
 }
 
 // ---- triangles ----
 
 Json json_of(const std::optional<RoundTrip>& trip) {
   if (!trip) return {};
-  return {{"screen", {trip->screen.x, trip->screen.y, trip->screen.z}},
-          {"object", components_of(trip->object)},
-          {"error", components(trip->error)},
-          {"bound", components(trip->bound)}};
+  return {{"screen", numbers_json(trip->screen)},
+          {"object", numbers_json(trip->object)},
+          {"error", numbers_json(trip->error)},
+          {"bound", numbers_json(trip->bound)}};
 }
 
 Json json_of(const Trace& trace, const TracedCorner& corner, const CornerBounds& bounds) {
@@ -92,18 +88,12 @@ Json json_of(const Trace& trace, const TracedCorner& corner, const CornerBounds&
                       {"bound", distances[i].bound},
                       {"outside", (corner.outcode >> i & 1) != 0}});
   }
-  return {{"corner", corner.corner},
-          {"position", corner.position},
-          {"object", components_of(corner.object)},
-          {"world", components_of(corner.world)},
-          {"world_bound", components(bounds.world)},
-          {"eye", components_of(corner.eye)},
-          {"eye_bound", components(bounds.eye)},
-          {"clip", components_of(corner.clip)},
-          {"clip_bound", components(bounds.clip)},
-          {"finite", (corner.outcode & kNotFinite) == 0},
-          {"planes", planes},
-          {"round_trip", json_of(bounds.round_trip)}};
+  Json json;
+  add_fields(json, corner, bounds);
+  json["finite"] = (corner.outcode & kNotFinite) == 0;
+  json["planes"] = planes;
+  json["round_trip"] = json_of(bounds.round_trip);
+  return json;
 }
 
 const char* verdict_of(const TracedTriangle& triangle) {
@@ -125,7 +115,7 @@ Json json_of(const ClipPlane& plane, const ClipStep& step, int count_before) {
   for (int i = 0; i < count_before; ++i) distances.push_back(step.distances[std::size_t(i)]);
   for (int i = 0; i < step.after.count; ++i) {
     const ClipVertex& vertex = step.after.vertices[std::size_t(i)];
-    polygon.push_back({{"clip", components_of(vertex.position)},
+    polygon.push_back({{"clip", numbers_json(vertex.position)},
                        {"weights", vertex.weights},
                        {"from", step.sources[std::size_t(i)]}});
   }
@@ -133,28 +123,13 @@ Json json_of(const ClipPlane& plane, const ClipStep& step, int count_before) {
 }
 
 Json json_of(const TracedVertex& vertex, const VertexBounds& bounds) {
-  return {
-      {"clip", components_of(vertex.clip.position)},
-      {"clip_bound", components(bounds.clip.position)},
-      {"weights", vertex.clip.weights},
-      {"weights_bound", components(bounds.clip.weights)},
-      {"ndc", components_of(vertex.ndc.position)},
-      {"ndc_bound", components(bounds.ndc.position)},
-      {"ndc_condition", bounds.condition == glm::dvec3(0) ? Json() : components(bounds.condition)},
-      {"inverse_w", vertex.ndc.inverse_w},
-      {"inverse_w_bound", bounds.ndc.inverse_w},
-      {"screen", {vertex.screen.position.x, vertex.screen.position.y}},
-      {"screen_bound", {bounds.screen.x, bounds.screen.y}},
-      {"snapped", {vertex.snapped.x, vertex.snapped.y}},
-      {"snap_stable", {bounds.snap_x.stable, bounds.snap_y.stable}}};
+  Json json;
+  add_fields(json, vertex, bounds);
+  return json;
 }
 
 Json json_of(const EdgeFunction& edge) {
   return {{"a", edge.a}, {"b", edge.b}, {"c", edge.c}, {"owns_zero", edge.owns_zero}};
-}
-
-Json json_of(const PixelRect& rect) {
-  return {rect.x0, rect.y0, rect.x1, rect.y1};
 }
 
 Json json_of(const TracedPiece& piece, double area_bound) {
@@ -176,55 +151,9 @@ Json json_of(const TracedPiece& piece, double area_bound) {
   json["inverse_w"] = setup.inverse_w;
   json["inverse_area"] = setup.inverse_area;
   json["affine"] = setup.affine;
-  json["bounds"] = json_of(setup.bounds);
+  json["bounds"] = numbers_json(setup.bounds);
   return json;
 }
-
-Json json_of(const std::optional<BackFaceTest>& test) {
-  if (!test) return {};
-  const char* facing = test->facing == Facing::kBack    ? "back"
-                       : test->facing == Facing::kFront ? "front"
-                                                        : "edge-on";
-  return {{"facing", facing},
-          {"value", test->value},
-          {"bound", test->bound},
-          {"viewer_error_bound", test->viewer_error_bound},
-          {"used_exact", test->used_exact}};
-}
-
-// ---- fragments ----
-
-Json json_of(const Varyings& at) {
-  return {{"normal", at.normal},     {"position", at.position}, {"diffuse", at.diffuse},
-          {"specular", at.specular}, {"color", at.color},       {"texcoord", at.texcoord}};
-}
-
-// What the trace keeps of each draw and triangle besides its records.
-class Known {
-public:
-  explicit Known(const Trace& trace) : trace_(trace) {
-    for (const TracedDraw& draw : trace.draws) {
-      draws_[draw.instance] = {&draw, bounds_of(draw, trace.view)};
-    }
-    for (const TracedTriangle& triangle : trace.triangles) triangles_[triangle.number] = &triangle;
-  }
-
-  TriangleBounds bounds(const TracedTriangle& triangle) const {
-    const auto& [draw, draw_bounds] = draws_.at(triangle.instance);
-    return bounds_of(trace_, triangle, *draw, draw_bounds);
-  }
-
-  const TracedTriangle* triangle(const FragmentSource& source) const {
-    if (!source.is_triangle) return nullptr;
-    const auto found = triangles_.find(source.number);
-    return found == triangles_.end() ? nullptr : found->second;
-  }
-
-private:
-  const Trace& trace_;
-  std::map<std::uint32_t, std::pair<const TracedDraw*, DrawBounds>> draws_;
-  std::map<std::uint32_t, const TracedTriangle*> triangles_;
-};
 
 }  // namespace
 
@@ -233,11 +162,20 @@ const char* name_of(Fate fate) {
   return kNames[std::size_t(fate)];
 }
 
+Json to_json(const BackFaceTest& test) {
+  constexpr const char* kFacings[] = {"front", "edge-on", "back"};
+  return {{"facing", kFacings[std::size_t(test.facing)]},
+          {"value", test.value},
+          {"bound", test.bound},
+          {"viewer_error_bound", test.viewer_error_bound},
+          {"used_exact", test.used_exact}};
+}
+
 Json to_json(const View& view) {
   const Viewport& v = view.viewport;
   return {
-      {"eye_from_world", rows(view.eye_from_world.columns)},
-      {"clip_from_eye", rows(view.clip_from_eye.columns)},
+      {"eye_from_world", rows_json(view.eye_from_world.columns)},
+      {"clip_from_eye", rows_json(view.clip_from_eye.columns)},
       {"viewport", {{"left", v.left}, {"right", v.right}, {"bottom", v.bottom}, {"top", v.top}}},
       {"depth_range", view.depth_range == DepthRange::kReversed ? "reversed" : "standard"},
       {"perspective", view.perspective},
@@ -270,11 +208,10 @@ Json to_json(const Trace& trace, const TracedTriangle& triangle, const TriangleB
           {"clipping", clipping},
           {"polygon", polygon},
           {"pieces", pieces},
-          {"back_face", json_of(bounds.back_face)}};
+          {"back_face", bounds.back_face ? to_json(*bounds.back_face) : Json()}};
 }
 
-Json to_json(const Trace& trace, const TracedFragment& traced, const TracedTriangle* triangle,
-             const TriangleBounds* bounds) {
+Json to_json(const Trace& trace, const TracedFragment& traced, const BoundsOfRun::Known* known) {
   const Fragment& fragment = traced.fragment;
   Json json;
   json["triangle"] = traced.source.is_triangle ? Json(traced.source.number) : Json();
@@ -286,10 +223,8 @@ Json to_json(const Trace& trace, const TracedFragment& traced, const TracedTrian
   json["weights"] = fragment.weights;
   json["depth"] = fragment.depth;
   json["inverse_w"] = fragment.inverse_w;
-  if (triangle != nullptr && bounds != nullptr) {
-    const TracedPiece& piece = triangle->pieces[traced.source.piece];
-    const FragmentBounds bound =
-        fragment_bounds(*piece.setup, fragment, setup_bounds(piece, *bounds));
+  if (known != nullptr) {
+    const FragmentBounds bound = bounds_of(*known, traced);
     json["bounds"] = {{"lambda", bound.lambda},
                       {"weights", bound.weights},
                       {"depth", bound.depth},
@@ -299,27 +234,22 @@ Json to_json(const Trace& trace, const TracedFragment& traced, const TracedTrian
   json["depth_test"] = {{"op", "less"}, {"incoming", traced.code}, {"stored", traced.stored}};
   json["fate"] = name_of(traced.fate);
   if (traced.fate == Fate::kHidden) return json;
-  json["attributes"] = json_of(traced.at);
-  json["surface"] = json_of(traced.surface);
+  add_fields(json["attributes"], traced.at);
+  json["surface"] = numbers_json(traced.surface);
   if (traced.fate == Fate::kDiscarded) return json;
   if (trace.settings.show == Show::kColor) {
     json["emission"] = traced.emission;
-    json["light"] = json_of(traced.light);
+    json["light"] = numbers_json(traced.light);
   }
-  json["before"] = json_of(traced.before);
-  json["after"] = json_of(traced.after);
+  json["before"] = numbers_json(traced.before);
+  json["after"] = numbers_json(traced.after);
   return json;
 }
 
 Json to_json(const RoundTrips& trips) {
-  return {{"corners", trips.corners},
-          {"unbounded", trips.unbounded},
-          {"largest_error", trips.largest_error},
-          {"bound", trips.bound},
-          {"triangle", trips.place.triangle},
-          {"corner", trips.place.corner},
-          {"axis", trips.place.axis},
-          {"largest_ratio", trips.largest_ratio}};
+  Json json;
+  add_fields(json, trips);
+  return json;
 }
 
 Json head_json(const Scene& scene, const Trace& trace) {
@@ -337,21 +267,18 @@ Json head_json(const Scene& scene, const Trace& trace) {
 }
 
 Json to_json(const Scene& scene, const Trace& trace) {
-  const Known known(trace);
+  const auto known = bounds_of_all(trace);
   Json json = head_json(scene, trace), triangles = Json::array(), fragments = Json::array();
   RoundTrips trips;
   for (const TracedTriangle& triangle : trace.triangles) {
-    const TriangleBounds bounds = known.bounds(triangle);
+    const TriangleBounds& bounds = known.at(triangle.number).bounds;
     trips.see(triangle, bounds);
     triangles.push_back(to_json(trace, triangle, bounds));
   }
-  const TracedTriangle* triangle = nullptr;
-  std::optional<TriangleBounds> bounds;  // of the triangle: fragments of one follow each other
   for (const TracedFragment& fragment : trace.fragments) {
-    const TracedTriangle* its_triangle = known.triangle(fragment.source);
-    if (its_triangle != nullptr && its_triangle != triangle) bounds = known.bounds(*its_triangle);
-    triangle = its_triangle;
-    fragments.push_back(to_json(trace, fragment, triangle, bounds ? &*bounds : nullptr));
+    const auto found = known.find(fragment.source.number);
+    const bool is_known = fragment.source.is_triangle && found != known.end();
+    fragments.push_back(to_json(trace, fragment, is_known ? &found->second : nullptr));
   }
   json["triangles"] = std::move(triangles);
   json["fragments"] = std::move(fragments);

@@ -6,7 +6,6 @@
 #include <glassbox/mesh/scene.h>
 #include <glassbox/render/trace/bounds.h>
 #include <glassbox/render/trace/records.h>
-#include <glassbox/render/trace/round_trips.h>
 
 namespace glassbox {
 
@@ -20,11 +19,12 @@ nlohmann::ordered_json to_json(const Scene& scene, const Trace& trace);
 nlohmann::ordered_json head_json(const Scene& scene, const Trace& trace);
 nlohmann::ordered_json to_json(const RoundTrips& trips);
 nlohmann::ordered_json to_json(const View& view);
+nlohmann::ordered_json to_json(const BackFaceTest& test);
 nlohmann::ordered_json to_json(const Trace& trace, const TracedTriangle& triangle,
                                const TriangleBounds& bounds);
-// `triangle` and its bounds: null where the trace does not have it; the fragment's bounds are left out then.
+// `known`: the fragment's triangle; null where the trace does not have it, and the fragment's bounds are left out then.
 nlohmann::ordered_json to_json(const Trace& trace, const TracedFragment& fragment,
-                               const TracedTriangle* triangle, const TriangleBounds* bounds);
+                               const BoundsOfRun::Known* known);
 
 // For programs: "hidden", "discarded", "written", "blended".
 const char* name_of(Fate fate);

@@ -65,10 +65,7 @@ void TraceText::triangle(const TracedTriangle& triangle) {
 void TraceText::fragment(const TracedFragment& fragment) {
   counter_.fragment(fragment);
   if (!is_due(counts().fragments)) return;
-  const BoundsOfRun::Known* known = bounds_.of(fragment);
-  fragments_.add(dumped(known == nullptr
-                            ? to_json(head_, fragment, nullptr, nullptr)
-                            : to_json(head_, fragment, &known->triangle, &known->bounds)));
+  fragments_.add(dumped(to_json(head_, fragment, bounds_.of(fragment))));
 }
 
 std::uint64_t TraceText::estimate(const Lines& lines, std::uint64_t count) {

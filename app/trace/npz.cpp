@@ -18,18 +18,7 @@ std::string tuple_of(const std::vector<std::size_t>& shape) {
   return text + (shape.size() == 1 ? ",)" : ")");
 }
 
-labs::ZipEntry entry(const std::string& name, const std::string& type,
-                     const std::vector<std::size_t>& shape, const std::string& bytes) {
-  const std::string header = npy_header(type, shape);
-  labs::ZipEntry file{name + ".npy", {}, false};
-  file.text.reserve(header.size() + bytes.size());
-  file.text += header;
-  file.text += bytes;
-  return file;
-}
-
-}  // namespace
-
+// What stands before an array's bytes.
 std::string npy_header(const std::string& type, const std::vector<std::size_t>& shape) {
   std::string text = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': {}, }}", type,
                                  tuple_of(shape));
@@ -42,14 +31,26 @@ std::string npy_header(const std::string& type, const std::vector<std::size_t>& 
   return std::string("\x93NUMPY\x01\x00", 8) + char(length & 0xffu) + char(length >> 8) + text;
 }
 
+labs::ZipEntry entry(const std::string& name, const std::string& type,
+                     const std::vector<std::size_t>& shape, const std::string& bytes) {
+  const std::string header = npy_header(type, shape);
+  labs::ZipEntry file{name + ".npy", {}, false};
+  file.text.reserve(header.size() + bytes.size());
+  file.text += header;
+  file.text += bytes;
+  return file;
+}
+
+}  // namespace
+
 Result<std::vector<std::byte>> make_npz(TraceArrays& arrays, const std::string& about) {
   std::vector<labs::ZipEntry> files;
   files.push_back(entry("about", "|u1", {about.size()}, about));
-  for (Table* table : arrays.tables()) {
-    for (Array& array : table->arrays()) {
+  for (Table& table : arrays.tables()) {
+    for (Array& array : table.arrays()) {
       if (!array.wanted) continue;
       files.push_back(
-          entry(array.name, array.type, table->shape_of(array), std::exchange(array.bytes, {})));
+          entry(array.name, array.type, table.shape_of(array), std::exchange(array.bytes, {})));
     }
   }
   return labs::make_zip(files);

@@ -10,9 +10,6 @@
 
 namespace glassbox::app {
 
-// What stands before an array's bytes.
-std::string npy_header(const std::string& type, const std::vector<std::size_t>& shape);
-
 // The wanted arrays, and `about` as the bytes of an array of that name. The arrays' own bytes are gone then.
 Result<std::vector<std::byte>> make_npz(TraceArrays& arrays, const std::string& about);
 

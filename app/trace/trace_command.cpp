@@ -70,8 +70,8 @@ void parse_stages(const std::string& text, TraceFilter& filter) {
 // The names of all arrays, and of the groups that they are in.
 std::vector<std::string> names_of(const TraceArrays& arrays) {
   std::vector<std::string> names;
-  for (const Table* table : arrays.tables()) {
-    for (const Array& array : table->arrays()) {
+  for (const Table& table : arrays.tables()) {
+    for (const Array& array : table.arrays()) {
       names.push_back(array.name);
       const std::string group = array.name.substr(0, array.name.find('.'));
       if (std::ranges::find(names, group) == names.end()) names.push_back(group);
@@ -240,10 +240,8 @@ int TraceCommand::run() {
   tell_of_centres(picture_);
   filter_.max_bytes = std::numeric_limits<std::uint64_t>::max();  // --max-mb stands in its place
   Progress progress;
-  progress.phase("loading " + scene_title(scene_));
-  const Result<Scene> scene = load_asked_scene(scene_);
+  const Result<Scene> scene = load_asked_scene(scene_, progress);
   if (!scene) return refuse(scene.error());
-  for (const std::string& warning : scene->warnings) progress.say("warning: " + warning);
   if (const auto legal = check_filter(*scene); !legal) return refuse(legal.error());
   const Result<ChosenView> chosen = choose_view(*scene, picture_);
   if (!chosen) return refuse(chosen.error());

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "app/why/verdict_paragraphs.h"
 #include "app/why/verdict_text.h"
 
 namespace glassbox {

@@ -2,6 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/report/number_json.h"
+#include "app/trace/json.h"
+
 namespace glassbox {
 
 namespace {
@@ -10,16 +13,6 @@ using Json = nlohmann::ordered_json;
 
 Json optional_number(std::optional<std::uint32_t> number) {
   return number ? Json(*number) : Json();
-}
-
-Json json_of(const Point<Object>& p) {
-  return {p.x, p.y, p.z};
-}
-Json json_of(const Point<Clip>& p) {
-  return {p.x, p.y, p.z, p.w};
-}
-Json json_of(const Rgba8& c) {
-  return {c.r, c.g, c.b, c.a};
 }
 
 Json json_of(const ViewConventions& c) {
@@ -33,7 +26,7 @@ Json json_of(const ViewConventions& c) {
 Json json_of(const NoAreaVerdict& found) {
   constexpr const char* kReasons[] = {"repeated-position", "collinear", "whole-face"};
   Json corners = Json::array();
-  for (const Point<Object>& corner : found.corners) corners.push_back(json_of(corner));
+  for (const Point<Object>& corner : found.corners) corners.push_back(numbers_json(corner));
   return {{"reason", kReasons[std::size_t(found.reason)]}, {"face_corners", corners}};
 }
 
@@ -41,10 +34,10 @@ Json json_of(const ClippingVerdict& found) {
   const ClipPlane& e = found.equation;
   Json json{{"plane", e.name}, {"equation", {e.a, e.b, e.c, e.d, e.e}}};
   for (const ClippedCorner& corner : found.corners) {
-    Json one{{"clip", json_of(corner.clip)},
+    Json one{{"clip", numbers_json(corner.clip)},
              {"along_gaze", corner.along_gaze},
              {"inside", corner.inside}};
-    if (corner.screen) one["screen"] = {corner.screen->x, corner.screen->y, corner.screen->z};
+    if (corner.screen) one["screen"] = numbers_json(*corner.screen);
     json["corners"].push_back(one);
   }
   for (const ClipCount& step : found.steps) {
@@ -65,19 +58,12 @@ Json json_of(const NoScreenAreaVerdict& found) {
 
 Json json_of(const CullVerdict& found) {
   constexpr const char* kRules[] = {"material", "back", "front", "none"};
-  constexpr const char* kFacings[] = {"front", "edge-on", "back"};
   Json json{{"area_px2", found.area_px2},
             {"shows", found.front ? "front" : "back"},
             {"mirrored", found.mirrored},
             {"cull", kRules[std::size_t(found.rule)]},
             {"double_sided", found.double_sided}};
-  if (const auto& test = found.object_space) {
-    json["object_space"] = {{"facing", kFacings[std::size_t(test->facing)]},
-                            {"value", test->value},
-                            {"bound", test->bound},
-                            {"viewer_error_bound", test->viewer_error_bound},
-                            {"used_exact", test->used_exact}};
-  }
+  if (found.object_space) json["object_space"] = to_json(*found.object_space);
   return json;
 }
 
@@ -126,11 +112,10 @@ Json json_of(const FragmentTally& t, const FragmentDetails& d) {
     json["unchanged_example"] = {{"at", {u->x, u->y}},
                                  {"blended", u->blended},
                                  {"alpha", u->alpha},
-                                 {"bytes", json_of(u->bytes)}};
+                                 {"bytes", numbers_json(u->bytes)}};
   }
   if (d.example) {
-    const PixelRect& box = d.visible_box;
-    json["box"] = {box.x0, box.y0, box.x1, box.y1};
+    json["box"] = numbers_json(d.visible_box);
     json["example"] = *d.example;
   }
   return json;

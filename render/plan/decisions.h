@@ -16,10 +16,10 @@ struct Decision {
   std::string numbers;  // those of this draw; empty where there are none
 };
 
-// Of the whole picture.
+// The decisions about the whole picture.
 std::vector<Decision> decisions(const Plan& plan, const PlannedEye& eye);
 
-// Of one draw, in the order of the stages. Only the first says something where the draw is not drawn.
+// The decisions about one draw, in the order of the stages. Only the first says something where the draw is not drawn.
 std::vector<Decision> decisions(const Plan& plan, const PlannedEye& eye, std::size_t draw);
 
 // "triangles over lanes", "each triangle made ready by itself, because ...": how the draw is drawn.

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+
+#include <glassbox/render/trace/fields.h>
 
 namespace glassbox {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // ---- what each table has: a call for each number of a record ----
 
@@ -26,18 +27,7 @@ void fill_plane(Table& table, const ClipPlane& plane) {
 
 void fill_draw(Table& table, const TracedDraw& draw, const DrawBounds& bounds) {
   table("instance", draw.instance);
-  table("first_number", draw.first_number);
-  table("mirrored", draw.mirrored);
-  table("world_from_object", draw.world_from_object.columns);
-  table("anchor", to_glm(draw.anchor));
-  table("clip_from_anchored", draw.clip_from_anchored.columns);
-  table("clip_from_anchored_bound", bounds.clip_from_anchored);
-  table("eye_from_anchored", draw.eye_from_anchored.columns);
-  table("eye_from_anchored_bound", bounds.eye_from_anchored);
-}
-
-std::int8_t sign_of(Facing facing) {
-  return facing == Facing::kFront ? 1 : facing == Facing::kBack ? -1 : 0;
+  each_field(draw, bounds, table);
 }
 
 // Where a triangle's rows begin in the tables that have several.
@@ -59,23 +49,21 @@ void fill_triangle(Table& table, const TracedTriangle& triangle, const TriangleB
   table("vertex_count", std::uint8_t(triangle.polygon.size()));
   table("first_piece", std::uint64_t(first.piece));
   table("piece_count", std::uint8_t(triangle.pieces.size()));
-  const auto& test = bounds.back_face;
-  table("facing", test ? sign_of(test->facing) : std::int8_t(0));
-  table("facing_value", test ? test->value : kNone);
-  table("facing_bound", test ? test->bound + test->viewer_error_bound : kNone);
+  std::int8_t facing = 0;
+  std::optional<double> value, bound;
+  if (const auto& test = bounds.back_face) {
+    facing = test->facing == Facing::kFront ? 1 : test->facing == Facing::kBack ? -1 : 0;
+    value = test->value;
+    bound = test->bound + test->viewer_error_bound;
+  }
+  table("facing", facing);
+  table("facing_value", value);
+  table("facing_bound", bound);
 }
 
 void fill_corner(Table& table, const Trace& trace, const TracedCorner& corner,
                  const CornerBounds& bounds) {
-  table("corner", corner.corner);
-  table("position", corner.position);
-  table("object", to_glm(corner.object));
-  table("world", to_glm(corner.world));
-  table("world_bound", bounds.world);
-  table("eye", to_glm(corner.eye));
-  table("eye_bound", bounds.eye);
-  table("clip", to_glm(corner.clip));
-  table("clip_bound", bounds.clip);
+  each_field(corner, bounds, table);
   table("outcode", corner.outcode);
   std::array<double, kMaxClipPlanes> distances{}, distance_bounds{};
   const auto found = plane_distances(trace, corner, bounds);
@@ -85,10 +73,15 @@ void fill_corner(Table& table, const Trace& trace, const TracedCorner& corner,
   }
   table("distance", distances);
   table("distance_bound", distance_bounds);
-  const auto& trip = bounds.round_trip;
-  table("round_trip", trip ? to_glm(trip->object) : glm::dvec3(kNone));
-  table("round_trip_error", trip ? trip->error : glm::dvec3(kNone));
-  table("round_trip_bound", trip ? trip->bound : glm::dvec3(kNone));
+  std::optional<glm::dvec3> object, error, bound;
+  if (const auto& trip = bounds.round_trip) {
+    object = to_glm(trip->object);
+    error = trip->error;
+    bound = trip->bound;
+  }
+  table("round_trip", object);
+  table("round_trip_error", error);
+  table("round_trip_bound", bound);
 }
 
 void fill_cut(Table& table, std::size_t triangle, std::size_t plane, std::size_t first_vertex,
@@ -103,22 +96,6 @@ void fill_cut_vertex(Table& table, const ClipVertex& vertex, const std::array<in
   table("clip", to_glm(vertex.position));
   table("weights", vertex.weights);
   table("from", std::array{std::uint8_t(from[0]), std::uint8_t(from[1])});
-}
-
-void fill_vertex(Table& table, const TracedVertex& vertex, const VertexBounds& bounds) {
-  table("clip", to_glm(vertex.clip.position));
-  table("clip_bound", bounds.clip.position);
-  table("weights", vertex.clip.weights);
-  table("weights_bound", bounds.clip.weights);
-  table("ndc", to_glm(vertex.ndc.position));
-  table("ndc_bound", bounds.ndc.position);
-  table("ndc_condition", bounds.condition == glm::dvec3(0) ? glm::dvec3(kNone) : bounds.condition);
-  table("inverse_w", vertex.ndc.inverse_w);
-  table("inverse_w_bound", bounds.ndc.inverse_w);
-  table("screen", std::array{vertex.screen.position.x, vertex.screen.position.y});
-  table("screen_bound", std::array{bounds.screen.x, bounds.screen.y});
-  table("snapped", std::array{vertex.snapped.x, vertex.snapped.y});
-  table("snap_stable", std::array{bounds.snap_x.stable, bounds.snap_y.stable});
 }
 
 void fill_piece(Table& table, std::size_t triangle, const TracedPiece& piece, double area_bound) {
@@ -179,12 +156,7 @@ void fill_fragment(Table& table, const TracedFragment& traced, const FragmentBou
   table("incoming", traced.code);
   table("stored", traced.stored);
   table("fate", std::uint8_t(traced.fate));
-  table("normal", traced.at.normal);
-  table("position", traced.at.position);
-  table("diffuse", traced.at.diffuse);
-  table("specular", traced.at.specular);
-  table("color", traced.at.color);
-  table("texcoord", traced.at.texcoord);
+  each_field(traced.at, table);
   table("surface", numbers_of(traced.surface));
   table("emission", traced.emission);
   table("light", numbers_of(traced.light));
@@ -192,18 +164,8 @@ void fill_fragment(Table& table, const TracedFragment& traced, const FragmentBou
   table("after", numbers_of(traced.after));
 }
 
-void fill_round_trips(Table& table, const RoundTrips& trips) {
-  table("corners", trips.corners);
-  table("unbounded", trips.unbounded);
-  table("largest_error", trips.largest_error);
-  table("bound", trips.bound);
-  table("triangle", trips.place.triangle);
-  table("corner", trips.place.corner);
-  table("axis", trips.place.axis);
-  table("largest_ratio", trips.largest_ratio);
-}
-
 FragmentBounds no_bounds() {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   FragmentBounds none{};
   none.lambda.fill(kNone);
   none.weights.fill(kNone);
@@ -236,87 +198,89 @@ void TraceCounter::fragment(const TracedFragment&) {
 // ---- the arrays ----
 
 TraceArrays::TraceArrays(const View& view, const std::vector<std::string>& wanted) : bounds_(view) {
-  run_.declare([&](Table& t) { fill_run(t, view); });
-  plane_.declare([](Table& t) { fill_plane(t, {}); });
-  draw_.declare([](Table& t) { fill_draw(t, {}, {}); });
-  triangle_.declare([](Table& t) { fill_triangle(t, {}, {}, {}); });
-  corner_.declare([&](Table& t) { fill_corner(t, bounds_.trace(), {}, {}); });
-  cut_.declare([](Table& t) { fill_cut(t, 0, 0, 0, 0); });
-  cut_vertex_.declare([](Table& t) { fill_cut_vertex(t, {}, {}); });
-  vertex_.declare([](Table& t) { fill_vertex(t, {}, {}); });
-  piece_.declare([](Table& t) { fill_piece(t, 0, {}, 0); });
-  fragment_.declare([](Table& t) { fill_fragment(t, {}, no_bounds()); });
-  round_trip_.declare([](Table& t) { fill_round_trips(t, {}); });
+  const auto declare = [&](Kind kind, const auto& fill) { tables_[kind].declare(fill); };
+  declare(kRun, [&](Table& t) { fill_run(t, view); });
+  declare(kPlane, [](Table& t) { fill_plane(t, {}); });
+  declare(kDraw, [](Table& t) { fill_draw(t, {}, {}); });
+  declare(kTriangle, [](Table& t) { fill_triangle(t, {}, {}, {}); });
+  declare(kCorner, [&](Table& t) { fill_corner(t, bounds_.trace(), {}, {}); });
+  declare(kCut, [](Table& t) { fill_cut(t, 0, 0, 0, 0); });
+  declare(kCutVertex, [](Table& t) { fill_cut_vertex(t, {}, {}); });
+  declare(kVertex, [](Table& t) { each_field(TracedVertex{}, VertexBounds{}, t); });
+  declare(kPiece, [](Table& t) { fill_piece(t, 0, {}, 0); });
+  declare(kFragment, [](Table& t) { fill_fragment(t, {}, no_bounds()); });
+  declare(kRoundTrip, [](Table& t) { each_field(RoundTrips{}, t); });
   for (const std::string& name : wanted) {
-    bool found = false;
-    for (const Table* table : std::as_const(*this).tables()) found |= table->names(name);
+    const bool found =
+        std::ranges::any_of(tables_, [&](const Table& table) { return table.names(name); });
     if (!found) unknown_.push_back(name);
   }
-  for (Table* table : tables()) {
-    if (!wanted.empty()) table->choose(wanted);
+  for (Table& table : tables_) {
+    if (!wanted.empty()) table.choose(wanted);
   }
-  run_.add_row([&](Table& t) { fill_run(t, view); });
+  tables_[kRun].add_row([&](Table& t) { fill_run(t, view); });
   for (const ClipPlane& plane : bounds_.trace().planes) {
-    plane_.add_row([&](Table& t) { fill_plane(t, plane); });
+    tables_[kPlane].add_row([&](Table& t) { fill_plane(t, plane); });
   }
 }
 
-std::array<const Table*, 11> TraceArrays::tables() const {
-  return {&run_,        &plane_,  &draw_,  &triangle_, &corner_,    &cut_,
-          &cut_vertex_, &vertex_, &piece_, &fragment_, &round_trip_};
-}
-
-std::array<Table*, 11> TraceArrays::tables() {
-  return {&run_,        &plane_,  &draw_,  &triangle_, &corner_,    &cut_,
-          &cut_vertex_, &vertex_, &piece_, &fragment_, &round_trip_};
-}
-
-std::array<std::uint64_t, 11> TraceArrays::rows_for(const TraceCounts& c) const {
-  return {1,      plane_.rows(),  c.draws,    c.triangles, 3 * c.triangles,
-          c.cuts, c.cut_vertices, c.vertices, c.pieces,    c.fragments,
-          1};
+std::array<std::uint64_t, TraceArrays::kKinds> TraceArrays::rows_for(const TraceCounts& c) const {
+  std::array<std::uint64_t, kKinds> rows{};
+  rows[kRun] = rows[kRoundTrip] = 1;
+  rows[kPlane] = tables_[kPlane].rows();
+  rows[kDraw] = c.draws;
+  rows[kTriangle] = c.triangles;
+  rows[kCorner] = 3 * c.triangles;
+  rows[kCut] = c.cuts;
+  rows[kCutVertex] = c.cut_vertices;
+  rows[kVertex] = c.vertices;
+  rows[kPiece] = c.pieces;
+  rows[kFragment] = c.fragments;
+  return rows;
 }
 
 std::uint64_t TraceArrays::bytes_for(const TraceCounts& counts) const {
   const auto rows = rows_for(counts);
   std::uint64_t bytes = 0;
-  for (std::size_t i = 0; i < rows.size(); ++i) bytes += rows[i] * tables()[i]->row_bytes();
+  for (std::size_t kind = 0; kind < kKinds; ++kind) bytes += rows[kind] * tables_[kind].row_bytes();
   return bytes;
 }
 
 void TraceArrays::reserve(const TraceCounts& counts) {
   const auto rows = rows_for(counts);
-  for (std::size_t i = 0; i < rows.size(); ++i) tables()[i]->reserve(rows[i]);
+  for (std::size_t kind = 0; kind < kKinds; ++kind) tables_[kind].reserve(rows[kind]);
 }
 
 void TraceArrays::draw(const TracedDraw& draw) {
   const DrawBounds& bounds = bounds_.draw(draw);
-  draw_.add_row([&](Table& t) { fill_draw(t, draw, bounds); });
+  tables_[kDraw].add_row([&](Table& t) { fill_draw(t, draw, bounds); });
 }
 
 void TraceArrays::triangle(const TracedTriangle& triangle) {
   const TriangleBounds& bounds = bounds_.triangle(triangle).bounds;
   round_trips_.see(triangle, bounds);
-  const std::size_t row = triangle_.rows();
-  const Beginnings first{cut_.rows(), vertex_.rows(), piece_.rows()};
-  triangle_.add_row([&](Table& t) { fill_triangle(t, triangle, bounds, first); });
+  const std::size_t row = tables_[kTriangle].rows();
+  const Beginnings first{tables_[kCut].rows(), tables_[kVertex].rows(), tables_[kPiece].rows()};
+  tables_[kTriangle].add_row([&](Table& t) { fill_triangle(t, triangle, bounds, first); });
   for (std::size_t k = 0; k < 3; ++k) {
-    corner_.add_row(
+    tables_[kCorner].add_row(
         [&](Table& t) { fill_corner(t, bounds_.trace(), triangle.corners[k], bounds.corners[k]); });
   }
   for (std::size_t i = 0; i < triangle.clipping.size(); ++i) {
     const ClipStep& step = triangle.clipping[i];
-    cut_.add_row([&](Table& t) { fill_cut(t, row, i, cut_vertex_.rows(), step.after.count); });
+    const std::size_t first_vertex = tables_[kCutVertex].rows();
+    tables_[kCut].add_row([&](Table& t) { fill_cut(t, row, i, first_vertex, step.after.count); });
     for (std::size_t j = 0; j < std::size_t(step.after.count); ++j) {
-      cut_vertex_.add_row(
+      tables_[kCutVertex].add_row(
           [&](Table& t) { fill_cut_vertex(t, step.after.vertices[j], step.sources[j]); });
     }
   }
   for (std::size_t i = 0; i < triangle.polygon.size(); ++i) {
-    vertex_.add_row([&](Table& t) { fill_vertex(t, triangle.polygon[i], bounds.polygon[i]); });
+    tables_[kVertex].add_row(
+        [&](Table& t) { each_field(triangle.polygon[i], bounds.polygon[i], t); });
   }
   for (std::size_t i = 0; i < triangle.pieces.size(); ++i) {
-    piece_.add_row(
+    tables_[kPiece].add_row(
         [&](Table& t) { fill_piece(t, row, triangle.pieces[i], bounds.double_area[i]); });
   }
 }
@@ -324,11 +288,11 @@ void TraceArrays::triangle(const TracedTriangle& triangle) {
 void TraceArrays::fragment(const TracedFragment& fragment) {
   const BoundsOfRun::Known* known = bounds_.of(fragment);
   const FragmentBounds bounds = known == nullptr ? no_bounds() : bounds_of(*known, fragment);
-  fragment_.add_row([&](Table& t) { fill_fragment(t, fragment, bounds); });
+  tables_[kFragment].add_row([&](Table& t) { fill_fragment(t, fragment, bounds); });
 }
 
 void TraceArrays::finish() {
-  round_trip_.add_row([&](Table& t) { fill_round_trips(t, round_trips_); });
+  tables_[kRoundTrip].add_row([&](Table& t) { each_field(round_trips_, t); });
 }
 
 }  // namespace glassbox

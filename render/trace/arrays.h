@@ -5,11 +5,11 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
-#include <glassbox/render/trace/round_trips.h>
-#include <glassbox/render/trace/run_bounds.h>
+#include <glassbox/render/trace/bounds.h>
 #include <glassbox/render/trace/table.h>
 #include <glassbox/render/trace/tracer.h>
 
@@ -54,18 +54,33 @@ public:
   void reserve(const TraceCounts& counts);
   const RoundTrips& round_trips() const { return round_trips_; }
 
-  // Tables in the order of the stages.
-  std::array<const Table*, 11> tables() const;
-  std::array<Table*, 11> tables();
+  // In the order of the stages.
+  std::span<const Table> tables() const { return tables_; }
+  std::span<Table> tables() { return tables_; }
 
 private:
-  std::array<std::uint64_t, 11> rows_for(const TraceCounts& counts) const;
+  enum Kind : std::size_t {
+    kRun,
+    kPlane,
+    kDraw,
+    kTriangle,
+    kCorner,
+    kCut,
+    kCutVertex,
+    kVertex,
+    kPiece,
+    kFragment,
+    kRoundTrip,
+    kKinds
+  };
+  std::array<std::uint64_t, kKinds> rows_for(const TraceCounts& counts) const;
 
   BoundsOfRun bounds_;
   RoundTrips round_trips_;
-  Table run_{"run", 0}, plane_{"plane"}, draw_{"draw"}, triangle_{"triangle"}, corner_{"corner", 3},
-      cut_{"cut"}, cut_vertex_{"cut_vertex"}, vertex_{"vertex"}, piece_{"piece"},
-      fragment_{"fragment"}, round_trip_{"round_trip", 0};
+  std::array<Table, kKinds> tables_{Table("run", 0),     Table("plane"),        Table("draw"),
+                                    Table("triangle"),   Table("corner", 3),    Table("cut"),
+                                    Table("cut_vertex"), Table("vertex"),       Table("piece"),
+                                    Table("fragment"),   Table("round_trip", 0)};
   std::vector<std::string> unknown_;
 };
 

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <glassbox/base/rounding.h>
 #include <glassbox/pipeline/affine.h>
 #include <glassbox/raster/snap.h>
+#include <glassbox/render/staged/staged.h>
 
 namespace glassbox {
 namespace {
@@ -215,6 +217,80 @@ SetupBounds setup_bounds(const TracedPiece& piece, const TriangleBounds& bounds)
     setup.inverse_w[k] = vertex.ndc.inverse_w;
   }
   return setup;
+}
+
+// ---- of a whole run ----
+
+BoundsOfRun::BoundsOfRun(const View& view) {
+  trace_.view = view;
+  trace_.planes = render_planes(view);
+}
+
+const DrawBounds& BoundsOfRun::draw(const TracedDraw& draw) {
+  auto& known = draws_[draw.instance];
+  known = {draw, bounds_of(draw, trace_.view)};
+  return known.second;
+}
+
+const BoundsOfRun::Known& BoundsOfRun::triangle(const TracedTriangle& triangle) {
+  if (std::exchange(fragments_came_, false)) {
+    latest_.clear();
+    earlier_.clear();
+  }
+  // Where no fragments come for long, nothing piles up.
+  if (latest_.size() == kTriangleBatch) earlier_ = std::exchange(latest_, {});
+  const auto& [draw, draw_bounds] = draws_.at(triangle.instance);
+  Known& known = latest_[triangle.number];
+  known = {triangle, bounds_of(trace_, triangle, draw, draw_bounds)};
+  return known;
+}
+
+const BoundsOfRun::Known* BoundsOfRun::of(const TracedFragment& fragment) {
+  fragments_came_ = true;
+  if (!fragment.source.is_triangle) return nullptr;
+  for (const auto* triangles : {&latest_, &earlier_}) {
+    const auto found = triangles->find(fragment.source.number);
+    if (found != triangles->end()) return &found->second;
+  }
+  return nullptr;
+}
+
+std::map<std::uint32_t, BoundsOfRun::Known> bounds_of_all(const Trace& trace) {
+  std::map<std::uint32_t, std::pair<const TracedDraw*, DrawBounds>> draws;
+  for (const TracedDraw& draw : trace.draws) {
+    draws[draw.instance] = {&draw, bounds_of(draw, trace.view)};
+  }
+  std::map<std::uint32_t, BoundsOfRun::Known> known;
+  for (const TracedTriangle& triangle : trace.triangles) {
+    const auto& [draw, draw_bounds] = draws.at(triangle.instance);
+    known[triangle.number] = {triangle, bounds_of(trace, triangle, *draw, draw_bounds)};
+  }
+  return known;
+}
+
+FragmentBounds bounds_of(const BoundsOfRun::Known& known, const TracedFragment& fragment) {
+  const TracedPiece& piece = known.triangle.pieces[fragment.source.piece];
+  return fragment_bounds(*piece.setup, fragment.fragment, setup_bounds(piece, known.bounds));
+}
+
+void RoundTrips::see(const TracedTriangle& triangle, const TriangleBounds& bounds) {
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const std::optional<RoundTrip>& trip = bounds.corners[k].round_trip;
+    if (!trip) continue;
+    ++corners;
+    if (!trip->is_bounded()) {
+      ++unbounded;
+      continue;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      const double error = trip->error[axis];
+      largest_ratio = std::max(largest_ratio, error / trip->bound[axis]);
+      if (error < largest_error || (error == largest_error && bound > 0)) continue;
+      largest_error = error;
+      bound = trip->bound[axis];
+      place = {triangle.number, k, std::uint32_t(axis)};
+    }
+  }
 }
 
 }  // namespace glassbox

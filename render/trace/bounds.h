@@ -6,7 +6,10 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
@@ -66,7 +69,64 @@ std::array<PlaneDistance, kMaxClipPlanes> plane_distances(const Trace& trace,
                                                           const TracedCorner& corner,
                                                           const CornerBounds& bounds);
 
-// Of a fragment of that triangle; the numbers of its vertices are exact up to their own bounds.
+// What a fragment of the piece begins with: how exact depth and 1/w of the vertices are, up to their own bounds.
 SetupBounds setup_bounds(const TracedPiece& piece, const TriangleBounds& bounds);
+
+// ---- of a whole run ----
+
+// The bounds of a run's records as they come, for sinks that keep nothing.
+class BoundsOfRun {
+public:
+  struct Known {
+    TracedTriangle triangle;
+    TriangleBounds bounds;
+  };
+
+  explicit BoundsOfRun(const View& view);
+
+  // Draws come before their triangles, triangles before their fragments.
+  const DrawBounds& draw(const TracedDraw& draw);
+  const Known& triangle(const TracedTriangle& triangle);
+  // The fragment's triangle; null where the run's filter has left it out, and for lines and points.
+  const Known* of(const TracedFragment& fragment);
+
+  // The view and the planes; nothing else.
+  const Trace& trace() const { return trace_; }
+
+private:
+  Trace trace_;
+  std::map<std::uint32_t, std::pair<TracedDraw, DrawBounds>> draws_;  // by instance
+  // By number: the last triangles, whose fragments are still to come, and those before them.
+  std::map<std::uint32_t, Known> latest_, earlier_;
+  bool fragments_came_ = false;
+};
+
+// Of all triangles of a trace, by number.
+std::map<std::uint32_t, BoundsOfRun::Known> bounds_of_all(const Trace& trace);
+
+// The bounds of a fragment of that triangle.
+FragmentBounds bounds_of(const BoundsOfRun::Known& known, const TracedFragment& fragment);
+
+// The round trips of a run taken together: object space to the screen in float and back (pipeline/round_trip.h).
+// Which coordinate of which corner of which triangle.
+struct RoundTripPlace {
+  std::uint32_t triangle = 0;  // number in the whole scene
+  std::uint32_t corner = 0;    // 0, 1 or 2
+  std::uint32_t axis = 0;
+};
+
+struct RoundTrips {
+  std::uint64_t corners = 0;    // of triangles, that have a place on the screen
+  std::uint64_t unbounded = 0;  // of these, how many nothing can be said of
+  // Of those that something can be said of, the coordinate that comes back furthest from where it was, in units of its object
+  // space, with its bound and its place.
+  double largest_error = 0;
+  double bound = 0;
+  RoundTripPlace place;
+  // How much of its bound any coordinate uses: never more than 1.
+  double largest_ratio = 0;
+
+  void see(const TracedTriangle& triangle, const TriangleBounds& bounds);
+};
 
 }  // namespace glassbox

@@ -1,39 +1,26 @@
 #include <glassbox/render/trace/columns.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include <glassbox/raster/blend.h>
 #include <glassbox/raster/triangle_setup.h>
 #include <glassbox/render/engine/draw_list.h>
 #include <glassbox/render/staged/ready.h>
+#include <glassbox/render/trace/reach.h>
+#include <glassbox/render/trace/tracer.h>
 
 namespace glassbox {
 namespace {
-
-bool contains(const PixelRect& rect, int x, int y) {
-  return x >= rect.x0 && x < rect.x1 && y >= rect.y0 && y < rect.y1;
-}
 
 class ColumnRecorder : public Observer {
 public:
   ColumnRecorder(const Scene& scene, const View& view, const RenderSettings& settings,
                  const ColumnFilter& filter, ColumnRun& run)
       : scene_(scene), settings_(settings), filter_(filter), run_(run) {
-    const auto planes = render_planes(view);
-    run_.planes.assign(planes.begin(), planes.end());
+    run_.planes = render_planes(view);
   }
 
   void draw(const Draw& draw) override {
     draw_ = &draw;
-    TracedDraw& traced = run_.draws.emplace_back();
-    traced.instance = draw.instance;
-    traced.first_number = draw.first_number;
-    traced.world_from_object = scene_.nodes[scene_.instances[draw.instance].node].world_from_node;
-    traced.anchor = draw.anchor;
-    traced.clip_from_anchored = draw.clip_from_anchored;
-    traced.eye_from_anchored = draw.eye_from_anchored;
-    traced.mirrored = draw.mirrored;
+    run_.draws.push_back(record_of(draw, scene_));
     run_.triangles_of_draw.push_back(0);
   }
 
@@ -55,15 +42,7 @@ public:
   void set_up(std::uint32_t, const std::array<ScreenVertex, 3>& vertices,
               std::optional<TriangleSetup>& setup) override {
     if (!setup) marks_ |= kMarkZeroArea;
-    if (reaches_) return;
-    // The guard band keeps positions well inside of int.
-    const auto [left, right] =
-        std::minmax({vertices[0].position.x, vertices[1].position.x, vertices[2].position.x});
-    const auto [top, bottom] =
-        std::minmax({vertices[0].position.y, vertices[1].position.y, vertices[2].position.y});
-    const PixelRect touched{int(std::floor(left)), int(std::floor(top)), int(std::floor(right)) + 1,
-                            int(std::floor(bottom)) + 1};
-    reaches_ = !intersect(touched, *filter_.pixels).empty();
+    reaches_ = reaches_ || !intersect(pixels_touched(vertices), *filter_.pixels).empty();
   }
 
   void faced(const TriangleSetup&, bool, bool& culled) override {

@@ -41,13 +41,13 @@ inline constexpr std::uint32_t kNoTriangle = 0xffffffffu;
 
 // Fragments in the order in which they came.
 struct FragmentColumns {
-  // Its number in the whole scene; kNoTriangle for lines and points.
+  // The number of its triangle in the whole scene; kNoTriangle for lines and points.
   std::vector<std::uint32_t> triangle;
   std::vector<std::uint8_t> piece;
   std::vector<std::uint16_t> x, y;
   std::vector<std::uint8_t> fate;  // Fate
-  std::array<std::vector<std::uint8_t>, 4>
-      written;                      // r, g, b, a: the pixel after each fragment written or blended
+  // r, g, b, a: the pixel after each fragment written or blended.
+  std::array<std::vector<std::uint8_t>, 4> written;
   std::vector<std::uint32_t> code;  // depth, of fragments of lines and points
 };
 
@@ -60,7 +60,7 @@ struct ColumnFilter {
 
 struct ColumnRun {
   Rendering rendering;  // the same bytes as those of a run that nobody watches
-  std::vector<ClipPlane> planes;
+  std::array<ClipPlane, kMaxClipPlanes> planes{};
   std::vector<TracedDraw> draws;
   std::vector<std::uint32_t> triangles_of_draw;  // how many of the triangles below, by draw
   TriangleColumns triangles;

@@ -113,14 +113,8 @@ std::optional<PixelEvent> event_without_fragment(const TracedTriangle& triangle,
   return was_cut(triangle) ? cut_off(triangle, trace, x, y) : std::nullopt;
 }
 
-// Whether the box of the piece on the screen has a part of the pixel.
 bool reaches(const TracedPiece& piece, int x, int y) {
-  const auto [left, right] = std::minmax(
-      {piece.vertices[0].position.x, piece.vertices[1].position.x, piece.vertices[2].position.x});
-  const auto [top, bottom] = std::minmax(
-      {piece.vertices[0].position.y, piece.vertices[1].position.y, piece.vertices[2].position.y});
-  return std::floor(left) <= float(x) && float(x) <= right && std::floor(top) <= float(y) &&
-         float(y) <= bottom;
+  return contains(pixels_touched(piece.vertices), x, y);
 }
 
 // The smallest miss of its pieces; nothing where one of them covers the pixel, or none comes near.
@@ -229,7 +223,7 @@ PixelHistory pixel_history(const Scene& scene, const TracedRun& run, int x, int 
   for (std::size_t i = 0; i < trace.draws.size(); ++i) turn[trace.draws[i].instance] = i;
 
   std::vector<std::pair<Place, PixelEvent>> placed;
-  // Of the traced triangles: number, face.
+  // Number and face of each traced triangle.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> faces;
   for (const TracedTriangle& triangle : trace.triangles) {
     faces.emplace_back(triangle.number, triangle.face);

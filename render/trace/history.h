@@ -8,7 +8,7 @@
 
 #include <glassbox/images/image.h>
 #include <glassbox/mesh/scene.h>
-#include <glassbox/render/trace/miss.h>
+#include <glassbox/render/trace/reach.h>
 #include <glassbox/render/trace/tracer.h>
 
 namespace glassbox {

@@ -9,16 +9,11 @@
 #include <glassbox/raster/blend.h>
 #include <glassbox/render/engine/distance.h>
 #include <glassbox/render/engine/draw_list.h>
-#include <glassbox/render/trace/outside.h>
+#include <glassbox/render/trace/reach.h>
 
 namespace glassbox {
 
 namespace {
-
-std::vector<ClipPlane> planes_of(const View& view) {
-  const auto planes = render_planes(view);
-  return {planes.begin(), planes.end()};
-}
 
 std::optional<std::uint32_t> number_or_none(std::uint32_t number) {
   if (number == kNone) return std::nullopt;
@@ -86,7 +81,7 @@ Ledger::Ledger(const View& view, const RenderSettings& settings,
     : view_(view),
       settings_(settings),
       subject_(subject),
-      planes_(planes_of(view)),
+      planes_(render_planes(view)),
       width_(int(view.viewport.width())),
       height_(int(view.viewport.height())),
       nearest_(std::size_t(width_) * std::size_t(height_), Nearest{kNone, 0}),
@@ -160,13 +155,14 @@ void Ledger::count_hidden(const FragmentSource& source, const Fragment& fragment
   ++hidden_by_[by.number];
   auto& closest = details_.closest_hidden;
   if (closest && closest->code - closest->stored <= code_ - stored_) return;
-  closest = {fragment.x,
-             fragment.y,
-             code_,
-             stored_,
-             distance_along_gaze(view_, fragment.depth, fragment.inverse_w),
-             by.distance,
-             number_or_none(by.number)};
+  closest = FragmentDetails::Hidden{
+      .x = fragment.x,
+      .y = fragment.y,
+      .code = code_,
+      .stored = stored_,
+      .distance = distance_along_gaze(view_, fragment.depth, fragment.inverse_w),
+      .stored_distance = by.distance,
+      .by = number_or_none(by.number)};
 }
 
 void Ledger::count_discarded(const FragmentSource& source, const Fragment& fragment) {
@@ -175,7 +171,8 @@ void Ledger::count_discarded(const FragmentSource& source, const Fragment& fragm
   if (source.number != subject_) return;
   auto& closest = details_.closest_discarded;
   if (closest && closest->alpha >= alpha_) return;
-  closest = {fragment.x, fragment.y, alpha_, draw_->material->alpha_cutoff};
+  closest = FragmentDetails::Discarded{
+      .x = fragment.x, .y = fragment.y, .alpha = alpha_, .cutoff = draw_->material->alpha_cutoff};
 }
 
 void Ledger::count_written(const FragmentSource& source, const Fragment& fragment, Fate fate) {
@@ -195,7 +192,11 @@ void Ledger::count_written(const FragmentSource& source, const Fragment& fragmen
   write_masked(mask, after_, stored);
   lay(pixel, number, stored == before_);
   if (number == subject_ && stored == before_ && !details_.unchanged) {
-    details_.unchanged = {fragment.x, fragment.y, fate == Fate::kBlended, alpha_, before_};
+    details_.unchanged = FragmentDetails::Unchanged{.x = fragment.x,
+                                                    .y = fragment.y,
+                                                    .blended = fate == Fate::kBlended,
+                                                    .alpha = alpha_,
+                                                    .bytes = before_};
   }
 }
 

@@ -43,7 +43,7 @@ struct Rival {
   std::uint32_t pixels = 0;
 };
 
-// Of one triangle.
+// What became of one triangle's fragments, and at whose hands.
 struct FragmentDetails {
   std::vector<Rival> hidden_by, overwritten_by;  // those with the most pixels first
 
@@ -56,14 +56,14 @@ struct FragmentDetails {
   };
   std::optional<Hidden> closest_hidden;
 
-  // The one that came closest to passing the alpha test.
+  // The fragment that came closest to passing the alpha test.
   struct Discarded {
     int x = 0, y = 0;
     float alpha = 0, cutoff = 0;
   };
   std::optional<Discarded> closest_discarded;
 
-  // One that left the bytes as they were.
+  // A fragment that left the bytes as they were.
   struct Unchanged {
     int x = 0, y = 0;
     bool blended = false;
@@ -134,7 +134,7 @@ private:
   const View& view_;
   const RenderSettings& settings_;
   const std::optional<std::uint32_t> subject_;
-  const std::vector<ClipPlane> planes_;
+  const std::array<ClipPlane, kMaxClipPlanes> planes_;
   const int width_, height_;
 
   const Draw* draw_ = nullptr;

@@ -105,7 +105,7 @@ struct TracedFragment {
 struct Trace {
   View view;
   RenderSettings settings;
-  std::vector<ClipPlane> planes;  // what the run clipped by
+  std::array<ClipPlane, kMaxClipPlanes> planes{};  // what the run clipped by: render_planes
   std::vector<TracedDraw> draws;  // in drawing order; all of them, whatever the filter
   std::vector<TracedTriangle> triangles;
   std::vector<TracedFragment> fragments;  // in the order in which they came

@@ -7,6 +7,8 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -78,7 +80,7 @@ public:
     for (Array& array : arrays_) array.wanted = is_among(prefix_) || is_among(array.name);
   }
 
-  // Of the arrays that are wanted.
+  // The bytes that a row takes in all arrays that are wanted.
   std::size_t row_bytes() const {
     std::size_t bytes = 0;
     for (const Array& array : arrays_) bytes += array.wanted ? array.row_bytes : 0;
@@ -130,6 +132,10 @@ private:
     describe(values[0], array);
   }
   template <class T>
+  static void describe(const std::optional<T>&, Array& array) {
+    describe(T{}, array);
+  }
+  template <class T>
   static void describe(const glm::mat<4, 4, T>& values, Array& array) {
     array.shape.push_back(4);
     describe(values[0], array);
@@ -147,6 +153,11 @@ private:
   template <int N, class T>
   static void append(const glm::vec<N, T>& values, std::string& bytes) {
     for (int i = 0; i < N; ++i) append(values[i], bytes);
+  }
+  // No value is NaN.
+  template <class T>
+  static void append(const std::optional<T>& value, std::string& bytes) {
+    append(value.value_or(T(std::numeric_limits<double>::quiet_NaN())), bytes);
   }
   template <class T>
   static void append(const glm::mat<4, 4, T>& m, std::string& bytes) {

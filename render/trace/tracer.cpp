@@ -1,8 +1,6 @@
 #include <glassbox/render/trace/tracer.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <span>
 #include <unordered_set>
 #include <utility>
@@ -14,30 +12,13 @@
 #include <glassbox/raster/triangle_setup.h>
 #include <glassbox/render/engine/draw_list.h>
 #include <glassbox/render/staged/ready.h>
+#include <glassbox/render/trace/reach.h>
 
 namespace glassbox {
 namespace {
 
 bool overlap(const PixelRect& a, const PixelRect& b) {
   return !intersect(a, b).empty();
-}
-
-bool contains(const PixelRect& rect, int x, int y) {
-  return x >= rect.x0 && x < rect.x1 && y >= rect.y0 && y < rect.y1;
-}
-
-// The pixels that the box of some points of the screen reaches into, whether or not it covers their centres.
-template <class Vertices>
-PixelRect pixels_touched(const Vertices& vertices) {
-  PixelRect box{std::numeric_limits<int>::max(), std::numeric_limits<int>::max(),
-                std::numeric_limits<int>::min(), std::numeric_limits<int>::min()};
-  for (const ScreenVertex& vertex : vertices) {
-    // The guard band keeps positions well inside of int.
-    const int x = int(std::floor(vertex.position.x)), y = int(std::floor(vertex.position.y));
-    box = {std::min(box.x0, x), std::min(box.y0, y), std::max(box.x1, x + 1),
-           std::max(box.y1, y + 1)};
-  }
-  return box;
 }
 
 class Tracer : public Observer {
@@ -54,9 +35,8 @@ public:
 
   void draw(const Draw& draw) override {
     draw_ = &draw;
-    world_from_object_ = scene_.nodes[scene_.instances[draw.instance].node].world_from_node;
-    sink_.draw({draw.instance, draw.first_number, world_from_object_, draw.anchor,
-                draw.clip_from_anchored, draw.eye_from_anchored, draw.mirrored});
+    traced_draw_ = record_of(draw, scene_);
+    sink_.draw(traced_draw_);
     draw_wanted_ = !filter_.instance || *filter_.instance == draw.instance;
   }
 
@@ -88,7 +68,8 @@ public:
   // The polygon's vertices come first; after them, in pictures of edges, the ends of edges.
   void divided(const ClipVertex& clip, NdcVertex& ndc) override {
     of_polygon_ = watching_ && int(current_.polygon.size()) < polygon_count_;
-    if (of_polygon_) current_.polygon.push_back({clip, ndc, {}, {}});
+    if (of_polygon_)
+      current_.polygon.push_back({.clip = clip, .ndc = ndc, .screen = {}, .snapped = {}});
   }
 
   void placed(const NdcVertex&, ScreenVertex& screen) override {
@@ -194,7 +175,7 @@ private:
                        });
   }
 
-  // The same for the triangle as it would be without the near and the far plane.
+  // Whether the triangle would reach the wanted pixels without the near and the far plane.
   bool would_reach_wanted_pixels() const {
     std::array<Outcode, 3> codes;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -244,7 +225,7 @@ private:
     corner.position = draw_->mesh->corners[corner.corner].position;
     corner.object = draw_->mesh->positions[corner.position];
     const Point<Object, double> object{corner.object.x, corner.object.y, corner.object.z};
-    corner.world = world_from_object_ * object;
+    corner.world = traced_draw_.world_from_object * object;
     corner.eye = view_.eye_from_world * corner.world;
     corner.outcode = outcode(corner.clip, planes_);
   }
@@ -259,7 +240,7 @@ private:
   bool complete_ = true;
   const Draw* draw_ = nullptr;
   bool draw_wanted_ = true;
-  Transform<World, Object> world_from_object_;
+  TracedDraw traced_draw_;
   std::unordered_set<std::uint32_t> with_wanted_vertex_;  // numbers; of filters by position
   bool watching_ = false;                                 // the current triangle
   bool was_cut_ = false;                                  // it is not what it was before clipping
@@ -284,6 +265,16 @@ private:
 
 }  // namespace
 
+TracedDraw record_of(const Draw& draw, const Scene& scene) {
+  return {.instance = draw.instance,
+          .first_number = draw.first_number,
+          .world_from_object = scene.nodes[scene.instances[draw.instance].node].world_from_node,
+          .anchor = draw.anchor,
+          .clip_from_anchored = draw.clip_from_anchored,
+          .eye_from_anchored = draw.eye_from_anchored,
+          .mirrored = draw.mirrored};
+}
+
 SunkRun trace(const Scene& scene, const View& view, const RenderSettings& settings,
               const TraceFilter& filter, TraceSink& sink) {
   Tracer tracer(scene, view, filter, sink);
@@ -296,8 +287,7 @@ TracedRun trace(const Scene& scene, const View& view, const RenderSettings& sett
   TracedRun run;
   run.trace.view = view;
   run.trace.settings = at_centres(settings);
-  const auto planes = render_planes(view);
-  run.trace.planes.assign(planes.begin(), planes.end());
+  run.trace.planes = render_planes(view);
   Collector collector(run.trace);
   SunkRun sunk = trace(scene, view, settings, filter, collector);
   run.rendering = std::move(sunk.rendering);

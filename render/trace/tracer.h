@@ -25,6 +25,9 @@ struct TraceFilter {
   std::uint64_t max_bytes = std::uint64_t(256) << 20;
 };
 
+// What a trace keeps of a draw.
+TracedDraw record_of(const Draw& draw, const Scene& scene);
+
 // Where records go, as soon as they are complete: all draws come, the rest as the filter has it.
 class TraceSink {
 public:
@@ -49,7 +52,7 @@ struct TracedRun {
   Trace trace;
 };
 
-// The same, everything kept.
+// Such a run with all of its records kept.
 TracedRun trace(const Scene& scene, const View& view, const RenderSettings& settings,
                 const TraceFilter& filter);
 

@@ -15,9 +15,8 @@
 #include <glassbox/render/engine/settings.h>
 #include <glassbox/render/trace/end.h>
 #include <glassbox/render/trace/ledger.h>
-#include <glassbox/render/trace/miss.h>
 #include <glassbox/render/trace/numbering.h>
-#include <glassbox/render/trace/outside.h>
+#include <glassbox/render/trace/reach.h>
 #include <glassbox/render/trace/records.h>
 
 namespace glassbox {
@@ -40,7 +39,7 @@ ViewConventions conventions_of(const View& view);
 enum class NoArea : std::uint8_t {
   kRepeatedPosition,  // corners of the face are at the same place
   kCollinear,         // the triangle's corners lie on a line
-  kWholeFace,  // of more than three corners, and its outline encloses nothing: on a line, or crossing itself
+  kWholeFace,  // more than three corners whose outline encloses nothing: on a line, or crossing itself
 };
 
 struct NoAreaVerdict {
@@ -97,7 +96,7 @@ struct TriangleVerdict {
   ViewConventions conventions;
   std::optional<TracedTriangle> traced;  // none: no area as modelled
   int pieces_without_area = 0, pieces_turned_away = 0, pieces_set_up = 0;
-  // Those of the stage that decided:
+  // What the stage that decided has found:
   std::optional<NoAreaVerdict> no_area;
   std::optional<ClippingVerdict> clipping;  // kBehindEye, kOutsidePlane, kClippedAway
   std::optional<NoScreenAreaVerdict> no_screen_area;

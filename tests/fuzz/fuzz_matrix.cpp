@@ -14,8 +14,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/report/text_layout.h"
-#include "app/step/matrix_text.h"
 #include "app/step/point_step.h"
+#include "app/step/printed_matrix.h"
 #include "tests/fuzz/promises.h"
 
 namespace {

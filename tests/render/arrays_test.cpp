@@ -16,8 +16,8 @@ namespace {
 // Element `index` of an array, counted over all its dimensions.
 template <class T>
 T at(const TraceArrays& arrays, const std::string& name, std::size_t index) {
-  for (const Table* table : arrays.tables()) {
-    for (const Array& array : table->arrays()) {
+  for (const Table& table : arrays.tables()) {
+    for (const Array& array : table.arrays()) {
       if (array.name != name) continue;
       T value;
       REQUIRE((index + 1) * sizeof value <= array.bytes.size());
@@ -31,8 +31,8 @@ T at(const TraceArrays& arrays, const std::string& name, std::size_t index) {
 
 std::size_t bytes_of(const TraceArrays& arrays) {
   std::size_t bytes = 0;
-  for (const Table* table : arrays.tables()) {
-    for (const Array& array : table->arrays()) bytes += array.bytes.size();
+  for (const Table& table : arrays.tables()) {
+    for (const Array& array : table.arrays()) bytes += array.bytes.size();
   }
   return bytes;
 }

@@ -1,6 +1,6 @@
 // Object space to the screen in float and back (S3-03): every coordinate comes back within its bound, however near, far,
 // large, small or skewed; and what cannot come back is said to be so.
-#include <glassbox/render/trace/round_trips.h>
+#include <glassbox/render/trace/bounds.h>
 
 #include <cmath>
 #include <cstdio>

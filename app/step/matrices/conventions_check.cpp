@@ -68,94 +68,94 @@ struct Judged {
   }
 };
 
-class Reasons {
-public:
-  Reasons(Alternative& alternative) : alternative_(alternative) {}
-  void add(double weight, std::string reason) {
-    alternative_.score += weight;
-    if (!reason.empty()) alternative_.reasons.push_back(std::move(reason));
-  }
+// What speaks for a change, or against it: a weight, with words where there is something to say.
+void add_reason(Alternative& found, double weight, std::string reason = "") {
+  found.score += weight;
+  if (!reason.empty()) found.reasons.push_back(std::move(reason));
+}
 
-private:
-  Alternative& alternative_;
-};
-
-void weigh_soundness(const Judged& before, const Judged& after, Reasons reasons) {
+void weigh_soundness(const Judged& before, const Judged& after, Alternative& found) {
   if (after.model.invertible() && !before.model.invertible()) {
-    reasons.add(8, "then the model matrix is affine, as given it is not");
+    add_reason(found, 8, "then the model matrix is affine, as given it is not");
   }
   if (after.soundness_of_view() > before.soundness_of_view()) {
-    reasons.add(8, after.view.rigid() ? "then the view is rigid, as given it is not"
-                                      : "then the view is affine, as given it is not");
+    add_reason(found, 8,
+               after.view.rigid() ? "then the view is rigid, as given it is not"
+                                  : "then the view is affine, as given it is not");
   }
   if (after.projection_sound && !before.projection_sound) {
-    reasons.add(8, std::string("then the projection is ") +
-                       (after.projection.kind == ProjectionKind::kPerspective ? "a perspective one"
-                                                                              : "a parallel one") +
-                       ", as given it is none");
+    add_reason(found, 8,
+               std::string("then the projection is ") +
+                   (after.projection.kind == ProjectionKind::kPerspective ? "a perspective one"
+                                                                          : "a parallel one") +
+                   ", as given it is none");
   }
 }
 
-void weigh_eyepoint(const Judged& before, const Judged& after, Reasons reasons) {
+void weigh_eyepoint(const Judged& before, const Judged& after, Alternative& found) {
   if (!before.eye || !after.eye) return;
   if (after.eye->level != before.eye->level) {
-    reasons.add(after.eye->level ? 4 : -4,
-                after.eye->level ? "then the camera stands upright, as given it is rolled" : "");
+    add_reason(found, after.eye->level ? 4 : -4,
+               after.eye->level ? "then the camera stands upright, as given it is rolled" : "");
   }
   const int saved = before.eye->digits - after.eye->digits;
   if (saved >= 3) {
-    reasons.add(2, "then the eye stands at " + position_text(*after.eye) +
-                       ", rounder numbers than " + position_text(*before.eye));
+    add_reason(found, 2,
+               "then the eye stands at " + position_text(*after.eye) + ", rounder numbers than " +
+                   position_text(*before.eye));
   } else if (saved <= -3) {
-    reasons.add(-2, "");
+    add_reason(found, -2);
   }
 }
 
 void weigh_hand(const MatrixSetup& changed, const Landing& before, const Landing& after,
-                Reasons reasons) {
+                Alternative& found) {
   const int points = before.behind + before.in_front;
   if (before.behind == points && after.in_front == points) {
-    reasons.add(3, points == 1
-                       ? "as given w is negative: the projection looks the other way"
-                       : "as given every w is negative (" + std::to_string(points) + " of " +
-                             std::to_string(points) + "): the projection looks the other way");
+    add_reason(found, 3,
+               points == 1 ? "as given w is negative: the projection looks the other way"
+                           : "as given every w is negative (" + std::to_string(points) + " of " +
+                                 std::to_string(points) + "): the projection looks the other way");
   }
   const auto drawn = world_drawn(changed);
   if (!drawn) return;
   if (changed.world) {
-    reasons.add(*changed.world == *drawn ? 4 : -4,
-                *changed.world == *drawn ? "then your world's handedness fits" : "");
+    add_reason(found, *changed.world == *drawn ? 4 : -4,
+               *changed.world == *drawn ? "then your world's handedness fits" : "");
   } else if (changed.dialect.window_y_up || changed.dialect.ndc_y_down) {  // OpenGL, Vulkan
-    reasons.add(*drawn == Hand::kRight ? 1 : -1, "");
+    add_reason(found, *drawn == Hand::kRight ? 1 : -1);
   }
 }
 
-void weigh_range(const Judged& before, const MatrixSetup& changed, Reasons reasons) {
+void weigh_range(const Judged& before, const MatrixSetup& changed, Alternative& found) {
   const DepthReading* likely = before.projection.likely_range();
   if (likely == nullptr || likely->from_minus_one != changed.dialect.z_from_minus_w) return;
-  reasons.add(4, "for depth " + std::string(likely->from_minus_one ? "-1" : "0") + " .. 1 it has " +
-                     planes_text(*likely) + ", round numbers");
+  add_reason(found, 4,
+             "for depth " + std::string(likely->from_minus_one ? "-1" : "0") + " .. 1 it has " +
+                 planes_text(*likely) + ", round numbers");
 }
 
 void weigh(Change change, const MatrixSetup& changed, const Judged& judged, const Landing& before,
-           const Landing& after, Reasons reasons) {
+           const Landing& after, Alternative& found) {
   switch (change) {
     case Change::kEyeHand:
     case Change::kTurnRound:
-      return weigh_hand(changed, before, after, reasons);
+      return weigh_hand(changed, before, after, found);
     case Change::kDepthRange:
-      return weigh_range(judged, changed, reasons);
+      return weigh_range(judged, changed, found);
     case Change::kDegrees:
-      return reasons.add(6, "[1][1] is the cotangent of half of " +
-                                std::to_string(*judged.projection.degrees_taken_as_radians) +
-                                " radians");
+      return add_reason(found, 6,
+                        "[1][1] is the cotangent of half of " +
+                            std::to_string(*judged.projection.degrees_taken_as_radians) +
+                            " radians");
     case Change::kRadians:
       if (!judged.projection.radians_taken_as_degrees) return;
-      return reasons.add(6, "the angle of view is " +
-                                std::to_string(*judged.projection.radians_taken_as_degrees) +
-                                " degrees in radians");
+      return add_reason(found, 6,
+                        "the angle of view is " +
+                            std::to_string(*judged.projection.radians_taken_as_degrees) +
+                            " degrees in radians");
     case Change::kClearCorner:
-      return reasons.add(6, "[3][3] is 1, as in the identity");
+      return add_reason(found, 6, "[3][3] is 1, as in the identity");
     default:
       return;
   }
@@ -223,8 +223,8 @@ private:
 
   void try_changes(const Slip& slip, const Slip* second) {
     MatrixSetup changed = setup_;
-    if (!apply(slip.change, changed)) return;
-    if (second != nullptr && !apply(second->change, changed)) return;
+    if (!slip.undo(changed)) return;
+    if (second != nullptr && !second->undo(changed)) return;
     const Map map(changed);
     if (std::find(tried_.begin(), tried_.end(), map) != tried_.end()) return;
     tried_.push_back(map);

@@ -15,7 +15,7 @@ struct Decimal {
 };
 Decimal simplest_decimal(double value, double uncertainty);
 
-// The same as text, of at most six digits.
+// The decimal with the fewest digits within `uncertainty` of the value, as text of at most six digits.
 std::string rounded(double value, double uncertainty);
 
 // At most `digits` significant ones, without trailing zeros: "0.1", "1.5e-09", "inf".

@@ -21,7 +21,7 @@ inline constexpr double kSmall = 0x1p-16;
 inline double at(const glm::dmat4& m, int row, int column) {
   return m[column][row];
 }
-// Beside the largest entry of its row.
+// Whether an entry is small beside the largest one of its row.
 bool is_small(const glm::dmat4& m, int row, int column);
 
 // A matrix as its user's program printed it: columns[column][row], whatever order the text had, and how far each entry may
@@ -29,7 +29,8 @@ bool is_small(const glm::dmat4& m, int row, int column);
 struct GivenMatrix {
   glm::dmat4 m{1};
   glm::dmat4 uncertainty{0};
-  bool given = false;  // the identity otherwise
+  bool given = false;    // the identity otherwise
+  std::string origin{};  // how it came in: "view.txt, read by rows, 6 digits"
 };
 
 std::string row_text(const glm::dmat4& m, int row);  // "(0, 0, -1, 0)"
@@ -54,8 +55,7 @@ struct MatrixFacts {
   bool affine = true;             // last row 0 0 0 1
   bool affine_transposed = true;  // last column 0 0 0 1, as of an affine map for row vectors
   int rank = 4;
-  // Of the upper 3x3:
-  double determinant = 1;
+  double determinant = 1;    // of the upper 3x3, as are the next four
   int orientation = 1;       // the determinant's sign; 0 where rounding could have made it
   double orthogonality = 0;  // largest entry of |R^T R - I|
   glm::dvec3 scale{1};  // the lengths of the columns; for a diagonal, its entries with their signs

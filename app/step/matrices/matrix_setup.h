@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include <glassbox/pipeline/api_dialects.h>
 
@@ -21,5 +22,12 @@ struct MatrixSetup {
 // Which worlds these matrices draw as they are; the other hand comes out mirrored left to right. Nothing where the matrices
 // are not a view and a projection.
 std::optional<Hand> world_drawn(const MatrixSetup& setup);
+
+// The dialect whose conventions a projection follows, as far as can be told, and why. OpenGL where nothing can be told.
+struct GuessedDialect {
+  const ApiDialect* dialect;
+  std::string reason;
+};
+GuessedDialect guess_dialect(const GivenMatrix& projection);
 
 }  // namespace glassbox

@@ -64,7 +64,7 @@ struct ProjectionFacts {
     if (shift.x == 0 || centre.x == 0) return std::nullopt;
     return -shift.x / centre.x;
   }
-  // Of the planes in the rounder reading that is possible; many where none is.
+  // How many digits the planes take in the rounder reading that is possible; many where none is.
   int fewest_digits() const;
   // Perspective: the planes in the order that the dialect wants, where they are round ones; nullptr otherwise.
   const DepthReading* round_planes(DepthRange expected) const&;
@@ -77,7 +77,7 @@ struct ProjectionFacts {
   // The whole angle of view that was meant, where the angle in the entries is what its number of degrees makes as radians,
   // or its number of radians as degrees. Whole degrees only, from 4 on.
   std::optional<int> degrees_taken_as_radians, radians_taken_as_degrees;
-  // Likewise where the window is twice as large as that angle makes it (E13), across or up and down.
+  // The whole angle of view that was meant, where the window is twice as large as that angle makes it (E13), across or up and down.
   std::optional<int> degrees_of_half_window;
 };
 

@@ -36,12 +36,11 @@ struct Slip {
   const char* id;      // stable: "eye-hand"
   const char* what;    // "transpose every matrix"
   const char* remedy;  // what to look for in one's own program
+  // Undoes it; false where that makes no sense here, as for a matrix that was not given.
+  bool (*undo)(MatrixSetup& setup);
 };
 
 // In the order in which they are named where nothing else tells them apart: the commonest first.
 std::span<const Slip> slips();
-
-// Undoes the slip; false where that makes no sense here, as for a matrix that was not given.
-bool apply(Change change, MatrixSetup& setup);
 
 }  // namespace glassbox

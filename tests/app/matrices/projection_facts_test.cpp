@@ -5,7 +5,7 @@
 #include <string>
 
 #include <glassbox/base/trig.h>
-#include "app/step/matrices/dialect_guess.h"
+#include "app/step/matrices/matrix_setup.h"
 #include "app/step/matrices/projection_factors.h"
 
 #include <glassbox/base/random.h>

@@ -1,27 +1,17 @@
+// The text of a point step, and the end of it: where the points are, what is wrong, and what would bring them into the picture.
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "app/report/text_layout.h"
-#include "app/step/chain_text.h"
 #include "app/step/matrices/decimal.h"
-#include "app/step/matrices/projection_facts.h"
-#include "app/step/point_step.h"
+#include "app/step/point_parts.h"
 
 #include <glassbox/base/counted.h>
 
 namespace glassbox::app {
 
 namespace {
-
-ChainSetting chain_setting(const PointStep& step) {
-  ChainSetting setting{step.setup.dialect, step.viewport, {}, true, step.bits, std::nullopt};
-  setting.projected = step.setup.projection.given;
-  const ProjectionFacts lens = projection_facts(step.setup.projection, step.setup.dialect.depth);
-  if (setting.projected && !lens.looks_transposed) setting.projection = lens;
-  return setting;
-}
 
 std::string heading_text(const PointStep& step) {
   if (!step.setup.projection.given) return {};
@@ -37,11 +27,11 @@ std::string point_text(const glm::vec4& p) {
                   : fmt::format("({}, {}, {}, {})", p.x, p.y, p.z, p.w);
 }
 
-std::string where_text(const PointStep::Walk& walk, const ChainSetting& setting) {
+std::string where_text(const PointStep::Walk& walk, const PointStep& step) {
   const VertexChain& chain = walk.chain;
   std::string line = point_text(chain.object) + " is ";
-  if (setting.projected) {
-    line += fate_text(chain, setting);
+  if (step.setup.projection.given) {
+    line += fate_text(chain, step);
     if (walk.expected) {
       line += fmt::format(", expected at ({:.2f}, {:.2f})", walk.expected->x, walk.expected->y);
     }
@@ -58,6 +48,42 @@ std::string behind_text(const ConventionsReport& report) {
   const bool all = report.behind_eye == report.points;
   return wrapped("  ", fmt::format("{} negative ({} of {} points): behind the eye",
                                    all ? "every w is" : "w is", report.behind_eye, report.points));
+}
+
+std::string findings_text(const std::vector<Finding>& findings) {
+  std::string text;
+  constexpr std::pair<Severity, const char*> kWords[] = {
+      {Severity::kAlarm, "  WRONG "}, {Severity::kHint, "  hint  "}, {Severity::kNote, "  note  "}};
+  for (const auto& [severity, word] : kWords) {
+    for (const Finding& finding : findings) {
+      if (finding.severity != severity) continue;
+      const std::string place = *finding.matrix == '\0' ? "" : std::string(finding.matrix) + ": ";
+      text += wrapped(word, place + finding.cause);
+      if (!finding.remedy.empty()) text += wrapped("        -> ", finding.remedy);
+    }
+  }
+  return text;
+}
+
+std::string alternatives_text(const ConventionsReport& report) {
+  std::string text;
+  int number = 0;
+  for (const Alternative& a : report.alternatives) {
+    std::string line = a.what + ": ";
+    if (report.points > 1)
+      line += fmt::format("{} of {} points are where they should be", a.points, report.points);
+    if (report.points > 1 && a.window) line += ", the first ";
+    if (a.window) line += fmt::format("at ({:.2f}, {:.2f})", a.window->x, a.window->y);
+    text += wrapped(fmt::format("  {}. ", ++number), line);
+    for (const std::string& reason : a.reasons) text += wrapped("       because ", reason);
+    text += wrapped("       -> ", a.remedy);
+  }
+  if (report.spoiling > 0) {
+    text +=
+        wrapped("  ", fmt::format("{} more would do, but {} a matrix that is sound as it stands",
+                                  report.spoiling, inflected(report.spoiling, "spoils", "spoil")));
+  }
+  return text;
 }
 
 std::string no_change_text(const PointStep& step) {
@@ -83,9 +109,9 @@ std::string changes_text(const PointStep& step) {
   return "\n" + wrapped("  ", line) + alternatives_text(report);
 }
 
-std::string verdict_text(const PointStep& step, const ChainSetting& setting) {
+std::string verdict_text(const PointStep& step) {
   std::string text = "VERDICT\n";
-  for (const PointStep::Walk& walk : step.walks) text += where_text(walk, setting);
+  for (const PointStep::Walk& walk : step.walks) text += where_text(walk, step);
   const ConventionsReport& report = step.conventions;
   text += behind_text(report) + findings_text(step.findings);
   if (report.visible == report.points) return text;
@@ -95,35 +121,11 @@ std::string verdict_text(const PointStep& step, const ChainSetting& setting) {
 }  // namespace
 
 std::string point_step_text(const PointStep& step) {
-  ChainSetting setting = chain_setting(step);
-  std::string text = heading_text(step) + matrices_text(step.setup, step.origins);
+  std::string text = heading_text(step) + matrices_text(step.setup);
   for (const PointStep::Walk& walk : step.walks) {
-    setting.open_px = walk.open_px;
-    text += "\nPOINT " + point_text(walk.chain.object) + "\n" + chain_text(walk.chain, setting);
+    text += "\nPOINT " + point_text(walk.chain.object) + "\n" + walk_text(walk, step);
   }
-  return text + "\n" + verdict_text(step, setting);
-}
-
-nlohmann::ordered_json point_step_json(const PointStep& step) {
-  const auto [x, y, width, height] = step.window;
-  nlohmann::ordered_json json{{"schema", "glassbox-step-point-1"},
-                              {"dialect", step.setup.dialect.name},
-                              {"dialect_reason", step.dialect_reason},
-                              {"viewport", {x, y, width, height}}};
-  json["matrices"] = matrices_json(step.setup, step.origins);
-  ChainSetting setting = chain_setting(step);
-  json["points"] = nlohmann::ordered_json::array();
-  for (const PointStep::Walk& walk : step.walks) {
-    setting.open_px = walk.open_px;
-    json["points"].push_back(chain_json(walk.chain, setting));
-  }
-  json["findings"] = findings_json(step.findings);
-  if (!setting.projected) return json;
-  json["visible"] = step.conventions.visible;
-  json["behind_eye"] = step.conventions.behind_eye;
-  json["alternatives"] = alternatives_json(step.conventions);
-  json["spoiling_alternatives"] = step.conventions.spoiling;
-  return json;
+  return text + "\n" + verdict_text(step);
 }
 
 }  // namespace glassbox::app

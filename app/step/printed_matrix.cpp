@@ -1,4 +1,4 @@
-#include "app/step/matrix_text.h"
+#include "app/step/printed_matrix.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "app/step/matrix_lexer.h"
+#include "app/step/matrix_tokens.h"
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>

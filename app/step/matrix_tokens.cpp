@@ -1,4 +1,4 @@
-#include "app/step/matrix_lexer.h"
+#include "app/step/matrix_tokens.h"
 
 #include <charconv>
 #include <cmath>

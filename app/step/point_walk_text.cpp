@@ -1,5 +1,4 @@
-#include "app/step/chain_text.h"
-
+// The middle of a point step's text: each point's way from object space to the window.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,14 +8,12 @@
 
 #include "app/report/text_layout.h"
 #include "app/step/matrices/decimal.h"
-#include "app/step/numbers_text.h"
-#include "app/step/round_trip_text.h"
+#include "app/step/number_text.h"
+#include "app/step/point_parts.h"
 
 namespace glassbox::app {
 
 namespace {
-
-constexpr const char* kAxes[] = {"x", "y", "z", "w"};
 
 bool is_identity(const glm::mat4& m) {
   return m == glm::mat4(1);
@@ -26,21 +23,6 @@ std::size_t widest(const std::vector<std::string>& texts) {
   std::size_t width = 0;
   for (const std::string& text : texts) width = std::max(width, text.size());
   return width;
-}
-
-// The four rows, each entry as wide as its column.
-std::array<std::string, 4> entry_rows(const glm::dmat4& m, int digits) {
-  std::array<std::string, 4> rows;
-  for (int column = 0; column < 4; ++column) {
-    std::vector<std::string> entries;
-    for (int row = 0; row < 4; ++row) entries.push_back(brief(m[column][row], digits));
-    const std::size_t width = widest(entries);
-    for (std::size_t row = 0; row < 4; ++row) {
-      if (column > 0) rows[row] += digits > 3 ? "  " : " ";
-      rows[row] += fmt::format("{:>{}}", entries[row], width);
-    }
-  }
-  return rows;
 }
 
 // [ matrix ] [ before ]   [ after ] +- bound, with as many digits as the width allows.
@@ -77,9 +59,9 @@ std::string step_text(int number, const char* from_to, const char* matrix,
 }
 
 // Where the eye sees it, in words.
-std::string eye_sentence(const VertexChain& chain, const ChainSetting& setting) {
+std::string eye_sentence(const VertexChain& chain, const PointStep& step) {
   const glm::vec4& eye = chain.to_eye.after;
-  const ProjectionFacts& p = setting.projection;
+  const ProjectionFacts& p = step.lens;
   if (p.kind == ProjectionKind::kNone || eye.w != 1 || !std::isfinite(eye.x + eye.y + eye.z)) {
     return {};
   }
@@ -90,11 +72,10 @@ std::string eye_sentence(const VertexChain& chain, const ChainSetting& setting) 
     if (std::abs(x) < rounding) x = 0;
     return brief(std::abs(x)) + (x < 0 ? minus : plus);
   };
-  return wrapped("     ",
-                 fmt::format("seen from the eye, which looks down {}z: {}, {}, {}",
-                             p.looks_down_minus_z ? "-" : "+", side(along, " in front", " behind"),
-                             side(double(eye.x), " to the right", " to the left"),
-                             side(double(eye.y), " up", " down")));
+  return sentence(fmt::format("seen from the eye, which looks down {}z: {}, {}, {}",
+                              p.looks_down_minus_z ? "-" : "+", side(along, " in front", " behind"),
+                              side(double(eye.x), " to the right", " to the left"),
+                              side(double(eye.y), " up", " down")));
 }
 
 // The way through one matrix, which most programs take.
@@ -130,25 +111,25 @@ std::string plane_form(const ClipPlane& plane) {
 
 std::string planes_table(const VertexChain& chain) {
   std::string text;
-  for (const PlaneStep& step : chain.planes) {
-    text += fmt::format("     {:<7}{:>5} = {:<15} {:<12} {}{}\n", step.plane.name,
-                        plane_form(step.plane), brief(step.distance, 9), bound_text(step.bound),
-                        step.outside() ? "outside" : "inside",
-                        step.sure() ? "" : ", as far as rounding lets one tell");
+  for (const PlaneStep& at : chain.planes) {
+    text += fmt::format("     {:<7}{:>5} = {:<15} {:<12} {}{}\n", at.plane.name,
+                        plane_form(at.plane), brief(at.distance, 9), bound_text(at.bound),
+                        at.outside() ? "outside" : "inside",
+                        at.sure() ? "" : ", as far as rounding lets one tell");
   }
   return text;
 }
 
 // The window of the frustum at the vertex's distance, against where it is: why an x or y plane decided so.
-std::string frustum_sentence(const VertexChain& chain, const ChainSetting& setting) {
-  const ProjectionFacts& p = setting.projection;
+std::string frustum_sentence(const VertexChain& chain, const PointStep& step) {
+  const ProjectionFacts& p = step.lens;
   const std::size_t plane = std::size_t(chain.deciding_plane);
   const glm::vec4& eye = chain.to_eye.after;
   if (p.kind == ProjectionKind::kNone || eye.w != 1 || p.w_offset != 0) return {};
   const double distance = p.looks_down_minus_z ? -double(eye.z) : double(eye.z);
   if (plane < 2) {
     const DepthReading& reading =
-        setting.dialect.z_from_minus_w ? p.minus_one_to_one : p.zero_to_one;
+        step.setup.dialect.z_from_minus_w ? p.minus_one_to_one : p.zero_to_one;
     if (!reading.possible || p.oblique_depth) return {};
     return fmt::format("its distance along the gaze is {}, and this projection shows {} to {}",
                        brief(distance), brief(reading.near), brief(reading.far));
@@ -164,34 +145,39 @@ std::string frustum_sentence(const VertexChain& chain, const ChainSetting& setti
       brief(std::min(a, b)), brief(std::max(a, b)), brief(double(eye[axis])));
 }
 
-std::string decision_text(const VertexChain& chain, const ChainSetting& setting) {
-  std::string text =
-      fmt::format("  4  clip: {} shows -w <= x, y <= w and {} <= z <= w\n", setting.dialect.title,
-                  setting.dialect.z_from_minus_w ? "-w" : "0");
-  const double w = double(chain.clip.w);
+std::string decision_of(const VertexChain& chain) {
+  const std::string w = brief(double(chain.clip.w));
   switch (chain.fate) {
     case VertexFate::kNotFinite:
-      return text + wrapped("     ", "decided: a coordinate is not finite, so nothing can be said");
+      return "a coordinate is not finite, so nothing can be said";
     case VertexFate::kBehindEye:
-      return text + wrapped("     ", fmt::format("decided: w = {} is negative: behind the eye. "
-                                                 "Dividing by it would turn the point round to the "
-                                                 "front (S3-13)",
-                                                 brief(w)));
+      return fmt::format(
+          "w = {} is negative: behind the eye. Dividing by it would turn the point round to the "
+          "front (S3-13)",
+          w);
     case VertexFate::kInEyePlane:
-      return text + wrapped("     ",
-                            "decided: w = 0: the point lies in the plane of the eye, and "
-                            "its image at infinity");
+      return "w = 0: the point lies in the plane of the eye, and its image at infinity";
     case VertexFate::kOutside: {
-      text += planes_table(chain);
       const PlaneStep& plane = chain.planes[std::size_t(chain.deciding_plane)];
-      const std::string why = fmt::format("decided: outside the {} plane by {} (w = {})",
-                                          plane.plane.name, brief(-plane.distance), brief(w));
-      return text + wrapped("     ", why);
+      return fmt::format("outside the {} plane by {} (w = {})", plane.plane.name,
+                         brief(-plane.distance), w);
     }
     case VertexFate::kVisible:
-      break;
+      return "inside all six planes";
   }
-  return text + planes_table(chain) + "     decided: inside all six planes\n";
+  return "";
+}
+
+bool reaches_the_divide(const VertexChain& chain) {
+  return chain.fate == VertexFate::kVisible || chain.fate == VertexFate::kOutside;
+}
+
+std::string clip_text(const VertexChain& chain, const PointStep& step) {
+  const ApiDialect& dialect = step.setup.dialect;
+  return fmt::format("  4  clip: {} shows -w <= x, y <= w and {} <= z <= w\n", dialect.title,
+                     dialect.z_from_minus_w ? "-w" : "0") +
+         (reaches_the_divide(chain) ? planes_table(chain) : "") +
+         sentence("decided: " + decision_of(chain));
 }
 
 std::string divide_text(const VertexChain& chain, bool bits) {
@@ -218,26 +204,27 @@ std::string snap_text(const SnapStability& snap) {
                                        snap.to_boundary));
 }
 
-std::string screen_text(const VertexChain& chain, const ChainSetting& setting) {
+std::string screen_text(const PointStep::Walk& walk, const PointStep& step) {
+  const VertexChain& chain = walk.chain;
   const ScreenStep& s = *chain.screen;
-  const Viewport& v = setting.viewport;
+  const Viewport& v = step.viewport;
   std::string text = fmt::format("  6  NDC -> window: pixels from the {} left, y {}\n",
-                                 setting.dialect.window_y_up ? "lower" : "upper",
-                                 setting.dialect.window_y_up ? "up" : "down");
+                                 step.setup.dialect.window_y_up ? "lower" : "upper",
+                                 step.setup.dialect.window_y_up ? "up" : "down");
   const auto line = [&](const char* name, float ndc, float from, float to, float value,
                         double bound, const SnapStability& snap) {
     text += fmt::format("     {} = {} * {} + {} = {} {} px{}\n", name, brief(double(ndc), 7),
                         brief(double((to - from) * 0.5f)), brief(double((to + from) * 0.5f)),
                         brief(double(value), 9), bound_text(bound),
-                        setting.bits ? "  " + bits_text(value) : "");
+                        step.bits ? "  " + bits_text(value) : "");
     if (std::isfinite(snap.snapped)) text += wrapped("         ", snap_text(snap));
   };
   const Point<Ndc>& ndc = chain.divide->ndc.position;
   line("x", ndc.x, v.left, v.right, s.screen.position.x, s.bound.x, s.snap_x);
   line("y", ndc.y, v.bottom, v.top, s.screen.position.y, s.bound.y, s.snap_y);
-  const double scale = setting.dialect.z_from_minus_w ? 0.5 : 1;
+  const double scale = step.setup.dialect.z_from_minus_w ? 0.5 : 1;
   text += fmt::format("     depth {} {}", brief(s.depth, 9), bound_text(s.bound.z * scale));
-  const ProjectionFacts& p = setting.projection;
+  const ProjectionFacts& p = step.lens;
   // The derivative of alpha + beta/d turned round (SPEC C, bound 8).
   if (p.kind == ProjectionKind::kPerspective && !p.depth_lost && p.w_offset == 0) {
     const double w = double(chain.clip.w) / p.w_scale;
@@ -245,11 +232,11 @@ std::string screen_text(const VertexChain& chain, const ChainSetting& setting) {
   }
   text += "\n";
   // Beneath the bounds it would not be seen.
-  if (setting.open_px && *setting.open_px > 2 * std::max(s.bound.x, s.bound.y)) {
-    text += wrapped(
-        "     ", fmt::format("the digits of the matrices as printed leave this open by {:.1e} px "
+  if (walk.open_px > 2 * std::max(s.bound.x, s.bound.y)) {
+    text +=
+        sentence(fmt::format("the digits of the matrices as printed leave this open by {:.1e} px "
                              "more (%.9g prints a float without loss)",
-                             *setting.open_px));
+                             walk.open_px));
   }
   return text;
 }
@@ -265,13 +252,7 @@ std::string way_back_text(const VertexChain& chain, bool bits) {
 
 }  // namespace
 
-std::string matrix_rows(const glm::dmat4& m, const std::string& indent, int digits) {
-  std::string text;
-  for (const std::string& row : entry_rows(m, digits)) text += indent + "[ " + row + " ]\n";
-  return text;
-}
-
-std::string fate_text(const VertexChain& chain, const ChainSetting& setting) {
+std::string fate_text(const VertexChain& chain, const PointStep& step) {
   switch (chain.fate) {
     case VertexFate::kVisible: {
       const Point<Screen>& p = chain.screen->screen.position;
@@ -285,25 +266,24 @@ std::string fate_text(const VertexChain& chain, const ChainSetting& setting) {
       return fmt::format("behind the eye (w = {})", brief(double(chain.clip.w)));
     case VertexFate::kOutside: {
       const char* plane = chain.planes[std::size_t(chain.deciding_plane)].plane.name;
-      const std::string frustum = frustum_sentence(chain, setting);
+      const std::string frustum = frustum_sentence(chain, step);
       return fmt::format("outside the {} plane{}", plane, frustum.empty() ? "" : ": " + frustum);
     }
   }
   return "";
 }
 
-std::string chain_text(const VertexChain& chain, const ChainSetting& setting) {
-  std::string text;
-  text += step_text(1, "object -> world", "model", chain.to_world, setting.bits);
-  text += step_text(2, "world -> eye", "view", chain.to_eye, setting.bits);
-  if (!setting.projected) return text;
-  text += eye_sentence(chain, setting);
-  text += step_text(3, "eye -> clip", "projection", chain.to_clip, setting.bits);
-  text += at_once_text(chain);
-  text += decision_text(chain, setting);
-  if (chain.fate != VertexFate::kVisible && chain.fate != VertexFate::kOutside) return text;
-  text += divide_text(chain, setting.bits) + screen_text(chain, setting);
-  return text + way_back_text(chain, setting.bits);
+std::string walk_text(const PointStep::Walk& walk, const PointStep& step) {
+  const VertexChain& chain = walk.chain;
+  std::string text = step_text(1, "object -> world", "model", chain.to_world, step.bits) +
+                     step_text(2, "world -> eye", "view", chain.to_eye, step.bits);
+  if (!step.setup.projection.given) return text;
+  text += eye_sentence(chain, step) +
+          step_text(3, "eye -> clip", "projection", chain.to_clip, step.bits) +
+          at_once_text(chain) + clip_text(chain, step);
+  if (!reaches_the_divide(chain)) return text;
+  return text + divide_text(chain, step.bits) + screen_text(walk, step) +
+         way_back_text(chain, step.bits);
 }
 
 }  // namespace glassbox::app

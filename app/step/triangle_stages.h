@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/step/stepped.h"
+#include "app/step/stepped_triangle.h"
 
 namespace glassbox::app {
 
@@ -13,7 +13,7 @@ struct StageText {
   std::string text;  // ends with a line break
 };
 
-// From "object" to "picture"; shorter where the triangle ends before.
+// From "object" to "picture"; fewer where the triangle ends before.
 std::vector<StageText> stage_texts(const Scene& scene, const SteppedTriangle& stepped,
                                    const StepTarget& target, bool bits);
 

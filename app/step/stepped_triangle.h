@@ -16,11 +16,12 @@
 namespace glassbox::app {
 
 struct StepTarget {
-  std::uint32_t triangle = 0;               // number in the whole scene
-  std::optional<int> vertex;                // 0, 1 or 2: of the triangle's corners
-  std::optional<std::array<int, 2>> pixel;  // the fragment to look at
+  std::uint32_t triangle = 0;    // number in the whole scene
+  std::optional<int> vertex;     // 0, 1 or 2: of the triangle's corners
+  std::optional<PixelAt> pixel;  // the fragment to look at
 
   bool wants(std::size_t corner) const { return !vertex || std::size_t(*vertex) == corner; }
+  friend bool operator==(const StepTarget&, const StepTarget&) = default;
 };
 
 struct SteppedTriangle {
@@ -42,8 +43,11 @@ struct SteppedTriangle {
 Result<SteppedTriangle> step_through(const Scene& scene, const PictureOptions& picture,
                                      std::uint32_t triangle);
 
-// The number of the triangle that is seen in a pixel; an error where none is.
-Result<std::uint32_t> pick(const Scene& scene, const PictureOptions& picture, int x, int y);
+// Aims at a triangle by its number, or at what a pixel shows; at nothing else where neither is given. An error where there is no
+// such triangle or pixel, or nothing is seen there. `dashes`: what the names of options begin with in errors.
+Result<void> aim(StepTarget& target, const Scene& scene, const PictureOptions& picture,
+                 std::optional<std::uint32_t> triangle, std::optional<PixelAt> pixel,
+                 const std::string& dashes);
 
 const TracedDraw& draw_of(const SteppedTriangle& stepped);
 

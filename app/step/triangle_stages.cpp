@@ -1,4 +1,4 @@
-#include "app/step/stage_text.h"
+#include "app/step/triangle_stages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,15 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "app/report/text_layout.h"
-#include "app/step/clipping_text.h"
-#include "app/step/formulation_text.h"
-#include "app/step/fragment_text.h"
 #include "app/step/matrices/decimal.h"
-#include "app/step/matrices_text.h"
-#include "app/step/numbers_text.h"
-#include "app/step/round_trip_text.h"
-#include "app/step/singular_text.h"
+#include "app/step/number_text.h"
+#include "app/step/stage_parts.h"
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
@@ -23,12 +17,6 @@
 namespace glassbox::app {
 
 namespace {
-
-constexpr const char* kAxes[] = {"x", "y", "z", "w"};
-
-std::string sentence(const std::string& text) {
-  return wrapped("     ", text);
-}
 
 // What the texts of all stages are made from.
 struct Context {
@@ -88,11 +76,7 @@ std::string world_text(const Context& c) {
 }
 
 std::string eye_text(const Context& c) {
-  const ChosenView& chosen = c.stepped.chosen;
-  const bool turned = c.stepped.formulation.view == ViewForm::kAxisAngle;
-  return (turned ? axis_angle_text(chosen.camera, chosen.view)
-                 : view_factors_text(chosen.camera, chosen.view)) +
-         view_difference_text(c.stepped) + corners_text(c, [&](std::size_t k) {
+  return view_factors_text(c.stepped) + corners_text(c, [&](std::size_t k) {
            return number_lines(to_glm(c.triangle().corners[k].eye), c.stepped.bounds.corners[k].eye,
                                c.bits);
          });
@@ -112,9 +96,7 @@ std::uint64_t ulps_from_chain(const View& view, const TracedCorner& corner) {
 std::string clip_text(const Context& c) {
   const View& view = c.stepped.chosen.view;
   std::string text =
-      projection_factors_text(c.stepped.chosen.camera, view, c.stepped.formulation.projection) +
-      projection_difference_text(c.stepped) + two_steps_text(view) +
-      composed_text(draw_of(c.stepped), c.stepped.draw_bounds);
+      projection_factors_text(c.stepped) + composed_text(draw_of(c.stepped), c.stepped.draw_bounds);
   text += corners_text(c, [&](std::size_t k) {
     const TracedCorner& corner = c.triangle().corners[k];
     auto lines = number_lines(to_glm(corner.clip), c.stepped.bounds.corners[k].clip, c.bits);
@@ -282,12 +264,12 @@ std::string fragments_text(const Context& c) {
   if (fragments.empty()) return text;
   const auto chosen =
       std::find_if(fragments.begin(), fragments.end(), [&](const TracedFragment& f) {
-        return c.target.pixel && f.fragment.x == (*c.target.pixel)[0] &&
-               f.fragment.y == (*c.target.pixel)[1];
+        return c.target.pixel && f.fragment.x == c.target.pixel->x &&
+               f.fragment.y == c.target.pixel->y;
       });
   if (c.target.pixel && chosen == fragments.end()) {
-    return text + sentence(fmt::format("pixel ({}, {}) is not among them", (*c.target.pixel)[0],
-                                       (*c.target.pixel)[1]));
+    return text + sentence(fmt::format("pixel ({}, {}) is not among them", c.target.pixel->x,
+                                       c.target.pixel->y));
   }
   const TracedFragment& shown = c.target.pixel ? *chosen : fragments[fragments.size() / 2];
   return text + fragment_text(c.stepped, shown, c.bits);

@@ -1,13 +1,12 @@
-#include "app/step/matrix_report.h"
-
+// The beginning of a point step's text: what the three matrices are.
 #include <fmt/format.h>
 
 #include "app/report/text_layout.h"
-#include "app/step/chain_text.h"
 #include "app/step/matrices/decimal.h"
 #include "app/step/matrices/projection_factors.h"
+#include "app/step/number_text.h"
+#include "app/step/point_parts.h"
 
-#include <glassbox/base/counted.h>
 #include <glassbox/base/trig.h>
 
 namespace glassbox::app {
@@ -33,42 +32,41 @@ std::string rigidity_text(const MatrixFacts& facts) {
   return facts.orthogonality == 0 ? "exactly" : "to within " + brief(facts.orthogonality, 2);
 }
 
-std::string heading(const char* name, const char* from_to, const std::string& origin) {
+std::string heading(const char* name, const char* from_to, const GivenMatrix& matrix) {
   return wrapped(fmt::format("{:<11} ", name),
-                 from_to + (origin.empty() ? ": none given" : "; " + origin));
+                 from_to + (matrix.given ? "; " + matrix.origin : ": none given"));
 }
 
-std::string sentence(const std::string& text) {
+std::string line(const std::string& text) {
   return wrapped("  ", text);
 }
 
-std::string model_text(const GivenMatrix& model, const std::string& origin) {
-  std::string text = heading("MODEL", "world from object", origin);
+std::string model_text(const GivenMatrix& model) {
+  std::string text = heading("MODEL", "world from object", model);
   if (!model.given) return text;
-  return text + matrix_rows(model.m, "  ") + sentence(affine_sentence(facts_of(model.m)));
+  return text + matrix_rows(model.m, "  ") + line(affine_sentence(facts_of(model.m)));
 }
 
 // `lens`: the projection that goes with the view; ProjectionKind::kNone where none is known.
 std::string view_sentences(const GivenMatrix& view, const ProjectionFacts& lens) {
   const MatrixFacts facts = facts_of(view.m);
-  std::string text = sentence(affine_sentence(facts));
+  std::string text = line(affine_sentence(facts));
   const auto eye = facts.affine ? eyepoint_of(view) : std::nullopt;
   if (!eye) return text;
-  text += sentence(fmt::format("the eye stands at {}; right is {}, up {}", position_text(*eye),
-                               brief_triple(eye->right, 4), brief_triple(eye->up, 4)));
+  text += line(fmt::format("the eye stands at {}; right is {}, up {}", position_text(*eye),
+                           brief_triple(eye->right, 4), brief_triple(eye->up, 4)));
   if (lens.kind == ProjectionKind::kNone) {
-    return text + sentence(fmt::format("it looks along {} if it looks down -z, and the other way "
-                                       "if down +z: a projection decides",
-                                       brief_triple(-eye->back, 4)));
+    return text + line(fmt::format("it looks along {} if it looks down -z, and the other way "
+                                   "if down +z: a projection decides",
+                                   brief_triple(-eye->back, 4)));
   }
-  return text +
-         sentence(fmt::format("it looks along {}, because the projection looks down {}z",
-                              brief_triple(lens.looks_down_minus_z ? -eye->back : eye->back, 4),
-                              lens.looks_down_minus_z ? "-" : "+"));
+  return text + line(fmt::format("it looks along {}, because the projection looks down {}z",
+                                 brief_triple(lens.looks_down_minus_z ? -eye->back : eye->back, 4),
+                                 lens.looks_down_minus_z ? "-" : "+"));
 }
 
-std::string view_text(const MatrixSetup& setup, const std::string& origin) {
-  std::string text = heading("VIEW", "eye from world", origin);
+std::string view_text(const MatrixSetup& setup) {
+  std::string text = heading("VIEW", "eye from world", setup.view);
   if (!setup.view.given) return text;
   ProjectionFacts lens;
   if (setup.projection.given && !is_transposed_projection(setup.projection)) {
@@ -87,17 +85,17 @@ std::string reading_text(const DepthReading& r) {
 }
 
 std::string depth_text(const ProjectionFacts& p, const ApiDialect& dialect) {
-  if (p.depth_lost) return sentence("the depth is the same at all distances (rank 3)");
-  if (p.oblique_depth) return sentence("depth depends on x and y: an oblique near plane");
+  if (p.depth_lost) return line("the depth is the same at all distances (rank 3)");
+  if (p.oblique_depth) return line("depth depends on x and y: an oblique near plane");
   const DepthReading &ours = dialect.z_from_minus_w ? p.minus_one_to_one : p.zero_to_one,
                      &other = dialect.z_from_minus_w ? p.zero_to_one : p.minus_one_to_one;
-  return sentence(fmt::format("depth read as {} has it: {}", dialect.title, reading_text(ours))) +
-         sentence(fmt::format("read for {} instead, the same numbers mean {}",
-                              other.from_minus_one ? "-1 .. 1" : "0 .. 1", reading_text(other)));
+  return line(fmt::format("depth read as {} has it: {}", dialect.title, reading_text(ours))) +
+         line(fmt::format("read for {} instead, the same numbers mean {}",
+                          other.from_minus_one ? "-1 .. 1" : "0 .. 1", reading_text(other)));
 }
 
 std::string perspective_text(const ProjectionFacts& p) {
-  std::string text = sentence(
+  std::string text = line(
       p.looks_down_minus_z ? "perspective; w grows along -z: a right-handed eye, looking down -z"
                            : "perspective; w grows along +z: a left-handed eye, looking down +z");
   std::string window = fmt::format("vertical angle of view {} degrees, aspect ratio {}",
@@ -110,18 +108,18 @@ std::string perspective_text(const ProjectionFacts& p) {
     window += fmt::format("; the eye is moved to x = {}, y = {}", brief(-p.shift.x / p.scale.x),
                           brief(-p.shift.y / p.scale.y));
   }
-  return text + sentence(window);
+  return text + line(window);
 }
 
 std::string parallel_text(const ProjectionFacts& p, const ApiDialect& dialect) {
   const auto edge = [&](int axis, double side) {
     return brief((side - p.centre[axis]) / p.scale[axis]);
   };
-  return sentence("parallel: w is the same everywhere") +
-         sentence(fmt::format("the window is x from {} to {}, y from {} to {}", edge(0, -1),
-                              edge(0, 1), edge(1, -1), edge(1, 1))) +
-         sentence(fmt::format("with depth as {} has it, the eye looks down {}z", dialect.title,
-                              p.looks_down_minus_z ? "-" : "+"));
+  return line("parallel: w is the same everywhere") +
+         line(fmt::format("the window is x from {} to {}, y from {} to {}", edge(0, -1), edge(0, 1),
+                          edge(1, -1), edge(1, 1))) +
+         line(fmt::format("with depth as {} has it, the eye looks down {}z", dialect.title,
+                          p.looks_down_minus_z ? "-" : "+"));
 }
 
 std::string lens_text(const ProjectionFacts& p, const ApiDialect& dialect) {
@@ -130,9 +128,8 @@ std::string lens_text(const ProjectionFacts& p, const ApiDialect& dialect) {
          depth_text(p, dialect);
 }
 
-std::string projection_text(const GivenMatrix& given, const ApiDialect& dialect,
-                            const std::string& origin) {
-  std::string text = heading("PROJECTION", "clip from eye", origin);
+std::string projection_text(const GivenMatrix& given, const ApiDialect& dialect) {
+  std::string text = heading("PROJECTION", "clip from eye", given);
   if (!given.given) return text;
   text += matrix_rows(given.m, "  ");
   const ProjectionFacts plain = projection_facts(given, dialect.depth);
@@ -141,14 +138,14 @@ std::string projection_text(const GivenMatrix& given, const ApiDialect& dialect,
   }
   if (const auto parts = factor_projection(given); parts && !plain.looks_transposed) {
     const ProjectionFacts lens = projection_facts(parts->projection, dialect.depth);
-    return text + sentence("a projection with a view in it. The view's part:") +
-           view_sentences(parts->view, lens) + sentence("The projection's part:") +
+    return text + line("a projection with a view in it. The view's part:") +
+           view_sentences(parts->view, lens) + line("The projection's part:") +
            lens_text(lens, dialect);
   }
   const MatrixFacts facts = facts_of(given.m);
-  return text + sentence(facts.affine
-                             ? "as a matrix: " + affine_sentence(facts)
-                             : fmt::format("no projection as it stands (rank {})", facts.rank));
+  return text + line(facts.affine
+                         ? "as a matrix: " + affine_sentence(facts)
+                         : fmt::format("no projection as it stands (rank {})", facts.rank));
 }
 
 }  // namespace
@@ -191,45 +188,9 @@ std::string affine_sentence(const MatrixFacts& facts) {
   return "";
 }
 
-std::string matrices_text(const MatrixSetup& setup, const MatrixOrigins& origins) {
-  return model_text(setup.model, origins.model) + "\n" + view_text(setup, origins.view) + "\n" +
-         projection_text(setup.projection, setup.dialect, origins.projection);
-}
-
-std::string findings_text(const std::vector<Finding>& findings) {
-  std::string text;
-  constexpr std::pair<Severity, const char*> kWords[] = {
-      {Severity::kAlarm, "  WRONG "}, {Severity::kHint, "  hint  "}, {Severity::kNote, "  note  "}};
-  for (const auto& [severity, word] : kWords) {
-    for (const Finding& finding : findings) {
-      if (finding.severity != severity) continue;
-      const std::string place = *finding.matrix == '\0' ? "" : std::string(finding.matrix) + ": ";
-      text += wrapped(word, place + finding.cause);
-      if (!finding.remedy.empty()) text += wrapped("        -> ", finding.remedy);
-    }
-  }
-  return text;
-}
-
-std::string alternatives_text(const ConventionsReport& report) {
-  std::string text;
-  int number = 0;
-  for (const Alternative& a : report.alternatives) {
-    std::string line = a.what + ": ";
-    if (report.points > 1)
-      line += fmt::format("{} of {} points are where they should be", a.points, report.points);
-    if (report.points > 1 && a.window) line += ", the first ";
-    if (a.window) line += fmt::format("at ({:.2f}, {:.2f})", a.window->x, a.window->y);
-    text += wrapped(fmt::format("  {}. ", ++number), line);
-    for (const std::string& reason : a.reasons) text += wrapped("       because ", reason);
-    text += wrapped("       -> ", a.remedy);
-  }
-  if (report.spoiling > 0) {
-    text +=
-        wrapped("  ", fmt::format("{} more would do, but {} a matrix that is sound as it stands",
-                                  report.spoiling, inflected(report.spoiling, "spoils", "spoil")));
-  }
-  return text;
+std::string matrices_text(const MatrixSetup& setup) {
+  return model_text(setup.model) + "\n" + view_text(setup) + "\n" +
+         projection_text(setup.projection, setup.dialect);
 }
 
 }  // namespace glassbox::app

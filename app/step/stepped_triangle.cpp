@@ -1,8 +1,10 @@
-#include "app/step/stepped.h"
+#include "app/step/stepped_triangle.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
+
+#include "app/options/arguments.h"
 
 #include <glassbox/render/staged/staged.h>
 
@@ -26,6 +28,21 @@ std::optional<ObjectCulling> culling_of(const Scene& scene, const View& view,
   const DrawList list = make_draw_list(scene, prepared, view);
   const auto draw = std::ranges::find(list.draws, instance, &Draw::instance);
   return object_culling(*draw, view, settings);
+}
+
+// The number of the triangle that is seen in a pixel.
+Result<std::uint32_t> pick(const Scene& scene, const PictureOptions& picture, PixelAt pixel) {
+  const Result<ChosenView> chosen = choose_view(scene, picture);
+  if (!chosen) return tl::unexpected(chosen.error());
+  RenderSettings settings = at_centres(picture.settings);
+  settings.want_id = true;
+  const Rendering rendering = render_staged(scene, chosen->view, settings);
+  const std::uint32_t id = rendering.buffers.id.at(pixel.x, pixel.y);
+  if (id == 0) {
+    return fail(fmt::format("--pick {},{}", pixel.x, pixel.y), "no triangle is seen in this pixel",
+                "glassbox pixel tells what passes there; --triangle N names a triangle");
+  }
+  return id - 1;
 }
 
 }  // namespace
@@ -58,18 +75,24 @@ Result<SteppedTriangle> step_through(const Scene& scene, const PictureOptions& p
   return stepped;
 }
 
-Result<std::uint32_t> pick(const Scene& scene, const PictureOptions& picture, int x, int y) {
-  const Result<ChosenView> chosen = choose_view(scene, picture);
-  if (!chosen) return tl::unexpected(chosen.error());
-  RenderSettings settings = at_centres(picture.settings);
-  settings.want_id = true;
-  const Rendering rendering = render_staged(scene, chosen->view, settings);
-  const std::uint32_t id = rendering.buffers.id.at(x, y);
-  if (id == 0) {
-    return fail(fmt::format("--pick {},{}", x, y), "no triangle is seen in this pixel",
-                "glassbox pixel tells what passes there; --triangle N names a triangle");
+Result<void> aim(StepTarget& target, const Scene& scene, const PictureOptions& picture,
+                 std::optional<std::uint32_t> triangle, std::optional<PixelAt> pixel,
+                 const std::string& dashes) {
+  if (triangle) {
+    const auto legal = check_triangle(dashes + "triangle", scene, *triangle);
+    if (!legal) return legal;
+    target.triangle = *triangle;
+    target.pixel.reset();
   }
-  return id - 1;
+  if (pixel) {
+    const auto legal = check_pixel(dashes + "pick", *pixel, picture.size);
+    if (!legal) return legal;
+    const Result<std::uint32_t> picked = pick(scene, picture, *pixel);
+    if (!picked) return tl::unexpected(picked.error());
+    target.triangle = *picked;
+    target.pixel = pixel;
+  }
+  return {};
 }
 
 const TracedDraw& draw_of(const SteppedTriangle& stepped) {

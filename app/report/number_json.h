@@ -1,0 +1,48 @@
+// Points, vectors, colours and rectangles as JSON arrays, matrices as arrays of rows. Numbers that are not finite become null.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <glassbox/base/spaces.h>
+#include <glassbox/images/image.h>
+#include <glassbox/raster/stages.h>
+
+namespace glassbox {
+
+template <int N, class T>
+nlohmann::ordered_json numbers_json(const glm::vec<N, T>& v) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (int i = 0; i < N; ++i) json.push_back(v[i]);
+  return json;
+}
+
+template <class Place>
+requires requires(const Place& place) {
+  to_glm(place);
+}
+nlohmann::ordered_json numbers_json(const Place& place) {
+  return numbers_json(to_glm(place));
+}
+
+template <class Color>
+requires requires(const Color& color) {
+  color.r, color.a;
+}
+nlohmann::ordered_json numbers_json(const Color& c) {
+  return {c.r, c.g, c.b, c.a};
+}
+
+inline nlohmann::ordered_json numbers_json(const PixelRect& r) {
+  return {r.x0, r.y0, r.x1, r.y1};
+}
+
+template <class T>
+nlohmann::ordered_json rows_json(const glm::mat<4, 4, T>& m) {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (int row = 0; row < 4; ++row) {
+    rows.push_back({m[0][row], m[1][row], m[2][row], m[3][row]});
+  }
+  return rows;
+}
+
+}  // namespace glassbox

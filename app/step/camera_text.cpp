@@ -1,0 +1,284 @@
+// Stages 2 to 4 of a stepped triangle: the three matrices, their factors, and the slides' ways to them.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "app/report/text_layout.h"
+#include "app/step/matrices/decimal.h"
+#include "app/step/number_text.h"
+#include "app/step/point_parts.h"
+#include "app/step/stage_parts.h"
+
+#include <glassbox/base/counted.h>
+#include <glassbox/base/printable.h>
+#include <glassbox/base/rounding.h>
+#include <glassbox/base/trig.h>
+
+namespace glassbox::app {
+
+namespace {
+
+std::string triple(const glm::dvec3& v) {
+  return brief_triple(v, 9);
+}
+
+std::string rows(const glm::dmat4& m) {
+  return matrix_rows(m, kIndent, 9);
+}
+
+// The largest distance of two entries, in what `distance` measures.
+template <class Distance>
+auto largest_over(int columns, const glm::dmat4& a, const glm::dmat4& b, Distance distance) {
+  decltype(distance(0.0, 0.0)) largest{};
+  for (int column = 0; column < columns; ++column) {
+    for (int row = 0; row < 4; ++row)
+      largest = std::max(largest, distance(a[column][row], b[column][row]));
+  }
+  return largest;
+}
+
+int count_of_other_floats(const glm::dmat4& a, const glm::dmat4& b) {
+  int count = 0;
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 4; ++row) count += float(a[column][row]) != float(b[column][row]);
+  }
+  return count;
+}
+
+std::string other_floats(const glm::dmat4& a, const glm::dmat4& b) {
+  return fmt::format("rounded to float, {} of 16 entries differ", count_of_other_floats(a, b));
+}
+
+// ---- world from object ----
+
+// From the root down to the node.
+std::vector<std::uint32_t> path_to(const Scene& scene, std::uint32_t node) {
+  std::vector<std::uint32_t> path;
+  for (; node != kNone; node = scene.nodes[node].parent) path.push_back(node);
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
+// ---- eye from world ----
+
+std::string axes_text(const Camera& camera, const View& view) {
+  const glm::dmat4& pose = camera.world_from_eye.columns;
+  const glm::dvec3 right(pose[0]), up(pose[1]), back(pose[2]), eye(pose[3]);
+  std::string text = sentence(fmt::format("the eye stands at {}, looks along {}, with {} up",
+                                          triple(eye), triple(-back + 0.0), triple(up)));
+  text += sentence(
+      "eye_from_world = [U; V; N] T(-eye): rows U, V, N, last column -eye.U, -eye.V, -eye.N");
+  text += sentence(fmt::format("U = {}", triple(right)));
+  text += sentence(fmt::format("V = {}", triple(up)));
+  text += sentence(fmt::format("N = {}", triple(back)));
+  return text + rows(view.eye_from_world.columns);
+}
+
+// Eye from world by moving, turning and rolling.
+std::string axis_angle_text(const Camera& camera, const View& view) {
+  const AxisAngleFactors factors = axis_angle_factors(camera.world_from_eye);
+  const glm::dmat4& pose = camera.world_from_eye.columns;
+  const glm::dvec3 gaze = -glm::dvec3(pose[2]), axis(-gaze.y, gaze.x, 0);
+  const double turn = degrees_from_radians(std::atan2(std::hypot(axis.x, axis.y), -gaze.z));
+  const double roll =
+      degrees_from_radians(std::atan2(factors.rolled.at(1, 0), factors.rolled.at(0, 0)));
+  std::string text = sentence(fmt::format("the eye stands at {} and looks along {}",
+                                          triple(glm::dvec3(pose[3])), triple(gaze + 0.0)));
+  text += sentence(
+      "eye_from_world = R_z(roll) R(a, theta) T(-eye): moved, turned until the gaze is -z, rolled "
+      "until up lies in the upper half of the yz plane");
+  text += sentence("T(-eye)") + rows(factors.moved.columns);
+  text += sentence(fmt::format("R(a, theta): {} degrees about a = gaze x (-z) = {}", brief(turn, 9),
+                               triple(axis + 0.0)));
+  text += rows(factors.turned.columns);
+  text += sentence(fmt::format("R_z(roll): {} degrees", brief(roll, 9)));
+  text += rows(factors.rolled.columns);
+  return text + sentence("their product, bit for bit:") + rows(view.eye_from_world.columns);
+}
+
+// By how much eye_from_world differs from that of the usual formulation; empty where it is that.
+std::string view_difference_text(const SteppedTriangle& stepped) {
+  if (!stepped.usual || stepped.formulation.view == ViewForm::kUvn) return "";
+  const glm::dmat4& a = stepped.chosen.view.eye_from_world.columns;
+  const glm::dmat4& b = stepped.usual->eye_from_world.columns;
+  const auto distance = [](double x, double y) { return std::abs(x - y); };
+  double moved = 0;
+  for (int row = 0; row < 3; ++row) moved = std::max(moved, distance(a[3][row], b[3][row]));
+  return sentence(fmt::format(
+      "[U; V; N] T(-eye) is the same but for rounding: entries of the rotation differ by up to "
+      "{:.1e}, of the translation by up to {:.1e}; {}",
+      largest_over(3, a, b, distance), moved, other_floats(a, b)));
+}
+
+// ---- clip from eye ----
+
+std::string far_text(double far) {
+  return std::isinf(far) ? "infinity" : brief(far, 9);
+}
+
+struct LensText {
+  double aspect;
+  std::string operator()(const PerspectiveLens& lens) const {
+    const double degrees = degrees_from_radians(lens.fovy_radians);
+    return fmt::format("a perspective: vertical angle of view {} degrees, aspect ratio {}",
+                       brief(degrees, 9), brief(aspect, 9));
+  }
+  std::string operator()(const OrthographicLens& lens) const {
+    return fmt::format("a parallel projection: half height {} world units, aspect ratio {}",
+                       brief(lens.half_height, 9), brief(aspect, 9));
+  }
+  std::string operator()(const FrustumLens& lens) const {
+    return fmt::format("a frustum: left {}, right {}, bottom {}, top {} on the near plane",
+                       brief(lens.left, 9), brief(lens.right, 9), brief(lens.bottom, 9),
+                       brief(lens.top, 9));
+  }
+};
+
+// Which entries follow from the planes (projection.h).
+std::string depth_formula(const View& view) {
+  const bool reversed = view.depth_range == DepthRange::kReversed;
+  if (!view.perspective) {
+    return reversed ? "[2][2] = 1/(f-n), [2][3] = f/(f-n), w = 1"
+                    : "[2][2] = -1/(f-n), [2][3] = -n/(f-n), w = 1";
+  }
+  if (std::isinf(view.far)) {
+    return reversed ? "[2][2] = 0, [2][3] = n, w = -z" : "[2][2] = -1, [2][3] = -n, w = -z";
+  }
+  return reversed ? "[2][2] = n/(f-n), [2][3] = n f/(f-n), w = -z"
+                  : "[2][2] = -f/(f-n), [2][3] = -n f/(f-n), w = -z";
+}
+
+// Which entries follow from what, for the slides' forms.
+std::string entries_text(const View& view, ProjectionForm form) {
+  const double a = view.clip_from_eye.at(0, 0), b = view.clip_from_eye.at(1, 1);
+  const double n = view.near, f = view.far, aspect = b / a;
+  const auto number = [](double value) { return brief(value, 9); };
+  const char* const left_handed = "; times diag(1, 1, -1, 1), for the slides' eye looks along +z";
+  switch (form) {
+    case ProjectionForm::kPerspective:
+      return "";
+    case ProjectionForm::kFrustum:
+      return sentence(
+          "made as glFrustum from the window on the near plane: [0][0] = 2n/(r-l), [1][1] = "
+          "2n/(t-b)");
+    case ProjectionForm::kTPers:
+      return sentence(fmt::format(
+          "made as the slides' T_pers: the window on the view plane at d = n has the half-height h "
+          "= {}: [1][1] = d/h, [0][0] = d/h over the aspect ratio {}{}",
+          number(n / b), number(aspect), left_handed));
+    case ProjectionForm::kAlphaBeta:
+      return sentence(fmt::format(
+          "made as the slides' alpha and beta: half the horizontal angle theta = {} degrees: "
+          "[0][0] "
+          "= cot theta, [1][1] = AR cot theta with AR = {}; alpha = f/(f-n) = {}, beta = f n/(n-f) "
+          "= {}: z' = alpha + beta/z{}",
+          number(degrees_from_radians(std::atan(1 / a))), number(aspect),
+          number(std::isinf(f) ? 1 : f / (f - n)), number(std::isinf(f) ? -n : f * n / (n - f)),
+          left_handed));
+  }
+  return "";
+}
+
+std::string lens_text(const Camera& camera, const View& view, ProjectionForm form) {
+  const double aspect = std::abs(double(view.viewport.width()) / double(view.viewport.height()));
+  std::string text =
+      sentence("clip_from_eye: " + std::visit(LensText{aspect}, camera.lens)) +
+      sentence(fmt::format("near n = {}, far f = {}{}", brief(view.near, 9), far_text(view.far),
+                           view.depth_range == DepthRange::kReversed ? ", reversed depth" : ""));
+  if (form != ProjectionForm::kPerspective) {
+    text += entries_text(view, form);
+  } else if (std::holds_alternative<PerspectiveLens>(camera.lens)) {
+    text += sentence("[0][0] = cot(angle/2)/aspect, [1][1] = cot(angle/2)");
+  } else if (std::holds_alternative<OrthographicLens>(camera.lens)) {
+    text += sentence("[0][0] = 1/(half height aspect), [1][1] = 1/half height");
+  } else {
+    text += sentence(
+        "[0][0] = 2n/(r-l), [1][1] = 2n/(t-b), [0][2] = (r+l)/(r-l), [1][2] = (t+b)/(t-b)");
+  }
+  return text + sentence(depth_formula(view)) + rows(view.clip_from_eye.columns);
+}
+
+// A perspective matrix in two steps: any pyramid to the regular one, the regular one to the box. Empty for parallel views.
+std::string two_steps_text(const View& view) {
+  const auto factors = perspective_factors(view.clip_from_eye);
+  if (!factors) return "";
+  std::string text = sentence(
+      "the same in two steps, from an eye that looks along +z, diag(1, 1, -1, 1): a scale makes "
+      "the viewing pyramid regular, |x|, |y| <= z,");
+  text += rows(factors->scaled.columns);
+  if (factors->has_moved) {
+    text += sentence("a shear centres it on the gaze,") + rows(factors->moved.columns);
+  }
+  text += sentence("and the pyramid becomes the box:") + rows(factors->clip_from_pyramid.columns);
+  return text + sentence("their product is clip_from_eye, bit for bit");
+}
+
+// By how much clip_from_eye differs from that of the usual formulation; empty where it is that.
+std::string projection_difference_text(const SteppedTriangle& stepped) {
+  if (!stepped.usual || stepped.formulation.projection == ProjectionForm::kPerspective) return "";
+  const glm::dmat4& a = stepped.chosen.view.clip_from_eye.columns;
+  const glm::dmat4& b = stepped.usual->clip_from_eye.columns;
+  const std::uint64_t ulps =
+      largest_over(4, a, b, [](double x, double y) { return ulp_distance(x, y); });
+  return sentence(
+      fmt::format("the lens's own matrix is the same but for rounding: entries differ by up to "
+                  "{}; {}",
+                  counted(ulps, "ulp"), other_floats(a, b)));
+}
+
+}  // namespace
+
+std::string model_factors_text(const Scene& scene, const Instance& instance) {
+  const glm::dmat4& product = scene.nodes[instance.node].world_from_node.columns;
+  if (product == glm::dmat4(1)) return sentence("world_from_object is the identity");
+  std::string text =
+      sentence("world_from_object: " + affine_sentence(facts_of(product))) + rows(product);
+  const std::vector<std::uint32_t> path = path_to(scene, instance.node);
+  if (path.size() == 1) return text;
+  text += sentence("the product of these nodes, from the root down:");
+  for (const std::uint32_t index : path) {
+    const Node& node = scene.nodes[index];
+    text +=
+        wrapped("       ", fmt::format("{} {}: {}", index, in_quotes(node.name),
+                                       affine_sentence(facts_of(node.parent_from_node.columns))));
+  }
+  return text;
+}
+
+std::string view_factors_text(const SteppedTriangle& stepped) {
+  const ChosenView& chosen = stepped.chosen;
+  const bool turned = stepped.formulation.view == ViewForm::kAxisAngle;
+  return (turned ? axis_angle_text(chosen.camera, chosen.view)
+                 : axes_text(chosen.camera, chosen.view)) +
+         view_difference_text(stepped);
+}
+
+std::string projection_factors_text(const SteppedTriangle& stepped) {
+  const View& view = stepped.chosen.view;
+  return lens_text(stepped.chosen.camera, view, stepped.formulation.projection) +
+         projection_difference_text(stepped) + two_steps_text(view);
+}
+
+std::string composed_text(const TracedDraw& draw, const DrawBounds& bounds) {
+  std::string text = sentence(
+      "all three composed in double and rounded to float once, which is what the run multiplies "
+      "with:");
+  text += rows(glm::dmat4(draw.clip_from_anchored.columns));
+  double largest = 0;
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 4; ++row)
+      largest = std::max(largest, bounds.clip_from_anchored[column][row]);
+  }
+  text += sentence(fmt::format("its entries are known {}",
+                               largest == 0 ? "exactly" : "to " + bound_text(largest)));
+  if (draw.anchor.x == 0 && draw.anchor.y == 0 && draw.anchor.z == 0) return text;
+  return text +
+         sentence(fmt::format(
+             "applied to the vertex less the anchor {}, near the mesh, so that a mesh far from its "
+             "origin does not shake",
+             triple({draw.anchor.x, draw.anchor.y, draw.anchor.z})));
+}
+
+}  // namespace glassbox::app
