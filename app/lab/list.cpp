@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/report/program_name.h"
-#include "labs/labs.h"
+#include "labs/framework/lab.h"
 
 namespace glassbox::app {
 
