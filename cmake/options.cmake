@@ -79,6 +79,15 @@ function(add_part name)
   target_link_libraries(${part} ${scope} ${PART_LINKS})
 endfunction()
 
+# write_entries(FILE NAME PATH ...): FILE in the current build directory has a line ENTRY(name) for each of the paths, in which the
+# regular expression NAME finds it. A source defines ENTRY and includes the file: so what is one file each is named nowhere else.
+function(write_entries file name)
+  set(entries ${ARGN})
+  list(TRANSFORM entries REPLACE "${name}" "ENTRY(\\1)")
+  list(JOIN entries "\n" entries)
+  file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${file} CONTENT "${entries}\n")
+endfunction()
+
 # compile_together(TARGET NAME FILE ...): these sources are one translation unit, because the headers that they share take
 # longer to compile than they do (docs/building.md has the figures). What is unnamed in one must not be in another.
 function(compile_together target name)

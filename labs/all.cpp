@@ -1,10 +1,17 @@
-#include "labs/labs.h"
+#include "labs/framework/lab.h"
 
 namespace glassbox::labs {
 
+#define ENTRY(number) Lab lab_##number();
+#include <labs.inc>  // ENTRY(01) and so on, for each folder (CMakeLists.txt)
+#undef ENTRY
+
 const std::vector<Lab>& all_labs() {
-  static const std::vector<Lab> all{lab_01(), lab_02(), lab_03(), lab_04(), lab_05(),
-                                    lab_06(), lab_07(), lab_08(), lab_09()};
+  static const std::vector<Lab> all{
+#define ENTRY(number) lab_##number(),
+#include <labs.inc>
+#undef ENTRY
+  };
   return all;
 }
 

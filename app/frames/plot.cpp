@@ -6,8 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "app/report/svg.h"
-
 #include <glassbox/html/escaped.h>
 
 namespace glassbox::app {
@@ -54,6 +52,31 @@ struct Panel {
   std::vector<Label> labels;
   double low = 0, high = 1;  // of the axis
 };
+
+// ---- marks; a `style` is a class of the style sheet ----
+
+// `anchor`: which end of the text stands at x, "start", "middle" or "end".
+std::string svg_text(double x, double y, const std::string& style, const char* anchor,
+                     const std::string& text) {
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"{}\" text-anchor=\"{}\">{}</text>\n",
+                     x, y, style, anchor, escaped(text));
+}
+
+std::string svg_line(const std::string& style, double x0, double y0, double x1, double y1) {
+  return fmt::format(
+      "<line class=\"{}\" x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\"/>\n", style, x0,
+      y0, x1, y1);
+}
+
+// 1, 2 or 5 times a power of ten, so that the range has at most `most` steps.
+double tick_step(double range, int most) {
+  const double least = range / most;
+  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= least) return factor * power;
+  }
+  return 10 * power;
+}
 
 // ---- axes ----
 

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include "labs/framework/lab.h"
 #include "labs/framework/sources.h"
-#include "labs/labs.h"
 
 #include <glassbox/base/error.h>
 

@@ -14,11 +14,11 @@
 #include "app/options/choices.h"
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
+#include "app/report/scratch.h"
 #include "labs/grading/class.h"
 #include "labs/grading/grade.h"
 #include "labs/grading/overview.h"
 #include "labs/grading/results.h"
-#include "labs/grading/scratch.h"
 #include "labs/grading/submission.h"
 
 #include <glassbox/base/printable.h>

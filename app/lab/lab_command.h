@@ -4,9 +4,10 @@
 #include "app/lab/check_command.h"
 #include "app/lab/grade_command.h"
 #include "app/lab/gradescope_command.h"
-#include "app/lab/list_command.h"
+#include "app/lab/list.h"
 #include "app/lab/start_command.h"
 #include "app/options/cli_fwd.h"
+#include "app/options/list_command.h"
 
 namespace glassbox::app {
 
@@ -15,7 +16,7 @@ public:
   void add_to(CLI::App& app, int& exit_code);
 
 private:
-  LabListCommand list_;
+  ListCommand list_{"the labs, their tasks and points", labs_text, labs_json};
   LabStartCommand start_;
   LabCheckCommand check_;
   LabWatchCommand watch_;

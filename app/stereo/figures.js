@@ -1,6 +1,11 @@
 // The maps, each with its key.
 
 const capitalised = (text) => text.slice(0, 1).toUpperCase() + text.slice(1);
+// A minus sign that is as wide as a plus.
+const signed = (value, digits) => {
+  const text = Math.abs(value).toFixed(digits);
+  return Number(text) === 0 ? text : (value < 0 ? "−" : "+") + text;
+};
 const percentOf = (part, whole) => `${(whole ? 100 * part / whole : 0).toFixed(2)} %`;
 
 function enlarge(name, title, alt) {
@@ -41,7 +46,7 @@ const verdict = (about) => capitalised(manifest.verdicts.find((one) => one.about
 function disparityFigure() {
   const {limit, colours} = manifest.scales.disparity;
   const {left, histogram} = manifest.disparity;
-  const bars = histogram.counts.length ? [histogramChart()] : [];
+  const bars = histogram.counts.length ? [chart(histogramLabel(), histogramChart)] : [];
   const note = histogram.counts.length
     ? `${percentOf(left.too_near, left.drawn)} of what the left eye sees is nearer than the budget allows, ${percentOf(left.too_far, left.drawn)} farther: striped. Bars grow with the square root of their share.`
     : "Nothing is drawn.";

@@ -1,13 +1,5 @@
 // The report, laid out.
 
-// `kinds` has a class for each column: "number", "words" or "".
-function table(heads, kinds, rows, mark = () => "") {
-  const cell = (tag, text, i) => element(tag, {className: kinds[i], ...(tag === "th" ? {scope: "col"} : {})},
-    ...(text instanceof Node ? [text] : [String(text)]));
-  return element("table", {}, element("thead", {}, element("tr", {}, ...heads.map((head, i) => cell("th", head, i)))),
-    element("tbody", {}, ...rows.map((row, at) => element("tr", {className: mark(at)}, ...row.map((text, i) => cell("td", text, i))))));
-}
-
 const shortNumber = (value) => value === "inf" ? "∞" : value === "-inf" ? "−∞" : value === null ? "–" : Number(value.toPrecision(5)).toString();
 const fixed = (value, digits) => typeof value === "number" ? signed(value, digits) : shortNumber(value);
 
@@ -55,9 +47,10 @@ byId("parallax-table").append(parallaxTable());
 byId("figures").append(...figures());
 byId("methods-table").append(methodsTable());
 if (manifest.anaglyph.recolour) {
-  byId("curve").append(element("h3", {}, "Or other colours"), compromiseChart(),
+  byId("curve").append(element("h3", {}, "Or other colours"), chart(compromiseLabel(), compromiseChart),
     caption("The scene's colours desaturated and brightened: the least change of colours for each rivalry; the marked one meets the target."));
 }
 byId("close-large").addEventListener("click", () => byId("large").close());
 byId("program").textContent = manifest.program;
 byId("command").textContent = manifest.command;
+drawCharts();

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "app/options/cli_fwd.h"
+#include "app/options/list_command.h"
 #include "app/study/extremes_command.h"
-#include "app/study/list_command.h"
+#include "app/study/list.h"
 #include "app/study/recommend_command.h"
 #include "app/study/report_command.h"
 #include "app/study/run_command.h"
@@ -15,7 +16,7 @@ public:
   void add_to(CLI::App& app, int& exit_code);
 
 private:
-  StudyListCommand list_;
+  ListCommand list_{"the experiments and what they ask", experiments_text, experiments_json};
   StudyRunCommand run_;
   StudyReportCommand report_;
   StudyExtremesCommand extremes_;

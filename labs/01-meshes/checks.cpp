@@ -12,7 +12,7 @@
 #include <glassbox/mesh/topology.h>
 
 #include "labs/01-meshes/cases.h"
-#include "labs/labs.h"
+#include "labs/framework/lab.h"
 
 namespace glassbox::labs {
 

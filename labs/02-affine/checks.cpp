@@ -12,7 +12,7 @@
 
 #include "labs/02-affine/cases.h"
 #include "labs/framework/compare.h"
-#include "labs/labs.h"
+#include "labs/framework/lab.h"
 
 namespace glassbox::labs {
 

@@ -5,7 +5,7 @@
 
 #include "exact/number.h"
 #include "labs/04-projection/cases.h"
-#include "labs/labs.h"
+#include "labs/framework/lab.h"
 
 #include <glassbox/base/rounding.h>
 #include <glassbox/pipeline/dialects.h>

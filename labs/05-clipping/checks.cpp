@@ -2,7 +2,7 @@
 
 #include "labs/05-clipping/outlines.h"
 #include "labs/framework/compare.h"
-#include "labs/labs.h"
+#include "labs/framework/lab.h"
 
 #include <glassbox/pipeline/back_face.h>
 

@@ -10,7 +10,7 @@
 
 #include "exact/coverage.h"
 #include "labs/06-rasterisation/cases.h"
-#include "labs/labs.h"
+#include "labs/framework/lab.h"
 
 namespace glassbox::labs {
 

@@ -10,7 +10,7 @@
 
 #include "exact/number.h"
 #include "labs/07-depth/cases.h"
-#include "labs/labs.h"
+#include "labs/framework/lab.h"
 
 namespace glassbox::labs {
 

@@ -9,7 +9,7 @@
 #include "exact/number.h"
 #include "labs/08-attributes/cases.h"
 #include "labs/08-attributes/surface_checks.h"
-#include "labs/labs.h"
+#include "labs/framework/lab.h"
 
 namespace glassbox::labs {
 

@@ -13,7 +13,7 @@
 #include "exact/number.h"
 #include "labs/09-stereo/cases.h"
 #include "labs/09-stereo/pictures.h"
-#include "labs/labs.h"
+#include "labs/framework/lab.h"
 
 namespace glassbox::labs {
 

@@ -8,8 +8,8 @@
 #include <glassbox/base/random.h>
 #include <glassbox/base/trig.h>
 
+#include "study/experiment/experiment.h"
 #include "study/experiments/consume.h"
-#include "study/experiments/experiments.h"
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study {

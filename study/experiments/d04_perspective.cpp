@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <numeric>
 
+#include "study/experiment/experiment.h"
 #include "study/experiments/consume.h"
-#include "study/experiments/experiments.h"
 #include "study/experiments/kernels/reciprocal_kernels.h"
 #include "study/experiments/reciprocal_table.h"
 #include "study/experiments/rounding_model.h"

@@ -5,8 +5,8 @@
 #include <glassbox/base/random.h>
 #include <glassbox/base/rounding.h>
 
+#include "study/experiment/experiment.h"
 #include "study/experiments/consume.h"
-#include "study/experiments/experiments.h"
 #include "study/experiments/kernels/reciprocal_kernels.h"
 #include "study/experiments/reciprocal_table.h"
 #include "study/experiments/rounding_model.h"

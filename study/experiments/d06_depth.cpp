@@ -12,9 +12,9 @@
 #include <glassbox/raster/depth.h>
 #include <glassbox/raster/interpolate.h>
 
+#include "study/experiment/experiment.h"
 #include "study/experiments/consume.h"
 #include "study/experiments/d06_formats.h"
-#include "study/experiments/experiments.h"
 
 namespace glassbox::study {
 

@@ -4,9 +4,9 @@
 
 #include <glassbox/pipeline/divide.h>
 
+#include "study/experiment/experiment.h"
 #include "study/experiments/consume.h"
 #include "study/experiments/d01_shots.h"
-#include "study/experiments/experiments.h"
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study {

@@ -5,9 +5,9 @@
 
 #include <glassbox/mesh/normals.h>
 
+#include "study/experiment/experiment.h"
 #include "study/experiments/consume.h"
 #include "study/experiments/d08_polygons.h"
-#include "study/experiments/experiments.h"
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study {

@@ -9,8 +9,8 @@
 #include <glassbox/pipeline/framing.h>
 #include <glassbox/raster/triangle_setup.h>
 
+#include "study/experiment/experiment.h"
 #include "study/experiments/d09_tests.h"
-#include "study/experiments/experiments.h"
 #include "study/scenes/scenes.h"
 
 namespace glassbox::study {

@@ -12,8 +12,8 @@
 #include <glassbox/pipeline/stereo/culling.h>
 #include <glassbox/render/tile/tile_engine.h>
 
+#include "study/experiment/experiment.h"
 #include "study/experiments/d10_ways.h"
-#include "study/experiments/experiments.h"
 
 namespace glassbox::study {
 

@@ -12,8 +12,8 @@
 #include <glassbox/pipeline/stereo/parallax.h>
 #include <glassbox/render/renderer.h>
 
+#include "study/experiment/experiment.h"
 #include "study/experiments/d11_cards.h"
-#include "study/experiments/experiments.h"
 #include "study/experiments/warp/depth_peeling.h"
 #include "study/experiments/warp/warp.h"
 

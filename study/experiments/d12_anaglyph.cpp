@@ -12,9 +12,9 @@
 #include <glassbox/mesh/builtin/room.h>
 #include <glassbox/render/staged/staged.h>
 
+#include "study/experiment/experiment.h"
 #include "study/experiments/consume.h"
 #include "study/experiments/d12_seen.h"
-#include "study/experiments/experiments.h"
 
 namespace glassbox::study {
 

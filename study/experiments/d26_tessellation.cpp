@@ -10,8 +10,8 @@
 #include <glassbox/pipeline/view.h>
 
 #include "study/bench/glassbox_peer.h"
+#include "study/experiment/experiment.h"
 #include "study/experiments/d26_surface.h"
-#include "study/experiments/experiments.h"
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study {

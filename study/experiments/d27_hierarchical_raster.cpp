@@ -8,8 +8,8 @@
 
 #include <glassbox/images/image.h>
 
+#include "study/experiment/experiment.h"
 #include "study/experiments/d27_walks.h"
-#include "study/experiments/experiments.h"
 #include "study/experiments/shapes.h"
 
 namespace glassbox::study {

@@ -9,8 +9,8 @@
 #include <glassbox/pipeline/framing.h>
 #include <glassbox/render/renderer.h>
 
+#include "study/experiment/experiment.h"
 #include "study/experiments/d28_plans.h"
-#include "study/experiments/experiments.h"
 #include "study/scenes/scenes.h"
 
 namespace glassbox::study {

@@ -7,7 +7,7 @@
 #include <glassbox/render/tile/tile_engine.h>
 #include <glassbox/render/trace/tracer.h>
 
-#include "study/experiments/experiments.h"
+#include "study/experiment/experiment.h"
 
 namespace glassbox::study {
 

@@ -14,9 +14,9 @@
 #include <glassbox/render/engine/draw_list.h>
 #include <glassbox/render/staged/vertex_stage.h>
 
+#include "study/experiment/experiment.h"
 #include "study/experiments/consume.h"
 #include "study/experiments/d31_pieces.h"
-#include "study/experiments/experiments.h"
 #include "study/experiments/shapes.h"
 
 namespace glassbox::study {

@@ -6,9 +6,9 @@
 #include <glassbox/base/rounding.h>
 #include <glassbox/pipeline/projection.h>
 
+#include "study/experiment/experiment.h"
 #include "study/experiments/consume.h"
 #include "study/experiments/d32_clippers.h"
-#include "study/experiments/experiments.h"
 
 namespace glassbox::study {
 

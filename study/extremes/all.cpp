@@ -2,15 +2,15 @@
 
 namespace glassbox::study {
 
-#define CASE(name) ExtremeCase name();
-#include <extreme_cases.inc>  // CASE(c01_up_along_gaze) and so on, for each file of cases/ (CMakeLists.txt)
-#undef CASE
+#define ENTRY(name) ExtremeCase name();
+#include <extreme_cases.inc>  // ENTRY(c01_up_along_gaze) and so on, for each file of cases/ (CMakeLists.txt)
+#undef ENTRY
 
 const std::vector<ExtremeCase>& extreme_cases() {
   static const std::vector<ExtremeCase> all{
-#define CASE(name) name(),
+#define ENTRY(name) name(),
 #include <extreme_cases.inc>
-#undef CASE
+#undef ENTRY
   };
   return all;
 }

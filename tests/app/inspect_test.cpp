@@ -6,20 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/app/run.h"
+#include "tests/support/manifest.h"
 
 namespace glassbox::test {
 namespace {
 
 using Json = nlohmann::json;
-
-// The JSON of a page.
-Json manifest_of(const std::string& page) {
-  const std::string start = "id=\"manifest\">";
-  const std::size_t from = page.find(start);
-  REQUIRE(from != std::string::npos);
-  return Json::parse(
-      page.substr(from + start.size(), page.find("</script>", from) - from - start.size()));
-}
 
 std::size_t count_of(const Json& manifest, const std::string& column) {
   for (const Json& entry : manifest["columns"]) {

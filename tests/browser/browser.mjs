@@ -129,3 +129,11 @@ export function namelessControls(page) {
     .filter((control) => !(control.ariaLabel || control.textContent.trim() && control.tagName === "BUTTON" || control.labels?.[0]?.textContent.trim()))
     .map((control) => control.id || control.outerHTML.slice(0, 80)));
 }
+
+// How many pixels of a canvas have a colour near this one.
+export const coloured = (page, canvas, colour) => page.locator(canvas).evaluate((node, [r, g, b]) => {
+  const {data} = node.getContext("2d").getImageData(0, 0, node.width, node.height);
+  let found = 0;
+  for (let i = 0; i < data.length; i += 4) found += data[i + 3] > 200 && Math.abs(data[i] - r) + Math.abs(data[i + 1] - g) + Math.abs(data[i + 2] - b) < 24;
+  return found;
+}, colour);

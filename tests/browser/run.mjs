@@ -1,4 +1,5 @@
-// The pages of `glassbox diff --html`, `glassbox inspect`, `glassbox stereo --html` and `glassbox study report` in a browser.
+// The pages of `glassbox bench --html`, `glassbox diff --html`, `glassbox inspect`, `glassbox stereo --html`, `glassbox study extremes
+// --html` and `glassbox study report` in a browser.
 //
 //     node run.mjs PROGRAM DIRECTORY [WORDS]
 //
@@ -7,6 +8,7 @@
 import assert from "node:assert/strict";
 import {closeBrowser} from "./browser.mjs";
 import {tests} from "./cases.mjs";
+import "./bench_tests.mjs";
 import "./drawing_tests.mjs";
 import "./inspect_tests.mjs";
 import "./inspect_ways_tests.mjs";

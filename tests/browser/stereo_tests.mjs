@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import {execFileSync} from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
-import {namelessControls, openPage} from "./browser.mjs";
+import {coloured, namelessControls, openPage} from "./browser.mjs";
 import {file, hostile, test} from "./cases.mjs";
 import {decodePng} from "./pictures.mjs";
 
@@ -60,6 +60,36 @@ test("stereo: a map opens in full size and closes with Escape, where the keys we
   return opened;
 });
 
+const histogram = 'canvas[aria-label^="Histogram:"]', compromise = 'canvas[aria-label^="Rivalry falls"]';
+
+test("stereo: bars stand in the map's colours between lines of the budget, and the goal is a line beside the curve", async () => {
+  for (const colorScheme of ["light", "dark"]) {
+    const {page, problems, close} = await openPage(stereo("near", "room", "--size", "320x180", "--eye-separation", "0.6", "--target-rivalry", "0.03"), {colorScheme});
+    const bad = colorScheme === "dark" ? [0xff, 0x8a, 0x80] : [0xb3, 0x26, 0x1e], {disparity, scales} = await page.evaluate(() => JSON.parse(document.getElementById("manifest").textContent));
+    assert.ok(disparity.share_beyond_budget > 0);
+    const {bars, lines, plain} = await page.locator(histogram).evaluate((canvas) => {
+      const chart = Chart.getChart(canvas), [{data, backgroundColor: colours}] = chart.data.datasets, elements = chart.getDatasetMeta(0).data;
+      return {plain: colours.filter((colour) => typeof colour === "string"), lines: chart.scales.budget.ticks.map(({value, label}) => [value, label]),
+        bars: data.map(({x, low, high}, i) => ({x, low, high, striped: typeof colours[i] !== "string", left: chart.scales.x.getValueForPixel(elements[i].x - elements[i].width / 2),
+          right: chart.scales.x.getValueForPixel(elements[i].x + elements[i].width / 2), height: elements[i].base - elements[i].y}))};
+    });
+    const counts = disparity.histogram.counts, highest = Math.max(...bars.map(({height}) => height));
+    assert.equal(bars.length, counts.length + 2);
+    bars.forEach(({x, low, high, striped, left, right, height}, i) => {
+      assert.equal(striped, x < -disparity.budget_in_front_px || x > disparity.budget_behind_px, `${x} px`);
+      assert.ok(Math.abs(left - low) + Math.abs(right - high) < .1 * (high - low), `${low} to ${high} px is drawn from ${left} to ${right}`);
+      assert.ok(Math.abs(height - highest * Math.sqrt((counts[i - 1] ?? 0) / Math.max(...counts))) < .01 * highest, `${height} px for ${counts[i - 1]}`);
+    });
+    assert.ok(bars.some(({striped, height}) => striped && height > 0));
+    assert.ok(plain.every((colour) => scales.disparity.colours.includes(colour)));
+    assert.deepEqual(lines, [[-disparity.budget_in_front_px, `−${disparity.budget_percent} %`], [disparity.budget_behind_px, `+${disparity.budget_percent} %`]]);
+    for (const chart of [histogram, compromise]) assert.ok(await coloured(page, chart, bad) > 50, chart);
+    assert.deepEqual(await page.locator(compromise).evaluate((canvas) => Chart.getChart(canvas).scales.target.ticks.map(({value, label}) => [value, label])), [[0.03, "aimed at 0.03"]]);
+    assert.deepEqual(problems, []);
+    await close();
+  }
+});
+
 test("stereo: the eyes take turns on request only, slowly, and not for who wants little motion", async () => {
   const made = stereo("room", "room", ...room), calm = await openPage(made);
   assert.ok(!await calm.page.locator("#wiggle").isVisible());
@@ -91,12 +121,12 @@ test("stereo: names are text, every control and picture has a name, and nothing 
   const scene = hostile.replaceAll("/", "").replace(".png", ".obj");
   fs.writeFileSync(file("stereo", scene), "o <b>x</b>\nv -9 -9 0\nv 9 -9 0\nv 0 9 1\nf 1 2 3\n");
   const made = stereo("hostile", scene, "--size", "64x48", "--eye", "0,0,4", "--look-at", "0,0,0", "--far", "20", "--window", "8", "--cull", "none");
-  for (const width of [400, 1280, 1920]) {
+  for (const width of [360, 400, 1280, 1920]) {
     for (const colorScheme of ["light", "dark"]) {
       const {page, problems, close} = await openPage(made, {viewport: {width, height: 900}, colorScheme});
       assert.equal(await page.textContent("h1"), scene);
       assert.deepEqual(await namelessControls(page), []);
-      assert.equal(await page.locator("#shown img:not([alt]), #figures img:not([alt]), svg:not([aria-label])").count(), 0);
+      assert.equal(await page.locator("#shown img:not([alt]), #figures img:not([alt]), canvas:not([aria-label])").count(), 0);
       assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${width} px`);
       assert.deepEqual(problems, []);
       await close();

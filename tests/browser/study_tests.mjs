@@ -1,9 +1,9 @@
-// The page of `glassbox study report`: its charts are drawn, tell what they show, and fit every screen, scheme and paper.
+// The pages of `glassbox study report` and `study extremes`: their charts are drawn, tell what they show, and fit every screen, scheme and paper.
 import assert from "node:assert/strict";
 import {execFileSync} from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
-import {namelessControls, openPage} from "./browser.mjs";
+import {coloured, namelessControls, openPage} from "./browser.mjs";
 import {file, hostile, test} from "./cases.mjs";
 
 const program = path.resolve(process.argv[2]);
@@ -33,14 +33,7 @@ function report() {
   return file("study", "page.html");
 }
 
-// How many pixels of a canvas have a colour near this one.
-const coloured = (page, canvas, colour) => page.locator(canvas).evaluate((node, [r, g, b]) => {
-  const {data} = node.getContext("2d").getImageData(0, 0, node.width, node.height);
-  let found = 0;
-  for (let i = 0; i < data.length; i += 4) found += data[i + 3] > 200 && Math.abs(data[i] - r) + Math.abs(data[i + 1] - g) + Math.abs(data[i + 2] - b) < 24;
-  return found;
-}, colour);
-const time = "#D-901 [data-chart=time]", axis = "#D-901 [data-chart=axis]";
+const time = '#D-901 canvas[aria-label^="Error against time;"]', axis = '#D-901 canvas[aria-label^="Error against the axis;"]';
 
 test("study: each series is drawn in its colour, what is dominated is grey, and nothing is timed without times", async () => {
   const opened = await openPage(report()), {page} = opened;
@@ -60,15 +53,15 @@ test("study: each series is drawn in its colour, what is dominated is grey, and 
 
 test("study: hovering over a point tells its configuration", async () => {
   const opened = await openPage(report()), {page} = opened;
-  const at = await page.evaluate(() => {
-    const chart = Chart.getChart(document.querySelector("#D-901 [data-chart=axis]")), point = chart.getDatasetMeta(0).data[1], box = chart.canvas.getBoundingClientRect();
+  const at = await page.locator(axis).evaluate((canvas) => {
+    const chart = Chart.getChart(canvas), point = chart.getDatasetMeta(0).data[1], box = chart.canvas.getBoundingClientRect();
     return [box.left + point.x, box.top + point.y];
   });
   await page.mouse.move(...at);
-  const lines = await page.waitForFunction(() => {
-    const {tooltip} = Chart.getChart(document.querySelector("#D-901 [data-chart=axis]"));
+  const lines = await page.waitForFunction((canvas) => {
+    const {tooltip} = Chart.getChart(document.querySelector(canvas));
     return tooltip.opacity > 0 && tooltip.body.flatMap(({lines: all}) => all);
-  });
+  }, axis);
   const text = (await lines.jsonValue()).join("\n");
   for (const part of ["float", "steps: 10 m", "error: 0.1 px", "theory: 0.1, ratio 1", "100 ns", "on the Pareto front"]) assert.ok(text.includes(part), text);
   return opened;
@@ -76,7 +69,7 @@ test("study: hovering over a point tells its configuration", async () => {
 
 test("study: the times of other numbers of threads are one key away", async () => {
   const opened = await openPage(report()), {page} = opened;
-  const title = () => page.evaluate(() => Chart.getChart(document.querySelector("#D-901 [data-chart=time]")).options.scales.x.title.text);
+  const title = () => page.locator(time).evaluate((canvas) => Chart.getChart(canvas).options.scales.x.title.text);
   assert.match(await title(), /1 thread$/);
   await page.locator("#threads input").first().focus();
   await page.keyboard.press("ArrowRight");
@@ -100,6 +93,22 @@ test("study: the page fits narrow and wide screens, dark ones, and paper", async
   assert.ok(await coloured(page, axis, [0, 0x72, 0xb2]) > 100, "paper has the colours of light pages");
   await page.evaluate(() => dispatchEvent(new Event("afterprint")));
   assert.ok(await coloured(page, axis, [0x56, 0xb4, 0xe9]) > 100);
+  return opened;
+});
+
+test("study: a sweep's chart has a cross where a series gives up, and the cases their table", async () => {
+  fs.mkdirSync(file("study"), {recursive: true});
+  run("extremes", "--sweep", "near-far", "--case", "C-43", "--html", "extremes.html");
+  const opened = await openPage(file("study", "extremes.html")), {page} = opened;
+  const {crosses, ends} = await page.locator("#near-far canvas").evaluate((canvas) => ({
+    crosses: Chart.getChart(canvas).data.datasets.filter(({pointRadius, pointStyle}) => pointStyle === "crossRot" && pointRadius === 14).map(({key, data}) => [key, data[0].x]),
+    ends: JSON.parse(document.getElementById("manifest").textContent).sweeps[0].series.filter(({gives_up: at}) => at !== null).map(({name, gives_up: at}) => [name, at])}));
+  assert.ok(ends.length >= 2);
+  assert.deepEqual(crosses.sort(), ends.sort());
+  assert.match(await page.locator("#near-far canvas").getAttribute("aria-label"), /the table below has the same numbers$/);
+  assert.ok(await coloured(page, "#near-far canvas", [0, 0x72, 0xb2]) > 100);
+  assert.match(await page.locator("#table").innerText(), /C-43.*73200.*4 of 4\s*pass/s);
+  assert.ok(await page.locator("#near-far tbody tr").count() > 20);
   return opened;
 });
 

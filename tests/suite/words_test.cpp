@@ -35,6 +35,7 @@ TEST_CASE("the programs that C++ sources start are found in the calls and the va
                   "run_program(\"/bin/sh\", {\"-c\", line}, c);") == Words{"sh", "cowsay"});
   CHECK(cpp_words("std::string name = \"cowsay\";\n::posix_spawnp(&child, name.c_str(), 0);") ==
         Words{"cowsay"});
+  CHECK(cpp_words("run_process({\"cowsay\", file}, {});") == Words{"cowsay"});
   CHECK(cpp_words("return R\"sh(#!/bin/sh\ncowsay \"$a\"\n)sh\";") == Words{"cowsay"});
   CHECK(cpp_words("run_program(GLASSBOX_PROGRAM, {\"info\", \"cowsay\"}, a); say(\"cowsay\");")
             .empty());

@@ -1,30 +1,24 @@
 // The page: a section for each experiment.
 
-const charts = [];
 let wantedThreads = 1;
 
-const terms = (pairs) => pairs.filter(([, text]) => text).flatMap(([term, text]) => [element("dt", {}, term), element("dd", {}, text)]);
-
 function rowOf(experiment, each, scenes, threads) {
-  const cells = [[each.series, ""], ...(scenes ? [[each.scene, ""]] : []), [digits(each.parameter, 6), "number"], [digits(each.error), "number"]];
-  const theory = each.predicted_error !== null;
-  cells.push([theory ? digits(each.predicted_error) : "", "number"], [theory ? digits(each.ratio) : "", "number" + (each.finding ? " fails" : "")]);
-  const unit = timeUnit(experiment);
-  for (const count of threads) {
+  const unit = timeUnit(experiment), theory = each.predicted_error !== null;
+  const ratio = theory ? element("span", {className: each.finding ? "fails" : ""}, digits(each.ratio)) : "";
+  const times = threads.flatMap((count) => {
     const time = timeOf(each, count);
-    cells.push([time ? digits(time.ns / unit.ns) : "", "number"], [time ? time.ns_quartiles.map((ns) => digits(ns / unit.ns)).join(" to ") : "", "number"]);
-  }
-  cells.push([[each.times[0]?.standing, each.finding ? "finding" : ""].filter(Boolean).join(", "), ""]);
-  return element("tr", {className: each.times[0]?.standing ?? ""}, ...cells.map(([text, className]) => element("td", {className}, text)));
+    return time ? [digits(time.ns / unit.ns), time.ns_quartiles.map((ns) => digits(ns / unit.ns)).join(" to ")] : ["", ""];
+  });
+  return [each.series, ...(scenes ? [each.scene] : []), digits(each.parameter, 6), digits(each.error), theory ? digits(each.predicted_error) : "", ratio,
+    ...times, [each.times[0]?.standing, each.finding ? "finding" : ""].filter(Boolean).join(", ")];
 }
 
 function tableOf(experiment) {
-  const scenes = scenesOf(experiment).some(Boolean), threads = threadsOf(experiment), unit = timeUnit(experiment);
+  const {configurations} = experiment, scenes = scenesOf(experiment).some(Boolean), threads = threadsOf(experiment), unit = timeUnit(experiment);
   const heads = ["configuration", ...(scenes ? ["scene"] : []), experiment.axis_unit || "axis", withUnit("error", experiment.error_unit), "theory", "error / theory",
     ...threads.flatMap((each) => [`${unit.name} a ${experiment.item}, ${count(each, "thread")}`, "quartiles"]), ""];
-  const numbers = (i) => i > (scenes ? 1 : 0) && i < heads.length - 1 ? "number" : "";
-  return element("table", {}, element("thead", {}, element("tr", {}, ...heads.map((head, i) => element("th", {scope: "col", className: numbers(i)}, head)))),
-    element("tbody", {}, ...experiment.configurations.map((each) => rowOf(experiment, each, scenes, threads))));
+  const kinds = heads.map((head, i) => i > (scenes ? 1 : 0) && i < heads.length - 1 ? "number" : "");
+  return table(heads, kinds, configurations.map((each) => rowOf(experiment, each, scenes, threads)), (at) => configurations[at].times[0]?.standing ?? "");
 }
 
 // Each explanation once, with what it explains.
@@ -37,16 +31,15 @@ function findingsOf({configurations}) {
   return items.length ? element("ul", {className: "findings"}, ...items) : null;
 }
 
-function figure(name, caption) {
-  const canvas = element("canvas", {role: "img", ariaLabel: `${caption}; the table below has the same numbers`});
-  canvas.dataset.chart = name;
-  return element("figure", {}, element("figcaption", {}, caption), element("div", {className: "plot"}, canvas));
+function figure(caption, experiment, makeChart) {
+  return element("figure", {}, element("figcaption", {}, caption), chart(`${caption}; the table below has the same numbers`,
+    (theme) => makeChart(theme, experiment, shownThreads(experiment, wantedThreads))));
 }
 
 function section(experiment) {
   const {id, name, question, reference, theory, command} = experiment, figures = [];
-  if (threadsOf(experiment).length) figures.push(figure("time", "Error against time"));
-  figures.push(figure("axis", "Error against the axis"));
+  if (threadsOf(experiment).length) figures.push(figure("Error against time", experiment, timeChart));
+  figures.push(figure("Error against the axis", experiment, axisChart));
   return element("section", {id, ariaLabel: id},
     element("h2", {}, `${id} ${name}`),
     element("p", {className: "question"}, question),
@@ -56,17 +49,6 @@ function section(experiment) {
     findingsOf(experiment),
     element("details", {open: true}, element("summary", {}, "Numbers"), element("div", {className: "scroll"}, tableOf(experiment))),
     element("code", {}, command));
-}
-
-function drawAll(theme) {
-  for (const chart of charts.splice(0)) chart.destroy();
-  for (const experiment of manifest.experiments) {
-    const threads = shownThreads(experiment, wantedThreads);
-    for (const canvas of byId(experiment.id).querySelectorAll("canvas")) {
-      const data = canvas.dataset.chart === "time" ? timeData(theme, experiment, threads) : axisData(theme, experiment, threads);
-      charts.push(draw(canvas, theme, experiment, threads, data));
-    }
-  }
 }
 
 function showContents() {
@@ -85,22 +67,12 @@ function showThreads() {
   if (all.length < 2) return byId("threads").remove();
   byId("threads").append(...all.map((threads) => {
     const input = element("input", {type: "radio", name: "threads", value: threads, checked: threads === 1,
-      onchange: () => { wantedThreads = threads; drawAll(theme()); }});
+      onchange: () => { wantedThreads = threads; drawCharts(); }});
     return element("label", {}, input, element("span", {}, `Times with ${count(threads, "thread")}`));
   }));
 }
 
-const dark = matchMedia("(prefers-color-scheme: dark)");
-const theme = () => dark.matches ? themes.dark : themes.light;
-
 showContents();
 byId("experiments").append(...manifest.experiments.map(section));
 showThreads();
-drawAll(theme());
-dark.addEventListener("change", () => drawAll(theme()));
-// Paper is white, and as wide as it is.
-addEventListener("beforeprint", () => {
-  drawAll(themes.light);
-  for (const chart of charts) chart.resize(660, 330);
-});
-addEventListener("afterprint", () => drawAll(theme()));
+drawCharts();

@@ -7,7 +7,6 @@ const scenesOf = (experiment) => [...new Set(experiment.configurations.map(({sce
 const threadsOf = (experiment) => [...new Set(experiment.configurations.flatMap(({times}) => times.map(({threads}) => threads)))].sort((a, b) => a - b);
 const timeOf = (configuration, threads) => configuration.times.find((time) => time.threads === threads);
 const withUnit = (name, unit) => unit ? `${name} [${unit}]` : name;
-const capitalised = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 
 function digits(value, places = 3) {
   const plain = number(value);

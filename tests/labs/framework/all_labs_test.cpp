@@ -10,9 +10,9 @@
 #include <unistd.h>
 
 #include "labs/framework/check_lab.h"
+#include "labs/framework/lab.h"
 #include "labs/framework/slips.h"
 #include "labs/framework/strip.h"
-#include "labs/labs.h"
 #include "tests/support/catch.h"
 
 using namespace glassbox;

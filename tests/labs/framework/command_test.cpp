@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "labs/framework/lab.h"
 #include "labs/framework/sources.h"
 #include "labs/framework/strip.h"
 #include "labs/framework/zip.h"
-#include "labs/labs.h"
 #include "tests/support/catch.h"
 #include "tests/support/run_program.h"
 

@@ -1,4 +1,4 @@
-// A directory for what a grading makes on the way.
+// A directory for what a command makes on the way.
 #pragma once
 
 #include <sys/stat.h>
@@ -10,15 +10,14 @@
 
 #include <glassbox/base/error.h>
 
-namespace glassbox::labs::grading {
+namespace glassbox::app {
 
 // Below the system's temporary directory; removed with the object. Others may pass through it, but not list it.
 class Scratch {
 public:
   Scratch() {
     std::error_code error;
-    std::string name =
-        (std::filesystem::temp_directory_path(error) / "glassbox-grade-XXXXXX").string();
+    std::string name = (std::filesystem::temp_directory_path(error) / "glassbox-XXXXXX").string();
     if (::mkdtemp(name.data()) != nullptr && ::chmod(name.c_str(), 0711) == 0) path_ = name;
   }
   ~Scratch() {
@@ -50,4 +49,4 @@ private:
   std::filesystem::path path_;
 };
 
-}  // namespace glassbox::labs::grading
+}  // namespace glassbox::app

@@ -1,13 +1,7 @@
-// The charts, by Chart.js: error against time, and error against the axis.
+// The charts: error against time, and error against the axis.
 
-// The colours that Okabe and Ito chose for all kinds of colour vision, in an order that suits the page's brightness.
-const themes = {
-  light: {text: "#171b22", quiet: "#566071", grid: "#dfe2e8", panel: "#ffffff", dominated: "#8a8f98",
-    series: ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"]},
-  dark: {text: "#eef1f5", quiet: "#a6b0bf", grid: "#353c47", panel: "#1c2027", dominated: "#8a8f98",
-    series: ["#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#f0e442", "#d55e00", "#ffffff"]},
-};
-// Each series has a shape too.
+const dominatedColour = "#8a8f98"; // of what a competitor beats
+// Each series has a colour and a shape.
 const shapes = ["circle", "rect", "triangle", "rectRot", "star", "crossRot", "cross", "rectRounded"];
 const dashes = [[], [8, 3], [2, 2], [8, 3, 2, 3]]; // of scenes
 
@@ -41,13 +35,35 @@ function pointStyles(theme, style, configurations, threads) {
   const open = ["star", "cross", "crossRot"].includes(style.shape); // without an inside
   return {
     pointStyle: style.shape, pointRadius: 6, pointHoverRadius: 8, pointHitRadius: 6,
-    pointBackgroundColor: dominated.map((grey) => grey ? theme.dominated + "80" : style.colour),
-    pointBorderColor: dominated.map((grey) => grey ? theme.dominated : open ? style.colour : theme.text),
+    pointBackgroundColor: dominated.map((grey) => grey ? dominatedColour + "80" : style.colour),
+    pointBorderColor: dominated.map((grey) => grey ? dominatedColour : open ? style.colour : theme.text),
     pointBorderWidth: open ? 2.5 : 1.2,
   };
 }
 
-function timeData(theme, experiment, threads) {
+// One entry for each series; it hides and shows all that belongs to the series.
+function legend(datasets) {
+  const named = datasets.filter(({label}, i) => label !== undefined && datasets.findIndex((other) => other.label === label) === i);
+  return {
+    position: "bottom",
+    labels: {
+      usePointStyle: true, boxHeight: 8,
+      generateLabels: (chart) => named.map(({label, key, style}) => ({
+        text: label, key, pointStyle: style.shape, fillStyle: style.colour, strokeStyle: style.colour, lineWidth: 1, fontColor: chart.options.color,
+        hidden: !chart.isDatasetVisible(datasets.findIndex((other) => other.key === key))})),
+    },
+    onClick: (event, item, {chart}) => {
+      datasets.forEach((each, i) => each.key === item.key && chart.setDatasetVisibility(i, item.hidden));
+      chart.update();
+    },
+  };
+}
+
+const errorChart = (experiment, threads, x, y, datasets) => pointChart({
+  x, y: titled(y, withUnit("error", experiment.error_unit)), datasets, legend: legend(datasets),
+  told: ({configuration}) => told(experiment, configuration, threads)});
+
+function timeChart(theme, experiment, threads) {
   const unit = timeUnit(experiment), timed = experiment.configurations.filter((each) => timeOf(each, threads));
   const time = (each) => timeOf(each, threads).ns / unit.ns, error = (each) => number(each.error);
   const x = logarithmicAxis(timed.map(time)), y = logarithmicAxis(timed.map(error));
@@ -66,10 +82,10 @@ function timeData(theme, experiment, threads) {
     datasets.push({data: front.sort((a, b) => a.x - b.x || b.y - a.y), showLine: true, stepped: "before", borderColor: theme.quiet, borderWidth: 1,
       pointRadius: 0, pointHitRadius: 0, order: 1});
   }
-  return {x: {...x, title: `${unit.name} a ${experiment.item}, ${count(threads, "thread")}`}, y, datasets};
+  return errorChart(experiment, threads, titled(x, `${unit.name} a ${experiment.item}, ${count(threads, "thread")}`), y, datasets);
 }
 
-function axisData(theme, experiment, threads) {
+function axisChart(theme, experiment, threads) {
   const {configurations} = experiment, parameters = configurations.map((each) => number(each.parameter));
   const predicted = configurations.filter((each) => each.predicted_error !== null);
   const x = axisFor(parameters, experiment.logarithmic_axis);
@@ -81,45 +97,13 @@ function axisData(theme, experiment, threads) {
     const line = {borderColor: style.colour, backgroundColor: style.colour, showLine: true, key: series};
     datasets.push({...line, label: series, style, data: group.map((each) => at(each, each.error)), borderWidth: 2, borderDash: style.dash,
       ...pointStyles(theme, style, group, threads)});
+    // A cross where a series is of no use any more, which sweeps have.
+    const ends = group.filter(({gives_up: end}) => end).map((each) => at(each, each.error));
+    if (ends.length) datasets.push({...line, data: ends, showLine: false, pointStyle: "crossRot", pointRadius: 14, pointBorderWidth: 3, pointBorderColor: style.colour, order: -1});
     const theory = group.filter((each) => each.predicted_error !== null);
     if (!theory.length) continue;
-    datasets.push({...line, theory: true, data: theory.map((each) => at(each, each.predicted_error)), borderWidth: 1.5, borderDash: [3, 4],
+    datasets.push({...line, data: theory.map((each) => at(each, each.predicted_error)), borderWidth: 1.5, borderDash: [3, 4],
       pointStyle: "line", pointRadius: theory.length === 1 ? 14 : 0, pointBorderColor: style.colour, pointHitRadius: 0, order: 1});
   }
-  return {x: {...x, title: withUnit(experiment.axis, experiment.axis_unit)}, y, datasets};
-}
-
-// One entry for each series; it hides and shows all that belongs to the series.
-function legend(theme, datasets) {
-  const named = datasets.filter(({label}, i) => label !== undefined && datasets.findIndex((other) => other.label === label) === i);
-  return {
-    position: "bottom",
-    labels: {
-      usePointStyle: true, boxHeight: 8,
-      generateLabels: (chart) => named.map(({label, key, style}) => ({
-        text: label, key, pointStyle: style.shape, fillStyle: style.colour, strokeStyle: style.colour, lineWidth: 1, fontColor: theme.text,
-        hidden: !chart.isDatasetVisible(datasets.findIndex((other) => other.key === key))})),
-    },
-    onClick: (event, item, {chart}) => {
-      datasets.forEach((each, i) => each.key === item.key && chart.setDatasetVisibility(i, item.hidden));
-      chart.update();
-    },
-  };
-}
-
-function draw(canvas, theme, experiment, threads, {x, y, datasets}) {
-  const axis = (side, title) => ({...side.options, title: {display: true, text: title, color: theme.text},
-    grid: {color: theme.grid, borderColor: theme.quiet}, ticks: {...side.options.ticks, color: theme.quiet}});
-  return new Chart(canvas, {
-    type: "scatter",
-    data: {datasets},
-    options: {
-      animation: false, maintainAspectRatio: false, devicePixelRatio: Math.max(2, devicePixelRatio), clip: 12,
-      scales: {x: axis(x, x.title), y: axis(y, withUnit("error", experiment.error_unit))},
-      plugins: {
-        legend: legend(theme, datasets),
-        tooltip: {displayColors: false, callbacks: {label: ({raw}) => told(experiment, raw.configuration, threads)}},
-      },
-    },
-  });
+  return errorChart(experiment, threads, titled(x, withUnit(experiment.axis, experiment.axis_unit)), y, datasets);
 }

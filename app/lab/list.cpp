@@ -1,14 +1,10 @@
-#include "app/lab/list_command.h"
+#include "app/lab/list.h"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/options/output_options.h"
-#include "app/report/exit_codes.h"
-#include "app/report/output.h"
 #include "app/report/program_name.h"
-#include "labs/labs.h"
+#include "labs/framework/lab.h"
 
 namespace glassbox::app {
 
@@ -20,7 +16,9 @@ double points_of(const labs::Lab& lab) {
   return points;
 }
 
-nlohmann::ordered_json list_json() {
+}  // namespace
+
+nlohmann::ordered_json labs_json() {
   auto all = nlohmann::ordered_json::array();
   for (const labs::Lab& lab : labs::all_labs()) {
     auto tasks = nlohmann::ordered_json::array();
@@ -35,7 +33,7 @@ nlohmann::ordered_json list_json() {
   return all;
 }
 
-std::string list_text() {
+std::string labs_text() {
   std::string text;
   for (const labs::Lab& lab : labs::all_labs()) {
     text += fmt::format("{:<4}{} ({:g} points)\n", lab.number, lab.title, points_of(lab));
@@ -44,23 +42,6 @@ std::string list_text() {
   }
   if (text.empty()) text = "No lab is built into this program.\n";
   return text + fmt::format("\n{} lab start NUMBER FOLDER begins one.\n", program_name());
-}
-
-}  // namespace
-
-void LabListCommand::add_to(CLI::App& lab, int& exit_code) {
-  CLI::App& command = *lab.add_subcommand("list", "the labs, their tasks and points");
-  add_json_output(command, json_output_);
-  command.callback([this, &exit_code] { exit_code = run(); });
-}
-
-int LabListCommand::run() const {
-  if (json_output_) {
-    if (const auto written = write_json(*json_output_, list_json()); !written)
-      return refuse(written.error());
-  }
-  if (json_output_ != "-") fmt::print("{}", list_text());
-  return kSuccess;
 }
 
 }  // namespace glassbox::app

@@ -1,6 +1,6 @@
-// Axes of the charts: powers of ten with a place for 0 and one for what is no number.
+// Axes of charts: each has the place of a value on it, and what Chart.js is told of it.
 
-const shortNumber = (value) => value >= 1e-3 && value < 1e5 ? String(Number(value.toPrecision(1))) : value.toExponential(0).replace("+", "");
+const tickNumber = (value) => value >= 1e-3 && value < 1e5 ? String(Number(value.toPrecision(1))) : value.toExponential(0).replace("+", "");
 
 // Powers of ten, at most eight of them; where there are less than two, twice and five times them too.
 function marks(low, high) {
@@ -11,12 +11,12 @@ function marks(low, high) {
   return chosen.filter((power) => power >= low && power <= high);
 }
 
-// 0 stands below the least value, what is no number above the greatest. One value alone has a decade around it.
+// Powers of ten: 0 stands below the least value, what is no number above the greatest. One value alone has a decade around it.
 function logarithmicAxis(values) {
   const powers = values.filter((value) => value > 0 && Number.isFinite(value)).map(Math.log10);
   let low = powers.length ? Math.min(...powers) : -1, high = powers.length ? Math.max(...powers) : 0;
   if (high - low < 1) [low, high] = [(low + high - 1) / 2, (low + high + 1) / 2];
-  const margin = (high - low) * .05, labels = new Map(marks(low - margin / 2, high + margin / 2).map((power) => [power, shortNumber(10 ** power)]));
+  const margin = (high - low) * .05, labels = new Map(marks(low - margin / 2, high + margin / 2).map((power) => [power, tickNumber(10 ** power)]));
   const zero = low - 3 * margin, beyond = high + 3 * margin;
   if (values.includes(0)) labels.set(low = zero, "0");
   if (values.some((value) => !Number.isFinite(value))) labels.set(high = beyond, "∞");
@@ -39,3 +39,16 @@ function linearAxis(values) {
 }
 
 const axisFor = (values, logarithmic) => logarithmic && values.every((value) => !(value < 0)) ? logarithmicAxis(values) : linearAxis(values);
+
+// An axis under its title.
+const titled = ({options}, text) => ({...options, title: {display: true, text}});
+
+// Beside an axis, on the other side of the chart: dashed lines at some of its values, each with its name.
+function references({place, options: {type, min, max}}, position, color, lines) {
+  return {
+    type, min, max, position, offset: false,
+    afterBuildTicks: (axis) => { axis.ticks = lines.map(([value]) => ({value: place(value)})); },
+    ticks: {callback: (unused, i) => lines[i][1], color, autoSkip: false, maxRotation: 0},
+    grid: {offset: false, color, lineWidth: 2, borderDash: [6, 4], drawBorder: false, drawTicks: false},
+  };
+}

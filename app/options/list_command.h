@@ -1,0 +1,28 @@
+// A subcommand `list`: what there is, in words and as JSON.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "app/options/cli_fwd.h"
+
+namespace glassbox::app {
+
+class ListCommand {
+public:
+  ListCommand(const char* help, std::string (*text)(), nlohmann::ordered_json (*json)())
+      : help_(help), text_(text), json_(json) {}
+  void add_to(CLI::App& parent, int& exit_code);
+
+private:
+  int run() const;
+
+  const char* help_;
+  std::string (*text_)();
+  nlohmann::ordered_json (*json_)();
+  std::optional<std::string> json_output_;
+};
+
+}  // namespace glassbox::app
