@@ -93,7 +93,7 @@ Number<Kind>::Number(const Number& other) {
 
 template <class Kind>
 Number<Kind>& Number<Kind>::operator=(const Number& other) {
-  inside(*this) = inside(other);
+  if (this != &other) inside(*this) = inside(other);
   return *this;
 }
 

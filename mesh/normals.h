@@ -26,7 +26,7 @@ template <class T>
 Vector<Object, T> newell_vector(std::span<const Point<Object, T>> polygon) {
   Vector<Object, T> m(T(0), T(0), T(0));
   if (polygon.empty()) return m;
-  const Point<Object, T> origin = polygon.front();
+  const Point<Object, T>& origin = polygon.front();
   Vector<Object, T> current(T(0), T(0), T(0));
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vector<Object, T> next = polygon[i + 1 == polygon.size() ? 0 : i + 1] - origin;

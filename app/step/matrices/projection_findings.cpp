@@ -253,9 +253,9 @@ void check_aspect(const MatrixSetup& setup, const ProjectionFacts& lens, Finding
   std::string remedy = "pass width/height";
   if (is(height / double(width))) {
     why += "; it is height/width";
-  } else if (width / height >= 1 && is(width / height)) {
+  } else if (const int truncated = width / height; truncated >= 1 && is(truncated)) {
     why += "; " + std::to_string(width) + "/" + std::to_string(height) + " in integers is " +
-           std::to_string(width / height);
+           std::to_string(truncated);
     remedy = "divide as floats";
   }
   found.hint("aspect", kProjection, "its aspect ratio is " + brief(lens.aspect, 4) + why, remedy);

@@ -155,9 +155,10 @@ void MesaRenderer::upload_mesh() {
   std::size_t offset = 0;  // floats
   const auto attribute = [&](bool present, unsigned at, int floats) {
     if (!present) return;
+    // The API wants the offset as a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
+    const auto* offset_in_buffer = reinterpret_cast<const void*>(offset * sizeof(float));
     gl_.VertexAttribPointer(at, floats, gl::kFloat, gl::kFalse,
-                            gl::Size(arrays.floats_per_vertex() * sizeof(float)),
-                            reinterpret_cast<const void*>(offset * sizeof(float)));
+                            gl::Size(arrays.floats_per_vertex() * sizeof(float)), offset_in_buffer);
     gl_.EnableVertexAttribArray(at);
     offset += std::size_t(floats);
   };
