@@ -28,7 +28,7 @@ inline void filter_even(const Real* in, int count, const Taps<Real, radius>& wei
   }
 }
 
-// As above, with weights of the opposite sign before the centre and 0 at it.
+// A filter whose weights have the opposite sign before the centre and are 0 at it.
 template <std::ptrdiff_t step, class Real, std::size_t radius>
 inline void filter_odd(const Real* in, int count, const Taps<Real, radius>& weights, Real* out) {
   for (int x = 0; x < count; ++x) {

@@ -81,10 +81,10 @@ private:
   }
 
   static MetricValue defined(const std::string& name, double value) {
-    return {name, value, {}, {}, true};
+    return {.name = name, .value = value};
   }
   static MetricValue undefined(const std::string& name, std::string why) {
-    return {name, {}, std::move(why), {}, true};
+    return {.name = name, .why_not = std::move(why)};
   }
 
   const PicturePair& pair_;

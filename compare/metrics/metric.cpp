@@ -46,24 +46,14 @@ bool wants_larger(LimitKind kind) {
   return kind == LimitKind::kAbove || kind == LimitKind::kAtLeast;
 }
 
+constexpr std::string_view kSigns[] = {"<", "<=", ">", ">="};  // in the order of LimitKind
+
 std::string_view sign(LimitKind kind) {
-  switch (kind) {
-    case LimitKind::kBelow:
-      return "<";
-    case LimitKind::kAtMost:
-      return "<=";
-    case LimitKind::kAbove:
-      return ">";
-    case LimitKind::kAtLeast:
-      return ">=";
-  }
-  return "";
+  return kSigns[int(kind)];
 }
 
 LimitKind kind_of(std::string_view sign) {
-  const bool or_equal = sign.size() == 2;
-  if (sign.front() == '<') return or_equal ? LimitKind::kAtMost : LimitKind::kBelow;
-  return or_equal ? LimitKind::kAtLeast : LimitKind::kAbove;
+  return LimitKind(std::ranges::find(kSigns, sign) - std::begin(kSigns));
 }
 
 Result<double> parse_number(std::string_view text, std::string_view word) {

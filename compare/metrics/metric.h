@@ -32,9 +32,9 @@ std::string to_string(const MetricRequest& request);  // as written
 
 struct MetricValue {
   std::string name;
-  std::optional<double> value;  // none where the metric is not defined for these pictures
-  std::string why_not;          // the reason then
-  std::optional<Limit> limit;
+  std::optional<double> value = {};  // none where the metric is not defined for these pictures
+  std::string why_not = {};          // the reason then
+  std::optional<Limit> limit = {};
   bool passes = true;  // its limit; a limit on a value that does not exist fails
 };
 

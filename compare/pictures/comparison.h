@@ -77,7 +77,7 @@ struct Comparison {
 Comparison compare_files(const std::string& reference, const std::string& test,
                          const CompareOptions& options = {});
 
-// The same under the pair's name; kNew or kMissing where one of the two is not there.
+// Compares the two files of a pair, under its name; kNew or kMissing where one of the two is not there.
 Comparison compare_pair(const PicturePaths& paths, const CompareOptions& options = {});
 
 // The pixels that a comparison looked at, for whoever shows them.

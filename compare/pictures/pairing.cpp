@@ -80,9 +80,9 @@ Result<Pairing> pair_directories(const std::string& reference, const std::string
     if (is_picture(name)) pictures[name].has_test = true;
   }
   if (pictures.empty()) {
-    return tl::unexpected(Error{reference, "", "there is no picture in it, nor in " + test,
-                                "name two directories with pictures (png, jpg, bmp, tga, ppm, "
-                                "pgm, pfm)"});
+    return tl::unexpected(
+        Error{reference, "", "there is no picture in it, nor in " + test,
+              "name two directories with pictures (png, jpg, bmp, tga, ppm, pgm, pfm)"});
   }
   for (auto& [name, paths] : pictures) {
     paths.name = name;

@@ -85,21 +85,9 @@ void add_word(Json& json, const char* key, const std::string& text) {
 }  // namespace
 
 const char* verdict_word(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kSame:
-      return "same";
-    case Verdict::kWithinTolerance:
-      return "within-tolerance";
-    case Verdict::kDifferent:
-      return "different";
-    case Verdict::kNew:
-      return "new";
-    case Verdict::kMissing:
-      return "missing";
-    case Verdict::kUncompared:
-      break;
-  }
-  return "uncompared";
+  constexpr const char* kWords[] = {"same", "within-tolerance", "different",
+                                    "new",  "missing",          "uncompared"};
+  return kWords[int(verdict)];
 }
 
 Json to_json(const Comparison& comparison) {

@@ -61,18 +61,18 @@ Result<void> make_folder_of(const fs::path& file) {
                               "check the permissions"});
 }
 
-Result<void> keep(const StoredImage& image, const fs::path& file) {
-  const auto bytes = encode(image, file);
+Result<void> keep(const Result<std::vector<std::byte>>& bytes, const fs::path& file) {
   if (!bytes) return tl::unexpected(bytes.error());
   if (const auto made = make_folder_of(file); !made) return made;
   return write_file(file.string(), *bytes);
 }
 
+Result<void> keep(const StoredImage& image, const fs::path& file) {
+  return keep(encode(image, file), file);
+}
+
 Result<void> keep(const PictureFile& picture, const fs::path& file) {
-  const auto bytes = read_file(picture.path);
-  if (!bytes) return tl::unexpected(bytes.error());
-  if (const auto made = make_folder_of(file); !made) return made;
-  return write_file(file.string(), *bytes);
+  return keep(read_file(picture.path), file);
 }
 
 // The quick way to say yes, without a file written.

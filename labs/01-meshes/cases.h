@@ -101,7 +101,7 @@ inline Mesh strip(std::uint32_t length, bool half_turn) {
   return mesh_of(2 * std::size_t(length), faces);
 }
 
-// The same with some faces turned round.
+// A mesh with some of its faces turned round.
 inline Mesh turned(Mesh mesh, const std::vector<std::size_t>& faces) {
   for (const std::size_t f : faces) {
     const glassbox::Face& face = mesh.faces[f];

@@ -20,14 +20,10 @@ namespace {
 
 using namespace lab_01;
 
-Expected exactly(const std::string& field, std::vector<double> values) {
-  return {field, Shape::kNumbers, std::move(values), 0, "", 0};
-}
-
 // ---- tables ----
 
 Case expect_tables(const TextCase& input) {
-  Case c{input.what, "the text is\n" + input.good, {}, nullptr, {}};
+  Case c{input.what, "the text is\n" + input.good, {}};
   obj::Warnings warnings;
   const auto tables = obj::parse_obj(input.good, LoadLimits{}, warnings);
   if (!tables) return c;  // the tests read every text
@@ -39,10 +35,10 @@ Case expect_tables(const TextCase& input) {
       faces.push_back(tables->references[element.first + i].position);
   }
   c.expected = {{"positions", Shape::kPolygon, positions, 0, "object units", 3},
-                exactly("faces", faces)};
+                numbers("faces", faces)};
   if (!input.bad.empty()) {
     c.restated += "\nand is refused as\n" + input.bad;
-    c.expected.push_back(exactly("refused", {1}));
+    c.expected.push_back(numbers("refused", {1}));
   }
   return c;
 }
@@ -71,14 +67,12 @@ Case expect_edges(const MeshCase& input) {
     rows.insert(rows.end(), {double(edge.low), double(edge.high), double(ascending),
                              double(int(edge.count) - ascending)});
   }
-  return {input.what,
-          face_text(input.mesh) +
-              "; each row is low, high, faces from low to high, faces from high to low",
-          {{"edges", Shape::kMatrix, rows, 0, "", 4},
-           exactly("V - E + F", {double(topology.euler_characteristic())}),
-           exactly("closed", {topology.closed() ? 1.0 : 0.0})},
-          nullptr,
-          {}};
+  return {
+      input.what,
+      face_text(input.mesh) +
+          "; each row is low, high, faces from low to high, faces from high to low",
+      {matrix("edges", 4, rows), numbers("V - E + F", {double(topology.euler_characteristic())}),
+       numbers("closed", {topology.closed() ? 1.0 : 0.0})}};
 }
 
 // Every edge carries the decision from a face that has one to its neighbour, until none is left without.
@@ -106,16 +100,13 @@ std::vector<double> turns_of(const Mesh& mesh) {
 }
 
 Case expect_turns(const MeshCase& input) {
-  return {
-      input.what, face_text(input.mesh), {exactly("turned", turns_of(input.mesh))}, nullptr, {}};
+  return {input.what, face_text(input.mesh), {numbers("turned", turns_of(input.mesh))}};
 }
 
 Case expect_sides(const SidesCase& input) {
   return {input.what,
           "one-sided: " + face_text(input.one_sided) + "; 1 is an answer, 0 is std::nullopt",
-          {exactly("of the one-sided", {0}), exactly("of the two-sided", {1})},
-          nullptr,
-          {}};
+          {numbers("of the one-sided", {0}), numbers("of the two-sided", {1})}};
 }
 
 // ---- normals ----
@@ -136,11 +127,7 @@ Case expect_newell(const PolygonCase& input) {
   // of size 4 L^2 with 5 u of that, and N - 1 additions follow: gamma(N + 4) of the sum of the sizes.
   const int n = int(corners.size());
   const double bound = gamma<float>(n + 4) * 4 * n * longest * longest;
-  return {input.what,
-          text,
-          {{"newell", Shape::kPoint, {m.x, m.y, m.z}, bound, "object units squared", 0}},
-          nullptr,
-          {}};
+  return {input.what, text, {point("newell", {m.x, m.y, m.z}, bound, "object units squared")}};
 }
 
 Case expect_angle(const AngleCase& input) {
@@ -151,15 +138,12 @@ Case expect_angle(const AngleCase& input) {
   return {input.what,
           fmt::format("a = ({}, {}, {}), b = ({}, {}, {})", input.a.x, input.a.y, input.a.z,
                       input.b.x, input.b.y, input.b.z),
-          {{"angle", Shape::kNumbers, {angle}, bound, "radian", 0}},
-          nullptr,
-          {}};
+          {numbers("angle", {angle}, bound, "radian")}};
 }
 
 }  // namespace
 
 Lab lab_01() {
-  constexpr bool kHidden = true;
   return {
       1,
       "01-meshes",
@@ -169,26 +153,24 @@ Lab lab_01() {
        {"1.3", "Turn all faces the same way round", 20},
        {"1.4", "Newell's normal", 25},
        {"1.5", "The angle between two vectors", 10}},
-      {check("the tables are as the text says", "1.1", "object", false, texts, expect_tables),
-       check("texts with mistakes and odd numbers", "1.1", "object", kHidden, hidden_texts,
-             expect_tables),
-       check("every edge is found, and who uses it", "1.2", "object", false, edge_meshes,
-             expect_edges),
-       check("tori, books and repeated corners", "1.2", "object", kHidden, hidden_edge_meshes,
-             expect_edges),
-       check("faces are turned until all agree", "1.3", "object", false, turn_meshes, expect_turns),
-       check("a surface with one side is told from one with two", "1.3", "object", false,
-             one_sided_meshes, expect_sides),
-       check("meshes in several pieces", "1.3", "object", kHidden, hidden_turn_meshes,
-             expect_turns),
-       check("the normal has the length and the direction of the area", "1.4", "object", false,
-             polygons, expect_newell),
-       check("the normal is as good far away", "1.4", "object", false, far_polygons, expect_newell),
-       check("polygons that are concave, bent or thin", "1.4", "object", kHidden, hidden_polygons,
+      {check("the tables are as the text says", "1.1", "object", texts, expect_tables),
+       hidden_check("texts with mistakes and odd numbers", "1.1", "object", hidden_texts,
+                    expect_tables),
+       check("every edge is found, and who uses it", "1.2", "object", edge_meshes, expect_edges),
+       hidden_check("tori, books and repeated corners", "1.2", "object", hidden_edge_meshes,
+                    expect_edges),
+       check("faces are turned until all agree", "1.3", "object", turn_meshes, expect_turns),
+       check("a surface with one side is told from one with two", "1.3", "object", one_sided_meshes,
+             expect_sides),
+       hidden_check("meshes in several pieces", "1.3", "object", hidden_turn_meshes, expect_turns),
+       check("the normal has the length and the direction of the area", "1.4", "object", polygons,
              expect_newell),
-       check("angles between vectors", "1.5", "object", false, angles, expect_angle),
-       check("angles near 0 and near half a turn", "1.5", "object", kHidden, hidden_angles,
-             expect_angle)}};
+       check("the normal is as good far away", "1.4", "object", far_polygons, expect_newell),
+       hidden_check("polygons that are concave, bent or thin", "1.4", "object", hidden_polygons,
+                    expect_newell),
+       check("angles between vectors", "1.5", "object", angles, expect_angle),
+       hidden_check("angles near 0 and near half a turn", "1.5", "object", hidden_angles,
+                    expect_angle)}};
 }
 
 }  // namespace glassbox::labs

@@ -25,20 +25,16 @@ constexpr double u = unit_roundoff<double>;
 // An angle in degrees taken for radians carries the rounding of a larger angle along: 57.3 times as large.
 constexpr double kSlippedBound = 64;
 
-Expected exactly(const std::string& field, std::vector<double> values) {
-  return {field, Shape::kNumbers, std::move(values), 0, "", 0};
-}
+// ---- about a point: exact enough in the pipeline's double, whose angles in degrees are not rounded ----
 
-// The rows and columns named of a matrix, row by row.
-std::vector<double> entries(const Map& m, const std::vector<int>& of) {
+// A map of the plane z = 0 as a matrix of the plane.
+std::vector<double> entries_of_plane(const Map& m) {
   std::vector<double> all;
-  for (const int i : of) {
-    for (const int j : of) all.push_back(m.at(i, j));
+  for (const int i : {0, 1, 3}) {
+    for (const int j : {0, 1, 3}) all.push_back(m.at(i, j));
   }
   return all;
 }
-
-// ---- about a point: exact enough in the pipeline's double, whose angles in degrees are not rounded ----
 
 Map turn_degrees(const Vector<World, double>& axis, double degrees) {
   return rotate_degrees<World>(axis, degrees).value_or(Map{});
@@ -51,21 +47,18 @@ Case expect_turn(const TurnCase& input) {
   // sums and the other matrices' share double it.
   const double bound = 24 * u * (1 + std::abs(to.x) + std::abs(to.y));
   const auto expected = [&](const Map& m, double scale) {
-    return Expected{"matrix", Shape::kMatrix, entries(m, {0, 1, 3}), scale * bound, "", 3};
+    return std::vector{matrix("matrix", 3, entries_of_plane(m), scale * bound)};
   };
   const auto about = [&](const Vector<World, double>& centre, double degrees) {
     return translate<World>(centre) * turn_degrees(z_axis, degrees) * translate<World>(-centre);
   };
-  Case c{fmt::format("about ({}, {}) by {} degrees", to.x, to.y, input.degrees),
-         fmt::format("the point ({}, {}) stays where it is", to.x, to.y),
-         {expected(about(to, input.degrees), 1)},
-         nullptr,
-         {}};
-  c.slipped = {{"multiplication-order", {expected(about(-to, input.degrees), 1)}},
-               {"handedness", {expected(about(to, -input.degrees), 1)}},
-               {"degrees-radians",
-                {expected(about(to, degrees_from_radians(input.degrees)), kSlippedBound)}}};
-  return c;
+  const double as_radians = degrees_from_radians(input.degrees);
+  return {.where = fmt::format("about ({}, {}) by {} degrees", to.x, to.y, input.degrees),
+          .restated = fmt::format("the point ({}, {}) stays where it is", to.x, to.y),
+          .expected = expected(about(to, input.degrees), 1),
+          .slipped = {{"multiplication-order", expected(about(-to, input.degrees), 1)},
+                      {"handedness", expected(about(to, -input.degrees), 1)},
+                      {"degrees-radians", expected(about(to, as_radians), kSlippedBound)}}};
 }
 
 // ---- steps ----
@@ -129,16 +122,14 @@ Case expect_composition(const ComposeCase& input) {
   // gamma(4): less than 64 u of the norms for each step, the pipeline's own 8 u included.
   const double bound = 64 * double(input.steps.size()) * u * norms;
   const auto expected = [&](const Map& m, double scale) {
-    return std::vector<Expected>{
-        {"world_from_object", Shape::kMatrix, entries(m, {0, 1, 2, 3}), scale * bound, "", 4}};
+    return std::vector{matrix("world_from_object", 4, entries(m), scale * bound)};
   };
-  return {input.what,
-          text,
-          expected(all, 1),
-          nullptr,
-          {{"multiplication-order", expected(reversed, 1)},
-           {"handedness", expected(clockwise, 1)},
-           {"degrees-radians", expected(radians, kSlippedBound)}}};
+  return {.where = input.what,
+          .restated = text,
+          .expected = expected(all, 1),
+          .slipped = {{"multiplication-order", expected(reversed, 1)},
+                      {"handedness", expected(clockwise, 1)},
+                      {"degrees-radians", expected(radians, kSlippedBound)}}};
 }
 
 // ---- three points ----
@@ -181,19 +172,14 @@ Case expect_fit(const FitCase& input) {
                             4 * u * std::max(std::abs(from[0]), std::abs(from[1]));
   return {input.what,
           "from " + triangle_text(s) + " to " + triangle_text(t),
-          {{"linear part", Shape::kMatrix, linear, bound, "", 2},
-           {"map", Shape::kMatrix, map, last_bound, "", 3}},
-          nullptr,
-          {}};
+          {matrix("linear part", 2, linear, bound), matrix("map", 3, map, last_bound)}};
 }
 
 Case expect_line(const LineCase& input) {
   return {input.what,
           "on a line: " + triangle_text(input.on_a_line) +
               "; off it: " + triangle_text(input.off_it) + "; 1 is a map, 0 is std::nullopt",
-          {exactly("on a line", {0}), exactly("off it", {1})},
-          nullptr,
-          {}};
+          {numbers("on a line", {0}), numbers("off it", {1})}};
 }
 
 // ---- axis and angle: of the quaternion (w; x, y, z) they are (x, y, z) / |(x, y, z)| and 2 atan2(|(x, y, z)|, w) ----
@@ -211,15 +197,15 @@ Case expect_axis(const RotationCase& q) {
   // it the longest column of (R + R^T)/2 - cos I is at least 1/3 long: a few u of the axis either way; a few u of sine and
   // cosine, and so of the angle. Twice 16 u, for the two ways of computing.
   const double axis_bound = 32 * u, angle_bound = 32 * u * angle;
-  const Expected the_axis{"axis", Shape::kPoint, axis, axis_bound, "", 0};
-  const Expected the_angle{"angle", Shape::kNumbers, {angle}, angle_bound, "radian", 0};
+  const Expected the_axis = point("axis", axis, axis_bound);
+  const Expected the_angle = numbers("angle", {angle}, angle_bound, "radian");
   Expected opposite = the_axis;
   for (double& each : opposite.values) each = -each;
-  return {q.what,
-          fmt::format("the quaternion ({}; {}, {}, {}) scaled to length 1", q.w, q.x, q.y, q.z),
-          {the_axis, the_angle},
-          nullptr,
-          {{"row-column-order", {opposite, the_angle}}}};
+  return {.where = q.what,
+          .restated =
+              fmt::format("the quaternion ({}; {}, {}, {}) scaled to length 1", q.w, q.x, q.y, q.z),
+          .expected = {the_axis, the_angle},
+          .slipped = {{"row-column-order", {opposite, the_angle}}}};
 }
 
 // ---- rotations again: any that is near enough is right ----
@@ -279,42 +265,39 @@ std::optional<Divergence> judge_rotation(const Map& given, const Answer& answer)
 
 Case expect_repair(const DriftCase& input) {
   const Map given = input.matrix;
-  return {input.what,
-          fmt::format("the largest entry of |R^T R - I| is {:.3g}",
-                      orthogonality_error(glm::dmat3(given.columns))),
-          {{"rotation", Shape::kMatrix, entries(given, {0, 1, 2, 3}), 0, "", 4}},
-          [given](const Answer& answer) { return judge_rotation(given, answer); },
-          {}};
+  return {.where = input.what,
+          .restated = fmt::format("the largest entry of |R^T R - I| is {:.3g}",
+                                  orthogonality_error(glm::dmat3(given.columns))),
+          .expected = {matrix("rotation", 4, entries(given))},
+          .judge = [given](const Answer& answer) { return judge_rotation(given, answer); }};
 }
 
 }  // namespace
 
 Lab lab_02() {
-  constexpr bool kHidden = true;
-  return {
-      2,
-      "02-affine",
-      "Affine maps: composition, correspondences, rotations",
-      {{"2.1", "Turn the plane about a point", 15},
-       {"2.2", "Compose translations, rotations, scalings and shears", 25},
-       {"2.3", "Fit an affine map to three pairs of points", 20},
-       {"2.4", "Find the axis and the angle of a rotation", 25},
-       {"2.5", "Repair a rotation that has drifted", 15}},
-      {check("the plane turns about a point", "2.1", "world", false, turns, expect_turn),
-       check("other points and angles", "2.1", "world", kHidden, hidden_turns, expect_turn),
-       check("one step", "2.2", "world", false, single_steps, expect_composition),
-       check("steps one after the other", "2.2", "world", false, compositions, expect_composition),
-       check("mirrors, shears and deep hierarchies", "2.2", "world", kHidden, hidden_compositions,
-             expect_composition),
-       check("three points determine a map", "2.3", "world", false, fits, expect_fit),
-       check("three points on a line do not", "2.3", "world", false, lines, expect_line),
-       check("needles and flat targets", "2.3", "world", kHidden, hidden_fits, expect_fit),
-       check("axis and angle", "2.4", "world", false, rotations, expect_axis),
-       check("axis and angle near no turn and half a turn", "2.4", "world", false, stiff_rotations,
-             expect_axis),
-       check("other axes and angles", "2.4", "world", kHidden, hidden_rotations, expect_axis),
-       check("what has drifted is a rotation again", "2.5", "world", false, drifts, expect_repair),
-       check("other drifts", "2.5", "world", kHidden, hidden_drifts, expect_repair)}};
+  return {2,
+          "02-affine",
+          "Affine maps: composition, correspondences, rotations",
+          {{"2.1", "Turn the plane about a point", 15},
+           {"2.2", "Compose translations, rotations, scalings and shears", 25},
+           {"2.3", "Fit an affine map to three pairs of points", 20},
+           {"2.4", "Find the axis and the angle of a rotation", 25},
+           {"2.5", "Repair a rotation that has drifted", 15}},
+          {check("the plane turns about a point", "2.1", "world", turns, expect_turn),
+           hidden_check("other points and angles", "2.1", "world", hidden_turns, expect_turn),
+           check("one step", "2.2", "world", single_steps, expect_composition),
+           check("steps one after the other", "2.2", "world", compositions, expect_composition),
+           hidden_check("mirrors, shears and deep hierarchies", "2.2", "world", hidden_compositions,
+                        expect_composition),
+           check("three points determine a map", "2.3", "world", fits, expect_fit),
+           check("three points on a line do not", "2.3", "world", lines, expect_line),
+           hidden_check("needles and flat targets", "2.3", "world", hidden_fits, expect_fit),
+           check("axis and angle", "2.4", "world", rotations, expect_axis),
+           check("axis and angle near no turn and half a turn", "2.4", "world", stiff_rotations,
+                 expect_axis),
+           hidden_check("other axes and angles", "2.4", "world", hidden_rotations, expect_axis),
+           check("what has drifted is a rotation again", "2.5", "world", drifts, expect_repair),
+           hidden_check("other drifts", "2.5", "world", hidden_drifts, expect_repair)}};
 }
 
 }  // namespace glassbox::labs

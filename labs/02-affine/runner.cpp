@@ -7,19 +7,11 @@ namespace lab_02 {
 namespace {
 
 using glassbox::labs::Answer;
+using glassbox::labs::entries;
 
 std::vector<double> numbers(const Matrix3& m) {
   std::vector<double> all;
   for (const auto& row : m.at) all.insert(all.end(), row, row + 3);
-  return all;
-}
-
-template <class Target, class Source>
-std::vector<double> numbers(const Transform<Target, Source>& m) {
-  std::vector<double> all;
-  for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 4; ++j) all.push_back(m.at(i, j));
-  }
   return all;
 }
 
@@ -28,7 +20,7 @@ void ask_turn(const TurnCase& input, Answer& answer) {
 }
 
 void ask_compose(const ComposeCase& input, Answer& answer) {
-  answer.emit("world_from_object", numbers(compose(input.steps)));
+  answer.emit("world_from_object", entries(compose(input.steps)));
 }
 
 void ask_fit(const FitCase& input, Answer& answer) {
@@ -51,7 +43,7 @@ void ask_axis(const RotationCase& input, Answer& answer) {
 }
 
 void ask_repair(const DriftCase& input, Answer& answer) {
-  answer.emit("rotation", numbers(repaired(input.matrix)));
+  answer.emit("rotation", entries(repaired(input.matrix)));
 }
 
 }  // namespace

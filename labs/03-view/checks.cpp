@@ -23,10 +23,6 @@ using Direction = Vector<World, double>;
 
 constexpr double u = unit_roundoff<double>;
 
-Expected exactly(const std::string& field, std::vector<double> values) {
-  return {field, Shape::kNumbers, std::move(values), 0, "", 0};
-}
-
 double length(const Direction& v) {
   return std::sqrt(dot(v, v));
 }
@@ -42,15 +38,8 @@ struct Bounds {
 };
 
 std::vector<Expected> view_fields(const Transform<Eye, World>& view, const Bounds& bounds) {
-  std::vector<double> rotation, all;
-  for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 4; ++j) {
-      all.push_back(view.at(i, j));
-      if (i < 3 && j < 3) rotation.push_back(view.at(i, j));
-    }
-  }
-  return {{"rotation", Shape::kMatrix, rotation, bounds.rotation, "", 3},
-          {"eye_from_world", Shape::kMatrix, all, bounds.view, "world units", 4}};
+  return {matrix("rotation", 3, entries(view, 3, 3), bounds.rotation),
+          matrix("eye_from_world", 4, entries(view), bounds.view, "world units")};
 }
 
 std::string camera_text(const Camera& camera) {
@@ -66,9 +55,7 @@ Case expect_view(const CameraCase& input, const Bounds& bounds) {
   Case c{input.what,
          fmt::format("{}; the target comes to (0, 0, {:.9g}) in eye space", camera_text(camera),
                      -length(camera.target - camera.eye)),
-         view_fields(view, bounds),
-         nullptr,
-         {}};
+         view_fields(view, bounds)};
   // The gaze along +z: N = +gaze, or the slide's rotation (E7), is half a turn about V away.
   Transform<Eye, World> backwards = view, columns = view;
   for (int j = 0; j < 4; ++j) {
@@ -125,9 +112,7 @@ Case expect_refused(const RefusedCase& input) {
   return {input.what,
           "without a view: " + camera_text(input.bad) + "; with one: " + camera_text(input.good) +
               "; 1 is a matrix, 0 is std::nullopt",
-          {exactly("of the one without", {0}), exactly("of the other", {1})},
-          nullptr,
-          {}};
+          {numbers("of the one without", {0}), numbers("of the other", {1})}};
 }
 
 // ---- one direction onto another ----
@@ -159,21 +144,17 @@ Case expect_onto(const OntoCase& input) {
   const double sine = double(std::sqrt(square));
   const double bound = cosine >= 0 ? 64 * u : 32 * u * (1 + 1 / sine);
   const double angle = std::atan2(sine, double(cosine));
-  const Expected expected{"rotation", Shape::kMatrix, rotation, bound, "", 3};
   Case c{input.what,
          fmt::format("{}, an angle of {:.9g} radians", onto_text(input), angle),
-         {expected},
-         nullptr,
-         {}};
+         {matrix("rotation", 3, rotation, bound)}};
   // Half and twice the angle, which a matrix of a small rotation does not show by itself.
   const Direction axis(double(across.x), double(across.y), double(across.z));
   for (const double factor : {0.5, 2.0}) {
     const auto slipped = rotate_degrees<World>(axis, factor * degrees_from_radians(angle));
     if (!slipped) continue;
-    Expected wrong = expected;
-    for (std::size_t n = 0; n < 9; ++n) wrong.values[n] = slipped->at(int(n / 3), int(n % 3));
-    wrong.bound *= 2;  // twice the angle has twice the error
-    c.slipped.push_back({"half-angle", {wrong}});
+    // Twice the angle has twice the error.
+    c.slipped.push_back(
+        {"half-angle", {matrix("rotation", 3, entries(*slipped, 3, 3), 2 * bound)}});
   }
   return c;
 }
@@ -218,11 +199,9 @@ std::optional<Divergence> judge_half_turn(const OntoCase& input, const Answer& a
 }
 
 Case expect_half_turn(const OntoCase& input) {
-  return {input.what,
-          onto_text(input) + "; about any axis perpendicular to them",
-          {},
-          [input](const Answer& answer) { return judge_half_turn(input, answer); },
-          {}};
+  return {.where = input.what,
+          .restated = onto_text(input) + "; about any axis perpendicular to them",
+          .judge = [input](const Answer& answer) { return judge_half_turn(input, answer); }};
 }
 
 // ---- mirrors and hands ----
@@ -237,30 +216,22 @@ Case expect_kind(const KindCase& input) {
   std::vector<double> is;
   for (const Kind each : {Kind::kNeither, Kind::kRotation, Kind::kMirror})
     is.push_back(kind == each ? 1 : 0);
-  return {input.what, text, {exactly("neither, rotation, mirror", is)}, nullptr, {}};
+  return {input.what, text, {numbers("neither, rotation, mirror", is)}};
 }
 
 Case expect_hand(const HandCase& input) {
   const auto given = watt_projection(input);
   Transform<Eye, Eye> other_hand;
   other_hand.at(2, 2) = -1;
-  const Transform<Clip, Eye> wanted = given * other_hand;
-  std::vector<double> all;
-  for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 4; ++j) all.push_back(wanted.at(i, j));
-  }
   return {fmt::format("near {}, far {}, half height {}", input.d, input.f, input.h),
           fmt::format("(0, 0, {}), on the near plane, comes to z = 0, w = {} in clip space",
                       -input.d, input.d),
-          {{"clip_from_eye", Shape::kMatrix, all, 0, "", 4}},
-          nullptr,
-          {}};
+          {matrix("clip_from_eye", 4, entries(given * other_hand))}};
 }
 
 }  // namespace
 
 Lab lab_03() {
-  constexpr bool kHidden = true;
   return {
       3,
       "03-view",
@@ -270,25 +241,22 @@ Lab lab_03() {
        {"3.3", "The view matrix by two rotations", 25},
        {"3.4", "Tell rotations from mirrors", 10},
        {"3.5", "A left-handed projection for a right-handed eye", 15}},
-      {check("the view from the axes of the eye", "3.1", "eye", false, cameras, expect_uvn),
-       check("cameras without a view are refused", "3.1", "eye", false, refused_cameras,
-             expect_refused),
-       check("other cameras", "3.1", "eye", kHidden, hidden_cameras, expect_uvn),
-       check("other cameras without a view", "3.1", "eye", kHidden, hidden_refused_cameras,
-             expect_refused),
-       check("one direction onto another", "3.2", "eye", false, directions, expect_onto),
-       check("half a turn", "3.2", "eye", false, opposite_directions, expect_half_turn),
-       check("other directions", "3.2", "eye", kHidden, hidden_directions, expect_onto),
-       check("other half turns", "3.2", "eye", kHidden, hidden_opposite_directions,
-             expect_half_turn),
-       check("two rotations give the same view", "3.3", "eye", false, cameras, expect_axis_angle),
-       check("two rotations, other cameras", "3.3", "eye", kHidden, hidden_cameras,
-             expect_axis_angle),
-       check("rotations, mirrors and neither", "3.4", "eye", false, kinds, expect_kind),
-       check("other matrices", "3.4", "eye", kHidden, hidden_kinds, expect_kind),
-       check("a left-handed projection for a right-handed eye", "3.5", "eye", false, hands,
-             expect_hand),
-       check("other projections", "3.5", "eye", kHidden, hidden_hands, expect_hand)}};
+      {check("the view from the axes of the eye", "3.1", "eye", cameras, expect_uvn),
+       check("cameras without a view are refused", "3.1", "eye", refused_cameras, expect_refused),
+       hidden_check("other cameras", "3.1", "eye", hidden_cameras, expect_uvn),
+       hidden_check("other cameras without a view", "3.1", "eye", hidden_refused_cameras,
+                    expect_refused),
+       check("one direction onto another", "3.2", "eye", directions, expect_onto),
+       check("half a turn", "3.2", "eye", opposite_directions, expect_half_turn),
+       hidden_check("other directions", "3.2", "eye", hidden_directions, expect_onto),
+       hidden_check("other half turns", "3.2", "eye", hidden_opposite_directions, expect_half_turn),
+       check("two rotations give the same view", "3.3", "eye", cameras, expect_axis_angle),
+       hidden_check("two rotations, other cameras", "3.3", "eye", hidden_cameras,
+                    expect_axis_angle),
+       check("rotations, mirrors and neither", "3.4", "eye", kinds, expect_kind),
+       hidden_check("other matrices", "3.4", "eye", hidden_kinds, expect_kind),
+       check("a left-handed projection for a right-handed eye", "3.5", "eye", hands, expect_hand),
+       hidden_check("other projections", "3.5", "eye", hidden_hands, expect_hand)}};
 }
 
 }  // namespace glassbox::labs

@@ -7,20 +7,11 @@ namespace lab_03 {
 namespace {
 
 using glassbox::labs::Answer;
-
-// The upper left `size` x `size`, row by row.
-template <class Target, class Source>
-std::vector<double> numbers(const Transform<Target, Source>& m, int size) {
-  std::vector<double> all;
-  for (int i = 0; i < size; ++i) {
-    for (int j = 0; j < size; ++j) all.push_back(m.at(i, j));
-  }
-  return all;
-}
+using glassbox::labs::entries;
 
 void emit_view(const Transform<Eye, World>& view, Answer& answer) {
-  answer.emit("rotation", numbers(view, 3));
-  answer.emit("eye_from_world", numbers(view, 4));
+  answer.emit("rotation", entries(view, 3, 3));
+  answer.emit("eye_from_world", entries(view));
 }
 
 void ask_uvn(const CameraCase& input, Answer& answer) {
@@ -34,7 +25,7 @@ void ask_refused(const RefusedCase& input, Answer& answer) {
 }
 
 void ask_onto(const OntoCase& input, Answer& answer) {
-  answer.emit("rotation", numbers(rotation_onto(input.from, input.to), 3));
+  answer.emit("rotation", entries(rotation_onto(input.from, input.to), 3, 3));
 }
 
 void ask_axis_angle(const CameraCase& input, Answer& answer) {
@@ -50,8 +41,7 @@ void ask_kind(const KindCase& input, Answer& answer) {
 }
 
 void ask_hand(const HandCase& input, Answer& answer) {
-  const auto given = watt_projection(input);
-  answer.emit("clip_from_eye", numbers(for_right_handed_eye(given), 4));
+  answer.emit("clip_from_eye", entries(for_right_handed_eye(watt_projection(input))));
 }
 
 }  // namespace

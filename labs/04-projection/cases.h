@@ -90,10 +90,18 @@ inline std::vector<Point<Clip, double>> points() {
           {1, 2, 3, -4}, {1, 1, 1, 0},        {-1e-3, 2e-3, 5e-4, 7e-3}};
 }
 
-inline constexpr Rectangle kPicture{0, 0, 640, 480};
+struct ViewportCase {
+  Point<Ndc, double> p;
+  Rectangle viewport;
+};
 
-inline std::vector<Point<Ndc, double>> ndc_points() {
-  return {{-1, 1, 0}, {1, -1, 1}, {0, 0.5, 0.25}, {0.3, -0.7, 0.9}, {-0.123, 0.25, 0.5}};
+inline std::vector<ViewportCase> on_the_picture() {
+  constexpr Rectangle kPicture{0, 0, 640, 480};
+  return {{{-1, 1, 0}, kPicture},
+          {{1, -1, 1}, kPicture},
+          {{0, 0.5, 0.25}, kPicture},
+          {{0.3, -0.7, 0.9}, kPicture},
+          {{-0.123, 0.25, 0.5}, kPicture}};
 }
 
 struct DepthCase {
@@ -106,10 +114,6 @@ inline std::vector<DepthCase> depths() {
 }
 
 // BEGIN HIDDEN
-struct ViewportCase {
-  Point<Ndc, double> p;
-  Rectangle viewport;
-};
 inline std::vector<ViewportCase> viewports() {
   return {{{-1, 1, 0.5}, {100, 50, 320, 200}},
           {{0.5, 0.75, 0.5}, {-16, 32, 64, 48}},

@@ -1,3 +1,4 @@
+// What is expected of lab 4: by the pipeline's own matrices, and by exact rationals.
 #include <algorithm>
 #include <cmath>
 
@@ -16,18 +17,16 @@ namespace glassbox::labs {
 namespace {
 
 using exact::Rational;
+using lab_04::Dialect;
 
 constexpr double kU = unit_roundoff<double>;
 
 // ---- 4.1 to 4.3: matrices ----
 
-Expected matrix(const Transform<Clip, Eye>& m, double roundings) {
-  Expected expected{"clip_from_eye", Shape::kMatrix, {}, 0, "", 4};
+Expected projection(const Transform<Clip, Eye>& m, double roundings) {
+  Expected expected = matrix("clip_from_eye", 4, entries(m));
   double largest = 0;
-  for (int i = 0; i < 16; ++i) {
-    expected.values.push_back(m.at(i / 4, i % 4));
-    largest = std::max(largest, std::abs(expected.values.back()));
-  }
+  for (const double each : expected.values) largest = std::max(largest, std::abs(each));
   expected.bound = roundings * kU * largest;
   return expected;
 }
@@ -35,197 +34,158 @@ Expected matrix(const Transform<Clip, Eye>& m, double roundings) {
 // Tangent, quotients and products round 4 or 5 times, on both sides; student.h allows 16.
 constexpr double kEntryRoundings = 16;
 
-std::vector<Case> camera_cases(const std::vector<lab_04::Camera>& cameras) {
-  std::vector<Case> cases;
-  for (const auto& [fovy, aspect, near, far] : cameras) {
-    Case c;
-    c.where = fmt::format("fovy {} radians, aspect {}", fovy, aspect);
-    c.restated = fmt::format("near {}, far {}; the near plane's window is {:.6g} high", near, far,
-                             2 * near * std::tan(fovy / 2));
-    c.expected = {
-        matrix(*perspective(fovy, aspect, {near, far, DepthRange::kStandard}), kEntryRoundings)};
-    cases.push_back(c);
-  }
-  return cases;
+Result<Transform<Clip, Eye>> perspective_of(const lab_04::Camera& c) {
+  return perspective(c.fovy_radians, c.aspect, {c.near, c.far, DepthRange::kStandard});
 }
 
-std::vector<Case> refusal_cases() {
-  std::vector<Case> cases;
-  for (const auto& cameras : lab_04::refusals()) {
-    Case c;
-    c.where = fmt::format("{} views", cameras.size());
-    Expected expected{"refused", Shape::kNumbers, {}, 0, "", 0};
-    for (const auto& [fovy, aspect, near, far] : cameras) {
-      const auto made = perspective(fovy, aspect, {near, far, DepthRange::kStandard});
-      expected.values.push_back(made ? 0 : 1);
-      c.restated +=
-          fmt::format("{}number {}: fovy {}, aspect {}, near {}, far {}: {}",
-                      c.restated.empty() ? "" : "\n", expected.values.size() - 1, fovy, aspect,
-                      near, far, made ? "a view" : "refused, " + made.error().message());
-    }
-    c.expected = {expected};
-    cases.push_back(c);
-  }
-  return cases;
+Case expect_camera(const lab_04::Camera& camera) {
+  const auto& [fovy, aspect, near, far] = camera;
+  return {fmt::format("fovy {} radians, aspect {}", fovy, aspect),
+          fmt::format("near {}, far {}; the near plane's window is {:.6g} high", near, far,
+                      2 * near * std::tan(fovy / 2)),
+          {projection(*perspective_of(camera), kEntryRoundings)}};
 }
 
-std::vector<Case> box_cases(const std::vector<lab_04::Box>& boxes) {
-  std::vector<Case> cases;
-  for (const auto& [left, right, bottom, top, near, far] : boxes) {
-    Case c;
-    c.where = fmt::format("x {} .. {}, y {} .. {}", left, right, bottom, top);
-    c.restated = fmt::format("near {}, far {}: eye z {} becomes 0, eye z {} becomes 1", near, far,
-                             -near, -far);
-    c.expected = {
-        matrix(*orthographic({left, right, bottom, top}, {near, far, DepthRange::kStandard}),
-               kEntryRoundings)};
-    cases.push_back(c);
+Case expect_refusals(const std::vector<lab_04::Camera>& cameras) {
+  std::vector<double> refused;
+  std::string text;
+  for (const lab_04::Camera& camera : cameras) {
+    const auto made = perspective_of(camera);
+    text += fmt::format("{}number {}: fovy {}, aspect {}, near {}, far {}: {}",
+                        text.empty() ? "" : "\n", refused.size(), camera.fovy_radians,
+                        camera.aspect, camera.near, camera.far,
+                        made ? "a view" : "refused, " + made.error().message());
+    refused.push_back(made ? 0 : 1);
   }
-  return cases;
+  return {fmt::format("{} views", cameras.size()), text, {numbers("refused", refused)}};
 }
 
-// `before` acts on eye space, `after` on clip space; one of them is the identity.
-std::vector<Case> dialect_cases(lab_04::Dialect dialect, const char* what) {
-  std::vector<Case> cases;
-  for (const lab_04::DialectCase& input : lab_04::in_clip_space(dialect)) {
-    const auto adapted = [&](bool wrong_side) {
-      glm::dmat4 adaptor(1);
-      bool after = true;
-      if (dialect == lab_04::Dialect::kOpenGl) adaptor = clip_gl_from_clip().columns;
-      if (dialect == lab_04::Dialect::kReversed) adaptor = reverse_depth().columns;
-      if (dialect == lab_04::Dialect::kLeftHandedEye) {
-        adaptor = eye_left_from_eye().columns;
-        after = false;
-      }
-      const glm::dmat4 product =
-          after != wrong_side ? adaptor * input.m.columns : input.m.columns * adaptor;
-      return matrix(Transform<Clip, Eye>(product), 4);
-    };
-    Case c;
-    c.where = input.m.at(3, 3) == 0 ? "perspective, off centre" : "parallel";
-    c.restated = what;
-    c.expected = {adapted(false)};
-    c.slipped = {{"multiplication-order", {adapted(true)}}};
-    cases.push_back(c);
+Case expect_box(const lab_04::Box& box) {
+  const auto& [left, right, bottom, top, near, far] = box;
+  const auto made = orthographic({left, right, bottom, top}, {near, far, DepthRange::kStandard});
+  return {fmt::format("x {} .. {}, y {} .. {}", left, right, bottom, top),
+          fmt::format("near {}, far {}: eye z {} becomes 0, eye z {} becomes 1", near, far, -near,
+                      -far),
+          {projection(*made, kEntryRoundings)}};
+}
+
+// How a dialect's numbers come from the pipeline's: by a matrix that acts on clip space, after the projection, or on eye space,
+// before it.
+struct Adaptor {
+  glm::dmat4 matrix;
+  bool after;
+  const char* what;
+};
+
+Adaptor adaptor_to(Dialect dialect) {
+  switch (dialect) {
+    case Dialect::kOpenGl:
+      return {clip_gl_from_clip().columns, true, "z from 0 .. w to -w .. w"};
+    case Dialect::kReversed:
+      return {reverse_depth().columns, true, "z = 0 becomes z = w, and z = w becomes 0"};
+    case Dialect::kLeftHandedEye:
+      break;
   }
-  return cases;
+  return {eye_left_from_eye().columns, false,
+          "eye (x, y, z) is written (x, y, -z); the same clip point is expected"};
+}
+
+Case expect_dialect(const lab_04::DialectCase& input) {
+  const Adaptor adaptor = adaptor_to(input.dialect);
+  const auto adapted = [&](bool after) {
+    const glm::dmat4& m = input.m.columns;
+    return projection(Transform<Clip, Eye>(after ? adaptor.matrix * m : m * adaptor.matrix), 4);
+  };
+  return {.where = input.m.at(3, 3) == 0 ? "perspective, off centre" : "parallel",
+          .restated = adaptor.what,
+          .expected = {adapted(adaptor.after)},
+          .slipped = {{"multiplication-order", {adapted(!adaptor.after)}}}};
 }
 
 // ---- 4.4 to 4.6: numbers ----
 
-std::vector<Case> divide_cases(const std::vector<Point<Clip, double>>& points) {
-  std::vector<Case> cases;
-  for (const auto& p : points) {
-    Case c;
-    c.where = fmt::format("clip ({}, {}, {}, {})", p.x, p.y, p.z, p.w);
-    c.restated = p.w > 0 ? fmt::format("in front of the eye, at the distance {}", p.w)
-                         : "at the eye or behind it";
-    Expected expected{"ndc", Shape::kPoint, {}, 0, "NDC", 0};
-    double largest = 0;
-    for (const double each : {p.x, p.y, p.z}) {
-      if (!(p.w > 0)) continue;
-      expected.values.push_back(double(Rational(each) / Rational(p.w)));
-      largest = std::max(largest, std::abs(expected.values.back()));
-    }
-    expected.bound = p.w == 1 ? 0 : 4 * kU * largest;
-    c.expected = {expected};
-    cases.push_back(c);
+Case expect_divide(const Point<Clip, double>& p) {
+  Expected ndc = point("ndc", {}, 0, "NDC");
+  double largest = 0;
+  for (const double each : {p.x, p.y, p.z}) {
+    if (!(p.w > 0)) continue;
+    ndc.values.push_back(double(Rational(each) / Rational(p.w)));
+    largest = std::max(largest, std::abs(ndc.values.back()));
   }
-  return cases;
+  ndc.bound = p.w == 1 ? 0 : 4 * kU * largest;
+  return {fmt::format("clip ({}, {}, {}, {})", p.x, p.y, p.z, p.w),
+          p.w > 0 ? fmt::format("in front of the eye, at the distance {}", p.w)
+                  : "at the eye or behind it",
+          {ndc}};
 }
 
-Case screen_case(const Point<Ndc, double>& p, const lab_04::Rectangle& v) {
-  Case c;
-  c.where = fmt::format("NDC ({}, {}, {})", p.x, p.y, p.z);
-  c.restated =
-      fmt::format("rectangle from ({}, {}), {} x {} pixels; y of NDC runs up, y of the screen down",
-                  v.left, v.top, v.width, v.height);
+Case expect_screen(const lab_04::ViewportCase& input) {
+  const auto& [p, v] = input;
   const Rational half = Rational(1) / Rational(2);
   const Rational x = Rational(v.left) + (Rational(p.x) + Rational(1)) * half * Rational(v.width);
   const Rational y = Rational(v.top) + (Rational(1) - Rational(p.y)) * half * Rational(v.height);
   const double bound = 8 * kU * std::max(std::abs(v.left) + v.width, std::abs(v.top) + v.height);
-  c.expected = {{"screen", Shape::kPoint, {double(x), double(y)}, bound, "px", 0},
-                {"depth", Shape::kNumbers, {p.z}, 0, "depth", 0}};
-  return c;
-}
-
-std::vector<Case> screen_cases() {
-  std::vector<Case> cases;
-  for (const auto& p : lab_04::ndc_points()) cases.push_back(screen_case(p, lab_04::kPicture));
-  return cases;
-}
-
-std::vector<Case> viewport_cases() {
-  std::vector<Case> cases;
-  for (const auto& [p, viewport] : lab_04::viewports()) cases.push_back(screen_case(p, viewport));
-  return cases;
+  return {
+      fmt::format("NDC ({}, {}, {})", p.x, p.y, p.z),
+      fmt::format("rectangle from ({}, {}), {} x {} pixels; y of NDC runs up, y of the screen down",
+                  v.left, v.top, v.width, v.height),
+      {point("screen", {double(x), double(y)}, bound, "px"), numbers("depth", {p.z}, 0, "depth")}};
 }
 
 // z = n f / (f - d (f - n)); with an infinite far plane n / (1 - d).
-double exact_distance(double depth, double near, double far) {
-  const Rational d(depth), n(near);
-  if (std::isinf(far)) return depth == 1 ? far : double(n / (Rational(1) - d));
-  const Rational f(far);
+double exact_distance(const lab_04::DepthCase& input) {
+  const Rational d(input.depth), n(input.near);
+  if (std::isinf(input.far)) return input.depth == 1 ? input.far : double(n / (Rational(1) - d));
+  const Rational f(input.far);
   return double(n * f / (f - d * (f - n)));
 }
 
-std::vector<Case> depth_cases(const std::vector<lab_04::DepthCase>& inputs) {
-  std::vector<Case> cases;
-  for (const auto& [depth, near, far] : inputs) {
-    Case c;
-    c.where = fmt::format("depth {}, near {}, far {}", depth, near, far);
-    const double z = exact_distance(depth, near, far);
-    c.restated = fmt::format("the distance is {}; one step of depth in float is {:.3g} of it there",
-                             z, std::isinf(z) ? z : z / near * double(unit_roundoff<float>));
-    // Every rounding of a number up to 1 in z = n / (1 - d (1 - n/f)) moves z by u z^2 / n; there are four at most, and the
-    // quotient's own. f = infinity, d = 1 is exact.
-    c.expected = {{"distance",
-                   Shape::kNumbers,
-                   {z},
-                   std::isinf(z) ? 0 : 8 * kU * z * z / near,
-                   "world units",
-                   0}};
-    cases.push_back(c);
-  }
-  return cases;
+Case expect_depth(const lab_04::DepthCase& input) {
+  const double z = exact_distance(input), near = input.near;
+  // Every rounding of a number up to 1 in z = n / (1 - d (1 - n/f)) moves z by u z^2 / n; there are four at most, and the
+  // quotient's own. f = infinity, d = 1 is exact.
+  const double bound = std::isinf(z) ? 0 : 8 * kU * z * z / near;
+  return {fmt::format("depth {}, near {}, far {}", input.depth, near, input.far),
+          fmt::format("the distance is {}; one step of depth in float is {:.3g} of it there", z,
+                      std::isinf(z) ? z : z / near * double(unit_roundoff<float>)),
+          {numbers("distance", {z}, bound, "world units")}};
+}
+
+template <Dialect kDialect>
+std::vector<lab_04::DialectCase> projections() {
+  return lab_04::in_clip_space(kDialect);
 }
 
 }  // namespace
 
 Lab lab_04() {
-  Lab lab{4, "04-projection", "Projection, dialects, viewport", {}, {}};
-  lab.tasks = {{"4.1", "Perspective", 25},  {"4.2", "Parallel projection", 15},
-               {"4.3", "Dialects", 20},     {"4.4", "The divide", 15},
-               {"4.5", "The viewport", 15}, {"4.6", "A distance from a depth", 10}};
-  const auto add = [&](const char* name, const char* task, const char* stage, bool hidden,
-                       auto cases) {
-    lab.checks.push_back({name, task, stage, hidden, cases});
-  };
-  using lab_04::Dialect;
-  add("perspective views", "4.1", "clip", false, [] { return camera_cases(lab_04::cameras()); });
-  add("views that cannot be", "4.1", "clip", false, refusal_cases);
-  add("views of extreme shape", "4.1", "clip", true,
-      [] { return camera_cases(lab_04::stiff_cameras()); });
-  add("parallel views", "4.2", "clip", false, [] { return box_cases(lab_04::boxes()); });
-  add("boxes far from the gaze", "4.2", "clip", true,
-      [] { return box_cases(lab_04::more_boxes()); });
-  add("OpenGL's clip space", "4.3", "clip", false,
-      [] { return dialect_cases(Dialect::kOpenGl, "z from 0 .. w to -w .. w"); });
-  add("reversed depth", "4.3", "clip", false,
-      [] { return dialect_cases(Dialect::kReversed, "z = 0 becomes z = w, and z = w becomes 0"); });
-  add("a left-handed eye", "4.3", "clip", false, [] {
-    return dialect_cases(Dialect::kLeftHandedEye,
-                         "eye (x, y, z) is written (x, y, -z); the same clip point is expected");
-  });
-  add("points divided by w", "4.4", "NDC", false, [] { return divide_cases(lab_04::points()); });
-  add("more points divided by w", "4.4", "NDC", true,
-      [] { return divide_cases(lab_04::random_points()); });
-  add("points on a picture of 640 x 480", "4.5", "screen", false, screen_cases);
-  add("other rectangles of the screen", "4.5", "screen", true, viewport_cases);
-  add("distances from depths", "4.6", "depth", false, [] { return depth_cases(lab_04::depths()); });
-  add("distances from depths close to 1", "4.6", "depth", true,
-      [] { return depth_cases(lab_04::stiff_depths()); });
-  return lab;
+  using namespace lab_04;
+  return {
+      4,
+      "04-projection",
+      "Projection, dialects, viewport",
+      {{"4.1", "Perspective", 25},
+       {"4.2", "Parallel projection", 15},
+       {"4.3", "Dialects", 20},
+       {"4.4", "The divide", 15},
+       {"4.5", "The viewport", 15},
+       {"4.6", "A distance from a depth", 10}},
+      {check("perspective views", "4.1", "clip", cameras, expect_camera),
+       check("views that cannot be", "4.1", "clip", refusals, expect_refusals),
+       hidden_check("views of extreme shape", "4.1", "clip", stiff_cameras, expect_camera),
+       check("parallel views", "4.2", "clip", boxes, expect_box),
+       hidden_check("boxes far from the gaze", "4.2", "clip", more_boxes, expect_box),
+       check("OpenGL's clip space", "4.3", "clip", projections<Dialect::kOpenGl>, expect_dialect),
+       check("reversed depth", "4.3", "clip", projections<Dialect::kReversed>, expect_dialect),
+       check("a left-handed eye", "4.3", "clip", projections<Dialect::kLeftHandedEye>,
+             expect_dialect),
+       check("points divided by w", "4.4", "NDC", points, expect_divide),
+       hidden_check("more points divided by w", "4.4", "NDC", random_points, expect_divide),
+       check("points on a picture of 640 x 480", "4.5", "screen", on_the_picture, expect_screen),
+       hidden_check("other rectangles of the screen", "4.5", "screen", viewports, expect_screen),
+       check("distances from depths", "4.6", "depth", depths, expect_depth),
+       hidden_check("distances from depths close to 1", "4.6", "depth", stiff_depths,
+                    expect_depth)}};
 }
 
 }  // namespace glassbox::labs

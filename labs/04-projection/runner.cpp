@@ -1,3 +1,4 @@
+// Puts the cases of lab 4 to your functions.
 #include "labs/framework/runner.h"
 
 #include <stdexcept>
@@ -5,20 +6,14 @@
 #include "cases.h"
 #include "student.h"
 
-namespace glassbox::labs {
-
+namespace lab_04 {
 namespace {
 
-using namespace lab_04;
-
-void emit(const Projection& m, Answer& answer) {
-  std::vector<double> rows;
-  for (int i = 0; i < 16; ++i) rows.push_back(m.at(i / 4, i % 4));
-  answer.emit("clip_from_eye", rows);
-}
+using glassbox::labs::Answer;
+using glassbox::labs::entries;
 
 void ask_camera(const Camera& c, Answer& answer) {
-  emit(perspective(c.fovy_radians, c.aspect, c.near, c.far), answer);
+  answer.emit("clip_from_eye", entries(perspective(c.fovy_radians, c.aspect, c.near, c.far)));
 }
 
 void ask_refusals(const std::vector<Camera>& cameras, Answer& answer) {
@@ -35,11 +30,12 @@ void ask_refusals(const std::vector<Camera>& cameras, Answer& answer) {
 }
 
 void ask_box(const Box& b, Answer& answer) {
-  emit(orthographic(b.left, b.right, b.bottom, b.top, b.near, b.far), answer);
+  answer.emit("clip_from_eye",
+              entries(orthographic(b.left, b.right, b.bottom, b.top, b.near, b.far)));
 }
 
 void ask_dialect(const DialectCase& input, Answer& answer) {
-  emit(in_dialect(input.m, input.dialect), answer);
+  answer.emit("clip_from_eye", entries(in_dialect(input.m, input.dialect)));
 }
 
 void ask_divide(const Point<Clip, double>& p, Answer& answer) {
@@ -47,8 +43,8 @@ void ask_divide(const Point<Clip, double>& p, Answer& answer) {
   answer.emit("ndc", ndc ? std::vector<double>{ndc->x, ndc->y, ndc->z} : std::vector<double>{});
 }
 
-void ask_screen(const Point<Ndc, double>& p, const Rectangle& viewport, Answer& answer) {
-  const Point<Screen, double> screen = to_screen(p, viewport);
+void ask_screen(const ViewportCase& input, Answer& answer) {
+  const Point<Screen, double> screen = to_screen(input.p, input.viewport);
   answer.emit("screen", {screen.x, screen.y});
   answer.emit("depth", {screen.z});
 }
@@ -58,9 +54,11 @@ void ask_depth(const DepthCase& c, Answer& answer) {
 }
 
 }  // namespace
+}  // namespace lab_04
 
-std::vector<RunnerCheck> runner_checks() {
-  std::vector<RunnerCheck> all{
+std::vector<glassbox::labs::RunnerCheck> glassbox::labs::runner_checks() {
+  using namespace lab_04;
+  return {
       check("perspective views", cameras(), ask_camera),
       check("views that cannot be", refusals(), ask_refusals),
       check("parallel views", boxes(), ask_box),
@@ -68,19 +66,14 @@ std::vector<RunnerCheck> runner_checks() {
       check("reversed depth", in_clip_space(Dialect::kReversed), ask_dialect),
       check("a left-handed eye", in_clip_space(Dialect::kLeftHandedEye), ask_dialect),
       check("points divided by w", points(), ask_divide),
-      check("points on a picture of 640 x 480", ndc_points(),
-            [](const auto& p, Answer& answer) { ask_screen(p, kPicture, answer); }),
+      check("points on a picture of 640 x 480", on_the_picture(), ask_screen),
       check("distances from depths", depths(), ask_depth),
+      // BEGIN HIDDEN
+      check("views of extreme shape", stiff_cameras(), ask_camera),
+      check("boxes far from the gaze", more_boxes(), ask_box),
+      check("more points divided by w", random_points(), ask_divide),
+      check("other rectangles of the screen", viewports(), ask_screen),
+      check("distances from depths close to 1", stiff_depths(), ask_depth),
+      // END HIDDEN
   };
-  // BEGIN HIDDEN
-  all.push_back(check("views of extreme shape", stiff_cameras(), ask_camera));
-  all.push_back(check("boxes far from the gaze", more_boxes(), ask_box));
-  all.push_back(check("more points divided by w", random_points(), ask_divide));
-  all.push_back(check("other rectangles of the screen", viewports(),
-                      [](const auto& c, Answer& answer) { ask_screen(c.p, c.viewport, answer); }));
-  all.push_back(check("distances from depths close to 1", stiff_depths(), ask_depth));
-  // END HIDDEN
-  return all;
 }
-
-}  // namespace glassbox::labs

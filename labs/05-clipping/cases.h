@@ -136,6 +136,9 @@ inline std::vector<Edge> edges(std::uint64_t seed, int each) {
   }
   return all;
 }
+inline std::vector<Edge> some_edges() {
+  return edges(53, 1);
+}
 
 // Several edges a case: one in two may well come out the same from both ends by luck.
 using EdgesCase = std::vector<Edge>;
@@ -146,6 +149,10 @@ inline std::vector<EdgesCase> edges_both_ways() {
 }
 
 // BEGIN HIDDEN
+inline std::vector<Edge> other_edges() {
+  return edges(54, 1);
+}
+
 // Edges whose crossing with the near plane lies half-way between two floats, and where p + t (q - p) in double, rounded once,
 // comes out differently from the two ends. About one such edge in three thousand does.
 inline std::vector<EdgesCase> ties() {
@@ -292,7 +299,9 @@ inline std::vector<std::array<Point<Clip>, 3>> fan_of_triangles(int count) {
   for (int i = 0; i < count; ++i) fan.push_back({on_plane(0.3, -0.2), corner(i), corner(i + 1)});
   return fan;
 }
-inline constexpr std::array<int, 4> kFanCounts{5, 7, 12, 40};
+inline std::vector<int> fan_counts() {
+  return {5, 7, 12, 40};
+}
 // END HIDDEN
 
 }  // namespace lab_05

@@ -1,3 +1,4 @@
+// What is expected of lab 5: of faces and outcodes by the pipeline's own tests. Crossings and polygons: outlines.h.
 #include <fmt/format.h>
 
 #include "labs/05-clipping/outlines.h"
@@ -12,31 +13,24 @@ namespace {
 
 // ---- 5.1 ----
 
-std::vector<Case> face_cases(const std::vector<lab_05::FaceCase>& inputs) {
-  std::vector<Case> cases;
-  for (const lab_05::FaceCase& questions : inputs) {
-    Case c;
-    Expected expected{"back", Shape::kNumbers, {}, 0, "", 0};
-    for (std::size_t i = 0; i < questions.size(); ++i) {
-      const auto& [face, eye] = questions[i];
-      std::vector<Point<Object>> corners;
-      c.restated += fmt::format("face {}:", i);
-      for (const Point<World>& p : face) {
-        corners.push_back({p.x, p.y, p.z});
-        c.restated += fmt::format(" ({}, {}, {})", p.x, p.y, p.z);
-      }
-      // World space stands for object space: the model matrix is the identity.
-      const BackFaceTest test = test_back_face(corners, {true, {eye.x, eye.y, eye.z}, {0, 0, 0}});
-      expected.values.push_back(test.facing == Facing::kBack ? 1 : 0);
-      c.restated += fmt::format(" seen from ({}, {}, {}): (P - eye) . m = {}\n", eye.x, eye.y,
-                                eye.z, test.value);
+Case expect_faces(const lab_05::FaceCase& questions) {
+  std::vector<double> back;
+  std::string text;
+  for (std::size_t i = 0; i < questions.size(); ++i) {
+    const auto& [face, eye] = questions[i];
+    std::vector<Point<Object>> corners;
+    text += fmt::format("{}face {}:", i == 0 ? "" : "\n", i);
+    for (const Point<World>& p : face) {
+      corners.push_back({p.x, p.y, p.z});
+      text += fmt::format(" ({}, {}, {})", p.x, p.y, p.z);
     }
-    c.where = fmt::format("{} faces", questions.size());
-    c.restated.pop_back();
-    c.expected = {expected};
-    cases.push_back(c);
+    // World space stands for object space: the model matrix is the identity.
+    const BackFaceTest test = test_back_face(corners, {true, {eye.x, eye.y, eye.z}, {0, 0, 0}});
+    back.push_back(test.facing == Facing::kBack ? 1 : 0);
+    text +=
+        fmt::format(" seen from ({}, {}, {}): (P - eye) . m = {}", eye.x, eye.y, eye.z, test.value);
   }
-  return cases;
+  return {fmt::format("{} faces", questions.size()), text, {numbers("back", back)}};
 }
 
 // ---- 5.2 ----
@@ -51,90 +45,72 @@ std::string plane_names(std::uint32_t code) {
 }
 
 Expected outcode_of(const Point<Clip>& p) {
-  return {"outcode", Shape::kNumbers, {double(outcode(p, pipeline_frustum()))}, 0, "", 0};
+  return numbers("outcode", {double(outcode(p, pipeline_frustum()))});
 }
 
-std::vector<Case> outcode_cases(const std::vector<Point<Clip>>& points) {
-  std::vector<Case> cases;
-  for (const Point<Clip>& p : points) {
-    Case c;
-    c.where = fmt::format("point ({}, {}, {}, {})", p.x, p.y, p.z, p.w);
-    const Expected expected = outcode_of(p);
-    const auto wanted = std::uint32_t(expected.values[0]);
-    c.restated = fmt::format("{}\noutside of: {}", restated(std::array{p}), plane_names(wanted));
-    c.expected = {expected};
-    c.slipped = {{"z-sign", {outcode_of({p.x, p.y, -p.z, p.w})}},
-                 {"y-direction", {outcode_of({p.x, -p.y, p.z, p.w})}},
-                 {"handedness", {outcode_of({-p.x, p.y, p.z, p.w})}}};
-    c.judge = [expected, wanted](const Answer& answer) {
-      auto found = compare(expected, answer).first;
-      if (found && found->actual >= 0 && found->actual < 64)
-        found->explanation =
-            fmt::format("outside of: {} (expected), {} (yours)", plane_names(wanted),
-                        plane_names(std::uint32_t(found->actual)));
-      return found;
-    };
-    cases.push_back(c);
-  }
-  return cases;
+Case expect_outcode(const Point<Clip>& p) {
+  const Expected expected = outcode_of(p);
+  const auto wanted = std::uint32_t(expected.values[0]);
+  const auto judge = [expected, wanted](const Answer& answer) {
+    auto found = compare(expected, answer).first;
+    if (found && found->actual >= 0 && found->actual < 64)
+      found->explanation = fmt::format("outside of: {} (expected), {} (yours)", plane_names(wanted),
+                                       plane_names(std::uint32_t(found->actual)));
+    return found;
+  };
+  return {
+      .where = fmt::format("point ({}, {}, {}, {})", p.x, p.y, p.z, p.w),
+      .restated = fmt::format("{}\noutside of: {}", restated(std::array{p}), plane_names(wanted)),
+      .expected = {expected},
+      .judge = judge,
+      .slipped = {{"z-sign", {outcode_of({p.x, p.y, -p.z, p.w})}},
+                  {"y-direction", {outcode_of({p.x, -p.y, p.z, p.w})}},
+                  {"handedness", {outcode_of({-p.x, p.y, p.z, p.w})}}}};
 }
 
-std::vector<Case> verdict_cases() {
-  std::vector<Case> cases;
-  for (const auto& codes : lab_05::outcode_lists()) {
-    Case c;
-    for (const std::uint32_t code : codes)
-      c.restated += fmt::format("{}a vertex outside of: {}", c.restated.empty() ? "" : "\n",
-                                plane_names(code));
-    c.where = fmt::format("outcodes {}", fmt::join(codes, ", "));
-    // kReject, kAccept, kClip are 0, 1, 2 in both.
-    static_assert(int(ClipVerdict::kReject) == int(lab_05::Verdict::kReject) &&
-                  int(ClipVerdict::kAccept) == int(lab_05::Verdict::kAccept));
-    c.expected = {{"verdict", Shape::kNumbers, {double(trivial_verdict(codes))}, 0, "", 0}};
-    cases.push_back(c);
-  }
-  return cases;
+Case expect_verdict(const std::vector<std::uint32_t>& codes) {
+  std::string text;
+  for (const std::uint32_t code : codes)
+    text += fmt::format("{}a vertex outside of: {}", text.empty() ? "" : "\n", plane_names(code));
+  // kReject, kAccept, kClip are 0, 1, 2 in both.
+  static_assert(int(ClipVerdict::kReject) == int(lab_05::Verdict::kReject) &&
+                int(ClipVerdict::kAccept) == int(lab_05::Verdict::kAccept));
+  return {fmt::format("outcodes {}", fmt::join(codes, ", ")),
+          text,
+          {numbers("verdict", {double(trivial_verdict(codes))})}};
 }
 
 }  // namespace
 
 Lab lab_05() {
-  Lab lab{5, "05-clipping", "Culling and clipping", {}, {}};
-  lab.tasks = {{"5.1", "Faces that look away", 20},
-               {"5.2", "Outcodes", 20},
-               {"5.3", "Where an edge meets a plane", 20},
-               {"5.4", "A polygon and one plane", 20},
-               {"5.5", "A triangle and the frustum", 20}};
-  const auto add = [&](const char* name, const char* task, const char* stage, bool hidden,
-                       auto cases) {
-    lab.checks.push_back({name, task, stage, hidden, cases});
-  };
-  add("faces of solids that look away", "5.1", "world", false,
-      [] { return face_cases(lab_05::solids()); });
-  add("an eye in the face's plane", "5.1", "world", true,
-      [] { return face_cases(lab_05::faces_edge_on()); });
-  add("which planes a point is outside of", "5.2", "clip", false,
-      [] { return outcode_cases(lab_05::points()); });
-  add("points on, before and behind every plane", "5.2", "clip", true,
-      [] { return outcode_cases(lab_05::lattice_points()); });
-  add("accepted, rejected or clipped", "5.2", "clip", false, verdict_cases);
-  add("where an edge meets a plane", "5.3", "clip", false, crossing_cases);
-  add("the same bits from either end", "5.3", "clip", false,
-      [] { return both_ways_cases(lab_05::edges_both_ways()); });
-  add("a crossing lies on its plane", "5.3", "clip", true, on_plane_cases);
-  add("crossings between two floats", "5.3", "clip", true,
-      [] { return both_ways_cases(lab_05::ties()); });
-  add("a polygon and one plane", "5.4", "clip", false,
-      [] { return plane_cases(lab_05::polygons()); });
-  add("polygons that touch the plane", "5.4", "clip", true,
-      [] { return plane_cases(lab_05::more_polygons()); });
-  add("a triangle and the frustum", "5.5", "clip", false,
-      [] { return frustum_cases(lab_05::triangles()); });
-  add("a shared edge is cut at one place", "5.5", "clip", false, pair_cases);
-  add("triangles through many planes", "5.5", "clip", true,
-      [] { return frustum_cases(lab_05::more_triangles()); });
-  add("triangles around a point fill the picture", "5.5", "clip", true, fan_cases);
-  return lab;
+  using namespace lab_05;
+  return {
+      5,
+      "05-clipping",
+      "Culling and clipping",
+      {{"5.1", "Faces that look away", 20},
+       {"5.2", "Outcodes", 20},
+       {"5.3", "Where an edge meets a plane", 20},
+       {"5.4", "A polygon and one plane", 20},
+       {"5.5", "A triangle and the frustum", 20}},
+      {check("faces of solids that look away", "5.1", "world", solids, expect_faces),
+       hidden_check("an eye in the face's plane", "5.1", "world", faces_edge_on, expect_faces),
+       check("which planes a point is outside of", "5.2", "clip", points, expect_outcode),
+       hidden_check("points on, before and behind every plane", "5.2", "clip", lattice_points,
+                    expect_outcode),
+       check("accepted, rejected or clipped", "5.2", "clip", outcode_lists, expect_verdict),
+       check("where an edge meets a plane", "5.3", "clip", some_edges, expect_crossing),
+       check("the same bits from either end", "5.3", "clip", edges_both_ways, expect_both_ways),
+       hidden_check("a crossing lies on its plane", "5.3", "clip", other_edges, expect_on_plane),
+       hidden_check("crossings between two floats", "5.3", "clip", ties, expect_both_ways),
+       check("a polygon and one plane", "5.4", "clip", polygons, expect_polygon),
+       hidden_check("polygons that touch the plane", "5.4", "clip", more_polygons, expect_polygon),
+       check("a triangle and the frustum", "5.5", "clip", triangles, expect_triangle),
+       check("a shared edge is cut at one place", "5.5", "clip", pairs_of_triangles, expect_pairs),
+       hidden_check("triangles through many planes", "5.5", "clip", more_triangles,
+                    expect_triangle),
+       hidden_check("triangles around a point fill the picture", "5.5", "clip", fan_counts,
+                    expect_fan)}};
 }
 
 }  // namespace glassbox::labs

@@ -40,136 +40,108 @@ std::string edge_text(const lab_05::Edge& edge) {
                      restated(std::array{edge.p, edge.q}));
 }
 
-Case crossing_case(const lab_05::Edge& edge) {
-  Case c;
-  c.where = "crossing";
-  c.restated = edge_text(edge);
-  c.expected = {{"crossing", Shape::kPoint, exact_crossing(edge),
-                 kRoundings * unit_roundoff<float> * largest(edge), "clip units", 0}};
-  return c;
+Expected crossing_of(const lab_05::Edge& edge, const char* field = "crossing") {
+  return point(field, exact_crossing(edge), kRoundings * unit_roundoff<float> * largest(edge),
+               "clip units");
 }
 
-Case outline_case(const std::string& what, std::span<const Point<Clip>> polygon,
-                  std::span<const ClipPlane> planes) {
-  Case c;
-  c.where = what;
-  c.restated = restated(polygon);
+Case expect_outline(const std::string& what, const std::string& text,
+                    std::span<const Point<Clip>> polygon, std::span<const ClipPlane> planes) {
   const Expected expected = exact_clip(polygon, planes);
-  c.expected = {expected};
-  c.judge = [expected](const Answer& answer) { return compare_outlines(expected, answer); };
-  return c;
+  return {.where = what,
+          .restated = restated(polygon) + text,
+          .expected = {expected},
+          .judge = [expected](const Answer& answer) { return compare_outlines(expected, answer); }};
+}
+
+// Near where it should be, and with a distance from the plane that is 0 to the bit.
+std::optional<Divergence> judge_on_plane(const lab_05::Edge& edge, const Answer& answer) {
+  auto found = compare(crossing_of(edge), answer).first;
+  if (found) return found;
+  const auto& v = *find_field(answer, "crossing");
+  const Point<Clip> cut{float(v[0]), float(v[1]), float(v[2]), float(v[3])};
+  const double off = signed_distance(pipeline_plane(edge.plane), cut);
+  if (off == 0) return found;
+  return Divergence{.kind = Divergence::Kind::kPosition,
+                    .field = "crossing",
+                    .element = "distance from the plane",
+                    .actual = off,
+                    .distance = std::abs(off),
+                    .unit = "clip units",
+                    .explanation = "the crossing is near the plane, but not on it to the bit"};
+}
+
+// Each crossing near where it should be, for bits are no use at a wrong place; then the same bits from both ends.
+std::optional<Divergence> judge_both_ways(const lab_05::EdgesCase& edges, const Answer& answer) {
+  const auto* there = find_field(answer, "p to q");
+  if (there == nullptr) return compare(numbers("p to q", {0}), answer).first;
+  for (std::size_t i = 0; i < edges.size() && there->size() == 4 * edges.size(); ++i) {
+    const auto one = there->begin() + std::ptrdiff_t(4 * i);
+    if (auto found =
+            compare(crossing_of(edges[i], "p to q"), std::vector<double>(one, one + 4)).first) {
+      found->element = fmt::format("edge {}, {}", i, found->element);
+      return found;
+    }
+  }
+  const Expected same_bits{.field = "q to p",
+                           .shape = Shape::kPolygon,
+                           .values = *there,
+                           .unit = "clip units",
+                           .columns = 4};
+  auto found = compare(same_bits, answer).first;
+  if (found) {
+    found->element = fmt::format("edge {}, {}", found->index / 4, "xyzw"[found->index % 4]);
+    found->explanation = "the crossing taken from q to p has other bits than from p to q";
+  }
+  return found;
 }
 
 }  // namespace
 
-std::vector<Case> crossing_cases() {
-  std::vector<Case> cases;
-  for (const lab_05::Edge& edge : lab_05::edges(53, 1)) cases.push_back(crossing_case(edge));
-  return cases;
+Case expect_crossing(const lab_05::Edge& edge) {
+  return {"crossing", edge_text(edge), {crossing_of(edge)}};
 }
 
-std::vector<Case> on_plane_cases() {
-  std::vector<Case> cases;
-  for (const lab_05::Edge& edge : lab_05::edges(54, 1)) {
-    Case c = crossing_case(edge);
-    const Expected near_enough = c.expected[0];
-    c.judge = [edge, near_enough](const Answer& answer) {
-      auto found = compare(near_enough, answer).first;
-      if (found) return found;
-      const auto& v = *find_field(answer, "crossing");
-      const Point<Clip> cut{float(v[0]), float(v[1]), float(v[2]), float(v[3])};
-      const double off = signed_distance(pipeline_plane(edge.plane), cut);
-      if (off == 0) return found;
-      found.emplace();
-      found->kind = Divergence::Kind::kPosition;
-      found->field = "crossing";
-      found->element = "distance from the plane";
-      found->actual = off;
-      found->distance = std::abs(off);
-      found->unit = "clip units";
-      found->explanation = "the crossing is near the plane, but not on it to the bit";
-      return found;
-    };
-    cases.push_back(c);
-  }
-  return cases;
+Case expect_on_plane(const lab_05::Edge& edge) {
+  Case c = expect_crossing(edge);
+  c.judge = [edge](const Answer& answer) { return judge_on_plane(edge, answer); };
+  return c;
 }
 
-std::vector<Case> both_ways_cases(const std::vector<lab_05::EdgesCase>& inputs) {
-  std::vector<Case> cases;
-  for (const lab_05::EdgesCase& edges : inputs) {
-    Case c;
-    c.where = fmt::format("{} edges", edges.size());
-    for (std::size_t i = 0; i < edges.size(); ++i)
-      c.restated += fmt::format("{}edge {}: {}", i == 0 ? "" : "\n", i, edge_text(edges[i]));
-    c.judge = [edges](const Answer& answer) -> std::optional<Divergence> {
-      const auto* there = find_field(answer, "p to q");
-      if (there == nullptr)
-        return compare(Expected{"p to q", Shape::kNumbers, {0}, 0, "", 0}, answer).first;
-      // Bits are no use at a wrong place.
-      for (std::size_t i = 0; i < edges.size() && there->size() == 4 * edges.size(); ++i) {
-        Expected exact = crossing_case(edges[i]).expected[0];
-        exact.field = "p to q";
-        const std::vector<double> one(there->begin() + std::ptrdiff_t(4 * i),
-                                      there->begin() + std::ptrdiff_t(4 * i + 4));
-        if (auto found = compare(exact, one).first) {
-          found->element = fmt::format("edge {}, {}", i, found->element);
-          return found;
-        }
-      }
-      auto found =
-          compare(Expected{"q to p", Shape::kPolygon, *there, 0, "clip units", 4}, answer).first;
-      if (found) {
-        found->element = fmt::format("edge {}, {}", found->index / 4, "xyzw"[found->index % 4]);
-        found->explanation = "the crossing taken from q to p has other bits than from p to q";
-      }
-      return found;
-    };
-    cases.push_back(c);
-  }
-  return cases;
+Case expect_both_ways(const lab_05::EdgesCase& edges) {
+  std::string text;
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    text += fmt::format("{}edge {}: {}", i == 0 ? "" : "\n", i, edge_text(edges[i]));
+  return {.where = fmt::format("{} edges", edges.size()),
+          .restated = text,
+          .judge = [edges](const Answer& answer) { return judge_both_ways(edges, answer); }};
 }
 
-std::vector<Case> plane_cases(const std::vector<lab_05::PlaneCase>& inputs) {
-  std::vector<Case> cases;
-  for (const auto& [what, plane, polygon] : inputs) {
-    cases.push_back(outline_case(what, polygon, std::array{pipeline_plane(plane)}));
-    cases.back().restated +=
-        fmt::format("\nplane {} x + {} y + {} z + {} w >= 0", plane.a, plane.b, plane.c, plane.d);
-  }
-  return cases;
+Case expect_polygon(const lab_05::PlaneCase& input) {
+  const auto& [what, plane, polygon] = input;
+  return expect_outline(
+      what,
+      fmt::format("\nplane {} x + {} y + {} z + {} w >= 0", plane.a, plane.b, plane.c, plane.d),
+      polygon, std::array{pipeline_plane(plane)});
 }
 
-std::vector<Case> frustum_cases(const std::vector<lab_05::FrustumCase>& inputs) {
-  std::vector<Case> cases;
-  for (const auto& [what, triangle] : inputs)
-    cases.push_back(outline_case(what, triangle, pipeline_frustum()));
-  return cases;
+Case expect_triangle(const lab_05::FrustumCase& input) {
+  return expect_outline(input.what, "", input.triangle, pipeline_frustum());
 }
 
-std::vector<Case> pair_cases() {
-  std::vector<Case> cases;
-  for (const lab_05::PairsCase& pairs : lab_05::pairs_of_triangles()) {
-    Case c;
-    c.where = fmt::format("{} pairs of triangles", pairs.size());
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-      c.restated += fmt::format("{}edge {}:\n{}", i == 0 ? "" : "\n", i, restated(pairs[i].shared));
-    c.judge = [pairs](const Answer& answer) { return compare_shared_edges(pairs, answer); };
-    cases.push_back(c);
-  }
-  return cases;
+Case expect_pairs(const lab_05::PairsCase& pairs) {
+  std::string text;
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    text += fmt::format("{}edge {}:\n{}", i == 0 ? "" : "\n", i, restated(pairs[i].shared));
+  return {.where = fmt::format("{} pairs of triangles", pairs.size()),
+          .restated = text,
+          .judge = [pairs](const Answer& answer) { return compare_shared_edges(pairs, answer); }};
 }
 
-std::vector<Case> fan_cases() {
-  std::vector<Case> cases;
-  for (const int count : lab_05::kFanCounts) {
-    Case c;
-    c.where = fmt::format("{} triangles around a point", count);
-    c.restated = "together they fill the picture, and most reach behind the eye";
-    c.judge = [count](const Answer& answer) { return compare_coverage(count, answer); };
-    cases.push_back(c);
-  }
-  return cases;
+Case expect_fan(const int& count) {
+  return {.where = fmt::format("{} triangles around a point", count),
+          .restated = "together they fill the picture, and most reach behind the eye",
+          .judge = [count](const Answer& answer) { return compare_coverage(count, answer); }};
 }
 
 }  // namespace glassbox::labs

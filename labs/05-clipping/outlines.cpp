@@ -154,7 +154,11 @@ Expected exact_clip(std::span<const Point<Clip>> polygon, std::span<const ClipPl
   exact::ExactPolygon<Rational> corners;
   for (const Point<Clip>& p : polygon) corners.push_back(exact::exact_point<Rational>(p));
   const exact::ExactPolygon<Rational> kept = exact::clip(corners, planes);
-  Expected expected{"polygon", Shape::kPolygon, {}, bound_of(polygon, planes), "clip units", 4};
+  Expected expected{.field = "polygon",
+                    .shape = Shape::kPolygon,
+                    .bound = bound_of(polygon, planes),
+                    .unit = "clip units",
+                    .columns = 4};
   if (kept.size() < 3) return expected;
   for (const auto& p : kept) {
     for (const Rational* each : {&p.x, &p.y, &p.z, &p.w}) expected.values.push_back(double(*each));
@@ -191,13 +195,13 @@ std::optional<Divergence> compare_shared_edges(const lab_05::PairsCase& pairs,
     const auto two = outline_of(field_of(answer, fmt::format("second {}", i)));
     for (const ClipVertex& end : *left) {
       const auto at_one = nearest(one, end.position), at_two = nearest(two, end.position);
-      Divergence found;
-      found.kind = Divergence::Kind::kPosition;
-      found.field = fmt::format("second {}", i);
-      found.unit = "clip units";
-      found.element = fmt::format("edge {}", i);
-      found.explanation = fmt::format("the shared edge ends at ({}, {}, {}, {})", end.position.x,
-                                      end.position.y, end.position.z, end.position.w);
+      Divergence found{
+          .kind = Divergence::Kind::kPosition,
+          .field = fmt::format("second {}", i),
+          .element = fmt::format("edge {}", i),
+          .unit = "clip units",
+          .explanation = fmt::format("the shared edge ends at ({}, {}, {}, {})", end.position.x,
+                                     end.position.y, end.position.z, end.position.w)};
       if (!at_one || !at_two || !(apart(*at_one, end.position) <= bound) ||
           !(apart(*at_two, end.position) <= bound)) {
         found.kind = Divergence::Kind::kMissing;
@@ -226,20 +230,20 @@ std::optional<Divergence> compare_shared_edges(const lab_05::PairsCase& pairs,
 }
 
 std::optional<Divergence> compare_coverage(int count, const Answer& answer) {
-  Expected expected{
-      "coverage", Shape::kCoverage, std::vector<double>(std::size_t(kWindow.x1 * kWindow.y1), 1),
-      0,          "triangles",      kWindow.x1};
+  const Expected expected{.field = "coverage",
+                          .shape = Shape::kCoverage,
+                          .values = std::vector<double>(std::size_t(kWindow.x1 * kWindow.y1), 1),
+                          .unit = "triangles",
+                          .columns = kWindow.x1};
   std::vector<double> counts(expected.values.size(), 0);
   for (int i = 0; i < count; ++i) {
     const std::string name = fmt::format("triangle {}", i);
     const auto outline = outline_of(field_of(answer, name));
     if (const auto why = cannot_be_drawn(outline)) {
-      Divergence found;
-      found.kind = Divergence::Kind::kPosition;
-      found.field = name;
-      found.distance = std::numeric_limits<double>::infinity();
-      found.explanation = *why;
-      return found;
+      return Divergence{.kind = Divergence::Kind::kPosition,
+                        .field = name,
+                        .distance = std::numeric_limits<double>::infinity(),
+                        .explanation = *why};
     }
     for_each_covered(outline, kViewport, kWindow, [&](const Coverage& pixel) {
       ++counts[std::size_t(pixel.y * kWindow.x1 + pixel.x)];

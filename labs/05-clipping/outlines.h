@@ -35,14 +35,14 @@ std::optional<Divergence> compare_shared_edges(const lab_05::PairsCase& pairs,
 // Every pixel of a picture must be covered once by the answer's `count` polygons.
 std::optional<Divergence> compare_coverage(int count, const Answer& answer);
 
-// The cases of tasks 5.3 to 5.5 (checks_clip.cpp).
-std::vector<Case> crossing_cases();
-std::vector<Case> on_plane_cases();
-std::vector<Case> both_ways_cases(const std::vector<lab_05::EdgesCase>& inputs);
-std::vector<Case> plane_cases(const std::vector<lab_05::PlaneCase>& inputs);
-std::vector<Case> frustum_cases(const std::vector<lab_05::FrustumCase>& inputs);
-std::vector<Case> pair_cases();
-std::vector<Case> fan_cases();
+// What is expected in tasks 5.3 to 5.5 (checks_clip.cpp).
+Case expect_crossing(const lab_05::Edge& edge);
+Case expect_on_plane(const lab_05::Edge& edge);
+Case expect_both_ways(const lab_05::EdgesCase& edges);
+Case expect_polygon(const lab_05::PlaneCase& input);
+Case expect_triangle(const lab_05::FrustumCase& input);
+Case expect_pairs(const lab_05::PairsCase& pairs);
+Case expect_fan(const int& count);
 
 // What each plane may add to the error of a vertex: 8 roundings of the largest coordinate of the edge's ends (student.h).
 inline constexpr double kRoundings = 8;

@@ -1,17 +1,12 @@
+// Puts the cases of lab 5 to your functions.
 #include "labs/framework/runner.h"
-
 #include "cases.h"
 #include "student.h"
 
-namespace glassbox::labs {
-
+namespace lab_05 {
 namespace {
 
-using namespace lab_05;
-
-std::vector<double> numbers_of(const Point<Clip>& p) {
-  return {p.x, p.y, p.z, p.w};
-}
+using glassbox::labs::Answer;
 
 std::vector<double> numbers_of(const Polygon& polygon) {
   std::vector<double> all;
@@ -35,19 +30,17 @@ void ask_verdict(const std::vector<std::uint32_t>& outcodes, Answer& answer) {
 }
 
 void ask_crossing(const Edge& edge, Answer& answer) {
-  answer.emit("crossing", numbers_of(crossing(edge.plane, edge.p, edge.q)));
+  answer.emit("crossing", numbers_of({crossing(edge.plane, edge.p, edge.q)}));
 }
 
 void ask_both_ways(const EdgesCase& edges, Answer& answer) {
-  std::vector<double> forward, backward;
+  Polygon forward, backward;
   for (const Edge& edge : edges) {
-    const auto there = numbers_of(crossing(edge.plane, edge.p, edge.q));
-    const auto back = numbers_of(crossing(edge.plane, edge.q, edge.p));
-    forward.insert(forward.end(), there.begin(), there.end());
-    backward.insert(backward.end(), back.begin(), back.end());
+    forward.push_back(crossing(edge.plane, edge.p, edge.q));
+    backward.push_back(crossing(edge.plane, edge.q, edge.p));
   }
-  answer.emit("p to q", forward);
-  answer.emit("q to p", backward);
+  answer.emit("p to q", numbers_of(forward));
+  answer.emit("q to p", numbers_of(backward));
 }
 
 void ask_plane(const PlaneCase& input, Answer& answer) {
@@ -74,29 +67,27 @@ void ask_fan(int count, Answer& answer) {
 // END HIDDEN
 
 }  // namespace
+}  // namespace lab_05
 
-std::vector<RunnerCheck> runner_checks() {
-  std::vector<RunnerCheck> all{
+std::vector<glassbox::labs::RunnerCheck> glassbox::labs::runner_checks() {
+  using namespace lab_05;
+  return {
       check("faces of solids that look away", solids(), ask_faces),
       check("which planes a point is outside of", points(), ask_outcode),
       check("accepted, rejected or clipped", outcode_lists(), ask_verdict),
-      check("where an edge meets a plane", edges(53, 1), ask_crossing),
+      check("where an edge meets a plane", some_edges(), ask_crossing),
       check("the same bits from either end", edges_both_ways(), ask_both_ways),
       check("a polygon and one plane", polygons(), ask_plane),
       check("a triangle and the frustum", triangles(), ask_frustum),
       check("a shared edge is cut at one place", pairs_of_triangles(), ask_pairs),
+      // BEGIN HIDDEN
+      check("an eye in the face's plane", faces_edge_on(), ask_faces),
+      check("points on, before and behind every plane", lattice_points(), ask_outcode),
+      check("a crossing lies on its plane", other_edges(), ask_crossing),
+      check("crossings between two floats", ties(), ask_both_ways),
+      check("polygons that touch the plane", more_polygons(), ask_plane),
+      check("triangles through many planes", more_triangles(), ask_frustum),
+      check("triangles around a point fill the picture", fan_counts(), ask_fan),
+      // END HIDDEN
   };
-  // BEGIN HIDDEN
-  all.push_back(check("an eye in the face's plane", faces_edge_on(), ask_faces));
-  all.push_back(check("points on, before and behind every plane", lattice_points(), ask_outcode));
-  all.push_back(check("a crossing lies on its plane", edges(54, 1), ask_crossing));
-  all.push_back(check("crossings between two floats", ties(), ask_both_ways));
-  all.push_back(check("polygons that touch the plane", more_polygons(), ask_plane));
-  all.push_back(check("triangles through many planes", more_triangles(), ask_frustum));
-  all.push_back(check("triangles around a point fill the picture",
-                      std::vector<int>(kFanCounts.begin(), kFanCounts.end()), ask_fan));
-  // END HIDDEN
-  return all;
 }
-
-}  // namespace glassbox::labs

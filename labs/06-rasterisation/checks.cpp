@@ -30,20 +30,10 @@ std::string text_of(const Triangle& t) {
                                 : "without area");
 }
 
-// Of a case "... (C-43)", the line that shows the extreme case.
-std::string command_for(const std::string& what) {
-  const std::size_t id = what.find("C-");
-  return id == std::string::npos ? "" : "\nglassbox study extremes --case " + what.substr(id, 4);
-}
-
 // `values` of many things in one field, which has nothing to do with points.
 Case expect_numbers(const std::string& what, const std::string& restated, const std::string& field,
                     std::vector<double> values, const std::string& unit = "") {
-  return {what,
-          restated + command_for(what),
-          {{field, Shape::kNumbers, std::move(values), 0, unit, 0}},
-          nullptr,
-          {}};
+  return {what, restated + command_for(what), {numbers(field, std::move(values), 0, unit)}};
 }
 
 // ---- 6.1 ----
@@ -81,8 +71,13 @@ Case expect_edge(const EdgeCase& input) {
   }
   Case c = expect_numbers(input.what, samples_text(input, true), "edge function", values,
                           "steps squared");
-  c.slipped = {{"winding", {{"edge function", Shape::kNumbers, negated, 0, "steps squared", 0}}}};
+  c.slipped = {{"winding", {numbers("edge function", negated, 0, "steps squared")}}};
   return c;
+}
+
+// A vertex where the grid has it, as the set-up takes vertices.
+ScreenVertex on_screen(const SnappedVertex& v) {
+  return {{float(v.x) / 256, float(v.y) / 256, 0}, 1};
 }
 
 // A triangle with the edge is set up, and asked.
@@ -91,10 +86,7 @@ Case expect_owner(const EdgeCase& input) {
   for (const auto& [a, b, p] : input.samples) {
     // The left normal of b - a on the screen points into a clockwise triangle.
     const SnappedVertex inner{a.x - (b.y - a.y), a.y + (b.x - a.x)};
-    const auto vertex = [](const SnappedVertex& v) {
-      return ScreenVertex{{float(v.x) / 256, float(v.y) / 256, 0}, 1};
-    };
-    const auto setup = setup_triangle({vertex(inner), vertex(a), vertex(b)});
+    const auto setup = setup_triangle({on_screen(inner), on_screen(a), on_screen(b)});
     owned.push_back(setup && setup->edges[0].owns_zero ? 1 : 0);
   }
   return expect_numbers(input.what, samples_text(input, false), "owned", owned);
@@ -104,7 +96,7 @@ Case expect_owner(const EdgeCase& input) {
 
 Expected coverage_of(const CoverageCase& input, bool clockwise, bool counter_clockwise) {
   const PixelRect& w = input.window;
-  Expected expected{"times covered", Shape::kCoverage, {}, 0, "", w.x1 - w.x0};
+  Expected expected{.field = "times covered", .shape = Shape::kCoverage, .columns = w.x1 - w.x0};
   for (int y = w.y0; y < w.y1; ++y) {
     for (int x = w.x0; x < w.x1; ++x) {
       int times = 0;
@@ -127,16 +119,13 @@ Case expect_coverage(const CoverageCase& input) {
   for (std::size_t i = 0; i < input.triangles.size() && i < 4; ++i)
     text += fmt::format("\n  triangle {}: {}", i, text_of(input.triangles[i]));
   if (input.triangles.size() > 4) text += fmt::format("\n  ... {} in all", input.triangles.size());
-  const Expected inside{"outside the window", Shape::kNumbers, {0}, 0, "", 0};
-  Case c{input.what,
-         text + command_for(input.what),
-         {coverage_of(input, true, true), inside},
-         nullptr,
-         {}};
+  const Expected inside = numbers("outside the window", {0});
   // Who takes one winding for the only one draws nothing of the other.
-  c.slipped = {{"winding", {coverage_of(input, true, false), inside}},
-               {"winding", {coverage_of(input, false, true), inside}}};
-  return c;
+  return {.where = input.what,
+          .restated = text + command_for(input.what),
+          .expected = {coverage_of(input, true, true), inside},
+          .slipped = {{"winding", {coverage_of(input, true, false), inside}},
+                      {"winding", {coverage_of(input, false, true), inside}}}};
 }
 
 // ---- 6.5 ----
@@ -174,11 +163,8 @@ TileCover cover_of(const TriangleSetup& setup, const PixelRect& tile) {
 }
 
 Case expect_tiles(const TileCase& input) {
-  const auto vertex = [&](std::size_t i) {
-    const SnappedVertex& v = input.triangle[i];
-    return ScreenVertex{{float(v.x) / 256, float(v.y) / 256, 0}, 1};
-  };
-  const auto setup = setup_triangle({vertex(0), vertex(1), vertex(2)});
+  const auto& [a, b, c] = input.triangle;
+  const auto setup = setup_triangle({on_screen(a), on_screen(b), on_screen(c)});
   std::vector<double> covers;
   for (const PixelRect& tile : input.tiles)
     covers.push_back(setup ? int(cover_of(*setup, tile)) : -1);
@@ -186,19 +172,17 @@ Case expect_tiles(const TileCase& input) {
   while (std::size_t(columns) < input.tiles.size() &&
          input.tiles[std::size_t(columns)].y0 == input.tiles[0].y0)
     ++columns;
-  return expect_numbers(
-      input.what,
-      fmt::format("{}\ntiles of {} x {} pixels, {} to a row, the first at pixel ({}, {}); 0 kNone, "
-                  "1 kSome, 2 kAll",
-                  text_of(input.triangle), input.side, input.side, columns, input.tiles[0].x0,
-                  input.tiles[0].y0),
-      "tiles", covers);
+  return expect_numbers(input.what,
+                        fmt::format("{}\ntiles of {} x {} pixels, {} to a row, the first at pixel "
+                                    "({}, {}); 0 kNone, 1 kSome, 2 kAll",
+                                    text_of(input.triangle), input.side, input.side, columns,
+                                    input.tiles[0].x0, input.tiles[0].y0),
+                        "tiles", covers);
 }
 
 }  // namespace
 
 Lab lab_06() {
-  constexpr bool kHidden = true;
   return {
       6,
       "06-rasterisation",
@@ -209,25 +193,24 @@ Lab lab_06() {
        {"6.4", "The pixels that a triangle covers", 30},
        {"6.5", "A fan that does not fold back", 10},
        {"6.6", "A tile against a triangle", 20}},
-      {check("positions go to the nearest step", "6.1", "screen", false, positions, expect_snap),
-       check("positions next to halves and far away", "6.1", "screen", kHidden, more_positions,
-             expect_snap),
-       check("the edge function is twice an area with its sign", "6.2", "coverage", false, edges,
+      {check("positions go to the nearest step", "6.1", "screen", positions, expect_snap),
+       hidden_check("positions next to halves and far away", "6.1", "screen", more_positions,
+                    expect_snap),
+       check("the edge function is twice an area with its sign", "6.2", "coverage", edges,
              expect_edge),
-       check("edges of 32 K pixels", "6.2", "coverage", kHidden, far_edges, expect_edge),
-       check("top and left edges are owned", "6.3", "coverage", false, directions, expect_owner),
-       check("edges in every direction", "6.3", "coverage", kHidden, more_directions, expect_owner),
-       check("every centre belongs to one triangle", "6.4", "coverage", false, triangles,
-             expect_coverage),
-       check("meshes, fans, slivers and far triangles", "6.4", "coverage", kHidden, more_triangles,
-             expect_coverage),
-       check("a fan that does not fold back", "6.5", "coverage", false, polygons, expect_apex),
-       check("flat polygons bent by the snap", "6.5", "coverage", kHidden, thin_polygons,
-             expect_apex),
-       check("tiles without, with some, and with all pixels", "6.6", "coverage", false, tilings,
+       hidden_check("edges of 32 K pixels", "6.2", "coverage", far_edges, expect_edge),
+       check("top and left edges are owned", "6.3", "coverage", directions, expect_owner),
+       hidden_check("edges in every direction", "6.3", "coverage", more_directions, expect_owner),
+       check("every centre belongs to one triangle", "6.4", "coverage", triangles, expect_coverage),
+       hidden_check("meshes, fans, slivers and far triangles", "6.4", "coverage", more_triangles,
+                    expect_coverage),
+       check("a fan that does not fold back", "6.5", "coverage", polygons, expect_apex),
+       hidden_check("flat polygons bent by the snap", "6.5", "coverage", thin_polygons,
+                    expect_apex),
+       check("tiles without, with some, and with all pixels", "6.6", "coverage", tilings,
              expect_tiles),
-       check("tiles in other places and sizes", "6.6", "coverage", kHidden, more_tilings,
-             expect_tiles)}};
+       hidden_check("tiles in other places and sizes", "6.6", "coverage", more_tilings,
+                    expect_tiles)}};
 }
 
 }  // namespace glassbox::labs

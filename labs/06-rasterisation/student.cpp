@@ -43,7 +43,7 @@ bool owns_edge(const SnappedVertex& a, const SnappedVertex& b) {
 // BEGIN SOLUTION
 namespace {
 
-// The same triangle, clockwise. Not for those without area.
+// The triangle with its corners in clockwise order. Not for those without area.
 Triangle clockwise(Triangle t) {
   if (edge(t[0], t[1], t[2]) < 0) std::swap(t[1], t[2]);
   return t;

@@ -19,11 +19,6 @@ namespace {
 using namespace lab_07;
 using exact::Decimal;
 
-std::string command_for(const std::string& what) {
-  const std::size_t id = what.find("C-");
-  return id == std::string::npos ? "" : "\nglassbox study extremes --case " + what.substr(id, 4);
-}
-
 std::string text_of(const Planes& p) {
   return fmt::format("near {}, far {}, {} range", p.near, p.far,
                      p.range == Range::kStandard ? "standard" : "reversed");
@@ -32,7 +27,7 @@ std::string text_of(const Planes& p) {
 // One number with a bound relative to it; infinity is exact.
 Expected number(const std::string& field, double value, double relative, const std::string& unit) {
   const double bound = std::isfinite(value) ? relative * std::abs(value) : 0;
-  return {field, Shape::kNumbers, {value}, bound, unit, 0};
+  return numbers(field, {value}, bound, unit);
 }
 
 // ---- 7.1 ----
@@ -45,21 +40,20 @@ Case expect_row(const Planes& input) {
   const double a = clip_from_eye->at(2, 2), b = clip_from_eye->at(2, 3);
   const auto expect = [](double a_, double b_) {
     // Ours and theirs are within 4 ulps each of the exact value.
-    return std::vector<Expected>{{"a", Shape::kNumbers, {a_}, 8 * ulp(a_), "", 0},
-                                 {"b", Shape::kNumbers, {b_}, 8 * ulp(b_), "world units", 0}};
+    return std::vector<Expected>{numbers("a", {a_}, 8 * ulp(a_)),
+                                 numbers("b", {b_}, 8 * ulp(b_), "world units")};
   };
   // An eye that looks along +z has z_clip = -a z + b.
-  return {text_of(input),
-          text_of(input) + "; z_clip = a z_eye + b, w_clip = -z_eye",
-          expect(a, b),
-          nullptr,
-          {{"z-sign", expect(-a, b)}}};
+  return {.where = text_of(input),
+          .restated = text_of(input) + "; z_clip = a z_eye + b, w_clip = -z_eye",
+          .expected = expect(a, b),
+          .slipped = {{"z-sign", expect(-a, b)}}};
 }
 
 // ---- 7.2 ----
 
 Case expect_distance(const DistanceCase& input) {
-  Case c{input.what, text_of(input.planes) + "; depths", {}, nullptr, {}};
+  Case c{input.what, text_of(input.planes) + "; depths", {}};
   for (const double depth : input.depths) {
     c.restated += fmt::format(" {}", depth);
     const bool reversed = input.planes.range == Range::kReversed;
@@ -100,11 +94,7 @@ Case expect_code(const CodeCase& input) {
     if (codes.size() <= 8) text += fmt::format(" {}", depth);
   }
   if (codes.size() > 8) text += " ...";
-  return {input.what,
-          text + command_for(input.what),
-          {{"codes", Shape::kNumbers, codes, 0, "", 0}},
-          nullptr,
-          {}};
+  return {input.what, text + command_for(input.what), {numbers("codes", codes)}};
 }
 
 // ---- 7.4 ----
@@ -128,11 +118,7 @@ Case expect_visible(const BufferCase& input) {
   for (std::size_t i = 0; i < input.fragments.size() && i < 8; ++i)
     text += fmt::format(" {}: ({}, {})", i, input.fragments[i].pixel, input.fragments[i].depth);
   if (input.fragments.size() > 8) text += " ...";
-  return {input.what,
-          text + command_for(input.what),
-          {{"seen", Shape::kNumbers, seen, 0, "", 0}},
-          nullptr,
-          {}};
+  return {input.what, text + command_for(input.what), {numbers("seen", seen)}};
 }
 
 // ---- 7.5 ----
@@ -161,8 +147,6 @@ Case expect_ladder(const LadderCase& input) {
   Case c{
       input.what,
       fmt::format("{}, near {}, far {}; distances", name_of(input.format), input.near, input.far),
-      {},
-      nullptr,
       {}};
   for (const double d : input.distances) {
     c.restated += fmt::format(" {}", d);
@@ -178,7 +162,6 @@ Case expect_ladder(const LadderCase& input) {
 }  // namespace
 
 Lab lab_07() {
-  constexpr bool kHidden = true;
   return {
       7,
       "07-depth",
@@ -188,19 +171,18 @@ Lab lab_07() {
        {"7.3", "The codes of four formats", 25},
        {"7.4", "A z-buffer", 20},
        {"7.5", "The ladder: how fine a format is", 20}},
-      {check("the near and far planes have the ends of the range", "7.1", "clip", false, planes,
+      {check("the near and far planes have the ends of the range", "7.1", "clip", planes,
              expect_row),
-       check("planes very close and very far apart", "7.1", "clip", kHidden, more_planes,
-             expect_row),
-       check("a depth leads back to its distance", "7.2", "NDC", false, depths, expect_distance),
-       check("depths next to the far plane's", "7.2", "NDC", kHidden, more_depths, expect_distance),
-       check("depths become codes", "7.3", "depth", false, codes, expect_code),
-       check("random depths and halves", "7.3", "depth", kHidden, more_codes, expect_code),
-       check("the nearest fragment is seen, the first of equals", "7.4", "depth", false, buffers,
+       hidden_check("planes very close and very far apart", "7.1", "clip", more_planes, expect_row),
+       check("a depth leads back to its distance", "7.2", "NDC", depths, expect_distance),
+       hidden_check("depths next to the far plane's", "7.2", "NDC", more_depths, expect_distance),
+       check("depths become codes", "7.3", "depth", codes, expect_code),
+       hidden_check("random depths and halves", "7.3", "depth", more_codes, expect_code),
+       check("the nearest fragment is seen, the first of equals", "7.4", "depth", buffers,
              expect_visible),
-       check("many fragments", "7.4", "depth", kHidden, more_buffers, expect_visible),
-       check("the ladder of the formats", "7.5", "depth", false, ladders, expect_ladder),
-       check("ladders of other views", "7.5", "depth", kHidden, more_ladders, expect_ladder)}};
+       hidden_check("many fragments", "7.4", "depth", more_buffers, expect_visible),
+       check("the ladder of the formats", "7.5", "depth", ladders, expect_ladder),
+       hidden_check("ladders of other views", "7.5", "depth", more_ladders, expect_ladder)}};
 }
 
 }  // namespace glassbox::labs

@@ -47,7 +47,7 @@ Case expect_pixel(const PixelCase& input) {
     // 13 u of the spread and a last rounding, as raster/interpolate.h derives it; the edge functions are rounded here
     // as there, and the area, which a student may divide by or not, adds a rounding to each of 1/w and u/w.
     const double bound = 16 * u24 * double(spread / q) + u24 * std::abs(value);
-    expected.push_back({i == 0 ? "u" : "v", Shape::kNumbers, {value}, bound, "", 0});
+    expected.push_back(numbers(i == 0 ? "u" : "v", {value}, bound));
   }
   std::string text =
       fmt::format("edge functions {}, {}, {}; 1/w {:.9g}, {:.9g}, {:.9g};", at.edges[0],
@@ -55,12 +55,11 @@ Case expect_pixel(const PixelCase& input) {
   for (const auto& [u, v] : at.texcoords) text += fmt::format(" (u, v) = ({:.9g}, {:.9g})", u, v);
   const auto part = [](const Rational& of, const Rational& sum) { return double(of / sum); };
   text += fmt::format(
-      "\nweights on the screen {:.6g}, {:.6g}, {:.6g}; on the triangle {:.6g}, "
-      "{:.6g}, {:.6g}",
+      "\nweights on the screen {:.6g}, {:.6g}, {:.6g}; on the triangle {:.6g}, {:.6g}, {:.6g}",
       part(Rational(at.edges[0]), area), part(Rational(at.edges[1]), area),
       part(Rational(at.edges[2]), area), part(share[0], q), part(share[1], q), part(share[2], q));
   if (*input.command != 0) text += fmt::format("\n{}", input.command);
-  return {input.what, text, expected, nullptr, {}};
+  return {input.what, text, expected};
 }
 
 // ---- rows of pixels ----
@@ -104,9 +103,7 @@ Case expect_span(const SpanCase& input) {
   return {input.what,
           fmt::format("{}, a division every {}; number x is at x + 1/2\nglassbox study run D-4",
                       line_text(line), input.every),
-          {{"u at each pixel", Shape::kNumbers, values, bound, "texel", 0}},
-          nullptr,
-          {}};
+          {numbers("u at each pixel", values, bound, "texel")}};
 }
 
 // The largest error of the law over the spans.
@@ -141,10 +138,8 @@ Case expect_choice(const ChoiceCase& input) {
   }
   return {fmt::format("at most {} texels", input.tolerance),
           text,
-          {{"pixels from division to division", Shape::kNumbers, {double(every)}, 0, "", 0},
-           {"error", Shape::kNumbers, {error}, 64 * u53 * scale_of(line), "texel", 0}},
-          nullptr,
-          {}};
+          {numbers("pixels from division to division", {double(every)}),
+           numbers("error", {error}, 64 * u53 * scale_of(line), "texel")}};
 }
 
 // ---- footprints ----
@@ -218,32 +213,15 @@ Case expect_footprint(const FootprintCase& input) {
                   input.x, input.y, input.width, input.height, along_x, along_y);
   return {input.what,
           text,
-          {{"du/dx, du/dy",
-            Shape::kNumbers,
-            {double(u.along_x), double(u.along_y)},
-            u_bound,
-            "per px",
-            0},
-           {"dv/dx, dv/dy",
-            Shape::kNumbers,
-            {double(v.along_x), double(v.along_y)},
-            v_bound,
-            "per px",
-            0},
-           {"level",
-            Shape::kNumbers,
-            {std::clamp(longer > 0 ? std::log2(longer) : 0, 0.0, last)},
-            level_bound,
-            "levels",
-            0}},
-          nullptr,
-          {}};
+          {numbers("du/dx, du/dy", {double(u.along_x), double(u.along_y)}, u_bound, "per px"),
+           numbers("dv/dx, dv/dy", {double(v.along_x), double(v.along_y)}, v_bound, "per px"),
+           numbers("level", {std::clamp(longer > 0 ? std::log2(longer) : 0, 0.0, last)},
+                   level_bound, "levels")}};
 }
 
 }  // namespace
 
 Lab lab_08() {
-  constexpr bool kHidden = true;
   Lab lab{
       8,
       "08-attributes",
@@ -254,17 +232,16 @@ Lab lab_08() {
        {"8.4", "Footprint and mip level", 20},
        {"8.5", "A Bezier patch in triangles", 15},
        {"8.6", "The level of a patch", 10}},
-      {check("texture coordinates at a pixel", "8.1", "shading", false, pixels, expect_pixel),
-       check("texture coordinates at other pixels", "8.1", "shading", kHidden, hidden_pixels,
-             expect_pixel),
-       check("coordinates along a row by spans", "8.2", "shading", false, spans, expect_span),
-       check("coordinates along other rows", "8.2", "shading", kHidden, hidden_spans, expect_span),
-       check("the longest span within a tolerance", "8.3", "shading", false, choices,
-             expect_choice),
-       check("the longest span of other rows", "8.3", "shading", kHidden, hidden_choices,
-             expect_choice),
-       check("footprint and mip level", "8.4", "shading", false, footprints, expect_footprint),
-       check("other footprints", "8.4", "shading", kHidden, hidden_footprints, expect_footprint)}};
+      {check("texture coordinates at a pixel", "8.1", "shading", pixels, expect_pixel),
+       hidden_check("texture coordinates at other pixels", "8.1", "shading", hidden_pixels,
+                    expect_pixel),
+       check("coordinates along a row by spans", "8.2", "shading", spans, expect_span),
+       hidden_check("coordinates along other rows", "8.2", "shading", hidden_spans, expect_span),
+       check("the longest span within a tolerance", "8.3", "shading", choices, expect_choice),
+       hidden_check("the longest span of other rows", "8.3", "shading", hidden_choices,
+                    expect_choice),
+       check("footprint and mip level", "8.4", "shading", footprints, expect_footprint),
+       hidden_check("other footprints", "8.4", "shading", hidden_footprints, expect_footprint)}};
   for (Check& each : surface_checks()) lab.checks.push_back(std::move(each));
   return lab;
 }

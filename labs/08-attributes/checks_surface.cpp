@@ -74,6 +74,14 @@ double position_bound(const Patch& patch) {
   return 64 * u53 * largest;
 }
 
+Expected positions_of(const std::string& field, std::vector<double> values, double bound) {
+  return {.field = field,
+          .shape = Shape::kPolygon,
+          .values = std::move(values),
+          .bound = bound,
+          .columns = 3};
+}
+
 std::string patch_text(const Patch& patch) {
   std::string text;
   for (std::size_t j = 0; j < 4; ++j) {
@@ -102,17 +110,15 @@ Case expect_patch(const PatchCase& input) {
       triangles.insert(triangles.end(), {a, d + 1, d});
     }
   }
-  const Expected indices{"triangles", Shape::kNumbers, triangles, 0, "", 0};
+  const Expected indices = numbers("triangles", triangles);
   const auto places = [&](std::vector<double> values) {
-    return Expected{
-        "positions", Shape::kPolygon, std::move(values), position_bound(input.patch), "", 3};
+    return positions_of("positions", std::move(values), position_bound(input.patch));
   };
-  return {input.what,
-          fmt::format("{}\n{} x {} cells{}", patch_text(input.patch), n, n,
-                      pole ? ", rows[0] is a pole" : ""),
-          {places(positions), indices},
-          nullptr,
-          {{"row-column-order", {places(exchanged), indices}}}};
+  return {.where = input.what,
+          .restated = fmt::format("{}\n{} x {} cells{}", patch_text(input.patch), n, n,
+                                  pole ? ", rows[0] is a pole" : ""),
+          .expected = {places(positions), indices},
+          .slipped = {{"row-column-order", {places(exchanged), indices}}}};
 }
 
 // ---- seams ----
@@ -124,23 +130,21 @@ std::optional<Divergence> judge_seam(const SeamCase& input, const Answer& answer
   for (int i = 0; i <= input.level; ++i) add(on_patch(rows, i, input.level, input.level), border);
   const std::string names[2] = {"border of the first patch", "border of the second patch"};
   for (const std::string& name : names) {
-    const Expected expected{name, Shape::kPolygon, border, position_bound(input.a), "", 3};
+    const Expected expected = positions_of(name, border, position_bound(input.a));
     if (auto found = compare(expected, answer).first) return found;
   }
-  const Expected as_first{names[1], Shape::kPolygon, *find_field(answer, names[0]), 0, "", 3};
-  auto found = compare(as_first, answer).first;
+  auto found = compare(positions_of(names[1], *find_field(answer, names[0]), 0), answer).first;
   if (found) found->explanation = "the first patch has another position there: a crack";
   return found;
 }
 
 Case expect_seam(const SeamCase& input) {
-  return {input.what,
-          fmt::format("{}\n{} x {} cells; the last row is a border of the second patch in the "
-                      "opposite order",
-                      patch_text(input.a), input.level, input.level),
-          {},
-          [input](const Answer& answer) { return judge_seam(input, answer); },
-          {}};
+  return {
+      .where = input.what,
+      .restated = fmt::format(
+          "{}\n{} x {} cells; the last row is a border of the second patch in the opposite order",
+          patch_text(input.a), input.level, input.level),
+      .judge = [input](const Answer& answer) { return judge_seam(input, answer); }};
 }
 
 // ---- levels ----
@@ -181,22 +185,18 @@ Case expect_level(const LevelCase& input) {
                       "glassbox study run D-26",
                       patch_text(input.patch), input.px_per_unit, input.tolerance_px, double(uu),
                       double(uv), double(vv)),
-          {{"level", Shape::kNumbers, {double(level)}, 0, "", 0}},
-          nullptr,
-          {}};
+          {numbers("level", {double(level)})}};
 }
 
 }  // namespace
 
 std::vector<Check> surface_checks() {
-  constexpr bool kHidden = true;
-  return {
-      check("a patch in cells", "8.5", "world", false, patches, expect_patch),
-      check("patches meet", "8.5", "world", false, seams, expect_seam),
-      check("other patches in cells", "8.5", "world", kHidden, hidden_patches, expect_patch),
-      check("other patches meet", "8.5", "world", kHidden, hidden_seams, expect_seam),
-      check("the level of a patch", "8.6", "world", false, levels, expect_level),
-      check("the level of other patches", "8.6", "world", kHidden, hidden_levels, expect_level)};
+  return {check("a patch in cells", "8.5", "world", patches, expect_patch),
+          check("patches meet", "8.5", "world", seams, expect_seam),
+          hidden_check("other patches in cells", "8.5", "world", hidden_patches, expect_patch),
+          hidden_check("other patches meet", "8.5", "world", hidden_seams, expect_seam),
+          check("the level of a patch", "8.6", "world", levels, expect_level),
+          hidden_check("the level of other patches", "8.6", "world", hidden_levels, expect_level)};
 }
 
 }  // namespace glassbox::labs

@@ -52,10 +52,10 @@ std::vector<Expected> projection_fields(lab_09::Side side, const Matrix4<Rationa
                                         double bound) {
   std::vector<double> x, others;
   for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = 0; j < 4; ++j) (i == 0 ? x : others).push_back(double(m.at[i][j]));
+    for (const Rational& each : m.at[i]) (i == 0 ? x : others).push_back(double(each));
   }
-  return {{name_of_eye(side) + ", row of x", Shape::kMatrix, x, bound, "", 4},
-          {name_of_eye(side) + ", rows of y, z, w", Shape::kMatrix, others, 0, "", 4}};
+  return {matrix(name_of_eye(side) + ", row of x", 4, x, bound),
+          matrix(name_of_eye(side) + ", rows of y, z, w", 4, others)};
 }
 
 // m02 + m00 (s/f): a quotient, a product and a sum round, to 3 u (|m00 s/f| + |m02|); m03 + m00 s likewise.
@@ -69,9 +69,8 @@ Case expect_projection(const ProjectionCase& input) {
   Case c{what,
          fmt::format("s = {}, f = {}; the projection's row of x is ({}, {}, {}, {})", s,
                      pair.window, given.at(0, 0), given.at(0, 1), given.at(0, 2), given.at(0, 3)),
-         {},
-         nullptr,
-         {{"z-sign", {}}, {"row-column-order", {}}, {"multiplication-order", {}}}};
+         {}};
+  c.slipped = {{"z-sign", {}}, {"row-column-order", {}}, {"multiplication-order", {}}};
   const auto projection = exact::exactly<Rational>(given);
   for (const lab_09::Side side : kEyes) {
     const Rational shift(side == lab_09::Side::kLeft ? s : -s);
@@ -107,8 +106,6 @@ Case expect_crop(const CropCase& input) {
          fmt::format("s = {}, f = {}, scale {}: {} columns are drawn, {} cut",
                      input.pair.half_separation, input.pair.window, input.scale,
                      input.width + cut.shift, cut.shift),
-         {},
-         nullptr,
          {}};
   for (const lab_09::Side side : kEyes) {
     const View& view = side == lab_09::Side::kLeft ? cut.left : cut.right;
@@ -146,9 +143,7 @@ Case expect_parallax(const ParallaxCase& input) {
                       "centre, the left eye has it at x = {:.9g} px, the right one at {:.9g} px",
                       pair.half_separation, pair.window, z, picture.scale, picture.width,
                       (picture.width - px) / 2, (picture.width + px) / 2),
-          {{"px and percent", Shape::kNumbers, {px, percent}, bound, "px or per cent", 0}},
-          nullptr,
-          {}};
+          {numbers("px and percent", {px, percent}, bound, "px or per cent")}};
 }
 
 // ---- culling ----
@@ -172,7 +167,7 @@ Case expect_culled(const CullCase& input) {
       text += fmt::format(" ({:.6g}, {:.6g}, {:.6g}, {:.6g}, {:.6g})", p.left_x, p.right_x, p.y,
                           p.z, p.w);
   }
-  return {input.what, text, {{"verdicts", Shape::kNumbers, verdicts, 0, "", 0}}, nullptr, {}};
+  return {input.what, text, {numbers("verdicts", verdicts)}};
 }
 
 // ---- comfort ----
@@ -199,17 +194,12 @@ Case expect_comfort(const ComfortCase& input) {
   }
   const double bound = 64 * (1 + input.release_frames) * u *
                        *std::max_element(separations.begin(), separations.end());
-  return {input.what,
-          text,
-          {{"half separations", Shape::kNumbers, separations, bound, "world units", 0}},
-          nullptr,
-          {}};
+  return {input.what, text, {numbers("half separations", separations, bound, "world units")}};
 }
 
 }  // namespace
 
 Lab lab_09() {
-  constexpr bool kHidden = true;
   return {
       9,
       "09-stereo",
@@ -220,21 +210,21 @@ Lab lab_09() {
        {"9.4", "Two pictures in one colour buffer", 15},
        {"9.5", "Colours for coloured glasses", 10},
        {"9.6", "As much depth as the eyes can bear", 15}},
-      {check("the projections of both eyes", "9.1", "clip", false, projections, expect_projection),
-       check("align and crop gives the same pictures", "9.1", "screen", false, crops, expect_crop),
-       check("other projections", "9.1", "clip", kHidden, hidden_projections, expect_projection),
-       check("align and crop, other pictures", "9.1", "screen", kHidden, hidden_crops, expect_crop),
-       check("the parallax of a distance", "9.2", "screen", false, distances, expect_parallax),
-       check("other distances", "9.2", "screen", kHidden, hidden_distances, expect_parallax),
-       check("what neither eye sees is culled", "9.3", "clip", false, triangles, expect_culled),
-       check("other triangles", "9.3", "clip", kHidden, hidden_triangles, expect_culled),
-       check("two pictures in one buffer", "9.4", "anaglyph", false, anaglyphs, expect_anaglyph),
-       check("other pictures in one buffer", "9.4", "anaglyph", kHidden, hidden_anaglyphs,
-             expect_anaglyph),
-       check("colours for coloured glasses", "9.5", "anaglyph", false, colours, expect_colour),
-       check("other colours", "9.5", "anaglyph", kHidden, hidden_colours, expect_colour),
-       check("separations within the budget", "9.6", "eye", false, sequences, expect_comfort),
-       check("other sequences", "9.6", "eye", kHidden, hidden_sequences, expect_comfort)}};
+      {check("the projections of both eyes", "9.1", "clip", projections, expect_projection),
+       check("align and crop gives the same pictures", "9.1", "screen", crops, expect_crop),
+       hidden_check("other projections", "9.1", "clip", hidden_projections, expect_projection),
+       hidden_check("align and crop, other pictures", "9.1", "screen", hidden_crops, expect_crop),
+       check("the parallax of a distance", "9.2", "screen", distances, expect_parallax),
+       hidden_check("other distances", "9.2", "screen", hidden_distances, expect_parallax),
+       check("what neither eye sees is culled", "9.3", "clip", triangles, expect_culled),
+       hidden_check("other triangles", "9.3", "clip", hidden_triangles, expect_culled),
+       check("two pictures in one buffer", "9.4", "anaglyph", anaglyphs, expect_anaglyph),
+       hidden_check("other pictures in one buffer", "9.4", "anaglyph", hidden_anaglyphs,
+                    expect_anaglyph),
+       check("colours for coloured glasses", "9.5", "anaglyph", colours, expect_colour),
+       hidden_check("other colours", "9.5", "anaglyph", hidden_colours, expect_colour),
+       check("separations within the budget", "9.6", "eye", sequences, expect_comfort),
+       hidden_check("other sequences", "9.6", "eye", hidden_sequences, expect_comfort)}};
 }
 
 }  // namespace glassbox::labs

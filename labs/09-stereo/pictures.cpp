@@ -61,11 +61,8 @@ Case expect_anaglyph(const AnaglyphCase& input) {
   }
   return {input.what,
           text,
-          {{"red", Shape::kMatrix, red, 0, "", a.width},
-           {"green", Shape::kMatrix, green, 0, "", a.width},
-           {"blue", Shape::kMatrix, blue, 0, "", a.width}},
-          nullptr,
-          {}};
+          {matrix("red", a.width, red), matrix("green", a.width, green),
+           matrix("blue", a.width, blue)}};
 }
 
 // Recoloured colours are at most 1 and right to 10 u; the sizes of a row add up to less than 1.5, and six products and their sum
@@ -91,9 +88,7 @@ Case expect_colour(const ColourCase& input) {
       fmt::format("k = {}, b = {}; left ({}), right ({}); before clamping ({:.6g})",
                   input.recolour.desaturate, input.recolour.brighten, fmt::join(input.left, ", "),
                   fmt::join(input.right, ", "), fmt::join(sums, ", ")),
-      {{"red, green, blue", Shape::kNumbers, shown, 32 * unit_roundoff<double>, "", 0}},
-      nullptr,
-      {}};
+      {numbers("red, green, blue", shown, 32 * unit_roundoff<double>)}};
 }
 
 }  // namespace glassbox::labs

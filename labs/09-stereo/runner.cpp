@@ -7,17 +7,14 @@ namespace lab_09 {
 namespace {
 
 using glassbox::labs::Answer;
+using glassbox::labs::entries;
 
 void projection(const ProjectionCase& input, Answer& answer) {
   for (const Side side : {Side::kLeft, Side::kRight}) {
-    const auto m = eye_projection(input.centre, input.pair, side);
-    std::vector<double> x, others;
-    for (int i = 0; i < 4; ++i) {
-      for (int j = 0; j < 4; ++j) (i == 0 ? x : others).push_back(m.at(i, j));
-    }
+    const auto rows = entries(eye_projection(input.centre, input.pair, side));
     const std::string eye = side == Side::kLeft ? "left eye" : "right eye";
-    answer.emit(eye + ", row of x", x);
-    answer.emit(eye + ", rows of y, z, w", others);
+    answer.emit(eye + ", row of x", {rows.begin(), rows.begin() + 4});
+    answer.emit(eye + ", rows of y, z, w", {rows.begin() + 4, rows.end()});
   }
 }
 

@@ -39,33 +39,6 @@ BuildStep compile_step(const fs::path& source, const fs::path& build_dir, const 
   return step;
 }
 
-// The files of "out.o: a.cpp b.h \ c\ d.h".
-std::vector<fs::path> dependencies_of(const std::string& text) {
-  std::vector<fs::path> files;
-  std::string word;
-  const std::size_t colon = text.find(": ");
-  const auto finish = [&] {
-    if (!word.empty()) files.emplace_back(word);
-    word.clear();
-  };
-  for (std::size_t i = colon == std::string::npos ? text.size() : colon + 2; i < text.size(); ++i) {
-    const char next = i + 1 < text.size() ? text[i + 1] : '\n';
-    if (text[i] == '\\' && next == '\n') {
-      finish();
-      ++i;
-    } else if (text[i] == '\\' && (next == ' ' || next == '#' || next == '\\')) {
-      word += next;
-      ++i;
-    } else if (text[i] == ' ' || text[i] == '\n') {
-      finish();
-    } else {
-      word += text[i];
-    }
-  }
-  finish();
-  return files;
-}
-
 // With which words an output was made: another compiler or flag makes it anew.
 fs::path words_file(const BuildStep& step) {
   return step.output.string() + ".words";
@@ -128,20 +101,16 @@ std::string compiler() {
 Result<BuildPlan> plan_build(const Sources& sources, const BuildRequest& request) {
   const auto files = support_files(sources, request.folder, request.with_hidden);
   if (!files) return tl::unexpected(files.error());
-  for (const SourceFile& file : *files) {
-    if (const auto written = write_if_changed(request.build_dir / "src" / file.path, file.text);
-        !written)
-      return tl::unexpected(written.error());
-  }
   const auto headers = library_headers(sources, *files);
   if (!headers) return tl::unexpected(headers.error());
-  for (const SourceFile& header : *headers) {
-    if (const auto written =
-            write_if_changed(request.build_dir / "include" / header.path, header.text);
-        !written)
-      return tl::unexpected(written.error());
-  }
   const fs::path src = request.build_dir / "src";
+  for (const auto& [folder, written_there] :
+       {std::pair{src, &*files}, {request.build_dir / "include", &*headers}}) {
+    for (const SourceFile& file : *written_there) {
+      if (const auto written = write_if_changed(folder / file.path, file.text); !written)
+        return tl::unexpected(written.error());
+    }
+  }
   BuildPlan plan;
   plan.program = request.build_dir / "runner";
   plan.steps = {
@@ -157,6 +126,32 @@ Result<BuildPlan> plan_build(const Sources& sources, const BuildRequest& request
   link.argv.insert(link.argv.end(), {"-o", plan.program.string()});
   plan.steps.push_back(link);
   return plan;
+}
+
+std::vector<fs::path> dependencies_of(const std::string& rule) {
+  std::vector<fs::path> files;
+  std::string word;
+  const std::size_t colon = rule.find(": ");
+  const auto finish = [&] {
+    if (!word.empty()) files.emplace_back(word);
+    word.clear();
+  };
+  for (std::size_t i = colon == std::string::npos ? rule.size() : colon + 2; i < rule.size(); ++i) {
+    const char next = i + 1 < rule.size() ? rule[i + 1] : '\n';
+    if (rule[i] == '\\' && next == '\n') {
+      finish();
+      ++i;
+    } else if (rule[i] == '\\' && (next == ' ' || next == '#' || next == '\\')) {
+      word += next;
+      ++i;
+    } else if (rule[i] == ' ' || rule[i] == '\n') {
+      finish();
+    } else {
+      word += rule[i];
+    }
+  }
+  finish();
+  return files;
 }
 
 bool is_up_to_date(const BuildStep& step) {

@@ -52,6 +52,9 @@ struct BuildOutcome {
 // Calls the compiler for what is not up to date, at the same time for each file.
 Result<BuildOutcome> build_runner(const Sources& sources, const BuildRequest& request);
 
+// What was read to make the output of a compiler's rule "out.o: a.cpp b.h \ c\ d.h", the source first.
+std::vector<std::filesystem::path> dependencies_of(const std::string& rule);
+
 // CXX of the environment, or the compiler that glassbox was built with, or c++.
 std::string compiler();
 

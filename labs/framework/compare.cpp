@@ -25,14 +25,12 @@ double float_ulps(double expected, double actual) {
 }
 
 Divergence divergence_at(const Expected& expected, std::size_t index, Divergence::Kind kind) {
-  Divergence found;
-  found.kind = kind;
-  found.field = expected.field;
-  found.index = index;
-  found.element = element_name(expected, index);
-  found.bound = expected.bound;
-  found.unit = expected.unit;
-  return found;
+  return {.kind = kind,
+          .field = expected.field,
+          .index = index,
+          .element = element_name(expected, index),
+          .bound = expected.bound,
+          .unit = expected.unit};
 }
 
 // What is wrong with a number that is there.
@@ -236,19 +234,9 @@ const std::vector<double>* find_field(const Answer& answer, const std::string& n
 }
 
 const char* kind_name(Divergence::Kind kind) {
-  switch (kind) {
-    case Divergence::Kind::kMissing:
-      return "missing";
-    case Divergence::Kind::kExtra:
-      return "extra";
-    case Divergence::Kind::kPosition:
-      return "wrong position";
-    case Divergence::Kind::kData:
-      return "wrong data";
-    case Divergence::Kind::kNotANumber:
-      return "not a number";
-  }
-  return "";
+  constexpr const char* kNames[] = {"missing", "extra", "wrong position", "wrong data",
+                                    "not a number"};
+  return kNames[int(kind)];
 }
 
 }  // namespace glassbox::labs

@@ -42,30 +42,22 @@ void add_field(const Case& input, const Answer& answer, FirstFailure& failure) {
   }
 }
 
+// A check's result before any case of it is judged.
+CheckResult nothing_judged(const Check& check, std::size_t cases, double points) {
+  return {.name = check.name,
+          .task = check.task,
+          .stage = check.stage,
+          .hidden = check.hidden,
+          .max_score = points * double(cases)};
+}
+
 }  // namespace
 
 const char* verdict_name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kRight:
-      return "right";
-    case Verdict::kWrong:
-      return "wrong answer";
-    case Verdict::kMissing:
-      return "no answer";
-    case Verdict::kThrew:
-      return "exception";
-    case Verdict::kCrash:
-      return "crash";
-    case Verdict::kTimeout:
-      return "timeout";
-    case Verdict::kLimit:
-      return "limit exceeded";
-    case Verdict::kMalformed:
-      return "malformed output";
-    case Verdict::kNotBuilt:
-      return "not built";
-  }
-  return "";
+  constexpr const char* kNames[] = {
+      "right",   "wrong answer",   "no answer",        "exception", "crash",
+      "timeout", "limit exceeded", "malformed output", "not built"};
+  return kNames[int(verdict)];
 }
 
 double points_of_case(const Lab& lab, const std::vector<std::size_t>& counts,
@@ -82,13 +74,9 @@ double points_of_case(const Lab& lab, const std::vector<std::size_t>& counts,
 
 CheckResult judge_check(const Check& check, const std::vector<Case>& cases,
                         const CheckAnswers& answers, double points) {
-  CheckResult result{.name = check.name,
-                     .task = check.task,
-                     .stage = check.stage,
-                     .hidden = check.hidden,
-                     .max_score = points * double(cases.size()),
-                     .said = answers.said,
-                     .seconds = answers.seconds};
+  CheckResult result = nothing_judged(check, cases.size(), points);
+  result.said = answers.said;
+  result.seconds = answers.seconds;
   const CaseAnswer none;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const CaseAnswer& answer = i < answers.cases.size() ? answers.cases[i] : none;
@@ -119,22 +107,14 @@ CheckResult judge_check(const Check& check, const std::vector<Case>& cases,
 }
 
 CheckResult not_built_check(const Check& check, std::size_t cases, double points) {
-  CheckResult result;
-  result.name = check.name;
-  result.task = check.task;
-  result.stage = check.stage;
-  result.hidden = check.hidden;
-  result.max_score = points * double(cases);
+  CheckResult result = nothing_judged(check, cases, points);
   result.verdict = Verdict::kNotBuilt;
   result.cases.assign(cases, Verdict::kNotBuilt);
   return result;
 }
 
 LabResult sum_up(const Lab& lab, std::vector<CheckResult> checks) {
-  LabResult result;
-  result.number = lab.number;
-  result.folder = lab.folder;
-  result.title = lab.title;
+  LabResult result{.number = lab.number, .folder = lab.folder, .title = lab.title};
   for (const Task& task : lab.tasks) {
     TaskResult sum{task.id, task.title, 0, 0};
     for (const CheckResult& check : checks) {

@@ -50,7 +50,7 @@ struct CheckResult {
   std::optional<FirstFailure> first = {};
   // Ids that make every answer of the check right, the likeliest first.
   std::vector<std::string> slips = {};
-  std::string said;  // what the student's code printed
+  std::string said = {};  // what the student's code printed
   double seconds = 0;
 };
 
@@ -64,10 +64,10 @@ struct LabResult {
   std::string folder, title;
   double score = 0, max_score = 0;
   double hidden_points = 0;  // of hidden checks that were not judged
-  std::vector<TaskResult> tasks;
-  std::vector<CheckResult> checks;
-  std::string not_built;  // what the compiler said; empty if it was content
-  std::vector<std::string> warnings;
+  std::vector<TaskResult> tasks = {};
+  std::vector<CheckResult> checks = {};
+  std::string not_built = {};  // what the compiler said; empty if it was content
+  std::vector<std::string> warnings = {};
 };
 
 // The points of one case of each check of the task: the task's points shared equally by the cases of all its checks, hidden

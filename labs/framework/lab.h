@@ -22,26 +22,40 @@ namespace glassbox::labs {
 enum class Shape { kNumbers, kPoint, kMatrix, kPolygon, kCoverage };
 
 struct Expected {
-  std::string field;  // as the runner emits it
+  std::string field = {};  // as the runner emits it
   Shape shape = Shape::kNumbers;
-  std::vector<double> values;
-  double bound = 0;  // of the distance of each number, in `unit`; 0: exact
-  std::string unit;  // "world units", "px", "radian" (which makes it an angle); empty: a count
-  int columns = 0;   // of coverage: the width in pixels; of a polygon: the numbers of a vertex
+  std::vector<double> values = {};
+  double bound = 0;       // of the distance of each number, in `unit`; 0: exact
+  std::string unit = {};  // "world units", "px", "radian" (which makes it an angle); empty: a count
+  int columns = 0;        // of coverage: the width in pixels; of a polygon: the numbers of a vertex
 };
+
+// What is expected of a field that holds numbers, a point, or a matrix row by row.
+inline Expected numbers(std::string field, std::vector<double> values, double bound = 0,
+                        std::string unit = {}) {
+  return {std::move(field), Shape::kNumbers, std::move(values), bound, std::move(unit)};
+}
+inline Expected point(std::string field, std::vector<double> values, double bound,
+                      std::string unit = {}) {
+  return {std::move(field), Shape::kPoint, std::move(values), bound, std::move(unit)};
+}
+inline Expected matrix(std::string field, int columns, std::vector<double> values, double bound = 0,
+                       std::string unit = {}) {
+  return {std::move(field), Shape::kMatrix, std::move(values), bound, std::move(unit), columns};
+}
 
 // Where an answer first departs from what is expected.
 struct Divergence {
   enum class Kind { kMissing, kExtra, kPosition, kData, kNotANumber };
   Kind kind = Kind::kData;
-  std::string field;
-  std::size_t index = 0;  // of the number, pixel or vertex in the field
-  std::string element;    // "row 2, column 3", "vertex 4, w", "pixel (10, 12)"
+  std::string field = {};
+  std::size_t index = 0;     // of the number, pixel or vertex in the field
+  std::string element = {};  // "row 2, column 3", "vertex 4, w", "pixel (10, 12)"
   double expected = 0, actual = 0;
   double distance = 0, bound = 0;  // in `unit`
   double ulps = 0;                 // of float, between expected and actual
-  std::string unit;
-  std::string explanation;  // where a judge of the case's own has more to say
+  std::string unit = {};
+  std::string explanation = {};  // where a judge of the case's own has more to say
 };
 
 // What the answer is under one of the convention slips: "z-sign", "y-direction", "row-column-order", "handedness", "winding",
@@ -57,13 +71,19 @@ struct Case {
   // The input in the spaces where it can be seen: NDC, screen, winding. A line that begins with "glassbox " is a command that
   // shows the case.
   std::string restated;
-  std::vector<Expected> expected;
+  std::vector<Expected> expected = {};
   // Where more than one answer is right: none if the answer is. In place of the comparison with `expected`.
-  std::function<std::optional<Divergence>(const Answer&)> judge;
+  std::function<std::optional<Divergence>(const Answer&)> judge = nullptr;
   // Slips that cannot be seen from the answer alone, such as a product in the other order. Those that can (slips.h) need no
   // entry. A slip is named only if every case of the check answers as it does under the slip.
-  std::vector<Slipped> slipped;
+  std::vector<Slipped> slipped = {};
 };
+
+// What a case's text says of an extreme case, "... (C-43)", as the line that shows that one; empty where it names none.
+inline std::string command_for(const std::string& what) {
+  const std::size_t id = what.find("C-");
+  return id == std::string::npos ? "" : "\nglassbox study extremes --case " + what.substr(id, 4);
+}
 
 struct Check {
   std::string name;  // "points in front of the eye have negative z"
@@ -75,14 +95,23 @@ struct Check {
 };
 
 // A check that expects of each of `inputs` what `expect` says.
-template <class Input>
-Check check(const char* name, const char* task, const char* stage, bool hidden,
-            std::vector<Input> (*inputs)(), Case (*expect)(const Input&)) {
-  return {name, task, stage, hidden, [inputs, expect] {
+template <class Inputs, class Input>
+Check check(const char* name, const char* task, const char* stage, Inputs inputs,
+            Case (*expect)(const Input&)) {
+  return {name, task, stage, false, [inputs, expect] {
             std::vector<Case> cases;
             for (const Input& input : inputs()) cases.push_back(expect(input));
             return cases;
           }};
+}
+
+// A check of that kind that is not part of what a student is given.
+template <class Inputs, class Input>
+Check hidden_check(const char* name, const char* task, const char* stage, Inputs inputs,
+                   Case (*expect)(const Input&)) {
+  Check made = check(name, task, stage, inputs, expect);
+  made.hidden = true;
+  return made;
 }
 
 struct Task {

@@ -28,6 +28,16 @@ private:
   std::vector<Field> fields_;
 };
 
+// The entries of a matrix row by row, as answers have them; of its upper left part where fewer are asked for.
+template <class Matrix>
+std::vector<double> entries(const Matrix& m, int rows = 4, int columns = 4) {
+  std::vector<double> all;
+  for (int i = 0; i < rows; ++i) {
+    for (int j = 0; j < columns; ++j) all.push_back(m.at(i, j));
+  }
+  return all;
+}
+
 // A check of the lab, as the runner sees it: `run` puts case number `index` to the student's functions.
 struct RunnerCheck {
   std::string name;  // as Check::name of lab.h

@@ -87,32 +87,26 @@ Result<std::string> solution_text(const Sources& sources, const std::string& fol
 
 Result<std::vector<SourceFile>> support_files(const Sources& sources, const std::string& folder,
                                               bool with_hidden) {
-  std::vector<SourceFile> files;
-  const auto add = [&](const fs::path& from, const std::string& as) -> Result<void> {
-    auto text = read_text_file(from);
-    if (!text) return tl::unexpected(text.error());
-    if (!with_hidden) text = strip_solution(*text, from.string());
-    if (!text) return tl::unexpected(text.error());
-    files.push_back({as, std::move(*text)});
-    return {};
+  struct Wanted {
+    fs::path from;
+    std::string as;
   };
-  for (const char* name : {"student.h", "cases.h", "runner.cpp"}) {
-    if (const auto added = add(sources.labs / folder / name, name); !added)
-      return tl::unexpected(added.error());
-  }
-  if (const auto added =
-          add(sources.labs / "framework/runner_main.cpp", "labs/framework/runner_main.cpp");
-      !added)
-    return tl::unexpected(added.error());
-  // What these include, and what that includes.
+  std::vector<Wanted> wanted;
+  for (const char* name : {"student.h", "cases.h", "runner.cpp"})
+    wanted.push_back({sources.labs / folder / name, name});
+  const auto want_of_framework = [&](const std::string& name) {
+    wanted.push_back({sources.labs / "framework" / name, "labs/framework/" + name});
+  };
+  want_of_framework("runner_main.cpp");
+  std::vector<SourceFile> files;
   std::set<std::string> seen;
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    const std::vector<std::string> names = framework_includes(files[i].text);
-    for (const std::string& name : names) {
-      if (!seen.insert(name).second) continue;
-      if (const auto added = add(sources.labs / "framework" / name, "labs/framework/" + name);
-          !added)
-        return tl::unexpected(added.error());
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    auto text = read_text_file(wanted[i].from);
+    if (text && !with_hidden) text = strip_solution(*text, wanted[i].from.string());
+    if (!text) return tl::unexpected(text.error());
+    files.push_back({wanted[i].as, std::move(*text)});
+    for (const std::string& name : framework_includes(files.back().text)) {
+      if (seen.insert(name).second) want_of_framework(name);
     }
   }
   return files;
@@ -120,23 +114,20 @@ Result<std::vector<SourceFile>> support_files(const Sources& sources, const std:
 
 Result<std::vector<SourceFile>> library_headers(const Sources& sources,
                                                 const std::vector<SourceFile>& files) {
-  std::vector<SourceFile> headers;
+  std::vector<std::string> wanted;
   std::set<std::string> seen;
-  const auto add_all = [&](const std::string& text) -> Result<void> {
+  const auto want_includes_of = [&](const std::string& text) {
     for (const std::string& name : library_includes(text)) {
-      if (!seen.insert(name).second) continue;
-      auto header = read_text_file(sources.include / "glassbox" / name);
-      if (!header) return tl::unexpected(header.error());
-      headers.push_back({"glassbox/" + name, std::move(*header)});
+      if (seen.insert(name).second) wanted.push_back(name);
     }
-    return {};
   };
-  for (const SourceFile& file : files) {
-    if (const auto added = add_all(file.text); !added) return tl::unexpected(added.error());
-  }
-  for (std::size_t i = 0; i < headers.size(); ++i) {
-    const std::string text = headers[i].text;  // `headers` grows
-    if (const auto added = add_all(text); !added) return tl::unexpected(added.error());
+  for (const SourceFile& file : files) want_includes_of(file.text);
+  std::vector<SourceFile> headers;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    auto header = read_text_file(sources.include / "glassbox" / wanted[i]);
+    if (!header) return tl::unexpected(header.error());
+    headers.push_back({"glassbox/" + wanted[i], std::move(*header)});
+    want_includes_of(headers.back().text);
   }
   return headers;
 }

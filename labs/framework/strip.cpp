@@ -59,16 +59,15 @@ public:
   Result<void> take(std::string_view line) {
     ++number_;
     const std::string_view text = trimmed_line(line);
-    if (text == "// BEGIN SOLUTION") return begin(Region::kSolution, line);
-    if (text == "// BEGIN HIDDEN") return begin(Region::kHidden, line);
-    if (text == "// END SOLUTION") return end(Region::kSolution, line);
-    if (text == "// END HIDDEN") return end(Region::kHidden, line);
+    if (text == "// BEGIN SOLUTION") return begin(Region::kSolution);
+    if (text == "// BEGIN HIDDEN") return begin(Region::kHidden);
+    if (text == "// END SOLUTION") return end(Region::kSolution);
+    if (text == "// END HIDDEN") return end(Region::kHidden);
     if (text.starts_with(kStub)) return stub(line);
     if (looks_like_marker(line))
-      return error(
-          fmt::format("\"{}\" is almost a marker", text),
-          "write it exactly as // BEGIN SOLUTION, // STUB: code, // END SOLUTION, // BEGIN "
-          "HIDDEN or // END HIDDEN, alone on its line");
+      return error(fmt::format("\"{}\" is almost a marker", text),
+                   "write it exactly as // BEGIN SOLUTION, // STUB: code, // END SOLUTION, // "
+                   "BEGIN HIDDEN or // END HIDDEN, alone on its line");
     if (region_ == Region::kNone) keep(line);
     return {};
   }
@@ -96,7 +95,7 @@ private:
     kept_ += '\n';
   }
 
-  Result<void> begin(Region region, std::string_view) {
+  Result<void> begin(Region region) {
     if (region_ != Region::kNone)
       return error(fmt::format("{} begins inside the one of line {}", region_name(region), opened_),
                    "end that one first: they do not nest");
@@ -106,7 +105,7 @@ private:
     return {};
   }
 
-  Result<void> end(Region region, std::string_view) {
+  Result<void> end(Region region) {
     if (region_ != region)
       return error(fmt::format("{} ends that has not begun", region_name(region)),
                    fmt::format("open it with // BEGIN {}", marker_word(region)));

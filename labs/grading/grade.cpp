@@ -73,9 +73,8 @@ std::string compile_trouble(const RunOutcome& outcome, const Limits& limits, std
 std::string foreign_file(const fs::path& build, const Kit& kit) {
   const auto rule = read_text_file(build / kFilesRead);
   if (!rule) return "a file that is not named";
-  for (const std::string& header : headers_of(*rule)) {
-    const fs::path file = fs::path(header).is_absolute() ? fs::path(header) : build / header;
-    if (!Sandbox::is_compilers(file, {kit.readable, build})) return header;
+  for (const fs::path& header : headers_of(*rule)) {
+    if (!Sandbox::is_compilers(build / header, {kit.readable, build})) return header.string();
   }
   return {};
 }

@@ -24,6 +24,12 @@ const std::vector<std::string>& flags() {
   return words;
 }
 
+// The option by which a compiler stops after ten errors.
+std::string ten_errors(const std::string& compiler) {
+  const bool is_clang = fs::path(compiler).filename().string().find("clang") != std::string::npos;
+  return is_clang ? "-ferror-limit=10" : "-fmax-errors=10";
+}
+
 Result<std::string> path_of(const std::string& program) {
   if (program.find('/') != std::string::npos) return program;
   const char* path = std::getenv("PATH");
@@ -105,7 +111,7 @@ Result<void> fill(const Kit& kit, const Sources& sources, const std::string& fol
   listing.insert(listing.end(), {"-MM", (own / "student.cpp").string()});
   const auto rule = call(listing);
   if (!rule) return tl::unexpected(rule.error());
-  for (const std::string& header : headers_of(*rule)) {
+  for (const fs::path& header : headers_of(*rule)) {
     for (const fs::path& root : {own, sources.include}) {
       const auto copied = copy_below(header, root, kit.include);
       if (!copied) return tl::unexpected(copied.error());
@@ -127,22 +133,10 @@ Result<void> fill(const Kit& kit, const Sources& sources, const std::string& fol
 
 }  // namespace
 
-std::vector<std::string> headers_of(const std::string& rule) {
-  std::vector<std::string> words;
-  std::string word;
-  for (std::size_t i = 0; i <= rule.size(); ++i) {
-    const char c = i < rule.size() ? rule[i] : '\n';
-    if (c == '\\' && i + 1 < rule.size() && rule[i + 1] == ' ') {
-      word += rule[++i];
-    } else if (c == ' ' || c == '\n' || (c == '\\' && i + 1 < rule.size() && rule[i + 1] == '\n')) {
-      if (!word.empty()) words.push_back(word);
-      word.clear();
-    } else {
-      word += c;
-    }
-  }
-  if (words.size() > 2) return {words.begin() + 2, words.end()};
-  return {};
+std::vector<fs::path> headers_of(const std::string& rule) {
+  std::vector<fs::path> files = dependencies_of(rule);
+  if (!files.empty()) files.erase(files.begin());  // the source
+  return files;
 }
 
 Result<Kit> make_kit(const Sources& sources, const std::string& folder, const fs::path& directory) {
@@ -178,16 +172,6 @@ Result<Kit> copy_kit(const Kit& kit, const fs::path& directory) {
   open_to_all(copy, directory);
   return copy;
 }
-
-namespace {
-
-// The option by which a compiler stops after ten errors.
-std::string ten_errors(const std::string& compiler) {
-  const bool is_clang = fs::path(compiler).filename().string().find("clang") != std::string::npos;
-  return is_clang ? "-ferror-limit=10" : "-fmax-errors=10";
-}
-
-}  // namespace
 
 std::vector<std::string> compile_command(const Kit& kit, const std::string& source,
                                          const std::string& program) {

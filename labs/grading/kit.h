@@ -34,6 +34,6 @@ std::vector<std::string> compile_command(const Kit& kit, const std::string& sour
 inline constexpr const char* kFilesRead = "files-read";
 
 // The files that a compiler's rule "student.o: student.cpp a.h" names, without the first.
-std::vector<std::string> headers_of(const std::string& rule);
+std::vector<std::filesystem::path> headers_of(const std::string& rule);
 
 }  // namespace glassbox::labs::grading

@@ -72,8 +72,8 @@ std::string check_row(const Json& test) {
 std::string submission_html(const Row& row) {
   const double score = row.results.at("score"), most = max_score(row);
   std::string html = fmt::format(
-      "<details><summary><b>{}</b><span>{}</span><meter max=\"{:.6g}\" value=\"{:.6g}\"></meter>"
-      "<span class=\"score\">{:.6g} / {:.6g}</span></summary>\n",
+      "<details><summary><b>{}</b><span>{}</span><meter max=\"{:.6g}\" "
+      "value=\"{:.6g}\"></meter><span class=\"score\">{:.6g} / {:.6g}</span></summary>\n",
       escaped(row.name), escaped(outcome(row)), most > 0 ? most : 1, score, score, most);
   html += "<pre>" + escaped(row.results.at("output")) + "</pre>\n";
   html += "<table><tr><th>No.</th><th>Check</th><th>Outcome</th><th>Points</th></tr>\n";

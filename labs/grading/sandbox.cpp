@@ -95,10 +95,9 @@ Result<Sandbox> Sandbox::choose(const fs::path& scratch, std::optional<Confineme
       if (sandbox.works(scratch)) return sandbox;
     }
   }
-  return fail(
-      "the sandbox", "neither bubblewrap nor a system-call filter works on this machine",
-      "install bubblewrap, or build glassbox with libseccomp-dev, and allow user namespaces "
-      "or seccomp in the container");
+  return fail("the sandbox", "neither bubblewrap nor a system-call filter works on this machine",
+              "install bubblewrap, or build glassbox with libseccomp-dev, and allow user "
+              "namespaces or seccomp in the container");
 }
 
 // A compiler's confinement needs more than a runner's: what can start a program there can start one here.

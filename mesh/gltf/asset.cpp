@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -116,6 +117,7 @@ Result<void> parse_model(Asset& asset) {
   const int stand_in = int(views.size());
   views.push_back({{"buffer", 0}, {"byteLength", 1}});
   for (json& accessor : document["accessors"]) accessor.emplace("bufferView", stand_in);
+  // What is no UTF-8 has been refused with its line (schema.h), so that this throws nothing.
   const std::string text = document.dump();
   std::string error, warning;
   tinygltf::TinyGLTF reader;
@@ -197,6 +199,23 @@ Result<Asset> open_asset(std::span<const std::byte> bytes, const std::string& di
   return asset;
 }
 
+Result<Asset> open_asset(const std::string& path, const LoadLimits& limits) {
+  const auto bytes = read_whole_file(path, limits.max_file_bytes);
+  if (!bytes) return tl::unexpected(bytes.error());
+  const std::string directory = std::filesystem::path(path).parent_path().string();
+  return open_asset(*bytes, directory.empty() ? "." : directory, limits);
+}
+
+const json* find(const json& value, std::initializer_list<const char*> path) {
+  const json* at = &value;
+  for (const char* name : path) {
+    const auto found = at->find(name);
+    if (found == at->end()) return nullptr;
+    at = &*found;
+  }
+  return at;
+}
+
 Result<std::span<const std::byte>> view_bytes(const Asset& asset, std::size_t buffer_view) {
   const tinygltf::BufferView& view = asset.model.bufferViews[buffer_view];
   const auto& buffer = asset.buffers[std::size_t(view.buffer)];
@@ -205,6 +224,20 @@ Result<std::span<const std::byte>> view_bytes(const Asset& asset, std::size_t bu
                 "put the file with the data beside it and name it in the buffer's 'uri'");
   }
   return std::span<const std::byte>(*buffer).subspan(view.byteOffset, view.byteLength);
+}
+
+Result<ImageFile> image_file(Asset& asset, const json& image) {
+  if (image.contains("uri")) {
+    const auto bytes = asset.resources.read(image["uri"].get_ref<const std::string&>());
+    if (!bytes) return tl::unexpected(bytes.error());
+    return ImageFile{*bytes, **bytes};
+  }
+  if (image.contains("bufferView")) {
+    const auto bytes = view_bytes(asset, image["bufferView"].get<std::size_t>());
+    if (!bytes) return tl::unexpected(bytes.error());
+    return ImageFile{nullptr, *bytes};
+  }
+  return fail("", "has neither a URI nor a buffer view", "embed the image or name its file");
 }
 
 }  // namespace glassbox::gltf

@@ -4,6 +4,7 @@
 #include <tiny_gltf.h>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -46,11 +47,24 @@ struct Asset {
 // The extensions that are honoured; required others are errors, used others warnings.
 bool is_supported(const std::string& extension);
 
+// The member at the end of the path, or null.
+const nlohmann::json* find(const nlohmann::json& value, std::initializer_list<const char*> path);
+
 // From the bytes of a file to its checked parts. Accessors and images are not looked at yet.
 Result<Asset> open_asset(std::span<const std::byte> bytes, const std::string& directory,
                          const LoadLimits& limits);
 
+// From a file, beside which lies what it names, to its checked parts.
+Result<Asset> open_asset(const std::string& path, const LoadLimits& limits);
+
 // The bytes of a buffer view; an error where its buffer has no data.
 Result<std::span<const std::byte>> view_bytes(const Asset& asset, std::size_t buffer_view);
+
+// The file of an image of the document, by its URI or its buffer view.
+struct ImageFile {
+  std::shared_ptr<const Bytes> owner;  // null: the asset
+  std::span<const std::byte> bytes;
+};
+Result<ImageFile> image_file(Asset& asset, const nlohmann::json& image);
 
 }  // namespace glassbox::gltf

@@ -82,9 +82,8 @@ Result<std::optional<Attribute>> Attributes::read(const std::string& name,
   if (found == accessors_.end()) return std::optional<Attribute>();
   const std::size_t index = std::size_t(found->second);
   const std::string place = place_ + ", " + name;
-  if (auto form = check_form(asset_, index, semantic); !form) {
-    return fail(place + ", " + form.error().place, form.error().cause, form.error().remedy);
-  }
+  if (auto form = check_form(asset_, index, semantic); !form)
+    return fail_inside(place, form.error());
   const tinygltf::Accessor& accessor = asset_.model.accessors[index];
   if (accessor.count != count_) {
     return fail(place + ", " + entry("accessor", index),
@@ -93,9 +92,7 @@ Result<std::optional<Attribute>> Attributes::read(const std::string& name,
                 "export the file again");
   }
   auto numbers = read_numbers(asset_, index);
-  if (!numbers)
-    return fail(place + ", " + numbers.error().place, numbers.error().cause,
-                numbers.error().remedy);
+  if (!numbers) return fail_inside(place, numbers.error());
   Attribute attribute{index, components(accessor), std::move(*numbers)};
   for (std::size_t i = 0; i < attribute.numbers.size(); ++i) {
     if (!std::isfinite(attribute.numbers[i])) {

@@ -165,10 +165,9 @@ Result<void> place_cameras_and_lights(const Asset& asset, const NodeTree& tree, 
     if (asset.model.nodes[node].camera >= 0) {
       if (auto done = place_camera(asset, tree, node, scene); !done) return done;
     }
-    const nlohmann::json& document = asset.document["nodes"][node];
-    if (document.contains("extensions") && document["extensions"].contains("KHR_lights_punctual")) {
-      const std::size_t light = document["extensions"]["KHR_lights_punctual"]["light"];
-      if (auto done = place_light(asset, tree, node, light, scene); !done) return done;
+    if (const auto* light =
+            find(asset.document["nodes"][node], {"extensions", "KHR_lights_punctual", "light"})) {
+      if (auto done = place_light(asset, tree, node, *light, scene); !done) return done;
     }
   }
   return {};

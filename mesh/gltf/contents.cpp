@@ -1,9 +1,6 @@
 #include <glassbox/mesh/gltf/contents.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <initializer_list>
-#include <new>
 #include <optional>
 
 #include <glassbox/images/decode.h>
@@ -25,13 +22,8 @@ std::string name_of(const json& described) {
 // ---- textures ----
 
 std::optional<ImageSize> size_of(Asset& asset, const json& image) {
-  if (image.contains("uri")) {
-    const auto bytes = asset.resources.read(image["uri"].get_ref<const std::string&>());
-    return bytes ? find_image_size(**bytes) : std::nullopt;
-  }
-  if (!image.contains("bufferView")) return std::nullopt;
-  const auto bytes = view_bytes(asset, image["bufferView"].get<std::size_t>());
-  return bytes ? find_image_size(*bytes) : std::nullopt;
+  const auto file = image_file(asset, image);
+  return file ? find_image_size(file->bytes) : std::nullopt;
 }
 
 GltfContents::TextureUse& use_of(GltfContents::Texture& texture, const std::string& what) {
@@ -122,23 +114,11 @@ Result<GltfContents> list(Asset& asset) {
 }  // namespace
 
 Result<GltfContents> list_gltf(const std::string& path, const LoadLimits& limits) {
-  const auto with_file = [&](Error error) {
-    error.file = path;
-    return tl::unexpected(std::move(error));
-  };
-  try {
-    const auto bytes = read_whole_file(path, limits.max_file_bytes);
-    if (!bytes) return with_file(bytes.error());
-    const std::string directory = std::filesystem::path(path).parent_path().string();
-    auto asset = open_asset(*bytes, directory.empty() ? "." : directory, limits);
-    if (!asset) return with_file(asset.error());
-    auto contents = list(*asset);
-    if (!contents) return with_file(contents.error());
-    return contents;
-  } catch (const std::bad_alloc&) {
-    return with_file(
-        {"", "", "there is not enough memory for it", "close other programs, or reduce the scene"});
-  }
+  return naming_file(path, [&]() -> Result<GltfContents> {
+    auto asset = open_asset(path, limits);
+    if (!asset) return tl::unexpected(asset.error());
+    return list(*asset);
+  });
 }
 
 }  // namespace glassbox

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <variant>
 
+#include <glassbox/mesh/gltf/sampler_codes.h>
 #include <glassbox/mesh/gltf/text.h>
 
 namespace glassbox::gltf {
@@ -12,19 +13,13 @@ namespace {
 using nlohmann::json;
 
 int wrap_code(Wrap wrap) {
-  return wrap == Wrap::kRepeat ? 10497 : wrap == Wrap::kMirroredRepeat ? 33648 : 33071;
+  return std::ranges::find(kWrapCodes, wrap, &WrapCode::wrap)->code;
 }
 int minify_code(const Sampler& sampler) {
-  const int linear = sampler.minify == Filter::kLinear ? 1 : 0;
-  switch (sampler.mip) {
-    case MipFilter::kNone:
-      return 9728 + linear;
-    case MipFilter::kNearest:
-      return 9984 + linear;
-    case MipFilter::kLinear:
-      break;
-  }
-  return 9986 + linear;
+  const auto same = [&](const MinifyCode& each) {
+    return each.filter == sampler.minify && each.mip == sampler.mip;
+  };
+  return std::ranges::find_if(kMinifyCodes, same)->code;
 }
 
 // Factors reach to 1; beyond that there is a strength.
@@ -43,7 +38,7 @@ void describe_emission(const Material& material, json& described) {
 }  // namespace
 
 json describe(const Sampler& sampler) {
-  return {{"magFilter", sampler.magnify == Filter::kLinear ? 9729 : 9728},
+  return {{"magFilter", sampler.magnify == Filter::kLinear ? kLinearCode : kNearestCode},
           {"minFilter", minify_code(sampler)},
           {"wrapS", wrap_code(sampler.wrap_u)},
           {"wrapT", wrap_code(sampler.wrap_v)}};

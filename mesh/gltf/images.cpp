@@ -7,23 +7,6 @@
 #include <glassbox/mesh/gltf/text.h>
 
 namespace glassbox::gltf {
-namespace {
-
-Result<Image<Rgba8>> decode(Asset& asset, const nlohmann::json& image, const DecodeLimits& limits) {
-  if (image.contains("uri")) {
-    const auto bytes = asset.resources.read(image["uri"].get_ref<const std::string&>());
-    if (!bytes) return tl::unexpected(bytes.error());
-    return decode_image(**bytes, limits);
-  }
-  if (image.contains("bufferView")) {
-    const auto bytes = view_bytes(asset, image["bufferView"].get<std::size_t>());
-    if (!bytes) return tl::unexpected(bytes.error());
-    return decode_image(*bytes, limits);
-  }
-  return fail("", "has neither a URI nor a buffer view", "embed the image or name its file");
-}
-
-}  // namespace
 
 ImageTable::ImageTable(Asset& asset, Scene& scene)
     : asset_(asset),
@@ -33,8 +16,9 @@ ImageTable::ImageTable(Asset& asset, Scene& scene)
 
 Result<std::uint32_t> ImageTable::add(std::size_t index) {
   if (known_[index]) return *known_[index];
-  auto image = decode(asset_, asset_.document["images"][index],
-                      {pixels_left_, asset_.limits.max_image_side});
+  auto image = image_file(asset_, asset_.document["images"][index]).and_then([&](const auto& file) {
+    return decode_image(file.bytes, {pixels_left_, asset_.limits.max_image_side});
+  });
   if (!image) {
     const Error& error = image.error();
     const std::string place = error.place.empty() ? "" : error.place + ": ";

@@ -24,13 +24,11 @@ void name_textures(Asset& asset, const std::vector<bool>& used) {
   std::size_t normal = 0, occlusion = 0, metallic = 0;
   for (std::size_t i = 0; i < used.size(); ++i) {
     const json& material = asset.document["materials"][i];
-    const json extensions = material.value("extensions", json::object());
     // An unlit material asks for its base colour alone.
-    if (!used[i] || extensions.contains("KHR_materials_unlit")) continue;
+    if (!used[i] || find(material, {"extensions", "KHR_materials_unlit"})) continue;
     normal += material.contains("normalTexture");
     occlusion += material.contains("occlusionTexture");
-    metallic +=
-        material.value("pbrMetallicRoughness", json::object()).contains("metallicRoughnessTexture");
+    metallic += find(material, {"pbrMetallicRoughness", "metallicRoughnessTexture"}) != nullptr;
   }
   const auto name = [&](std::size_t count, const std::string& what, const std::string& instead) {
     if (count > 0) {
@@ -117,10 +115,8 @@ void name_motion(Asset& asset, const NodeTree& tree) {
 
 // The light that a node carries, or -1.
 int light_of(const json& node) {
-  if (!node.contains("extensions")) return -1;
-  const json& extensions = node["extensions"];
-  if (!extensions.contains("KHR_lights_punctual")) return -1;
-  return extensions["KHR_lights_punctual"]["light"].get<int>();
+  const json* light = find(node, {"extensions", "KHR_lights_punctual", "light"});
+  return light != nullptr ? light->get<int>() : -1;
 }
 
 // Which entries of a list are carried by a node of the drawn scene.

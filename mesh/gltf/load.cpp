@@ -1,9 +1,7 @@
 #include <glassbox/mesh/gltf/load.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
-#include <new>
 #include <optional>
 #include <tuple>
 #include <vector>
@@ -169,34 +167,22 @@ Result<Scene> build_scene(Asset& asset) {
 }  // namespace
 
 Result<Scene> load_gltf_memory(std::span<const std::byte> bytes, const std::string& directory,
-                               const LoadLimits& limits) try {
-  Result<gltf::Asset> asset = gltf::open_asset(bytes, directory, limits);
-  if (!asset) return tl::unexpected(asset.error());
-  return build_scene(*asset);
-} catch (const std::bad_alloc&) {
-  return fail("", "there is not enough memory for it", "close other programs, or reduce the scene");
+                               const LoadLimits& limits) {
+  return naming_file("", [&]() -> Result<Scene> {
+    auto asset = open_asset(bytes, directory, limits);
+    if (!asset) return tl::unexpected(asset.error());
+    return build_scene(*asset);
+  });
 }
 
 Result<Scene> load_gltf(const std::string& path, const LoadLimits& limits) {
-  const auto with_file = [&](Error error) {
-    error.file = path;
-    return tl::unexpected(std::move(error));
-  };
-  try {
-    auto bytes = gltf::read_whole_file(path, limits.max_file_bytes);
-    if (!bytes) return with_file(bytes.error());
-    const std::string directory = std::filesystem::path(path).parent_path().string();
-    auto asset = gltf::open_asset(*bytes, directory.empty() ? "." : directory, limits);
-    if (!asset) return with_file(asset.error());
-    *bytes = {};  // the asset has its own copy of what it needs
+  return naming_file(path, [&]() -> Result<Scene> {
+    auto asset = open_asset(path, limits);
+    if (!asset) return tl::unexpected(asset.error());
     auto scene = build_scene(*asset);
-    if (!scene) return with_file(scene.error());
-    scene->file = path;
+    if (scene) scene->file = path;
     return scene;
-  } catch (const std::bad_alloc&) {
-    return with_file(
-        {"", "", "there is not enough memory for it", "close other programs, or reduce the scene"});
-  }
+  });
 }
 
 }  // namespace glassbox

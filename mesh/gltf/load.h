@@ -25,7 +25,7 @@ namespace glassbox {
 // file, the place in it, the cause and a remedy. A scene with nothing to draw is an error.
 Result<Scene> load_gltf(const std::string& path, const LoadLimits& limits = {});
 
-// The same from memory. External files are looked for in `directory`; "" means that there are none at all.
+// Reads a glTF file in memory. External files are looked for in `directory`; "" means that there are none at all.
 Result<Scene> load_gltf_memory(std::span<const std::byte> bytes, const std::string& directory,
                                const LoadLimits& limits = {});
 

@@ -2,27 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 
 #include <glassbox/base/trig.h>
 #include <glassbox/mesh/gltf/images.h>
+#include <glassbox/mesh/gltf/sampler_codes.h>
 #include <glassbox/mesh/gltf/text.h>
 
 namespace glassbox::gltf {
 namespace {
 
 using nlohmann::json;
-
-// The member at the end of the path, or null.
-const json* find(const json& value, std::initializer_list<const char*> path) {
-  const json* at = &value;
-  for (const char* name : path) {
-    const auto found = at->find(name);
-    if (found == at->end()) return nullptr;
-    at = &*found;
-  }
-  return at;
-}
 
 // Reflectance of glass and plastics at normal incidence is about 0.04 in linear light; Blinn-Phong without a Fresnel
 // term looks dull with it, so that 0.2 stands in for dielectrics.
@@ -124,11 +115,10 @@ Result<TexCoordSource> texcoord_source(const json& texture_info, std::size_t mat
     for (const auto& row : source.transform->matrix) {
       for (const double number : row) {
         if (!std::isfinite(number)) {
-          return fail(
-              entry("material", material),
-              "the transform of its texture has numbers that are not finite or a rotation of "
-              "too many turns",
-              "correct KHR_texture_transform");
+          return fail(entry("material", material),
+                      "the transform of its texture has numbers that are not finite or a rotation "
+                      "of too many turns",
+                      "correct KHR_texture_transform");
         }
       }
     }
@@ -137,17 +127,10 @@ Result<TexCoordSource> texcoord_source(const json& texture_info, std::size_t mat
 }
 
 Result<Wrap> wrap_of(int code, std::size_t sampler) {
-  switch (code) {
-    case TINYGLTF_TEXTURE_WRAP_REPEAT:
-      return Wrap::kRepeat;
-    case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
-      return Wrap::kMirroredRepeat;
-    case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
-      return Wrap::kClampToEdge;
-    default:
-      return fail(entry("sampler", sampler), "has the unknown wrap mode " + std::to_string(code),
-                  "use 10497, 33071 or 33648");
-  }
+  const auto known = std::ranges::find(kWrapCodes, code, &WrapCode::code);
+  if (known != std::end(kWrapCodes)) return known->wrap;
+  return fail(entry("sampler", sampler), "has the unknown wrap mode " + std::to_string(code),
+              "use 10497, 33071 or 33648");
 }
 
 Result<Sampler> convert_sampler(const tinygltf::Sampler& described, std::size_t index) {
@@ -158,37 +141,16 @@ Result<Sampler> convert_sampler(const tinygltf::Sampler& described, std::size_t 
   if (!wrap_v) return tl::unexpected(wrap_v.error());
   sampler.wrap_u = *wrap_u;
   sampler.wrap_v = *wrap_v;
-  if (described.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST) sampler.magnify = Filter::kNearest;
-  const auto minify = [&](Filter filter, MipFilter mip) {
-    sampler.minify = filter;
-    sampler.mip = mip;
-  };
-  switch (described.minFilter) {
-    case -1:
-      break;  // none given: the best there is
-    case TINYGLTF_TEXTURE_FILTER_NEAREST:
-      minify(Filter::kNearest, MipFilter::kNone);
-      break;
-    case TINYGLTF_TEXTURE_FILTER_LINEAR:
-      minify(Filter::kLinear, MipFilter::kNone);
-      break;
-    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST:
-      minify(Filter::kNearest, MipFilter::kNearest);
-      break;
-    case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST:
-      minify(Filter::kLinear, MipFilter::kNearest);
-      break;
-    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR:
-      minify(Filter::kNearest, MipFilter::kLinear);
-      break;
-    case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR:
-      minify(Filter::kLinear, MipFilter::kLinear);
-      break;
-    default:
-      return fail(entry("sampler", index),
-                  "has the unknown filter " + std::to_string(described.minFilter),
-                  "use 9728, 9729 or 9984 to 9987");
+  if (described.magFilter == kNearestCode) sampler.magnify = Filter::kNearest;
+  if (described.minFilter == -1) return sampler;  // none given: the best there is
+  const auto known = std::ranges::find(kMinifyCodes, described.minFilter, &MinifyCode::code);
+  if (known == std::end(kMinifyCodes)) {
+    return fail(entry("sampler", index),
+                "has the unknown filter " + std::to_string(described.minFilter),
+                "use 9728, 9729 or 9984 to 9987");
   }
+  sampler.minify = known->filter;
+  sampler.mip = known->mip;
   return sampler;
 }
 

@@ -42,8 +42,7 @@ std::vector<std::size_t> accessors_of(const tinygltf::Primitive& primitive) {
 
 bool is_compressed(const Asset& asset, PrimitiveId id) {
   const nlohmann::json& primitive = asset.document["meshes"][id.mesh]["primitives"][id.primitive];
-  return primitive.contains("extensions") &&
-         primitive["extensions"].contains("KHR_draco_mesh_compression");
+  return find(primitive, {"extensions", "KHR_draco_mesh_compression"}) != nullptr;
 }
 
 // ---- vertices ----
@@ -91,10 +90,8 @@ Result<Vertices> read_vertices(Asset& asset, const tinygltf::Primitive& primitiv
   }
   if (sets.empty())
     return fail(place, "is skinned but has no joints and weights", "export the skin again");
-  if (const auto skinned = apply_skin(vertices, sets, *pose.joints); !skinned) {
-    return fail(place + ", " + skinned.error().place, skinned.error().cause,
-                skinned.error().remedy);
-  }
+  if (const auto skinned = apply_skin(vertices, sets, *pose.joints); !skinned)
+    return fail_inside(place, skinned.error());
   return vertices;
 }
 
@@ -196,9 +193,7 @@ Result<std::vector<std::uint32_t>> vertex_order(const Asset& asset,
   const std::size_t index = std::size_t(primitive.indices);
   const std::string where = place + ", indices, " + entry("accessor", index);
   const auto read = read_indices(asset, index);
-  if (!read)
-    return fail(place + ", indices, " + read.error().place, read.error().cause,
-                read.error().remedy);
+  if (!read) return fail_inside(place + ", indices", read.error());
   const int type = asset.model.accessors[index].componentType;
   const std::uint32_t restart = type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE    ? 0xffu
                                 : type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ? 0xffffu
@@ -294,10 +289,8 @@ Result<std::optional<Mesh>> convert_primitive(Asset& asset, PrimitiveId id, cons
     if (!has_data(asset, accessor)) return skip("reads a buffer that has no data");
   }
   if (primitive.indices >= 0) {
-    if (auto form = check_form(asset, std::size_t(primitive.indices), Semantic::kIndices); !form) {
-      return fail(place + ", indices, " + form.error().place, form.error().cause,
-                  form.error().remedy);
-    }
+    if (auto form = check_form(asset, std::size_t(primitive.indices), Semantic::kIndices); !form)
+      return fail_inside(place + ", indices", form.error());
   }
 
   const std::size_t count = asset.model.accessors[accessors[0]].count;

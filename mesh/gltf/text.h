@@ -4,9 +4,15 @@
 #include <string>
 #include <string_view>
 
+#include <glassbox/base/error.h>
 #include <glassbox/base/printable.h>
 
 namespace glassbox::gltf {
+
+// The error of something inside, with the way to it: "mesh 2, primitive 0, " before its own place.
+inline tl::unexpected<Error> fail_inside(const std::string& place, const Error& error) {
+  return fail(place + ", " + error.place, error.cause, error.remedy);
+}
 
 // "accessor 7"
 inline std::string entry(std::string_view kind, std::size_t index) {

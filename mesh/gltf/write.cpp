@@ -92,67 +92,65 @@ private:
     return document_["bufferViews"].size() - 1;
   }
 
-  // The binary data since `offset` as one accessor.
-  json& add_accessor(std::size_t offset, int component_type, const char* type, std::size_t count,
-                     int target) {
+  // The binary data since `offset` as one accessor: its index.
+  std::size_t add_accessor(std::size_t offset, int component_type, const char* type,
+                           std::size_t count, int target) {
     const std::size_t view = add_view(offset, binary_.size() - offset, target);
     document_["accessors"].push_back({{"bufferView", view},
                                       {"componentType", component_type},
                                       {"count", count},
                                       {"type", type}});
-    return document_["accessors"].back();
+    return document_["accessors"].size() - 1;
   }
 
-  std::size_t last_accessor() { return document_["accessors"].size() - 1; }
+  // What `numbers` gives for each vertex, one number after the other.
+  template <class Numbers>
+  std::size_t write_attribute(const UnifiedPrimitive& primitive, const char* type,
+                              Numbers numbers) {
+    const std::size_t offset = binary_.size();
+    for (const Corner& vertex : primitive.vertices) {
+      for (const float number : numbers(vertex)) binary_.append(number);
+    }
+    return add_accessor(offset, kFloat, type, primitive.vertices.size(), kVertexData);
+  }
 
   std::size_t write_positions(const Mesh& mesh, const UnifiedPrimitive& primitive) {
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
     std::array<float, 3> low{kInfinity, kInfinity, kInfinity},
         high{-kInfinity, -kInfinity, -kInfinity};
-    const std::size_t offset = binary_.size();
-    for (const Corner& vertex : primitive.vertices) {
+    const std::size_t index = write_attribute(primitive, "VEC3", [&](const Corner& vertex) {
       const Point<Object>& p = mesh.positions[vertex.position];
-      const std::array<float, 3> numbers{p.x, p.y, p.z};
+      const std::array numbers{p.x, p.y, p.z};
       for (std::size_t i = 0; i < 3; ++i) {
-        binary_.append(numbers[i]);
         low[i] = std::min(low[i], numbers[i]);
         high[i] = std::max(high[i], numbers[i]);
       }
-    }
-    json& accessor = add_accessor(offset, kFloat, "VEC3", primitive.vertices.size(), kVertexData);
-    accessor["min"] = low;
-    accessor["max"] = high;
-    return last_accessor();
+      return numbers;
+    });
+    document_["accessors"][index]["min"] = low;
+    document_["accessors"][index]["max"] = high;
+    return index;
   }
 
   std::size_t write_normals(const Mesh& mesh, const UnifiedPrimitive& primitive) {
-    const std::size_t offset = binary_.size();
-    for (const Corner& vertex : primitive.vertices) {
+    return write_attribute(primitive, "VEC3", [&](const Corner& vertex) {
       const Normal<Object>& n = mesh.normals[vertex.normal];
-      for (const float number : {n.x, n.y, n.z}) binary_.append(number);
-    }
-    add_accessor(offset, kFloat, "VEC3", primitive.vertices.size(), kVertexData);
-    return last_accessor();
+      return std::array{n.x, n.y, n.z};
+    });
   }
 
   std::size_t write_texcoords(const Mesh& mesh, const UnifiedPrimitive& primitive) {
-    const std::size_t offset = binary_.size();
-    for (const Corner& vertex : primitive.vertices) {
+    return write_attribute(primitive, "VEC2", [&](const Corner& vertex) {
       const TexCoord t = vertex.texcoord == kNone ? TexCoord{} : mesh.texcoords[vertex.texcoord];
-      for (const float number : {t.u, t.v}) binary_.append(number);
-    }
-    add_accessor(offset, kFloat, "VEC2", primitive.vertices.size(), kVertexData);
-    return last_accessor();
+      return std::array{t.u, t.v};
+    });
   }
 
   std::size_t write_colors(const Mesh& mesh, const UnifiedPrimitive& primitive) {
-    const std::size_t offset = binary_.size();
-    for (const Corner& vertex : primitive.vertices) {
+    return write_attribute(primitive, "VEC4", [&](const Corner& vertex) {
       const Rgba c = vertex.color == kNone ? Rgba{} : mesh.colors[vertex.color];
-      for (const float number : {c.r, c.g, c.b, c.a}) binary_.append(number);
-    }
-    add_accessor(offset, kFloat, "VEC4", primitive.vertices.size(), kVertexData);
-    return last_accessor();
+      return std::array{c.r, c.g, c.b, c.a};
+    });
   }
 
   json describe(const Mesh& mesh, const UnifiedPrimitive& primitive) {
@@ -162,9 +160,10 @@ private:
     if (primitive.has_colors) attributes["COLOR_0"] = write_colors(mesh, primitive);
     const std::size_t offset = binary_.size();
     for (const std::uint32_t index : primitive.indices) binary_.append(index);
-    add_accessor(offset, kUnsignedInt, "SCALAR", primitive.indices.size(), kIndexData);
+    const std::size_t indices =
+        add_accessor(offset, kUnsignedInt, "SCALAR", primitive.indices.size(), kIndexData);
     return {{"attributes", attributes},
-            {"indices", last_accessor()},
+            {"indices", indices},
             {"material", mesh.material},
             {"mode", primitive.mode}};
   }

@@ -38,16 +38,17 @@ bool is_inside(const fs::path& path, const fs::path& root) {
 
 }  // namespace
 
-Directory::Directory(const fs::path& path, std::uint64_t max_bytes) : bytes_left_(max_bytes) {
+Directory::Directory(const fs::path& file, const char* kind, std::uint64_t max_bytes)
+    : owner_(std::string("the ") + kind + " file"), bytes_left_(max_bytes) {
   std::error_code error;
-  root_ = fs::canonical(path.empty() ? fs::path(".") : path, error);
+  root_ = fs::canonical(file.has_parent_path() ? file.parent_path() : fs::path("."), error);
   if (error) root_.clear();
 }
 
 Result<fs::path> Directory::find(std::string_view name) const {
-  const auto refuse = [&](const char* cause) {
+  const auto refuse = [&](const std::string& cause) {
     return fail("", "the file " + in_quotes(name) + " " + cause,
-                "put it beside the OBJ file and name it by a relative path");
+                "put it beside " + owner_ + " and name it by a relative path");
   };
   // No file system takes longer paths, and none takes NUL.
   constexpr std::size_t kMaxLength = 4096;
@@ -58,11 +59,11 @@ Result<fs::path> Directory::find(std::string_view name) const {
   std::string slashed(name);
   std::replace(slashed.begin(), slashed.end(), '\\', '/');
   if (is_absolute(slashed)) return refuse("is an absolute path, which is not followed");
-  if (climbs_out(slashed)) return refuse("lies outside the directory of the OBJ file");
+  if (climbs_out(slashed)) return refuse("lies outside the directory of " + owner_);
   std::error_code error;
   const fs::path path = fs::canonical(root_ / slashed, error);
   if (error) return refuse("does not exist");
-  if (!is_inside(path, root_)) return refuse("lies outside the directory of the OBJ file");
+  if (!is_inside(path, root_)) return refuse("lies outside the directory of " + owner_);
   if (!fs::is_regular_file(path, error)) return refuse("is not a regular file");
   return path;
 }

@@ -1,4 +1,4 @@
-// The files an OBJ file may name: those in its own directory and below.
+// The files that an OBJ or PLY file may name: those in its own directory and below.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +16,8 @@ class Directory {
 public:
   // Holds no file at all.
   Directory() = default;
-  // `max_bytes` bounds all files together.
-  Directory(const std::filesystem::path& path, std::uint64_t max_bytes);
+  // The directory of `file`, which messages call "the OBJ file" if `kind` is "OBJ". `max_bytes` bounds all files together.
+  Directory(const std::filesystem::path& file, const char* kind, std::uint64_t max_bytes);
 
   // The canonical path of an existing file. A name is relative to the directory, with slashes or
   // backslashes, and must not leave it, not even through a symbolic link; nothing outside is
@@ -28,6 +28,7 @@ public:
 
 private:
   std::filesystem::path root_;  // canonical; empty where there are no files
+  std::string owner_;           // "the OBJ file"
   std::uint64_t bytes_left_ = 0;
 };
 

@@ -5,6 +5,7 @@
 
 #include <glassbox/images/read.h>
 #include <glassbox/mesh/input/directory.h>
+#include <glassbox/mesh/input/files.h>
 #include <glassbox/mesh/obj/build.h>
 #include <glassbox/mesh/obj/materials.h>
 #include <glassbox/mesh/obj/parse.h>
@@ -53,25 +54,20 @@ Result<std::vector<std::byte>> read_obj(const std::string& path, const LoadLimit
   return read_file(path, limits.max_file_bytes);
 }
 
-Result<Scene> load_named(const std::string& path, const LoadLimits& limits) {
-  const auto bytes = read_obj(path, limits);
-  if (!bytes) return tl::unexpected(bytes.error());
-  const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-  const fs::path file(path);
-  auto scene =
-      load_text(text, nullptr, obj::Directory(file.parent_path(), limits.max_file_bytes), limits);
-  if (!scene) return scene;
-  scene->name = file.stem().string();
-  scene->file = path;
-  return scene;
-}
-
 }  // namespace
 
 Result<Scene> load_obj(const std::string& path, const LoadLimits& limits) {
-  auto scene = load_named(path, limits);
-  if (!scene) scene.error().file = path;
-  return scene;
+  return naming_file(path, [&]() -> Result<Scene> {
+    const auto bytes = read_obj(path, limits);
+    if (!bytes) return tl::unexpected(bytes.error());
+    const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+    auto scene =
+        load_text(text, nullptr, obj::Directory(path, "OBJ", limits.max_file_bytes), limits);
+    if (!scene) return scene;
+    scene->name = fs::path(path).stem().string();
+    scene->file = path;
+    return scene;
+  });
 }
 
 Result<Scene> load_obj_memory(std::string_view obj_text, std::string_view mtl,

@@ -39,12 +39,12 @@ namespace glassbox {
 // scene.
 Result<Scene> load_obj(const std::string& path, const LoadLimits& limits = {});
 
-// The same from memory, with `mtl` as the only material library; no file is read, so that textures
+// Reads OBJ text in memory, with `mtl` as the only material library; no file is read, so that textures
 // are missing and "mtllib" lines are passed over.
 Result<Scene> load_obj_memory(std::string_view obj_text, std::string_view mtl,
                               const LoadLimits& limits = {});
 
-// The same from text that is all there is: no material library is read, which is a warning where the text names one.
+// Reads OBJ text that is all there is: no material library is read, which is a warning where the text names one.
 Result<Scene> load_obj_alone(std::string_view obj_text, const LoadLimits& limits = {});
 
 }  // namespace glassbox

@@ -47,28 +47,292 @@ public:
   Parser(std::string_view text, const LoadLimits& limits, Warnings& warnings)
       : lines_(text), limits_(limits), warnings_(warnings) {}
 
-  Result<Tables> run();
+  Result<Tables> run() {
+    while (lines_.next()) {
+      Words words(lines_.text());
+      const std::string_view keyword = words.next();
+      if (auto status = statement(keyword, words); !status) return tl::unexpected(status.error());
+    }
+    drop_references_to(texcoords_, &Reference::texcoord);
+    drop_references_to(normals_, &Reference::normal);
+    if (auto status = check_forward_references(); !status) return tl::unexpected(status.error());
+    if (auto status = check_unreadable_vertices(); !status) return tl::unexpected(status.error());
+    report_oddities();
+    if (tables_.elements.empty()) {
+      return fail("", "has no faces, lines or points", "give an OBJ file with something to draw");
+    }
+    return std::move(tables_);
+  }
 
 private:
   using Status = Result<void>;
 
-  Status statement(std::string_view keyword, Words words);
-  Status vertex(Words words);
-  void vertex_color(const std::array<Number, 3>& channels);
-  void texcoord(Words words);
-  void normal(Words words);
-  Status element(ElementKind kind, Words words);
-  Result<Reference> reference(std::string_view word);
-  Result<std::uint32_t> index(std::string_view digits, IndexedTable& table);
-  void library(std::string_view text);
-
-  Status check_forward_references() const;
-  Status check_unreadable_vertices();
-  void drop_references_to(IndexedTable& absent, std::uint32_t Reference::*index);
-  void report_oddities();
-
   tl::unexpected<Error> refuse(std::string cause, std::string remedy) const {
     return fail(line_place(lines_.number()), std::move(cause), std::move(remedy));
+  }
+
+  Status statement(std::string_view keyword, Words words) {
+    if (keyword == "v") return vertex(words);
+    if (keyword == "f" || keyword == "fo") return element(ElementKind::kFace, words);
+    if (keyword == "l") return element(ElementKind::kPolyline, words);
+    if (keyword == "p") return element(ElementKind::kPoints, words);
+    if (keyword == "vt") {
+      texcoord(words);
+    } else if (keyword == "vn") {
+      normal(words);
+    } else if (keyword == "usemtl") {
+      part_.material = tables_.names.number_of(words.rest());
+    } else if (keyword == "g") {
+      part_.group = tables_.names.number_of(without_comment(words.rest()));
+    } else if (keyword == "o") {
+      part_.object = tables_.names.number_of(without_comment(words.rest()));
+    } else if (keyword == "mtllib") {
+      library(words.rest());
+    } else if (is_free_form(keyword)) {
+      free_form_.add(lines_.number());
+    } else if (!is_render_state(keyword)) {
+      if (first_unknown_.empty()) first_unknown_ = in_quotes(keyword);
+      unknown_.add(lines_.number());
+    }
+    return {};
+  }
+
+  // v x y z [w] [r g b]
+  Status vertex(Words words) {
+    std::array<Number, 7> numbers;
+    std::size_t count = 0;
+    bool readable = true;
+    for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+      if (count == numbers.size()) {
+        more_numbers_.add(lines_.number());
+        break;
+      }
+      numbers[count] = parse_number(word);
+      if (count < 3 && numbers[count].kind == Number::Kind::kNotFinite) {
+        return refuse("vertex " + std::to_string(positions_.size + 1) + " has the coordinate " +
+                          in_quotes(word) + ", which is not a finite number",
+                      "export the file again or correct the line");
+      }
+      readable = readable && (count >= 3 || numbers[count].kind == Number::Kind::kFinite);
+      ++count;
+    }
+    if (positions_.size == kNone) {
+      return refuse("the file has more than 2^32 - 1 vertices", "split the file");
+    }
+    if (count < 3 || !readable) {
+      tables_.unreadable.push_back({std::uint32_t(positions_.size), lines_.number()});
+      tables_.positions.emplace_back(kNaN, kNaN, kNaN);
+    } else {
+      tables_.positions.emplace_back(numbers[0].value, numbers[1].value, numbers[2].value);
+    }
+    const bool weighted = count == 4;
+    if (weighted && numbers[3].value != 1.0f) weights_.add(lines_.number());
+    if (count == 5) more_numbers_.add(lines_.number());
+    if (count >= 6) vertex_color({numbers[3], numbers[4], numbers[5]});
+    if (!tables_.colors.empty()) tables_.colors.resize(tables_.positions.size());
+    ++positions_.size;
+    return {};
+  }
+
+  // The colour of the vertex that was read last.
+  void vertex_color(const std::array<Number, 3>& channels) {
+    VertexColor color;
+    color.given = true;
+    std::uint8_t* const codes[] = {&color.r, &color.g, &color.b};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const float value = channels[i].value;
+      if (channels[i].kind != Number::Kind::kFinite) {
+        odd_colors_.add(lines_.number());
+        return;
+      }
+      if (value < 0.0f || value > 1.0f) odd_colors_.add(lines_.number());
+      *codes[i] = encode_unorm8(value);
+    }
+    tables_.colors.resize(tables_.positions.size());
+    tables_.colors.back() = color;
+  }
+
+  // vt u [v] [w]
+  void texcoord(Words words) {
+    const Number u = parse_number(words.next());
+    const std::string_view second = words.next();
+    const Number v = second.empty() ? Number{Number::Kind::kFinite, 0} : parse_number(second);
+    const bool readable = u.kind == Number::Kind::kFinite && v.kind == Number::Kind::kFinite;
+    if (!readable) odd_texcoords_.add(lines_.number());
+    tables_.texcoords.push_back(readable ? TexCoord{u.value, v.value} : TexCoord{kNaN, kNaN});
+    ++texcoords_.size;
+  }
+
+  // vn x y z
+  void normal(Words words) {
+    std::array<float, 3> n{};
+    bool readable = true;
+    for (float& component : n) {
+      const Number number = parse_number(words.next());
+      readable = readable && number.kind == Number::Kind::kFinite;
+      component = number.value;
+    }
+    const bool zero = n[0] == 0 && n[1] == 0 && n[2] == 0;
+    if (!readable || zero) odd_normals_.add(lines_.number());
+    tables_.normals.push_back(readable ? Normal<Object>(n[0], n[1], n[2]) : Normal<Object>());
+    ++normals_.size;
+  }
+
+  Status element(ElementKind kind, Words words) {
+    const std::size_t first = tables_.references.size();
+    for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+      auto corner = reference(word);
+      if (!corner) return tl::unexpected(corner.error());
+      tables_.references.push_back(*corner);
+      if (tables_.references.size() == kNone) {
+        return refuse("the file has more than 2^32 - 2 corners", "split the file");
+      }
+    }
+    const std::size_t count = tables_.references.size() - first;
+    const std::size_t needed = kind == ElementKind::kFace       ? 3
+                               : kind == ElementKind::kPolyline ? 2
+                                                                : 1;
+    if (count < needed) {
+      (kind == ElementKind::kFace ? short_faces_ : short_lines_).add(lines_.number());
+      tables_.references.resize(first);
+      return {};
+    }
+    corners_ += kind == ElementKind::kPolyline ? 2 * (count - 1) : count;
+    if (corners_ > limits_.max_corners) {
+      return refuse(
+          "the file has more than the limit of " + std::to_string(limits_.max_corners) + " corners",
+          "raise the limit if the file can be trusted");
+    }
+    const auto [known, is_first] =
+        part_numbers_.try_emplace(part_, std::uint32_t(tables_.parts.size()));
+    if (is_first) tables_.parts.push_back(part_);
+    tables_.elements.push_back({std::uint32_t(first), std::uint32_t(count), known->second, kind});
+    return {};
+  }
+
+  // i, i/j, i//k or i/j/k; an index that is left out after a slash is none.
+  Result<Reference> reference(std::string_view word) {
+    std::array<std::string_view, 3> fields;
+    std::size_t count = 0;
+    std::string_view rest = word;
+    for (bool more = true; more; ++count) {
+      if (count == fields.size()) {
+        return refuse("the corner " + in_quotes(word) + " has more than three indices",
+                      "write vertex/texture/normal");
+      }
+      const std::size_t slash = rest.find('/');
+      fields[count] = rest.substr(0, slash);
+      more = slash != std::string_view::npos;
+      if (more) rest.remove_prefix(slash + 1);
+    }
+    Reference corner;
+    const auto position = index(fields[0], positions_);
+    if (!position) return tl::unexpected(position.error());
+    corner.position = *position;
+    if (!fields[1].empty()) {
+      const auto texcoord = index(fields[1], texcoords_);
+      if (!texcoord) return tl::unexpected(texcoord.error());
+      corner.texcoord = *texcoord;
+    }
+    if (!fields[2].empty()) {
+      const auto normal = index(fields[2], normals_);
+      if (!normal) return tl::unexpected(normal.error());
+      corner.normal = *normal;
+    }
+    return corner;
+  }
+
+  Result<std::uint32_t> index(std::string_view digits, IndexedTable& table) {
+    const std::string remedy = "export the file again or correct the line";
+    const auto written = parse_integer(digits);
+    if (!written) return refuse(in_quotes(digits) + " is no index of a " + table.name, remedy);
+    if (*written == 0) {
+      return refuse(std::string("names ") + table.name + " 0, but numbers start at 1", remedy);
+    }
+    // Negative numbers count back from the latest entry, -1.
+    const std::int64_t from_zero =
+        *written > 0 ? *written - 1 : std::int64_t(table.size) + *written;
+    if (from_zero < 0 || from_zero >= std::int64_t(kNone)) {
+      return refuse(std::string("names ") + table.name + " " + std::to_string(*written) +
+                        ", but only " + std::to_string(table.size) + " are defined",
+                    remedy);
+    }
+    if (from_zero >= std::int64_t(table.size) && from_zero > table.largest) {
+      table.largest = from_zero;
+      table.line_of_largest = lines_.number();
+    }
+    return std::uint32_t(from_zero);
+  }
+
+  void library(std::string_view text) {
+    constexpr std::size_t kMaxLibraries = 256;
+    if (text.empty() || libraries_seen_.contains(text)) return;
+    if (tables_.libraries.size() == kMaxLibraries) {
+      many_libraries_.add(lines_.number());
+      return;
+    }
+    libraries_seen_.emplace(text);
+    tables_.libraries.emplace_back(text);
+  }
+
+  Status check_forward_references() const {
+    for (const IndexedTable* table : {&positions_, &texcoords_, &normals_}) {
+      if (table->largest >= std::int64_t(table->size)) {
+        return fail(line_place(table->line_of_largest),
+                    std::string("names ") + table->name + " " + std::to_string(table->largest + 1) +
+                        ", but the file has " + std::to_string(table->size),
+                    "export the file again or correct the line");
+      }
+    }
+    return {};
+  }
+
+  Status check_unreadable_vertices() {
+    if (tables_.unreadable.empty()) return {};
+    for (const Reference& corner : tables_.references) {
+      if (std::isfinite(tables_.positions[corner.position].x)) continue;
+      const auto vertex =
+          std::lower_bound(tables_.unreadable.begin(), tables_.unreadable.end(), corner.position,
+                           [](const UnreadableVertex& v, std::uint32_t i) { return v.index < i; });
+      return fail(line_place(vertex->line),
+                  "vertex " + std::to_string(vertex->index + 1) + " does not have three numbers",
+                  "export the file again or correct the line");
+    }
+    Tally unreadable;
+    for (const UnreadableVertex& vertex : tables_.unreadable) unreadable.add(vertex.line);
+    unreadable.report("vertices that nothing uses do not have three numbers", warnings_);
+    return {};
+  }
+
+  // Some exporters write the indices of normals or texture coordinates but not these themselves. If
+  // there are none in the whole file, what is meant is clear.
+  void drop_references_to(IndexedTable& absent, std::uint32_t Reference::*index) {
+    if (absent.size > 0 || absent.largest < 0) return;
+    for (Reference& corner : tables_.references) corner.*index = kNone;
+    warnings_.add(std::string("corners name ") + absent.name +
+                  "s, but the file has none (the last in line " +
+                  std::to_string(absent.line_of_largest) + ")");
+    absent.largest = -1;
+  }
+
+  void report_oddities() {
+    short_faces_.report("faces of fewer than three corners were left out", warnings_);
+    short_lines_.report("lines or points without enough vertices were left out", warnings_);
+    free_form_.report("statements of free-form curves and surfaces were ignored", warnings_);
+    weights_.report("vertex weights other than 1 were ignored: polygons have none", warnings_);
+    more_numbers_.report(
+        "vertices have more numbers than x y z w or x y z r g b; the rest was ignored", warnings_);
+    odd_colors_.report("vertex colours are not numbers in [0, 1] and were clamped or left out",
+                       warnings_);
+    odd_texcoords_.report("texture coordinates are not finite numbers and were left out",
+                          warnings_);
+    odd_normals_.report("normals are zero or not finite and were left out", warnings_);
+    many_libraries_.report("material libraries beyond the first 256 were ignored", warnings_);
+    if (!first_unknown_.empty()) {
+      unknown_.report(
+          ("unknown statements were ignored, " + first_unknown_ + " among them").c_str(),
+          warnings_);
+    }
   }
 
   Lines lines_;
@@ -88,284 +352,6 @@ private:
       odd_colors_, more_numbers_, many_libraries_;
   std::string first_unknown_;
 };
-
-Parser::Status Parser::statement(std::string_view keyword, Words words) {
-  if (keyword == "v") return vertex(words);
-  if (keyword == "f" || keyword == "fo") return element(ElementKind::kFace, words);
-  if (keyword == "l") return element(ElementKind::kPolyline, words);
-  if (keyword == "p") return element(ElementKind::kPoints, words);
-  if (keyword == "vt") {
-    texcoord(words);
-  } else if (keyword == "vn") {
-    normal(words);
-  } else if (keyword == "usemtl") {
-    part_.material = tables_.names.number_of(words.rest());
-  } else if (keyword == "g") {
-    part_.group = tables_.names.number_of(without_comment(words.rest()));
-  } else if (keyword == "o") {
-    part_.object = tables_.names.number_of(without_comment(words.rest()));
-  } else if (keyword == "mtllib") {
-    library(words.rest());
-  } else if (is_free_form(keyword)) {
-    free_form_.add(lines_.number());
-  } else if (!is_render_state(keyword)) {
-    if (first_unknown_.empty()) first_unknown_ = in_quotes(keyword);
-    unknown_.add(lines_.number());
-  }
-  return {};
-}
-
-// v x y z [w] [r g b]
-Parser::Status Parser::vertex(Words words) {
-  std::array<Number, 7> numbers;
-  std::size_t count = 0;
-  bool readable = true;
-  for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
-    if (count == numbers.size()) {
-      more_numbers_.add(lines_.number());
-      break;
-    }
-    numbers[count] = parse_number(word);
-    if (count < 3 && numbers[count].kind == Number::Kind::kNotFinite) {
-      return refuse("vertex " + std::to_string(positions_.size + 1) + " has the coordinate " +
-                        in_quotes(word) + ", which is not a finite number",
-                    "export the file again or correct the line");
-    }
-    readable = readable && (count >= 3 || numbers[count].kind == Number::Kind::kFinite);
-    ++count;
-  }
-  if (positions_.size == kNone) {
-    return refuse("the file has more than 2^32 - 1 vertices", "split the file");
-  }
-  if (count < 3 || !readable) {
-    tables_.unreadable.push_back({std::uint32_t(positions_.size), lines_.number()});
-    tables_.positions.emplace_back(kNaN, kNaN, kNaN);
-  } else {
-    tables_.positions.emplace_back(numbers[0].value, numbers[1].value, numbers[2].value);
-  }
-  const bool weighted = count == 4;
-  if (weighted && numbers[3].value != 1.0f) weights_.add(lines_.number());
-  if (count == 5) more_numbers_.add(lines_.number());
-  if (count >= 6) vertex_color({numbers[3], numbers[4], numbers[5]});
-  if (!tables_.colors.empty()) tables_.colors.resize(tables_.positions.size());
-  ++positions_.size;
-  return {};
-}
-
-// The colour of the vertex that was read last.
-void Parser::vertex_color(const std::array<Number, 3>& channels) {
-  VertexColor color;
-  color.given = true;
-  std::uint8_t* const codes[] = {&color.r, &color.g, &color.b};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const float value = channels[i].value;
-    if (channels[i].kind != Number::Kind::kFinite) {
-      odd_colors_.add(lines_.number());
-      return;
-    }
-    if (value < 0.0f || value > 1.0f) odd_colors_.add(lines_.number());
-    *codes[i] = encode_unorm8(value);
-  }
-  tables_.colors.resize(tables_.positions.size());
-  tables_.colors.back() = color;
-}
-
-// vt u [v] [w]
-void Parser::texcoord(Words words) {
-  const Number u = parse_number(words.next());
-  const std::string_view second = words.next();
-  const Number v = second.empty() ? Number{Number::Kind::kFinite, 0} : parse_number(second);
-  const bool readable = u.kind == Number::Kind::kFinite && v.kind == Number::Kind::kFinite;
-  if (!readable) odd_texcoords_.add(lines_.number());
-  tables_.texcoords.push_back(readable ? TexCoord{u.value, v.value} : TexCoord{kNaN, kNaN});
-  ++texcoords_.size;
-}
-
-// vn x y z
-void Parser::normal(Words words) {
-  std::array<float, 3> n{};
-  bool readable = true;
-  for (float& component : n) {
-    const Number number = parse_number(words.next());
-    readable = readable && number.kind == Number::Kind::kFinite;
-    component = number.value;
-  }
-  const bool zero = n[0] == 0 && n[1] == 0 && n[2] == 0;
-  if (!readable || zero) odd_normals_.add(lines_.number());
-  tables_.normals.push_back(readable ? Normal<Object>(n[0], n[1], n[2]) : Normal<Object>());
-  ++normals_.size;
-}
-
-Parser::Status Parser::element(ElementKind kind, Words words) {
-  const std::size_t first = tables_.references.size();
-  for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
-    auto corner = reference(word);
-    if (!corner) return tl::unexpected(corner.error());
-    tables_.references.push_back(*corner);
-    if (tables_.references.size() == kNone) {
-      return refuse("the file has more than 2^32 - 2 corners", "split the file");
-    }
-  }
-  const std::size_t count = tables_.references.size() - first;
-  const std::size_t needed = kind == ElementKind::kFace       ? 3
-                             : kind == ElementKind::kPolyline ? 2
-                                                              : 1;
-  if (count < needed) {
-    (kind == ElementKind::kFace ? short_faces_ : short_lines_).add(lines_.number());
-    tables_.references.resize(first);
-    return {};
-  }
-  corners_ += kind == ElementKind::kPolyline ? 2 * (count - 1) : count;
-  if (corners_ > limits_.max_corners) {
-    return refuse(
-        "the file has more than the limit of " + std::to_string(limits_.max_corners) + " corners",
-        "raise the limit if the file can be trusted");
-  }
-  const auto [known, is_first] =
-      part_numbers_.try_emplace(part_, std::uint32_t(tables_.parts.size()));
-  if (is_first) tables_.parts.push_back(part_);
-  tables_.elements.push_back({std::uint32_t(first), std::uint32_t(count), known->second, kind});
-  return {};
-}
-
-// i, i/j, i//k or i/j/k; an index that is left out after a slash is none.
-Result<Reference> Parser::reference(std::string_view word) {
-  std::array<std::string_view, 3> fields;
-  std::size_t count = 0;
-  std::string_view rest = word;
-  for (bool more = true; more; ++count) {
-    if (count == fields.size()) {
-      return refuse("the corner " + in_quotes(word) + " has more than three indices",
-                    "write vertex/texture/normal");
-    }
-    const std::size_t slash = rest.find('/');
-    fields[count] = rest.substr(0, slash);
-    more = slash != std::string_view::npos;
-    if (more) rest.remove_prefix(slash + 1);
-  }
-  Reference corner;
-  const auto position = index(fields[0], positions_);
-  if (!position) return tl::unexpected(position.error());
-  corner.position = *position;
-  if (!fields[1].empty()) {
-    const auto texcoord = index(fields[1], texcoords_);
-    if (!texcoord) return tl::unexpected(texcoord.error());
-    corner.texcoord = *texcoord;
-  }
-  if (!fields[2].empty()) {
-    const auto normal = index(fields[2], normals_);
-    if (!normal) return tl::unexpected(normal.error());
-    corner.normal = *normal;
-  }
-  return corner;
-}
-
-Result<std::uint32_t> Parser::index(std::string_view digits, IndexedTable& table) {
-  const std::string remedy = "export the file again or correct the line";
-  const auto written = parse_integer(digits);
-  if (!written) return refuse(in_quotes(digits) + " is no index of a " + table.name, remedy);
-  if (*written == 0) {
-    return refuse(std::string("names ") + table.name + " 0, but numbers start at 1", remedy);
-  }
-  // Negative numbers count back from the latest entry, -1.
-  const std::int64_t from_zero = *written > 0 ? *written - 1 : std::int64_t(table.size) + *written;
-  if (from_zero < 0 || from_zero >= std::int64_t(kNone)) {
-    return refuse(std::string("names ") + table.name + " " + std::to_string(*written) +
-                      ", but only " + std::to_string(table.size) + " are defined",
-                  remedy);
-  }
-  if (from_zero >= std::int64_t(table.size) && from_zero > table.largest) {
-    table.largest = from_zero;
-    table.line_of_largest = lines_.number();
-  }
-  return std::uint32_t(from_zero);
-}
-
-void Parser::library(std::string_view text) {
-  constexpr std::size_t kMaxLibraries = 256;
-  if (text.empty() || libraries_seen_.contains(text)) return;
-  if (tables_.libraries.size() == kMaxLibraries) {
-    many_libraries_.add(lines_.number());
-    return;
-  }
-  libraries_seen_.emplace(text);
-  tables_.libraries.emplace_back(text);
-}
-
-Parser::Status Parser::check_forward_references() const {
-  for (const IndexedTable* table : {&positions_, &texcoords_, &normals_}) {
-    if (table->largest >= std::int64_t(table->size)) {
-      return fail(line_place(table->line_of_largest),
-                  std::string("names ") + table->name + " " + std::to_string(table->largest + 1) +
-                      ", but the file has " + std::to_string(table->size),
-                  "export the file again or correct the line");
-    }
-  }
-  return {};
-}
-
-Parser::Status Parser::check_unreadable_vertices() {
-  if (tables_.unreadable.empty()) return {};
-  for (const Reference& corner : tables_.references) {
-    if (std::isfinite(tables_.positions[corner.position].x)) continue;
-    const auto vertex =
-        std::lower_bound(tables_.unreadable.begin(), tables_.unreadable.end(), corner.position,
-                         [](const UnreadableVertex& v, std::uint32_t i) { return v.index < i; });
-    return fail(line_place(vertex->line),
-                "vertex " + std::to_string(vertex->index + 1) + " does not have three numbers",
-                "export the file again or correct the line");
-  }
-  Tally unreadable;
-  for (const UnreadableVertex& vertex : tables_.unreadable) unreadable.add(vertex.line);
-  unreadable.report("vertices that nothing uses do not have three numbers", warnings_);
-  return {};
-}
-
-// Some exporters write the indices of normals or texture coordinates but not these themselves. If
-// there are none in the whole file, what is meant is clear.
-void Parser::drop_references_to(IndexedTable& absent, std::uint32_t Reference::*index) {
-  if (absent.size > 0 || absent.largest < 0) return;
-  for (Reference& corner : tables_.references) corner.*index = kNone;
-  warnings_.add(std::string("corners name ") + absent.name +
-                "s, but the file has none (the last in line " +
-                std::to_string(absent.line_of_largest) + ")");
-  absent.largest = -1;
-}
-
-void Parser::report_oddities() {
-  short_faces_.report("faces of fewer than three corners were left out", warnings_);
-  short_lines_.report("lines or points without enough vertices were left out", warnings_);
-  free_form_.report("statements of free-form curves and surfaces were ignored", warnings_);
-  weights_.report("vertex weights other than 1 were ignored: polygons have none", warnings_);
-  more_numbers_.report(
-      "vertices have more numbers than x y z w or x y z r g b; the rest was ignored", warnings_);
-  odd_colors_.report("vertex colours are not numbers in [0, 1] and were clamped or left out",
-                     warnings_);
-  odd_texcoords_.report("texture coordinates are not finite numbers and were left out", warnings_);
-  odd_normals_.report("normals are zero or not finite and were left out", warnings_);
-  many_libraries_.report("material libraries beyond the first 256 were ignored", warnings_);
-  if (!first_unknown_.empty()) {
-    unknown_.report(("unknown statements were ignored, " + first_unknown_ + " among them").c_str(),
-                    warnings_);
-  }
-}
-
-Result<Tables> Parser::run() {
-  while (lines_.next()) {
-    Words words(lines_.text());
-    const std::string_view keyword = words.next();
-    if (auto status = statement(keyword, words); !status) return tl::unexpected(status.error());
-  }
-  drop_references_to(texcoords_, &Reference::texcoord);
-  drop_references_to(normals_, &Reference::normal);
-  if (auto status = check_forward_references(); !status) return tl::unexpected(status.error());
-  if (auto status = check_unreadable_vertices(); !status) return tl::unexpected(status.error());
-  report_oddities();
-  if (tables_.elements.empty()) {
-    return fail("", "has no faces, lines or points", "give an OBJ file with something to draw");
-  }
-  return std::move(tables_);
-}
 
 }  // namespace
 

@@ -182,8 +182,7 @@ private:
         return fail("element " + in_quotes(element.name),
                     "the " + std::to_string(element.count) + " that the header promises need " +
                         std::to_string(needed) +
-                        " bytes at least, with what comes before them, and "
-                        "there are " +
+                        " bytes at least, with what comes before them, and there are " +
                         std::to_string(available),
                     "the file is cut short or damaged: export it again");
       }

@@ -1,7 +1,6 @@
 #include <glassbox/mesh/ply/load.h>
 
 #include <filesystem>
-#include <new>
 #include <string>
 
 #include <glassbox/images/decode.h>
@@ -11,8 +10,6 @@
 
 namespace glassbox {
 namespace {
-
-namespace fs = std::filesystem;
 
 // The first texture that the header names, where it can be read.
 void add_texture(const std::vector<std::string>& names, obj::Directory directory,
@@ -55,42 +52,28 @@ Result<Scene> load_bytes(std::string_view bytes, obj::Directory directory,
   return scene;
 }
 
-Result<Scene> load_named(const std::string& path, const LoadLimits& limits) {
-  const auto bytes = gltf::read_whole_file(path, limits.max_file_bytes);
-  if (!bytes) return tl::unexpected(bytes.error());
-  const fs::path file(path);
-  const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-  auto scene = load_bytes(text, obj::Directory(file.parent_path(), limits.max_file_bytes), limits);
-  if (!scene) return scene;
-  scene->name = file.stem().string();
-  scene->file = path;
-  return scene;
-}
-
-Error no_memory(const std::string& path) {
-  return {path, "", "there is not enough memory for it",
-          "close other programs, or reduce the scene"};
-}
-
 }  // namespace
 
-Result<Scene> load_ply(const std::string& path, const LoadLimits& limits) try {
-  auto scene = load_named(path, limits);
-  if (!scene) scene.error().file = path;
-  return scene;
-} catch (const std::bad_alloc&) {
-  return tl::unexpected(no_memory(path));
+Result<Scene> load_ply(const std::string& path, const LoadLimits& limits) {
+  return naming_file(path, [&]() -> Result<Scene> {
+    const auto bytes = gltf::read_whole_file(path, limits.max_file_bytes);
+    if (!bytes) return tl::unexpected(bytes.error());
+    const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+    auto scene = load_bytes(text, obj::Directory(path, "PLY", limits.max_file_bytes), limits);
+    if (!scene) return scene;
+    scene->name = std::filesystem::path(path).stem().string();
+    scene->file = path;
+    return scene;
+  });
 }
 
-Result<Scene> load_ply_memory(std::string_view bytes, const LoadLimits& limits) try {
+Result<Scene> load_ply_memory(std::string_view bytes, const LoadLimits& limits) {
   if (bytes.size() > limits.max_file_bytes) {
     return fail("",
                 "has more than the limit of " + std::to_string(limits.max_file_bytes) + " bytes",
                 "raise the limit if the file can be trusted");
   }
-  return load_bytes(bytes, obj::Directory(), limits);
-} catch (const std::bad_alloc&) {
-  return tl::unexpected(no_memory(""));
+  return naming_file("", [&] { return load_bytes(bytes, obj::Directory(), limits); });
 }
 
 }  // namespace glassbox

@@ -27,7 +27,7 @@ namespace glassbox {
 // properties that are not drawn, and faces of fewer than three corners, are warnings of the scene.
 Result<Scene> load_ply(const std::string& path, const LoadLimits& limits = {});
 
-// The same from memory, where no texture can be read.
+// Reads a PLY file in memory, where no texture can be read.
 Result<Scene> load_ply_memory(std::string_view bytes, const LoadLimits& limits = {});
 
 }  // namespace glassbox

@@ -16,35 +16,35 @@ enum class Effort { kQuick, kFull };
 
 // One point of the chart.
 struct Configuration {
-  std::string series;    // what is compared: "float", "camera-relative float", "double"
-  double parameter = 0;  // where on the experiment's axis
-  std::string scene;     // on what it was measured, where that is not the same for all
+  std::string series;      // what is compared: "float", "camera-relative float", "double"
+  double parameter = 0;    // where on the experiment's axis
+  std::string scene = {};  // on what it was measured, where that is not the same for all
 
   // In the experiment's unit, against its reference. The same to the last digit in every run and on every machine.
-  std::function<double()> error;
+  std::function<double()> error = {};
   // What the theory says `error` is; none where it says nothing. 0 says: exact.
-  std::optional<double> predicted_error;
+  std::optional<double> predicted_error = {};
   // Why the measured error is not within a factor of two of the predicted one, where that is so and understood.
-  std::string finding;
+  std::string finding = {};
 
   // What is timed, on this many threads; empty where only the error is of interest. One call does `items` of the work,
   // long enough to be timed (0.1 ms or more) and short enough to be repeated (100 ms or less).
-  std::function<void(int threads)> work;
+  std::function<void(int threads)> work = {};
   double items = 1;
 };
 
 struct Experiment {
-  std::string id;         // "D-4"
-  std::string name;       // "Perspective: where the divide is done"
-  std::string question;   // one sentence for a reader who has not seen the chart yet
-  std::string axis;       // what `parameter` is: "w at the far end over w at the near end"
-  std::string axis_unit;  // empty: a ratio or a number of things
+  std::string id;              // "D-4"
+  std::string name;            // "Perspective: where the divide is done"
+  std::string question;        // one sentence for a reader who has not seen the chart yet
+  std::string axis;            // what `parameter` is: "w at the far end over w at the near end"
+  std::string axis_unit = {};  // empty: a ratio or a number of things
   bool logarithmic_axis = true;
-  std::string error;       // what is measured: "largest error of u along a span"
-  std::string error_unit;  // "texel"
-  std::string reference;   // against what: "the exact rational value"
-  std::string theory;      // the formula of `predicted_error`, with its source
-  std::string item;        // what the time is per: "pixel", "vertex", "frame"
+  std::string error;            // what is measured: "largest error of u along a span"
+  std::string error_unit = {};  // "texel"; empty: a share or a ratio
+  std::string reference;        // against what: "the exact rational value"
+  std::string theory;           // the formula of `predicted_error`, with its source
+  std::string item;             // what the time is per: "pixel", "vertex", "frame"
   // Whether `work` makes use of more than one thread.
   bool threaded = false;
   // Whether the axis is chosen by whoever draws (bits, steps) rather than given to him (distances, sizes): configurations

@@ -115,21 +115,15 @@ void add_series(std::vector<Configuration>& all, const std::string& series, Theo
                 Effort effort) {
   const int shots = effort == Effort::kFull ? 160 : 16;
   for (const double offset : {1.0, 1e2, 1e4, 1e6, 1e8}) {
-    Configuration c;
-    c.series = series;
-    c.parameter = offset;
-    c.error = [offset, shots] { return rms_error<Way>(offset, shots); };
-    c.predicted_error = theory(offset);
     const Shot shot = make_shot(1, offset, kTimedPoints);
     std::vector<typename Way::Input> vertices;
     for (const Point<Object, double>& p : shot.points) vertices.push_back(Way::input(p));
-    c.work = [vertices, way = Way(shot)](int) {
-      for (int round = 0; round < kRounds; ++round) {
-        for (const auto& vertex : vertices) consume(way(vertex));
-      }
-    };
-    c.items = double(kTimedPoints) * kRounds;
-    all.push_back(std::move(c));
+    all.push_back({.series = series,
+                   .parameter = offset,
+                   .error = [=] { return rms_error<Way>(offset, shots); },
+                   .predicted_error = theory(offset),
+                   .work = rounds_of(kRounds, vertices, Way(shot)),
+                   .items = double(kTimedPoints) * kRounds});
   }
 }
 
@@ -158,12 +152,9 @@ Experiment d01_vertex_stage() {
           .reference = "50 digits, for the same rotations and positions",
           .theory =
               "roundings counted as random, 0.42 u each (u = 2^-24 or 2^-53): float 0.63 u D "
-              "sqrt(2) F/z px for "
-              "focal length F and distance z, at most the picture's diagonal; composed in double "
-              "0.62 u D the "
-              "same way; relative to the camera, and fixed point after the eye is subtracted, "
-              "flat; the last "
-              "rounding of a float in px adds 2.5e-5",
+              "sqrt(2) F/z px for focal length F and distance z, at most the picture's diagonal; "
+              "composed in double 0.62 u D the same way; relative to the camera, and fixed point "
+              "after the eye is subtracted, flat; the last rounding of a float in px adds 2.5e-5",
           .item = "vertex",
           .configurations = configurations};
 }

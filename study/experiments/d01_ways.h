@@ -50,7 +50,7 @@ public:
       : ThreeMatrices(placed<World, Object>(shot.world_from_object, shot.object), view_of(shot)) {}
 };
 
-// The same with the world's origin in the eye: the eye is subtracted in double, where the difference of two near
+// Every matrix rounded to float, with the world's origin in the eye: the eye is subtracted in double, where the difference of two near
 // numbers is exact.
 class CameraRelative : public ThreeMatrices {
 public:

@@ -178,18 +178,17 @@ void add_scene(std::vector<Configuration>& all, const std::string& scene, MakeTr
   const int count = effort == Effort::kFull ? 160000 : 16000;
   constexpr int kTimed = 500;
   for (const int bits : {0, 1, 2, 4, 6, 8, 10, 12}) {
-    Configuration c;
-    c.series = bits <= 6 ? "32-bit edges" : "64-bit edges";
-    c.parameter = bits;
-    c.scene = scene;
-    c.error = [make, count, bits] { return flips(make_triangles(make, count), bits); };
-    c.predicted_error = predict(bits);
-    c.work = [triangles = make_triangles(make, kTimed), bits](int) {
-      consume(bits <= 6 ? cover_all<std::int32_t>(triangles, bits)
-                        : cover_all<std::int64_t>(triangles, bits));
-    };
-    c.items = kTimed;
-    all.push_back(std::move(c));
+    all.push_back({.series = bits <= 6 ? "32-bit edges" : "64-bit edges",
+                   .parameter = double(bits),
+                   .scene = scene,
+                   .error = [=] { return flips(make_triangles(make, count), bits); },
+                   .predicted_error = predict(bits),
+                   .work =
+                       [triangles = make_triangles(make, kTimed), bits](int) {
+                         consume(bits <= 6 ? cover_all<std::int32_t>(triangles, bits)
+                                           : cover_all<std::int64_t>(triangles, bits));
+                       },
+                   .items = kTimed});
   }
 }
 
@@ -209,15 +208,13 @@ Experiment d02_subpixel_bits() {
               "How many pixels change hands because vertices are rounded to a grid, and what does "
               "a finer grid cost?",
           .axis = "subpixel bits",
-          .axis_unit = "",
           .logarithmic_axis = false,
           .error = "pixels whose coverage changes, for each pixel of boundary length",
           .error_unit = "pixels per px",
           .reference = "the triangle before the snap, in exact integers",
           .theory =
               "the area that an edge sweeps when its ends move: sqrt(2/pi) 2^-b/sqrt(12) * 0.812 = "
-              "0.187 * 2^-b for "
-              "each pixel of its length",
+              "0.187 * 2^-b for each pixel of its length",
           .item = "triangle",
           .axis_is_chosen = true,
           .configurations = configurations};

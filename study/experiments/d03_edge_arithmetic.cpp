@@ -125,21 +125,20 @@ void add_series(std::vector<Configuration>& all, const Series& series, int width
   const int samples = effort == Effort::kFull ? 15'000'000 : 2'000'000;
   constexpr int kTimed = 500;
   const EdgeArithmetic arithmetic = series.arithmetic;
-  Configuration c;
-  c.series = series.name;
-  c.parameter = width;
-  c.items = double(kTimed) * kEdgeTile * kEdgeTile;
-  c.work = [arithmetic, triangles = timed_triangles(width, kTimed)](int) {
+  const auto work = [arithmetic, triangles = timed_triangles(width, kTimed)](int) {
     consume(count_covered(arithmetic, triangles));
   };
-  c.scene = "wrong decisions";
-  c.error = [=] { return rate(is_wrong, arithmetic, width, samples); };
-  c.predicted_error = predict(series.wrong, width);
-  all.push_back(c);
-  c.scene = "gaps and doubles";
-  c.error = [=] { return rate(is_leak, arithmetic, width, samples); };
-  c.predicted_error = predict(series.leak, width);
-  all.push_back(std::move(c));
+  const auto add = [&](const char* scene, Fault fault, RoundingError theory) {
+    all.push_back({.series = series.name,
+                   .parameter = double(width),
+                   .scene = scene,
+                   .error = [=] { return rate(fault, arithmetic, width, samples); },
+                   .predicted_error = predict(theory, width),
+                   .work = work,
+                   .items = double(kTimed) * kEdgeTile * kEdgeTile});
+  };
+  add("wrong decisions", is_wrong, series.wrong);
+  add("gaps and doubles", is_leak, series.leak);
 }
 
 std::vector<Configuration> configurations(Effort effort) {
@@ -153,28 +152,24 @@ std::vector<Configuration> configurations(Effort effort) {
 }  // namespace
 
 Experiment d03_edge_arithmetic() {
-  return {.id = "D-3",
-          .name = "Coverage: in which arithmetic edges are evaluated",
-          .question =
-              "How often do rounded edge functions give a pixel to the wrong triangle, to both or "
-              "to neither?",
-          .axis = "width of the screen",
-          .axis_unit = "px",
-          .error = "share of pixel centres within half a pixel of an edge that are decided wrongly",
-          .error_unit = "",
-          .reference = "128-bit integers, vertices snapped to 1/256 px",
-          .theory =
-              "E|error of the edge function| / (longer side of the edge * 1 px), roundings counted "
-              "as random, 0.42 u "
-              "each: two equal products for the difference form (0.048 u W on average), one with "
-              "FMA, three "
-              "products and three sums of the size of the screen for the plane form. The plane "
-              "form only changes its sign "
-              "with the edge's direction, so that it is wrong but leaves no gap; integers, and "
-              "doubles of 53 bits "
-              "for values of 50, are exact",
-          .item = "pixel",
-          .configurations = configurations};
+  return {
+      .id = "D-3",
+      .name = "Coverage: in which arithmetic edges are evaluated",
+      .question =
+          "How often do rounded edge functions give a pixel to the wrong triangle, to both or to "
+          "neither?",
+      .axis = "width of the screen",
+      .axis_unit = "px",
+      .error = "share of pixel centres within half a pixel of an edge that are decided wrongly",
+      .reference = "128-bit integers, vertices snapped to 1/256 px",
+      .theory =
+          "E|error of the edge function| / (longer side of the edge * 1 px), roundings counted as "
+          "random, 0.42 u each: two equal products for the difference form (0.048 u W on average), "
+          "one with FMA, three products and three sums of the size of the screen for the plane "
+          "form. The plane form only changes its sign with the edge's direction, so that it is "
+          "wrong but leaves no gap; integers, and doubles of 53 bits for values of 50, are exact",
+      .item = "pixel",
+      .configurations = configurations};
 }
 
 }  // namespace glassbox::study

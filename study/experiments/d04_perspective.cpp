@@ -165,20 +165,20 @@ std::vector<Configuration> configurations(Effort effort) {
   for (const Series& series : kSeries) {
     const Perspective method = series.method;
     for (const double ratio : {1.01, 1.41, 2.0, 5.0, 10.0, 30.0, 100.0}) {
-      Configuration c;
-      c.series = series.name;
-      c.parameter = ratio;
-      c.error = [=] { return largest_error(method, ratio, lines); };
-      c.predicted_error = predict(method, ratio);
-      c.work = [method, texture, walls = random_lines(ratio, kTimed),
-                out = std::vector<std::int32_t>(std::size_t(kTimed) * kLinePixels)](int) mutable {
-        for (int round = 0; round < kRounds; ++round) {
-          draw_lines(method, walls, texture, out);
-          consume(out.back());
-        }
-      };
-      c.items = double(kTimed) * kLinePixels * kRounds;
-      all.push_back(std::move(c));
+      const auto work =
+          [method, texture, walls = random_lines(ratio, kTimed),
+           out = std::vector<std::int32_t>(std::size_t(kTimed) * kLinePixels)](int) mutable {
+            for (int round = 0; round < kRounds; ++round) {
+              draw_lines(method, walls, texture, out);
+              consume(out.back());
+            }
+          };
+      all.push_back({.series = series.name,
+                     .parameter = ratio,
+                     .error = [=] { return largest_error(method, ratio, lines); },
+                     .predicted_error = predict(method, ratio),
+                     .work = work,
+                     .items = double(kTimed) * kLinePixels * kRounds});
     }
   }
   return all;
@@ -193,19 +193,15 @@ Experiment d04_perspective() {
               "How wrong are texture coordinates when the divide is approximated, or done only now "
               "and then?",
           .axis = "w at the far end of a line of 256 pixels over w at its near end",
-          .axis_unit = "",
           .error = "largest error of u at a pixel centre, of 256 texels along the line",
           .error_unit = "texel",
           .reference = "the same interpolation in double",
           .theory =
               "|du| (sqrt r - 1)/(sqrt r + 1) over a span in which w grows r-fold and u by du "
-              "(exact; B.11), the "
-              "largest of the line's spans; for an approximate reciprocal u times 2^-12 + 2^-14 "
-              "(the table's bound, "
-              "2^-11.7), its square after a Newton step; six roundings of float otherwise. Errors "
-              "are those of a table "
-              "that stands for the instruction, which differs between processors; times are the "
-              "instruction's",
+              "(exact; B.11), the largest of the line's spans; for an approximate reciprocal u "
+              "times 2^-12 + 2^-14 (the table's bound, 2^-11.7), its square after a Newton step; "
+              "six roundings of float otherwise. Errors are those of a table that stands for the "
+              "instruction, which differs between processors; times are the instruction's",
           .item = "pixel",
           .configurations = configurations};
 }

@@ -107,19 +107,19 @@ std::vector<Configuration> configurations(Effort effort) {
   for (const Series& series : kSeries) {
     const Reciprocal method = series.method;
     for (const double from : {1e-3, 1e-2, 1e-1, 1.0, 1e1, 1e2}) {
-      Configuration c;
-      c.series = series.name;
-      c.parameter = from;
-      c.error = [=] { return largest_error(method, from, count); };
-      c.predicted_error = predict(method);
-      c.work = [method, w = decade(from, kTimed), out = std::vector<float>(kTimed)](int) mutable {
+      const auto work = [method, w = decade(from, kTimed),
+                         out = std::vector<float>(kTimed)](int) mutable {
         for (int i = 0; i < kRounds; ++i) {
           reciprocals(method, w, out);
           consume(out.back());
         }
       };
-      c.items = double(kTimed) * kRounds;
-      all.push_back(std::move(c));
+      all.push_back({.series = series.name,
+                     .parameter = from,
+                     .error = [=] { return largest_error(method, from, count); },
+                     .predicted_error = predict(method),
+                     .work = work,
+                     .items = double(kTimed) * kRounds});
     }
   }
   return all;
@@ -132,22 +132,16 @@ Experiment d05_reciprocal() {
           .name = "Reciprocals: division, approximation, Newton's step",
           .question = "How many digits do approximate reciprocals have, over six decades of w?",
           .axis = "the decade of w starts at",
-          .axis_unit = "",
           .error =
               "largest relative error; times u in texels it is the error of a texture coordinate "
-              "(a texture of 4096 "
-              "texels: 2^-11.7 is 1.2 texels)",
-          .error_unit = "",
+              "(a texture of 4096 texels: 2^-11.7 is 1.2 texels)",
           .reference = "double",
           .theory =
               "2^-12 + 2^-14 for 1/w from a table of 2^11 entries of 13 bits, 2^-12 + 2^-13.5 for "
-              "1/sqrt(w) from "
-              "one of 2 x 2^10; a Newton step squares it (3/2 of the square for the root) and adds "
-              "roundings of "
-              "u = 2^-24 each; 0.0344 for 0x5f3759df (Lomont 2003). Errors are the table's, the "
-              "same everywhere; "
-              "the instructions that are timed keep to 1.5 * 2^-12 on x86 and to bounds of their "
-              "own elsewhere",
+              "1/sqrt(w) from one of 2 x 2^10; a Newton step squares it (3/2 of the square for the "
+              "root) and adds roundings of u = 2^-24 each; 0.0344 for 0x5f3759df (Lomont 2003). "
+              "Errors are the table's, the same everywhere; the instructions that are timed keep "
+              "to 1.5 * 2^-12 on x86 and to bounds of their own elsewhere",
           .item = "reciprocal",
           .configurations = configurations};
 }

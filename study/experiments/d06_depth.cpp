@@ -258,11 +258,10 @@ Experiment d06_depth() {
       .reference =
           "the order of the floats on the ladder; in pictures, distances interpolated in double",
       .theory =
-          "B.3: b-bit codes z (1/n - 1/f) 2^-b, reversed or not; float with depth near 1 the "
-          "same with 2^-24; float reversed "
-          "2^-23 everywhere; reversed through [-1, 1] the step below -1, 2^-25; linear w (f - n) "
-          "2^-b/z; logarithmic ln(f/n) 2^-b. "
-          "Never finer than positions as floats, 2^-23, and never beyond the far plane.",
+          "B.3: b-bit codes z (1/n - 1/f) 2^-b, reversed or not; float with depth near 1 the same "
+          "with 2^-24; float reversed 2^-23 everywhere; reversed through [-1, 1] the step below "
+          "-1, 2^-25; linear w (f - n) 2^-b/z; logarithmic ln(f/n) 2^-b. Never finer than "
+          "positions as floats, 2^-23, and never beyond the far plane.",
       .item = "fragment",
       .configurations = configurations,
   };

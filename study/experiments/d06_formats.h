@@ -151,17 +151,15 @@ inline std::string finding_on_ladder(const Format& format) {
              through_gl = format.mapping == Mapping::kReversed && format.remap == Remap::kGl;
   if (format.bits == 16 || !(near_one || through_gl)) return {};
   return "near the far plane z and the product with f/(f - n) are large, their sum and the "
-         "quotient are rounded again: up to three "
-         "half steps of noise beside the step itself";
+         "quotient are rounded again: up to three half steps of noise beside the step itself";
 }
 
 inline std::string finding_in_picture(const Format& format) {
   if (format.bits != 32 || (format.mapping == Mapping::kReversed && format.remap == Remap::kNone))
     return {};
   return "only corners have the coarse step: between them depth is interpolated in finer ones, so "
-         "that the errors of three corners "
-         "average, and of two triangles with the same corners on the screen they are often the "
-         "same";
+         "that the errors of three corners average, and of two triangles with the same corners on "
+         "the screen they are often the same";
 }
 
 }  // namespace glassbox::study::d06

@@ -187,21 +187,15 @@ void add_series(std::vector<Configuration>& all, const std::string& series, Theo
   const int fields = effort == Effort::kFull ? 320 : 32;
   for (const Depth depth : {Depth::kStandard, Depth::kReversedInfinite}) {
     for (const double offset : {1e2, 1e3, 1e4, 1e5, 1e6}) {
-      Configuration c;
-      c.series = series;
-      c.parameter = offset;
-      c.scene = depth == Depth::kStandard ? "depth 0..1, planes at 0.1 and 1000"
-                                          : "depth reversed, infinite far plane";
-      c.error = [=] { return rms_error<Way>(depth, offset, fields); };
-      c.predicted_error = theory(depth, offset);
       const Field field = make_field(1, offset, kTimedPoints);
-      c.work = [points = field.points, way = Way(field, depth)](int) {
-        for (int round = 0; round < kRounds; ++round) {
-          for (const Point<World>& p : points) consume(way(p));
-        }
-      };
-      c.items = double(kTimedPoints) * kRounds;
-      all.push_back(std::move(c));
+      all.push_back({.series = series,
+                     .parameter = offset,
+                     .scene = depth == Depth::kStandard ? "depth 0..1, planes at 0.1 and 1000"
+                                                        : "depth reversed, infinite far plane",
+                     .error = [=] { return rms_error<Way>(depth, offset, fields); },
+                     .predicted_error = theory(depth, offset),
+                     .work = rounds_of(kRounds, field.points, Way(field, depth)),
+                     .items = double(kTimedPoints) * kRounds});
     }
   }
 }
@@ -217,29 +211,26 @@ std::vector<Configuration> configurations(Effort effort) {
 }  // namespace
 
 Experiment d07_composition() {
-  return {.id = "D-7",
-          .name = "View and projection: one matrix or two",
-          .question =
-              "How far apart must two surfaces be for the depth test to order them, when the "
-              "matrices are composed?",
-          .axis = "distance of the camera from the origin",
-          .axis_unit = "units",
-          .error =
-              "root mean square error of the depth, as a distance along the gaze (at 10 units): "
-              "surfaces closer than that "
-              "are drawn in either order",
-          .error_unit = "units",
-          .reference = "50 digits, for vertices and an eye that are floats exactly",
-          .theory =
-              "roundings counted as random, 0.42 u each: 0.53 u D in a row of the matrix. In one "
-              "matrix, z and w have their own, "
-              "which for depth 0..1 is worth sqrt(2) z/n as much along the gaze; in two matrices "
-              "they share it, and with "
-              "z = n exactly (reversed, infinite far plane) only w has it. With the eye subtracted "
-              "first "
-              "nothing grows with D",
-          .item = "vertex",
-          .configurations = configurations};
+  return {
+      .id = "D-7",
+      .name = "View and projection: one matrix or two",
+      .question =
+          "How far apart must two surfaces be for the depth test to order them, when the matrices "
+          "are composed?",
+      .axis = "distance of the camera from the origin",
+      .axis_unit = "units",
+      .error =
+          "root mean square error of the depth, as a distance along the gaze (at 10 units): "
+          "surfaces closer than that are drawn in either order",
+      .error_unit = "units",
+      .reference = "50 digits, for vertices and an eye that are floats exactly",
+      .theory =
+          "roundings counted as random, 0.42 u each: 0.53 u D in a row of the matrix. In one "
+          "matrix, z and w have their own, which for depth 0..1 is worth sqrt(2) z/n as much along "
+          "the gaze; in two matrices they share it, and with z = n exactly (reversed, infinite far "
+          "plane) only w has it. With the eye subtracted first nothing grows with D",
+      .item = "vertex",
+      .configurations = configurations};
 }
 
 }  // namespace glassbox::study

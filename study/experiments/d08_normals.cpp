@@ -179,39 +179,33 @@ constexpr Series kSeries[] = {
 
 constexpr int kTimedPolygons = 4096, kRounds = 20;
 
-Configuration configuration(const Series& series, MakeCase make, double parameter, int polygons) {
-  Configuration c;
-  c.series = series.name;
-  c.parameter = parameter;
-  c.error = [=, way = series.way] { return rms_angle(way, make, parameter, polygons); };
+std::vector<FloatPolygon> timed_polygons() {
   std::vector<FloatPolygon> timed;
   for (int i = 0; i < kTimedPolygons; ++i)
     timed.push_back(noisy_case(std::uint64_t(i % 64) + 1, 0.1).corners);
-  c.work = [timed, way = series.way](int) {
-    for (int round = 0; round < kRounds; ++round) {
-      for (const FloatPolygon& p : timed) consume(way(p));
-    }
-  };
-  c.items = double(kTimedPolygons) * kRounds;
-  return c;
+  return timed;
 }
 
 std::vector<Configuration> configurations(Effort effort) {
   const int polygons = effort == Effort::kFull ? 5000 : 500;
+  const std::vector<FloatPolygon> timed = timed_polygons();
   std::vector<Configuration> all;
   for (const Series& series : kSeries) {
-    for (const double bend : {1e-4, 1e-3, 1e-2, 1e-1}) {
-      Configuration c = configuration(series, noisy_case, bend, polygons);
-      c.scene = "second corner bent by the axis' value, heights off by 1e-4";
-      c.predicted_error = series.noisy(bend);
-      all.push_back(std::move(c));
-    }
-    for (const double offset : {1.0, 1e2, 1e4, 1e6}) {
-      Configuration c = configuration(series, far_case, offset, polygons);
-      c.scene = "flat, the axis' value away from the origin";
-      c.predicted_error = series.far(offset);
-      all.push_back(std::move(c));
-    }
+    const auto add = [&](const char* scene, MakeCase make, double parameter, double predicted) {
+      all.push_back(
+          {.series = series.name,
+           .parameter = parameter,
+           .scene = scene,
+           .error = [=, way = series.way] { return rms_angle(way, make, parameter, polygons); },
+           .predicted_error = predicted,
+           .work = rounds_of(kRounds, timed, series.way),
+           .items = double(kTimedPolygons) * kRounds});
+    };
+    for (const double bend : {1e-4, 1e-3, 1e-2, 1e-1})
+      add("second corner bent by the axis' value, heights off by 1e-4", noisy_case, bend,
+          series.noisy(bend));
+    for (const double offset : {1.0, 1e2, 1e4, 1e6})
+      add("flat, the axis' value away from the origin", far_case, offset, series.far(offset));
   }
   return all;
 }
@@ -232,11 +226,9 @@ Experiment d08_normals() {
               "the plane before the corners are moved off it; 50 digits for flat octagons far away",
           .theory =
               "heights off by sigma tilt the normal by sigma sqrt(sum |p_(i+1) - p_(i-1)|^2) / (2 "
-              "area), over the corners "
-              "that are used: sigma sqrt(3/2)/bend for a cross product at the bent corner, sigma "
-              "for all. "
-              "Far from the origin Newell's raw sums round terms of size D: about 0.42 u D; "
-              "differences of corners are exact",
+              "area), over the corners that are used: sigma sqrt(3/2)/bend for a cross product at "
+              "the bent corner, sigma for all. Far from the origin Newell's raw sums round terms "
+              "of size D: about 0.42 u D; differences of corners are exact",
           .item = "polygon",
           .configurations = configurations};
 }

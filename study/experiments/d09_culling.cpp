@@ -74,7 +74,6 @@ Configuration configuration(const std::string& series, const std::string& scene,
           .scene = scene,
           .error = [=] { return wrongly_culled(*surface, test); },
           .predicted_error = predicted,
-          .finding = {},
           .work = [=](int) { cull_and_set_up(*surface, test, *keep); },
           .items = double(surface->modelled.size())};
 }
@@ -122,17 +121,15 @@ Experiment d09_culling() {
       .name = "Back faces: where they are found out",
       .question = "What is gained by throwing back faces away early, and is anything lost?",
       .axis = "triangles of the mesh",
-      .axis_unit = {},
       .error = "faces thrown away although their snapped triangle shows its front",
       .error_unit = "faces",
       .reference =
           "the sign of the snapped triangle's area, an exact integer, which decides what is drawn",
       .theory =
           "An exact test in object space does not see the snap, which turns a face of twice the "
-          "area -a with probability "
-          "Phi(-a/sigma), sigma^2 = sum |edge|^2/(12 256^2): the sum over all that are thrown "
-          "away. With a margin for the snap: 0. "
-          "Half the faces of a closed surface are backs, so at most half of the set-up is saved.",
+          "area -a with probability Phi(-a/sigma), sigma^2 = sum |edge|^2/(12 256^2): the sum over "
+          "all that are thrown away. With a margin for the snap: 0. Half the faces of a closed "
+          "surface are backs, so at most half of the set-up is saved.",
       .item = "triangle",
       .configurations = configurations,
   };

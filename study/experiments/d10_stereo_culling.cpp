@@ -181,8 +181,7 @@ Experiment d10_stereo_culling() {
       .theory =
           "The centre's frustum ends half the parallax short of each eye's at one side: (W/2)(d/h) "
           "s |1/z - 1/f| columns (S0-04); in the forest the pixels of trees for which that holds "
-          "at their own distance. The others are "
-          "conservative: 0.",
+          "at their own distance. The others are conservative: 0.",
       .item = "triangle",
       .configurations = configurations,
   };

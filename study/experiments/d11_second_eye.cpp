@@ -148,7 +148,6 @@ void add_stage(std::shared_ptr<const Stage> stage, bool cards, std::vector<Confi
                    .predicted_error = cards       ? predicted_on_cards(way)
                                       : way.exact ? std::optional<double>(0)
                                                   : std::nullopt,
-                   .finding = {},
                    .work = [=](int) { way.right(*stage); }});
   }
 }
@@ -178,11 +177,10 @@ Experiment d11_second_eye() {
       .reference = "the right eye's picture, drawn by itself",
       .theory =
           "Shared stages are the same bytes: 0. A warp lacks (W/2)(d/h) B (1/z_front - 1/z_back) "
-          "columns beside every edge in depth "
-          "(B.9): over the cards' rows that is a share of the picture, whose colours are "
-          "black or, filled, another cell's: "
-          "sqrt(share 255 511/6), sqrt(share (256^2 - 1)/6). Two layers have the first thing "
-          "behind every edge, three the next.",
+          "columns beside every edge in depth (B.9): over the cards' rows that is a share of the "
+          "picture, whose colours are black or, filled, another cell's: sqrt(share 255 511/6), "
+          "sqrt(share (256^2 - 1)/6). Two layers have the first thing behind every edge, three the "
+          "next.",
       .item = "pair of pictures",
       .configurations = configurations,
   };

@@ -151,11 +151,11 @@ void add_ghosts(const Method& method, double parameter, const Viewing& viewing,
   if (method.recolour.desaturate != 0) return;
   const bool without_green = method.method == AnaglyphMethod::kTrue;
   const auto add = [&](const char* scene, double predicted, std::function<double()> error) {
-    Configuration c;
-    c.series = method.series, c.parameter = parameter, c.scene = scene;
-    c.error = std::move(error);
-    c.predicted_error = predicted;
-    all.push_back(std::move(c));
+    all.push_back({.series = method.series,
+                   .parameter = parameter,
+                   .scene = scene,
+                   .error = std::move(error),
+                   .predicted_error = predicted});
   };
   add("ghost in the left eye", without_green ? .0018 / .0876 : .0136 / .0876,
       [=] { return white_leak(viewing).left; });
@@ -171,21 +171,21 @@ std::vector<Configuration> configurations(Effort effort) {
     const Viewing seen = viewing(method.method).value();
     const Show1 show = by_matrix(seen.matrix, method.recolour);
     for (const Scenery& scenery : sceneries) {
-      Configuration c;
-      c.series = method.series, c.parameter = mean_difference(show, scenery),
-      c.scene = scenery.name;
-      c.error = [=] { return mean_rivalry(show, scenery); };
+      std::optional<double> predicted;
       if (&scenery == &sceneries.front()) {
-        c.predicted_error = method.rivalry;
+        predicted = method.rivalry;
       } else if (method.recolour.desaturate != 0) {
         // Linear in the colour, and greys have none (S0-15).
         const double plain = mean_rivalry(by_matrix(seen.matrix, {}), scenery);
-        c.predicted_error =
-            plain * (1 - method.recolour.desaturate) * (1 - method.recolour.brighten);
+        predicted = plain * (1 - method.recolour.desaturate) * (1 - method.recolour.brighten);
       }
-      c.work = work_of(method, eyes);
-      c.items = double(eyes->left.pixels.size());
-      all.push_back(std::move(c));
+      all.push_back({.series = method.series,
+                     .parameter = mean_difference(show, scenery),
+                     .scene = scenery.name,
+                     .error = [=] { return mean_rivalry(show, scenery); },
+                     .predicted_error = predicted,
+                     .work = work_of(method, eyes),
+                     .items = double(eyes->left.pixels.size())});
     }
     add_ghosts(method, mean_difference(show, sceneries.front()), seen, all);
   }
@@ -195,8 +195,6 @@ std::vector<Configuration> configurations(Effort effort) {
                    .parameter = mean_difference(optimum, scenery),
                    .scene = scenery.name,
                    .error = [=] { return mean_rivalry(optimum, scenery); },
-                   .predicted_error = std::nullopt,
-                   .finding = {},
                    .work =
                        [=](int) {
                          for (std::size_t i = 0; i < 64; ++i)
@@ -216,7 +214,6 @@ Experiment d12_anaglyph() {
       .question =
           "How much colour does each method give up for how much less rivalry between the eyes?",
       .axis = "mean colour difference to the picture without glasses (CIEDE2000)",
-      .axis_unit = {},
       .logarithmic_axis = false,
       .error =
           "mean rivalry |Y_L/Y_Lw - Y_R/Y_Rw|; for ghosts: the other eye's white where the own "
@@ -224,11 +221,10 @@ Experiment d12_anaglyph() {
       .error_unit = "of white",
       .reference = "equal relative luminance in both eyes; no light of the other eye",
       .theory =
-          "B.6: the mean over eight colours from the luminances of screen and lenses, colour "
-          ".411, half-colour .123, Dubois "
-          "2009 .075 and 2001 .062, optimised .036, grey 0; desaturated by k and brightened by b "
-          "times (1 - k)(1 - b) exactly; "
-          "ghosts .0136/.0876 on the left and .0176/.3865 on the right.",
+          "B.6: the mean over eight colours from the luminances of screen and lenses, colour .411, "
+          "half-colour .123, Dubois 2009 .075 and 2001 .062, optimised .036, grey 0; desaturated "
+          "by k and brightened by b times (1 - k)(1 - b) exactly; ghosts .0136/.0876 on the left "
+          "and .0176/.3865 on the right.",
       .item = "pixel",
       .configurations = configurations,
   };

@@ -152,14 +152,12 @@ std::vector<Configuration> configurations(Effort effort) {
   std::vector<Configuration> all;
   for (const Series& series : kSeries) {
     for (const int count : steps) {
-      Configuration c;
-      c.series = series.name;
-      c.parameter = count;
-      c.error = [series, count] { return series.error(series.every, count); };
-      c.predicted_error = series.theory(series.every, count);
-      c.work = [series](int) { series.work(series.every); };
-      c.items = kTimedSteps;
-      all.push_back(std::move(c));
+      all.push_back({.series = series.name,
+                     .parameter = double(count),
+                     .error = [=] { return series.error(series.every, count); },
+                     .predicted_error = series.theory(series.every, count),
+                     .work = [series](int) { series.work(series.every); },
+                     .items = kTimedSteps});
     }
   }
   return all;
@@ -178,14 +176,11 @@ Experiment d13_rotation() {
           .error =
               "largest |R R^T - I| (Frobenius); half of it is the relative error of lengths in the "
               "picture",
-          .error_unit = "",
           .reference = "double with error-free products and sums",
           .theory =
               "the rounded step S has a defect E = S S^T - I, of which what is symmetric about its "
-              "axis is added at "
-              "each step: linear; roundings add 0.42 u * 3.1 sqrt(8/3 n) as a random walk. After a "
-              "renormalisation both "
-              "begin anew",
+              "axis is added at each step: linear; roundings add 0.42 u * 3.1 sqrt(8/3 n) as a "
+              "random walk. After a renormalisation both begin anew",
           .item = "step",
           .configurations = configurations};
 }

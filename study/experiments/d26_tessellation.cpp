@@ -133,17 +133,12 @@ std::vector<Configuration> configurations(Effort effort) {
   if (effort == Effort::kFull) levels.insert(levels.end(), {64, 128});
   std::vector<Configuration> all;
   for (const int level : levels) {
-    Configuration c;
-    c.series = "teapot, 32 patches of level x level cells";
-    c.parameter = level;
-    c.error = [level] { return largest_deviation_px(level); };
-    c.predicted_error = predict_px(level);
     struct Bench {
       BenchScene scene;
       std::optional<GlassboxPeer> peer;
       int threads = 0;
     };
-    c.work = [level, bench = std::shared_ptr<Bench>()](int threads) mutable {
+    const auto work = [level, bench = std::shared_ptr<Bench>()](int threads) mutable {
       if (!bench) {
         bench = std::make_shared<Bench>();
         bench->scene = make_bench_scene("teapot", make_teapot(level), view_of_teapot());
@@ -154,7 +149,11 @@ std::vector<Configuration> configurations(Effort effort) {
       }
       bench->peer->frame_ms();
     };
-    all.push_back(std::move(c));
+    all.push_back({.series = "teapot, 32 patches of level x level cells",
+                   .parameter = double(level),
+                   .error = [level] { return largest_deviation_px(level); },
+                   .predicted_error = predict_px(level),
+                   .work = work});
   }
   return all;
 }
@@ -162,26 +161,25 @@ std::vector<Configuration> configurations(Effort effort) {
 }  // namespace
 
 Experiment d26_tessellation() {
-  return {.id = "D-26",
-          .name = "Tessellation: into how many triangles",
-          .question =
-              "How far are a curved surface's triangles from it in the picture, and what does a "
-              "finer mesh cost?",
-          .axis = "cells along each side of a patch",
-          .axis_unit = "",
-          .error =
-              "largest distance between triangle and surface along its normal, in a picture of "
-              "1280 x 720 px",
-          .error_unit = "px",
-          .reference = "the Bezier patches in double",
-          .theory =
-              "a chord misses its arc by h^2/8 of the second derivative across the surface: the "
-              "largest over the "
-              "teapot, times 1/level^2, so that error times triangles stays the same",
-          .item = "frame",
-          .threaded = true,
-          .axis_is_chosen = true,
-          .configurations = configurations};
+  return {
+      .id = "D-26",
+      .name = "Tessellation: into how many triangles",
+      .question =
+          "How far are a curved surface's triangles from it in the picture, and what does a finer "
+          "mesh cost?",
+      .axis = "cells along each side of a patch",
+      .error =
+          "largest distance between triangle and surface along its normal, in a picture of 1280 x "
+          "720 px",
+      .error_unit = "px",
+      .reference = "the Bezier patches in double",
+      .theory =
+          "a chord misses its arc by h^2/8 of the second derivative across the surface: the "
+          "largest over the teapot, times 1/level^2, so that error times triangles stays the same",
+      .item = "frame",
+      .threaded = true,
+      .axis_is_chosen = true,
+      .configurations = configurations};
 }
 
 }  // namespace glassbox::study

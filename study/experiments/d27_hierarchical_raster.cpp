@@ -85,7 +85,6 @@ void add_kind(const std::shared_ptr<Kind>& kind, double size, std::vector<Config
                    .scene = kind->name,
                    .error = std::move(error),
                    .predicted_error = 0,
-                   .finding = {},
                    .work = std::move(work),
                    .items = double(kind->triangles.size()) * times});
   };
@@ -152,9 +151,8 @@ Experiment d27_hierarchical_raster() {
           "picture",
       .theory =
           "All are integers: 0. A box of side L has L^2 pixels, of which a compact triangle covers "
-          "up to a half and a sliver L/2 "
-          "(its worst case, O(L^2) for O(L)); blocks look at O(L) along the edges, rows divide 3 "
-          "times.",
+          "up to a half and a sliver L/2 (its worst case, O(L^2) for O(L)); blocks look at O(L) "
+          "along the edges, rows divide 3 times.",
       .item = "triangle",
       .configurations = configurations,
   };

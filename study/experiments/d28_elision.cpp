@@ -158,7 +158,6 @@ Configuration configuration(const std::string& series, bool on, Planner planner,
                                         planned->settings.want_depth);
               },
           .predicted_error = 0,
-          .finding = {},
           .work =
               [=](int threads) {
                 if (engines->first != threads) *engines = {threads, engine(threads)};
@@ -214,7 +213,6 @@ Experiment d28_elision() {
       .name = "Stage elision: leaving out what a scene does not need",
       .question = "What does each decision of the plan save, where it holds and where it does not?",
       .axis = "1: the decision is taken where its proof holds; 0: everything runs",
-      .axis_unit = {},
       .logarithmic_axis = false,
       .error = "pixels whose colour (or depth, where it is asked for) differs",
       .error_unit = "pixels",

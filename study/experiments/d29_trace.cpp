@@ -135,8 +135,8 @@ Experiment d29_trace() {
       .reference = "the picture of a run that nobody watches",
       .theory =
           "Whoever only watches changes nothing: 0. A stage that nobody watches pays one "
-          "comparison with null; the tile engine has "
-          "no such comparisons at all, and is another, faster way to run the stages besides.",
+          "comparison with null; the tile engine has no such comparisons at all, and is another, "
+          "faster way to run the stages besides.",
       .item = "picture",
       .configurations = configurations,
   };

@@ -136,7 +136,6 @@ void add_scene(const std::string& name, const std::shared_ptr<const Samples>& sa
            .scene = name,
            .error = [=, pattern = pattern] { return rms_error(pattern, count, *samples); },
            .predicted_error = predicted(pattern, count, *samples),
-           .finding = {},
            .work =
                [=, pattern = pattern](int) {
                  Positions positions = start_positions(pattern, count);
@@ -185,17 +184,15 @@ Experiment d31_supersampling() {
       .name = "Supersampling: where the samples of a pixel lie",
       .question = "How many samples, and placed how, for how smooth an edge?",
       .axis = "samples to a pixel",
-      .axis_unit = {},
       .error = "RMS error of the covered share, over partly covered pixels",
       .error_unit = "pixel",
       .reference = "the exact area of triangle and pixel, by clipping in rationals",
       .theory =
           "With m the mean of c(1 - c) over the pixels: random sqrt(m/S), the binomial variance. A "
-          "cell of a grid of S errs only "
-          "where an edge crosses it, and a line crosses sqrt(S) of the S cells on the average "
-          "(Cauchy-Crofton): sqrt(m) S^-3/4, "
-          "which regular patterns follow too. One sample at the centre: RMS of min(c, 1 - c). "
-          "Analytic: a few roundings of numbers below one pixel, 2^-53",
+          "cell of a grid of S errs only where an edge crosses it, and a line crosses sqrt(S) of "
+          "the S cells on the average (Cauchy-Crofton): sqrt(m) S^-3/4, which regular patterns "
+          "follow too. One sample at the centre: RMS of min(c, 1 - c). Analytic: a few roundings "
+          "of numbers below one pixel, 2^-53",
       .item = "pixel",
       .axis_is_chosen = true,
       .configurations = configurations,

@@ -72,20 +72,20 @@ void add_series(std::vector<Configuration>& all, const char* series, double pred
   constexpr std::size_t kTimed = 8192;
   const std::size_t count = effort == Effort::kFull ? 400'000 : 40'000;
   for (const double size : {1.0 / 64, 1.0 / 16, 1.0 / 4, 1.0}) {
-    Configuration c;
-    c.series = series;
-    c.parameter = size;
-    c.error = [=] { return farthest_off<Space>(size, count); };
-    c.predicted_error = predicted;
-    c.work = [triangles = random_triangles(size, kTimed), space = Space{course_lens()}](int) {
+    const auto work = [triangles = random_triangles(size, kTimed),
+                       space = Space{course_lens()}](int) {
       Outline outline;
       for (const EyeTriangle& triangle : triangles) {
         clip(space, triangle, outline);
         consume(outline);
       }
     };
-    c.items = double(kTimed);
-    all.push_back(std::move(c));
+    all.push_back({.series = series,
+                   .parameter = size,
+                   .error = [=] { return farthest_off<Space>(size, count); },
+                   .predicted_error = predicted,
+                   .work = work,
+                   .items = double(kTimed)});
   }
 }
 
@@ -101,25 +101,29 @@ std::vector<Configuration> configurations(Effort effort) {
 }  // namespace
 
 Experiment d32_clipping() {
-  Experiment e;
-  e.id = "D-32";
-  e.name = "Clipping: in eye space or in clip space";
-  e.question = "What is gained by clipping against a box rather than against the viewing pyramid?";
-  e.axis = "length of a triangle's edges over the picture's width";
-  e.error =
-      "largest distance of a vertex that clipping made from the edge of the picture that made it";
-  e.error_unit = "px";
-  e.reference = "the edge itself";
-  e.theory =
-      "The distances from a plane of the pyramid and from the box's are the same number, so in "
-      "exact "
-      "arithmetic both leave the same polygon. In floats, x = w can be set and x = z/a only "
-      "rounded: x, z and the projection's product by u each, 3 u W/2. A side of the pyramid costs "
-      "a product more for each vertex; the box costs the projection of vertices that are thrown "
-      "away, and a fourth coordinate for each crossing";
-  e.item = "triangle";
-  e.configurations = configurations;
-  return e;
+  return {
+      .id = "D-32",
+      .name = "Clipping: in eye space or in clip space",
+      .question =
+          "What is gained by clipping against a box rather than against the viewing pyramid?",
+      .axis = "length of a triangle's edges over the picture's width",
+      .error =
+          "largest distance of a vertex that clipping made from the edge of the picture that made "
+          "it",
+      .error_unit = "px",
+      .reference = "the edge itself",
+      .theory =
+          "The distances from a plane of the pyramid and from the box's are the same number, so in "
+          "exact arithmetic both leave the same polygon. In floats, x = w can be set and x = z/a "
+          "only "
+          "rounded: x, z and the projection's product by u each, 3 u W/2. A side of the pyramid "
+          "costs "
+          "a product more for each vertex; the box costs the projection of vertices that are "
+          "thrown "
+          "away, and a fourth coordinate for each crossing",
+      .item = "triangle",
+      .configurations = configurations,
+  };
 }
 
 }  // namespace glassbox::study

@@ -27,7 +27,7 @@ inline float approximate_reciprocal(float w) {
   return float(std::ldexp(to_13_bits(1 / middle), 1 - exponent));
 }
 
-// The same for 1/sqrt(w): an even exponent is taken out, 10 bits choose an interval of [1, 2) or [2, 4), and half of its
+// A table for 1/sqrt(w): an even exponent is taken out, 10 bits choose an interval of [1, 2) or [2, 4), and half of its
 // relative width is passed on: 2^-12 at a mantissa of 1, and the rounding there is largest for 1/sqrt(2), 2^-14 sqrt(2).
 inline constexpr double kReciprocalRootError = 0x1p-12 + 0x1.6a09e7p-14;
 inline float approximate_reciprocal_root(float w) {

@@ -19,17 +19,17 @@ struct SweepPoint {
 struct SweepSeries {
   std::string name;
   bool ours = false;  // what the pipeline does
-  std::vector<SweepPoint> points;
+  std::vector<SweepPoint> points = {};
   // The first parameter whose error is beyond what the sweep tolerates; none where it never is.
-  std::optional<double> gives_up;
+  std::optional<double> gives_up = {};
 };
 
 struct Sweep {
   std::string name;      // "near-far", as the command takes it
   std::string title;     // "Far plane over near plane"
   std::string question;  // one sentence
-  std::string axis, axis_unit;
-  std::string error, error_unit;
+  std::string axis, axis_unit = {};
+  std::string error, error_unit = {};
   std::string reference;  // against what
   std::string bound;      // its formula, with the source
   std::string tolerance;  // when a way gives up, in words

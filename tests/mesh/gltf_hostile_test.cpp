@@ -250,6 +250,25 @@ TEST_CASE("JSON that is no glTF is refused with its place") {
                  "nodes: is not a JSON array"));
 }
 
+TEST_CASE("JSON that is no UTF-8 is refused with its line, wherever it stands") {
+  const auto document = [](const std::string& name, const std::string& uri,
+                           const std::string& extra) {
+    return bytes_of("{\"asset\": {\"version\": \"2.0\"},\n\"nodes\": [{\"name\": \"" + name +
+                    "\",\n\"extras\": {\"" + extra + "\": \"" + extra +
+                    "\"}}],\n\"buffers\": [{\"byteLength\": 1, \"uri\": \"" + uri + "\"}]}\n");
+  };
+  const auto error = [](const Bytes& bytes) { return error_of(load_gltf_memory(bytes, "")); };
+  CHECK_FALSE(mentions(error(document("n", "data:,a", "e")), "JSON"));
+  for (const std::string& broken : {std::string("\xff\xfe"), std::string("a\xe2\x82"),
+                                    std::string("\xc0\xaf"), std::string("\xed\xa0\x80")}) {
+    CAPTURE(broken);
+    CHECK(mentions(error(document(broken, "data:,a", "e")), "JSON: parse error at line 2"));
+    CHECK(mentions(error(document("n", "data:,a", broken)), "JSON: parse error at line 3"));
+    CHECK(mentions(error(document("n", broken + ".bin", "e")), "JSON: parse error at line 4"));
+  }
+  CHECK(mentions(error(document("\\ud800", "data:,a", "e")), "JSON: parse error at line 2"));
+}
+
 TEST_CASE("external files come from the scene's own directory only") {
   const TemporaryDirectory temporary;
   const std::string inside = temporary.file("scene");

@@ -212,7 +212,11 @@ TEST_CASE("PLY: a texture that the header names is read from the file's own fold
     CHECK_FALSE(without.materials[0].texture);
     REQUIRE(without.warnings.size() == 1);
     CHECK(without.warnings[0].find("was left out: ") != std::string::npos);
+    CHECK(without.warnings[0].find("OBJ") == std::string::npos);
   }
+  CHECK(with_texture("../skin one.png", true)
+            .warnings[0]
+            .ends_with("lies outside the directory of the PLY file"));
   CHECK(with_texture("skin one.png", false).warnings.size() == 1);
 }
 

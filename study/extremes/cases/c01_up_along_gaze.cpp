@@ -1,18 +1,13 @@
 #include <glassbox/base/rounding.h>
 #include <glassbox/pipeline/look_at.h>
 
-#include <fmt/format.h>
-
 #include "exact/camera.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/world.h"
-#include "study/extremes/kit/worst.h"
 #include "study/naive/camera.h"
 
 namespace glassbox::study {
 namespace c01 {
-
-using LookAt = Result<EyeFromWorld> (*)(const WorldPoint&, const WorldPoint&, const WorldVector&);
 
 Outcome judge(LookAt look_at_under_test) {
   const WorldPoint eye{1, 2, 3};
@@ -26,13 +21,11 @@ Outcome judge(LookAt look_at_under_test) {
     const exact::Matrix4<exact::Decimal> exact = exact::look_at(eye, target, up);
     // look_at.h: rotation entries within (8 + 4/sine) u. sine of the angle: atan(sine) makes no difference to it.
     const double bound = (8 + 4 / sine) * u;
-    for (int row = 0; row < 3; ++row) {
-      for (int column = 0; column < 3; ++column) {
-        const double error = view ? exact::error_of(view->at(row, column),
-                                                    exact.at[std::size_t(row)][std::size_t(column)])
-                                  : 1;
-        worst.see(error, bound, fmt::format("up {:g} rad from the gaze", sine), 1 / sine);
-      }
+    const std::string where = fmt::format("up {:g} rad from the gaze", sine);
+    if (view) {
+      see_entries(worst, *view, exact, 3, bound, where, 1 / sine);
+    } else {
+      worst.see(1, bound, where, 1 / sine);
     }
   }
   int answered = 0;
@@ -53,12 +46,11 @@ ExtremeCase c01_up_along_gaze() {
       .id = "C-01",
       .name = "Up along the gaze",
       .construction =
-          "gaze (3, -2, 6), up = gaze + s (6, 3, -2) for s = 0.1 .. 2e-6; then s = "
-          "1e-7 and 0",
+          "gaze (3, -2, 6), up = gaze + s (6, 3, -2) for s = 0.1 .. 2e-6; then s = 1e-7 and 0",
       .stage = "look-at",
       .right =
-          "axes within (8 + 4/sine) u of 50 digits (pipeline/look_at.h); refused where the "
-          "sine is below 2^-20",
+          "axes within (8 + 4/sine) u of 50 digits (pipeline/look_at.h); refused where the sine is "
+          "below 2^-20",
       .unit = "of the axes' length",
       .oracle = Oracle::kExtended,
       .ours = {"look_at", [] { return judge(look_at); }},

@@ -2,13 +2,10 @@
 
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/world.h"
-#include "study/extremes/kit/worst.h"
 #include "study/naive/camera.h"
 
 namespace glassbox::study {
 namespace c02 {
-
-using LookAt = Result<EyeFromWorld> (*)(const WorldPoint&, const WorldPoint&, const WorldVector&);
 
 Outcome judge(LookAt look_at_under_test) {
   int answered = 0, all = 0;

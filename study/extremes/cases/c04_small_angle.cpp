@@ -2,12 +2,9 @@
 #include <glassbox/base/trig.h>
 #include <glassbox/pipeline/affine.h>
 
-#include <fmt/format.h>
-
 #include "exact/number.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/world.h"
-#include "study/extremes/kit/worst.h"
 #include "study/naive/camera.h"
 
 namespace glassbox::study {

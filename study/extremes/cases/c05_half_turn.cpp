@@ -1,18 +1,13 @@
 #include <glassbox/base/rounding.h>
 #include <glassbox/pipeline/look_at.h>
 
-#include <fmt/format.h>
-
 #include "exact/camera.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/world.h"
-#include "study/extremes/kit/worst.h"
 #include "study/naive/camera.h"
 
 namespace glassbox::study {
 namespace c05 {
-
-using LookAt = Result<EyeFromWorld> (*)(const WorldPoint&, const WorldPoint&, const WorldVector&);
 
 Outcome judge(LookAt look_at_under_test) {
   const WorldPoint eye{0, 0, 0};
@@ -22,17 +17,15 @@ Outcome judge(LookAt look_at_under_test) {
     const WorldPoint target{off, -2 * off, 1};
     const auto view = look_at_under_test(eye, target, up);
     const exact::Matrix4<exact::Decimal> exact = exact::look_at(eye, target, up);
-    for (int row = 0; row < 3; ++row) {
-      for (int column = 0; column < 3; ++column) {
-        const double error = view ? exact::error_of(view->at(row, column),
-                                                    exact.at[std::size_t(row)][std::size_t(column)])
-                                  : HUGE_VAL;
-        // Two rotations of 8 u each and their product: gamma_3 of entries below 1, and the angle of the roll, whose
-        // sine and cosine are quotients of entries with 16 u of error over the length of up in the plane (at least
-        // 0.97): 8 + 8 + 3 + 17 = 36 u.
-        worst.see(error, 36 * unit_roundoff<double>,
-                  fmt::format("gaze {:g} from straight back", off));
-      }
+    // Two rotations of 8 u each and their product: gamma_3 of entries below 1, and the angle of the roll, whose sine and
+    // cosine are quotients of entries with 16 u of error over the length of up in the plane (at least 0.97): 8 + 8 + 3 + 17
+    // = 36 u.
+    const double bound = 36 * unit_roundoff<double>;
+    const std::string where = fmt::format("gaze {:g} from straight back", off);
+    if (view) {
+      see_entries(worst, *view, exact, 3, bound, where);
+    } else {
+      worst.see(HUGE_VAL, bound, where);
     }
   }
   return worst.outcome();
@@ -58,12 +51,12 @@ ExtremeCase c05_half_turn() {
       .id = "C-05",
       .name = "Half a turn about an axis that is not defined",
       .construction =
-          "gaze (e, -2e, 1) for e = 0, 1e-200 .. 1e-6 and their negatives, turned to "
-          "-z by axis and angle",
+          "gaze (e, -2e, 1) for e = 0, 1e-200 .. 1e-6 and their negatives, turned to -z by axis "
+          "and angle",
       .stage = "look-at",
       .right =
-          "the UVN matrix in 50 digits, to 36 u; any axis will do at 180 degrees, and the "
-          "picture is continuous there",
+          "the UVN matrix in 50 digits, to 36 u; any axis will do at 180 degrees, and the picture "
+          "is continuous there",
       .unit = "of the axes' length",
       .oracle = Oracle::kExtended,
       .ours = {"look_at_axis_angle", [] { return judge(look_at_axis_angle); }},

@@ -5,7 +5,6 @@
 #include "exact/camera.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/world.h"
-#include "study/extremes/kit/worst.h"
 #include "study/naive/camera.h"
 
 namespace glassbox::study {
@@ -76,8 +75,8 @@ ExtremeCase c06_mirror_trap() {
       .construction = "six points of the letter F, seen from (1, 2, 6) at 60 degrees",
       .stage = "look-at",
       .right =
-          "where the UVN construction of 50 digits puts them; turning the gaze to +z by a "
-          "rotation mirrors the picture (E7)",
+          "where the UVN construction of 50 digits puts them; turning the gaze to +z by a rotation "
+          "mirrors the picture (E7)",
       .unit = "NDC",
       .oracle = Oracle::kExtended,
       .ours = {"look_at and perspective", [] { return judge(ours); }},

@@ -1,11 +1,8 @@
 #include <glassbox/pipeline/clip.h>
 #include <glassbox/pipeline/projection.h>
 
-#include <fmt/format.h>
-
 #include <glassbox/base/random.h>
 #include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
 namespace c07 {
@@ -29,9 +26,8 @@ Outcome judge(Lens lens) {
     const bool seen = clip_point(front, planes) && !clip_point(behind, planes);
     wrong += !seen || (front.x > 0) != (x > 0) || (front.y > 0) != (y > 0);
   }
-  Outcome outcome = wrong_of(wrong, kPoints, "points wrong");
-  outcome.seen += fmt::format("; w > 0 at {} points in front of the eye", w_positive);
-  return outcome;
+  return wrong_of(wrong, kPoints, "points wrong",
+                  fmt::format("; w > 0 at {} points in front of the eye", w_positive));
 }
 
 Transform<Clip, EyeLeft> t_pers_1_10() {
@@ -62,12 +58,11 @@ ExtremeCase c07_handedness() {
       .id = "C-07",
       .name = "Handedness mixed",
       .construction =
-          "a right-handed eye (S4.5) before the left-handed T_pers of S4.18; 1000 "
-          "points in front and their reflections behind",
+          "a right-handed eye (S4.5) before the left-handed T_pers of S4.18; 1000 points in front "
+          "and their reflections behind",
       .stage = "projection",
       .right =
-          "what is in front is seen, at its side of the picture, and what is behind is not "
-          "(E12)",
+          "what is in front is seen, at its side of the picture, and what is behind is not (E12)",
       .unit = "points",
       .oracle = Oracle::kProperty,
       .ours = {"T_pers times diag(1, 1, -1, 1)", [] { return judge(with_adaptor); }},

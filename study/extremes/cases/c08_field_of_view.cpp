@@ -2,13 +2,8 @@
 #include <glassbox/base/trig.h>
 #include <glassbox/pipeline/projection.h>
 
-#include <fmt/format.h>
-#include <cmath>
-#include <optional>
-
 #include "exact/number.h"
 #include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
 namespace c08 {

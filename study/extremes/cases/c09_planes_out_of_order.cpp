@@ -1,12 +1,8 @@
 #include <glassbox/base/rounding.h>
 #include <glassbox/pipeline/projection.h>
 
-#include <fmt/format.h>
-#include <cmath>
-
 #include "exact/number.h"
 #include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/worst.h"
 #include "study/naive/projection.h"
 
 namespace glassbox::study {
@@ -59,12 +55,11 @@ ExtremeCase c09_planes_out_of_order() {
       .id = "C-09",
       .name = "Near and far planes that make no sense, or hardly any",
       .construction =
-          "near 1e-30, far 1 and 1e30; far the next double after near; then near = 0, "
-          "negative, equal to and beyond far",
+          "near 1e-30, far 1 and 1e30; far the next double after near; then near = 0, negative, "
+          "equal to and beyond far",
       .stage = "projection",
       .right =
-          "the entries of depth to 4 ulps of the rational ones; no matrix for planes out of "
-          "order",
+          "the entries of depth to 4 ulps of the rational ones; no matrix for planes out of order",
       .unit = "of the entry",
       .oracle = Oracle::kRational,
       .ours = {"perspective_degrees", [] { return judge(ours); }},

@@ -2,12 +2,8 @@
 #include <glassbox/pipeline/divide.h>
 #include <glassbox/pipeline/projection.h>
 
-#include <fmt/format.h>
-#include <limits>
-
 #include "exact/number.h"
 #include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/worst.h"
 #include "study/naive/projection.h"
 
 namespace glassbox::study {
@@ -78,8 +74,8 @@ ExtremeCase c10_depth_ratio() {
       .id = "C-10",
       .name = "Far over near from 1000 to infinity",
       .construction =
-          "near 1/8, far 100, 1e5, 1e8 and infinity; distances 0.15 .. 1e7, each 1.37 "
-          "times the last; the distance recovered from the depth as stored",
+          "near 1/8, far 100, 1e5, 1e8 and infinity; distances 0.15 .. 1e7, each 1.37 times the "
+          "last; the distance recovered from the depth as stored",
       .stage = "projection",
       .right = "5 u (1 + z/f) of the distance: reversed float depth keeps its digits (B.3)",
       .unit = "of the distance",

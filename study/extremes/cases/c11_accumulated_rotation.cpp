@@ -2,11 +2,8 @@
 #include <glassbox/base/trig.h>
 #include <glassbox/pipeline/affine.h>
 
-#include <fmt/format.h>
-
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/world.h"
-#include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
 namespace c11 {
@@ -51,8 +48,8 @@ ExtremeCase c11_accumulated_rotation() {
       .construction = "10^6 float products of a rotation by 0.01 rad about (1, 2, 3)",
       .stage = "rotation",
       .right =
-          "R^T R = I to 8 u of float with a repair every 1000 products; without, the drift "
-          "is linear, about u/3 each (B.5)",
+          "R^T R = I to 8 u of float with a repair every 1000 products; without, the drift is "
+          "linear, about u/3 each (B.5)",
       .unit = "entries of R^T R - I",
       .oracle = Oracle::kProperty,
       .ours = {"nearest_rotation every 1000", [] { return judge(nearest); }},

@@ -2,14 +2,9 @@
 #include <glassbox/pipeline/affine.h>
 #include <glassbox/pipeline/view.h>
 
-#include <fmt/format.h>
-#include <algorithm>
-#include <cmath>
-
 #include <glassbox/base/random.h>
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/world.h"
-#include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
 namespace c12 {
@@ -71,12 +66,11 @@ ExtremeCase c12_few_digits() {
       .id = "C-12",
       .name = "A rotation with few digits",
       .construction =
-          "200 poses whose rotations are printed with six decimals, as data files have "
-          "them",
+          "200 poses whose rotations are printed with six decimals, as data files have them",
       .stage = "view",
       .right =
-          "the view's axes are perpendicular unit vectors to 12 u, and the picture moves by "
-          "less than 6e-3 px",
+          "the view's axes are perpendicular unit vectors to 12 u, and the picture moves by less "
+          "than 6e-3 px",
       .unit = "entries of R^T R - I",
       .oracle = Oracle::kProperty,
       .ours = {"make_view", [] { return judge(ours); }},

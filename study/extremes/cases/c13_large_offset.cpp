@@ -2,21 +2,16 @@
 #include <glassbox/pipeline/affine.h>
 #include <glassbox/pipeline/look_at.h>
 
-#include <fmt/format.h>
-
 #include <glassbox/base/random.h>
 #include "exact/camera.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/world.h"
-#include "study/extremes/kit/worst.h"
 #include "study/naive/transform.h"
 
 namespace glassbox::study {
 namespace c13 {
 
 using exact::Decimal;
-using ToEye = Point<Eye> (*)(const Transform<Eye, World>&, const Transform<World, Object>&,
-                             const Point<Object>&);
 
 Outcome judge(ToEye to_eye) {
   Random random(713);
@@ -47,11 +42,6 @@ Outcome judge(ToEye to_eye) {
   return worst.outcome();
 }
 
-Point<Eye> ours(const Transform<Eye, World>& view, const Transform<World, Object>& model,
-                const Point<Object>& p) {
-  return round_to_float(view * model) * p;
-}
-
 }  // namespace c13
 
 ExtremeCase c13_large_offset() {
@@ -61,12 +51,10 @@ ExtremeCase c13_large_offset() {
       .name = "An object far from the origin",
       .construction = "an object of size 2 and an eye 7 from it, both 1e2 .. 1e8 from the origin",
       .stage = "to eye space",
-      .right =
-          "as if at the origin: 5 u |M||x| in float (2.7e-6), and 55 u offset "
-          "in double",
+      .right = "as if at the origin: 5 u |M||x| in float (2.7e-6), and 55 u offset in double",
       .unit = "world unit",
       .oracle = Oracle::kExtended,
-      .ours = {"composed in double, rounded once", [] { return judge(ours); }},
+      .ours = {"composed in double, rounded once", [] { return judge(composed_in_double); }},
       .naive = {"float world positions", [] { return judge(naive::through_float_world); }},
       .mutants = {{"composed in float", [] { return judge(naive::composed_in_float); }}},
   };

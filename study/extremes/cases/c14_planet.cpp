@@ -1,20 +1,15 @@
 #include <glassbox/pipeline/affine.h>
 #include <glassbox/pipeline/look_at.h>
 
-#include <fmt/format.h>
-
 #include "exact/number.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/world.h"
-#include "study/extremes/kit/worst.h"
 #include "study/naive/transform.h"
 
 namespace glassbox::study {
 namespace c14 {
 
 using exact::Rational;
-using ToEye = Point<Eye> (*)(const Transform<Eye, World>&, const Transform<World, Object>&,
-                             const Point<Object>&);
 
 Outcome judge(ToEye to_eye) {
   // The camera's axes are the world's, and its place has few bits: everything but the coordinates is exact.
@@ -38,10 +33,6 @@ Outcome judge(ToEye to_eye) {
   return worst.outcome();
 }
 
-Point<Eye> ours(const Transform<Eye, World>& view, const Transform<World, Object>& model,
-                const Point<Object>& p) {
-  return round_to_float(view * model) * p;
-}
 Point<Eye> float_view(const Transform<Eye, World>& view, const Transform<World, Object>& model,
                       const Point<Object>& p) {
   const Transform<Eye, World> rounded{glm::dmat4(round_to_float(view).columns)};
@@ -62,7 +53,7 @@ ExtremeCase c14_planet() {
       .right = "x and y exactly as modelled, z - 2 rounded once",
       .unit = "m",
       .oracle = Oracle::kRational,
-      .ours = {"composed in double, rounded once", [] { return judge(ours); }},
+      .ours = {"composed in double, rounded once", [] { return judge(composed_in_double); }},
       .naive = {"float world positions", [] { return judge(naive::through_float_world); }},
       .mutants = {{"the vertex placed in the world in float", [] { return judge(float_view); }}},
   };

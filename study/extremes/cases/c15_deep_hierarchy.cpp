@@ -1,16 +1,11 @@
 #include <glassbox/base/rounding.h>
 #include <glassbox/pipeline/affine.h>
 
-#include <fmt/format.h>
-#include <algorithm>
-#include <vector>
-
 #include <glassbox/base/random.h>
 #include "exact/matrix.h"
 #include "exact/number.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/world.h"
-#include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
 namespace c15 {
@@ -46,13 +41,7 @@ Outcome judge(Compose compose) {
   // 1.25. |P||M| <= sqrt(3) 1.25 in the linear part and 4 (3 1.25 + i) in the last column; over 100 levels
   // 100 gamma_4 1.25 4 (4 + 100).
   const double bound = kDepth * gamma<double>(4) * 1.25 * 4 * (4 + kDepth);
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 4; ++column) {
-      worst.see(
-          exact::error_of(product[column][row], exact.at[std::size_t(row)][std::size_t(column)]),
-          bound, "object to world");
-    }
-  }
+  see_entries(worst, WorldMap(product), exact, 4, bound, "object to world");
   // There and back.
   const auto back = inverse_affine(WorldMap(product));
   const WorldPoint p{1, 2, 3};
@@ -88,12 +77,11 @@ ExtremeCase c15_deep_hierarchy() {
       .id = "C-15",
       .name = "A hundred nested transforms",
       .construction =
-          "100 rotations, scales by 1.25 and 0.8 in turn, and translations by up to "
-          "1.7, one inside the other",
+          "100 rotations, scales by 1.25 and 0.8 in turn, and translations by up to 1.7, one "
+          "inside the other",
       .stage = "to world space",
       .right =
-          "100 gamma_4 |P||M| in double (Higham 3.5); object to world to object returns to "
-          "1e-6",
+          "100 gamma_4 |P||M| in double (Higham 3.5); object to world to object returns to 1e-6",
       .unit = "world unit",
       .oracle = Oracle::kExtended,
       .ours = {"products in double, inverse_affine", [] { return judge(in_double); }},

@@ -1,10 +1,7 @@
 #include <glassbox/pipeline/affine.h>
 
-#include <fmt/format.h>
-
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/normals_case.h"
-#include "study/extremes/kit/worst.h"
 #include "study/naive/transform.h"
 
 namespace glassbox::study {

@@ -3,12 +3,9 @@
 #include <glassbox/pipeline/look_at.h>
 #include <glassbox/render/staged/staged.h>
 
-#include <string>
-
 #include <glassbox/base/random.h>
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/normals_case.h"
-#include "study/extremes/kit/worst.h"
 #include "study/naive/transform.h"
 
 namespace glassbox::study {
@@ -97,12 +94,11 @@ ExtremeCase c17_mirrored_model() {
       .id = "C-17",
       .name = "A mirrored model",
       .construction =
-          "cubes under 200 rotations and scales by -3 .. 3 of each axis, half of them "
-          "mirrors",
+          "cubes under 200 rotations and scales by -3 .. 3 of each axis, half of them mirrors",
       .stage = "normals",
       .right =
-          "every outward normal stays outward, and fronts stay in front: normals and "
-          "winding follow the sign of the determinant",
+          "every outward normal stays outward, and fronts stay in front: normals and winding "
+          "follow the sign of the determinant",
       .unit = "normals and pixels",
       .oracle = Oracle::kProperty,
       .ours = {"normal_transform", [] { return judge(by_cofactors); }},

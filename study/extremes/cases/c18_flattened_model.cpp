@@ -1,10 +1,7 @@
 #include <glassbox/pipeline/affine.h>
 
-#include <fmt/format.h>
-
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/normals_case.h"
-#include "study/extremes/kit/worst.h"
 #include "study/naive/transform.h"
 
 namespace glassbox::study {
@@ -39,8 +36,8 @@ ExtremeCase c18_flattened_model() {
       .construction = "scale (2, 3, 0), alone and turned by 77 degrees",
       .stage = "normals",
       .right =
-          "what is left of a face has the plane's normal, to 10 u; what is left of none has "
-          "the zero vector, not NaN",
+          "what is left of a face has the plane's normal, to 10 u; what is left of none has the "
+          "zero vector, not NaN",
       .unit = "radian",
       .oracle = Oracle::kRational,
       .ours = {"normal_transform", [] { return judge(by_cofactors); }},

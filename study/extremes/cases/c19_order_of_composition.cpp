@@ -1,12 +1,9 @@
 #include <glassbox/pipeline/affine.h>
 
-#include <fmt/format.h>
-
 #include "exact/matrix.h"
 #include "exact/number.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/world.h"
-#include "study/extremes/kit/worst.h"
 #include "study/naive/transform.h"
 
 namespace glassbox::study {

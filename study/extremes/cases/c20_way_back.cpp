@@ -4,10 +4,7 @@
 
 #include <glm/matrix.hpp>
 
-#include <fmt/format.h>
-
 #include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
 namespace c20 {
@@ -67,12 +64,11 @@ ExtremeCase c20_way_back() {
       .id = "C-20",
       .name = "From the screen back to the world",
       .construction =
-          "near 0.01, far 1000: distances 0.02 .. 900, each 1.21 times the last, to "
-          "float depth and back",
+          "near 0.01, far 1000: distances 0.02 .. 900, each 1.21 times the last, to float depth "
+          "and back",
       .stage = "unproject",
       .right =
-          "5 u (1 + z/f) of the distance, by reversed depth; standard depth loses u z/n "
-          "(bound 8)",
+          "5 u (1 + z/f) of the distance, by reversed depth; standard depth loses u z/n (bound 8)",
       .unit = "of the distance",
       .oracle = Oracle::kAnalytic,
       .ours = {"reversed depth, unproject", [] { return judge(ours); }},

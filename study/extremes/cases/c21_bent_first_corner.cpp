@@ -1,9 +1,5 @@
-#include <fmt/format.h>
-#include <cmath>
-
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/polygons.h"
-#include "study/extremes/kit/worst.h"
 #include "study/naive/normals.h"
 
 #include <glassbox/base/random.h>
@@ -44,12 +40,12 @@ ExtremeCase c21_bent_first_corner() {
       .id = "C-21",
       .name = "First corners all but on a line",
       .construction =
-          "hexagons of size 2 whose second corner sticks out by 0.1 .. 1e-4, all "
-          "coordinates moved by up to 1e-4",
+          "hexagons of size 2 whose second corner sticks out by 0.1 .. 1e-4, all coordinates moved "
+          "by up to 1e-4",
       .stage = "face normals",
       .right =
-          "the noise over the size, sqrt(3) s P / A = 3.5e-4: Newell's sums do not ask how "
-          "large one corner is",
+          "the noise over the size, sqrt(3) s P / A = 3.5e-4: Newell's sums do not ask how large "
+          "one corner is",
       .unit = "radian",
       .oracle = Oracle::kExtended,
       .ours = {"newell_vector", [] { return judge(newell_in_double); }},

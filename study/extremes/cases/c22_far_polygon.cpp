@@ -1,12 +1,8 @@
 #include <glassbox/base/rounding.h>
 #include <glassbox/base/trig.h>
 
-#include <fmt/format.h>
-#include <cmath>
-
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/polygons.h"
-#include "study/extremes/kit/worst.h"
 #include "study/naive/normals.h"
 
 namespace glassbox::study {
@@ -47,8 +43,8 @@ ExtremeCase c22_far_polygon() {
       .construction = "a leaning octagon of radius 1 at 0, 1e2, 1e4 and 1e6 along each axis",
       .stage = "face normals",
       .right =
-          "the rational Newell vector of the same floats, to gamma_11 in double: measured "
-          "from the first corner",
+          "the rational Newell vector of the same floats, to gamma_11 in double: measured from the "
+          "first corner",
       .unit = "radian",
       .oracle = Oracle::kRational,
       .ours = {"newell_vector", [] { return judge(newell_in_double); }},

@@ -1,10 +1,7 @@
 #include <glassbox/mesh/triangulate.h>
 
-#include <cmath>
-
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/polygons.h"
-#include "study/extremes/kit/worst.h"
 #include "study/naive/normals.h"
 
 namespace glassbox::study {
@@ -56,9 +53,7 @@ ExtremeCase c24_bow_tie() {
       .name = "Bow-ties",
       .construction = "three bow-ties, a figure of eight, three corners on a line, and a square",
       .stage = "face normals",
-      .right =
-          "no normal, and the face reported, exactly where the rational Newell vector is "
-          "zero",
+      .right = "no normal, and the face reported, exactly where the rational Newell vector is zero",
       .unit = "faces",
       .oracle = Oracle::kRational,
       .ours = {"face_normal and triangulate", [] { return judge(ours); }},

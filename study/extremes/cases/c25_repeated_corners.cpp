@@ -1,11 +1,7 @@
 #include <glassbox/mesh/triangulate.h>
 
-#include <cmath>
-#include <vector>
-
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/polygons.h"
-#include "study/extremes/kit/worst.h"
 #include "study/naive/normals.h"
 
 namespace glassbox::study {

@@ -1,15 +1,11 @@
 #include <glassbox/base/rounding.h>
 #include <glassbox/mesh/triangulate.h>
 
-#include <fmt/format.h>
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <set>
 
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/polygons.h"
-#include "study/extremes/kit/worst.h"
 #include "study/naive/normals.h"
 
 namespace glassbox::study {
@@ -83,12 +79,11 @@ ExtremeCase c26_bent_quad() {
       .id = "C-26",
       .name = "A quad that is not flat",
       .construction =
-          "a unit square with one corner lifted by 1/2, 1/32, 1/1024, begun at each "
-          "corner",
+          "a unit square with one corner lifted by 1/2, 1/32, 1/1024, begun at each corner",
       .stage = "triangulation",
       .right =
-          "corners (h/2)/sqrt(4 + 2 h^2) from the mean plane, to 12 roundings; always the "
-          "shorter diagonal",
+          "corners (h/2)/sqrt(4 + 2 h^2) from the mean plane, to 12 roundings; always the shorter "
+          "diagonal",
       .unit = "object unit",
       .oracle = Oracle::kExtended,
       .ours = {"planarity_deviation and triangulate",

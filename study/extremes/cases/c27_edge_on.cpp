@@ -2,7 +2,6 @@
 #include <glassbox/pipeline/back_face.h>
 
 #include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/worst.h"
 #include "study/naive/normals.h"
 
 namespace glassbox::study {
@@ -35,9 +34,8 @@ Outcome judge(Faces facing) {
     wrong += found != Facing::kEdgeOn;
     culled += found == Facing::kBack;
   }
-  Outcome outcome = wrong_of(wrong, kFaces, "edge-on faces taken for front or back");
-  outcome.seen += "; " + std::to_string(culled) + " culled";
-  return outcome;
+  return wrong_of(wrong, kFaces, "edge-on faces taken for front or back",
+                  fmt::format("; {} culled", culled));
 }
 
 Facing ours(std::span<const Point<Object>> face, const ObjectViewer& viewer) {
@@ -57,8 +55,7 @@ ExtremeCase c27_edge_on() {
       .id = "C-27",
       .name = "An eye in the face's plane",
       .construction =
-          "2000 triangles of integers times 2^-10, the eye an integer combination of "
-          "their corners",
+          "2000 triangles of integers times 2^-10, the eye an integer combination of their corners",
       .stage = "back faces",
       .right = "exactly edge-on, which counts as front, covers no pixel and never flickers",
       .unit = "faces",

@@ -3,7 +3,6 @@
 
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/polygons.h"
-#include "study/extremes/kit/worst.h"
 #include "study/naive/normals.h"
 
 namespace glassbox::study {
@@ -51,9 +50,7 @@ Outcome judge(Faces facing) {
       ++all;
     }
   }
-  Outcome outcome = wrong_of(wrong, all, "signs wrong");
-  outcome.seen += "; " + std::to_string(exact) + " decided by the exact sum";
-  return outcome;
+  return wrong_of(wrong, all, "signs wrong", fmt::format("; {} decided by the exact sum", exact));
 }
 
 Answer ours(std::span<const Point<Object>> face, const ObjectViewer& viewer) {

@@ -4,12 +4,8 @@
 #include <glassbox/render/engine/draw_list.h>
 #include <glassbox/render/staged/staged.h>
 
-#include <cmath>
-#include <utility>
-
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/world.h"
-#include "study/extremes/kit/worst.h"
 #include "study/naive/normals.h"
 
 namespace glassbox::study {

@@ -3,7 +3,6 @@
 
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/polygons.h"
-#include "study/extremes/kit/worst.h"
 #include "study/naive/normals.h"
 
 namespace glassbox::study {

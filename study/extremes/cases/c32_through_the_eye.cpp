@@ -1,6 +1,5 @@
 #include "study/extremes/cases/clip_case.h"
 #include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
 namespace c32 {

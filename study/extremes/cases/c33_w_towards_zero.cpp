@@ -1,12 +1,8 @@
 #include <glassbox/pipeline/divide.h>
 #include <glassbox/pipeline/viewport.h>
 
-#include <fmt/format.h>
-#include <cmath>
-
 #include "study/extremes/cases/clip_case.h"
 #include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
 namespace c33 {
@@ -60,8 +56,8 @@ ExtremeCase c33_w_towards_zero() {
       .construction = "a corner with w = 0.5 .. 1e-45, 0 and -1e-45, in four places; near 0.01",
       .stage = "clip",
       .right =
-          "after clipping w >= near/2, and every vertex within the guard band: no infinity, "
-          "no NaN, no overflow",
+          "after clipping w >= near/2, and every vertex within the guard band: no infinity, no "
+          "NaN, no overflow",
       .unit = "vertices",
       .oracle = Oracle::kProperty,
       .ours = {"clip_triangle by render_planes", [] { return judge(pipeline_clips); }},

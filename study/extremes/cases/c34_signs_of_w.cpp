@@ -1,10 +1,5 @@
-#include <fmt/format.h>
-#include <algorithm>
-#include <cmath>
-
 #include "study/extremes/cases/clip_case.h"
 #include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
 namespace c34 {
@@ -30,12 +25,9 @@ Outcome judge(Clips clips) {
           exact.begin(), exact.end(), [](const auto& v) { return v.w < exact::Rational(0.0625); });
       if (too_near) continue;
       const Outline outline = clips(t, planes);
-      const std::string where = fmt::format("signs of w {:03b}", signs);
-      if (exact.empty()) {
-        worst.see(outline.empty() ? 0 : area_error(outline, t, planes), kBound, where);
-      } else {
-        worst.see(area_error(outline, t, planes), kBound, where);
-      }
+      const bool nothing_left = exact.empty() && outline.empty();
+      worst.see(nothing_left ? 0 : area_error(outline, t, planes), kBound,
+                fmt::format("signs of w {:03b}", signs));
     }
   }
   return worst.outcome(fmt::format("{} triangles", worst.count()));

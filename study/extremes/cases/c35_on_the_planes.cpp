@@ -1,9 +1,5 @@
-#include <algorithm>
-#include <string>
-
 #include "study/extremes/cases/clip_case.h"
 #include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
 namespace c35 {
@@ -36,9 +32,8 @@ Outcome judge(Clips clips) {
     wrong += repeats || outline.size() > 9 || outline.size() == 1 || outline.size() == 2 ||
              !(area_error(outline, t, planes) <= kBound);
   }
-  Outcome outcome = wrong_of(wrong, kTriangles, "polygons wrong");
-  outcome.seen += "; " + std::to_string(repeated) + " with repeated vertices";
-  return outcome;
+  return wrong_of(wrong, kTriangles, "polygons wrong",
+                  fmt::format("; {} with repeated vertices", repeated));
 }
 
 Outline on_the_plane_is_outside(const ClipTriangle& t, std::span<const ClipPlane> planes) {
@@ -66,8 +61,7 @@ ExtremeCase c35_on_the_planes() {
       .construction = "1500 triangles on a lattice of halves that reaches beyond the frustum",
       .stage = "clip",
       .right =
-          "the rational area, at most nine vertices, no vertex twice, nothing less than a "
-          "triangle",
+          "the rational area, at most nine vertices, no vertex twice, nothing less than a triangle",
       .unit = "polygons",
       .oracle = Oracle::kRational,
       .ours = {"clip_triangle", [] { return judge(pipeline_clips); }},

@@ -1,8 +1,5 @@
-#include <fmt/format.h>
-
 #include "study/extremes/cases/clip_case.h"
 #include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
 namespace c36 {
@@ -45,8 +42,8 @@ ExtremeCase c36_all_six_planes() {
       .id = "C-36",
       .name = "All six planes cut",
       .construction =
-          "a triangle across the frustum's diagonal that becomes nine corners, and one "
-          "that contains the whole screen",
+          "a triangle across the frustum's diagonal that becomes nine corners, and one that "
+          "contains the whole screen",
       .stage = "clip",
       .right = "the rational area: three and six vertices (Sutherland and Hodgman 1974)",
       .unit = "twice NDC area",

@@ -1,9 +1,5 @@
-#include <fmt/format.h>
-#include <algorithm>
-
 #include "study/extremes/cases/clip_case.h"
 #include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
 namespace c38 {
@@ -39,12 +35,10 @@ Outcome judge(Clips clips) {
     }
     apart = std::max(apart, nearest);
   }
-  Outcome outcome = wrong_of(mismatches, edges, "shared edges cut at two places");
-  if (mismatches > 0) {
-    outcome.seen +=
-        fmt::format(" ({:.1f} %), up to {:.2g} apart", 100.0 * mismatches / edges, apart);
-  }
-  return outcome;
+  const std::string how_far =
+      fmt::format(" ({:.1f} %), up to {:.2g} apart", 100.0 * mismatches / edges, apart);
+  return wrong_of(mismatches, edges, "shared edges cut at two places",
+                  mismatches > 0 ? how_far : "");
 }
 
 Outline asymmetric(const ClipTriangle& t, std::span<const ClipPlane> planes) {
@@ -71,8 +65,8 @@ ExtremeCase c38_shared_clipped_edge() {
       .id = "C-38",
       .name = "A shared edge, clipped",
       .construction =
-          "50000 edges through the near plane, each of two triangles that walk it in "
-          "opposite directions",
+          "50000 edges through the near plane, each of two triangles that walk it in opposite "
+          "directions",
       .stage = "clip",
       .right = "both cut it at the same bits: (A |dB| + B |dA|) / (|dA| + |dB|) (B.1)",
       .unit = "edges",

@@ -1,10 +1,6 @@
 #include <glassbox/base/trig.h>
 #include <glassbox/raster/outline.h>
 
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "study/extremes/cases/clip_case.h"
 #include "study/extremes/kit/coverage.h"
 #include "study/extremes/kit/extreme_case.h"
@@ -44,13 +40,8 @@ Image<int> times_covered_by_fan(Clips clips, int fan) {
 
 Outcome judge(Clips clips) {
   Watertightness all;
-  for (int fan = 0; fan < kFans; ++fan) {
-    const Watertightness one = watertightness(times_covered_by_fan(clips, fan));
-    all.samples += one.samples;
-    all.gaps += one.gaps;
-    all.doubles += one.doubles;
-  }
-  return {double(all.gaps + all.doubles), 0, std::nullopt, all.text()};
+  for (int fan = 0; fan < kFans; ++fan) all.add(times_covered_by_fan(clips, fan));
+  return all.outcome();
 }
 
 std::string picture(Clips clips) {
@@ -74,8 +65,8 @@ ExtremeCase c39_clip_then_snap() {
       .id = "C-39",
       .name = "Clipped, then snapped",
       .construction =
-          "12 fans of 200 slivers around a point of a 64 x 64 picture, outer corners "
-          "1e5 .. 1e7 px away",
+          "12 fans of 200 slivers around a point of a 64 x 64 picture, outer corners 1e5 .. 1e7 px "
+          "away",
       .stage = "clip",
       .right = "every pixel covered exactly once",
       .unit = "pixels",

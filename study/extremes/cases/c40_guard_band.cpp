@@ -1,6 +1,3 @@
-#include <fmt/format.h>
-#include <cmath>
-#include <limits>
 #include <set>
 
 #include <glassbox/raster/outline.h>
@@ -8,7 +5,6 @@
 #include "exact/coverage.h"
 #include "study/extremes/cases/clip_case.h"
 #include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
 namespace c40 {
@@ -71,9 +67,8 @@ Outcome judge(Covers covers) {
       }
     }
   }
-  Outcome outcome = wrong_of(wrong, samples, "pixels differ from the exact ones");
-  if (wrong > 0) outcome.seen += fmt::format("; corners up to {:g} px away", worst_px);
-  return outcome;
+  return wrong_of(wrong, samples, "pixels differ from the exact ones",
+                  wrong > 0 ? fmt::format("; corners up to {:g} px away", worst_px) : "");
 }
 
 Pixels covered_by(const Outline& outline, const Viewport& viewport) {
@@ -130,8 +125,8 @@ ExtremeCase c40_guard_band() {
       .id = "C-40",
       .name = "At the guard band and far beyond it",
       .construction =
-          "triangles with corners 32767.99 .. 1e30 px from the centre of a 256 x 256 "
-          "picture, every eighth pixel",
+          "triangles with corners 32767.99 .. 1e30 px from the centre of a 256 x 256 picture, "
+          "every eighth pixel",
       .stage = "clip",
       .right = "the exact triangle's pixels, but for those within 2^-7 px of its edges",
       .unit = "pixels",

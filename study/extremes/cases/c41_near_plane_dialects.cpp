@@ -1,10 +1,7 @@
 #include <glassbox/pipeline/api_dialects.h>
 #include <glassbox/pipeline/clip.h>
 
-#include <string>
-
 #include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
 namespace c41 {
@@ -47,12 +44,11 @@ ExtremeCase c41_near_plane_dialects() {
       .id = "C-41",
       .name = "Near planes of two dialects",
       .construction =
-          "near 1, far 1024: points at depths 0.25 .. 1e30 by OpenGL's and Direct3D's "
-          "projections",
+          "near 1, far 1024: points at depths 0.25 .. 1e30 by OpenGL's and Direct3D's projections",
       .stage = "clip",
       .right =
-          "visible from the near plane on; the wrong plane cuts at 2 n f/(f + n), or at "
-          "n f/(2 f - n) (E16)",
+          "visible from the near plane on; the wrong plane cuts at 2 n f/(f + n), or at n f/(2 f - "
+          "n) (E16)",
       .unit = "points",
       .oracle = Oracle::kRational,
       .ours = {"clip_planes of the dialect", [] { return judge(of_the_dialect); }},

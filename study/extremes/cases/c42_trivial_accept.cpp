@@ -1,9 +1,7 @@
 #include <array>
-#include <string>
 
 #include "study/extremes/cases/clip_case.h"
 #include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
 namespace c42 {
@@ -34,10 +32,9 @@ Outcome judge(Verdict verdict) {
              (found == ClipVerdict::kReject && !clipped.empty());
     spared += found != ClipVerdict::kClip;
   }
-  if (spared < kTriangles / 10) return {HUGE_VAL, 0, std::nullopt, "hardly any clipping spared"};
-  Outcome outcome = wrong_of(wrong, kTriangles, "triangles differ from the clipped ones");
-  outcome.seen += "; clipping spared for " + std::to_string(spared);
-  return outcome;
+  if (spared < kTriangles / 10) return must_be_zero(HUGE_VAL, "hardly any clipping spared");
+  return wrong_of(wrong, kTriangles, "triangles differ from the clipped ones",
+                  fmt::format("; clipping spared for {}", spared));
 }
 
 // Outside is outside, whichever the planes: loses what reaches across a corner of the picture.

@@ -5,7 +5,6 @@
 #include <glassbox/base/random.h>
 
 namespace glassbox::study {
-
 namespace c43 {
 
 // Direct3D's picture: (1,1)-(3,5) with centres at integers is (1.5,1.5)-(3.5,5.5) with centres at halves. Its vertices are
@@ -43,7 +42,9 @@ Outcome judge(const Covers& covers) {
     }
     compare_coverage(covers, screen_triangle(t), {0, 0, 8, 8}, faults);
   }
-  return {double(faults.wrong() + fixture_faults(covers)), 0, {}, faults.text()};
+  Outcome outcome = faults.outcome();
+  outcome.error += double(fixture_faults(covers));
+  return outcome;
 }
 
 Image<int> drawn(const Covers& covers) {
@@ -58,27 +59,27 @@ ExtremeCase c43_centre_on_edge() {
   const auto with = [](const naive::CoverageParts& parts) {
     return [parts] { return judge(naive::covers_with(parts)); };
   };
-  ExtremeCase c;
-  c.id = "C-43";
-  c.name = "Pixel centres on edges and vertices";
-  c.construction =
-      "20,000 random triangles with vertices at pixel centres of an 8 x 8 picture; the rectangle "
-      "(1.5,1.5)-(3.5,5.5); the halves of the square (0,0)-(5,5), which have 15 and 10 pixels";
-  c.stage = "coverage";
-  c.right = "the top-left rule, by a sample moved by (e, e^2) in 128 bits: no pixel differs";
-  c.unit = "pixels";
-  c.oracle = Oracle::kInteger;
-  c.ours = {"integer edge functions, top-left rule", [] { return judge(pipeline_covers); }};
-  c.naive = {"float cross products, >= 0", [] { return judge(naive::float_covers); }};
-  c.mutants = {
-      {"the tie rule is missing: nobody owns an edge", with({.owns = naive::owns_none})},
-      {"every edge owns its points", with({.owns = naive::owns_all})},
-      {"bottom-right in place of top-left", with({.owns = naive::bottom_right})},
-      {"top edges are forgotten", with({.owns = naive::left_only})},
+  return {
+      .id = "C-43",
+      .name = "Pixel centres on edges and vertices",
+      .construction =
+          "20,000 random triangles with vertices at pixel centres of an 8 x 8 picture; the "
+          "rectangle (1.5,1.5)-(3.5,5.5); the halves of the square (0,0)-(5,5), which have 15 and "
+          "10 pixels",
+      .stage = "coverage",
+      .right = "the top-left rule, by a sample moved by (e, e^2) in 128 bits: no pixel differs",
+      .unit = "pixels",
+      .oracle = Oracle::kInteger,
+      .ours = {"integer edge functions, top-left rule", [] { return judge(pipeline_covers); }},
+      .naive = {"float cross products, >= 0", [] { return judge(naive::float_covers); }},
+      .mutants = {{"the tie rule is missing: nobody owns an edge",
+                   with({.owns = naive::owns_none})},
+                  {"every edge owns its points", with({.owns = naive::owns_all})},
+                  {"bottom-right in place of top-left", with({.owns = naive::bottom_right})},
+                  {"top edges are forgotten", with({.owns = naive::left_only})}},
+      .pictures = {{"naive", [] { return coverage_png(drawn(naive::float_covers), 32); }},
+                   {"ours", [] { return coverage_png(drawn(pipeline_covers), 32); }}},
   };
-  c.pictures = {{"naive", [] { return coverage_png(drawn(naive::float_covers), 32); }},
-                {"ours", [] { return coverage_png(drawn(pipeline_covers), 32); }}};
-  return c;
 }
 
 }  // namespace glassbox::study

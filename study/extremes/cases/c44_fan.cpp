@@ -1,8 +1,4 @@
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
-
-#include <fmt/format.h>
 
 #include <glassbox/base/trig.h>
 
@@ -11,7 +7,6 @@
 #include "study/naive/coverage.h"
 
 namespace glassbox::study {
-
 namespace c44 {
 
 constexpr double kCentre = 10.5;
@@ -44,12 +39,9 @@ Outcome judge(const Covers& covers) {
       worst_fan = n;
     }
   }
-  return {double(worst),
-          0,
-          {},
-          worst == 0 ? fmt::format("once in each of {} fans", fans)
-                     : fmt::format("{} of {} fans wrong, worst with {} triangles", wrong, fans,
-                                   worst_fan)};
+  if (worst == 0) return must_be_zero(0, fmt::format("once in each of {} fans", fans));
+  return must_be_zero(
+      worst, fmt::format("{} of {} fans wrong, worst with {} triangles", wrong, fans, worst_fan));
 }
 
 }  // namespace c44
@@ -59,24 +51,26 @@ ExtremeCase c44_fan() {
   const auto with = [](const naive::CoverageParts& parts) {
     return [parts] { return judge(naive::covers_with(parts)); };
   };
-  ExtremeCase c;
-  c.id = "C-44";
-  c.name = "Fan around a pixel centre";
-  c.construction = "3 to 256 triangles that meet at (10.5, 10.5), radius 8 px";
-  c.stage = "coverage";
-  c.right = "the centre belongs to exactly one of them";
-  c.unit = "hits too many or too few";
-  c.oracle = Oracle::kInteger;
-  c.ours = {"integer edge functions, top-left rule", [] { return judge(pipeline_covers); }};
-  c.naive = {"float cross products, >= 0", [] { return judge(naive::float_covers); }};
-  c.mutants = {{"the tie rule is missing: nobody owns an edge", with({.owns = naive::owns_none})},
-               {"every edge owns its points", with({.owns = naive::owns_all})},
-               {"top edges are forgotten", with({.owns = naive::left_only})}};
-  c.pictures = {
-      {"naive",
-       [] { return coverage_png(times_covered(naive::float_covers, fan(16), 21, 21), 16); }},
-      {"ours", [] { return coverage_png(times_covered(pipeline_covers, fan(16), 21, 21), 16); }}};
-  return c;
+  return {
+      .id = "C-44",
+      .name = "Fan around a pixel centre",
+      .construction = "3 to 256 triangles that meet at (10.5, 10.5), radius 8 px",
+      .stage = "coverage",
+      .right = "the centre belongs to exactly one of them",
+      .unit = "hits too many or too few",
+      .oracle = Oracle::kInteger,
+      .ours = {"integer edge functions, top-left rule", [] { return judge(pipeline_covers); }},
+      .naive = {"float cross products, >= 0", [] { return judge(naive::float_covers); }},
+      .mutants = {{"the tie rule is missing: nobody owns an edge",
+                   with({.owns = naive::owns_none})},
+                  {"every edge owns its points", with({.owns = naive::owns_all})},
+                  {"top edges are forgotten", with({.owns = naive::left_only})}},
+      .pictures =
+          {{"naive",
+            [] { return coverage_png(times_covered(naive::float_covers, fan(16), 21, 21), 16); }},
+           {"ours",
+            [] { return coverage_png(times_covered(pipeline_covers, fan(16), 21, 21), 16); }}},
+  };
 }
 
 }  // namespace glassbox::study

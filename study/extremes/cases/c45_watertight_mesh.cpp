@@ -6,7 +6,6 @@
 #include <glassbox/base/random.h>
 
 namespace glassbox::study {
-
 namespace c45 {
 
 constexpr int kSide = 1024;
@@ -40,13 +39,10 @@ using Covered = std::function<Image<int>(const std::vector<ScreenTriangle>&)>;
 
 Outcome judge(const Covered& covered, const char* by = "") {
   Watertightness found;
-  for (const auto& mesh : meshes()) {
-    const Watertightness one = watertightness(covered(mesh));
-    found.samples += one.samples;
-    found.gaps += one.gaps;
-    found.doubles += one.doubles;
-  }
-  return {double(found.gaps + found.doubles), 0, {}, found.text() + by};
+  for (const auto& mesh : meshes()) found.add(covered(mesh));
+  Outcome outcome = found.outcome();
+  outcome.seen += by;
+  return outcome;
 }
 
 Outcome judge(const Covers& covers) {
@@ -67,7 +63,7 @@ Outcome judge_ours() {
         return drawn.times;
       },
       ", by the stage and by the tile engine");
-  return stage.error > engine.error ? stage : engine;
+  return worse_of(engine, stage);
 }
 
 Outcome with(const naive::CoverageParts& parts) {
@@ -78,25 +74,23 @@ Outcome with(const naive::CoverageParts& parts) {
 
 ExtremeCase c45_watertight_mesh() {
   using namespace c45;
-  ExtremeCase c;
-  c.id = "C-45";
-  c.name = "Watertight mesh";
-  c.construction =
-      "a grid of 500 x 500 quads over 1024 x 1024 px, inner vertices moved by up to 0.2 of a cell; "
-      "32 slanted triangles 34,000 px long";
-  c.stage = "coverage";
-  c.right = "every pixel exactly once: edge functions are integers, and one side owns each edge";
-  c.unit = "pixels";
-  c.oracle = Oracle::kInteger;
-  c.ours = {"integer edge functions, top-left rule", judge_ours};
-  c.naive = {"float cross products, >= 0", [] { return judge(Covers(naive::float_covers)); }};
-  c.mutants = {
-      {"float edges: differences from each edge's first vertex",
-       [] { return with({.inside = naive::float_difference_inside}); }},
-      {"the tie rule is missing: nobody owns an edge",
-       [] { return with({.owns = naive::owns_none}); }},
+  return {
+      .id = "C-45",
+      .name = "Watertight mesh",
+      .construction =
+          "a grid of 500 x 500 quads over 1024 x 1024 px, inner vertices moved by up to 0.2 of a "
+          "cell; 32 slanted triangles 34,000 px long",
+      .stage = "coverage",
+      .right = "every pixel exactly once: edge functions are integers, and one side owns each edge",
+      .unit = "pixels",
+      .oracle = Oracle::kInteger,
+      .ours = {"integer edge functions, top-left rule", judge_ours},
+      .naive = {"float cross products, >= 0", [] { return judge(Covers(naive::float_covers)); }},
+      .mutants = {{"float edges: differences from each edge's first vertex",
+                   [] { return with({.inside = naive::float_difference_inside}); }},
+                  {"the tie rule is missing: nobody owns an edge",
+                   [] { return with({.owns = naive::owns_none}); }}},
   };
-  return c;
 }
 
 }  // namespace glassbox::study

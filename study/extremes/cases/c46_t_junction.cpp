@@ -1,7 +1,5 @@
 #include <cstdlib>
 
-#include <fmt/format.h>
-
 #include "study/extremes/kit/coverage.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/naive/coverage.h"
@@ -9,7 +7,6 @@
 #include <glassbox/base/random.h>
 
 namespace glassbox::study {
-
 namespace c46 {
 
 constexpr int kSide = 64;
@@ -64,32 +61,30 @@ Outcome judge(bool insert_the_vertex, bool predict) {
     faults += faults_along(insert_the_vertex ? j.with_vertex_inserted() : j.with_junction());
     if (predict) foretold += std::abs(faults_along(j.with_junction()) - predicted(j));
   }
-  return {double(faults + foretold),
-          0,
-          {},
-          fmt::format("{} pixels not covered once along 2,000 edges{}", faults,
-                      predict ? "; those of the T-junctions are as predicted" : "")};
+  return must_be_zero(faults + foretold,
+                      fmt::format("{} pixels not covered once along 2,000 edges{}", faults,
+                                  predict ? "; those of the T-junctions are as predicted" : ""));
 }
 
 }  // namespace c46
 
 ExtremeCase c46_t_junction() {
   using namespace c46;
-  ExtremeCase c;
-  c.id = "C-46";
-  c.name = "T-junction";
-  c.construction =
-      "2,000 long edges with two triangles on one side that meet in a vertex on the edge, and one "
-      "triangle on the other side";
-  c.stage = "coverage";
-  c.right =
-      "none when the vertex is inserted into the long edge; otherwise exactly the pixels of the "
-      "sliver between the snapped vertex and the edge, which no rasterizer can mend";
-  c.unit = "pixels";
-  c.oracle = Oracle::kInteger;
-  c.ours = {"the vertex inserted on both sides", [] { return judge(true, true); }};
-  c.naive = {"a mesh with T-junctions", [] { return judge(false, false); }};
-  return c;
+  return {
+      .id = "C-46",
+      .name = "T-junction",
+      .construction =
+          "2,000 long edges with two triangles on one side that meet in a vertex on the edge, and "
+          "one triangle on the other side",
+      .stage = "coverage",
+      .right =
+          "none when the vertex is inserted into the long edge; otherwise exactly the pixels of "
+          "the sliver between the snapped vertex and the edge, which no rasterizer can mend",
+      .unit = "pixels",
+      .oracle = Oracle::kInteger,
+      .ours = {"the vertex inserted on both sides", [] { return judge(true, true); }},
+      .naive = {"a mesh with T-junctions", [] { return judge(false, false); }},
+  };
 }
 
 }  // namespace glassbox::study

@@ -1,7 +1,3 @@
-#include <fmt/format.h>
-
-#include <cmath>
-
 #include <glassbox/base/random.h>
 #include <glassbox/raster/coverage.h>
 #include <glassbox/raster/interpolate.h>
@@ -11,7 +7,6 @@
 #include "study/naive/coverage.h"
 
 namespace glassbox::study {
-
 namespace c47 {
 
 constexpr double kLength = 4000;
@@ -40,7 +35,9 @@ Outcome judge(const Covers& covers) {
       }
     }
   }
-  return {double(faults.wrong()), 0, {}, fmt::format("{}; {} covered", faults.text(), covered)};
+  Outcome outcome = faults.outcome();
+  outcome.seen += fmt::format("; {} covered", covered);
+  return outcome;
 }
 
 // The pipeline's fragments there have finite weights between 0 and 1 too.
@@ -64,22 +61,23 @@ Outcome judge_ours() {
 
 ExtremeCase c47_slivers() {
   using namespace c47;
-  ExtremeCase c;
-  c.id = "C-47";
-  c.name = "Slivers";
-  c.construction = "triangles 4,000 px long and 2^-8 to 2^-20 px wide, in four directions each";
-  c.stage = "coverage";
-  c.right =
-      "exactly the pixels of the snapped triangle, none where its area is zero; weights in "
-      "[0, 1], for which 1/area is taken of an integer that is at least 1";
-  c.unit = "pixels";
-  c.oracle = Oracle::kInteger;
-  c.ours = {"integer edge functions", judge_ours};
-  c.naive = {"float cross products, >= 0", [] { return judge(naive::float_covers); }};
-  c.mutants = {{"float edges: differences from each edge's first vertex", [] {
-                  return judge(naive::covers_with({.inside = naive::float_difference_inside}));
-                }}};
-  return c;
+  return {
+      .id = "C-47",
+      .name = "Slivers",
+      .construction = "triangles 4,000 px long and 2^-8 to 2^-20 px wide, in four directions each",
+      .stage = "coverage",
+      .right =
+          "exactly the pixels of the snapped triangle, none where its area is zero; weights in [0, "
+          "1], for which 1/area is taken of an integer that is at least 1",
+      .unit = "pixels",
+      .oracle = Oracle::kInteger,
+      .ours = {"integer edge functions", judge_ours},
+      .naive = {"float cross products, >= 0", [] { return judge(naive::float_covers); }},
+      .mutants = {{"float edges: differences from each edge's first vertex",
+                   [] {
+                     return judge(naive::covers_with({.inside = naive::float_difference_inside}));
+                   }}},
+  };
 }
 
 }  // namespace glassbox::study

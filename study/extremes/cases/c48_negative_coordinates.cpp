@@ -5,7 +5,6 @@
 #include <glassbox/base/random.h>
 
 namespace glassbox::study {
-
 namespace c48 {
 
 ScreenTriangle random_triangle(Random& random) {
@@ -20,7 +19,7 @@ Outcome judge(const Covers& covers) {
   for (int i = 0; i < 4000; ++i) {
     compare_coverage(covers, random_triangle(random), {-8, -8, 8, 8}, faults);
   }
-  return {double(faults.wrong()), 0, {}, faults.text()};
+  return faults.outcome();
 }
 
 // Visits the pixels whose floats truncate to whole numbers in the triangle's box: -0.3 and 0.3 are both column 0.
@@ -44,21 +43,21 @@ Outcome judge_naive() {
 
 ExtremeCase c48_negative_coordinates() {
   using namespace c48;
-  ExtremeCase c;
-  c.id = "C-48";
-  c.name = "Negative coordinates";
-  c.construction =
-      "4,000 random triangles across both axes of the screen, on columns and rows -8 "
-      "to 7";
-  c.stage = "snap, coverage";
-  c.right = "floor everywhere: shifts of integers round down, so column -1 is a column like others";
-  c.unit = "pixels";
-  c.oracle = Oracle::kInteger;
-  c.ours = {"floor", [] { return judge(pipeline_covers); }};
-  c.naive = {"(int) of the pixel's position", judge_naive};
-  c.mutants = {{"the snap truncates in place of rounding by floor",
-                [] { return judge(naive::covers_with({.snap = naive::snap_truncating})); }}};
-  return c;
+  return {
+      .id = "C-48",
+      .name = "Negative coordinates",
+      .construction =
+          "4,000 random triangles across both axes of the screen, on columns and rows -8 to 7",
+      .stage = "snap, coverage",
+      .right =
+          "floor everywhere: shifts of integers round down, so column -1 is a column like others",
+      .unit = "pixels",
+      .oracle = Oracle::kInteger,
+      .ours = {"floor", [] { return judge(pipeline_covers); }},
+      .naive = {"(int) of the pixel's position", judge_naive},
+      .mutants = {{"the snap truncates in place of rounding by floor",
+                   [] { return judge(naive::covers_with({.snap = naive::snap_truncating})); }}},
+  };
 }
 
 }  // namespace glassbox::study

@@ -1,7 +1,3 @@
-#include <cmath>
-
-#include <fmt/format.h>
-
 #include <glassbox/base/random.h>
 #include <glassbox/raster/coverage.h>
 #include <glassbox/raster/interpolate.h>
@@ -11,7 +7,6 @@
 #include "study/naive/coverage.h"
 
 namespace glassbox::study {
-
 namespace c49 {
 
 constexpr int kSide = 64;
@@ -62,7 +57,8 @@ void draws_without_dropping(const ScreenTriangle& t,
 
 Outcome judge(const Draws& draws) {
   Random random(49);
-  std::int64_t faults = 0, lines = 0, not_numbers = 0;
+  Watertightness found;
+  std::int64_t lines = 0, not_numbers = 0;
   for (int i = 0; i < 200; ++i) {
     Image<int> times(kSide, kSide);
     for (const ScreenTriangle& t : mesh(random)) {
@@ -74,34 +70,34 @@ Outcome judge(const Draws& draws) {
         not_numbers += !std::isfinite(weight);
       });
     }
-    const Watertightness found = watertightness(times);
-    faults += found.gaps + found.doubles;
+    found.add(times);
   }
-  return {double(faults + not_numbers),
-          0,
-          {},
-          fmt::format("{} triangles without area; {} pixels not covered once, {} weights that are "
-                      "no numbers",
-                      lines, faults, not_numbers)};
+  const std::int64_t faults = found.gaps + found.doubles;
+  return must_be_zero(
+      double(faults + not_numbers),
+      fmt::format(
+          "{} triangles without area; {} pixels not covered once, {} weights that are no numbers",
+          lines, faults, not_numbers));
 }
 
 }  // namespace c49
 
 ExtremeCase c49_zero_area() {
   using namespace c49;
-  ExtremeCase c;
-  c.id = "C-49";
-  c.name = "No area after snapping";
-  c.construction =
-      "200 meshes of eight triangles, two of which are 2^-11 px high and 68 px long, so "
-      "that the snap leaves a line of most of them";
-  c.stage = "setup";
-  c.right = "such triangles are dropped, for they cover no pixel; their neighbours stay watertight";
-  c.unit = "pixels";
-  c.oracle = Oracle::kInteger;
-  c.ours = {"dropped at setup", [] { return judge(pipeline_draws); }};
-  c.naive = {"drawn all the same", [] { return judge(draws_without_dropping); }};
-  return c;
+  return {
+      .id = "C-49",
+      .name = "No area after snapping",
+      .construction =
+          "200 meshes of eight triangles, two of which are 2^-11 px high and 68 px long, so that "
+          "the snap leaves a line of most of them",
+      .stage = "setup",
+      .right =
+          "such triangles are dropped, for they cover no pixel; their neighbours stay watertight",
+      .unit = "pixels",
+      .oracle = Oracle::kInteger,
+      .ours = {"dropped at setup", [] { return judge(pipeline_draws); }},
+      .naive = {"drawn all the same", [] { return judge(draws_without_dropping); }},
+  };
 }
 
 }  // namespace glassbox::study

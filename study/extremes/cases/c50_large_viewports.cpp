@@ -1,7 +1,3 @@
-#include <cmath>
-
-#include <fmt/format.h>
-
 #include "study/extremes/kit/coverage.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/naive/coverage.h"
@@ -9,7 +5,6 @@
 #include <glassbox/base/random.h>
 
 namespace glassbox::study {
-
 namespace c50 {
 
 // Large triangles of random snapped vertices, looked at beside points on their edges: pictures of this size are sampled,
@@ -33,31 +28,32 @@ Outcome judge(const Covers& covers) {
       }
     }
   }
-  return {double(faults.wrong()), 0, {}, faults.text()};
+  return faults.outcome();
 }
 
 }  // namespace c50
 
 ExtremeCase c50_large_viewports() {
   using namespace c50;
-  ExtremeCase c;
-  c.id = "C-50";
-  c.name = "8 K and 32 K viewports";
-  c.construction =
-      "4,000 random triangles each over 7,680 and 32,767 px, asked at four places "
-      "along an edge, 3 x 3 pixels around each";
-  c.stage = "coverage";
-  c.right = "exact: edge functions have at most 52 of 63 bits";
-  c.unit = "pixels";
-  c.oracle = Oracle::kInteger;
-  c.ours = {"64-bit edge functions", [] { return judge(pipeline_covers); }};
-  c.naive = {"float cross products, >= 0", [] { return judge(naive::float_covers); }};
-  c.mutants = {{"32-bit edge functions",
-                [] { return judge(naive::covers_with({.inside = naive::int32_inside})); }},
-               {"float edges: differences from each edge's first vertex", [] {
-                  return judge(naive::covers_with({.inside = naive::float_difference_inside}));
-                }}};
-  return c;
+  return {
+      .id = "C-50",
+      .name = "8 K and 32 K viewports",
+      .construction =
+          "4,000 random triangles each over 7,680 and 32,767 px, asked at four places along an "
+          "edge, 3 x 3 pixels around each",
+      .stage = "coverage",
+      .right = "exact: edge functions have at most 52 of 63 bits",
+      .unit = "pixels",
+      .oracle = Oracle::kInteger,
+      .ours = {"64-bit edge functions", [] { return judge(pipeline_covers); }},
+      .naive = {"float cross products, >= 0", [] { return judge(naive::float_covers); }},
+      .mutants = {{"32-bit edge functions",
+                   [] { return judge(naive::covers_with({.inside = naive::int32_inside})); }},
+                  {"float edges: differences from each edge's first vertex",
+                   [] {
+                     return judge(naive::covers_with({.inside = naive::float_difference_inside}));
+                   }}},
+  };
 }
 
 }  // namespace glassbox::study

@@ -5,7 +5,6 @@
 #include <glassbox/base/random.h>
 
 namespace glassbox::study {
-
 namespace c51 {
 
 constexpr int kSide = 32;
@@ -27,13 +26,14 @@ std::vector<ScreenTriangle> mixed_grid() {
   return triangles;
 }
 
-Outcome judge(const Covers& covers) {
-  const Watertightness found = watertightness(times_covered(covers, mixed_grid(), kSide, kSide));
-  return {double(found.gaps + found.doubles), 0, {}, found.text()};
-}
-
 Image<int> drawn(const Covers& covers) {
   return times_covered(covers, mixed_grid(), kSide, kSide);
+}
+
+Outcome judge(const Covers& covers) {
+  Watertightness found;
+  found.add(drawn(covers));
+  return found.outcome();
 }
 
 const naive::CoverageParts kRuleFirst{.rule_before_orientation = true};
@@ -42,24 +42,25 @@ const naive::CoverageParts kRuleFirst{.rule_before_orientation = true};
 
 ExtremeCase c51_winding() {
   using namespace c51;
-  ExtremeCase c;
-  c.id = "C-51";
-  c.name = "Both windings in one surface";
-  c.construction =
-      "a double-sided grid of 34 x 34 quads with vertices at pixel centres, every "
-      "triangle wound at random";
-  c.stage = "setup";
-  c.right = "every pixel once: triangles are turned clockwise before their edges are classed";
-  c.unit = "pixels";
-  c.oracle = Oracle::kInteger;
-  c.ours = {"rule after orientation", [] { return judge(pipeline_covers); }};
-  c.naive = {"edges classed in the order they came",
-             [] { return judge(naive::covers_with(kRuleFirst)); }};
-  c.mutants = {{"every edge owns its points",
-                [] { return judge(naive::covers_with({.owns = naive::owns_all})); }}};
-  c.pictures = {{"naive", [] { return coverage_png(drawn(naive::covers_with(kRuleFirst)), 12); }},
-                {"ours", [] { return coverage_png(drawn(pipeline_covers), 12); }}};
-  return c;
+  return {
+      .id = "C-51",
+      .name = "Both windings in one surface",
+      .construction =
+          "a double-sided grid of 34 x 34 quads with vertices at pixel centres, every triangle "
+          "wound at random",
+      .stage = "setup",
+      .right = "every pixel once: triangles are turned clockwise before their edges are classed",
+      .unit = "pixels",
+      .oracle = Oracle::kInteger,
+      .ours = {"rule after orientation", [] { return judge(pipeline_covers); }},
+      .naive = {"edges classed in the order they came",
+                [] { return judge(naive::covers_with(kRuleFirst)); }},
+      .mutants = {{"every edge owns its points",
+                   [] { return judge(naive::covers_with({.owns = naive::owns_all})); }}},
+      .pictures = {{"naive",
+                    [] { return coverage_png(drawn(naive::covers_with(kRuleFirst)), 12); }},
+                   {"ours", [] { return coverage_png(drawn(pipeline_covers), 12); }}},
+  };
 }
 
 }  // namespace glassbox::study

@@ -1,26 +1,18 @@
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
-
-#include <fmt/format.h>
 
 #include "study/extremes/kit/coverage.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/naive/coverage.h"
 
 namespace glassbox::study {
-
 namespace c52 {
 
 // Every k/512 px near 0, and its neighbours in float; then the same at 2^10 and 2^15 px, where floats are coarse.
 Outcome judge(std::int32_t (*snap)(float)) {
-  std::int64_t wrong = 0, tried = 0, worst = 0;
+  ErrorsBeyond errors(0);
   const auto ask = [&](float pixels) {
-    const std::int64_t off =
-        std::abs(std::int64_t(snap(pixels)) - std::int64_t(std::floor(double(pixels) * 256 + 0.5)));
-    ++tried;
-    wrong += off != 0;
-    worst = std::max(worst, off);
+    const auto right = std::int64_t(std::floor(double(pixels) * 256 + 0.5));
+    errors.see(double(std::abs(std::int64_t(snap(pixels)) - right)));
   };
   for (const float base : {0.0f, 1024.0f, 32768.0f, -1024.0f}) {
     for (int k = -2048; k <= 2048; ++k) {
@@ -30,29 +22,30 @@ Outcome judge(std::int32_t (*snap)(float)) {
       }
     }
   }
-  return {double(worst), 0, {}, fmt::format("{} of {} positions elsewhere", wrong, tried)};
+  return errors.outcome("positions elsewhere");
 }
 
 }  // namespace c52
 
 ExtremeCase c52_snap_ties() {
   using namespace c52;
-  ExtremeCase c;
-  c.id = "C-52";
-  c.name = "Ties of subpixel rounding";
-  c.construction =
-      "positions k/512 px around 0, +-1024 and 32768 px, and their neighbours in float";
-  c.stage = "snap";
-  c.right = "floor(256 v + 1/2), the same everywhere: halves go up";
-  c.unit = "1/256 px";
-  c.oracle = Oracle::kInteger;
-  c.ours = {"halves up, exactly", [] { return judge(glassbox::snap); }};
-  c.naive = {"std::round: halves away from zero", [] { return judge(naive::snap_away); }};
-  c.mutants = {
-      {"halves to even, as the processor rounds", [] { return judge(naive::snap_to_even); }},
-      {"floor(256 v + 0.5) with a rounded sum", [] { return judge(naive::snap_float_half); }},
-      {"truncation", [] { return judge(naive::snap_truncating); }}};
-  return c;
+  return {
+      .id = "C-52",
+      .name = "Ties of subpixel rounding",
+      .construction =
+          "positions k/512 px around 0, +-1024 and 32768 px, and their neighbours in float",
+      .stage = "snap",
+      .right = "floor(256 v + 1/2), the same everywhere: halves go up",
+      .unit = "1/256 px",
+      .oracle = Oracle::kInteger,
+      .ours = {"halves up, exactly", [] { return judge(glassbox::snap); }},
+      .naive = {"std::round: halves away from zero", [] { return judge(naive::snap_away); }},
+      .mutants = {{"halves to even, as the processor rounds",
+                   [] { return judge(naive::snap_to_even); }},
+                  {"floor(256 v + 0.5) with a rounded sum",
+                   [] { return judge(naive::snap_float_half); }},
+                  {"truncation", [] { return judge(naive::snap_truncating); }}},
+  };
 }
 
 }  // namespace glassbox::study

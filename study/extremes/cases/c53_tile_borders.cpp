@@ -1,7 +1,4 @@
 #include <cstdlib>
-#include <utility>
-
-#include <fmt/format.h>
 
 #include "study/extremes/kit/coverage.h"
 #include "study/extremes/kit/extreme_case.h"
@@ -11,7 +8,6 @@
 #include <glassbox/base/random.h>
 
 namespace glassbox::study {
-
 namespace c53 {
 
 constexpr int kSide = 256;
@@ -51,13 +47,10 @@ Outcome judge(const Tiled& tiled) {
     }
     ++ways;
   }
-  return {
-      double(wrong + times),
-      0,
-      {},
-      fmt::format("{} pixels show another triangle, {} are drawn too often or not often enough, "
-                  "with {} tile sizes and numbers of threads",
-                  wrong, times, ways)};
+  return must_be_zero(double(wrong + times),
+                      fmt::format("{} pixels show another triangle, {} are drawn too often or not "
+                                  "often enough, with {} tile sizes and numbers of threads",
+                                  wrong, times, ways));
 }
 
 TrianglesDrawn engine(const std::vector<ScreenTriangle>& all, int side, int threads) {
@@ -74,29 +67,32 @@ Tiled naive_tiles(const naive::TileRules& rules) {
 
 ExtremeCase c53_tile_borders() {
   using namespace c53;
-  ExtremeCase c;
-  c.id = "C-53";
-  c.name = "Tile borders";
-  c.construction =
-      "400 triangles with vertices on tile corners, or half a pixel beside them; tiles of "
-      "16 to 256 px, 1 to 16 threads";
-  c.stage = "tiles";
-  c.right = "every pixel as often as without tiles";
-  c.unit = "pixels";
-  c.oracle = Oracle::kProperty;
-  c.ours = {"the tile engine", [] { return judge(engine); }};
-  c.naive = {"a triangle goes to the tiles that hold its vertices",
-             [] { return judge(naive_tiles({.only_tiles_of_vertices = true})); }};
-  c.mutants = {
-      {"tiles reach one pixel too far", [] { return judge(naive_tiles({.pixels_too_far = 1})); }},
-      {"tiles end one pixel too early", [] { return judge(naive_tiles({.pixels_too_far = -1})); }}};
-  c.pictures = {
-      {"naive", [] {
-         const std::vector<ScreenTriangle> first{triangles().front()};
-         return coverage_png(
-             naive::drawn_by_tiles(first, kSide, 16, {.only_tiles_of_vertices = true}).first, 2);
-       }}};
-  return c;
+  return {
+      .id = "C-53",
+      .name = "Tile borders",
+      .construction =
+          "400 triangles with vertices on tile corners, or half a pixel beside them; tiles of 16 "
+          "to 256 px, 1 to 16 threads",
+      .stage = "tiles",
+      .right = "every pixel as often as without tiles",
+      .unit = "pixels",
+      .oracle = Oracle::kProperty,
+      .ours = {"the tile engine", [] { return judge(engine); }},
+      .naive = {"a triangle goes to the tiles that hold its vertices",
+                [] { return judge(naive_tiles({.only_tiles_of_vertices = true})); }},
+      .mutants = {{"tiles reach one pixel too far",
+                   [] { return judge(naive_tiles({.pixels_too_far = 1})); }},
+                  {"tiles end one pixel too early",
+                   [] { return judge(naive_tiles({.pixels_too_far = -1})); }}},
+      .pictures = {{"naive",
+                    [] {
+                      const std::vector<ScreenTriangle> first{triangles().front()};
+                      return coverage_png(
+                          naive::drawn_by_tiles(first, kSide, 16, {.only_tiles_of_vertices = true})
+                              .first,
+                          2);
+                    }}},
+  };
 }
 
 }  // namespace glassbox::study

@@ -1,7 +1,3 @@
-#include <cmath>
-
-#include <fmt/format.h>
-
 #include <glassbox/base/rounding.h>
 #include <glassbox/raster/coverage.h>
 #include <glassbox/raster/interpolate.h>
@@ -10,7 +6,6 @@
 #include "study/extremes/kit/extreme_case.h"
 
 namespace glassbox::study {
-
 namespace c54 {
 
 constexpr int kWidth = 32767;
@@ -72,21 +67,21 @@ Outcome judge(const Span& span) {
 
 ExtremeCase c54_stepping() {
   using namespace c54;
-  ExtremeCase c;
-  c.id = "C-54";
-  c.name = "Incremental stepping over 32 K";
-  c.construction = "u from 0 to 1 over a span of 32,767 px";
-  c.stage = "interpolate";
-  c.right =
-      "13 u (w1 |u1 - u0|) + u |u| with u0 = 0, that is 14 u relative: edge functions are "
-      "stepped as integers, and every pixel's weights computed from them anew";
-  c.unit = "2^-24 relative";
-  c.oracle = Oracle::kRational;
-  c.ours = {"integers stepped, floats computed anew", [] { return judge(pipeline_span); }};
-  c.naive = {"u += du in float", [] { return judge(stepped_span); }};
-  c.mutants = {{"begun anew every 1024 pixels only",
-                [] { return judge([](const auto& visit) { anchored_span(1024, visit); }); }}};
-  return c;
+  return {
+      .id = "C-54",
+      .name = "Incremental stepping over 32 K",
+      .construction = "u from 0 to 1 over a span of 32,767 px",
+      .stage = "interpolate",
+      .right =
+          "13 u (w1 |u1 - u0|) + u |u| with u0 = 0, that is 14 u relative: edge functions are "
+          "stepped as integers, and every pixel's weights computed from them anew",
+      .unit = "2^-24 relative",
+      .oracle = Oracle::kRational,
+      .ours = {"integers stepped, floats computed anew", [] { return judge(pipeline_span); }},
+      .naive = {"u += du in float", [] { return judge(stepped_span); }},
+      .mutants = {{"begun anew every 1024 pixels only",
+                   [] { return judge([](const auto& visit) { anchored_span(1024, visit); }); }}},
+  };
 }
 
 }  // namespace glassbox::study

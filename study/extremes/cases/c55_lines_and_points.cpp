@@ -1,8 +1,4 @@
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
-
-#include <fmt/format.h>
 
 #include <glassbox/base/random.h>
 #include <glassbox/raster/line.h>
@@ -13,7 +9,6 @@
 #include "study/naive/lines.h"
 
 namespace glassbox::study {
-
 namespace c55 {
 
 constexpr PixelRect kWindow{0, 0, 24, 24};
@@ -72,11 +67,9 @@ std::int64_t fixture_faults(const DrawsLine& draws) {
 
 Outcome judge(const DrawsLine& draws) {
   const std::int64_t joints = joint_faults(draws), fixtures = fixture_faults(draws);
-  return {double(joints + fixtures),
-          0,
-          {},
-          fmt::format("{} pixels wrong at joints of 4,000 lines, {} in the fixtures", joints,
-                      fixtures)};
+  return must_be_zero(double(joints + fixtures),
+                      fmt::format("{} pixels wrong at joints of 4,000 lines, {} in the fixtures",
+                                  joints, fixtures));
 }
 
 // Points on quarters of pixels: the one pixel whose centre c has p - 1/2 <= c < p + 1/2.
@@ -94,25 +87,25 @@ Outcome judge_ours() {
 
 ExtremeCase c55_lines_and_points() {
   using namespace c55;
-  ExtremeCase c;
-  c.id = "C-55";
-  c.name = "Lines and points";
-  c.construction =
-      "4,000 lines with ends on quarters of pixels, whole and cut in two on a lattice "
-      "point; lines of four pixels in six directions; points on quarters of pixels";
-  c.stage = "lines";
-  c.right =
-      "diamond exit: cut or whole, the same pixels, none twice; four of the five pixels from "
-      "centre to centre";
-  c.unit = "pixels";
-  c.oracle = Oracle::kInteger;
-  c.ours = {"diamond exit on integers", judge_ours};
-  c.naive = {"Bresenham with both ends", [] { return judge(naive::bresenham); }};
-  c.mutants = {
-      {"the last pixel is drawn as well", [] { return judge(naive::line_with_last_pixel); }},
-      {"the first pixel only where its centre is passed",
-       [] { return judge(naive::line_without_start); }}};
-  return c;
+  return {
+      .id = "C-55",
+      .name = "Lines and points",
+      .construction =
+          "4,000 lines with ends on quarters of pixels, whole and cut in two on a lattice point; "
+          "lines of four pixels in six directions; points on quarters of pixels",
+      .stage = "lines",
+      .right =
+          "diamond exit: cut or whole, the same pixels, none twice; four of the five pixels from "
+          "centre to centre",
+      .unit = "pixels",
+      .oracle = Oracle::kInteger,
+      .ours = {"diamond exit on integers", judge_ours},
+      .naive = {"Bresenham with both ends", [] { return judge(naive::bresenham); }},
+      .mutants = {{"the last pixel is drawn as well",
+                   [] { return judge(naive::line_with_last_pixel); }},
+                  {"the first pixel only where its centre is passed",
+                   [] { return judge(naive::line_without_start); }}},
+  };
 }
 
 }  // namespace glassbox::study

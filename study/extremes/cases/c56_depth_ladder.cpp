@@ -1,13 +1,9 @@
-#include <fmt/format.h>
-
 #include <glassbox/base/rounding.h>
 
 #include "study/extremes/kit/depth.h"
 #include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
-
 namespace c56 {
 
 // depth = B/z + A with B = n f/(f - n): float rounds the product A z, the sum and the quotient, which confuses depths at
@@ -33,19 +29,19 @@ Outcome judge(const DepthPath& path) {
 ExtremeCase c56_depth_ladder() {
   using namespace c56;
   const auto with = [](const DepthPath& path) { return [path] { return judge(path); }; };
-  ExtremeCase c;
-  c.id = "C-56";
-  c.name = "Ladder of nearly equal depths";
-  c.construction = "near 0.1, far 10,000; pairs of depths at 0.2 to 9,000, closer and closer";
-  c.stage = "projection, depth";
-  c.right = "reversed float tells apart what is 4 u = 2.4e-7 apart, relative, everywhere";
-  c.unit = "relative separation";
-  c.oracle = Oracle::kAnalytic;
-  c.ours = {"float, reversed range", with({.format = DepthFormat::kFloat32Reversed})};
-  c.naive = {"24 bits, standard range", with({.format = DepthFormat::kUnorm24})};
-  c.mutants = {{"16 bits", with({.format = DepthFormat::kUnorm16})},
-               {"the range is not reversed", with({.format = DepthFormat::kFloat32})}};
-  return c;
+  return {
+      .id = "C-56",
+      .name = "Ladder of nearly equal depths",
+      .construction = "near 0.1, far 10,000; pairs of depths at 0.2 to 9,000, closer and closer",
+      .stage = "projection, depth",
+      .right = "reversed float tells apart what is 4 u = 2.4e-7 apart, relative, everywhere",
+      .unit = "relative separation",
+      .oracle = Oracle::kAnalytic,
+      .ours = {"float, reversed range", with({.format = DepthFormat::kFloat32Reversed})},
+      .naive = {"24 bits, standard range", with({.format = DepthFormat::kUnorm24})},
+      .mutants = {{"16 bits", with({.format = DepthFormat::kUnorm16})},
+                  {"the range is not reversed", with({.format = DepthFormat::kFloat32})}},
+  };
 }
 
 }  // namespace glassbox::study

@@ -1,7 +1,3 @@
-#include <cmath>
-
-#include <fmt/format.h>
-
 #include "study/extremes/kit/depth.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/naive/depth.h"
@@ -9,7 +5,6 @@
 #include <glassbox/base/random.h>
 
 namespace glassbox::study {
-
 namespace c57 {
 
 constexpr int kSide = 4096;
@@ -30,8 +25,7 @@ ScreenTriangle random_triangle(Random& random) {
 
 Outcome judge(const DepthAt& depth) {
   Random random(57);
-  double worst = 0;
-  std::int64_t samples = 0, off = 0;
+  ErrorsBeyond errors(8);
   for (int i = 0; i < 300; ++i) {
     const auto setup = setup_triangle(random_triangle(random));
     if (!setup) continue;
@@ -40,37 +34,35 @@ Outcome judge(const DepthAt& depth) {
       const int y = int(random.integer(0, kSide - 1));
       for_each_covered(*setup, {0, y, kSide, y + 1}, [&](const Coverage& pixel) {
         const double exact = plane_at(pixel.x + 0.5, pixel.y + 0.5);
-        const double error = std::abs(double(depth(*setup, pixel)) - exact) / exact * 0x1p24;
-        ++samples;
-        off += error > 8;
-        worst = std::max(worst, error);
+        errors.see(std::abs(double(depth(*setup, pixel)) - exact) / exact * 0x1p24);
       });
     }
   }
-  return {worst, 8, {}, fmt::format("{} of {} samples beyond 8 u", off, samples)};
+  return errors.outcome("samples beyond 8 u");
 }
 
 }  // namespace c57
 
 ExtremeCase c57_coplanar() {
   using namespace c57;
-  ExtremeCase c;
-  c.id = "C-57";
-  c.name = "One plane, other triangles";
-  c.construction =
-      "300 random triangles of the plane 1/4 + x/2^14 + y/2^15, with vertices on whole "
-      "pixels of 4096 x 4096, where depth is exact";
-  c.stage = "interpolate";
-  c.right =
-      "8 u of the plane (raster/interpolate.h), so that two triangles differ by 16 u at most; "
-      "of equal depths the first stays";
-  c.unit = "2^-24 relative";
-  c.oracle = Oracle::kRational;
-  c.ours = {"weights, differences from the nearest vertex", [] { return judge(pipeline_depth); }};
-  c.naive = {"d = A x + B y + C in float", [] { return judge(naive::plane_depth); }};
-  c.mutants = {
-      {"gradients from the corner of the box", [] { return judge(naive::depth_from_corner); }}};
-  return c;
+  return {
+      .id = "C-57",
+      .name = "One plane, other triangles",
+      .construction =
+          "300 random triangles of the plane 1/4 + x/2^14 + y/2^15, with vertices on whole pixels "
+          "of 4096 x 4096, where depth is exact",
+      .stage = "interpolate",
+      .right =
+          "8 u of the plane (raster/interpolate.h), so that two triangles differ by 16 u at most; "
+          "of equal depths the first stays",
+      .unit = "2^-24 relative",
+      .oracle = Oracle::kRational,
+      .ours = {"weights, differences from the nearest vertex",
+               [] { return judge(pipeline_depth); }},
+      .naive = {"d = A x + B y + C in float", [] { return judge(naive::plane_depth); }},
+      .mutants = {{"gradients from the corner of the box",
+                   [] { return judge(naive::depth_from_corner); }}},
+  };
 }
 
 }  // namespace glassbox::study

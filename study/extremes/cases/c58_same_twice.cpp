@@ -1,9 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include <fmt/format.h>
-
 #include "study/extremes/kit/depth.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/naive/depth.h"
@@ -11,7 +5,6 @@
 #include <glassbox/base/random.h>
 
 namespace glassbox::study {
-
 namespace c58 {
 
 constexpr int kSide = 256;
@@ -37,15 +30,13 @@ std::vector<ScreenTriangle> pairs() {
 // Numbers of copies are even.
 Outcome judge(const Image<int>& seen) {
   if (seen.pixels.empty()) {
-    return {std::numeric_limits<double>::infinity(), 0, {}, "the engines do not agree"};
+    return must_be_zero(HUGE_VAL, "the engines do not agree");
   }
   const auto copies =
       std::ranges::count_if(seen.pixels, [](int id) { return id > 0 && id % 2 == 0; });
   const auto drawn = std::ranges::count_if(seen.pixels, [](int id) { return id > 0; });
-  return {double(copies),
-          0,
-          {},
-          fmt::format("{} of {} pixels show the copy drawn second", copies, drawn)};
+  return must_be_zero(double(copies),
+                      fmt::format("{} of {} pixels show the copy drawn second", copies, drawn));
 }
 
 Image<Rgba8> stipple(const Image<int>& seen) {
@@ -65,26 +56,27 @@ const ZBuffer kGivenOrder{.depth = naive::depth_in_given_order};
 
 ExtremeCase c58_same_twice() {
   using namespace c58;
-  ExtremeCase c;
-  c.id = "C-58";
-  c.name = "The same triangle twice";
-  c.construction = "60 random triangles, each drawn again beginning at another vertex";
-  c.stage = "depth test";
-  c.right =
-      "the first stays everywhere: depth is summed from the nearest vertex on, whichever came "
-      "first, and the test is strict";
-  c.unit = "pixels";
-  c.oracle = Oracle::kInteger;
-  c.ours = {"both engines", [] { return judge(drawn_by_engines(pairs(), kSide)); }};
-  c.naive = {"depth summed in the order of the vertices",
-             [] { return judge(z_buffered(pairs(), kSide, kGivenOrder)); }};
-  c.mutants = {{"equal depths pass the test", [] {
-                  return judge(z_buffered(pairs(), kSide, {.passes = naive::in_front_or_equal}));
-                }}};
-  c.pictures = {
-      {"naive", [] { return png_of(stipple(z_buffered(pairs(), kSide, kGivenOrder)), 2); }},
-      {"ours", [] { return png_of(stipple(drawn_by_engines(pairs(), kSide)), 2); }}};
-  return c;
+  return {
+      .id = "C-58",
+      .name = "The same triangle twice",
+      .construction = "60 random triangles, each drawn again beginning at another vertex",
+      .stage = "depth test",
+      .right =
+          "the first stays everywhere: depth is summed from the nearest vertex on, whichever came "
+          "first, and the test is strict",
+      .unit = "pixels",
+      .oracle = Oracle::kInteger,
+      .ours = {"both engines", [] { return judge(drawn_by_engines(pairs(), kSide)); }},
+      .naive = {"depth summed in the order of the vertices",
+                [] { return judge(z_buffered(pairs(), kSide, kGivenOrder)); }},
+      .mutants = {{"equal depths pass the test",
+                   [] {
+                     return judge(z_buffered(pairs(), kSide, {.passes = naive::in_front_or_equal}));
+                   }}},
+      .pictures = {{"naive",
+                    [] { return png_of(stipple(z_buffered(pairs(), kSide, kGivenOrder)), 2); }},
+                   {"ours", [] { return png_of(stipple(drawn_by_engines(pairs(), kSide)), 2); }}},
+  };
 }
 
 }  // namespace glassbox::study

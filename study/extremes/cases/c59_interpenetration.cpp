@@ -1,16 +1,10 @@
-#include <cmath>
-
-#include <fmt/format.h>
-
 #include <glassbox/base/rounding.h>
 #include <glassbox/base/trig.h>
 
 #include "study/extremes/kit/depth.h"
 #include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
-
 namespace c59 {
 
 constexpr int kSide = 256;
@@ -69,23 +63,23 @@ Image<int> in_16_bits(const std::vector<ScreenTriangle>& triangles) {
 
 ExtremeCase c59_interpenetration() {
   using namespace c59;
-  ExtremeCase c;
-  c.id = "C-59";
-  c.name = "Rectangles through each other";
-  c.construction =
-      "two rectangles over 256 x 256 px that cross at 90, 1 and 0.01 degrees along a "
-      "slanted line";
-  c.stage = "depth test";
-  c.right =
-      "the crossing is where it belongs, within 18 u d/|difference of the slopes| and half a "
-      "pixel";
-  c.unit = "px";
-  c.oracle = Oracle::kAnalytic;
-  c.ours = {"both engines, float depth",
-            [] { return judge([](const auto& all) { return drawn_by_engines(all, kSide); }); }};
-  c.naive = {"painter's algorithm", [] { return judge(painted); }};
-  c.mutants = {{"16 bits of depth", [] { return judge(in_16_bits); }}};
-  return c;
+  return {
+      .id = "C-59",
+      .name = "Rectangles through each other",
+      .construction =
+          "two rectangles over 256 x 256 px that cross at 90, 1 and 0.01 degrees along a slanted "
+          "line",
+      .stage = "depth test",
+      .right =
+          "the crossing is where it belongs, within 18 u d/|difference of the slopes| and half a "
+          "pixel",
+      .unit = "px",
+      .oracle = Oracle::kAnalytic,
+      .ours = {"both engines, float depth",
+               [] { return judge([](const auto& all) { return drawn_by_engines(all, kSide); }); }},
+      .naive = {"painter's algorithm", [] { return judge(painted); }},
+      .mutants = {{"16 bits of depth", [] { return judge(in_16_bits); }}},
+  };
 }
 
 }  // namespace glassbox::study

@@ -1,8 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
-#include <fmt/format.h>
-
 #include "study/extremes/kit/depth.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/naive/depth.h"
@@ -10,7 +5,6 @@
 #include <glassbox/base/random.h>
 
 namespace glassbox::study {
-
 namespace c60 {
 
 // A few 1/256 px wide, 2000 px long, from the near plane to the far one: seen under 89.999 degrees and more.
@@ -26,44 +20,39 @@ ScreenTriangle sliver(Random& random) {
 
 Outcome judge(const DepthAt& depth) {
   Random random(60);
-  double worst = 0;
-  std::int64_t samples = 0, beyond = 0;
+  ErrorsBeyond errors(8);
   for (int i = 0; i < 30; ++i) {
     const auto setup = setup_triangle(sliver(random));
     if (!setup) continue;
     for_each_covered(*setup, {0, 0, 2100, 2100}, [&](const Coverage& pixel) {
-      const double found = double(depth(*setup, pixel));
+      const auto found = static_cast<long double>(depth(*setup, pixel));
       const long double exact = exact_depth(*setup, pixel);
-      ++samples;
-      if (exact == 0) return;
-      const double error =
-          double(std::abs(static_cast<long double>(found) - exact) / exact) * 0x1p24;
-      beyond += error > 8;
-      worst = std::max(worst, error);
+      errors.see(exact == 0 ? 0 : double(std::abs(found - exact) / exact) * 0x1p24);
     });
   }
-  return {worst, 8, {}, fmt::format("{} of {} pixels beyond 8 u", beyond, samples)};
+  return errors.outcome("pixels beyond 8 u");
 }
 
 }  // namespace c60
 
 ExtremeCase c60_depth_extrapolation() {
   using namespace c60;
-  ExtremeCase c;
-  c.id = "C-60";
-  c.name = "Depth over slivers";
-  c.construction = "30 triangles 2,000 px long and 1/256 to 4/256 px wide, with the depths 0, 1, 1";
-  c.stage = "interpolate";
-  c.right =
-      "8 u relative (raster/interpolate.h): weights are between 0 and 1, so depth stays between "
-      "the vertices'";
-  c.unit = "2^-24 relative";
-  c.oracle = Oracle::kRational;
-  c.ours = {"weights from integers", [] { return judge(pipeline_depth); }};
-  c.naive = {"gradients from the corner of the box",
-             [] { return judge(naive::depth_from_corner); }};
-  c.mutants = {{"d = A x + B y + C in float", [] { return judge(naive::plane_depth); }}};
-  return c;
+  return {
+      .id = "C-60",
+      .name = "Depth over slivers",
+      .construction =
+          "30 triangles 2,000 px long and 1/256 to 4/256 px wide, with the depths 0, 1, 1",
+      .stage = "interpolate",
+      .right =
+          "8 u relative (raster/interpolate.h): weights are between 0 and 1, so depth stays "
+          "between the vertices'",
+      .unit = "2^-24 relative",
+      .oracle = Oracle::kRational,
+      .ours = {"weights from integers", [] { return judge(pipeline_depth); }},
+      .naive = {"gradients from the corner of the box",
+                [] { return judge(naive::depth_from_corner); }},
+      .mutants = {{"d = A x + B y + C in float", [] { return judge(naive::plane_depth); }}},
+  };
 }
 
 }  // namespace glassbox::study

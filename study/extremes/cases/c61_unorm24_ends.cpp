@@ -1,8 +1,4 @@
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
-
-#include <fmt/format.h>
 
 #include "study/extremes/kit/depth.h"
 #include "study/extremes/kit/extreme_case.h"
@@ -11,7 +7,6 @@
 #include <glassbox/base/random.h>
 
 namespace glassbox::study {
-
 namespace c61 {
 
 // z = m 2^e exactly, so floor(z (2^24 - 1) + 1/2) = (2 m (2^24 - 1) + 2^-e) >> (1 - e), in whole numbers.
@@ -25,12 +20,9 @@ std::int64_t exact_code(float z) {
 }
 
 Outcome judge(std::uint32_t (*code)(float)) {
-  std::int64_t worst = 0, wrong = 0, tried = 0;
+  ErrorsBeyond errors(0);
   const auto ask = [&](float z) {
-    const std::int64_t off = std::abs(std::int64_t(code(z)) - exact_code(z));
-    worst = std::max(worst, off);
-    wrong += off != 0;
-    ++tried;
+    errors.see(double(std::abs(std::int64_t(code(z)) - exact_code(z))));
   };
   for (const float z : {0.0f, 1.0f, 1.0f - 0x1p-24f, 0x1p-24f, 0x1p-25f, 0.5f, 0x1p-149f}) ask(z);
   Random random(61);
@@ -40,7 +32,7 @@ Outcome judge(std::uint32_t (*code)(float)) {
     const float tie = float((k + 0.5) / 16777215);
     for (const float z : {std::nextafter(tie, 0.0f), tie, std::nextafter(tie, 1.0f)}) ask(z);
   }
-  return {double(worst), 0, {}, fmt::format("{} of {} codes wrong", wrong, tried)};
+  return errors.outcome("codes wrong");
 }
 
 std::uint32_t pipeline_code(float z) {
@@ -51,21 +43,21 @@ std::uint32_t pipeline_code(float z) {
 
 ExtremeCase c61_unorm24_ends() {
   using namespace c61;
-  ExtremeCase c;
-  c.id = "C-61";
-  c.name = "The ends of 24-bit depth";
-  c.construction =
-      "0, 1, 1 - 2^-24, the smallest float, 100,000 random depths, halves between codes";
-  c.stage = "depth";
-  c.right = "floor(z (2^24 - 1) + 1/2) in 128 bits; 1 is 0xffffff";
-  c.unit = "codes";
-  c.oracle = Oracle::kInteger;
-  c.ours = {"in double", [] { return judge(pipeline_code); }};
-  c.naive = {"z 2^24, 24 bits kept", [] { return judge(naive::unorm24_wrapping); }};
-  c.mutants = {{"depth end points: truncated in place of rounded",
-                [] { return judge(naive::unorm24_truncating); }},
-               {"in float", [] { return judge(naive::unorm24_in_float); }}};
-  return c;
+  return {
+      .id = "C-61",
+      .name = "The ends of 24-bit depth",
+      .construction =
+          "0, 1, 1 - 2^-24, the smallest float, 100,000 random depths, halves between codes",
+      .stage = "depth",
+      .right = "floor(z (2^24 - 1) + 1/2) in 128 bits; 1 is 0xffffff",
+      .unit = "codes",
+      .oracle = Oracle::kInteger,
+      .ours = {"in double", [] { return judge(pipeline_code); }},
+      .naive = {"z 2^24, 24 bits kept", [] { return judge(naive::unorm24_wrapping); }},
+      .mutants = {{"depth end points: truncated in place of rounded",
+                   [] { return judge(naive::unorm24_truncating); }},
+                  {"in float", [] { return judge(naive::unorm24_in_float); }}},
+  };
 }
 
 }  // namespace glassbox::study

@@ -1,16 +1,12 @@
 #include <bit>
 
-#include <fmt/format.h>
-
 #include <glassbox/render/tile/tile_engine.h>
 
 #include "study/extremes/kit/depth.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/screen_scene.h"
-#include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
-
 namespace c62 {
 
 // How depth is kept, cleared and compared.
@@ -50,12 +46,9 @@ int runs_without_a_picture() {
   for (const DepthFormat format : kFormats) {
     const bool reversed = format == DepthFormat::kFloat32Reversed;
     for (const float depth : {0.0f, 0.5f, 1.0f}) {
-      Material material;
-      material.double_sided = true;
-      material.unlit = true;
       ScreenScene drawn = screen_scene(
           {{screen_vertex(0, 0, depth), screen_vertex(32, 0, depth), screen_vertex(0, 32, depth)}},
-          16, material);
+          16, unlit_material());
       Camera camera;
       camera.lens = OrthographicLens{8, 0, 1};
       drawn.view =
@@ -85,25 +78,29 @@ std::uint32_t raw_bits(DepthFormat, float depth) {
 
 ExtremeCase c62_reversed_clear() {
   using namespace c62;
-  ExtremeCase c;
-  c.id = "C-62";
-  c.name = "Cleared and compared the wrong way";
-  c.construction =
-      "in each depth format an empty frame and one triangle, at the near plane, at the far "
-      "plane and between; then two triangles in both orders";
-  c.stage = "depth test";
-  c.right = "one triangle is always seen; of two the nearer one";
-  c.unit = "wrong answers";
-  c.oracle = Oracle::kProperty;
-  c.ours = {"codes that grow with distance, an empty frame behind all of them", judge_ours};
-  c.naive = {"depth as it is, cleared to 1, less passes, for reversed depth too",
-             [] { return judge({.code = raw_bits, .clear = std::bit_cast<std::uint32_t>(1.0f)}); }};
-  c.mutants = {{"cleared to the far plane, which hides what lies on it",
-                [] { return judge({.clear = std::bit_cast<std::uint32_t>(1.0f)}); }},
-               {"the test is turned round", [] {
-                  return judge({.passes = [](std::uint32_t a, std::uint32_t b) { return a > b; }});
-                }}};
-  return c;
+  return {
+      .id = "C-62",
+      .name = "Cleared and compared the wrong way",
+      .construction =
+          "in each depth format an empty frame and one triangle, at the near plane, at the far "
+          "plane and between; then two triangles in both orders",
+      .stage = "depth test",
+      .right = "one triangle is always seen; of two the nearer one",
+      .unit = "wrong answers",
+      .oracle = Oracle::kProperty,
+      .ours = {"codes that grow with distance, an empty frame behind all of them", judge_ours},
+      .naive = {"depth as it is, cleared to 1, less passes, for reversed depth too",
+                [] {
+                  return judge({.code = raw_bits, .clear = std::bit_cast<std::uint32_t>(1.0f)});
+                }},
+      .mutants = {{"cleared to the far plane, which hides what lies on it",
+                   [] { return judge({.clear = std::bit_cast<std::uint32_t>(1.0f)}); }},
+                  {"the test is turned round",
+                   [] {
+                     return judge(
+                         {.passes = [](std::uint32_t a, std::uint32_t b) { return a > b; }});
+                   }}},
+  };
 }
 
 }  // namespace glassbox::study

@@ -1,12 +1,9 @@
-#include <fmt/format.h>
-
 #include <glassbox/base/rounding.h>
 
 #include "study/extremes/kit/depth.h"
 #include "study/extremes/kit/extreme_case.h"
 
 namespace glassbox::study {
-
 namespace c63 {
 
 Outcome judge(DepthPath::Detour detour) {
@@ -23,19 +20,21 @@ Outcome judge(DepthPath::Detour detour) {
 
 ExtremeCase c63_reversed_through_gl() {
   using namespace c63;
-  ExtremeCase c;
-  c.id = "C-63";
-  c.name = "Reversed depth by way of [-1, 1]";
-  c.construction = "near 0.1, far 10,000, reversed float, at the distance 1,000";
-  c.stage = "projection";
-  c.right = "4 u: the matrix gives depth in [0, 1] at once, so small depths keep all their digits";
-  c.unit = "relative separation";
-  c.oracle = Oracle::kAnalytic;
-  c.ours = {"depth in [0, 1]", [] { return judge(DepthPath::kNone); }};
-  c.naive = {"OpenGL's z in [-1, 1], then z/2 + 1/2", [] { return judge(DepthPath::kThroughGl); }};
-  c.mutants = {
-      {"reversed after the divide, as 1 - z", [] { return judge(DepthPath::kSubtracted); }}};
-  return c;
+  return {
+      .id = "C-63",
+      .name = "Reversed depth by way of [-1, 1]",
+      .construction = "near 0.1, far 10,000, reversed float, at the distance 1,000",
+      .stage = "projection",
+      .right =
+          "4 u: the matrix gives depth in [0, 1] at once, so small depths keep all their digits",
+      .unit = "relative separation",
+      .oracle = Oracle::kAnalytic,
+      .ours = {"depth in [0, 1]", [] { return judge(DepthPath::kNone); }},
+      .naive = {"OpenGL's z in [-1, 1], then z/2 + 1/2",
+                [] { return judge(DepthPath::kThroughGl); }},
+      .mutants = {{"reversed after the divide, as 1 - z",
+                   [] { return judge(DepthPath::kSubtracted); }}},
+  };
 }
 
 }  // namespace glassbox::study

@@ -1,14 +1,7 @@
-#include <algorithm>
-#include <cmath>
-
-#include <fmt/format.h>
-
 #include "study/extremes/kit/depth.h"
 #include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
-
 namespace c64 {
 
 // What someone expects a format to tell apart at a distance, relative.
@@ -46,20 +39,20 @@ double without_near_plane(const DepthPath&, double distance, double step) {
 
 ExtremeCase c64_few_bits() {
   using namespace c64;
-  ExtremeCase c;
-  c.id = "C-64";
-  c.name = "16 and 24 bits in a large scene";
-  c.construction = "near 0.1, far 10,000; pairs of depths at 1 to 1,000";
-  c.stage = "depth";
-  c.right =
-      "a step is r = s z/(1 - s z), s = 2^-b (1/n - 1/f), within a factor of two for the "
-      "rounding of the depths themselves: 0.18 in 16 bits at 1,000";
-  c.unit = "times what was expected, or the inverse";
-  c.oracle = Oracle::kAnalytic;
-  c.ours = {"the formula", [] { return judge(by_formula); }};
-  c.naive = {"steps spread evenly between the planes", [] { return judge(evenly); }};
-  c.mutants = {{"the near plane is forgotten", [] { return judge(without_near_plane); }}};
-  return c;
+  return {
+      .id = "C-64",
+      .name = "16 and 24 bits in a large scene",
+      .construction = "near 0.1, far 10,000; pairs of depths at 1 to 1,000",
+      .stage = "depth",
+      .right =
+          "a step is r = s z/(1 - s z), s = 2^-b (1/n - 1/f), within a factor of two for the "
+          "rounding of the depths themselves: 0.18 in 16 bits at 1,000",
+      .unit = "times what was expected, or the inverse",
+      .oracle = Oracle::kAnalytic,
+      .ours = {"the formula", [] { return judge(by_formula); }},
+      .naive = {"steps spread evenly between the planes", [] { return judge(evenly); }},
+      .mutants = {{"the near plane is forgotten", [] { return judge(without_near_plane); }}},
+  };
 }
 
 }  // namespace glassbox::study

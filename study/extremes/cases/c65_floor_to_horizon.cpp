@@ -1,13 +1,8 @@
-#include <cmath>
-
-#include <fmt/format.h>
-
 #include "study/extremes/kit/attribute.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/naive/attribute.h"
 
 namespace glassbox::study {
-
 namespace c65 {
 
 constexpr int kSide = 512;
@@ -43,23 +38,22 @@ Image<Rgba8> checks(const AttributeAt& at) {
 
 ExtremeCase c65_floor_to_horizon() {
   using namespace c65;
-  ExtremeCase c;
-  c.id = "C-65";
-  c.name = "Floor to the horizon";
-  c.construction = "a floor 1.5 under the eye, from 4 to 4,000 away, u from 0 to 1 along it";
-  c.stage = "interpolate";
-  c.right =
-      "13 u (w1 |u1 - u0| + w2 |u2 - u0|) + u |u| (raster/interpolate.h). Without perspective up "
-      "to "
-      "(sqrt r - 1)/(sqrt r + 1) = 0.94 for r = 1,000 (B.11)";
-  c.unit = "of the texture";
-  c.oracle = Oracle::kRational;
-  c.ours = {"u/w over 1/w", [] { return judge(pipeline_attribute); }};
-  c.naive = {"affine interpolation", [] { return judge(naive::affine); }};
-  c.mutants = {{"u/w times an interpolated w", [] { return judge(naive::with_linear_w); }}};
-  c.pictures = {{"naive", [] { return png_of(checks(naive::affine)); }},
-                {"ours", [] { return png_of(checks(pipeline_attribute)); }}};
-  return c;
+  return {
+      .id = "C-65",
+      .name = "Floor to the horizon",
+      .construction = "a floor 1.5 under the eye, from 4 to 4,000 away, u from 0 to 1 along it",
+      .stage = "interpolate",
+      .right =
+          "13 u (w1 |u1 - u0| + w2 |u2 - u0|) + u |u| (raster/interpolate.h). Without perspective "
+          "up to (sqrt r - 1)/(sqrt r + 1) = 0.94 for r = 1,000 (B.11)",
+      .unit = "of the texture",
+      .oracle = Oracle::kRational,
+      .ours = {"u/w over 1/w", [] { return judge(pipeline_attribute); }},
+      .naive = {"affine interpolation", [] { return judge(naive::affine); }},
+      .mutants = {{"u/w times an interpolated w", [] { return judge(naive::with_linear_w); }}},
+      .pictures = {{"naive", [] { return png_of(checks(naive::affine)); }},
+                   {"ours", [] { return png_of(checks(pipeline_attribute)); }}},
+  };
 }
 
 }  // namespace glassbox::study

@@ -3,7 +3,6 @@
 #include "study/naive/attribute.h"
 
 namespace glassbox::study {
-
 namespace c66 {
 
 constexpr int kSide = 256;
@@ -21,21 +20,21 @@ Outcome judge(const AttributeAt& at) {
 
 ExtremeCase c66_inverse_w() {
   using namespace c66;
-  ExtremeCase c;
-  c.id = "C-66";
-  c.name = "Distances from 0.001 to a million in one triangle";
-  c.construction = "w = 1e-3, 1, 1e6 at the corners, 1,024 texels between them";
-  c.stage = "interpolate";
-  c.right =
-      "1/w is a sum of positive numbers, so nothing cancels: 13 u (w1 |u1 - u0| + ...) + u |u|, at "
-      "most 14 u of 1,024 texels = 8.5e-4";
-  c.unit = "texel";
-  c.oracle = Oracle::kRational;
-  c.ours = {"a full division", [] { return judge(pipeline_attribute); }};
-  c.naive = {"u/w times an interpolated w", [] { return judge(naive::with_linear_w); }};
-  c.mutants = {{"raw reciprocal of 12 bits", [] { return judge(naive::with_raw_reciprocal); }},
-               {"affine interpolation", [] { return judge(naive::affine); }}};
-  return c;
+  return {
+      .id = "C-66",
+      .name = "Distances from 0.001 to a million in one triangle",
+      .construction = "w = 1e-3, 1, 1e6 at the corners, 1,024 texels between them",
+      .stage = "interpolate",
+      .right =
+          "1/w is a sum of positive numbers, so nothing cancels: 13 u (w1 |u1 - u0| + ...) + u "
+          "|u|, at most 14 u of 1,024 texels = 8.5e-4",
+      .unit = "texel",
+      .oracle = Oracle::kRational,
+      .ours = {"a full division", [] { return judge(pipeline_attribute); }},
+      .naive = {"u/w times an interpolated w", [] { return judge(naive::with_linear_w); }},
+      .mutants = {{"raw reciprocal of 12 bits", [] { return judge(naive::with_raw_reciprocal); }},
+                  {"affine interpolation", [] { return judge(naive::affine); }}},
+  };
 }
 
 }  // namespace glassbox::study

@@ -1,17 +1,10 @@
-#include <algorithm>
-#include <cmath>
-
-#include <fmt/format.h>
-
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/texel.h"
-#include "study/extremes/kit/worst.h"
 #include "study/naive/attribute.h"
 
 #include <glassbox/base/random.h>
 
 namespace glassbox::study {
-
 namespace c67 {
 
 constexpr int kSize = 1024;
@@ -38,23 +31,24 @@ Outcome judge(const TexelAt& texel_at) {
 
 ExtremeCase c67_huge_texcoords() {
   using namespace c67;
-  ExtremeCase c;
-  c.id = "C-67";
-  c.name = "Huge texture coordinates";
-  c.construction =
-      "a repeated row of 1,024 texels, u up to 8 million either way, as floats hold it";
-  c.stage = "texture";
-  c.right =
-      "the texel of the exact fraction, or one 2^-25 of the texture away: the whole part is taken "
-      "away before scaling. What float itself loses of u (the condition is |u|) was lost before";
-  c.unit = "texel";
-  c.oracle = Oracle::kRational;
-  c.ours = {"wrapped, then scaled", [] { return judge(pipeline_texel); }};
-  c.naive = {"scaled to a 32-bit integer, then wrapped",
-             [] { return judge(naive::scaled_then_wrapped); }};
-  c.mutants = {{"scaled in float, then wrapped", [] { return judge(naive::scaled_in_float); }},
-               {"truncated in place of rounded down", [] { return judge(naive::truncated); }}};
-  return c;
+  return {
+      .id = "C-67",
+      .name = "Huge texture coordinates",
+      .construction =
+          "a repeated row of 1,024 texels, u up to 8 million either way, as floats hold it",
+      .stage = "texture",
+      .right =
+          "the texel of the exact fraction, or one 2^-25 of the texture away: the whole part is "
+          "taken away before scaling. What float itself loses of u (the condition is |u|) was lost "
+          "before",
+      .unit = "texel",
+      .oracle = Oracle::kRational,
+      .ours = {"wrapped, then scaled", [] { return judge(pipeline_texel); }},
+      .naive = {"scaled to a 32-bit integer, then wrapped",
+                [] { return judge(naive::scaled_then_wrapped); }},
+      .mutants = {{"scaled in float, then wrapped", [] { return judge(naive::scaled_in_float); }},
+                  {"truncated in place of rounded down", [] { return judge(naive::truncated); }}},
+  };
 }
 
 }  // namespace glassbox::study

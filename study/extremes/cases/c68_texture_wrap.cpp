@@ -1,15 +1,8 @@
-#include <algorithm>
-#include <string>
-
-#include <fmt/format.h>
-
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/texel.h"
-#include "study/extremes/kit/worst.h"
 #include "study/naive/attribute.h"
 
 namespace glassbox::study {
-
 namespace c68 {
 
 constexpr int kSize = 8;
@@ -53,19 +46,19 @@ Outcome judge(const TexelAt& texel_at) {
 
 ExtremeCase c68_texture_wrap() {
   using namespace c68;
-  ExtremeCase c;
-  c.id = "C-68";
-  c.name = "Wrapping negatives and exactly 1";
-  c.construction = "-4 to 4 in steps of 1/64 over 8 texels, repeated, mirrored, clamped";
-  c.stage = "texture";
-  c.right = "floor, then the remainder that is not negative; a mirror lies between texels";
-  c.unit = "texels wrong";
-  c.oracle = Oracle::kInteger;
-  c.ours = {"floor", [] { return judge(pipeline_texel); }};
-  c.naive = {"(int)(u size) % size", [] { return judge(naive::scaled_then_wrapped); }};
-  c.mutants = {{"truncated in place of rounded down", [] { return judge(naive::truncated); }},
-               {"mirrored about texels", [] { return judge(naive::mirrored_about_texels); }}};
-  return c;
+  return {
+      .id = "C-68",
+      .name = "Wrapping negatives and exactly 1",
+      .construction = "-4 to 4 in steps of 1/64 over 8 texels, repeated, mirrored, clamped",
+      .stage = "texture",
+      .right = "floor, then the remainder that is not negative; a mirror lies between texels",
+      .unit = "texels wrong",
+      .oracle = Oracle::kInteger,
+      .ours = {"floor", [] { return judge(pipeline_texel); }},
+      .naive = {"(int)(u size) % size", [] { return judge(naive::scaled_then_wrapped); }},
+      .mutants = {{"truncated in place of rounded down", [] { return judge(naive::truncated); }},
+                  {"mirrored about texels", [] { return judge(naive::mirrored_about_texels); }}},
+  };
 }
 
 }  // namespace glassbox::study

@@ -1,18 +1,10 @@
-#include <algorithm>
-#include <cmath>
-#include <optional>
-
-#include <fmt/format.h>
-
 #include <glassbox/base/rounding.h>
 #include <glassbox/raster/texture.h>
 
 #include "study/extremes/kit/attribute.h"
 #include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
-
 namespace c69 {
 
 constexpr int kSide = 256;
@@ -163,20 +155,21 @@ std::optional<float> level_without_perspective(const Sheet& sheet, const Coverag
 
 ExtremeCase c69_level_of_detail() {
   using namespace c69;
-  ExtremeCase c;
-  c.id = "C-69";
-  c.name = "Level of detail at outlines";
-  c.construction =
-      "24 narrow strips that run away from the viewer, 1,024 texels, with gaps between";
-  c.stage = "texture";
-  c.right =
-      "the derivative of the plane equations, 34 u of its terms: no pixel looks at its neighbours";
-  c.unit = "levels";
-  c.oracle = Oracle::kRational;
-  c.ours = {"analytic derivatives", [] { return judge(pipeline_level); }};
-  c.naive = {"differences to neighbours in the picture", judge_naive};
-  c.mutants = {{"1/w is taken for constant", [] { return judge(level_without_perspective); }}};
-  return c;
+  return {
+      .id = "C-69",
+      .name = "Level of detail at outlines",
+      .construction =
+          "24 narrow strips that run away from the viewer, 1,024 texels, with gaps between",
+      .stage = "texture",
+      .right =
+          "the derivative of the plane equations, 34 u of its terms: no pixel looks at its "
+          "neighbours",
+      .unit = "levels",
+      .oracle = Oracle::kRational,
+      .ours = {"analytic derivatives", [] { return judge(pipeline_level); }},
+      .naive = {"differences to neighbours in the picture", judge_naive},
+      .mutants = {{"1/w is taken for constant", [] { return judge(level_without_perspective); }}},
+  };
 }
 
 }  // namespace glassbox::study

@@ -1,7 +1,3 @@
-#include <cmath>
-
-#include <fmt/format.h>
-
 #include <glassbox/pipeline/dialects.h>
 #include <glassbox/pipeline/stereo/parallax.h>
 
@@ -10,7 +6,6 @@
 #include "study/extremes/kit/pair.h"
 
 namespace glassbox::study {
-
 namespace c70 {
 
 constexpr StereoPair kPair{0.03, 10};
@@ -69,26 +64,28 @@ View with_sign_turned(Side side) {
 
 ExtremeCase c70_zero_parallax() {
   using namespace c70;
-  ExtremeCase c;
-  c.id = "C-70";
-  c.name = "Nothing moves in the stereo window";
-  c.construction = "3,321 points at the window's distance 10, half separation 0.03, 1920 x 1080";
-  c.stage = "stereo";
-  c.right =
-      "no parallax: matrices are composed in double and rounded once; a step of the snap at "
-      "most for the rounding of x in float";
-  c.unit = "px";
-  c.oracle = Oracle::kAnalytic;
-  c.ours = {"skewed frusta", [] {
-              return judge(through(eye_view(centre(), kPair, Side::kLeft),
-                                   eye_view(centre(), kPair, Side::kRight)));
-            }};
-  c.naive = {"parallel cameras, pictures pushed by whole pixels", judge_pushed};
-  c.mutants = {{"the skew has the sign of a left-handed eye", [] {
-                  return judge(
-                      through(with_sign_turned(Side::kLeft), with_sign_turned(Side::kRight)));
-                }}};
-  return c;
+  return {
+      .id = "C-70",
+      .name = "Nothing moves in the stereo window",
+      .construction = "3,321 points at the window's distance 10, half separation 0.03, 1920 x 1080",
+      .stage = "stereo",
+      .right =
+          "no parallax: matrices are composed in double and rounded once; a step of the snap at "
+          "most for the rounding of x in float",
+      .unit = "px",
+      .oracle = Oracle::kAnalytic,
+      .ours = {"skewed frusta",
+               [] {
+                 return judge(through(eye_view(centre(), kPair, Side::kLeft),
+                                      eye_view(centre(), kPair, Side::kRight)));
+               }},
+      .naive = {"parallel cameras, pictures pushed by whole pixels", judge_pushed},
+      .mutants = {{"the skew has the sign of a left-handed eye",
+                   [] {
+                     return judge(
+                         through(with_sign_turned(Side::kLeft), with_sign_turned(Side::kRight)));
+                   }}},
+  };
 }
 
 }  // namespace glassbox::study

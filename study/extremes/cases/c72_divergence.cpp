@@ -1,17 +1,10 @@
-#include <cmath>
-#include <limits>
-
-#include <fmt/format.h>
-
 #include <glassbox/pipeline/stereo/comfort.h>
 #include <glassbox/pipeline/stereo/parallax.h>
 
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/pair.h"
-#include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
-
 namespace c72 {
 
 constexpr Display kScreen{2000, 3000};
@@ -58,24 +51,25 @@ double looking_in_front_only(const View& centre, double window, const DepthSpan&
 
 ExtremeCase c72_divergence() {
   using namespace c72;
-  ExtremeCase c;
-  c.id = "C-72";
-  c.name = "Eyes that would have to diverge";
-  c.construction =
-      "a screen 2 m wide, windows at 0.5 to 30, scenes that begin at 0.8 of the window's "
-      "distance and end at twice of it, at 100 or nowhere";
-  c.stage = "stereo";
-  c.right =
-      "the farthest point is at most 65 mm behind the screen's surface, the distance of the "
-      "pupils";
-  c.unit = "mm";
-  c.oracle = Oracle::kAnalytic;
-  c.ours = {"the largest separation within the budget", [] { return judge(within_budget); }};
-  c.naive = {"the pupils' own 65 mm", [] { return judge(pupils); }};
-  c.mutants = {
-      {"whole separation for half of it", [] { return judge(with_diameter_for_radius); }},
-      {"only what is in front of the window counts", [] { return judge(looking_in_front_only); }}};
-  return c;
+  return {
+      .id = "C-72",
+      .name = "Eyes that would have to diverge",
+      .construction =
+          "a screen 2 m wide, windows at 0.5 to 30, scenes that begin at 0.8 of the window's "
+          "distance and end at twice of it, at 100 or nowhere",
+      .stage = "stereo",
+      .right =
+          "the farthest point is at most 65 mm behind the screen's surface, the distance of the "
+          "pupils",
+      .unit = "mm",
+      .oracle = Oracle::kAnalytic,
+      .ours = {"the largest separation within the budget", [] { return judge(within_budget); }},
+      .naive = {"the pupils' own 65 mm", [] { return judge(pupils); }},
+      .mutants = {{"whole separation for half of it",
+                   [] { return judge(with_diameter_for_radius); }},
+                  {"only what is in front of the window counts",
+                   [] { return judge(looking_in_front_only); }}},
+  };
 }
 
 }  // namespace glassbox::study

@@ -1,7 +1,5 @@
 #include <array>
 
-#include <fmt/format.h>
-
 #include <glassbox/pipeline/stereo/culling.h>
 #include <glassbox/render/stereo/disparity.h>
 #include <glassbox/render/stereo/monocular.h>
@@ -11,7 +9,6 @@
 #include "study/extremes/kit/screen_scene.h"
 
 namespace glassbox::study {
-
 namespace c73 {
 
 // A wall at the window, 10 away, and small things at 0.5, side by side and tilted, so that the light tells them apart: each eye sees some that the other does not.
@@ -62,7 +59,7 @@ bool seen_by(const std::array<Point<Clip>, 3>& clip) {
 
 Outcome judge(const EyePictures& drawn, const std::string& more = {}) {
   const std::uint64_t differ = pixels_that_differ(drawn, each_eye_alone(close_things()));
-  return {double(differ), 0, {}, fmt::format("{} pixels lost{}", differ, more)};
+  return must_be_zero(double(differ), fmt::format("{} pixels lost{}", differ, more));
 }
 
 Outcome judge_ours() {
@@ -85,26 +82,28 @@ Outcome judge_culled(const Keeps& keeps) {
 
 ExtremeCase c73_one_eye_only() {
   using namespace c73;
-  ExtremeCase c;
-  c.id = "C-73";
-  c.name = "Seen by one eye alone";
-  c.construction =
-      "a wall at the window, 10 away, and 17 small triangles at 0.5; half separation 0.3";
-  c.stage = "stereo culling";
-  c.right = "each eye's picture has the bytes of a run for that eye alone";
-  c.unit = "pixels";
-  c.oracle = Oracle::kProperty;
-  c.ours = {"culled where neither eye sees it", judge_ours};
-  c.naive = {"kept where both eyes see it", [] {
-               return judge_culled([](const auto& left, const auto& right, const View&) {
-                 return seen_by(left) && seen_by(right);
-               });
-             }};
-  c.mutants = {{"the left eye decides for both", [] {
-                  return judge_culled(
-                      [](const auto& left, const auto&, const View&) { return seen_by(left); });
-                }}};
-  return c;
+  return {
+      .id = "C-73",
+      .name = "Seen by one eye alone",
+      .construction =
+          "a wall at the window, 10 away, and 17 small triangles at 0.5; half separation 0.3",
+      .stage = "stereo culling",
+      .right = "each eye's picture has the bytes of a run for that eye alone",
+      .unit = "pixels",
+      .oracle = Oracle::kProperty,
+      .ours = {"culled where neither eye sees it", judge_ours},
+      .naive = {"kept where both eyes see it",
+                [] {
+                  return judge_culled([](const auto& left, const auto& right, const View&) {
+                    return seen_by(left) && seen_by(right);
+                  });
+                }},
+      .mutants = {{"the left eye decides for both",
+                   [] {
+                     return judge_culled(
+                         [](const auto& left, const auto&, const View&) { return seen_by(left); });
+                   }}},
+  };
 }
 
 }  // namespace glassbox::study

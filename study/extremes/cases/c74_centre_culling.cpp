@@ -1,13 +1,9 @@
-#include <fmt/format.h>
-
 #include <glassbox/render/renderer.h>
 
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/pair.h"
-#include "study/extremes/kit/worst.h"
 
 namespace glassbox::study {
-
 namespace c74 {
 
 Outcome judge(StereoCulling culling, EngineKind engine) {
@@ -24,37 +20,34 @@ Outcome judge(StereoCulling culling, EngineKind engine) {
     culled += drawn.culled;
     pixels += right.left.pixels.size() * 2;
   }
-  return {double(lost),
-          0,
-          {},
-          fmt::format("{} of {} pixels lost, {} of {} culled triangles wrongly", lost, pixels,
-                      triangles, culled)};
+  return must_be_zero(double(lost),
+                      fmt::format("{} of {} pixels lost, {} of {} culled triangles wrongly", lost,
+                                  pixels, triangles, culled));
 }
 
 Outcome judge_ours() {
-  const Outcome staged = judge(StereoCulling::kUnion, EngineKind::kStaged);
-  const Outcome tile = judge(StereoCulling::kUnion, EngineKind::kTile);
-  return staged.error >= tile.error ? staged : tile;
+  return worse_of(judge(StereoCulling::kUnion, EngineKind::kStaged),
+                  judge(StereoCulling::kUnion, EngineKind::kTile));
 }
 
 }  // namespace c74
 
 ExtremeCase c74_centre_culling() {
   using namespace c74;
-  ExtremeCase c;
-  c.id = "C-74";
-  c.name = "Culled by the camera in the middle";
-  c.construction = "the forest, half separations of 1, 3 and 10 % of the window's distance";
-  c.stage = "stereo culling";
-  c.right = "nothing is lost: each eye's picture has the bytes of a run for that eye alone";
-  c.unit = "pixels";
-  c.oracle = Oracle::kInteger;
-  c.ours = {"the union of both frusta, both engines", judge_ours};
-  c.naive = {"centre culling, staged engine",
-             [] { return judge(StereoCulling::kCentre, EngineKind::kStaged); }};
-  c.mutants = {{"centre culling, tile engine",
-                [] { return judge(StereoCulling::kCentre, EngineKind::kTile); }}};
-  return c;
+  return {
+      .id = "C-74",
+      .name = "Culled by the camera in the middle",
+      .construction = "the forest, half separations of 1, 3 and 10 % of the window's distance",
+      .stage = "stereo culling",
+      .right = "nothing is lost: each eye's picture has the bytes of a run for that eye alone",
+      .unit = "pixels",
+      .oracle = Oracle::kInteger,
+      .ours = {"the union of both frusta, both engines", judge_ours},
+      .naive = {"centre culling, staged engine",
+                [] { return judge(StereoCulling::kCentre, EngineKind::kStaged); }},
+      .mutants = {{"centre culling, tile engine",
+                   [] { return judge(StereoCulling::kCentre, EngineKind::kTile); }}},
+  };
 }
 
 }  // namespace glassbox::study

@@ -1,8 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
-#include <fmt/format.h>
-
 #include <glassbox/pipeline/stereo/constructions.h>
 #include <glassbox/pipeline/stereo/parallax.h>
 
@@ -11,7 +6,6 @@
 #include "study/extremes/kit/pair.h"
 
 namespace glassbox::study {
-
 namespace c75 {
 
 constexpr StereoPair kPair{0.3, 10};
@@ -45,31 +39,29 @@ Outcome judge(EyeView eye, bool formula) {
       }
     }
   }
-  return {worst,
-          0,
-          {},
-          formula ? fmt::format("{:.3f} px in a corner; the formula says so within {:.2g} px",
-                                worst, off_formula)
-                  : fmt::format("{} px", worst)};
+  if (!formula) return must_be_zero(worst, fmt::format("{} px", worst));
+  return must_be_zero(
+      worst, fmt::format("{:.3f} px in a corner; the formula says so within {:.2g} px", worst,
+                         off_formula));
 }
 
 }  // namespace c75
 
 ExtremeCase c75_toe_in() {
   using namespace c75;
-  ExtremeCase c;
-  c.id = "C-75";
-  c.name = "Cameras turned towards each other";
-  c.construction = "points all over 1920 x 1080 at 5, 10 and 40; window 10, half separation 0.3";
-  c.stage = "stereo";
-  c.right =
-      "no vertical parallax at all: both eyes share the rows of y and w, so the bits of y are the "
-      "same";
-  c.unit = "px";
-  c.oracle = Oracle::kAnalytic;
-  c.ours = {"skewed frusta", [] { return judge(eye_view, false); }};
-  c.naive = {"toed-in cameras", [] { return judge(toe_in_view, true); }};
-  return c;
+  return {
+      .id = "C-75",
+      .name = "Cameras turned towards each other",
+      .construction = "points all over 1920 x 1080 at 5, 10 and 40; window 10, half separation 0.3",
+      .stage = "stereo",
+      .right =
+          "no vertical parallax at all: both eyes share the rows of y and w, so the bits of y are "
+          "the same",
+      .unit = "px",
+      .oracle = Oracle::kAnalytic,
+      .ours = {"skewed frusta", [] { return judge(eye_view, false); }},
+      .naive = {"toed-in cameras", [] { return judge(toe_in_view, true); }},
+  };
 }
 
 }  // namespace glassbox::study

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <glassbox/images/stereo/anaglyph.h>
 #include <glassbox/render/renderer.h>
 
@@ -9,7 +7,6 @@
 #include "study/naive/stereo.h"
 
 namespace glassbox::study {
-
 namespace c76 {
 
 const StereoRendering& eyes() {
@@ -39,38 +36,42 @@ Outcome judge(const Image<Rgba8>& shown) {
   const Image<Rgba8> right =
       make_anaglyph(eyes().left.color, eyes().right.color, AnaglyphMethod::kMask).value();
   const std::uint64_t differ = pixels_that_differ(shown, right);
-  return {
-      double(differ), 0, {}, fmt::format("{} of {} pixels differ", differ, right.pixels.size())};
+  return must_be_zero(double(differ),
+                      fmt::format("{} of {} pixels differ", differ, right.pixels.size()));
 }
 
 }  // namespace c76
 
 ExtremeCase c76_depth_between_eyes() {
   using namespace c76;
-  ExtremeCase c;
-  c.id = "C-76";
-  c.name = "Depth kept between the eyes";
-  c.construction = "the forest as a red-cyan anaglyph in one colour buffer, window in its middle";
-  c.stage = "stereo";
-  c.right = "the channels of the two eyes' own pictures, byte for byte (S0-05)";
-  c.unit = "pixels";
-  c.oracle = Oracle::kProperty;
-  c.ours = {"a depth buffer for each eye, both engines", [] {
-              const Outcome staged = judge(masked(EngineKind::kStaged));
-              const Outcome tile = judge(masked(EngineKind::kTile));
-              return staged.error >= tile.error ? staged : tile;
-            }};
-  c.naive = {"depth not cleared between the eyes", [] { return judge(without_clearing()); }};
-  c.mutants = {
-      {"colour cleared as well",
-       [] { return judge(naive::anaglyph_with_colour_cleared(eyes().right, kBackground)); }},
-      {"the masks are interchanged", [] {
-         return judge(
-             make_anaglyph(eyes().right.color, eyes().left.color, AnaglyphMethod::kMask).value());
-       }}};
-  c.pictures = {{"naive", [] { return png_of(without_clearing()); }},
-                {"ours", [] { return png_of(masked(EngineKind::kTile)); }}};
-  return c;
+  return {
+      .id = "C-76",
+      .name = "Depth kept between the eyes",
+      .construction =
+          "the forest as a red-cyan anaglyph in one colour buffer, window in its middle",
+      .stage = "stereo",
+      .right = "the channels of the two eyes' own pictures, byte for byte (S0-05)",
+      .unit = "pixels",
+      .oracle = Oracle::kProperty,
+      .ours = {"a depth buffer for each eye, both engines",
+               [] {
+                 return worse_of(judge(masked(EngineKind::kStaged)),
+                                 judge(masked(EngineKind::kTile)));
+               }},
+      .naive = {"depth not cleared between the eyes", [] { return judge(without_clearing()); }},
+      .mutants = {{"colour cleared as well",
+                   [] {
+                     return judge(naive::anaglyph_with_colour_cleared(eyes().right, kBackground));
+                   }},
+                  {"the masks are interchanged",
+                   [] {
+                     return judge(
+                         make_anaglyph(eyes().right.color, eyes().left.color, AnaglyphMethod::kMask)
+                             .value());
+                   }}},
+      .pictures = {{"naive", [] { return png_of(without_clearing()); }},
+                   {"ours", [] { return png_of(masked(EngineKind::kTile)); }}},
+  };
 }
 
 }  // namespace glassbox::study

@@ -1,18 +1,12 @@
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdlib>
-
-#include <fmt/format.h>
 
 #include <glassbox/images/stereo/anaglyph.h>
 
 #include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/worst.h"
 #include "study/naive/stereo.h"
 
 namespace glassbox::study {
-
 namespace c77 {
 
 using Bytes = std::array<std::uint8_t, 3>;
@@ -134,25 +128,24 @@ AnaglyphMatrix with_misprint() {
 
 ExtremeCase c77_dubois_negatives() {
   using namespace c77;
-  ExtremeCase c;
-  c.id = "C-77";
-  c.name = "Dubois' negative numbers";
-  c.construction = "all pairs of 27 colours from black to white through Dubois' matrix (2009)";
-  c.stage = "anaglyph";
-  c.right =
-      "mixed in light, clamped, encoded, within a byte: the float sum may fall on the other side "
-      "of "
-      "a byte's edge. White stays 255";
-  c.unit = "bytes";
-  c.oracle = Oracle::kRational;
-  c.ours = {"in light, clamped after the matrix", [] { return judge(pipeline_mix, dubois()); }};
-  c.naive = {"on bytes, which wrap round", [] { return judge(wrapping_mix, dubois()); }};
-  c.mutants = {
-      {"negatives are not clamped", [] { return judge(unclamped_mix, dubois()); }},
-      {"mixed as encoded", [] { return judge(gamma_mix, dubois()); }},
-      {"the matrix is transposed", [] { return judge(pipeline_mix, transposed()); }},
-      {"a misprint: -0.62 for -0.062", [] { return judge(pipeline_mix, with_misprint()); }}};
-  return c;
+  return {
+      .id = "C-77",
+      .name = "Dubois' negative numbers",
+      .construction = "all pairs of 27 colours from black to white through Dubois' matrix (2009)",
+      .stage = "anaglyph",
+      .right =
+          "mixed in light, clamped, encoded, within a byte: the float sum may fall on the other "
+          "side of a byte's edge. White stays 255",
+      .unit = "bytes",
+      .oracle = Oracle::kRational,
+      .ours = {"in light, clamped after the matrix", [] { return judge(pipeline_mix, dubois()); }},
+      .naive = {"on bytes, which wrap round", [] { return judge(wrapping_mix, dubois()); }},
+      .mutants = {{"negatives are not clamped", [] { return judge(unclamped_mix, dubois()); }},
+                  {"mixed as encoded", [] { return judge(gamma_mix, dubois()); }},
+                  {"the matrix is transposed", [] { return judge(pipeline_mix, transposed()); }},
+                  {"a misprint: -0.62 for -0.062",
+                   [] { return judge(pipeline_mix, with_misprint()); }}},
+  };
 }
 
 }  // namespace glassbox::study

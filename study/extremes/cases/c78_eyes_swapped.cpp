@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <glassbox/images/stereo/order.h>
 #include <glassbox/render/stereo/disparity.h>
 
@@ -8,7 +6,6 @@
 #include "study/extremes/kit/pair.h"
 
 namespace glassbox::study {
-
 namespace c78 {
 
 struct Drawn {
@@ -60,36 +57,36 @@ Image<Rgba8> red_and_blue_interchanged() {
 }
 
 Outcome judge_ours() {
-  const Outcome pair = judge_pair(room().eyes);
-  const Outcome coloured = judge_anaglyph(anaglyph(room().eyes.left, room().eyes.right));
-  return pair.error >= coloured.error ? pair : coloured;
+  return worse_of(judge_pair(room().eyes),
+                  judge_anaglyph(anaglyph(room().eyes.left, room().eyes.right)));
 }
 
 }  // namespace c78
 
 ExtremeCase c78_eyes_swapped() {
   using namespace c78;
-  ExtremeCase c;
-  c.id = "C-78";
-  c.name = "Each eye has the other one's picture";
-  c.construction = "the room as a pair and as an anaglyph, with its disparity";
-  c.stage = "stereo";
-  c.right =
-      "near things lie further left in the right eye's picture: of the textured windows at most a "
-      "third fit better with the eyes interchanged";
-  c.unit = "of the windows";
-  c.oracle = Oracle::kProperty;
-  c.ours = {"pair and anaglyph as drawn", judge_ours};
-  c.naive = {"the pictures interchanged", [] {
-               return judge_pair({room().eyes.right, room().eyes.left});
-             }};
-  c.mutants = {{"the anaglyph's eyes interchanged",
-                [] { return judge_anaglyph(anaglyph(room().eyes.right, room().eyes.left)); }},
-               {"channel swap: red and blue interchanged, as BGR files have them",
-                [] { return judge_anaglyph(red_and_blue_interchanged()); }}};
-  c.pictures = {{"ours", [] { return png_of(anaglyph(room().eyes.left, room().eyes.right)); }},
-                {"naive", [] { return png_of(anaglyph(room().eyes.right, room().eyes.left)); }}};
-  return c;
+  return {
+      .id = "C-78",
+      .name = "Each eye has the other one's picture",
+      .construction = "the room as a pair and as an anaglyph, with its disparity",
+      .stage = "stereo",
+      .right =
+          "near things lie further left in the right eye's picture: of the textured windows at "
+          "most a third fit better with the eyes interchanged",
+      .unit = "of the windows",
+      .oracle = Oracle::kProperty,
+      .ours = {"pair and anaglyph as drawn", judge_ours},
+      .naive = {"the pictures interchanged",
+                [] {
+                  return judge_pair({room().eyes.right, room().eyes.left});
+                }},
+      .mutants = {{"the anaglyph's eyes interchanged",
+                   [] { return judge_anaglyph(anaglyph(room().eyes.right, room().eyes.left)); }},
+                  {"channel swap: red and blue interchanged, as BGR files have them",
+                   [] { return judge_anaglyph(red_and_blue_interchanged()); }}},
+      .pictures = {{"ours", [] { return png_of(anaglyph(room().eyes.left, room().eyes.right)); }},
+                   {"naive", [] { return png_of(anaglyph(room().eyes.right, room().eyes.left)); }}},
+  };
 }
 
 }  // namespace glassbox::study

@@ -1,16 +1,9 @@
-#include <algorithm>
-#include <cmath>
-#include <functional>
-
-#include <fmt/format.h>
-
 #include <glassbox/pipeline/stereo/comfort.h>
 
 #include "study/extremes/kit/extreme_case.h"
 #include "study/naive/stereo.h"
 
 namespace glassbox::study {
-
 namespace c79 {
 
 constexpr double kFrames = 15;
@@ -48,38 +41,41 @@ Outcome judge(const std::function<Filter()>& make) {
 
 ExtremeCase c79_window_step() {
   using namespace c79;
-  ExtremeCase c;
-  c.id = "C-79";
-  c.name = "The window jumps";
-  c.construction =
-      "the stereo window from 10 to 1, and back after 120 frames; a time constant of 15 "
-      "frames";
-  c.stage = "stereo";
-  c.right = "monotone, and no frame moves parallax by more than 1/16 of the step (1/(1 + 15))";
-  c.unit = "of the step per frame";
-  c.oracle = Oracle::kAnalytic;
-  c.ours = {"low-pass of 1/f", [] {
-              return judge([] {
-                return
-                    [filter = WindowFilter(kFrames)](double f) mutable { return filter.next(f); };
-              });
-            }};
-  c.naive = {"the window as it is",
-             [] { return judge([] { return [](double f) { return f; }; }); }};
-  c.mutants = {{"low-pass of f",
-                [] {
-                  return judge([] {
-                    return [filter = naive::FilterOfDistance(kFrames)](double f) mutable {
-                      return filter.next(f);
-                    };
-                  });
-                }},
-               {"a spring that overshoots", [] {
-                  return judge([] {
-                    return [spring = naive::Spring()](double f) mutable { return spring.next(f); };
-                  });
-                }}};
-  return c;
+  return {
+      .id = "C-79",
+      .name = "The window jumps",
+      .construction =
+          "the stereo window from 10 to 1, and back after 120 frames; a time constant of 15 frames",
+      .stage = "stereo",
+      .right = "monotone, and no frame moves parallax by more than 1/16 of the step (1/(1 + 15))",
+      .unit = "of the step per frame",
+      .oracle = Oracle::kAnalytic,
+      .ours = {"low-pass of 1/f",
+               [] {
+                 return judge([] {
+                   return [filter = WindowFilter(kFrames)](double f) mutable {
+                     return filter.next(f);
+                   };
+                 });
+               }},
+      .naive = {"the window as it is",
+                [] { return judge([] { return [](double f) { return f; }; }); }},
+      .mutants = {{"low-pass of f",
+                   [] {
+                     return judge([] {
+                       return [filter = naive::FilterOfDistance(kFrames)](double f) mutable {
+                         return filter.next(f);
+                       };
+                     });
+                   }},
+                  {"a spring that overshoots",
+                   [] {
+                     return judge([] {
+                       return
+                           [spring = naive::Spring()](double f) mutable { return spring.next(f); };
+                     });
+                   }}},
+  };
 }
 
 }  // namespace glassbox::study

@@ -8,8 +8,6 @@
 #include <glassbox/pipeline/divide.h>
 #include <glassbox/pipeline/viewport.h>
 
-#include "study/extremes/kit/worst.h"
-
 namespace glassbox::study {
 
 float pipeline_attribute(const TriangleSetup& setup, const Coverage& pixel,

@@ -32,8 +32,9 @@ bool covers_exactly(const SnappedTriangle& t, std::int64_t x, std::int64_t y) {
   return exact::covers<Int128>(t, x, y);
 }
 
-std::string CoverageFaults::text() const {
-  return fmt::format("{} missing, {} extra of {} samples", missing, extra, samples);
+Outcome CoverageFaults::outcome() const {
+  return must_be_zero(double(wrong()),
+                      fmt::format("{} missing, {} extra of {} samples", missing, extra, samples));
 }
 
 void compare_coverage(const Covers& covers, const ScreenTriangle& triangle, const PixelRect& window,
@@ -62,18 +63,17 @@ Image<int> times_covered(const Covers& covers, const std::vector<ScreenTriangle>
   return times;
 }
 
-std::string Watertightness::text() const {
-  return fmt::format("{} gaps, {} doubles of {} samples", gaps, doubles, samples);
+void Watertightness::add(const Image<int>& times) {
+  for (const int count : times.pixels) {
+    ++samples;
+    gaps += count == 0;
+    doubles += count > 1;
+  }
 }
 
-Watertightness watertightness(const Image<int>& times) {
-  Watertightness found;
-  for (const int count : times.pixels) {
-    ++found.samples;
-    found.gaps += count == 0;
-    found.doubles += count > 1;
-  }
-  return found;
+Outcome Watertightness::outcome() const {
+  return must_be_zero(double(gaps + doubles),
+                      fmt::format("{} gaps, {} doubles of {} samples", gaps, doubles, samples));
 }
 
 std::vector<ScreenTriangle> jittered_grid(int columns, int rows, int width, int height,

@@ -50,7 +50,8 @@ bool covers_exactly(const SnappedTriangle& triangle, std::int64_t x, std::int64_
 struct CoverageFaults {
   std::int64_t samples = 0, missing = 0, extra = 0;
   std::int64_t wrong() const { return missing + extra; }
-  std::string text() const;  // "3 missing, 4 extra of 1,200 samples"
+  double share_wrong() const { return double(wrong()) / double(samples); }
+  Outcome outcome() const;  // "3 missing, 4 extra of 1,200 samples"
 };
 void compare_coverage(const Covers& covers, const ScreenTriangle& triangle, const PixelRect& window,
                       CoverageFaults& faults);
@@ -64,9 +65,9 @@ Image<int> times_covered(const Covers& covers, const std::vector<ScreenTriangle>
 // Of pixels that ought to be covered once: 0 times is a gap, twice or more a double.
 struct Watertightness {
   std::int64_t samples = 0, gaps = 0, doubles = 0;
-  std::string text() const;
+  void add(const Image<int>& times);
+  Outcome outcome() const;  // "3 gaps, 4 doubles of 1,200 samples"
 };
-Watertightness watertightness(const Image<int>& times);
 
 // `columns` x `rows` quads of two triangles each that fill the picture and reach 2 px over its edges; inner vertices are
 // moved by up to `jitter` of a cell.

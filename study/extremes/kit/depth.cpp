@@ -85,10 +85,7 @@ Image<int> z_buffered(const std::vector<ScreenTriangle>& triangles, int side,
 }
 
 Image<int> drawn_by_engines(const std::vector<ScreenTriangle>& triangles, int side) {
-  Material material;
-  material.double_sided = true;
-  material.unlit = true;
-  const ScreenScene drawn = screen_scene(triangles, side, material);
+  const ScreenScene drawn = screen_scene(triangles, side, unlit_material());
   RenderSettings settings;
   settings.want_id = true;
   const Framebuffer tile = render_tiled(drawn.scene, drawn.view, settings).buffers;

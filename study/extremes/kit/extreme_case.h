@@ -7,24 +7,15 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
+
+#include "study/extremes/kit/outcome.h"
 
 namespace glassbox::study {
 
 // How the right answer is known (SPEC C): exact rationals, exact integers, extended precision, a formula, a property.
 enum class Oracle { kRational, kInteger, kExtended, kAnalytic, kProperty };
-
-struct Outcome {
-  // In the case's unit, worst over all that the case tries; infinity for a NaN or no answer.
-  double error = 0;
-  double bound = 0;                 // what the right code stays within; 0: exact
-  std::optional<double> condition;  // the condition number there, where the case has one
-  std::string seen;  // what came out, in one line: "18 gaps, 12 doubles of 2,600,000 samples"
-
-  bool passes() const { return error <= bound; }  // false for NaN
-};
 
 struct Subject {
   // "float differences"; for a mutant what was changed: "the tie rule is missing".

@@ -36,7 +36,7 @@ inline Vector<Object, double> newell_in_double(std::span<const Point<Object>> po
   return newell_vector(mesh, mesh.faces[0]);
 }
 
-// The same stage's code in rationals.
+// Newell's sums by the pipeline's own code, in rationals.
 inline Vector<Object, exact::Rational> exact_newell(std::span<const Point<Object>> polygon) {
   std::vector<Point<Object, exact::Rational>> exact;
   for (const Point<Object>& p : polygon) {

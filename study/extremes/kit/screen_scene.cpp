@@ -38,6 +38,13 @@ ScreenScene screen_scene(const std::vector<ScreenTriangle>& triangles, int side,
   return {scene_of(std::move(mesh), material), make_view(camera, side, side).value()};
 }
 
+Material unlit_material() {
+  Material material;
+  material.double_sided = true;
+  material.unlit = true;
+  return material;
+}
+
 TrianglesDrawn triangles_drawn(const std::vector<ScreenTriangle>& triangles, int side) {
   TrianglesDrawn drawn{Image<int>(side, side), Image<int>(side, side)};
   for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -61,9 +68,7 @@ Image<int> integers(const Image<std::uint32_t>& plane) {
 
 TrianglesDrawn drawn_by_tile_engine(const std::vector<ScreenTriangle>& triangles, int side,
                                     const TileOptions& options) {
-  Material material;
-  material.double_sided = true;
-  material.unlit = true;
+  Material material = unlit_material();
   const ScreenScene opaque = screen_scene(triangles, side, material);
   RenderSettings ids;
   ids.want_id = true;

@@ -22,6 +22,9 @@ struct ScreenScene {
 ScreenScene screen_scene(const std::vector<ScreenTriangle>& triangles, int side,
                          const Material& material);
 
+// Shows its own colour, from both sides.
+Material unlit_material();
+
 // Which triangle each pixel shows where the first drawn stays, 1 + its number, 0 for none; and how often it is covered.
 struct TrianglesDrawn {
   Image<int> first, times;

@@ -6,12 +6,41 @@
 #include <glassbox/base/error.h>
 #include <glassbox/base/spaces.h>
 
+#include "exact/matrix.h"
+#include "exact/number.h"
+#include "study/extremes/kit/outcome.h"
+
 namespace glassbox::study {
 
 using WorldPoint = Point<World, double>;
 using WorldVector = Vector<World, double>;
 using EyeFromWorld = Transform<Eye, World>;
 using WorldMap = Transform<World, World>;
+
+using LookAt = Result<EyeFromWorld> (*)(const WorldPoint&, const WorldPoint&, const WorldVector&);
+// A point of an object, carried to eye space.
+using ToEye = Point<Eye> (*)(const Transform<Eye, World>&, const Transform<World, Object>&,
+                             const Point<Object>&);
+
+// The pipeline's.
+inline Point<Eye> composed_in_double(const Transform<Eye, World>& view,
+                                     const Transform<World, Object>& model,
+                                     const Point<Object>& p) {
+  return round_to_float(view * model) * p;
+}
+
+// The first three rows of a matrix against an exact one, entry by entry.
+template <class Target, class Source>
+void see_entries(Worst& worst, const Transform<Target, Source>& found,
+                 const exact::Matrix4<exact::Decimal>& exact, int columns, double bound,
+                 const std::string& where, std::optional<double> condition = std::nullopt) {
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const auto& right = exact.at[std::size_t(row)][std::size_t(column)];
+      worst.see(exact::error_of(found.at(row, column), right), bound, where, condition);
+    }
+  }
+}
 
 template <class Space>
 double length(const Vector<Space, double>& v) {

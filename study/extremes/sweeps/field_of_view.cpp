@@ -41,53 +41,53 @@ double condition(double degrees) {
   return fov_condition(radians_from_degrees(degrees));
 }
 
+std::vector<SweepSeries> field_of_view_series() {
+  const Way ways[] = {
+      {"degrees, cot from sine and cosine", true,
+       [](double degrees) {
+         return perspective_degrees(degrees, 1, {1, 100})->at(1, 1);
+       },
+       [](double) { return 8 * unit_roundoff<double>; }},
+      // Two roundings of the angle, times the condition; tangent and quotient.
+      {"double, tangent of radians", false,
+       [](double degrees) { return 1 / std::tan(radians_from_degrees(degrees) / 2); },
+       [](double degrees) { return (4 * condition(degrees) + 4) * unit_roundoff<double>; }},
+      {"float, tangent of radians", false,
+       [](double degrees) {
+         return double(1.0f / std::tan(float(degrees) * 0.0174532925f / 2.0f));
+       },
+       [](double degrees) { return (4 * condition(degrees) + 4) * double(unit_roundoff<float>); }},
+  };
+  std::vector<SweepSeries> all;
+  for (const Way& way : ways) {
+    SweepSeries series{way.name, way.ours};
+    for (const double degrees : angles()) {
+      const double bound = way.bound(degrees);
+      series.points.push_back({both_ends(degrees), relative_error(degrees, way.scale(degrees)),
+                               // To first order, so only where it is small.
+                               bound < 0.01 ? std::optional(bound) : std::nullopt});
+    }
+    all.push_back(with_limit(std::move(series), 1e-4));
+  }
+  return all;
+}
+
 }  // namespace
 
 Sweep field_of_view_sweep() {
-  Sweep sweep;
-  sweep.name = "field-of-view";
-  sweep.title = "Field of view";
-  sweep.question = "How narrow and how wide may a camera look before the picture's scale is wrong?";
-  sweep.axis = "angle over what is missing to 180 degrees";
-  sweep.error = "relative error of the picture's scale, cot(angle/2)";
-  sweep.reference = "50 digits";
-  sweep.bound =
-      "8 u of double (pipeline/projection.h); by way of radians their roundings times x/sin x, "
-      "in float as well as in double";
-  sweep.tolerance = "a relative error of 1e-4: a pixel in ten thousand";
-  sweep.series = [] {
-    const Way ways[] = {
-        {"degrees, cot from sine and cosine", true,
-         [](double degrees) {
-           return perspective_degrees(degrees, 1, {1, 100})->at(1, 1);
-         },
-         [](double) { return 8 * unit_roundoff<double>; }},
-        // Two roundings of the angle, times the condition; tangent and quotient.
-        {"double, tangent of radians", false,
-         [](double degrees) { return 1 / std::tan(radians_from_degrees(degrees) / 2); },
-         [](double degrees) { return (4 * condition(degrees) + 4) * unit_roundoff<double>; }},
-        {"float, tangent of radians", false,
-         [](double degrees) {
-           return double(1.0f / std::tan(float(degrees) * 0.0174532925f / 2.0f));
-         },
-         [](double degrees) {
-           return (4 * condition(degrees) + 4) * double(unit_roundoff<float>);
-         }},
-    };
-    std::vector<SweepSeries> all;
-    for (const Way& way : ways) {
-      SweepSeries series{way.name, way.ours, {}, {}};
-      for (const double degrees : angles()) {
-        const double bound = way.bound(degrees);
-        series.points.push_back({both_ends(degrees), relative_error(degrees, way.scale(degrees)),
-                                 // To first order, so only where it is small.
-                                 bound < 0.01 ? std::optional(bound) : std::nullopt});
-      }
-      all.push_back(with_limit(std::move(series), 1e-4));
-    }
-    return all;
-  };
-  return sweep;
+  return {
+      .name = "field-of-view",
+      .title = "Field of view",
+      .question = "How narrow and how wide may a camera look before the picture's scale is wrong?",
+      .axis = "angle over what is missing to 180 degrees",
+      .error = "relative error of the picture's scale, cot(angle/2)",
+      .reference = "50 digits",
+      .bound =
+          "8 u of double (pipeline/projection.h); by way of radians their roundings times x/sin x, "
+          "in "
+          "float as well as in double",
+      .tolerance = "a relative error of 1e-4: a pixel in ten thousand",
+      .series = field_of_view_series};
 }
 
 }  // namespace glassbox::study

@@ -28,7 +28,7 @@ double bound_of(const Format& format, double near) {
 }
 
 SweepSeries series_of(const Format& format) {
-  SweepSeries series{format.name, format.step == 0, {}, {}};
+  SweepSeries series{format.name, format.step == 0};
   for (int decade = 1; decade <= 12; ++decade) {
     for (const double part : {1.0, std::sqrt(10.0)}) {
       const double ratio = std::pow(10.0, decade) * part;
@@ -43,34 +43,34 @@ SweepSeries series_of(const Format& format) {
   return with_limit(std::move(series), 0.1);
 }
 
+std::vector<SweepSeries> near_far_series() {
+  std::vector<SweepSeries> all;
+  for (const Format& format :
+       {Format{"float reversed", DepthFormat::kFloat32Reversed, DepthPath::kNone, 0},
+        {"float", DepthFormat::kFloat32, DepthPath::kNone, 0x1p-24},
+        {"float reversed by way of [-1, 1]", DepthFormat::kFloat32Reversed, DepthPath::kThroughGl,
+         0x1p-24},
+        {"24 bits", DepthFormat::kUnorm24, DepthPath::kNone, 0x1p-24},
+        {"16 bits", DepthFormat::kUnorm16, DepthPath::kNone, 1 / 65535.0}}) {
+    all.push_back(series_of(format));
+  }
+  return all;
+}
+
 }  // namespace
 
 Sweep near_far_sweep() {
-  Sweep sweep;
-  sweep.name = "near-far";
-  sweep.title = "Far plane over near plane";
-  sweep.question =
-      "How far may the planes lie apart before a depth format confuses what is plainly "
-      "apart?";
-  sweep.axis = "far plane over near plane";
-  sweep.error = "largest relative separation that is confused, half way to the far plane";
-  sweep.reference = "the order of the distances themselves";
-  sweep.bound = "s z/(1 - s z) with s = (step + 6 u)(1/n - 1/f); 4 u for reversed float (B.3)";
-  sweep.tolerance = "a tenth of the distance is confused";
-  sweep.series = [] {
-    std::vector<SweepSeries> all;
-    for (const Format& format :
-         {Format{"float reversed", DepthFormat::kFloat32Reversed, DepthPath::kNone, 0},
-          {"float", DepthFormat::kFloat32, DepthPath::kNone, 0x1p-24},
-          {"float reversed by way of [-1, 1]", DepthFormat::kFloat32Reversed, DepthPath::kThroughGl,
-           0x1p-24},
-          {"24 bits", DepthFormat::kUnorm24, DepthPath::kNone, 0x1p-24},
-          {"16 bits", DepthFormat::kUnorm16, DepthPath::kNone, 1 / 65535.0}}) {
-      all.push_back(series_of(format));
-    }
-    return all;
-  };
-  return sweep;
+  return {
+      .name = "near-far",
+      .title = "Far plane over near plane",
+      .question =
+          "How far may the planes lie apart before a depth format confuses what is plainly apart?",
+      .axis = "far plane over near plane",
+      .error = "largest relative separation that is confused, half way to the far plane",
+      .reference = "the order of the distances themselves",
+      .bound = "s z/(1 - s z) with s = (step + 6 u)(1/n - 1/f); 4 u for reversed float (B.3)",
+      .tolerance = "a tenth of the distance is confused",
+      .series = near_far_series};
 }
 
 }  // namespace glassbox::study

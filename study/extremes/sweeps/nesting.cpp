@@ -74,46 +74,45 @@ double difference(const Matrix<T>& found, const Matrix<long double>& exact) {
   return double(worst);
 }
 
+std::vector<SweepSeries> nesting_series() {
+  SweepSeries ours{"composed in double, rounded once", true};
+  SweepSeries in_double{"double", false}, in_float{"float", false};
+  Chain<float> floats;
+  Chain<double> doubles;
+  Matrix<long double> exact;
+  int next_shown = 1;
+  for (int depth = 1; depth <= 1000; ++depth) {
+    floats.multiply(depth);
+    doubles.multiply(depth);
+    exact = exact * converted<long double>(level(depth));
+    if (depth < next_shown && depth != 1000) continue;
+    next_shown = std::max(depth + 1, int(depth * 1.5));
+    const auto most = [](const Sizes& sizes) { return std::max(sizes.linear, sizes.move); };
+    const Sizes size = sizes_of(doubles.product);
+    ours.points.push_back({double(depth), difference(converted<float>(doubles.product), exact),
+                           most(doubles.off) + double(unit_roundoff<float>) * most(size)});
+    in_double.points.push_back(
+        {double(depth), difference(doubles.product, exact), most(doubles.off)});
+    in_float.points.push_back({double(depth), difference(floats.product, exact), most(floats.off)});
+  }
+  return {with_limit(ours, 1e-5), with_limit(in_double, 1e-5), with_limit(in_float, 1e-5)};
+}
+
 }  // namespace
 
 Sweep nesting_sweep() {
-  Sweep sweep;
-  sweep.name = "nesting";
-  sweep.title = "Depth of nesting";
-  sweep.question = "How many nodes may lie between a mesh and the world before it drifts away?";
-  sweep.axis = "nodes, each with a rotation, a scale and a translation";
-  sweep.error = "largest error of an entry of world_from_object, which are about 1";
-  sweep.reference = "the same products in 64 bits of mantissa, 2^-11 of double's roundings";
-  sweep.bound =
-      "the recurrence of the product's rounding errors in the Frobenius norm (Higham 3.5), that "
-      "is linear in the depth";
-  sweep.tolerance = "an error of 1e-5";
-  sweep.series = [] {
-    SweepSeries ours{"composed in double, rounded once", true, {}, {}};
-    SweepSeries in_double{"double", false, {}, {}}, in_float{"float", false, {}, {}};
-    Chain<float> floats;
-    Chain<double> doubles;
-    Matrix<long double> exact;
-    int next_shown = 1;
-    for (int depth = 1; depth <= 1000; ++depth) {
-      floats.multiply(depth);
-      doubles.multiply(depth);
-      exact = exact * converted<long double>(level(depth));
-      if (depth < next_shown && depth != 1000) continue;
-      next_shown = std::max(depth + 1, int(depth * 1.5));
-      const auto most = [](const Sizes& sizes) { return std::max(sizes.linear, sizes.move); };
-      const Sizes size = sizes_of(doubles.product);
-      ours.points.push_back({double(depth), difference(converted<float>(doubles.product), exact),
-                             most(doubles.off) + double(unit_roundoff<float>) * most(size)});
-      in_double.points.push_back(
-          {double(depth), difference(doubles.product, exact), most(doubles.off)});
-      in_float.points.push_back(
-          {double(depth), difference(floats.product, exact), most(floats.off)});
-    }
-    return std::vector<SweepSeries>{with_limit(ours, 1e-5), with_limit(in_double, 1e-5),
-                                    with_limit(in_float, 1e-5)};
-  };
-  return sweep;
+  return {.name = "nesting",
+          .title = "Depth of nesting",
+          .question = "How many nodes may lie between a mesh and the world before it drifts away?",
+          .axis = "nodes, each with a rotation, a scale and a translation",
+          .error = "largest error of an entry of world_from_object, which are about 1",
+          .reference = "the same products in 64 bits of mantissa, 2^-11 of double's roundings",
+          .bound =
+              "the recurrence of the product's rounding errors in the Frobenius norm (Higham 3.5), "
+              "that is "
+              "linear in the depth",
+          .tolerance = "an error of 1e-5",
+          .series = nesting_series};
 }
 
 }  // namespace glassbox::study

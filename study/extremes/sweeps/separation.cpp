@@ -62,7 +62,7 @@ EyeMatrix composed_in_float(const View& centre, const StereoPair& pair, Side sid
 SweepSeries series_of(const char* name, bool ours,
                       EyeMatrix (*compose)(const View&, const StereoPair&, Side)) {
   const View centre = view_from_origin(1920, 1080);
-  SweepSeries series{name, ours, {}, {}};
+  SweepSeries series{name, ours};
   for (int half = -12; half <= 2; ++half) {
     const double share = std::pow(10.0, half / 2.0);
     const StereoPair pair{share * kWindow / 2, kWindow};
@@ -86,28 +86,28 @@ SweepSeries series_of(const char* name, bool ours,
   return with_limit(std::move(series), 1.0 / 256);
 }
 
+std::vector<SweepSeries> separation_series() {
+  return {series_of("composed in double, rounded once", true, composed_in_double),
+          series_of("composed in float", false, composed_in_float)};
+}
+
 }  // namespace
 
 Sweep separation_sweep() {
-  Sweep sweep;
-  sweep.name = "separation";
-  sweep.title = "Separation of the eyes over the window's distance";
-  sweep.question = "Between which separations is parallax what the formula says?";
-  sweep.axis = "separation over window distance";
-  sweep.error = "largest error of the parallax at 2 to 900, window at 10, 1920 px";
-  sweep.error_unit = "px";
-  sweep.reference = "2 s (d/h)(1/f - 1/z), right to 5 ulps of double";
-  sweep.bound =
-      "running bounds of transform, divide and viewport for both eyes (pipeline/bounds.h)";
-  sweep.tolerance =
-      "a step of the snap, 1/256 px; or refused: check_pair refuses eyes further apart than "
-      "the picture is wide at the window";
-  sweep.series = [] {
-    return std::vector<SweepSeries>{
-        series_of("composed in double, rounded once", true, composed_in_double),
-        series_of("composed in float", false, composed_in_float)};
-  };
-  return sweep;
+  return {
+      .name = "separation",
+      .title = "Separation of the eyes over the window's distance",
+      .question = "Between which separations is parallax what the formula says?",
+      .axis = "separation over window distance",
+      .error = "largest error of the parallax at 2 to 900, window at 10, 1920 px",
+      .error_unit = "px",
+      .reference = "2 s (d/h)(1/f - 1/z), right to 5 ulps of double",
+      .bound = "running bounds of transform, divide and viewport for both eyes (pipeline/bounds.h)",
+      .tolerance =
+          "a step of the snap, 1/256 px; or refused: check_pair refuses eyes further apart than "
+          "the "
+          "picture is wide at the window",
+      .series = separation_series};
 }
 
 }  // namespace glassbox::study

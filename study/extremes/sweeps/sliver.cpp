@@ -26,11 +26,11 @@ double share_wrong(const Covers& covers, double width) {
       compare_coverage(covers, t, {column, row, column + 1, row + 1}, faults);
     }
   }
-  return double(faults.wrong()) / double(faults.samples);
+  return faults.share_wrong();
 }
 
 SweepSeries series_of(const char* name, const Covers& covers, bool ours) {
-  SweepSeries series{name, ours, {}, {}};
+  SweepSeries series{name, ours};
   for (int bits = 0; bits <= 20; ++bits) {
     const double width = std::ldexp(1.0, -bits);
     series.points.push_back(
@@ -39,27 +39,26 @@ SweepSeries series_of(const char* name, const Covers& covers, bool ours) {
   return with_limit(std::move(series), 0);
 }
 
+std::vector<SweepSeries> sliver_series() {
+  return {series_of("64-bit integers", pipeline_covers, true),
+          series_of("float differences of snapped vertices",
+                    naive::covers_with({.inside = naive::float_difference_inside}), false),
+          series_of("float, not snapped", naive::float_covers, false)};
+}
+
 }  // namespace
 
 Sweep sliver_sweep() {
-  Sweep sweep;
-  sweep.name = "sliver";
-  sweep.title = "Width of a sliver";
-  sweep.question = "How thin may a triangle 4,000 px long be before pixels are decided wrongly?";
-  sweep.axis = "width";
-  sweep.axis_unit = "px";
-  sweep.error = "share of the pixels along the edge that are wrong";
-  sweep.reference = "the snapped triangle in 128 bits";
-  sweep.bound = "0: edge functions are integers; float gives no guarantee";
-  sweep.tolerance = "any wrong pixel";
-  sweep.series = [] {
-    return std::vector<SweepSeries>{
-        series_of("64-bit integers", pipeline_covers, true),
-        series_of("float differences of snapped vertices",
-                  naive::covers_with({.inside = naive::float_difference_inside}), false),
-        series_of("float, not snapped", naive::float_covers, false)};
-  };
-  return sweep;
+  return {.name = "sliver",
+          .title = "Width of a sliver",
+          .question = "How thin may a triangle 4,000 px long be before pixels are decided wrongly?",
+          .axis = "width",
+          .axis_unit = "px",
+          .error = "share of the pixels along the edge that are wrong",
+          .reference = "the snapped triangle in 128 bits",
+          .bound = "0: edge functions are integers; float gives no guarantee",
+          .tolerance = "any wrong pixel",
+          .series = sliver_series};
 }
 
 }  // namespace glassbox::study

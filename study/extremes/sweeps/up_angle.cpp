@@ -35,7 +35,7 @@ double angle_between_u(const Transform<Eye, World>& found,
 }
 
 SweepSeries series_of(const char* name, bool ours, LooksAt looks_at, double roundoff) {
-  SweepSeries series{name, ours, {}, {}};
+  SweepSeries series{name, ours};
   for (int quarter = 0; quarter <= 32; ++quarter) {
     const double angle = std::pow(10.0, -quarter / 4.0);
     const auto found = looks_at(kEye, kTarget, up_at(angle));
@@ -51,30 +51,30 @@ SweepSeries series_of(const char* name, bool ours, LooksAt looks_at, double roun
   return with_limit(std::move(series), 1e-3);
 }
 
+std::vector<SweepSeries> up_angle_series() {
+  return {series_of("look_at, in double", true, look_at, unit_roundoff<double>),
+          series_of("double without the limit", false, naive::look_at_without_limit,
+                    unit_roundoff<double>),
+          series_of("float", false, naive::look_at_in_float, double(unit_roundoff<float>))};
+}
+
 }  // namespace
 
 Sweep up_angle_sweep() {
-  Sweep sweep;
-  sweep.name = "up-angle";
-  sweep.title = "Angle between up and gaze";
-  sweep.question = "How near may `up` come to the gaze before the camera rolls by itself?";
-  sweep.axis = "angle between up and gaze";
-  sweep.axis_unit = "radians";
-  sweep.error = "roll: angle between the computed and the true right-hand axis";
-  sweep.error_unit = "radians";
-  sweep.reference = "UVN in 50 digits";
-  sweep.bound = "sqrt 3 (8 + 4/sin) u (pipeline/look_at.h, B.5)";
-  sweep.tolerance =
-      "a roll of a thousandth, a pixel in a thousand; or refused: look_at refuses sines "
-      "below 2^-20, since nobody can have meant such an up";
-  sweep.series = [] {
-    return std::vector<SweepSeries>{
-        series_of("look_at, in double", true, look_at, unit_roundoff<double>),
-        series_of("double without the limit", false, naive::look_at_without_limit,
-                  unit_roundoff<double>),
-        series_of("float", false, naive::look_at_in_float, double(unit_roundoff<float>))};
-  };
-  return sweep;
+  return {
+      .name = "up-angle",
+      .title = "Angle between up and gaze",
+      .question = "How near may `up` come to the gaze before the camera rolls by itself?",
+      .axis = "angle between up and gaze",
+      .axis_unit = "radians",
+      .error = "roll: angle between the computed and the true right-hand axis",
+      .error_unit = "radians",
+      .reference = "UVN in 50 digits",
+      .bound = "sqrt 3 (8 + 4/sin) u (pipeline/look_at.h, B.5)",
+      .tolerance =
+          "a roll of a thousandth, a pixel in a thousand; or refused: look_at refuses sines below "
+          "2^-20, since nobody can have meant such an up",
+      .series = up_angle_series};
 }
 
 }  // namespace glassbox::study

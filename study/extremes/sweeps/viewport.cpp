@@ -28,11 +28,11 @@ double share_wrong(const Covers& covers, int side) {
       compare_coverage(covers, triangle, {x, y, x + 1, y + 1}, faults);
     }
   }
-  return double(faults.wrong()) / double(faults.samples);
+  return faults.share_wrong();
 }
 
-SweepSeries viewport_series(const char* name, const Covers& covers, bool ours) {
-  SweepSeries series{name, ours, {}, {}};
+SweepSeries series_by_size(const char* name, const Covers& covers, bool ours) {
+  SweepSeries series{name, ours};
   for (int side = 1; side <= 32768; side *= 2) {
     series.points.push_back(
         {double(side), share_wrong(covers, side), ours ? std::optional(0.0) : std::nullopt});
@@ -40,29 +40,29 @@ SweepSeries viewport_series(const char* name, const Covers& covers, bool ours) {
   return with_limit(std::move(series), 0);
 }
 
+std::vector<SweepSeries> viewport_series() {
+  return {
+      series_by_size("64-bit integers", pipeline_covers, true),
+      series_by_size("32-bit integers", naive::covers_with({.inside = naive::int32_inside}), false),
+      series_by_size("float differences of snapped vertices",
+                     naive::covers_with({.inside = naive::float_difference_inside}), false),
+      series_by_size("float, not snapped", naive::float_covers, false)};
+}
+
 }  // namespace
 
 Sweep viewport_sweep() {
-  Sweep sweep;
-  sweep.name = "viewport";
-  sweep.title = "Size of the picture";
-  sweep.question = "How large may a picture be before pixels beside an edge are decided wrongly?";
-  sweep.axis = "width and height";
-  sweep.axis_unit = "px";
-  sweep.error = "share of the pixels on random edges that are wrong";
-  sweep.reference = "the snapped triangle in 128 bits; large pictures are sampled, not allocated";
-  sweep.bound = "0: edge functions have at most 52 of 63 bits";
-  sweep.tolerance = "any wrong pixel";
-  sweep.series = [] {
-    return std::vector<SweepSeries>{
-        viewport_series("64-bit integers", pipeline_covers, true),
-        viewport_series("32-bit integers", naive::covers_with({.inside = naive::int32_inside}),
-                        false),
-        viewport_series("float differences of snapped vertices",
-                        naive::covers_with({.inside = naive::float_difference_inside}), false),
-        viewport_series("float, not snapped", naive::float_covers, false)};
-  };
-  return sweep;
+  return {
+      .name = "viewport",
+      .title = "Size of the picture",
+      .question = "How large may a picture be before pixels beside an edge are decided wrongly?",
+      .axis = "width and height",
+      .axis_unit = "px",
+      .error = "share of the pixels on random edges that are wrong",
+      .reference = "the snapped triangle in 128 bits; large pictures are sampled, not allocated",
+      .bound = "0: edge functions have at most 52 of 63 bits",
+      .tolerance = "any wrong pixel",
+      .series = viewport_series};
 }
 
 }  // namespace glassbox::study

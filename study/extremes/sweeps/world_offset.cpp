@@ -87,7 +87,7 @@ Computed in_double(const Place& place, const Point<Object>& p) {
 
 SweepSeries series_of(const char* name, bool ours,
                       Computed (*compute)(const Place&, const Point<Object>&)) {
-  SweepSeries series{name, ours, {}, {}};
+  SweepSeries series{name, ours};
   for (int half = 0; half <= 18; ++half) {
     const Place place = place_at(std::pow(10.0, half / 2.0));
     Random random(100);
@@ -108,26 +108,26 @@ SweepSeries series_of(const char* name, bool ours,
   return with_limit(std::move(series), 1e-3);
 }
 
+std::vector<SweepSeries> world_offset_series() {
+  return {series_of("composed in double, rounded once", true, composed),
+          series_of("float, step by step", false, in_float),
+          series_of("double, step by step", false, in_double)};
+}
+
 }  // namespace
 
 Sweep world_offset_sweep() {
-  Sweep sweep;
-  sweep.name = "world-offset";
-  sweep.title = "Distance of the scene from the world's origin";
-  sweep.question = "How far out may a scene be built before its vertices shake?";
-  sweep.axis = "offset of object and eye";
-  sweep.axis_unit = "units";
-  sweep.error = "largest error of a coordinate in eye space";
-  sweep.error_unit = "units";
-  sweep.reference = "the same matrices applied in 64 bits of mantissa";
-  sweep.bound = "gamma_n |M||x| + |M| dx + dM |x| (pipeline/bounds.h)";
-  sweep.tolerance = "an error of a thousandth of a unit: a millimetre where units are metres";
-  sweep.series = [] {
-    return std::vector<SweepSeries>{series_of("composed in double, rounded once", true, composed),
-                                    series_of("float, step by step", false, in_float),
-                                    series_of("double, step by step", false, in_double)};
-  };
-  return sweep;
+  return {.name = "world-offset",
+          .title = "Distance of the scene from the world's origin",
+          .question = "How far out may a scene be built before its vertices shake?",
+          .axis = "offset of object and eye",
+          .axis_unit = "units",
+          .error = "largest error of a coordinate in eye space",
+          .error_unit = "units",
+          .reference = "the same matrices applied in 64 bits of mantissa",
+          .bound = "gamma_n |M||x| + |M| dx + dM |x| (pipeline/bounds.h)",
+          .tolerance = "an error of a thousandth of a unit: a millimetre where units are metres",
+          .series = world_offset_series};
 }
 
 }  // namespace glassbox::study
