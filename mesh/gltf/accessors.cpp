@@ -171,6 +171,7 @@ void copy_elements(const tinygltf::Accessor& accessor, std::span<const std::byte
       Number* const out = target(i);
       for (std::size_t c = 0; c < width; ++c) {
         const Component raw = load<Component>(bytes, offset + i * stride + c * sizeof(Component));
+        // Integers are read from unsigned components alone. NOLINTNEXTLINE(bugprone-signed-char-misuse)
         out[c] = static_cast<Number>(raw);
         if constexpr (std::is_integral_v<Component> && std::is_floating_point_v<Number>) {
           if (accessor.normalized)

@@ -142,7 +142,8 @@ std::vector<EyeTriangle> decals(double z) {
   std::vector<EyeTriangle> triangles;
   for (const bool decal : {false, true}) {
     for (int i = 0; i < kTiles * kTiles; ++i) {
-      const double x = 1.8 * (i % kTiles) / kTiles - 0.9, y = 1.8 * (i / kTiles) / kTiles - 0.9,
+      const int column = i % kTiles, row = i / kTiles;
+      const double x = 1.8 * column / kTiles - 0.9, y = 1.8 * row / kTiles - 0.9,
                    size = 1.7 / kTiles;
       const double closer = decal ? std::exp2(-2 - 24.0 * i / (kTiles * kTiles)) : 0;
       add_leaning_quad(z, x, y, x + size, y + size, closer, decal, triangles);

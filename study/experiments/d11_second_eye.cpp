@@ -139,16 +139,17 @@ Stage forest_stage(double share) {
   return make_stage("forest", std::move(forest), centre, {share * 12, 12});
 }
 
-void add_stage(std::shared_ptr<const Stage> stage, bool cards, std::vector<Configuration>& all) {
+void add_stage(const std::shared_ptr<const Stage>& stage, bool cards,
+               std::vector<Configuration>& all) {
   for (const Way& way : kWays) {
     all.push_back({.series = way.name,
                    .parameter = 100 * stage->pair.half_separation / stage->pair.window,
                    .scene = stage->name,
-                   .error = [=] { return error_of(way, *stage); },
+                   .error = [way, stage] { return error_of(way, *stage); },
                    .predicted_error = cards       ? predicted_on_cards(way)
                                       : way.exact ? std::optional<double>(0)
                                                   : std::nullopt,
-                   .work = [=](int) { way.right(*stage); }});
+                   .work = [way, stage](int) { way.right(*stage); }});
   }
 }
 

@@ -58,7 +58,7 @@ double farthest_off(double size, std::size_t count) {
   for (const EyeTriangle& triangle : random_triangles(size, count)) {
     clip(space, triangle, outline);
     for (std::size_t i = 0; i < outline.count; ++i) {
-      const int plane = outline.cut_by[i];
+      const auto plane = outline.cut_by[i];
       if (plane >= 0 && plane < 4)
         farthest = std::max(farthest, off_the_edge(outline.vertices[i], plane));
     }

@@ -21,7 +21,7 @@ Image<int> times_covered_by_fan(Clips clips, int fan) {
   std::vector<Point<Clip>> rim;
   for (int i = 0; i < kSlivers; ++i) {
     const SinCos turn = sin_cos_degrees(360.0 / kSlivers * (i + random.between(0, 0.9)));
-    const double reach = random.between(1e5, 1e7) / (kSide / 2);
+    const double reach = random.between(1e5, 1e7) / (0.5 * kSide);
     const float w = float(random.between(0.5, 2));
     rim.push_back({float(reach * turn.cos) * w, float(reach * turn.sin) * w, 0.5f * w, w});
   }

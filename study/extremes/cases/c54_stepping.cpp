@@ -37,7 +37,8 @@ void stepped_span(const std::function<void(int, float)>& visit) {
 void anchored_span(int anchor, const std::function<void(int, float)>& visit) {
   const float step = 1.0f / float(kWidth);
   for (int x = 0; x < kWidth; ++x) {
-    float u = (float(x / anchor * anchor) + 0.5f) * step;
+    const int anew = x / anchor * anchor;
+    float u = (float(anew) + 0.5f) * step;
     for (int i = 0; i < x % anchor; ++i) u += step;
     visit(x, u);
   }
