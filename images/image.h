@@ -5,8 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include <glassbox/base/large_pages.h>
-
 namespace glassbox {
 
 // Eight bits a channel, as stored in files: sRGB-encoded colour (unless rendered with --transfer none), alpha linear.
@@ -28,9 +26,8 @@ struct Image {
   std::vector<Pixel> pixels;  // width * height, row by row from the top
 
   Image() = default;
-  Image(int width_, int height_, Pixel fill = {}) : width(width_), height(height_) {
-    grow_in_large_pages(pixels, std::size_t(width) * std::size_t(height), fill);
-  }
+  Image(int width_, int height_, Pixel fill = {})
+      : width(width_), height(height_), pixels(std::size_t(width_) * std::size_t(height_), fill) {}
 
   std::size_t index(int x, int y) const {
     return std::size_t(y) * std::size_t(width) + std::size_t(x);

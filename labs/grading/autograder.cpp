@@ -66,7 +66,8 @@ mkdir -p "$root/results"
 cat >"$results.part" <<'JSON'
 {{"score": 0, "output": "grading did not finish", "tests": []}}
 JSON
-mv "$results.part" "$results$root/source/bin/glassbox" lab grade "$root/submission" --one --lab {} -o "$results"{}
+mv "$results.part" "$results"
+"$root/source/bin/glassbox" lab grade "$root/submission" --one --lab {} -o "$results"{}
 )sh",
                      lab, words);
 }
