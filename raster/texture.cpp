@@ -126,6 +126,14 @@ MipChain make_mip_chain(const Image<Rgba8>& image, Transfer transfer, bool first
   return chain;
 }
 
+const MipChain& LazyMipChain::make() const {
+  std::call_once(once_, [&] {
+    chain_ = make_mip_chain(image_, transfer_, first_level_only_);
+    made_ = &chain_;
+  });
+  return chain_;
+}
+
 TexturePlanes texture_planes(const TriangleSetup& triangle,
                              const std::array<std::array<float, 2>, 3>& texcoords) {
   std::array<std::array<float, 3>, 2> slopes;

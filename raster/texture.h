@@ -41,21 +41,21 @@ public:
 
   // By any thread; the others wait for the one that makes it.
   const MipChain& get() const {
-    std::call_once(once_, [&] {
-      chain_ = make_mip_chain(image_, transfer_, first_level_only_);
-      made_ = true;
-    });
-    return chain_;
+    const MipChain* made = made_.load(std::memory_order_acquire);
+    if (made == nullptr) [[unlikely]] return make();
+    return *made;
   }
-  bool made() const { return made_; }
+  bool made() const { return made_ != nullptr; }
 
 private:
+  const MipChain& make() const;
+
   const Image<Rgba8>& image_;
   Transfer transfer_;
   bool first_level_only_;
   mutable std::once_flag once_;
   mutable MipChain chain_;
-  mutable std::atomic<bool> made_ = false;
+  mutable std::atomic<const MipChain*> made_ = nullptr;  // &chain_ once it is there
 };
 
 // How fast texture coordinates change from pixel to pixel: the derivatives of (u, v) along screen x and y, per pixel.

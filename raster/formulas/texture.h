@@ -21,15 +21,15 @@ inline F wrap_coordinate(Wrap wrap, F t) {
 }
 
 // Into [0, period), of an index that is off either end by less than one.
-template <WholeNumber I>
-inline I into_period(I i, I period) {
+template <WholeNumber I, class Size>
+inline I into_period(I i, Size period) {
   const I from_below = select(i < 0, i + period, i);
   return select(from_below < period, from_below, from_below - period);
 }
 
-// A texel index that may be off either end by less than a period.
-template <WholeNumber I>
-inline I wrap_texel(Wrap wrap, I i, I size) {
+// A texel index that may be off either end by less than a period. Where all have the same level, one size is that of all.
+template <WholeNumber I, class Size>
+inline I wrap_texel(Wrap wrap, I i, Size size) {
   const I last = size - 1;
   switch (wrap) {
     case Wrap::kRepeat:
@@ -54,33 +54,33 @@ inline I side_of_level(int side, I level) {
 
 // The texel that (u, v) is in, and the mean of the four around it. A texture has a texel(level, x, y), and colours have a mix()
 // of their channels. Coordinates are wrapped already. Texel centres are at halves.
-template <Number F, class Texture, WholeNumber I>
+template <Number F, class Texture, class Size>
 inline auto sample_nearest(const Texture& texture, const Sampler& sampler,
-                           const TextureLevelOf<I>& level, F u, F v) {
-  const I x = to_integer(floor(u * to_float(level.width)));
-  const I y = to_integer(floor(v * to_float(level.height)));
+                           const TextureLevelOf<Size>& level, F u, F v) {
+  const auto x = to_integer(floor(u * to_float(level.width)));
+  const auto y = to_integer(floor(v * to_float(level.height)));
   return texture.texel(level, wrap_texel(sampler.wrap_u, x, level.width),
                        wrap_texel(sampler.wrap_v, y, level.height));
 }
 
-template <Number F, class Texture, WholeNumber I>
+template <Number F, class Texture, class Size>
 inline auto sample_linear(const Texture& texture, const Sampler& sampler,
-                          const TextureLevelOf<I>& level, F u, F v) {
+                          const TextureLevelOf<Size>& level, F u, F v) {
   const F x = u * to_float(level.width) - 0.5f, y = v * to_float(level.height) - 0.5f;
   const F left = floor(x), above = floor(y);
-  const I column = to_integer(left), row = to_integer(above);
-  const I x0 = wrap_texel(sampler.wrap_u, column, level.width);
-  const I x1 = wrap_texel(sampler.wrap_u, column + 1, level.width);
-  const I y0 = wrap_texel(sampler.wrap_v, row, level.height);
-  const I y1 = wrap_texel(sampler.wrap_v, row + 1, level.height);
+  const auto column = to_integer(left), row = to_integer(above);
+  const auto x0 = wrap_texel(sampler.wrap_u, column, level.width);
+  const auto x1 = wrap_texel(sampler.wrap_u, column + 1, level.width);
+  const auto y0 = wrap_texel(sampler.wrap_v, row, level.height);
+  const auto y1 = wrap_texel(sampler.wrap_v, row + 1, level.height);
   const F across = x - left, down = y - above;
   return mix(mix(texture.texel(level, x0, y0), texture.texel(level, x1, y0), across),
              mix(texture.texel(level, x0, y1), texture.texel(level, x1, y1), across), down);
 }
 
-template <Number F, class Texture, WholeNumber I>
+template <Number F, class Texture, class Size>
 inline auto sample_level(const Texture& texture, const Sampler& sampler, Filter filter,
-                         const TextureLevelOf<I>& level, F u, F v) {
+                         const TextureLevelOf<Size>& level, F u, F v) {
   return filter == Filter::kNearest ? sample_nearest(texture, sampler, level, u, v)
                                     : sample_linear(texture, sampler, level, u, v);
 }

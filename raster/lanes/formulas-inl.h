@@ -19,21 +19,21 @@ namespace HWY_NAMESPACE {
 // What compilers find too large for the loop over the pixels, and call: it must become part of it all the same.
 template <Number F>
 HWY_INLINE F wrap_coordinate(Wrap wrap, F t);
-template <WholeNumber I>
-HWY_INLINE I wrap_texel(Wrap wrap, I i, I size);
-template <Number F, class Texture, WholeNumber I>
+template <WholeNumber I, class Size>
+HWY_INLINE I wrap_texel(Wrap wrap, I i, Size size);
+template <Number F, class Texture, class Size>
 HWY_INLINE auto sample_nearest(const Texture& texture, const Sampler& sampler,
-                               const TextureLevelOf<I>& level, F u, F v);
-template <Number F, class Texture, WholeNumber I>
+                               const TextureLevelOf<Size>& level, F u, F v);
+template <Number F, class Texture, class Size>
 HWY_INLINE auto sample_linear(const Texture& texture, const Sampler& sampler,
-                              const TextureLevelOf<I>& level, F u, F v);
-template <Number F, class Texture, WholeNumber I>
+                              const TextureLevelOf<Size>& level, F u, F v);
+template <Number F, class Texture, class Size>
 HWY_INLINE auto sample_level(const Texture& texture, const Sampler& sampler, Filter filter,
-                             const TextureLevelOf<I>& level, F u, F v);
+                             const TextureLevelOf<Size>& level, F u, F v);
 // And what is large enough to be called.
 template <Number F, class Texture>
-HWY_NOINLINE auto sample_minified(const Texture& texture, const Sampler& sampler, F u, F v,
-                                  F position);
+HWY_NOINLINE auto sample_texture(const Texture& texture, const Sampler& sampler,
+                                 const std::array<F, 2>& texcoord, F level_of_detail);
 
 #include <glassbox/base/formulas/common.h>
 #include <glassbox/base/formulas/transform_row.h>

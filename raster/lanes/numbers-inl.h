@@ -223,6 +223,10 @@ HWY_INLINE void store(Ints i, std::int32_t* to) {
 HWY_INLINE Floats to_float(Ints i) {
   return hn::ConvertTo(kF, i.v);
 }
+// Of all lanes.
+HWY_INLINE float to_float(std::int32_t i) {
+  return float(i);
+}
 HWY_INLINE Ints to_integer(Floats x) {
   return hn::ConvertTo(kI, x.v);
 }

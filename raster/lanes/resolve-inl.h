@@ -210,12 +210,14 @@ private:
     if (job_.picture == nullptr) return;
     if (!is_shaded(b)) return fill_block_rows(color_, x, y, color_of(b));
     const LargeTriangle& triangle = *job_.large[b.reference & ~kLargeReference];
+    const ShadeDraw& draw = job_.draws[triangle.draw];
+    const DrawTextures textures(draw);
     const LargeShape& shape = shape_of(b.reference);
     for (int quad = 0; quad < kBlockQuads; ++quad) {
       const int qx = x + (quad % 2) * kQuadSide, qy = y + (quad / 2) * kQuadSide;
       HWY_ALIGN std::int32_t colors[kQuadPixels];
       for (std::size_t k = 0; k < kQuadPixels; k += kLanes) {
-        store(shade(job_.draws[triangle.draw], job_, LargeSource(shape, qx, qy, k)), colors + k);
+        store(shade(draw, textures, job_, LargeSource(shape, qx, qy, k)), colors + k);
       }
       store_quad(colors, color_, tile_.window(), qx, qy);
     }
@@ -307,25 +309,33 @@ private:
       if ((first & kLargeReference) != 0) {
         same = pending && seen == std::int32_t(first);
         const LargeShape& shape = shape_of(first);
-        finish(job_.draws[shape.triangle->draw], LargeSource(shape, x, y, k), same, k, pixels);
+        const ShadeDraw& draw = job_.draws[shape.triangle->draw];
+        const DrawTextures textures = textures_of(draw);
+        finish(draw, textures, LargeSource(shape, x, y, k), same, k, pixels);
       } else {
         const ShadeDraw& draw = draw_of(first);
+        const DrawTextures textures = textures_of(draw);
         const Ints begin = std::int32_t(draw.first_reference);
         same = pending && seen >= begin && seen < std::int32_t(draw.end_reference);
         const Ints reference = select(same, seen, std::int32_t(first));
         const SmallSource source(draw, reference - begin, quad_columns(k) + x, quad_rows(k) + y);
-        finish(draw, source, same, k, pixels);
+        finish(draw, textures, source, same, k, pixels);
       }
       pending = pending && !same;
     }
   }
 
+  // None where nobody wants colours.
+  HWY_INLINE DrawTextures textures_of(const ShadeDraw& draw) const {
+    return job_.picture != nullptr ? DrawTextures(draw) : DrawTextures();
+  }
+
   template <class Source>
-  HWY_INLINE void finish(const ShadeDraw& draw, const Source& source, IntMask lanes, std::size_t k,
-                         QuadPixels& pixels) {
+  HWY_INLINE void finish(const ShadeDraw& draw, const DrawTextures& textures, const Source& source,
+                         IntMask lanes, std::size_t k, QuadPixels& pixels) {
     if (job_.picture != nullptr) {
       const Ints before = load(pixels.color + k);
-      const Ints color = (shade(draw, job_, source) & mask_) | (before & ~mask_);
+      const Ints color = (shade(draw, textures, job_, source) & mask_) | (before & ~mask_);
       store(select(lanes, color, before), pixels.color + k);
     }
     if (job_.distance != nullptr) {

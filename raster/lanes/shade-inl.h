@@ -230,11 +230,24 @@ private:
 
 // ---- colour ----
 
+// The textures of a draw, asked for before its pixels' numbers are in registers, which making one would push out.
+struct DrawTextures {
+  DrawTextures() = default;
+  explicit DrawTextures(const ShadeDraw& draw)
+      : color(draw.texture != nullptr ? &draw.texture->get() : nullptr),
+        emission(draw.emission_texture != nullptr ? &draw.emission_texture->get() : nullptr) {}
+
+  const MipChain* color = nullptr;
+  const MipChain* emission = nullptr;
+};
+
 template <class Source>
 HWY_INLINE Rgb texture_color(const MipChain& texture, const Sampler& sampler, const ResolveJob& job,
                              const Source& source) {
   const Float2 at = source.texcoord();
-  if (samples_base_only(sampler)) return sample_base(texture, sampler, at, job.transfer);
+  if (HWY_LIKELY(samples_base_only(sampler))) {
+    return sample_base(texture, sampler, at, job.transfer);
+  }
   const TextureGradientOf<Floats> gradient =
       gradient_at(source.texture_planes(), at, source.at().inverse_w);
   return sample_texture(TextureInLanes(texture, job.transfer), sampler, at,
@@ -242,12 +255,13 @@ HWY_INLINE Rgb texture_color(const MipChain& texture, const Sampler& sampler, co
 }
 
 template <class Source>
-HWY_INLINE Rgb surface_color(const ShadeDraw& draw, const ResolveJob& job, const Source& source) {
+HWY_INLINE Rgb surface_color(const ShadeDraw& draw, const MipChain* texture, const ResolveJob& job,
+                             const Source& source) {
   const Rgba& base = draw.material->base_color;
   Rgb color{Floats(base.r), Floats(base.g), Floats(base.b)};
   if (draw.color_indices != nullptr) color = product(color, source.color());
-  if (draw.texture != nullptr) {
-    color = product(color, texture_color(draw.texture->get(), *draw.sampler, job, source));
+  if (texture != nullptr) {
+    color = product(color, texture_color(*texture, *draw.sampler, job, source));
   }
   return color;
 }
@@ -262,18 +276,21 @@ HWY_INLINE Rgb lit(const ShadeDraw& draw, const ResolveJob& job, const Source& s
 }
 
 template <class Source>
-HWY_INLINE Rgb emission(const ShadeDraw& draw, const ResolveJob& job, const Source& source) {
+HWY_INLINE Rgb emission(const ShadeDraw& draw, const MipChain* texture, const ResolveJob& job,
+                        const Source& source) {
   const Rgb own{Floats(draw.emission[0]), Floats(draw.emission[1]), Floats(draw.emission[2])};
-  if (draw.emission_texture == nullptr) return own;
-  return product(own,
-                 texture_color(draw.emission_texture->get(), *draw.emission_sampler, job, source));
+  if (texture == nullptr) return own;
+  return product(own, texture_color(*texture, *draw.emission_sampler, job, source));
 }
 
 // The bytes of an opaque fragment as one integer; those that are not wanted are 0.
 template <class Source>
-HWY_INLINE Ints shade(const ShadeDraw& draw, const ResolveJob& job, const Source& source) {
-  Rgb color = lit(draw, job, source, surface_color(draw, job, source));
-  if (HWY_UNLIKELY(draw.emits)) color = sum(color, emission(draw, job, source));
+HWY_INLINE Ints shade(const ShadeDraw& draw, const DrawTextures& textures, const ResolveJob& job,
+                      const Source& source) {
+  Rgb color = lit(draw, job, source, surface_color(draw, textures.color, job, source));
+  if (HWY_UNLIKELY(draw.emits)) {
+    color = sum(color, emission(draw, textures.emission, job, source));
+  }
   const auto byte = [&](bool wanted, Floats channel)
                         HWY_ATTR { return wanted ? encode(job.transfer, channel) : Ints(0); };
   return byte(job.channels.r, color[0]) | shifted_left<8>(byte(job.channels.g, color[1])) |

@@ -38,22 +38,28 @@ HWY_INLINE Rgb select(FloatMask condition, const Rgb& yes, const Rgb& no) {
 class TextureInLanes {
 public:
   HWY_INLINE TextureInLanes(const MipChain& chain, Transfer transfer)
-      : chain_(chain), transfer_(transfer) {}
+      : texels_(reinterpret_cast<const std::int32_t*>(chain.texels.data())),
+        first_(chain.first.data()),
+        width_(chain.width),
+        height_(chain.height),
+        last_level_(chain.last_level()),
+        transfer_(transfer) {}
 
-  int last_level() const { return chain_.last_level(); }
-  HWY_INLINE TextureLevelOf<Ints> base() const { return {chain_.width, chain_.height, 0}; }
+  int last_level() const { return last_level_; }
+  HWY_INLINE TextureLevelOf<std::int32_t> base() const { return {width_, height_, 0}; }
   HWY_INLINE TextureLevelOf<Ints> level(Ints k) const {
-    return {side_of_level(chain_.width, k), side_of_level(chain_.height, k),
-            hn::GatherIndex(kI, chain_.first.data(), k.v)};
+    return {side_of_level(width_, k), side_of_level(height_, k), hn::GatherIndex(kI, first_, k.v)};
   }
-  HWY_INLINE Rgb texel(const TextureLevelOf<Ints>& level, Ints x, Ints y) const {
-    const auto* texels = reinterpret_cast<const std::int32_t*>(chain_.texels.data());
-    return decode_texel(hn::GatherIndex(kI, texels, (level.first + y * level.width + x).v),
+  template <class Size>
+  HWY_INLINE Rgb texel(const TextureLevelOf<Size>& level, Ints x, Ints y) const {
+    return decode_texel(hn::GatherIndex(kI, texels_, (y * level.width + x + level.first).v),
                         transfer_);
   }
 
 private:
-  const MipChain& chain_;
+  const std::int32_t* texels_;
+  const std::int32_t* first_;  // by level
+  std::int32_t width_, height_, last_level_;
   Transfer transfer_;
 };
 

@@ -6,7 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include <glassbox/base/large_pages.h>
 #include <glassbox/raster/lanes/kernels.h>
 #include <glassbox/render/engine/draw_list.h>
 #include <glassbox/render/plan/draw_method.h>
@@ -29,7 +28,7 @@ struct TileRun {
 // Grows, and never gives memory back: the next picture is likely to need as much.
 template <class T>
 T* at_least(std::vector<T>& memory, std::size_t size) {
-  grow_in_large_pages(memory, size);
+  if (memory.size() < size) memory.resize(size);
   return memory.data();
 }
 

@@ -4,7 +4,6 @@
 #include <limits>
 #include <utility>
 
-#include <glassbox/base/large_pages.h>
 #include <glassbox/render/engine/show.h>
 
 namespace glassbox {
@@ -72,9 +71,7 @@ void prepare_plane(const PixelRect& window, bool wanted, bool clear, Pixel empty
   if (!wanted) {
     plane = {};
   } else if (plane.width != window.x1 || plane.height != window.y1) {
-    plane = {};
-    plane.width = window.x1, plane.height = window.y1;
-    grow_in_large_pages(plane.pixels, std::size_t(plane.width) * std::size_t(plane.height), empty);
+    plane = {window.x1, window.y1, empty};
   } else if (clear) {
     std::ranges::fill(plane.pixels, empty);
   }
