@@ -42,7 +42,8 @@ public:
   // By any thread; the others wait for the one that makes it.
   const MipChain& get() const {
     const MipChain* made = made_.load(std::memory_order_acquire);
-    if (made == nullptr) [[unlikely]] return make();
+    if (made == nullptr) [[unlikely]]
+      return make();
     return *made;
   }
   bool made() const { return made_ != nullptr; }
