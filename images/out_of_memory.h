@@ -10,10 +10,10 @@ namespace glassbox {
 
 // What `make` returns, a Result.
 template <class Make>
-auto unless_out_of_memory(Make make) -> decltype(make()) {
-  const auto refused = [] {
-    return fail("", "needs more memory than there is", "free some memory or scale it down");
-  };
+auto unless_out_of_memory(Make make, const char* cause = "needs more memory than there is",
+                          const char* remedy = "free some memory or scale it down")
+    -> decltype(make()) {
+  const auto refused = [&] { return fail("", cause, remedy); };
   try {
     return make();
   } catch (const std::bad_alloc&) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <cassert>
 #include <cstdint>
 
 #include <glassbox/base/numbers.h>
@@ -67,25 +67,27 @@ std::vector<Footprint> footprints(int short_side, int long_side) {
   return covered;
 }
 
-Image<Rgba8> half(const Image<Rgba8>& image, Transfer transfer) {
-  Image<Rgba8> smaller(side_of_level(image.width, 1), side_of_level(image.height, 1));
-  const std::vector<Footprint> all_columns = footprints(smaller.width, image.width);
-  for (int y = 0; y < smaller.height; ++y) {
-    const Footprint rows = footprint(y, smaller.height, image.height);
-    for (int x = 0; x < smaller.width; ++x) {
-      const Footprint& columns = all_columns[std::size_t(x)];
+// Appends the level after the last.
+void add_half(MipChain& chain, Transfer transfer) {
+  const int last = chain.last_level();
+  const int width = side_of_level(chain.width, last), height = side_of_level(chain.height, last);
+  const std::vector<Footprint> columns = footprints(side_of_level(width, 1), width);
+  const std::vector<Footprint> rows = footprints(side_of_level(height, 1), height);
+  const auto first = std::size_t(chain.first.back());
+  chain.first.push_back(std::int32_t(chain.texels.size()));
+  for (const Footprint& down : rows) {
+    for (const Footprint& across : columns) {
       Rgba sum{0, 0, 0, 0};
-      for (int row = 0; row < rows.count; ++row) {
-        for (int column = 0; column < columns.count; ++column) {
-          const Rgba8& texel = image.at(columns.first + column, rows.first + row);
-          add_scaled(sum, decode_texel(texel, transfer),
-                     rows.weight[std::size_t(row)] * columns.weight[std::size_t(column)]);
+      for (int row = 0; row < down.count; ++row) {
+        for (int column = 0; column < across.count; ++column) {
+          const int texel = (down.first + row) * width + across.first + column;
+          add_scaled(sum, decode_texel(chain.texels[first + std::size_t(texel)], transfer),
+                     down.weight[std::size_t(row)] * across.weight[std::size_t(column)]);
         }
       }
-      smaller.at(x, y) = encode_texel(sum, transfer);
+      chain.texels.push_back(encode_texel(sum, transfer));
     }
   }
-  return smaller;
 }
 
 // ---- sampling ----
@@ -116,13 +118,15 @@ private:
 }  // namespace
 
 MipChain make_mip_chain(const Image<Rgba8>& image, Transfer transfer, bool first_level_only) {
-  MipChain chain{image.width, image.height, {0}, image.pixels};
-  Image<Rgba8> level = image;
-  while (!first_level_only && (level.width > 1 || level.height > 1)) {
-    level = half(level, transfer);
-    chain.first.push_back(std::int32_t(chain.texels.size()));
-    chain.texels.insert(chain.texels.end(), level.pixels.begin(), level.pixels.end());
-  }
+  assert(image.pixels.size() < std::size_t(1) << 30);
+  MipChain chain{image.width, image.height, {0}, {}};
+  // All levels together, unless the image is a strip: then the memory grows on the way.
+  if (!first_level_only) chain.texels.reserve(image.pixels.size() / 3 * 4 + 4);
+  chain.texels = image.pixels;
+  const auto texels = [&](int level) {
+    return side_of_level(chain.width, level) * side_of_level(chain.height, level);
+  };
+  while (!first_level_only && texels(chain.last_level()) > 1) add_half(chain, transfer);
   return chain;
 }
 

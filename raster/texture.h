@@ -20,7 +20,8 @@ struct TextureLevelOf {
   I width, height, first;
 };
 
-// An image and its halvings down to one texel: level k is max(1, size >> k) on each side.
+// An image and its halvings down to one texel: level k is max(1, size >> k) on each side. Fewer than 2^31 texels in all: the
+// largest images that are loaded have 2^26, and a chain at most twice as many.
 struct MipChain {
   int width = 0, height = 0;        // of level 0
   std::vector<std::int32_t> first;  // by level: the number of its first texel

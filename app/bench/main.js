@@ -1,6 +1,7 @@
 // The charts: a bar for each time of a frame, and a curve for each scaling.
 
-const threeDigits = (value) => value < 1000 ? value.toPrecision(3) : value.toFixed(0);
+// As in the numbers below (three_digits of text.cpp).
+const threeDigits = (value) => value === 0 ? "0" : value.toFixed(Math.max(0, 2 - Math.floor(Math.log10(Math.abs(value)))));
 const milliseconds = (value) => `${threeDigits(value)} ms`;
 
 const allSeries = [["ms", "Glassbox"], ["peer_ms", "peer"], ["floor_ms", "floor"]]

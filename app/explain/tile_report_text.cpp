@@ -49,11 +49,15 @@ std::string tile_text(const Statistics& s, const TileReport& report) {
   const TileBytes bytes = bytes_moved(s, report);
   std::string text = fmt::format(
       "  vertices: {} tested against planes; to eye space: {} normals, {} positions\n"
-      "  triangles: {} in {} entries of {} tiles' lists, {} of them set up one by one\n\n",
+      "  triangles: {} in {} entries of {} tiles' lists, {} of them set up one by one\n",
       grouped(s.plane_tests), grouped(s.normals), grouped(s.eye_positions),
       grouped(report.triangles), grouped(report.list_entries), grouped(report.tiles),
       grouped(report.large_triangles));
-  text += fmt::format("  {:<26}{:>12}      {:>25}   {}\n", "time", "", "bytes of tables",
+  if (report.textures > 0) {
+    text += fmt::format("  textures: {} of {} looked at, and their levels made\n",
+                        grouped(report.textures_made), grouped(report.textures));
+  }
+  text += fmt::format("\n  {:<26}{:>12}      {:>25}   {}\n", "time", "", "bytes of tables",
                       "busy ms, thread by thread");
   text += row("prepare", s.prepare_ms, report, nullptr, nullptr);
   text += row("vertices", s.vertex_ms, report, &TileReport::Thread::vertex_ms, &bytes.vertices);
@@ -79,6 +83,7 @@ nlohmann::ordered_json to_json(const Statistics& s, const TileReport& report) {
           {"rounds", report.rounds},
           {"list_entries", report.list_entries},
           {"large_triangles", report.large_triangles},
+          {"textures", {{"all", report.textures}, {"made", report.textures_made}}},
           {"bytes",
            {{"vertices", moved(bytes.vertices)},
             {"triangles", moved(bytes.triangles)},

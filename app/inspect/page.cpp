@@ -20,6 +20,7 @@
 #include <glassbox/render/trace/bounds.h>
 #include <glassbox/render/trace/column_pack.h>
 #include <glassbox/render/trace/columns.h>
+#include <glassbox/render/trace/fields.h>
 #include <glassbox/render/trace/tracer.h>
 
 namespace glassbox::app {
@@ -54,12 +55,6 @@ std::array<T, std::size_t(N)> numbers_of(const glm::vec<N, T>& v) {
   std::array<T, std::size_t(N)> numbers;
   for (int i = 0; i < N; ++i) numbers[std::size_t(i)] = v[i];
   return numbers;
-}
-std::array<float, 4> numbers_of(const Rgba& c) {
-  return {c.r, c.g, c.b, c.a};
-}
-std::array<std::uint8_t, 4> numbers_of(const Rgba8& c) {
-  return {c.r, c.g, c.b, c.a};
 }
 
 template <class Record, class Pick>

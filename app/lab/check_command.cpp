@@ -57,14 +57,6 @@ Result<int> check_once(const LabFolder& folder, const labs::CheckOptions& option
   return result->score == result->max_score && result->not_built.empty() ? kSuccess : kFailure;
 }
 
-std::vector<std::string> files_of(const Outputs& outputs) {
-  std::vector<std::string> files;
-  for (const auto& each : {outputs.json, outputs.html}) {
-    if (each && *each != "-") files.push_back(*each);
-  }
-  return files;
-}
-
 // When the file was last written; it may be away for a moment while an editor replaces it.
 std::optional<fs::file_time_type> written_at(const fs::path& file) {
   std::error_code error;
@@ -95,7 +87,8 @@ void LabCheckCommand::add_to(CLI::App& lab, int& exit_code) {
 
 int LabCheckCommand::run() const {
   const Outputs outputs{json_output_, html_output_};
-  if (const auto good = check_outputs(files_of(outputs)); !good) return refuse(good.error());
+  if (const auto good = check_report_outputs(outputs.html, outputs.json); !good)
+    return refuse(good.error());
   const auto folder = open_lab_folder(folder_);
   if (!folder) return refuse(folder.error());
   labs::CheckOptions options;
@@ -118,7 +111,8 @@ void LabWatchCommand::add_to(CLI::App& lab, int& exit_code) {
 
 int LabWatchCommand::run() const {
   const Outputs outputs{std::nullopt, html_output_};
-  if (const auto good = check_outputs(files_of(outputs)); !good) return refuse(good.error());
+  if (const auto good = check_report_outputs(outputs.html, outputs.json); !good)
+    return refuse(good.error());
   const auto folder = open_lab_folder(folder_);
   if (!folder) return refuse(folder.error());
   const bool terminal = isatty(STDOUT_FILENO) == 1;

@@ -27,9 +27,8 @@ std::string PictureQuestion::title() const {
 }
 
 int PictureQuestion::answer(const Ask& ask) const {
-  if (json_output_ && json_output_ != "-") {
-    if (const auto legal = check_outputs({*json_output_}); !legal) return refuse(legal.error());
-  }
+  if (const auto legal = check_report_outputs({}, json_output_); !legal)
+    return refuse(legal.error());
   Progress progress;
   const Result<Scene> scene = load_asked_scene(scene_, progress);
   if (!scene) return refuse(scene.error());

@@ -47,9 +47,8 @@ void StudyRecommendCommand::add_to(CLI::App& study, int& exit_code) {
 int StudyRecommendCommand::run() const {
   const auto budgets = study::parse_budgets(budgets_);
   if (!budgets) return refuse(budgets.error());
-  if (json_output_ && *json_output_ != "-") {
-    if (const auto legal = check_outputs({*json_output_}); !legal) return refuse(legal.error());
-  }
+  if (const auto legal = check_report_outputs({}, json_output_); !legal)
+    return refuse(legal.error());
   const Result<Scene> scene = load_scene(scene_);
   if (!scene) return refuse(scene.error());
   std::vector<std::string> words{scene_};

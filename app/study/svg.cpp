@@ -21,9 +21,11 @@ namespace fs = std::filesystem;
 
 constexpr const char* kRemedy = "apt install gnuplot-nox, or leave --svg out";
 
+constexpr labs::ProcessLimits kLimits{.seconds = 300};  // a chart takes a second
+
 // What it says goes where our own messages go.
 labs::ProcessOutcome run_gnuplot(const std::string& script) {
-  labs::ProcessOutcome outcome = labs::run_process({"gnuplot", script}, {});
+  labs::ProcessOutcome outcome = labs::run_process({"gnuplot", script}, kLimits);
   fmt::print(stderr, "{}", outcome.said);
   return outcome;
 }
@@ -40,6 +42,11 @@ Result<void> draw(const fs::path& scratch,
   const fs::path script = scratch / "commands", drawn = scratch / "chart.svg";
   std::ofstream(script, std::ios::binary) << commands(result, drawn.string());
   const labs::ProcessOutcome outcome = run_gnuplot(script.string());
+  if (outcome.timed_out) {
+    return tl::unexpected(Error{target, "",
+                                fmt::format("gnuplot was not done after {:g} s", kLimits.seconds),
+                                "give it a machine that is less busy, or leave --svg out"});
+  }
   const std::string svg = text_of(drawn);
   if (!outcome.started || outcome.status != 0 || svg.empty()) {
     return tl::unexpected(
@@ -57,17 +64,17 @@ Result<void> check_gnuplot() {
 
 Result<int> write_svg_charts(const study::StudyResults& results, const std::string& directory) {
   const Scratch scratch;
-  const auto own = scratch.own("charts");
-  if (!own) return tl::unexpected(own.error());
+  const auto place = scratch.path();
+  if (!place) return tl::unexpected(place.error());
   int written = 0;
   for (const study::ExperimentResult& each : results.experiments) {
     const std::string stem = directory + "/" + each.id;
     if (!study::thread_counts(each).empty()) {
-      const auto done = draw(*own, time_chart_commands, each, stem + "-time.svg");
+      const auto done = draw(*place, time_chart_commands, each, stem + "-time.svg");
       if (!done) return tl::unexpected(done.error());
       ++written;
     }
-    const auto done = draw(*own, axis_chart_commands, each, stem + "-axis.svg");
+    const auto done = draw(*place, axis_chart_commands, each, stem + "-axis.svg");
     if (!done) return tl::unexpected(done.error());
     ++written;
   }

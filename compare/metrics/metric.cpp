@@ -47,6 +47,7 @@ bool wants_larger(LimitKind kind) {
 }
 
 constexpr std::string_view kSigns[] = {"<", "<=", ">", ">="};  // in the order of LimitKind
+static_assert(std::size(kSigns) == std::size_t(LimitKind::kAtLeast) + 1);
 
 std::string_view sign(LimitKind kind) {
   return kSigns[int(kind)];

@@ -87,6 +87,7 @@ void add_word(Json& json, const char* key, const std::string& text) {
 const char* verdict_word(Verdict verdict) {
   constexpr const char* kWords[] = {"same", "within-tolerance", "different",
                                     "new",  "missing",          "uncompared"};
+  static_assert(std::size(kWords) == std::size_t(Verdict::kUncompared) + 1);
   return kWords[int(verdict)];
 }
 

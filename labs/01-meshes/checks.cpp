@@ -34,8 +34,7 @@ Case expect_tables(const TextCase& input) {
     for (std::uint32_t i = 0; i < element.count; ++i)
       faces.push_back(tables->references[element.first + i].position);
   }
-  c.expected = {{"positions", Shape::kPolygon, positions, 0, "object units", 3},
-                numbers("faces", faces)};
+  c.expected = {polygon("positions", 3, positions, 0, "object units"), numbers("faces", faces)};
   if (!input.bad.empty()) {
     c.restated += "\nand is refused as\n" + input.bad;
     c.expected.push_back(numbers("refused", {1}));

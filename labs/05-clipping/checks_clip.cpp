@@ -55,10 +55,11 @@ Case expect_outline(const std::string& what, const std::string& text,
 }
 
 // Near where it should be, and with a distance from the plane that is 0 to the bit.
-std::optional<Divergence> judge_on_plane(const lab_05::Edge& edge, const Answer& answer) {
-  auto found = compare(crossing_of(edge), answer).first;
+std::optional<Divergence> judge_on_plane(const lab_05::Edge& edge, const Expected& crossing,
+                                         const Answer& answer) {
+  auto found = compare(crossing, answer).first;
   if (found) return found;
-  const auto& v = *find_field(answer, "crossing");
+  const auto& v = *find_field(answer, crossing.field);
   const Point<Clip> cut{float(v[0]), float(v[1]), float(v[2]), float(v[3])};
   const double off = signed_distance(pipeline_plane(edge.plane), cut);
   if (off == 0) return found;
@@ -83,11 +84,7 @@ std::optional<Divergence> judge_both_ways(const lab_05::EdgesCase& edges, const 
       return found;
     }
   }
-  const Expected same_bits{.field = "q to p",
-                           .shape = Shape::kPolygon,
-                           .values = *there,
-                           .unit = "clip units",
-                           .columns = 4};
+  const Expected same_bits = polygon("q to p", 4, *there, 0, "clip units");
   auto found = compare(same_bits, answer).first;
   if (found) {
     found->element = fmt::format("edge {}, {}", found->index / 4, "xyzw"[found->index % 4]);
@@ -104,7 +101,9 @@ Case expect_crossing(const lab_05::Edge& edge) {
 
 Case expect_on_plane(const lab_05::Edge& edge) {
   Case c = expect_crossing(edge);
-  c.judge = [edge](const Answer& answer) { return judge_on_plane(edge, answer); };
+  c.judge = [edge, crossing = c.expected[0]](const Answer& answer) {
+    return judge_on_plane(edge, crossing, answer);
+  };
   return c;
 }
 

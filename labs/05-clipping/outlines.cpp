@@ -154,11 +154,7 @@ Expected exact_clip(std::span<const Point<Clip>> polygon, std::span<const ClipPl
   exact::ExactPolygon<Rational> corners;
   for (const Point<Clip>& p : polygon) corners.push_back(exact::exact_point<Rational>(p));
   const exact::ExactPolygon<Rational> kept = exact::clip(corners, planes);
-  Expected expected{.field = "polygon",
-                    .shape = Shape::kPolygon,
-                    .bound = bound_of(polygon, planes),
-                    .unit = "clip units",
-                    .columns = 4};
+  Expected expected = labs::polygon("polygon", 4, {}, bound_of(polygon, planes), "clip units");
   if (kept.size() < 3) return expected;
   for (const auto& p : kept) {
     for (const Rational* each : {&p.x, &p.y, &p.z, &p.w}) expected.values.push_back(double(*each));

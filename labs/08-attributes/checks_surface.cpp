@@ -74,14 +74,6 @@ double position_bound(const Patch& patch) {
   return 64 * u53 * largest;
 }
 
-Expected positions_of(const std::string& field, std::vector<double> values, double bound) {
-  return {.field = field,
-          .shape = Shape::kPolygon,
-          .values = std::move(values),
-          .bound = bound,
-          .columns = 3};
-}
-
 std::string patch_text(const Patch& patch) {
   std::string text;
   for (std::size_t j = 0; j < 4; ++j) {
@@ -112,7 +104,7 @@ Case expect_patch(const PatchCase& input) {
   }
   const Expected indices = numbers("triangles", triangles);
   const auto places = [&](std::vector<double> values) {
-    return positions_of("positions", std::move(values), position_bound(input.patch));
+    return polygon("positions", 3, std::move(values), position_bound(input.patch));
   };
   return {.where = input.what,
           .restated = fmt::format("{}\n{} x {} cells{}", patch_text(input.patch), n, n,
@@ -130,10 +122,10 @@ std::optional<Divergence> judge_seam(const SeamCase& input, const Answer& answer
   for (int i = 0; i <= input.level; ++i) add(on_patch(rows, i, input.level, input.level), border);
   const std::string names[2] = {"border of the first patch", "border of the second patch"};
   for (const std::string& name : names) {
-    const Expected expected = positions_of(name, border, position_bound(input.a));
+    const Expected expected = polygon(name, 3, border, position_bound(input.a));
     if (auto found = compare(expected, answer).first) return found;
   }
-  auto found = compare(positions_of(names[1], *find_field(answer, names[0]), 0), answer).first;
+  auto found = compare(polygon(names[1], 3, *find_field(answer, names[0]), 0), answer).first;
   if (found) found->explanation = "the first patch has another position there: a crack";
   return found;
 }

@@ -122,8 +122,7 @@ Case expect_crop(const CropCase& input) {
       largest = std::max(largest, terms + 1);
     }
     const double bound = 32 * u * largest * (input.width + cut.shift);
-    c.expected.push_back({side == lab_09::Side::kLeft ? "x, left eye" : "x, right eye",
-                          Shape::kNumbers, columns, bound, "px", 0});
+    c.expected.push_back(numbers("x, " + name_of_eye(side), columns, bound, "px"));
   }
   return c;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include <fmt/format.h>
@@ -236,6 +237,7 @@ const std::vector<double>* find_field(const Answer& answer, const std::string& n
 const char* kind_name(Divergence::Kind kind) {
   constexpr const char* kNames[] = {"missing", "extra", "wrong position", "wrong data",
                                     "not a number"};
+  static_assert(std::size(kNames) == std::size_t(Divergence::Kind::kNotANumber) + 1);
   return kNames[int(kind)];
 }
 

@@ -1,5 +1,6 @@
 #include "labs/framework/judge.h"
 
+#include <iterator>
 #include <utility>
 
 #include "labs/framework/slips.h"
@@ -57,6 +58,7 @@ const char* verdict_name(Verdict verdict) {
   constexpr const char* kNames[] = {
       "right",   "wrong answer",   "no answer",        "exception", "crash",
       "timeout", "limit exceeded", "malformed output", "not built"};
+  static_assert(std::size(kNames) == std::size_t(Verdict::kNotBuilt) + 1);
   return kNames[int(verdict)];
 }
 

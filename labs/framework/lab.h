@@ -30,7 +30,7 @@ struct Expected {
   int columns = 0;        // of coverage: the width in pixels; of a polygon: the numbers of a vertex
 };
 
-// What is expected of a field that holds numbers, a point, or a matrix row by row.
+// What is expected of a field that holds numbers, a point, a matrix row by row, or a polygon vertex by vertex.
 inline Expected numbers(std::string field, std::vector<double> values, double bound = 0,
                         std::string unit = {}) {
   return {std::move(field), Shape::kNumbers, std::move(values), bound, std::move(unit)};
@@ -42,6 +42,10 @@ inline Expected point(std::string field, std::vector<double> values, double boun
 inline Expected matrix(std::string field, int columns, std::vector<double> values, double bound = 0,
                        std::string unit = {}) {
   return {std::move(field), Shape::kMatrix, std::move(values), bound, std::move(unit), columns};
+}
+inline Expected polygon(std::string field, int columns, std::vector<double> values,
+                        double bound = 0, std::string unit = {}) {
+  return {std::move(field), Shape::kPolygon, std::move(values), bound, std::move(unit), columns};
 }
 
 // Where an answer first departs from what is expected.

@@ -27,8 +27,8 @@ public:
   Result<std::vector<std::byte>> read(const std::filesystem::path& found);
 
 private:
-  std::filesystem::path root_;  // canonical; empty where there are no files
-  std::string owner_;           // "the OBJ file"
+  std::filesystem::path root_;      // canonical; empty where there are no files
+  std::string owner_ = "the file";  // "the OBJ file"
   std::uint64_t bytes_left_ = 0;
 };
 

@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <new>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <glassbox/base/error.h>
+#include <glassbox/images/out_of_memory.h>
 #include <glassbox/mesh/limits.h>
 
 namespace glassbox {
@@ -18,15 +18,8 @@ namespace glassbox {
 // What `load` makes, a Result, with the file named in its error. Too little memory is an error, too.
 template <class Load>
 auto naming_file(const std::string& path, Load load) -> decltype(load()) {
-  const auto loaded = [&]() -> decltype(load()) {
-    try {
-      return load();
-    } catch (const std::bad_alloc&) {
-      return fail("", "there is not enough memory for it",
-                  "close other programs, or reduce the scene");
-    }
-  };
-  auto made = loaded();
+  auto made = unless_out_of_memory(load, "there is not enough memory for it",
+                                   "close other programs, or reduce the scene");
   if (!made) made.error().file = path;
   return made;
 }

@@ -78,12 +78,12 @@ Result<Scene> load_obj_memory(std::string_view obj_text, std::string_view mtl,
                 "raise the limit if the file can be trusted");
   }
   const MtlText library{mtl, true};
-  return load_text(obj_text, &library, obj::Directory(), limits);
+  return naming_file("", [&] { return load_text(obj_text, &library, obj::Directory(), limits); });
 }
 
 Result<Scene> load_obj_alone(std::string_view obj_text, const LoadLimits& limits) {
   const MtlText nothing{{}, false};
-  return load_text(obj_text, &nothing, obj::Directory(), limits);
+  return naming_file("", [&] { return load_text(obj_text, &nothing, obj::Directory(), limits); });
 }
 
 }  // namespace glassbox

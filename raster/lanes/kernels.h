@@ -14,7 +14,7 @@ struct Kernels {
   void (*transform_vertices)(const VertexJob& job);
   void (*transform_normals)(const NormalJob& job);
   void (*transform_positions)(const EyePositionJob& job);
-  // Writes to `selected`, which has room for job.count, and returns how many there are.
+  // Writes to `selected`, which has room for job.count + kMostLanes, and returns how many there are.
   std::size_t (*select_triangles)(const SelectJob& job, BinEntry* selected, SelectCounts& counts);
   void (*draw_small)(const SmallJob& job, const std::uint32_t* triangles, std::size_t count,
                      TileBuffer& tile, FragmentCounts& counts);

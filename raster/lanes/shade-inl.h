@@ -1,4 +1,4 @@
-// Colours of fragments: attributes, texture and light, as fragments.cpp has them, over lanes. All fragments of a call belong to one
+// Colours of fragments: attributes, texture and light, as render/staged/fragment_color.h has them, over lanes. All fragments of a call belong to one
 // draw; each has a small triangle of its own, or all share a large one.
 
 #if defined(GLASSBOX_SHADE_INL_H_) == defined(HWY_TARGET_TOGGLE)

@@ -89,8 +89,8 @@ struct SelectJob {
 };
 inline constexpr std::size_t kMostLanes = 64;  // of 32 bits: the widest vectors have 2048 bits
 
-// What goes into the bins of a rectangle of tiles, both ends included: the index of a triangle in its draw, or of something else,
-// with the top bit. A triangle with that bit is for the staged primitives to look at, and its tiles say nothing.
+// What goes into the bins of a rectangle of tiles, both ends included. From selection it is the index of a triangle in its draw;
+// one with kLarge is for the staged primitives to look at, and its tiles say nothing.
 struct BinEntry {
   std::uint32_t entry = 0;
   std::uint16_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;

@@ -42,7 +42,8 @@ HWY_INLINE Ints encode_srgb(Floats linear) {
   const Floats lowest = float_of(Ints(std::int32_t(srgb_detail::kFirstBucket << 16)));
   const Floats highest = kSrgbThreshold[255];
   const Ints bits = bits_of(select(linear > lowest, least(linear, highest), lowest));
-  const Ints bucket = shifted_right<16>(bits) - std::int32_t(srgb_detail::kFirstBucket);
+  const Ints bucket =
+      shifted_right<srgb_detail::kBucketShift>(bits) - std::int32_t(srgb_detail::kFirstBucket);
   const Ints carry = hn::GatherIndex(kI, kSrgbCarry.data(), bucket.v);
   return shifted_right<16>(carry + (bits & 0xffff));
 }

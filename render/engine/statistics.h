@@ -44,10 +44,10 @@ struct Statistics {
   std::uint64_t blended = 0;  // of the written ones
 
   // Wall-clock time of this run, in milliseconds.
-  double prepare_ms = 0;   // triangulation, mip chains, matrices
+  double prepare_ms = 0;   // triangulation, matrices
   double vertex_ms = 0;    // object -> clip
   double triangle_ms = 0;  // clip, divide, viewport, setup, cull
-  double fragment_ms = 0;  // coverage, depth, shading, blending
+  double fragment_ms = 0;  // coverage, depth, shading, blending; levels of textures, once
 };
 
 }  // namespace glassbox

@@ -50,8 +50,9 @@ struct DrawSlot {
 
 // ---- bins ----
 
-// An entry of a bin: the index of a small triangle in its draw, or, with the top bit, of one of the chunk's primitives.
-inline constexpr std::uint32_t kOfChunk = 0x80000000u;
+// An entry of a bin: the index of a small triangle in its draw, or, with the bit that is kLarge before, of one of the chunk's
+// primitives.
+inline constexpr std::uint32_t kOfChunk = kLarge;
 
 // Some primitives of one draw, sorted into tiles in the order of the draw.
 struct Chunk {

@@ -393,6 +393,9 @@ void TileEngine::render(const Scene& scene, const PreparedScene& prepared,
       return std::uint64_t(int(side_px) + s.options.tile_side - 1) /
              std::uint64_t(s.options.tile_side);
     };
+    report->textures = prepared.textures.size();
+    report->textures_made = std::uint64_t(std::ranges::count_if(
+        prepared.textures, [](const auto& texture) { return texture->made(); }));
     for (const EyePicture& eye : eyes) {
       report->tiles += tiles(eye.view.viewport.width()) * tiles(eye.view.viewport.height());
       report->plane_bytes += plane_bytes(eye.target);

@@ -18,6 +18,8 @@ struct TileReport {
   std::uint64_t list_entries = 0;     // primitives in the tiles' lists, once for each tile
   std::uint64_t large_triangles = 0;  // set up one by one
   std::uint64_t plane_bytes = 0;      // of the framebuffer's planes
+  // Of the scene; and those whose levels exist, because a pixel of this picture or one before has looked at them.
+  std::uint64_t textures = 0, textures_made = 0;
 };
 
 }  // namespace glassbox

@@ -128,14 +128,6 @@ void fill_piece(Table& table, std::size_t triangle, const TracedPiece& piece, do
   table("bounds", std::array{setup.bounds.x0, setup.bounds.y0, setup.bounds.x1, setup.bounds.y1});
 }
 
-std::array<float, 4> numbers_of(const Rgba& c) {
-  return {c.r, c.g, c.b, c.a};
-}
-
-std::array<std::uint8_t, 4> numbers_of(const Rgba8& c) {
-  return {c.r, c.g, c.b, c.a};
-}
-
 void fill_fragment(Table& table, const TracedFragment& traced, const FragmentBounds& bounds) {
   const Fragment& fragment = traced.fragment;
   const FragmentSource& source = traced.source;

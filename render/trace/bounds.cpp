@@ -240,9 +240,10 @@ const BoundsOfRun::Known& BoundsOfRun::triangle(const TracedTriangle& triangle) 
   // Where no fragments come for long, nothing piles up.
   if (latest_.size() == kTriangleBatch) earlier_ = std::exchange(latest_, {});
   const auto& [draw, draw_bounds] = draws_.at(triangle.instance);
-  Known& known = latest_[triangle.number];
-  known = {triangle, bounds_of(trace_, triangle, draw, draw_bounds)};
-  return known;
+  Kept& kept = latest_[triangle.number];
+  kept.triangle = triangle;
+  kept.known = {&kept.triangle, bounds_of(trace_, triangle, draw, draw_bounds)};
+  return kept.known;
 }
 
 const BoundsOfRun::Known* BoundsOfRun::of(const TracedFragment& fragment) {
@@ -250,7 +251,7 @@ const BoundsOfRun::Known* BoundsOfRun::of(const TracedFragment& fragment) {
   if (!fragment.source.is_triangle) return nullptr;
   for (const auto* triangles : {&latest_, &earlier_}) {
     const auto found = triangles->find(fragment.source.number);
-    if (found != triangles->end()) return &found->second;
+    if (found != triangles->end()) return &found->second.known;
   }
   return nullptr;
 }
@@ -263,13 +264,13 @@ std::map<std::uint32_t, BoundsOfRun::Known> bounds_of_all(const Trace& trace) {
   std::map<std::uint32_t, BoundsOfRun::Known> known;
   for (const TracedTriangle& triangle : trace.triangles) {
     const auto& [draw, draw_bounds] = draws.at(triangle.instance);
-    known[triangle.number] = {triangle, bounds_of(trace, triangle, *draw, draw_bounds)};
+    known[triangle.number] = {&triangle, bounds_of(trace, triangle, *draw, draw_bounds)};
   }
   return known;
 }
 
 FragmentBounds bounds_of(const BoundsOfRun::Known& known, const TracedFragment& fragment) {
-  const TracedPiece& piece = known.triangle.pieces[fragment.source.piece];
+  const TracedPiece& piece = known.triangle->pieces[fragment.source.piece];
   return fragment_bounds(*piece.setup, fragment.fragment, setup_bounds(piece, known.bounds));
 }
 

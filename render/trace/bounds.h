@@ -78,7 +78,7 @@ SetupBounds setup_bounds(const TracedPiece& piece, const TriangleBounds& bounds)
 class BoundsOfRun {
 public:
   struct Known {
-    TracedTriangle triangle;
+    const TracedTriangle* triangle = nullptr;
     TriangleBounds bounds;
   };
 
@@ -94,20 +94,24 @@ public:
   const Trace& trace() const { return trace_; }
 
 private:
+  struct Kept {
+    TracedTriangle triangle;
+    Known known;
+  };
+
   Trace trace_;
   std::map<std::uint32_t, std::pair<TracedDraw, DrawBounds>> draws_;  // by instance
   // By number: the last triangles, whose fragments are still to come, and those before them.
-  std::map<std::uint32_t, Known> latest_, earlier_;
+  std::map<std::uint32_t, Kept> latest_, earlier_;
   bool fragments_came_ = false;
 };
 
-// Of all triangles of a trace, by number.
+// Of all triangles of a trace, by number; they stay where they are.
 std::map<std::uint32_t, BoundsOfRun::Known> bounds_of_all(const Trace& trace);
 
 // The bounds of a fragment of that triangle.
 FragmentBounds bounds_of(const BoundsOfRun::Known& known, const TracedFragment& fragment);
 
-// The round trips of a run taken together: object space to the screen in float and back (pipeline/round_trip.h).
 // Which coordinate of which corner of which triangle.
 struct RoundTripPlace {
   std::uint32_t triangle = 0;  // number in the whole scene
@@ -115,6 +119,7 @@ struct RoundTripPlace {
   std::uint32_t axis = 0;
 };
 
+// The round trips of a run taken together: object space to the screen in float and back (pipeline/round_trip.h).
 struct RoundTrips {
   std::uint64_t corners = 0;    // of triangles, that have a place on the screen
   std::uint64_t unbounded = 0;  // of these, how many nothing can be said of

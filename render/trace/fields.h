@@ -11,6 +11,13 @@
 
 namespace glassbox {
 
+inline std::array<float, 4> numbers_of(const Rgba& c) {
+  return {c.r, c.g, c.b, c.a};
+}
+inline std::array<std::uint8_t, 4> numbers_of(const Rgba8& c) {
+  return {c.r, c.g, c.b, c.a};
+}
+
 template <class Field>
 void each_field(const TracedDraw& draw, const DrawBounds& bounds, Field& field) {
   field("first_number", draw.first_number);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 
 namespace glassbox::study {
 
@@ -19,7 +20,7 @@ void consume(const T& value) {
 // Work for a Configuration: `make` of each of the things, `rounds` times over.
 template <class Things, class Make>
 std::function<void(int)> rounds_of(int rounds, Things things, Make make) {
-  return [=](int) {
+  return [rounds, things = std::move(things), make = std::move(make)](int) {
     for (int round = 0; round < rounds; ++round) {
       for (const auto& each : things) consume(make(each));
     }

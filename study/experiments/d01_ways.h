@@ -50,8 +50,8 @@ public:
       : ThreeMatrices(placed<World, Object>(shot.world_from_object, shot.object), view_of(shot)) {}
 };
 
-// Every matrix rounded to float, with the world's origin in the eye: the eye is subtracted in double, where the difference of two near
-// numbers is exact.
+// Every matrix rounded to float, with the world's origin in the eye: the eye is subtracted in double, where the difference
+// of two near numbers is exact.
 class CameraRelative : public ThreeMatrices {
 public:
   explicit CameraRelative(const Shot& shot)

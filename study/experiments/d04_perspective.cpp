@@ -165,20 +165,20 @@ std::vector<Configuration> configurations(Effort effort) {
   for (const Series& series : kSeries) {
     const Perspective method = series.method;
     for (const double ratio : {1.01, 1.41, 2.0, 5.0, 10.0, 30.0, 100.0}) {
-      const auto work =
-          [method, texture, walls = random_lines(ratio, kTimed),
-           out = std::vector<std::int32_t>(std::size_t(kTimed) * kLinePixels)](int) mutable {
-            for (int round = 0; round < kRounds; ++round) {
-              draw_lines(method, walls, texture, out);
-              consume(out.back());
-            }
-          };
-      all.push_back({.series = series.name,
-                     .parameter = ratio,
-                     .error = [=] { return largest_error(method, ratio, lines); },
-                     .predicted_error = predict(method, ratio),
-                     .work = work,
-                     .items = double(kTimed) * kLinePixels * kRounds});
+      all.push_back(
+          {.series = series.name,
+           .parameter = ratio,
+           .error = [=] { return largest_error(method, ratio, lines); },
+           .predicted_error = predict(method, ratio),
+           .work =
+               [method, texture, walls = random_lines(ratio, kTimed),
+                out = std::vector<std::int32_t>(std::size_t(kTimed) * kLinePixels)](int) mutable {
+                 for (int round = 0; round < kRounds; ++round) {
+                   draw_lines(method, walls, texture, out);
+                   consume(out.back());
+                 }
+               },
+           .items = double(kTimed) * kLinePixels * kRounds});
     }
   }
   return all;

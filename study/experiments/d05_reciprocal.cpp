@@ -107,19 +107,19 @@ std::vector<Configuration> configurations(Effort effort) {
   for (const Series& series : kSeries) {
     const Reciprocal method = series.method;
     for (const double from : {1e-3, 1e-2, 1e-1, 1.0, 1e1, 1e2}) {
-      const auto work = [method, w = decade(from, kTimed),
-                         out = std::vector<float>(kTimed)](int) mutable {
-        for (int i = 0; i < kRounds; ++i) {
-          reciprocals(method, w, out);
-          consume(out.back());
-        }
-      };
-      all.push_back({.series = series.name,
-                     .parameter = from,
-                     .error = [=] { return largest_error(method, from, count); },
-                     .predicted_error = predict(method),
-                     .work = work,
-                     .items = double(kTimed) * kRounds});
+      all.push_back(
+          {.series = series.name,
+           .parameter = from,
+           .error = [=] { return largest_error(method, from, count); },
+           .predicted_error = predict(method),
+           .work =
+               [method, w = decade(from, kTimed), out = std::vector<float>(kTimed)](int) mutable {
+                 for (int i = 0; i < kRounds; ++i) {
+                   reciprocals(method, w, out);
+                   consume(out.back());
+                 }
+               },
+           .items = double(kTimed) * kRounds});
     }
   }
   return all;

@@ -172,7 +172,6 @@ Experiment d13_rotation() {
               "How soon does a matrix that is multiplied again and again stop being a rotation, "
               "and what keeps it one?",
           .axis = "steps of 0.01 radian",
-          .axis_unit = "",
           .error =
               "largest |R R^T - I| (Frobenius); half of it is the relative error of lengths in the "
               "picture",

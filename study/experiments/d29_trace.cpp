@@ -111,7 +111,6 @@ std::vector<Configuration> configurations(Effort effort) {
            .scene = name,
            .error = [=] { return differing_pixels(way.run(*w).buffers, run_untraced(*w).buffers); },
            .predicted_error = 0,
-           .finding = {},
            .work = [=](int) { way.run(*w); }});
     }
   }
@@ -128,15 +127,13 @@ Experiment d29_trace() {
       .axis =
           "0 no observers in the code, 1 nobody watches, 2 all stages counted, 3 one pixel "
           "recorded, 4 everything recorded",
-      .axis_unit = {},
       .logarithmic_axis = false,
       .error = "pixels whose colour or depth differ",
       .error_unit = "pixels",
       .reference = "the picture of a run that nobody watches",
       .theory =
-          "Whoever only watches changes nothing: 0. A stage that nobody watches pays one "
-          "comparison with null; the tile engine has no such comparisons at all, and is another, "
-          "faster way to run the stages besides.",
+          "Whoever only watches changes nothing: 0. A run that nobody watches is compiled "
+          "without watchers; the tile engine is another, faster way to run the stages besides.",
       .item = "picture",
       .configurations = configurations,
   };

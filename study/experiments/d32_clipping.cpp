@@ -72,20 +72,20 @@ void add_series(std::vector<Configuration>& all, const char* series, double pred
   constexpr std::size_t kTimed = 8192;
   const std::size_t count = effort == Effort::kFull ? 400'000 : 40'000;
   for (const double size : {1.0 / 64, 1.0 / 16, 1.0 / 4, 1.0}) {
-    const auto work = [triangles = random_triangles(size, kTimed),
-                       space = Space{course_lens()}](int) {
-      Outline outline;
-      for (const EyeTriangle& triangle : triangles) {
-        clip(space, triangle, outline);
-        consume(outline);
-      }
-    };
-    all.push_back({.series = series,
-                   .parameter = size,
-                   .error = [=] { return farthest_off<Space>(size, count); },
-                   .predicted_error = predicted,
-                   .work = work,
-                   .items = double(kTimed)});
+    all.push_back(
+        {.series = series,
+         .parameter = size,
+         .error = [=] { return farthest_off<Space>(size, count); },
+         .predicted_error = predicted,
+         .work =
+             [triangles = random_triangles(size, kTimed), space = Space{course_lens()}](int) {
+               Outline outline;
+               for (const EyeTriangle& triangle : triangles) {
+                 clip(space, triangle, outline);
+                 consume(outline);
+               }
+             },
+         .items = double(kTimed)});
   }
 }
 
@@ -115,12 +115,9 @@ Experiment d32_clipping() {
       .theory =
           "The distances from a plane of the pyramid and from the box's are the same number, so in "
           "exact arithmetic both leave the same polygon. In floats, x = w can be set and x = z/a "
-          "only "
-          "rounded: x, z and the projection's product by u each, 3 u W/2. A side of the pyramid "
-          "costs "
-          "a product more for each vertex; the box costs the projection of vertices that are "
-          "thrown "
-          "away, and a fourth coordinate for each crossing",
+          "only rounded: x, z and the projection's product by u each, 3 u W/2. A side of the "
+          "pyramid costs a product more for each vertex; the box costs the projection of vertices "
+          "that are thrown away, and a fourth coordinate for each crossing",
       .item = "triangle",
       .configurations = configurations,
   };

@@ -215,6 +215,21 @@ TEST_CASE("a mip chain halves down to one texel, whatever the size") {
   }
 }
 
+TEST_CASE("every level is the half of the one before it") {
+  Random random(14);
+  for (const auto& [width, height] :
+       {std::array{7, 5}, {16, 1}, {1, 9}, {13, 6}, {61, 3}, {64, 32}, {33, 47}}) {
+    for (const Transfer transfer : {Transfer::kSrgb, Transfer::kNone}) {
+      const std::vector<Image<Rgba8>> levels =
+          levels_of(make_mip_chain(random_image(random, width, height), transfer, false));
+      for (std::size_t k = 1; k < levels.size(); ++k) {
+        CAPTURE(width, height, k);
+        CHECK(levels[k] == levels_of(make_mip_chain(levels[k - 1], transfer, false))[1]);
+      }
+    }
+  }
+}
+
 TEST_CASE("an image of one colour has that colour at every level, to the byte") {
   for (const Transfer transfer : {Transfer::kSrgb, Transfer::kNone}) {
     for (int byte = 0; byte < 256; ++byte) {

@@ -57,7 +57,7 @@ Outcome judge(const Span& span) {
       worst_x = x;
     }
   });
-  if (pixels < kWidth - 1) return {INFINITY, 0, {}, fmt::format("only {} pixels", pixels)};
+  if (pixels < kWidth - 1) return must_be_zero(HUGE_VAL, fmt::format("only {} pixels", pixels));
   return {worst / double(unit_roundoff<float>),
           14,
           {},

@@ -44,7 +44,7 @@ double attribute_bound(const ExactAttribute& exact, const std::array<float, 3>& 
 Outcome judge_attribute(const AttributeAt& at, const JudgedTriangle& judged, int side,
                         double scale) {
   const auto setup = setup_triangle(judged.triangle);
-  if (!setup) return {HUGE_VAL, 0, {}, "no triangle"};
+  if (!setup) return must_be_zero(HUGE_VAL, "no triangle");
   std::array<float, 3> values;
   for (std::size_t k = 0; k < 3; ++k) values[k] = judged.values[std::size_t(setup->order[k])];
   Worst worst;  // by its share of the bound

@@ -24,8 +24,8 @@ struct Outcome {
 };
 
 // The outcome with the larger error, the first of equals.
-inline const Outcome& worse_of(const Outcome& a, const Outcome& b) {
-  return a.error >= b.error ? a : b;
+inline Outcome worse_of(Outcome a, Outcome b) {
+  return a.error >= b.error ? std::move(a) : std::move(b);
 }
 
 // An error of which nothing is right but 0.
@@ -38,12 +38,13 @@ inline Outcome wrong_of(int wrong, int all, const std::string& what, const std::
   return must_be_zero(wrong, fmt::format("{} of {} {}{}", wrong, all, what, more));
 }
 
-// Many errors against one bound: the largest, and how many are beyond it.
+// Many errors against one bound: the largest, and how many are beyond it. NaN is as wrong as can be.
 class ErrorsBeyond {
 public:
   explicit ErrorsBeyond(double bound) : bound_(bound) {}
 
   void see(double error) {
+    if (std::isnan(error)) error = std::numeric_limits<double>::infinity();
     ++tried_;
     beyond_ += error > bound_;
     largest_ = std::max(largest_, error);

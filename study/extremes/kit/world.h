@@ -22,7 +22,7 @@ using LookAt = Result<EyeFromWorld> (*)(const WorldPoint&, const WorldPoint&, co
 using ToEye = Point<Eye> (*)(const Transform<Eye, World>&, const Transform<World, Object>&,
                              const Point<Object>&);
 
-// The pipeline's.
+// How the pipeline carries a point to eye space: composed in double, rounded once.
 inline Point<Eye> composed_in_double(const Transform<Eye, World>& view,
                                      const Transform<World, Object>& model,
                                      const Point<Object>& p) {

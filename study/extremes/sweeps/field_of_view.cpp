@@ -84,8 +84,7 @@ Sweep field_of_view_sweep() {
       .reference = "50 digits",
       .bound =
           "8 u of double (pipeline/projection.h); by way of radians their roundings times x/sin x, "
-          "in "
-          "float as well as in double",
+          "in float as well as in double",
       .tolerance = "a relative error of 1e-4: a pixel in ten thousand",
       .series = field_of_view_series};
 }

@@ -109,8 +109,7 @@ Sweep nesting_sweep() {
           .reference = "the same products in 64 bits of mantissa, 2^-11 of double's roundings",
           .bound =
               "the recurrence of the product's rounding errors in the Frobenius norm (Higham 3.5), "
-              "that is "
-              "linear in the depth",
+              "that is linear in the depth",
           .tolerance = "an error of 1e-5",
           .series = nesting_series};
 }

@@ -105,8 +105,7 @@ Sweep separation_sweep() {
       .bound = "running bounds of transform, divide and viewport for both eyes (pipeline/bounds.h)",
       .tolerance =
           "a step of the snap, 1/256 px; or refused: check_pair refuses eyes further apart than "
-          "the "
-          "picture is wide at the window",
+          "the picture is wide at the window",
       .series = separation_series};
 }
 

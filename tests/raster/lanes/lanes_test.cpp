@@ -243,9 +243,10 @@ TEST_CASE(
       const std::uint64_t bits = random.bits();
       texel = {std::uint8_t(bits), std::uint8_t(bits >> 8), std::uint8_t(bits >> 16), 255};
     }
-    const MipChain texture = make_mip_chain(image, Transfer::kSrgb, false);
     for (const Wrap wrap : wraps) {
       for (const Sampler& sampler : all_filters(wrap, wraps[random.integer(0, 2)])) {
+        const MipChain texture =
+            make_mip_chain(image, Transfer::kSrgb, sampler.mip == MipFilter::kNone);
         const Transfer transfer = random.integer(0, 1) == 0 ? Transfer::kSrgb : Transfer::kNone;
         INFO(width << " x " << height << ", wraps " << int(wrap) << " " << int(sampler.wrap_v)
                    << ", filters " << int(sampler.magnify) << " " << int(sampler.minify) << " "
