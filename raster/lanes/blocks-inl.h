@@ -25,10 +25,22 @@ HWY_INLINE Doubles quad_offsets(const TriangleSetup& setup, std::size_t i) {
          widened(to_float(quad_rows(i))) * double(edge.b * kSubpixels);
 }
 
-// The edge function at the centre of a pixel of the screen.
-HWY_INLINE double edge_at_pixel(const EdgeFunction& edge, int x, int y) {
-  return double(edge.at(std::int64_t(x) * kSubpixels + kPixelCentre,
-                        std::int64_t(y) * kSubpixels + kPixelCentre));
+// An edge function at a pixel of the screen: at its centre, or at another point of it.
+HWY_INLINE std::int64_t edge_in_pixel(const EdgeFunction& edge, int x, int y, SampleOffset point) {
+  return edge.at(std::int64_t(x) * kSubpixels + kPixelCentre + point.x,
+                 std::int64_t(y) * kSubpixels + kPixelCentre + point.y);
+}
+HWY_INLINE double edge_at_pixel(const EdgeFunction& edge, int x, int y, SampleOffset point = {}) {
+  return double(edge_in_pixel(edge, x, y, point));
+}
+
+// The smallest value of an edge function that counts as covered.
+HWY_INLINE std::int64_t least_inside(const EdgeFunction& edge) {
+  return edge.owns_zero ? 0 : 1;
+}
+HWY_INLINE IntMask covers(const Doubles& values, std::int64_t least) {
+  // Zero or one: exact as a float, and the sign of an integer survives its rounding.
+  return int_mask(rounded(values) >= float(least));
 }
 
 // A large triangle's depth over quads.
@@ -50,12 +62,12 @@ struct LargeDepth {
 };
 
 // The depth codes of a quad's pixels.
-inline void fill_quad_depths(const TriangleSetup& setup, DepthFormat format, int x, int y,
+inline void fill_quad_depths(const TriangleSetup& setup, const TileBuffer& tile, int x, int y,
                              std::int32_t* codes) {
   const LargeDepth depth(setup);
-  const double first1 = edge_at_pixel(setup.edges[1], x, y);
-  const double first2 = edge_at_pixel(setup.edges[2], x, y);
-  with_code(format, [&](const auto& code_of) HWY_ATTR {
+  const double first1 = edge_at_pixel(setup.edges[1], x, y, tile.point());
+  const double first2 = edge_at_pixel(setup.edges[2], x, y, tile.point());
+  with_code(tile.format(), [&](const auto& code_of) HWY_ATTR {
     for (std::size_t k = 0; k < kQuadPixels; k += kLanes) {
       store(
           code_of(depth.at(quad_offsets<1>(setup, k) + first1, quad_offsets<2>(setup, k) + first2)),
@@ -68,7 +80,7 @@ inline void fill_block_depths(const TriangleSetup& setup, TileBuffer& tile, std:
   const int x = tile.window().x0 + int(block % std::size_t(tile.blocks_across())) * kBlockSide;
   const int y = tile.window().y0 + int(block / std::size_t(tile.blocks_across())) * kBlockSide;
   for (int quad = 0; quad < kBlockQuads; ++quad) {
-    fill_quad_depths(setup, tile.format(), x + (quad % 2) * kQuadSide, y + (quad / 2) * kQuadSide,
+    fill_quad_depths(setup, tile, x + (quad % 2) * kQuadSide, y + (quad / 2) * kQuadSide,
                      tile.depth() + block * kBlockPixels + std::size_t(quad * kQuadPixels));
   }
 }

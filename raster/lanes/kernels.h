@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include <glassbox/raster/lanes/tables.h>
 #include <glassbox/raster/lanes/target.h>
@@ -20,7 +21,8 @@ struct Kernels {
                      TileBuffer& tile, FragmentCounts& counts);
   void (*draw_large)(const TriangleSetup& setup, Reference reference, TileBuffer& tile,
                      FragmentCounts& counts);
-  void (*resolve_tile)(const ResolveJob& job, TileBuffer& tile);
+  // `tiles`: one for each of job.points, or a single one for pixel centres.
+  void (*resolve_tile)(const ResolveJob& job, std::span<TileBuffer> tiles);
 };
 
 // `target` is one of available_targets().

@@ -47,18 +47,13 @@ template <int kEdge>
 HWY_INLINE LargeEdge large_edge(const TriangleSetup& setup) {
   LargeEdge e;
   e.edge = setup.edges[kEdge];
-  e.least = e.edge.owns_zero ? 0 : 1;
+  e.least = least_inside(e.edge);
   const std::int64_t right = e.edge.a * kSubpixels, down = e.edge.b * kSubpixels;
   e.below = std::min<std::int64_t>(right, 0) + std::min<std::int64_t>(down, 0);
   e.above = std::max<std::int64_t>(right, 0) + std::max<std::int64_t>(down, 0);
   for (std::size_t k = 0; k < kQuadVectors; ++k)
     e.offsets[k] = quad_offsets<kEdge>(setup, k * kLanes);
   return e;
-}
-
-HWY_INLINE IntMask covers(const Doubles& values, std::int64_t least) {
-  // Zero or one: exact as a float, and the sign of an integer survives its rounding.
-  return int_mask(rounded(values) >= float(least));
 }
 
 template <class Code>
@@ -70,6 +65,7 @@ public:
         reference_(reference),
         code_of_(code_of),
         tile_(tile),
+        point_(tile.point()),
         counts_(counts),
         edges_{large_edge<0>(setup), large_edge<1>(setup), large_edge<2>(setup)},
         depth_(setup),
@@ -77,9 +73,7 @@ public:
 
   HWY_INLINE void draw() {
     const PixelRect& window = tile_.window();
-    const PixelRect box{
-        std::max(setup_.bounds.x0, window.x0), std::max(setup_.bounds.y0, window.y0),
-        std::min(setup_.bounds.x1, window.x1), std::min(setup_.bounds.y1, window.y1)};
+    const PixelRect box = intersect(pixels_reached(), window);
     if (box.empty()) return;
     const Place tile_place = place_of(window.x0, window.y0, tile_.side());
     if (tile_place == Place::kOutside) return;
@@ -96,12 +90,16 @@ public:
 private:
   enum class Place { kOutside, kCrossed, kInside };
 
+  HWY_INLINE PixelRect pixels_reached() const {
+    const bool at_centres = point_.x == 0 && point_.y == 0;
+    return at_centres ? setup_.bounds : sampled_bounds(setup_.bounds);
+  }
+
   // Where the square of `side` pixels at (x, y) lies: the extremes of an edge function over it are at its corners.
   HWY_INLINE Place place_of(int x, int y, int side) const {
     bool inside = true;
     for (const LargeEdge& e : edges_) {
-      const std::int64_t first = e.edge.at(std::int64_t(x) * kSubpixels + kPixelCentre,
-                                           std::int64_t(y) * kSubpixels + kPixelCentre);
+      const std::int64_t first = edge_in_pixel(e.edge, x, y, point_);
       if (first + e.above * (side - 1) < e.least) return Place::kOutside;
       inside = inside && first + e.below * (side - 1) >= e.least;
     }
@@ -137,9 +135,9 @@ private:
   }
 
   HWY_INLINE void draw_quad(std::size_t block, int quad, int x, int y, bool whole) {
-    const double first0 = edge_at_pixel(edges_[0].edge, x, y);
-    const double first1 = edge_at_pixel(edges_[1].edge, x, y);
-    const double first2 = edge_at_pixel(edges_[2].edge, x, y);
+    const double first0 = edge_at_pixel(edges_[0].edge, x, y, point_);
+    const double first1 = edge_at_pixel(edges_[1].edge, x, y, point_);
+    const double first2 = edge_at_pixel(edges_[2].edge, x, y, point_);
     const std::size_t at = block * kBlockPixels + std::size_t(quad * kQuadPixels);
     for (std::size_t k = 0; k < kQuadVectors; ++k) {
       const Doubles e1 = edges_[1].offsets[k] + first1;
@@ -167,6 +165,7 @@ private:
   Reference reference_;
   const Code& code_of_;
   TileBuffer& tile_;
+  SampleOffset point_;
   FragmentCounts& counts_;
   LargeEdge edges_[3];
   LargeDepth depth_;

@@ -15,6 +15,7 @@
 
 #include <hwy/cache_control.h>
 
+#include <glassbox/raster/lanes/samples-inl.h>
 #include <glassbox/raster/lanes/shade-inl.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -116,15 +117,18 @@ inline std::int32_t bytes_of(const ColorMask& mask) {
 
 class TileResolver {
 public:
-  TileResolver(const ResolveJob& job, TileBuffer& tile)
+  TileResolver(const ResolveJob& job, std::span<TileBuffer> tiles)
       : job_(job),
-        tile_(tile),
+        tiles_(tiles),
+        tile_(tiles.front()),
         mask_(bytes_of(job.mask)),
         has_other_planes_(job.picture != nullptr || job.distance != nullptr || job.id != nullptr),
-        plain_blocks_(job.distance == nullptr && job.id == nullptr && !job.keep_picture),
-        streams_color_(job.picture != nullptr && !job.keep_picture && !job.drawn_over),
-        color_{tile.color_rows(), tile.side(), tile.window().x0, tile.window().y0},
-        depth_{tile.depth_rows(), tile.side(), tile.window().x0, tile.window().y0} {
+        plain_blocks_(job.distance == nullptr && job.id == nullptr && !job.keep_picture &&
+                      job.samples == nullptr),
+        streams_color_(job.picture != nullptr && !job.keep_picture && !job.drawn_over &&
+                       job.samples == nullptr),
+        color_{tile_.color_rows(), tile_.side(), tile_.window().x0, tile_.window().y0},
+        depth_{tile_.depth_rows(), tile_.side(), tile_.window().x0, tile_.window().y0} {
     if (job.picture != nullptr && !streams_color_) color_ = rows_of(*job.picture);
   }
 
@@ -142,12 +146,15 @@ private:
   // One colour and one depth everywhere: nothing is seen, or one large triangle.
   bool is_one_block() const {
     const TileBlock& first = tile_.block(0);
-    return !job_.drawn_over && is_plain(first) && !is_shaded(first) &&
-           (job_.depth == nullptr || first.triangle == nullptr) &&
-           std::all_of(&first, &first + tile_.block_count(), [&](const TileBlock& b) {
-             return b.plain && b.reference == first.reference && b.triangle == first.triangle &&
-                    b.nearest == first.nearest;
-           });
+    if (job_.drawn_over || !is_plain(0) || is_shaded(first)) return false;
+    if (job_.depth != nullptr && first.triangle != nullptr) return false;
+    return std::ranges::all_of(tiles_, [&](const TileBuffer& tile) {
+      return std::all_of(&tile.block(0), &tile.block(0) + tile.block_count(),
+                         [&](const TileBlock& b) {
+                           return b.plain && b.reference == first.reference &&
+                                  b.triangle == first.triangle && b.nearest == first.nearest;
+                         });
+    });
   }
   void fill_first_row() {
     const TileBlock& first = tile_.block(0);
@@ -169,14 +176,18 @@ private:
       for (int x = window.x0; x < window.x1; x += kBlockSide) {
         const std::size_t block =
             tile_.block_index((x - window.x0) / kBlockSide, (y - window.y0) / kBlockSide);
-        if (is_plain(tile_.block(block)) && x + kBlockSide <= window.x1 &&
-            y + kBlockSide <= window.y1) {
+        if (is_plain(block) && x + kBlockSide <= window.x1 && y + kBlockSide <= window.y1) {
           resolve_plain_block(block, x, y);
           continue;
         }
         for (int quad = 0; quad < kBlockQuads; ++quad) {
           const int qx = x + (quad % 2) * kQuadSide, qy = y + (quad / 2) * kQuadSide;
-          if (qx < window.x1 && qy < window.y1) resolve_quad(block, quad, qx, qy);
+          if (qx >= window.x1 || qy >= window.y1) continue;
+          if (job_.points.empty()) {
+            resolve_quad(block, quad, qx, qy);
+          } else {
+            resolve_samples(block, quad, qx, qy);
+          }
         }
       }
       stream({window.x0, y, window.x1, std::min(y + kBlockSide, window.y1)}, tile_.side());
@@ -184,8 +195,12 @@ private:
   }
 
   // One thing is seen in the block, or nothing, and all of its pixels are to be stored.
-  bool is_plain(const TileBlock& b) const {
-    return b.plain && plain_blocks_ && (b.reference == kNothing || mask_ == -1);
+  bool is_plain(std::size_t block) const {
+    const TileBlock& first = tile_.block(block);
+    return first.plain && plain_blocks_ && (first.reference == kNothing || mask_ == -1) &&
+           std::ranges::all_of(tiles_.subspan(1), [&](const TileBuffer& tile) {
+             return tile.block(block).plain && tile.block(block).reference == first.reference;
+           });
   }
   // Whether the pixels of a plain block differ in colour.
   bool is_shaded(const TileBlock& b) const {
@@ -200,10 +215,12 @@ private:
                                             : *job_.large[b.reference & ~kLargeReference]->color);
   }
   // The depth code of a plain block whose pixels all have the same depth.
-  static std::uint32_t code_of(const TileBlock& b) {
-    return b.nearest == kEmptyTileDepth ? kEmptyDepth : std::uint32_t(b.nearest);
+  static std::uint32_t code_of(const TileBlock& b) { return stored_code(b.nearest); }
+  static std::uint32_t stored_code(TileDepth depth) {
+    return depth == kEmptyTileDepth ? kEmptyDepth : std::uint32_t(depth);
   }
 
+  // (What covers all samples of a pixel covers its centre, which lies between them.)
   HWY_INLINE void resolve_plain_block(std::size_t block, int x, int y) {
     const TileBlock& b = tile_.block(block);
     if (job_.depth != nullptr) store_plain_depths(block, x, y);
@@ -217,7 +234,8 @@ private:
       const int qx = x + (quad % 2) * kQuadSide, qy = y + (quad / 2) * kQuadSide;
       HWY_ALIGN std::int32_t colors[kQuadPixels];
       for (std::size_t k = 0; k < kQuadPixels; k += kLanes) {
-        store(shade(draw, textures, job_, LargeSource(shape, qx, qy, k)), colors + k);
+        const LargeSource source(shape, qx, qy, k, AtCentre());
+        store(shade(draw, textures, job_, source), colors + k);
       }
       store_quad(colors, color_, tile_.window(), qx, qy);
     }
@@ -240,8 +258,8 @@ private:
     }
     for (int quad = 0; quad < kBlockQuads; ++quad) {
       HWY_ALIGN std::int32_t codes[kQuadPixels];
-      fill_quad_depths(*b.triangle, tile_.format(), x + (quad % 2) * kQuadSide,
-                       y + (quad / 2) * kQuadSide, codes);
+      fill_quad_depths(*b.triangle, tile_, x + (quad % 2) * kQuadSide, y + (quad / 2) * kQuadSide,
+                       codes);
       store_quad(codes, depth_, tile_.window(), x + (quad % 2) * kQuadSide,
                  y + (quad / 2) * kQuadSide);
     }
@@ -259,15 +277,80 @@ private:
       clear(pixels);
     }
     for (std::size_t k = 0; k < kQuadPixels; k += kLanes) {
-      const auto* at = reinterpret_cast<const std::int32_t*>(
-          tile_.reference() + block * kBlockPixels + std::size_t(quad) * kQuadPixels + k);
-      resolve_lanes(b.plain ? Ints(std::int32_t(b.reference)) : load(at), x, y, k, pixels);
+      const Ints seen = seen_in(tile_, block, quad, k);
+      shade_lanes(seen, is_to_be_shaded(seen), x, y, k, ToPixels{*this, pixels, k});
     }
     const PixelRect& window = tile_.window();
     if (job_.picture != nullptr) store_quad(pixels.color, color_, window, x, y);
     if (job_.distance != nullptr)
       store_quad(pixels.distance, rows_of(*job_.distance), window, x, y);
     if (job_.id != nullptr) store_quad(pixels.id, rows_of(*job_.id), window, x, y);
+  }
+
+  // References of a quad's pixels k .. k + kLanes - 1.
+  HWY_INLINE static Ints seen_in(const TileBuffer& tile, std::size_t block, int quad,
+                                 std::size_t k) {
+    const TileBlock& b = tile.block(block);
+    if (b.plain) return std::int32_t(b.reference);
+    return load(reinterpret_cast<const std::int32_t*>(tile.reference()) + block * kBlockPixels +
+                std::size_t(quad) * kQuadPixels + k);
+  }
+  HWY_INLINE static IntMask is_to_be_shaded(Ints seen) {
+    return seen != std::int32_t(kNothing) && seen != std::int32_t(kInPicture);
+  }
+
+  // A quad's samples: each triangle that is seen at some of a pixel's is shaded once there.
+  HWY_NOINLINE void resolve_samples(std::size_t block, int quad, int x, int y) {
+    HWY_ALIGN std::int32_t means[kQuadPixels];
+    if (job_.keep_picture && job_.samples == nullptr) {
+      load_quad(reinterpret_cast<Rgba8*>(means), *job_.picture, tile_.window(), x, y);
+    } else {
+      std::fill_n(means, kQuadPixels, std::bit_cast<std::int32_t>(job_.background));
+    }
+    SampleColors colors;
+    for (std::size_t k = 0; k < kQuadPixels; k += kLanes) {
+      Ints seen[kMostSamples];
+      for (std::size_t s = 0; s < tiles_.size(); ++s) {
+        seen[s] = seen_in(tiles_[s], block, quad, k);
+        Ints color = load(means + k);
+        IntMask pending = is_to_be_shaded(seen[s]);
+        for (std::size_t t = 0; t < s; ++t) {
+          const IntMask same = seen[s] == seen[t];
+          color = select(same, load(colors.at(t) + k), color);
+          pending = pending && !same;
+        }
+        shade_lanes(seen[s], pending, x, y, k, ToSample{job_, color});
+        store(color, colors.at(s) + k);
+      }
+      const Ints mean = mean_color(job_.transfer, colors, tiles_.size(), k);
+      store((mean & mask_) | (load(means + k) & ~mask_), means + k);
+    }
+    if (job_.samples == nullptr) {
+      store_quad(means, color_, tile_.window(), x, y);
+    } else {
+      leave_samples(block, quad, x, y, colors);
+    }
+  }
+
+  // For other draws to come: what was seen, and all depths. (Not often, and so pixel by pixel.)
+  void leave_samples(std::size_t block, int quad, int x, int y, const SampleColors& colors) {
+    for (std::size_t s = 0; s < tiles_.size(); ++s) {
+      TileBuffer& tile = tiles_[s];
+      make_plain_block_full(tile, block);
+      const std::size_t first = block * kBlockPixels + std::size_t(quad) * kQuadPixels;
+      for_each_row(tile_.window(), x, y, [&](int row, auto columns) {
+        for (int column = 0; column < int(columns); ++column) {
+          const int i = row * kQuadSide + column;
+          const Reference seen = tile.reference()[first + std::size_t(i)];
+          const std::size_t to = job_.samples->at(x + column, y + row) + s;
+          job_.samples->depths[to] = stored_code(tile.depth()[first + std::size_t(i)]);
+          if (seen == kNothing || seen == kInPicture) continue;
+          auto& color = job_.samples->colors[to];
+          color = std::bit_cast<Rgba8>((colors.at(s)[i] & mask_) |
+                                       (std::bit_cast<std::int32_t>(color) & ~mask_));
+        }
+      });
+    }
   }
 
   // Plain blocks are filled in where their depths differ.
@@ -299,8 +382,33 @@ private:
     if (job_.id != nullptr) load_quad(pixels.id, *job_.id, window, x, y);
   }
 
-  HWY_INLINE void resolve_lanes(Ints seen, int x, int y, std::size_t k, QuadPixels& pixels) {
-    IntMask pending = seen != std::int32_t(kNothing) && seen != std::int32_t(kInPicture);
+  // Where in its pixel a fragment is shaded, and what becomes of it.
+  struct ToPixels {
+    HWY_INLINE AtCentre place(IntMask) const { return {}; }
+    template <class Source>
+    HWY_INLINE void take(const ShadeDraw& draw, const DrawTextures& textures, const Source& source,
+                         IntMask lanes) const {
+      resolver.finish(draw, textures, source, lanes, k, pixels);
+    }
+    TileResolver& resolver;
+    QuadPixels& pixels;
+    std::size_t k;
+  };
+  struct ToSample {
+    HWY_INLINE AtSamples place(IntMask lanes) const { return {job.points, lanes}; }
+    template <class Source>
+    HWY_INLINE void take(const ShadeDraw& draw, const DrawTextures& textures, const Source& source,
+                         IntMask lanes) const {
+      color = select(lanes, shade(draw, textures, job, source), color);
+    }
+    const ResolveJob& job;
+    Ints& color;
+  };
+
+  // What is seen in the `pending` lanes, shaded.
+  template <class To>
+  HWY_INLINE void shade_lanes(Ints seen, IntMask pending, int x, int y, std::size_t k,
+                              const To& to) {
     while (!none(pending)) {
       HWY_ALIGN std::int32_t references[kLanes];
       store(seen, references);
@@ -311,15 +419,16 @@ private:
         const LargeShape& shape = shape_of(first);
         const ShadeDraw& draw = job_.draws[shape.triangle->draw];
         const DrawTextures textures = textures_of(draw);
-        finish(draw, textures, LargeSource(shape, x, y, k), same, k, pixels);
+        to.take(draw, textures, LargeSource(shape, x, y, k, to.place(same)), same);
       } else {
         const ShadeDraw& draw = draw_of(first);
         const DrawTextures textures = textures_of(draw);
         const Ints begin = std::int32_t(draw.first_reference);
         same = pending && seen >= begin && seen < std::int32_t(draw.end_reference);
         const Ints reference = select(same, seen, std::int32_t(first));
-        const SmallSource source(draw, reference - begin, quad_columns(k) + x, quad_rows(k) + y);
-        finish(draw, textures, source, same, k, pixels);
+        const SmallSource source(draw, reference - begin, quad_columns(k) + x, quad_rows(k) + y,
+                                 to.place(same));
+        to.take(draw, textures, source, same);
       }
       pending = pending && !same;
     }
@@ -367,7 +476,8 @@ private:
   }
 
   const ResolveJob& job_;
-  TileBuffer& tile_;
+  std::span<TileBuffer> tiles_;
+  TileBuffer& tile_;  // the first of them, or the only one
   std::int32_t mask_;
   bool has_other_planes_;
   bool plain_blocks_;  // may be stored without a look at what their pixels have in other planes
@@ -379,8 +489,8 @@ private:
   LargeShape shape_;
 };
 
-inline void resolve_tile(const ResolveJob& job, TileBuffer& tile) {
-  TileResolver(job, tile).resolve();
+inline void resolve_tile(const ResolveJob& job, std::span<TileBuffer> tiles) {
+  TileResolver(job, tiles).resolve();
 }
 
 }  // namespace HWY_NAMESPACE

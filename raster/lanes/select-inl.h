@@ -75,10 +75,10 @@ inline std::size_t select_triangles(const SelectJob& job, BinEntry* selected,
     counts.zero_area += count_of(flat);
     counts.culled += count_of(is_small) - count_of(flat) - count_of(facing);
 
-    const Ints x0 = greatest(first_pixel(left), Ints(job.window.x0));
-    const Ints y0 = greatest(first_pixel(top), Ints(job.window.y0));
-    const Ints x1 = least(end_pixel(right), Ints(job.window.x1));
-    const Ints y1 = least(end_pixel(bottom), Ints(job.window.y1));
+    const Ints x0 = greatest(first_pixel(left) - job.margin, Ints(job.window.x0));
+    const Ints y0 = greatest(first_pixel(top) - job.margin, Ints(job.window.y0));
+    const Ints x1 = least(end_pixel(right) + job.margin, Ints(job.window.x1));
+    const Ints y1 = least(end_pixel(bottom) + job.margin, Ints(job.window.y1));
     const IntMask meets_pixels = x0 < x1 && y0 < y1;
     const IntMask keep = (facing && meets_pixels) || is_large;
     if (none(keep)) continue;

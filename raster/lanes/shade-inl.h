@@ -29,11 +29,72 @@ HWY_INLINE Float3 gather_triple(const T* table, Ints at) {
   return {float_of(xy.first), float_of(xy.second), gather(from + 2, word)};
 }
 
+// Where in its pixel a fragment is shaded: with one sample to a pixel, at the centre.
+struct AtCentre {
+  HWY_INLINE void move(const std::array<EdgeSlopes<Ints>, 3>&, Ints, Ints&, Ints&) const {}
+  HWY_INLINE void move(const TriangleSetup&, std::array<Doubles, 3>&) const {}
+};
+
+// With several: there too if the triangle covers it, otherwise at the first sample that it covers (shading_place() of samples.h).
+struct AtSamples {
+  std::span<const SampleOffset> points;
+  IntMask lanes;  // that show the triangle; the others may stay where they are
+
+  // Of small triangles: from the edge functions at the centre to those at the place. (That of edge 0 is what is left of the area.)
+  HWY_INLINE void move(const std::array<EdgeSlopes<Ints>, 3>& edges, Ints area, Ints& e1,
+                       Ints& e2) const {
+    const Ints above0 = outside_up_to(edges[0]), above1 = outside_up_to(edges[1]),
+               above2 = outside_up_to(edges[2]);
+    const auto covered = [&](Ints at1, Ints at2) HWY_ATTR {
+      return at1 > above1 && at2 > above2 && area - at1 - at2 > above0;
+    };
+    const Ints centre1 = e1, centre2 = e2;
+    IntMask searching = lanes && !covered(e1, e2);
+    for (const SampleOffset& point : points) {
+      if (none(searching)) return;
+      const Ints at1 = centre1 + edges[1].a * point.x + edges[1].b * point.y;
+      const Ints at2 = centre2 + edges[2].a * point.x + edges[2].b * point.y;
+      const IntMask here = searching && covered(at1, at2);
+      e1 = select(here, at1, e1);
+      e2 = select(here, at2, e2);
+      searching = searching && !here;
+    }
+  }
+
+  // Of a large one.
+  HWY_INLINE void move(const TriangleSetup& setup, std::array<Doubles, 3>& e) const {
+    const auto covered = [&](const SampleOffset& point) HWY_ATTR {
+      IntMask all = first_lanes(kLanes);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const EdgeFunction& edge = setup.edges[k];
+        const Doubles at_point = e[k] + double(edge.a * point.x + edge.b * point.y);
+        all = all && covers(at_point, least_inside(edge));
+      }
+      return all;
+    };
+    IntMask searching = lanes && !covered({});
+    if (none(searching)) return;
+    Floats x = 0.0f, y = 0.0f;
+    for (const SampleOffset& point : points) {
+      const IntMask here = searching && covered(point);
+      x = select(float_mask(here), float(point.x), x);
+      y = select(float_mask(here), float(point.y), y);
+      searching = searching && !here;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      const EdgeFunction& edge = setup.edges[k];
+      e[k] = e[k] + widened(x) * double(edge.a) + widened(y) * double(edge.b);
+    }
+  }
+};
+
 // A small triangle in every lane: gathered from the draw's tables.
 class SmallSource {
 public:
   // `reference`: of the lane's triangle, less the draw's first.
-  HWY_INLINE SmallSource(const ShadeDraw& draw, Ints reference, Ints pixel_x, Ints pixel_y)
+  template <class Place>
+  HWY_INLINE SmallSource(const ShadeDraw& draw, Ints reference, Ints pixel_x, Ints pixel_y,
+                         const Place& place)
       : draw_(draw),
         triangle_(shifted_right<3>(reference)),
         order_(order_of_code(reference)),
@@ -48,8 +109,9 @@ public:
     const std::array<EdgeSlopes<Ints>, 3> edges{edge_of<0>(x, y), edge_of<1>(x, y),
                                                 edge_of<2>(x, y)};
     const Ints area = double_area(x, y);
-    const Ints e1 = value_of<1>(edges[1], x, y, at_x, at_y);
-    const Ints e2 = value_of<2>(edges[2], x, y, at_x, at_y);
+    Ints e1 = value_of<1>(edges[1], x, y, at_x, at_y);
+    Ints e2 = value_of<2>(edges[2], x, y, at_x, at_y);
+    place.move(edges, area, e1, e2);
     const Ints e0 = area - e1 - e2;
     const Floats inverse_area = 1.0f / to_float(area);
     lambda1_ = screen_weight(to_float(e1), inverse_area);
@@ -166,17 +228,19 @@ struct LargeShape {
 // One large triangle in all lanes, which begin at pixel `i` of the quad at (x, y).
 class LargeSource {
 public:
-  HWY_INLINE LargeSource(const LargeShape& shape, int x, int y, std::size_t i)
+  template <class Place>
+  HWY_INLINE LargeSource(const LargeShape& shape, int x, int y, std::size_t i, const Place& place)
       : triangle_(shape.triangle) {
     const TriangleSetup& setup = triangle_->setup;
-    const auto lambda = [&](const Doubles& offsets, std::size_t k) HWY_ATTR {
-      return screen_weight(rounded(offsets + edge_at_pixel(setup.edges[k], x, y)),
-                           Floats(setup.inverse_area));
-    };
     const std::size_t vector = i / kLanes;
-    lambda1_ = lambda(shape.offsets1[vector], 1);
-    lambda2_ = lambda(shape.offsets2[vector], 2);
-    const Floats lambda0 = lambda(shape.offsets0[vector], 0);
+    std::array<Doubles, 3> e{shape.offsets0[vector] + edge_at_pixel(setup.edges[0], x, y),
+                             shape.offsets1[vector] + edge_at_pixel(setup.edges[1], x, y),
+                             shape.offsets2[vector] + edge_at_pixel(setup.edges[2], x, y)};
+    place.move(setup, e);
+    const Floats inverse_area = setup.inverse_area;
+    const Floats lambda0 = screen_weight(rounded(e[0]), inverse_area);
+    lambda1_ = screen_weight(rounded(e[1]), inverse_area);
+    lambda2_ = screen_weight(rounded(e[2]), inverse_area);
     const Floats w0 = setup.inverse_w[0], w1 = setup.inverse_w[1], w2 = setup.inverse_w[2];
     at_ = setup.affine ? WeightsInSpace<Floats>{lambda0, lambda1_, lambda2_, w0}
                        : perspective<Floats>({lambda0, lambda1_, lambda2_}, {w0, w1, w2});

@@ -36,8 +36,10 @@ struct SmallSetups {
   HWY_ALIGN Row<std::int32_t> x0, y0, x1, y1;   // quads of the tile, x1 and y1 excluded
 };
 
-HWY_INLINE void set_up(const SmallJob& job, Ints triangle, const PixelRect& window, SmallSetups& to,
+HWY_INLINE void set_up(const SmallJob& job, Ints triangle, const TileBuffer& tile, SmallSetups& to,
                        std::size_t at) {
+  const PixelRect& window = tile.window();
+  const SampleOffset point = tile.point();
   const OfVertices<Ints> vertices = gather_indices(job.positions, triangle);
   const OfVertices<Ints> entries = entries_of(vertices);
   OfVertices<Ints> x, y;
@@ -54,18 +56,20 @@ HWY_INLINE void set_up(const SmallJob& job, Ints triangle, const PixelRect& wind
         to.reference + at);
 
   // Pixels of the box, in the tile.
-  const Ints px0 = greatest(first_pixel(smallest(x)), Ints(window.x0)) - window.x0;
-  const Ints py0 = greatest(first_pixel(smallest(y)), Ints(window.y0)) - window.y0;
-  const Ints px1 = least(end_pixel(largest(x)), Ints(window.x1)) - window.x0;
-  const Ints py1 = least(end_pixel(largest(y)), Ints(window.y1)) - window.y0;
+  const Ints px0 = greatest(first_pixel(smallest(x) - point.x), Ints(window.x0)) - window.x0;
+  const Ints py0 = greatest(first_pixel(smallest(y) - point.y), Ints(window.y0)) - window.y0;
+  const Ints px1 = least(end_pixel(largest(x) - point.x), Ints(window.x1)) - window.x0;
+  const Ints py1 = least(end_pixel(largest(y) - point.y), Ints(window.y1)) - window.y0;
   const Ints qx0 = shifted_right<2>(px0), qy0 = shifted_right<2>(py0);
   store(qx0, to.x0 + at);
   store(qy0, to.y0 + at);
   store(shifted_right<2>(px1 + 3), to.x1 + at);
   store(shifted_right<2>(py1 + 3), to.y1 + at);
 
-  const Ints at_x = shifted_left<2 + kSubpixelBits>(qx0) + (window.x0 * kSubpixels + kPixelCentre);
-  const Ints at_y = shifted_left<2 + kSubpixelBits>(qy0) + (window.y0 * kSubpixels + kPixelCentre);
+  const Ints at_x =
+      shifted_left<2 + kSubpixelBits>(qx0) + (window.x0 * kSubpixels + kPixelCentre + point.x);
+  const Ints at_y =
+      shifted_left<2 + kSubpixelBits>(qy0) + (window.y0 * kSubpixels + kPixelCentre + point.y);
   const EdgeSlopes<Ints> edge0 = edge_of<0>(x, y), edge1 = edge_of<1>(x, y),
                          edge2 = edge_of<2>(x, y);
   store(value_of<1>(edge1, x, y, at_x, at_y), to.e1 + at);
@@ -168,7 +172,7 @@ HWY_INLINE void draw_all(const SmallJob& job, const std::uint32_t* triangles, st
       for (std::size_t lane = 0; lane < kLanes; ++lane) {
         lanes[lane] = std::int32_t(triangles[i + HWY_MIN(k + lane, live - 1)]);
       }
-      set_up(job, load(lanes), tile.window(), setups, k);
+      set_up(job, load(lanes), tile, setups, k);
     }
     for (std::size_t k = 0; k < live; ++k) draw_one<kRagged>(setups, k, code_of, pixels, own);
   }

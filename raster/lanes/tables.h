@@ -72,7 +72,7 @@ struct EyePositionJob {
 using IndexTriples = const std::uint32_t*;
 
 // Small triangles are at most this many pixels wide and high, so that everything about them fits 32 bits: with s = 64 * 256, an edge
-// function within a quad of the box is below 2 s (s + 4 * 256) < 2^30, and so is twice the area.
+// function within a quad of the box, and a pixel beside it for samples, is below 2 s (s + 5 * 256) < 2^30, and so is twice the area.
 inline constexpr int kSmallSide = 64;
 
 struct SelectJob {
@@ -83,6 +83,8 @@ struct SelectJob {
   bool keep_front = true, keep_back = false;
   bool all_large = false;  // leave every triangle to the staged primitives
   PixelRect window;
+  int margin =
+      0;  // pixels around those that have their centres in the box: 1 where samples are drawn (sampled_bounds())
   int tile_shift = 6;  // log2 of the tile's side
   // Null, or for each of the `count` triangles whether it goes on: 0 where it does not. kMostLanes more can be read.
   const std::int32_t* keep = nullptr;
@@ -161,6 +163,20 @@ struct ShadeDraw {
   const Sampler* emission_sampler = nullptr;
 };
 
+// Memory of a pixel's samples, which are neighbours in it.
+struct SampleRows {
+  PixelRect window;  // whose pixels have samples here, row by row
+  Rgba8* colors = nullptr;
+  std::uint32_t* depths = nullptr;  // depth_code()
+  int count = 0;
+
+  std::size_t at(int x, int y) const {
+    return (std::size_t(y - window.y0) * std::size_t(window.x1 - window.x0) +
+            std::size_t(x - window.x0)) *
+           std::size_t(count);
+  }
+};
+
 // A tile's colours, from what is seen at its pixels.
 struct ResolveJob {
   std::span<const ShadeDraw> draws;  // by draw
@@ -177,7 +193,12 @@ struct ResolveJob {
   // The other eye draws over the tile's colours next: they had better stay in the cache.
   bool drawn_over = false;
 
-  // Planes that are not wanted are null.
+  // Of several samples to a pixel: where they are in it, as the buffers have them. Empty: pixel centres alone.
+  std::span<const SampleOffset> points;
+  // Where the samples go; null: their mean goes to the picture.
+  SampleRows* samples = nullptr;
+
+  // Planes that are not wanted are null. Samples have no others than the picture.
   Image<Rgba8>* picture = nullptr;
   Image<std::uint32_t>* depth = nullptr;  // depth_code()
   Image<float>* distance = nullptr;       // along the gaze

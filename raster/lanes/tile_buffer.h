@@ -1,5 +1,7 @@
 // A tile of the screen while it is drawn: small enough to stay in the cache of the core that draws it.
 //
+// It has one point of each pixel: the centre, or one of the pixel's samples, of which each has a buffer of its own.
+//
 // Pixels are kept in blocks of 8 x 8, each of four quads of 4 x 4, so that a quad's 16 pixels are one vector of the widest
 // processors and some of them a vector of the others.
 //
@@ -16,6 +18,7 @@
 #include <new>
 
 #include <glassbox/raster/depth.h>
+#include <glassbox/raster/samples.h>
 #include <glassbox/raster/stages.h>
 
 namespace glassbox {
@@ -79,10 +82,12 @@ public:
         depth_rows_(std::size_t(side) * kBlockSide),
         blocks_(std::size_t(blocks_across_) * std::size_t(blocks_across_)) {}
 
-  // Begins the tile whose part of the screen is `window`; x0 and y0 are multiples of the side.
-  void clear(const PixelRect& window, DepthFormat format) {
+  // Begins the tile whose part of the screen is `window`; x0 and y0 are multiples of the side. Whether a pixel is covered is
+  // asked at `point`, and so is its depth.
+  void clear(const PixelRect& window, DepthFormat format, SampleOffset point = {}) {
     window_ = window;
     format_ = format;
+    point_ = point;
     farthest_ = kEmptyTileDepth;
     std::fill_n(blocks_.get(), block_count(), TileBlock{});
   }
@@ -90,6 +95,7 @@ public:
   const PixelRect& window() const { return window_; }
   int side() const { return side_; }
   DepthFormat format() const { return format_; }
+  SampleOffset point() const { return point_; }
   // Pixels of the tile lie outside of the screen.
   bool is_ragged() const {
     return window_.x1 - window_.x0 < side_ || window_.y1 - window_.y0 < side_;
@@ -134,6 +140,7 @@ private:
   int side_, blocks_across_;
   PixelRect window_;
   DepthFormat format_ = DepthFormat::kFloat32;
+  SampleOffset point_;
   TileDepth farthest_ = kEmptyTileDepth;
   AlignedArray<TileDepth> depth_;
   AlignedArray<Reference> reference_;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <glassbox/images/image.h>
+#include <glassbox/raster/lanes/tables.h>
 #include <glassbox/raster/stages.h>
 #include <glassbox/render/engine/settings.h>
 
@@ -25,6 +26,9 @@ public:
   std::span<std::uint32_t> depths(int x, int y) {
     return std::span(depth_).subspan(at(x, y), size());
   }
+
+  // The same memory, for the lanes.
+  SampleRows rows() { return {window_, color_.data(), depth_.data(), count_}; }
 
   // The mean of each pixel's samples (mean_color.h), into the channels of the settings' mask.
   void resolve(const RenderSettings& settings, Image<Rgba8>& picture) const;

@@ -258,7 +258,9 @@ Decision colors(const Plan& plan, const PlannedEye& eye) {
   constexpr const char* kStage = "colours";
   if (!plan.leaves_out) return needed(kStage, kNoPlan);
   if (plan.colors && samples_drawn(eye.settings) > 1) {
-    return needed(kStage, "the picture shows them; once for each pixel of a triangle");
+    return needed(kStage,
+                  "the picture shows them; once for each pixel and triangle that is seen at one of "
+                  "its samples");
   }
   if (plan.colors) {
     return needed(kStage,

@@ -9,7 +9,6 @@ namespace glassbox {
 namespace {
 
 const char* why_staged(const Draw& draw, const RenderSettings& settings) {
-  if (samples_drawn(settings) > 1) return "each of a pixel's samples has a depth and a colour";
   if (settings.wireframe) return "lines are drawn one after the other";
   if (settings.show == Show::kNormal || settings.show == Show::kUv) {
     return "a picture of normals or texture coordinates";

@@ -57,6 +57,12 @@ std::optional<BinEntry> bin_entry(const TileRun& run, std::uint32_t entry, const
   return BinEntry{entry, tile(seen.x0), tile(seen.y0), tile(seen.x1 - 1), tile(seen.y1 - 1)};
 }
 
+// Pixels of which the triangle may cover something.
+PixelRect reach(const TileRun& run, const ReadyTriangle& triangle) {
+  const PixelRect& bounds = triangle.setup.bounds;
+  return samples_drawn(run.settings) > 1 ? sampled_bounds(bounds) : bounds;
+}
+
 PixelRect pixels_near(const SnappedVertex& a, const SnappedVertex& b) {
   const auto [left, right] = std::minmax(a.x, b.x);
   const auto [top, bottom] = std::minmax(a.y, b.y);
@@ -140,6 +146,7 @@ std::span<const BinEntry> fill_from_lanes(const TileRun& run, const Kernels& ker
   job.keep_back = method.keep_back;
   job.all_large = method.large_because != nullptr;
   job.window = run.window;
+  job.margin = samples_drawn(run.settings) > 1 ? 1 : 0;
   job.tile_shift = std::countr_zero(unsigned(run.tile_side));
 
   const PrimitiveStage stage = primitive_stage(run, slot);
@@ -170,7 +177,7 @@ std::span<const BinEntry> fill_from_lanes(const TileRun& run, const Kernels& ker
     ready_triangle(stage, watch, draw.triangulation->triangles[one.entry & ~kLarge], attributes,
                    ready, no_lines);
     for (const ReadyTriangle& triangle : ready) {
-      add_entry(run, kOfChunk | std::uint32_t(chunk.large.size()), triangle.setup.bounds, chunk);
+      add_entry(run, kOfChunk | std::uint32_t(chunk.large.size()), reach(run, triangle), chunk);
       chunk.large.push_back(large_triangle(run, slot, triangle));
     }
   }
@@ -193,10 +200,8 @@ std::span<const BinEntry> fill_staged(const TileRun& run, const DrawSlot& slot, 
                    chunk.triangles, chunk.lines);
   }
   std::uint32_t entry = kOfChunk;
-  const bool sampled = samples_drawn(run.settings) > 1;
   for (const ReadyTriangle& triangle : chunk.triangles) {
-    const PixelRect& bounds = triangle.setup.bounds;
-    add_entry(run, entry++, sampled ? sampled_bounds(bounds) : bounds, chunk);
+    add_entry(run, entry++, reach(run, triangle), chunk);
   }
   for (const ReadyLine& line : chunk.lines) {
     add_entry(run, entry++, pixels_near(snap(line.ends[0]), snap(line.ends[1])), chunk);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <glassbox/raster/samples.h>
 #include <glassbox/render/staged/lines_points.h>
 #include <glassbox/render/staged/watch.h>
 
@@ -43,14 +44,68 @@ void draw_staged_primitives(const TilePass& pass, const Chunk& chunk,
   }
 }
 
-// A tile being drawn: by the lanes, in its own buffer, or by the staged fragments, in the framebuffer. Primitives of one kind
+// What the lanes draw a tile into: its pixel centres, its samples, or both.
+struct TileBuffers {
+  TileBuffer* centres = nullptr;  // null: nobody looks at them
+  std::span<TileBuffer> samples;
+
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    if (centres != nullptr) visit(*centres);
+    for (TileBuffer& tile : samples) visit(tile);
+  }
+};
+
+// With one sample to a pixel, it is at the centre. With several they have the colours, and centres what other planes there are.
+TileBuffers begin_buffers(const TilePass& pass, const PixelRect& window, TileMemory& memory) {
+  const RenderSettings& settings = pass.run.settings;
+  const int count = samples_drawn(settings);
+  TileBuffers buffers;
+  const Framebuffer& target = pass.target;
+  const bool planes =
+      !target.depth.pixels.empty() || !target.distance.pixels.empty() || !target.id.pixels.empty();
+  if (count == 1 || planes) {
+    buffers.centres = &memory.centres;
+    buffers.centres->clear(window, settings.depth);
+  }
+  if (count == 1 || pass.resolve.picture == nullptr) return buffers;
+  const std::span<const SampleOffset> points = sample_offsets(count);
+  while (memory.samples.size() < points.size()) memory.samples.emplace_back(pass.run.tile_side);
+  buffers.samples = std::span(memory.samples).first(points.size());
+  for (std::size_t s = 0; s < points.size(); ++s) {
+    buffers.samples[s].clear(window, settings.depth, points[s]);
+  }
+  return buffers;
+}
+
+// Every pixel gets the depth that depth_of(x, y) has for it, and shows what is in the picture already. (Beyond the screen's edge
+// nothing is shown, but whole quads are read.)
+template <class DepthOf>
+void load_tile(TileBuffer& tile, const DepthOf& depth_of) {
+  std::fill_n(tile.reference(), tile.block_count() * kBlockPixels, kInPicture);
+  for (std::size_t i = 0; i < tile.block_count(); ++i) {
+    tile.block(i) = {0, kEmptyTileDepth, false, kNothing, nullptr};
+  }
+  const PixelRect& window = tile.window();
+  for (int y = window.y0; y < window.y1; ++y) {
+    for (int x = window.x0; x < window.x1; ++x) {
+      tile.depth()[tile.pixel_index(x, y)] = tile_depth(depth_of(x, y));
+    }
+  }
+}
+
+// A tile being drawn: by the lanes, in its own buffers, or by the staged fragments, in the framebuffer. Primitives of one kind
 // after those of the other make it change over.
 class TileDrawing {
 public:
-  TileDrawing(const TilePass& pass, const PixelRect& window, TileBuffer& tile,
+  TileDrawing(const TilePass& pass, const PixelRect& window, TileMemory& memory,
               Statistics& statistics)
-      : pass_(pass), tile_(tile), statistics_(statistics) {
-    tile_.clear(window, pass.run.settings.depth);
+      : pass_(pass),
+        window_(window),
+        buffers_(begin_buffers(pass, window, memory)),
+        own_planes_(memory.planes),
+        statistics_(statistics) {
+    if (!pass.target.samples.empty()) planes_ = &pass.target.samples;
     if (pass.load_depth) load();
   }
 
@@ -64,7 +119,8 @@ public:
   }
 
   void finish() {
-    if (!in_framebuffer_) leave_buffer(pass_.store_depth);
+    if (!in_framebuffer_) leave_buffers(pass_.store_depth);
+    if (planes_ == &own_planes_) planes_->resolve(pass_.run.settings, pass_.color);
     statistics_.covered += counts_.covered;
     statistics_.written += counts_.written;
     statistics_.depth_failed += counts_.covered - counts_.written;
@@ -83,54 +139,73 @@ private:
     for (auto at = bin.begin(); at != bin.end();) {
       const auto large = std::find_if(at, bin.end(), is_large);
       if (large != at) {
-        pass_.kernels.draw_small(job, &*at, std::size_t(large - at), tile_, counts_);
+        buffers_.for_each([&](TileBuffer& tile) {
+          pass_.kernels.draw_small(job, &*at, std::size_t(large - at), tile, counts_);
+        });
       }
       at = large;
       for (; at != bin.end() && is_large(*at); ++at) {
         const std::uint32_t index = chunk.first_large + (*at & ~kOfChunk);
-        pass_.kernels.draw_large(pass_.round.large[index]->setup, kLargeReference | index, tile_,
-                                 counts_);
+        buffers_.for_each([&](TileBuffer& tile) {
+          pass_.kernels.draw_large(pass_.round.large[index]->setup, kLargeReference | index, tile,
+                                   counts_);
+        });
       }
     }
   }
 
   void draw_staged(const Chunk& chunk, std::span<const std::uint32_t> bin) {
+    if (samples_drawn(pass_.run.settings) > 1 && planes_ == nullptr) {
+      planes_ = &own_planes_;
+      planes_->clear(window_, pass_.run.settings.samples, pass_.color);
+    }
     if (!in_framebuffer_) {
-      leave_buffer(true);
+      leave_buffers(true);
       in_framebuffer_ = true;
     }
-    draw_staged_primitives(pass_, chunk, bin, tile_.window(), nullptr, statistics_);
+    draw_staged_primitives(pass_, chunk, bin, window_, planes_, statistics_);
   }
 
-  // From the buffer to the framebuffer.
-  void leave_buffer(bool with_depth) {
+  // From the buffers to the framebuffer.
+  void leave_buffers(bool with_depth) {
     ResolveJob resolve = pass_.resolve;
-    resolve.depth = with_depth ? &pass_.target.depth : nullptr;
-    pass_.kernels.resolve_tile(resolve, tile_);
-  }
-
-  // From the framebuffer to the buffer: depths, and for every pixel that what it shows is in the picture already. (Beyond the
-  // screen's edge nothing is shown, but whole quads are read.)
-  void load() {
-    std::fill_n(tile_.reference(), tile_.block_count() * kBlockPixels, kInPicture);
-    for (std::size_t i = 0; i < tile_.block_count(); ++i) {
-      tile_.block(i) = {0, kEmptyTileDepth, false, kNothing, nullptr};
+    const bool sampled = samples_drawn(pass_.run.settings) > 1;
+    if (buffers_.centres != nullptr) {
+      resolve.depth = with_depth ? &pass_.target.depth : nullptr;
+      if (sampled) resolve.picture = nullptr;
+      pass_.kernels.resolve_tile(resolve, {buffers_.centres, 1});
     }
-    for_each_pixel([&](int x, int y, std::size_t i) {
-      tile_.depth()[i] = tile_depth(pass_.target.depth.at(x, y));
-    });
+    if (buffers_.samples.empty()) return;
+    resolve = pass_.resolve;
+    resolve.depth = nullptr;
+    resolve.distance = nullptr;
+    resolve.id = nullptr;
+    resolve.points = sample_offsets(pass_.run.settings.samples);
+    SampleRows rows;
+    if (planes_ != nullptr) {
+      rows = planes_->rows();
+      resolve.samples = &rows;
+    }
+    pass_.kernels.resolve_tile(resolve, buffers_.samples);
   }
 
-  template <class Visit>
-  void for_each_pixel(const Visit& visit) const {
-    const PixelRect& window = tile_.window();
-    for (int y = window.y0; y < window.y1; ++y) {
-      for (int x = window.x0; x < window.x1; ++x) visit(x, y, tile_.pixel_index(x, y));
+  // From the framebuffer to the buffers.
+  void load() {
+    if (buffers_.centres != nullptr) {
+      load_tile(*buffers_.centres, [&](int x, int y) { return pass_.target.depth.at(x, y); });
+    }
+    for (std::size_t s = 0; s < buffers_.samples.size(); ++s) {
+      load_tile(buffers_.samples[s], [&](int x, int y) { return planes_->depths(x, y)[s]; });
     }
   }
 
   const TilePass& pass_;
-  TileBuffer& tile_;
+  PixelRect window_;
+  TileBuffers buffers_;
+  // Where samples are while staged draws need them: those of the whole picture, where it is drawn in several rounds; the tile's
+  // own, once such a draw comes; otherwise nowhere.
+  SamplePlanes& own_planes_;
+  SamplePlanes* planes_ = nullptr;
   Statistics& statistics_;
   FragmentCounts counts_;
   bool in_framebuffer_ = false;
@@ -138,31 +213,11 @@ private:
 
 }  // namespace
 
-namespace {
-
-// All draws are staged then. One round's samples are the tile's own; those of several are the picture's.
-void draw_samples(const TilePass& pass, int x, int y, const PixelRect& window,
-                  SamplePlanes& of_tile, Statistics& statistics) {
-  const bool one_round = pass.target.samples.empty();
-  SamplePlanes& samples = one_round ? of_tile : pass.target.samples;
-  if (one_round) samples.clear(window, pass.run.settings.samples, pass.color);
-  for (std::size_t i = 0; i < pass.round.chunk_count; ++i) {
-    const Chunk& chunk = pass.round.chunks[i];
-    draw_staged_primitives(pass, chunk, chunk.bin(x, y), window, &samples, statistics);
-  }
-  if (one_round) samples.resolve(pass.run.settings, pass.color);
-}
-
-}  // namespace
-
 void draw_tile(const TilePass& pass, int x, int y, TileMemory& memory, Statistics& statistics) {
   const int side = pass.run.tile_side;
   const PixelRect window{x * side, y * side, std::min((x + 1) * side, pass.run.window.x1),
                          std::min((y + 1) * side, pass.run.window.y1)};
-  if (samples_drawn(pass.run.settings) > 1) {
-    return draw_samples(pass, x, y, window, memory.samples, statistics);
-  }
-  TileDrawing drawing(pass, window, memory.buffer, statistics);
+  TileDrawing drawing(pass, window, memory, statistics);
   for (std::size_t i = 0; i < pass.round.chunk_count; ++i) {
     drawing.draw(pass.round.chunks[i], pass.round.chunks[i].bin(x, y));
   }

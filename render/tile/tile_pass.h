@@ -25,9 +25,10 @@ struct TilePass {
 
 // What a thread keeps of the tile that it draws, and uses again for the next one.
 struct TileMemory {
-  explicit TileMemory(int side) : buffer(side) {}
-  TileBuffer buffer;
-  SamplePlanes samples;  // in place of it where a pixel has several
+  explicit TileMemory(int side) : centres(side) {}
+  TileBuffer centres;
+  std::vector<TileBuffer> samples;  // where a pixel has several: a buffer for each
+  SamplePlanes planes;              // and where staged draws come among the others
 };
 
 // Draws tile (x, y). `statistics` counts fragments.

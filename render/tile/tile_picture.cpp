@@ -116,7 +116,7 @@ void TilePicture::prepare_framebuffer(bool one_round) {
   const RenderSettings& s = eye_.settings;
   Framebuffer& target = eye_.target;
   const int samples = samples_drawn(s);
-  through_framebuffer_ = !one_round || samples > 1 || has_staged_draws();
+  through_framebuffer_ = !one_round || has_staged_draws();
   keep_picture_ = through_framebuffer_ || !plan_.colors || plan_.read_back || eye_.draws_over();
   store_depth_ = !one_round || plan_.keep_depth;
   const auto prepare = [&](bool wanted, auto empty, auto& plane) {

@@ -274,7 +274,7 @@ TEST_CASE("a tile holds the nearest depths of the triangles drawn into it, small
       Image<std::uint32_t> actual(window.x1, window.y1, kEmptyDepth);
       ResolveJob resolve;
       resolve.depth = &actual;
-      k.resolve_tile(resolve, tile);
+      k.resolve_tile(resolve, {&tile, 1});
       if (actual == expected) continue;
       std::string words;
       for (std::size_t i = 0; i < shapes.size(); ++i) {
@@ -336,7 +336,7 @@ TEST_CASE("a depth that rounding carries beyond the corners' is not taken for hi
       Image<std::uint32_t> actual(16, 16, kEmptyDepth);
       ResolveJob resolve;
       resolve.depth = &actual;
-      kernels(target).resolve_tile(resolve, tile);
+      kernels(target).resolve_tile(resolve, {&tile, 1});
       if (actual == expected) continue;
       FAIL_CHECK("target " << name_of(target) << ", format " << int(format) << "\n"
                            << in_words(first) << "\n"
