@@ -25,6 +25,8 @@ const Kernels kKernels{.transform_vertices = transform_vertices,
                        .select_triangles = select_triangles,
                        .draw_small = draw_small,
                        .draw_large = draw_large,
+                       .draw_small_masked = draw_small_masked,
+                       .draw_large_masked = draw_large_masked,
                        .resolve_tile = resolve_tile};
 
 }  // namespace HWY_NAMESPACE

@@ -21,6 +21,12 @@ struct Kernels {
                      TileBuffer& tile, FragmentCounts& counts);
   void (*draw_large)(const TriangleSetup& setup, Reference reference, TileBuffer& tile,
                      FragmentCounts& counts);
+  // The same of a draw whose alpha is tested.
+  void (*draw_small_masked)(const SmallJob& job, const AlphaTest& test,
+                            const std::uint32_t* triangles, std::size_t count, TileBuffer& tile,
+                            FragmentCounts& counts);
+  void (*draw_large_masked)(const LargeTriangle& triangle, const AlphaTest& test,
+                            Reference reference, TileBuffer& tile, FragmentCounts& counts);
   // `tiles`: one for each of job.points, or a single one for pixel centres.
   void (*resolve_tile)(const ResolveJob& job, std::span<TileBuffer> tiles);
 };

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 
+#include <glassbox/raster/lanes/alpha-inl.h>
 #include <glassbox/raster/lanes/blocks-inl.h>
 #include <glassbox/raster/lanes/small_triangles-inl.h>
 
@@ -56,14 +57,18 @@ HWY_INLINE LargeEdge large_edge(const TriangleSetup& setup) {
   return e;
 }
 
-template <class Code>
+// `shape` of a triangle whose alpha is tested; otherwise nobody looks at it.
+template <class Code, class Alpha>
 class LargeRaster {
 public:
-  HWY_INLINE LargeRaster(const TriangleSetup& setup, const CodeRange& codes, Reference reference,
-                         const Code& code_of, TileBuffer& tile, FragmentCounts& counts)
+  HWY_INLINE LargeRaster(const TriangleSetup& setup, const LargeShape* shape,
+                         const CodeRange& codes, Reference reference, const Code& code_of,
+                         const Alpha& alpha, TileBuffer& tile, FragmentCounts& counts)
       : setup_(setup),
+        shape_(shape),
         reference_(reference),
         code_of_(code_of),
+        alpha_(alpha),
         tile_(tile),
         point_(tile.point()),
         counts_(counts),
@@ -84,7 +89,7 @@ public:
     for (int by = first_y; by <= last_y; ++by) {
       for (int bx = first_x; bx <= last_x; ++bx) draw_block(bx, by, tile_place);
     }
-    if (tile_place == Place::kInside) tile_.lower_farthest(codes_.farthest);
+    if (fills(tile_place)) tile_.lower_farthest(codes_.farthest);
   }
 
 private:
@@ -94,6 +99,9 @@ private:
     const bool at_centres = point_.x == 0 && point_.y == 0;
     return at_centres ? setup_.bounds : sampled_bounds(setup_.bounds);
   }
+
+  // Every pixel there has a fragment.
+  HWY_INLINE static bool fills(Place place) { return !Alpha::kTests && place == Place::kInside; }
 
   // Where the square of `side` pixels at (x, y) lies: the extremes of an edge function over it are at its corners.
   HWY_INLINE Place place_of(int x, int y, int side) const {
@@ -119,7 +127,7 @@ private:
     if (place == Place::kOutside) return;
     const bool whole =
         place == Place::kInside && x + kBlockSide <= window.x1 && y + kBlockSide <= window.y1;
-    if (whole && codes_.farthest < block.nearest) {
+    if (whole && fills(place) && codes_.farthest < block.nearest) {
       block = {codes_.nearest, codes_.farthest, true, reference_,
                codes_.nearest == codes_.farthest ? nullptr : &setup_};
       counts_.covered += kBlockPixels;
@@ -131,7 +139,7 @@ private:
       draw_quad(index, quad, x + (quad % 2) * kQuadSide, y + (quad / 2) * kQuadSide, whole);
     }
     block.nearest = std::min(block.nearest, codes_.nearest);
-    if (whole) block.farthest = std::min(block.farthest, codes_.farthest);
+    if (whole && fills(place)) block.farthest = std::min(block.farthest, codes_.farthest);
   }
 
   HWY_INLINE void draw_quad(std::size_t block, int quad, int x, int y, bool whole) {
@@ -153,7 +161,12 @@ private:
       TileDepth* depth = tile_.depth() + at + k * kLanes;
       auto* seen = reinterpret_cast<std::int32_t*>(tile_.reference() + at) + k * kLanes;
       const Ints stored = load(depth);
-      const IntMask passes = covered && code < stored;
+      IntMask passes = covered && code < stored;
+      if constexpr (Alpha::kTests) {
+        const IntMask kept = alpha_.kept(passes, *shape_, x, y, k * kLanes);
+        counts_.discarded += count_of(passes) - count_of(kept);
+        passes = kept;
+      }
       store(select(passes, code, stored), depth);
       store(select(passes, std::int32_t(reference_), load(seen)), seen);
       counts_.covered += count_of(covered);
@@ -162,8 +175,10 @@ private:
   }
 
   const TriangleSetup& setup_;
+  const LargeShape* shape_;
   Reference reference_;
   const Code& code_of_;
+  const Alpha& alpha_;
   TileBuffer& tile_;
   SampleOffset point_;
   FragmentCounts& counts_;
@@ -172,16 +187,27 @@ private:
   CodeRange codes_;
 };
 
-inline void draw_large(const TriangleSetup& setup, Reference reference, TileBuffer& tile,
-                       FragmentCounts& counts) {
+template <class Alpha>
+HWY_INLINE void draw_large(const TriangleSetup& setup, const LargeShape* shape, Reference reference,
+                           const Alpha& alpha, TileBuffer& tile, FragmentCounts& counts) {
   const CodeRange codes = code_range(setup, tile.format());
   if (codes.nearest >= tile.farthest()) {
     counts.hidden_blocks += tile.block_count();
     return;
   }
   with_code(tile.format(), [&](const auto& code_of) HWY_ATTR {
-    LargeRaster(setup, codes, reference, code_of, tile, counts).draw();
+    LargeRaster(setup, shape, codes, reference, code_of, alpha, tile, counts).draw();
   });
+}
+
+inline void draw_large(const TriangleSetup& setup, Reference reference, TileBuffer& tile,
+                       FragmentCounts& counts) {
+  draw_large(setup, nullptr, reference, Opaque(), tile, counts);
+}
+inline void draw_large_masked(const LargeTriangle& triangle, const AlphaTest& test,
+                              Reference reference, TileBuffer& tile, FragmentCounts& counts) {
+  const LargeShape shape(triangle);
+  draw_large(triangle.setup, &shape, reference, Masked(test), tile, counts);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -156,6 +156,14 @@ public:
     };
     return here<3>({at_vertex(0), at_vertex(1), at_vertex(2)});
   }
+  HWY_INLINE Floats alpha() const {
+    const OfVertices<Ints> corner = corners(draw_.color_indices);
+    const auto at_vertex = [&](std::size_t k) HWY_ATTR {
+      return gather(&draw_.colors->a, shifted_left<2>(corner[k]));
+    };
+    const Floats a0 = at_vertex(0);
+    return interpolate(a0, at_vertex(1) - a0, at_vertex(2) - a0, at_.weight1, at_.weight2);
+  }
   HWY_INLINE Float2 texcoord() const { return here<2>(texcoords()); }
   HWY_INLINE TexturePlanesOf<Floats> texture_planes() const {
     return planes_over_w(slopes_, texcoords(), affine_);
@@ -254,6 +262,7 @@ public:
   }
   HWY_INLINE Float3 normal() const { return attribute<3>(&Varyings::normal); }
   HWY_INLINE Rgb color() const { return attribute<3>(&Varyings::color); }
+  HWY_INLINE Floats alpha() const { return attribute<4>(&Varyings::color)[3]; }
   HWY_INLINE Float2 texcoord() const { return attribute<2>(&Varyings::texcoord); }
   HWY_INLINE TexturePlanesOf<Floats> texture_planes() const {
     const TexturePlanes& p = triangle_->texture;
@@ -305,17 +314,22 @@ struct DrawTextures {
   const MipChain* emission = nullptr;
 };
 
+template <class OfTexel, class Source>
+HWY_INLINE auto sampled(const MipChain& texture, OfTexel of_texel, const Sampler& sampler,
+                        const Source& source) {
+  const TextureInLanes texels(texture, of_texel);
+  const Float2 at = source.texcoord();
+  if (HWY_LIKELY(samples_base_only(sampler))) return sample_base(texels, sampler, at);
+  const TextureGradientOf<Floats> gradient =
+      gradient_at(source.texture_planes(), at, source.at().inverse_w);
+  return sample_texture(texels, sampler, at,
+                        level_of_detail(gradient, texture.width, texture.height));
+}
+
 template <class Source>
 HWY_INLINE Rgb texture_color(const MipChain& texture, const Sampler& sampler, const ResolveJob& job,
                              const Source& source) {
-  const Float2 at = source.texcoord();
-  if (HWY_LIKELY(samples_base_only(sampler))) {
-    return sample_base(texture, sampler, at, job.transfer);
-  }
-  const TextureGradientOf<Floats> gradient =
-      gradient_at(source.texture_planes(), at, source.at().inverse_w);
-  return sample_texture(TextureInLanes(texture, job.transfer), sampler, at,
-                        level_of_detail(gradient, texture.width, texture.height));
+  return sampled(texture, ColorOfTexel{job.transfer}, sampler, source);
 }
 
 template <class Source>
@@ -328,6 +342,18 @@ HWY_INLINE Rgb surface_color(const ShadeDraw& draw, const MipChain* texture, con
     color = product(color, texture_color(*texture, *draw.sampler, job, source));
   }
   return color;
+}
+
+// Its alpha, of the same factors.
+template <class Source>
+HWY_INLINE Floats surface_alpha(const ShadeDraw& draw, const MipChain* texture,
+                                const Source& source) {
+  Floats alpha = draw.material->base_color.a;
+  if (draw.color_indices != nullptr) alpha = alpha * source.alpha();
+  if (texture != nullptr) {
+    alpha = alpha * sampled(*texture, AlphaOfTexel(), *draw.sampler, source);
+  }
+  return alpha;
 }
 
 template <class Source>

@@ -8,6 +8,7 @@
 #define GLASSBOX_SMALL_TRIANGLES_INL_H_
 #endif
 
+#include <glassbox/raster/lanes/alpha-inl.h>
 #include <glassbox/raster/lanes/blocks-inl.h>
 #include <glassbox/raster/lanes/depth-inl.h>
 #include <glassbox/raster/lanes/select-inl.h>
@@ -104,9 +105,9 @@ struct TilePixels {
   std::size_t blocks_across;
 };
 
-template <bool kRagged, class Code>
+template <bool kRagged, class Code, class Alpha>
 HWY_INLINE void draw_one(const SmallSetups& s, std::size_t t, const Code& code_of,
-                         const TilePixels& pixels, FragmentCounts& counts) {
+                         const Alpha& alpha, const TilePixels& pixels, FragmentCounts& counts) {
   Ints offset1[kQuadVectors], offset2[kQuadVectors];
   for (std::size_t k = 0; k < kQuadVectors; ++k) {
     const Ints column = quad_columns(k * kLanes), row = quad_rows(k * kLanes);
@@ -119,6 +120,7 @@ HWY_INLINE void draw_one(const SmallSetups& s, std::size_t t, const Code& code_o
   const Floats depth0 = s.depth0[t], depth1 = s.depth1[t], depth2 = s.depth2[t];
   const Ints seen = s.reference[t];
 
+  const PixelRect& window = pixels.tile.window();
   const auto x0 = std::size_t(s.x0[t]), x1 = std::size_t(s.x1[t]), y1 = std::size_t(s.y1[t]);
   std::int32_t row1 = s.e1[t], row2 = s.e2[t];
   for (auto qy = std::size_t(s.y0[t]); qy < y1; ++qy) {
@@ -132,7 +134,6 @@ HWY_INLINE void draw_one(const SmallSetups& s, std::size_t t, const Code& code_o
         const Ints e0 = area - e1 - e2;
         IntMask covered = e1 > above1 && e2 > above2 && e0 > above0;
         if (kRagged) {
-          const PixelRect& window = pixels.tile.window();
           covered = covered && on_screen(window, window.x0 + int(qx) * kQuadSide,
                                          window.y0 + int(qy) * kQuadSide, k * kLanes);
         }
@@ -145,7 +146,14 @@ HWY_INLINE void draw_one(const SmallSetups& s, std::size_t t, const Code& code_o
         TileDepth* depth_at_quad = pixels.depth + quad + k * kLanes;
         std::int32_t* seen_at_quad = pixels.seen + quad + k * kLanes;
         const Ints stored = load(depth_at_quad);
-        const IntMask passes = covered && code < stored;
+        IntMask passes = covered && code < stored;
+        if constexpr (Alpha::kTests) {
+          const IntMask kept =
+              alpha.kept(passes, Reference(s.reference[t]), window.x0 + int(qx) * kQuadSide,
+                         window.y0 + int(qy) * kQuadSide, k * kLanes);
+          counts.discarded += count_of(passes) - count_of(kept);
+          passes = kept;
+        }
         store(select(passes, code, stored), depth_at_quad);
         store(select(passes, seen, load(seen_at_quad)), seen_at_quad);
         counts.covered += count_of(covered);
@@ -159,9 +167,10 @@ HWY_INLINE void draw_one(const SmallSetups& s, std::size_t t, const Code& code_o
   }
 }
 
-template <bool kRagged, class Code>
+template <bool kRagged, class Code, class Alpha>
 HWY_INLINE void draw_all(const SmallJob& job, const std::uint32_t* triangles, std::size_t count,
-                         const Code& code_of, TileBuffer& tile, FragmentCounts& counts) {
+                         const Code& code_of, const Alpha& alpha, TileBuffer& tile,
+                         FragmentCounts& counts) {
   const TilePixels pixels(tile);
   FragmentCounts own;
   SmallSetups setups;
@@ -174,21 +183,34 @@ HWY_INLINE void draw_all(const SmallJob& job, const std::uint32_t* triangles, st
       }
       set_up(job, load(lanes), tile, setups, k);
     }
-    for (std::size_t k = 0; k < live; ++k) draw_one<kRagged>(setups, k, code_of, pixels, own);
+    for (std::size_t k = 0; k < live; ++k)
+      draw_one<kRagged>(setups, k, code_of, alpha, pixels, own);
   }
   counts.covered += own.covered;
   counts.written += own.written;
+  counts.discarded += own.discarded;
+}
+
+template <class Alpha>
+HWY_INLINE void draw_small(const SmallJob& job, const std::uint32_t* triangles, std::size_t count,
+                           const Alpha& alpha, TileBuffer& tile, FragmentCounts& counts) {
+  with_code(tile.format(), [&](const auto& code_of) HWY_ATTR {
+    if (tile.is_ragged()) {
+      draw_all<true>(job, triangles, count, code_of, alpha, tile, counts);
+    } else {
+      draw_all<false>(job, triangles, count, code_of, alpha, tile, counts);
+    }
+  });
 }
 
 inline void draw_small(const SmallJob& job, const std::uint32_t* triangles, std::size_t count,
                        TileBuffer& tile, FragmentCounts& counts) {
-  with_code(tile.format(), [&](const auto& code_of) HWY_ATTR {
-    if (tile.is_ragged()) {
-      draw_all<true>(job, triangles, count, code_of, tile, counts);
-    } else {
-      draw_all<false>(job, triangles, count, code_of, tile, counts);
-    }
-  });
+  draw_small(job, triangles, count, Opaque(), tile, counts);
+}
+inline void draw_small_masked(const SmallJob& job, const AlphaTest& test,
+                              const std::uint32_t* triangles, std::size_t count, TileBuffer& tile,
+                              FragmentCounts& counts) {
+  draw_small(job, triangles, count, Masked(test), tile, counts);
 }
 
 }  // namespace HWY_NAMESPACE

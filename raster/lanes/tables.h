@@ -125,6 +125,7 @@ struct LargeTriangle {
 
 struct FragmentCounts {
   std::uint64_t covered = 0, written = 0;
+  std::uint64_t discarded = 0;      // by their alpha
   std::uint64_t hidden_blocks = 0;  // given up before coverage: everything there is nearer
 };
 
@@ -161,6 +162,12 @@ struct ShadeDraw {
   std::array<float, 3> emission{};
   const LazyMipChain* emission_texture = nullptr;
   const Sampler* emission_sampler = nullptr;
+};
+
+// Of a draw whose alpha decides which fragments there are.
+struct AlphaTest {
+  const ShadeDraw* draw = nullptr;
+  std::span<const SampleOffset> points;  // as ResolveJob has them
 };
 
 // Memory of a pixel's samples, which are neighbours in it.

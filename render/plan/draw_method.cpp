@@ -15,8 +15,6 @@ const char* why_staged(const Draw& draw, const RenderSettings& settings) {
   }
   if (settings.show == Show::kOverdraw) return "every fragment is counted";
   if (draw.material->alpha_mode == AlphaMode::kBlend) return "it is blended with what lies behind";
-  if (draw.material->alpha_mode == AlphaMode::kMask)
-    return "its alpha decides which fragments there are";
   return nullptr;
 }
 
@@ -63,8 +61,9 @@ DrawMethod choose_method(const Draw& draw, const Lighting& lighting, const View&
   method.keep_back = !is_culled(draw, settings.cull, false);
 
   const bool painted = colors && settings.show == Show::kColor;
-  method.texture = painted && draw.texture != nullptr;
-  method.vertex_colors = painted && draw.prepared->indices.has_colors;
+  const bool masked = draw.material->alpha_mode == AlphaMode::kMask;
+  method.texture = (painted || masked) && draw.texture != nullptr;
+  method.vertex_colors = (painted || masked) && draw.prepared->indices.has_colors;
   if (colors && needs_normals(draw, settings)) {
     choose_light(draw, lighting, settings, leave_out, method);
   }

@@ -123,7 +123,8 @@ public:
     if (planes_ == &own_planes_) planes_->resolve(pass_.run.settings, pass_.color);
     statistics_.covered += counts_.covered;
     statistics_.written += counts_.written;
-    statistics_.depth_failed += counts_.covered - counts_.written;
+    statistics_.discarded += counts_.discarded;
+    statistics_.depth_failed += counts_.covered - counts_.discarded - counts_.written;
   }
 
 private:
@@ -139,19 +140,45 @@ private:
     for (auto at = bin.begin(); at != bin.end();) {
       const auto large = std::find_if(at, bin.end(), is_large);
       if (large != at) {
-        buffers_.for_each([&](TileBuffer& tile) {
-          pass_.kernels.draw_small(job, &*at, std::size_t(large - at), tile, counts_);
-        });
+        const std::span small(&*at, std::size_t(large - at));
+        buffers_.for_each([&](TileBuffer& tile) { draw_small(slot, job, small, tile); });
       }
       at = large;
       for (; at != bin.end() && is_large(*at); ++at) {
         const std::uint32_t index = chunk.first_large + (*at & ~kOfChunk);
-        buffers_.for_each([&](TileBuffer& tile) {
-          pass_.kernels.draw_large(pass_.round.large[index]->setup, kLargeReference | index, tile,
-                                   counts_);
-        });
+        buffers_.for_each([&](TileBuffer& tile) { draw_large(slot, index, tile); });
       }
     }
+  }
+
+  void draw_small(const DrawSlot& slot, const SmallJob& job,
+                  std::span<const std::uint32_t> triangles, TileBuffer& tile) {
+    if (is_masked(slot)) {
+      pass_.kernels.draw_small_masked(job, alpha_test(slot, tile), triangles.data(),
+                                      triangles.size(), tile, counts_);
+    } else {
+      pass_.kernels.draw_small(job, triangles.data(), triangles.size(), tile, counts_);
+    }
+  }
+
+  void draw_large(const DrawSlot& slot, std::uint32_t index, TileBuffer& tile) {
+    const LargeTriangle& triangle = *pass_.round.large[index];
+    const Reference reference = kLargeReference | index;
+    if (is_masked(slot)) {
+      pass_.kernels.draw_large_masked(triangle, alpha_test(slot, tile), reference, tile, counts_);
+    } else {
+      pass_.kernels.draw_large(triangle.setup, reference, tile, counts_);
+    }
+  }
+
+  bool is_masked(const DrawSlot& slot) const {
+    return pass_.run.list.draws[slot.draw].material->alpha_mode == AlphaMode::kMask;
+  }
+  // Where a fragment is shaded is one place, whichever of its samples asks; for its centre, that.
+  AlphaTest alpha_test(const DrawSlot& slot, const TileBuffer& tile) const {
+    AlphaTest test{&pass_.resolve.draws[slot.draw], {}};
+    if (&tile != buffers_.centres) test.points = sample_offsets(pass_.run.settings.samples);
+    return test;
   }
 
   void draw_staged(const Chunk& chunk, std::span<const std::uint32_t> bin) {

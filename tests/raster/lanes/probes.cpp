@@ -83,13 +83,17 @@ inline void sample_all(const MipChain& texture, const Sampler& sampler, Transfer
     HWY_ALIGN float u[kLanes], v[kLanes];
     for (std::size_t k = 0; k < kLanes; ++k) u[k] = entry(at, i + k).u, v[k] = entry(at, i + k).v;
     const std::array<Floats, 2> texcoord{HWY_NAMESPACE::load(u), HWY_NAMESPACE::load(v)};
-    const Rgb rgb = samples_base_only(sampler) ? sample_base(texture, sampler, texcoord, transfer)
-                                               : sample_texture(TextureInLanes(texture, transfer),
-                                                                sampler, texcoord, load(levels, i));
-    float channels[3][kLanes];
-    store_components(rgb, channels);
+    const auto sampled = [&](auto of_texel) HWY_ATTR {
+      const TextureInLanes texels(texture, of_texel);
+      return samples_base_only(sampler)
+                 ? sample_base(texels, sampler, texcoord)
+                 : sample_texture(texels, sampler, texcoord, load(levels, i));
+    };
+    float channels[3][kLanes], alpha[kLanes];
+    store_components(sampled(ColorOfTexel{transfer}), channels);
+    hn::StoreU(sampled(AlphaOfTexel()).v, kF, alpha);
     for (std::size_t k = 0; k < kLanes && i + k < at.size(); ++k) {
-      colors[i + k] = {channels[0][k], channels[1][k], channels[2][k], 0};
+      colors[i + k] = {channels[0][k], channels[1][k], channels[2][k], alpha[k]};
     }
   }
 }
