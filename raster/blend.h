@@ -1,12 +1,15 @@
 // The last stage: what is written where.
 #pragma once
 
+#include <glassbox/base/numbers.h>
 #include <glassbox/images/image.h>
 #include <glassbox/mesh/mesh.h>
 #include <glassbox/raster/color_mask.h>
 #include <glassbox/raster/transfer.h>
 
 namespace glassbox {
+
+#include <glassbox/raster/formulas/blend.h>
 
 // Channels that are not wanted become 0.
 inline Rgba8 encode(Transfer transfer, const Rgba& linear, const ColorMask& wanted = {}) {
@@ -18,15 +21,14 @@ inline Rgba8 encode(Transfer transfer, const Rgba& linear, const ColorMask& want
   return stored;
 }
 
-// source over stored, in linear light: c = c_s a + c_d (1 - a), and a = a_s + a_d (1 - a_s).
+// source over stored, in linear light.
 inline Rgba8 blend_over(Transfer transfer, const Rgba& source, const Rgba8& stored,
                         const ColorMask& wanted = {}) {
-  const float keep = 1.0f - source.a;
   return encode(transfer,
-                Rgba{source.r * source.a + decode(transfer, stored.r) * keep,
-                     source.g * source.a + decode(transfer, stored.g) * keep,
-                     source.b * source.a + decode(transfer, stored.b) * keep,
-                     source.a + decode_unorm8(stored.a) * keep},
+                Rgba{laid_over(source.r, source.a, decode(transfer, stored.r)),
+                     laid_over(source.g, source.a, decode(transfer, stored.g)),
+                     laid_over(source.b, source.a, decode(transfer, stored.b)),
+                     laid_over(1.0f, source.a, decode_unorm8(stored.a))},
                 wanted);
 }
 

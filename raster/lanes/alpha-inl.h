@@ -1,4 +1,5 @@
-// Which fragments of a draw there are, by their alpha.
+// What becomes of the fragments that are in front: the tile keeps them, or some of them by their alpha, or they are laid over what
+// is in the picture.
 
 #if defined(GLASSBOX_ALPHA_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_ALPHA_INL_H_
@@ -13,15 +14,16 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
-// All that are covered.
+// The tile keeps all.
 struct Opaque {
-  static constexpr bool kTests = false;
+  static constexpr bool kKeepsAll = true;
 };
 
 // Those whose alpha reaches the material's cutoff, asked where they are shaded.
 class Masked {
 public:
-  static constexpr bool kTests = true;
+  static constexpr bool kKeepsAll = false;
+  static constexpr std::uint64_t FragmentCounts::*kOthers = &FragmentCounts::discarded;
 
   HWY_INLINE explicit Masked(const AlphaTest& test)
       : test_(test), texture_(DrawTextures(*test.draw).color) {}
@@ -47,6 +49,104 @@ private:
 
   const AlphaTest& test_;
   const MipChain* texture_;
+};
+
+// None: they are blended, in the order in which they come.
+class Blended {
+public:
+  static constexpr bool kKeepsAll = false;
+  static constexpr std::uint64_t FragmentCounts::*kOthers = &FragmentCounts::blended;
+
+  HWY_INLINE explicit Blended(const BlendJob& job)
+      : job_(job),
+        textures_(job.colors != nullptr ? DrawTextures(*job.draw) : DrawTextures()),
+        mask_(bytes_of(job.resolve->mask)) {}
+
+  HWY_INLINE IntMask kept(IntMask lanes, Reference reference, int x, int y, std::size_t k) const {
+    if (none(lanes)) return lanes;
+    const Ints of_draw = std::int32_t(reference - job_.draw->first_reference);
+    blend(lanes, x, y, k,
+          SmallSource(*job_.draw, of_draw, quad_columns(k) + x, quad_rows(k) + y,
+                      AtSamples{job_.points, lanes}));
+    return lanes && !lanes;
+  }
+  HWY_INLINE IntMask kept(IntMask lanes, const LargeShape& shape, int x, int y,
+                          std::size_t k) const {
+    if (none(lanes)) return lanes;
+    blend(lanes, x, y, k, LargeSource(shape, x, y, k, AtSamples{job_.points, lanes}));
+    return lanes && !lanes;
+  }
+
+private:
+  template <class Source>
+  HWY_INLINE void blend(IntMask lanes, int x, int y, std::size_t k, const Source& source) const {
+    if (job_.colors != nullptr) blend_colors(lanes, x, y, k, source);
+    const ResolveJob& resolve = *job_.resolve;
+    if (resolve.distance != nullptr) {
+      HWY_ALIGN float distances[kLanes];
+      store(distance_of(resolve, source.depth(), source.at().inverse_w), distances);
+      for_each_lane(lanes, x, y, k, [&](std::size_t lane, int px, int py) {
+        resolve.distance->at(px, py) = distances[lane];
+      });
+    }
+    if (resolve.id != nullptr) {
+      HWY_ALIGN std::int32_t ids[kLanes];
+      store(source.id(), ids);
+      for_each_lane(lanes, x, y, k, [&](std::size_t lane, int px, int py) {
+        resolve.id->at(px, py) = std::uint32_t(ids[lane]);
+      });
+    }
+  }
+
+  template <class Source>
+  HWY_INLINE void blend_colors(IntMask lanes, int x, int y, std::size_t k,
+                               const Source& source) const {
+    const Rgb color = shining(*job_.draw, textures_, *job_.resolve, source);
+    const Floats alpha =
+        clamped(surface_alpha(*job_.draw, textures_.color, source), Floats(0.0f), Floats(1.0f));
+    HWY_ALIGN std::int32_t colors[kLanes] = {};
+    for_each_lane(lanes, x, y, k, [&](std::size_t lane, int px, int py) {
+      colors[lane] = std::bit_cast<std::int32_t>(job_.colors[job_.at(px, py)]);
+    });
+    const Ints before = load(colors);
+    store((laid_over_bytes(color, alpha, before) & mask_) | (before & ~mask_), colors);
+    for_each_lane(lanes, x, y, k, [&](std::size_t lane, int px, int py) {
+      job_.colors[job_.at(px, py)] = std::bit_cast<Rgba8>(colors[lane]);
+    });
+  }
+
+  // blend_over(); channels that are not wanted are 0.
+  HWY_INLINE Ints laid_over_bytes(const Rgb& color, Floats alpha, Ints before) const {
+    const ResolveJob& resolve = *job_.resolve;
+    const Transfer transfer = resolve.transfer;
+    const Rgb stored = ColorOfTexel{transfer}(before);
+    const auto byte = [&](bool wanted, std::size_t i) HWY_ATTR {
+      return wanted ? encode(transfer, laid_over(color[i], alpha, stored[i])) : Ints(0);
+    };
+    Ints after = byte(resolve.channels.r, 0) | shifted_left<8>(byte(resolve.channels.g, 1)) |
+                 shifted_left<16>(byte(resolve.channels.b, 2));
+    if (resolve.mask.a) {
+      const Floats a = laid_over(Floats(1.0f), alpha, AlphaOfTexel()(before));
+      after = after | shifted_left<24>(encode_unorm8(a));
+    }
+    return after;
+  }
+
+  // Calls visit(lane, x, y) with the pixels of these lanes.
+  template <class Visit>
+  HWY_INLINE static void for_each_lane(IntMask lanes, int x, int y, std::size_t k,
+                                       const Visit& visit) {
+    HWY_ALIGN std::int32_t is_in[kLanes];
+    store(one_where(lanes), is_in);
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const int pixel = int(k + lane);
+      if (is_in[lane] != 0) visit(lane, x + pixel % kQuadSide, y + pixel / kQuadSide);
+    }
+  }
+
+  const BlendJob& job_;
+  DrawTextures textures_;
+  std::int32_t mask_;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -38,6 +38,7 @@ HWY_NOINLINE auto sample_texture(const Texture& texture, const Sampler& sampler,
 #include <glassbox/base/formulas/common.h>
 #include <glassbox/base/formulas/transform_row.h>
 #include <glassbox/pipeline/formulas/vertex.h>
+#include <glassbox/raster/formulas/blend.h>
 #include <glassbox/raster/formulas/depth.h>
 #include <glassbox/raster/formulas/edges.h>
 #include <glassbox/raster/formulas/interpolate.h>

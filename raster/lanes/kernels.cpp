@@ -27,6 +27,8 @@ const Kernels kKernels{.transform_vertices = transform_vertices,
                        .draw_large = draw_large,
                        .draw_small_masked = draw_small_masked,
                        .draw_large_masked = draw_large_masked,
+                       .draw_small_blended = draw_small_blended,
+                       .draw_large_blended = draw_large_blended,
                        .resolve_tile = resolve_tile};
 
 }  // namespace HWY_NAMESPACE

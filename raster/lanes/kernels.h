@@ -27,6 +27,12 @@ struct Kernels {
                             FragmentCounts& counts);
   void (*draw_large_masked)(const LargeTriangle& triangle, const AlphaTest& test,
                             Reference reference, TileBuffer& tile, FragmentCounts& counts);
+  // Of a draw that is blended: into the picture, where the colours of what was drawn before have to be.
+  void (*draw_small_blended)(const SmallJob& job, const BlendJob& blend,
+                             const std::uint32_t* triangles, std::size_t count, TileBuffer& tile,
+                             FragmentCounts& counts);
+  void (*draw_large_blended)(const LargeTriangle& triangle, const BlendJob& blend,
+                             Reference reference, TileBuffer& tile, FragmentCounts& counts);
   // `tiles`: one for each of job.points, or a single one for pixel centres.
   void (*resolve_tile)(const ResolveJob& job, std::span<TileBuffer> tiles);
 };

@@ -57,7 +57,7 @@ HWY_INLINE LargeEdge large_edge(const TriangleSetup& setup) {
   return e;
 }
 
-// `shape` of a triangle whose alpha is tested; otherwise nobody looks at it.
+// `shape`: null where the tile keeps all fragments, and nobody looks at it.
 template <class Code, class Alpha>
 class LargeRaster {
 public:
@@ -101,7 +101,7 @@ private:
   }
 
   // Every pixel there has a fragment.
-  HWY_INLINE static bool fills(Place place) { return !Alpha::kTests && place == Place::kInside; }
+  HWY_INLINE static bool fills(Place place) { return Alpha::kKeepsAll && place == Place::kInside; }
 
   // Where the square of `side` pixels at (x, y) lies: the extremes of an edge function over it are at its corners.
   HWY_INLINE Place place_of(int x, int y, int side) const {
@@ -162,9 +162,9 @@ private:
       auto* seen = reinterpret_cast<std::int32_t*>(tile_.reference() + at) + k * kLanes;
       const Ints stored = load(depth);
       IntMask passes = covered && code < stored;
-      if constexpr (Alpha::kTests) {
+      if constexpr (!Alpha::kKeepsAll) {
         const IntMask kept = alpha_.kept(passes, *shape_, x, y, k * kLanes);
-        counts_.discarded += count_of(passes) - count_of(kept);
+        counts_.*Alpha::kOthers += count_of(passes) - count_of(kept);
         passes = kept;
       }
       store(select(passes, code, stored), depth);
@@ -208,6 +208,11 @@ inline void draw_large_masked(const LargeTriangle& triangle, const AlphaTest& te
                               Reference reference, TileBuffer& tile, FragmentCounts& counts) {
   const LargeShape shape(triangle);
   draw_large(triangle.setup, &shape, reference, Masked(test), tile, counts);
+}
+inline void draw_large_blended(const LargeTriangle& triangle, const BlendJob& blend,
+                               Reference reference, TileBuffer& tile, FragmentCounts& counts) {
+  const LargeShape shape(triangle);
+  draw_large(triangle.setup, &shape, reference, Blended(blend), tile, counts);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -22,11 +22,6 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
-HWY_INLINE Floats distance_of(const ResolveJob& job, Floats depth, Floats inverse_w) {
-  if (job.perspective) return 1.0f / inverse_w;
-  return parallel_distance(depth, job.reversed, job.near, job.far);
-}
-
 // A line of the cache.
 inline constexpr std::ptrdiff_t kLineBytes = 64, kLineWords = kLineBytes / 4;
 
@@ -107,12 +102,6 @@ HWY_INLINE void load_quad(From* to, const Image<To>& image, const PixelRect& win
                 static_cast<const void*>(from + std::size_t(row) * std::size_t(image.width)),
                 columns * sizeof(To));
   });
-}
-
-inline std::int32_t bytes_of(const ColorMask& mask) {
-  const Rgba8 bytes{std::uint8_t(mask.r ? 255 : 0), std::uint8_t(mask.g ? 255 : 0),
-                    std::uint8_t(mask.b ? 255 : 0), std::uint8_t(mask.a ? 255 : 0)};
-  return std::bit_cast<std::int32_t>(bytes);
 }
 
 class TileResolver {
@@ -269,7 +258,8 @@ private:
     if (job_.depth != nullptr) store_depths(block, quad, x, y);
     const TileBlock& b = tile_.block(block);
     if (!has_other_planes_) return;
-    if (b.plain && b.reference == kNothing && job_.keep_picture) return;
+    const bool is_in_picture = b.reference == kNothing || b.reference == kInPicture;
+    if (b.plain && is_in_picture && job_.keep_picture) return;
     QuadPixels pixels;
     if (job_.keep_picture) {
       take_from_picture(pixels, x, y);

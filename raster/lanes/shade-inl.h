@@ -301,7 +301,18 @@ private:
   WeightsInSpace<Floats> at_;
 };
 
+HWY_INLINE Floats distance_of(const ResolveJob& job, Floats depth, Floats inverse_w) {
+  if (job.perspective) return 1.0f / inverse_w;
+  return parallel_distance(depth, job.reversed, job.near, job.far);
+}
+
 // ---- colour ----
+
+inline std::int32_t bytes_of(const ColorMask& mask) {
+  const Rgba8 bytes{std::uint8_t(mask.r ? 255 : 0), std::uint8_t(mask.g ? 255 : 0),
+                    std::uint8_t(mask.b ? 255 : 0), std::uint8_t(mask.a ? 255 : 0)};
+  return std::bit_cast<std::int32_t>(bytes);
+}
 
 // The textures of a draw, asked for before its pixels' numbers are in registers, which making one would push out.
 struct DrawTextures {
@@ -373,14 +384,22 @@ HWY_INLINE Rgb emission(const ShadeDraw& draw, const MipChain* texture, const Re
   return product(own, texture_color(*texture, *draw.emission_sampler, job, source));
 }
 
-// The bytes of an opaque fragment as one integer; those that are not wanted are 0.
+// The surface in the light, and its own light with it.
 template <class Source>
-HWY_INLINE Ints shade(const ShadeDraw& draw, const DrawTextures& textures, const ResolveJob& job,
-                      const Source& source) {
+HWY_INLINE Rgb shining(const ShadeDraw& draw, const DrawTextures& textures, const ResolveJob& job,
+                       const Source& source) {
   Rgb color = lit(draw, job, source, surface_color(draw, textures.color, job, source));
   if (HWY_UNLIKELY(draw.emits)) {
     color = sum(color, emission(draw, textures.emission, job, source));
   }
+  return color;
+}
+
+// The bytes of an opaque fragment as one integer; those that are not wanted are 0.
+template <class Source>
+HWY_INLINE Ints shade(const ShadeDraw& draw, const DrawTextures& textures, const ResolveJob& job,
+                      const Source& source) {
+  const Rgb color = shining(draw, textures, job, source);
   const auto byte = [&](bool wanted, Floats channel)
                         HWY_ATTR { return wanted ? encode(job.transfer, channel) : Ints(0); };
   return byte(job.channels.r, color[0]) | shifted_left<8>(byte(job.channels.g, color[1])) |

@@ -147,11 +147,11 @@ HWY_INLINE void draw_one(const SmallSetups& s, std::size_t t, const Code& code_o
         std::int32_t* seen_at_quad = pixels.seen + quad + k * kLanes;
         const Ints stored = load(depth_at_quad);
         IntMask passes = covered && code < stored;
-        if constexpr (Alpha::kTests) {
+        if constexpr (!Alpha::kKeepsAll) {
           const IntMask kept =
               alpha.kept(passes, Reference(s.reference[t]), window.x0 + int(qx) * kQuadSide,
                          window.y0 + int(qy) * kQuadSide, k * kLanes);
-          counts.discarded += count_of(passes) - count_of(kept);
+          counts.*Alpha::kOthers += count_of(passes) - count_of(kept);
           passes = kept;
         }
         store(select(passes, code, stored), depth_at_quad);
@@ -189,6 +189,7 @@ HWY_INLINE void draw_all(const SmallJob& job, const std::uint32_t* triangles, st
   counts.covered += own.covered;
   counts.written += own.written;
   counts.discarded += own.discarded;
+  counts.blended += own.blended;
 }
 
 template <class Alpha>
@@ -211,6 +212,11 @@ inline void draw_small_masked(const SmallJob& job, const AlphaTest& test,
                               const std::uint32_t* triangles, std::size_t count, TileBuffer& tile,
                               FragmentCounts& counts) {
   draw_small(job, triangles, count, Masked(test), tile, counts);
+}
+inline void draw_small_blended(const SmallJob& job, const BlendJob& blend,
+                               const std::uint32_t* triangles, std::size_t count, TileBuffer& tile,
+                               FragmentCounts& counts) {
+  draw_small(job, triangles, count, Blended(blend), tile, counts);
 }
 
 }  // namespace HWY_NAMESPACE

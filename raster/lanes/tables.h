@@ -126,6 +126,7 @@ struct LargeTriangle {
 struct FragmentCounts {
   std::uint64_t covered = 0, written = 0;
   std::uint64_t discarded = 0;      // by their alpha
+  std::uint64_t blended = 0;        // into the picture; not among the written ones
   std::uint64_t hidden_blocks = 0;  // given up before coverage: everything there is nearer
 };
 
@@ -213,6 +214,19 @@ struct ResolveJob {
   bool perspective = true;
   double near = 0, far = 0;  // of a parallel view
   bool reversed = false;
+};
+
+// Of a draw that is laid over what is there.
+struct BlendJob {
+  const ShadeDraw* draw = nullptr;
+  const ResolveJob* resolve = nullptr;   // light, channels, and the planes of pixel centres
+  std::span<const SampleOffset> points;  // as ResolveJob has them
+
+  // Where the colours are: the picture, or one of its pixels' samples. Null: nobody sees them.
+  Rgba8* colors = nullptr;
+  SampleRows rows;  // where in it a pixel is
+
+  std::size_t at(int x, int y) const { return rows.at(x, y); }
 };
 
 }  // namespace glassbox

@@ -65,10 +65,6 @@ Decision duplicate_vertices(const Subject& s) {
                   numbers);
 }
 
-Decision world_positions(const Subject&) {
-  return left_out("world positions", "one matrix leads from the object to clip space");
-}
-
 Decision plane_tests(const Subject& s) {
   constexpr const char* kStage = "clip test of vertices";
   const BoxPlace& place = s.method.place;
@@ -135,11 +131,6 @@ Decision eye_normals(const Subject& s) {
                 in_all("normals", count));
 }
 
-Decision normal_matrix(const Subject&) {
-  return needed("normal matrix",
-                "made for every draw with the draw list: some dozens of operations");
-}
-
 Decision eye_positions(const Subject& s) {
   constexpr const char* kStage = "positions to eye space";
   const std::string numbers = in_all("positions", s.draw.mesh->positions.size());
@@ -161,6 +152,12 @@ Decision eye_positions(const Subject& s) {
 Decision depth_test(const Subject& s) {
   constexpr const char* kStage = "depth test";
   if (s.method.staged_because != nullptr) return needed(kStage, "for every fragment");
+  if (s.draw.material->alpha_mode != AlphaMode::kOpaque) {
+    return needed(
+        kStage,
+        "for pixels; hidden blocks are given up, and none is taken whole, since alpha has a "
+        "say");
+  }
   return needed(kStage,
                 "for pixels; blocks that one triangle covers in front of all else are taken whole, "
                 "and hidden ones are given up");
@@ -204,8 +201,10 @@ Decision light(const Subject& s) {
                             : s.eye.settings.show != Show::kColor ? "the picture shows no light"
                                                                   : "shading is off");
   }
+  const bool blended = s.draw.material->alpha_mode == AlphaMode::kBlend;
   return needed(kStage, s.method.light == LightAt::kVertices ? "at the vertices, as was asked"
-                                                             : "where a pixel shows it");
+                        : blended ? "for every fragment in front, to be blended"
+                                  : "where a pixel shows it");
 }
 
 Decision highlights(const Subject& s) {
@@ -239,14 +238,13 @@ Decision blending(const Subject& s) {
 std::vector<Decision> decisions(const Plan& plan, const PlannedEye& eye, std::size_t draw) {
   const Subject s{plan, eye, eye.list.draws[draw], plan.methods[draw]};
   if (!s.method.drawn) return {whole_object(s)};
-  std::vector<Decision> all{whole_object(s),    duplicate_vertices(s),
-                            world_positions(s), plane_tests(s),
-                            side_clipping(s),   divide(s),
-                            normal_matrix(s),   eye_normals(s),
-                            eye_positions(s),   depth_test(s),
-                            perspective(s),     texture_coordinates(s),
-                            mip_selection(s),   light(s),
-                            highlights(s),      emission(s),
+  std::vector<Decision> all{whole_object(s),  duplicate_vertices(s),
+                            plane_tests(s),   side_clipping(s),
+                            divide(s),        eye_normals(s),
+                            eye_positions(s), depth_test(s),
+                            perspective(s),   texture_coordinates(s),
+                            mip_selection(s), light(s),
+                            highlights(s),    emission(s),
                             blending(s)};
   if (eye.settings.cull_stage == CullStage::kObject) all.push_back(early_culling(s));
   return all;
@@ -326,9 +324,8 @@ Decision file_order(const Plan& plan) {
 }  // namespace
 
 std::vector<Decision> decisions(const Plan& plan, const PlannedEye& eye) {
-  std::vector<Decision> all{left_out("second eye", "one eye looks"), file_order(plan),
-                            colors(plan, eye), masked_channels(plan, eye.settings),
-                            depth_plane(plan)};
+  std::vector<Decision> all{file_order(plan), colors(plan, eye),
+                            masked_channels(plan, eye.settings), depth_plane(plan)};
   add_samples(eye.settings, all);
   return all;
 }

@@ -8,13 +8,12 @@ namespace glassbox {
 
 namespace {
 
-const char* why_staged(const Draw& draw, const RenderSettings& settings) {
+const char* why_staged(const RenderSettings& settings) {
   if (settings.wireframe) return "lines are drawn one after the other";
   if (settings.show == Show::kNormal || settings.show == Show::kUv) {
     return "a picture of normals or texture coordinates";
   }
   if (settings.show == Show::kOverdraw) return "every fragment is counted";
-  if (draw.material->alpha_mode == AlphaMode::kBlend) return "it is blended with what lies behind";
   return nullptr;
 }
 
@@ -54,7 +53,7 @@ void choose_light(const Draw& draw, const Lighting& lighting, const RenderSettin
 DrawMethod choose_method(const Draw& draw, const Lighting& lighting, const View& view,
                          const RenderSettings& settings, bool colors, bool leave_out) {
   DrawMethod method;
-  method.staged_because = why_staged(draw, settings);
+  method.staged_because = why_staged(settings);
   choose_vertex_stages(draw, view, leave_out, method);
 
   method.keep_front = !is_culled(draw, settings.cull, true);

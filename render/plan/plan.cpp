@@ -52,10 +52,11 @@ void make_agree(std::span<Plan> plans) {
   }
 }
 
-// The staged stages write to the framebuffer, and to move them among the others would make tiles change over more often. Lines and
-// points are left where they are, too.
+// What is blended lies over what came before it. The staged stages write to the framebuffer, and to move them among the others
+// would make tiles change over more often. Lines and points are left where they are, too.
 bool may_be_moved(const Draw& draw, const DrawMethod& method) {
-  return method.staged_because == nullptr && draw.mesh->lines.empty() && draw.mesh->points.empty();
+  return method.staged_because == nullptr && draw.material->alpha_mode != AlphaMode::kBlend &&
+         draw.mesh->lines.empty() && draw.mesh->points.empty();
 }
 
 // Depth does not depend on the eye: z and w are the same for both.

@@ -2,17 +2,13 @@
 
 #include <algorithm>
 
-#include <glassbox/raster/samples.h>
 #include <glassbox/render/staged/lines_points.h>
 #include <glassbox/render/staged/watch.h>
+#include <glassbox/render/tile/tile_buffers.h>
 
 namespace glassbox {
 
 namespace {
-
-TileDepth tile_depth(std::uint32_t code) {
-  return code == kEmptyDepth ? kEmptyTileDepth : TileDepth(code);
-}
 
 // By the staged fragments, into the framebuffer; colours into the samples, if there are any.
 void draw_staged_primitives(const TilePass& pass, const Chunk& chunk,
@@ -44,67 +40,25 @@ void draw_staged_primitives(const TilePass& pass, const Chunk& chunk,
   }
 }
 
-// What the lanes draw a tile into: its pixel centres, its samples, or both.
-struct TileBuffers {
-  TileBuffer* centres = nullptr;  // null: nobody looks at them
-  std::span<TileBuffer> samples;
-
-  template <class Visit>
-  void for_each(const Visit& visit) const {
-    if (centres != nullptr) visit(*centres);
-    for (TileBuffer& tile : samples) visit(tile);
-  }
-};
-
-// With one sample to a pixel, it is at the centre. With several they have the colours, and centres what other planes there are.
-TileBuffers begin_buffers(const TilePass& pass, const PixelRect& window, TileMemory& memory) {
-  const RenderSettings& settings = pass.run.settings;
-  const int count = samples_drawn(settings);
-  TileBuffers buffers;
-  const Framebuffer& target = pass.target;
-  const bool planes =
-      !target.depth.pixels.empty() || !target.distance.pixels.empty() || !target.id.pixels.empty();
-  if (count == 1 || planes) {
-    buffers.centres = &memory.centres;
-    buffers.centres->clear(window, settings.depth);
-  }
-  if (count == 1 || pass.resolve.picture == nullptr) return buffers;
-  const std::span<const SampleOffset> points = sample_offsets(count);
-  while (memory.samples.size() < points.size()) memory.samples.emplace_back(pass.run.tile_side);
-  buffers.samples = std::span(memory.samples).first(points.size());
-  for (std::size_t s = 0; s < points.size(); ++s) {
-    buffers.samples[s].clear(window, settings.depth, points[s]);
-  }
-  return buffers;
-}
-
-// Every pixel gets the depth that depth_of(x, y) has for it, and shows what is in the picture already. (Beyond the screen's edge
-// nothing is shown, but whole quads are read.)
-template <class DepthOf>
-void load_tile(TileBuffer& tile, const DepthOf& depth_of) {
-  std::fill_n(tile.reference(), tile.block_count() * kBlockPixels, kInPicture);
-  for (std::size_t i = 0; i < tile.block_count(); ++i) {
-    tile.block(i) = {0, kEmptyTileDepth, false, kNothing, nullptr};
-  }
-  const PixelRect& window = tile.window();
-  for (int y = window.y0; y < window.y1; ++y) {
-    for (int x = window.x0; x < window.x1; ++x) {
-      tile.depth()[tile.pixel_index(x, y)] = tile_depth(depth_of(x, y));
-    }
-  }
-}
-
 // A tile being drawn: by the lanes, in its own buffers, or by the staged fragments, in the framebuffer. Primitives of one kind
 // after those of the other make it change over.
 class TileDrawing {
 public:
-  TileDrawing(const TilePass& pass, const PixelRect& window, TileMemory& memory,
+  // `overwrite`: the planes' pixels, instead of adding to what they hold.
+  TileDrawing(const TilePass& pass, const PixelRect& window, bool overwrite, TileMemory& memory,
               Statistics& statistics)
       : pass_(pass),
         window_(window),
         buffers_(begin_buffers(pass, window, memory)),
         own_planes_(memory.planes),
+        centre_planes_(pass.resolve),
+        sample_colors_(pass.resolve),
         statistics_(statistics) {
+    if (overwrite) centre_planes_.keep_picture = sample_colors_.keep_picture = false;
+    if (is_sampled()) centre_planes_.picture = nullptr;
+    sample_colors_.distance = nullptr;
+    sample_colors_.id = nullptr;
+    sample_colors_.points = sample_offsets(pass.run.settings.samples);
     if (!pass.target.samples.empty()) planes_ = &pass.target.samples;
     if (pass.load_depth) load();
   }
@@ -122,9 +76,11 @@ public:
     if (!in_framebuffer_) leave_buffers(pass_.store_depth);
     if (planes_ == &own_planes_) planes_->resolve(pass_.run.settings, pass_.color);
     statistics_.covered += counts_.covered;
-    statistics_.written += counts_.written;
+    statistics_.written += counts_.written + counts_.blended;
+    statistics_.blended += counts_.blended;
     statistics_.discarded += counts_.discarded;
-    statistics_.depth_failed += counts_.covered - counts_.discarded - counts_.written;
+    statistics_.depth_failed +=
+        counts_.covered - counts_.discarded - counts_.written - counts_.blended;
   }
 
 private:
@@ -133,6 +89,7 @@ private:
       load();
       in_framebuffer_ = false;
     }
+    begin_lanes(chunk);
     const DrawSlot& slot = pass_.round.slots[chunk.slot];
     const Draw& draw = pass_.run.list.draws[slot.draw];
     const SmallJob job{draw.prepared->indices.positions.data(), slot.screen, slot.first_reference};
@@ -151,63 +108,106 @@ private:
     }
   }
 
+  // What is blended is laid over what was seen before it, which has to be in the picture for that. Depths stay.
+  void begin_lanes(const Chunk& chunk) {
+    if (alpha_mode(pass_.round.slots[chunk.slot]) != AlphaMode::kBlend) {
+      colors_left_ = false;
+    } else if (!colors_left_) {
+      if (!buffers_.samples.empty()) use_planes();
+      leave_buffers(false);
+      buffers_.for_each(mark_as_in_picture);
+      colors_left_ = true;
+    }
+  }
+
   void draw_small(const DrawSlot& slot, const SmallJob& job,
                   std::span<const std::uint32_t> triangles, TileBuffer& tile) {
-    if (is_masked(slot)) {
-      pass_.kernels.draw_small_masked(job, alpha_test(slot, tile), triangles.data(),
-                                      triangles.size(), tile, counts_);
-    } else {
-      pass_.kernels.draw_small(job, triangles.data(), triangles.size(), tile, counts_);
+    const Kernels& k = pass_.kernels;
+    const std::uint32_t* first = triangles.data();
+    switch (alpha_mode(slot)) {
+      case AlphaMode::kOpaque:
+        return k.draw_small(job, first, triangles.size(), tile, counts_);
+      case AlphaMode::kMask:
+        return k.draw_small_masked(job, alpha_test(slot, tile), first, triangles.size(), tile,
+                                   counts_);
+      case AlphaMode::kBlend:
+        return k.draw_small_blended(job, blend_job(slot, tile), first, triangles.size(), tile,
+                                    counts_);
     }
   }
 
   void draw_large(const DrawSlot& slot, std::uint32_t index, TileBuffer& tile) {
+    const Kernels& k = pass_.kernels;
     const LargeTriangle& triangle = *pass_.round.large[index];
     const Reference reference = kLargeReference | index;
-    if (is_masked(slot)) {
-      pass_.kernels.draw_large_masked(triangle, alpha_test(slot, tile), reference, tile, counts_);
-    } else {
-      pass_.kernels.draw_large(triangle.setup, reference, tile, counts_);
+    switch (alpha_mode(slot)) {
+      case AlphaMode::kOpaque:
+        return k.draw_large(triangle.setup, reference, tile, counts_);
+      case AlphaMode::kMask:
+        return k.draw_large_masked(triangle, alpha_test(slot, tile), reference, tile, counts_);
+      case AlphaMode::kBlend:
+        return k.draw_large_blended(triangle, blend_job(slot, tile), reference, tile, counts_);
     }
   }
 
-  bool is_masked(const DrawSlot& slot) const {
-    return pass_.run.list.draws[slot.draw].material->alpha_mode == AlphaMode::kMask;
+  AlphaMode alpha_mode(const DrawSlot& slot) const {
+    return pass_.run.list.draws[slot.draw].material->alpha_mode;
   }
+  bool is_sampled() const { return samples_drawn(pass_.run.settings) > 1; }
+
   // Where a fragment is shaded is one place, whichever of its samples asks; for its centre, that.
+  std::span<const SampleOffset> points_of(const TileBuffer& tile) const {
+    if (&tile == buffers_.centres) return {};
+    return sample_offsets(pass_.run.settings.samples);
+  }
   AlphaTest alpha_test(const DrawSlot& slot, const TileBuffer& tile) const {
-    AlphaTest test{&pass_.resolve.draws[slot.draw], {}};
-    if (&tile != buffers_.centres) test.points = sample_offsets(pass_.run.settings.samples);
-    return test;
+    return {&pass_.resolve.draws[slot.draw], points_of(tile)};
+  }
+
+  BlendJob blend_job(const DrawSlot& slot, const TileBuffer& tile) const {
+    const bool centres = &tile == buffers_.centres;
+    BlendJob job{&pass_.resolve.draws[slot.draw],
+                 centres ? &centre_planes_ : &sample_colors_,
+                 points_of(tile),
+                 nullptr,
+                 {}};
+    if (!centres) {
+      job.rows = planes_->rows();
+      job.colors = job.rows.colors + (&tile - buffers_.samples.data());
+    } else if (centre_planes_.picture != nullptr) {
+      Image<Rgba8>& picture = *centre_planes_.picture;
+      job.colors = picture.pixels.data();
+      job.rows = {{0, 0, picture.width, picture.height}, job.colors, nullptr, 1};
+    }
+    return job;
   }
 
   void draw_staged(const Chunk& chunk, std::span<const std::uint32_t> bin) {
-    if (samples_drawn(pass_.run.settings) > 1 && planes_ == nullptr) {
-      planes_ = &own_planes_;
-      planes_->clear(window_, pass_.run.settings.samples, pass_.color);
-    }
+    if (is_sampled()) use_planes();
     if (!in_framebuffer_) {
       leave_buffers(true);
       in_framebuffer_ = true;
     }
+    colors_left_ = true;
     draw_staged_primitives(pass_, chunk, bin, window_, planes_, statistics_);
+  }
+
+  // From now on samples have a place of their own.
+  void use_planes() {
+    if (planes_ != nullptr) return;
+    planes_ = &own_planes_;
+    planes_->clear(window_, pass_.run.settings.samples, pass_.color);
   }
 
   // From the buffers to the framebuffer.
   void leave_buffers(bool with_depth) {
-    ResolveJob resolve = pass_.resolve;
-    const bool sampled = samples_drawn(pass_.run.settings) > 1;
     if (buffers_.centres != nullptr) {
+      ResolveJob resolve = centre_planes_;
       resolve.depth = with_depth ? &pass_.target.depth : nullptr;
-      if (sampled) resolve.picture = nullptr;
       pass_.kernels.resolve_tile(resolve, {buffers_.centres, 1});
     }
     if (buffers_.samples.empty()) return;
-    resolve = pass_.resolve;
-    resolve.depth = nullptr;
-    resolve.distance = nullptr;
-    resolve.id = nullptr;
-    resolve.points = sample_offsets(pass_.run.settings.samples);
+    ResolveJob resolve = sample_colors_;
     SampleRows rows;
     if (planes_ != nullptr) {
       rows = planes_->rows();
@@ -233,10 +233,28 @@ private:
   // own, once such a draw comes; otherwise nowhere.
   SamplePlanes& own_planes_;
   SamplePlanes* planes_ = nullptr;
+  ResolveJob centre_planes_, sample_colors_;  // what of the pass's job is asked of whom
   Statistics& statistics_;
   FragmentCounts counts_;
   bool in_framebuffer_ = false;
+  bool colors_left_ = false;  // all that is seen is in the picture, or in the planes
 };
+
+}  // namespace
+
+namespace {
+
+// The staged fragments write there, and what is blended lies over what is there.
+bool draws_into_framebuffer(const TilePass& pass, int x, int y) {
+  for (std::size_t i = 0; i < pass.round.chunk_count; ++i) {
+    const Chunk& chunk = pass.round.chunks[i];
+    const Draw& draw = pass.run.list.draws[pass.round.slots[chunk.slot].draw];
+    const bool reads_back =
+        chunk.kind != Chunk::Kind::kLanes || draw.material->alpha_mode == AlphaMode::kBlend;
+    if (reads_back && !chunk.bin(x, y).empty()) return true;
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -244,7 +262,8 @@ void draw_tile(const TilePass& pass, int x, int y, TileMemory& memory, Statistic
   const int side = pass.run.tile_side;
   const PixelRect window{x * side, y * side, std::min((x + 1) * side, pass.run.window.x1),
                          std::min((y + 1) * side, pass.run.window.y1)};
-  TileDrawing drawing(pass, window, memory, statistics);
+  const bool overwrite = pass.overwrite_untouched && !draws_into_framebuffer(pass, x, y);
+  TileDrawing drawing(pass, window, overwrite, memory, statistics);
   for (std::size_t i = 0; i < pass.round.chunk_count; ++i) {
     drawing.draw(pass.round.chunks[i], pass.round.chunks[i].bin(x, y));
   }

@@ -19,6 +19,8 @@ struct TilePass {
   ResolveJob resolve;
   Framebuffer& target;
   Image<Rgba8>& color;  // target.color, or the picture that this one is drawn over
+  // All the same, a tile may overwrite what its planes hold if nothing is drawn into them there.
+  bool overwrite_untouched = false;
   // Depth lives in target.depth between rounds, and while staged primitives are drawn.
   bool load_depth = false, store_depth = false;
 };

@@ -101,29 +101,31 @@ void TilePicture::count_input() const {
   }
 }
 
-// They write to the framebuffer themselves.
-bool TilePicture::has_staged_draws() const {
-  for (const std::uint32_t i : plan_.order) {
-    const Mesh& mesh = *list_.draws[i].mesh;
-    if (run_.methods[i].staged_because != nullptr || !mesh.lines.empty() || !mesh.points.empty()) {
-      return true;
-    }
-  }
-  return false;
+// Some draws write to the framebuffer themselves: staged ones, and those that are laid over what is there.
+bool TilePicture::draws_into_framebuffer() const {
+  return std::ranges::any_of(plan_.order, [&](std::uint32_t i) {
+    const Draw& draw = list_.draws[i];
+    return run_.methods[i].staged_because != nullptr ||
+           draw.material->alpha_mode == AlphaMode::kBlend || !draw.mesh->lines.empty() ||
+           !draw.mesh->points.empty();
+  });
 }
 
 void TilePicture::prepare_framebuffer(bool one_round) {
   const RenderSettings& s = eye_.settings;
   Framebuffer& target = eye_.target;
   const int samples = samples_drawn(s);
-  through_framebuffer_ = !one_round || has_staged_draws();
-  keep_picture_ = through_framebuffer_ || !plan_.colors || plan_.read_back || eye_.draws_over();
+  // Depths and colours are read back from it.
+  const bool through_framebuffer = !one_round || draws_into_framebuffer();
+  const bool keep_always = !one_round || !plan_.colors || plan_.read_back || eye_.draws_over();
+  keep_picture_ = through_framebuffer || keep_always;
+  overwrite_untouched_ = keep_picture_ && !keep_always;
   store_depth_ = !one_round || plan_.keep_depth;
   const auto prepare = [&](bool wanted, auto empty, auto& plane) {
     prepare_plane(run_.window, wanted, keep_picture_, empty, plane);
   };
   prepare(!eye_.draws_over(), s.background, target.color);
-  prepare(through_framebuffer_ || plan_.keep_depth, kEmptyDepth, target.depth);
+  prepare(through_framebuffer || plan_.keep_depth, kEmptyDepth, target.depth);
   prepare(s.want_distance || s.show == Show::kDepth, std::numeric_limits<float>::infinity(),
           target.distance);
   prepare(s.want_id || s.show == Show::kId, std::uint32_t{0}, target.id);
@@ -141,7 +143,15 @@ TilePass TilePicture::pass(const Kernels& kernels, const Round& round, bool firs
   }
   const auto if_there = [](auto& plane) { return plane.pixels.empty() ? nullptr : &plane; };
   const View& view = eye_.view;
-  TilePass pass{run_, kernels, round, {}, eye_.target, eye_.color, !first_round, store_depth_};
+  TilePass pass{.run = run_,
+                .kernels = kernels,
+                .round = round,
+                .resolve = {},
+                .target = eye_.target,
+                .color = eye_.color,
+                .overwrite_untouched = overwrite_untouched_,
+                .load_depth = !first_round,
+                .store_depth = store_depth_};
   ResolveJob& resolve = pass.resolve;
   resolve.draws = shades_;
   resolve.by_reference = by_reference_;

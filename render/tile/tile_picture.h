@@ -32,14 +32,14 @@ public:
   void finish() const;
 
 private:
-  bool has_staged_draws() const;
+  bool draws_into_framebuffer() const;
 
   const EyePicture& eye_;
   const DrawList list_;
   const Plan plan_;
   const TileRun run_;
-  bool through_framebuffer_ = false;  // depths and colours are read back from it
   bool keep_picture_ = false;         // pixels where nothing is seen have their values already
+  bool overwrite_untouched_ = false;  // but for tiles that read nothing back
   bool store_depth_ = false;
   // Of the round, for its pass.
   std::vector<ShadeDraw> shades_;

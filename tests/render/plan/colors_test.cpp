@@ -124,9 +124,22 @@ TEST_CASE("what is blended reads what lies behind it, and nothing else does") {
   check_planned(scene, view);
   CHECK(decision(scene, view, "colour read-back").needed);
   CHECK_FALSE(decision(ball_at({0, 0, -4}), view, "colour read-back").needed);
-  CHECK(is_caught(scene, view, {}, changed<[](Plan& plan) {
-                    for (DrawMethod& method : plan.methods) method.staged_because = nullptr;
-                  }>));
+}
+
+TEST_CASE("turning the order of what is blended round is caught") {
+  Material glass;
+  glass.alpha_mode = AlphaMode::kBlend;
+  glass.base_color = {1, 0, 0, 0.5f};
+  const View view = planned_view();
+  Scene scene = ball_at({0, 0, -4}, glass);
+  glass.base_color = {0, 0, 1, 0.5f};
+  scene.materials.push_back(glass);
+  scene.meshes.push_back(scene.meshes.front());
+  scene.meshes.back().material = std::uint32_t(scene.materials.size() - 1);
+  scene.instances.push_back(scene.instances.front());
+  scene.instances.back().mesh = std::uint32_t(scene.meshes.size() - 1);
+  check_planned(scene, view);
+  CHECK(is_caught(scene, view, {}, changed<[](Plan& plan) { std::ranges::reverse(plan.order); }>));
 }
 
 TEST_CASE("with the plan off every built-in scene has the same bytes, whatever is asked for") {
