@@ -17,8 +17,9 @@ struct Kernels {
   void (*transform_positions)(const EyePositionJob& job);
   // Writes to `selected`, which has room for job.count + kMostLanes, and returns how many there are.
   std::size_t (*select_triangles)(const SelectJob& job, BinEntry* selected, SelectCounts& counts);
+  // Into each of `tiles`, which are of the same part of the screen: a pixel's samples.
   void (*draw_small)(const SmallJob& job, const std::uint32_t* triangles, std::size_t count,
-                     TileBuffer& tile, FragmentCounts& counts);
+                     std::span<TileBuffer> tiles, FragmentCounts& counts);
   void (*draw_large)(const TriangleSetup& setup, Reference reference, TileBuffer& tile,
                      FragmentCounts& counts);
   // The same of a draw whose alpha is tested.

@@ -27,20 +27,22 @@ struct SmallSetups {
   using Row = T[kSmallBatch];
 
   HWY_ALIGN Row<std::int32_t> reference;
-  HWY_ALIGN Row<std::int32_t> e1, e2;          // at the first pixel of the first quad
   HWY_ALIGN Row<std::int32_t> right1, right2;  // what a step of one pixel adds
   HWY_ALIGN Row<std::int32_t> down1, down2;
   HWY_ALIGN Row<std::int32_t> above0, above1, above2;
   HWY_ALIGN Row<std::int32_t> area;
   HWY_ALIGN Row<float> inverse_area;
-  HWY_ALIGN Row<float> depth0, depth1, depth2;  // 1 and 2 less 0
-  HWY_ALIGN Row<std::int32_t> x0, y0, x1, y1;   // quads of the tile, x1 and y1 excluded
+  HWY_ALIGN Row<float> depth0, depth1, depth2;           // 1 and 2 less 0
+  HWY_ALIGN Row<std::int32_t> left, top, right, bottom;  // of the box
+  HWY_ALIGN Row<std::int32_t> origin1, origin2;  // edges at the centre of the tile's first pixel
+
+  // Where the triangle begins, for the point of a pixel that a tile asks at.
+  HWY_ALIGN Row<std::int32_t> x0, y0, x1, y1;  // quads of the tile, x1 and y1 excluded
+  HWY_ALIGN Row<std::int32_t> e1, e2;          // at the first pixel of the first quad
 };
 
-HWY_INLINE void set_up(const SmallJob& job, Ints triangle, const TileBuffer& tile, SmallSetups& to,
+HWY_INLINE void set_up(const SmallJob& job, Ints triangle, const PixelRect& window, SmallSetups& to,
                        std::size_t at) {
-  const PixelRect& window = tile.window();
-  const SampleOffset point = tile.point();
   const OfVertices<Ints> vertices = gather_indices(job.positions, triangle);
   const OfVertices<Ints> entries = entries_of(vertices);
   OfVertices<Ints> x, y;
@@ -56,25 +58,17 @@ HWY_INLINE void set_up(const SmallJob& job, Ints triangle, const TileBuffer& til
             (triangle * std::int32_t(kReferenceStep) | code_of(order)),
         to.reference + at);
 
-  // Pixels of the box, in the tile.
-  const Ints px0 = greatest(first_pixel(smallest(x) - point.x), Ints(window.x0)) - window.x0;
-  const Ints py0 = greatest(first_pixel(smallest(y) - point.y), Ints(window.y0)) - window.y0;
-  const Ints px1 = least(end_pixel(largest(x) - point.x), Ints(window.x1)) - window.x0;
-  const Ints py1 = least(end_pixel(largest(y) - point.y), Ints(window.y1)) - window.y0;
-  const Ints qx0 = shifted_right<2>(px0), qy0 = shifted_right<2>(py0);
-  store(qx0, to.x0 + at);
-  store(qy0, to.y0 + at);
-  store(shifted_right<2>(px1 + 3), to.x1 + at);
-  store(shifted_right<2>(py1 + 3), to.y1 + at);
+  store(smallest(x), to.left + at);
+  store(smallest(y), to.top + at);
+  store(largest(x), to.right + at);
+  store(largest(y), to.bottom + at);
 
-  const Ints at_x =
-      shifted_left<2 + kSubpixelBits>(qx0) + (window.x0 * kSubpixels + kPixelCentre + point.x);
-  const Ints at_y =
-      shifted_left<2 + kSubpixelBits>(qy0) + (window.y0 * kSubpixels + kPixelCentre + point.y);
+  const Ints at_x = window.x0 * kSubpixels + kPixelCentre;
+  const Ints at_y = window.y0 * kSubpixels + kPixelCentre;
   const EdgeSlopes<Ints> edge0 = edge_of<0>(x, y), edge1 = edge_of<1>(x, y),
                          edge2 = edge_of<2>(x, y);
-  store(value_of<1>(edge1, x, y, at_x, at_y), to.e1 + at);
-  store(value_of<2>(edge2, x, y, at_x, at_y), to.e2 + at);
+  store(value_of<1>(edge1, x, y, at_x, at_y), to.origin1 + at);
+  store(value_of<2>(edge2, x, y, at_x, at_y), to.origin2 + at);
   store(shifted_left<kSubpixelBits>(edge1.a), to.right1 + at);
   store(shifted_left<kSubpixelBits>(edge2.a), to.right2 + at);
   store(shifted_left<kSubpixelBits>(edge1.b), to.down1 + at);
@@ -87,6 +81,32 @@ HWY_INLINE void set_up(const SmallJob& job, Ints triangle, const TileBuffer& til
   store(z[0], to.depth0 + at);
   store(z[1] - z[0], to.depth1 + at);
   store(z[2] - z[0], to.depth2 + at);
+}
+
+// Where kLanes triangles begin in the tile. (An edge at the tile's first pixel may not fit 32 bits; at the triangle's own pixels it
+// does, and sums that wrap around arrive there all the same.)
+HWY_INLINE void place(const TileBuffer& tile, SmallSetups& s, std::size_t at) {
+  const PixelRect& window = tile.window();
+  const SampleOffset point = tile.point();
+  const Ints px0 = greatest(first_pixel(load(s.left + at) - point.x), Ints(window.x0)) - window.x0;
+  const Ints py0 = greatest(first_pixel(load(s.top + at) - point.y), Ints(window.y0)) - window.y0;
+  const Ints px1 = least(end_pixel(load(s.right + at) - point.x), Ints(window.x1)) - window.x0;
+  const Ints py1 = least(end_pixel(load(s.bottom + at) - point.y), Ints(window.y1)) - window.y0;
+  const Ints qx0 = shifted_right<2>(px0), qy0 = shifted_right<2>(py0);
+  store(qx0, s.x0 + at);
+  store(qy0, s.y0 + at);
+  store(shifted_right<2>(px1 + 3), s.x1 + at);
+  store(shifted_right<2>(py1 + 3), s.y1 + at);
+
+  const Ints dx = shifted_left<2 + kSubpixelBits>(qx0) + point.x;
+  const Ints dy = shifted_left<2 + kSubpixelBits>(qy0) + point.y;
+  const auto edge_at = [&](const std::int32_t* origin, const std::int32_t* right,
+                           const std::int32_t* down) HWY_ATTR {
+    return load(origin + at) + shifted_right<kSubpixelBits>(load(right + at)) * dx +
+           shifted_right<kSubpixelBits>(load(down + at)) * dy;
+  };
+  store(edge_at(s.origin1, s.right1, s.down1), s.e1 + at);
+  store(edge_at(s.origin2, s.right2, s.down2), s.e2 + at);
 }
 
 // What drawing into a tile needs of it, held where the compiler sees that stores to pixels leave it alone.
@@ -169,9 +189,8 @@ HWY_INLINE void draw_one(const SmallSetups& s, std::size_t t, const Code& code_o
 
 template <bool kRagged, class Code, class Alpha>
 HWY_INLINE void draw_all(const SmallJob& job, const std::uint32_t* triangles, std::size_t count,
-                         const Code& code_of, const Alpha& alpha, TileBuffer& tile,
+                         const Code& code_of, const Alpha& alpha, std::span<TileBuffer> tiles,
                          FragmentCounts& counts) {
-  const TilePixels pixels(tile);
   FragmentCounts own;
   SmallSetups setups;
   for (std::size_t i = 0; i < count; i += kSmallBatch) {
@@ -181,10 +200,15 @@ HWY_INLINE void draw_all(const SmallJob& job, const std::uint32_t* triangles, st
       for (std::size_t lane = 0; lane < kLanes; ++lane) {
         lanes[lane] = std::int32_t(triangles[i + HWY_MIN(k + lane, live - 1)]);
       }
-      set_up(job, load(lanes), tile, setups, k);
+      set_up(job, load(lanes), tiles.front().window(), setups, k);
     }
-    for (std::size_t k = 0; k < live; ++k)
-      draw_one<kRagged>(setups, k, code_of, alpha, pixels, own);
+    for (TileBuffer& tile : tiles) {
+      for (std::size_t k = 0; k < live; k += kLanes) place(tile, setups, k);
+      const TilePixels pixels(tile);
+      for (std::size_t k = 0; k < live; ++k) {
+        draw_one<kRagged>(setups, k, code_of, alpha, pixels, own);
+      }
+    }
   }
   counts.covered += own.covered;
   counts.written += own.written;
@@ -194,29 +218,30 @@ HWY_INLINE void draw_all(const SmallJob& job, const std::uint32_t* triangles, st
 
 template <class Alpha>
 HWY_INLINE void draw_small(const SmallJob& job, const std::uint32_t* triangles, std::size_t count,
-                           const Alpha& alpha, TileBuffer& tile, FragmentCounts& counts) {
-  with_code(tile.format(), [&](const auto& code_of) HWY_ATTR {
-    if (tile.is_ragged()) {
-      draw_all<true>(job, triangles, count, code_of, alpha, tile, counts);
+                           const Alpha& alpha, std::span<TileBuffer> tiles,
+                           FragmentCounts& counts) {
+  with_code(tiles.front().format(), [&](const auto& code_of) HWY_ATTR {
+    if (tiles.front().is_ragged()) {
+      draw_all<true>(job, triangles, count, code_of, alpha, tiles, counts);
     } else {
-      draw_all<false>(job, triangles, count, code_of, alpha, tile, counts);
+      draw_all<false>(job, triangles, count, code_of, alpha, tiles, counts);
     }
   });
 }
 
 inline void draw_small(const SmallJob& job, const std::uint32_t* triangles, std::size_t count,
-                       TileBuffer& tile, FragmentCounts& counts) {
-  draw_small(job, triangles, count, Opaque(), tile, counts);
+                       std::span<TileBuffer> tiles, FragmentCounts& counts) {
+  draw_small(job, triangles, count, Opaque(), tiles, counts);
 }
 inline void draw_small_masked(const SmallJob& job, const AlphaTest& test,
                               const std::uint32_t* triangles, std::size_t count, TileBuffer& tile,
                               FragmentCounts& counts) {
-  draw_small(job, triangles, count, Masked(test), tile, counts);
+  draw_small(job, triangles, count, Masked(test), {&tile, 1}, counts);
 }
 inline void draw_small_blended(const SmallJob& job, const BlendJob& blend,
                                const std::uint32_t* triangles, std::size_t count, TileBuffer& tile,
                                FragmentCounts& counts) {
-  draw_small(job, triangles, count, Blended(blend), tile, counts);
+  draw_small(job, triangles, count, Blended(blend), {&tile, 1}, counts);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -98,7 +98,7 @@ private:
       const auto large = std::find_if(at, bin.end(), is_large);
       if (large != at) {
         const std::span small(&*at, std::size_t(large - at));
-        buffers_.for_each([&](TileBuffer& tile) { draw_small(slot, job, small, tile); });
+        draw_small(slot, job, small);
       }
       at = large;
       for (; at != bin.end() && is_large(*at); ++at) {
@@ -121,18 +121,25 @@ private:
   }
 
   void draw_small(const DrawSlot& slot, const SmallJob& job,
-                  std::span<const std::uint32_t> triangles, TileBuffer& tile) {
+                  std::span<const std::uint32_t> triangles) {
     const Kernels& k = pass_.kernels;
     const std::uint32_t* first = triangles.data();
+    const std::size_t count = triangles.size();
     switch (alpha_mode(slot)) {
       case AlphaMode::kOpaque:
-        return k.draw_small(job, first, triangles.size(), tile, counts_);
+        if (buffers_.centres != nullptr) {
+          k.draw_small(job, first, count, {buffers_.centres, 1}, counts_);
+        }
+        if (!buffers_.samples.empty()) k.draw_small(job, first, count, buffers_.samples, counts_);
+        return;
       case AlphaMode::kMask:
-        return k.draw_small_masked(job, alpha_test(slot, tile), first, triangles.size(), tile,
-                                   counts_);
+        return buffers_.for_each([&](TileBuffer& tile) {
+          k.draw_small_masked(job, alpha_test(slot, tile), first, count, tile, counts_);
+        });
       case AlphaMode::kBlend:
-        return k.draw_small_blended(job, blend_job(slot, tile), first, triangles.size(), tile,
-                                    counts_);
+        return buffers_.for_each([&](TileBuffer& tile) {
+          k.draw_small_blended(job, blend_job(slot, tile), first, count, tile, counts_);
+        });
     }
   }
 

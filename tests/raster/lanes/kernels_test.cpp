@@ -269,7 +269,7 @@ TEST_CASE("a tile holds the nearest depths of the triangles drawn into it, small
         }
         std::vector<std::uint32_t> batch;
         for (; i < shapes.size() && as_small[i]; ++i) batch.push_back(i);
-        k.draw_small(job, batch.data(), batch.size(), tile, counts);
+        k.draw_small(job, batch.data(), batch.size(), {&tile, 1}, counts);
       }
       Image<std::uint32_t> actual(window.x1, window.y1, kEmptyDepth);
       ResolveJob resolve;
