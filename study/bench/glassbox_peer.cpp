@@ -25,9 +25,29 @@ bool has_blended_draws(const Scene& scene) {
   });
 }
 
+bool has_levels(const Scene& scene) {
+  return std::ranges::any_of(scene.textures, [](const Texture& texture) {
+    return texture.sampler.mip != MipFilter::kNone;
+  });
+}
+
+// So many more of the pixels may differ, by so much.
+void widen(MatchBounds& bounds, double share, int by) {
+  bounds.beyond_share += share;
+  bounds.beyond = std::max(bounds.beyond, by);
+}
+
+// docs/benchmark.md has what was measured.
 MatchBounds bounds_of(const BenchScene& bench) {
   MatchBounds bounds;
   bounds.samples = bench.settings.samples;
+  bounds.beyond = bounds.same_color;
+  // OpenGL's level is that of a quad of 2 x 2 pixels, from differences between them; ours that of the pixel.
+  if (has_levels(bench.scene)) widen(bounds, 0.02, 16);
+  // Each blended layer rounds a byte; alphas of 1/8 leave the sum of up to 8 such steps.
+  if (has_blended_draws(bench.scene)) widen(bounds, 0.001, 10);
+  // Where the view has cut a triangle, both shade the pieces where their samples are, and each cuts in its own way.
+  if (bench.settings.samples > 1) widen(bounds, 0.001, 32);
   return bounds;
 }
 

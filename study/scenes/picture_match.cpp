@@ -44,11 +44,13 @@ void mark_covered(const Image<std::uint32_t>& depth, Image<std::uint8_t>& covere
   }
 }
 
-// Two programs snap an edge's ends up to 1/256 px apart, so that a place beside the edge changes sides with a probability of
-// about 2/256; each pixel within one pixel of an edge has at most one such place for each sample. Twice as many are allowed,
-// and two more where there are hardly any edges.
+// Two programs snap an edge's ends up to 1/256 px apart, so that of the pixels in a row, or a column, that an edge crosses, the
+// nearest one changes sides with a probability of up to 2/256, and so does each of its samples. Three pixels of it count as the
+// edge's: 2/768 of them, of which half as many again are allowed, and two more where there are hardly any. What may differ
+// elsewhere may differ there as well.
 std::uint64_t PictureMatch::allowed_at_edges() const {
-  return 2 + edges * std::uint64_t(bounds.samples) / 64;
+  return 2 + edges * std::uint64_t(bounds.samples) / 256 +
+         std::uint64_t(bounds.beyond_share * double(edges));
 }
 
 bool PictureMatch::same() const {
