@@ -19,9 +19,9 @@ const Material& material_of(const Scene& scene, const Instance& instance) {
   return scene.materials[scene.meshes[instance.mesh].material];
 }
 
-bool has_blended_draws(const Scene& scene) {
+bool has_draws(const Scene& scene, AlphaMode mode) {
   return std::ranges::any_of(scene.instances, [&](const Instance& instance) {
-    return material_of(scene, instance).alpha_mode == AlphaMode::kBlend;
+    return material_of(scene, instance).alpha_mode == mode;
   });
 }
 
@@ -45,9 +45,10 @@ MatchBounds bounds_of(const BenchScene& bench) {
   // OpenGL's level is that of a quad of 2 x 2 pixels, from differences between them; ours that of the pixel.
   if (has_levels(bench.scene)) widen(bounds, 0.02, 16);
   // Each blended layer rounds a byte; alphas of 1/8 leave the sum of up to 8 such steps.
-  if (has_blended_draws(bench.scene)) widen(bounds, 0.001, 10);
-  // Where the view has cut a triangle, both shade the pieces where their samples are, and each cuts in its own way.
-  if (bench.settings.samples > 1) widen(bounds, 0.001, 32);
+  if (has_draws(bench.scene, AlphaMode::kBlend)) widen(bounds, 0.001, 10);
+  // A mask may cut samples out of a pixel whose centre no triangle's edge is near.
+  const bool cuts_samples = bounds.samples > 1 && has_draws(bench.scene, AlphaMode::kMask);
+  if (cuts_samples) widen(bounds, 0.0001, 64);
   return bounds;
 }
 
@@ -99,7 +100,7 @@ JudgedPicture GlassboxPeer::picture() {
   for (const Rendering& pass : drawn_) mark_edges(pass.buffers.id, judged.edge);
   mark_covered(drawn_.back().buffers.depth, judged.picture.covered);
   if (settings.samples > 1) mark_edges_of_samples(judged.edge);
-  if (has_blended_draws(bench_.scene)) mark_edges_behind_glass(judged.edge);
+  if (has_draws(bench_.scene, AlphaMode::kBlend)) mark_edges_behind_glass(judged.edge);
   return judged;
 }
 

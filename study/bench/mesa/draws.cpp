@@ -75,7 +75,6 @@ Ingredients ingredients_of(const BenchScene& bench, const PeerDraw& draw,
   found.alpha = material.alpha_mode;
   found.emits = !std::ranges::all_of(draw.emission, is_zero);
   found.emission_textured = found.emits && draw.emission_texture != kNone;
-  found.several_samples = bench.settings.samples > 1;
   found.lit = !material.unlit;
   if (!found.lit) return found;
   for (const EyeLight& light : lighting.lights) {

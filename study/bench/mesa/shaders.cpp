@@ -27,30 +27,30 @@ std::string head(const Ingredients& ingredients) {
   define(needs_eye_position(ingredients), "HAS_PLACE");
   define(ingredients.shininess > 0, "HIGHLIGHTS");
   define(ingredients.perspective, "PERSPECTIVE");
-  // Nothing is extrapolated beyond a triangle of which a pixel has a sample.
-  text += fmt::format("#define VARYING {}\n", ingredients.several_samples ? "centroid" : "");
   return text;
 }
 
+// Attributes are those of pixel centres, with several samples too: "centroid" ones would have no differences from pixel to pixel
+// that a level could be taken from.
 constexpr const char* kVertex = R"(
 uniform mat4 clip_from_object;
 layout(location = 0) in vec3 position;
 #ifdef LIT
 uniform mat3 eye_normal_from_object;
 layout(location = 1) in vec3 normal;
-VARYING out vec3 eye_normal;
+out vec3 eye_normal;
 #endif
 #ifdef HAS_PLACE
 uniform mat4 eye_from_object;
-VARYING out vec3 eye_position;
+out vec3 eye_position;
 #endif
 #ifdef HAS_UV
 layout(location = 2) in vec2 texcoord;
-VARYING out vec2 uv;
+out vec2 uv;
 #endif
 #ifdef COLORED
 layout(location = 3) in vec4 color;
-VARYING out vec4 vertex_color;
+out vec4 vertex_color;
 #endif
 
 void main() {
@@ -76,13 +76,13 @@ void main() {
 constexpr const char* kFragmentInputs = R"(
 uniform vec4 base_color;
 #ifdef HAS_UV
-VARYING in vec2 uv;
+in vec2 uv;
 #endif
 #ifdef TEXTURED
 uniform sampler2D image;
 #endif
 #ifdef COLORED
-VARYING in vec4 vertex_color;
+in vec4 vertex_color;
 #endif
 #ifdef MASKED
 uniform float cutoff;
@@ -95,10 +95,10 @@ uniform sampler2D emission_image;
 #endif
 #ifdef LIT
 uniform float ambient;
-VARYING in vec3 eye_normal;
+in vec3 eye_normal;
 #endif
 #ifdef HAS_PLACE
-VARYING in vec3 eye_position;
+in vec3 eye_position;
 #endif
 #ifdef HIGHLIGHTS
 uniform vec3 specular_color;

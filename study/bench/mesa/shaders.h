@@ -27,7 +27,6 @@ struct Ingredients {
   AlphaMode alpha = AlphaMode::kOpaque;
   bool emits = false;
   bool emission_textured = false;
-  bool several_samples = false;  // of a pixel
 
   bool lit = false;  // what follows is of lit ones
   std::vector<LightIngredient> lights;
