@@ -14,16 +14,15 @@
 #include "app/options/choices.h"
 #include "app/options/engine_options.h"
 #include "app/options/output_options.h"
-#include "app/options/picture_options.h"
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
 #include "app/report/progress.h"
 #include "study/bench/machine.h"
+#include "study/bench/mesa/limits.h"
 #include "study/bench/peer_process.h"
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
-#include <glassbox/mesh/formats/load.h>
 #include <glassbox/raster/lanes/target.h>
 
 namespace glassbox::app {
@@ -36,20 +35,6 @@ using study::ScaledBy;
 
 constexpr const char* kPeerCommand = "bench-peer";
 constexpr int kMostThreads = 256, kMostFrames = 100000;
-
-std::string scene_help() {
-  std::string text = "Scenes of the benchmark:\n";
-  for (const study::BenchSceneName& known : study::bench_scene_names()) {
-    text += fmt::format("  {:<14}{}\n", known.name, known.stresses);
-  }
-  return text;
-}
-
-bool is_bench_scene(const std::string& name) {
-  return std::ranges::any_of(study::bench_scene_names(), [&](const auto& known) {
-    return CLI::detail::to_lower(std::string(known.name)) == CLI::detail::to_lower(name);
-  });
-}
 
 std::vector<int> parse_threads(const std::string& text) {
   std::vector<int> all;
@@ -66,10 +51,12 @@ std::vector<int> parse_threads(const std::string& text) {
   return all;
 }
 
-Result<std::unique_ptr<PeerProcess>> start_mesa(const BenchScene& bench, int threads) {
-  const std::string size = fmt::format("{}x{}", bench.width(), bench.height());
-  return PeerProcess::start(
-      {"/proc/self/exe", {kPeerCommand, bench.name, "--size", size}, threads});
+Result<std::unique_ptr<PeerProcess>> start_mesa(const std::string& name,
+                                                const BenchDrawing& drawing, int threads) {
+  std::vector<std::string> words{kPeerCommand, name};
+  const std::vector<std::string> more = words_of(drawing);
+  words.insert(words.end(), more.begin(), more.end());
+  return PeerProcess::start({"/proc/self/exe", words, threads});
 }
 
 }  // namespace
@@ -81,13 +68,14 @@ void BenchCommand::add_to(CLI::App& app, int& exit_code) {
       "Examples:\n"
       "  glassbox bench\n"
       "  glassbox bench S1 S3 --against mesa --threads 1,2\n"
-      "  glassbox bench model.glb teapot:64 --json -\n"
+      "  glassbox bench model.glb teapot:64 --against mesa --samples 4\n"
+      "  glassbox bench room --stereo anaglyph --json -\n"
       "  glassbox bench --scaling triangles --most 1000000\n\n"
       "Times are medians after three frames that are not measured; docs/benchmark.md says what is\n"
       "in them.\n\n" +
-      scene_help() + "\n" + builtin_help());
+      bench_scene_help() + "\n" + builtin_help());
   command.add_option("SCENE", scenes_,
-                     "of the benchmark, built-in, or a glTF, GLB, OBJ or PLY file [S1 to S7]");
+                     "of the benchmark, built-in, or a glTF, GLB, OBJ or PLY file [S1 to R12]");
   add_measure_options(command);
   add_engine_options(command);
   const std::string outputs = "Other outputs";
@@ -98,17 +86,12 @@ void BenchCommand::add_to(CLI::App& app, int& exit_code) {
 }
 
 void BenchCommand::add_measure_options(CLI::App& command) {
-  add_choice<std::optional<Peer>>(
-      command, "--against", against_, {{"mesa", Peer::kMesa}},
-      "draw S1 to S7 with this too, in alternation, and compare the pictures");
+  add_choice<std::optional<Peer>>(command, "--against", against_, {{"mesa", Peer::kMesa}},
+                                  "draw with this too, in alternation, and compare the pictures");
   command.add_option("--frames", frames_, "measured frames of each side [9]")
       ->check(CLI::Range(1, kMostFrames))
       ->type_name("N");
-  command
-      .add_option_function<std::string>(
-          "--size", [this](const std::string& text) { size_ = parse_size(text); },
-          "of the picture [1920x1080]")
-      ->type_name("WxH");
+  add_bench_drawing(command, drawing_);
   add_choice(
       command, "--scaling", scaling_,
       choices_of({ScaledBy::kTriangles, ScaledBy::kPixels, ScaledBy::kThreads, ScaledBy::kTile}),
@@ -145,26 +128,6 @@ Result<void> BenchCommand::check_options() const {
   return check_report_outputs(html_output_, json_output_);
 }
 
-std::vector<std::string> BenchCommand::scene_names() const {
-  if (!scenes_.empty()) return scenes_;
-  std::vector<std::string> all;
-  for (const study::BenchSceneName& known : study::bench_scene_names())
-    all.emplace_back(known.name);
-  return all;
-}
-
-Result<BenchScene> BenchCommand::load(const std::string& name) const {
-  if (is_bench_scene(name)) return study::make_bench_scene(name, size_.width, size_.height);
-  Result<Scene> scene = load_scene(name);
-  if (!scene) return tl::unexpected(scene.error());
-  for (const std::string& warning : scene->warnings) Progress().say("warning: " + warning);
-  PictureOptions picture;
-  picture.size = size_;
-  const Result<ChosenView> chosen = choose_view(*scene, picture);
-  if (!chosen) return tl::unexpected(chosen.error());
-  return study::make_bench_scene(name, std::move(*scene), chosen->view);
-}
-
 study::MeasureOptions BenchCommand::measure_options(int threads) const {
   study::MeasureOptions options{engine_, frames_};
   options.engine.tile.threads = threads;
@@ -173,14 +136,20 @@ study::MeasureOptions BenchCommand::measure_options(int threads) const {
 
 Result<void> BenchCommand::measure_scene(const std::string& name, BenchReport& report,
                                          Progress& progress) const {
+  if (const auto missing = missing_asset(name)) {
+    report.notes.push_back(fmt::format("{} is left out: {} is not there.", name, *missing));
+    return {};
+  }
   progress.phase("loading " + name);
-  const Result<BenchScene> bench = load(name);
+  const Result<BenchScene> bench = load_bench_scene(name, drawing_);
   if (!bench) return tl::unexpected(bench.error());
+  for (const std::string& warning : bench->scene.warnings) progress.say("warning: " + warning);
+  const auto alone = against_ ? study::peer_cannot_draw(*bench) : std::nullopt;
   for (const int threads : threads_) {
     progress.phase(fmt::format("drawing {} with {}", name, counted(threads, "thread")));
     std::unique_ptr<PeerProcess> peer;
-    if (against_ && bench->peers_draw_it) {
-      auto started = start_mesa(*bench, threads);
+    if (against_ && !alone) {
+      auto started = start_mesa(name, drawing_, threads);
       if (!started) return tl::unexpected(started.error());
       peer = std::move(*started);
     }
@@ -188,9 +157,7 @@ Result<void> BenchCommand::measure_scene(const std::string& name, BenchReport& r
     if (!measured) return tl::unexpected(measured.error());
     report.results.push_back(std::move(*measured));
   }
-  if (against_ && !bench->peers_draw_it) {
-    report.notes.push_back(name + " is drawn alone: the peer draws S1 to S7.");
-  }
+  if (alone) report.notes.push_back(fmt::format("{} is drawn alone: {}.", name, *alone));
   return {};
 }
 
@@ -203,7 +170,7 @@ Result<void> BenchCommand::write_outputs(const BenchReport& report) const {
 }
 
 Result<void> BenchCommand::measure_scenes(BenchReport& report, Progress& progress) const {
-  for (const std::string& name : scene_names()) {
+  for (const std::string& name : scenes_.empty() ? all_bench_scenes() : scenes_) {
     if (const auto done = measure_scene(name, report, progress); !done) return done;
   }
   if (!floor_) return {};
@@ -215,7 +182,8 @@ Result<void> BenchCommand::measure_scenes(BenchReport& report, Progress& progres
 void BenchCommand::measure_scaling(BenchReport& report, Progress& progress) const {
   const std::string_view by = name_of(*scaling_);
   report.scalings.push_back(study::measure_scaling(
-      *scaling_, {measure_options(threads_.back()), size_.width, size_.height, most_},
+      *scaling_,
+      {measure_options(threads_.back()), drawing_.size.width, drawing_.size.height, most_},
       [&](double x) { progress.phase(fmt::format("{} {}", x, by)); }));
 }
 
@@ -231,8 +199,8 @@ int BenchCommand::run() {
   report.compiler = study::compiler_name();
   report.engine = name_of(engine_.engine);
   report.target = name_of(staged ? Target::kScalar : engine_.tile.target);
-  report.width = size_.width;
-  report.height = size_.height;
+  report.width = drawing_.size.width;
+  report.height = drawing_.size.height;
   report.frames = frames_;
   Progress progress;
   if (scaling_) {
@@ -252,10 +220,9 @@ int BenchCommand::run() {
 void BenchPeerCommand::add_to(CLI::App& app, int& exit_code) {
   CLI::App& command = *app.add_subcommand(kPeerCommand, "draws for glassbox bench")->group("");
   command.add_option("SCENE", scene_)->required();
-  command.add_option_function<std::string>(
-      "--size", [this](const std::string& text) { size_ = parse_size(text); });
+  add_bench_drawing(command, drawing_);
   command.callback([this, &exit_code] {
-    const auto bench = study::make_bench_scene(scene_, size_.width, size_.height);
+    const auto bench = load_bench_scene(scene_, drawing_);
     if (!bench) {
       exit_code = refuse(bench.error());
       return;

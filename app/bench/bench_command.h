@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "app/bench/bench_scene.h"
 #include "app/bench/report.h"
-#include "app/options/arguments.h"
 #include "app/options/cli_fwd.h"
 #include "app/report/progress.h"
 
@@ -25,8 +25,6 @@ private:
   void add_engine_options(CLI::App& command);
   int run();
   Result<void> check_options() const;
-  std::vector<std::string> scene_names() const;
-  Result<study::BenchScene> load(const std::string& name) const;
   study::MeasureOptions measure_options(int threads) const;
   Result<void> measure_scene(const std::string& name, BenchReport& report,
                              Progress& progress) const;
@@ -39,7 +37,7 @@ private:
   study::EngineOptions engine_;
   std::vector<int> threads_;
   int frames_ = 9;
-  Size size_{1920, 1080};
+  BenchDrawing drawing_;
   std::optional<study::ScaledBy> scaling_;
   double most_ = 0;
   bool floor_ = false;
@@ -53,7 +51,7 @@ public:
 
 private:
   std::string scene_;
-  Size size_;
+  BenchDrawing drawing_;
 };
 
 }  // namespace glassbox::app

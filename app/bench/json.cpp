@@ -15,14 +15,28 @@ Json range_of(const Quartiles& q) {
   return Json::array({q.lower, q.upper});
 }
 
+// [by, pixels] for each difference that there is.
+Json differences_json(const study::PictureMatch& match) {
+  Json json = Json::array();
+  for (std::size_t by = 1; by < match.differences.size(); ++by) {
+    if (match.differences[by] > 0) json.push_back(Json::array({by, match.differences[by]}));
+  }
+  return json;
+}
+
 Json match_json(const study::PictureMatch& match) {
   return {{"same", match.same()},
           {"covered", match.covered},
           {"peer_covered", match.peer_covered},
           {"coverage_differs", match.coverage_differs},
           {"color_differs", match.color_differs},
-          {"away_from_edges", match.away_from_edges},
-          {"largest_elsewhere", match.largest_elsewhere}};
+          {"edges", match.edges},
+          {"at_edges", match.at_edges()},
+          {"allowed_at_edges", match.allowed_at_edges()},
+          {"away_from_edges", match.covered_away_from_edges + match.colored_away_from_edges},
+          {"largest_away_from_edges", match.largest_away_from_edges},
+          {"largest_elsewhere", match.largest_elsewhere},
+          {"differences", differences_json(match)}};
 }
 
 Json floor_json(const study::Floor& floor) {
@@ -33,8 +47,9 @@ Json floor_json(const study::Floor& floor) {
 }
 
 Json result_json(const BenchReport& report, const Measurement& result) {
-  Json json{{"scene", result.scene}, {"threads", result.threads}, {"ms", result.ms.median},
-            {"peer", nullptr},       {"peer_ms", nullptr},        {"ratio", nullptr}};
+  Json json{{"scene", result.scene},  {"threads", result.threads}, {"samples", result.samples},
+            {"ms", result.ms.median}, {"peer", nullptr},           {"peer_ms", nullptr},
+            {"ratio", nullptr}};
   json["ms_quartiles"] = range_of(result.ms);
   if (result.against) {
     json["peer"] = result.against->peer;
@@ -90,6 +105,7 @@ Json bench_json(const BenchReport& report) {
   for (const study::Floor& floor : report.floors) json["floor"].push_back(floor_json(floor));
   if (!report.scalings.empty()) json["scaling"] = Json::array();
   for (const Scaling& scaling : report.scalings) json["scaling"].push_back(scaling_json(scaling));
+  if (!report.notes.empty()) json["notes"] = report.notes;
   return json;
 }
 

@@ -49,6 +49,7 @@ std::string remarks(const Measurement& result) {
   std::string text;
   const std::string where =
       fmt::format("{}, {}: ", result.scene, counted(result.threads, "thread"));
+  if (result.samples > 1) text += fmt::format("{}{} samples of a pixel\n", where, result.samples);
   if (result.against) text += where + match_text(result.against->match) + "\n";
   if (result.stereo) {
     text += fmt::format("{}both eyes in one run take {} ms, {} times one eye's {} ms\n", where,
@@ -106,18 +107,22 @@ std::string three_digits(double value) {
 }
 
 std::string match_text(const study::PictureMatch& match) {
-  if (match.same()) {
-    const std::string differ =
-        match.differing() == 0
-            ? fmt::format("the same {} pixels covered", match.covered)
-            : fmt::format("{} of {} pixels differ, at edges", match.differing(), match.pixels);
-    return fmt::format("{}; colours elsewhere within {}/255", differ, match.largest_elsewhere);
+  if (!match.same()) {
+    return fmt::format(
+        "NOT the same picture: {} pixels covered, {} by the peer; {} differ in coverage and {} in "
+        "colour, {} of them at edges, where {} may; elsewhere colours differ by up to {}/255",
+        match.covered, match.peer_covered, match.coverage_differs, match.color_differs,
+        match.at_edges(), match.allowed_at_edges(), match.largest_away_from_edges);
   }
-  return fmt::format(
-      "NOT the same picture: {} pixels covered, {} by the peer; {} differ in coverage and {} in "
-      "colour, {} of them away from edges",
-      match.covered, match.peer_covered, match.coverage_differs, match.color_differs,
-      match.away_from_edges);
+  std::string text =
+      match.at_edges() == 0
+          ? fmt::format("the same {} pixels covered", match.covered)
+          : fmt::format("{} of {} pixels differ at edges", match.at_edges(), match.pixels);
+  if (match.colored_away_from_edges > 0) {
+    text += fmt::format(", {} elsewhere by up to {}/255", match.colored_away_from_edges,
+                        match.largest_away_from_edges);
+  }
+  return text + fmt::format("; colours otherwise within {}/255", match.largest_elsewhere);
 }
 
 std::string scaling_text(const Scaling& scaling) {

@@ -11,6 +11,7 @@
 #include <glassbox/mesh/builtin/room.h>
 #include <glassbox/mesh/builtin/sphere.h>
 #include <glassbox/mesh/builtin/teapot.h>
+#include <glassbox/mesh/builtin/thicket.h>
 
 namespace glassbox {
 namespace {
@@ -28,6 +29,8 @@ constexpr BuiltinScene kScenes[] = {
      [](int) { return make_room(); }},
     {"checker", "a checkered floor to the horizon: texture filtering", std::nullopt,
      [](int) { return make_checker(); }},
+    {"thicket", "twigs whose leaves are cut out by alpha", std::nullopt,
+     [](int) { return make_thicket(); }},
     {"f-glyph", "a thick letter F: shows mirrored and turned pictures", std::nullopt,
      [](int) { return make_f_glyph(); }},
     {"depth-ladder", "nearly coplanar squares from 1 to 2^19 away: depth formats", std::nullopt,

@@ -7,6 +7,7 @@
 #include <functional>
 #include <latch>
 #include <numeric>
+#include <set>
 #include <thread>
 #include <vector>
 
@@ -87,9 +88,9 @@ Floor measure_floor(int threads) {
 
 Traffic least_traffic(const BenchScene& bench) {
   double read = 0;
-  for (const Instance& instance : bench.scene.instances) {
-    read += table_bytes(bench.scene.meshes[instance.mesh]);
-  }
+  std::set<std::uint32_t> meshes;
+  for (const Instance& instance : bench.scene.instances) meshes.insert(instance.mesh);
+  for (const std::uint32_t mesh : meshes) read += table_bytes(bench.scene.meshes[mesh]);
   for (const Image<Rgba8>& image : bench.scene.images) {
     read += double(image.pixels.size() * sizeof(Rgba8));
   }

@@ -1,5 +1,6 @@
 #include "study/bench/glassbox_peer.h"
 
+#include <algorithm>
 #include <functional>
 #include <utility>
 
@@ -8,8 +9,50 @@
 #include <glassbox/render/stereo/render_pair.h>
 
 #include "study/bench/statistics.h"
+#include "study/scenes/edges.h"
 
 namespace glassbox::study {
+
+namespace {
+
+const Material& material_of(const Scene& scene, const Instance& instance) {
+  return scene.materials[scene.meshes[instance.mesh].material];
+}
+
+bool has_draws(const Scene& scene, AlphaMode mode) {
+  return std::ranges::any_of(scene.instances, [&](const Instance& instance) {
+    return material_of(scene, instance).alpha_mode == mode;
+  });
+}
+
+bool has_levels(const Scene& scene) {
+  return std::ranges::any_of(scene.textures, [](const Texture& texture) {
+    return texture.sampler.mip != MipFilter::kNone;
+  });
+}
+
+// So many more of the pixels may differ, by so much.
+void widen(MatchBounds& bounds, double share, int by) {
+  bounds.beyond_share += share;
+  bounds.beyond = std::max(bounds.beyond, by);
+}
+
+// docs/benchmark.md has what was measured.
+MatchBounds bounds_of(const BenchScene& bench) {
+  MatchBounds bounds;
+  bounds.samples = bench.settings.samples;
+  bounds.beyond = bounds.same_color;
+  // OpenGL's level is that of a quad of 2 x 2 pixels, from differences between them; ours that of the pixel.
+  if (has_levels(bench.scene)) widen(bounds, 0.02, 16);
+  // Each blended layer rounds a byte; alphas of 1/8 leave the sum of up to 8 such steps.
+  if (has_draws(bench.scene, AlphaMode::kBlend)) widen(bounds, 0.001, 10);
+  // A mask may cut samples out of a pixel whose centre no triangle's edge is near.
+  const bool cuts_samples = bounds.samples > 1 && has_draws(bench.scene, AlphaMode::kMask);
+  if (cuts_samples) widen(bounds, 0.0001, 64);
+  return bounds;
+}
+
+}  // namespace
 
 GlassboxPeer::GlassboxPeer(const BenchScene& bench, const EngineOptions& options)
     : bench_(bench),
@@ -47,14 +90,59 @@ double GlassboxPeer::frame_ms() {
 JudgedPicture GlassboxPeer::picture() {
   RenderSettings settings = bench_.settings;
   settings.want_id = true;
+  settings.want_depth = true;
   draw(settings);
   JudgedPicture judged;
+  judged.bounds = bounds_of(bench_);
   judged.picture.color = drawn_[0].buffers.color;
   judged.picture.covered = Image<std::uint8_t>(bench_.width(), bench_.height());
   judged.edge = Image<std::uint8_t>(bench_.width(), bench_.height());
   for (const Rendering& pass : drawn_) mark_edges(pass.buffers.id, judged.edge);
   mark_covered(drawn_.back().buffers.depth, judged.picture.covered);
+  if (settings.samples > 1) mark_edges_of_samples(judged.edge);
+  if (has_draws(bench_.scene, AlphaMode::kBlend)) mark_edges_behind_glass(judged.edge);
   return judged;
+}
+
+// What lies between pixel centres has edges that no centre sees.
+void GlassboxPeer::mark_edges_of_samples(Image<std::uint8_t>& edge) const {
+  RenderSettings settings = at_centres(bench_.settings);
+  settings.want_id = true;
+  for (std::size_t i = 0; i < bench_.passes.size(); ++i) {
+    for (const SampleOffset& offset : sample_offsets(bench_.settings.samples)) {
+      Rendering seen;
+      const View view = seen_at(bench_.passes[i].view, offset);
+      const EyePicture eye{view, settings, seen.buffers, seen.buffers.color, seen.statistics};
+      engine_->draw({bench_.scene, prepared_, {&eye, 1}});
+      mark_edges(seen.buffers.id, edge);
+      mark_differences(seen.buffers.id, drawn_[i].buffers.id, edge);
+    }
+  }
+}
+
+// The last of several blended triangles hides the edges of those behind it from the plane of triangles' numbers: all edges of
+// blended triangles are drawn as lines. An opaque wireframe of them hides nothing but places on other lines.
+void GlassboxPeer::mark_edges_behind_glass(Image<std::uint8_t>& edge) const {
+  Scene lines = bench_.scene;
+  std::erase_if(lines.instances, [&](const Instance& instance) {
+    return material_of(lines, instance).alpha_mode != AlphaMode::kBlend;
+  });
+  for (Material& material : lines.materials) {
+    Material plain;
+    plain.double_sided = material.double_sided;
+    plain.unlit = true;
+    material = plain;
+  }
+  const PreparedScene prepared = prepare(lines, bench_.settings.transfer);
+  RenderSettings settings = at_centres(bench_.settings);
+  settings.wireframe = true;
+  settings.want_depth = true;
+  for (const BenchPass& pass : bench_.passes) {
+    Rendering seen;
+    const EyePicture eye{pass.view, settings, seen.buffers, seen.buffers.color, seen.statistics};
+    engine_->draw({lines, prepared, {&eye, 1}});
+    mark_edges(seen.buffers.depth, edge);
+  }
 }
 
 StereoCost stereo_cost(const BenchScene& bench, const EngineOptions& options, int frames) {

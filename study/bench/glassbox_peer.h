@@ -35,6 +35,9 @@ private:
   // Over the picture that the passes before have left.
   void draw_over(const BenchPass& pass, const RenderSettings& settings, Rendering& into);
 
+  void mark_edges_of_samples(Image<std::uint8_t>& edge) const;
+  void mark_edges_behind_glass(Image<std::uint8_t>& edge) const;
+
   const BenchScene& bench_;
   PreparedScene prepared_;
   std::unique_ptr<Engine> engine_;

@@ -37,6 +37,7 @@ Result<Measurement> measure(const BenchScene& bench, const MeasureOptions& optio
   Measurement found;
   found.scene = bench.name;
   found.threads = options.engine.tile.threads;
+  found.samples = bench.settings.samples;
   found.frames = options.frames;
   found.least = least_traffic(bench);
 

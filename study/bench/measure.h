@@ -26,7 +26,8 @@ struct Against {
 struct Measurement {
   std::string scene;
   int threads = 1;
-  int frames = 0;  // that the medians are of
+  int samples = 1;  // of a pixel
+  int frames = 0;   // that the medians are of
   Quartiles ms;
   Traffic least;  // bytes that have to move
   std::optional<Against> against;

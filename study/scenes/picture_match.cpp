@@ -14,14 +14,26 @@ int largest_difference(const Rgba8& a, const Rgba8& b) {
   return std::max({apart(a.r, b.r), apart(a.g, b.g), apart(a.b, b.b), apart(a.a, b.a)});
 }
 
-bool differs_around(const Image<std::uint32_t>& id, int x, int y) {
-  const std::uint32_t here = id.at(x, y);
-  for (int v = std::max(y - 1, 0); v <= std::min(y + 1, id.height - 1); ++v) {
-    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, id.width - 1); ++u) {
-      if (id.at(u, v) != here) return true;
+// Whether one of the pixel's neighbours looks different.
+bool shows_edge(const JudgedPicture& ours, int x, int y) {
+  const auto& [color, covered] = ours.picture;
+  for (int v = std::max(y - 1, 0); v <= std::min(y + 1, color.height - 1); ++v) {
+    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, color.width - 1); ++u) {
+      if (covered.at(u, v) != covered.at(x, y)) return true;
+      if (largest_difference(color.at(u, v), color.at(x, y)) > ours.bounds.same_color) return true;
     }
   }
   return false;
+}
+
+std::uint64_t edges_shown(const JudgedPicture& ours) {
+  std::uint64_t count = 0;
+  for (int y = 0; y < ours.edge.height; ++y) {
+    for (int x = 0; x < ours.edge.width; ++x) {
+      count += ours.edge.at(x, y) != 0 && shows_edge(ours, x, y);
+    }
+  }
+  return count;
 }
 
 }  // namespace
@@ -32,32 +44,44 @@ void mark_covered(const Image<std::uint32_t>& depth, Image<std::uint8_t>& covere
   }
 }
 
-void mark_edges(const Image<std::uint32_t>& id, Image<std::uint8_t>& edge) {
-  for (int y = 0; y < id.height; ++y) {
-    for (int x = 0; x < id.width; ++x) {
-      if (differs_around(id, x, y)) edge.at(x, y) = 1;
-    }
-  }
+// Two programs snap an edge's ends up to 1/256 px apart, so that of the pixels in a row, or a column, that an edge crosses, the
+// nearest one changes sides with a probability of up to 2/256, and so does each of its samples. Three pixels of it count as the
+// edge's: 2/768 of them, of which half as many again are allowed, and two more where there are hardly any. What may differ
+// elsewhere may differ there as well.
+std::uint64_t PictureMatch::allowed_at_edges() const {
+  return 2 + edges * std::uint64_t(bounds.samples) / 256 +
+         std::uint64_t(bounds.beyond_share * double(edges));
+}
+
+bool PictureMatch::same() const {
+  return covered_away_from_edges == 0 && largest_away_from_edges <= bounds.beyond &&
+         double(colored_away_from_edges) <= bounds.beyond_share * double(pixels) &&
+         at_edges() <= allowed_at_edges();
 }
 
 PictureMatch match(const JudgedPicture& ours, const Picture& theirs) {
   PictureMatch found;
+  found.bounds = ours.bounds;
   found.pixels = ours.edge.pixels.size();
+  found.edges = edges_shown(ours);
   for (std::size_t i = 0; i < found.pixels; ++i) {
     const bool covered = ours.picture.covered.pixels[i] != 0;
     const bool peer_covered = theirs.covered.pixels[i] != 0;
+    const bool at_edge = ours.edge.pixels[i] != 0;
     const int apart = largest_difference(ours.picture.color.pixels[i], theirs.color.pixels[i]);
     found.covered += covered;
     found.peer_covered += peer_covered;
+    if (!at_edge) ++found.differences[std::size_t(apart)];
     if (covered != peer_covered) {
       ++found.coverage_differs;
-    } else if (apart > kSameColor) {
+      found.covered_away_from_edges += !at_edge;
+    } else if (apart > ours.bounds.same_color) {
       ++found.color_differs;
+      found.colored_away_from_edges += !at_edge;
     } else {
       found.largest_elsewhere = std::max(found.largest_elsewhere, apart);
-      continue;
     }
-    found.away_from_edges += ours.edge.pixels[i] == 0;
+    if (!at_edge) found.largest_away_from_edges = std::max(found.largest_away_from_edges, apart);
   }
   return found;
 }

@@ -75,7 +75,6 @@ BenchScene empty_scene(std::string name) {
   bench.name = std::move(name);
   bench.scene.name = bench.name;
   bench.settings = bench_settings();
-  bench.peers_draw_it = true;
   return bench;
 }
 

@@ -36,7 +36,6 @@ struct BenchScene {
   std::vector<BenchPass> passes;
   std::optional<BenchStereo> stereo;  // whose eyes the two passes are
   bool reject_objects = true;         // whether a mesh that is seen nowhere may be left out whole
-  bool peers_draw_it = false;  // an OpenGL program of study/bench/mesa gives the same picture
 
   int width() const { return int(passes.front().view.viewport.width()); }
   int height() const { return int(passes.front().view.viewport.height()); }

@@ -126,8 +126,8 @@ TEST_CASE("--json FILE writes the same that --json - prints") {
 }
 
 TEST_CASE("--write gives a GLB of the same scene, for every built-in one") {
-  for (const char* name :
-       {"teapot:3", "cube", "sphere:8", "forest", "room", "checker", "f-glyph", "depth-ladder"}) {
+  for (const char* name : {"teapot:3", "cube", "sphere:8", "forest", "room", "checker", "thicket",
+                           "f-glyph", "depth-ladder"}) {
     const Workplace here;
     const Json before = info(here, std::string(name) + " --write s.glb");
     const Json after = info(here, "s.glb");

@@ -36,7 +36,7 @@ function(run_house expected prints)
 endfunction()
 
 run_house(1 "examples/house.gltf: there is no such file; check the path, or name a built-in scene: \
-teapot, cube, sphere, forest, room, checker, f-glyph, depth-ladder\n")
+teapot, cube, sphere, forest, room, checker, thicket, f-glyph, depth-ladder\n")
 file(COPY ${clone}/examples DESTINATION ${house})
 run_house(0 "${numbers}")
 run(${prefix}/bin/glassbox render ${house}/examples/house.gltf --size 640x360 -o ${house}/expected.png)

@@ -114,8 +114,8 @@ TEST_CASE(
     const std::string name(builtin.name);
     CAPTURE(name);
     const Scene scene = *make_builtin(name);
-    const bool is_place =
-        name == "forest" || name == "room" || name == "checker" || name == "depth-ladder";
+    const bool is_place = name == "forest" || name == "room" || name == "checker" ||
+                          name == "thicket" || name == "depth-ladder";
     REQUIRE(scene.cameras.size() == (is_place ? 1 : 0));
     if (!is_place) continue;
     const Transform<World, Eye>& pose = scene.cameras[0].world_from_eye;

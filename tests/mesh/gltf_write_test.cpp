@@ -235,8 +235,8 @@ TEST_CASE("instances keep their order where it does not follow the hierarchy") {
 }
 
 TEST_CASE("every built-in scene comes back bit by bit from a GLB") {
-  for (const char* name :
-       {"teapot", "cube", "sphere", "forest", "room", "checker", "f-glyph", "depth-ladder"}) {
+  for (const char* name : {"teapot", "cube", "sphere", "forest", "room", "checker", "thicket",
+                           "f-glyph", "depth-ladder"}) {
     INFO(name);
     const auto scene = load_scene(name);
     REQUIRE(scene);

@@ -76,7 +76,7 @@ TEST_CASE("what cannot be loaded is refused with file, cause and remedy") {
   };
   CHECK(contains(message("teapott"), "did you mean 'teapot'?"));
   CHECK(contains(message("bunny"),
-                 "teapot, cube, sphere, forest, room, checker, f-glyph, depth-ladder"));
+                 "teapot, cube, sphere, forest, room, checker, thicket, f-glyph, depth-ladder"));
   CHECK(contains(message("./teapot"), "./teapot: there is no such file"));
   CHECK(contains(message("no/such/duck.glb"), "no/such/duck.glb: there is no such file"));
   CHECK(contains(message(folder.path() + "/teapot.obj/x"), "there is no such file"));

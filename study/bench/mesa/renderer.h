@@ -1,19 +1,25 @@
-// A scene of the benchmark drawn by OpenGL, into a framebuffer of 8-bit colours and 32-bit depths.
+// A scene drawn by OpenGL, into a framebuffer of 8-bit colours and 32-bit depths.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <glassbox/base/error.h>
+#include <glassbox/render/engine/prepared_scene.h>
 
+#include "study/bench/mesa/draws.h"
+#include "study/bench/mesa/framebuffer.h"
 #include "study/bench/mesa/osmesa.h"
+#include "study/bench/mesa/programs.h"
+#include "study/bench/mesa/uploads.h"
 #include "study/scenes/picture_match.h"
 #include "study/scenes/scenes.h"
 
 namespace glassbox::study {
 
-// The scene's one mesh, with one directional light or none: what peers_draw_it says.
+// Any scene that peer_cannot_draw (limits.h) has nothing against.
 class MesaRenderer {
 public:
   static Result<std::unique_ptr<MesaRenderer>> make(const BenchScene& bench);
@@ -22,27 +28,41 @@ public:
   std::string description() const;
   // From the first clear to the end of glFinish, in milliseconds.
   double frame_ms();
-  // What the last frame drew.
-  Picture picture() const;
+  // What a frame shows.
+  Picture picture();
 
 private:
+  struct GlDraw {
+    PeerDraw told;
+    const GlProgram* program = nullptr;
+    GlMesh mesh;
+    gl::Uint texture = 0, emission_texture = 0;  // 0: none
+  };
+  // What the draw before has left set.
+  struct State;
+
   MesaRenderer(const BenchScene& bench, std::unique_ptr<OsMesa> mesa);
-  Result<void> make_framebuffer();
-  Result<void> make_program();
-  Result<gl::Uint> compile(gl::Enum kind, const std::string& text) const;
-  void upload_mesh();
-  void upload_texture();
-  void set_light() const;
-  void draw_pass(std::size_t index) const;
-  gl::Int uniform(const char* name) const;
+  Result<void> set_up();
+  Result<void> make_draws(const DrawList& list);
+  GlMesh mesh_of(const PeerDraw& draw);
+  gl::Uint texture_of(std::uint32_t texture);
+
+  void draw_frame() const;
+  void draw_pass(std::size_t pass) const;
+  void set_material(const GlDraw& draw, State& state) const;
+  void set_textures(const GlDraw& draw, State& state) const;
+  void set_faces(const PeerDraw& draw, State& state) const;
+  void set_blending(const PeerDraw& draw, State& state) const;
 
   const BenchScene& bench_;
+  PreparedScene prepared_;
   std::unique_ptr<OsMesa> mesa_;
   const gl::Functions& gl_;
-  gl::Uint program_ = 0;
-  gl::Size index_count_ = 0;
-  gl::Int clip_from_object_ = -1;
-  std::vector<glm::mat4> matrices_;  // by pass
+  std::optional<GlFramebuffer> framebuffer_;
+  std::optional<GlPrograms> programs_;
+  std::vector<std::optional<GlMesh>> meshes_;  // by mesh
+  std::vector<gl::Uint> textures_;             // by texture; 0 where nothing looks at it
+  std::vector<std::vector<GlDraw>> passes_;
 };
 
 }  // namespace glassbox::study

@@ -1,21 +1,47 @@
-// The shaders of the OpenGL peer: what Glassbox computes for the same scene, and nothing else.
+// The shaders of the OpenGL peer: what Glassbox computes for the same material and lights (raster/shading.h), and nothing else.
 #pragma once
 
+#include <compare>
 #include <string>
+#include <vector>
+
+#include <glassbox/mesh/scene.h>
 
 namespace glassbox::study {
 
 // Where the attributes of a vertex arrive.
 inline constexpr unsigned kPositionAt = 0, kNormalAt = 1, kTexcoordAt = 2, kColorAt = 3;
+// The texture units of the surface's colour and of its emission.
+inline constexpr int kImageUnit = 0, kEmissionUnit = 1;
 
-// What a draw's colours are made of.
-struct Ingredients {
-  bool lit = false;
-  bool textured = false;
-  bool colored = false;  // per vertex
+struct LightIngredient {
+  LightKind kind = LightKind::kDirectional;
+  bool ranged = false;
+  friend auto operator<=>(const LightIngredient&, const LightIngredient&) = default;
 };
 
+// What a draw's colours are made of. Draws with the same ingredients share a program.
+struct Ingredients {
+  bool textured = false;
+  bool colored = false;  // per vertex
+  AlphaMode alpha = AlphaMode::kOpaque;
+  bool emits = false;
+  bool emission_textured = false;
+
+  bool lit = false;  // what follows is of lit ones
+  std::vector<LightIngredient> lights;
+  bool perspective = true;
+  bool two_sided = false;        // back faces are seen
+  bool unequal_normals = false;  // the vertices' normals need not have the same length in eye space
+  int shininess = 0;             // 0: no highlights
+  friend auto operator<=>(const Ingredients&, const Ingredients&) = default;
+};
+
+// Whether light depends on where the surface is.
+bool needs_eye_position(const Ingredients& ingredients);
+
 std::string vertex_shader(const Ingredients& ingredients);
+// Of light number i the uniforms are towards_i, radiance_i, position_i, inverse_range_i and cone_i (scale, offset).
 std::string fragment_shader(const Ingredients& ingredients);
 
 }  // namespace glassbox::study

@@ -213,5 +213,75 @@ TEST_CASE("Mesa draws the same pictures") {
   }
 }
 
+TEST_CASE("Mesa draws the same pictures of built-in scenes, with samples and for two eyes") {
+  if (!mesa_is_here()) SKIP_TEST("no libOSMesa.so.8 (Debian: libosmesa6)");
+  const Workplace place;
+  for (const char* words : {"cube sphere f-glyph room thicket R9 R12", "cube R6 --samples 4",
+                            "teapot:8 R7 --stereo anaglyph"}) {
+    INFO(words);
+    const Outcome run = place.run("bench " + std::string(words) +
+                                  " --against mesa --threads 1 --size 320x180 --frames 1 --json -");
+    INFO(run.err);
+    INFO(run.out);
+    REQUIRE(run.exit_code == 0);
+    for (const json& result : json::parse(run.out).at("results")) {
+      CHECK(result.at("peer").get<std::string>().find("llvmpipe") != std::string::npos);
+      CHECK(result.at("pictures").at("covered").get<int>() > 0);
+    }
+  }
+}
+
+TEST_CASE("what the peer cannot do is drawn alone, and the reason is told") {
+  const Workplace place;
+  place.write("line.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\n");
+  const Outcome run = place.run(
+      "bench cube line.obj --samples 8 --against mesa --threads 1 --size 64x36 --frames 1 --json "
+      "b.json");
+  INFO(run.err);
+  REQUIRE(run.exit_code == 0);
+  CHECK(run.out.find("cube is drawn alone: ") != std::string::npos);
+  CHECK(run.out.find("line.obj is drawn alone: ") != std::string::npos);
+  const json report = json::parse(place.read("b.json"));
+  CHECK(report.at("notes").size() == 2);
+  for (const json& result : report.at("results")) {
+    CHECK(result.at("samples") == 8);
+    CHECK(result.at("ratio").is_null());
+  }
+}
+
+TEST_CASE(
+    "the real scenes have their names and samples, and one whose file is missing is left out") {
+  const Workplace place;
+  const Outcome run = place.run(
+      "bench R1 r2 R3 R4 R5 R6 R7 R8 R9 R10 R11 R12 --threads 1 --size 64x36 --frames 1 --json -");
+  INFO(run.err);
+  REQUIRE(run.exit_code == 0);
+  const json report = json::parse(run.out);
+  std::set<std::string> scenes;
+  for (const json& result : report.at("results")) {
+    const std::string scene = result.at("scene");
+    scenes.insert(scene);
+    CHECK(result.at("samples") == (scene == "R6" || scene == "R7" ? 4 : 1));
+  }
+  // Where the tests run there is no ../shared/assets.
+  CHECK(scenes ==
+        std::set<std::string>{"R1", "R2", "R3", "R4", "R6", "R7", "R8", "R9", "R10", "R11", "R12"});
+  CHECK(report.at("notes").at(0).get<std::string>().starts_with("R5 is left out: "));
+}
+
+TEST_CASE("--samples takes what the program draws, --stereo an anaglyph") {
+  const Workplace place;
+  CHECK(place.run("bench cube --samples 3").exit_code == 2);
+  CHECK(place.run("bench cube --stereo side-by-side").exit_code == 2);
+  const Outcome run = place.run(
+      "bench cube S2 --samples 16 --stereo anaglyph --threads 1 --size 64x36 --frames 1 --json -");
+  INFO(run.err);
+  REQUIRE(run.exit_code == 0);
+  for (const json& result : json::parse(run.out).at("results")) {
+    CHECK(result.at("samples") == 16);
+    CHECK(result.at("stereo").at("shared_ms").get<double>() > 0);
+  }
+}
+
 }  // namespace
 }  // namespace glassbox

@@ -41,7 +41,7 @@ TEST_CASE("colours two steps apart are the same, three steps are not") {
   const PictureMatch found = match(ours, theirs);
   CHECK_FALSE(found.same());
   CHECK(found.color_differs == 1);
-  CHECK(found.away_from_edges == 1);
+  CHECK(found.colored_away_from_edges == 1);
 }
 
 TEST_CASE("a hole inside a triangle is found, one pixel of the outline is counted and forgiven") {
@@ -62,7 +62,7 @@ TEST_CASE("more differences at edges than a handful are no handful") {
   const PictureMatch none = match(ours, ours.picture);
   Picture theirs = ours.picture;
   std::uint64_t planted = 0;
-  for (std::size_t i = 0; planted <= none.allowed(); ++i) {
+  for (std::size_t i = 0; planted <= none.allowed_at_edges(); ++i) {
     if (ours.edge.pixels[i] == 0 || ours.picture.covered.pixels[i] == 0) continue;
     theirs.covered.pixels[i] = 0;
     ++planted;

@@ -1,0 +1,53 @@
+#include "study/bench/mesa/limits.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace glassbox::study {
+
+namespace {
+
+// Of llvmpipe in Mesa 22.3: samples of a pixel, and texels of a texture's side.
+constexpr int kPeerSamples = 4;
+constexpr int kPeerTextureSide = 16384;
+
+bool has_lines_or_points(const Scene& scene) {
+  return std::ranges::any_of(scene.instances, [&](const Instance& instance) {
+    const Mesh& mesh = scene.meshes[instance.mesh];
+    return !mesh.lines.empty() || !mesh.points.empty();
+  });
+}
+
+// OpenGL 3.3 (3.8.11) magnifies up to half a level beyond where the footprint is a texel.
+bool magnifies_elsewhere(const Sampler& sampler) {
+  return sampler.magnify == Filter::kLinear && sampler.minify == Filter::kNearest &&
+         sampler.mip != MipFilter::kNone;
+}
+
+}  // namespace
+
+std::optional<std::string> peer_cannot_draw(const BenchScene& bench) {
+  const Scene& scene = bench.scene;
+  const int samples = bench.settings.samples;
+  if (samples != 1 && samples != kPeerSamples) {
+    return fmt::format("the peer has 1 or {} samples of a pixel, not {}", kPeerSamples, samples);
+  }
+  if (has_lines_or_points(scene)) {
+    return "the peer's lines and points have other pixels";
+  }
+  if (std::ranges::any_of(scene.textures, [](const Texture& texture) {
+        return magnifies_elsewhere(texture.sampler);
+      })) {
+    return "a texture is magnified by another filter than it is minified, which the peer changes "
+           "elsewhere";
+  }
+  if (std::ranges::any_of(scene.images, [](const Image<Rgba8>& image) {
+        return std::max(image.width, image.height) > kPeerTextureSide;
+      })) {
+    return fmt::format("the peer's textures have at most {} texels a side", kPeerTextureSide);
+  }
+  return std::nullopt;
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,14 @@
+// What OpenGL does not do.
+#pragma once
+
+#include <string>
+
+#include <glassbox/base/error.h>
+
+namespace glassbox::study {
+
+inline tl::unexpected<Error> refused(const std::string& cause) {
+  return fail("OpenGL", cause, "try another Mesa, or leave --against out");
+}
+
+}  // namespace glassbox::study
