@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <cwchar>
 #include <iostream>
 #include <sstream>
 #include <utility>
@@ -63,7 +64,8 @@ public:
     el_set(edit_, EL_EDITOR, "emacs");
     el_set(edit_, EL_HIST, history, history_);
     el_set(edit_, EL_SIGNAL, 1);  // Control-C leaves the terminal as it was
-    el_set(edit_, EL_ADDFN, "complete", "completes a word", &Terminal::complete_word);
+    // The narrow call would make wide copies of these words and never free them.
+    el_wset(edit_, EL_ADDFN, L"complete", L"completes a word", &Terminal::complete_word);
     el_set(edit_, EL_BIND, "^I", "complete", nullptr);
     el_set(edit_, EL_BIND, "^R", "em-inc-search-prev", nullptr);
     // The end of the input typed between two prompts, while the terminal still edits lines itself, arrives as NUL.
@@ -98,7 +100,7 @@ private:
     return *static_cast<Terminal*>(self);
   }
   static char* prompt_of(EditLine* edit) { return of(edit).prompt_.data(); }
-  static unsigned char complete_word(EditLine* edit, int) { return of(edit).complete(); }
+  static unsigned char complete_word(EditLine* edit, wint_t) { return of(edit).complete(); }
 
   unsigned char complete() {
     const LineInfo* line = el_line(edit_);
