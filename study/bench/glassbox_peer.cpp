@@ -41,6 +41,7 @@ void widen(MatchBounds& bounds, double share, int by) {
 MatchBounds bounds_of(const BenchScene& bench) {
   MatchBounds bounds;
   bounds.samples = bench.settings.samples;
+  bounds.eyes = int(bench.passes.size());
   bounds.beyond = bounds.same_color;
   // OpenGL's level is that of a quad of 2 x 2 pixels, from differences between them; ours that of the pixel.
   if (has_levels(bench.scene)) widen(bounds, 0.02, 16);

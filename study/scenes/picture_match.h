@@ -22,6 +22,7 @@ struct MatchBounds {
   double beyond_share = 0;
   int beyond = 255;
   int samples = 1;  // of a pixel
+  int eyes = 1;     // that draw into the picture, each with edges of its own
 };
 
 struct JudgedPicture {

@@ -28,8 +28,7 @@ Json decision(const Json& decisions, const std::string& stage) {
   return {};
 }
 
-TEST_CASE(
-    "explain says that several samples are drawn by the staged stages, and of what they are not") {
+TEST_CASE("explain says how many samples are drawn, and of what they are not") {
   const Workplace here;
   const Outcome outcome = here.run("explain room --size 96x64 --samples 4 --json -");
   REQUIRE(outcome.exit_code == 0);
@@ -39,7 +38,7 @@ TEST_CASE(
   CHECK(samples.at("numbers") == "4 to a pixel");
   for (const Json& draw : plan.at("draws")) {
     const std::string way = draw.at("way");
-    CHECK((contains(way, "samples") || way == "not drawn"));
+    CHECK((contains(way, "over lanes") || way == "not drawn"));
   }
   const Outcome depths = here.run("explain room --size 96x64 --samples 4 --show depth --json -");
   const Json of_depths = Json::parse(depths.out).at("plan");
