@@ -1,4 +1,8 @@
 // For the sanitizer of threads: a race that it must report. Never run with the other tests.
+#include <atomic>
+#include <chrono>
+#include <thread>
+
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
@@ -7,12 +11,26 @@
 namespace glassbox {
 namespace {
 
+// Each waits for the other, so that one thread cannot run both, however busy the machine is; by relaxed operations, which put
+// nothing in order.
 TEST_CASE("two tasks add to one number, unprotected", "[.planted-race]") {
+  constexpr std::chrono::seconds kLongest(60);
   long sum = 0;
-  tbb::task_arena arena(4);
+  std::atomic<int> begun = 0;
+  tbb::task_arena arena(2);
   arena.execute([&] {
     tbb::parallel_for(
-        0, 100000, [&](int) { sum += 1; }, tbb::simple_partitioner());
+        0, 2,
+        [&](int) {
+          begun.fetch_add(1, std::memory_order_relaxed);
+          const auto end = std::chrono::steady_clock::now() + kLongest;
+          while (begun.load(std::memory_order_relaxed) < 2 &&
+                 std::chrono::steady_clock::now() < end) {
+            std::this_thread::yield();
+          }
+          sum += 1;
+        },
+        tbb::simple_partitioner());
   });
   CHECK(sum > 0);
 }
