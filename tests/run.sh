@@ -1,5 +1,5 @@
 #!/bin/sh
-# The tests: ./glassbox test [--all]. The last line is "N passed, N failed", with ", N skipped" where parts were left
+# The tests: ./glassbox test [--all | PART ...]. The last line is "N passed, N failed", with ", N skipped" where parts were left
 # out. Ends with 0 if nothing failed.
 set -eu
 
@@ -13,7 +13,7 @@ skipped=0
 
 usage() {
   cat <<'TEXT'
-usage: ./glassbox test [--all]
+usage: ./glassbox test [--all | PART ...]
 
 Builds the tests with g++, every warning an error, and runs them; then
 the format of the sources, and some tests of each folder under the
@@ -21,6 +21,14 @@ sanitizers. --all adds what needs more tools and time: all tests with
 clang++, without optimisation and under the sanitizers,
 ThreadSanitizer, a minute of each fuzzer, the HTML pages in a browser,
 the pages that Doxygen makes of the headers, and clang-tidy.
+
+Parts, for one of them again:
+  test           all tests, g++ -O3     sanitize-some  a few, sanitized
+  format         of the sources         sanitize       all, sanitized
+  debug          all tests, g++ -O0     threads        ThreadSanitizer
+  clang          all tests, clang++     fuzz           a minute of each
+  browser        the HTML pages         api            Doxygen's pages
+  long-pages     slow lines of docs     tidy           clang-tidy
 TEXT
 }
 
@@ -124,6 +132,7 @@ run_browser() {
   for command in chromium node npm; do
     have "$command" || { skip "browser (no $command)"; return 0; }
   done
+  build_preset test || { count "browser: build" 1; return 0; }
   say "browser: testing ..."
   directory=$root/build/browser
   mkdir -p "$directory"
@@ -150,6 +159,7 @@ check_format() {
 
 # Those command lines of docs/ that take minutes.
 run_long_pages() {
+  build_preset test || { count "docs: build" 1; return 0; }
   say "docs: running the lines that take long ..."
   status=0
   "$(directory_of test)/tests/docs/test_docs" "[.long]" >"$root/build/long-pages.log" 2>&1 </dev/null || status=$?
@@ -190,41 +200,50 @@ run_tidy() {
   count "clang-tidy" "$status"
 }
 
-all=no
+plain="test format sanitize-some"
+all="test format debug clang sanitize threads fuzz browser long-pages api tidy"
+
+run_part() {
+  case $1 in
+  test) run_suites test "g++ -O3" ;;
+  format) check_format ;;
+  sanitize-some) run_suites sanitize-some "sanitizers, some tests of each folder" test_sanitized ;;
+  debug) run_suites debug "g++ -O0" ;;
+  clang) if have clang++; then run_suites clang "clang++ -O3"; else skip "clang++ -O3 (no clang++)"; fi ;;
+  sanitize) run_suites sanitize "sanitizers" ;;
+  threads) run_threads ;;
+  fuzz) run_fuzzers ;;
+  browser) run_browser ;;
+  long-pages) run_long_pages ;;
+  api) run_doxygen ;;
+  tidy) run_tidy ;;
+  esac
+}
+
+is_part() {
+  case " $all $plain " in *" $1 "*) ;; *) return 1 ;; esac
+}
+
+parts=
 for word in "$@"; do
   case $word in
-  --all) all=yes ;;
+  --all) parts=$all ;;
   --help | -h)
     usage
     exit 0
     ;;
   *)
-    usage >&2
-    exit 2
+    is_part "$word" || { usage >&2; exit 2; }
+    parts="$parts $word"
     ;;
   esac
 done
 
 locked install_packages needed tests || exit
-if [ "$all" = yes ]; then
+if [ -n "$parts" ]; then
   locked install_packages needed tests all || say "going on without what is missing"
 fi
-
-run_suites test "g++ -O3"
-check_format
-if [ "$all" = no ]; then
-  run_suites sanitize-some "sanitizers, some tests of each folder" test_sanitized
-else
-  run_suites debug "g++ -O0"
-  if have clang++; then run_suites clang "clang++ -O3"; else skip "clang++ -O3 (no clang++)"; fi
-  run_suites sanitize "sanitizers"
-  run_threads
-  run_fuzzers
-  run_browser
-  run_long_pages
-  run_doxygen
-  run_tidy
-fi
+for part in ${parts:-$plain}; do run_part "$part"; done
 
 if [ "$skipped" = 0 ]; then
   echo "$passed passed, $failed failed"

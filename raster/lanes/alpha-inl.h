@@ -1,5 +1,6 @@
 // What becomes of the fragments that are in front: the tile keeps them, or some of them by their alpha, or they are laid over what
-// is in the picture.
+// is in the picture. Those that ask for alpha are calls: there is one loop over triangles for each of them, each format of depths, and
+// tiles within the screen or not, and shading is not to be compiled for each.
 
 #if defined(GLASSBOX_ALPHA_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_ALPHA_INL_H_
@@ -29,14 +30,14 @@ public:
       : test_(test), texture_(DrawTextures(*test.draw).color) {}
 
   // Of the quad at (x, y), the pixels k .. k + kLanes - 1 that the small triangle of this reference covers ...
-  HWY_INLINE IntMask kept(IntMask lanes, Reference reference, int x, int y, std::size_t k) const {
+  HWY_NOINLINE IntMask kept(IntMask lanes, Reference reference, int x, int y, std::size_t k) const {
     const Ints of_draw = std::int32_t(reference - test_.draw->first_reference);
     return kept(lanes, SmallSource(*test_.draw, of_draw, quad_columns(k) + x, quad_rows(k) + y,
                                    AtSamples{test_.points, lanes}));
   }
   // ... or the large one.
-  HWY_INLINE IntMask kept(IntMask lanes, const LargeShape& shape, int x, int y,
-                          std::size_t k) const {
+  HWY_NOINLINE IntMask kept(IntMask lanes, const LargeShape& shape, int x, int y,
+                            std::size_t k) const {
     return kept(lanes, LargeSource(shape, x, y, k, AtSamples{test_.points, lanes}));
   }
 
@@ -62,7 +63,7 @@ public:
         textures_(job.colors != nullptr ? DrawTextures(*job.draw) : DrawTextures()),
         mask_(bytes_of(job.resolve->mask)) {}
 
-  HWY_INLINE IntMask kept(IntMask lanes, Reference reference, int x, int y, std::size_t k) const {
+  HWY_NOINLINE IntMask kept(IntMask lanes, Reference reference, int x, int y, std::size_t k) const {
     if (none(lanes)) return lanes;
     const Ints of_draw = std::int32_t(reference - job_.draw->first_reference);
     blend(lanes, x, y, k,
@@ -70,8 +71,8 @@ public:
                       AtSamples{job_.points, lanes}));
     return lanes && !lanes;
   }
-  HWY_INLINE IntMask kept(IntMask lanes, const LargeShape& shape, int x, int y,
-                          std::size_t k) const {
+  HWY_NOINLINE IntMask kept(IntMask lanes, const LargeShape& shape, int x, int y,
+                            std::size_t k) const {
     if (none(lanes)) return lanes;
     blend(lanes, x, y, k, LargeSource(shape, x, y, k, AtSamples{job_.points, lanes}));
     return lanes && !lanes;
@@ -101,7 +102,7 @@ private:
   template <class Source>
   HWY_INLINE void blend_colors(IntMask lanes, int x, int y, std::size_t k,
                                const Source& source) const {
-    const Rgb color = shining(*job_.draw, textures_, *job_.resolve, source);
+    const Rgb color = shining_by_call(*job_.draw, textures_, *job_.resolve, source);
     const Floats alpha =
         clamped(surface_alpha(*job_.draw, textures_.color, source), Floats(0.0f), Floats(1.0f));
     HWY_ALIGN std::int32_t colors[kLanes] = {};

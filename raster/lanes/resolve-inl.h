@@ -389,7 +389,8 @@ private:
     template <class Source>
     HWY_INLINE void take(const ShadeDraw& draw, const DrawTextures& textures, const Source& source,
                          IntMask lanes) const {
-      color = select(lanes, shade(draw, textures, job, source), color);
+      const Ints shaded = encoded(shining_by_call(draw, textures, job, source), job);
+      color = select(lanes, shaded, color);
     }
     const ResolveJob& job;
     Ints& color;

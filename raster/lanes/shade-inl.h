@@ -395,15 +395,25 @@ HWY_INLINE Rgb shining(const ShadeDraw& draw, const DrawTextures& textures, cons
   return color;
 }
 
-// The bytes of an opaque fragment as one integer; those that are not wanted are 0.
+// The same for whoever shades fewer pixels than resolving does: compiled once.
 template <class Source>
-HWY_INLINE Ints shade(const ShadeDraw& draw, const DrawTextures& textures, const ResolveJob& job,
-                      const Source& source) {
-  const Rgb color = shining(draw, textures, job, source);
+HWY_NOINLINE Rgb shining_by_call(const ShadeDraw& draw, const DrawTextures& textures,
+                                 const ResolveJob& job, const Source& source) {
+  return shining(draw, textures, job, source);
+}
+
+// A colour's bytes as one integer, opaque; those that are not wanted are 0.
+HWY_INLINE Ints encoded(const Rgb& color, const ResolveJob& job) {
   const auto byte = [&](bool wanted, Floats channel)
                         HWY_ATTR { return wanted ? encode(job.transfer, channel) : Ints(0); };
   return byte(job.channels.r, color[0]) | shifted_left<8>(byte(job.channels.g, color[1])) |
          (shifted_left<16>(byte(job.channels.b, color[2])) | std::int32_t(0xff000000u));
+}
+
+template <class Source>
+HWY_INLINE Ints shade(const ShadeDraw& draw, const DrawTextures& textures, const ResolveJob& job,
+                      const Source& source) {
+  return encoded(shining(draw, textures, job, source), job);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -221,11 +221,13 @@ HWY_INLINE void draw_small(const SmallJob& job, const std::uint32_t* triangles, 
                            const Alpha& alpha, std::span<TileBuffer> tiles,
                            FragmentCounts& counts) {
   with_code(tiles.front().format(), [&](const auto& code_of) HWY_ATTR {
-    if (tiles.front().is_ragged()) {
-      draw_all<true>(job, triangles, count, code_of, alpha, tiles, counts);
-    } else {
-      draw_all<false>(job, triangles, count, code_of, alpha, tiles, counts);
+    // Alpha costs more than a look at the screen's edge: one loop serves it.
+    if constexpr (Alpha::kKeepsAll) {
+      if (!tiles.front().is_ragged()) {
+        return draw_all<false>(job, triangles, count, code_of, alpha, tiles, counts);
+      }
     }
+    draw_all<true>(job, triangles, count, code_of, alpha, tiles, counts);
   });
 }
 
