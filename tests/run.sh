@@ -26,7 +26,7 @@ Parts, for one of them again:
   test           all tests, g++ -O3     sanitize-some  a few, sanitized
   format         of the sources         sanitize       all, sanitized
   debug          all tests, g++ -O0     threads        ThreadSanitizer
-  clang          all tests, clang++     fuzz           a minute of each
+  clang++        all tests, clang++     fuzz           a minute of each
   browser        the HTML pages         api            Doxygen's pages
   long-pages     slow lines of docs     tidy           clang-tidy
 TEXT
@@ -201,7 +201,7 @@ run_tidy() {
 }
 
 plain="test format sanitize-some"
-all="test format debug clang sanitize threads fuzz browser long-pages api tidy"
+all="test format debug clang++ sanitize threads fuzz browser long-pages api tidy"
 
 run_part() {
   case $1 in
@@ -209,7 +209,7 @@ run_part() {
   format) check_format ;;
   sanitize-some) run_suites sanitize-some "sanitizers, some tests of each folder" test_sanitized ;;
   debug) run_suites debug "g++ -O0" ;;
-  clang) if have clang++; then run_suites clang "clang++ -O3"; else skip "clang++ -O3 (no clang++)"; fi ;;
+  clang++) if have clang++; then run_suites clang "clang++ -O3"; else skip "clang++ -O3 (no clang++)"; fi ;;
   sanitize) run_suites sanitize "sanitizers" ;;
   threads) run_threads ;;
   fuzz) run_fuzzers ;;
