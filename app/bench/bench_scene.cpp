@@ -1,6 +1,5 @@
 #include "app/bench/bench_scene.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -24,19 +23,13 @@ using study::RealScene;
 // Real meshes to try the program on, beside the repository.
 constexpr const char* kAssets = "../shared/assets";
 
-bool is_bench_scene(std::string_view name) {
-  return std::ranges::any_of(study::bench_scene_names(), [&](const auto& known) {
-    return CLI::detail::to_lower(std::string(known.name)) ==
-           CLI::detail::to_lower(std::string(name));
-  });
-}
-
 std::string path_of(const RealScene& scene) {
   return (std::filesystem::path(kAssets) / scene.source).string();
 }
 
 Result<BenchScene> load_any(const std::string& name, const std::string& source, const Size& size) {
-  if (is_bench_scene(source)) return study::make_bench_scene(source, size.width, size.height);
+  if (study::is_bench_scene(source))
+    return study::make_bench_scene(source, size.width, size.height);
   Result<Scene> scene = load_scene(source);
   if (!scene) return tl::unexpected(scene.error());
   PictureOptions picture;

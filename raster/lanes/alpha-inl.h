@@ -9,6 +9,9 @@
 #define GLASSBOX_ALPHA_INL_H_
 #endif
 
+#include <cstring>
+#include <type_traits>
+
 #include <glassbox/raster/lanes/shade-inl.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -26,10 +29,9 @@ public:
   static constexpr bool kKeepsAll = false;
   static constexpr std::uint64_t FragmentCounts::*kOthers = &FragmentCounts::discarded;
 
-  HWY_INLINE explicit Masked(const AlphaTest& test)
-      : test_(test), texture_(DrawTextures(*test.draw).color) {}
+  HWY_INLINE explicit Masked(const AlphaTest& test) : test_(test) {}
 
-  // Of the quad at (x, y), the pixels k .. k + kLanes - 1 that the small triangle of this reference covers ...
+  // `lanes`: some. Of the quad at (x, y), the pixels k .. k + kLanes - 1 that the small triangle of this reference covers ...
   HWY_NOINLINE IntMask kept(IntMask lanes, Reference reference, int x, int y, std::size_t k) const {
     const Ints of_draw = std::int32_t(reference - test_.draw->first_reference);
     return kept(lanes, SmallSource(*test_.draw, of_draw, quad_columns(k) + x, quad_rows(k) + y,
@@ -44,12 +46,13 @@ public:
 private:
   template <class Source>
   HWY_INLINE IntMask kept(IntMask lanes, const Source& source) const {
-    const Floats alpha = surface_alpha(*test_.draw, texture_, source);
+    const LazyMipChain* texture = test_.draw->texture;
+    const Floats alpha =
+        surface_alpha(*test_.draw, texture != nullptr ? &texture->get() : nullptr, source);
     return lanes && int_mask(alpha >= test_.draw->material->alpha_cutoff);
   }
 
   const AlphaTest& test_;
-  const MipChain* texture_;
 };
 
 // None: they are blended, in the order in which they come.
@@ -59,12 +62,9 @@ public:
   static constexpr std::uint64_t FragmentCounts::*kOthers = &FragmentCounts::blended;
 
   HWY_INLINE explicit Blended(const BlendJob& job)
-      : job_(job),
-        textures_(job.colors != nullptr ? DrawTextures(*job.draw) : DrawTextures()),
-        mask_(bytes_of(job.resolve->mask)) {}
+      : job_(job), mask_(bytes_of(job.resolve->mask)) {}
 
   HWY_NOINLINE IntMask kept(IntMask lanes, Reference reference, int x, int y, std::size_t k) const {
-    if (none(lanes)) return lanes;
     const Ints of_draw = std::int32_t(reference - job_.draw->first_reference);
     blend(lanes, x, y, k,
           SmallSource(*job_.draw, of_draw, quad_columns(k) + x, quad_rows(k) + y,
@@ -73,7 +73,6 @@ public:
   }
   HWY_NOINLINE IntMask kept(IntMask lanes, const LargeShape& shape, int x, int y,
                             std::size_t k) const {
-    if (none(lanes)) return lanes;
     blend(lanes, x, y, k, LargeSource(shape, x, y, k, AtSamples{job_.points, lanes}));
     return lanes && !lanes;
   }
@@ -102,17 +101,35 @@ private:
   template <class Source>
   HWY_INLINE void blend_colors(IntMask lanes, int x, int y, std::size_t k,
                                const Source& source) const {
-    const Rgb color = shining_by_call(*job_.draw, textures_, *job_.resolve, source);
+    const DrawTextures textures(*job_.draw);
+    const Rgb color = shining_by_call(*job_.draw, textures, *job_.resolve, source);
     const Floats alpha =
-        clamped(surface_alpha(*job_.draw, textures_.color, source), Floats(0.0f), Floats(1.0f));
+        clamped(surface_alpha(*job_.draw, textures.color, source), Floats(0.0f), Floats(1.0f));
     HWY_ALIGN std::int32_t colors[kLanes] = {};
-    for_each_lane(lanes, x, y, k, [&](std::size_t lane, int px, int py) {
-      colors[lane] = std::bit_cast<std::int32_t>(job_.colors[job_.at(px, py)]);
+    for_each_run(lanes, x, y, k, [&](std::size_t lane, Rgba8* stored, auto count) {
+      std::memcpy(colors + lane, stored, count * sizeof(Rgba8));
     });
     const Ints before = load(colors);
     store((laid_over_bytes(color, alpha, before) & mask_) | (before & ~mask_), colors);
+    for_each_run(lanes, x, y, k, [&](std::size_t lane, Rgba8* stored, auto count) {
+      std::memcpy(static_cast<void*>(stored), colors + lane, count * sizeof(Rgba8));
+    });
+  }
+
+  // Calls visit(lane, colours, count) for colours of these lanes that lie side by side: the rows of a quad, where all of it is
+  // blended and a pixel has one colour; otherwise one at a time.
+  template <class Visit>
+  HWY_INLINE void for_each_run(IntMask lanes, int x, int y, std::size_t k,
+                               const Visit& visit) const {
+    if (kLanes % kQuadSide == 0 && job_.rows.count == 1 && none(!lanes)) {
+      for (std::size_t lane = 0; lane < kLanes; lane += kQuadSide) {
+        visit(lane, job_.colors + job_.at(x, y + int(k + lane) / kQuadSide),
+              std::integral_constant<std::size_t, kQuadSide>());
+      }
+      return;
+    }
     for_each_lane(lanes, x, y, k, [&](std::size_t lane, int px, int py) {
-      job_.colors[job_.at(px, py)] = std::bit_cast<Rgba8>(colors[lane]);
+      visit(lane, job_.colors + job_.at(px, py), std::integral_constant<std::size_t, 1>());
     });
   }
 
@@ -146,7 +163,6 @@ private:
   }
 
   const BlendJob& job_;
-  DrawTextures textures_;
   std::int32_t mask_;
 };
 

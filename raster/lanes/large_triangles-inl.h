@@ -162,14 +162,15 @@ private:
       auto* seen = reinterpret_cast<std::int32_t*>(tile_.reference() + at) + k * kLanes;
       const Ints stored = load(depth);
       IntMask passes = covered && code < stored;
+      counts_.covered += count_of(covered);
       if constexpr (!Alpha::kKeepsAll) {
+        if (none(passes)) continue;
         const IntMask kept = alpha_.kept(passes, *shape_, x, y, k * kLanes);
         counts_.*Alpha::kOthers += count_of(passes) - count_of(kept);
         passes = kept;
       }
       store(select(passes, code, stored), depth);
       store(select(passes, std::int32_t(reference_), load(seen)), seen);
-      counts_.covered += count_of(covered);
       counts_.written += count_of(passes);
     }
   }

@@ -312,14 +312,13 @@ private:
         shade_lanes(seen[s], pending, x, y, k, ToSample{job_, color});
         store(color, colors.at(s) + k);
       }
+    }
+    if (job_.samples != nullptr) return leave_samples(block, quad, x, y, colors);
+    for (std::size_t k = 0; k < kQuadPixels; k += kLanes) {
       const Ints mean = mean_color(job_.transfer, colors, tiles_.size(), k);
       store((mean & mask_) | (load(means + k) & ~mask_), means + k);
     }
-    if (job_.samples == nullptr) {
-      store_quad(means, color_, tile_.window(), x, y);
-    } else {
-      leave_samples(block, quad, x, y, colors);
-    }
+    store_quad(means, color_, tile_.window(), x, y);
   }
 
   // For other draws to come: what was seen, and all depths. (Not often, and so pixel by pixel.)

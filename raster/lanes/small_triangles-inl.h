@@ -167,7 +167,9 @@ HWY_INLINE void draw_one(const SmallSetups& s, std::size_t t, const Code& code_o
         std::int32_t* seen_at_quad = pixels.seen + quad + k * kLanes;
         const Ints stored = load(depth_at_quad);
         IntMask passes = covered && code < stored;
+        counts.covered += count_of(covered);
         if constexpr (!Alpha::kKeepsAll) {
+          if (none(passes)) continue;
           const IntMask kept =
               alpha.kept(passes, Reference(s.reference[t]), window.x0 + int(qx) * kQuadSide,
                          window.y0 + int(qy) * kQuadSide, k * kLanes);
@@ -176,7 +178,6 @@ HWY_INLINE void draw_one(const SmallSetups& s, std::size_t t, const Code& code_o
         }
         store(select(passes, code, stored), depth_at_quad);
         store(select(passes, seen, load(seen_at_quad)), seen_at_quad);
-        counts.covered += count_of(covered);
         counts.written += count_of(passes);
       }
       first1 += s.right1[t] * kQuadSide;

@@ -36,7 +36,7 @@ struct Statistics {
   std::uint64_t culled = 0;     // facing the wrong way
   std::uint64_t set_up = 0;
 
-  // Fragments. covered = depth_failed + discarded + written.
+  // Fragments; with several samples to a pixel, the tile engine counts them sample by sample. covered = depth_failed + discarded + written.
   std::uint64_t covered = 0;
   std::uint64_t depth_failed = 0;
   std::uint64_t discarded = 0;  // by the alpha mask

@@ -1,7 +1,6 @@
 #include "study/scenes/real_scenes.h"
 
 #include <algorithm>
-#include <cctype>
 #include <string>
 
 #include <glassbox/mesh/builtin/cube.h>
@@ -28,11 +27,6 @@ constexpr RealScene kScenes[] = {
     {"R11", "100 spheres behind a wall", ""},
     {"R12", "200 spheres of which 10 are in view", ""},
 };
-
-bool same_name(std::string_view a, std::string_view b) {
-  return std::ranges::equal(
-      a, b, [](unsigned char x, unsigned char y) { return std::toupper(x) == std::toupper(y); });
-}
 
 // ---- parts ----
 

@@ -205,15 +205,20 @@ BenchScene make(std::string_view name, const Frame& frame) {
   return seen_once(ellipsoid_scene(known, kFineGrid, 0), frame);
 }
 
+}  // namespace
+
 bool same_name(std::string_view a, std::string_view b) {
   return std::ranges::equal(
       a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
-}  // namespace
-
 std::span<const BenchSceneName> bench_scene_names() {
   return kNames;
+}
+
+bool is_bench_scene(std::string_view name) {
+  return std::ranges::any_of(
+      kNames, [&](const BenchSceneName& known) { return same_name(known.name, name); });
 }
 
 Result<BenchScene> make_bench_scene(std::string_view name, int width, int height) {

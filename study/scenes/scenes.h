@@ -46,6 +46,10 @@ struct BenchSceneName {
 };
 std::span<const BenchSceneName> bench_scene_names();
 
+bool is_bench_scene(std::string_view name);
+// Names are the same in either case.
+bool same_name(std::string_view a, std::string_view b);
+
 // "S1" to "S7", in either case; no such name is an error. Width and height in px.
 Result<BenchScene> make_bench_scene(std::string_view name, int width, int height);
 

@@ -48,4 +48,31 @@ TEST_CASE("the levels of a texture are made when its first pixel asks for them")
   }
 }
 
+TEST_CASE("what a hidden draw would ask for its alpha is not made either") {
+  const View view = planned_view();
+  RenderSettings settings;
+  Framebuffer target;
+  Statistics statistics;
+  for (const AlphaMode mode : {AlphaMode::kMask, AlphaMode::kBlend}) {
+    for (const int samples : {1, 4}) {
+      settings.samples = samples;
+      Scene scene;
+      add_wall(scene, -3, 0);  // hides
+      add_wall(scene, -9, 1);
+      add_wall(scene, -2, 2);  // in front of both
+      scene.materials[1].alpha_mode = scene.materials[2].alpha_mode = mode;
+      scene.materials[2].base_color.a = 0.25f;  // masked: all of it is cut away
+      for (const EngineKind kind : {EngineKind::kStaged, EngineKind::kTile}) {
+        INFO(name_of(kind) << ", alpha mode " << int(mode) << ", " << samples << " samples");
+        const PreparedScene prepared = prepare(scene, settings.transfer);
+        const EyePicture eye{view, settings, target, target.color, statistics};
+        make_engine(kind)->draw({scene, prepared, {&eye, 1}});
+        CHECK(prepared.textures[0]->made());
+        CHECK_FALSE(prepared.textures[1]->made());
+        CHECK(prepared.textures[2]->made());
+      }
+    }
+  }
+}
+
 }  // namespace glassbox

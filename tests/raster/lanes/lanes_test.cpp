@@ -1,12 +1,15 @@
 // What the lanes compute is what the scalar stages compute, bit for bit, for every instruction set.
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include <glassbox/base/random.h>
 #include <glassbox/base/trig.h>
 #include <glassbox/images/srgb.h>
+#include <glassbox/raster/mean_color.h>
 #include <glassbox/raster/snap.h>
 
 #include "tests/raster/lanes/probes.h"
@@ -262,6 +265,33 @@ TEST_CASE(
           CHECK(differing(flattened(expected), flattened(actual)) == 0);
         });
       }
+    }
+  }
+}
+
+// ---- samples ----
+
+TEST_CASE("lanes take the mean of a pixel's samples as the scalar stage does") {
+  Random random(77);
+  for (const std::size_t count :
+       {std::size_t{2}, std::size_t{4}, std::size_t{8}, std::size_t{16}}) {
+    for (const Transfer transfer : {Transfer::kSrgb, Transfer::kNone}) {
+      INFO(count << " samples, transfer " << int(transfer));
+      std::vector<Rgba8> samples(4099 * count), means(4099);
+      for (Rgba8& sample : samples) {
+        const std::uint64_t bits = random.bits();
+        sample = {std::uint8_t(bits), std::uint8_t(bits >> 8), std::uint8_t(bits >> 16),
+                  std::uint8_t(bits >> 24)};
+      }
+      std::fill_n(samples.begin(), count * 40, Rgba8{1, 128, 254, 255});  // equal ones
+      std::vector<Rgba8> expected;
+      for (std::size_t i = 0; i < means.size(); ++i) {
+        expected.push_back(mean_color(transfer, std::span(samples).subspan(i * count, count)));
+      }
+      for_each_target([&](const LaneProbes& lanes) {
+        lanes.mean_color(transfer, samples, count, means.data());
+        CHECK(means == expected);
+      });
     }
   }
 }

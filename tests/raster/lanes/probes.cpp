@@ -1,6 +1,7 @@
 #include "tests/raster/lanes/probes.h"
 
 #include <algorithm>
+#include <bit>
 
 #include <glassbox/raster/lanes/compiled_targets.h>
 
@@ -12,6 +13,7 @@
 #include <hwy/highway.h>
 
 #include <glassbox/raster/lanes/depth-inl.h>
+#include <glassbox/raster/lanes/samples-inl.h>
 #include <glassbox/raster/lanes/texture-inl.h>
 #include <glassbox/raster/lanes/transfer-inl.h>
 #include <glassbox/raster/lanes/vertices-inl.h>
@@ -98,6 +100,25 @@ inline void sample_all(const MipChain& texture, const Sampler& sampler, Transfer
   }
 }
 
+inline void mean_color_all(Transfer transfer, std::span<const Rgba8> samples, std::size_t count,
+                           Rgba8* means) {
+  const std::size_t pixels = samples.size() / count;
+  for (std::size_t i = 0; i < pixels; i += kLanes) {
+    SampleColors colors;
+    for (std::size_t s = 0; s < count; ++s) {
+      for (std::size_t k = 0; k < kLanes; ++k) {
+        const std::size_t pixel = std::min(i + k, pixels - 1);
+        colors.at(s)[k] = std::bit_cast<std::int32_t>(samples[pixel * count + s]);
+      }
+    }
+    HWY_ALIGN std::int32_t mean[kLanes];
+    store(HWY_NAMESPACE::mean_color(transfer, colors, count, 0), mean);
+    for (std::size_t k = 0; k < kLanes && i + k < pixels; ++k) {
+      means[i + k] = std::bit_cast<Rgba8>(mean[k]);
+    }
+  }
+}
+
 inline void level_of_detail_all(int width, int height, std::span<const TextureGradient> gradients,
                                 float* levels) {
   for (std::size_t i = 0; i < gradients.size(); i += kLanes) {
@@ -129,8 +150,8 @@ inline void illuminate_all(const Lighting& lighting, int shininess, bool highlig
   }
 }
 
-const test::LaneProbes kProbes{snap_all,   encode_all,          decode_all,    depth_code_all,
-                               sample_all, level_of_detail_all, illuminate_all};
+const test::LaneProbes kProbes{snap_all,   encode_all,     decode_all,          depth_code_all,
+                               sample_all, mean_color_all, level_of_detail_all, illuminate_all};
 
 }  // namespace probes
 }  // namespace HWY_NAMESPACE
