@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 #include "app/options/choices.h"
@@ -27,11 +28,18 @@ std::string path_of(const RealScene& scene) {
   return (std::filesystem::path(kAssets) / scene.source).string();
 }
 
+// A name that is no file's may have been meant for one of the benchmark's own.
+Error with_bench_scenes(Error error, const std::string& name) {
+  if (std::filesystem::path(name).has_extension()) return error;
+  error.remedy += fmt::format("; the benchmark's are {}", fmt::join(all_bench_scenes(), ", "));
+  return error;
+}
+
 Result<BenchScene> load_any(const std::string& name, const std::string& source, const Size& size) {
   if (study::is_bench_scene(source))
     return study::make_bench_scene(source, size.width, size.height);
   Result<Scene> scene = load_scene(source);
-  if (!scene) return tl::unexpected(scene.error());
+  if (!scene) return tl::unexpected(with_bench_scenes(scene.error(), source));
   PictureOptions picture;
   picture.size = size;
   const Result<ChosenView> chosen = choose_view(*scene, picture);

@@ -62,8 +62,8 @@ std::string stage_table(const Statistics& s, EngineKind engine) {
   text += row("write", s.written, s.written, s.blended ? grouped(s.blended) + " blended" : "");
   if (tile)
     text +=
-        "  texture, light: once for each pixel that is seen; where alpha counts, for each "
-        "fragment\n";
+        "  texture, light: once for each pixel that is seen, and for each blended fragment; of "
+        "several samples, each has its fragments\n";
   return text;
 }
 

@@ -83,6 +83,7 @@ TEST_CASE("bench refuses what it cannot measure, with a remedy") {
     CHECK(run.err.find(says) != std::string::npos);
   };
   refused("S9", "S9");
+  refused("R13", "R1, R2");
   refused("teapott", "teapot");
   refused("missing.glb", "missing.glb");
   refused("S1 --frames 0", "--frames");
