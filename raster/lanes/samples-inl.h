@@ -38,7 +38,7 @@ template <int kShift>
 HWY_INLINE Ints mean_byte(const SampleColors& colors, std::size_t count, std::size_t k) {
   Ints sum = 0;
   for (std::size_t s = 0; s < count; ++s) sum = sum + byte_at<kShift>(load(colors.at(s) + k));
-  return shifted_right(sum + sum + std::int32_t(count), std::bit_width(unsigned(count)));
+  return shifted_right(sum + sum + std::int32_t(count), int(std::bit_width(unsigned(count))));
 }
 
 // The sum is exact in a double, and so is its share.
