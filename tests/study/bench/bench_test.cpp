@@ -225,7 +225,8 @@ TEST_CASE("Mesa draws the same pictures of built-in scenes, with samples and for
     INFO(run.err);
     INFO(run.out);
     REQUIRE(run.exit_code == 0);
-    for (const json& result : json::parse(run.out).at("results")) {
+    const json report = json::parse(run.out);
+    for (const json& result : report.at("results")) {
       CHECK(result.at("peer").get<std::string>().find("llvmpipe") != std::string::npos);
       CHECK(result.at("pictures").at("covered").get<int>() > 0);
     }
@@ -278,7 +279,8 @@ TEST_CASE("--samples takes what the program draws, --stereo an anaglyph") {
       "bench cube S2 --samples 16 --stereo anaglyph --threads 1 --size 64x36 --frames 1 --json -");
   INFO(run.err);
   REQUIRE(run.exit_code == 0);
-  for (const json& result : json::parse(run.out).at("results")) {
+  const json report = json::parse(run.out);
+  for (const json& result : report.at("results")) {
     CHECK(result.at("samples") == 16);
     CHECK(result.at("stereo").at("shared_ms").get<double>() > 0);
   }
