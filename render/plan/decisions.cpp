@@ -36,6 +36,13 @@ const char* const kNoPlan = "--no-plan: it runs, needed or not";
 Decision whole_object(const Subject& s) {
   constexpr const char* kStage = "the whole draw";
   const BoxPlace& place = s.method.place;
+  if (s.method.hidden) {
+    const char* const where =
+        "wherever its box may be seen, opaque triangles of draws before it are "
+        "nearer than any of its own";
+    return s.method.drawn ? needed(kStage, "the other eye may see it", where)
+                          : left_out(kStage, where);
+  }
   if (place.outside_of == nullptr) {
     return needed(kStage, s.draw.prepared->all_finite
                               ? "its box is not wholly beyond a plane of the frustum"
@@ -314,11 +321,10 @@ Decision file_order(const Plan& plan) {
   if (plan.moved == 0) {
     return needed(kStage, "no draw lies wholly in front of one before it that it may overtake");
   }
-  return left_out(
-      kStage,
-      "nearer draws come first where the ranges of their depth codes have none in "
-      "common, so that no tie is decided otherwise",
-      fmt::format("{} of {} draws have overtaken others", plan.moved, plan.order.size()));
+  return left_out(kStage,
+                  "nearer draws come first where the ranges of their depth codes have none in "
+                  "common, so that no tie is decided otherwise",
+                  fmt::format("{} draws have overtaken others", plan.moved));
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ struct DrawMethod {
 
   // ---- vertices ----
   BoxPlace place;           // of all of them: the proof of the next two
+  bool hidden = false;      // all of it lies behind draws before it
   bool drawn = true;        // otherwise no stage sees any of it
   bool test_planes = true;  // each is asked whether clipping has to look at it
   bool divide = true;       // by w, which may differ from 1

@@ -4,16 +4,9 @@
 #include <cstdint>
 #include <span>
 
-#include <glassbox/raster/depth.h>
-#include <glassbox/render/engine/draw_list.h>
+#include <glassbox/render/plan/box_bounds.h>
 
 namespace glassbox {
-
-// The depth codes of all fragments of a draw lie within these, whatever rounds.
-struct DepthCodes {
-  std::uint32_t nearest = 0, farthest = kEmptyDepth;
-};
-DepthCodes depth_codes(const Draw& draw, const View& view, DepthFormat format);
 
 // Of two opaque draws whose codes have none in common the nearer one wins every pixel of both, whichever is drawn first. (With a
 // code in common the first would win, so those keep their order.)

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <glassbox/render/plan/draw_order.h>
+#include <glassbox/render/plan/hidden_draws.h>
 
 namespace glassbox {
 
@@ -79,6 +80,27 @@ void order_draws(const PlannedEye& eye, Plan& plan) {
   }
 }
 
+// What one of the eyes sees is drawn for all.
+void leave_out_hidden(std::span<const PlannedEye> eyes, std::span<Plan> plans) {
+  for (std::size_t i = 0; i < eyes.size(); ++i) {
+    if (!plans[i].leaves_out) return;
+    const std::vector<bool> hidden = find_hidden(eyes[i], plans[i]);
+    for (std::size_t draw = 0; draw < hidden.size(); ++draw) {
+      plans[i].methods[draw].hidden = hidden[draw];
+    }
+  }
+  const auto no_eye_sees = [&](std::uint32_t draw) {
+    return std::ranges::all_of(plans, [&](const Plan& p) { return p.methods[draw].hidden; });
+  };
+  for (const std::uint32_t draw : plans.front().order) {
+    if (!no_eye_sees(draw)) continue;
+    for (Plan& plan : plans) plan.methods[draw].drawn = false;
+  }
+  for (Plan& plan : plans) {
+    std::erase_if(plan.order, [&](std::uint32_t draw) { return !plan.methods[draw].drawn; });
+  }
+}
+
 }  // namespace
 
 std::vector<Plan> make_plans(std::span<const PlannedEye> eyes, bool leave_out) {
@@ -90,6 +112,7 @@ std::vector<Plan> make_plans(std::span<const PlannedEye> eyes, bool leave_out) {
     plan.order = plans.front().order;
     plan.moved = plans.front().moved;
   }
+  leave_out_hidden(eyes, plans);
   return plans;
 }
 

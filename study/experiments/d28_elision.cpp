@@ -11,6 +11,7 @@
 
 #include "study/experiment/experiment.h"
 #include "study/experiments/d28_plans.h"
+#include "study/scenes/real_scenes.h"
 #include "study/scenes/scenes.h"
 
 namespace glassbox::study {
@@ -79,6 +80,12 @@ std::shared_ptr<Planned> cut_teapot() {
   lens.near = (lens.near + *lens.far) / 2;
   const View view = make_view(camera, kWidth, kHeight).value();
   return make("teapot, cut by the near plane", std::move(scene), view, {});
+}
+
+// R11, smaller: a hundred spheres, none of which is seen.
+std::shared_ptr<Planned> behind_a_wall() {
+  BenchScene bench = make_real_scene("R11", kWidth, kHeight).value();
+  return make("100 spheres behind a wall", std::move(bench.scene), bench.passes.front().view, {});
 }
 
 // 64 quads with one colour each, parallel and back to front, each an object of its own.
@@ -182,6 +189,7 @@ std::vector<OneDecision> decisions_on_scenes(Effort effort) {
   const auto room = builtin("room", "room", {});
   const auto quads = parallel_quads();
   return {{"objects outside the picture", plan_only<take_outside>, {aside, teapot}},
+          {"hidden objects", plan_only<take_hidden>, {behind_a_wall(), teapot}},
           {"plane tests", plan_only<take_plane_tests>, {teapot, cut_teapot()}},
           {"divide by w", plan_only<take_divide>, {quads, teapot}},
           {"normals", plan_only<take_normals>, {quads, teapot}},

@@ -31,7 +31,8 @@ void for_methods(const Plan& with, Plan& plan, Copy&& copy) {
 }
 
 inline void take_outside(const Plan& with, Plan& plan) {
-  for_methods(with, plan, [](const DrawMethod& from, DrawMethod& to) { to.drawn = from.drawn; });
+  for_methods(with, plan,
+              [](const DrawMethod& from, DrawMethod& to) { to.drawn = from.drawn || from.hidden; });
   std::erase_if(plan.order, [&](std::uint32_t draw) { return !plan.methods[draw].drawn; });
 }
 inline void take_plane_tests(const Plan& with, Plan& plan) {
@@ -62,6 +63,12 @@ inline void take_order(const Plan& with, Plan& plan) {
   }
   plan.order = std::move(order);
   plan.moved = with.moved;
+}
+// What is hidden is behind something that comes first.
+inline void take_hidden(const Plan& with, Plan& plan) {
+  take_order(with, plan);
+  for_methods(with, plan, [](const DrawMethod& from, DrawMethod& to) { to.drawn = !from.hidden; });
+  std::erase_if(plan.order, [&](std::uint32_t draw) { return !plan.methods[draw].drawn; });
 }
 inline void take_colors(const Plan& with, Plan& plan) {
   plan.colors = with.colors;

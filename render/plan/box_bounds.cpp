@@ -1,0 +1,132 @@
+#include <glassbox/render/plan/box_bounds.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <glassbox/base/rounding.h>
+#include <glassbox/pipeline/clip.h>
+#include <glassbox/render/plan/box_place.h>
+
+namespace glassbox {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// A coordinate of clip space over a box: its values at the corners, and how far the float transform may be off.
+struct Coordinate {
+  std::array<double, 8> at_corner{};
+  double error = 0;
+};
+
+Coordinate coordinate_over(const Box<Object>& box, const Transform<Clip, Object, float>& m,
+                           int row) {
+  Coordinate c;
+  double size = 0;
+  for (int i = 0; i < 8; ++i) {
+    const Point<Object, double> p = box.corner(i);
+    const std::array<double, 4> terms{double(m.at(row, 0)) * p.x, double(m.at(row, 1)) * p.y,
+                                      double(m.at(row, 2)) * p.z, double(m.at(row, 3))};
+    c.at_corner[std::size_t(i)] = terms[0] + terms[1] + terms[2] + terms[3];
+    size = std::max(
+        size, std::abs(terms[0]) + std::abs(terms[1]) + std::abs(terms[2]) + std::abs(terms[3]));
+  }
+  c.error =
+      gamma<float>(5) * size + 4 * 0x1p-149;  // one more than the transform's: those in double
+  return c;
+}
+
+// The fourth coordinate over the box, where all of it lies before the eye.
+struct BeforeTheEye {
+  Coordinate w;
+  double least_w = 0;
+};
+std::optional<BeforeTheEye> before_the_eye(const Draw& draw, const Box<Object>& box,
+                                           const View& view) {
+  if (box.empty() || !draw.prepared->all_finite) return std::nullopt;
+  BeforeTheEye found{coordinate_over(box, draw.clip_from_anchored, 3)};
+  found.least_w = *std::ranges::min_element(found.w.at_corner) - found.w.error;
+  if (!(found.least_w > (view.perspective ? view.near / 2 : 0.5))) return std::nullopt;
+  return found;
+}
+
+struct Range {
+  double low = kInfinity, high = -kInfinity;
+  double largest() const { return std::max(std::abs(low), std::abs(high)); }
+  bool is_finite() const { return std::isfinite(low) && std::isfinite(high); }
+  Range widened(double by) const { return {low - by, high + by}; }
+};
+
+// Of coordinate / w, which has its extremes over the box at corners, as w > 0 there: with what the transform is off by.
+Range quotients(const Coordinate& coordinate, const BeforeTheEye& eye) {
+  Range range;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const double quotient = coordinate.at_corner[i] / eye.w.at_corner[i];
+    range.low = std::min(range.low, quotient);
+    range.high = std::max(range.high, quotient);
+  }
+  return range.widened((coordinate.error + range.largest() * eye.w.error) / eye.least_w);
+}
+
+// Rounded away from the range's inside.
+float rounded_down(double x) {
+  return std::nextafter(float(x), -std::numeric_limits<float>::infinity());
+}
+float rounded_up(double x) {
+  return std::nextafter(float(x), std::numeric_limits<float>::infinity());
+}
+
+DepthCodes codes_of(const Range& depths, DepthFormat format) {
+  const std::uint32_t a = depth_code(format, rounded_down(depths.low));
+  const std::uint32_t b = depth_code(format, rounded_up(depths.high));
+  return {std::min(a, b), std::max(a, b)};
+}
+
+// The first pixel and the one after the last, of those between two places of NDC; the viewport has -1 and 1 at the other two.
+std::array<int, 2> pixels_between(const Range& ndc, float at_minus_one, float at_one,
+                                  double margin_px) {
+  const auto on_screen = [&](double x) {
+    const double px = at_minus_one + (x + 1) / 2 * (double(at_one) - double(at_minus_one));
+    return std::clamp(px, -2 * kGuardBandPx, 2 * kGuardBandPx);  // where nothing is seen any more
+  };
+  const auto [low, high] = std::minmax({on_screen(ndc.low), on_screen(ndc.high)});
+  return {int(std::floor(low - margin_px)), int(std::ceil(high + margin_px))};
+}
+
+}  // namespace
+
+DepthCodes depth_codes(const Draw& draw, const View& view, DepthFormat format) {
+  const Box<Object> box = anchored_box(draw);
+  const std::optional<BeforeTheEye> eye = before_the_eye(draw, box, view);
+  if (!eye) return {};
+  const Range depths = quotients(coordinate_over(box, draw.clip_from_anchored, 2), *eye);
+  // Relative to the depth, a rounding for the divide, 8 for its interpolation (interpolate.h), and 2 for each plane that may
+  // have cut, in z and in w: below 32 in all.
+  return codes_of(depths.widened(32 * unit_roundoff<float> * depths.largest()), format);
+}
+
+DepthCodes depth_codes(const TriangleSetup& triangle, DepthFormat format) {
+  Range depths{double(*std::ranges::min_element(triangle.depth)),
+               double(*std::ranges::max_element(triangle.depth))};
+  // 8u to first order, for the interpolation (interpolate.h); one more for the other orders.
+  depths = depths.widened(9 * unit_roundoff<float> * depths.largest());
+  return codes_of(depths, format);
+}
+
+std::optional<PixelRect> pixels_of_box(const Draw& draw, const View& view, double margin_px) {
+  const Box<Object> box = anchored_box(draw);
+  const std::optional<BeforeTheEye> eye = before_the_eye(draw, box, view);
+  if (!eye) return std::nullopt;
+  const Transform<Clip, Object, float>& m = draw.clip_from_anchored;
+  const Range x = quotients(coordinate_over(box, m, 0), *eye);
+  const Range y = quotients(coordinate_over(box, m, 1), *eye);
+  if (!x.is_finite() || !y.is_finite()) return std::nullopt;
+  const Viewport& v = view.viewport;
+  const auto [x0, x1] = pixels_between(x, v.left, v.right, margin_px);
+  const auto [y0, y1] = pixels_between(y, v.bottom, v.top, margin_px);
+  return PixelRect{x0, y0, x1, y1};
+}
+
+}  // namespace glassbox

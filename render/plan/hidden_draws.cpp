@@ -1,0 +1,125 @@
+#include <glassbox/render/plan/hidden_draws.h>
+
+#include <algorithm>
+#include <optional>
+
+#include <glassbox/render/plan/box_bounds.h>
+#include <glassbox/render/plan/depth_cover.h>
+#include <glassbox/render/staged/reference.h>
+
+namespace glassbox {
+
+namespace {
+
+// Draws of the order that are looked at: those after them are drawn.
+constexpr std::size_t kMostDraws = 4096;
+
+// In triangles through the lanes, some 20 ns each: what looking costs at most for each point of a pixel, whatever the scene, and what it
+// may cost always; and what it takes to set up a triangle by the staged primitives.
+constexpr std::size_t kMostWork = std::size_t{1} << 17, kLeastWork = 1024;
+constexpr std::size_t kWorkOfTriangle = 24;
+
+bool is_filled(const Draw& draw) {
+  return draw.mesh->lines.empty() && draw.mesh->points.empty();
+}
+
+// What samples a picture has; and pixel centres, for planes of their own.
+std::vector<SampleOffset> points_of(const RenderSettings& settings) {
+  const std::span<const SampleOffset> samples = sample_offsets(samples_drawn(settings));
+  std::vector<SampleOffset> points(samples.begin(), samples.end());
+  if (points.size() > 1) points.push_back({});
+  return points;
+}
+
+// The triangles of a draw as they will be drawn.
+std::vector<ReadyTriangle> ready_triangles(const PlannedEye& eye, const Draw& draw) {
+  const PrimitiveStage stage{.draw = draw,
+                             .clip = nullptr,
+                             .eye_space = {},
+                             .view = eye.view,
+                             .settings = eye.settings,
+                             .lighting = eye.list.lighting,
+                             .planes = render_planes(eye.view),
+                             .object_cull = object_culling(draw, eye.view, eye.settings).test};
+  std::vector<ReadyTriangle> ready;
+  std::vector<ReadyLine> no_lines;
+  for (const Triangle& triangle : draw.triangulation->triangles) {
+    TriangleAttributes attributes;
+    ready_triangle(stage, Nobody{}, triangle, attributes, ready, no_lines);
+  }
+  return ready;
+}
+
+class HiddenDraws {
+public:
+  // `triangles`: of all draws.
+  HiddenDraws(const PlannedEye& eye, double margin_px, std::size_t triangles)
+      : eye_(eye),
+        margin_px_(margin_px),
+        window_{0, 0, int(eye.view.viewport.width()), int(eye.view.viewport.height())},
+        points_(points_of(eye.settings)),
+        most_work_(points_.size() * std::clamp(triangles / 4, kLeastWork, kMostWork)) {}
+
+  bool hides(const Draw& draw) const {
+    if (!cover_ || cover_->covers_nothing() || !is_filled(draw)) return false;
+    const std::optional<PixelRect> pixels = pixels_of_box(draw, eye_.view, margin_px_);
+    return pixels &&
+           cover_->hides(*pixels, depth_codes(draw, eye_.view, eye_.settings.depth).nearest);
+  }
+
+  void add(const Draw& draw) {
+    const std::size_t triangles = draw.triangulation->triangles.size();
+    const std::size_t set_up = kWorkOfTriangle * triangles;
+    if (draw.material->alpha_mode != AlphaMode::kOpaque || work() + set_up > most_work_ ||
+        triangles > 2 * cells_covered(draw)) {
+      return;
+    }
+    if (!cover_) cover_.emplace(window_, points_);
+    work_ += set_up;
+    for (const ReadyTriangle& triangle : ready_triangles(eye_, draw)) {
+      if (work() > most_work_) return;
+      cover_->add(triangle.setup, depth_codes(triangle.setup, eye_.settings.depth).farthest);
+    }
+  }
+
+private:
+  std::size_t work() const { return work_ + (cover_ ? cover_->work() : 0); }
+
+  // At most, by its box.
+  std::size_t cells_covered(const Draw& draw) const {
+    const PixelRect pixels = pixels_of_box(draw, eye_.view, margin_px_).value_or(window_);
+    const PixelRect seen = intersect(pixels, window_);
+    if (seen.empty()) return 0;
+    return std::size_t((seen.x1 - seen.x0) / DepthCover::kCell) *
+           std::size_t((seen.y1 - seen.y0) / DepthCover::kCell);
+  }
+
+  const PlannedEye& eye_;
+  double margin_px_;
+  PixelRect window_;
+  std::vector<SampleOffset> points_;
+  std::optional<DepthCover> cover_;  // made when something may hide something
+  std::size_t work_ = 0;             // of setting up
+  std::size_t most_work_;
+};
+
+}  // namespace
+
+std::vector<bool> find_hidden(const PlannedEye& eye, const Plan& plan, double margin_px) {
+  const std::vector<Draw>& draws = eye.list.draws;
+  std::vector<bool> hidden(draws.size(), false);
+  if (plan.order.size() < 2) return hidden;
+  std::size_t triangles = 0;
+  for (const std::uint32_t i : plan.order) triangles += draws[i].triangulation->triangles.size();
+  HiddenDraws found(eye, margin_px, triangles);
+  for (std::size_t at = 0; at < std::min(plan.order.size(), kMostDraws); ++at) {
+    const std::uint32_t i = plan.order[at];
+    // Of lines it draws, not of surfaces.
+    if (plan.methods[i].staged_because != nullptr) break;
+    hidden[i] = found.hides(draws[i]);
+    if (!hidden[i]) found.add(draws[i]);
+  }
+  return hidden;
+}
+
+}  // namespace glassbox
