@@ -147,7 +147,8 @@ private:
   }
   void fill_first_row() {
     const TileBlock& first = tile_.block(0);
-    std::fill_n(tile_.color_rows(), tile_.side(), color_of(first));
+    const PixelRect& window = tile_.window();
+    std::fill_n(tile_.color_rows(), tile_.side(), color_of(first, window.x0, window.y0));
     std::fill_n(tile_.depth_rows(), tile_.side(), code_of(first));
   }
 
@@ -194,14 +195,26 @@ private:
   // Whether the pixels of a plain block differ in colour.
   bool is_shaded(const TileBlock& b) const {
     return job_.picture != nullptr && b.reference != kNothing &&
-           !job_.large[b.reference & ~kLargeReference]->color;
+           !job_.large[b.reference & ~kLargeReference]->one_color;
   }
-  // The one colour of a plain block that is not shaded.
-  std::uint32_t color_of(const TileBlock& b) const {
+  // The one colour of a plain block at (x, y) whose pixels do not differ: shaded for one of them, and kept for the blocks to come.
+  std::uint32_t color_of(const TileBlock& b, int x, int y) {
     if (job_.picture == nullptr) return 0;
-    return std::bit_cast<std::uint32_t>(b.reference == kNothing
-                                            ? job_.background
-                                            : *job_.large[b.reference & ~kLargeReference]->color);
+    if (b.reference == kNothing) return std::bit_cast<std::uint32_t>(job_.background);
+    if (b.reference != one_color_reference_) {
+      one_color_reference_ = b.reference;
+      one_color_ = color_at(b.reference, x, y);
+    }
+    return one_color_;
+  }
+  HWY_NOINLINE std::uint32_t color_at(Reference reference, int x, int y) {
+    const LargeShape& shape = shape_of(reference);
+    const LargeSource source(shape, x, y, 0, AtCentre());
+    HWY_ALIGN std::int32_t colors[kLanes];
+    store(encoded(shining_by_call(job_.draws[shape.triangle->draw], DrawTextures(), job_, source),
+                  job_),
+          colors);
+    return std::uint32_t(colors[0]);
   }
   // The depth code of a plain block whose pixels all have the same depth.
   static std::uint32_t code_of(const TileBlock& b) { return stored_code(b.nearest); }
@@ -214,7 +227,7 @@ private:
     const TileBlock& b = tile_.block(block);
     if (job_.depth != nullptr) store_plain_depths(block, x, y);
     if (job_.picture == nullptr) return;
-    if (!is_shaded(b)) return fill_block_rows(color_, x, y, color_of(b));
+    if (!is_shaded(b)) return fill_block_rows(color_, x, y, color_of(b, x, y));
     const LargeTriangle& triangle = *job_.large[b.reference & ~kLargeReference];
     const ShadeDraw& draw = job_.draws[triangle.draw];
     const DrawTextures textures(draw);
@@ -477,6 +490,8 @@ private:
   const ShadeDraw* draw_ = nullptr;
   Reference shape_reference_ = kNothing;
   LargeShape shape_;
+  Reference one_color_reference_ = kNothing;
+  std::uint32_t one_color_ = 0;
 };
 
 inline void resolve_tile(const ResolveJob& job, std::span<TileBuffer> tiles) {

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <span>
 
 #include <glassbox/base/spaces.h>
@@ -117,10 +116,10 @@ struct SmallJob {
 struct LargeTriangle {
   TriangleSetup setup;
   std::array<Varyings, 3> vertices;
-  TexturePlanes texture;       // of textured ones, be it in their emission
-  std::uint32_t draw = 0;      // index into the draw list
-  std::uint32_t number = 0;    // in the whole scene
-  std::optional<Rgba8> color;  // where all its pixels have the same
+  TexturePlanes texture;     // of textured ones, be it in their emission
+  std::uint32_t draw = 0;    // index into the draw list
+  std::uint32_t number = 0;  // in the whole scene
+  bool one_color = false;    // all its pixels have the same
 };
 
 struct FragmentCounts {

@@ -88,23 +88,28 @@ void add_entry(const TileRun& run, std::uint32_t entry, const PixelRect& box, Ch
 
 // ---- triangles over lanes ----
 
-// The colour of a triangle on which nothing changes: no light, no texture, one colour at all vertices.
-std::optional<Rgba8> only_color(const TileRun& run, const DrawSlot& slot,
-                                const ReadyTriangle& ready) {
-  const DrawMethod& method = run.methods[slot.draw];
-  const auto& [a, b, c] = ready.vertices;
-  if (method.light != LightAt::kNowhere || method.texture || a.color != b.color ||
-      a.color != c.color) {
-    return std::nullopt;
+// Nothing on the triangle changes from pixel to pixel: an attribute that is equal at the vertices is exactly that everywhere
+// (interpolate.h), and neither textures nor the surface's place have a say.
+bool has_one_color(const DrawMethod& method, const std::array<Varyings, 3>& vertices) {
+  const auto equal = [&](auto member) {
+    return vertices[0].*member == vertices[1].*member && vertices[0].*member == vertices[2].*member;
+  };
+  if (method.texture || method.emission_texture || !equal(&Varyings::color)) return false;
+  switch (method.light) {
+    case LightAt::kNowhere:
+      return true;
+    case LightAt::kVertices:
+      return equal(&Varyings::normal) && equal(&Varyings::diffuse) && equal(&Varyings::specular);
+    case LightAt::kFragments:
+      return equal(&Varyings::normal) && !method.eye_positions;
   }
-  const Rgba& base = run.list.draws[slot.draw].material->base_color;
-  return encode(run.settings.transfer,
-                {base.r * a.color[0], base.g * a.color[1], base.b * a.color[2], 1.0f});
+  return false;
 }
 
 LargeTriangle large_triangle(const TileRun& run, const DrawSlot& slot, const ReadyTriangle& ready) {
-  LargeTriangle large{ready.setup, ready.vertices, {},
-                      slot.draw,   ready.number,   only_color(run, slot, ready)};
+  LargeTriangle large{ready.setup,  ready.vertices,
+                      {},           slot.draw,
+                      ready.number, has_one_color(run.methods[slot.draw], ready.vertices)};
   if (run.methods[slot.draw].texture || run.methods[slot.draw].emission_texture) {
     large.texture = texture_planes(
         ready.setup,
