@@ -113,6 +113,17 @@ DrawList make_draw_list(const Scene& scene, const PreparedScene& prepared, const
   return list;
 }
 
+std::vector<DrawList> make_draw_lists(const Scene& scene, const PreparedScene& prepared,
+                                      std::span<const View* const> eyes) {
+  std::vector<DrawList> lists{make_draw_list(scene, prepared, *eyes.front())};
+  for (const View* eye : eyes.subspan(1)) {
+    const DrawList& first = lists.front();
+    lists.push_back(
+        {draws_of_other_eye(first.draws, scene, *eye), first.lighting, first.triangle_count});
+  }
+  return lists;
+}
+
 std::vector<Draw> draws_of_other_eye(const std::vector<Draw>& draws, const Scene& scene,
                                      const View& other_eye) {
   std::vector<Draw> others = draws;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <glassbox/base/box.h>
@@ -67,6 +68,10 @@ struct DrawList {
 };
 
 DrawList make_draw_list(const Scene& scene, const PreparedScene& prepared, const View& view);
+
+// One for each of the eyes, one or the two of a pair, whose views differ in the row of x of clip_from_eye alone.
+std::vector<DrawList> make_draw_lists(const Scene& scene, const PreparedScene& prepared,
+                                      std::span<const View* const> eyes);
 
 // The same draws for another eye, whose view shares eye_from_world: only clip_from_anchored differs.
 std::vector<Draw> draws_of_other_eye(const std::vector<Draw>& draws, const Scene& scene,

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include <glassbox/mesh/scene.h>
 #include <glassbox/pipeline/view.h>
@@ -27,6 +28,12 @@ struct EyePicture {
 
   bool draws_over() const { return &color != &target.color; }
 };
+
+inline std::vector<const View*> views_of(std::span<const EyePicture> eyes) {
+  std::vector<const View*> views;
+  for (const EyePicture& eye : eyes) views.push_back(&eye.view);
+  return views;
+}
 
 // Which triangles are submitted to the eyes of a pair at all (S0-04).
 //   kUnion   those that the frustum of one of the eyes may show: nothing is lost

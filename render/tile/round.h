@@ -23,6 +23,12 @@ struct TileRun {
   std::array<ClipPlane, kMaxClipPlanes> planes;  // render_planes(view)
   PixelRect window;
   int tile_side = 64;
+
+  int tiles_across() const { return (window.x1 + tile_side - 1) / tile_side; }
+  int tiles_down() const { return (window.y1 + tile_side - 1) / tile_side; }
+  std::size_t tile_index(int x, int y) const {
+    return std::size_t(y) * std::size_t(tiles_across()) + std::size_t(x);
+  }
 };
 
 // Grows, and never gives memory back: the next picture is likely to need as much.
@@ -92,6 +98,8 @@ struct Round {
   std::vector<Chunk> chunks;
   std::size_t chunk_count = 0;              // those in use
   std::vector<const LargeTriangle*> large;  // by Chunk::first_large and index
+  // By TileRun::tile_index: the chunks that have something in the tile, in their order.
+  std::vector<std::vector<std::uint32_t>> chunks_of_tile;
 };
 
 // ---- the work, in the order in which it is done ----

@@ -7,6 +7,7 @@
 #include <deque>
 #include <optional>
 
+#include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
@@ -87,8 +88,13 @@ struct TileEngine::State {
       const Stopwatch watch(at_work.local().*stage);
       work(i);
     };
-    arena.execute(
-        [&] { tbb::parallel_for(std::size_t{0}, count, timed, tbb::simple_partitioner()); });
+    // Thousands of small pieces of work are taken some at a time.
+    const std::size_t together = 1 + count / 4096;
+    const auto some = [&](const tbb::blocked_range<std::size_t>& range) {
+      for (std::size_t i = range.begin(); i < range.end(); ++i) timed(i);
+    };
+    const tbb::blocked_range<std::size_t> all(0, count, together);
+    arena.execute([&] { tbb::parallel_for(all, some, tbb::simple_partitioner()); });
   }
 
   // ---- a round ----
@@ -250,6 +256,20 @@ void list_large_triangles(Round& round) {
   }
 }
 
+// A tile of a scene of many draws looks at few of their chunks.
+void list_chunks_of_tiles(const TileRun& run, Round& round) {
+  for (std::vector<std::uint32_t>& chunks : round.chunks_of_tile) chunks.clear();
+  round.chunks_of_tile.resize(run.tile_index(0, run.tiles_down()));
+  for (std::uint32_t i = 0; i < round.chunk_count; ++i) {
+    const Chunk& chunk = round.chunks[i];
+    for (int y = chunk.tiles.y0; y < chunk.tiles.y1; ++y) {
+      for (int x = chunk.tiles.x0; x < chunk.tiles.x1; ++x) {
+        if (!chunk.bin(x, y).empty()) round.chunks_of_tile[run.tile_index(x, y)].push_back(i);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 // The eyes of a pair have the same chunks, and take turns: what they read is in the cache for the second one.
@@ -262,6 +282,7 @@ void TileEngine::State::fill_chunks(const Pictures& pictures) {
   });
   for (std::size_t eye = 0; eye < eyes; ++eye) {
     list_large_triangles(rounds[eye]);
+    list_chunks_of_tiles(pictures[eye].run(), rounds[eye]);
     for (std::size_t i = 0; i < rounds[eye].chunk_count; ++i) {
       add(rounds[eye].chunks[i].statistics, pictures[eye].statistics());
     }
@@ -271,10 +292,9 @@ void TileEngine::State::fill_chunks(const Pictures& pictures) {
 // A tile of the one eye, then the same tile of the other, which may draw into the same picture.
 void TileEngine::State::draw_tiles(const Pictures& pictures, std::span<const TilePass> passes) {
   const TileRun& run = pictures.front().run();
-  const int across = (run.window.x1 + run.tile_side - 1) / run.tile_side;
-  const int down = (run.window.y1 + run.tile_side - 1) / run.tile_side;
+  const int across = run.tiles_across();
   tbb::enumerable_thread_specific<std::array<Statistics, kMostEyes>> counts;
-  for_each(&TileReport::Thread::fragment_ms, std::size_t(across) * std::size_t(down),
+  for_each(&TileReport::Thread::fragment_ms, run.tile_index(0, run.tiles_down()),
            [&](std::size_t i) {
              for (std::size_t eye = 0; eye < passes.size(); ++eye) {
                draw_tile(passes[eye], int(i) % across, int(i) / across, memories.local(),
@@ -296,12 +316,7 @@ namespace {
 void make_pictures(const Scene& scene, const PreparedScene& prepared,
                    std::span<const EyePicture> eyes, const TileOptions& options,
                    std::deque<TilePicture>& pictures) {
-  std::vector<DrawList> lists{make_draw_list(scene, prepared, eyes.front().view)};
-  for (const EyePicture& eye : eyes.subspan(1)) {
-    const DrawList& first = lists.front();
-    lists.push_back(
-        {draws_of_other_eye(first.draws, scene, eye.view), first.lighting, first.triangle_count});
-  }
+  std::vector<DrawList> lists = make_draw_lists(scene, prepared, views_of(eyes));
   std::vector<PlannedEye> planned;
   for (std::size_t i = 0; i < eyes.size(); ++i) {
     planned.push_back({lists[i], eyes[i].view, eyes[i].settings});

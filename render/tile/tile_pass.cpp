@@ -252,15 +252,12 @@ private:
 namespace {
 
 // The staged fragments write there, and what is blended lies over what is there.
-bool draws_into_framebuffer(const TilePass& pass, int x, int y) {
-  for (std::size_t i = 0; i < pass.round.chunk_count; ++i) {
+bool draws_into_framebuffer(const TilePass& pass, std::span<const std::uint32_t> chunks) {
+  return std::ranges::any_of(chunks, [&](std::uint32_t i) {
     const Chunk& chunk = pass.round.chunks[i];
     const Draw& draw = pass.run.list.draws[pass.round.slots[chunk.slot].draw];
-    const bool reads_back =
-        chunk.kind != Chunk::Kind::kLanes || draw.material->alpha_mode == AlphaMode::kBlend;
-    if (reads_back && !chunk.bin(x, y).empty()) return true;
-  }
-  return false;
+    return chunk.kind != Chunk::Kind::kLanes || draw.material->alpha_mode == AlphaMode::kBlend;
+  });
 }
 
 }  // namespace
@@ -269,11 +266,11 @@ void draw_tile(const TilePass& pass, int x, int y, TileMemory& memory, Statistic
   const int side = pass.run.tile_side;
   const PixelRect window{x * side, y * side, std::min((x + 1) * side, pass.run.window.x1),
                          std::min((y + 1) * side, pass.run.window.y1)};
-  const bool overwrite = pass.overwrite_untouched && !draws_into_framebuffer(pass, x, y);
+  const std::span chunks(pass.round.chunks_of_tile[pass.run.tile_index(x, y)]);
+  const bool overwrite = pass.overwrite_untouched && !draws_into_framebuffer(pass, chunks);
   TileDrawing drawing(pass, window, overwrite, memory, statistics);
-  for (std::size_t i = 0; i < pass.round.chunk_count; ++i) {
+  for (const std::uint32_t i : chunks)
     drawing.draw(pass.round.chunks[i], pass.round.chunks[i].bin(x, y));
-  }
   drawing.finish();
 }
 
