@@ -1,32 +1,19 @@
 #include "app/explain/explain_command.h"
 
+#include <memory>
+
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/explain/plan_report.h"
+#include "app/explain/pair_report.h"
+#include "app/explain/planning_engine.h"
 #include "app/explain/tile_report_text.h"
 #include "app/options/builtin_help.h"
 #include "app/report/stage_report.h"
 
-#include <glassbox/render/staged/staged.h>
-#include <glassbox/render/tile/tile_engine.h>
+#include <glassbox/render/renderer.h>
 
 namespace glassbox::app {
-
-namespace {
-
-// The second of two pictures: the first one waits for threads and memory.
-Rendering draw_twice(const Scene& scene, const PreparedScene& prepared, const View& view,
-                     const RenderSettings& settings, const TileOptions& options,
-                     TileReport& report) {
-  TileEngine engine(options);
-  Rendering rendering;
-  engine.render(scene, prepared, view, settings, rendering);
-  engine.render(scene, prepared, view, settings, rendering, &report);
-  return rendering;
-}
-
-}  // namespace
 
 void ExplainCommand::add_to(CLI::App& app, int& exit_code) {
   CLI::App& command = *app.add_subcommand(
@@ -36,52 +23,86 @@ void ExplainCommand::add_to(CLI::App& app, int& exit_code) {
       "  glassbox explain teapot\n"
       "  glassbox explain model.glb --size 640x480 --cull none --analyze\n"
       "  glassbox explain teapot --no-plan --analyze --json -\n"
-      "  glassbox explain teapot --engine staged\n\n"
+      "  glassbox explain teapot --engine staged\n"
+      "  glassbox explain forest --stereo anaglyph --analyze\n\n"
       "Nothing is written but what is printed. The options are those of glassbox render: the same\n"
       "words make the same picture. docs/plan.md has the proofs.\n\n" +
       builtin_help());
   question_.add_to(command);
+  add_stereo_picture_options(command, stereo_);
   add_engine_options(command, engine_);
   command.add_flag("--analyze", analyze_, "draw it too: items, times and bytes of every stage")
       ->group("Engine");
   command.callback([this, &exit_code] {
-    exit_code = question_.answer(
-        [this](const Scene& scene, const View& view) { return answer(scene, view); });
+    exit_code = question_.answer_of_scene([this](const Scene& scene) { return answer(scene); });
   });
 }
 
-Result<Answer> ExplainCommand::answer(const Scene& scene, const View& view) const {
+Result<Answer> ExplainCommand::answer(const Scene& scene) const {
   if (const auto legal = check_engine_options(engine_); !legal) {
     return tl::unexpected(legal.error());
   }
-  return engine_.engine == EngineKind::kStaged ? explain_staged(scene, view)
-                                               : explain_tiles(scene, view);
+  if (const auto legal = check_stereo_picture(question_.picture(), stereo_); !legal) {
+    return tl::unexpected(legal.error());
+  }
+  if (stereo_.form.wanted) return explain_pair(scene);
+  const Result<ChosenView> chosen = choose_view(scene, question_.picture());
+  if (!chosen) return tl::unexpected(chosen.error());
+  return explain_one(scene, chosen->view);
 }
 
-Answer ExplainCommand::explain_staged(const Scene& scene, const View& view) const {
-  const Statistics statistics = render_staged(scene, view, question_.picture().settings).statistics;
-  return {to_json(statistics), question_.title() + "\n\n" +
-                                   stage_table(statistics, EngineKind::kStaged) + "\n" +
-                                   time_table(statistics)};
-}
-
-Answer ExplainCommand::explain_tiles(const Scene& scene, const View& view) const {
+Answer ExplainCommand::explain_one(const Scene& scene, const View& view) const {
   const RenderSettings& settings = question_.picture().settings;
+  if (engine_.engine == EngineKind::kStaged) {
+    const Statistics statistics = render_staged(scene, view, settings).statistics;
+    return {to_json(statistics), question_.title() + "\n\n" +
+                                     stage_table(statistics, EngineKind::kStaged) + "\n" +
+                                     time_table(statistics)};
+  }
   const PreparedScene prepared = prepare(scene, settings.transfer);
-  const DrawList list = make_draw_list(scene, prepared, view);
-  const PlannedEye eye{list, view, settings};
-  const Plan plan = make_plans({&eye, 1}, engine_.tile.plan).front();
-  Answer answer{{{"plan", to_json(plan, eye)}},
-                question_.title() + "\n\n" + plan_text(scene, plan, eye)};
+  Rendering drawn;
+  const EyePicture eye{view, settings, drawn.buffers, drawn.buffers.color, drawn.statistics};
+  const PictureJob job{scene, prepared, {&eye, 1}};
+  PlannedPictures planned;
+  if (analyze_) {
+    PlanningEngine(engine_.tile, planned).draw(job);
+  } else {
+    plan_pictures(job, engine_.tile, planned);
+  }
+  Answer answer{{{"plan", planned.json.front()}},
+                question_.title() + "\n\n" + planned.texts.front()};
   if (!analyze_) return answer;
+  answer.json.update(to_json(drawn.statistics));
+  answer.json["tile"] = to_json(drawn.statistics, planned.report);
+  answer.text += "\n" + engine_text(engine_) + "\n\n" +
+                 stage_table(drawn.statistics, EngineKind::kTile) + "\n" +
+                 tile_text(drawn.statistics, planned.report);
+  return answer;
+}
 
-  TileReport report;
-  const Statistics statistics =
-      draw_twice(scene, prepared, view, settings, engine_.tile, report).statistics;
-  answer.json.update(to_json(statistics));
-  answer.json["tile"] = to_json(statistics, report);
-  answer.text += "\n" + engine_text(engine_) + "\n\n" + stage_table(statistics, EngineKind::kTile) +
-                 "\n" + tile_text(statistics, report);
+// The pictures of `render --stereo`, planned and drawn by the same words.
+Result<Answer> ExplainCommand::explain_pair(const Scene& scene) const {
+  const RenderSettings& settings = question_.picture().settings;
+  const Result<ChosenEyes> chosen = choose_eyes(scene, question_.picture());
+  if (!chosen) return tl::unexpected(chosen.error());
+  PlannedPictures planned;
+  std::unique_ptr<Engine> engine;
+  if (engine_.engine == EngineKind::kTile) {
+    engine = std::make_unique<PlanningEngine>(engine_.tile, planned);
+  } else {
+    engine = make_engine(EngineKind::kStaged);
+  }
+  Renderer renderer(scene, settings.transfer, std::move(engine));
+  const Result<StereoPicture> drawn = render_stereo_picture(renderer, *chosen, settings, stereo_);
+  if (!drawn) return tl::unexpected(drawn.error());
+
+  const StereoRendering& both = drawn->rendering;
+  const PairReport pair{both, planned, analyze_ || planned.texts.empty()};
+  Answer answer{{{"stereo", eyes_json(*chosen, both)}},
+                question_.title() + "\n" + eyes_text(*chosen, both) + "\n"};
+  answer.json.update(pair_json(pair));
+  if (pair.is_planned() && analyze_) answer.text += engine_text(engine_) + "\n\n";
+  answer.text += pair_text(pair);
   return answer;
 }
 

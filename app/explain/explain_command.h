@@ -5,6 +5,7 @@
 #include "app/options/cli_fwd.h"
 #include "app/options/engine_options.h"
 #include "app/options/picture_question.h"
+#include "app/options/stereo_picture.h"
 
 namespace glassbox::app {
 
@@ -13,11 +14,12 @@ public:
   void add_to(CLI::App& app, int& exit_code);
 
 private:
-  Result<Answer> answer(const Scene& scene, const View& view) const;
-  Answer explain_staged(const Scene& scene, const View& view) const;
-  Answer explain_tiles(const Scene& scene, const View& view) const;
+  Result<Answer> answer(const Scene& scene) const;
+  Answer explain_one(const Scene& scene, const View& view) const;
+  Result<Answer> explain_pair(const Scene& scene) const;
 
   PictureQuestion question_;
+  StereoPictureOptions stereo_;
   EngineOptions engine_;
   bool analyze_ = false;
 };

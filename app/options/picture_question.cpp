@@ -27,15 +27,21 @@ std::string PictureQuestion::title() const {
 }
 
 int PictureQuestion::answer(const Ask& ask) const {
+  return answer_of_scene([&](const Scene& scene) -> Result<Answer> {
+    const Result<ChosenView> chosen = choose_view(scene, picture_);
+    if (!chosen) return tl::unexpected(chosen.error());
+    return ask(scene, chosen->view);
+  });
+}
+
+int PictureQuestion::answer_of_scene(const AskScene& ask) const {
   if (const auto legal = check_report_outputs({}, json_output_); !legal)
     return refuse(legal.error());
   Progress progress;
   const Result<Scene> scene = load_asked_scene(scene_, progress);
   if (!scene) return refuse(scene.error());
-  const Result<ChosenView> chosen = choose_view(*scene, picture_);
-  if (!chosen) return refuse(chosen.error());
   progress.phase("rendering " + scene_title(scene_));
-  const Result<Answer> found = ask(*scene, chosen->view);
+  const Result<Answer> found = ask(*scene);
   if (!found) return refuse(found.error());
   progress.done();
 

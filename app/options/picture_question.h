@@ -24,6 +24,7 @@ struct Answer {
 class PictureQuestion {
 public:
   using Ask = std::function<Result<Answer>(const Scene&, const View&)>;
+  using AskScene = std::function<Result<Answer>(const Scene&)>;
 
   // SCENE, the options of the picture, and --json.
   void add_to(CLI::App& command);
@@ -37,6 +38,8 @@ public:
   // Loads the scene, chooses the view, asks, and gives the answer: as text, as JSON (after the scene's name and the
   // picture's size), or both. The exit code.
   int answer(const Ask& ask) const;
+  // The same where whoever is asked chooses the view, or the eyes.
+  int answer_of_scene(const AskScene& ask) const;
 
 private:
   std::string scene_;

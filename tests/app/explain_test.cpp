@@ -146,5 +146,66 @@ TEST_CASE("explain refuses what render refuses") {
   CHECK(here.run("explain room --engine staged --no-plan").exit_code == 2);
 }
 
+// ---- two eyes ----
+
+TEST_CASE(
+    "explain --stereo says of both eyes what their pictures need, and what their stages did") {
+  const Workplace here;
+  const std::string pair = "explain room --size 96x64 --stereo anaglyph ";
+  const Outcome plain = here.run(pair);
+  REQUIRE(plain.exit_code == 0);
+  CHECK(contains(plain.out, "stereo: eyes"));
+  CHECK(contains(plain.out, "the left eye"));  // whose mask keeps one channel
+  CHECK(contains(plain.out, "the right eye"));
+  CHECK_FALSE(contains(plain.out, "busy ms"));
+  CHECK(here.names().empty());
+
+  const Json json = Json::parse(here.run(pair + "--analyze --json -").out);
+  const auto channels = [&](const char* eye) {
+    return decision(json.at(eye).at("plan").at("picture"), "encoding of channels");
+  };
+  CHECK(channels("left").at("numbers") == "written: red ");
+  CHECK(channels("right").at("numbers") == "written: green blue");
+  CHECK(json.at("left").at("vertices").get<int>() > 0);
+  CHECK(json.at("right").at("vertices") == 0);  // the left eye's are moved in x
+  CHECK(json.at("left").at("written").get<int>() > 0);
+  CHECK(json.at("right").at("written").get<int>() > 0);
+  CHECK(json.at("tile").at("rounds") == 1);
+  CHECK(json.at("stereo").contains("parallax"));
+}
+
+TEST_CASE(
+    "explain --stereo: what is the same for both eyes is said once; one picture for both; the "
+    "staged engine; cropped eyes") {
+  const Workplace here;
+  const std::string pair = "explain cube --size 96x64 --stereo ";
+  const Outcome same = here.run(pair + "pair");
+  REQUIRE(same.exit_code == 0);
+  CHECK(contains(same.out, "both eyes"));
+  CHECK_FALSE(contains(same.out, "the right eye"));
+
+  const Json one = Json::parse(here.run(pair + "anaglyph --eye-separation 0 --json -").out);
+  CHECK(one.contains("both"));
+  CHECK_FALSE(one.contains("left"));
+
+  for (const char* staged : {"anaglyph --engine staged", "anaglyph --stereo-cull centre"}) {
+    const Json counted = Json::parse(here.run(pair + staged + std::string(" --json -")).out);
+    CHECK_FALSE(counted.at("left").contains("plan"));
+    CHECK(counted.at("right").at("written").get<int>() > 0);
+  }
+  const Json cropped =
+      Json::parse(here.run(pair + "anaglyph --eyes-by crop --analyze --json -").out);
+  CHECK(cropped.at("right").at("vertices").get<int>() > 0);  // each by itself
+}
+
+TEST_CASE("explain refuses options of two eyes without --stereo, as render does") {
+  const Workplace here;
+  for (const char* words : {"--glasses red-cyan", "--stereo anaglyph --seen-by left"}) {
+    const Outcome refused = here.run(std::string("explain cube --size 96x64 ") + words);
+    CHECK(refused.exit_code == 2);
+    CHECK(contains(refused.err, "--stereo"));
+  }
+}
+
 }  // namespace
 }  // namespace glassbox::test
