@@ -126,6 +126,12 @@ TEST_CASE("what a wall does not hide is drawn") {
   Scene through = balls_at({{0, 0, -4}});
   add_wall(through, kWholeView, -4);
   CHECK(is_drawn(through));
+  // A wall that recedes: nearer than the ball at one end, farther where the ball is.
+  Scene slanted = balls_at({{4, 0, -9}}, 0.5);
+  add_wall(slanted, {-4, -9, 12, 9}, 0);
+  for (auto& p : slanted.meshes.back().positions) p.z = p.x < 0 ? -3.0f : -19.0f;
+  std::ranges::reverse(slanted.instances);  // the wall first
+  CHECK(is_drawn(slanted));
   Scene beside = balls_at({{0.5, 0, -7}});
   add_wall(beside, {-4, -3, 0.3, 3}, -4);
   CHECK(is_drawn(beside));
