@@ -75,9 +75,8 @@ Scene make_glass() {
     const std::uint32_t glass =
         add_material(scene, "glass " + std::to_string(i), color_of(number, 0.125f));
     scene.materials[glass].alpha_mode = AlphaMode::kBlend;
-    const int layer = 5 * i % kGlassLayers;
-    add_object(scene, make_pane(9, 5.5, glass),
-               place({0.02 * (i - kGlassLayers / 2), 0.01 * i, -4 + layer * 0.25}));
+    const int layer = 5 * i % kGlassLayers, aside = i - kGlassLayers / 2;
+    add_object(scene, make_pane(9, 5.5, glass), place({0.02 * aside, 0.01 * i, -4 + layer * 0.25}));
   }
   return scene;
 }
@@ -107,8 +106,9 @@ Scene make_hidden() {
   scene.meshes.push_back(
       only_mesh_of(make_sphere(kSphereLevel), add_material(scene, "ball", {0.8f, 0.3f, 0.2f, 1})));
   for (int i = 0; i < kHiddenSpheres; ++i) {
+    const int column = i % kSide, row = i / kSide;
     add_instance(scene, 1, "ball",
-                 place({(i % kSide - 4.5) * 0.9, (i / kSide - 4.5) * 0.6, 0}, 0, {0.3, 0.3, 0.3}));
+                 place({(column - 4.5) * 0.9, (row - 4.5) * 0.6, 0}, 0, {0.3, 0.3, 0.3}));
   }
   return scene;
 }

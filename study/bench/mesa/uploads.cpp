@@ -59,8 +59,10 @@ GlMesh upload_mesh(const gl::Functions& gl, const VertexArrays& arrays) {
   std::size_t offset = 0;
   const auto attribute = [&](bool present, gl::Uint at, int floats) {
     if (!present) return;
-    gl.VertexAttribPointer(at, floats, gl::kFloat, gl::kFalse, stride,
-                           reinterpret_cast<const void*>(offset));
+    // A place in the buffer, which OpenGL takes as a pointer.
+    // NOLINTNEXTLINE(performance-no-int-to-ptr)
+    const auto* place = reinterpret_cast<const void*>(offset);
+    gl.VertexAttribPointer(at, floats, gl::kFloat, gl::kFalse, stride, place);
     gl.EnableVertexAttribArray(at);
     offset += std::size_t(floats) * sizeof(float);
   };
