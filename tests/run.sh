@@ -107,7 +107,7 @@ run_threads() {
 run_fuzzers() {
   have clang++ || { skip "fuzzers (no clang++)"; return 0; }
   say "fuzzers: building ..."
-  if ! build_preset fuzz; then
+  if ! build_preset fuzz fuzzers; then
     count "fuzzers: build" 1
     return 0
   fi
