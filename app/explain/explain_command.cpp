@@ -48,17 +48,19 @@ Result<Answer> ExplainCommand::answer(const Scene& scene) const {
   if (stereo_.form.wanted) return explain_pair(scene);
   const Result<ChosenView> chosen = choose_view(scene, question_.picture());
   if (!chosen) return tl::unexpected(chosen.error());
-  return explain_one(scene, chosen->view);
+  return engine_.engine == EngineKind::kStaged ? explain_staged(scene, chosen->view)
+                                               : explain_tiles(scene, chosen->view);
 }
 
-Answer ExplainCommand::explain_one(const Scene& scene, const View& view) const {
+Answer ExplainCommand::explain_staged(const Scene& scene, const View& view) const {
+  const Statistics statistics = render_staged(scene, view, question_.picture().settings).statistics;
+  return {to_json(statistics), question_.title() + "\n\n" +
+                                   stage_table(statistics, EngineKind::kStaged) + "\n" +
+                                   time_table(statistics)};
+}
+
+Answer ExplainCommand::explain_tiles(const Scene& scene, const View& view) const {
   const RenderSettings& settings = question_.picture().settings;
-  if (engine_.engine == EngineKind::kStaged) {
-    const Statistics statistics = render_staged(scene, view, settings).statistics;
-    return {to_json(statistics), question_.title() + "\n\n" +
-                                     stage_table(statistics, EngineKind::kStaged) + "\n" +
-                                     time_table(statistics)};
-  }
   const PreparedScene prepared = prepare(scene, settings.transfer);
   Rendering drawn;
   const EyePicture eye{view, settings, drawn.buffers, drawn.buffers.color, drawn.statistics};
@@ -101,7 +103,11 @@ Result<Answer> ExplainCommand::explain_pair(const Scene& scene) const {
   Answer answer{{{"stereo", eyes_json(*chosen, both)}},
                 question_.title() + "\n" + eyes_text(*chosen, both) + "\n"};
   answer.json.update(pair_json(pair));
-  if (pair.is_planned() && analyze_) answer.text += engine_text(engine_) + "\n\n";
+  if (!pair.is_planned() && engine_.engine == EngineKind::kTile) {
+    answer.text += "--stereo-cull centre: drawn by the staged engine, which has no plan\n\n";
+  } else if (analyze_) {
+    answer.text += engine_text(engine_) + "\n\n";
+  }
   answer.text += pair_text(pair);
   return answer;
 }

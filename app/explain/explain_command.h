@@ -15,7 +15,8 @@ public:
 
 private:
   Result<Answer> answer(const Scene& scene) const;
-  Answer explain_one(const Scene& scene, const View& view) const;
+  Answer explain_staged(const Scene& scene, const View& view) const;
+  Answer explain_tiles(const Scene& scene, const View& view) const;
   Result<Answer> explain_pair(const Scene& scene) const;
 
   PictureQuestion question_;

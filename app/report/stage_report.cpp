@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/report/text_layout.h"
+
 namespace glassbox::app {
 
 std::string grouped(std::uint64_t n) {
@@ -60,10 +62,11 @@ std::string stage_table(const Statistics& s, EngineKind engine) {
   text += row(tile ? "alpha mask" : "texture, light, alpha mask", s.covered - s.depth_failed,
               s.written, s.discarded ? grouped(s.discarded) + " transparent" : "");
   text += row("write", s.written, s.written, s.blended ? grouped(s.blended) + " blended" : "");
-  if (tile)
-    text +=
-        "  texture, light: once for each pixel that is seen, and for each blended fragment; of "
-        "several samples, each has its fragments\n";
+  if (tile) {
+    text += wrapped("  texture, light: ",
+                    "once for each pixel that is seen, of several samples once for each triangle "
+                    "that they show; and for each fragment that is blended");
+  }
   return text;
 }
 

@@ -38,8 +38,8 @@ Decision whole_object(const Subject& s) {
   const BoxPlace& place = s.method.place;
   if (s.method.hidden) {
     const char* const where =
-        "wherever its box may be seen, opaque triangles of draws before it are "
-        "nearer than any of its own";
+        "wherever its box may be seen, opaque triangles of draws before it are as near as any of "
+        "its own, or nearer";
     return s.method.drawn ? needed(kStage, "the other eye may see it", where)
                           : left_out(kStage, where);
   }
@@ -317,7 +317,9 @@ Decision depth_plane(const Plan& plan) {
 Decision file_order(const Plan& plan) {
   constexpr const char* kStage = "file order";
   if (!plan.leaves_out) return needed(kStage, kNoPlan);
-  if (plan.order.size() < 2) return needed(kStage, "there are no two draws to compare");
+  const auto compared = std::ranges::count_if(
+      plan.methods, [](const DrawMethod& method) { return method.drawn || method.hidden; });
+  if (compared < 2) return needed(kStage, "there are no two draws to compare");
   if (plan.moved == 0) {
     return needed(kStage, "no draw lies wholly in front of one before it that it may overtake");
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <glassbox/raster/coverage.h>
 #include <glassbox/raster/triangle_setup.h>
 
 namespace glassbox {
@@ -14,54 +15,30 @@ int cells_across(int pixels) {
   return (pixels + kCell - 1) / kCell;
 }
 
-// The edge functions of a triangle over the points of a cell. They are linear: what they are largest and smallest at are corners.
-class EdgesOverCell {
-public:
-  EdgesOverCell(const TriangleSetup& triangle, const SampleOffset& point, int cell_x, int cell_y)
-      : triangle_(triangle) {
-    const std::int64_t x = std::int64_t(cell_x) * kCell * kSubpixels + kPixelCentre + point.x;
-    const std::int64_t y = std::int64_t(cell_y) * kCell * kSubpixels + kPixelCentre + point.y;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const EdgeFunction& edge = triangle.edges[k];
-      first_[k] = edge.at(x, y);
-      right_[k] = edge.a * kSubpixels;
-      down_[k] = edge.b * kSubpixels;
-    }
-  }
+// The triangle whose edge functions have at pixel centres what `triangle` has at a point of each pixel.
+TriangleSetup seen_at(TriangleSetup triangle, const SampleOffset& point) {
+  for (EdgeFunction& edge : triangle.edges) edge.c += edge.a * point.x + edge.b * point.y;
+  triangle.bounds = sampled_bounds(triangle.bounds);
+  return triangle;
+}
 
-  bool covers_nothing() const {
-    const auto misses_all = [&](std::size_t k) {
-      const std::int64_t largest = first_[k] + kLast * (std::max<std::int64_t>(right_[k], 0) +
-                                                        std::max<std::int64_t>(down_[k], 0));
-      return !triangle_.edges[k].covers(largest);
-    };
-    return misses_all(0) || misses_all(1) || misses_all(2);
-  }
-  bool covers_all() const {
-    const auto covers_all = [&](std::size_t k) {
-      const std::int64_t smallest = first_[k] + kLast * (std::min<std::int64_t>(right_[k], 0) +
-                                                         std::min<std::int64_t>(down_[k], 0));
-      return triangle_.edges[k].covers(smallest);
-    };
-    return covers_all(0) && covers_all(1) && covers_all(2);
-  }
-  // Bit i: pixel i of the row.
-  unsigned covered(int row) const {
-    unsigned bits = 0;
-    for (int i = 0; i < kCell; ++i) {
-      const auto covers = [&](std::size_t k) {
-        return triangle_.edges[k].covers(first_[k] + right_[k] * i + down_[k] * row);
-      };
-      bits |= unsigned(covers(0) && covers(1) && covers(2)) << i;
-    }
-    return bits;
-  }
+enum class CellCoverage { kNothing, kPart, kAll };
 
-private:
-  static constexpr int kLast = kCell - 1;
-  const TriangleSetup& triangle_;
-  std::array<std::int64_t, 3> first_, right_, down_;
-};
+// Of the pixels x0 .. x0 + 15, y0 .. y0 + 15. Edge functions are linear: over a square they are largest and smallest at corners.
+CellCoverage cell_coverage(const TriangleSetup& triangle, int x0, int y0) {
+  bool all = true;
+  for (const EdgeFunction& edge : triangle.edges) {
+    const std::int64_t first = edge.at(std::int64_t(x0) * kSubpixels + kPixelCentre,
+                                       std::int64_t(y0) * kSubpixels + kPixelCentre);
+    const std::int64_t right = edge.a * kSubpixels * (kCell - 1);
+    const std::int64_t down = edge.b * kSubpixels * (kCell - 1);
+    const auto [left_end, right_end] = std::minmax({std::int64_t{0}, right});
+    const auto [upper_end, lower_end] = std::minmax({std::int64_t{0}, down});
+    if (!edge.covers(first + right_end + lower_end)) return CellCoverage::kNothing;
+    all = all && edge.covers(first + left_end + upper_end);
+  }
+  return all ? CellCoverage::kAll : CellCoverage::kPart;
+}
 
 }  // namespace
 
@@ -92,35 +69,40 @@ PixelRect DepthCover::cells_of(const PixelRect& pixels) const {
 }
 
 void DepthCover::add(const TriangleSetup& triangle, std::uint32_t farthest) {
-  const PixelRect reached = cells_of(sampled_bounds(triangle.bounds));
   Cell* cells = cells_.data();
   for (const SampleOffset& point : points_) {
+    const TriangleSetup at_point = seen_at(triangle, point);
+    const PixelRect reached = cells_of(at_point.bounds);
     for (int y = reached.y0; y < reached.y1; ++y) {
       for (int x = reached.x0; x < reached.x1; ++x) {
-        add_to_cell(triangle, point, x, y, farthest, cells[y * across_ + x]);
+        add_to_cell(at_point, x, y, farthest, cells[y * across_ + x]);
       }
     }
     cells += cells_of_point();
   }
 }
 
-void DepthCover::add_to_cell(const TriangleSetup& triangle, const SampleOffset& point, int cell_x,
-                             int cell_y, std::uint32_t farthest, Cell& cell) {
+void DepthCover::add_to_cell(const TriangleSetup& triangle, int cell_x, int cell_y,
+                             std::uint32_t farthest, Cell& cell) {
   ++work_;
   if (farthest >= cell.farthest) return;  // what is there is as near
-  const EdgesOverCell edges(triangle, point, cell_x, cell_y);
-  if (edges.covers_nothing()) return;
-  if (edges.covers_all()) {
-    cell.next = farthest;
-    cell.open = {};
-  } else {
-    work_ += 2 * kCell;
-    for (int row = 0; row < kCell; ++row) {
-      std::uint16_t& open = cell.open[std::size_t(row)];
-      const unsigned covered = open & edges.covered(row);
-      if (covered != 0) cell.next = std::max(cell.next, farthest);
-      open = std::uint16_t(open & ~covered);
-    }
+  const int x0 = cell_x * kCell, y0 = cell_y * kCell;
+  switch (cell_coverage(triangle, x0, y0)) {
+    case CellCoverage::kNothing:
+      return;
+    case CellCoverage::kAll:
+      cell.next = farthest;
+      cell.open = {};
+      break;
+    case CellCoverage::kPart:
+      work_ += 2 * kCell;
+      for_each_covered(triangle, {x0, y0, x0 + kCell, y0 + kCell}, [&](const Coverage& at) {
+        std::uint16_t& open = cell.open[std::size_t(at.y - y0)];
+        const auto pixel = std::uint16_t(1u << (at.x - x0));
+        if ((open & pixel) != 0) cell.next = std::max(cell.next, farthest);
+        open = std::uint16_t(open & ~pixel);
+      });
+      break;
   }
   if (cell.open != Rows{}) return;
   cell = {cell.next, 0, pixels_in_window(cell_x, cell_y)};

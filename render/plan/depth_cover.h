@@ -45,8 +45,8 @@ private:
 
   PixelRect cells_of(const PixelRect& pixels) const;
   Rows pixels_in_window(int cell_x, int cell_y) const;
-  void add_to_cell(const TriangleSetup& triangle, const SampleOffset& point, int cell_x, int cell_y,
-                   std::uint32_t farthest, Cell& cell);
+  void add_to_cell(const TriangleSetup& triangle, int cell_x, int cell_y, std::uint32_t farthest,
+                   Cell& cell);
   std::size_t cells_of_point() const { return std::size_t(across_) * std::size_t(down_); }
 
   PixelRect window_;

@@ -14,8 +14,9 @@ namespace {
 // Draws of the order that are looked at: those after them are drawn.
 constexpr std::size_t kMostDraws = 4096;
 
-// In triangles through the lanes, some 20 ns each: what looking costs at most for each point of a pixel, whatever the scene, and what it
-// may cost always; and what it takes to set up a triangle by the staged primitives.
+// Work is counted in triangles through the lanes, some 20 ns each (S5 of the benchmark: 22 ms for a million): what looking costs at most
+// for each point of a pixel, whatever the scene, and what it may cost always; and what it takes to set up a triangle by the staged
+// primitives, some 500 ns.
 constexpr std::size_t kMostWork = std::size_t{1} << 17, kLeastWork = 1024;
 constexpr std::size_t kWorkOfTriangle = 24;
 
@@ -53,25 +54,23 @@ std::vector<ReadyTriangle> ready_triangles(const PlannedEye& eye, const Draw& dr
 class HiddenDraws {
 public:
   // `triangles`: of all draws.
-  HiddenDraws(const PlannedEye& eye, double margin_px, std::size_t triangles)
+  HiddenDraws(const PlannedEye& eye, std::size_t triangles)
       : eye_(eye),
-        margin_px_(margin_px),
         window_{0, 0, int(eye.view.viewport.width()), int(eye.view.viewport.height())},
         points_(points_of(eye.settings)),
         most_work_(points_.size() * std::clamp(triangles / 4, kLeastWork, kMostWork)) {}
 
-  bool hides(const Draw& draw) const {
-    if (!cover_ || cover_->covers_nothing() || !is_filled(draw)) return false;
-    const std::optional<PixelRect> pixels = pixels_of_box(draw, eye_.view, margin_px_);
-    return pixels &&
+  // `pixels`: that the draw's box reaches, unless it reaches the eye.
+  bool hides(const Draw& draw, const std::optional<PixelRect>& pixels) const {
+    return cover_ && !cover_->covers_nothing() && is_filled(draw) && pixels &&
            cover_->hides(*pixels, depth_codes(draw, eye_.view, eye_.settings.depth).nearest);
   }
 
-  void add(const Draw& draw) {
+  void add(const Draw& draw, const std::optional<PixelRect>& pixels) {
     const std::size_t triangles = draw.triangulation->triangles.size();
     const std::size_t set_up = kWorkOfTriangle * triangles;
-    if (draw.material->alpha_mode != AlphaMode::kOpaque || work() + set_up > most_work_ ||
-        triangles > 2 * cells_covered(draw)) {
+    if (triangles == 0 || draw.material->alpha_mode != AlphaMode::kOpaque ||
+        work() + set_up > most_work_ || triangles > 2 * most_cells(pixels.value_or(window_))) {
       return;
     }
     if (!cover_) cover_.emplace(window_, points_);
@@ -85,9 +84,8 @@ public:
 private:
   std::size_t work() const { return work_ + (cover_ ? cover_->work() : 0); }
 
-  // At most, by its box.
-  std::size_t cells_covered(const Draw& draw) const {
-    const PixelRect pixels = pixels_of_box(draw, eye_.view, margin_px_).value_or(window_);
+  // That something within `pixels` may cover.
+  std::size_t most_cells(const PixelRect& pixels) const {
     const PixelRect seen = intersect(pixels, window_);
     if (seen.empty()) return 0;
     return std::size_t((seen.x1 - seen.x0) / DepthCover::kCell) *
@@ -95,7 +93,6 @@ private:
   }
 
   const PlannedEye& eye_;
-  double margin_px_;
   PixelRect window_;
   std::vector<SampleOffset> points_;
   std::optional<DepthCover> cover_;  // made when something may hide something
@@ -111,13 +108,14 @@ std::vector<bool> find_hidden(const PlannedEye& eye, const Plan& plan, double ma
   if (plan.order.size() < 2) return hidden;
   std::size_t triangles = 0;
   for (const std::uint32_t i : plan.order) triangles += draws[i].triangulation->triangles.size();
-  HiddenDraws found(eye, margin_px, triangles);
+  HiddenDraws found(eye, triangles);
   for (std::size_t at = 0; at < std::min(plan.order.size(), kMostDraws); ++at) {
     const std::uint32_t i = plan.order[at];
     // Of lines it draws, not of surfaces.
     if (plan.methods[i].staged_because != nullptr) break;
-    hidden[i] = found.hides(draws[i]);
-    if (!hidden[i]) found.add(draws[i]);
+    const std::optional<PixelRect> pixels = pixels_of_box(draws[i], eye.view, margin_px);
+    hidden[i] = found.hides(draws[i], pixels);
+    if (!hidden[i]) found.add(draws[i], pixels);
   }
   return hidden;
 }

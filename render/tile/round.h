@@ -26,6 +26,7 @@ struct TileRun {
 
   int tiles_across() const { return (window.x1 + tile_side - 1) / tile_side; }
   int tiles_down() const { return (window.y1 + tile_side - 1) / tile_side; }
+  std::size_t tile_count() const { return tile_index(0, tiles_down()); }
   std::size_t tile_index(int x, int y) const {
     return std::size_t(y) * std::size_t(tiles_across()) + std::size_t(x);
   }

@@ -259,7 +259,7 @@ void list_large_triangles(Round& round) {
 // A tile of a scene of many draws looks at few of their chunks.
 void list_chunks_of_tiles(const TileRun& run, Round& round) {
   for (std::vector<std::uint32_t>& chunks : round.chunks_of_tile) chunks.clear();
-  round.chunks_of_tile.resize(run.tile_index(0, run.tiles_down()));
+  round.chunks_of_tile.resize(run.tile_count());
   for (std::uint32_t i = 0; i < round.chunk_count; ++i) {
     const Chunk& chunk = round.chunks[i];
     for (int y = chunk.tiles.y0; y < chunk.tiles.y1; ++y) {
@@ -294,13 +294,12 @@ void TileEngine::State::draw_tiles(const Pictures& pictures, std::span<const Til
   const TileRun& run = pictures.front().run();
   const int across = run.tiles_across();
   tbb::enumerable_thread_specific<std::array<Statistics, kMostEyes>> counts;
-  for_each(&TileReport::Thread::fragment_ms, run.tile_index(0, run.tiles_down()),
-           [&](std::size_t i) {
-             for (std::size_t eye = 0; eye < passes.size(); ++eye) {
-               draw_tile(passes[eye], int(i) % across, int(i) / across, memories.local(),
-                         counts.local()[eye]);
-             }
-           });
+  for_each(&TileReport::Thread::fragment_ms, run.tile_count(), [&](std::size_t i) {
+    for (std::size_t eye = 0; eye < passes.size(); ++eye) {
+      draw_tile(passes[eye], int(i) % across, int(i) / across, memories.local(),
+                counts.local()[eye]);
+    }
+  });
   for (const auto& part : counts) {
     for (std::size_t eye = 0; eye < passes.size(); ++eye) {
       add(part[eye], pictures[eye].statistics());

@@ -193,6 +193,7 @@ TEST_CASE(
     CHECK_FALSE(counted.at("left").contains("plan"));
     CHECK(counted.at("right").at("written").get<int>() > 0);
   }
+  CHECK(contains(here.run(pair + "anaglyph --stereo-cull centre").out, "which has no plan"));
   const Json cropped =
       Json::parse(here.run(pair + "anaglyph --eyes-by crop --analyze --json -").out);
   CHECK(cropped.at("right").at("vertices").get<int>() > 0);  // each by itself

@@ -37,12 +37,7 @@ void add_wall(Scene& scene, const std::array<double, 4>& x0_y0_x1_y1, double z,
       add_face(mesh, {index(i, j), index(i + 1, j), index(i + 1, j + 1), index(i, j + 1)});
     }
   }
-  mesh.material = std::uint32_t(scene.materials.size());
-  scene.materials.push_back(std::move(material));
-  scene.meshes.push_back(std::move(mesh));
-  scene.nodes.push_back({"wall", kNone, {}, {}});
-  scene.instances.push_back(
-      {std::uint32_t(scene.meshes.size() - 1), std::uint32_t(scene.nodes.size() - 1)});
+  add_object(scene, std::move(mesh), std::move(material));
 }
 
 constexpr std::array<double, 4> kWholeView{-4, -3, 4, 3};
@@ -93,7 +88,13 @@ TEST_CASE("explain says what is hidden, and where another eye sees it") {
   add_wall(scene, kWholeView, -4);
   const Decision hidden = decision(scene, view, "the whole draw");
   CHECK_FALSE(hidden.needed);
-  CHECK(hidden.because.find("nearer than any of its own") != std::string::npos);
+  const RenderSettings settings;
+  const Planned planned = plan_of(scene, view, settings);
+  const std::vector<Decision> picture =
+      decisions(planned.plan, PlannedEye{planned.list, view, settings});
+  REQUIRE(picture.front().stage == std::string("file order"));
+  CHECK_FALSE(picture.front().needed);  // there were two draws to compare
+  CHECK(hidden.because.find("as near as any of its own, or nearer") != std::string::npos);
 }
 
 TEST_CASE("what a wall does not hide is drawn") {

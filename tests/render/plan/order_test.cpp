@@ -24,12 +24,7 @@ void add_square(Scene& scene, double z, double slant, const Rgba& color) {
     mesh.positions.push_back({float(x) * size, float(y) * size, float(z + x * slant)});
   }
   add_face(mesh, {0, 1, 2, 3});
-  mesh.material = std::uint32_t(scene.materials.size());
-  scene.materials.push_back(std::move(material));
-  scene.meshes.push_back(std::move(mesh));
-  scene.nodes.push_back({"square", kNone, {}, {}});
-  scene.instances.push_back(
-      {std::uint32_t(scene.meshes.size() - 1), std::uint32_t(scene.nodes.size() - 1)});
+  add_object(scene, std::move(mesh), std::move(material));
 }
 
 Rgba color_of(int i) {

@@ -24,6 +24,16 @@ inline void place(Scene& scene, std::uint32_t mesh, const Vector<World, double>&
   scene.instances.push_back({mesh, std::uint32_t(scene.nodes.size() - 1)});
 }
 
+// One instance where it is modelled, with a material of its own.
+inline void add_object(Scene& scene, Mesh mesh, Material material) {
+  mesh.material = std::uint32_t(scene.materials.size());
+  scene.materials.push_back(std::move(material));
+  scene.nodes.push_back({"object", kNone, {}, {}});
+  scene.instances.push_back(
+      {std::uint32_t(scene.meshes.size()), std::uint32_t(scene.nodes.size() - 1)});
+  scene.meshes.push_back(std::move(mesh));
+}
+
 // A rough ball of radius 1 to 1.2, to be placed.
 inline Scene ball_to_place(Material material = {}, std::uint64_t seed = 1) {
   Random random(seed);
