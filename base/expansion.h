@@ -57,7 +57,7 @@ inline TwoTerms two_product(double a, double b) {
 // A number of at most `Capacity` terms; zero terms are left out, so zero has none.
 template <int Capacity>
 struct Expansion {
-  std::array<double, Capacity> terms;
+  std::array<double, std::size_t(Capacity)> terms;
   int count = 0;
 
   Expansion() {}  // leaves the unused terms uninitialised: some expansions are long

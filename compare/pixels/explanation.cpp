@@ -107,9 +107,9 @@ void score_row(const PicturePair& pair, const Hypothesis<Sample>& hypothesis, in
     const Sample* from = from_row && is_within(from_x, width)
                              ? from_row + std::ptrdiff_t(from_x) * channels
                              : nullptr;
-    if (from) score.misses += foretells(pair, hypothesis, from, test) ? 0 : 1;
+    if (from) score.misses += foretells(pair, hypothesis, from, test) ? 0u : 1u;
     if (!from || !is_within(to_x, width) || !is_within(to_y, height)) {
-      score.open += same_pixel(pair, reference, test) ? 0 : 1;
+      score.open += same_pixel(pair, reference, test) ? 0u : 1u;
     }
   }
 }

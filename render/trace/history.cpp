@@ -235,7 +235,7 @@ PixelHistory pixel_history(const Scene& scene, const TracedRun& run, int x, int 
     } else if (const auto miss = miss_of(triangle, x, y)) {
       history.misses.push_back({triangle.number, triangle.instance, triangle.face, *miss});
     } else {
-      history.without_area += has_no_area_at(triangle, x, y) ? 1 : 0;
+      history.without_area += has_no_area_at(triangle, x, y) ? 1u : 0u;
     }
   }
   std::sort(faces.begin(), faces.end());

@@ -237,7 +237,7 @@ void Ledger::finish() {
       FragmentTally& tally = entries_[layer.number].fragments;
       ++tally.visible;
       tally.unchanged += layer.unchanged ? 1 : 0;
-      tally.veiled += slot != tops_[pixel] ? 1 : 0;
+      tally.veiled += slot != tops_[pixel] ? 1u : 0u;
     }
   }
   details_.hidden_by = most_first(hidden_by_);

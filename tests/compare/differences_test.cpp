@@ -94,7 +94,7 @@ TEST_CASE("the differences of random pictures are those of a pixel-by-pixel comp
     int left = c.reference.width, top = c.reference.height, right = -1, bottom = -1;
     for (int y = 0; y < c.reference.height; ++y) {
       for (int x = 0; x < c.reference.width; ++x) {
-        compared += c.selection.compares(x, y) ? 1 : 0;
+        compared += c.selection.compares(x, y) ? 1u : 0u;
         const std::uint32_t steps = steps_at(c, x, y);
         if (steps == 0) continue;
         if (differing++ == 0) first = {x, y};

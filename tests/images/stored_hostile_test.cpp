@@ -386,7 +386,7 @@ TEST_CASE("16384 x 16384 grey pixels come back from a PNG") {
   std::size_t wrong = 0;
   for (int y = 0; y < kSide; ++y) {
     for (int x = 0; x < kSide; ++x) {
-      wrong += samples[std::size_t(y) * kSide + std::size_t(x)] != sample_at(x, y) ? 1 : 0;
+      wrong += samples[std::size_t(y) * kSide + std::size_t(x)] != sample_at(x, y) ? 1u : 0u;
     }
   }
   CHECK(wrong == 0);

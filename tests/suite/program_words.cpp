@@ -236,7 +236,7 @@ std::vector<Literal> literals_of(std::string_view source) {
       i = close + end.size() - 1;
     } else if (source[i] == '\'' && i > 0 &&
                std::isdigit(static_cast<unsigned char>(source[i - 1])) == 0) {
-      i += source.substr(i + 1).starts_with("\\") ? 3 : 2;
+      i += source.substr(i + 1).starts_with("\\") ? 3u : 2u;
     } else if (source[i] == '"') {
       Literal literal{"", i, 0};
       for (++i; i < source.size() && source[i] != '"'; ++i) {

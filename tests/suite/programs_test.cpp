@@ -162,7 +162,7 @@ TEST_CASE("every program that a source starts is in the table of programs") {
     // The examples here are made up.
     if (file == "tests/suite/words_test.cpp") continue;
     for (const std::string& word : words_of(file, text_of(kRoot / file))) {
-      found += programs.contains(word) ? 1 : 0;
+      found += programs.contains(word) ? 1u : 0u;
       CHECK(complaint(file, word, programs, !found_in_path(word).empty()) == "");
     }
   }

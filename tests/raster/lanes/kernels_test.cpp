@@ -107,7 +107,7 @@ TEST_CASE("vertices over lanes are where the scalar stages put them, and inside 
         const ScreenVertex expected = to_screen(divide(clip), view.viewport);
         const SnappedVertex at = snap(expected);
         const SnappedEntry entry{at.x, at.y, expected.position.z, expected.inverse_w};
-        wrong += same_bits(entry, screen[i]) ? 0 : 1;
+        wrong += same_bits(entry, screen[i]) ? 0u : 1u;
       }
       CHECK(wrong == 0);
       CHECK(unsure == 0);
@@ -152,12 +152,13 @@ TEST_CASE("normals and eye positions over lanes have the bits of the scalar stag
       kernels(target).transform_positions(position_job);
       std::size_t wrong = 0;
       for (std::size_t i = 0; i < normals.size(); ++i) {
-        wrong +=
-            same_bits(eye_normals[i], normalized(normal_job.eye_from_object * normals[i])) ? 0 : 1;
+        wrong += same_bits(eye_normals[i], normalized(normal_job.eye_from_object * normals[i]))
+                     ? 0u
+                     : 1u;
         const Vector<Object>& anchor = position_job.anchor;
         const Point<Object> p{positions[i].x - anchor.x, positions[i].y - anchor.y,
                               positions[i].z - anchor.z};
-        wrong += same_bits(eye_positions[i], position_job.eye_from_anchored * p) ? 0 : 1;
+        wrong += same_bits(eye_positions[i], position_job.eye_from_anchored * p) ? 0u : 1u;
       }
       CHECK(wrong == 0);
     }

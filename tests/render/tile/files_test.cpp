@@ -79,7 +79,7 @@ TEST_CASE("the tile engine draws the fuzzers' files as the staged reference does
       const Result<Scene> scene = file.extension() == ".obj"
                                       ? load_scene(file.string(), test_limits())
                                       : load_gltf(file.string(), test_limits());
-      drawn += check_scene(scene, number++) ? 1 : 0;
+      drawn += check_scene(scene, number++) ? 1u : 0u;
     }
   }
   CHECK(drawn > 20);
@@ -93,7 +93,7 @@ TEST_CASE("the tile engine draws real and malformed files as the staged referenc
     for (const fs::path& file : scene_files(assets / folder)) {
       if (file.extension().empty()) continue;
       INFO(file.string());
-      drawn += check_scene(load_scene(file.string(), test_limits()), number++) ? 1 : 0;
+      drawn += check_scene(load_scene(file.string(), test_limits()), number++) ? 1u : 0u;
     }
   }
   CHECK(number > 0);
