@@ -2,6 +2,7 @@
 // the current OpenGL context. OSMesa gives one without a display.
 #include <tests/pipeline/cameras.h>
 #include <tests/support/catch.h>
+#include <tests/support/mesa_leaks.h>
 
 #include <GL/osmesa.h>
 
@@ -15,12 +16,6 @@
 #include <glassbox/pipeline/dialects.h>
 #include <glassbox/pipeline/look_at.h>
 #include <glassbox/pipeline/projection.h>
-
-// OSMesa keeps what OSMesaMakeCurrent allocates (640 bytes) after the context is destroyed; that leak is not ours.
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() {
-  return "leak:libOSMesa.so\n";
-}
 
 namespace glassbox {
 namespace {

@@ -1,5 +1,6 @@
 // The OpenGL peer draws what the engines draw, and its comparison sees where it does not.
 #include <tests/support/catch.h>
+#include <tests/support/mesa_leaks.h>
 #include <tests/support/skip.h>
 
 #include <functional>
