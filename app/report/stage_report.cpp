@@ -33,8 +33,15 @@ std::string stage_table(const Statistics& s, EngineKind engine) {
   std::string text = fmt::format("  {:<26}{:>12} {:>12}\n", "stage", "in", "out");
   text += row("triangles of the mesh", s.triangles, modelled,
               s.degenerate ? grouped(s.degenerate) + " without area" : "");
-  if (s.left_out > 0) {
-    text += row("whole draws", modelled, drawable, grouped(s.left_out) + " left out by the plan");
+  const std::uint64_t in_draws = s.left_out - s.left_out_in_clusters;
+  if (in_draws > 0) {
+    text += row("whole draws", modelled, modelled - in_draws,
+                grouped(in_draws) + " left out by the plan");
+  }
+  if (s.clusters > 0) {
+    text += row("clusters", modelled - in_draws, drawable,
+                fmt::format("of {} asked, {} outside and {} turned away", grouped(s.clusters),
+                            grouped(s.clusters_outside), grouped(s.clusters_turned_away)));
   }
   const std::uint64_t vertices = s.vertices + s.moved_in_x;
   text += row("object -> clip space", vertices, vertices,
@@ -84,6 +91,10 @@ nlohmann::ordered_json to_json(const Statistics& s) {
           {"triangles", s.triangles},
           {"degenerate", s.degenerate},
           {"left_out", s.left_out},
+          {"clusters", s.clusters},
+          {"clusters_outside", s.clusters_outside},
+          {"clusters_turned_away", s.clusters_turned_away},
+          {"left_out_in_clusters", s.left_out_in_clusters},
           {"plane_tests", s.plane_tests},
           {"normals", s.normals},
           {"eye_positions", s.eye_positions},

@@ -76,11 +76,23 @@ double permanent_3(const glm::dmat4& sizes) {
          term(2, 1, 0);
 }
 
-// The exact determinant of the rows x, y, w is then right to 2^-29.
+Vector<Object, double> row_of(const glm::dmat4& m, int row) {
+  return {m[0][row], m[1][row], m[2][row]};
+}
+
+// What the screen makes of areas is then right to 2^-29: by the determinant of the rows x, y, w, in a parallel view by the cross
+// product of the rows x and y.
 bool is_far_from_singular(const Draw& draw, const View& view) {
   const glm::dmat4& p = view.clip_from_eye.columns;
   const glm::dmat4& e = draw.eye_from_object.columns;
-  return std::abs(determinant_3(p * e)) > 0x1p-20 * permanent_3(sizes_of(p) * sizes_of(e));
+  const glm::dmat4 product = p * e, sizes = sizes_of(p) * sizes_of(e);
+  constexpr double kShare = 0x1p-20;
+  if (view.perspective) return std::abs(determinant_3(product)) > kShare * permanent_3(sizes);
+  const Vector<Object, double> area = cross(row_of(product, kX), row_of(product, kY));
+  const Vector<Object, double> x = row_of(sizes, kX), y = row_of(sizes, kY);
+  const Vector<Object, double> size{x.y * y.z + x.z * y.y, x.z * y.x + x.x * y.z,
+                                    x.x * y.y + x.y * y.x};
+  return dot(area, area) > kShare * kShare * dot(size, size);
 }
 
 // The three rows. Errors: what the run's one float matrix differs by from the exact product of the two in double, and the four
@@ -132,21 +144,78 @@ std::array<double, 3> farthest_from_anchor(const std::array<Point<Object>, 3>& t
   return farthest;
 }
 
-// The corners along one axis of the screen.
+// Corners along one axis of the screen.
 struct Extent {
-  double length_px = 0;  // from the first corner to the last
+  double length_px = 0;  // at most: from the first corner to the last
   // What a corner may be away from where the exact map has it, once snapped.
   double displacement_px = 0;
 };
+
+// What corners within `reach` half screens of the centre may be displaced by, at a distance of `nearest` or more: the snap; three
+// roundings of divide and viewport; the float transform.
+double displacement_px(double reach, double error, double error_w, double nearest,
+                       double half_side_px) {
+  return 0.5 / kSubpixels + gamma<float>(3) * half_side_px * (reach + 2) +
+         half_side_px * (error + reach * error_w) / nearest;
+}
 
 Extent extent_of(const std::array<double, 3>& over_w, double error, double error_w, double nearest,
                  double half_side_px) {
   const auto [low, high] = std::minmax({over_w[0], over_w[1], over_w[2]});
   const double reach = std::max(std::abs(low), std::abs(high)) + error / nearest;
-  // The snap; three roundings of divide and viewport; the float transform.
-  const double displacement = 0.5 / kSubpixels + gamma<float>(3) * half_side_px * (reach + 2) +
-                              half_side_px * (error + reach * error_w) / nearest;
+  const double displacement = displacement_px(reach, error, error_w, nearest, half_side_px);
   return {half_side_px * (high - low) + 2 * displacement, displacement};
+}
+
+// The margin of the test's value (snapping_margin).
+double margin_of(const ObjectCull& cull, const Extent& across, const Extent& down,
+                 double largest_w) {
+  const double s = std::max(across.displacement_px, down.displacement_px);
+  const double edge_px = std::max(across.length_px, down.length_px);
+  return cull.value_per_px2 * (8 * s * edge_px + 8 * s * s) * (largest_w * largest_w * largest_w) *
+         (1 + 0x1p-20);
+}
+
+// ---- a cluster ----
+
+double sum_of_sizes(const Vector<Object, double>& v) {
+  return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+}
+
+// How far each triangle's plane has the viewer behind it, or with `fronts` before it, at least; for a parallel view, the cosine by
+// which the gaze comes from behind, or from before. The point along the axis stands for all planes, and (g . u) is least for a u on
+// the cone's surface, turned away from g. 2^-20 of |g| is more than the axis is off by, rounded to float.
+double least_behind(const Cluster& cluster, const ObjectViewer& viewer, bool fronts) {
+  const Vector<Object, double> axis = axis_of(cluster);
+  Vector<Object, double> g = viewer.eye_or_gaze;
+  if (viewer.perspective) {
+    const double along = fronts ? cluster.along_fronts : cluster.along_backs;
+    const Point<Object, double> centre = centre_of(cluster);
+    g = Vector<Object, double>{centre.x, centre.y, centre.z} + axis * along - g;
+  }
+  if (fronts) g = -g;
+  const double ahead = dot(g, axis);
+  if (!(ahead > 0)) return 0;
+  const Vector<Object, double> aside = g - axis * ahead;
+  const double cosine = cluster.cosine, sine = std::sqrt(1 - cosine * cosine);
+  return ahead * cosine - std::sqrt(dot(aside, aside)) * sine - 0x1p-20 * sum_of_sizes(g) -
+         sum_of_sizes(viewer.error);
+}
+
+// Over a box around `centre`, along one row: the value in the middle, and how far others may be from it.
+struct Spread {
+  double middle = 0, reach = 0;
+  double largest() const { return std::abs(middle) + reach; }
+};
+Spread spread_of(const ObjectCull::Row& row, const Point<Object, double>& centre,
+                 const Vector<Object, double>& half) {
+  const auto& m = row.exact;
+  return {m[0] * centre.x + m[1] * centre.y + m[2] * centre.z + m[3],
+          std::abs(m[0]) * half.x + std::abs(m[1]) * half.y + std::abs(m[2]) * half.z};
+}
+
+double slope_of(const ObjectCull::Row& row) {
+  return std::hypot(row.exact[0], row.exact[1], row.exact[2]);
 }
 
 }  // namespace
@@ -171,18 +240,46 @@ ObjectCull::Judgement ObjectCull::judge(const std::array<Point<Object>, 3>& tria
   if (!(nearest > 0)) return judged;
   const Extent across = extent_of(xs, error_of(x, farthest), error_w, nearest, half_width_px);
   const Extent down = extent_of(ys, error_of(y, farthest), error_w, nearest, half_height_px);
-  const double s = std::max(across.displacement_px, down.displacement_px);
-  const double edge_px = std::max(across.length_px, down.length_px);
-  judged.margin = value_per_px2 * (8 * s * edge_px + 8 * s * s) *
-                  (largest_w * largest_w * largest_w) * (1 + 0x1p-20);
+  judged.margin = margin_of(*this, across, down, largest_w);
   judged.removed = certainly_back(test, judged.margin);
   return judged;
 }
 
+bool ObjectCull::removes_all(const Cluster& cluster) const {
+  if (cluster.cosine == 0) return false;
+  const double behind = least_behind(cluster, viewer, removes_fronts);
+  if (!(behind > 0)) return false;
+
+  const Point<Object, double> centre = centre_of(cluster);
+  const Vector<Object, double> half = half_size_of(cluster);
+  const std::array<double, 3> farthest{std::abs(centre.x - double(anchor.x)) + half.x,
+                                       std::abs(centre.y - double(anchor.y)) + half.y,
+                                       std::abs(centre.z - double(anchor.z)) + half.z};
+  const Spread ws = spread_of(w, centre, half);
+  const double error_w = error_of(w, farthest);
+  const double nearest = ws.middle - ws.reach - 2 * error_w;
+  if (!(nearest > 0)) return false;
+  // An edge d moves x / w by (row x . d - (x / w) row w . d) / w.
+  const auto extent = [&](const Row& row, double half_side_px) {
+    const double error = error_of(row, farthest);
+    const double reach = (spread_of(row, centre, half).largest() + error) / nearest;
+    const double displaced = displacement_px(reach, error, error_w, nearest, half_side_px);
+    const double slope = slope_of(row) + reach * slope_of(w);
+    return Extent{half_side_px * cluster.longest_edge * slope / nearest + 2 * displaced, displaced};
+  };
+  const double margin = margin_of(*this, extent(x, half_width_px), extent(y, half_height_px),
+                                  ws.middle + ws.reach + error_w);
+  return behind * cluster.least_newell > margin * (1 + 0x1p-20);
+}
+
 ObjectCulling object_culling(const Draw& draw, const View& view, const RenderSettings& settings) {
   if (settings.cull_stage == CullStage::kScreen) return {{}, "nobody asked for it"};
-  const bool fronts = is_culled(draw, settings.cull, true);
-  if (!fronts && !is_culled(draw, settings.cull, false))
+  return certain_culling(draw, view, settings.cull);
+}
+
+ObjectCulling certain_culling(const Draw& draw, const View& view, Cull cull_mode) {
+  const bool fronts = is_culled(draw, cull_mode, true);
+  if (!fronts && !is_culled(draw, cull_mode, false))
     return {{}, "both sides of its faces are drawn"};
   if (!draw.prepared->all_finite || draw.prepared->bounds.empty()) {
     return {{}, "a position is not finite, or there is none"};

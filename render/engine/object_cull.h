@@ -11,6 +11,7 @@
 
 #include <glassbox/pipeline/back_face.h>
 #include <glassbox/pipeline/view.h>
+#include <glassbox/render/engine/clusters.h>
 #include <glassbox/render/engine/draw_list.h>
 #include <glassbox/render/engine/settings.h>
 
@@ -44,6 +45,9 @@ struct ObjectCull {
   bool removes(const std::array<Point<Object>, 3>& triangle) const {
     return judge(triangle).removed;
   }
+
+  // Each triangle of a cluster at once, by the cone of their normals and the box; what was said of planes holds here, too.
+  bool removes_all(const Cluster& cluster) const;
 };
 
 // What --cull-stage object does for a draw.
@@ -52,5 +56,8 @@ struct ObjectCulling {
   const char* because = "";        // why there is a test, or none
 };
 ObjectCulling object_culling(const Draw& draw, const View& view, const RenderSettings& settings);
+
+// The same, asked for or not.
+ObjectCulling certain_culling(const Draw& draw, const View& view, Cull cull);
 
 }  // namespace glassbox

@@ -73,6 +73,9 @@ PreparedScene prepare(const Scene& scene, Transfer transfer) {
       made.all_finite =
           made.all_finite && std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
     });
+    if (made.all_finite) {
+      made.clusters = make_clusters(mesh, made.indices.positions, made.indices.normals);
+    }
   }
   for (const Texture& texture : scene.textures) {
     prepared.textures.push_back(std::make_unique<LazyMipChain>(

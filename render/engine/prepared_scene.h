@@ -9,6 +9,7 @@
 #include <glassbox/mesh/scene.h>
 #include <glassbox/mesh/triangulate.h>
 #include <glassbox/raster/texture.h>
+#include <glassbox/render/engine/clusters.h>
 
 namespace glassbox {
 
@@ -29,6 +30,7 @@ struct PreparedMesh {
   Triangulation triangulation;
   Box<Object> bounds;
   CornerIndices indices;
+  Clusters clusters;  // none where a position is not finite
   bool all_have_normals = false;
   bool all_finite = true;  // the positions that are drawn: no vertex is lost from `bounds`
 };

@@ -10,9 +10,14 @@ struct Statistics {
   std::uint64_t instances = 0;
   std::uint64_t triangles = 0;   // numbered: those without area included
   std::uint64_t degenerate = 0;  // without area as modelled: never drawn
-  std::uint64_t left_out = 0;    // of draws that the plan leaves out: no stage sees them
-  std::uint64_t lines = 0;       // wireframe edges are not counted here
+  std::uint64_t left_out =
+      0;  // of draws, and of clusters, that the plan leaves out: no stage sees them
+  std::uint64_t lines = 0;  // wireframe edges are not counted here
   std::uint64_t points = 0;
+
+  // Clusters of triangles that were asked about together (render/plan/cluster_test.h).
+  std::uint64_t clusters = 0, clusters_outside = 0, clusters_turned_away = 0;
+  std::uint64_t left_out_in_clusters = 0;  // triangles of the last two, among those left out
 
   // Vertex stage.
   std::uint64_t vertices = 0;       // positions carried to clip space

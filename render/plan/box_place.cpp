@@ -5,21 +5,9 @@
 #include <limits>
 #include <span>
 
-#include <glassbox/pipeline/clip.h>
-
 namespace glassbox {
 
 namespace {
-
-// The edges of the picture, moved outwards. In front of the eye |x| > (1 + 2 margin / W) w is more than `margin` pixels beyond.
-std::array<ClipPlane, 4> picture_edges(const Viewport& viewport, double margin_px) {
-  const double x = 1 + 2 * margin_px / std::abs(double(viewport.width()));
-  const double y = 1 + 2 * margin_px / std::abs(double(viewport.height()));
-  return {{{1, 0, 0, x, 0, "left edge"},
-           {-1, 0, 0, x, 0, "right edge"},
-           {0, 1, 0, y, 0, "bottom edge"},
-           {0, -1, 0, y, 0, "top edge"}}};
-}
 
 // The least and the greatest distance of the box's corners from a plane.
 struct Distances {
@@ -47,6 +35,15 @@ Distances distances_from(const ClipPlane& plane, const Box<Object>& box,
 }
 
 }  // namespace
+
+std::array<ClipPlane, 4> picture_edges(const Viewport& viewport, double margin_px) {
+  const double x = 1 + 2 * margin_px / std::abs(double(viewport.width()));
+  const double y = 1 + 2 * margin_px / std::abs(double(viewport.height()));
+  return {{{1, 0, 0, x, 0, "left edge"},
+           {-1, 0, 0, x, 0, "right edge"},
+           {0, 1, 0, y, 0, "bottom edge"},
+           {0, -1, 0, y, 0, "top edge"}}};
+}
 
 Box<Object> anchored_box(const Draw& draw) {
   Box<Object> box = draw.prepared->bounds;

@@ -1,6 +1,9 @@
 // Where all of a draw lies, from its box alone: what may be left out for a whole object at once.
 #pragma once
 
+#include <array>
+
+#include <glassbox/pipeline/clip.h>
 #include <glassbox/pipeline/view.h>
 #include <glassbox/render/engine/draw_list.h>
 
@@ -19,6 +22,9 @@ struct BoxPlace {
 // not contain and are snapped by 2^-9 px; lines colour pixels up to one away from them; and the roundings of divide and
 // viewport add at most 3 u 16384 px < 0.003 px.
 inline constexpr double kOutsideMarginPx = 2;
+
+// The edges of the picture, moved outwards. In front of the eye |x| > (1 + 2 margin / W) w is more than `margin_px` pixels beyond.
+std::array<ClipPlane, 4> picture_edges(const Viewport& viewport, double margin_px);
 
 // The rounding of the vertices is taken into account (classify_box of clip.h). A mesh with a position that is not finite lies
 // nowhere.

@@ -60,6 +60,25 @@ Decision whole_object(const Subject& s) {
   return needed(kStage, s.plan.leaves_out ? "the other eye may see it" : kNoPlan, numbers);
 }
 
+// Of meshes that have clusters.
+Decision clusters(const Subject& s) {
+  constexpr const char* kStage = "triangles out of sight";
+  const std::string numbers = in_all("clusters", s.draw.prepared->clusters.clusters.size());
+  if (s.method.clusters) {
+    return left_out(kStage,
+                    "those of a cluster of 64 go before their vertices where its box lies beyond a "
+                    "plane, or the cone of its normals turns away by more than snapping and float "
+                    "can turn back",
+                    numbers);
+  }
+  return needed(kStage,
+                !s.plan.leaves_out                   ? kNoPlan
+                : s.method.staged_because != nullptr ? "the staged stages ask each by itself"
+                                                     : "lines or points share their vertices, or "
+                                                       "a coordinate may overflow",
+                numbers);
+}
+
 Decision duplicate_vertices(const Subject& s) {
   constexpr const char* kStage = "repeated vertices";
   const std::size_t corners = s.draw.prepared->indices.positions.size();
@@ -253,6 +272,7 @@ std::vector<Decision> decisions(const Plan& plan, const PlannedEye& eye, std::si
                             mip_selection(s), light(s),
                             highlights(s),    emission(s),
                             blending(s)};
+  if (!s.draw.prepared->clusters.clusters.empty()) all.insert(all.begin() + 1, clusters(s));
   if (eye.settings.cull_stage == CullStage::kObject) all.push_back(early_culling(s));
   return all;
 }

@@ -1,6 +1,8 @@
 #include <glassbox/render/plan/draw_method.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include <glassbox/render/staged/vertex_stage.h>
 
@@ -23,6 +25,22 @@ bool shines(const Material& material) {
 
 bool depends_on_place(const EyeLight& light) {
   return light.kind != LightKind::kDirectional;
+}
+
+// Corners of lines and points belong to no cluster; and what rounds is known where no coordinate overflows.
+bool may_ask_clusters(const Draw& draw) {
+  const Box<Object> box = anchored_box(draw);
+  double largest = 0;
+  for (int row = 0; row < 4; ++row) {
+    const auto term = [&](int k, double low, double high) {
+      return std::abs(double(draw.clip_from_anchored.at(row, k))) *
+             std::max(std::abs(low), std::abs(high));
+    };
+    largest = std::max(largest, term(0, box.low.x, box.high.x) + term(1, box.low.y, box.high.y) +
+                                    term(2, box.low.z, box.high.z) + term(3, 1, 1));
+  }
+  return !draw.prepared->clusters.clusters.empty() && draw.mesh->lines.empty() &&
+         draw.mesh->points.empty() && largest <= double(std::numeric_limits<float>::max()) / 2;
 }
 
 // w is the fourth coordinate of (0, 0, 0, 1) * position: exactly 1.
@@ -55,6 +73,8 @@ DrawMethod choose_method(const Draw& draw, const Lighting& lighting, const View&
   DrawMethod method;
   method.staged_because = why_staged(settings);
   choose_vertex_stages(draw, view, leave_out, method);
+
+  method.clusters = leave_out && method.staged_because == nullptr && may_ask_clusters(draw);
 
   method.keep_front = !is_culled(draw, settings.cull, true);
   method.keep_back = !is_culled(draw, settings.cull, false);

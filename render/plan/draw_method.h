@@ -15,6 +15,9 @@ struct DrawMethod {
   // Null: triangles are set up over lanes where they are small. Otherwise why each is made ready by the staged primitives.
   const char* large_because = nullptr;
 
+  // Runs of triangles are asked whether this eye sees any of them, before their vertices (cluster_test.h).
+  bool clusters = false;
+
   // ---- vertices ----
   BoxPlace place;           // of all of them: the proof of the next two
   bool hidden = false;      // all of it lies behind draws before it

@@ -10,6 +10,7 @@
 #include <glassbox/render/staged/reference.h>
 #include <glassbox/render/staged/watch.h>
 #include <glassbox/render/tile/round.h>
+#include <glassbox/render/tile/runs.h>
 
 namespace glassbox {
 
@@ -118,15 +119,15 @@ LargeTriangle large_triangle(const TileRun& run, const DrawSlot& slot, const Rea
   return large;
 }
 
-// Which of the chunk's triangles go on to be selected: all but those that are turned away for certain. Those that are made
-// ready one by one are asked there: all of a draw that says so, and those that clipping has to look at.
-const std::int32_t* cull_early(const PrimitiveStage& stage, const DrawSlot& slot, Chunk& chunk) {
+// Which of `count` triangles go on to be selected: all but those that are turned away for certain. Those that are made ready one by
+// one are asked there: all of a draw that says so, and those that clipping has to look at.
+const std::int32_t* cull_early(const PrimitiveStage& stage, const DrawSlot& slot,
+                               std::uint32_t first, std::uint32_t count, Chunk& chunk) {
   if (!stage.object_cull) return nullptr;
   const Draw& draw = stage.draw;
-  const std::uint32_t* indices =
-      draw.prepared->indices.positions.data() + std::size_t(chunk.first) * 3;
-  std::int32_t* keep = at_least(chunk.keep, chunk.count + kMostLanes);
-  for (std::uint32_t i = 0; i < chunk.count; ++i, indices += 3) {
+  const std::uint32_t* indices = draw.prepared->indices.positions.data() + std::size_t(first) * 3;
+  std::int32_t* keep = at_least(chunk.keep, count + kMostLanes);
+  for (std::uint32_t i = 0; i < count; ++i, indices += 3) {
     const auto needs_clipping = [&](int k) { return slot.screen[indices[k]].x == kNeedsClipping; };
     const auto position = [&](int k) { return draw.mesh->positions[indices[k]]; };
     const bool uncut = !needs_clipping(0) && !needs_clipping(1) && !needs_clipping(2);
@@ -134,6 +135,16 @@ const std::int32_t* cull_early(const PrimitiveStage& stage, const DrawSlot& slot
     chunk.statistics.culled_early += keep[i] == 0;
   }
   return keep;
+}
+
+// The triangles of the clusters that are drawn, where the draw has any.
+template <class Visit>
+void for_each_drawn(const DrawSlot& slot, const Chunk& chunk, const Visit& visit) {
+  const auto is_drawn = [&](std::size_t cluster) {
+    return slot.verdicts[cluster] == ClusterVerdict::kDrawn;
+  };
+  if (slot.verdicts.empty()) return visit(chunk.first, chunk.count);
+  for_each_run(chunk.first, chunk.count, kClusterTriangles, is_drawn, visit);
 }
 
 // The entries of the bins: the small triangles, and in their places what came of the large ones.
@@ -144,8 +155,6 @@ std::span<const BinEntry> fill_from_lanes(const TileRun& run, const Kernels& ker
   SelectJob job;
   job.positions = draw.prepared->indices.positions.data();
   job.screen = slot.screen;
-  job.first = chunk.first;
-  job.count = chunk.count;
   job.mirrored = draw.mirrored;
   job.keep_front = method.keep_front;
   job.keep_back = method.keep_back;
@@ -155,11 +164,16 @@ std::span<const BinEntry> fill_from_lanes(const TileRun& run, const Kernels& ker
   job.tile_shift = std::countr_zero(unsigned(run.tile_side));
 
   const PrimitiveStage stage = primitive_stage(run, slot);
-  if (!job.all_large) job.keep = cull_early(stage, slot, chunk);
-
   SelectCounts counts;
   BinEntry* selected = at_least(chunk.selected, chunk.count + kMostLanes);
-  const std::span found(selected, kernels.select_triangles(job, selected, counts));
+  std::size_t kept = 0;
+  for_each_drawn(slot, chunk, [&](std::size_t first, std::size_t count) {
+    job.first = std::uint32_t(first);
+    job.count = std::uint32_t(count);
+    if (!job.all_large) job.keep = cull_early(stage, slot, job.first, job.count, chunk);
+    kept += kernels.select_triangles(job, selected + kept, counts);
+  });
+  const std::span found(selected, kept);
   Statistics& s = chunk.statistics;
   s.after_clipping += counts.small;
   s.zero_area += counts.zero_area;

@@ -8,6 +8,7 @@
 
 #include <glassbox/raster/lanes/kernels.h>
 #include <glassbox/render/engine/draw_list.h>
+#include <glassbox/render/plan/cluster_test.h>
 #include <glassbox/render/plan/draw_method.h>
 #include <glassbox/render/staged/ready.h>
 #include <glassbox/render/staged/vertex_stage.h>
@@ -44,6 +45,9 @@ struct VertexTables {
   std::vector<SnappedEntry> screen;
   std::vector<Normal<Eye>> normals;  // of vertices, then of faces, draw by draw
   std::vector<Point<Eye>> eye_positions;
+
+  std::vector<ClusterVerdict> verdicts;
+  std::vector<std::uint8_t> needed;
 };
 
 // Where a draw's entries of the tables begin.
@@ -53,6 +57,16 @@ struct DrawSlot {
   Reference first_reference = kReferenceStep;
   SnappedEntry* screen = nullptr;
   EyeSpace eye_space;
+
+  std::span<ClusterVerdict> verdicts;  // of the mesh's clusters; empty: all are drawn
+  // Of the blocks of the mesh's tables: 0 where no eye draws anything of one. Empty: all are needed.
+  std::span<const std::uint8_t> needed_positions, needed_normals;
+};
+
+// Some clusters of one draw.
+struct ClusterTask {
+  std::uint32_t slot = 0, test = 0;  // indices into the round's
+  std::size_t first = 0, count = 0;
 };
 
 // ---- bins ----
@@ -96,6 +110,8 @@ struct Chunk {
 struct Round {
   VertexTables tables;
   std::vector<DrawSlot> slots;
+  std::vector<ClusterTest> cluster_tests;
+  std::vector<ClusterTask> cluster_tasks;
   std::vector<Chunk> chunks;
   std::size_t chunk_count = 0;              // those in use
   std::vector<const LargeTriangle*> large;  // by Chunk::first_large and index
@@ -105,14 +121,21 @@ struct Round {
 
 // ---- the work, in the order in which it is done ----
 
+// Lists the clusters of the round that are asked about, by one eye.
+void begin_clusters(const TileRun& run, Round& round);
+void judge_clusters(const TileRun& run, const Round& round, const ClusterTask& task);
+void count_clusters(const TileRun& run, const Round& round, Statistics& statistics);
+// Which vertices some eye needs: in the first one's slots.
+void find_needed_vertices(const TileRun& run, std::span<Round> rounds);
+
 // The second eye of a pair.
 struct OtherEye {
   const TileRun& run;
   const DrawSlot& slot;
 };
 
-// Fills the tables from positions first .. first + count - 1, normals likewise, of one draw. `other` is null for one eye; for two,
-// what they share is computed once.
+// Fills the tables from positions first .. first + count - 1, normals likewise, of one draw, where they are needed. `other` is null
+// for one eye; for two, what they share is computed once.
 void transform_positions(const TileRun& run, const Kernels& kernels, const DrawSlot& slot,
                          const OtherEye* other, VertexTables& tables, std::size_t first,
                          std::size_t count);

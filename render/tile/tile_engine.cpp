@@ -101,6 +101,7 @@ struct TileEngine::State {
 
   // Slots for draws from `first` on, as many as a round takes; returns the one after the last.
   std::size_t begin_round(const Pictures& pictures, std::size_t first);
+  void test_clusters(const Pictures& pictures);
   void transform_vertices(const Pictures& pictures);
   void fill_chunks(const Pictures& pictures);
   void draw_tiles(const Pictures& pictures, std::span<const TilePass> passes);
@@ -172,6 +173,30 @@ std::size_t TileEngine::State::begin_round(const Pictures& pictures, std::size_t
   return end;
 }
 
+void TileEngine::State::test_clusters(const Pictures& pictures) {
+  for (std::size_t eye = 0; eye < pictures.size(); ++eye) {
+    const TileRun& run = pictures[eye].run();
+    Round& round = rounds[eye];
+    begin_clusters(run, round);
+    for_each(&TileReport::Thread::vertex_ms, round.cluster_tasks.size(),
+             [&](std::size_t i) { judge_clusters(run, round, round.cluster_tasks[i]); });
+    count_clusters(run, round, pictures[eye].statistics());
+  }
+  find_needed_vertices(pictures.front().run(), std::span(rounds).first(pictures.size()));
+}
+
+namespace {
+
+// How many entries of a table are carried over.
+std::size_t count_needed(std::span<const std::uint8_t> needed, std::size_t table_size) {
+  if (needed.empty()) return table_size;
+  const auto blocks = std::size_t(std::ranges::count(needed, std::uint8_t(1)));
+  const std::size_t beyond = needed.size() * kTableBlock - table_size;  // of the last block
+  return blocks * kTableBlock - (needed.back() != 0 ? beyond : 0);
+}
+
+}  // namespace
+
 void TileEngine::State::transform_vertices(const Pictures& pictures) {
   const TileRun& run = pictures.front().run();
   Round& round = rounds.front();
@@ -183,19 +208,22 @@ void TileEngine::State::transform_vertices(const Pictures& pictures) {
   };
   for (std::uint32_t i = 0; i < round.slots.size(); ++i) {
     const DrawSlot& slot = round.slots[i];
-    const std::size_t positions = run.list.draws[slot.draw].mesh->positions.size();
+    const Draw& draw = run.list.draws[slot.draw];
+    const std::size_t positions = count_needed(slot.needed_positions, draw.mesh->positions.size());
+    const std::size_t normals = slot.eye_space.normals.size();
     Statistics& statistics = pictures.front().statistics();
     statistics.vertices += positions;
-    statistics.normals += slot.eye_space.normals.size() + slot.eye_space.face_normals.size();
-    statistics.eye_positions += slot.eye_space.positions.size();
+    if (normals > 0) statistics.normals += count_needed(slot.needed_normals, normals);
+    statistics.normals += slot.eye_space.face_normals.size();
+    if (!slot.eye_space.positions.empty()) statistics.eye_positions += positions;
     if (pictures.size() > 1) pictures.back().statistics().moved_in_x += positions;
     for (const TilePicture& picture : pictures) {
       if (picture.run().methods[slot.draw].test_planes) {
         picture.statistics().plane_tests += positions;
       }
     }
-    add_tasks(VertexTask::Kind::kPositions, i, positions);
-    add_tasks(VertexTask::Kind::kNormals, i, slot.eye_space.normals.size());
+    add_tasks(VertexTask::Kind::kPositions, i, draw.mesh->positions.size());
+    add_tasks(VertexTask::Kind::kNormals, i, normals);
     if (!slot.eye_space.face_normals.empty()) {
       vertex_tasks.push_back({VertexTask::Kind::kFaceNormals, i, 0, 0});
     }
@@ -379,6 +407,7 @@ void TileEngine::render(const Scene& scene, const PreparedScene& prepared,
     }
     {
       const Stopwatch watch(shared.vertex_ms);
+      s.test_clusters(pictures);
       s.transform_vertices(pictures);
     }
     {

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include <glassbox/render/tile/round.h>
+#include <glassbox/render/tile/runs.h>
 
 namespace glassbox {
 
@@ -28,11 +29,9 @@ VertexJob vertex_job(const TileRun& run, std::uint32_t index) {
   return job;
 }
 
-}  // namespace
-
-void transform_positions(const TileRun& run, const Kernels& kernels, const DrawSlot& slot,
-                         const OtherEye* other, VertexTables& tables, std::size_t first,
-                         std::size_t count) {
+void transform_neighbours(const TileRun& run, const Kernels& kernels, const DrawSlot& slot,
+                          const OtherEye* other, VertexTables& tables, std::size_t first,
+                          std::size_t count) {
   const Draw& draw = run.list.draws[slot.draw];
   VertexJob job = vertex_job(run, slot.draw);
   job.positions = std::span(draw.mesh->positions).subspan(first, count);
@@ -49,12 +48,33 @@ void transform_positions(const TileRun& run, const Kernels& kernels, const DrawS
   }
 }
 
+// `needed`: of blocks of the table; empty: all are.
+template <class Visit>
+void for_each_needed(std::span<const std::uint8_t> needed, std::size_t first, std::size_t count,
+                     const Visit& visit) {
+  const auto is_needed = [&](std::size_t block) { return needed[block] != 0; };
+  if (needed.empty()) return visit(first, count);
+  for_each_run(first, count, kTableBlock, is_needed, visit);
+}
+
+}  // namespace
+
+void transform_positions(const TileRun& run, const Kernels& kernels, const DrawSlot& slot,
+                         const OtherEye* other, VertexTables& tables, std::size_t first,
+                         std::size_t count) {
+  for_each_needed(slot.needed_positions, first, count, [&](std::size_t begin, std::size_t size) {
+    transform_neighbours(run, kernels, slot, other, tables, begin, size);
+  });
+}
+
 void transform_normals(const TileRun& run, const Kernels& kernels, const DrawSlot& slot,
                        VertexTables& tables, std::size_t first, std::size_t count) {
   const Draw& draw = run.list.draws[slot.draw];
-  kernels.transform_normals({std::span(draw.mesh->normals).subspan(first, count),
-                             draw.eye_normal_from_object,
-                             tables.normals.data() + slot.first_normal + first});
+  for_each_needed(slot.needed_normals, first, count, [&](std::size_t begin, std::size_t size) {
+    kernels.transform_normals({std::span(draw.mesh->normals).subspan(begin, size),
+                               draw.eye_normal_from_object,
+                               tables.normals.data() + slot.first_normal + begin});
+  });
 }
 
 void transform_face_normals(const TileRun& run, const DrawSlot& slot, VertexTables& tables) {

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 #include <utility>
 
 #include <glassbox/raster/blend.h>
 #include <glassbox/render/engine/stopwatch.h>
+#include <glassbox/render/plan/plan.h>
 #include <glassbox/render/stereo/render_pair.h>
 
 #include "study/bench/statistics.h"
@@ -53,6 +55,17 @@ MatchBounds bounds_of(const BenchScene& bench) {
   return bounds;
 }
 
+// No draw is left out as a whole: what is seen of it is asked further on.
+std::vector<Plan> plan_all_draws(std::span<const PlannedEye> eyes, bool leave_out) {
+  std::vector<Plan> plans = make_plans(eyes, leave_out);
+  for (Plan& plan : plans) {
+    plan.order.resize(plan.methods.size());
+    std::iota(plan.order.begin(), plan.order.end(), 0u);
+    for (DrawMethod& method : plan.methods) method.drawn = true;
+  }
+  return plans;
+}
+
 }  // namespace
 
 GlassboxPeer::GlassboxPeer(const BenchScene& bench, const EngineOptions& options)
@@ -60,7 +73,7 @@ GlassboxPeer::GlassboxPeer(const BenchScene& bench, const EngineOptions& options
       prepared_(prepare(bench.scene, bench.settings.transfer)),
       drawn_(bench.passes.size()) {
   TileOptions tile = options.tile;
-  tile.plan = tile.plan && bench.reject_objects;
+  if (!bench.reject_objects) tile.planner = plan_all_draws;
   engine_ = make_engine(options.engine, tile);
 }
 

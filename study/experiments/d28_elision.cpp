@@ -190,6 +190,7 @@ std::vector<OneDecision> decisions_on_scenes(Effort effort) {
   const auto quads = parallel_quads();
   return {{"objects outside the picture", plan_only<take_outside>, {aside, teapot}},
           {"hidden objects", plan_only<take_hidden>, {behind_a_wall(), teapot}},
+          {"clusters out of sight", plan_only<take_clusters>, {teapot, quads}},
           {"plane tests", plan_only<take_plane_tests>, {teapot, cut_teapot()}},
           {"divide by w", plan_only<take_divide>, {quads, teapot}},
           {"normals", plan_only<take_normals>, {quads, teapot}},

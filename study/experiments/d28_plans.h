@@ -35,6 +35,10 @@ inline void take_outside(const Plan& with, Plan& plan) {
               [](const DrawMethod& from, DrawMethod& to) { to.drawn = from.drawn || from.hidden; });
   std::erase_if(plan.order, [&](std::uint32_t draw) { return !plan.methods[draw].drawn; });
 }
+inline void take_clusters(const Plan& with, Plan& plan) {
+  for_methods(with, plan,
+              [](const DrawMethod& from, DrawMethod& to) { to.clusters = from.clusters; });
+}
 inline void take_plane_tests(const Plan& with, Plan& plan) {
   for_methods(with, plan,
               [](const DrawMethod& from, DrawMethod& to) { to.test_planes = from.test_planes; });

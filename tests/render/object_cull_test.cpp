@@ -93,6 +93,16 @@ TEST_CASE("nearly half of a closed surface goes before clipping (S4-19)") {
   CHECK(double(s.culled_early) > 0.9 * double(backs));
 }
 
+TEST_CASE("a parallel view culls early, too") {
+  const Scene scene = built_in("sphere");
+  Camera parallel = test::camera_for(scene, 1);
+  parallel.lens = OrthographicLens{3, 0.1, 10};
+  const View view = make_view(parallel, 400, 400).value();
+  test::check_same(scene, view, early());
+  const Statistics s = render_staged(scene, view, early()).statistics;
+  CHECK(double(s.culled_early) > 0.4 * double(s.triangles));
+}
+
 TEST_CASE("each eye of a pair culls for itself, and has the bytes of late culling") {
   for (const PairCase& c : pair_cases()) {
     INFO(c.name);
