@@ -256,7 +256,7 @@ TEST_CASE("leaving clusters out changes no byte of random pictures of rough surf
 }
 
 TEST_CASE("both eyes of a pair leave out what they do not see, and carry over what either does") {
-  const PairCase c = pair_case("sphere:128", 0.2, 320, 240);
+  const PairCase c = pair_case("sphere:256", 0.4, 320, 240);
   RenderSettings settings;
   settings.cull = Cull::kBack;
   Renderer tiled(c.scene, Transfer::kSrgb, EngineKind::kTile);
