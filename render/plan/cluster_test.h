@@ -1,7 +1,7 @@
 // Which clusters of a draw an eye sees nothing of: those that lie outside, and those of which every triangle is turned away.
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
