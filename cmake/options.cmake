@@ -46,8 +46,6 @@ if(GLASSBOX_FUZZ)
     message(FATAL_ERROR "GLASSBOX_FUZZ needs libFuzzer: configure with -DCMAKE_CXX_COMPILER=clang++")
   endif()
   add_compile_options(-fsanitize=fuzzer-no-link)
-  # The lanes, with what looks for faults in them and counts their branches, are minutes of compiling for each instruction set.
-  add_compile_definitions(GLASSBOX_FEW_TARGETS)
 endif()
 
 # add_part(NAME [FIRST ...] [SOURCES ...] [LINKS ...] [USES ...]): one folder of the library, glassbox::NAME. A folder of

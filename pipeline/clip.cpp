@@ -127,6 +127,10 @@ ClipPolygon without_repetitions(const ClipPolygon& polygon) {
   return tidy;
 }
 
+Vector<Object, double> sizes_of(const Vector<Object, double>& v) {
+  return {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
+}
+
 }  // namespace
 
 std::array<ClipPlane, 6> frustum_planes(DepthRange depth_range) {
@@ -189,44 +193,62 @@ ClipVerdict trivial_verdict(std::span<const Outcode> outcodes) {
   return all != 0 || (any & kNotFinite) != 0 ? ClipVerdict::kReject : ClipVerdict::kClip;
 }
 
+bool may_overflow(const Box<Object>& box, const Transform<Clip, Object, float>& clip_from_object) {
+  const Vector<Object, double> low = sizes_of({box.low.x, box.low.y, box.low.z});
+  const Vector<Object, double> high = sizes_of({box.high.x, box.high.y, box.high.z});
+  const auto size_of_row = [&](int row) {
+    const auto slope = [&](int k) { return std::abs(double(clip_from_object.at(row, k))); };
+    return slope(0) * std::max(low.x, high.x) + slope(1) * std::max(low.y, high.y) +
+           slope(2) * std::max(low.z, high.z) + slope(3);
+  };
+  const auto is_large = [&](int row) { return !(size_of_row(row) <= kLargestFloat / 2); };
+  return is_large(0) || is_large(1) || is_large(2) || is_large(3);
+}
+
+PlaneOverBoxes::PlaneOverBoxes(const ClipPlane& plane,
+                               const Transform<Clip, Object, float>& clip_from_object) {
+  const std::array<double, 4> coefficients{plane.a, plane.b, plane.c, plane.d};
+  // Four roundings of the float transform; a dozen in double here and in over(), and a few in the error itself.
+  constexpr double kShare = gamma<float>(4) * (1 + 0x1p-40) + gamma<double>(20);
+  std::array<double, 4> slope{}, error{};
+  for (std::size_t row = 0; row < 4; ++row) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double term = coefficients[row] * double(clip_from_object.at(int(row), int(k)));
+      slope[k] += term;
+      error[k] += kShare * std::abs(term);
+    }
+    error[3] += std::abs(coefficients[row]) * (4 * 0x1p-149);  // products may be subnormal
+  }
+  slope_ = {slope[0], slope[1], slope[2]};
+  error_ = {error[0], error[1], error[2]};
+  offset_ = slope[3] + plane.e;
+  error_offset_ = error[3] + gamma<double>(20) * std::abs(plane.e);
+}
+
+PlaneOverBoxes::Distances PlaneOverBoxes::over(const Box<Object>& box) const {
+  return over(box.center(), {box.high.x * 0.5 - box.low.x * 0.5, box.high.y * 0.5 - box.low.y * 0.5,
+                             box.high.z * 0.5 - box.low.z * 0.5});
+}
+
+PlaneOverBoxes::Distances PlaneOverBoxes::over(const Point<Object, double>& centre,
+                                               const Vector<Object, double>& half) const {
+  const Vector<Object, double> middle{centre.x, centre.y, centre.z};
+  const double distance = dot(slope_, middle) + offset_;
+  const double reach =
+      dot(sizes_of(slope_), half) + dot(error_, sizes_of(middle) + half) + error_offset_;
+  return {distance - reach, distance + reach};
+}
+
 ClipVerdict classify_box(const Box<Object>& box,
                          const Transform<Clip, Object, float>& clip_from_object,
                          std::span<const ClipPlane> planes) {
   if (box.empty()) return ClipVerdict::kReject;
-  const std::array<double, 4> low{box.low.x, box.low.y, box.low.z, 1};
-  const std::array<double, 4> high{box.high.x, box.high.y, box.high.z, 1};
-  // How far each coordinate in float may be from the exact one, anywhere in the box, and how large it may be.
-  std::array<double, 4> error;
-  for (std::size_t row = 0; row < 4; ++row) {
-    double size = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      size += std::abs(double(clip_from_object.at(int(row), int(k)))) *
-              std::max(std::abs(low[k]), std::abs(high[k]));
-    }
-    // It may overflow: look at each vertex.
-    if (!(size <= kLargestFloat / 2)) return ClipVerdict::kClip;
-    error[row] = gamma<float>(4) * size + 4 * 0x1p-149;  // products may be subnormal
-  }
+  if (may_overflow(box, clip_from_object)) return ClipVerdict::kClip;  // look at each vertex
   bool inside_all = true;
   for (const ClipPlane& plane : planes) {
-    const std::array<double, 4> coefficients{plane.a, plane.b, plane.c, plane.d};
-    double least = plane.e, greatest = plane.e, slack = 0, size = std::abs(plane.e);
-    for (std::size_t k = 0; k < 4; ++k) {
-      double slope = 0, slope_size = 0;
-      for (std::size_t row = 0; row < 4; ++row) {
-        const double term = coefficients[row] * double(clip_from_object.at(int(row), int(k)));
-        slope += term;
-        slope_size += std::abs(term);
-      }
-      least += slope * (slope >= 0 ? low[k] : high[k]);
-      greatest += slope * (slope >= 0 ? high[k] : low[k]);
-      size += slope_size * std::max(std::abs(low[k]), std::abs(high[k]));
-    }
-    for (std::size_t row = 0; row < 4; ++row) slack += std::abs(coefficients[row]) * error[row];
-    // A dozen roundings in double above, and a few in the slack itself.
-    slack = slack * (1 + 0x1p-40) + gamma<double>(20) * size;
-    if (greatest + slack < 0) return ClipVerdict::kReject;
-    inside_all = inside_all && least - slack >= 0;
+    const auto [least, greatest] = PlaneOverBoxes(plane, clip_from_object).over(box);
+    if (greatest < 0) return ClipVerdict::kReject;
+    inside_all = inside_all && least >= 0;
   }
   return inside_all ? ClipVerdict::kAccept : ClipVerdict::kClip;
 }

@@ -69,10 +69,31 @@ Outcode outcode(const Point<Clip>& position, std::span<const ClipPlane> planes);
 enum class ClipVerdict { kReject, kAccept, kClip };
 ClipVerdict trivial_verdict(std::span<const Outcode> outcodes);
 
-// The same for everything inside a box of object space, without transforming its contents: kAccept means that every
-// vertex in the box, transformed in float by transform_row's order of operations, has outcode 0, and kReject that for one
-// of the planes every one is outside. The extremes of a linear function over a box are at its corners; the rounding of
-// the float transform, gamma_4 |M||x| (SPEC C, generic bound 1), is taken into account. An empty box is rejected.
+// Whether some coordinate of a vertex in the box may be too large for a float, or near it.
+bool may_overflow(const Box<Object>& box, const Transform<Clip, Object, float>& clip_from_object);
+
+// What signed_distance() is over boxes of object space, without transforming their contents: of every vertex in the box, transformed in
+// float by transform_row's order of operations, provided that no coordinate overflows. The extremes of a linear function over a box are
+// at its corners; the rounding of the float transform, gamma_4 |M||x| (SPEC C, generic bound 1), is taken into account.
+class PlaneOverBoxes {
+public:
+  PlaneOverBoxes(const ClipPlane& plane, const Transform<Clip, Object, float>& clip_from_object);
+
+  struct Distances {
+    double least = 0, greatest = 0;
+  };
+  Distances over(const Box<Object>& box) const;
+  // The same by the box's centre and half its size.
+  Distances over(const Point<Object, double>& centre, const Vector<Object, double>& half) const;
+
+private:
+  // slope . p + offset, and what it may be off by: error . |p| + error_offset.
+  Vector<Object, double> slope_, error_;
+  double offset_ = 0, error_offset_ = 0;
+};
+
+// The same as trivial_verdict for everything inside a box of object space, without transforming its contents: kAccept means that every
+// vertex in the box has outcode 0, and kReject that for one of the planes every one is outside. An empty box is rejected.
 ClipVerdict classify_box(const Box<Object>& box,
                          const Transform<Clip, Object, float>& clip_from_object,
                          std::span<const ClipPlane> planes);

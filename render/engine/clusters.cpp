@@ -79,8 +79,8 @@ void add_cone(std::span<const Corners> triangles, Cluster& cluster) {
   }
   if (!(cosine - kSlack > kLeastCosine)) return;
   const double across = 2 * length(half_size_of(cluster));
-  cluster.along_backs = float(backs - kSlack * across);
-  cluster.along_fronts = float(fronts + kSlack * across);
+  cluster.along_backs = backs - kSlack * across;
+  cluster.along_fronts = fronts + kSlack * across;
   cluster.cosine = float(cosine - kSlack);
 }
 

@@ -21,7 +21,7 @@ struct Cluster {
   Vector<Object> axis;  // unit, but for rounding to float
   float cosine = 0;
   // With c = centre_of(): c + along_backs axis lies behind every triangle's plane or on it, c + along_fronts axis before it.
-  float along_backs = 0, along_fronts = 0;
+  double along_backs = 0, along_fronts = 0;
   // Of the Newell vectors, whose lengths are twice the areas; and of the edges.
   double least_newell = 0, longest_edge = 0;
 };

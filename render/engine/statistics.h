@@ -15,7 +15,7 @@ struct Statistics {
   std::uint64_t lines = 0;  // wireframe edges are not counted here
   std::uint64_t points = 0;
 
-  // Clusters of triangles that were asked about together (render/plan/cluster_test.h).
+  // Clusters of triangles that were asked about together (render/plan/cluster_cull.h).
   std::uint64_t clusters = 0, clusters_outside = 0, clusters_turned_away = 0;
   std::uint64_t left_out_in_clusters = 0;  // triangles of the last two, among those left out
 

@@ -13,6 +13,7 @@ struct BoxPlace {
   const char* outside_of =
       nullptr;                 // a plane that everything lies beyond: no pixel shows any of it
   bool inside = false;         // of every plane that rendering clips by, each vertex
+  bool in_picture = false;     // or at most the margin beside it
   bool in_guard_band = false;  // nothing is cut by the four planes of the guard band
   // Clip units: how far the box is from where the first two would be otherwise.
   double distance = 0;
@@ -26,7 +27,7 @@ inline constexpr double kOutsideMarginPx = 2;
 // The edges of the picture, moved outwards. In front of the eye |x| > (1 + 2 margin / W) w is more than `margin_px` pixels beyond.
 std::array<ClipPlane, 4> picture_edges(const Viewport& viewport, double margin_px);
 
-// The rounding of the vertices is taken into account (classify_box of clip.h). A mesh with a position that is not finite lies
+// The rounding of the vertices is taken into account (PlaneOverBoxes of clip.h). A mesh with a position that is not finite lies
 // nowhere.
 BoxPlace place_box(const Draw& draw, const View& view, double margin_px = kOutsideMarginPx);
 

@@ -29,8 +29,6 @@ std::string in_all(const char* what, std::size_t count) {
   return fmt::format("{} {}", count, what);
 }
 
-const char* const kNoPlan = "--no-plan: it runs, needed or not";
-
 // ---- the stages, in order ----
 
 Decision whole_object(const Subject& s) {
@@ -64,19 +62,14 @@ Decision whole_object(const Subject& s) {
 Decision clusters(const Subject& s) {
   constexpr const char* kStage = "triangles out of sight";
   const std::string numbers = in_all("clusters", s.draw.prepared->clusters.clusters.size());
-  if (s.method.clusters) {
+  if (s.method.no_clusters_because == nullptr) {
     return left_out(kStage,
                     "those of a cluster of 64 go before their vertices where its box lies beyond a "
                     "plane, or the cone of its normals turns away by more than snapping and float "
                     "can turn back",
                     numbers);
   }
-  return needed(kStage,
-                !s.plan.leaves_out                   ? kNoPlan
-                : s.method.staged_because != nullptr ? "the staged stages ask each by itself"
-                                                     : "lines or points share their vertices, or "
-                                                       "a coordinate may overflow",
-                numbers);
+  return needed(kStage, s.method.no_clusters_because, numbers);
 }
 
 Decision duplicate_vertices(const Subject& s) {

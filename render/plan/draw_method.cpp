@@ -1,8 +1,6 @@
 #include <glassbox/render/plan/draw_method.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include <glassbox/render/staged/vertex_stage.h>
 
@@ -27,25 +25,23 @@ bool depends_on_place(const EyeLight& light) {
   return light.kind != LightKind::kDirectional;
 }
 
-// Corners of lines and points belong to no cluster; and what rounds is known where no coordinate overflows.
-bool may_ask_clusters(const Draw& draw) {
-  const Box<Object> box = anchored_box(draw);
-  double largest = 0;
-  for (int row = 0; row < 4; ++row) {
-    const auto term = [&](int k, double low, double high) {
-      return std::abs(double(draw.clip_from_anchored.at(row, k))) *
-             std::max(std::abs(low), std::abs(high));
-    };
-    largest = std::max(largest, term(0, box.low.x, box.high.x) + term(1, box.low.y, box.high.y) +
-                                    term(2, box.low.z, box.high.z) + term(3, 1, 1));
-  }
-  return !draw.prepared->clusters.clusters.empty() && draw.mesh->lines.empty() &&
-         draw.mesh->points.empty() && largest <= double(std::numeric_limits<float>::max()) / 2;
-}
-
 // w is the fourth coordinate of (0, 0, 0, 1) * position: exactly 1.
 bool w_is_one(const Transform<Clip, Object, float>& m) {
   return m.at(3, 0) == 0 && m.at(3, 1) == 0 && m.at(3, 2) == 0 && m.at(3, 3) == 1;
+}
+
+const char* why_no_clusters(const Draw& draw, const DrawMethod& method, bool leave_out) {
+  if (!leave_out) return kNoPlan;
+  if (draw.prepared->clusters.clusters.empty()) return "it has few triangles";
+  if (method.staged_because != nullptr) return "the staged stages ask each by itself";
+  if (!draw.mesh->lines.empty() || !draw.mesh->points.empty()) {
+    return "lines or points share their vertices";
+  }
+  if (method.place.inside && method.place.in_picture && method.keep_front && method.keep_back) {
+    return "its box lies within the picture, and both sides of its faces are drawn";
+  }
+  if (may_overflow(anchored_box(draw), draw.clip_from_anchored)) return "a coordinate may overflow";
+  return nullptr;
 }
 
 void choose_vertex_stages(const Draw& draw, const View& view, bool leave_out, DrawMethod& method) {
@@ -74,10 +70,9 @@ DrawMethod choose_method(const Draw& draw, const Lighting& lighting, const View&
   method.staged_because = why_staged(settings);
   choose_vertex_stages(draw, view, leave_out, method);
 
-  method.clusters = leave_out && method.staged_because == nullptr && may_ask_clusters(draw);
-
   method.keep_front = !is_culled(draw, settings.cull, true);
   method.keep_back = !is_culled(draw, settings.cull, false);
+  method.no_clusters_because = why_no_clusters(draw, method, leave_out);
 
   const bool painted = colors && settings.show == Show::kColor;
   const bool masked = draw.material->alpha_mode == AlphaMode::kMask;

@@ -8,6 +8,9 @@
 
 namespace glassbox {
 
+// Why something runs that a proof would leave out.
+inline constexpr const char* kNoPlan = "--no-plan: it runs, needed or not";
+
 struct DrawMethod {
   // Null: triangles run over lanes and are shaded once for each pixel where they are seen. Otherwise why every primitive takes the
   // staged stages, tile by tile.
@@ -15,8 +18,8 @@ struct DrawMethod {
   // Null: triangles are set up over lanes where they are small. Otherwise why each is made ready by the staged primitives.
   const char* large_because = nullptr;
 
-  // Runs of triangles are asked whether this eye sees any of them, before their vertices (cluster_test.h).
-  bool clusters = false;
+  // Null: the mesh's clusters are asked whether this eye sees any of them, before their vertices (cluster_cull.h). Otherwise why not.
+  const char* no_clusters_because = nullptr;
 
   // ---- vertices ----
   BoxPlace place;           // of all of them: the proof of the next two

@@ -12,6 +12,10 @@ const Clusters& clusters_of(const TileRun& run, const DrawSlot& slot) {
   return run.list.draws[slot.draw].prepared->clusters;
 }
 
+bool asks_clusters(const TileRun& run, const DrawSlot& slot) {
+  return run.methods[slot.draw].no_clusters_because == nullptr;
+}
+
 std::size_t blocks_in(std::size_t table_size) {
   return (table_size + kTableBlock - 1) / kTableBlock;
 }
@@ -19,34 +23,35 @@ std::size_t blocks_in(std::size_t table_size) {
 }  // namespace
 
 void begin_clusters(const TileRun& run, Round& round) {
-  round.cluster_tests.clear();
+  round.cluster_culls.clear();
   round.cluster_tasks.clear();
   std::size_t size = 0;
   for (const DrawSlot& slot : round.slots) {
-    if (run.methods[slot.draw].clusters) size += clusters_of(run, slot).clusters.size();
+    if (asks_clusters(run, slot)) size += clusters_of(run, slot).clusters.size();
   }
-  ClusterVerdict* next = at_least(round.tables.verdicts, size);
+  ClusterVerdict* next = at_least(round.verdicts, size);
   for (std::uint32_t i = 0; i < round.slots.size(); ++i) {
     DrawSlot& slot = round.slots[i];
-    if (!run.methods[slot.draw].clusters) continue;
+    if (!asks_clusters(run, slot)) continue;
     const std::size_t count = clusters_of(run, slot).clusters.size();
     slot.verdicts = std::span(next, count);
     next += count;
-    const auto test = std::uint32_t(round.cluster_tests.size());
-    round.cluster_tests.emplace_back(run.list.draws[slot.draw], run.view, run.settings.cull);
+    const auto cull = std::uint32_t(round.cluster_culls.size());
+    round.cluster_culls.emplace_back(run.list.draws[slot.draw], run.view, run.settings.cull,
+                                     run.methods[slot.draw].place.inside);
     for (std::size_t at = 0; at < count; at += kClustersOfTask) {
-      round.cluster_tasks.push_back({i, test, at, std::min(kClustersOfTask, count - at)});
+      round.cluster_tasks.push_back({i, cull, at, std::min(kClustersOfTask, count - at)});
     }
   }
 }
 
 void judge_clusters(const TileRun& run, const Round& round, const ClusterTask& task) {
   const DrawSlot& slot = round.slots[task.slot];
-  const ClusterTest& test = round.cluster_tests[task.test];
+  const ClusterCull& cull = round.cluster_culls[task.cull];
   const std::span all(clusters_of(run, slot).clusters);
   std::ranges::transform(all.subspan(task.first, task.count),
                          slot.verdicts.begin() + std::ptrdiff_t(task.first),
-                         [&](const Cluster& cluster) { return test.judge(cluster); });
+                         [&](const Cluster& cluster) { return cull.judge(cluster); });
 }
 
 void count_clusters(const TileRun& run, const Round& round, Statistics& statistics) {
@@ -78,7 +83,7 @@ void find_needed_vertices(const TileRun& run, std::span<Round> rounds) {
     const Mesh& mesh = *run.list.draws[first.slots[i].draw].mesh;
     size += blocks_in(mesh.positions.size()) + blocks_in(mesh.normals.size());
   }
-  std::uint8_t* next = at_least(first.tables.needed, size);
+  std::uint8_t* next = at_least(first.needed, size);
   std::fill_n(next, size, std::uint8_t(0));
 
   const auto mark = [&](std::size_t slot, const ClusterBlocks& blocks, std::size_t table_size) {

@@ -8,7 +8,7 @@
 
 #include <glassbox/raster/lanes/kernels.h>
 #include <glassbox/render/engine/draw_list.h>
-#include <glassbox/render/plan/cluster_test.h>
+#include <glassbox/render/plan/cluster_cull.h>
 #include <glassbox/render/plan/draw_method.h>
 #include <glassbox/render/staged/ready.h>
 #include <glassbox/render/staged/vertex_stage.h>
@@ -45,9 +45,6 @@ struct VertexTables {
   std::vector<SnappedEntry> screen;
   std::vector<Normal<Eye>> normals;  // of vertices, then of faces, draw by draw
   std::vector<Point<Eye>> eye_positions;
-
-  std::vector<ClusterVerdict> verdicts;
-  std::vector<std::uint8_t> needed;
 };
 
 // Where a draw's entries of the tables begin.
@@ -65,7 +62,7 @@ struct DrawSlot {
 
 // Some clusters of one draw.
 struct ClusterTask {
-  std::uint32_t slot = 0, test = 0;  // indices into the round's
+  std::uint32_t slot = 0, cull = 0;  // indices into the round's
   std::size_t first = 0, count = 0;
 };
 
@@ -110,8 +107,10 @@ struct Chunk {
 struct Round {
   VertexTables tables;
   std::vector<DrawSlot> slots;
-  std::vector<ClusterTest> cluster_tests;
+  std::vector<ClusterCull> cluster_culls;  // of the slots that have verdicts
   std::vector<ClusterTask> cluster_tasks;
+  std::vector<ClusterVerdict> verdicts;
+  std::vector<std::uint8_t> needed;
   std::vector<Chunk> chunks;
   std::size_t chunk_count = 0;              // those in use
   std::vector<const LargeTriangle*> large;  // by Chunk::first_large and index

@@ -101,7 +101,7 @@ struct TileEngine::State {
 
   // Slots for draws from `first` on, as many as a round takes; returns the one after the last.
   std::size_t begin_round(const Pictures& pictures, std::size_t first);
-  void test_clusters(const Pictures& pictures);
+  void cull_clusters(const Pictures& pictures);
   void transform_vertices(const Pictures& pictures);
   void fill_chunks(const Pictures& pictures);
   void draw_tiles(const Pictures& pictures, std::span<const TilePass> passes);
@@ -173,7 +173,7 @@ std::size_t TileEngine::State::begin_round(const Pictures& pictures, std::size_t
   return end;
 }
 
-void TileEngine::State::test_clusters(const Pictures& pictures) {
+void TileEngine::State::cull_clusters(const Pictures& pictures) {
   for (std::size_t eye = 0; eye < pictures.size(); ++eye) {
     const TileRun& run = pictures[eye].run();
     Round& round = rounds[eye];
@@ -407,7 +407,7 @@ void TileEngine::render(const Scene& scene, const PreparedScene& prepared,
     }
     {
       const Stopwatch watch(shared.vertex_ms);
-      s.test_clusters(pictures);
+      s.cull_clusters(pictures);
       s.transform_vertices(pictures);
     }
     {

@@ -36,8 +36,9 @@ inline void take_outside(const Plan& with, Plan& plan) {
   std::erase_if(plan.order, [&](std::uint32_t draw) { return !plan.methods[draw].drawn; });
 }
 inline void take_clusters(const Plan& with, Plan& plan) {
-  for_methods(with, plan,
-              [](const DrawMethod& from, DrawMethod& to) { to.clusters = from.clusters; });
+  for_methods(with, plan, [](const DrawMethod& from, DrawMethod& to) {
+    to.no_clusters_because = from.no_clusters_because;
+  });
 }
 inline void take_plane_tests(const Plan& with, Plan& plan) {
   for_methods(with, plan,

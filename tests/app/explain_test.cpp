@@ -96,6 +96,21 @@ TEST_CASE("explain --analyze draws with the tile engine, and counts items, times
         12 * json.at("vertices").get<std::uint64_t>());
 }
 
+TEST_CASE("explain --analyze counts the clusters that are out of sight") {
+  const Workplace here;
+  const std::string ball = "explain sphere:128 --size 480x360 --analyze ";
+  const Outcome outcome = here.run(ball);
+  REQUIRE(outcome.exit_code == 0);
+  CHECK(contains(outcome.out, "of 1,016 asked, 0 outside and "));
+  CHECK_FALSE(contains(outcome.out, "whole draws"));
+  const Json json = Json::parse(here.run(ball + "--json -").out);
+  const auto n = [&](const char* name) { return json.at(name).get<std::uint64_t>(); };
+  CHECK(n("clusters") == 1016);
+  CHECK(n("clusters_turned_away") > 300);
+  CHECK(n("left_out_in_clusters") == 64 * n("clusters_turned_away"));
+  CHECK(n("left_out") == n("left_out_in_clusters"));
+}
+
 TEST_CASE("explain --engine staged counts what goes into every stage and what comes out") {
   const Workplace here;
   const Outcome outcome = here.run("explain room --size 96x64 --engine staged");

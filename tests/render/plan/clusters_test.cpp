@@ -3,7 +3,7 @@
 
 #include <glassbox/mesh/builtin/scenes.h>
 #include <glassbox/render/engine/clusters.h>
-#include <glassbox/render/plan/cluster_test.h>
+#include <glassbox/render/plan/cluster_cull.h>
 #include <glassbox/render/renderer.h>
 
 #include "tests/render/plan/planned.h"
@@ -125,7 +125,7 @@ TEST_CASE(
   settings.cull = Cull::kBack;
   const Planned planned = plan_of(scene, view, settings);
   const Draw& draw = planned.list.draws[0];
-  const ClusterTest test(draw, view, settings.cull);
+  const ClusterCull test(draw, view, settings.cull, planned.plan.methods[0].place.inside);
   int cut = 0, turned_away = 0;
   for (const Cluster& cluster : draw.prepared->clusters.clusters) {
     Box<Object> box;
@@ -279,6 +279,14 @@ TEST_CASE("explain says which meshes are asked cluster by cluster") {
   RenderSettings wireframe;
   wireframe.wireframe = true;
   CHECK(decision(scene, view, "triangles out of sight", wireframe).needed);
+  Material both_sides;
+  both_sides.double_sided = true;
+  Scene in_picture = rough_ball(20, 0.1, 11, both_sides);
+  place(in_picture, 0, {0, 0, -5});
+  in_picture.instances.erase(in_picture.instances.begin());
+  CHECK(decision(in_picture, view, "triangles out of sight").because ==
+        "its box lies within the picture, and both sides of its faces are drawn");
+  CHECK(check_planned(in_picture, view).clusters == 0);
   Scene with_line = scene;
   with_line.meshes[0].lines.push_back({Corner{0}, Corner{1}});
   CHECK(decision(with_line, view, "triangles out of sight").needed);

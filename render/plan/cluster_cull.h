@@ -15,22 +15,16 @@ namespace glassbox {
 
 enum class ClusterVerdict : std::uint8_t { kDrawn, kOutside, kTurnedAway };
 
-class ClusterTest {
+class ClusterCull {
 public:
-  ClusterTest(const Draw& draw, const View& view, Cull cull);
+  // `uncut`: no plane that clips cuts anything of the draw.
+  ClusterCull(const Draw& draw, const View& view, Cull cull, bool uncut);
 
   ClusterVerdict judge(const Cluster& cluster) const;
 
 private:
-  // slope . p + offset >= 0 for p relative to the anchor; and what the vertices' float transform may be off by, error . (|p|, 1).
-  struct HalfSpace {
-    Vector<Object, double> slope, error;
-    double offset = 0, error_offset = 0;
-  };
-  static HalfSpace half_space(const ClipPlane& plane, const Transform<Clip, Object, float>& m);
-
   Vector<Object, double> anchor_;
-  std::vector<HalfSpace> picture_edges_, clip_planes_;
+  std::vector<PlaneOverBoxes> picture_edges_, clip_planes_;
   std::optional<ObjectCull> cull_;
 };
 
