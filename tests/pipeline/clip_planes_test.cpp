@@ -201,6 +201,41 @@ TEST_CASE("a box is accepted or rejected only if every vertex in it is") {
   CHECK(classify_box(huge, {}, planes) == ClipVerdict::kClip);  // positions may overflow
 }
 
+TEST_CASE(
+    "the distances of a plane over a point hold that of the point as it is transformed in float") {
+  const std::uint64_t seed = 23;
+  INFO("seed " << seed);
+  Random random(seed);
+  const std::array<ClipPlane, 3> planes{frustum_planes()[2], frustum_planes()[5],
+                                        guard_band_planes({0, 0, 640, 480})[1]};
+  int rounded = 0, beyond_double = 0;
+  for (int i = 0; i < 20000; ++i) {
+    // Every third one small enough that products are subnormal; the last column's share is none, some, or all.
+    const double size = i % 3 == 0 ? 0x1p-70 : 1;
+    const double last = i / 3 % 3 == 0 ? 0 : i / 3 % 3 == 1 ? 1 : 16;
+    Transform<Clip, Object, float> m;
+    for (int row = 0; row < 4; ++row) {
+      for (int k = 0; k < 4; ++k) {
+        m.at(row, k) = float(random.between(-1, 1) * size * (k < 3 ? 1 : last * size));
+      }
+    }
+    const Point<Object> p{float(random.between(-1, 1) * size), float(random.between(-1, 1) * size),
+                          float(random.between(-1, 1) * size)};
+    for (const ClipPlane& plane : planes) {
+      const double distance = signed_distance(plane, m * p);
+      const auto [least, greatest] = PlaneOverBoxes(plane, m).over({p.x, p.y, p.z}, {0, 0, 0});
+      REQUIRE(least <= distance);
+      REQUIRE(distance <= greatest);
+      const double exact = (least + greatest) / 2;  // but for a dozen roundings in double
+      rounded += distance != exact;
+      // The bound is of the size of what it bounds: within a factor of 100.
+      beyond_double += std::abs(distance - exact) > (greatest - least) / 200;
+    }
+  }
+  CHECK(rounded > 40000);
+  CHECK(beyond_double > 20000);
+}
+
 TEST_CASE("the sign of a distance is exact") {
   const std::uint64_t seed = 20;
   INFO("seed " << seed);

@@ -189,6 +189,20 @@ TEST_CASE(
   CHECK(drawn > 1000);
 }
 
+TEST_CASE(
+    "a ball of two-sided faces that lies across the picture's edge is asked, and loses what lies "
+    "beyond") {
+  Material both_sides;
+  both_sides.double_sided = true;
+  Scene scene = rough_ball(20, 0.1, 11, both_sides);
+  place(scene, 0, {3.1, 0, -5});
+  scene.instances.erase(scene.instances.begin());
+  const Statistics s = check_planned(scene, planned_view());
+  CHECK(s.plane_tests == 0);
+  CHECK(s.clusters_outside > 0);
+  CHECK(s.clusters_turned_away == 0);
+}
+
 // ---- random scenes ----
 
 struct Case {
