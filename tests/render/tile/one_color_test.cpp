@@ -33,7 +33,7 @@ int colors_in(const Image<Rgba8>& picture) {
   std::vector<std::uint32_t> all;
   for (const Rgba8& c : picture.pixels) all.push_back(std::bit_cast<std::uint32_t>(c));
   std::ranges::sort(all);
-  return int(std::ranges::distance(all.begin(), std::ranges::unique(all).begin()));
+  return int(std::distance(all.begin(), std::unique(all.begin(), all.end())));
 }
 
 // The same bytes by both engines; returns how many colours the picture has.
