@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include <oneapi/tbb/blocked_range.h>
+
 namespace tbb {
 
 inline constexpr int kMostThreads = 64;
@@ -67,6 +69,19 @@ void parallel_for(Index first, Index last, const Body& body, const simple_partit
   for (int i = 1; i < threads; ++i) others.emplace_back(work, Worker{threads, i});
   work({threads, 0});
   for (std::thread& other : others) other.join();
+}
+
+// In pieces of the range's grain size, each by one task.
+template <class Index, class Body>
+void parallel_for(const blocked_range<Index>& all, const Body& body,
+                  const simple_partitioner& partitioner) {
+  const Index pieces = (all.size() + all.grainsize() - 1) / all.grainsize();
+  const auto piece = [&](Index i) {
+    const Index begin = all.begin() + i * all.grainsize();
+    const Index end = std::min(begin + all.grainsize(), all.end());
+    body(blocked_range<Index>(begin, end, all.grainsize()));
+  };
+  parallel_for(Index(0), pieces, piece, partitioner);
 }
 
 // One T for each thread that asks for its own.
