@@ -81,6 +81,11 @@ inline I shifted_right(I i, I bits) {
   return i >> bits;
 }
 
+// i f 2^-15 rounded to nearest, halves up: |i| < 2^15, and f in [0, 2^15).
+inline std::int32_t times_fraction(std::int32_t i, std::int32_t f) {
+  return (i * f + (1 << 14)) >> 15;
+}
+
 #include <glassbox/base/formulas/common.h>
 
 }  // namespace glassbox

@@ -9,33 +9,39 @@
 
 namespace glassbox {
 
-Rgba mix(const Rgba& a, const Rgba& b, float t) {
-  return {mix(a.r, b.r, t), mix(a.g, b.g, t), mix(a.b, b.b, t), mix(a.a, b.a, t)};
-}
-
 #include <glassbox/raster/formulas/texture.h>
+
+Texel mix(const Texel& a, const Texel& b, std::int32_t f) {
+  const auto channel = [&](std::int32_t from, std::int32_t to) {
+    return std::int16_t(mix_whole(from, to, f));
+  };
+  return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b), channel(a.a, b.a)};
+}
 
 namespace {
 
-Rgba decode_texel(const Rgba8& texel, Transfer transfer, const ColorMask& wanted = {}) {
-  Rgba color{0, 0, 0, 0};
-  if (wanted.r) color.r = decode(transfer, texel.r);
-  if (wanted.g) color.g = decode(transfer, texel.g);
-  if (wanted.b) color.b = decode(transfer, texel.b);
-  if (wanted.a) color.a = decode_unorm8(texel.a);
-  return color;
+// ---- texels of images ----
+
+std::int16_t nearest_whole(float x) {
+  return std::int16_t(x + 0.5f);
 }
 
-Rgba8 encode_texel(const Rgba& color, Transfer transfer) {
-  return {encode(transfer, color.r), encode(transfer, color.g), encode(transfer, color.b),
-          encode_unorm8(color.a)};
+// By stored byte.
+using WholeOfByte = std::array<std::int16_t, 256>;
+
+WholeOfByte whole_of_byte(Transfer transfer) {
+  WholeOfByte whole{};
+  for (std::size_t byte = 0; byte < whole.size(); ++byte) {
+    whole[byte] = nearest_whole(decode(transfer, std::uint8_t(byte)) * float(kFullTexel));
+  }
+  return whole;
 }
 
-void add_scaled(Rgba& sum, const Rgba& color, float weight) {
-  sum.r += weight * color.r;
-  sum.g += weight * color.g;
-  sum.b += weight * color.b;
-  sum.a += weight * color.a;
+void append_texels(MipChain& chain, const Image<Rgba8>& image, Transfer transfer) {
+  const WholeOfByte color = whole_of_byte(transfer), alpha = whole_of_byte(Transfer::kNone);
+  for (const Rgba8& stored : image.pixels) {
+    chain.texels.push_back({color[stored.r], color[stored.g], color[stored.b], alpha[stored.a]});
+  }
 }
 
 // ---- mip chain ----
@@ -67,8 +73,15 @@ std::vector<Footprint> footprints(int short_side, int long_side) {
   return covered;
 }
 
+void add_scaled(std::array<float, 4>& sum, const Texel& texel, float weight) {
+  sum[0] += weight * float(texel.r);
+  sum[1] += weight * float(texel.g);
+  sum[2] += weight * float(texel.b);
+  sum[3] += weight * float(texel.a);
+}
+
 // Appends the level after the last.
-void add_half(MipChain& chain, Transfer transfer) {
+void add_half(MipChain& chain) {
   const int last = chain.last_level();
   const int width = side_of_level(chain.width, last), height = side_of_level(chain.height, last);
   const std::vector<Footprint> columns = footprints(side_of_level(width, 1), width);
@@ -77,26 +90,26 @@ void add_half(MipChain& chain, Transfer transfer) {
   chain.first.push_back(std::int32_t(chain.texels.size()));
   for (const Footprint& down : rows) {
     for (const Footprint& across : columns) {
-      Rgba sum{0, 0, 0, 0};
+      std::array<float, 4> sum{};
       for (int row = 0; row < down.count; ++row) {
         for (int column = 0; column < across.count; ++column) {
           const int texel = (down.first + row) * width + across.first + column;
-          add_scaled(sum, decode_texel(chain.texels[first + std::size_t(texel)], transfer),
+          add_scaled(sum, chain.texels[first + std::size_t(texel)],
                      down.weight[std::size_t(row)] * across.weight[std::size_t(column)]);
         }
       }
-      chain.texels.push_back(encode_texel(sum, transfer));
+      chain.texels.push_back({nearest_whole(sum[0]), nearest_whole(sum[1]), nearest_whole(sum[2]),
+                              nearest_whole(sum[3])});
     }
   }
 }
 
 // ---- sampling ----
 
-// The texels of a chain, in linear light.
-class LinearTexture {
+// A chain as the formulas ask it.
+class Levels {
 public:
-  LinearTexture(const MipChain& chain, Transfer transfer, const ColorMask& wanted)
-      : chain_(chain), transfer_(transfer), wanted_(wanted) {}
+  explicit Levels(const MipChain& chain) : chain_(chain) {}
 
   int last_level() const { return chain_.last_level(); }
   TextureLevelOf<std::int32_t> base() const { return {chain_.width, chain_.height, 0}; }
@@ -104,29 +117,37 @@ public:
     return {side_of_level(chain_.width, k), side_of_level(chain_.height, k),
             chain_.first[std::size_t(k)]};
   }
-  Rgba texel(const TextureLevelOf<std::int32_t>& level, std::int32_t x, std::int32_t y) const {
-    return decode_texel(chain_.texels[std::size_t(level.first + y * level.width + x)], transfer_,
-                        wanted_);
+  Texel texel(const TextureLevelOf<std::int32_t>& level, std::int32_t x, std::int32_t y) const {
+    return chain_.texels[std::size_t(level.first + y * level.width + x)];
   }
 
 private:
   const MipChain& chain_;
-  Transfer transfer_;
-  const ColorMask& wanted_;
 };
 
 }  // namespace
 
+Rgba light_of(const Texel& texel) {
+  const auto light = [](std::int32_t whole) { return light_of_texel(whole); };
+  return {light(texel.r), light(texel.g), light(texel.b), alpha_of_texel(std::int32_t(texel.a))};
+}
+
+Rgba8 stored_texel(const Texel& texel, Transfer transfer) {
+  const Rgba light = light_of(texel);
+  return {encode(transfer, light.r), encode(transfer, light.g), encode(transfer, light.b),
+          encode_unorm8(light.a)};
+}
+
 MipChain make_mip_chain(const Image<Rgba8>& image, Transfer transfer, bool first_level_only) {
-  assert(image.pixels.size() < std::size_t(1) << 30);
+  assert(image.pixels.size() < std::size_t(1) << 27);
   MipChain chain{image.width, image.height, {0}, {}};
   // All levels together, unless the image is a strip: then the memory grows on the way.
-  if (!first_level_only) chain.texels.reserve(image.pixels.size() / 3 * 4 + 4);
-  chain.texels = image.pixels;
+  chain.texels.reserve(first_level_only ? image.pixels.size() : image.pixels.size() / 3 * 4 + 4);
+  append_texels(chain, image, transfer);
   const auto texels = [&](int level) {
     return side_of_level(chain.width, level) * side_of_level(chain.height, level);
   };
-  while (!first_level_only && texels(chain.last_level()) > 1) add_half(chain, transfer);
+  while (!first_level_only && texels(chain.last_level()) > 1) add_half(chain);
   return chain;
 }
 
@@ -162,9 +183,8 @@ float level_of_detail(const TextureGradient& gradient, int width, int height) {
 }
 
 Rgba sample(const MipChain& texture, const Sampler& sampler, const std::array<float, 2>& texcoord,
-            float level_of_detail, Transfer transfer, const ColorMask& wanted) {
-  return sample_texture(LinearTexture(texture, transfer, wanted), sampler, texcoord,
-                        level_of_detail);
+            float level_of_detail) {
+  return light_of(sample_texture(Levels(texture), sampler, texcoord, level_of_detail));
 }
 
 }  // namespace glassbox

@@ -8,7 +8,6 @@
 
 #include <glassbox/images/image.h>
 #include <glassbox/mesh/scene.h>
-#include <glassbox/raster/color_mask.h>
 #include <glassbox/raster/stages.h>
 #include <glassbox/raster/transfer.h>
 
@@ -20,18 +19,31 @@ struct TextureLevelOf {
   I width, height, first;
 };
 
-// An image and its halvings down to one texel: level k is max(1, size >> k) on each side. Fewer than 2^31 texels in all: the
+// Linear light and alpha as whole numbers, kFullTexel for 1.
+struct Texel {
+  std::int16_t r = 0, g = 0, b = 0, a = 0;
+  friend bool operator==(const Texel&, const Texel&) = default;
+};
+// 128 * 255: what is stored linearly, as alpha always is, becomes 128 times its byte, exactly.
+inline constexpr int kFullTexel = 32640;
+
+// In linear light, and as bytes: an image's own texels give its own bytes.
+Rgba light_of(const Texel& texel);
+Rgba8 stored_texel(const Texel& texel, Transfer transfer);
+
+// An image and its halvings down to one texel: level k is max(1, size >> k) on each side. Fewer than 2^28 texels in all: the
 // largest images that are loaded have 2^26, and a chain at most twice as many.
 struct MipChain {
   int width = 0, height = 0;        // of level 0
   std::vector<std::int32_t> first;  // by level: the number of its first texel
-  std::vector<Rgba8> texels;        // level by level, row by row from the top
+  std::vector<Texel> texels;        // level by level, row by row from the top
 
   int last_level() const { return int(first.size()) - 1; }
 };
 
-// Each texel is the mean of the texels it covers, in linear light, re-encoded. The chain stops after the first level when
-// the sampler never looks at the others.
+// The image's texels within 1/2 of their linear light in units of 1/kFullTexel; those of a level are the means of the texels that
+// they cover in the level before, rounded to nearest. The chain stops after the first level when the sampler never looks at the
+// others.
 MipChain make_mip_chain(const Image<Rgba8>& image, Transfer transfer, bool first_level_only);
 
 // The chain of an image, which must stay where it is, made when somebody asks for it first: what is not seen costs nothing.
@@ -93,8 +105,9 @@ inline bool samples_base_only(const Sampler& sampler) {
 }
 
 // One filtered sample, in linear light. Coordinates are wrapped before they are scaled. Anything finite or not is
-// legal; a coordinate that is not finite counts as 0. Channels that are not wanted are 0.
+// legal; a coordinate that is not finite counts as 0. Filtering is that of whole numbers (raster/formulas/texture.h): at most
+// 4.5/kFullTexel from the mean of the texels by exact weights, and what one texel decides alone is that texel.
 Rgba sample(const MipChain& texture, const Sampler& sampler, const std::array<float, 2>& texcoord,
-            float level_of_detail, Transfer transfer, const ColorMask& wanted = {});
+            float level_of_detail);
 
 }  // namespace glassbox

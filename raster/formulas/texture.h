@@ -44,6 +44,32 @@ inline I wrap_texel(Wrap wrap, I i, Size size) {
   return i;
 }
 
+// ---- between texels ----
+
+// How far it is from one texel to the next, or from one level to the next: t in [0, 1] in units of 2^-15, rounded down, below 1.
+template <Number F>
+inline auto fraction_of(F t) {
+  const auto fraction = to_integer(t * 32768.0f);
+  return least(fraction, decltype(fraction)(32767));
+}
+
+// From a at f = 0 towards b at f = 2^15, rounded to nearest: never beyond either, and at most 1.5 from the exact mix for t.
+template <class T>
+inline T mix_whole(T a, T b, T f) {
+  return a + times_fraction(b - a, f);
+}
+
+// What a texel's whole numbers stand for. Alpha is divided, so that a byte's is the float next to byte / 255: a cutoff of that
+// keeps it.
+template <WholeNumber I>
+inline auto light_of_texel(I whole) {
+  return to_float(whole) * (1.0f / kFullTexel);
+}
+template <WholeNumber I>
+inline auto alpha_of_texel(I whole) {
+  return to_float(whole) / float(kFullTexel);
+}
+
 // ---- one level ----
 
 // How wide or high a level is whose base has `side` texels there.
@@ -52,8 +78,8 @@ inline I side_of_level(int side, I level) {
   return greatest(I(1), shifted_right(I(side), level));
 }
 
-// The texel that (u, v) is in, and the mean of the four around it. A texture has a texel(level, x, y), and colours have a mix()
-// of their channels. Coordinates are wrapped already. Texel centres are at halves.
+// The texel that (u, v) is in, and the mean of the four around it. A texture has a texel(level, x, y), and texels have a mix()
+// of their channels by mix_whole(). Coordinates are wrapped already. Texel centres are at halves.
 template <Number F, class Texture, class Size>
 inline auto sample_nearest(const Texture& texture, const Sampler& sampler,
                            const TextureLevelOf<Size>& level, F u, F v) {
@@ -73,7 +99,7 @@ inline auto sample_linear(const Texture& texture, const Sampler& sampler,
   const auto x1 = wrap_texel(sampler.wrap_u, column + 1, level.width);
   const auto y0 = wrap_texel(sampler.wrap_v, row, level.height);
   const auto y1 = wrap_texel(sampler.wrap_v, row + 1, level.height);
-  const F across = x - left, down = y - above;
+  const auto across = fraction_of(x - left), down = fraction_of(y - above);
   return mix(mix(texture.texel(level, x0, y0), texture.texel(level, x1, y0), across),
              mix(texture.texel(level, x0, y1), texture.texel(level, x1, y1), across), down);
 }
@@ -173,10 +199,11 @@ inline auto sample_minified(const Texture& texture, const Sampler& sampler, F u,
     return sample_level(texture, sampler, filter, texture.level(nearest), u, v);
   }
   const F finer = floor(position), beyond = position - finer;
-  const auto color = sample_level(texture, sampler, filter, texture.level(to_integer(finer)), u, v);
-  if (none(beyond > 0.0f)) return color;
+  const auto texel = sample_level(texture, sampler, filter, texture.level(to_integer(finer)), u, v);
+  if (none(beyond > 0.0f)) return texel;
   const auto coarser = to_integer(least(finer + 1.0f, F(float(texture.last_level()))));
-  return mix(color, sample_level(texture, sampler, filter, texture.level(coarser), u, v), beyond);
+  return mix(texel, sample_level(texture, sampler, filter, texture.level(coarser), u, v),
+             fraction_of(beyond));
 }
 
 // One filtered sample. A texture has base(), and level(k) for k in 0 .. last_level().

@@ -48,7 +48,7 @@ private:
   HWY_INLINE IntMask kept(IntMask lanes, const Source& source) const {
     const LazyMipChain* texture = test_.draw->texture;
     const Floats alpha =
-        surface_alpha(*test_.draw, texture != nullptr ? &texture->get() : nullptr, source);
+        surface_color(*test_.draw, texture != nullptr ? &texture->get() : nullptr, source).alpha;
     return lanes && int_mask(alpha >= test_.draw->material->alpha_cutoff);
   }
 
@@ -102,15 +102,14 @@ private:
   HWY_INLINE void blend_colors(IntMask lanes, int x, int y, std::size_t k,
                                const Source& source) const {
     const DrawTextures textures(*job_.draw);
-    const Rgb color = shining_by_call(*job_.draw, textures, *job_.resolve, source);
-    const Floats alpha =
-        clamped(surface_alpha(*job_.draw, textures.color, source), Floats(0.0f), Floats(1.0f));
+    const SurfaceColor surface = shining(*job_.draw, textures, *job_.resolve, source);
+    const Floats alpha = clamped(surface.alpha, Floats(0.0f), Floats(1.0f));
     HWY_ALIGN std::int32_t colors[kLanes] = {};
     for_each_run(lanes, x, y, k, [&](std::size_t lane, Rgba8* stored, auto count) {
       std::memcpy(colors + lane, stored, count * sizeof(Rgba8));
     });
     const Ints before = load(colors);
-    store((laid_over_bytes(color, alpha, before) & mask_) | (before & ~mask_), colors);
+    store((laid_over_bytes(surface.color, alpha, before) & mask_) | (before & ~mask_), colors);
     for_each_run(lanes, x, y, k, [&](std::size_t lane, Rgba8* stored, auto count) {
       std::memcpy(static_cast<void*>(stored), colors + lane, count * sizeof(Rgba8));
     });
@@ -137,14 +136,14 @@ private:
   HWY_INLINE Ints laid_over_bytes(const Rgb& color, Floats alpha, Ints before) const {
     const ResolveJob& resolve = *job_.resolve;
     const Transfer transfer = resolve.transfer;
-    const Rgb stored = ColorOfTexel{transfer}(before);
+    const Rgb stored = decoded(transfer, before);
     const auto byte = [&](bool wanted, std::size_t i) HWY_ATTR {
       return wanted ? encode(transfer, laid_over(color[i], alpha, stored[i])) : Ints(0);
     };
     Ints after = byte(resolve.channels.r, 0) | shifted_left<8>(byte(resolve.channels.g, 1)) |
                  shifted_left<16>(byte(resolve.channels.b, 2));
     if (resolve.mask.a) {
-      const Floats a = laid_over(Floats(1.0f), alpha, AlphaOfTexel()(before));
+      const Floats a = laid_over(Floats(1.0f), alpha, decoded_alpha(before));
       after = after | shifted_left<24>(encode_unorm8(a));
     }
     return after;

@@ -14,8 +14,10 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
+#include <glassbox/base/numbers.h>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -217,6 +219,102 @@ HWY_INLINE void store(Floats x, float* to) {
 HWY_INLINE void store(Ints i, std::int32_t* to) {
   hn::Store(i.v, kI, to);
 }
+
+// ---- four integers of 16 bits in each lane ----
+
+#if HWY_TARGET == HWY_SCALAR
+// There are no narrower ones in a single lane: they are computed one by one.
+struct Shorts {
+  std::array<std::int16_t, 4> i;
+};
+template <class Operation>
+HWY_INLINE Shorts of_each(const Shorts& a, const Shorts& b, const Operation& operation) {
+  Shorts results;
+  for (std::size_t k = 0; k < 4; ++k) {
+    results.i[k] = std::int16_t(operation(std::int32_t(a.i[k]), std::int32_t(b.i[k])));
+  }
+  return results;
+}
+HWY_INLINE Shorts operator+(const Shorts& a, const Shorts& b) {
+  return of_each(a, b, [](std::int32_t x, std::int32_t y) { return x + y; });
+}
+HWY_INLINE Shorts operator-(const Shorts& a, const Shorts& b) {
+  return of_each(a, b, [](std::int32_t x, std::int32_t y) { return x - y; });
+}
+HWY_INLINE Shorts times_fraction(const Shorts& i, const Shorts& f) {
+  return of_each(i, f,
+                 [](std::int32_t x, std::int32_t y) { return glassbox::times_fraction(x, y); });
+}
+HWY_INLINE Shorts select(FloatMask condition, const Shorts& yes, const Shorts& no) {
+  return none(condition) ? no : yes;
+}
+// The lane's integer, which is in [0, 2^15), four times.
+HWY_INLINE Shorts four_times(Ints i) {
+  const auto one = std::int16_t(i.v.raw);
+  return {{one, one, one, one}};
+}
+// Entry `at` of a table of four each.
+HWY_INLINE Shorts gather_shorts(const std::int64_t* table, Ints at) {
+  Shorts gathered;
+  std::memcpy(gathered.i.data(), table + at.v.raw, sizeof(gathered.i));
+  return gathered;
+}
+// The k-th of them, which is not negative.
+template <std::size_t k>
+HWY_INLINE Ints short_of(const Shorts& shorts) {
+  return std::int32_t(shorts.i[k]);
+}
+#else
+using DS = hn::Repartition<std::int16_t, DF>;
+using DW = hn::Repartition<std::int64_t, DF>;
+inline constexpr DS kS;
+inline constexpr DW kW;
+inline constexpr hn::Half<DI> kHalfI;
+
+// Those of the lower half of the lanes, and those of the upper one.
+struct Shorts {
+  hn::Vec<DS> low, high;
+};
+HWY_INLINE Shorts operator+(const Shorts& a, const Shorts& b) {
+  return {hn::Add(a.low, b.low), hn::Add(a.high, b.high)};
+}
+HWY_INLINE Shorts operator-(const Shorts& a, const Shorts& b) {
+  return {hn::Sub(a.low, b.low), hn::Sub(a.high, b.high)};
+}
+HWY_INLINE Shorts times_fraction(const Shorts& i, const Shorts& f) {
+  return {hn::MulFixedPoint15(i.low, f.low), hn::MulFixedPoint15(i.high, f.high)};
+}
+// What `of_words` makes of the lanes as words of 64 bits, half by half.
+template <class OfWords>
+HWY_INLINE Shorts shorts_of_words(Ints i, const OfWords& of_words) {
+  return {hn::BitCast(kS, of_words(hn::PromoteTo(kW, hn::LowerHalf(kHalfI, i.v)))),
+          hn::BitCast(kS, of_words(hn::PromoteTo(kW, hn::UpperHalf(kHalfI, i.v))))};
+}
+// The lane's integer, which is in [0, 2^15), four times.
+HWY_INLINE Shorts four_times(Ints i) {
+  return shorts_of_words(i | shifted_left<16>(i), [](auto twice) HWY_ATTR {
+    return hn::Or(twice, hn::ShiftLeft<32>(twice));
+  });
+}
+// Entry `at` of a table of four each.
+HWY_INLINE Shorts gather_shorts(const std::int64_t* table, Ints at) {
+  return shorts_of_words(at,
+                         [&](auto entry) HWY_ATTR { return hn::GatherIndex(kW, table, entry); });
+}
+HWY_INLINE Shorts select(FloatMask condition, const Shorts& yes, const Shorts& no) {
+  const Ints all_bits = hn::VecFromMask(kI, int_mask(condition).m);
+  const Shorts where = shorts_of_words(all_bits, [](auto words) HWY_ATTR { return words; });
+  return {hn::IfVecThenElse(where.low, yes.low, no.low),
+          hn::IfVecThenElse(where.high, yes.high, no.high)};
+}
+// The k-th of them, which is not negative.
+template <std::size_t k>
+HWY_INLINE Ints short_of(const Shorts& shorts) {
+  const auto low = hn::BitCast(kI, shorts.low), high = hn::BitCast(kI, shorts.high);
+  const Ints two = k < 2 ? hn::ConcatEven(kI, high, low) : hn::ConcatOdd(kI, high, low);
+  return k % 2 == 0 ? two & 0xffff : shifted_right<16>(two);
+}
+#endif
 
 // ---- from one kind to another ----
 

@@ -325,10 +325,9 @@ struct DrawTextures {
   const MipChain* emission = nullptr;
 };
 
-template <class OfTexel, class Source>
-HWY_INLINE auto sampled(const MipChain& texture, OfTexel of_texel, const Sampler& sampler,
-                        const Source& source) {
-  const TextureInLanes texels(texture, of_texel);
+template <class Source>
+HWY_INLINE Shorts sampled(const MipChain& texture, const Sampler& sampler, const Source& source) {
+  const TextureInLanes texels(texture);
   const Float2 at = source.texcoord();
   if (HWY_LIKELY(samples_base_only(sampler))) return sample_base(texels, sampler, at);
   const TextureGradientOf<Floats> gradient =
@@ -337,34 +336,25 @@ HWY_INLINE auto sampled(const MipChain& texture, OfTexel of_texel, const Sampler
                         level_of_detail(gradient, texture.width, texture.height));
 }
 
-template <class Source>
-HWY_INLINE Rgb texture_color(const MipChain& texture, const Sampler& sampler, const ResolveJob& job,
-                             const Source& source) {
-  return sampled(texture, ColorOfTexel{job.transfer}, sampler, source);
-}
+// Material times vertex colour times texture, and the alpha of the same factors. Whoever has no use for one of them computes none.
+struct SurfaceColor {
+  Rgb color;
+  Floats alpha;
+};
 
 template <class Source>
-HWY_INLINE Rgb surface_color(const ShadeDraw& draw, const MipChain* texture, const ResolveJob& job,
-                             const Source& source) {
+HWY_INLINE SurfaceColor surface_color(const ShadeDraw& draw, const MipChain* texture,
+                                      const Source& source) {
   const Rgba& base = draw.material->base_color;
-  Rgb color{Floats(base.r), Floats(base.g), Floats(base.b)};
-  if (draw.color_indices != nullptr) color = product(color, source.color());
-  if (texture != nullptr) {
-    color = product(color, texture_color(*texture, *draw.sampler, job, source));
+  SurfaceColor surface{{Floats(base.r), Floats(base.g), Floats(base.b)}, Floats(base.a)};
+  if (draw.color_indices != nullptr) {
+    surface = {product(surface.color, source.color()), surface.alpha * source.alpha()};
   }
-  return color;
-}
-
-// Its alpha, of the same factors.
-template <class Source>
-HWY_INLINE Floats surface_alpha(const ShadeDraw& draw, const MipChain* texture,
-                                const Source& source) {
-  Floats alpha = draw.material->base_color.a;
-  if (draw.color_indices != nullptr) alpha = alpha * source.alpha();
   if (texture != nullptr) {
-    alpha = alpha * sampled(*texture, AlphaOfTexel(), *draw.sampler, source);
+    const Shorts texels = sampled(*texture, *draw.sampler, source);
+    surface = {product(surface.color, color_of(texels)), surface.alpha * alpha_of(texels)};
   }
-  return alpha;
+  return surface;
 }
 
 template <class Source>
@@ -377,29 +367,29 @@ HWY_INLINE Rgb lit(const ShadeDraw& draw, const ResolveJob& job, const Source& s
 }
 
 template <class Source>
-HWY_INLINE Rgb emission(const ShadeDraw& draw, const MipChain* texture, const ResolveJob& job,
-                        const Source& source) {
+HWY_INLINE Rgb emission(const ShadeDraw& draw, const MipChain* texture, const Source& source) {
   const Rgb own{Floats(draw.emission[0]), Floats(draw.emission[1]), Floats(draw.emission[2])};
   if (texture == nullptr) return own;
-  return product(own, texture_color(*texture, *draw.emission_sampler, job, source));
+  return product(own, color_of(sampled(*texture, *draw.emission_sampler, source)));
 }
 
 // The surface in the light, and its own light with it.
 template <class Source>
-HWY_INLINE Rgb shining(const ShadeDraw& draw, const DrawTextures& textures, const ResolveJob& job,
-                       const Source& source) {
-  Rgb color = lit(draw, job, source, surface_color(draw, textures.color, job, source));
+HWY_INLINE SurfaceColor shining(const ShadeDraw& draw, const DrawTextures& textures,
+                                const ResolveJob& job, const Source& source) {
+  SurfaceColor surface = surface_color(draw, textures.color, source);
+  surface.color = lit(draw, job, source, surface.color);
   if (HWY_UNLIKELY(draw.emits)) {
-    color = sum(color, emission(draw, textures.emission, job, source));
+    surface.color = sum(surface.color, emission(draw, textures.emission, source));
   }
-  return color;
+  return surface;
 }
 
-// The same for whoever shades fewer pixels than resolving does: compiled once.
+// The colour alone, for whoever shades fewer pixels than resolving does: compiled once.
 template <class Source>
 HWY_NOINLINE Rgb shining_by_call(const ShadeDraw& draw, const DrawTextures& textures,
                                  const ResolveJob& job, const Source& source) {
-  return shining(draw, textures, job, source);
+  return shining(draw, textures, job, source).color;
 }
 
 // A colour's bytes as one integer, opaque; those that are not wanted are 0.
@@ -413,7 +403,7 @@ HWY_INLINE Ints encoded(const Rgb& color, const ResolveJob& job) {
 template <class Source>
 HWY_INLINE Ints shade(const ShadeDraw& draw, const DrawTextures& textures, const ResolveJob& job,
                       const Source& source) {
-  return encoded(shining(draw, textures, job, source), job);
+  return encoded(shining(draw, textures, job, source).color, job);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -19,41 +19,40 @@ namespace HWY_NAMESPACE {
 // Red, green and blue; opaque surfaces have no use for alpha.
 using Rgb = std::array<Floats, 3>;
 
-HWY_INLINE Rgb mix(const Rgb& a, const Rgb& b, Floats t) {
-  return {mix(a[0], b[0], t), mix(a[1], b[1], t), mix(a[2], b[2], t)};
-}
-
-// What of a stored texel is wanted, in linear light.
+// Stored bytes in linear light, red in the lowest.
 static_assert(std::endian::native == std::endian::little);
-struct ColorOfTexel {
-  HWY_INLINE Rgb operator()(Ints texel) const {
-    return {decode(transfer, texel & 255), decode(transfer, shifted_right<8>(texel) & 255),
-            decode(transfer, shifted_right<16>(texel) & 255)};
-  }
-  Transfer transfer;
-};
-struct AlphaOfTexel {
-  HWY_INLINE Floats operator()(Ints texel) const {
-    return decode_unorm8(shifted_right<24>(texel) & 255);
-  }
-};
-
-HWY_INLINE Rgb select(FloatMask condition, const Rgb& yes, const Rgb& no) {
-  return {select(condition, yes[0], no[0]), select(condition, yes[1], no[1]),
-          select(condition, yes[2], no[2])};
+HWY_INLINE Rgb decoded(Transfer transfer, Ints stored) {
+  return {decode(transfer, stored & 255), decode(transfer, shifted_right<8>(stored) & 255),
+          decode(transfer, shifted_right<16>(stored) & 255)};
+}
+HWY_INLINE Floats decoded_alpha(Ints stored) {
+  return decode_unorm8(shifted_right<24>(stored) & 255);
 }
 
-// The texels of a chain.
-template <class OfTexel>
+HWY_INLINE Shorts mix(const Shorts& a, const Shorts& b, Ints f) {
+  return mix_whole(a, b, four_times(f));
+}
+
+// What texels stand for.
+HWY_INLINE Rgb color_of(const Shorts& texels) {
+  return {light_of_texel(short_of<0>(texels)), light_of_texel(short_of<1>(texels)),
+          light_of_texel(short_of<2>(texels))};
+}
+HWY_INLINE Floats alpha_of(const Shorts& texels) {
+  return alpha_of_texel(short_of<3>(texels));
+}
+
+// A chain as the formulas ask it.
 class TextureInLanes {
 public:
-  HWY_INLINE TextureInLanes(const MipChain& chain, OfTexel of_texel)
-      : texels_(reinterpret_cast<const std::int32_t*>(chain.texels.data())),
+  HWY_INLINE explicit TextureInLanes(const MipChain& chain)
+      : texels_(reinterpret_cast<const std::int64_t*>(chain.texels.data())),
         first_(chain.first.data()),
         width_(chain.width),
         height_(chain.height),
-        last_level_(chain.last_level()),
-        of_texel_(of_texel) {}
+        last_level_(chain.last_level()) {
+    static_assert(sizeof(Texel) == sizeof(std::int64_t));
+  }
 
   int last_level() const { return last_level_; }
   HWY_INLINE TextureLevelOf<std::int32_t> base() const { return {width_, height_, 0}; }
@@ -61,21 +60,19 @@ public:
     return {side_of_level(width_, k), side_of_level(height_, k), hn::GatherIndex(kI, first_, k.v)};
   }
   template <class Size>
-  HWY_INLINE auto texel(const TextureLevelOf<Size>& level, Ints x, Ints y) const {
-    return of_texel_(hn::GatherIndex(kI, texels_, (y * level.width + x + level.first).v));
+  HWY_INLINE Shorts texel(const TextureLevelOf<Size>& level, Ints x, Ints y) const {
+    return gather_shorts(texels_, y * level.width + x + level.first);
   }
 
 private:
-  const std::int32_t* texels_;
+  const std::int64_t* texels_;
   const std::int32_t* first_;  // by level
   std::int32_t width_, height_, last_level_;
-  OfTexel of_texel_;
 };
 
-// sample() for samplers that look at the base level alone.
-template <class OfTexel>
-HWY_INLINE auto sample_base(const TextureInLanes<OfTexel>& texels, const Sampler& sampler,
-                            const std::array<Floats, 2>& texcoord) {
+// sample_texture() for samplers that look at the base level alone.
+HWY_INLINE Shorts sample_base(const TextureInLanes& texels, const Sampler& sampler,
+                              const std::array<Floats, 2>& texcoord) {
   return sample_level(texels, sampler, sampler.magnify, texels.base(),
                       wrap_coordinate(sampler.wrap_u, texcoord[0]),
                       wrap_coordinate(sampler.wrap_v, texcoord[1]));

@@ -59,9 +59,8 @@ inline Rgba surface_color(const FragmentStage& stage, const Surface& surface, co
              base.a * at.color[3]};
   if (stage.draw.texture != nullptr) {
     const MipChain& texture = stage.draw.texture->get();
-    const Rgba texel =
-        sample(texture, *stage.draw.sampler, at.texcoord, detail_at(texture, surface, at, fragment),
-               stage.settings.transfer, stage.channels);
+    const Rgba texel = sample(texture, *stage.draw.sampler, at.texcoord,
+                              detail_at(texture, surface, at, fragment));
     color = {color.r * texel.r, color.g * texel.g, color.b * texel.b, color.a * texel.a};
   }
   return color;
@@ -99,9 +98,8 @@ inline std::array<float, 3> emission_at(const FragmentStage& stage, const Surfac
   const std::array<float, 3>& emission = stage.draw.emission;
   if (stage.draw.emission_texture == nullptr) return emission;
   const MipChain& texture = stage.draw.emission_texture->get();
-  const Rgba texel =
-      sample(texture, *stage.draw.emission_sampler, at.texcoord,
-             detail_at(texture, surface, at, fragment), stage.settings.transfer, stage.channels);
+  const Rgba texel = sample(texture, *stage.draw.emission_sampler, at.texcoord,
+                            detail_at(texture, surface, at, fragment));
   return {emission[0] * texel.r, emission[1] * texel.g, emission[2] * texel.b};
 }
 

@@ -1,4 +1,4 @@
-// The levels of a texture as images, and textures made of images.
+// The levels of a texture as images of texels, and textures made of them.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,11 @@
 
 namespace glassbox::test {
 
-inline std::vector<Image<Rgba8>> levels_of(const MipChain& chain) {
-  std::vector<Image<Rgba8>> levels;
+inline std::vector<Image<Texel>> levels_of(const MipChain& chain) {
+  std::vector<Image<Texel>> levels;
   int width = chain.width, height = chain.height;
   for (const std::int32_t first : chain.first) {
-    Image<Rgba8>& level = levels.emplace_back(width, height);
+    Image<Texel>& level = levels.emplace_back(width, height);
     for (std::size_t i = 0; i < level.pixels.size(); ++i) {
       level.pixels[i] = chain.texels.at(std::size_t(first) + i);
     }
@@ -24,9 +24,9 @@ inline std::vector<Image<Rgba8>> levels_of(const MipChain& chain) {
 }
 
 // Each level has half the sides of the one before.
-inline MipChain chain_of(const std::vector<Image<Rgba8>>& levels) {
+inline MipChain chain_of(const std::vector<Image<Texel>>& levels) {
   MipChain chain{levels.front().width, levels.front().height, {}, {}};
-  for (const Image<Rgba8>& level : levels) {
+  for (const Image<Texel>& level : levels) {
     chain.first.push_back(std::int32_t(chain.texels.size()));
     chain.texels.insert(chain.texels.end(), level.pixels.begin(), level.pixels.end());
   }

@@ -40,7 +40,7 @@ Sampler sampler_of(Wrap wrap, Filter filter, MipFilter mip = MipFilter::kNone) {
 
 Rgba sample_at(const MipChain& texture, const Sampler& sampler, float u, float v,
                float detail = 0) {
-  return sample(texture, sampler, {u, v}, detail, Transfer::kNone);
+  return sample(texture, sampler, {u, v}, detail);
 }
 
 // The texel of an endless row.
@@ -63,8 +63,13 @@ const Rgba8& texel_at(const Image<Rgba8>& image, Wrap wrap, std::int64_t x, std:
   return image.at(int(wrapped(wrap, x, image.width)), int(wrapped(wrap, y, image.height)));
 }
 
+// Of a linear image.
+Texel texel_of(const Rgba8& c) {
+  const auto whole = [](int byte) { return std::int16_t(128 * byte); };
+  return {whole(c.r), whole(c.g), whole(c.b), whole(c.a)};
+}
 Rgba decoded(const Rgba8& c) {
-  return {decode_unorm8(c.r), decode_unorm8(c.g), decode_unorm8(c.b), decode_unorm8(c.a)};
+  return light_of(texel_of(c));
 }
 
 // The red channel by bilinear filtering, in double, at coordinates as given.
@@ -153,7 +158,7 @@ TEST_CASE("coordinates that are not finite, or enormous, are legal") {
         for (const float detail : {NAN, INFINITY, -INFINITY, most, 1.5f}) {
           const Rgba c = sample_at(texture, sampler, t, -t, detail);
           CAPTURE(int(wrap), t, detail);
-          CHECK((c.r >= 0 && c.r <= 1.0f + 4 * float(kU)));
+          CHECK((c.r >= 0 && c.r <= 1));
         }
       }
     }
@@ -189,9 +194,10 @@ TEST_CASE("bilinear filtering of any size agrees with double arithmetic") {
         double(sample_at(single_level(image), sampler_of(wrap, Filter::kLinear), u, v).r);
     CAPTURE(width, height, int(wrap), u, v);
     // Wrapping a negative coordinate, scaling and the half texel are three roundings of the position, of at most `side`
-    // (twice that, mirrored); the colour changes by at most 1 per texel. Decoding and three mixes of three: 10 u.
+    // (twice that, mirrored); the colour changes by at most 1 per texel. Two mixes, one after the other, of 1.5 units each; the
+    // float that stands for the result is 2 u off.
     REQUIRE(std::abs(found - bilinear_red(image, wrap, double(u), double(v))) <=
-            (6.0 * (width + height) + 10) * kU);
+            3.0 / kFullTexel + (6.0 * (width + height) + 2) * kU);
   }
 }
 
@@ -215,19 +221,24 @@ TEST_CASE("a mip chain halves down to one texel, whatever the size") {
   }
 }
 
-TEST_CASE("every level is the half of the one before it") {
-  Random random(14);
-  for (const auto& [width, height] :
-       {std::array{7, 5}, {16, 1}, {1, 9}, {13, 6}, {61, 3}, {64, 32}, {33, 47}}) {
-    for (const Transfer transfer : {Transfer::kSrgb, Transfer::kNone}) {
-      const std::vector<Image<Rgba8>> levels =
-          levels_of(make_mip_chain(random_image(random, width, height), transfer, false));
-      for (std::size_t k = 1; k < levels.size(); ++k) {
-        CAPTURE(width, height, k);
-        CHECK(levels[k] == levels_of(make_mip_chain(levels[k - 1], transfer, false))[1]);
-      }
+TEST_CASE("a texel stands for its byte: the colour comes back, and alpha is the byte's float") {
+  for (const Transfer transfer : {Transfer::kSrgb, Transfer::kNone}) {
+    for (int byte = 0; byte < 256; ++byte) {
+      const auto b = std::uint8_t(byte);
+      const Rgba8 color{b, std::uint8_t(255 - byte), 7, b};
+      const Texel texel = make_mip_chain(Image<Rgba8>(1, 1, color), transfer, true).texels.front();
+      CAPTURE(int(transfer), byte);
+      CHECK(stored_texel(texel, transfer) == color);
+      CHECK(light_of(texel).a == decode_unorm8(b));
+      // Half a unit, and the two roundings of a float.
+      CHECK(std::abs(double(light_of(texel).r) - double(decode(transfer, b))) <=
+            0.5 / kFullTexel + 2 * kU);
     }
   }
+  const Texel white =
+      make_mip_chain(Image<Rgba8>(1, 1, {255, 255, 255, 255}), Transfer::kSrgb, true)
+          .texels.front();
+  CHECK(light_of(white) == Rgba{1, 1, 1, 1});
 }
 
 TEST_CASE("an image of one colour has that colour at every level, to the byte") {
@@ -235,39 +246,48 @@ TEST_CASE("an image of one colour has that colour at every level, to the byte") 
     for (int byte = 0; byte < 256; ++byte) {
       const Rgba8 color{std::uint8_t(byte), std::uint8_t(255 - byte), 7, std::uint8_t(byte)};
       const MipChain chain = make_mip_chain(Image<Rgba8>(13, 6 + byte % 3, color), transfer, false);
-      for (const Rgba8& texel : chain.texels) REQUIRE(texel == color);
+      for (const Texel& texel : chain.texels) {
+        REQUIRE(texel == chain.texels.front());
+        REQUIRE(stored_texel(texel, transfer) == color);
+      }
     }
   }
 }
 
-TEST_CASE("a texel of a level is the mean of exactly the area it covers") {
+TEST_CASE("a texel of a level is the mean of exactly the area it covers in the level before") {
   Random random(6);
   for (int i = 0; i < 60; ++i) {
     const Image<Rgba8> image =
         random_image(random, int(random.integer(1, 24)), int(random.integer(1, 24)));
-    const MipChain chain = make_mip_chain(image, Transfer::kNone, false);
-    if (chain.last_level() == 0) continue;
-    const Image<Rgba8> small = levels_of(chain)[1];
-    for (int y = 0; y < small.height; ++y) {
-      for (int x = 0; x < small.width; ++x) {
-        // Areas in units of 1 / (small.width small.height) source texels.
-        const auto overlap = [](int n, int texel, int short_side, int long_side) {
-          return std::max(0, std::min((n + 1) * long_side, (texel + 1) * short_side) -
-                                 std::max(n * long_side, texel * short_side));
-        };
-        std::int64_t sum = 0, area = 0;
-        for (int row = 0; row < image.height; ++row) {
-          for (int column = 0; column < image.width; ++column) {
-            const std::int64_t part = std::int64_t(overlap(x, column, small.width, image.width)) *
-                                      overlap(y, row, small.height, image.height);
-            sum += part * image.at(column, row).r;
-            area += part;
+    const Transfer transfer = i % 2 == 0 ? Transfer::kNone : Transfer::kSrgb;
+    const std::vector<Image<Texel>> levels = levels_of(make_mip_chain(image, transfer, false));
+    for (std::size_t k = 1; k < levels.size(); ++k) {
+      const Image<Texel>& large = levels[k - 1];
+      const Image<Texel>& small = levels[k];
+      for (int y = 0; y < small.height; ++y) {
+        for (int x = 0; x < small.width; ++x) {
+          // Areas in units of 1 / (small.width small.height) of the larger texels.
+          const auto overlap = [](int n, int texel, int short_side, int long_side) {
+            return std::max(0, std::min((n + 1) * long_side, (texel + 1) * short_side) -
+                                   std::max(n * long_side, texel * short_side));
+          };
+          std::int64_t red = 0, alpha = 0, area = 0;
+          for (int row = 0; row < large.height; ++row) {
+            for (int column = 0; column < large.width; ++column) {
+              const std::int64_t part = std::int64_t(overlap(x, column, small.width, large.width)) *
+                                        overlap(y, row, small.height, large.height);
+              red += part * large.at(column, row).r;
+              alpha += part * large.at(column, row).a;
+              area += part;
+            }
           }
+          CAPTURE(image.width, image.height, k, x, y);
+          REQUIRE(area == std::int64_t(large.width) * large.height);
+          // Rounded to nearest. Of nine texels, each weighed with three roundings: 12 u of a full texel.
+          constexpr double kBound = 0.5 + 12 * kU * kFullTexel;
+          REQUIRE(std::abs(small.at(x, y).r - double(red) / double(area)) <= kBound);
+          REQUIRE(std::abs(small.at(x, y).a - double(alpha) / double(area)) <= kBound);
         }
-        CAPTURE(image.width, image.height, x, y);
-        REQUIRE(area == std::int64_t(image.width) * image.height);
-        // Nine texels, each weighed with a few roundings: 1e-3 of a byte is more than 20 u * 255.
-        REQUIRE(std::abs(small.at(x, y).r - double(sum) / double(area)) <= 0.5 + 1e-3);
       }
     }
   }
@@ -277,7 +297,7 @@ TEST_CASE("mip levels are means of light, not of bytes") {
   Image<Rgba8> image(2, 1, {0, 0, 0, 255});
   image.at(1, 0) = {255, 255, 255, 255};
   const auto smallest = [&](Transfer transfer) {
-    return make_mip_chain(image, transfer, false).texels.back();
+    return stored_texel(make_mip_chain(image, transfer, false).texels.back(), transfer);
   };
   CHECK(smallest(Transfer::kSrgb) == Rgba8{188, 188, 188, 255});
   CHECK(smallest(Transfer::kNone) == Rgba8{128, 128, 128, 255});
@@ -287,7 +307,7 @@ TEST_CASE("trilinear filtering is continuous in the level of detail and exact at
   Random random(8);
   const MipChain chain = make_mip_chain(random_image(random, 24, 10), Transfer::kNone, false);
   const Sampler trilinear = sampler_of(Wrap::kRepeat, Filter::kLinear, MipFilter::kLinear);
-  const std::vector<Image<Rgba8>> levels = levels_of(chain);
+  const std::vector<Image<Texel>> levels = levels_of(chain);
   const float last = float(chain.last_level());
   for (int i = 0; i < 200; ++i) {
     const float u = float(random.between(-2, 2)), v = float(random.between(-2, 2));
@@ -298,22 +318,63 @@ TEST_CASE("trilinear filtering is continuous in the level of detail and exact at
       const MipChain alone = chain_of({levels[std::size_t(level)]});
       const double exact = double(sample_at(alone, trilinear, u, v, 0).r);
       CHECK(at(level) == exact);
-      // 2^-10 of a level away from it: at most 2^-10 of a change of 1, and the roundings of one mix.
-      CHECK(std::abs(at(level + 0x1p-10f) - exact) <= 0x1p-10 + 4 * kU);
-      CHECK(std::abs(at(level - 0x1p-10f) - exact) <= 0x1p-10 + 4 * kU);
-      if (level < last) CHECK(std::abs(at(level + 0.5f) - (exact + at(level + 1)) / 2) <= 4 * kU);
+      // One mix, whose fractions are exact here: half a unit; and 2 u for each float that stands for whole numbers.
+      constexpr double kOneMix = 0.5 / kFullTexel + 4 * kU;
+      // 2^-10 of a level away from it: at most 2^-10 of a change of 1.
+      CHECK(std::abs(at(level + 0x1p-10f) - exact) <= 0x1p-10 + kOneMix);
+      CHECK(std::abs(at(level - 0x1p-10f) - exact) <= 0x1p-10 + kOneMix);
+      if (level < last) CHECK(std::abs(at(level + 0.5f) - (exact + at(level + 1)) / 2) <= kOneMix);
     }
     CHECK(at(last + 5) == at(last));
     CHECK(at(-3) == at(0));
   }
 }
 
+TEST_CASE("trilinear filtering is within 4.5 units of exact weights") {
+  Random random(10);
+  double worst = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const int width = int(random.integer(1, 40)), height = int(random.integer(1, 40));
+    const MipChain chain =
+        make_mip_chain(random_image(random, width, height), Transfer::kSrgb, false);
+    const float u = float(random.unit()), v = float(random.unit());
+    const float detail = float(random.between(0, chain.last_level()));
+    const auto red_at = [](const Image<Texel>& level, double x, double y) {
+      const double x0 = std::floor(x), y0 = std::floor(y), s = x - x0, t = y - y0;
+      const auto red = [&](int dx, int dy) {
+        return double(level
+                          .at(std::clamp(int(x0) + dx, 0, level.width - 1),
+                              std::clamp(int(y0) + dy, 0, level.height - 1))
+                          .r);
+      };
+      return (1 - t) * ((1 - s) * red(0, 0) + s * red(1, 0)) +
+             t * ((1 - s) * red(0, 1) + s * red(1, 1));
+    };
+    const std::vector<Image<Texel>> levels = levels_of(chain);
+    // The places as floats have them: their roundings are not the mixes'.
+    const auto red_of = [&](std::size_t k) {
+      const Image<Texel>& level = levels[std::min(k, levels.size() - 1)];
+      return red_at(level, double(u * float(level.width) - 0.5f),
+                    double(v * float(level.height) - 0.5f));
+    };
+    const auto finer = std::size_t(detail);
+    const double beyond = double(detail) - double(finer);
+    const double exact = (1 - beyond) * red_of(finer) + beyond * red_of(finer + 1);
+    const Sampler trilinear = sampler_of(Wrap::kClampToEdge, Filter::kLinear, MipFilter::kLinear);
+    const double found = double(sample_at(chain, trilinear, u, v, detail).r) * kFullTexel;
+    worst = std::max(worst, std::abs(found - exact));
+  }
+  CAPTURE(worst);
+  CHECK(worst <= 4.5 + 2 * kU * kFullTexel);
+  CHECK(worst >= 1);  // or nothing was mixed
+}
+
 TEST_CASE("the level of detail chooses filter and level as the sampler says") {
   // Level k is all of one byte: 10 k.
-  std::vector<Image<Rgba8>> levels;
+  std::vector<Image<Texel>> levels;
   for (int k = 0; k < 4; ++k) {
     const auto byte = std::uint8_t(10 * k);
-    levels.emplace_back(8 >> k, 8 >> k, Rgba8{byte, byte, byte, 255});
+    levels.emplace_back(8 >> k, 8 >> k, texel_of({byte, byte, byte, 255}));
   }
   const MipChain chain = chain_of(levels);
   const auto level = [&](MipFilter mip, float detail) {

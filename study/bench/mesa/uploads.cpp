@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
+#include <vector>
 
 #include "study/bench/mesa/shaders.h"
 
@@ -37,6 +39,19 @@ gl::Int filter_code(Filter filter, MipFilter mip) {
       break;
   }
   return filter_code(filter);
+}
+
+// A level as the bytes that OpenGL decodes itself. The base level's are the image's own.
+std::vector<Rgba8> stored_level(const MipChain& chain, int level, Transfer transfer) {
+  const auto first = std::size_t(chain.first[std::size_t(level)]);
+  const bool is_last = level == chain.last_level();
+  const std::size_t end =
+      is_last ? chain.texels.size() : std::size_t(chain.first[std::size_t(level) + 1]);
+  std::vector<Rgba8> stored;
+  for (const Texel& texel : std::span(chain.texels).subspan(first, end - first)) {
+    stored.push_back(stored_texel(texel, transfer));
+  }
+  return stored;
 }
 
 }  // namespace
@@ -80,10 +95,9 @@ gl::Uint upload_texture(const gl::Functions& gl, const MipChain& chain, const Sa
   gl.BindTexture(gl::kTexture2D, name);
   const gl::Int format = transfer == Transfer::kSrgb ? gl::kSrgb8Alpha8 : gl::kRgba8;
   for (int level = 0; level <= chain.last_level(); ++level) {
-    const auto first = std::size_t(chain.first[std::size_t(level)]);
     gl.TexImage2D(gl::kTexture2D, level, format, std::max(1, chain.width >> level),
                   std::max(1, chain.height >> level), 0, gl::kRgba, gl::kUnsignedByte,
-                  &chain.texels[first]);
+                  stored_level(chain, level, transfer).data());
   }
   const auto set = [&](gl::Enum what, gl::Int value) {
     gl.TexParameteri(gl::kTexture2D, what, value);

@@ -16,7 +16,7 @@ inline int pipeline_texel(Wrap wrap, float t, int size) {
     row.at(i, 0) = {std::uint8_t(i & 255), std::uint8_t(i >> 8), 0, 255};
   const Sampler sampler{wrap, wrap, Filter::kNearest, Filter::kNearest, MipFilter::kNone};
   const MipChain texture = make_mip_chain(row, Transfer::kNone, true);
-  const Rgba seen = sample(texture, sampler, {t, 0}, 0, Transfer::kNone);
+  const Rgba seen = sample(texture, sampler, {t, 0}, 0);
   return int(seen.r * 255 + 0.5f) + 256 * int(seen.g * 255 + 0.5f);
 }
 

@@ -79,21 +79,19 @@ HWY_INLINE void store_components(const std::array<Floats, 3>& v, float (&to)[3][
   for (std::size_t axis = 0; axis < 3; ++axis) hn::StoreU(v[axis].v, kF, to[axis]);
 }
 
-inline void sample_all(const MipChain& texture, const Sampler& sampler, Transfer transfer,
+inline void sample_all(const MipChain& texture, const Sampler& sampler,
                        std::span<const TexCoord> at, std::span<const float> levels, Rgba* colors) {
+  const TextureInLanes texels(texture);
   for (std::size_t i = 0; i < at.size(); i += kLanes) {
     HWY_ALIGN float u[kLanes], v[kLanes];
     for (std::size_t k = 0; k < kLanes; ++k) u[k] = entry(at, i + k).u, v[k] = entry(at, i + k).v;
     const std::array<Floats, 2> texcoord{HWY_NAMESPACE::load(u), HWY_NAMESPACE::load(v)};
-    const auto sampled = [&](auto of_texel) HWY_ATTR {
-      const TextureInLanes texels(texture, of_texel);
-      return samples_base_only(sampler)
-                 ? sample_base(texels, sampler, texcoord)
-                 : sample_texture(texels, sampler, texcoord, load(levels, i));
-    };
+    const Shorts sampled = samples_base_only(sampler)
+                               ? sample_base(texels, sampler, texcoord)
+                               : sample_texture(texels, sampler, texcoord, load(levels, i));
     float channels[3][kLanes], alpha[kLanes];
-    store_components(sampled(ColorOfTexel{transfer}), channels);
-    hn::StoreU(sampled(AlphaOfTexel()).v, kF, alpha);
+    store_components(color_of(sampled), channels);
+    hn::StoreU(alpha_of(sampled).v, kF, alpha);
     for (std::size_t k = 0; k < kLanes && i + k < at.size(); ++k) {
       colors[i + k] = {channels[0][k], channels[1][k], channels[2][k], alpha[k]};
     }

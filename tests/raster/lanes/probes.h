@@ -21,8 +21,8 @@ struct LaneProbes {
   void (*decode)(Transfer transfer, std::span<const std::int32_t> bytes, float* linear);
   void (*depth_code)(DepthFormat format, std::span<const float> depths, std::int32_t* codes);
   // `levels`: of detail, one for each coordinate.
-  void (*sample)(const MipChain& texture, const Sampler& sampler, Transfer transfer,
-                 std::span<const TexCoord> at, std::span<const float> levels, Rgba* colors);
+  void (*sample)(const MipChain& texture, const Sampler& sampler, std::span<const TexCoord> at,
+                 std::span<const float> levels, Rgba* colors);
   // Of pixels with `count` samples, which are neighbours in `samples`.
   void (*mean_color)(Transfer transfer, std::span<const Rgba8> samples, std::size_t count,
                      Rgba8* means);
