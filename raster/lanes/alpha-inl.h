@@ -18,6 +18,13 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
+// One lane's number.
+HWY_INLINE Floats in_all_lanes(Floats x, std::size_t lane) {
+  HWY_ALIGN float lanes[kLanes];
+  store(x, lanes);
+  return lanes[lane];
+}
+
 // The tile keeps all.
 struct Opaque {
   static constexpr bool kKeepsAll = true;
@@ -55,14 +62,25 @@ private:
   const AlphaTest& test_;
 };
 
+// What a triangle of one colour makes of each byte that it is laid over, in all four channels at once. Worth making once as many
+// vectors have been blended as there are in the table.
+struct BlendedBytes {
+  static constexpr std::size_t kBytes = 256;
+  std::size_t vectors = 0;  // blended so far
+  HWY_ALIGN std::int32_t after[kBytes];
+
+  bool made() const { return vectors >= kBytes / kLanes; }
+};
+
 // None: they are blended, in the order in which they come.
 class Blended {
 public:
   static constexpr bool kKeepsAll = false;
   static constexpr std::uint64_t FragmentCounts::*kOthers = &FragmentCounts::blended;
 
-  HWY_INLINE explicit Blended(const BlendJob& job)
-      : job_(job), mask_(bytes_of(job.resolve->mask)) {}
+  // `bytes`: of a triangle of one colour where nothing but colours is wanted, otherwise null.
+  HWY_INLINE explicit Blended(const BlendJob& job, BlendedBytes* bytes = nullptr)
+      : job_(job), bytes_(bytes), mask_(bytes_of(job.resolve->mask)) {}
 
   HWY_NOINLINE IntMask kept(IntMask lanes, Reference reference, int x, int y, std::size_t k) const {
     const Ints of_draw = std::int32_t(reference - job_.draw->first_reference);
@@ -73,7 +91,11 @@ public:
   }
   HWY_NOINLINE IntMask kept(IntMask lanes, const LargeShape& shape, int x, int y,
                             std::size_t k) const {
-    blend(lanes, x, y, k, LargeSource(shape, x, y, k, AtSamples{job_.points, lanes}));
+    if (bytes_ != nullptr && bytes_->made()) {
+      replace(lanes, x, y, k, [&](Ints before) HWY_ATTR { return looked_up(before); });
+    } else {
+      blend(lanes, x, y, k, LargeSource(shape, x, y, k, AtSamples{job_.points, lanes}));
+    }
     return lanes && !lanes;
   }
 
@@ -104,12 +126,42 @@ private:
     const DrawTextures textures(*job_.draw);
     const SurfaceColor surface = shining(*job_.draw, textures, *job_.resolve, source);
     const Floats alpha = clamped(surface.alpha, Floats(0.0f), Floats(1.0f));
+    replace(lanes, x, y, k,
+            [&](Ints before) HWY_ATTR { return laid_over_bytes(surface.color, alpha, before); });
+    if (bytes_ == nullptr) return;
+    ++bytes_->vectors;
+    if (!bytes_->made()) return;
+    const auto any = std::size_t(hn::FindFirstTrue(kI, lanes.m));
+    make_bytes({in_all_lanes(surface.color[0], any), in_all_lanes(surface.color[1], any),
+                in_all_lanes(surface.color[2], any)},
+               in_all_lanes(alpha, any));
+  }
+
+  HWY_INLINE void make_bytes(const Rgb& color, Floats alpha) const {
+    for (std::size_t first = 0; first < BlendedBytes::kBytes; first += kLanes) {
+      const Ints byte = hn::Iota(kI, std::int32_t(first));
+      const Ints two = byte | shifted_left<8>(byte);
+      store(laid_over_bytes(color, alpha, two | shifted_left<16>(two)), bytes_->after + first);
+    }
+  }
+
+  HWY_INLINE Ints looked_up(Ints before) const {
+    const auto after = [&](Ints byte) HWY_ATTR { return gather(bytes_->after, byte & 255); };
+    const Ints color = (after(before) & 0xff) | (after(shifted_right<8>(before)) & 0xff00) |
+                       (after(shifted_right<16>(before)) & 0xff0000);
+    if (!job_.resolve->mask.a) return color;
+    return color | (after(shifted_right<24>(before)) & std::int32_t(0xff000000u));
+  }
+
+  // What is stored in these lanes by what `after` says of it, as far as the mask goes.
+  template <class After>
+  HWY_INLINE void replace(IntMask lanes, int x, int y, std::size_t k, const After& after) const {
     HWY_ALIGN std::int32_t colors[kLanes] = {};
     for_each_run(lanes, x, y, k, [&](std::size_t lane, Rgba8* stored, auto count) {
       std::memcpy(colors + lane, stored, count * sizeof(Rgba8));
     });
     const Ints before = load(colors);
-    store((laid_over_bytes(surface.color, alpha, before) & mask_) | (before & ~mask_), colors);
+    store((after(before) & mask_) | (before & ~mask_), colors);
     for_each_run(lanes, x, y, k, [&](std::size_t lane, Rgba8* stored, auto count) {
       std::memcpy(static_cast<void*>(stored), colors + lane, count * sizeof(Rgba8));
     });
@@ -162,6 +214,7 @@ private:
   }
 
   const BlendJob& job_;
+  BlendedBytes* bytes_;
   std::int32_t mask_;
 };
 

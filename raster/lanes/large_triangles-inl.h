@@ -213,7 +213,11 @@ inline void draw_large_masked(const LargeTriangle& triangle, const AlphaTest& te
 inline void draw_large_blended(const LargeTriangle& triangle, const BlendJob& blend,
                                Reference reference, TileBuffer& tile, FragmentCounts& counts) {
   const LargeShape shape(triangle);
-  draw_large(triangle.setup, &shape, reference, Blended(blend), tile, counts);
+  const bool colors_alone =
+      blend.colors != nullptr && blend.resolve->distance == nullptr && blend.resolve->id == nullptr;
+  BlendedBytes bytes;
+  const Blended blended(blend, triangle.one_color && colors_alone ? &bytes : nullptr);
+  draw_large(triangle.setup, &shape, reference, blended, tile, counts);
 }
 
 }  // namespace HWY_NAMESPACE

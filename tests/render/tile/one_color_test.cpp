@@ -88,5 +88,61 @@ TEST_CASE("where light depends on the place, nothing is one colour") {
   CHECK(check_pane(pane(), glowing, Shading::kPhong, {sun}) == 2);
 }
 
+// ---- laid over what is there ----
+
+// Three panes of one colour, one behind the other, before a wall that has all bytes in all channels and leaves some of the
+// background free.
+Scene panes_before_wall(float alpha) {
+  Mesh wall = pane();
+  for (Point<Object>& p : wall.positions) p = {p.x * 0.8f, p.y * 0.8f, p.z - 3};
+  wall.colors = {{0, 0, 1, 1}, {1, 0, 0.3f, 1}, {0.02f, 1, 0, 1}, {1, 1, 1, 1}};
+  Material glass;
+  glass.alpha_mode = AlphaMode::kBlend;
+  glass.base_color = {0.9f, 0.5f, 0.2f, alpha};
+  glass.double_sided = true;
+  Material matte;
+  matte.double_sided = true;
+  Scene scene = scene_of(wall, matte);
+  scene.materials.push_back(glass);
+  for (int i = 0; i < 3; ++i) {
+    Mesh mesh = pane();
+    for (Point<Object>& p : mesh.positions) p = {p.x + 0.4f * float(i), p.y, p.z - 0.5f * float(i)};
+    mesh.material = 1;
+    scene.instances.push_back({std::uint32_t(scene.meshes.size()), 0});
+    scene.meshes.push_back(mesh);
+  }
+  return scene;
+}
+
+TEST_CASE("one colour laid over every byte gives the reference's, whatever is drawn and kept") {
+  Light sun;
+  sun.direction = {0, 0, -1};
+  sun.intensity = 2;
+  const ColorMask masks[] = {
+      {}, {true, false, false, false}, {false, true, true, false}, {false, false, false, true}};
+  for (const float alpha : {0.0f, 0.3f, 1.0f}) {
+    Scene scene = panes_before_wall(alpha);
+    scene.lights = {sun};
+    for (const Transfer transfer : {Transfer::kSrgb, Transfer::kNone}) {
+      for (const ColorMask& mask : masks) {
+        RenderSettings settings;
+        settings.transfer = transfer;
+        settings.mask = mask;
+        settings.background = {90, 3, 250, 77};
+        INFO("alpha " << alpha << ", transfer " << int(transfer) << ", mask " << mask.r << mask.g
+                      << mask.b << mask.a);
+        for (const Target target : available_targets()) {
+          check_same(scene, front_view(), settings, {.target = target});
+        }
+        settings.samples = 4;
+        check_same(scene, front_view(), settings);
+        settings.samples = 1;
+        settings.want_distance = settings.want_id = true;
+        check_same(scene, front_view(), settings);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace glassbox
