@@ -20,6 +20,7 @@
 #include <glassbox/mesh/bounds.h>
 #include <glassbox/mesh/check.h>
 #include <glassbox/mesh/formats/load.h>
+#include <glassbox/mesh/formats/load_memory.h>
 #include <glassbox/mesh/gltf/write.h>
 
 namespace glassbox::app {
@@ -230,12 +231,19 @@ void print_warnings(const Scene& scene) {
     fmt::print("  warning: {}\n", printable(warning, kLongText));
 }
 
-// What a loaded glTF file has beside what is drawn; nothing for other scenes.
-Result<std::optional<GltfContents>> contents_of(const std::string& file) {
-  if (!is_gltf_name(file)) return std::optional<GltfContents>();
-  auto contents = list_gltf(file);
-  if (!contents) return tl::unexpected(contents.error());
-  return std::optional<GltfContents>(std::move(*contents));
+// What glTF has beside what is drawn; nothing for other scenes.
+Result<std::optional<GltfContents>> contents_of(const SceneAndBytes& loaded) {
+  const auto some = [](GltfContents contents) { return std::optional(std::move(contents)); };
+  if (loaded.bytes.empty()) {
+    const std::string& file = loaded.scene.file;
+    if (!is_gltf_name(file)) return std::optional<GltfContents>();
+    return list_gltf(file).map(some);
+  }
+  const std::optional<SceneFormat> format = format_of(loaded.bytes);
+  if (format != SceneFormat::kGlb && format != SceneFormat::kGltf) {
+    return std::optional<GltfContents>();
+  }
+  return list_gltf_memory(loaded.bytes, "").map(some);
 }
 
 }  // namespace
@@ -259,27 +267,28 @@ int InfoCommand::run() {
     if (const auto legal = check_extension(*glb_output_, ".glb"); !legal)
       return refuse(legal.error());
   }
-  const Result<Scene> scene = load_asked_scene(scene_);
-  if (!scene) return refuse(scene.error());
-  const auto contents = contents_of(scene->file);
+  const Result<SceneAndBytes> loaded = load_scene_and_bytes(scene_);
+  if (!loaded) return refuse(loaded.error());
+  const auto contents = contents_of(*loaded);
   if (!contents) return refuse(contents.error());
+  const Scene& scene = loaded->scene;
   std::vector<MeshReport> reports;
-  for (const Mesh& mesh : scene->meshes) reports.push_back(check(mesh));
+  for (const Mesh& mesh : scene.meshes) reports.push_back(check(mesh));
 
   if (glb_output_) {
-    if (const auto written = write_glb(*scene, *glb_output_); !written)
+    if (const auto written = write_glb(scene, *glb_output_); !written)
       return refuse(written.error());
   }
   if (json_output_) {
-    Json json = scene_json(*scene, reports);
+    Json json = scene_json(scene, reports);
     add_contents(contents->value_or(GltfContents()), json);
     const auto written = write_json(*json_output_, json);
     if (!written) return refuse(written.error());
   }
   if (json_output_ != "-") {
-    print_scene(*scene, reports);
+    print_scene(scene, reports);
     if (*contents) fmt::print("{}", contents_text(**contents));
-    print_warnings(*scene);
+    print_warnings(scene);
   }
   return kSuccess;
 }

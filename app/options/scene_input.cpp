@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <utility>
 #include <vector>
 
 #include "app/report/progress.h"
@@ -41,15 +42,28 @@ Result<std::vector<std::byte>> read_standard_input(std::uint64_t max_bytes) {
 
 }  // namespace
 
-Result<Scene> load_asked_scene(const std::string& word, const LoadLimits& limits) {
-  if (word != "-") return load_scene(word, limits);
+Result<SceneAndBytes> load_scene_and_bytes(const std::string& word, const LoadLimits& limits) {
+  if (word != "-") {
+    return load_scene(word, limits).map([](Scene scene) {
+      return SceneAndBytes{std::move(scene), {}};
+    });
+  }
   return read_standard_input(limits.max_file_bytes)
-      .and_then(
-          [&](const std::vector<std::byte>& bytes) { return load_scene_memory(bytes, limits); })
+      .and_then([&](std::vector<std::byte> bytes) {
+        return load_scene_memory(bytes, limits).map([&](Scene scene) {
+          return SceneAndBytes{std::move(scene), std::move(bytes)};
+        });
+      })
       .map_error([](Error error) {
         error.file = kStandardInput;
         return error;
       });
+}
+
+Result<Scene> load_asked_scene(const std::string& word, const LoadLimits& limits) {
+  return load_scene_and_bytes(word, limits).map([](SceneAndBytes loaded) {
+    return std::move(loaded.scene);
+  });
 }
 
 Result<Scene> load_asked_scene(const std::string& word, Progress& progress,

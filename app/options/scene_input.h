@@ -1,7 +1,9 @@
 // The SCENE of a command line: a file, a built-in scene, or "-" for standard input.
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include <glassbox/base/error.h>
 #include <glassbox/mesh/limits.h>
@@ -17,6 +19,13 @@ inline constexpr const char* kSceneHelp =
 
 // Standard input has the limits of a file. It is read once, to its end; where it is a terminal, that is an error.
 Result<Scene> load_asked_scene(const std::string& word, const LoadLimits& limits = {});
+
+// The same, and the bytes that came from standard input; none of files and built-in scenes.
+struct SceneAndBytes {
+  Scene scene;
+  std::vector<std::byte> bytes;
+};
+Result<SceneAndBytes> load_scene_and_bytes(const std::string& word, const LoadLimits& limits = {});
 
 // Loads it as the phase "loading" of a command's progress, and says the warnings about it there.
 Result<Scene> load_asked_scene(const std::string& word, Progress& progress,

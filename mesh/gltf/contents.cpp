@@ -121,4 +121,13 @@ Result<GltfContents> list_gltf(const std::string& path, const LoadLimits& limits
   });
 }
 
+Result<GltfContents> list_gltf_memory(std::span<const std::byte> bytes,
+                                      const std::string& directory, const LoadLimits& limits) {
+  return naming_file("", [&]() -> Result<GltfContents> {
+    auto asset = open_asset(bytes, directory, limits);
+    if (!asset) return tl::unexpected(asset.error());
+    return list(*asset);
+  });
+}
+
 }  // namespace glassbox

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -46,5 +47,9 @@ struct GltfContents {
 
 // Of a .gltf or .glb file; images are looked up for their sizes and not decoded.
 Result<GltfContents> list_gltf(const std::string& path, const LoadLimits& limits = {});
+
+// Of a glTF file in memory. External files are looked for in `directory`; "" means that there are none at all.
+Result<GltfContents> list_gltf_memory(std::span<const std::byte> bytes,
+                                      const std::string& directory, const LoadLimits& limits = {});
 
 }  // namespace glassbox

@@ -22,7 +22,8 @@ namespace glassbox {
 //   - vertex colours ("v x y z r g b") are taken as sRGB and rounded to the nearest of its 256
 //     codes, whose light is known exactly;
 //   - Kd and Ks are taken as linear light: MTL speaks of reflectivities, and those are factors of
-//     light. Values outside [0, 1] are clamped;
+//     light. Values outside [0, 1] are clamped. Ke, of which many programs write more than 1, only at 0. map_Ke
+//     without Ke counts as Ke 1;
 //   - "w" of a vertex is the weight of free-form curves and does not move a polygon's corner;
 //   - "d" is the opacity, "Tr" one minus it; where both stand, "d" counts. Below 1 a surface blends;
 //   - illum 0 is drawn unlit, illum 1 without highlight;

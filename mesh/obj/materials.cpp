@@ -45,6 +45,10 @@ int shininess_from(float exponent) {
   return int(std::clamp(double(exponent), 1.0, 1024.0) + 0.5);
 }
 
+TexCoordMap texcoord_map_of(const MapStatement& map) {
+  return {map.offset, map.scale};
+}
+
 // OBJ does not say which side of a face is its outside, and files disagree: both are drawn.
 Material plain_material(std::string name) {
   Material material;
@@ -130,6 +134,29 @@ void MaterialMaker::set_opacity(const MtlMaterial& written, Material& material) 
   }
 }
 
+// A mesh has one table of texture coordinates, so both maps have to move them alike.
+void MaterialMaker::set_emission(const MtlMaterial& written, Material& material,
+                                 TexCoordMap& texcoord_map) {
+  if (material.unlit || (!written.emission && !written.emission_map)) return;
+  const std::array<float, 3> own = written.emission.value_or(std::array<float, 3>{1, 1, 1});
+  std::array<float, 3> emission{};
+  for (std::size_t i = 0; i < 3; ++i) emission[i] = std::max(own[i], 0.0f);
+  if (written.emission_map && emission != std::array<float, 3>{}) {
+    const TexCoordMap moved = texcoord_map_of(*written.emission_map);
+    if (material.texture && moved != texcoord_map) {
+      warnings_.add(
+          "the material " + in_quotes(written.name) +
+          " has a map_Ke with other coordinates than its map_Kd: it was left out, and what "
+          "the surface emits with it");
+      return;
+    }
+    material.emission_texture = texture(*written.emission_map);
+    if (!material.emission_texture) return;  // without it all of the surface would shine
+    texcoord_map = moved;
+  }
+  material.emission = emission;
+}
+
 MaterialMaker::Made MaterialMaker::make(const std::string& name) {
   if (const MtlMaterial* const written = name.empty() ? nullptr : find(name)) {
     const auto [known, is_first] = made_.try_emplace(written);
@@ -159,11 +186,10 @@ MaterialMaker::Made MaterialMaker::made_from(const MtlMaterial& written) {
   if (written.exponent) material.shininess = shininess_from(*written.exponent);
   if (written.diffuse_map) {
     material.texture = texture(*written.diffuse_map);
-    if (material.texture) {
-      made.texcoord_map = {written.diffuse_map->offset, written.diffuse_map->scale};
-    }
+    if (material.texture) made.texcoord_map = texcoord_map_of(*written.diffuse_map);
   }
   set_opacity(written, material);
+  set_emission(written, material, made.texcoord_map);
   made.index = std::uint32_t(scene_.materials.size());
   scene_.materials.push_back(std::move(material));
   return made;

@@ -21,6 +21,7 @@ namespace glassbox::obj {
 struct TexCoordMap {
   std::array<float, 2> offset{0, 0};
   std::array<float, 2> scale{1, 1};
+  friend bool operator==(const TexCoordMap&, const TexCoordMap&) = default;
 };
 
 // Finds materials by their names and puts those that are asked for into the scene, with the images
@@ -53,6 +54,7 @@ private:
   std::optional<std::uint32_t> texture(const MapStatement& map);
   std::optional<std::uint32_t> image(const std::filesystem::path& path);
   void set_opacity(const MtlMaterial& written, Material& material);
+  void set_emission(const MtlMaterial& written, Material& material, TexCoordMap& texcoord_map);
   std::array<float, 3> clamped(const std::array<float, 3>& color, const std::string& material);
 
   Scene& scene_;

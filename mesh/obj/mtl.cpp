@@ -1,6 +1,9 @@
 #include <glassbox/mesh/obj/mtl.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
+#include <map>
 
 namespace glassbox::obj {
 namespace {
@@ -49,6 +52,14 @@ void read_option(const MapOption& option, Words& words, MapStatement& map) {
   if (option.name == "-s") set_pair(map.scale, numbers);
 }
 
+// What changes a surface's look by a picture, and is not drawn.
+bool names_map_left_out(std::string_view keyword) {
+  constexpr std::string_view kKeywords[] = {"map_Ka", "map_Ks", "map_Ns", "map_bump", "map_Bump",
+                                            "bump",   "disp",   "decal",  "refl",     "norm",
+                                            "map_Pr", "map_Pm", "map_Ps"};
+  return std::ranges::find(kKeywords, keyword) != std::end(kKeywords);
+}
+
 class MtlParser {
 public:
   MtlParser(std::string_view text, std::string_view library, std::vector<MtlMaterial>& materials,
@@ -68,12 +79,17 @@ public:
     }
     unreadable_.report(("statements of " + in_quotes(library_) + " could not be read").c_str(),
                        warnings_);
+    for (const auto& [keyword, count] : left_out_) {
+      warnings_.add(in_quotes(library_) + " names textures that are not drawn: " +
+                    std::string(keyword) + " (" + std::to_string(count) + ")");
+    }
   }
 
 private:
   void statement(std::string_view keyword, Words words, MtlMaterial& material) {
     if (keyword == "Kd") read_color(words, material.diffuse);
     if (keyword == "Ks") read_color(words, material.specular);
+    if (keyword == "Ke") read_color(words, material.emission);
     if (keyword == "Ns") read_number(words, material.exponent);
     if (keyword == "Tr") read_number(words, material.transparency);
     if (keyword == "d") read_number(words, material.opacity);
@@ -83,6 +99,8 @@ private:
     }
     if (keyword == "map_Kd") read_map(words, material.diffuse_map);
     if (keyword == "map_d") read_map(words, material.opacity_map);
+    if (keyword == "map_Ke") read_map(words, material.emission_map);
+    if (names_map_left_out(keyword)) ++left_out_[keyword];
   }
 
   // r [g b]: g and b are r where they are left out. The forms "spectral" and "xyz" are not read.
@@ -118,6 +136,7 @@ private:
   std::vector<MtlMaterial>& materials_;
   Warnings& warnings_;
   Tally unreadable_;
+  std::map<std::string_view, int> left_out_;  // by keyword: how often it stands there
 };
 
 }  // namespace

@@ -22,10 +22,10 @@ struct MapStatement {
 
 struct MtlMaterial {
   std::string name;  // to the end of the line
-  std::optional<std::array<float, 3>> diffuse, specular;
+  std::optional<std::array<float, 3>> diffuse, specular, emission;
   std::optional<float> exponent, opacity, transparency;
   std::optional<std::int64_t> illumination;
-  std::optional<MapStatement> diffuse_map, opacity_map;
+  std::optional<MapStatement> diffuse_map, opacity_map, emission_map;
 };
 
 // Appends the materials of `text` in its order. Statements that cannot be read are passed over with

@@ -93,6 +93,17 @@ TEST_CASE("a scene is read from standard input, whatever its format") {
   CHECK(fs::exists(here.file("stdin.png")));
 }
 
+TEST_CASE("info lists what is in glTF from a pipe as from a file") {
+  const Workplace here;
+  REQUIRE(here.run("info f-glyph --write f.glb").exit_code == 0);
+  const auto after_title = [](const std::string& out) { return out.substr(out.find('\n')); };
+  const std::string listed = after_title(here.run("info f.glb").out);
+  CHECK(contains(listed, "1 primitive in the file: COLOR_0, NORMAL, POSITION"));
+  CHECK(after_title(in_shell(here, "\"$0\" info - < f.glb").out) == listed);
+  const Outcome json = in_shell(here, "\"$0\" info - --json - < f.glb");
+  CHECK(contains(json.out, "COLOR_0"));
+}
+
 TEST_CASE("every command that takes a scene takes it from standard input") {
   const Workplace here;
   REQUIRE(here.run("info cube --write c.glb").exit_code == 0);

@@ -139,6 +139,30 @@ TEST_CASE("OBJ files: a map_d that is the map_Kd says that the picture's alpha c
   CHECK(warns_of(scene, "map_d"));
 }
 
+TEST_CASE(
+    "OBJ files: a map_Ke is drawn where one table of texture coordinates does for it and map_Kd") {
+  const Folder folder;
+  folder.write("p.tga", tga(1, 1, 1));
+  folder.write("q.tga", tga(1, 1, 2));
+  folder.write("a.mtl", "newmtl m\nKd 1 0 0\nmap_Ke -s 2 4 q.tga\n");
+  const Scene alone = folder.load_with("mtllib a.mtl");
+  CHECK(alone.materials[0].emission == std::array<float, 3>{1, 1, 1});
+  CHECK(alone.materials[0].emission_texture == 0u);
+  CHECK_FALSE(alone.materials[0].texture);
+  CHECK(alone.meshes[0].texcoords[1] == TexCoord{2, 0});  // v is 0.25
+  folder.write("a.mtl", "newmtl m\nKe 3 0 0\nmap_Kd -s 2 4 p.tga\nmap_Ke -s 2 4 q.tga\n");
+  const Scene both = folder.load_with("mtllib a.mtl");
+  CHECK(both.materials[0].emission == std::array<float, 3>{3, 0, 0});
+  CHECK(both.materials[0].texture == 0u);
+  CHECK(both.materials[0].emission_texture == 1u);
+  CHECK(both.warnings.empty());
+  folder.write("a.mtl", "newmtl m\nKe 3 0 0\nmap_Kd p.tga\nmap_Ke -s 2 4 q.tga\n");
+  const Scene apart = folder.load_with("mtllib a.mtl");
+  CHECK(apart.materials[0].emission == std::array<float, 3>{0, 0, 0});
+  CHECK_FALSE(apart.materials[0].emission_texture);
+  CHECK(warns_of(apart, "map_Ke with other coordinates"));
+}
+
 TEST_CASE("OBJ files: nothing outside the file's directory is read") {
   const Folder folder;
   const std::string red = "newmtl m\nKd 1 0 0\n";

@@ -37,6 +37,25 @@ TEST_CASE("MTL: colours are linear factors, clamped to [0, 1]") {
   CHECK(material("Kd nan 0 0\nKd spectral a.rfl\nKd").base_color == Rgba{1, 1, 1, 1});
 }
 
+TEST_CASE("MTL: what a surface emits may be brighter than white, and unlit ones emit nothing") {
+  CHECK(material("Ke 0.25 0.5 4").emission == Rgb{0.25f, 0.5f, 4});
+  CHECK(material("Ke 2").emission == Rgb{2, 2, 2});
+  CHECK(material("Ke -1 0 1").emission == Rgb{0, 0, 1});
+  CHECK(material("").emission == Rgb{0, 0, 0});
+  CHECK(material("Ke nan 0 0").emission == Rgb{0, 0, 0});
+  CHECK(material("Ke 1 1 1\nillum 0").emission == Rgb{0, 0, 0});
+  // A texture that is not there: without it all of the surface would shine.
+  CHECK(material("Ke 1 1 1\nmap_Ke a.png").emission == Rgb{0, 0, 0});
+}
+
+TEST_CASE("MTL: textures that are not drawn are named once for each kind, with their number") {
+  const Scene scene =
+      with_usemtl("m", "newmtl m\nmap_Bump -bm 2 a.png\nmap_Ks b.png\nnewmtl n\nmap_Bump c.png\n");
+  REQUIRE(scene.warnings.size() == 2);
+  CHECK(scene.warnings[0].find("not drawn: map_Bump (2)") != std::string::npos);
+  CHECK(scene.warnings[1].find("not drawn: map_Ks (1)") != std::string::npos);
+}
+
 TEST_CASE("MTL: exponents are rounded into 1 .. 1024") {
   CHECK(material("Ns 30.5").shininess == 31);
   CHECK(material("Ns 30.49").shininess == 30);
