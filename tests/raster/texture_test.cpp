@@ -330,6 +330,18 @@ TEST_CASE("trilinear filtering is continuous in the level of detail and exact at
   }
 }
 
+TEST_CASE("a fraction of a whole number is rounded to nearest, halves up") {
+  Random random(11);
+  for (int n = 0; n < 100000; ++n) {
+    const auto i = std::int32_t(random.integer(-kFullTexel, kFullTexel));
+    const auto f = std::int32_t(random.integer(0, 32767));
+    REQUIRE(times_fraction(i, f) == int(std::floor(double(i) * f / 32768 + 0.5)));
+  }
+  CHECK(times_fraction(1, 16384) == 1);
+  CHECK(times_fraction(-1, 16384) == 0);
+  CHECK(times_fraction(kFullTexel, 32767) == kFullTexel - 1);
+}
+
 TEST_CASE("trilinear filtering is within 4.5 units of exact weights") {
   Random random(10);
   double worst = 0;
