@@ -285,7 +285,7 @@ std::string DiffCommand::command_line() const {
       words.insert(words.end(), {option->get_name(), option->results()[i]});
     }
   }
-  return shell_line(words).value_or("");
+  return shell_line({words});
 }
 
 bool DiffCommand::silent() const {

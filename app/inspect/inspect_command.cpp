@@ -77,17 +77,13 @@ Result<void> InspectCommand::check_pixels() const {
 
 // What makes this page again.
 std::string InspectCommand::command_line() const {
-  std::vector<std::string> words{"inspect", scene_};
-  const std::vector<std::string> picture = words_given(picture_);
-  words.insert(words.end(), picture.begin(), picture.end());
-  if (page_.pixel) {
-    words.insert(words.end(), {"--pixel", fmt::format("{},{}", page_.pixel->x, page_.pixel->y)});
-  }
+  std::vector<std::string> start;
+  if (page_.pixel) start = {"--pixel", fmt::format("{},{}", page_.pixel->x, page_.pixel->y)};
+  std::vector<std::string> kept;
   if (const auto& r = page_.rectangle) {
-    words.insert(words.end(), {"--rect", fmt::format("{},{},{},{}", r->x0, r->y0, r->x1, r->y1)});
+    kept = {"--rect", fmt::format("{},{},{},{}", r->x0, r->y0, r->x1, r->y1)};
   }
-  words.insert(words.end(), {"-o", output_});
-  return shell_line(words).value_or("");
+  return shell_line({{"inspect", scene_}, words_given(picture_), start, kept, {"-o", output_}});
 }
 
 int InspectCommand::run() {

@@ -50,7 +50,8 @@ Result<void> check_empty(const std::string& folder) {
 }
 
 std::string suggestion(const std::vector<std::string>& words) {
-  return shell_line(words).value_or(program_name() + " " + words[0] + " " + words[1] + " FOLDER");
+  const std::string line = shell_line({words});
+  return line.empty() ? program_name() + " " + words[0] + " " + words[1] + " FOLDER" : line;
 }
 
 }  // namespace

@@ -100,10 +100,8 @@ bool are_picture_options(const std::vector<std::string>& words) {
 
 std::string pixel_command_line(const Recipe& recipe, PixelAt pixel) {
   if (recipe.scene.starts_with('-') || !are_picture_options(recipe.options)) return {};
-  std::vector<std::string> words{"pixel", recipe.scene};
-  words.insert(words.end(), recipe.options.begin(), recipe.options.end());
-  words.insert(words.end(), {"--at", fmt::format("{},{}", pixel.x, pixel.y)});
-  return shell_line(words).value_or("");
+  return shell_line(
+      {{"pixel", recipe.scene}, recipe.options, {"--at", fmt::format("{},{}", pixel.x, pixel.y)}});
 }
 
 void PixelCommand::add_to(CLI::App& app, int& exit_code) {

@@ -1,7 +1,6 @@
 // Command lines that the program suggests.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,15 +10,18 @@
 
 namespace glassbox::app {
 
-// The program's name and the words, as a POSIX shell reads them back; none where shell_quoted has none for one of them.
-inline std::optional<std::string> shell_line(const std::vector<std::string>& words) {
+// The program's name and the words of all parts, as a POSIX shell reads them back; empty where shell_quoted has nothing for
+// one of them.
+inline std::string shell_line(const std::vector<std::vector<std::string>>& parts) {
   auto line = shell_quoted(program_name());
-  for (const std::string& word : words) {
-    const auto quoted = shell_quoted(word);
-    if (!line || !quoted) return std::nullopt;
-    *line += " " + *quoted;
+  for (const std::vector<std::string>& words : parts) {
+    for (const std::string& word : words) {
+      const auto quoted = shell_quoted(word);
+      if (!line || !quoted) return {};
+      *line += " " + *quoted;
+    }
   }
-  return line;
+  return line.value_or("");
 }
 
 }  // namespace glassbox::app

@@ -121,11 +121,9 @@ Result<void> StereoCommand::check_options() const {
 
 // What makes this report again.
 std::string StereoCommand::command_line() const {
-  std::vector<std::string> words{"stereo", scene_};
-  for (const std::string& word : words_given(picture_)) words.push_back(word);
-  for (const std::string& word : words_of(options_)) words.push_back(word);
-  if (html_output_) words.insert(words.end(), {"--html", *html_output_});
-  return shell_line(words).value_or("");
+  std::vector<std::string> page;
+  if (html_output_) page = {"--html", *html_output_};
+  return shell_line({{"stereo", scene_}, words_given(picture_), words_of(options_), page});
 }
 
 Result<void> StereoCommand::write_outputs(const Scene& scene, const StereoFindings& found,

@@ -159,7 +159,7 @@ std::string command_of(const std::vector<Judged>& judged, std::vector<std::strin
     words.insert(words.end(), options.begin(), options.end());
   }
   words.insert(words.end(), {"-o", "recommended.png"});
-  return shell_line(words).value_or("");
+  return shell_line({words});
 }
 
 }  // namespace

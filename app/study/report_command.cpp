@@ -66,7 +66,7 @@ std::string StudyReportCommand::command() const {
   add("--resume", measuring_.file);
   add("--from", from_);
   add("-o", page_);
-  return shell_line(words).value_or("");
+  return shell_line({words});
 }
 
 int StudyReportCommand::run() const {

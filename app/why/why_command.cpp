@@ -44,11 +44,8 @@ std::optional<std::array<int, 2>> telling_pixel(const TriangleVerdict& verdict) 
 
 std::string WhyCommand::command(const char* subcommand, const std::string& option,
                                 const std::string& value) const {
-  std::vector<std::string> words{subcommand, question_.scene_name()};
-  const std::vector<std::string> given = words_given(question_.picture());
-  words.insert(words.end(), given.begin(), given.end());
-  words.insert(words.end(), {option, value});
-  return shell_line(words).value_or("");
+  return shell_line(
+      {{subcommand, question_.scene_name()}, words_given(question_.picture()), {option, value}});
 }
 
 std::string WhyCommand::triangle_text(const Scene& scene, const View& view,

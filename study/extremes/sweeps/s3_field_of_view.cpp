@@ -5,7 +5,7 @@
 #include <glassbox/pipeline/projection.h>
 
 #include "exact/number.h"
-#include "study/extremes/sweeps/sweeps.h"
+#include "study/extremes/sweep.h"
 
 namespace glassbox::study {
 
@@ -74,7 +74,7 @@ std::vector<SweepSeries> field_of_view_series() {
 
 }  // namespace
 
-Sweep field_of_view_sweep() {
+Sweep s3_field_of_view() {
   return {
       .name = "field-of-view",
       .title = "Field of view",

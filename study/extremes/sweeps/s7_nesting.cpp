@@ -4,7 +4,7 @@
 #include <glassbox/base/rounding.h>
 #include <glassbox/pipeline/affine.h>
 
-#include "study/extremes/sweeps/sweeps.h"
+#include "study/extremes/sweep.h"
 
 namespace glassbox::study {
 
@@ -100,7 +100,7 @@ std::vector<SweepSeries> nesting_series() {
 
 }  // namespace
 
-Sweep nesting_sweep() {
+Sweep s7_nesting() {
   return {.name = "nesting",
           .title = "Depth of nesting",
           .question = "How many nodes may lie between a mesh and the world before it drifts away?",

@@ -12,7 +12,7 @@
 #include <glassbox/pipeline/viewport.h>
 
 #include "study/extremes/kit/pair.h"
-#include "study/extremes/sweeps/sweeps.h"
+#include "study/extremes/sweep.h"
 
 namespace glassbox::study {
 
@@ -93,7 +93,7 @@ std::vector<SweepSeries> separation_series() {
 
 }  // namespace
 
-Sweep separation_sweep() {
+Sweep s8_separation() {
   return {
       .name = "separation",
       .title = "Separation of the eyes over the window's distance",

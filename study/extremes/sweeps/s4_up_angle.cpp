@@ -6,7 +6,7 @@
 #include <glassbox/pipeline/look_at.h>
 
 #include "exact/camera.h"
-#include "study/extremes/sweeps/sweeps.h"
+#include "study/extremes/sweep.h"
 #include "study/naive/camera.h"
 
 namespace glassbox::study {
@@ -60,7 +60,7 @@ std::vector<SweepSeries> up_angle_series() {
 
 }  // namespace
 
-Sweep up_angle_sweep() {
+Sweep s4_up_angle() {
   return {
       .name = "up-angle",
       .title = "Angle between up and gaze",

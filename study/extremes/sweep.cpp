@@ -1,13 +1,18 @@
-#include "study/extremes/sweeps/sweeps.h"
+#include "study/extremes/sweep.h"
 
 #include <algorithm>
 
 namespace glassbox::study {
 
+#define ENTRY(name) Sweep name();
+#include <sweeps.inc>  // ENTRY(s1_near_far) and so on, for each file of sweeps/ (CMakeLists.txt)
+#undef ENTRY
+
 const std::vector<Sweep>& sweeps() {
   static const std::vector<Sweep> all{
-      near_far_sweep(), world_offset_sweep(), field_of_view_sweep(), up_angle_sweep(),
-      sliver_sweep(),   viewport_sweep(),     nesting_sweep(),       separation_sweep(),
+#define ENTRY(name) name(),
+#include <sweeps.inc>
+#undef ENTRY
   };
   return all;
 }

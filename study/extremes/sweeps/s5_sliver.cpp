@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "study/extremes/kit/coverage.h"
-#include "study/extremes/sweeps/sweeps.h"
+#include "study/extremes/sweep.h"
 #include "study/naive/coverage.h"
 
 #include <glassbox/base/random.h>
@@ -48,7 +48,7 @@ std::vector<SweepSeries> sliver_series() {
 
 }  // namespace
 
-Sweep sliver_sweep() {
+Sweep s5_sliver() {
   return {.name = "sliver",
           .title = "Width of a sliver",
           .question = "How thin may a triangle 4,000 px long be before pixels are decided wrongly?",

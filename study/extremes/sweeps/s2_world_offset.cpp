@@ -9,7 +9,7 @@
 #include <glassbox/pipeline/bounds.h>
 #include <glassbox/pipeline/look_at.h>
 
-#include "study/extremes/sweeps/sweeps.h"
+#include "study/extremes/sweep.h"
 
 namespace glassbox::study {
 
@@ -116,7 +116,7 @@ std::vector<SweepSeries> world_offset_series() {
 
 }  // namespace
 
-Sweep world_offset_sweep() {
+Sweep s2_world_offset() {
   return {.name = "world-offset",
           .title = "Distance of the scene from the world's origin",
           .question = "How far out may a scene be built before its vertices shake?",

@@ -4,7 +4,7 @@
 #include <glassbox/base/rounding.h>
 
 #include "study/extremes/kit/depth.h"
-#include "study/extremes/sweeps/sweeps.h"
+#include "study/extremes/sweep.h"
 
 namespace glassbox::study {
 
@@ -59,7 +59,7 @@ std::vector<SweepSeries> near_far_series() {
 
 }  // namespace
 
-Sweep near_far_sweep() {
+Sweep s1_near_far() {
   return {
       .name = "near-far",
       .title = "Far plane over near plane",

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "study/extremes/kit/coverage.h"
-#include "study/extremes/sweeps/sweeps.h"
+#include "study/extremes/sweep.h"
 #include "study/naive/coverage.h"
 
 #include <glassbox/base/random.h>
@@ -51,7 +51,7 @@ std::vector<SweepSeries> viewport_series() {
 
 }  // namespace
 
-Sweep viewport_sweep() {
+Sweep s6_viewport() {
   return {
       .name = "viewport",
       .title = "Size of the picture",
