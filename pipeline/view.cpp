@@ -96,6 +96,13 @@ Result<Projected> project(const FrustumLens& lens, Pixels, DepthRange range) {
       });
 }
 
+// Depth is (that entry times z + the next) / w, and |z| is w: a subnormal slope is rounded by less than 2^-149, and so is the depth,
+// which is half of the smallest float. Reversed depth has one where far/near is beyond 2^126 (C-10). But not zero, which would be
+// another matrix: that of an infinite far plane.
+bool is_slope_of_depth(int row, int column, double entry) {
+  return row == 2 && column == 2 && float(entry) != 0 && std::abs(entry) < kFloatMin;
+}
+
 // The stages work in float: a matrix entry, near or far plane that float cannot hold is a silent loss of the picture.
 Result<void> check_float_range(const Projected& p) {
   const auto fits = [](double value) {
@@ -115,7 +122,7 @@ Result<void> check_float_range(const Projected& p) {
   for (int column = 0; column < 4; ++column) {
     for (int row = 0; row < 4; ++row) {
       const double entry = p.clip_from_eye.at(row, column);
-      if (fits(entry)) continue;
+      if (fits(entry) || is_slope_of_depth(row, column, entry)) continue;
       return fail("projection",
                   "the matrix entry (" + std::to_string(row) + ", " + std::to_string(column) +
                       ") is " + number_text(entry) + ", outside of what float holds",

@@ -20,6 +20,7 @@
 #include "app/step/prompt.h"
 #include "app/trace/json.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
 
 namespace glassbox::app {
@@ -176,6 +177,12 @@ void StepCommand::add_to(CLI::App& app, int& exit_code) {
   command.add_flag("--bits", bits_, "the bits of each float, too, in hexadecimal")
       ->group("Other outputs");
   add_json_output(command, json_output_)->group("Other outputs");
+  command
+      .add_option(
+          "--max-mb", max_megabytes_,
+          fmt::format("refuse to write more megabytes of JSON than that [{}]", max_megabytes_))
+      ->type_name("N")
+      ->group("Limits");
   command.callback([this, &command, &exit_code] {
     const bool asks_for_points = !points_.points.empty();
     if (scene_.empty() == asks_for_points) tell_of_ignored(command, asks_for_points);
@@ -218,6 +225,18 @@ int StepCommand::run() {
                  "give a scene and a triangle, or points and matrices"});
 }
 
+// Two kilobytes each: of a triangle that fills a picture JSON has hundreds of megabytes, or thousands.
+Result<void> StepCommand::check_size(std::size_t fragments) const {
+  constexpr double kMegabytesOfFragment = 2.15e-3;
+  const double megabytes = double(fragments) * kMegabytesOfFragment;
+  if (megabytes <= double(max_megabytes_)) return {};
+  return fail(fmt::format("--max-mb {}", max_megabytes_),
+              fmt::format("the triangle has {}, about {:.0f} MB of JSON",
+                          counted(fragments, "fragment"), megabytes),
+              fmt::format("choose a smaller --size, or allow as much with --max-mb {:.0f}",
+                          std::ceil(megabytes)));
+}
+
 int StepCommand::run_triangle() {
   if (interactive_ && scene_ == "-") {
     return refuse({"", "--interactive", "standard input is the scene",
@@ -241,6 +260,9 @@ int StepCommand::run_triangle() {
   progress.done();
 
   if (json_output_) {
+    if (const auto legal = check_size(stepped->trace.fragments.size()); !legal) {
+      return refuse(legal.error());
+    }
     nlohmann::ordered_json json = to_json(*scene, stepped->trace);
     json["scene"] = scene_;
     if (const auto written = write_json(*json_output_, json); !written)

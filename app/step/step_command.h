@@ -38,6 +38,7 @@ private:
   int run();
   int run_triangle();
   int run_points();
+  Result<void> check_size(std::size_t fragments) const;
 
   std::string scene_;
   PictureOptions picture_;
@@ -50,6 +51,7 @@ private:
   PointStepOptions points_;
   bool bits_ = false;
   std::optional<std::string> json_output_;
+  std::uint64_t max_megabytes_ = 200;  // of JSON
 };
 
 }  // namespace glassbox::app

@@ -1,5 +1,6 @@
 #include <glassbox/mesh/gltf/schema.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -220,6 +221,24 @@ Result<void> check_version(const json& asset) {
 
 }  // namespace
 
+namespace {
+
+// The parser tells where it stopped, but not of a number beyond double, which it quotes: ", line 3, column 17" of the first such.
+std::string place_of_number(std::string_view text, std::string_view what) {
+  constexpr std::string_view kOverflow = "number overflow parsing '";
+  if (!what.starts_with(kOverflow)) return "";
+  const std::string_view number =
+      what.substr(kOverflow.size(), what.rfind('\'') - kOverflow.size());
+  const std::size_t at = text.find(number);
+  if (number.empty() || at == std::string_view::npos) return "";
+  const std::string_view before = text.substr(0, at);
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const std::size_t column = at - (before.rfind('\n') + 1) + 1;  // npos + 1 is 0: the first line
+  return ", line " + std::to_string(line) + ", column " + std::to_string(column);
+}
+
+}  // namespace
+
 Result<Document> read_document(std::string_view text) {
   if (too_deep(text)) {
     return fail("JSON", "is nested deeper than " + std::to_string(kMaxDepth) + " levels",
@@ -241,7 +260,8 @@ Result<Document> read_document(std::string_view text) {
     for (char& c : what) {
       if (static_cast<unsigned char>(c) >= 0x80) c = '?';
     }
-    return fail("JSON", printable(what, 200), "the file is no glTF, or damaged: export it again");
+    return fail("JSON" + place_of_number(text, what), printable(what, 200),
+                "the file is no glTF, or damaged: export it again");
   }
   Result<json> checked = Checker(document).check();
   if (!checked) return tl::unexpected(checked.error());

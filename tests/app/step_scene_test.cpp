@@ -86,6 +86,23 @@ TEST_CASE("step refuses what it cannot step through, and says what to do") {
   }
 }
 
+TEST_CASE("JSON of a triangle that fills the picture is refused beyond --max-mb, unwritten") {
+  const Workplace here;
+  const std::string run = "step room --triangle 0 --size 320x180 --json big.json --max-mb ";
+  const Outcome refused = here.run(run + "5");
+  CHECK(refused.exit_code == 2);
+  CHECK(contains(refused.err, "--max-mb 5: the triangle has 4"));
+  CHECK(contains(refused.err, "fragments, about 1"));
+  CHECK(contains(refused.err, "--max-mb 1"));
+  CHECK(here.names().empty());
+  REQUIRE(here.run(run + "12").exit_code == 0);
+  // What was said to come is within a tenth of what came.
+  const double megabytes = double(here.read("big.json").size()) / 1e6;
+  CAPTURE(megabytes);
+  CHECK(megabytes > 9);
+  CHECK(megabytes < 12);
+}
+
 TEST_CASE("by hand: next, back, jump, another camera and what it changes") {
   const Workplace here;
   const std::string step = std::string(GLASSBOX_PROGRAM) + " step cube --triangle 4 --interactive";

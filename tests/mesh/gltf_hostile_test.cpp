@@ -248,6 +248,10 @@ TEST_CASE("JSON that is no glTF is refused with its place") {
                  "nested deeper than 256"));
   CHECK(mentions(error("{\"asset\":{\"version\":\"2.0\"},\"nodes\":3}"),
                  "nodes: is not a JSON array"));
+  // A number that is beyond double, as an infinity is written: the parser quotes it, and knows no place.
+  CHECK(mentions(
+      error("{\"asset\":{\"version\":\"2.0\"},\n  \"nodes\":[{\"translation\":[1e999,0,0]}]}"),
+      "JSON, line 2, column 28: number overflow parsing '1e999'"));
 }
 
 TEST_CASE("JSON that is no UTF-8 is refused with its line, wherever it stands") {

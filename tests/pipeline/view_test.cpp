@@ -100,6 +100,20 @@ TEST_CASE("the y flip of the screen turns counter-clockwise fronts clockwise (SP
   CHECK((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) < 0);
 }
 
+TEST_CASE("reversed depth is accepted where standard depth is: near 1e-30, far 1e10 (C-10)") {
+  const PerspectiveLens lens{1, 1e-30, 1e10};
+  CHECK(make_view(camera_with(lens), 64, 64, DepthRange::kStandard));
+  const auto view = make_view(camera_with(lens), 64, 64, DepthRange::kReversed);
+  REQUIRE(view);
+  // The slope n/(f - n) = 1e-40 is no normal float, and neither is it 0, the matrix of an infinite far plane.
+  const float slope = round_to_float(view->clip_from_eye).at(2, 2);
+  CHECK(slope > 0);
+  CHECK(std::abs(double(slope) - 1e-40) <= 0x1p-150);
+  // One that float would make 0 is refused: what lies beyond the far plane would be drawn.
+  CHECK_FALSE(
+      make_view(camera_with(PerspectiveLens{1, 1e-30, 1e30}), 64, 64, DepthRange::kReversed));
+}
+
 TEST_CASE("degenerate lenses are refused with a reason and a remedy (C-08, C-09)") {
   const double nan = std::nan("");
   struct Case {
