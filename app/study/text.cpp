@@ -77,21 +77,34 @@ std::string table_of(const ExperimentResult& result) {
   return table(rows, 2);
 }
 
+// Why, and for which ratios; or that nobody knows.
+std::string explanation_of(const study::ConfigurationResult& result) {
+  std::string known;
+  if (const auto& e = result.explanation) {
+    known = fmt::format("{} (ratios from {:g} to {:g})", e->why, e->least, e->greatest);
+  }
+  if (!study::is_unexplained(result)) return known;
+  return "NOT explained: error and theory differ" +
+         (known.empty() ? "" : ", and by another ratio than this accounts for: " + known);
+}
+
 // Each explanation once, with how many configurations it explains.
 std::string findings_of(const ExperimentResult& result) {
-  std::string text;
-  std::vector<std::string> told;
+  std::vector<std::pair<std::string, int>> told;
   for (const ConfigurationResult& each : result.configurations) {
     const auto check = study::check_theory(each);
-    if (!check || !check->finding || std::ranges::count(told, each.explanation) != 0) continue;
-    told.push_back(each.explanation);
-    const auto same = std::ranges::count_if(result.configurations, [&](const auto& other) {
-      const auto others = study::check_theory(other);
-      return others && others->finding && other.explanation == each.explanation;
-    });
-    const std::string what =
-        each.explanation.empty() ? "NOT explained: error and theory differ" : each.explanation;
-    text += wrapped(same == 1 ? "  Finding: " : fmt::format("  {} findings: ", same), what);
+    if (!check || !check->finding) continue;
+    const std::string what = explanation_of(each);
+    const auto same = std::ranges::find(told, what, &std::pair<std::string, int>::first);
+    if (same == told.end()) {
+      told.emplace_back(what, 1);
+    } else {
+      ++same->second;
+    }
+  }
+  std::string text;
+  for (const auto& [what, count] : told) {
+    text += wrapped(count == 1 ? "  Finding: " : fmt::format("  {} findings: ", count), what);
   }
   return text;
 }

@@ -14,6 +14,16 @@ namespace glassbox::study {
 // How much is measured: kQuick is a sample of kFull that takes a tenth of its time.
 enum class Effort { kQuick, kFull };
 
+// Why a measured error is not within a factor of two of the predicted one, and what the ratio of the two is for that reason: one
+// outside of it is not explained.
+struct Finding {
+  std::string why;
+  double least = 0, greatest = 0;  // measured over predicted
+
+  bool explains(double ratio) const { return ratio >= least && ratio <= greatest; }
+  friend bool operator==(const Finding&, const Finding&) = default;
+};
+
 // One point of the chart.
 struct Configuration {
   std::string series;      // what is compared: "float", "camera-relative float", "double"
@@ -24,8 +34,8 @@ struct Configuration {
   std::function<double()> error = {};
   // What the theory says `error` is; none where it says nothing. 0 says: exact.
   std::optional<double> predicted_error = {};
-  // Why the measured error is not within a factor of two of the predicted one, where that is so and understood.
-  std::string finding = {};
+  // Where measured and predicted error differ, and that is understood. Stated before anything is measured.
+  std::optional<Finding> finding = {};
 
   // What is timed, on this many threads; empty where only the error is of interest. One call does `items` of the work,
   // long enough to be timed (0.1 ms or more) and short enough to be repeated (100 ms or less).

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kFormat = "glassbox study results 1";
+constexpr const char* kFormat = "glassbox study results 2";
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 const char* name_of(Effort effort) {
@@ -29,12 +29,16 @@ Json configuration_json(const ConfigurationResult& result, const std::vector<Sta
   Json json{{"series", result.series},    {"parameter", number_json(result.parameter)},
             {"scene", result.scene},      {"error", number_json(result.error)},
             {"predicted_error", nullptr}, {"ratio", nullptr},
-            {"finding", false},           {"explanation", result.explanation},
-            {"times", Json::array()}};
+            {"finding", false},           {"explanation", ""},
+            {"explains", nullptr},        {"times", Json::array()}};
   if (const auto check = check_theory(result)) {
     json["predicted_error"] = number_json(*result.predicted_error);
     json["ratio"] = number_json(check->ratio);
     json["finding"] = check->finding;
+  }
+  if (result.explanation) {
+    json["explanation"] = result.explanation->why;
+    json["explains"] = {result.explanation->least, result.explanation->greatest};
   }
   for (std::size_t i = 0; i < result.timings.size(); ++i) {
     const Timing& timing = result.timings[i];
@@ -71,7 +75,9 @@ ConfigurationResult configuration_of(const Json& json) {
   result.error = number_of(json.at("error"));
   if (!json.at("predicted_error").is_null())
     result.predicted_error = number_of(json["predicted_error"]);
-  result.explanation = json.at("explanation");
+  if (const Json& range = json.at("explains"); !range.is_null()) {
+    result.explanation = {json.at("explanation"), range.at(0), range.at(1)};
+  }
   for (const Json& each : json.at("times")) result.timings.push_back(timing_of(each));
   return result;
 }

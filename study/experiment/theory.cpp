@@ -15,7 +15,8 @@ std::optional<TheoryCheck> check_theory(const ConfigurationResult& result) {
 
 bool is_unexplained(const ConfigurationResult& result) {
   const auto check = check_theory(result);
-  return check && check->finding && result.explanation.empty();
+  return check && check->finding &&
+         !(result.explanation && result.explanation->explains(check->ratio));
 }
 
 int count_findings(const ExperimentResult& result) {

@@ -19,7 +19,7 @@ struct TheoryCheck {
 // None where the theory says nothing.
 std::optional<TheoryCheck> check_theory(const ConfigurationResult& result);
 
-// A finding that the experiment does not explain.
+// A finding that the experiment does not explain: it has no reason, or one for another ratio.
 bool is_unexplained(const ConfigurationResult& result);
 int count_findings(const ExperimentResult& result);
 int count_unexplained(const ExperimentResult& result);

@@ -221,13 +221,13 @@ std::vector<Configuration> configurations(Effort effort) {
     const auto work = format.bits == 16 ? depth_tests<std::uint16_t>(format, fragments)
                                         : depth_tests<std::uint32_t>(format, fragments);
     const auto add = [&](const char* scene, double z, std::function<double()> error,
-                         std::optional<double> predicted, std::string finding) {
+                         std::optional<double> predicted, const std::optional<Finding>& finding) {
       all.push_back({.series = format.name,
                      .parameter = z,
                      .scene = scene,
                      .error = std::move(error),
                      .predicted_error = predicted,
-                     .finding = std::move(finding),
+                     .finding = finding,
                      .work = work,
                      .items = double(kFragments)});
     };

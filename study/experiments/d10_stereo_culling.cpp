@@ -125,7 +125,8 @@ Scene strips(double distance) {
 }
 
 void add_scene(const std::string& name, const std::shared_ptr<const Eyes>& eyes, double share,
-               double predicted, const char* finding, std::vector<Configuration>& all) {
+               double predicted, const std::optional<Finding>& finding,
+               std::vector<Configuration>& all) {
   double triangles = 0;
   for (const Draw& draw : eyes->list.draws)
     triangles += double(draw.triangulation->triangles.size());
@@ -136,7 +137,7 @@ void add_scene(const std::string& name, const std::shared_ptr<const Eyes>& eyes,
                    .scene = name,
                    .error = [=] { return lost_columns(*eyes, way); },
                    .predicted_error = loses ? predicted : 0,
-                   .finding = loses ? finding : "",
+                   .finding = loses ? finding : std::nullopt,
                    .work = [=](int) { cull(*eyes, way); },
                    .items = triangles});
   }
@@ -152,14 +153,17 @@ std::vector<Configuration> configurations(Effort effort) {
     for (const auto& [name, distance] :
          {std::pair{"strips in front of the window", 6.0}, {"strips behind the window", 60.0}})
       add_scene(name, make_eyes(strips(distance), view, pair), share,
-                missing_strip_px(view, pair, distance), "", all);
+                missing_strip_px(view, pair, distance), {}, all);
     Scene forest = make_forest();
     const View standing = make_view(forest.cameras.front(), kWidth, kHeight).value();
     const auto eyes = make_eyes(std::move(forest), standing, pair);
-    add_scene("forest", eyes, share, strip_columns(*eyes),
-              "a triangle that reaches into the centre's picture is drawn whole, and those of near "
-              "trees are wider than the strip",
-              all);
+    add_scene(
+        "forest", eyes, share, strip_columns(*eyes),
+        Finding{
+            "a triangle that reaches into the centre's picture is drawn whole, and those of near "
+            "trees are wider than the strip: less is lost, down to nothing",
+            0, 1},
+        all);
   }
   return all;
 }

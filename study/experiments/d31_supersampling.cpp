@@ -159,8 +159,10 @@ void add_scene(const std::string& name, const std::shared_ptr<const Samples>& sa
              return std::sqrt(squares / items);
            },
        .predicted_error = 0x1p-53,
-       .finding = "long edges cost digits: where an edge crosses the pixel's border is computed "
-                  "from corners up to 120 px away, and rounded as numbers of that size are",
+       .finding =
+           Finding{"long edges cost digits: where an edge crosses the pixel's border is computed "
+                   "from corners up to 120 px away, and rounded as numbers of that size are",
+                   2, 120},
        .work =
            [=](int) {
              for (const Piece& piece : samples->pieces) consume(covered_share<double>(piece));

@@ -13,10 +13,10 @@ const run = (...words) => execFileSync(program, ["study", ...words], {stdio: "pi
 function results() {
   const time = (threads, ns, standing) => ({threads, repetitions: 11, ns, ns_quartiles: [ns * .9, ns * 1.1], standing});
   const configuration = (series, parameter, error, predicted, times, explanation = "") => ({series, parameter, scene: "", error, predicted_error: predicted,
-    ratio: null, finding: false, explanation, times});
+    ratio: null, finding: false, explanation, explains: explanation ? [2, 100] : null, times});
   const experiment = (id, name, configurations, rest = {}) => ({id, name, question: "Is it drawn?", axis: "steps", axis_unit: "m", logarithmic_axis: true,
     axis_is_chosen: true, error: "largest error", error_unit: "px", reference: "arithmetic", theory: "1/steps", item: "pixel", configurations, ...rest});
-  return {format: "glassbox study results 1", version: "1", machine: "a machine", compiler: "a compiler", flags: "-O9", effort: "quick", threads: 2,
+  return {format: "glassbox study results 2", version: "1", machine: "a machine", compiler: "a compiler", flags: "-O9", effort: "quick", threads: 2,
     experiments: [
       experiment("D-901", "Everything", [1, 10, 100].flatMap((steps) => [
         configuration("float", steps, 1 / steps, 1 / steps, [time(1, 10 * steps, "front"), time(2, 6 * steps, "front")]),

@@ -21,12 +21,19 @@ function tableOf(experiment) {
   return table(heads, kinds, configurations.map((each) => rowOf(experiment, each, scenes, threads)), (at) => configurations[at].times[0]?.standing ?? "");
 }
 
+const explains = ({explains: range, ratio}) => range && number(ratio) >= range[0] && number(ratio) <= range[1];
+function explanationOf(each) {
+  if (!each.explanation) return "not explained.";
+  const known = `${each.explanation} (ratios from ${digits(each.explains[0])} to ${digits(each.explains[1])}).`;
+  return explains(each) ? known : `not explained, and by another ratio than this accounts for: ${known}`;
+}
+
 // Each explanation once, with what it explains.
 function findingsOf({configurations}) {
   const found = configurations.filter(({finding}) => finding);
-  const items = [...new Set(found.map(({explanation}) => explanation))].map((text) => {
-    const places = found.filter(({explanation}) => explanation === text).map((each) => `${each.series} at ${digits(each.parameter, 6)} (ratio ${digits(each.ratio)})`);
-    return element("li", {}, element("strong", {className: "fails"}, "Finding: "), text || "not explained.", ` Here: ${places.join("; ")}.`);
+  const items = [...new Set(found.map(explanationOf))].map((text) => {
+    const places = found.filter((each) => explanationOf(each) === text).map((each) => `${each.series} at ${digits(each.parameter, 6)} (ratio ${digits(each.ratio)})`);
+    return element("li", {}, element("strong", {className: "fails"}, "Finding: "), text, ` Here: ${places.join("; ")}.`);
   });
   return items.length ? element("ul", {className: "findings"}, ...items) : null;
 }

@@ -54,10 +54,17 @@ TEST_CASE("findings are counted, and those without an explanation apart") {
   result.configurations = {compared(1, 1), compared(5, 1), compared(9, 1)};
   CHECK(count_findings(result) == 2);
   CHECK(count_unexplained(result) == 2);
-  result.configurations[2].explanation = "the bound is loose there";
-  result.configurations[0].explanation = "not needed";
+  result.configurations[2].explanation = Finding{"the bound is loose there", 5, 10};
+  result.configurations[0].explanation = Finding{"not needed", 1, 2};
   CHECK(count_findings(result) == 2);
   CHECK(count_unexplained(result) == 1);
+  // A reason for another ratio is none: a text does not stand for whatever is measured.
+  result.configurations[2].error = 11;
+  CHECK(count_unexplained(result) == 2);
+  result.configurations[2].error = 4.5;
+  CHECK(count_unexplained(result) == 2);
+  result.configurations[2].error = std::numeric_limits<double>::quiet_NaN();
+  CHECK(count_unexplained(result) == 2);
 }
 
 std::vector<Standing> standings_of(std::vector<ConfigurationResult> configurations, bool chosen) {

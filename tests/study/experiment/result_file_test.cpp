@@ -49,7 +49,7 @@ StudyResults made_by_hand() {
   for (const double error : {0.0, 0.1, 1.0 / 3, 5e-324, std::numeric_limits<double>::infinity()})
     experiment.configurations.push_back(result_of(error, error, 1.0 / 7, 0.01));
   experiment.configurations[1].predicted_error = 0.30000000000000004;
-  experiment.configurations[1].explanation = "because";
+  experiment.configurations[1].explanation = Finding{"because", 0.3, 1.0 / 3};
   experiment.configurations[2].scene = "room";
   experiment.configurations[3].timings.push_back({2, 21, {1, 2, 3}});
   experiment.configurations[4].timings.clear();

@@ -33,13 +33,14 @@ inline std::string describe(const Measured& m) {
   return text;
 }
 
-// Exact where 0 is predicted; within a factor of two of what is predicted, or with a reason (SPEC D).
+// Exact where 0 is predicted; within a factor of two of what is predicted, or by the ratio that the finding states (SPEC D).
 inline bool obeys_theory(const Measured& m) {
   const std::optional<double>& predicted = m.configuration.predicted_error;
   if (!predicted) return m.error >= 0;
   if (*predicted == 0) return m.error == 0;
   const bool near = m.error >= *predicted / 2 && m.error <= *predicted * 2;
-  return near || !m.configuration.finding.empty();
+  return near ||
+         (m.configuration.finding && m.configuration.finding->explains(m.error / *predicted));
 }
 
 // The laws, and that a second run gives the same to the last digit; returns what was measured.

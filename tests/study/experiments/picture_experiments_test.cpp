@@ -103,16 +103,19 @@ TEST_CASE("D-31: random samples err as S^-1/2, samples in cells as S^-3/4") {
 }
 
 TEST_CASE("a law that does not hold is seen") {
-  const auto planted = [](double error, double predicted, const char* finding) {
+  const auto planted = [](double error, double predicted,
+                          const std::optional<study::Finding>& finding) {
     Measured m;
     m.error = error;
     m.configuration.predicted_error = predicted;
     m.configuration.finding = finding;
     return m;
   };
-  CHECK_FALSE(obeys_theory(planted(1e-300, 0, "")));
-  CHECK_FALSE(obeys_theory(planted(2.5, 1, "")));
-  CHECK_FALSE(obeys_theory(planted(0.4, 1, "")));
-  CHECK(obeys_theory(planted(2.5, 1, "a reason")));
-  CHECK_FALSE(obeys_theory(planted(std::numeric_limits<double>::quiet_NaN(), 1, "")));
+  CHECK_FALSE(obeys_theory(planted(1e-300, 0, {})));
+  CHECK_FALSE(obeys_theory(planted(2.5, 1, {})));
+  CHECK_FALSE(obeys_theory(planted(0.4, 1, {})));
+  CHECK(obeys_theory(planted(2.5, 1, study::Finding{"a reason", 2, 3})));
+  CHECK_FALSE(obeys_theory(planted(2500, 1, study::Finding{"a reason", 2, 3})));
+  CHECK_FALSE(obeys_theory(
+      planted(std::numeric_limits<double>::quiet_NaN(), 1, study::Finding{"a reason", 2, 3})));
 }

@@ -61,7 +61,7 @@ TEST_CASE("every error is within a factor of two of its theory, or the finding s
                               ? error == 0
                               : error >= kLeastRatio * *c.predicted_error &&
                                     error <= kGreatestRatio * *c.predicted_error;
-      CHECK((agrees || !c.finding.empty()));
+      CHECK((agrees || (c.finding && c.finding->explains(error / *c.predicted_error))));
     }
   }
 }
