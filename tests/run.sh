@@ -19,7 +19,8 @@ Builds the tests with g++, every warning an error, and runs them; then
 the format of the sources, and some tests of each folder under the
 sanitizers. --all adds what needs more tools and time: all tests with
 clang++, without optimisation and under the sanitizers,
-ThreadSanitizer, a minute of each fuzzer, the HTML pages in a browser,
+ThreadSanitizer, every planted fault against every extreme case, a
+minute of each fuzzer, the HTML pages in a browser,
 the pages that Doxygen makes of the headers, and clang-tidy.
 
 Parts, for one of them again:
@@ -27,7 +28,8 @@ Parts, for one of them again:
   format         of the sources         sanitize       all, sanitized
   debug          all tests, g++ -O0     threads        ThreadSanitizer
   clang++        all tests, clang++     fuzz           a minute of each
-  browser        the HTML pages         api            Doxygen's pages
+  mutants        all planted faults     api            Doxygen's pages
+  browser        the HTML pages
   long-pages     slow lines of docs     tidy           clang-tidy
 TEXT
 }
@@ -167,6 +169,18 @@ run_long_pages() {
   count "docs: the lines that take long" "$status"
 }
 
+# Each fault of tests/mutants against every extreme case, and whether docs/mutants.md has what comes of it. (The tests have each
+# fault and the case that is named for it.)
+run_mutants() {
+  build_preset test test_mutants || { count "mutants: build" 1; return 0; }
+  say "mutants: drawing ..."
+  directory=$(directory_of test)/tests/mutants
+  status=0
+  "$directory/test_mutants" "[.page]" >"$directory/log" 2>&1 </dev/null || status=$?
+  if [ "$status" != 0 ]; then tail -n 60 "$directory/log" >&2; fi
+  count "mutants: the page is what comes of it" "$status"
+}
+
 # The library's pages (docs/api.md): made without a complaint, with the headers' comments in them, and no link to nowhere.
 run_doxygen() {
   have doxygen || { skip "API pages (no doxygen)"; return 0; }
@@ -201,7 +215,7 @@ run_tidy() {
 }
 
 plain="test format sanitize-some"
-all="test format debug clang++ sanitize threads fuzz browser long-pages api tidy"
+all="test format debug clang++ sanitize threads mutants fuzz browser long-pages api tidy"
 
 run_part() {
   case $1 in
@@ -212,6 +226,7 @@ run_part() {
   clang++) if have clang++; then run_suites clang "clang++ -O3"; else skip "clang++ -O3 (no clang++)"; fi ;;
   sanitize) run_suites sanitize "sanitizers" ;;
   threads) run_threads ;;
+  mutants) run_mutants ;;
   fuzz) run_fuzzers ;;
   browser) run_browser ;;
   long-pages) run_long_pages ;;

@@ -9,13 +9,20 @@ int CaseResult::mutants_caught() const {
   return int(std::ranges::count_if(mutants, [](const Outcome& each) { return !each.passes(); }));
 }
 
+int CaseResult::drawn_right() const {
+  return int(std::ranges::count_if(drawn, &Outcome::passes));
+}
+
 bool CaseResult::holds() const {
-  return ours_passes() && naive_fails() && mutants_caught() == int(mutants.size());
+  return ours_passes() && naive_fails() && mutants_caught() == int(mutants.size()) &&
+         drawn_right() == int(drawn.size());
 }
 
 CaseResult run(const ExtremeCase& extreme) {
-  CaseResult result{extreme, extreme.ours.judged(), extreme.naive.judged(), {}};
+  CaseResult result{extreme, extreme.ours.judged(), extreme.naive.judged(), {}, {}};
   for (const Subject& mutant : extreme.mutants) result.mutants.push_back(mutant.judged());
+  if (!extreme.drawn) return result;
+  for (const Drawer& drawer : drawers()) result.drawn.push_back(extreme.drawn(drawer));
   return result;
 }
 

@@ -12,11 +12,13 @@ struct CaseResult {
   const ExtremeCase& what;
   Outcome ours, naive;
   std::vector<Outcome> mutants;  // in the order of the case's
+  std::vector<Outcome> drawn;    // in the order of the drawers; empty: does not show in a picture
 
   bool ours_passes() const { return ours.passes(); }
   bool naive_fails() const { return !naive.passes(); }
   int mutants_caught() const;
-  // All three as they should be. A mutant that passes its case is one that the case is no test for.
+  int drawn_right() const;
+  // All four as they should be. A mutant that passes its case is one that the case is no test for.
   bool holds() const;
 };
 

@@ -21,16 +21,23 @@ ordered_json number(const std::optional<double>& value) {
   return value ? number(*value) : ordered_json(nullptr);
 }
 
-ordered_json subject_json(const study::Subject& subject, const Outcome& outcome) {
-  return {{"name", subject.name},           {"error", number(outcome.error)},
-          {"bound", number(outcome.bound)}, {"condition", number(outcome.condition)},
-          {"passes", outcome.passes()},     {"seen", outcome.seen}};
+ordered_json outcome_json(const std::string& name, const Outcome& outcome) {
+  return {{"name", name},
+          {"error", number(outcome.error)},
+          {"bound", number(outcome.bound)},
+          {"condition", number(outcome.condition)},
+          {"passes", outcome.passes()},
+          {"seen", outcome.seen}};
 }
 
 ordered_json case_json(const study::CaseResult& r) {
   auto mutants = ordered_json::array();
   for (std::size_t i = 0; i < r.mutants.size(); ++i) {
-    mutants.push_back(subject_json(r.what.mutants[i], r.mutants[i]));
+    mutants.push_back(outcome_json(r.what.mutants[i].name, r.mutants[i]));
+  }
+  auto drawn = ordered_json::array();
+  for (std::size_t i = 0; i < r.drawn.size(); ++i) {
+    drawn.push_back(outcome_json(study::drawers()[i].name, r.drawn[i]));
   }
   return {{"id", r.what.id},
           {"name", r.what.name},
@@ -39,9 +46,10 @@ ordered_json case_json(const study::CaseResult& r) {
           {"right", r.what.right},
           {"unit", r.what.unit},
           {"oracle", oracle_name(r.what.oracle)},
-          {"ours", subject_json(r.what.ours, r.ours)},
-          {"naive", subject_json(r.what.naive, r.naive)},
+          {"ours", outcome_json(r.what.ours.name, r.ours)},
+          {"naive", outcome_json(r.what.naive.name, r.naive)},
           {"mutants", mutants},
+          {"drawn", drawn},
           {"holds", r.holds()}};
 }
 

@@ -30,22 +30,30 @@ std::string shortened(const std::string& text, std::size_t most) {
 const char* verdict(const CaseResult& result) {
   if (!result.ours_passes()) return "FAILS";
   if (!result.naive_fails()) return "NAIVE PASSES";
-  return result.holds() ? "pass" : "MUTANT LIVES";
+  if (result.mutants_caught() != int(result.mutants.size())) return "MUTANT LIVES";
+  return result.holds() ? "pass" : "DRAWN WRONG";
+}
+
+// The same on every machine, however many targets its processor has.
+std::string drawn(const CaseResult& r) {
+  if (r.drawn.empty()) return "-";
+  if (r.drawn_right() == int(r.drawn.size())) return "right";
+  return fmt::format("{} of {}", r.drawn_right(), r.drawn.size());
 }
 
 std::string row(const CaseResult& r) {
   return fmt::format(
-      "{:<5} {:<36} {:>9} {:>9} {:>9} {:>6} {:>9}  {:<8} {:<12} {}\n", r.what.id,
+      "{:<5} {:<36} {:>9} {:>9} {:>9} {:>6} {:>9}  {:<8} {:<7} {:<12} {}\n", r.what.id,
       shortened(r.what.name, 36), number(r.naive.error), number(r.ours.error), number(r.ours.bound),
       ratio(r.ours), r.ours.condition ? number(*r.ours.condition) : "",
       r.mutants.empty() ? "-" : fmt::format("{} of {}", r.mutants_caught(), r.mutants.size()),
-      verdict(r), r.what.unit);
+      drawn(r), verdict(r), r.what.unit);
 }
 
-std::string judged(const char* kind, const study::Subject& subject, const Outcome& outcome,
+std::string judged(const char* kind, const std::string& name, const Outcome& outcome,
                    const std::string& unit) {
   std::string text =
-      fmt::format("{:<8}{}\n        {} {} {} {}, {}\n", kind, subject.name, number(outcome.error),
+      fmt::format("{:<8}{}\n        {} {} {} {}, {}\n", kind, name, number(outcome.error),
                   outcome.passes() ? "<=" : ">", number(outcome.bound), unit,
                   outcome.passes() ? "within the bound" : "beyond it");
   if (!outcome.seen.empty()) text += wrapped("        ", outcome.seen);
@@ -102,19 +110,22 @@ const char* oracle_name(study::Oracle oracle) {
 std::string extremes_text(const ExtremesReport& report) {
   std::string text;
   if (!report.cases.empty()) {
-    text += fmt::format("{:<5} {:<36} {:>9} {:>9} {:>9} {:>6} {:>9}  {:<8} {:<12} {}\n", "case", "",
-                        "naive", "ours", "bound", "ratio", "condition", "mutants", "", "unit");
+    text += fmt::format("{:<5} {:<36} {:>9} {:>9} {:>9} {:>6} {:>9}  {:<8} {:<7} {:<12} {}\n",
+                        "case", "", "naive", "ours", "bound", "ratio", "condition", "mutants",
+                        "drawn", "", "unit");
     for (const CaseResult& each : report.cases) text += row(each);
     const auto hold = std::ranges::count_if(report.cases, &CaseResult::holds);
-    int mutants = 0, caught = 0;
+    int mutants = 0, caught = 0, in_pictures = 0;
     for (const CaseResult& each : report.cases) {
       mutants += int(each.mutants.size());
       caught += each.mutants_caught();
+      in_pictures += !each.drawn.empty();
     }
     text += fmt::format(
         "\n{} of {} cases hold: ours within its bound, naive code beyond it; {} of {} "
-        "mutants caught.\nstudy extremes --case ID shows one in full.\n",
-        hold, report.cases.size(), caught, mutants);
+        "mutants caught. {} are drawn as well, by both engines and for every target.\n"
+        "study extremes --case ID shows one in full.\n",
+        hold, report.cases.size(), caught, mutants, in_pictures);
   }
   for (const SweepResult& each : report.sweeps) text += sweep_text(each);
   return text;
@@ -128,10 +139,13 @@ std::string case_text(const CaseResult& r) {
   text += wrapped("oracle  ", oracle_name(r.what.oracle));
   if (r.ours.condition)
     text += fmt::format("        condition number {}\n", number(*r.ours.condition));
-  text += "\n" + judged("ours", r.what.ours, r.ours, r.what.unit);
-  text += judged("naive", r.what.naive, r.naive, r.what.unit);
+  text += "\n" + judged("ours", r.what.ours.name, r.ours, r.what.unit);
+  text += judged("naive", r.what.naive.name, r.naive, r.what.unit);
   for (std::size_t i = 0; i < r.mutants.size(); ++i) {
-    text += judged("mutant", r.what.mutants[i], r.mutants[i], r.what.unit);
+    text += judged("mutant", r.what.mutants[i].name, r.mutants[i], r.what.unit);
+  }
+  for (std::size_t i = 0; i < r.drawn.size(); ++i) {
+    text += judged("drawn", study::drawers()[i].name, r.drawn[i], "pixels");
   }
   return text + fmt::format("\n{}\n", verdict(r));
 }

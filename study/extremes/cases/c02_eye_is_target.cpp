@@ -22,6 +22,19 @@ Outcome judge(LookAt look_at_under_test) {
   return wrong_of(answered, all + 1, "cameras answered wrongly");
 }
 
+// What is written first: equal points are refused, and subnormal distances pass.
+Result<EyeFromWorld> equality_alone(const WorldPoint& eye, const WorldPoint& target,
+                                    const WorldVector& up) {
+  if (eye == target) return fail("eye", "is the target", "move one of them");
+  return naive::unchecked_look_at(eye, target, up);
+}
+// A distance of a millionth is too small, whatever the unit.
+Result<EyeFromWorld> least_distance(const WorldPoint& eye, const WorldPoint& target,
+                                    const WorldVector& up) {
+  if (!(length(target - eye) > 1e-6)) return fail("eye", "is the target", "move one of them");
+  return look_at(eye, target, up);
+}
+
 }  // namespace c02
 
 ExtremeCase c02_eye_is_target() {
@@ -36,7 +49,8 @@ ExtremeCase c02_eye_is_target() {
       .oracle = Oracle::kProperty,
       .ours = {"look_at", [] { return judge(look_at); }},
       .naive = {"unchecked UVN", [] { return judge(naive::unchecked_look_at); }},
-      .mutants = {},
+      .mutants = {{"only equal points are refused", [] { return judge(equality_alone); }},
+                  {"refused below a distance of 1e-6", [] { return judge(least_distance); }}},
   };
 }
 

@@ -4,6 +4,7 @@
 
 #include "exact/number.h"
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/sight.h"
 
 namespace glassbox::study {
 namespace c08 {
@@ -45,6 +46,23 @@ std::optional<double> by_radians(double degrees) {
   return 1 / std::tan(radians_from_degrees(degrees) / 2);
 }
 
+// The same picture of a narrow and of a wide angle: triangles scaled to it.
+Outcome judge_drawn(const Drawer& by) {
+  static const std::vector<SightDrawn> pictures = [] {
+    std::vector<SightDrawn> all;
+    for (const double degrees : {1e-3, 1.0, 90.0, 179.0, 179.99}) {
+      const double radians = radians_from_degrees(degrees);
+      const float t = float(std::tan(radians / 2));
+      all.emplace_back(vista_of({{Point<Eye>{-0.7f * t, -0.6f * t, -1},
+                                  {1.6f * t, -0.4f * t, -2},
+                                  {0.2f * t, 2.4f * t, -3}}},
+                                PerspectiveLens{radians, 0.5, 8.0}, 64));
+    }
+    return all;
+  }();
+  return worst_of(pictures, by);
+}
+
 }  // namespace c08
 
 ExtremeCase c08_field_of_view() {
@@ -60,6 +78,7 @@ ExtremeCase c08_field_of_view() {
       .ours = {"perspective_degrees", [] { return judge(ours); }},
       .naive = {"1 / tan in float, unchecked", [] { return judge(tangent_in_float); }},
       .mutants = {{"the angle goes through radians", [] { return judge(by_radians); }}},
+      .drawn = judge_drawn,
   };
 }
 

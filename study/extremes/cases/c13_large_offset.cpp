@@ -3,8 +3,10 @@
 #include <glassbox/pipeline/look_at.h>
 
 #include <glassbox/base/random.h>
+#include <glassbox/mesh/builtin/sphere.h>
 #include "exact/camera.h"
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/sight.h"
 #include "study/extremes/kit/world.h"
 #include "study/naive/transform.h"
 
@@ -42,6 +44,24 @@ Outcome judge(ToEye to_eye) {
   return worst.outcome();
 }
 
+// A ball far from the origin, by a camera as far from it.
+Outcome judge_drawn(const Drawer& by) {
+  static const std::vector<SightDrawn> pictures = [] {
+    std::vector<SightDrawn> all;
+    for (const double offset : {1e2, 1e4, 1e6}) {
+      const WorldVector place{offset, -offset, offset * 0.5};
+      Scene ball = make_sphere(6);
+      for (Node& node : ball.nodes) {
+        node.world_from_node = translate<World>(place) * node.world_from_node;
+      }
+      all.emplace_back(
+          vista_of(ball, camera_at(WorldPoint{2, 3, 4} + place, {-2, -3, -4}), 64, 64));
+    }
+    return all;
+  }();
+  return worst_of(pictures, by);
+}
+
 }  // namespace c13
 
 ExtremeCase c13_large_offset() {
@@ -57,6 +77,7 @@ ExtremeCase c13_large_offset() {
       .ours = {"composed in double, rounded once", [] { return judge(composed_in_double); }},
       .naive = {"float world positions", [] { return judge(naive::through_float_world); }},
       .mutants = {{"composed in float", [] { return judge(naive::composed_in_float); }}},
+      .drawn = judge_drawn,
   };
 }
 

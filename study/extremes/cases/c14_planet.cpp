@@ -1,8 +1,10 @@
 #include <glassbox/pipeline/affine.h>
 #include <glassbox/pipeline/look_at.h>
 
+#include <glassbox/mesh/builtin/cube.h>
 #include "exact/number.h"
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/sight.h"
 #include "study/extremes/kit/world.h"
 #include "study/naive/transform.h"
 
@@ -41,6 +43,19 @@ Point<Eye> float_view(const Transform<Eye, World>& view, const Transform<World, 
   return round_to_float(rounded * nearly) * Point<Object>(0, p.y, p.z);
 }
 
+Outcome judge_drawn(const Drawer& by) {
+  static const SightDrawn cube([] {
+    const WorldVector place{6.378e6, 0, 0};
+    Scene scene = make_cube();
+    for (Node& node : scene.nodes) {
+      node.world_from_node =
+          translate<World>(place) * scale<World>(0.5, 0.5, 0.5) * node.world_from_node;
+    }
+    return vista_of(scene, camera_at(WorldPoint{1, 1.5, 2} + place, {-1, -1.5, -2}), 96, 96);
+  }());
+  return cube.judge(by);
+}
+
 }  // namespace c14
 
 ExtremeCase c14_planet() {
@@ -56,6 +71,7 @@ ExtremeCase c14_planet() {
       .ours = {"composed in double, rounded once", [] { return judge(composed_in_double); }},
       .naive = {"float world positions", [] { return judge(naive::through_float_world); }},
       .mutants = {{"the vertex placed in the world in float", [] { return judge(float_view); }}},
+      .drawn = judge_drawn,
   };
 }
 

@@ -2,9 +2,11 @@
 #include <glassbox/pipeline/affine.h>
 
 #include <glassbox/base/random.h>
+#include <glassbox/mesh/builtin/sphere.h>
 #include "exact/matrix.h"
 #include "exact/number.h"
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/sight.h"
 #include "study/extremes/kit/world.h"
 
 namespace glassbox::study {
@@ -69,6 +71,18 @@ glm::dmat4 from_the_leaf(const std::vector<WorldMap>& levels) {
   return product;
 }
 
+Outcome judge_drawn(const Drawer& by) {
+  static const SightDrawn ball([] {
+    Scene scene = make_sphere(6);
+    WorldMap product;
+    for (const WorldMap& level : hierarchy()) product = product * level;
+    for (Node& node : scene.nodes) node.world_from_node = product * node.world_from_node;
+    const WorldPoint centre = product * WorldPoint(0, 0, 0);
+    return vista_of(scene, camera_at(centre + WorldVector{1, 2, 4}, {-1, -2, -4}), 96, 96);
+  }());
+  return ball.judge(by);
+}
+
 }  // namespace c15
 
 ExtremeCase c15_deep_hierarchy() {
@@ -87,6 +101,7 @@ ExtremeCase c15_deep_hierarchy() {
       .ours = {"products in double, inverse_affine", [] { return judge(in_double); }},
       .naive = {"products in float", [] { return judge(in_float); }},
       .mutants = {{"premultiplied: leaf before root", [] { return judge(from_the_leaf); }}},
+      .drawn = judge_drawn,
   };
 }
 

@@ -6,6 +6,7 @@
 #include <glassbox/base/random.h>
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/normals_case.h"
+#include "study/extremes/kit/sight.h"
 #include "study/naive/transform.h"
 
 namespace glassbox::study {
@@ -86,6 +87,25 @@ Normal<World> by_edges(const Transform<World, Object>& m, const Normal<Object>& 
   return {float(crossed.x), float(crossed.y), float(crossed.z)};
 }
 
+// Of a mirrored cube back faces are culled: one layer everywhere, and the front's.
+Outcome judge_drawn(const Drawer& by) {
+  static const std::vector<SightDrawn> cubes = [] {
+    std::vector<SightDrawn> all;
+    for (const auto& [x, y, z] :
+         {std::array{-1.0, 1.0, 1.0}, {1.0, -2.0, 1.0}, {-1.0, -1.0, -0.5}, {-1.0, 1.0, -1.0}}) {
+      Scene cube = make_cube();
+      for (Node& node : cube.nodes) {
+        node.world_from_node = scale<World>(x, y, z) * node.world_from_node;
+      }
+      Vista vista = vista_of(cube, camera_at({3, 2, 4}, {-3, -2, -4}), 64, 48);
+      vista.settings.cull = Cull::kBack;
+      all.emplace_back(std::move(vista));
+    }
+    return all;
+  }();
+  return worst_of(cubes, by);
+}
+
 }  // namespace c17
 
 ExtremeCase c17_mirrored_model() {
@@ -105,6 +125,7 @@ ExtremeCase c17_mirrored_model() {
       .naive = {"cross product of transformed edges", [] { return judge(by_edges); }},
       .mutants = {{"no sign of the determinant", [] { return judge(naive::normal_without_sign); }},
                   {"winding taken as if there were no mirror", judge_without_mirror}},
+      .drawn = judge_drawn,
   };
 }
 

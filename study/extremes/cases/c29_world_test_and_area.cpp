@@ -6,6 +6,7 @@
 #include <glassbox/raster/snap.h>
 
 #include <glassbox/base/random.h>
+#include "study/extremes/kit/drawn_coverage.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/naive/normals.h"
 
@@ -74,6 +75,30 @@ bool exact_but_no_margin(std::span<const Point<Object>> face, const ObjectViewer
   return certainly_back(test_back_face(face, viewer), 0);
 }
 
+// Slivers a step or two of the snap wide, which it may turn round: culled before it where that is certain, and otherwise by what it
+// made of them.
+Outcome judge_drawn(const Drawer& by) {
+  static const std::vector<CoverageDrawn> pictures = [] {
+    Random random(829);
+    std::vector<ScreenTriangle> slivers;
+    for (int i = 0; i < 2000; ++i) {
+      const double x = random.between(0, 250), y = random.between(0, 250);
+      const double dx = random.between(-8, 8), dy = random.between(-8, 8), t = random.unit();
+      const auto aside = [&] { return random.between(-1, 1) / 512; };
+      slivers.push_back({screen_vertex(x, y), screen_vertex(x + dx, y + dy),
+                         screen_vertex(x + t * dx + aside(), y + t * dy + aside())});
+    }
+    std::vector<CoverageDrawn> all;
+    for (const Cull cull : {Cull::kBack, Cull::kFront}) {
+      for (const CullStage stage : {CullStage::kScreen, CullStage::kObject}) {
+        all.emplace_back(slivers, 256, Culling{cull, stage});
+      }
+    }
+    return all;
+  }();
+  return worst_of(pictures, by);
+}
+
 }  // namespace c29
 
 ExtremeCase c29_world_test_and_area() {
@@ -91,6 +116,7 @@ ExtremeCase c29_world_test_and_area() {
       .ours = {"certainly_back with snapping_margin", [] { return judge(ours); }},
       .naive = {"(P - eye) . m > 0 in float", [] { return judge(any_back_in_float); }},
       .mutants = {{"no margin for the snap", [] { return judge(exact_but_no_margin); }}},
+      .drawn = judge_drawn,
   };
 }
 

@@ -5,6 +5,7 @@
 #include <glassbox/render/staged/staged.h>
 
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/sight.h"
 #include "study/extremes/kit/world.h"
 #include "study/naive/normals.h"
 
@@ -83,6 +84,27 @@ bool before_edge_on(std::span<const Point<Object>> face, const WorldPoint& eye,
          -0.1 * std::sqrt(dot(m, m)) * length(sight);
 }
 
+// The ball from the same places: one layer of it with back faces culled, the other one with front faces culled;
+// culled on the screen, and in object space where that is certain.
+Outcome judge_drawn(const Drawer& by) {
+  static const std::vector<SightDrawn> balls = [] {
+    std::vector<SightDrawn> all;
+    for (const Cull cull : {Cull::kBack, Cull::kFront, Cull::kNone}) {
+      for (const WorldPoint& eye : {WorldPoint{0, 0, 1.3}, {1.2, 0.7, 0.9}, {-2, 3, 1}}) {
+        Camera camera = camera_at(eye, {0.2 - eye.x, -eye.y, -eye.z});
+        camera.lens = PerspectiveLens{1.6, 0.05, 10.0};
+        Vista vista = vista_of(make_sphere(8), camera, 64, 48);
+        vista.settings.cull = cull;
+        all.emplace_back(vista);
+        vista.settings.cull_stage = CullStage::kObject;
+        all.emplace_back(std::move(vista));
+      }
+    }
+    return all;
+  }();
+  return worst_of(balls, by);
+}
+
 }  // namespace c30
 
 ExtremeCase c30_closed_solid() {
@@ -99,6 +121,7 @@ ExtremeCase c30_closed_solid() {
       .ours = {"the sign of the snapped area", [] { return judge(nullptr); }},
       .naive = {"normal against the camera's gaze", [] { return judge(by_gaze); }},
       .mutants = {{"culled from six degrees before edge-on", [] { return judge(before_edge_on); }}},
+      .drawn = judge_drawn,
   };
 }
 

@@ -1,5 +1,6 @@
 #include "study/extremes/cases/clip_case.h"
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/sight.h"
 
 namespace glassbox::study {
 namespace c34 {
@@ -52,6 +53,38 @@ Outline sides_after_divide(const ClipTriangle& t, std::span<const ClipPlane> pla
   return pipeline_clips(divided, planes);
 }
 
+// Random triangles on both sides of the eye: each alone in a picture of 48 x 48 pixels.
+Outcome judge_drawn(const Drawer& by) {
+  static const std::vector<SightDrawn> pictures = [] {
+    Random random(834);
+    std::vector<SightDrawn> all;
+    for (int i = 0; i < 96; ++i) {
+      EyeTriangle t;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const bool behind = (i >> k & 1) != 0;
+        const double z = behind ? random.between(0, 6) : random.between(-6, -0.1);
+        t[k] = {float(random.between(-4, 4)), float(random.between(-4, 4)), float(z)};
+      }
+      all.emplace_back(vista_of({t}, PerspectiveLens{1.0, 0.5, 5.0}, 48));
+    }
+    // Then 400 small ones on both sides of the near plane and of the far one.
+    std::vector<EyeTriangle> small;
+    for (int i = 0; i < 400; ++i) {
+      const double z = i % 2 == 0 ? -0.5 : -5, size = i % 2 == 0 ? 0.04 : 0.4;
+      const auto around = [&](double middle) {
+        return float(middle + random.between(-size, size));
+      };
+      const double x = random.between(0.6, -0.6) * -z, y = random.between(0.6, -0.6) * -z;
+      small.push_back({Point<Eye>{around(x), around(y), around(z)},
+                       {around(x), around(y), around(z)},
+                       {around(x), around(y), around(z)}});
+    }
+    all.emplace_back(vista_of(small, PerspectiveLens{1.0, 0.5, 5.0}, 192));
+    return all;
+  }();
+  return worst_of(pictures, by);
+}
+
 }  // namespace c34
 
 ExtremeCase c34_signs_of_w() {
@@ -69,6 +102,7 @@ ExtremeCase c34_signs_of_w() {
       .mutants = {{"no test for w > 0: clipped after the divide",
                    [] { return judge(sides_after_divide); }},
                   {"|w| for w", [] { return judge(absolute_w); }}},
+      .drawn = judge_drawn,
   };
 }
 

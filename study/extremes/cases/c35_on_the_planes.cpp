@@ -1,5 +1,6 @@
 #include "study/extremes/cases/clip_case.h"
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/sight.h"
 
 namespace glassbox::study {
 namespace c35 {
@@ -51,6 +52,24 @@ Outline repetitions_kept(const ClipTriangle& t, std::span<const ClipPlane> plane
   return outline;
 }
 
+// Corners on the planes themselves, where z = 0 and w = z exactly, and where the picture ends.
+Outcome judge_drawn(const Drawer& by) {
+  static const std::vector<SightDrawn> pictures = [] {
+    std::vector<SightDrawn> all;
+    const OrthographicLens lens{2, 1, 3};
+    const Point<Eye> corners[] = {{-2, -2, -1}, {2, -2, -1}, {2, 2, -3},  {-2, 2, -3},
+                                  {0, -2, -3},  {2, 0, -1},  {-1, 1, -2}, {0, 3, -1},
+                                  {-3, -3, -3}, {1, 0, -4},  {0, 1, 0}};
+    Random random(835);
+    for (int i = 0; i < 24; ++i) {
+      const auto corner = [&] { return corners[random.integer(0, 10)]; };
+      all.emplace_back(vista_of({{corner(), corner(), corner()}}, lens, 32));
+    }
+    return all;
+  }();
+  return worst_of(pictures, by);
+}
+
 }  // namespace c35
 
 ExtremeCase c35_on_the_planes() {
@@ -67,6 +86,7 @@ ExtremeCase c35_on_the_planes() {
       .ours = {"clip_triangle", [] { return judge(pipeline_clips); }},
       .naive = {"distance > 0 for inside", [] { return judge(on_the_plane_is_outside); }},
       .mutants = {{"repeated vertices kept", [] { return judge(repetitions_kept); }}},
+      .drawn = judge_drawn,
   };
 }
 

@@ -1,5 +1,6 @@
 #include "study/extremes/cases/clip_case.h"
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/sight.h"
 
 namespace glassbox::study {
 namespace c36 {
@@ -34,6 +35,24 @@ Outline five_planes(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   return pipeline_clips(t, planes.first(5));
 }
 
+// Larger than the frustum on all sides.
+Outcome judge_drawn(const Drawer& by) {
+  static const std::vector<SightDrawn> pictures = [] {
+    Random random(836);
+    std::vector<SightDrawn> all;
+    for (int i = 0; i < 40; ++i) {
+      EyeTriangle t;
+      for (Point<Eye>& p : t) {
+        p = {float(random.between(-30, 30)), float(random.between(-30, 30)),
+             float(random.between(-30, 20))};
+      }
+      all.emplace_back(vista_of({t}, PerspectiveLens{1.2, 0.5, 8.0}, 64));
+    }
+    return all;
+  }();
+  return worst_of(pictures, by);
+}
+
 }  // namespace c36
 
 ExtremeCase c36_all_six_planes() {
@@ -51,6 +70,7 @@ ExtremeCase c36_all_six_planes() {
       .ours = {"clip_triangle", [] { return judge(pipeline_clips); }},
       .naive = {"a fixed array of 8", [] { return judge(array_of_eight); }},
       .mutants = {{"the last plane forgotten", [] { return judge(five_planes); }}},
+      .drawn = judge_drawn,
   };
 }
 

@@ -1,5 +1,9 @@
 #include "study/extremes/cases/clip_case.h"
+#include "study/extremes/kit/drawn_coverage.h"
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/sight.h"
+
+#include <glassbox/base/trig.h>
 
 namespace glassbox::study {
 namespace c38 {
@@ -57,6 +61,33 @@ Outline t_in_double(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   return naive::clip({.crossing = crossing}, t, planes);
 }
 
+// Cones of 400 triangles around the line of sight that reach behind the eye, so that the near plane cuts every shared edge and all
+// of the picture is inside: every pixel once.
+Outcome judge_drawn(const Drawer& by) {
+  Watertightness all;
+  for (std::uint64_t seed = 838; seed < 858; ++seed) {
+    Random random(seed);
+    const auto aside = [&] { return float(random.between(-0.1, 0.1)); };
+    const Point<Eye> hub{aside(), aside(), -3};
+    std::vector<Point<Eye>> rim;
+    for (int i = 0; i < 400; ++i) {
+      const SinCos turn = sin_cos_degrees(0.9 * (i + random.between(0, 0.9)));
+      rim.push_back({float(10 * turn.cos), float(10 * turn.sin), 5});
+    }
+    std::vector<EyeTriangle> triangles;
+    for (std::size_t i = 0; i < rim.size(); ++i) {
+      triangles.push_back({hub, rim[i], rim[(i + 1) % rim.size()]});
+    }
+    Vista cone = vista_of(triangles, PerspectiveLens{1.8, 1.0, 40.0}, 128);
+    cone.scene.materials = {layer_material()};
+    const auto colors = by.draw(cone.scene, cone.view, cone.settings).buffers.color;
+    Image<int> times(colors.width, colors.height);
+    std::ranges::transform(colors.pixels, times.pixels.begin(), layers_of);
+    all.add(times);
+  }
+  return all.outcome();
+}
+
 }  // namespace c38
 
 ExtremeCase c38_shared_clipped_edge() {
@@ -75,6 +106,7 @@ ExtremeCase c38_shared_clipped_edge() {
       .naive = {"a + t (b - a)", [] { return judge(asymmetric); }},
       .mutants = {{"(1 - t) a + t b", [] { return judge(one_minus_t); }},
                   {"t in double, then rounded", [] { return judge(t_in_double); }}},
+      .drawn = judge_drawn,
   };
 }
 

@@ -5,6 +5,7 @@
 #include "exact/coverage.h"
 #include "study/extremes/cases/clip_case.h"
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/sight.h"
 
 namespace glassbox::study {
 namespace c40 {
@@ -117,6 +118,26 @@ Pixels kept_to_24_bits(const ClipTriangle& t, const Viewport&) {
   });
 }
 
+// Far corners in eye space, up to 10^9 px beside the picture.
+Outcome judge_drawn(const Drawer& by) {
+  static const std::vector<SightDrawn> pictures = [] {
+    Random random(840);
+    std::vector<SightDrawn> all;
+    for (int i = 0; i < 48; ++i) {
+      // Far to all sides, to the left and right, up and down.
+      EyeTriangle t;
+      for (Point<Eye>& p : t) {
+        const double far = std::pow(10, random.between(0, 7));
+        p = {float(random.between(-1, 1) * (i % 3 == 2 ? 1 : far)),
+             float(random.between(-1, 1) * (i % 3 == 1 ? 1 : far)), float(random.between(-4, -1))};
+      }
+      all.emplace_back(vista_of({t}, PerspectiveLens{1.0, 0.5, 8.0}, 64));
+    }
+    return all;
+  }();
+  return worst_of(pictures, by);
+}
+
 }  // namespace c40
 
 ExtremeCase c40_guard_band() {
@@ -135,6 +156,7 @@ ExtremeCase c40_guard_band() {
       .naive = {"no guard band, 32-bit integers", [] { return judge(as_x86_converts); }},
       .mutants = {{"coordinates clamped to the guard band", [] { return judge(clamped); }},
                   {"coordinates kept to 24 bits", [] { return judge(kept_to_24_bits); }}},
+      .drawn = judge_drawn,
   };
 }
 

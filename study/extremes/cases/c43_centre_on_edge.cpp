@@ -1,4 +1,5 @@
 #include "study/extremes/kit/coverage.h"
+#include "study/extremes/kit/drawn_coverage.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/naive/coverage.h"
 
@@ -52,6 +53,23 @@ Image<int> drawn(const Covers& covers) {
   return times_covered(covers, {{v(0, 0), v(8, 0), v(8, 8)}, {v(0, 8), v(0, 0), v(8, 8)}}, 8, 8);
 }
 
+// 4,096 such triangles side by side in one picture.
+Outcome judge_drawn(const Drawer& by) {
+  static const CoverageDrawn cells(
+      [] {
+        Random random(143);
+        std::vector<ScreenTriangle> triangles;
+        for (int cell = 0; cell < 4096; ++cell) {
+          const auto centre = [&](int at) { return at * 8 + double(random.integer(0, 7)) + 0.5; };
+          const auto corner = [&] { return screen_vertex(centre(cell % 64), centre(cell / 64)); };
+          triangles.push_back({corner(), corner(), corner()});
+        }
+        return triangles;
+      }(),
+      512);
+  return cells.judge(by);
+}
+
 }  // namespace c43
 
 ExtremeCase c43_centre_on_edge() {
@@ -77,6 +95,7 @@ ExtremeCase c43_centre_on_edge() {
                   {"every edge owns its points", with({.owns = naive::owns_all})},
                   {"bottom-right in place of top-left", with({.owns = naive::bottom_right})},
                   {"top edges are forgotten", with({.owns = naive::left_only})}},
+      .drawn = judge_drawn,
       .pictures = {{"naive", [] { return coverage_png(drawn(naive::float_covers), 32); }},
                    {"ours", [] { return coverage_png(drawn(pipeline_covers), 32); }}},
   };

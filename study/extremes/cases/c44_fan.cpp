@@ -3,6 +3,7 @@
 #include <glassbox/base/trig.h>
 
 #include "study/extremes/kit/coverage.h"
+#include "study/extremes/kit/drawn_coverage.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/naive/coverage.h"
 
@@ -44,6 +45,26 @@ Outcome judge(const Covers& covers) {
       worst, fmt::format("{} of {} fans wrong, worst with {} triangles", wrong, fans, worst_fan));
 }
 
+// All fans side by side in one picture.
+Outcome judge_drawn(const Drawer& by) {
+  static const CoverageDrawn fans(
+      [] {
+        std::vector<ScreenTriangle> triangles;
+        for (int n = 3; n <= 256; ++n) {
+          for (ScreenTriangle t : fan(n)) {
+            for (ScreenVertex& v : t) {
+              v.position.x += float((n - 3) % 16 * 32 + 6);
+              v.position.y += float((n - 3) / 16 * 32 + 6);
+            }
+            triangles.push_back(t);
+          }
+        }
+        return triangles;
+      }(),
+      512);
+  return fans.judge(by);
+}
+
 }  // namespace c44
 
 ExtremeCase c44_fan() {
@@ -65,6 +86,7 @@ ExtremeCase c44_fan() {
                    with({.owns = naive::owns_none})},
                   {"every edge owns its points", with({.owns = naive::owns_all})},
                   {"top edges are forgotten", with({.owns = naive::left_only})}},
+      .drawn = judge_drawn,
       .pictures =
           {{"naive",
             [] { return coverage_png(times_covered(naive::float_covers, fan(16), 21, 21), 16); }},

@@ -1,6 +1,9 @@
 #include "study/extremes/kit/coverage.h"
+#include "study/extremes/kit/drawn_coverage.h"
+#include "study/extremes/kit/sight.h"
+
+#include <glassbox/mesh/builtin/teapot.h>
 #include "study/extremes/kit/extreme_case.h"
-#include "study/extremes/kit/screen_scene.h"
 #include "study/naive/coverage.h"
 
 #include <glassbox/base/random.h>
@@ -35,39 +38,21 @@ const std::vector<std::vector<ScreenTriangle>>& meshes() {
   return all;
 }
 
-using Covered = std::function<Image<int>(const std::vector<ScreenTriangle>&)>;
-
-Outcome judge(const Covered& covered, const char* by = "") {
-  Watertightness found;
-  for (const auto& mesh : meshes()) found.add(covered(mesh));
-  Outcome outcome = found.outcome();
-  outcome.seen += by;
-  return outcome;
-}
-
 Outcome judge(const Covers& covers) {
-  return judge([&](const std::vector<ScreenTriangle>& mesh) {
-    return times_covered(covers, mesh, kSide, kSide);
-  });
-}
-
-// The stage alone, then whole runs: a gap in the opaque one is a pixel that shows nothing.
-Outcome judge_ours() {
-  const Outcome stage = judge(Covers(pipeline_covers));
-  const Outcome engine = judge(
-      [](const std::vector<ScreenTriangle>& mesh) {
-        TrianglesDrawn drawn = drawn_by_tile_engine(mesh, kSide, {});
-        for (std::size_t i = 0; i < drawn.first.pixels.size(); ++i) {
-          if (drawn.first.pixels[i] == 0) drawn.times.pixels[i] = 0;
-        }
-        return drawn.times;
-      },
-      ", by the stage and by the tile engine");
-  return worse_of(engine, stage);
+  Watertightness found;
+  for (const auto& mesh : meshes()) found.add(times_covered(covers, mesh, kSide, kSide));
+  return found.outcome();
 }
 
 Outcome with(const naive::CoverageParts& parts) {
   return judge(naive::covers_with(parts));
+}
+
+Outcome judge_drawn(const Drawer& by) {
+  static const CoverageDrawn grid(meshes()[0], kSide), slanted(meshes()[1], kSide);
+  static const SightDrawn teapot(
+      vista_of(make_teapot(12), camera_at({3, 4, 7}, {-3, -2.8, -7}), 192, 192));
+  return worse_of(teapot.judge(by), worse_of(slanted.judge(by), grid.judge(by)));
 }
 
 }  // namespace c45
@@ -79,17 +64,19 @@ ExtremeCase c45_watertight_mesh() {
       .name = "Watertight mesh",
       .construction =
           "a grid of 500 x 500 quads over 1024 x 1024 px, inner vertices moved by up to 0.2 of a "
-          "cell; 32 slanted triangles 34,000 px long",
+          "cell; 32 slanted triangles 34,000 px long; drawn, a "
+          "teapot of 9,000 triangles as well",
       .stage = "coverage",
       .right = "every pixel exactly once: edge functions are integers, and one side owns each edge",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
-      .ours = {"integer edge functions, top-left rule", judge_ours},
-      .naive = {"float cross products, >= 0", [] { return judge(Covers(naive::float_covers)); }},
+      .ours = {"integer edge functions, top-left rule", [] { return judge(pipeline_covers); }},
+      .naive = {"float cross products, >= 0", [] { return judge(naive::float_covers); }},
       .mutants = {{"float edges: differences from each edge's first vertex",
                    [] { return with({.inside = naive::float_difference_inside}); }},
                   {"the tie rule is missing: nobody owns an edge",
                    [] { return with({.owns = naive::owns_none}); }}},
+      .drawn = judge_drawn,
   };
 }
 

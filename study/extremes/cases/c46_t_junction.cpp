@@ -1,8 +1,8 @@
 #include <cstdlib>
 
 #include "study/extremes/kit/coverage.h"
+#include "study/extremes/kit/drawn_coverage.h"
 #include "study/extremes/kit/extreme_case.h"
-#include "study/naive/coverage.h"
 
 #include <glassbox/base/random.h>
 
@@ -66,6 +66,37 @@ Outcome judge(bool insert_the_vertex, bool predict) {
                                   predict ? "; those of the T-junctions are as predicted" : ""));
 }
 
+// With the vertex inserted, and without: that no rasterizer can mend a T-junction does not make its pixels anybody's guess.
+Outcome judge_drawn(const Drawer& by) {
+  static const std::vector<CoverageDrawn> junctions = [] {
+    Random random(146);
+    std::vector<CoverageDrawn> all;
+    for (int i = 0; i < 24; ++i) {
+      const Junction j = random_junction(random);
+      all.emplace_back(j.with_vertex_inserted(), kSide);
+      all.emplace_back(j.with_junction(), kSide);
+    }
+    return all;
+  }();
+  return worst_of(junctions, by);
+}
+
+// The vertex is inserted on both sides, but one side has a copy of it that lies a step of the snap lower.
+Outcome judge_copies() {
+  Random random(46);
+  int faults = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Junction j = random_junction(random);
+    ScreenVertex copy = j.m;
+    copy.position.y += 0x1p-8f;
+    faults += faults_along({{j.a, j.m, j.top},
+                            {j.m, j.b, j.top},
+                            {j.a, copy, j.bottom},
+                            {copy, j.b, j.bottom}});
+  }
+  return must_be_zero(faults, fmt::format("{} pixels not covered once along 2,000 edges", faults));
+}
+
 }  // namespace c46
 
 ExtremeCase c46_t_junction() {
@@ -84,6 +115,8 @@ ExtremeCase c46_t_junction() {
       .oracle = Oracle::kInteger,
       .ours = {"the vertex inserted on both sides", [] { return judge(true, true); }},
       .naive = {"a mesh with T-junctions", [] { return judge(false, false); }},
+      .mutants = {{"one side has a copy of the vertex 1/256 px lower", judge_copies}},
+      .drawn = judge_drawn,
   };
 }
 

@@ -3,6 +3,7 @@
 #include <glassbox/raster/interpolate.h>
 
 #include "study/extremes/kit/coverage.h"
+#include "study/extremes/kit/drawn_coverage.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/naive/coverage.h"
 
@@ -57,6 +58,25 @@ Outcome judge_ours() {
   return outcome;
 }
 
+// Slivers a quarter as long, 1/256 to 4/256 px wide.
+Outcome judge_drawn(const Drawer& by) {
+  static const CoverageDrawn slivers(
+      [] {
+        Random random(147);
+        std::vector<ScreenTriangle> all;
+        for (int i = 0; i < 200; ++i) {
+          const double x = random.between(0, 200), y = random.between(0, 900);
+          const double dx = random.between(400, 1000), dy = random.between(-900, 900);
+          const double width = double(random.integer(1, 4)) / 256;
+          all.push_back(
+              {screen_vertex(x, y), screen_vertex(x + dx, y + dy), screen_vertex(x, y + width)});
+        }
+        return all;
+      }(),
+      1024);
+  return slivers.judge(by);
+}
+
 }  // namespace c47
 
 ExtremeCase c47_slivers() {
@@ -77,6 +97,7 @@ ExtremeCase c47_slivers() {
                    [] {
                      return judge(naive::covers_with({.inside = naive::float_difference_inside}));
                    }}},
+      .drawn = judge_drawn,
   };
 }
 

@@ -1,4 +1,5 @@
 #include "study/extremes/kit/coverage.h"
+#include "study/extremes/kit/drawn_coverage.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/naive/coverage.h"
 
@@ -39,6 +40,23 @@ Outcome judge_naive() {
   });
 }
 
+// Across the left and the upper edge of a picture.
+Outcome judge_drawn(const Drawer& by) {
+  static const CoverageDrawn across(
+      [] {
+        Random random(148);
+        std::vector<ScreenTriangle> all;
+        for (int i = 0; i < 64; ++i) {
+          ScreenTriangle t = random_triangle(random);
+          for (ScreenVertex& v : t) (i % 2 == 0 ? v.position.x : v.position.y) += float(i / 2 * 16);
+          all.push_back(t);
+        }
+        return all;
+      }(),
+      512);
+  return across.judge(by);
+}
+
 }  // namespace c48
 
 ExtremeCase c48_negative_coordinates() {
@@ -57,6 +75,7 @@ ExtremeCase c48_negative_coordinates() {
       .naive = {"(int) of the pixel's position", judge_naive},
       .mutants = {{"the snap truncates in place of rounding by floor",
                    [] { return judge(naive::covers_with({.snap = naive::snap_truncating})); }}},
+      .drawn = judge_drawn,
   };
 }
 

@@ -3,6 +3,7 @@
 #include <glassbox/raster/interpolate.h>
 
 #include "study/extremes/kit/coverage.h"
+#include "study/extremes/kit/drawn_coverage.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/naive/coverage.h"
 
@@ -55,6 +56,14 @@ void draws_without_dropping(const ScreenTriangle& t,
   }
 }
 
+// What covers no whole pixel can be spared: or so it seems.
+void drops_small_ones(const ScreenTriangle& t, const std::function<void(int, int, float)>& visit) {
+  const SnappedTriangle v = exact_snap(t);
+  const std::int64_t area = std::int64_t(v[1].x - v[0].x) * (v[2].y - v[0].y) -
+                            std::int64_t(v[2].x - v[0].x) * (v[1].y - v[0].y);
+  if (std::abs(area) >= std::int64_t(512) * kSubpixels * kSubpixels) pipeline_draws(t, visit);
+}
+
 Outcome judge(const Draws& draws) {
   Random random(49);
   Watertightness found;
@@ -80,6 +89,16 @@ Outcome judge(const Draws& draws) {
           lines, faults, not_numbers));
 }
 
+Outcome judge_drawn(const Drawer& by) {
+  static const std::vector<CoverageDrawn> meshes = [] {
+    Random random(149);
+    std::vector<CoverageDrawn> all;
+    for (int i = 0; i < 24; ++i) all.emplace_back(mesh(random), kSide);
+    return all;
+  }();
+  return worst_of(meshes, by);
+}
+
 }  // namespace c49
 
 ExtremeCase c49_zero_area() {
@@ -97,6 +116,9 @@ ExtremeCase c49_zero_area() {
       .oracle = Oracle::kInteger,
       .ours = {"dropped at setup", [] { return judge(pipeline_draws); }},
       .naive = {"drawn all the same", [] { return judge(draws_without_dropping); }},
+      .mutants = {{"triangles of less than 256 px are dropped",
+                   [] { return judge(drops_small_ones); }}},
+      .drawn = judge_drawn,
   };
 }
 

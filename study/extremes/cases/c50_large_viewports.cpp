@@ -1,4 +1,5 @@
 #include "study/extremes/kit/coverage.h"
+#include "study/extremes/kit/drawn_coverage.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/naive/coverage.h"
 
@@ -31,6 +32,31 @@ Outcome judge(const Covers& covers) {
   return faults.outcome();
 }
 
+// Edge functions of a picture 4,096 px wide have 40 bits.
+Outcome judge_drawn(const Drawer& by) {
+  static const CoverageDrawn large(
+      [] {
+        Random random(150);
+        std::vector<ScreenTriangle> all;
+        const auto at = [&] { return double(random.integer(-4096 * 256, 8192 * 256)) / 256; };
+        // As narrow as a small triangle, and too high for 32 bits.
+        for (int i = 0; i < 6; ++i) {
+          const double x = 600 * i, width = double(random.integer(40, 63));
+          all.push_back({screen_vertex(x, -20), screen_vertex(x + width, 4000 + x / 8),
+                         screen_vertex(x + width / 2, 4100)});
+          all.push_back({screen_vertex(x + 100, -20), screen_vertex(x + 100 + width, 30),
+                         screen_vertex(x + 100, 4100)});
+        }
+        for (int i = 0; i < 5; ++i) {
+          all.push_back(
+              {screen_vertex(at(), at()), screen_vertex(at(), at()), screen_vertex(at(), at())});
+        }
+        return all;
+      }(),
+      4096);
+  return large.judge(by);
+}
+
 }  // namespace c50
 
 ExtremeCase c50_large_viewports() {
@@ -53,6 +79,7 @@ ExtremeCase c50_large_viewports() {
                    [] {
                      return judge(naive::covers_with({.inside = naive::float_difference_inside}));
                    }}},
+      .drawn = judge_drawn,
   };
 }
 

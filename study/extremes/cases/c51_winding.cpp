@@ -1,4 +1,5 @@
 #include "study/extremes/kit/coverage.h"
+#include "study/extremes/kit/drawn_coverage.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/naive/coverage.h"
 
@@ -38,6 +39,11 @@ Outcome judge(const Covers& covers) {
 
 const naive::CoverageParts kRuleFirst{.rule_before_orientation = true};
 
+Outcome judge_drawn(const Drawer& by) {
+  static const CoverageDrawn grid(mixed_grid(), kSide);
+  return grid.judge(by);
+}
+
 }  // namespace c51
 
 ExtremeCase c51_winding() {
@@ -57,6 +63,7 @@ ExtremeCase c51_winding() {
                 [] { return judge(naive::covers_with(kRuleFirst)); }},
       .mutants = {{"every edge owns its points",
                    [] { return judge(naive::covers_with({.owns = naive::owns_all})); }}},
+      .drawn = judge_drawn,
       .pictures = {{"naive",
                     [] { return coverage_png(drawn(naive::covers_with(kRuleFirst)), 12); }},
                    {"ours", [] { return coverage_png(drawn(pipeline_covers), 12); }}},

@@ -1,8 +1,11 @@
 #include <cstdlib>
 
 #include "study/extremes/kit/coverage.h"
+#include "study/extremes/kit/drawn_coverage.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/naive/coverage.h"
+
+#include <glassbox/base/random.h>
 
 namespace glassbox::study {
 namespace c52 {
@@ -25,6 +28,29 @@ Outcome judge(std::int32_t (*snap)(float)) {
   return errors.outcome("positions elsewhere");
 }
 
+// 4,096 small triangles whose corners lie up to 3/4 of a snapped step beside pixel centres, half of one among them: a corner that
+// goes the wrong way takes pixels with it, for their centres lie on the edges of where it should be.
+Outcome judge_drawn(const Drawer& by) {
+  static const CoverageDrawn ties(
+      [] {
+        Random random(152);
+        std::vector<ScreenTriangle> all;
+        for (int cell = 0; cell < 4096; ++cell) {
+          const auto near_centre = [&](int at) {
+            return at * 8 + double(random.integer(0, 7)) + 0.5 +
+                   double(random.integer(-3, 3)) / 1024;
+          };
+          const auto corner = [&] {
+            return screen_vertex(near_centre(cell % 64), near_centre(cell / 64));
+          };
+          all.push_back({corner(), corner(), corner()});
+        }
+        return all;
+      }(),
+      512);
+  return ties.judge(by);
+}
+
 }  // namespace c52
 
 ExtremeCase c52_snap_ties() {
@@ -45,6 +71,7 @@ ExtremeCase c52_snap_ties() {
                   {"floor(256 v + 0.5) with a rounded sum",
                    [] { return judge(naive::snap_float_half); }},
                   {"truncation", [] { return judge(naive::snap_truncating); }}},
+      .drawn = judge_drawn,
   };
 }
 

@@ -2,6 +2,9 @@
 
 #include "study/extremes/kit/depth.h"
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/sight.h"
+
+#include <glassbox/base/random.h>
 
 namespace glassbox::study {
 namespace c56 {
@@ -24,6 +27,36 @@ Outcome judge(const DepthPath& path) {
   return worst.outcome();
 }
 
+// 300 triangles of all sizes, tilted and through each other, from a hundredth to ten times as far as they are wide: the nearest is
+// seen, whichever is drawn first.
+Outcome judge_drawn(const Drawer& by) {
+  static const std::vector<SightDrawn> pictures = [] {
+    std::vector<SightDrawn> all;
+    for (std::uint64_t seed = 856; seed < 860; ++seed) {
+      Random random(seed);
+      std::vector<EyeTriangle> triangles;
+      for (int i = 0; i < 300; ++i) {
+        const bool fills = i % 20 == 0;
+        const double distance = random.between(fills ? 4 : 1, 9);
+        const double size = fills ? 20 : std::pow(2.0, random.between(-4, 1));
+        const auto beside = [&] { return random.between(-0.5, 0.5); };
+        const double x = beside() * distance, y = beside() * distance;
+        EyeTriangle t;
+        for (Point<Eye>& p : t) {
+          p = {float(x + size * beside()), float(y + size * beside()),
+               float(-distance + std::min(size, 4.0) * beside())};
+        }
+        triangles.push_back(t);
+      }
+      Vista vista = vista_of(triangles, PerspectiveLens{0.9, 0.5, 16.0}, 256);
+      vista.separation = 1e-5;
+      all.emplace_back(std::move(vista));
+    }
+    return all;
+  }();
+  return worst_of(pictures, by);
+}
+
 }  // namespace c56
 
 ExtremeCase c56_depth_ladder() {
@@ -41,6 +74,7 @@ ExtremeCase c56_depth_ladder() {
       .naive = {"24 bits, standard range", with({.format = DepthFormat::kUnorm24})},
       .mutants = {{"16 bits", with({.format = DepthFormat::kUnorm16})},
                   {"the range is not reversed", with({.format = DepthFormat::kFloat32})}},
+      .drawn = judge_drawn,
   };
 }
 

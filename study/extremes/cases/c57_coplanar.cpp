@@ -41,6 +41,56 @@ Outcome judge(const DepthAt& depth) {
   return errors.outcome("samples beyond 8 u");
 }
 
+// 64 triangles whose farthest edge lies in pixel centres, and a wall as far as that edge, or a rounding or two farther: there
+// rounding may leave them behind it. Pixel by pixel as the formulas of depth say, without boxes, blocks, tiles and an order of draws:
+// either answer is within the bound, but all who draw must give the same.
+Outcome judge_ties(const Drawer& by) {
+  Random random(257);
+  std::int64_t wrong = 0, all = 0;
+  for (int i = 0; i < 64; ++i) {
+    const float far = float(random.between(0.3, 0.9)), near = float(random.between(0.01, 0.29));
+    const float wall = far * (1 + float(i % 4) * 0x1p-23f);
+    const double row = 8 * double(random.integer(0, 8)) + 0.5;
+    const ScreenTriangle edge{screen_vertex(-40.5, row, far), screen_vertex(300.5, row, far),
+                              screen_vertex(double(random.integer(0, 128)), 400, near)};
+    const ScreenTriangle flat{screen_vertex(-200, -200, wall), screen_vertex(800, -200, wall),
+                              screen_vertex(-200, 800, wall)};
+    for (const auto& triangles : {std::vector{edge, flat}, {flat, edge}}) {
+      const Image<int> right = z_buffered(triangles, 128, {});
+      for (const Draws draws : {Draws::kOne, Draws::kEach}) {
+        const Image<int> found = shown_by(by, triangles, 128, draws);
+        for (std::size_t p = 0; p < right.pixels.size(); ++p) {
+          wrong += found.pixels[p] != right.pixels[p];
+        }
+        all += std::int64_t(right.pixels.size());
+      }
+    }
+  }
+  return must_be_zero(double(wrong),
+                      fmt::format("{} of {} pixels decide a tie otherwise", wrong, all));
+}
+
+// Triangles of the plane in a picture of 256 x 256 pixels, whose depths the engine keeps.
+Outcome judge_drawn(const Drawer& by) {
+  Random random(157);
+  std::vector<ScreenTriangle> triangles;
+  for (int i = 0; i < 60; ++i) {
+    ScreenTriangle t;
+    const std::int64_t left = random.integer(0, 200), top = random.integer(0, 200);
+    for (ScreenVertex& v : t) {
+      const bool small = i % 2 == 0;
+      const double x = double(small ? left + random.integer(0, 60) : random.integer(-64, 320));
+      const double y = double(small ? top + random.integer(0, 60) : random.integer(-64, 320));
+      v = screen_vertex(x, y, float(plane_at(x, y)));
+    }
+    triangles.push_back(t);
+  }
+  const Outcome depths = judge_depths(by, triangles, 256, 8, [](int x, int y, std::size_t) {
+    return static_cast<long double>(plane_at(x + 0.5, y + 0.5));
+  });
+  return worse_of(judge_ties(by), depths);
+}
+
 }  // namespace c57
 
 ExtremeCase c57_coplanar() {
@@ -62,6 +112,7 @@ ExtremeCase c57_coplanar() {
       .naive = {"d = A x + B y + C in float", [] { return judge(naive::plane_depth); }},
       .mutants = {{"gradients from the corner of the box",
                    [] { return judge(naive::depth_from_corner); }}},
+      .drawn = judge_drawn,
   };
 }
 

@@ -9,6 +9,12 @@ namespace c58 {
 
 constexpr int kSide = 256;
 
+// To a fifth, somewhere in the picture: what the tile engine takes for a small triangle.
+ScreenVertex shrunk(const ScreenVertex& v, int i) {
+  const float x = float(i * 37 % 200), y = float(i * 59 % 200);
+  return screen_vertex(double(v.position.x / 8 + x), double(v.position.y / 8 + y), v.position.z);
+}
+
 // Each triangle, then the same begun at another vertex.
 std::vector<ScreenTriangle> pairs() {
   Random random(58);
@@ -19,6 +25,7 @@ std::vector<ScreenTriangle> pairs() {
       v = screen_vertex(double(random.integer(0, 4 * kSide)) / 4,
                         double(random.integer(0, 4 * kSide)) / 4,
                         float(random.between(0.125, 0.875)));
+      if (i % 3 == 0) v = shrunk(v, i);
     }
     all.push_back(t);
     std::rotate(t.begin(), t.begin() + 1 + i % 2, t.end());
@@ -29,9 +36,6 @@ std::vector<ScreenTriangle> pairs() {
 
 // Numbers of copies are even.
 Outcome judge(const Image<int>& seen) {
-  if (seen.pixels.empty()) {
-    return must_be_zero(HUGE_VAL, "the engines do not agree");
-  }
   const auto copies =
       std::ranges::count_if(seen.pixels, [](int id) { return id > 0 && id % 2 == 0; });
   const auto drawn = std::ranges::count_if(seen.pixels, [](int id) { return id > 0; });
@@ -52,6 +56,10 @@ Image<Rgba8> stipple(const Image<int>& seen) {
 
 const ZBuffer kGivenOrder{.depth = naive::depth_in_given_order};
 
+Outcome judge_drawn(const Drawer& by) {
+  return judge(shown_by(by, pairs(), kSide));
+}
+
 }  // namespace c58
 
 ExtremeCase c58_same_twice() {
@@ -59,23 +67,27 @@ ExtremeCase c58_same_twice() {
   return {
       .id = "C-58",
       .name = "The same triangle twice",
-      .construction = "60 random triangles, each drawn again beginning at another vertex",
+      .construction =
+          "60 random triangles, a third of them small, each drawn again beginning at another "
+          "vertex",
       .stage = "depth test",
       .right =
           "the first stays everywhere: depth is summed from the nearest vertex on, whichever came "
           "first, and the test is strict",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
-      .ours = {"both engines", [] { return judge(drawn_by_engines(pairs(), kSide)); }},
+      .ours = {"the staged reference", [] { return judge_drawn(drawers()[0]); }},
       .naive = {"depth summed in the order of the vertices",
                 [] { return judge(z_buffered(pairs(), kSide, kGivenOrder)); }},
       .mutants = {{"equal depths pass the test",
                    [] {
                      return judge(z_buffered(pairs(), kSide, {.passes = naive::in_front_or_equal}));
                    }}},
+      .drawn = judge_drawn,
       .pictures = {{"naive",
                     [] { return png_of(stipple(z_buffered(pairs(), kSide, kGivenOrder)), 2); }},
-                   {"ours", [] { return png_of(stipple(drawn_by_engines(pairs(), kSide)), 2); }}},
+                   {"ours",
+                    [] { return png_of(stipple(shown_by(drawers()[0], pairs(), kSide)), 2); }}},
   };
 }
 

@@ -33,6 +33,27 @@ Outcome judge(const DepthAt& depth) {
   return errors.outcome("pixels beyond 8 u");
 }
 
+// Such slivers a quarter as long, on their own rows, a few at a time so that none hides another.
+Outcome judge_drawn(const Drawer& by) {
+  Random random(160);
+  std::vector<ScreenTriangle> triangles;
+  for (int i = 0; i < 16; ++i) {
+    const double x = double(random.integer(0, 2560)) / 256,
+                 y = i * 32 + double(random.integer(0, 256)) / 256;
+    const double dy = double(random.integer(256, 28 * 256)) / 256;
+    const double width = double(random.integer(1, 4)) / 256;
+    triangles.push_back({screen_vertex(x, y, 0), screen_vertex(x + 480, y + dy, 1),
+                         screen_vertex(x + width, y - width, 1)});
+  }
+  return judge_depths(by, triangles, 512, 8, [&](int x, int y, std::size_t triangle) {
+    const auto setup = setup_triangle(triangles[triangle]);
+    long double depth = 0;
+    for_each_covered(*setup, {x, y, x + 1, y + 1},
+                     [&](const Coverage& pixel) { depth = exact_depth(*setup, pixel); });
+    return depth;
+  });
+}
+
 }  // namespace c60
 
 ExtremeCase c60_depth_extrapolation() {
@@ -52,6 +73,7 @@ ExtremeCase c60_depth_extrapolation() {
       .naive = {"gradients from the corner of the box",
                 [] { return judge(naive::depth_from_corner); }},
       .mutants = {{"d = A x + B y + C in float", [] { return judge(naive::plane_depth); }}},
+      .drawn = judge_drawn,
   };
 }
 

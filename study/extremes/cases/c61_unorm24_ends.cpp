@@ -1,6 +1,7 @@
 #include <cstdlib>
 
 #include "study/extremes/kit/depth.h"
+#include "study/extremes/kit/drawn_coverage.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/naive/depth.h"
 
@@ -39,6 +40,29 @@ std::uint32_t pipeline_code(float z) {
   return depth_code(DepthFormat::kUnorm24, z);
 }
 
+// Flat triangles, whose depth is that of their corners: the codes that runs keep, of both formats of whole numbers.
+Outcome judge_drawn(const Drawer& by) {
+  int wrong = 0, all = 0;
+  for (const auto& [format, steps] :
+       {std::pair{DepthFormat::kUnorm24, 0xffffff}, {DepthFormat::kUnorm16, 0xffff}}) {
+    for (const float depth : {0.0f, 0x1p-26f, 1e-5f, 0.25f, 0.333f, 0.9999f, 1.0f}) {
+      for (const float size : {12.0f, 200.0f}) {
+        const ScreenScene flat =
+            screen_scene({{screen_vertex(0, 0, depth), screen_vertex(double(size), 0, depth),
+                           screen_vertex(0, double(size), depth)}},
+                         16, unlit_material());
+        RenderSettings settings = plain_settings();
+        settings.depth = format;
+        settings.want_depth = true;
+        const auto code = by.draw(flat.scene, flat.view, settings).buffers.depth.at(1, 1);
+        wrong += double(code) != std::floor(double(depth) * steps + 0.5);
+        ++all;
+      }
+    }
+  }
+  return wrong_of(wrong, all, "codes are not the nearest");
+}
+
 }  // namespace c61
 
 ExtremeCase c61_unorm24_ends() {
@@ -57,6 +81,7 @@ ExtremeCase c61_unorm24_ends() {
       .mutants = {{"depth end points: truncated in place of rounded",
                    [] { return judge(naive::unorm24_truncating); }},
                   {"in float", [] { return judge(naive::unorm24_in_float); }}},
+      .drawn = judge_drawn,
   };
 }
 

@@ -41,7 +41,7 @@ Outcome judge(const DepthTest& test) {
 }
 
 // Pictures that stay black: a triangle over the whole picture, alone, at both ends of the range and between.
-int runs_without_a_picture() {
+int runs_without_a_picture(const Drawer& by) {
   int black = 0;
   for (const DepthFormat format : kFormats) {
     const bool reversed = format == DepthFormat::kFloat32Reversed;
@@ -57,21 +57,51 @@ int runs_without_a_picture() {
       RenderSettings settings;
       settings.depth = format;
       settings.want_id = true;
-      const auto& ids = render_tiled(drawn.scene, drawn.view, settings).buffers.id.pixels;
+      const auto& ids = by.draw(drawn.scene, drawn.view, settings).buffers.id.pixels;
       black += ids[0] != 1;
     }
   }
   return black;
 }
 
-Outcome judge_ours() {
-  Outcome outcome = judge({});
-  outcome.error += runs_without_a_picture();
-  return outcome;
-}
-
 std::uint32_t raw_bits(DepthFormat, float depth) {
   return std::bit_cast<std::uint32_t>(depth);
+}
+
+// Of a near and a far triangle, in both orders, small and large: pixels that show the far one.
+int pixels_that_show_the_far_one(const Drawer& by) {
+  int wrong = 0;
+  for (const DepthFormat format : kFormats) {
+    const bool reversed = format == DepthFormat::kFloat32Reversed;
+    for (const double size : {16.0, 300.0}) {
+      const auto at = [&](float depth) {
+        return ScreenTriangle{screen_vertex(0, 0, depth), screen_vertex(size, 0, depth),
+                              screen_vertex(0, size, depth)};
+      };
+      for (const bool near_first : {false, true}) {
+        ScreenScene two = screen_scene(
+            {at(near_first ? 0.25f : 0.75f), at(near_first ? 0.75f : 0.25f)}, 16, unlit_material());
+        Camera camera;
+        camera.lens = OrthographicLens{8, 0, 1};
+        two.view =
+            make_view(camera, 16, 16, reversed ? DepthRange::kReversed : DepthRange::kStandard)
+                .value();
+        RenderSettings settings;
+        settings.depth = format;
+        settings.want_id = true;
+        const auto ids = by.draw(two.scene, two.view, settings).buffers.id;
+        wrong += int(std::ranges::count(ids.pixels, near_first ? 2u : 1u));
+      }
+    }
+  }
+  return wrong;
+}
+
+Outcome judge_drawn(const Drawer& by) {
+  const int black = runs_without_a_picture(by), far = pixels_that_show_the_far_one(by);
+  return must_be_zero(black + far, fmt::format("{} pictures stay black, {} pixels show the far "
+                                               "one of two triangles",
+                                               black, far));
 }
 
 }  // namespace c62
@@ -88,7 +118,8 @@ ExtremeCase c62_reversed_clear() {
       .right = "one triangle is always seen; of two the nearer one",
       .unit = "wrong answers",
       .oracle = Oracle::kProperty,
-      .ours = {"codes that grow with distance, an empty frame behind all of them", judge_ours},
+      .ours = {"codes that grow with distance, an empty frame behind all of them",
+               [] { return judge({}); }},
       .naive = {"depth as it is, cleared to 1, less passes, for reversed depth too",
                 [] {
                   return judge({.code = raw_bits, .clear = std::bit_cast<std::uint32_t>(1.0f)});
@@ -100,6 +131,7 @@ ExtremeCase c62_reversed_clear() {
                      return judge(
                          {.passes = [](std::uint32_t a, std::uint32_t b) { return a > b; }});
                    }}},
+      .drawn = judge_drawn,
   };
 }
 

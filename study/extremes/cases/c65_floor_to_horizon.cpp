@@ -1,5 +1,6 @@
 #include "study/extremes/kit/attribute.h"
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/sight.h"
 #include "study/naive/attribute.h"
 
 namespace glassbox::study {
@@ -34,6 +35,53 @@ Image<Rgba8> checks(const AttributeAt& at) {
   return picture;
 }
 
+// 2,048 texels along the floor, each of its own colour.
+// Then a floor of 2 x 60 x 20 small triangles with 16 texels each way over four of them.
+Vista tiled_floor() {
+  std::vector<EyeTriangle> triangles;
+  std::vector<Texcoords> texcoords;
+  for (int row = 0; row < 60; ++row) {
+    for (int column = 0; column < 20; ++column) {
+      const auto at = [&](int i, int j) {
+        return Point<Eye>{float(column + i - 10) * 0.25f, -1.5f, -2 - float(row + j) * 0.5f};
+      };
+      const auto uv = [&](int i, int j) {
+        return std::array{float(column + i) / 2, float(row + j) / 2};
+      };
+      // Begun at one or the other of the two corners that have one w.
+      if (column % 2 == 0) {
+        triangles.push_back({at(0, 0), at(1, 0), at(1, 1)});
+        texcoords.push_back({uv(0, 0), uv(1, 0), uv(1, 1)});
+      } else {
+        triangles.push_back({at(1, 0), at(1, 1), at(0, 0)});
+        texcoords.push_back({uv(1, 0), uv(1, 1), uv(0, 0)});
+      }
+      triangles.push_back({at(0, 0), at(1, 1), at(0, 1)});
+      texcoords.push_back({uv(0, 0), uv(1, 1), uv(0, 1)});
+    }
+  }
+  return textured_vista(triangles, texcoords, PerspectiveLens{1.0, 0.5, 64.0}, 256, {16, 16},
+                        Wrap::kRepeat);
+}
+
+Outcome judge_drawn(const Drawer& by) {
+  static const SightDrawn tiles(tiled_floor());
+  static const std::vector<SightDrawn> floors = [] {
+    // Begun at each of its corners: which of two equal w comes first is then not always the same.
+    EyeTriangle floor{Point<Eye>{-2, -1.5f, -4}, {2, -1.5f, -4}, {0, -1.5f, -4000}};
+    Texcoords texcoords{{{0, 0}, {0, 1}, {1, 0.5f}}};
+    std::vector<SightDrawn> all;
+    for (int turn = 0; turn < 3; ++turn) {
+      all.emplace_back(textured_vista({floor}, {texcoords}, PerspectiveLens{1.0, 0.5, 8192.0}, 128,
+                                      {2048, 4}, Wrap::kClampToEdge));
+      std::rotate(floor.begin(), floor.begin() + 1, floor.end());
+      std::rotate(texcoords.begin(), texcoords.begin() + 1, texcoords.end());
+    }
+    return all;
+  }();
+  return worse_of(tiles.judge(by), worst_of(floors, by));
+}
+
 }  // namespace c65
 
 ExtremeCase c65_floor_to_horizon() {
@@ -51,6 +99,7 @@ ExtremeCase c65_floor_to_horizon() {
       .ours = {"u/w over 1/w", [] { return judge(pipeline_attribute); }},
       .naive = {"affine interpolation", [] { return judge(naive::affine); }},
       .mutants = {{"u/w times an interpolated w", [] { return judge(naive::with_linear_w); }}},
+      .drawn = judge_drawn,
       .pictures = {{"naive", [] { return png_of(checks(naive::affine)); }},
                    {"ours", [] { return png_of(checks(pipeline_attribute)); }}},
   };

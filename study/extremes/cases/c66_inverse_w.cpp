@@ -1,5 +1,6 @@
 #include "study/extremes/kit/attribute.h"
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/sight.h"
 #include "study/naive/attribute.h"
 
 namespace glassbox::study {
@@ -14,6 +15,14 @@ Outcome judge(const AttributeAt& at) {
        screen_vertex(40, 900, 0.5f, 1e-6f)},
       {0, 1, 1}};
   return judge_attribute(at, judged, kSide, 1024);
+}
+
+Outcome judge_drawn(const Drawer& by) {
+  static const SightDrawn picture(textured_vista(
+      {{Point<Eye>{-0.0006f, -0.0004f, -0.001f}, {0.6f, -0.1f, -1}, {-1e5f, 9e5f, -1e6f}}},
+      {{{{0, 0}, {1, 0}, {1, 1}}}}, PerspectiveLens{1.0, 0.0005, 2e6}, 128, {1024, 64},
+      Wrap::kClampToEdge));
+  return picture.judge(by);
 }
 
 }  // namespace c66
@@ -34,6 +43,7 @@ ExtremeCase c66_inverse_w() {
       .naive = {"u/w times an interpolated w", [] { return judge(naive::with_linear_w); }},
       .mutants = {{"raw reciprocal of 12 bits", [] { return judge(naive::with_raw_reciprocal); }},
                   {"affine interpolation", [] { return judge(naive::affine); }}},
+      .drawn = judge_drawn,
   };
 }
 

@@ -1,4 +1,5 @@
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/sight.h"
 #include "study/extremes/kit/texel.h"
 #include "study/naive/attribute.h"
 
@@ -27,6 +28,16 @@ Outcome judge(const TexelAt& texel_at) {
   return worst.outcome();
 }
 
+// A wall whose coordinates run over 4 textures, 4,096 textures from the first one, where floats still have eleven bits for the
+// place in it.
+Outcome judge_drawn(const Drawer& by) {
+  static const SightDrawn wall(textured_vista({{Point<Eye>{-1, -1, -2}, {1, -1, -2}, {0, 1, -2}}},
+                                              {{{{4096, -4096}, {4100, -4096}, {4098, -4100}}}},
+                                              PerspectiveLens{0.9, 0.5, 8.0}, 128, {16, 16},
+                                              Wrap::kRepeat));
+  return wall.judge(by);
+}
+
 }  // namespace c67
 
 ExtremeCase c67_huge_texcoords() {
@@ -48,6 +59,7 @@ ExtremeCase c67_huge_texcoords() {
                 [] { return judge(naive::scaled_then_wrapped); }},
       .mutants = {{"scaled in float, then wrapped", [] { return judge(naive::scaled_in_float); }},
                   {"truncated in place of rounded down", [] { return judge(naive::truncated); }}},
+      .drawn = judge_drawn,
   };
 }
 

@@ -1,4 +1,5 @@
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/sight.h"
 #include "study/extremes/kit/texel.h"
 #include "study/naive/attribute.h"
 
@@ -42,6 +43,21 @@ Outcome judge(const TexelAt& texel_at) {
   return wrong_of(wrong, all, "texels wrong" + first);
 }
 
+// A wall with 8 x 8 texels and coordinates from -4 to 4, in each of the three ways.
+Outcome judge_drawn(const Drawer& by) {
+  static const std::vector<SightDrawn> walls = [] {
+    std::vector<SightDrawn> all;
+    for (const Wrap wrap : {Wrap::kRepeat, Wrap::kMirroredRepeat, Wrap::kClampToEdge}) {
+      const Point<Eye> a{-1, -1, -2}, b{1, -1, -2.5f}, c{1, 1, -3}, d{-1, 1, -2.5f};
+      all.emplace_back(textured_vista(
+          {{a, b, c}, {a, c, d}}, {{{{-4, 4}, {4, 4}, {4, -4}}}, {{{-4, 4}, {4, -4}, {-4, -4}}}},
+          PerspectiveLens{0.8, 0.5, 8.0}, 256, {kSize, kSize}, wrap));
+    }
+    return all;
+  }();
+  return worst_of(walls, by);
+}
+
 }  // namespace c68
 
 ExtremeCase c68_texture_wrap() {
@@ -58,6 +74,7 @@ ExtremeCase c68_texture_wrap() {
       .naive = {"(int)(u size) % size", [] { return judge(naive::scaled_then_wrapped); }},
       .mutants = {{"truncated in place of rounded down", [] { return judge(naive::truncated); }},
                   {"mirrored about texels", [] { return judge(naive::mirrored_about_texels); }}},
+      .drawn = judge_drawn,
   };
 }
 

@@ -3,6 +3,7 @@
 
 #include "study/extremes/kit/attribute.h"
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/sight.h"
 
 namespace glassbox::study {
 namespace c69 {
@@ -151,6 +152,27 @@ std::optional<float> level_without_perspective(const Sheet& sheet, const Coverag
       kTexels, kTexels);
 }
 
+// The level shows in which stripes of a texture are left.
+Outcome judge_drawn(const Drawer& by) {
+  static const SightDrawn strips([] {
+    std::vector<EyeTriangle> triangles;
+    std::vector<Texcoords> texcoords;
+    for (int i = 0; i < 12; ++i) {
+      const float x = float(i) - 6;
+      triangles.push_back(
+          {Point<Eye>{x * 0.3f, -2, -4}, {x * 0.3f + 0.25f, -2, -4}, {x, -2, -100}});
+      texcoords.push_back({{{0, 0}, {0.2f, 0}, {0.1f, 9}}});
+      triangles.push_back({Point<Eye>{2, x * 0.3f, -4}, {2, x * 0.3f + 0.25f, -4}, {2, x, -100}});
+      texcoords.push_back({{{0, 0}, {0.002f, 0}, {0.001f, 0.9f}}});
+    }
+    const Point<Eye> a{-3, 0, -3}, b{3, 0.2f, -4}, c{0, 2.5f, -9};
+    triangles.push_back({a, b, c});
+    texcoords.push_back({{{0, 0}, {0.4f, 0.1f}, {0.3f, 0.7f}}});
+    return striped_vista(triangles, texcoords, PerspectiveLens{1.0, 0.5, 1024.0}, 128, kTexels);
+  }());
+  return strips.judge(by);
+}
+
 }  // namespace c69
 
 ExtremeCase c69_level_of_detail() {
@@ -169,6 +191,7 @@ ExtremeCase c69_level_of_detail() {
       .ours = {"analytic derivatives", [] { return judge(pipeline_level); }},
       .naive = {"differences to neighbours in the picture", judge_naive},
       .mutants = {{"1/w is taken for constant", [] { return judge(level_without_perspective); }}},
+      .drawn = judge_drawn,
   };
 }
 

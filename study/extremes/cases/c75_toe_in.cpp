@@ -45,6 +45,17 @@ Outcome judge(EyeView eye, bool formula) {
                          off_formula));
 }
 
+// The left eye alone is turned.
+View one_toed_in(const View& centre, const StereoPair& pair, Side side) {
+  return side == Side::kLeft ? toe_in_view(centre, pair, side) : eye_view(centre, pair, side);
+}
+// Each eye's frustum is worked out by itself, and rounds by itself.
+View heights_of_their_own(const View& centre, const StereoPair& pair, Side side) {
+  View view = eye_view(centre, pair, side);
+  if (side == Side::kRight) view.clip_from_eye.at(1, 1) *= 1 + 0x1p-22;
+  return view;
+}
+
 }  // namespace c75
 
 ExtremeCase c75_toe_in() {
@@ -61,6 +72,9 @@ ExtremeCase c75_toe_in() {
       .oracle = Oracle::kAnalytic,
       .ours = {"skewed frusta", [] { return judge(eye_view, false); }},
       .naive = {"toed-in cameras", [] { return judge(toe_in_view, true); }},
+      .mutants = {{"one camera toed in", [] { return judge(one_toed_in, false); }},
+                  {"the eyes' rows of y differ by a rounding or two",
+                   [] { return judge(heights_of_their_own, false); }}},
   };
 }
 

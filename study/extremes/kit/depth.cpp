@@ -1,6 +1,7 @@
 #include "study/extremes/kit/depth.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -8,6 +9,7 @@
 #include <glassbox/pipeline/dialects.h>
 #include <glassbox/pipeline/divide.h>
 
+#include "study/extremes/kit/drawn_coverage.h"
 #include "study/extremes/kit/screen_scene.h"
 
 namespace glassbox::study {
@@ -84,17 +86,34 @@ Image<int> z_buffered(const std::vector<ScreenTriangle>& triangles, int side,
   return seen;
 }
 
-Image<int> drawn_by_engines(const std::vector<ScreenTriangle>& triangles, int side) {
-  const ScreenScene drawn = screen_scene(triangles, side, unlit_material());
-  RenderSettings settings;
-  settings.want_id = true;
-  const Framebuffer tile = render_tiled(drawn.scene, drawn.view, settings).buffers;
-  const Framebuffer staged = render_staged(drawn.scene, drawn.view, settings).buffers;
-  if (tile.id != staged.id) return {};
+Image<int> shown_by(const Drawer& drawer, const std::vector<ScreenTriangle>& triangles, int side,
+                    Draws draws) {
+  ScreenScene drawn = screen_scene(triangles, side, unlit_material());
+  if (draws == Draws::kEach) drawn.scene = in_draws(drawn.scene);
+  const auto ids = drawer.draw(drawn.scene, drawn.view, plain_settings()).buffers.id;
   Image<int> seen(side, side);
-  std::ranges::transform(tile.id.pixels, seen.pixels.begin(),
-                         [](std::uint32_t id) { return int(id); });
+  std::ranges::transform(ids.pixels, seen.pixels.begin(), [](std::uint32_t id) { return int(id); });
   return seen;
+}
+
+Outcome judge_depths(const Drawer& drawer, const std::vector<ScreenTriangle>& triangles, int side,
+                     double roundoffs, const ExactDepthAt& exact) {
+  const ScreenScene drawn = screen_scene(triangles, side, unlit_material());
+  RenderSettings settings = plain_settings();
+  settings.want_depth = true;
+  const Framebuffer found = drawer.draw(drawn.scene, drawn.view, settings).buffers;
+  Worst worst;
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      const std::uint32_t id = found.id.at(x, y);
+      if (id == 0) continue;
+      const long double right = exact(x, y, id - 1);
+      const auto depth = static_cast<long double>(std::bit_cast<float>(found.depth.at(x, y)));
+      worst.see(depth == right ? 0 : double(std::abs(depth - right) / right) * 0x1p24, roundoffs,
+                fmt::format("{:.9g} for {:.9g} at ({}, {})", double(depth), double(right), x, y));
+    }
+  }
+  return worst.count() > 0 ? worst.outcome() : must_be_zero(HUGE_VAL, "nothing was drawn");
 }
 
 }  // namespace glassbox::study

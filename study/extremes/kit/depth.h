@@ -50,7 +50,14 @@ struct ZBuffer {
 // 1 + the number of the triangle that each pixel shows; 0: none.
 Image<int> z_buffered(const std::vector<ScreenTriangle>& triangles, int side,
                       const ZBuffer& buffer);
-// The triangle that each pixel shows when the staged and the tile engine draw them; empty if they do not agree.
-Image<int> drawn_by_engines(const std::vector<ScreenTriangle>& triangles, int side);
+// The same where a whole run draws them: as one draw, or each as a draw of its own.
+enum class Draws { kOne, kEach };
+Image<int> shown_by(const Drawer& drawer, const std::vector<ScreenTriangle>& triangles, int side,
+                    Draws draws = Draws::kOne);
+
+// The depths that a run leaves, each against the exact one of the triangle that the pixel shows, in units of 2^-24 of it.
+using ExactDepthAt = std::function<long double(int x, int y, std::size_t triangle)>;
+Outcome judge_depths(const Drawer& drawer, const std::vector<ScreenTriangle>& triangles, int side,
+                     double roundoffs, const ExactDepthAt& exact);
 
 }  // namespace glassbox::study

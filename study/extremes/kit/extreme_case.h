@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "study/extremes/kit/drawer.h"
 #include "study/extremes/kit/outcome.h"
 
 namespace glassbox::study {
@@ -39,6 +40,9 @@ struct ExtremeCase {
   Oracle oracle = Oracle::kProperty;
   Subject ours, naive;
   std::vector<Subject> mutants = {};
+  // A case that shows in a picture: the same put to a whole run by any of the drawers, judged by something that no drawer has a
+  // part in. Exceptions of the run's own are not asked about. Empty: no picture tells more than `ours`.
+  std::function<Outcome(const Drawer& drawer)> drawn = {};
   std::vector<ExtremePicture> pictures = {};
   // Floating-point exceptions that the case itself asks for (FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW): naive code
   // divides by zero, right code does not. Of `ours` alone; naive code and mutants may raise any.

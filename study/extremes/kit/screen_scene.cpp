@@ -1,7 +1,5 @@
 #include "study/extremes/kit/screen_scene.h"
 
-#include <algorithm>
-
 namespace glassbox::study {
 
 void add_triangle(Mesh& mesh, const std::array<Point<Object>, 3>& corners) {
@@ -38,47 +36,26 @@ ScreenScene screen_scene(const std::vector<ScreenTriangle>& triangles, int side,
   return {scene_of(std::move(mesh), material), make_view(camera, side, side).value()};
 }
 
+Scene in_draws(const Scene& scene) {
+  Scene split = scene;
+  split.meshes.clear();
+  split.instances.clear();
+  const Mesh& whole = scene.meshes[0];
+  for (const Face& face : whole.faces) {
+    const auto corner = [&](std::uint32_t k) {
+      return whole.positions[whole.corners[face.first + k].position];
+    };
+    split.instances.push_back({std::uint32_t(split.meshes.size()), 0});
+    add_triangle(split.meshes.emplace_back(), {corner(0), corner(1), corner(2)});
+  }
+  return split;
+}
+
 Material unlit_material() {
   Material material;
   material.double_sided = true;
   material.unlit = true;
   return material;
-}
-
-TrianglesDrawn triangles_drawn(const std::vector<ScreenTriangle>& triangles, int side) {
-  TrianglesDrawn drawn{Image<int>(side, side), Image<int>(side, side)};
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    pipeline_covers(triangles[i], {0, 0, side, side}, [&](int x, int y) {
-      if (drawn.times.at(x, y)++ == 0) drawn.first.at(x, y) = int(i) + 1;
-    });
-  }
-  return drawn;
-}
-
-namespace {
-
-Image<int> integers(const Image<std::uint32_t>& plane) {
-  Image<int> same(plane.width, plane.height);
-  std::ranges::transform(plane.pixels, same.pixels.begin(),
-                         [](std::uint32_t value) { return int(value); });
-  return same;
-}
-
-}  // namespace
-
-TrianglesDrawn drawn_by_tile_engine(const std::vector<ScreenTriangle>& triangles, int side,
-                                    const TileOptions& options) {
-  Material material = unlit_material();
-  const ScreenScene opaque = screen_scene(triangles, side, material);
-  RenderSettings ids;
-  ids.want_id = true;
-  material.base_color.a = 0.5f;
-  material.alpha_mode = AlphaMode::kBlend;
-  const ScreenScene blended = screen_scene(triangles, side, material);
-  RenderSettings overdraw;
-  overdraw.show = Show::kOverdraw;
-  return {integers(render_tiled(opaque.scene, opaque.view, ids, options).buffers.id),
-          integers(render_tiled(blended.scene, blended.view, overdraw, options).buffers.writes)};
 }
 
 }  // namespace glassbox::study

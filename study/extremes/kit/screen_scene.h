@@ -5,7 +5,6 @@
 
 #include <glassbox/mesh/scene.h>
 #include <glassbox/pipeline/view.h>
-#include <glassbox/render/tile/tile_engine.h>
 
 #include "study/extremes/kit/coverage.h"
 
@@ -22,6 +21,9 @@ struct ScreenScene {
 ScreenScene screen_scene(const std::vector<ScreenTriangle>& triangles, int side,
                          const Material& material);
 
+// The triangles of the scene's first mesh, each as a mesh and an instance of its own.
+Scene in_draws(const Scene& scene);
+
 // Shows its own colour, from both sides.
 Material unlit_material();
 
@@ -29,10 +31,6 @@ Material unlit_material();
 struct TrianglesDrawn {
   Image<int> first, times;
 };
-TrianglesDrawn triangles_drawn(const std::vector<ScreenTriangle>& triangles, int side);
-// By two runs of the tile engine: opaque, then blended, where nothing hides anything.
-TrianglesDrawn drawn_by_tile_engine(const std::vector<ScreenTriangle>& triangles, int side,
-                                    const TileOptions& options);
 
 // A mesh with the triangle's positions added, as a face.
 void add_triangle(Mesh& mesh, const std::array<Point<Object>, 3>& corners);

@@ -4,22 +4,24 @@ const errorOf = ({error, bound}) => `${digits(error)} ${number(error) <= number(
 const ratioOf = ({error, bound}) => number(bound) > 0 ? digits(number(error) / number(bound)) : "";
 const caught = (mutants) => mutants.filter(({passes}) => !passes).length;
 
-function caseRow({id, name, naive, ours, unit, mutants, holds}) {
+function caseRow({id, name, naive, ours, unit, mutants, drawn, holds}) {
   return [element("a", {href: `#${id}`}, id), name, digits(naive.error), digits(ours.error), digits(ours.bound), ratioOf(ours),
     ours.condition === null ? "" : digits(ours.condition), mutants.length ? `${caught(mutants)} of ${mutants.length}` : "none",
+    drawn.length ? `${drawn.filter(({passes}) => passes).length} of ${drawn.length}` : "",
     element("span", {className: holds ? "" : "fails"}, holds ? "pass" : "FAIL"), unit];
 }
 
-const caseTable = () => table(["case", "", "naive error", "our error", "bound", "ratio", "condition", "mutants caught", "", "unit"],
-  ["", "", ...Array(6).fill("number"), "", ""], manifest.cases.map(caseRow));
+const caseTable = () => table(["case", "", "naive error", "our error", "bound", "ratio", "condition", "mutants caught", "drawn right", "", "unit"],
+  ["", "", ...Array(7).fill("number"), "", ""], manifest.cases.map(caseRow));
 
 const subjectText = (subject, unit) => `${subject.name}: ${errorOf(subject)} ${unit}. ${subject.seen}`;
 
-function caseSection({id, name, construction, stage, right, unit, oracle, ours, naive, mutants, pictures}) {
+function caseSection({id, name, construction, stage, right, unit, oracle, ours, naive, mutants, drawn, pictures}) {
   return element("section", {id, ariaLabel: id},
     element("h2", {}, `${id} ${name}`),
     element("dl", {className: "about"}, ...terms([["Built", construction], ["Stage", stage], ["Right", right], ["Oracle", oracle],
-      ["Ours", subjectText(ours, unit)], ["Naive", subjectText(naive, unit)], ...mutants.map((each) => ["Mutant", subjectText(each, unit)])])),
+      ["Ours", subjectText(ours, unit)], ["Naive", subjectText(naive, unit)], ...mutants.map((each) => ["Mutant", subjectText(each, unit)]),
+      ...drawn.map(({name, seen}) => ["Drawn", `${name}: ${seen}`])])),
     element("div", {className: "pictures"}, ...pictures.map((picture) => element("figure", {},
       element("img", {src: `data:image/png;base64,${picture.png}`, alt: `${id}, ${picture.name}`}), element("figcaption", {}, picture.name)))));
 }

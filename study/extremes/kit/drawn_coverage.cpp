@@ -1,0 +1,136 @@
+#include "study/extremes/kit/drawn_coverage.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+namespace glassbox::study {
+
+std::vector<ScreenTriangle> on_lattice(std::vector<ScreenTriangle> triangles) {
+  const auto nearest = [](float v) { return float(std::floor(double(v) * 1024 + 0.5) / 1024); };
+  for (ScreenTriangle& triangle : triangles) {
+    for (ScreenVertex& v : triangle) {
+      v.position.x = nearest(v.position.x);
+      v.position.y = nearest(v.position.y);
+    }
+  }
+  std::erase_if(triangles, [](const ScreenTriangle& t) {
+    const auto along = [&](std::size_t k) {
+      return std::array{double(t[k].position.x) - double(t[0].position.x),
+                        double(t[k].position.y) - double(t[0].position.y)};
+    };
+    const auto a = along(1), b = along(2);
+    return a[0] * b[1] == a[1] * b[0];  // exact: 25 bits each
+  });
+  return triangles;
+}
+
+namespace {
+
+// Clockwise on the screen, where y points down, is the back.
+bool is_culled(const SnappedTriangle& t, Cull cull) {
+  const auto along = [&](std::size_t k) {
+    return std::array{std::int64_t(t[k].x) - t[0].x, std::int64_t(t[k].y) - t[0].y};
+  };
+  const auto a = along(1), b = along(2);
+  const std::int64_t area = a[0] * b[1] - a[1] * b[0];
+  return (cull == Cull::kBack && area > 0) || (cull == Cull::kFront && area < 0);
+}
+
+}  // namespace
+
+TrianglesDrawn covered_exactly(const std::vector<ScreenTriangle>& triangles, int side, Cull cull) {
+  TrianglesDrawn exact{Image<int>(side, side), Image<int>(side, side)};
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const SnappedTriangle t = exact_snap(triangles[i]);
+    if (is_culled(t, cull)) continue;
+    const auto [left, right] = std::minmax({t[0].x, t[1].x, t[2].x});
+    const auto [top, bottom] = std::minmax({t[0].y, t[1].y, t[2].y});
+    const auto pixel = [&](std::int32_t subpixels) { return std::clamp(subpixels >> 8, 0, side); };
+    for (int y = pixel(top); y < std::min(pixel(bottom) + 1, side); ++y) {
+      for (int x = pixel(left); x < std::min(pixel(right) + 1, side); ++x) {
+        if (!covers_exactly(t, x, y)) continue;
+        if (exact.first.at(x, y) == 0) exact.first.at(x, y) = int(i) + 1;
+        exact.times.at(x, y) = std::min(exact.times.at(x, y) + 1, kMostLayers);
+      }
+    }
+  }
+  return exact;
+}
+
+RenderSettings plain_settings() {
+  RenderSettings settings;
+  settings.shading = Shading::kUnlit;
+  settings.transfer = Transfer::kNone;
+  settings.background = {0, 0, 0, 255};
+  settings.want_id = true;
+  return settings;
+}
+
+Material layer_material() {
+  Material material = unlit_material();
+  material.base_color.a = 0.5f;
+  material.alpha_mode = AlphaMode::kBlend;
+  return material;
+}
+
+// Half of white over what was there, rounded to a byte each time: 0, 128, 192, 224, 240, 248.
+int layers_of(const Rgba8& color) {
+  int layers = 0, byte = 0;
+  while (layers < kMostLayers && color.r > byte + (255 - byte) / 4) {
+    byte = (255 + byte + 1) / 2;
+    ++layers;
+  }
+  return layers;
+}
+
+TrianglesDrawn drawn_by(const Drawer& drawer, const std::vector<ScreenTriangle>& triangles,
+                        int side, const Culling& culling) {
+  RenderSettings settings = plain_settings();
+  settings.cull = culling.cull;
+  settings.cull_stage = culling.stage;
+  TrianglesDrawn found{Image<int>(side, side), Image<int>(side, side)};
+  const ScreenScene opaque = screen_scene(triangles, side, unlit_material());
+  const Rendering shown = drawer.draw(opaque.scene, opaque.view, settings);
+  std::ranges::transform(shown.buffers.id.pixels, found.first.pixels.begin(),
+                         [](std::uint32_t id) { return int(id); });
+  const ScreenScene layers = screen_scene(triangles, side, layer_material());
+  settings.want_id = false;
+  const Rendering counted = drawer.draw(layers.scene, layers.view, settings);
+  std::ranges::transform(counted.buffers.color.pixels, found.times.pixels.begin(), layers_of);
+  return found;
+}
+
+Outcome compare(const TrianglesDrawn& found, const TrianglesDrawn& exact) {
+  std::int64_t other = 0, times = 0;
+  for (std::size_t i = 0; i < exact.first.pixels.size(); ++i) {
+    other += found.first.pixels[i] != exact.first.pixels[i];
+    times += found.times.pixels[i] != exact.times.pixels[i];
+  }
+  return must_be_zero(double(other + times),
+                      fmt::format("{} pixels show another triangle, {} are covered too often or "
+                                  "not often enough, of {}",
+                                  other, times, exact.first.pixels.size()));
+}
+
+CoverageDrawn::CoverageDrawn(std::vector<ScreenTriangle> triangles, int side,
+                             const Culling& culling)
+    : triangles_(on_lattice(std::move(triangles))),
+      side_(side),
+      culling_(culling),
+      exact_(covered_exactly(triangles_, side, culling.cull)) {}
+
+Outcome CoverageDrawn::judge(const Drawer& drawer) const {
+  return compare(drawn_by(drawer, triangles_, side_, culling_), exact_);
+}
+
+Outcome worst_of(const std::vector<CoverageDrawn>& pictures, const Drawer& drawer) {
+  Outcome worst;
+  for (const CoverageDrawn& each : pictures) worst = worse_of(each.judge(drawer), worst);
+  return worst;
+}
+
+}  // namespace glassbox::study

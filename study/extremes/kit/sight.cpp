@@ -1,0 +1,407 @@
+#include "study/extremes/kit/sight.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <glm/matrix.hpp>
+
+#include <glassbox/mesh/triangulate.h>
+#include <glassbox/pipeline/look_at.h>
+
+#include "study/extremes/kit/drawn_coverage.h"
+
+namespace glassbox::study {
+
+namespace {
+
+using Long = long double;
+using Long3 = std::array<Long, 3>;
+
+constexpr double kBlur = 0x1p-7;  // px
+
+Long3 operator-(const Long3& a, const Long3& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+Long3 cross(const Long3& a, const Long3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Long dot(const Long3& a, const Long3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// A line of sight: from + w along, where w is the distance along the gaze.
+struct Line {
+  Long3 from{}, along{};
+};
+
+struct LineOf {
+  Long x, y;  // -1 .. 1, y up
+  Long aspect;
+
+  Line operator()(const PerspectiveLens& lens) const {
+    const Long t = std::tan(Long(lens.fovy_radians) / 2);
+    return {{}, {x * t * aspect, y * t, -1}};
+  }
+  Line operator()(const OrthographicLens& lens) const {
+    const Long h = lens.half_height;
+    return {{x * h * aspect, y * h, 0}, {0, 0, -1}};
+  }
+  Line operator()(const FrustumLens& lens) const {
+    const auto between = [](Long low, Long high, Long at) {
+      return low + (high - low) * (at + 1) / 2;
+    };
+    return {{},
+            {between(lens.left, lens.right, x) / Long(lens.near),
+             between(lens.bottom, lens.top, y) / Long(lens.near), -1}};
+  }
+};
+
+// Where a line meets a triangle's plane: the weights of its corners there, whose sum is 1.
+struct Hit {
+  Long distance = 0;
+  Long3 weights{};
+  bool front = false;
+};
+std::optional<Hit> hit(const Line& line, const SeenTriangle& triangle) {
+  std::array<Long3, 3> p;
+  for (std::size_t k = 0; k < 3; ++k) p[k] = triangle.corners[k] - line.from;
+  Hit found;
+  Long sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    found.weights[k] = dot(line.along, cross(p[(k + 1) % 3], p[(k + 2) % 3]));
+    sum += found.weights[k];
+  }
+  if (sum == 0) return std::nullopt;
+  found.front = sum < 0;
+  for (Long& weight : found.weights) weight /= sum;
+  if (std::ranges::any_of(found.weights, [](Long weight) { return weight < 0; })) {
+    return std::nullopt;
+  }
+  for (std::size_t k = 0; k < 3; ++k) found.distance -= found.weights[k] * triangle.corners[k][2];
+  return found;
+}
+
+bool is_culled(Cull cull, bool front) {
+  return (cull == Cull::kBack && !front) || (cull == Cull::kFront && front);
+}
+
+// The numerators and the denominator of texture coordinates along a line, which are linear in the line's direction.
+std::array<Long, 3> texture_terms(const Long3& along, const SeenTriangle& triangle) {
+  std::array<Long, 3> terms{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Long weight =
+        dot(along, cross(triangle.corners[(k + 1) % 3], triangle.corners[(k + 2) % 3]));
+    for (std::size_t i = 0; i < 2; ++i) terms[i] += weight * Long(triangle.texcoords[k][i]);
+    terms[2] += weight;
+  }
+  return terms;
+}
+
+// log2 of the longer of the two steps in the texture, in texels, that a pixel to the right or below makes.
+Long level_of_detail(const Vista& vista, const SeenTriangle& triangle, const Line& line) {
+  const auto& lens = std::get<PerspectiveLens>(vista.lens);
+  const Long pixel = 2 * std::tan(Long(lens.fovy_radians) / 2) / Long(vista.view.viewport.height());
+  const auto here = texture_terms(line.along, triangle);
+  Long longest = 0;
+  for (const Long3& step : {Long3{pixel, 0, 0}, Long3{0, -pixel, 0}}) {
+    const auto change = texture_terms(step, triangle);
+    Long squares = 0;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Long slope = (change[i] - here[i] / here[2] * change[2]) / here[2];
+      squares += slope * slope;
+    }
+    longest = std::max(longest, std::sqrt(squares));
+  }
+  return std::log2(longest * Long(vista.scene.images[0].width));
+}
+
+// Red is lost from level 1 on, green from 3, blue from 5.
+int stripes_lost(Long level) {
+  const Long nearest = std::floor(level + 0.5L);
+  return nearest < 1 ? 0 : nearest < 3 ? 1 : nearest < 5 ? 2 : 3;
+}
+int stripes_lost(const Rgba8& color) {
+  const auto grey = [](std::uint8_t channel) { return channel > 8 && channel < 247; };
+  return int(grey(color.r)) + int(grey(color.g)) + int(grey(color.b));
+}
+
+int wrapped(Wrap wrap, Long coordinate, int size) {
+  const Long place = std::floor(coordinate * size);
+  const auto modulo = [&](int m) { return int(place - std::floor(place / m) * m); };
+  switch (wrap) {
+    case Wrap::kRepeat:
+      return modulo(size);
+    case Wrap::kMirroredRepeat:
+      return modulo(2 * size) < size ? modulo(2 * size) : 2 * size - 1 - modulo(2 * size);
+    case Wrap::kClampToEdge:
+      return int(std::clamp(place, Long(0), Long(size - 1)));
+  }
+  return 0;
+}
+
+std::array<int, 2> texel_at(const Vista& vista, const SeenTriangle& triangle, const Hit& hit) {
+  const Image<Rgba8>& image = vista.scene.images[0];
+  const Sampler& sampler = vista.scene.textures[0].sampler;
+  std::array<Long, 2> at{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t i = 0; i < 2; ++i) at[i] += hit.weights[k] * Long(triangle.texcoords[k][i]);
+  }
+  return {wrapped(sampler.wrap_u, at[0], image.width),
+          wrapped(sampler.wrap_v, at[1], image.height)};
+}
+
+Rgba8 color_of_texel(int column, int row) {
+  const auto high = std::uint8_t(64 | (column >> 8 & 15) | (row >> 8 & 3) << 4);
+  return {std::uint8_t(column & 255), std::uint8_t(row & 255), high, 255};
+}
+
+// Whether a pixel has the colour of what is seen.
+bool shows(Vista::Texels texels, const Sight& sight, const Rgba8& color) {
+  if (sight.nearest == 0 || texels == Vista::Texels::kNone) return true;
+  if (texels == Vista::Texels::kLevels) return stripes_lost(color) == sight.stripes;
+  return color == color_of_texel(sight.texel[0], sight.texel[1]);
+}
+
+Long3 corner(const Point<Eye>& p) {
+  return {Long(p.x), Long(p.y), Long(p.z)};
+}
+
+}  // namespace
+
+Vista vista_of(const std::vector<EyeTriangle>& triangles, const Lens& lens, int side) {
+  Mesh mesh;
+  Vista vista;
+  for (const EyeTriangle& t : triangles) {
+    const auto object = [](const Point<Eye>& p) { return Point<Object>(p.x, p.y, p.z); };
+    add_triangle(mesh, {object(t[0]), object(t[1]), object(t[2])});
+    vista.triangles.push_back({{corner(t[0]), corner(t[1]), corner(t[2])}, {}});
+  }
+  Camera camera;
+  camera.lens = lens;
+  vista.scene = scene_of(std::move(mesh), unlit_material());
+  vista.lens = lens;
+  vista.view = make_view(camera, side, side).value();
+  vista.settings = plain_settings();
+  return vista;
+}
+
+namespace {
+
+Vista with_texcoords(const std::vector<EyeTriangle>& triangles,
+                     const std::vector<Texcoords>& texcoords, const Lens& lens, int side) {
+  Vista vista = vista_of(triangles, lens, side);
+  Mesh& mesh = vista.scene.meshes[0];
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto& [u, v] = texcoords[i][k];
+      mesh.corners[3 * i + k].texcoord = std::uint32_t(mesh.texcoords.size());
+      mesh.texcoords.push_back({u, v});
+      vista.triangles[i].texcoords[k] = {double(u), double(v)};
+    }
+  }
+  return vista;
+}
+
+void set_texture(Vista& vista, Image<Rgba8> image, const Sampler& sampler) {
+  vista.scene.images.push_back(std::move(image));
+  vista.scene.textures.push_back({0, sampler});
+  vista.scene.materials[0].texture = 0;
+}
+
+// A point in eye space, from its place in the world less the camera's.
+Long3 in_eye_space(const Transform<World, Eye>& pose, const Transform<World, Object>& map,
+                   const Point<Object>& p) {
+  const Long3 object{Long(p.x), Long(p.y), Long(p.z)};
+  Long3 eye{};
+  for (int row = 0; row < 3; ++row) {
+    Long world = Long(map.at(row, 3)) - Long(pose.at(row, 3));
+    for (int k = 0; k < 3; ++k) world += Long(map.at(row, k)) * object[std::size_t(k)];
+    for (int k = 0; k < 3; ++k) eye[std::size_t(k)] += Long(pose.at(row, k)) * world;
+  }
+  return eye;
+}
+
+}  // namespace
+
+Vista textured_vista(const std::vector<EyeTriangle>& triangles,
+                     const std::vector<Texcoords>& texcoords, const Lens& lens, int side,
+                     std::array<int, 2> texels, Wrap wrap) {
+  Vista vista = with_texcoords(triangles, texcoords, lens, side);
+  vista.texels = Vista::Texels::kEach;
+  Image<Rgba8> image(texels[0], texels[1]);
+  for (int row = 0; row < texels[1]; ++row) {
+    for (int column = 0; column < texels[0]; ++column) {
+      image.at(column, row) = color_of_texel(column, row);
+    }
+  }
+  set_texture(vista, std::move(image),
+              {wrap, wrap, Filter::kNearest, Filter::kNearest, MipFilter::kNone});
+  return vista;
+}
+
+Vista striped_vista(const std::vector<EyeTriangle>& triangles,
+                    const std::vector<Texcoords>& texcoords, const Lens& lens, int side,
+                    int texels) {
+  Vista vista = with_texcoords(triangles, texcoords, lens, side);
+  vista.texels = Vista::Texels::kLevels;
+  Image<Rgba8> image(texels, texels);
+  for (int row = 0; row < texels; ++row) {
+    for (int column = 0; column < texels; ++column) {
+      const auto stripe = [&](int width) { return std::uint8_t(column / width % 2 * 255); };
+      image.at(column, row) = {stripe(1), stripe(4), stripe(16), 255};
+    }
+  }
+  set_texture(
+      vista, std::move(image),
+      {Wrap::kRepeat, Wrap::kRepeat, Filter::kNearest, Filter::kNearest, MipFilter::kNearest});
+  return vista;
+}
+
+Vista vista_of(const Scene& scene, const Camera& camera, int width, int height) {
+  Vista vista{scene, camera.lens, make_view(camera, width, height).value(), plain_settings(), {}};
+  for (Material& material : vista.scene.materials) material.unlit = true;
+  for (Mesh& mesh : vista.scene.meshes) {
+    for (Corner& corner : mesh.corners) corner.color = kNone;  // layers are told by their colour
+  }
+  for (const Instance& instance : scene.instances) {
+    const auto& map = scene.nodes[instance.node].world_from_node;
+    const Mesh& mesh = scene.meshes[instance.mesh];
+    const auto seen = [&](std::uint32_t corner) {
+      return in_eye_space(camera.world_from_eye, map,
+                          mesh.positions[mesh.corners[corner].position]);
+    };
+    const bool mirrored = glm::determinant(glm::dmat3(map.columns)) < 0;
+    for (const Triangle& triangle : triangulate(mesh).triangles) {
+      const auto& [a, b, c] = triangle.corners;
+      vista.triangles.push_back({{seen(a), seen(mirrored ? c : b), seen(mirrored ? b : c)}, {}});
+    }
+  }
+  return vista;
+}
+
+Camera camera_at(const Point<World, double>& place, const Vector<World, double>& gaze) {
+  Camera camera;
+  camera.lens = PerspectiveLens{1, 0.1, 100.0};
+  camera.world_from_eye = camera_pose(place, gaze, {0, 1, 0.01}).value();
+  return camera;
+}
+
+Sight sight_at(const Vista& vista, std::span<const std::size_t> candidates, double x, double y) {
+  const Long width = vista.view.viewport.width(), height = vista.view.viewport.height();
+  const Line line = std::visit(
+      LineOf{2 * Long(x) / width - 1, 1 - 2 * Long(y) / height, width / height}, vista.lens);
+  Sight sight;
+  Long nearest = std::numeric_limits<Long>::infinity(), next = nearest;
+  for (const std::size_t i : candidates) {
+    const SeenTriangle& triangle = vista.triangles[i];
+    const std::optional<Hit> found = hit(line, triangle);
+    if (!found || is_culled(vista.settings.cull, found->front)) continue;
+    if (found->distance < Long(vista.view.near) || found->distance > Long(vista.view.far)) continue;
+    ++sight.layers;
+    if (found->distance < nearest) {
+      next = nearest;
+      nearest = found->distance;
+      sight.nearest = int(i) + 1;
+      if (vista.texels == Vista::Texels::kEach) sight.texel = texel_at(vista, triangle, *found);
+      if (vista.texels == Vista::Texels::kLevels) {
+        sight.stripes = stripes_lost(level_of_detail(vista, triangle, line));
+      }
+    } else {
+      next = std::min(next, found->distance);
+    }
+  }
+  sight.told_apart = !(next - nearest <= Long(vista.separation) * nearest);
+  sight.layers = std::min(sight.layers, kMostLayers);
+  return sight;
+}
+
+namespace {
+
+struct Reach {
+  double left = -HUGE_VAL, right = HUGE_VAL, top = -HUGE_VAL, bottom = HUGE_VAL;
+};
+
+// Where on the screen a triangle before the eye may be, with a pixel to spare; everywhere, of one that reaches behind it.
+Reach reach_of(const Vista& vista, const SeenTriangle& triangle) {
+  const auto* lens = std::get_if<PerspectiveLens>(&vista.lens);
+  if (lens == nullptr) return {};
+  const Long width = vista.view.viewport.width(), height = vista.view.viewport.height();
+  const Long scale = height / 2 / std::tan(Long(lens->fovy_radians) / 2);
+  Reach reach{HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL};
+  for (const Long3& p : triangle.corners) {
+    if (!(-p[2] > Long(vista.view.near) / 2)) return {};
+    const double x = double(width / 2 + scale * p[0] / -p[2]);
+    const double y = double(height / 2 - scale * p[1] / -p[2]);
+    reach = {std::min(reach.left, x - 1), std::max(reach.right, x + 1), std::min(reach.top, y - 1),
+             std::max(reach.bottom, y + 1)};
+  }
+  return reach;
+}
+
+}  // namespace
+
+SightDrawn::SightDrawn(Vista vista) : vista_(std::move(vista)) {
+  const Viewport& viewport = vista_.view.viewport;
+  std::vector<Reach> reaches;
+  for (const SeenTriangle& each : vista_.triangles) reaches.push_back(reach_of(vista_, each));
+  std::vector<std::size_t> candidates;
+  for (int y = 0; y < int(viewport.height()); ++y) {
+    for (int x = 0; x < int(viewport.width()); ++x) {
+      candidates.clear();
+      for (std::size_t i = 0; i < reaches.size(); ++i) {
+        const Reach& r = reaches[i];
+        const bool may_be_hit = x + 1 >= r.left && x <= r.right && y + 1 >= r.top && y <= r.bottom;
+        if (may_be_hit) candidates.push_back(i);
+      }
+      const Sight centre = sight_at(vista_, candidates, x + 0.5, y + 0.5);
+      bool same = true, as_deep = true;
+      for (int k = 0; k < 9 && (same || as_deep); ++k) {
+        const double dx = (k % 3 - 1) * kBlur, dy = (k / 3 - 1) * kBlur;
+        const Sight beside = sight_at(vista_, candidates, x + 0.5 + dx, y + 0.5 + dy);
+        same = same && beside == centre;
+        as_deep = as_deep && beside.layers == centre.layers;
+      }
+      pixels_.push_back({same ? std::optional(centre) : std::nullopt,
+                         as_deep ? std::optional(centre.layers) : std::nullopt});
+    }
+  }
+}
+
+Outcome SightDrawn::judge(const Drawer& drawer) const {
+  const Framebuffer shown = drawer.draw(vista_.scene, vista_.view, vista_.settings).buffers;
+  RenderSettings colors =
+      vista_.settings;  // nothing else is wanted: some ways of drawing are for that alone
+  colors.want_id = false;
+  const Framebuffer colored = drawer.draw(vista_.scene, vista_.view, colors).buffers;
+  Scene layers = vista_.scene;
+  layers.materials = {layer_material()};
+  const Framebuffer counted = drawer.draw(layers, vista_.view, colors).buffers;
+  std::int64_t judged = 0, wrong = 0, times = 0;
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    const auto& [sight, layers] = pixels_[i];
+    if (layers) times += layers_of(counted.color.pixels[i]) != *layers;
+    if (!sight) continue;
+    ++judged;
+    if (!sight->told_apart) continue;
+    wrong += int(shown.id.pixels[i]) != sight->nearest ||
+             !shows(vista_.texels, *sight, shown.color.pixels[i]) ||
+             !shows(vista_.texels, *sight, colored.color.pixels[i]);
+  }
+  Outcome outcome = must_be_zero(
+      double(wrong + times),
+      fmt::format("{} of {} pixels show something else, {} are covered too often or not often "
+                  "enough",
+                  wrong, judged, times));
+  if (2 * judged < std::int64_t(pixels_.size())) outcome.error = HUGE_VAL;
+  return outcome;
+}
+
+Outcome worst_of(const std::vector<SightDrawn>& pictures, const Drawer& drawer) {
+  Outcome worst;
+  for (const SightDrawn& each : pictures) worst = worse_of(each.judge(drawer), worst);
+  return worst;
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,125 @@
+// Every fault of faults.cmake is found by the extreme case that is named for it: drawn by some engine, the case is wrong. And
+// docs/mutants.md says so.
+#include <tests/support/catch.h>
+
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "study/extremes/run.h"
+#include "tests/mutants/planted.h"
+
+namespace glassbox::study {
+namespace {
+
+struct Fault {
+  int number;
+  const char *file, *found_by, *what;
+};
+
+const std::vector<Fault>& faults() {
+  static const std::vector<Fault> all{
+#define FAULT(number, file, found_by, what) {number, file, found_by, what},
+#include <faults.inc>
+#undef FAULT
+  };
+  return all;
+}
+
+// One of them, as long as it lives.
+class Planted {
+public:
+  explicit Planted(int number) { planted_fault = number; }
+  ~Planted() { planted_fault = 0; }
+  Planted(const Planted&) = delete;
+  Planted& operator=(const Planted&) = delete;
+};
+
+// By the reference, by the tile engine for the best target, whose source is that of all, and without a plan.
+std::vector<bool> drawn_wrong(const ExtremeCase& extreme) {
+  const std::vector<Drawer>& all = drawers();
+  std::vector<bool> wrong;
+  for (const Drawer* drawer : {&all[0], &all[all.size() - 2], &all[all.size() - 1]}) {
+    wrong.push_back(!extreme.drawn(*drawer).passes());
+  }
+  return wrong;
+}
+bool any(const std::vector<bool>& of) {
+  return std::ranges::find(of, true) != of.end();
+}
+
+// All cases, without a fault: what is right is worked out once, when a case is first drawn.
+bool all_drawn_right() {
+  bool right = true;
+  for (const ExtremeCase& extreme : extreme_cases()) {
+    if (!extreme.drawn || !any(drawn_wrong(extreme))) continue;
+    WARN(extreme.id << " is drawn wrong without a fault");
+    right = false;
+  }
+  return right;
+}
+
+// "both": the reference as well; "tile": the tile engine alone.
+const char* engines_of(const std::vector<bool>& wrong) {
+  return wrong.front() ? "both" : "tile";
+}
+
+std::string row_of(const Fault& fault, const std::string& engines, const std::string& others) {
+  return std::to_string(fault.number) + " | `" + fault.file + "` | " + fault.what + " | " +
+         engines + " | " + fault.found_by + " | " + (others.empty() ? "-" : others) + " |";
+}
+
+std::string page() {
+  std::ifstream file(GLASSBOX_SOURCE_DIR "/docs/mutants.md");
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+TEST_CASE("each planted fault is found by its case, and the page has it") {
+  const std::string text = page();
+  REQUIRE(all_drawn_right());
+  CHECK(faults().size() >= 40);
+  for (const Fault& fault : faults()) {
+    const ExtremeCase* extreme = find_case(fault.found_by);
+    INFO(fault.number << ", " << fault.file << ": " << fault.what << "; " << fault.found_by);
+    REQUIRE(extreme != nullptr);
+    REQUIRE(extreme->drawn);
+    const Planted planted(fault.number);
+    const std::vector<bool> wrong = drawn_wrong(*extreme);
+    CHECK(any(wrong));
+    const std::string row = row_of(fault, engines_of(wrong), "");
+    CHECK(text.find(row.substr(0, row.rfind(" | -"))) != std::string::npos);
+  }
+}
+
+// All faults against all cases: test_mutants "[.page]" prints the table of docs/mutants.md, and checks that it is there.
+TEST_CASE("the page says which other cases find a fault", "[.page]") {
+  const std::string text = page();
+  REQUIRE(all_drawn_right());
+  for (const Fault& fault : faults()) {
+    std::string others, engines;
+    const Planted planted(fault.number);
+    for (const ExtremeCase& extreme : extreme_cases()) {
+      if (!extreme.drawn) continue;
+      const std::vector<bool> wrong = drawn_wrong(extreme);
+      if (!any(wrong)) continue;
+      if (extreme.id == fault.found_by) {
+        engines = engines_of(wrong);
+      } else {
+        others += (others.empty() ? "" : " ") + extreme.id;
+      }
+    }
+    CHECK_FALSE(engines.empty());
+    const std::string row = "| " + row_of(fault, engines, others);
+    std::printf("%s\n", row.c_str());
+    std::fflush(stdout);
+    INFO(row);
+    CHECK(text.find(row) != std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace glassbox::study
