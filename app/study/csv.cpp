@@ -32,9 +32,10 @@ std::string comparison(const ConfigurationResult& result) {
 
 // The last fields of a line: threads, repetitions, times, standing.
 std::string times(const Timing* timing, study::Standing standing) {
-  if (timing == nullptr) return ",,,,,untimed";
-  return fmt::format("{},{},{},{},{},{}", timing->threads, timing->repetitions, timing->ns.median,
-                     timing->ns.lower, timing->ns.upper, name_of(standing));
+  if (timing == nullptr) return ",,,,,,untimed";
+  return fmt::format("{},{},{},{},{},{},{}", timing->threads, timing->repetitions,
+                     timing->ns.median, timing->ns.lower, timing->ns.upper, timing->disturbed,
+                     name_of(standing));
 }
 
 std::string experiment_lines(const study::ExperimentResult& experiment, const std::string& origin) {
@@ -60,7 +61,8 @@ std::string experiment_lines(const study::ExperimentResult& experiment, const st
 std::string study_csv(const study::StudyResults& results) {
   std::string text =
       "experiment,series,scene,parameter,error,error_unit,predicted_error,ratio,finding,item,"
-      "threads,repetitions,ns,ns_lower,ns_upper,standing,machine,compiler,flags,version\n";
+      "threads,repetitions,ns,ns_lower,ns_upper,disturbed,standing,machine,compiler,flags,"
+      "version\n";
   const study::Origin& from = results.origin;
   const std::string origin =
       fmt::format(",{},{},{},{}\n", field(from.machine), field(from.compiler), field(from.flags),

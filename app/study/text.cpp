@@ -29,7 +29,10 @@ std::string mark_of(const ConfigurationResult& result, Standing standing) {
   std::string mark = standing == Standing::kFront       ? "front"
                      : standing == Standing::kDominated ? "dominated"
                                                         : "";
+  const bool disturbed = std::ranges::any_of(
+      result.timings, [](const Timing& timing) { return timing.disturbed > 0; });
   if (finding) mark += mark.empty() ? "finding" : ", finding";
+  if (disturbed) mark += ", disturbed";
   return mark;
 }
 

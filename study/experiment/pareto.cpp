@@ -1,22 +1,20 @@
 #include "study/experiment/pareto.h"
 
 #include <cmath>
-#include <limits>
 #include <set>
 
 namespace glassbox::study {
 
 namespace {
 
-double badness(const ConfigurationResult& result) {
-  return std::isnan(result.error) ? std::numeric_limits<double>::infinity() : result.error;
+bool is_faster(const ConfigurationResult& a, const ConfigurationResult& b, int threads) {
+  return timing_of(a, threads)->ns.upper < timing_of(b, threads)->ns.lower;
 }
 
 bool dominates(const ConfigurationResult& a, const ConfigurationResult& b, int threads) {
-  const Quartiles& time_a = timing_of(a, threads)->ns;
-  const Quartiles& time_b = timing_of(b, threads)->ns;
-  if (badness(a) < badness(b)) return time_a.median <= time_b.median;
-  return badness(a) == badness(b) && time_a.upper < time_b.lower;
+  if (std::isnan(a.error)) return false;
+  if (std::isnan(b.error)) return !is_faster(b, a, threads);  // no answer, and no time won
+  return a.error <= b.error && is_faster(a, b, threads);
 }
 
 }  // namespace

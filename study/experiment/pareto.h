@@ -10,7 +10,7 @@ namespace glassbox::study {
 enum class Standing {
   kUntimed,    // nothing to weigh the error against
   kFront,      // no competitor is better
-  kDominated,  // a competitor is at least as good in both and better in one
+  kDominated,  // a competitor is at least as accurate, and faster for certain
 };
 
 const char* name_of(Standing standing);  // "front"
@@ -20,7 +20,8 @@ bool compete(const ExperimentResult& experiment, const ConfigurationResult& a,
              const ConfigurationResult& b);
 
 // The standing of each configuration, by its times with that many threads. Times count as different where their interquartile ranges
-// do not overlap; errors are exact. An error that is no number is dominated by every number.
+// do not overlap, so that another run on a busy machine states the same; errors are exact. An error that is no number is dominated by every number that takes
+// no longer.
 std::vector<Standing> standings(const ExperimentResult& experiment, int threads = 1);
 
 // Null where the configuration was not timed with that many threads.

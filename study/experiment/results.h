@@ -13,7 +13,8 @@ namespace glassbox::study {
 struct Timing {
   int threads = 1;
   int repetitions = 0;
-  Quartiles ns;  // for one item
+  Quartiles ns;       // for one item
+  int disturbed = 0;  // of the repetitions (timing.h)
 };
 
 struct ConfigurationResult {

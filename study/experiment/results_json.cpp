@@ -46,6 +46,7 @@ Json configuration_json(const ConfigurationResult& result, const std::vector<Sta
                              {"repetitions", timing.repetitions},
                              {"ns", timing.ns.median},
                              {"ns_quartiles", {timing.ns.lower, timing.ns.upper}},
+                             {"disturbed", timing.disturbed},
                              {"standing", name_of(standing[i])}});
   }
   return json;
@@ -64,7 +65,8 @@ Timing timing_of(const Json& json) {
   const Json& range = json.at("ns_quartiles");
   return {json.at("threads"),
           json.at("repetitions"),
-          {number_of(range.at(0)), number_of(json.at("ns")), number_of(range.at(1))}};
+          {number_of(range.at(0)), number_of(json.at("ns")), number_of(range.at(1))},
+          json.at("disturbed")};
 }
 
 ConfigurationResult configuration_of(const Json& json) {

@@ -52,12 +52,13 @@ void add_times(const std::vector<Configuration>& configurations, int threads, in
   for (std::size_t i = 0; i < configurations.size(); ++i) {
     const Configuration& each = configurations[i];
     if (!each.work) continue;
-    works.push_back({[&each, threads] { each.work(threads); }, each.items});
+    works.push_back({[&each, threads] { each.work(threads); }, each.items, threads});
     of.push_back(i);
   }
-  const std::vector<Quartiles> times = time_in_turn(works, repetitions);
+  const std::vector<Timed> times = time_in_turn(works, repetitions);
   for (std::size_t i = 0; i < times.size(); ++i) {
-    result.configurations[of[i]].timings.push_back({threads, repetitions, times[i]});
+    const auto& [ns, disturbed] = times[i];
+    result.configurations[of[i]].timings.push_back({threads, repetitions, ns, disturbed});
   }
 }
 

@@ -4,41 +4,98 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <ctime>
+#include <limits>
 
 namespace glassbox::study {
 
 namespace {
 
-double seconds_of(const std::function<void()>& work, int calls) {
+struct Seconds {
+  double wall = 0, processor = 0;
+};
+
+// Of the whole process: a work of one thread may hand itself to another one and wait.
+double processor_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+}
+
+Seconds seconds_of(const std::function<void()>& work, int calls) {
   const auto start = std::chrono::steady_clock::now();
+  const double processor = processor_seconds();
   for (int i = 0; i < calls; ++i) work();
+  const double used = processor_seconds() - processor;
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  return taken.count();
+  return {taken.count(), used};
 }
 
 // After a first call, which pays for caches and pages.
 int calls_a_sample(const std::function<void()>& work) {
   constexpr double kMostCalls = 100000;
   work();
-  const double seconds = std::max(seconds_of(work, 1), 1e-9);
+  const double seconds = std::max(seconds_of(work, 1).wall, 1e-9);
   return int(std::clamp(std::ceil(kLeastSample / seconds), 1.0, kMostCalls));
 }
 
+// The same work for every round, some 0.2 ms: each product waits for the one before.
+class Reference {
+public:
+  bool is_slower() {
+    const double seconds = seconds_of([this] { run(); }, 1).processor;
+    least_ = std::min(least_, seconds);
+    return seconds > kMostSlower * least_;
+  }
+
+private:
+  void run() {
+    float x = result_;
+    for (int i = 0; i < 100000; ++i) x = x * 0.999f + 0.001f;
+    result_ = x;
+  }
+  volatile float result_ = 2;
+  double least_ = std::numeric_limits<double>::infinity();
+};
+
+// The samples of one work, in nanoseconds for an item.
+struct Samples {
+  std::vector<double> steady, disturbed;
+
+  // Disturbed ones where there are not enough others.
+  Timed finish(std::size_t wanted) {
+    const std::size_t missing =
+        std::min(wanted - std::min(wanted, steady.size()), disturbed.size());
+    steady.insert(steady.end(), disturbed.begin(), disturbed.begin() + std::ptrdiff_t(missing));
+    return {quartiles(std::move(steady)), int(missing)};
+  }
+};
+
 }  // namespace
 
-std::vector<Quartiles> time_in_turn(const std::vector<TimedWork>& works, int repetitions) {
+std::vector<Timed> time_in_turn(const std::vector<TimedWork>& works, int repetitions) {
   std::vector<int> calls;
   for (const TimedWork& each : works) calls.push_back(calls_a_sample(each.work));
-  std::vector<std::vector<double>> samples(works.size());
-  for (std::size_t round = 0; round < std::size_t(repetitions); ++round) {
+  const auto wanted = std::size_t(repetitions);
+  std::vector<Samples> samples(works.size());
+  const auto is_done = [&](const Samples& of) { return of.steady.size() >= wanted; };
+  Reference reference;
+  for (std::size_t round = 0; round < 2 * wanted; ++round) {
+    if (std::ranges::all_of(samples, is_done)) break;
+    const bool slower = reference.is_slower();
     for (std::size_t turn = 0; turn < works.size(); ++turn) {
       const std::size_t i = (round + turn) % works.size();
-      const double seconds = seconds_of(works[i].work, calls[i]);
-      samples[i].push_back(1e9 * seconds / (calls[i] * works[i].items));
+      if (is_done(samples[i])) continue;
+      const Seconds taken = seconds_of(works[i].work, calls[i]);
+      const bool alone = works[i].threads == 1;
+      const bool waited = alone && taken.wall > (1 + kMostWaiting) * taken.processor;
+      const double seconds = alone ? taken.processor : taken.wall;
+      (slower || waited ? samples[i].disturbed : samples[i].steady)
+          .push_back(1e9 * seconds / (calls[i] * works[i].items));
     }
   }
-  std::vector<Quartiles> all;
-  for (std::vector<double>& each : samples) all.push_back(quartiles(std::move(each)));
+  std::vector<Timed> all;
+  for (Samples& each : samples) all.push_back(each.finish(wanted));
   return all;
 }
 

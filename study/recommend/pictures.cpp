@@ -57,7 +57,9 @@ std::vector<Quartiles> frame_times(const Scene& scene, std::span<const Shot> sho
       renderer->render(shot.view, shot.settings);
     }});
   }
-  return time_in_turn(works, kLeastRepetitions);
+  std::vector<Quartiles> times;
+  for (const Timed& each : time_in_turn(works, kLeastRepetitions)) times.push_back(each.ns);
+  return times;
 }
 
 }  // namespace glassbox::study

@@ -223,8 +223,8 @@ Comparison SceneVertices::positions() const {
                        double(places_.size())});
     }
   }
-  const std::vector<Quartiles> times = time_in_turn(works, kLeastRepetitions);
-  for (std::size_t i = 0; i < times.size(); ++i) result.candidates[i].ns = times[i];
+  const std::vector<Timed> times = time_in_turn(works, kLeastRepetitions);
+  for (std::size_t i = 0; i < times.size(); ++i) result.candidates[i].ns = times[i].ns;
   return result;
 }
 

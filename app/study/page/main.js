@@ -10,7 +10,7 @@ function rowOf(experiment, each, scenes, threads) {
     return time ? [digits(time.ns / unit.ns), time.ns_quartiles.map((ns) => digits(ns / unit.ns)).join(" to ")] : ["", ""];
   });
   return [each.series, ...(scenes ? [each.scene] : []), digits(each.parameter, 6), digits(each.error), theory ? digits(each.predicted_error) : "", ratio,
-    ...times, [each.times[0]?.standing, each.finding ? "finding" : ""].filter(Boolean).join(", ")];
+    ...times, [each.times[0]?.standing, each.finding ? "finding" : "", each.times.some(({disturbed}) => disturbed > 0) ? "disturbed" : ""].filter(Boolean).join(", ")];
 }
 
 function tableOf(experiment) {

@@ -77,17 +77,24 @@ std::vector<Standing> standings_of(std::vector<ConfigurationResult> configuratio
 constexpr Standing kFront = Standing::kFront, kDominated = Standing::kDominated;
 
 TEST_CASE(
-    "a configuration is dominated where another one is more accurate and as fast, or as accurate "
-    "and faster") {
+    "a configuration is dominated where another one is as accurate or more, and faster for "
+    "certain") {
   CHECK(standings_of({result_of(1, 1, 10), result_of(1, 2, 5), result_of(1, 3, 7)}, false) ==
         std::vector{kFront, kFront, kDominated});
-  CHECK(standings_of({result_of(1, 1, 10), result_of(1, 2, 10)}, false) ==
+  CHECK(standings_of({result_of(1, 1, 10), result_of(1, 2, 11)}, false) ==
         std::vector{kFront, kDominated});
   CHECK(standings_of({result_of(1, 1, 10), result_of(1, 1, 12)}, false) ==
         std::vector{kFront, kDominated});
 }
 
-TEST_CASE("equal errors whose times' quartiles overlap stand alike") {
+TEST_CASE("times whose quartiles overlap order nothing, whatever the errors") {
+  CHECK(standings_of({result_of(1, 1, 10), result_of(1, 2, 10)}, false) ==
+        std::vector{kFront, kFront});
+  CHECK(standings_of({result_of(1, 1, 10, 2), result_of(1, 2, 13, 2)}, false) ==
+        std::vector{kFront, kFront});
+  CHECK(standings_of({result_of(1, 1, 10, 2), result_of(1, 2, 15, 2)}, false) ==
+        std::vector{kFront, kDominated});
+
   CHECK(standings_of({result_of(1, 0, 10, 2), result_of(1, 0, 11, 2)}, false) ==
         std::vector{kFront, kFront});
   CHECK(standings_of({result_of(1, 0, 10, 2), result_of(1, 0, 15, 2)}, false) ==
@@ -118,8 +125,8 @@ TEST_CASE(
 TEST_CASE("each number of threads has a front of its own") {
   ExperimentResult result;
   result.configurations = {result_of(1, 1, 10), result_of(1, 1, 20)};
-  result.configurations[0].timings.push_back({2, 11, {9, 9, 9}});
-  result.configurations[1].timings.push_back({2, 11, {4, 4, 4}});
+  result.configurations[0].timings.push_back({2, 11, {9, 9, 9}, 0});
+  result.configurations[1].timings.push_back({2, 11, {4, 4, 4}, 0});
   CHECK(thread_counts(result) == std::vector{1, 2});
   CHECK(standings(result, 1) == std::vector{kFront, kDominated});
   CHECK(standings(result, 2) == std::vector{kDominated, kFront});

@@ -51,7 +51,7 @@ StudyResults made_by_hand() {
   experiment.configurations[1].predicted_error = 0.30000000000000004;
   experiment.configurations[1].explanation = Finding{"because", 0.3, 1.0 / 3};
   experiment.configurations[2].scene = "room";
-  experiment.configurations[3].timings.push_back({2, 21, {1, 2, 3}});
+  experiment.configurations[3].timings.push_back({2, 21, {1, 2, 3}, 4});
   experiment.configurations[4].timings.clear();
   return {kHere, {experiment}};
 }
