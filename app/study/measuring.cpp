@@ -1,5 +1,7 @@
 #include "app/study/measuring.h"
 
+#include <cstdio>
+
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -38,6 +40,20 @@ Result<std::vector<const Experiment*>> choose(const std::vector<std::string>& id
   return chosen;
 }
 
+// "2/4". Throws CLI::ValidationError.
+void parse_part(const std::string& text, MeasuringOptions& options) {
+  int part = 0, parts = 0, end = 0;
+  const bool read = std::sscanf(text.c_str(), "%d/%d%n", &part, &parts, &end) == 2 &&
+                    std::size_t(end) == text.size();
+  if (!read || part < 1 || part > parts || parts > study::kMostParts) {
+    throw CLI::ValidationError("--part",
+                               fmt::format("needs K/N, part K of N, 1 <= K <= N <= {}, not {}",
+                                           study::kMostParts, in_quotes(text)));
+  }
+  options.part = part;
+  options.parts = parts;
+}
+
 }  // namespace
 
 void add_measuring_options(CLI::App& command, MeasuringOptions& options) {
@@ -52,11 +68,21 @@ void add_measuring_options(CLI::App& command, MeasuringOptions& options) {
           "--resume", options.file,
           "keep results in this file after each experiment, and do not measure again what it has")
       ->type_name("FILE");
+  command
+      .add_option_function<std::string>(
+          "--part", [&options](const std::string& text) { parse_part(text, options); },
+          "measure every N-th of them, from the K-th on: for study collect")
+      ->type_name("K/N");
 }
 
 Result<study::StudyResults> measure(const MeasuringOptions& options) {
-  const auto chosen = choose(options.ids);
+  auto chosen = choose(options.ids);
   if (!chosen) return tl::unexpected(chosen.error());
+  std::vector<const Experiment*> of_part;
+  for (auto i = std::size_t(options.part - 1); i < chosen->size();
+       i += std::size_t(options.parts)) {
+    of_part.push_back((*chosen)[i]);
+  }
   const study::Effort effort = options.quick ? study::Effort::kQuick : study::Effort::kFull;
   const int threads = options.threads.value_or(study::processor_count());
   Progress progress;
@@ -65,8 +91,10 @@ Result<study::StudyResults> measure(const MeasuringOptions& options) {
   run.repetitions = options.quick ? study::kLeastRepetitions : kFullRepetitions;
   run.threads = threads;
   run.phase = [&](const std::string& what) { progress.phase(what); };
-  return study::run_study(*chosen, study::origin_here(version_and_build(), effort, threads), run,
-                          options.file);
+  study::Origin origin = study::origin_here(version_and_build(), effort, threads);
+  origin.part = options.part;
+  origin.parts = options.parts;
+  return study::run_study(of_part, origin, run, options.file);
 }
 
 Result<study::StudyResults> chosen_of(const study::StudyResults& results,

@@ -17,6 +17,7 @@ struct MeasuringOptions {
   bool quick = false;
   std::optional<int> threads;
   std::optional<std::string> file;  // to go on from
+  int part = 1, parts = 1;          // every parts-th of them, from the part-th on
 };
 
 void add_measuring_options(CLI::App& command, MeasuringOptions& options);

@@ -165,7 +165,9 @@ std::string command_of(const std::vector<Judged>& judged, std::vector<std::strin
 }  // namespace
 
 bool Recommendation::meets_all() const {
-  return std::ranges::all_of(judged, [](const Judged& each) { return each.chosen.has_value(); });
+  return std::ranges::all_of(judged, [](const Judged& each) {
+    return each.chosen && each.comparison.candidates[*each.chosen].in_render;
+  });
 }
 
 Result<Recommendation> recommend(const Scene& scene, const PictureOptions& picture,

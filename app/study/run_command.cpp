@@ -20,7 +20,8 @@ void StudyRunCommand::add_to(CLI::App& study, int& exit_code) {
       "Examples:\n"
       "  glassbox study run D-4 --quick\n"
       "  glassbox study run --resume results.json --csv results.csv\n"
-      "  glassbox study run D-1 D-2 --json -\n\n"
+      "  glassbox study run D-1 D-2 --json -\n"
+      "  glassbox study run --part 2/8 --json parts/2.json\n\n"
       "Errors are the same in every run; times are medians and quartiles of repetitions in turn.\n"
       "Exit code 1: an error is not within a factor of two of the theory, and nobody knows why.");
   add_measuring_options(command, measuring_);

@@ -18,6 +18,7 @@ void StudyCommand::add_to(CLI::App& app, int& exit_code) {
   command.require_subcommand(1);
   list_.add_to(command, exit_code);
   run_.add_to(command, exit_code);
+  collect_.add_to(command, exit_code);
   report_.add_to(command, exit_code);
   extremes_.add_to(command, exit_code);
   recommend_.add_to(command, exit_code);

@@ -3,6 +3,7 @@
 
 #include "app/options/cli_fwd.h"
 #include "app/options/list_command.h"
+#include "app/study/collect_command.h"
 #include "app/study/extremes_command.h"
 #include "app/study/list.h"
 #include "app/study/recommend_command.h"
@@ -18,6 +19,7 @@ public:
 private:
   ListCommand list_{"the experiments and what they ask", experiments_text, experiments_json};
   StudyRunCommand run_;
+  StudyCollectCommand collect_;
   StudyReportCommand report_;
   StudyExtremesCommand extremes_;
   StudyRecommendCommand recommend_;

@@ -28,7 +28,10 @@ std::string difference(const char* what, const std::string& there, const std::st
   return fmt::format("the {} is '{}' there and '{}' here", what, there, here);
 }
 
+}  // namespace
+
 std::string first_difference(const Origin& there, const Origin& here) {
+  const auto part = [](const Origin& o) { return fmt::format("{}/{}", o.part, o.parts); };
   const auto effort = [](Effort e) { return e == Effort::kQuick ? "quick" : "full"; };
   for (const std::string& found : {difference("version", there.version, here.version),
                                    difference("machine", there.machine, here.machine),
@@ -36,13 +39,12 @@ std::string first_difference(const Origin& there, const Origin& here) {
                                    difference("compiler", there.compiler, here.compiler),
                                    difference("list of compiler flags", there.flags, here.flags),
                                    difference("number of threads", fmt::to_string(there.threads),
-                                              fmt::to_string(here.threads))}) {
+                                              fmt::to_string(here.threads)),
+                                   difference("part", part(there), part(here))}) {
     if (!found.empty()) return found;
   }
   return {};
 }
-
-}  // namespace
 
 Result<StudyResults> read_results(const std::string& path) {
   std::ifstream in(path, std::ios::binary);

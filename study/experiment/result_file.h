@@ -15,6 +15,9 @@ Result<void> write_results(const std::string& path, const StudyResults& results)
 // What the file has, to go on from: nothing where there is no file, an error where its results have another origin.
 Result<StudyResults> resume(const std::string& path, const Origin& origin);
 
+// "the machine is 'A' there and 'B' here"; empty where both are the same.
+std::string first_difference(const Origin& there, const Origin& here);
+
 // Null where the results do not have the experiment.
 const ExperimentResult* find_result(const StudyResults& results, const std::string& id);
 

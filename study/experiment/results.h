@@ -36,11 +36,14 @@ struct ExperimentResult {
   std::vector<ConfigurationResult> configurations;
 };
 
+inline constexpr int kMostParts = 1000;
+
 // Results of different origins are not comparable: errors by version, times by all of it.
 struct Origin {
   std::string machine, compiler, flags, version;
   Effort effort = Effort::kQuick;
-  int threads = 1;  // the most that were used
+  int threads = 1;          // the most that were used
+  int part = 1, parts = 1;  // of the experiments that were asked for: study run --part
 
   bool operator==(const Origin&) const = default;
 };

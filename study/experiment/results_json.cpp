@@ -114,7 +114,13 @@ StudyResults unchecked_results_of(const Json& json) {
                     json.at("flags"),
                     json.at("version"),
                     effort == "quick" ? Effort::kQuick : Effort::kFull,
-                    json.at("threads")};
+                    json.at("threads"),
+                    json.at("part").at(0),
+                    json.at("part").at(1)};
+  const auto& [part, parts] = std::pair(results.origin.part, results.origin.parts);
+  if (part < 1 || part > parts || parts > kMostParts) {
+    throw Json::other_error::create(501, "there is no such part", &json);
+  }
   for (const Json& each : json.at("experiments"))
     results.experiments.push_back(experiment_of(each));
   return results;
@@ -155,10 +161,11 @@ Json experiment_json(const ExperimentResult& result) {
 
 Json results_json(const StudyResults& results) {
   const Origin& origin = results.origin;
-  Json json{{"format", kFormat},         {"version", origin.version},
-            {"machine", origin.machine}, {"compiler", origin.compiler},
-            {"flags", origin.flags},     {"effort", name_of(origin.effort)},
-            {"threads", origin.threads}, {"experiments", Json::array()}};
+  Json json{{"format", kFormat},           {"version", origin.version},
+            {"machine", origin.machine},   {"compiler", origin.compiler},
+            {"flags", origin.flags},       {"effort", name_of(origin.effort)},
+            {"threads", origin.threads},   {"part", {origin.part, origin.parts}},
+            {"experiments", Json::array()}};
   for (const ExperimentResult& each : results.experiments)
     json["experiments"].push_back(experiment_json(each));
   return json;

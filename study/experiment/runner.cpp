@@ -94,7 +94,7 @@ const Experiment* find_experiment(const std::vector<Experiment>& all, const std:
 }
 
 Origin origin_here(const std::string& version, Effort effort, int threads) {
-  return {machine_name(), compiler_name(), GLASSBOX_COMPILE_FLAGS, version, effort, threads};
+  return {machine_name(), compiler_name(), GLASSBOX_COMPILE_FLAGS, version, effort, threads, 1, 1};
 }
 
 }  // namespace glassbox::study

@@ -25,8 +25,8 @@ struct Comparison {
   std::vector<Candidate> candidates;
 };
 
-// Of those timed, with an error below `limit`, the fastest. Those whose quartiles of time reach down to the fastest's are as fast;
-// of them one that render can do, and then the most accurate. None where no candidate is accurate enough.
+// Of those that render can do, with an error below `limit`, the fastest that was timed; where there is none, of the others. Those whose
+// quartiles of time reach down to the fastest's are as fast; of them the most accurate. None where no candidate is accurate enough.
 std::optional<std::size_t> cheapest(const std::vector<Candidate>& candidates, double limit);
 
 }  // namespace glassbox::study

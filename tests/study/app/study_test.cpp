@@ -1,9 +1,12 @@
 // glassbox study, from the outside.
 #include <tests/app/run.h>
 #include <tests/support/catch.h>
+#include <tests/support/skip.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -130,6 +133,62 @@ TEST_CASE("charts as SVG files are gnuplot's, and without it the error says so")
   }
 }
 
+TEST_CASE("parts of a run, measured by GNU parallel, are joined to what one run gives") {
+  if (std::system("parallel --version >/dev/null 2>&1 </dev/null") != 0) {
+    SKIP_TEST("parallel is not installed");
+  }
+  const Workplace place;
+  const std::string some = " D-5 D-7 D-8 D-13 --quick --threads 1";
+  // The command of docs/study.md.
+  const std::string command = "cd '" + place.path() +
+                              "' && mkdir parts && seq 3 | parallel --will-cite '" +
+                              GLASSBOX_PROGRAM + " study run" + some +
+                              " --part {}/3 --json parts/{}.json' >out.log 2>err.log";
+  REQUIRE(std::system(command.c_str()) == 0);
+  const Outcome run = place.run("study collect parts -o joined.json");
+  INFO(run.err);
+  REQUIRE(run.exit_code == 0);
+  REQUIRE(place.run("study run" + some + " --json whole.json").exit_code == 0);
+  const json joined = json::parse(place.read("joined.json"));
+  CHECK(errors_of(joined) == errors_of(json::parse(place.read("whole.json"))));
+  CHECK(place.run("study report --from joined.json -o page.html").exit_code == 0);
+
+  // A part that is missing, there twice, damaged, or of another machine.
+  const auto refused = [&](const std::string& words, const std::string& what) {
+    const Outcome outcome = place.run("study collect " + words + " -o never.json");
+    INFO(outcome.err);
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.err.find(what) != std::string::npos);
+    CHECK_FALSE(std::filesystem::exists(place.path() + "/never.json"));
+  };
+  namespace fs = std::filesystem;
+  const fs::path parts = fs::path(place.path()) / "parts";
+  json second = json::parse(place.read("parts/2.json"));
+  fs::remove(parts / "2.json");
+  refused("parts", "part 2/3 is missing");
+  const auto put = [&](const char* name, const json& results) {
+    std::ofstream(parts / name) << results.dump();
+  };
+  second["machine"] = "another";
+  put("2.json", second);
+  refused("parts", "2.json");
+  refused("parts", "the machine is");
+  CHECK(place.run("study collect parts -o both.json --any-machine").exit_code == 0);
+  CHECK(json::parse(place.read("both.json")).at("machine").get<std::string>().find("; another") !=
+        std::string::npos);
+  second["version"] = "another build";
+  put("2.json", second);
+  refused("parts --any-machine", "the version is");
+  put("2.json", json::parse(place.read("parts/1.json")));
+  refused("parts", "is part 1, and so is");
+  second["part"] = {7, 3};
+  put("2.json", second);
+  refused("parts", "is damaged");
+  refused("absent", "cannot be read");
+  CHECK(place.run("study run D-13 --quick --part 4/3").exit_code == 2);
+  CHECK(place.run("study run D-13 --quick --part 1/3x").exit_code == 2);
+}
+
 TEST_CASE("study recommend says what fits on this scene, and with which options it is drawn") {
   const Workplace place;
   const Outcome run = place.run(
@@ -159,6 +218,11 @@ TEST_CASE("study recommend says what fits on this scene, and with which options 
 
 TEST_CASE("a budget that nothing meets ends in 1 and names the most accurate candidate") {
   const Workplace place;
+  // What fits has more subpixel bits than render has.
+  const Outcome finer =
+      place.run("study recommend teapot --size 64x48 --error-budget position<0.001px");
+  CHECK(finer.exit_code == 1);
+  CHECK(finer.out.find("which glassbox render does not have") != std::string::npos);
   const Outcome run = place.run("study recommend teapot --size 64x48 --error-budget depth<1e-12");
   CHECK(run.exit_code == 1);
   CHECK(run.out.find("No candidate fits") != std::string::npos);

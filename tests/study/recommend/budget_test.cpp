@@ -75,11 +75,12 @@ TEST_CASE("the fastest candidate with an error below the limit is recommended") 
 }
 
 TEST_CASE(
-    "of candidates as fast as the fastest, what render can do comes first, then the smaller "
-    "error") {
+    "what render can do comes first, however fast the rest; of those as fast as the fastest the "
+    "smaller error") {
   CHECK(cheapest({candidate(3, 10, 2), candidate(2, 11, 2), candidate(1, 30, 1)}, 4) == 1u);
   CHECK(cheapest({candidate(1, 10, 2, false), candidate(2, 11, 2), candidate(3, 12, 2)}, 4) == 1u);
-  CHECK(cheapest({candidate(1, 10, 2, false), candidate(2, 30, 2)}, 4) == 0u);
+  CHECK(cheapest({candidate(1, 10, 2, false), candidate(2, 30, 2)}, 4) == 1u);
+  CHECK(cheapest({candidate(1, 10, 2, false), candidate(5, 30, 2)}, 4) == 0u);
 }
 
 TEST_CASE("a candidate that was not timed is not recommended") {

@@ -1,0 +1,80 @@
+#include "study/experiment/collect.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "study/experiment/result_file.h"
+
+namespace glassbox::study {
+
+namespace {
+
+tl::unexpected<Error> refused(const PartFile& part, const std::string& cause,
+                              const std::string& remedy) {
+  return tl::unexpected(Error{part.path, "", cause, remedy});
+}
+
+// What must be the same in all parts.
+Origin shared(Origin origin, bool any_machine) {
+  origin.part = 1;
+  if (any_machine) {
+    origin.machine.clear();
+    origin.threads = 1;
+  }
+  return origin;
+}
+
+// Each part has every N-th experiment, so that long ones, which have neighbours, are spread.
+std::vector<ExperimentResult> in_order(const std::vector<const PartFile*>& parts) {
+  std::vector<ExperimentResult> all;
+  for (std::size_t round = 0;; ++round) {
+    const std::size_t before = all.size();
+    for (const PartFile* part : parts) {
+      const auto& measured = part->results.experiments;
+      if (round < measured.size()) all.push_back(measured[round]);
+    }
+    if (all.size() == before) return all;
+  }
+}
+
+}  // namespace
+
+Result<StudyResults> join_parts(std::span<const PartFile> parts, bool any_machine) {
+  if (parts.empty()) return fail("", "there are no parts", "measure them: study run --part 1/4");
+  const Origin& first = parts.front().results.origin;
+  std::vector<const PartFile*> by_number(std::size_t(first.parts), nullptr);
+  StudyResults joined{first, {}};
+  for (const PartFile& part : parts) {
+    const Origin& origin = part.results.origin;
+    if (const std::string differs =
+            first_difference(shared(first, any_machine), shared(origin, any_machine));
+        !differs.empty()) {
+      return refused(part, "is of another run than " + parts.front().path + ": " + differs,
+                     "join parts of one run; --any-machine joins those of machines that differ");
+    }
+    const PartFile*& place = by_number[std::size_t(origin.part) - 1];
+    if (place != nullptr) {
+      return refused(part, fmt::format("is part {}, and so is {}", origin.part, place->path),
+                     "leave one of them out");
+    }
+    place = &part;
+    if (joined.origin.machine.find(origin.machine) == std::string::npos) {
+      joined.origin.machine += "; " + origin.machine;
+    }
+    joined.origin.threads = std::max(joined.origin.threads, origin.threads);
+  }
+  const auto missing = std::ranges::find(by_number, nullptr);
+  if (missing != by_number.end()) {
+    return fail("",
+                fmt::format("part {}/{} is missing", missing - by_number.begin() + 1, first.parts),
+                "measure it: study run --part with the other words as for the others");
+  }
+  joined.origin.part = joined.origin.parts = 1;
+  joined.experiments = in_order(by_number);
+  return joined;
+}
+
+}  // namespace glassbox::study
