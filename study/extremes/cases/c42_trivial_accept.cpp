@@ -60,69 +60,75 @@ ClipVerdict one_corner_inside(std::span<const Outcode> codes) {
   return trivial_verdict(codes);
 }
 
-// What may be spared of whole draws and of parts of them: 60 cubes around the eye, of which few are in the picture, behind two
-// walls with a gap between them; cubes of which walls hide most; then a ball of 1,152 triangles that reaches out of it.
+// What may be spared of whole draws and of parts of them.
+void add_at(Scene& scene, const Transform<World, Object>& place, std::uint32_t mesh = 0) {
+  scene.instances.push_back({mesh, std::uint32_t(scene.nodes.size())});
+  scene.nodes.push_back({"", kNone, place, place});
+}
+void add_cube(Scene& scene, const WorldVector& centre, const WorldVector& half) {
+  add_at(scene, translate<World>(centre) * scale<World, Object>(half.x, half.y, half.z));
+}
+Scene no_cubes() {
+  Scene scene = make_cube();
+  scene.instances.clear();
+  return scene;
+}
+Camera from_before() {
+  return camera_at({0, 0, 8}, {0, 0, -1});
+}
+
+// 60 cubes around the eye, of which few are in the picture, and two walls.
 Vista cubes_and_walls() {
   Random random(842);
-  Scene scene = make_cube();
-  const auto add = [&](const Transform<World, Object>& place) {
-    scene.nodes.push_back({"", kNone, place, place});
-    scene.instances.push_back({0, std::uint32_t(scene.nodes.size() - 1)});
-  };
-  scene.instances.clear();
+  Scene scene = no_cubes();
   for (int i = 0; i < 60; ++i) {
     const auto coordinate = [&] { return random.between(-9, 9); };
     const double size = random.between(0.2, 0.8);
-    add(translate<World>({coordinate(), coordinate(), coordinate()}) *
-        scale<World, Object>(size, size, size));
+    add_cube(scene, {coordinate(), coordinate(), coordinate()}, {size, size, size});
   }
-  for (const double x : {-4.5, 5.5}) {
-    add(translate<World>({x, 0.0, -3.0}) * scale<World, Object>(4, 5, 0.1));
-  }
-  return vista_of(scene, camera_at({0, 0, 8}, {0, 0, -1}), 96, 96);
+  for (const double x : {-4.5, 5.5}) add_cube(scene, {x, 0.0, -3.0}, {4, 5, 0.1});
+  return vista_of(scene, from_before(), 96, 96);
 }
 
-// Two walls with a gap that is two pixels wide, and 104 cubes that are behind them, look out or poke through.
-Vista cubes_behind_walls() {
+// Two panes with a gap ten pixels wide, and 104 cubes that are behind them, look out or poke through.
+Vista cubes_behind_panes() {
   Random random(942);
-  Scene scene = make_cube();
-  scene.instances.clear();
-  const auto add = [&](const Transform<World, Object>& place) {
-    scene.nodes.push_back({"", kNone, place, place});
-    scene.instances.push_back({0, std::uint32_t(scene.nodes.size() - 1)});
-  };
-  Mesh pane;
+  Scene scene = no_cubes();
+  Mesh panes;
   for (const float left : {-8.2f, 0.3f}) {
     const Point<Object> a{left, -2.5f, 2}, b{left + 8, -2.5f, 2}, c{left + 8, 2.5f, 2},
         d{left, 2.5f, 2};
-    add_triangle(pane, {a, b, c});
-    add_triangle(pane, {a, c, d});
+    add_triangle(panes, {a, b, c});
+    add_triangle(panes, {a, c, d});
   }
-  scene.meshes.push_back(pane);
-  add({});
-  scene.instances.back().mesh = 1;
+  scene.meshes.push_back(panes);
+  add_at(scene, {}, 1);
   for (int i = 0; i < 80; ++i) {
-    const double size = random.between(0.05, 1.5);
-    add(translate<World>({random.between(-4, 4), random.between(-6, 6), random.between(-6, 2)}) *
-        scale<World, Object>(size, size, size));
+    const double x = random.between(-4, 4), y = random.between(-6, 6);
+    const double z = random.between(-6, 2), size = random.between(0.05, 1.5);
+    add_cube(scene, {x, y, z}, {size, size, size});
   }
-  // Small ones half way through the walls.
   for (int i = 0; i < 24; ++i) {
-    add(translate<World>({random.between(-3, 3), random.between(-2, 2), 2.0}) *
-        scale<World, Object>(0.2, 0.2, 0.2));
+    const double x = random.between(-3, 3), y = random.between(-2, 2);
+    add_cube(scene, {x, y, 2}, {0.2, 0.2, 0.2});
   }
-  return vista_of(scene, camera_at({0, 0, 8}, {0, 0, -1}), 128, 128);
+  return vista_of(scene, from_before(), 128, 128);
+}
+
+// A ball of 2,208 triangles, from so near that it reaches out of the picture.
+Vista near_ball(const WorldPoint& eye) {
+  Vista vista = vista_of(make_sphere(24), camera_at(eye, {0.2, -0.4, -1}), 64, 64);
+  vista.settings.cull = Cull::kBack;
+  return vista;
 }
 
 Outcome judge_drawn(const Drawer& by) {
   static const std::vector<SightDrawn> pictures = [] {
     std::vector<SightDrawn> all;
     all.emplace_back(cubes_and_walls());
-    all.emplace_back(cubes_behind_walls());
+    all.emplace_back(cubes_behind_panes());
     for (const WorldPoint& eye : {WorldPoint{0.9, 0.6, 0.9}, {0.2, 1.3, -0.4}}) {
-      Vista vista = vista_of(make_sphere(24), camera_at(eye, {0.2, -0.4, -1}), 64, 64);
-      vista.settings.cull = Cull::kBack;
-      all.emplace_back(std::move(vista));
+      all.emplace_back(near_ball(eye));
     }
     return all;
   }();

@@ -5,10 +5,6 @@
 #include <limits>
 
 #include <fmt/format.h>
-#include <glm/matrix.hpp>
-
-#include <glassbox/mesh/triangulate.h>
-#include <glassbox/pipeline/look_at.h>
 
 #include "study/extremes/kit/drawn_coverage.h"
 
@@ -152,11 +148,6 @@ std::array<int, 2> texel_at(const Vista& vista, const SeenTriangle& triangle, co
           wrapped(sampler.wrap_v, at[1], image.height)};
 }
 
-Rgba8 color_of_texel(int column, int row) {
-  const auto high = std::uint8_t(64 | (column >> 8 & 15) | (row >> 8 & 3) << 4);
-  return {std::uint8_t(column & 255), std::uint8_t(row & 255), high, 255};
-}
-
 // Whether a pixel has the colour of what is seen.
 bool shows(Vista::Texels texels, const Sight& sight, const Rgba8& color) {
   if (sight.nearest == 0 || texels == Vista::Texels::kNone) return true;
@@ -164,129 +155,7 @@ bool shows(Vista::Texels texels, const Sight& sight, const Rgba8& color) {
   return color == color_of_texel(sight.texel[0], sight.texel[1]);
 }
 
-Long3 corner(const Point<Eye>& p) {
-  return {Long(p.x), Long(p.y), Long(p.z)};
-}
-
 }  // namespace
-
-Vista vista_of(const std::vector<EyeTriangle>& triangles, const Lens& lens, int side) {
-  Mesh mesh;
-  Vista vista;
-  for (const EyeTriangle& t : triangles) {
-    const auto object = [](const Point<Eye>& p) { return Point<Object>(p.x, p.y, p.z); };
-    add_triangle(mesh, {object(t[0]), object(t[1]), object(t[2])});
-    vista.triangles.push_back({{corner(t[0]), corner(t[1]), corner(t[2])}, {}});
-  }
-  Camera camera;
-  camera.lens = lens;
-  vista.scene = scene_of(std::move(mesh), unlit_material());
-  vista.lens = lens;
-  vista.view = make_view(camera, side, side).value();
-  vista.settings = plain_settings();
-  return vista;
-}
-
-namespace {
-
-Vista with_texcoords(const std::vector<EyeTriangle>& triangles,
-                     const std::vector<Texcoords>& texcoords, const Lens& lens, int side) {
-  Vista vista = vista_of(triangles, lens, side);
-  Mesh& mesh = vista.scene.meshes[0];
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto& [u, v] = texcoords[i][k];
-      mesh.corners[3 * i + k].texcoord = std::uint32_t(mesh.texcoords.size());
-      mesh.texcoords.push_back({u, v});
-      vista.triangles[i].texcoords[k] = {double(u), double(v)};
-    }
-  }
-  return vista;
-}
-
-void set_texture(Vista& vista, Image<Rgba8> image, const Sampler& sampler) {
-  vista.scene.images.push_back(std::move(image));
-  vista.scene.textures.push_back({0, sampler});
-  vista.scene.materials[0].texture = 0;
-}
-
-// A point in eye space, from its place in the world less the camera's.
-Long3 in_eye_space(const Transform<World, Eye>& pose, const Transform<World, Object>& map,
-                   const Point<Object>& p) {
-  const Long3 object{Long(p.x), Long(p.y), Long(p.z)};
-  Long3 eye{};
-  for (int row = 0; row < 3; ++row) {
-    Long world = Long(map.at(row, 3)) - Long(pose.at(row, 3));
-    for (int k = 0; k < 3; ++k) world += Long(map.at(row, k)) * object[std::size_t(k)];
-    for (int k = 0; k < 3; ++k) eye[std::size_t(k)] += Long(pose.at(row, k)) * world;
-  }
-  return eye;
-}
-
-}  // namespace
-
-Vista textured_vista(const std::vector<EyeTriangle>& triangles,
-                     const std::vector<Texcoords>& texcoords, const Lens& lens, int side,
-                     std::array<int, 2> texels, Wrap wrap) {
-  Vista vista = with_texcoords(triangles, texcoords, lens, side);
-  vista.texels = Vista::Texels::kEach;
-  Image<Rgba8> image(texels[0], texels[1]);
-  for (int row = 0; row < texels[1]; ++row) {
-    for (int column = 0; column < texels[0]; ++column) {
-      image.at(column, row) = color_of_texel(column, row);
-    }
-  }
-  set_texture(vista, std::move(image),
-              {wrap, wrap, Filter::kNearest, Filter::kNearest, MipFilter::kNone});
-  return vista;
-}
-
-Vista striped_vista(const std::vector<EyeTriangle>& triangles,
-                    const std::vector<Texcoords>& texcoords, const Lens& lens, int side,
-                    int texels) {
-  Vista vista = with_texcoords(triangles, texcoords, lens, side);
-  vista.texels = Vista::Texels::kLevels;
-  Image<Rgba8> image(texels, texels);
-  for (int row = 0; row < texels; ++row) {
-    for (int column = 0; column < texels; ++column) {
-      const auto stripe = [&](int width) { return std::uint8_t(column / width % 2 * 255); };
-      image.at(column, row) = {stripe(1), stripe(4), stripe(16), 255};
-    }
-  }
-  set_texture(
-      vista, std::move(image),
-      {Wrap::kRepeat, Wrap::kRepeat, Filter::kNearest, Filter::kNearest, MipFilter::kNearest});
-  return vista;
-}
-
-Vista vista_of(const Scene& scene, const Camera& camera, int width, int height) {
-  Vista vista{scene, camera.lens, make_view(camera, width, height).value(), plain_settings(), {}};
-  for (Material& material : vista.scene.materials) material.unlit = true;
-  for (Mesh& mesh : vista.scene.meshes) {
-    for (Corner& corner : mesh.corners) corner.color = kNone;  // layers are told by their colour
-  }
-  for (const Instance& instance : scene.instances) {
-    const auto& map = scene.nodes[instance.node].world_from_node;
-    const Mesh& mesh = scene.meshes[instance.mesh];
-    const auto seen = [&](std::uint32_t corner) {
-      return in_eye_space(camera.world_from_eye, map,
-                          mesh.positions[mesh.corners[corner].position]);
-    };
-    const bool mirrored = glm::determinant(glm::dmat3(map.columns)) < 0;
-    for (const Triangle& triangle : triangulate(mesh).triangles) {
-      const auto& [a, b, c] = triangle.corners;
-      vista.triangles.push_back({{seen(a), seen(mirrored ? c : b), seen(mirrored ? b : c)}, {}});
-    }
-  }
-  return vista;
-}
-
-Camera camera_at(const Point<World, double>& place, const Vector<World, double>& gaze) {
-  Camera camera;
-  camera.lens = PerspectiveLens{1, 0.1, 100.0};
-  camera.world_from_eye = camera_pose(place, gaze, {0, 1, 0.01}).value();
-  return camera;
-}
 
 Sight sight_at(const Vista& vista, std::span<const std::size_t> candidates, double x, double y) {
   const Long width = vista.view.viewport.width(), height = vista.view.viewport.height();
@@ -371,20 +240,18 @@ SightDrawn::SightDrawn(Vista vista) : vista_(std::move(vista)) {
 
 Outcome SightDrawn::judge(const Drawer& drawer) const {
   const Framebuffer shown = drawer.draw(vista_.scene, vista_.view, vista_.settings).buffers;
-  RenderSettings colors =
-      vista_.settings;  // nothing else is wanted: some ways of drawing are for that alone
-  colors.want_id = false;
+  RenderSettings colors = vista_.settings;
+  colors.want_id = false;  // some ways of drawing are for colours alone
   const Framebuffer colored = drawer.draw(vista_.scene, vista_.view, colors).buffers;
   Scene layers = vista_.scene;
-  layers.materials = {layer_material()};
+  std::ranges::fill(layers.materials, layer_material());
   const Framebuffer counted = drawer.draw(layers, vista_.view, colors).buffers;
   std::int64_t judged = 0, wrong = 0, times = 0;
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
     const auto& [sight, layers] = pixels_[i];
     if (layers) times += layers_of(counted.color.pixels[i]) != *layers;
-    if (!sight) continue;
+    if (!sight || !sight->told_apart) continue;
     ++judged;
-    if (!sight->told_apart) continue;
     wrong += int(shown.id.pixels[i]) != sight->nearest ||
              !shows(vista_.texels, *sight, shown.color.pixels[i]) ||
              !shows(vista_.texels, *sight, colored.color.pixels[i]);

@@ -7,51 +7,15 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "study/extremes/kit/drawer.h"
-#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/outcome.h"
+#include "study/extremes/kit/vista.h"
 
 namespace glassbox::study {
-
-struct SeenTriangle {
-  std::array<std::array<long double, 3>, 3> corners{};  // eye space
-  std::array<std::array<double, 2>, 3> texcoords{};
-};
-
-// A scene, how it is looked at, and the same as triangles in eye space, in the order in which the scene has them.
-struct Vista {
-  Scene scene;
-  Lens lens;
-  View view;
-  RenderSettings settings;
-  std::vector<SeenTriangle> triangles;
-  double separation =
-      1e-3;  // surfaces whose distances differ by less, relatively, may hide each other
-  // What pixels must show besides the nearest triangle: its texel there, or its level of detail.
-  enum class Texels { kNone, kEach, kLevels } texels = Texels::kNone;
-};
-
-// Floats as they are given to the pipeline, with the camera at the origin of the world.
-using EyeTriangle = std::array<Point<Eye>, 3>;
-using Texcoords = std::array<std::array<float, 2>, 3>;
-Vista vista_of(const std::vector<EyeTriangle>& triangles, const Lens& lens, int side);
-// Each texel has a colour of its own. The nearest texel is shown, without levels of detail.
-Vista textured_vista(const std::vector<EyeTriangle>& triangles,
-                     const std::vector<Texcoords>& texcoords, const Lens& lens, int side,
-                     std::array<int, 2> texels, Wrap wrap);
-// Stripes one texel wide in red, four in green, sixteen in blue: the nearest level, box-filtered, has those that are left.
-Vista striped_vista(const std::vector<EyeTriangle>& triangles,
-                    const std::vector<Texcoords>& texcoords, const Lens& lens, int side,
-                    int texels);
-// All triangles of a scene.
-Vista vista_of(const Scene& scene, const Camera& camera, int width, int height);
-
-// At a place in the world, looking along a gaze, 57 degrees wide, from 0.1 to 100 units away.
-Camera camera_at(const Point<World, double>& place, const Vector<World, double>& gaze);
 
 // Through a point, in pixels.
 struct Sight {
