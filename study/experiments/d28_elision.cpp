@@ -207,7 +207,9 @@ std::vector<Configuration> configurations(Effort effort) {
   std::vector<Configuration> all;
   for (const OneDecision& one : decisions_on_scenes(effort)) {
     for (const auto& scene : one.scenes) {
-      all.push_back(configuration(one.series, false, plan_nothing, scene));
+      const bool whole_plan = one.planner == make_plans;
+      const Planner off = whole_plan ? plan_nothing : plan_only<take_none>;
+      all.push_back(configuration(one.series, false, off, scene));
       all.push_back(configuration(one.series, true, one.planner, scene));
     }
   }

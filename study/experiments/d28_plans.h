@@ -24,6 +24,8 @@ std::vector<Plan> plan_only(std::span<const PlannedEye> eyes, bool) {
 inline std::vector<Plan> plan_nothing(std::span<const PlannedEye> eyes, bool) {
   return make_plans(eyes, false);
 }
+// Beside a plan with one decision, for which two are made: what planning costs is then on both sides.
+inline void take_none(const Plan&, Plan&) {}
 
 template <class Copy>
 void for_methods(const Plan& with, Plan& plan, Copy&& copy) {

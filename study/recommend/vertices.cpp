@@ -65,28 +65,34 @@ RightPlace place_of(const View& view, const exact::Vector4<Decimal>& clip, std::
 
 // ---- ways to compute it ----
 
+// The vertices that are looked at, a column each, in runs of one draw: what a loop over them may take several at a time of.
+struct VertexColumns {
+  struct Run {
+    std::size_t draw = 0, first = 0, end = 0;
+  };
+  std::vector<Run> runs;
+  std::vector<float> x, y, z;  // object space
+};
+
+// On the screen, snapped.
+struct ScreenColumns {
+  std::vector<double> x, y;
+};
+
+// All vertices, snapped to so many steps to a pixel.
+using PlaceAll = std::function<void(const VertexColumns&, double steps, ScreenColumns&)>;
+
+template <class T>
 struct Screen {
-  double x, y;
+  T x, y;
 };
 
-using VertexAt = std::function<Screen(std::size_t draw, std::uint32_t vertex)>;
-
 template <class T>
-Screen divided(const Point<Clip, T>& clip, const Viewport& v) {
-  const T x =
-      clip.x / clip.w * ((T(v.right) - T(v.left)) * T(0.5)) + (T(v.right) + T(v.left)) * T(0.5);
-  const T y =
-      clip.y / clip.w * ((T(v.top) - T(v.bottom)) * T(0.5)) + (T(v.top) + T(v.bottom)) * T(0.5);
-  return {double(x), double(y)};
+Screen<T> to_screen_of(const Point<Clip, T>& clip, const Viewport& v) {
+  return {
+      clip.x / clip.w * ((T(v.right) - T(v.left)) * T(0.5)) + (T(v.right) + T(v.left)) * T(0.5),
+      clip.y / clip.w * ((T(v.top) - T(v.bottom)) * T(0.5)) + (T(v.top) + T(v.bottom)) * T(0.5)};
 }
-
-// Matrices of each draw, rounded to T, applied one after the other.
-template <class T>
-struct Separate {
-  std::vector<Transform<World, Object, T>> world_from_object;
-  Transform<Eye, World, T> eye_from_world;
-  Transform<Clip, Eye, T> clip_from_eye;
-};
 
 template <class T, class Target, class Source>
 Transform<Target, Source, T> as(const Transform<Target, Source>& m) {
@@ -101,29 +107,59 @@ double snapped(double px, double steps) {
 struct Arithmetic {
   std::string name;
   bool in_render;
-  VertexAt at;
+  PlaceAll place_all;
 };
 
-template <class T>
-VertexAt separately(const Scene& scene, const View& view, const std::vector<Draw>& draws) {
-  Separate<T> m{{}, as<T>(view.eye_from_world), as<T>(view.clip_from_eye)};
-  for (const Draw& draw : draws)
-    m.world_from_object.push_back(as<T>(world_from_object(scene, draw)));
-  return
-      [m = std::move(m), &draws, viewport = view.viewport](std::size_t draw, std::uint32_t vertex) {
-        const auto& p = draws[draw].mesh->positions[vertex];
-        const Point<Object, T> object(T(p.x), T(p.y), T(p.z));
-        return divided(m.clip_from_eye * (m.eye_from_world * (m.world_from_object[draw] * object)),
-                       viewport);
-      };
+// One loop for each run, with `make(draw)` making what carries a vertex of the draw to the screen.
+template <class Make>
+PlaceAll by_runs(Make make) {
+  return [make](const VertexColumns& vertices, double steps, ScreenColumns& to) {
+    for (const VertexColumns::Run& run : vertices.runs) {
+      const auto carry = make(run.draw);
+      for (std::size_t i = run.first; i < run.end; ++i) {
+        const auto at = carry(vertices.x[i], vertices.y[i], vertices.z[i]);
+        to.x[i] = snapped(double(at.x), steps);
+        to.y[i] = snapped(double(at.y), steps);
+      }
+    }
+  };
 }
 
-// The pipeline's own functions.
-VertexAt as_render_does(const View& view, const std::vector<Draw>& draws) {
-  return [&draws, viewport = view.viewport](std::size_t draw, std::uint32_t vertex) {
-    const ScreenVertex screen = to_screen(divide(project_vertex(draws[draw], vertex)), viewport);
-    return Screen{screen.position.x, screen.position.y};
-  };
+// Matrices rounded to T, applied one after the other.
+template <class T>
+PlaceAll separately(const Scene& scene, const View& view, const std::vector<Draw>& draws) {
+  return by_runs([&scene, &view, &draws](std::size_t draw) {
+    return [world = as<T>(world_from_object(scene, draws[draw])), eye = as<T>(view.eye_from_world),
+            clip = as<T>(view.clip_from_eye), viewport = view.viewport](float x, float y, float z) {
+      return to_screen_of(clip * (eye * (world * Point<Object, T>(T(x), T(y), T(z)))), viewport);
+    };
+  });
+}
+
+// The pipeline's own functions; the anchor is taken away as project_vertex() does.
+PlaceAll as_render_does(const View& view, const std::vector<Draw>& draws) {
+  return by_runs([&view, &draws](std::size_t draw) {
+    return [matrix = draws[draw].clip_from_anchored, anchor = draws[draw].anchor,
+            viewport = view.viewport](float x, float y, float z) {
+      const Point<Object> anchored(x - anchor.x, y - anchor.y, z - anchor.z);
+      return to_screen(divide(matrix * anchored), viewport).position;
+    };
+  });
+}
+
+VertexColumns columns_of(const std::vector<Draw>& draws, const std::vector<RightPlace>& places) {
+  VertexColumns all;
+  for (const RightPlace& place : places) {
+    const auto& p = draws[place.draw].mesh->positions[place.vertex];
+    if (all.runs.empty() || all.runs.back().draw != place.draw) {
+      all.runs.push_back({place.draw, all.x.size(), all.x.size()});
+    }
+    all.x.push_back(p.x);
+    all.y.push_back(p.y);
+    all.z.push_back(p.z);
+    all.runs.back().end = all.x.size();
+  }
+  return all;
 }
 
 // ---- depth ----
@@ -199,28 +235,23 @@ Comparison SceneVertices::positions() const {
   result.error = fmt::format("largest distance on the screen, of {} vertices", count());
   result.reference = "50 digits";
   result.item = "vertex";
+  const VertexColumns vertices = columns_of(draws, places_);
+  ScreenColumns found{std::vector<double>(count()), std::vector<double>(count())};
   std::vector<TimedWork> works;
-  double kept = 0;  // so that no work is left out
   for (const Arithmetic& way : ways) {
     for (const int bits : {4, 6, 8, 10, 12}) {
       const double steps = std::ldexp(1.0, bits);
       Candidate candidate;
       candidate.name = fmt::format("{}; {} subpixel bits", way.name, bits);
       candidate.in_render = way.in_render && bits == kSubpixelBits;
-      for (const RightPlace& right : places_) {
-        const Screen at = way.at(right.draw, right.vertex);
-        const double off =
-            std::hypot(snapped(at.x, steps) - right.x, snapped(at.y, steps) - right.y);
+      way.place_all(vertices, steps, found);
+      for (std::size_t i = 0; i < places_.size(); ++i) {
+        const double off = std::hypot(found.x[i] - places_[i].x, found.y[i] - places_[i].y);
         candidate.error = off <= candidate.error ? candidate.error : off;  // NaN stays
       }
       result.candidates.push_back(std::move(candidate));
-      works.push_back({[this, &way, steps, &kept] {
-                         for (const RightPlace& right : places_) {
-                           const Screen at = way.at(right.draw, right.vertex);
-                           kept += snapped(at.x, steps) + snapped(at.y, steps);
-                         }
-                       },
-                       double(places_.size())});
+      works.push_back(
+          {[&, steps] { way.place_all(vertices, steps, found); }, double(places_.size())});
     }
   }
   const std::vector<Timed> times = time_in_turn(works, kLeastRepetitions);
