@@ -79,28 +79,17 @@ inline std::array<int, 2> cells(int samples) {
   return {samples == 4 ? 2 : samples / rows, samples == 4 ? 2 : rows};
 }
 
-// A square lattice turned by arctan(1/2), of as many points to the pixel: the one of area 256^2/S that is nearest to the
-// centre, S points of it.
+// A turned grid that fills the pixel, so that its neighbours' samples go on with it: of the lattice of S + 1 points that a row
+// advances by k columns, those but the one in the corner, one to each of S columns and S rows. For 4 and 16 samples, where S + 1
+// is a sum of two squares, it is a square lattice turned by arctan(1/2) and arctan(1/4). (S points of an unbounded lattice, those
+// nearest to the centre, fill no pixel: 16 of them did worse than 8.)
 inline Positions rotated(int samples) {
-  const double side = kSubpixels / std::sqrt(double(samples)), c = 2 / std::sqrt(5.0),
-               s = 1 / std::sqrt(5.0);
-  struct Place {
-    double distance, x, y;
-  };
-  std::vector<Place> places;
-  for (int i = -8; i <= 8; ++i) {
-    for (int k = -8; k <= 8; ++k) {
-      const double u = (i + (samples > 1 ? 0.5 : 0)) * side,
-                   v = (k + (samples > 1 ? 0.5 : 0)) * side;
-      const double x = c * u - s * v, y = s * u + c * v;
-      places.push_back({std::max(std::abs(x), std::abs(y)), x, y});
-    }
-  }
-  std::ranges::stable_sort(places, {}, &Place::distance);
+  const int k = samples == 2 ? 2 : samples == 4 ? 3 : samples == 8 ? 7 : 4;
+  const auto place = [&](int i) { return (2 * i + 1) * kSubpixels / (2 * samples); };
+  if (samples == 1) return {{place(0), place(0)}};
   Positions positions;
   for (int i = 0; i < samples; ++i) {
-    const auto inside = [](double p) { return std::clamp(int(std::lround(128 + p)), 0, 255); };
-    positions.push_back({inside(places[std::size_t(i)].x), inside(places[std::size_t(i)].y)});
+    positions.push_back({place(i), place(k * (i + 1) % (samples + 1) - 1)});
   }
   return positions;
 }
