@@ -181,7 +181,8 @@ Experiment d11_second_eye() {
           "columns beside every edge in depth (B.9): over the cards' rows that is a share of the "
           "picture, whose colours are black or, filled, another cell's: sqrt(share 255 511/6), "
           "sqrt(share (256^2 - 1)/6). Two layers have the first thing behind every edge, three the "
-          "next.",
+          "next: enough for cards; between the forest's trees most of what comes into view lies "
+          "behind two surfaces or more.",
       .item = "pair of pictures",
       .configurations = configurations,
   };
