@@ -74,6 +74,13 @@ Picture draw_together_over_tiles(const Stage& s) {
   return renderer.render_pair(s.centre, s.pair, {.render = s.settings}).right.color;
 }
 
+Picture warp_from_tiles(const Stage& s) {
+  Framebuffer left = render_tiled(s.scene, s.left, s.settings, {.threads = 1}).buffers;
+  return warp({{std::move(left.color), std::move(left.distance)}}, s.centre, s.pair,
+              s.settings.background)
+      .color;
+}
+
 struct Way {
   const char* name;
   int layers;  // that a warp has to take from; 0: no warp
@@ -91,7 +98,8 @@ constexpr Way kWays[] = {{"left picture twice", 0, false, false, take_the_left_o
                          {"warp of 3 layers", 3, false, false, warp_layers<3, false>},
                          {"warp of 4 layers", 4, false, false, warp_layers<4, false>},
                          {"tile engine, two full passes", 0, false, true, draw_both_over_tiles},
-                         {"tile engine, shared stages", 0, false, true, draw_together_over_tiles}};
+                         {"tile engine, shared stages", 0, false, true, draw_together_over_tiles},
+                         {"tile engine, depth-image warp", 1, false, false, warp_from_tiles}};
 
 // In steps of 1/255, over red, green and blue.
 double rms_difference(const Picture& reference, const Picture& test) {
