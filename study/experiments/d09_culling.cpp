@@ -25,7 +25,8 @@ double wrongly_culled(const Surface& surface, const Test& test) {
   Keep keep(surface.modelled.size());
   test(surface, keep);
   double count = 0;
-  for (std::size_t i = 0; i < keep.size(); ++i) count += !keep[i] && shows_front(surface.placed[i]);
+  for (std::size_t i = 0; i < keep.size(); ++i)
+    count += !keep[i] && shows_front_exactly(surface.placed[i]);
   return count;
 }
 
@@ -124,7 +125,7 @@ Experiment d09_culling() {
       .error = "faces thrown away although their snapped triangle shows its front",
       .error_unit = "faces",
       .reference =
-          "the sign of the snapped triangle's area, an exact integer, which decides what is drawn",
+          "the sign of the snapped triangle's area, which decides what is drawn, in 128 bits",
       .theory =
           "An exact test in object space does not see the snap, which turns a face of twice the "
           "area -a with probability Phi(-a/sigma), sigma^2 = sum |edge|^2/(12 256^2): the sum over "
