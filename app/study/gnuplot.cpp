@@ -26,6 +26,7 @@ using study::Standing;
 struct XY {
   double x, y;
 };
+constexpr XY kGap{NAN, NAN};  // between two lines of one plot
 
 // A curve or a cloud of points: gnuplot's words for its style, and its data.
 struct Plot {
@@ -133,7 +134,9 @@ std::string commands_of(const std::string& svg, const std::string& title, const 
   std::string plot = "plot ";
   for (std::size_t i = 0; i < plots.size(); ++i) {
     text += fmt::format("$data{} << end\n", i);
-    for (const XY& point : plots[i].points) text += fmt::format("{} {}\n", point.x, point.y);
+    for (const XY& point : plots[i].points) {
+      text += std::isnan(point.x) ? "\n" : fmt::format("{} {}\n", point.x, point.y);
+    }
     text += "end\n";
     const std::string key = plots[i].title.empty() ? "notitle" : "title " + quoted(plots[i].title);
     plot += fmt::format("{}$data{} {} {}", i == 0 ? "" : ", ", i, plots[i].style, key);
@@ -175,8 +178,11 @@ std::string time_chart_commands(const ExperimentResult& result, const std::strin
   const LogarithmicAxis y(errors_of(result, false));
   std::vector<double> times;
   for (const ConfigurationResult& each : result.configurations) {
-    if (const study::Timing* timing = timing_of(each, 1))
-      times.push_back(timing->ns.median / unit.ns);
+    const study::Timing* timing = timing_of(each, 1);
+    if (timing == nullptr) continue;
+    for (const double ns : {timing->ns.lower, timing->ns.median, timing->ns.upper}) {
+      times.push_back(ns / unit.ns);
+    }
   }
   const LogarithmicAxis x(times);
   const auto place_of = [&](const ConfigurationResult& each) {
@@ -197,6 +203,17 @@ std::string time_chart_commands(const ExperimentResult& result, const std::strin
       (standing[i] == Standing::kFront ? front : dominated)
           .points.push_back(place_of(result.configurations[i]));
     }
+    // A bar from quartile to quartile.
+    Plot bars{"", fmt::format("with lines {} lw 1.5", colour_of(series.number)), {}};
+    for (const std::size_t i : series.members) {
+      const study::Timing* timing = timing_of(result.configurations[i], 1);
+      if (timing == nullptr) continue;
+      const double error = y.place(result.configurations[i].error);
+      bars.points.push_back({timing->ns.lower / unit.ns, error});
+      bars.points.push_back({timing->ns.upper / unit.ns, error});
+      bars.points.push_back(kGap);
+    }
+    if (!bars.points.empty()) plots.push_back(std::move(bars));
     if (front.points.empty()) std::swap(front.title, dominated.title);
     for (Plot& plot : {std::ref(dominated), std::ref(front)}) {
       if (!plot.points.empty()) plots.push_back(std::move(plot));

@@ -66,12 +66,17 @@ const errorChart = (experiment, threads, x, y, datasets) => pointChart({
 function timeChart(theme, experiment, threads) {
   const unit = timeUnit(experiment), timed = experiment.configurations.filter((each) => timeOf(each, threads));
   const time = (each) => timeOf(each, threads).ns / unit.ns, error = (each) => number(each.error);
-  const x = logarithmicAxis(timed.map(time)), y = logarithmicAxis(timed.map(error));
+  const quartiles = (each) => timeOf(each, threads).ns_quartiles.map((ns) => ns / unit.ns);
+  const x = logarithmicAxis(timed.flatMap((each) => [time(each), ...quartiles(each)])), y = logarithmicAxis(timed.map(error));
   const at = (each) => ({x: x.place(time(each)), y: y.place(error(each)), configuration: each});
   const datasets = [];
   for (const group of groups({configurations: timed})) {
     const {series, scene} = group[0], style = styleOf(theme, experiment, series, scene);
     datasets.push({label: series, key: series, style, data: group.map(at), showLine: false, ...pointStyles(theme, style, group, threads)});
+    // A bar from quartile to quartile, with a gap to the next.
+    const bar = (each) => [...quartiles(each).map((ns) => ({x: x.place(ns), y: y.place(error(each))})), {x: NaN, y: NaN}];
+    datasets.push({key: series, data: group.flatMap(bar), showLine: true, spanGaps: false, borderColor: style.colour, borderWidth: 2, pointRadius: 0, pointHitRadius: 0,
+      order: 1});
   }
   const fronts = new Map(); // of those that compete with each other
   for (const each of timed.filter((one) => timeOf(one, threads).standing === "front")) {

@@ -89,10 +89,8 @@ Outcome judge_copies() {
     const Junction j = random_junction(random);
     ScreenVertex copy = j.m;
     copy.position.y += 0x1p-8f;
-    faults += faults_along({{j.a, j.m, j.top},
-                            {j.m, j.b, j.top},
-                            {j.a, copy, j.bottom},
-                            {copy, j.b, j.bottom}});
+    faults += faults_along(
+        {{j.a, j.m, j.top}, {j.m, j.b, j.top}, {j.a, copy, j.bottom}, {copy, j.b, j.bottom}});
   }
   return must_be_zero(faults, fmt::format("{} pixels not covered once along 2,000 edges", faults));
 }

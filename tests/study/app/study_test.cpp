@@ -4,7 +4,6 @@
 #include <tests/support/skip.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -134,17 +133,18 @@ TEST_CASE("charts as SVG files are gnuplot's, and without it the error says so")
 }
 
 TEST_CASE("parts of a run, measured by GNU parallel, are joined to what one run gives") {
-  if (std::system("parallel --version >/dev/null 2>&1 </dev/null") != 0) {
-    SKIP_TEST("parallel is not installed");
-  }
   const Workplace place;
+  const auto shell = [&](const std::string& command) {
+    return test::run_program("/bin/sh", {"-c", command}, place.path());
+  };
+  if (shell("parallel --version").exit_code != 0) SKIP_TEST("parallel is not installed");
   const std::string some = " D-5 D-7 D-8 D-13 --quick --threads 1";
   // The command of docs/study.md.
-  const std::string command = "cd '" + place.path() +
-                              "' && mkdir parts && seq 3 | parallel --will-cite '" +
-                              GLASSBOX_PROGRAM + " study run" + some +
-                              " --part {}/3 --json parts/{}.json' >out.log 2>err.log";
-  REQUIRE(std::system(command.c_str()) == 0);
+  const Outcome parallel =
+      shell("mkdir parts && seq 3 | parallel --will-cite '" GLASSBOX_PROGRAM " study run" + some +
+            " --part {}/3 --json parts/{}.json'");
+  INFO(parallel.err);
+  REQUIRE(parallel.exit_code == 0);
   const Outcome run = place.run("study collect parts -o joined.json");
   INFO(run.err);
   REQUIRE(run.exit_code == 0);
