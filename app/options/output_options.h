@@ -1,6 +1,7 @@
 // Options that name where a report goes.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -15,5 +16,8 @@ CLI::Option* add_json_output(CLI::App& command, std::optional<std::string>& targ
 // --html FILE: a page. `help` says of what.
 CLI::Option* add_html_output(CLI::App& command, std::optional<std::string>& target,
                              const std::string& help);
+
+// --max-mb N: more megabytes than that are not written; `of` says of what. (32 bits: CLI11 wraps a negative number of 64.)
+CLI::Option* add_max_megabytes(CLI::App& command, std::uint32_t& target, const std::string& of);
 
 }  // namespace glassbox::app

@@ -177,12 +177,7 @@ void StepCommand::add_to(CLI::App& app, int& exit_code) {
   command.add_flag("--bits", bits_, "the bits of each float, too, in hexadecimal")
       ->group("Other outputs");
   add_json_output(command, json_output_)->group("Other outputs");
-  command
-      .add_option(
-          "--max-mb", max_megabytes_,
-          fmt::format("refuse to write more megabytes of JSON than that [{}]", max_megabytes_))
-      ->type_name("N")
-      ->group("Limits");
+  add_max_megabytes(command, max_megabytes_, " of JSON than that");
   command.callback([this, &command, &exit_code] {
     const bool asks_for_points = !points_.points.empty();
     if (scene_.empty() == asks_for_points) tell_of_ignored(command, asks_for_points);

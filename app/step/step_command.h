@@ -51,7 +51,7 @@ private:
   PointStepOptions points_;
   bool bits_ = false;
   std::optional<std::string> json_output_;
-  std::uint64_t max_megabytes_ = 200;  // of JSON
+  std::uint32_t max_megabytes_ = 200;  // of JSON
 };
 
 }  // namespace glassbox::app

@@ -10,6 +10,7 @@
 
 #include "app/options/arguments.h"
 #include "app/options/builtin_help.h"
+#include "app/options/output_options.h"
 #include "app/options/scene_input.h"
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
@@ -92,12 +93,7 @@ void TraceCommand::add_to(CLI::App& app, int& exit_code) {
       ->required();
   add_filter(command);
   add_picture_options(command, picture_);
-  command
-      .add_option("--max-mb", max_megabytes_,
-                  fmt::format("refuse to write more megabytes than that, before compression [{}]",
-                              max_megabytes_))
-      ->type_name("N")
-      ->group("Limits");
+  add_max_megabytes(command, max_megabytes_, " than that, before compression");
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 

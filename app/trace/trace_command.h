@@ -39,7 +39,7 @@ private:
   PictureOptions picture_;
   TraceFilter filter_;
   std::vector<std::string> arrays_;
-  std::uint32_t max_megabytes_ = 500;  // unsigned of 32 bits: CLI11 wraps a negative number of 64
+  std::uint32_t max_megabytes_ = 500;
 };
 
 }  // namespace glassbox::app

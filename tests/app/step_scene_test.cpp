@@ -95,6 +95,7 @@ TEST_CASE("JSON of a triangle that fills the picture is refused beyond --max-mb,
   CHECK(contains(refused.err, "fragments, about 1"));
   CHECK(contains(refused.err, "--max-mb 1"));
   CHECK(here.names().empty());
+  CHECK(here.run(run + "-1").exit_code == 2);
   REQUIRE(here.run(run + "12").exit_code == 0);
   // What was said to come is within a tenth of what came.
   const double megabytes = double(here.read("big.json").size()) / 1e6;
