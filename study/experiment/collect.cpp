@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "study/experiment/result_file.h"
 
@@ -47,6 +49,7 @@ Result<StudyResults> join_parts(std::span<const PartFile> parts, bool any_machin
   const Origin& first = parts.front().results.origin;
   std::vector<const PartFile*> by_number(std::size_t(first.parts), nullptr);
   StudyResults joined{first, {}};
+  std::set<std::string> machines, measured;
   for (const PartFile& part : parts) {
     const Origin& origin = part.results.origin;
     if (const std::string differs =
@@ -61,9 +64,12 @@ Result<StudyResults> join_parts(std::span<const PartFile> parts, bool any_machin
                      "leave one of them out");
     }
     place = &part;
-    if (joined.origin.machine.find(origin.machine) == std::string::npos) {
-      joined.origin.machine += "; " + origin.machine;
+    for (const ExperimentResult& each : part.results.experiments) {
+      if (measured.insert(each.id).second) continue;
+      return refused(part, "has " + each.id + ", which another part has as well",
+                     "measure all parts with the same experiments");
     }
+    machines.insert(origin.machine);
     joined.origin.threads = std::max(joined.origin.threads, origin.threads);
   }
   const auto missing = std::ranges::find(by_number, nullptr);
@@ -73,6 +79,7 @@ Result<StudyResults> join_parts(std::span<const PartFile> parts, bool any_machin
                 "measure it: study run --part with the other words as for the others");
   }
   joined.origin.part = joined.origin.parts = 1;
+  joined.origin.machine = fmt::format("{}", fmt::join(machines, "; "));
   joined.experiments = in_order(by_number);
   return joined;
 }

@@ -20,8 +20,8 @@ bool compete(const ExperimentResult& experiment, const ConfigurationResult& a,
              const ConfigurationResult& b);
 
 // The standing of each configuration, by its times with that many threads. Times count as different where their interquartile ranges
-// do not overlap, so that another run on a busy machine states the same; errors are exact. An error that is no number is dominated by every number that takes
-// no longer.
+// do not overlap, so that another run on a busy machine states the same; errors are exact. An error that is no number is dominated
+// by every number that takes no longer.
 std::vector<Standing> standings(const ExperimentResult& experiment, int threads = 1);
 
 // Null where the configuration was not timed with that many threads.

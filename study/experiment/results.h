@@ -23,8 +23,7 @@ struct ConfigurationResult {
   std::string scene;
   double error = 0;
   std::optional<double> predicted_error;
-  std::optional<Finding>
-      explanation;              // the experiment's own words on why theory and measurement differ
+  std::optional<Finding> explanation;  // of why theory and measurement differ
   std::vector<Timing> timings;  // by number of threads, ascending; empty where nothing is timed
 };
 

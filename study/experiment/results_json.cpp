@@ -117,8 +117,8 @@ StudyResults unchecked_results_of(const Json& json) {
                     json.at("threads"),
                     json.at("part").at(0),
                     json.at("part").at(1)};
-  const auto& [part, parts] = std::pair(results.origin.part, results.origin.parts);
-  if (part < 1 || part > parts || parts > kMostParts) {
+  const Origin& origin = results.origin;
+  if (origin.part < 1 || origin.part > origin.parts || origin.parts > kMostParts) {
     throw Json::other_error::create(501, "there is no such part", &json);
   }
   for (const Json& each : json.at("experiments"))

@@ -145,7 +145,8 @@ std::string case_text(const CaseResult& r) {
     text += judged("mutant", r.what.mutants[i].name, r.mutants[i], r.what.unit);
   }
   for (std::size_t i = 0; i < r.drawn.size(); ++i) {
-    text += judged("drawn", study::drawers()[i].name, r.drawn[i], "pixels");
+    text += wrapped("drawn   ", fmt::format("{}: {}{}", study::drawers()[i].name,
+                                            r.drawn[i].passes() ? "" : "WRONG: ", r.drawn[i].seen));
   }
   return text + fmt::format("\n{}\n", verdict(r));
 }

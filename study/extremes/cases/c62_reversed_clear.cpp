@@ -40,61 +40,52 @@ Outcome judge(const DepthTest& test) {
   return wrong_of(wrong, questions, "answers of the depth test wrong");
 }
 
+// The numbers of the triangles that a run in this format shows, 1 + theirs, in a picture of 16 x 16 pixels.
+std::vector<std::uint32_t> shown_in(DepthFormat format, const Drawer& by,
+                                    const std::vector<ScreenTriangle>& triangles) {
+  const bool reversed = format == DepthFormat::kFloat32Reversed;
+  Camera camera;
+  camera.lens = OrthographicLens{8, 0, 1};
+  const View view =
+      make_view(camera, 16, 16, reversed ? DepthRange::kReversed : DepthRange::kStandard).value();
+  RenderSettings settings;
+  settings.depth = format;
+  settings.want_id = true;
+  return by.draw(screen_scene(triangles, 16, unlit_material()).scene, view, settings)
+      .buffers.id.pixels;
+}
+
+ScreenTriangle corner_triangle(double size, float depth) {
+  return {screen_vertex(0, 0, depth), screen_vertex(size, 0, depth), screen_vertex(0, size, depth)};
+}
+
 // Pictures that stay black: a triangle over the whole picture, alone, at both ends of the range and between.
 int runs_without_a_picture(const Drawer& by) {
   int black = 0;
   for (const DepthFormat format : kFormats) {
-    const bool reversed = format == DepthFormat::kFloat32Reversed;
     for (const float depth : {0.0f, 0.5f, 1.0f}) {
-      ScreenScene drawn = screen_scene(
-          {{screen_vertex(0, 0, depth), screen_vertex(32, 0, depth), screen_vertex(0, 32, depth)}},
-          16, unlit_material());
-      Camera camera;
-      camera.lens = OrthographicLens{8, 0, 1};
-      drawn.view =
-          make_view(camera, 16, 16, reversed ? DepthRange::kReversed : DepthRange::kStandard)
-              .value();
-      RenderSettings settings;
-      settings.depth = format;
-      settings.want_id = true;
-      const auto& ids = by.draw(drawn.scene, drawn.view, settings).buffers.id.pixels;
-      black += ids[0] != 1;
+      black += shown_in(format, by, {corner_triangle(32, depth)})[0] != 1;
     }
   }
   return black;
 }
 
-std::uint32_t raw_bits(DepthFormat, float depth) {
-  return std::bit_cast<std::uint32_t>(depth);
-}
-
-// Of a near and a far triangle, in both orders, small and large: pixels that show the far one.
+// Of a near and a far triangle, in both orders, small and large: pixels that show the far one, or, in the corner, none.
 int pixels_that_show_the_far_one(const Drawer& by) {
   int wrong = 0;
   for (const DepthFormat format : kFormats) {
-    const bool reversed = format == DepthFormat::kFloat32Reversed;
     for (const double size : {16.0, 300.0}) {
-      const auto at = [&](float depth) {
-        return ScreenTriangle{screen_vertex(0, 0, depth), screen_vertex(size, 0, depth),
-                              screen_vertex(0, size, depth)};
-      };
-      for (const bool near_first : {false, true}) {
-        ScreenScene two = screen_scene(
-            {at(near_first ? 0.25f : 0.75f), at(near_first ? 0.75f : 0.25f)}, 16, unlit_material());
-        Camera camera;
-        camera.lens = OrthographicLens{8, 0, 1};
-        two.view =
-            make_view(camera, 16, 16, reversed ? DepthRange::kReversed : DepthRange::kStandard)
-                .value();
-        RenderSettings settings;
-        settings.depth = format;
-        settings.want_id = true;
-        const auto ids = by.draw(two.scene, two.view, settings).buffers.id;
-        wrong += int(std::ranges::count(ids.pixels, near_first ? 2u : 1u));
-      }
+      const ScreenTriangle near = corner_triangle(size, 0.25f), far = corner_triangle(size, 0.75f);
+      const auto one = shown_in(format, by, {near, far}), other = shown_in(format, by, {far, near});
+      wrong += int(std::ranges::count(one, 2u) + std::ranges::count(other, 1u));
+      wrong += int(one[0] == 0) + int(other[0] == 0);
     }
   }
   return wrong;
+}
+
+std::uint32_t raw_bits(DepthFormat, float depth) {
+  return std::bit_cast<std::uint32_t>(depth);
 }
 
 Outcome judge_drawn(const Drawer& by) {

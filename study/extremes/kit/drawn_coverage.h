@@ -21,11 +21,11 @@ inline constexpr int kMostLayers = 5;
 TrianglesDrawn covered_exactly(const std::vector<ScreenTriangle>& triangles, int side,
                                Cull cull = Cull::kNone);
 
-// By two runs: opaque, where the first drawn stays, for all have one depth; then blended, where colours count the layers.
 struct Culling {
   Cull cull = Cull::kNone;
   CullStage stage = CullStage::kScreen;
 };
+// By two runs: opaque, where the first drawn stays, for all have one depth; then blended, where colours count the layers.
 TrianglesDrawn drawn_by(const Drawer& drawer, const std::vector<ScreenTriangle>& triangles,
                         int side, const Culling& culling = {});
 

@@ -174,8 +174,13 @@ TEST_CASE("parts of a run, measured by GNU parallel, are joined to what one run 
   refused("parts", "2.json");
   refused("parts", "the machine is");
   CHECK(place.run("study collect parts -o both.json --any-machine").exit_code == 0);
-  CHECK(json::parse(place.read("both.json")).at("machine").get<std::string>().find("; another") !=
+  CHECK(json::parse(place.read("both.json")).at("machine").get<std::string>().find("another") !=
         std::string::npos);
+  // A part of another list of experiments.
+  json other = second;
+  other["experiments"][0]["id"] = json::parse(place.read("parts/1.json"))["experiments"][0]["id"];
+  put("2.json", other);
+  refused("parts --any-machine", "which another part has as well");
   second["version"] = "another build";
   put("2.json", second);
   refused("parts --any-machine", "the version is");
