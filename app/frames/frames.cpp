@@ -110,7 +110,7 @@ private:
     progress_.phase("loading " + scene_title(request_.scene));
     Result<Scene> scene = load_asked_scene(request_.scene, request_.limits);
     if (!scene) return tl::unexpected(scene.error());
-    scene_ = std::move(*scene);
+    scene_ = as_asked(std::move(*scene), request_.picture);
     renderer_.emplace(make_renderer(scene_, request_.picture.settings, request_.engine));
     for (const std::string& warning : scene_.warnings) progress_.say("warning: " + warning);
     return {};

@@ -93,7 +93,7 @@ int InspectCommand::run() {
   if (const auto legal = check_pixels(); !legal) return refuse(legal.error());
   tell_of_centres(picture_);
   Progress progress;
-  const Result<Scene> scene = load_asked_scene(scene_, progress, limits_);
+  const Result<Scene> scene = load_asked_scene(scene_, picture_, progress, limits_);
   if (!scene) return refuse(scene.error());
   const Result<ChosenView> chosen = choose_view(*scene, picture_);
   if (!chosen) return refuse(chosen.error());

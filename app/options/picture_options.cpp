@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/options/choices.h"
+#include "app/options/scene_input.h"
 
 #include <glassbox/render/engine/names.h>
 
@@ -11,7 +12,8 @@ namespace glassbox::app {
 
 namespace {
 
-void add_drawing_options(CLI::App& command, RenderSettings& settings) {
+void add_drawing_options(CLI::App& command, PictureOptions& picture) {
+  RenderSettings& settings = picture.settings;
   const std::string group = "Picture";
   add_choice(command, "--shade", settings.shading,
              choices_of({Shading::kUnlit, Shading::kFlat, Shading::kGouraud, Shading::kPhong}),
@@ -43,6 +45,12 @@ void add_drawing_options(CLI::App& command, RenderSettings& settings) {
   add_choice<int>(command, "--samples", settings.samples,
                   {{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}, {"16", 16}},
                   "samples of each pixel, whose mean is its colour [1]")
+      ->group(group);
+  add_choice<std::optional<TextureFilter>>(
+      command, "--filter", picture.filter,
+      choices_of({TextureFilter::kNearest, TextureFilter::kBilinear, TextureFilter::kBilinearLevels,
+                  TextureFilter::kTrilinear}),
+      "how textures are filtered [as each one's sampler says]")
       ->group(group);
   add_choice(command, "--depth", settings.depth,
              choices_of({DepthFormat::kFloat32, DepthFormat::kFloat32Reversed,
@@ -79,9 +87,20 @@ void add_picture_options(CLI::App& command, PictureOptions& picture) {
       ->type_name("WxH");
   add_camera_options(command, picture.camera);
   add_eyes_options(command, picture.eyes);
-  add_drawing_options(command, picture.settings);
+  add_drawing_options(command, picture);
   const auto all = command.get_options();
   picture.options.assign(all.begin() + std::ptrdiff_t(before), all.end());
+}
+
+Scene as_asked(Scene scene, const PictureOptions& picture) {
+  return picture.filter ? with_filter(std::move(scene), *picture.filter) : scene;
+}
+
+Result<Scene> load_asked_scene(const std::string& word, const PictureOptions& picture,
+                               Progress& progress, const LoadLimits& limits) {
+  return load_asked_scene(word, progress, limits).map([&](Scene scene) {
+    return as_asked(std::move(scene), picture);
+  });
 }
 
 void tell_of_centres(const PictureOptions& picture) {

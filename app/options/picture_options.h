@@ -2,6 +2,7 @@
 // takes them, and a picture's recipe is made of them.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,21 +13,31 @@
 #include "app/options/eyes_options.h"
 
 #include <glassbox/base/error.h>
+#include <glassbox/mesh/limits.h>
 #include <glassbox/mesh/scene.h>
+#include <glassbox/mesh/texture_filter.h>
 #include <glassbox/pipeline/view.h>
 #include <glassbox/render/engine/settings.h>
 
 namespace glassbox::app {
+
+class Progress;
 
 struct PictureOptions {
   Size size;
   CameraOptions camera;
   EyesOptions eyes;
   RenderSettings settings;
+  std::optional<TextureFilter> filter;      // of all textures; absent: as each says
   std::vector<const CLI::Option*> options;  // those that add_picture_options has added
 };
 
 void add_picture_options(CLI::App& command, PictureOptions& picture);
+
+// The scene that is drawn: its textures filtered as the options say.
+Scene as_asked(Scene scene, const PictureOptions& picture);
+Result<Scene> load_asked_scene(const std::string& word, const PictureOptions& picture,
+                               Progress& progress, const LoadLimits& limits = {});
 
 // For commands that follow what is drawn to pixel centres: a note where the picture has several samples.
 void tell_of_centres(const PictureOptions& picture);

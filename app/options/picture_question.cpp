@@ -38,7 +38,7 @@ int PictureQuestion::answer_of_scene(const AskScene& ask) const {
   if (const auto legal = check_report_outputs({}, json_output_); !legal)
     return refuse(legal.error());
   Progress progress;
-  const Result<Scene> scene = load_asked_scene(scene_, progress);
+  const Result<Scene> scene = load_asked_scene(scene_, picture_, progress);
   if (!scene) return refuse(scene.error());
   progress.phase("rendering " + scene_title(scene_));
   const Result<Answer> found = ask(*scene);

@@ -247,7 +247,7 @@ int RenderCommand::run() {
     return refuse(legal.error());
   }
   Progress progress;
-  const Result<Scene> scene = load_asked_scene(scene_, progress, limits_);
+  const Result<Scene> scene = load_asked_scene(scene_, picture_, progress, limits_);
   if (!scene) return refuse(scene.error());
   const double load_ms = elapsed_ms(start);
 

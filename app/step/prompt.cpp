@@ -63,7 +63,7 @@ void add_options(CLI::App& app, Request& request) {
 
 // The stages for more words: picture options, --triangle N, --pick X,Y and --vertex K. What they do not say stays as `choice` has
 // it. A picked triangle stays the same when the picture changes afterwards.
-Result<Staged> restage(const Scene& scene, bool bits, const StepChoice& choice,
+Result<Staged> restage(const Scene& loaded, bool bits, const StepChoice& choice,
                        const std::vector<std::string>& more) {
   CLI::App app;
   Request request;
@@ -81,6 +81,10 @@ Result<Staged> restage(const Scene& scene, bool bits, const StepChoice& choice,
     target.vertex.reset();
     if (*request.vertex != "all") target.vertex = (*request.vertex)[0] - '0';
   }
+  // --filter may be another one by now.
+  std::optional<Scene> refiltered;
+  if (request.picture.filter) refiltered = as_asked(loaded, request.picture);
+  const Scene& scene = refiltered ? *refiltered : loaded;
   const auto aimed = aim(target, scene, request.picture, request.triangle, request.pick, "");
   if (!aimed) return tl::unexpected(aimed.error());
   const auto stepped = step_through(scene, request.picture, target.triangle);

@@ -239,7 +239,7 @@ int StepCommand::run_triangle() {
   }
   tell_of_centres(picture_);
   Progress progress;
-  const Result<Scene> scene = load_asked_scene(scene_, progress, limits_);
+  const Result<Scene> scene = load_asked_scene(scene_, picture_, progress, limits_);
   if (!scene) return refuse(scene.error());
   progress.phase("rendering " + scene_title(scene_));
   if (!triangle_ && !pick_) {

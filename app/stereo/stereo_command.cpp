@@ -147,10 +147,8 @@ int StereoCommand::run() {
   if (const auto legal = check_options(); !legal) return refuse(legal.error());
   if (const auto legal = check_engine_options(engine_); !legal) return refuse(legal.error());
   Progress progress;
-  progress.phase("loading " + scene_title(scene_));
-  const Result<Scene> scene = load_asked_scene(scene_);
+  const Result<Scene> scene = load_asked_scene(scene_, picture_, progress);
   if (!scene) return refuse(scene.error());
-  for (const std::string& warning : scene->warnings) progress.say("warning: " + warning);
   progress.phase("rendering " + scene_title(scene_));
   const Result<ChosenEyes> chosen = choose_eyes(*scene, picture_);
   if (!chosen) return refuse(chosen.error());

@@ -16,14 +16,6 @@ namespace {
 using study::ConfigurationResult;
 using study::Timing;
 
-// As RFC 4180 asks for.
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 std::string comparison(const ConfigurationResult& result) {
   const auto check = study::check_theory(result);
   if (!check) return ",,";
@@ -46,9 +38,9 @@ std::string experiment_lines(const study::ExperimentResult& experiment, const st
   for (std::size_t i = 0; i < experiment.configurations.size(); ++i) {
     const ConfigurationResult& each = experiment.configurations[i];
     const std::string first =
-        fmt::format("{},{},{},{},{},{},{},{},", field(experiment.id), field(each.series),
-                    field(each.scene), each.parameter, each.error, field(experiment.error_unit),
-                    comparison(each), field(experiment.item));
+        fmt::format("{},{},{},{},{},{},{},{},", csv_field(experiment.id), csv_field(each.series),
+                    csv_field(each.scene), each.parameter, each.error,
+                    csv_field(experiment.error_unit), comparison(each), csv_field(experiment.item));
     if (each.timings.empty()) text += first + times(nullptr, {}) + origin;
     for (const Timing& timing : each.timings)
       text += first + times(&timing, all[timing.threads][i]) + origin;
@@ -58,6 +50,13 @@ std::string experiment_lines(const study::ExperimentResult& experiment, const st
 
 }  // namespace
 
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
 std::string study_csv(const study::StudyResults& results) {
   std::string text =
       "experiment,series,scene,parameter,error,error_unit,predicted_error,ratio,finding,item,"
@@ -65,8 +64,8 @@ std::string study_csv(const study::StudyResults& results) {
       "version\n";
   const study::Origin& from = results.origin;
   const std::string origin =
-      fmt::format(",{},{},{},{}\n", field(from.machine), field(from.compiler), field(from.flags),
-                  field(from.version));
+      fmt::format(",{},{},{},{}\n", csv_field(from.machine), csv_field(from.compiler),
+                  csv_field(from.flags), csv_field(from.version));
   for (const study::ExperimentResult& each : results.experiments)
     text += experiment_lines(each, origin);
   return text;

@@ -19,7 +19,6 @@ namespace {
 
 using study::Experiment;
 
-constexpr int kMostThreads = 256;
 // The more rounds, the steadier the quartiles; the quick run has as few as the protocol allows.
 constexpr int kFullRepetitions = 21;
 

@@ -1,11 +1,15 @@
 #include "app/study/recommendation.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "app/report/shell_line.h"
 #include "study/bench/machine.h"
+#include "study/curve/drawers.h"
+#include "study/curve/ways.h"
+#include "study/experiment/runner.h"
 #include "study/recommend/pictures.h"
 #include "study/recommend/vertices.h"
 
@@ -19,154 +23,216 @@ namespace {
 
 using study::Candidate;
 using study::Comparison;
+using study::Knob;
 using study::Quantity;
 using study::SceneVertices;
-using study::Shot;
+using study::Way;
 
-Result<Shot> shot_of(const Scene& scene, PictureOptions picture, const RenderSettings& settings) {
-  picture.settings = settings;
-  return choose_view(scene, picture).map([&](const ChosenView& chosen) {
-    return Shot{chosen.view, settings};
-  });
-}
+// Candidates, and the way that each is.
+struct Compared {
+  Comparison comparison;
+  std::vector<Way> ways;
+};
 
-// Of the candidates that fit: what fails is not recommended, whatever it costs.
-void add_times(const Scene& scene, const std::vector<Shot>& shots, double limit,
-               Comparison& comparison, Progress& progress) {
-  comparison.item = "frame";
-  std::vector<Shot> timed;
-  std::vector<std::size_t> which;
-  for (std::size_t i = 0; i < shots.size(); ++i) {
-    if (!(comparison.candidates[i].error < limit)) continue;
-    timed.push_back(shots[i]);
-    which.push_back(i);
+// Measures candidates on one scene: what draws them, and the reference, serve all of them.
+class Measurement {
+public:
+  Measurement(const Scene& scene, const PictureOptions& picture, Progress& progress)
+      : scene_(scene),
+        picture_(picture),
+        view_([this](const RenderSettings& settings, int factor) {
+          PictureOptions large = picture_;
+          large.settings = settings;
+          large.size = {picture_.size.width * factor, picture_.size.height * factor};
+          return choose_view(scene_, large).map([](const ChosenView& chosen) {
+            return chosen.view;
+          });
+        }),
+        drawers_(scene, view_),
+        progress_(progress) {
+    joint_.settings = picture.settings;
+    joint_.tile.threads = 1;
   }
-  if (timed.empty()) return;
-  progress.phase(fmt::format("measuring {}: timing what fits, {} of {} candidates",
-                             name_of(comparison.quantity), timed.size(), shots.size()));
-  const auto times = study::frame_times(scene, timed);
-  for (std::size_t i = 0; i < times.size(); ++i) comparison.candidates[which[i]].ns = times[i];
-}
 
-Result<Comparison> compare_positions(const Scene& scene, const PictureOptions& picture) {
-  const auto shot = shot_of(scene, picture, picture.settings);
-  if (!shot) return tl::unexpected(shot.error());
-  return SceneVertices::of(scene, shot->view).map([](const SceneVertices& vertices) {
-    return vertices.positions();
-  });
-}
-
-Result<Comparison> compare_depths(const Scene& scene, const PictureOptions& picture, double limit,
-                                  Progress& progress) {
-  Comparison result;
-  result.quantity = Quantity::kDepth;
-  result.reference = "50 digits";
-  std::vector<Shot> shots;
-  for (const DepthFormat format : {DepthFormat::kUnorm16, DepthFormat::kUnorm24,
-                                   DepthFormat::kFloat32, DepthFormat::kFloat32Reversed}) {
-    const std::string name(name_of(format));
-    RenderSettings settings = picture.settings;
-    settings.depth = format;
-    const auto shot = shot_of(scene, picture, settings);
-    if (!shot) return tl::unexpected(shot.error());
-    const auto vertices = SceneVertices::of(scene, shot->view);
-    if (!vertices) return tl::unexpected(vertices.error());
-    result.error =
-        fmt::format("largest error of the stored distance, as a share of {}, of {} vertices",
-                    shot->view.perspective ? "it" : "the depth of the view", vertices->count());
-    result.candidates.push_back({name, {"--depth", name}, true, vertices->depth_error(format), {}});
-    shots.push_back(*shot);
+  Result<Judged> judge(const study::Budget& budget) {
+    progress_.phase(fmt::format("measuring {}", name_of(budget.quantity)));
+    auto compared = compare(budget);
+    if (!compared) return tl::unexpected(compared.error());
+    const auto chosen = study::cheapest(compared->comparison.candidates, budget.limit);
+    take(*compared, chosen);
+    return Judged{budget, std::move(compared->comparison), chosen};
   }
-  add_times(scene, shots, limit, result, progress);
-  return result;
-}
 
-// How many times as wide and high the reference is drawn.
-int reference_factor(const Size& size) {
-  constexpr int kMost = 4;
-  return std::clamp(kMaxImageSide / std::max(size.width, size.height), 1, kMost);
-}
+  // What is recommended, all of it together.
+  Together together() {
+    progress_.phase("measuring what is recommended together");
+    Together found;
+    found.options = joint_.options;
+    found.ns = study::frame_times(drawers_, {joint_}, study::kLeastRepetitions).front().ns;
+    if (reference_) {
+      found.color_error = study::color_error(drawers_.draw(joint_), reference_->image);
+    }
+    return found;
+  }
 
-Result<Image<Rgba8>> reference_picture(const Scene& scene, PictureOptions picture, int factor) {
-  RenderSettings settings = picture.settings;
-  settings.samples = 16;
-  picture.size = {picture.size.width * factor, picture.size.height * factor};
-  const auto shot = shot_of(scene, picture, settings);
-  if (!shot) return tl::unexpected(shot.error());
-  Renderer renderer(scene, settings.transfer);
-  return study::shrunk(renderer.render(shot->view, settings).buffers.color, factor,
-                       settings.transfer);
-}
+private:
+  Result<Compared> compare(const study::Budget& budget) {
+    switch (budget.quantity) {
+      case Quantity::kPosition:
+        return compare_positions();
+      case Quantity::kDepth:
+        return compare_depths(budget.limit);
+      case Quantity::kColour:
+        break;
+    }
+    return compare_colours(budget.limit);
+  }
 
-Result<Comparison> compare_colours(const Scene& scene, const PictureOptions& picture, double limit,
-                                   Progress& progress) {
-  progress.phase("measuring colour: drawing the reference");
-  const int factor = reference_factor(picture.size);
-  const auto reference = reference_picture(scene, picture, factor);
-  if (!reference) return tl::unexpected(reference.error());
-  Comparison result;
-  result.quantity = Quantity::kColour;
-  result.error = "root mean square difference of red, green and blue, 1 for 255 steps";
-  result.reference = fmt::format(
-      "the picture {0} x {0} times as large with 16 samples, averaged in light", factor);
-  std::vector<Shot> shots;
-  for (const Shading shading : {Shading::kGouraud, Shading::kPhong}) {
-    const std::string name(name_of(shading));
+  Result<Compared> compare_positions() {
+    const auto view = view_(picture_.settings, 1);
+    if (!view) return tl::unexpected(view.error());
+    return SceneVertices::of(scene_, *view).map([&](const SceneVertices& vertices) {
+      Comparison comparison = vertices.positions();
+      std::vector<Way> ways(comparison.candidates.size(), base());
+      return Compared{std::move(comparison), std::move(ways)};
+    });
+  }
+
+  Result<Compared> compare_depths(double limit) {
+    Compared all;
+    all.comparison.quantity = Quantity::kDepth;
+    all.comparison.reference = "50 digits";
+    for (const DepthFormat format : {DepthFormat::kUnorm16, DepthFormat::kUnorm24,
+                                     DepthFormat::kFloat32, DepthFormat::kFloat32Reversed}) {
+      const std::string name(name_of(format));
+      Way way = base();
+      way.knob = Knob::kDepth;
+      way.settings.depth = format;
+      way.options = {"--depth", name};
+      const auto view = drawers_.view_of(way);
+      if (!view) return tl::unexpected(view.error());
+      const auto vertices = SceneVertices::of(scene_, *view);
+      if (!vertices) return tl::unexpected(vertices.error());
+      all.comparison.error =
+          fmt::format("largest error of the stored distance, as a share of {}, of {} vertices",
+                      view->perspective ? "it" : "the depth of the view", vertices->count());
+      all.comparison.candidates.push_back(
+          {name, way.options, true, vertices->depth_error(format), {}});
+      all.ways.push_back(std::move(way));
+    }
+    add_times(all, limit);
+    return all;
+  }
+
+  Result<Compared> compare_colours(double limit) {
+    progress_.phase("measuring colour: drawing the reference");
+    auto reference = study::reference_picture(scene_, view_, picture_.settings);
+    if (!reference) return tl::unexpected(reference.error());
+    reference_ = std::move(*reference);
+    Compared all;
+    all.comparison.quantity = Quantity::kColour;
+    all.comparison.error = "root mean square difference of red, green and blue, 1 for 255 steps";
+    all.comparison.reference =
+        fmt::format("the picture {0} x {0} times as large with 16 samples, averaged in light",
+                    reference_->factor);
+    for (const Shading shading : {Shading::kGouraud, Shading::kPhong}) {
+      for (const auto& filter : filters()) add_samples(shading, filter, limit, all);
+    }
+    add_times(all, limit);
+    return all;
+  }
+
+  // As each texture says, and what else changes it.
+  std::vector<std::optional<TextureFilter>> filters() const {
+    std::vector<std::optional<TextureFilter>> all{std::nullopt};
+    for (const Way& way : study::single_turns(scene_, {}).all) {
+      if (way.knob == Knob::kFilter) all.push_back(way.filter);
+    }
+    return all;
+  }
+
+  void add_samples(Shading shading, const std::optional<TextureFilter>& filter, double limit,
+                   Compared& all) {
+    Way way = base();
+    way.knob = Knob::kSeveral;
+    way.settings.shading = shading;
+    way.filter = filter;
+    std::string name(name_of(shading));
+    way.options = {"--shade", name};
+    if (filter) {
+      way.options.insert(way.options.end(), {"--filter", std::string(name_of(*filter))});
+      name += fmt::format(", {}", name_of(*filter));
+    }
+    const std::vector<std::string> shared = way.options;
     for (const int samples : {1, 2, 4, 8, 16}) {
-      RenderSettings settings = picture.settings;
-      settings.shading = shading;
-      settings.samples = samples;
-      const auto shot = shot_of(scene, picture, settings);
-      if (!shot) return tl::unexpected(shot.error());
-      const std::string count = fmt::to_string(samples);
-      progress.phase(fmt::format("measuring colour: drawing with {}, {} samples", name, count));
-      Renderer renderer(scene, settings.transfer);
-      const Rendering drawn = renderer.render(shot->view, settings);
-      result.candidates.push_back({fmt::format("{}, {}", name, counted(samples, "sample")),
-                                   {"--shade", name, "--samples", count},
-                                   true,
-                                   study::color_error(drawn.buffers.color, *reference),
-                                   {}});
-      shots.push_back(*shot);
-      // More samples are all of this work and more.
-      if (result.candidates.back().error < limit) break;
+      way.settings.samples = samples;
+      way.options = shared;
+      way.options.insert(way.options.end(), {"--samples", fmt::to_string(samples)});
+      const std::string title = fmt::format("{}, {}", name, counted(samples, "sample"));
+      progress_.phase("measuring colour: drawing with " + title);
+      const double error = study::color_error(drawers_.draw(way), reference_->image);
+      all.comparison.candidates.push_back({title, way.options, true, error, {}});
+      all.ways.push_back(way);
+      if (error < limit) return;  // more samples are all of this work and more
     }
   }
-  add_times(scene, shots, limit, result, progress);
-  return result;
-}
 
-Result<Comparison> compare(const Scene& scene, const PictureOptions& picture,
-                           const study::Budget& budget, Progress& progress) {
-  switch (budget.quantity) {
-    case Quantity::kPosition:
-      return compare_positions(scene, picture);
-    case Quantity::kDepth:
-      return compare_depths(scene, picture, budget.limit, progress);
-    case Quantity::kColour:
-      break;
+  // Of the candidates that fit: what fails is not recommended, whatever it costs.
+  void add_times(Compared& compared, double limit) {
+    Comparison& comparison = compared.comparison;
+    comparison.item = "frame";
+    std::vector<Way> timed;
+    std::vector<std::size_t> which;
+    for (std::size_t i = 0; i < compared.ways.size(); ++i) {
+      if (!(comparison.candidates[i].error < limit)) continue;
+      timed.push_back(compared.ways[i]);
+      which.push_back(i);
+    }
+    if (timed.empty()) return;
+    progress_.phase(fmt::format("measuring {}: timing what fits, {} of {} candidates",
+                                name_of(comparison.quantity), timed.size(), compared.ways.size()));
+    const auto times = study::frame_times(drawers_, timed, study::kLeastRepetitions);
+    for (std::size_t i = 0; i < times.size(); ++i) comparison.candidates[which[i]].ns = times[i].ns;
   }
-  return compare_colours(scene, picture, budget.limit, progress);
-}
 
-// The most accurate candidate where none fits.
-std::string command_of(const std::vector<Judged>& judged, std::vector<std::string> words) {
-  words.insert(words.begin(), "render");
-  for (const Judged& each : judged) {
-    const auto& candidates = each.comparison.candidates;
+  // Into what is recommended together: the candidate that was chosen; the most accurate where none fits.
+  void take(const Compared& compared, std::optional<std::size_t> chosen) {
+    const auto& candidates = compared.comparison.candidates;
     const auto best = std::ranges::min_element(candidates, {}, &Candidate::error);
-    const auto& options = each.chosen ? candidates[*each.chosen].options : best->options;
-    words.insert(words.end(), options.begin(), options.end());
+    const std::size_t at = chosen.value_or(std::size_t(best - candidates.begin()));
+    const Way& way = compared.ways[at];
+    if (way.knob == Knob::kDepth) joint_.settings.depth = way.settings.depth;
+    if (way.knob == Knob::kSeveral) {
+      joint_.settings.shading = way.settings.shading;
+      joint_.settings.samples = way.settings.samples;
+      joint_.filter = way.filter;
+    }
+    joint_.options.insert(joint_.options.end(), way.options.begin(), way.options.end());
   }
-  words.insert(words.end(), {"-o", "recommended.png"});
-  return shell_line({words});
-}
+
+  Way base() const {
+    Way way;
+    way.settings = picture_.settings;
+    way.tile.threads = 1;
+    return way;
+  }
+
+  const Scene& scene_;
+  const PictureOptions& picture_;
+  study::ViewOf view_;
+  study::Drawers drawers_;
+  Progress& progress_;
+  std::optional<study::ReferencePicture> reference_;  // once a colour is asked for
+  Way joint_;                                         // what is recommended
+};
 
 }  // namespace
 
 bool Recommendation::meets_all() const {
-  return std::ranges::all_of(judged, [](const Judged& each) {
-    return each.chosen && each.comparison.candidates[*each.chosen].in_render;
+  return std::ranges::all_of(judged, [&](const Judged& each) {
+    if (!each.chosen || !each.comparison.candidates[*each.chosen].in_render) return false;
+    const bool is_colour = each.budget.quantity == Quantity::kColour;
+    return !is_colour || *together.color_error < each.budget.limit;
   });
 }
 
@@ -178,14 +244,15 @@ Result<Recommendation> recommend(const Scene& scene, const PictureOptions& pictu
   result.machine = study::machine_name();
   result.compiler = study::compiler_name();
   result.size = picture.size;
+  Measurement measurement(scene, picture, progress);
   for (const study::Budget& budget : budgets) {
-    progress.phase(fmt::format("measuring {}", name_of(budget.quantity)));
-    auto comparison = compare(scene, picture, budget, progress);
-    if (!comparison) return tl::unexpected(comparison.error());
-    const auto chosen = study::cheapest(comparison->candidates, budget.limit);
-    result.judged.push_back({budget, std::move(*comparison), chosen});
+    auto judged = measurement.judge(budget);
+    if (!judged) return tl::unexpected(judged.error());
+    result.judged.push_back(std::move(*judged));
   }
-  result.command = command_of(result.judged, words);
+  result.together = measurement.together();
+  result.command =
+      shell_line({{"render"}, words, result.together.options, {"-o", "recommended.png"}});
   return result;
 }
 

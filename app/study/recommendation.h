@@ -9,6 +9,7 @@
 
 #include "app/options/picture_options.h"
 #include "app/report/progress.h"
+#include "study/bench/statistics.h"
 #include "study/recommend/candidates.h"
 
 #include <glassbox/base/error.h>
@@ -23,11 +24,19 @@ struct Judged {
   std::optional<std::size_t> chosen;
 };
 
+// All that is recommended, in one picture.
+struct Together {
+  std::vector<std::string> options;   // of glassbox render
+  study::Quartiles ns;                // of a frame, with one thread
+  std::optional<double> color_error;  // where there is a budget for it
+};
+
 struct Recommendation {
   std::string scene, machine, compiler;
   Size size;
   std::vector<Judged> judged;
-  std::string command;  // draws with what is recommended
+  Together together;
+  std::string command;  // draws so
 
   bool meets_all() const;
 };

@@ -53,6 +53,16 @@ std::string verdict(const Judged& judged) {
   return chosen.name + " fits.";
 }
 
+std::string together_text(const Together& together) {
+  const TimeUnit unit = time_unit(together.ns.median);
+  const auto time = [&](double ns) { return three_digits(ns / unit.ns); };
+  std::string text =
+      fmt::format("measured so: {} {} a frame with one thread ({} .. {})", time(together.ns.median),
+                  unit.name, time(together.ns.lower), time(together.ns.upper));
+  if (together.color_error) text += fmt::format(", colour off by {:.3g}", *together.color_error);
+  return text;
+}
+
 }  // namespace
 
 std::string recommendation_text(const Recommendation& recommendation) {
@@ -68,10 +78,9 @@ std::string recommendation_text(const Recommendation& recommendation) {
                                            each.comparison.reference));
     text += table_of(each) + wrapped("  ", verdict(each));
   }
-  if (!recommendation.meets_all())
-    return text + "\nNot every budget can be met; the nearest to it:\n  " + recommendation.command +
-           "\n";
-  return text + "\n  " + recommendation.command + "\n";
+  text += recommendation.meets_all() ? "\n" : "\nNot every budget can be met; the nearest to it:\n";
+  return text + "  " + recommendation.command + "\n" +
+         wrapped("  ", together_text(recommendation.together));
 }
 
 nlohmann::ordered_json recommendation_json(const Recommendation& recommendation) {
@@ -80,6 +89,12 @@ nlohmann::ordered_json recommendation_json(const Recommendation& recommendation)
             {"height", recommendation.size.height}, {"machine", recommendation.machine},
             {"compiler", recommendation.compiler},  {"meets_all", recommendation.meets_all()},
             {"command", recommendation.command},    {"budgets", Json::array()}};
+  const Together& together = recommendation.together;
+  json["together"] = {{"options", together.options},
+                      {"ns", together.ns.median},
+                      {"ns_quartiles", {together.ns.lower, together.ns.upper}},
+                      {"colour_error", nullptr}};
+  if (together.color_error) json["together"]["colour_error"] = *together.color_error;
   for (const Judged& each : recommendation.judged) {
     Json budget{{"quantity", name_of(each.budget.quantity)},
                 {"limit", each.budget.limit},

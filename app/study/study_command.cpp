@@ -13,6 +13,7 @@ void StudyCommand::add_to(CLI::App& app, int& exit_code) {
       "  glassbox study run D-4 --quick\n"
       "  glassbox study report --quick -o report.html\n"
       "  glassbox study extremes\n"
+      "  glassbox study scene room --html room.html\n"
       "  glassbox study recommend forest --error-budget 'depth<1e-4, colour<1/100'\n\n"
       "docs/study.md explains how errors and times are measured.");
   command.require_subcommand(1);
@@ -21,6 +22,7 @@ void StudyCommand::add_to(CLI::App& app, int& exit_code) {
   collect_.add_to(command, exit_code);
   report_.add_to(command, exit_code);
   extremes_.add_to(command, exit_code);
+  scene_.add_to(command, exit_code);
   recommend_.add_to(command, exit_code);
 }
 

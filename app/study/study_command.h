@@ -9,6 +9,7 @@
 #include "app/study/recommend_command.h"
 #include "app/study/report_command.h"
 #include "app/study/run_command.h"
+#include "app/study/scene_command.h"
 
 namespace glassbox::app {
 
@@ -22,6 +23,7 @@ private:
   StudyCollectCommand collect_;
   StudyReportCommand report_;
   StudyExtremesCommand extremes_;
+  StudySceneCommand scene_;
   StudyRecommendCommand recommend_;
 };
 

@@ -236,7 +236,7 @@ int TraceCommand::run() {
   tell_of_centres(picture_);
   filter_.max_bytes = std::numeric_limits<std::uint64_t>::max();  // --max-mb stands in its place
   Progress progress;
-  const Result<Scene> scene = load_asked_scene(scene_, progress);
+  const Result<Scene> scene = load_asked_scene(scene_, picture_, progress);
   if (!scene) return refuse(scene.error());
   if (const auto legal = check_filter(*scene); !legal) return refuse(legal.error());
   const Result<ChosenView> chosen = choose_view(*scene, picture_);

@@ -1,5 +1,6 @@
 #include "study/experiment/pareto.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -7,14 +8,18 @@ namespace glassbox::study {
 
 namespace {
 
-bool is_faster(const ConfigurationResult& a, const ConfigurationResult& b, int threads) {
-  return timing_of(a, threads)->ns.upper < timing_of(b, threads)->ns.lower;
+bool is_faster(const Price& a, const Price& b) {
+  return a.ns.upper < b.ns.lower;
 }
 
-bool dominates(const ConfigurationResult& a, const ConfigurationResult& b, int threads) {
+bool dominates(const Price& a, const Price& b) {
   if (std::isnan(a.error)) return false;
-  if (std::isnan(b.error)) return !is_faster(b, a, threads);  // no answer, and no time won
-  return a.error <= b.error && is_faster(a, b, threads);
+  if (std::isnan(b.error)) return !is_faster(b, a);  // no answer, and no time won
+  return a.error <= b.error && is_faster(a, b);
+}
+
+Price price_of(const ConfigurationResult& result, int threads) {
+  return {result.error, timing_of(result, threads)->ns};
 }
 
 }  // namespace
@@ -29,6 +34,16 @@ const char* name_of(Standing standing) {
       break;
   }
   return "untimed";
+}
+
+std::vector<Standing> standings(const std::vector<Price>& competitors) {
+  std::vector<Standing> all;
+  for (const Price& each : competitors) {
+    const bool beaten = std::ranges::any_of(
+        competitors, [&](const Price& other) { return dominates(other, each); });
+    all.push_back(beaten ? Standing::kDominated : Standing::kFront);
+  }
+  return all;
 }
 
 const Timing* timing_of(const ConfigurationResult& result, int threads) {
@@ -51,7 +66,8 @@ std::vector<Standing> standings(const ExperimentResult& experiment, int threads)
       standing = Standing::kFront;
       for (const ConfigurationResult& other : experiment.configurations) {
         if (timing_of(other, threads) == nullptr || !compete(experiment, each, other)) continue;
-        if (dominates(other, each, threads)) standing = Standing::kDominated;
+        if (dominates(price_of(other, threads), price_of(each, threads)))
+          standing = Standing::kDominated;
       }
     }
     all.push_back(standing);

@@ -15,6 +15,15 @@ enum class Standing {
 
 const char* name_of(Standing standing);  // "front"
 
+// What one pays for what one gets.
+struct Price {
+  double error = 0;
+  Quartiles ns;
+};
+
+// The standing of each among all of them.
+std::vector<Standing> standings(const std::vector<Price>& competitors);
+
 // Competitors have the same scene and, unless the axis is chosen, the same parameter.
 bool compete(const ExperimentResult& experiment, const ConfigurationResult& a,
              const ConfigurationResult& b);

@@ -1,13 +1,10 @@
 #include "study/recommend/pictures.h"
 
+#include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include <glassbox/raster/transfer.h>
 #include <glassbox/render/renderer.h>
-
-#include "study/experiment/runner.h"
-#include "study/experiment/timing.h"
 
 namespace glassbox::study {
 
@@ -33,6 +30,39 @@ Image<Rgba8> shrunk(const Image<Rgba8>& large, int factor, Transfer transfer) {
   return small;
 }
 
+namespace {
+
+// What is a pixel wide in pictures of any size would be thinner when the picture is made smaller.
+bool has_pixel_wide_things(const Scene& scene, const RenderSettings& settings) {
+  return settings.wireframe || std::ranges::any_of(scene.meshes, [](const Mesh& mesh) {
+           return !mesh.lines.empty() || !mesh.points.empty();
+         });
+}
+
+int reference_factor(const Scene& scene, const View& view, const RenderSettings& settings) {
+  constexpr int kMost = 4;
+  if (has_pixel_wide_things(scene, settings)) return 1;
+  const float side = std::max(view.viewport.width(), view.viewport.height());
+  return std::clamp(kMaxImageSide / int(side), 1, kMost);
+}
+
+}  // namespace
+
+Result<ReferencePicture> reference_picture(const Scene& scene, const ViewOf& view,
+                                           const RenderSettings& asked) {
+  RenderSettings settings = asked;
+  settings.samples = 16;
+  settings.depth = DepthFormat::kFloat32Reversed;  // the most exact
+  const Result<View> small = view(settings, 1);
+  if (!small) return tl::unexpected(small.error());
+  const int factor = reference_factor(scene, *small, settings);
+  return view(settings, factor).map([&](const View& large) {
+    Renderer renderer(scene, settings.transfer);
+    return ReferencePicture{
+        shrunk(renderer.render(large, settings).buffers.color, factor, settings.transfer), factor};
+  });
+}
+
 double color_error(const Image<Rgba8>& picture, const Image<Rgba8>& reference) {
   double sum = 0;
   for (int y = 0; y < picture.height; ++y) {
@@ -43,23 +73,6 @@ double color_error(const Image<Rgba8>& picture, const Image<Rgba8>& reference) {
     }
   }
   return std::sqrt(sum / (3.0 * picture.width * picture.height)) / 255;
-}
-
-std::vector<Quartiles> frame_times(const Scene& scene, std::span<const Shot> shots) {
-  std::vector<std::unique_ptr<Renderer>> renderers;
-  std::vector<TimedWork> works;
-  for (const Shot& shot : shots) {
-    TileOptions options;
-    options.threads = 1;
-    renderers.push_back(
-        std::make_unique<Renderer>(scene, shot.settings.transfer, EngineKind::kTile, options));
-    works.push_back({[renderer = renderers.back().get(), &shot] {
-      renderer->render(shot.view, shot.settings);
-    }});
-  }
-  std::vector<Quartiles> times;
-  for (const Timed& each : time_in_turn(works, kLeastRepetitions)) times.push_back(each.ns);
-  return times;
 }
 
 }  // namespace glassbox::study

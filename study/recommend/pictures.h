@@ -1,31 +1,33 @@
-// Whole pictures: colours against many more samples, and times of frames.
+// Whole pictures: their colours against many more samples.
 #pragma once
 
-#include <span>
-#include <vector>
+#include <functional>
 
+#include <glassbox/base/error.h>
 #include <glassbox/images/image.h>
 #include <glassbox/mesh/scene.h>
 #include <glassbox/pipeline/view.h>
 #include <glassbox/render/engine/settings.h>
 
-#include "study/bench/statistics.h"
-
 namespace glassbox::study {
 
-// What is drawn: the view's depth range must be the settings' format's.
-struct Shot {
-  View view;
-  RenderSettings settings;
+// The view that is asked for, in a picture `factor` times as wide and high. Its depth range is the settings' format's.
+using ViewOf = std::function<Result<View>(const RenderSettings& settings, int factor)>;
+
+struct ReferencePicture {
+  Image<Rgba8> image;
+  int factor = 1;  // it was drawn that much wider and higher
 };
+
+// The nearest to the right picture that there is: drawn up to 4 x 4 times as large with 16 samples a pixel, and averaged in
+// light. Its shading, and how its textures are filtered, are as asked for.
+Result<ReferencePicture> reference_picture(const Scene& scene, const ViewOf& view,
+                                           const RenderSettings& settings);
 
 // Every block of factor x factor pixels averaged in linear light, encoded again.
 Image<Rgba8> shrunk(const Image<Rgba8>& large, int factor, Transfer transfer);
 
 // The root mean square difference of red, green and blue, 1 for the whole range of a byte. Both have the same size.
 double color_error(const Image<Rgba8>& picture, const Image<Rgba8>& reference);
-
-// Nanoseconds of a frame of each, drawn in turn by the tile engine with one thread.
-std::vector<Quartiles> frame_times(const Scene& scene, std::span<const Shot> shots);
 
 }  // namespace glassbox::study

@@ -162,6 +162,16 @@ VertexColumns columns_of(const std::vector<Draw>& draws, const std::vector<Right
   return all;
 }
 
+// In pixels.
+double largest_distance(const ScreenColumns& found, const std::vector<RightPlace>& places) {
+  double largest = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double off = std::hypot(found.x[i] - places[i].x, found.y[i] - places[i].y);
+    largest = off <= largest ? largest : off;  // NaN stays
+  }
+  return largest;
+}
+
 // ---- depth ----
 
 // The depth that a code stands for, in [0, 1].
@@ -224,6 +234,13 @@ Result<SceneVertices> SceneVertices::of(const Scene& scene, const View& view, st
   return vertices;
 }
 
+double SceneVertices::position_error() const {
+  ScreenColumns found{std::vector<double>(count()), std::vector<double>(count())};
+  as_render_does(view_, list_.draws)(columns_of(list_.draws, places_),
+                                     std::ldexp(1.0, kSubpixelBits), found);
+  return largest_distance(found, places_);
+}
+
 Comparison SceneVertices::positions() const {
   const std::vector<Draw>& draws = list_.draws;
   const Arithmetic ways[] = {
@@ -245,10 +262,7 @@ Comparison SceneVertices::positions() const {
       candidate.name = fmt::format("{}; {} subpixel bits", way.name, bits);
       candidate.in_render = way.in_render && bits == kSubpixelBits;
       way.place_all(vertices, steps, found);
-      for (std::size_t i = 0; i < places_.size(); ++i) {
-        const double off = std::hypot(found.x[i] - places_[i].x, found.y[i] - places_[i].y);
-        candidate.error = off <= candidate.error ? candidate.error : off;  // NaN stays
-      }
+      candidate.error = largest_distance(found, places_);
       result.candidates.push_back(std::move(candidate));
       works.push_back(
           {[&, steps] { way.place_all(vertices, steps, found); }, double(places_.size())});

@@ -28,6 +28,8 @@ public:
   // where it has none inside. The scene must outlive it. An error where no vertex is between the near and far planes.
   static Result<SceneVertices> of(const Scene& scene, const View& view, std::size_t most = 4000);
 
+  // The largest distance on the screen of where render snaps a vertex to from where it is, in pixels.
+  double position_error() const;
   // Vertex arithmetic and subpixel bits; time for one vertex.
   Comparison positions() const;
   // The largest error of the distances that a depth buffer of this format gives back: a share of the distance, for parallel

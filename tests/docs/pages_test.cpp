@@ -47,6 +47,7 @@ const std::vector<Lines> kLong{
     {"docs/stereo.md", "glassbox stereo ", "three reports"},
     {"docs/stereo.md", "glassbox render forest --size 320x180", "40 pairs"},
     {"docs/study.md", "glassbox study run D-4", "measures"},
+    {"docs/study.md", "glassbox study scene", "measures"},
     {"docs/study.md", "glassbox study recommend", "measures"},
 };
 

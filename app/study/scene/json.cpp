@@ -1,0 +1,75 @@
+#include <nlohmann/json.hpp>
+
+#include "app/report/shell_line.h"
+#include "app/study/scene/curve_report.h"
+#include "study/experiment/results_json.h"
+
+namespace glassbox::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using study::CurvePoint;
+
+std::string scene_of(const CurveReport& report, const study::Way& way) {
+  if (!way.level) return report.scene;
+  return report.scene.substr(0, report.scene.find(':')) + ":" + std::to_string(*way.level);
+}
+
+bool has_threads(const study::Way& way) {
+  return way.engine == EngineKind::kTile;
+}
+
+Json point_json(const CurveReport& report, const CurvePoint& point) {
+  Json json{{"name", name_of(point.way)},
+            {"knob", name_of(point.way.knob)},
+            {"command", command_of(report, point)},
+            {"picture", point.picture},
+            {"rms", point.error.rms},
+            {"largest", point.error.largest},
+            {"wrong", point.error.wrong},
+            {"flip", point.error.flip},
+            {"depth_error", study::number_json(point.depth_error)},
+            {"threads", has_threads(point.way) ? point.way.tile.threads : 1},
+            {"ns", point.ns.median},
+            {"ns_quartiles", {point.ns.lower, point.ns.upper}},
+            {"disturbed", point.disturbed},
+            {"standing", nullptr}};
+  if (point.standing) json["standing"] = name_of(*point.standing);
+  return json;
+}
+
+}  // namespace
+
+std::string command_of(const CurveReport& report, const CurvePoint& point) {
+  std::vector<std::string> own = point.way.options;
+  if (has_threads(point.way) && point.way.tile.threads == 1)
+    own.insert(own.end(), {"--threads", "1"});
+  return shell_line({{"render", scene_of(report, point.way)}, report.words, own});
+}
+
+Json curve_json(const CurveReport& report) {
+  const study::Curve& curve = report.curve;
+  Json json{{"scene", report.scene},
+            {"width", report.size.width},
+            {"height", report.size.height},
+            {"command", report.command},
+            {"version", report.origin.version},
+            {"machine", report.origin.machine},
+            {"compiler", report.origin.compiler},
+            {"flags", report.origin.flags},
+            {"repetitions", curve.repetitions},
+            {"reference", curve.reference_is},
+            {"position_error_px", study::number_json(curve.position_error)},
+            {"vertices", curve.vertices},
+            {"pictures", curve.pictures.size()},
+            {"left_out", Json::array()},
+            {"faults", curve.faults},
+            {"points", Json::array()}};
+  for (const study::NotTurned& each : curve.left_out)
+    json["left_out"].push_back({{"knob", name_of(each.knob)}, {"why", each.why}});
+  for (const CurvePoint& point : curve.points) json["points"].push_back(point_json(report, point));
+  return json;
+}
+
+}  // namespace glassbox::app

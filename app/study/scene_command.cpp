@@ -1,0 +1,183 @@
+#include "app/study/scene_command.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/options/builtin_help.h"
+#include "app/options/output_options.h"
+#include "app/options/scene_input.h"
+#include "app/report/exit_codes.h"
+#include "app/report/output.h"
+#include "app/report/progress.h"
+#include "app/report/shell_line.h"
+#include "app/study/build_id.h"
+#include "app/study/measuring.h"
+#include "app/study/scene/pinned_camera.h"
+#include "study/experiment/runner.h"
+
+#include <glassbox/mesh/builtin/scenes.h>
+
+namespace glassbox::app {
+
+namespace {
+
+using study::Knob;
+
+// What the user has set is not turned.
+std::set<Knob> held_by(const std::vector<std::string>& words) {
+  std::set<Knob> held;
+  for (const auto& [option, knob] : {std::pair{"--shade", Knob::kShading},
+                                     {"--filter", Knob::kFilter},
+                                     {"--samples", Knob::kSamples},
+                                     {"--depth", Knob::kDepth}}) {
+    if (std::ranges::find(words, option) != words.end()) held.insert(knob);
+  }
+  return held;
+}
+
+// What a built-in scene has of levels; none for files, and for scenes without.
+struct Levels {
+  int asked = 0;
+  std::map<int, Scene> others;  // powers of two
+};
+
+Result<Levels> levels_of(const std::string& word) {
+  const BuiltinScene* const builtin = find_builtin(word);
+  if (builtin == nullptr || !builtin->levels) return Levels{};
+  const auto& [low, usual, high] = *builtin->levels;
+  const auto colon = word.find(':');
+  Levels levels{colon == std::string::npos ? usual : std::stoi(word.substr(colon + 1)), {}};
+  for (int level = low; level <= high; level *= 2) {
+    if (level == levels.asked) continue;
+    auto scene = make_builtin(fmt::format("{}:{}", builtin->name, level));
+    if (!scene) return tl::unexpected(scene.error());
+    levels.others.emplace(level, std::move(*scene));
+  }
+  return levels;
+}
+
+}  // namespace
+
+void StudySceneCommand::add_to(CLI::App& study, int& exit_code) {
+  CLI::App& command =
+      *study.add_subcommand("scene", "error against time for every way to draw a scene");
+  command.footer(
+      "Examples:\n"
+      "  glassbox study scene room\n"
+      "  glassbox study scene model.glb --eye 0,1,4 --size 1920x1080 --html curve.html\n"
+      "  glassbox study scene teapot --quick --csv -\n"
+      "  glassbox study scene checker --filter nearest --json curve.json\n\n"
+      "Turned are --shade, --filter, --samples and --depth where you do not give them, the level "
+      "of\n"
+      "a built-in scene, and what the engine has; docs/study.md says how they are measured.\n"
+      "Exit code 1: an option of the engine changed a byte.\n\n" +
+      builtin_help());
+  command.add_option("SCENE", scene_, kSceneHelp)->required();
+  add_picture_options(command, picture_);
+  command.add_flag("--quick", quick_, "each knob alone; shading, filter and samples not combined");
+  command.add_option("--threads", threads_, "the most that are tried [all]")
+      ->check(CLI::Range(1, kMostThreads));
+  add_json_output(command, json_output_, "the measurements");
+  command.add_option("--csv", csv_output_, "the measurements as comma-separated values")
+      ->type_name("FILE|-");
+  add_html_output(command, page_, "chart, pictures and differences as one page");
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+Result<void> StudySceneCommand::check_options() const {
+  if (picture_.settings.show != Show::kColor) {
+    return fail("--show", "errors are those of colours", "leave it out");
+  }
+  if (json_output_ == "-" && csv_output_ == "-") {
+    return fail("--csv", "JSON goes to standard output already", "name a file for one of them");
+  }
+  if (page_) {
+    if (const auto legal = check_extension(*page_, ".html"); !legal) return legal;
+  }
+  std::vector<std::string> paths;
+  for (const auto& output : {json_output_, csv_output_, page_}) {
+    if (output && *output != "-") paths.push_back(*output);
+  }
+  return check_outputs(paths);
+}
+
+// Makes the page again.
+std::string StudySceneCommand::command() const {
+  std::vector<std::string> own;
+  if (quick_) own.emplace_back("--quick");
+  if (threads_ > 0) own.insert(own.end(), {"--threads", fmt::to_string(threads_)});
+  if (page_) own.insert(own.end(), {"--html", *page_});
+  return shell_line({{"study", "scene", scene_}, words_given(picture_), own});
+}
+
+Result<CurveReport> StudySceneCommand::measure(const Scene& scene, Progress& progress) const {
+  const auto chosen = choose_view(scene, picture_);
+  if (!chosen) return tl::unexpected(chosen.error());
+  auto levels = levels_of(scene_);
+  if (!levels) return tl::unexpected(levels.error());
+  // Levels are framed differently, by a little.
+  const bool pin = !levels->others.empty() && !picture_.eyes.seen_by;
+  const PictureOptions picture = pin ? pinned(picture_, chosen->camera) : picture_;
+
+  study::CurveRequest request;
+  request.scene = &scene;
+  request.level = levels->asked;
+  if (pin) request.at_levels = std::move(levels->others);
+  request.view = [&](const RenderSettings& settings, int factor) {
+    PictureOptions large = picture;
+    large.settings = settings;
+    large.size = {picture.size.width * factor, picture.size.height * factor};
+    return choose_view(scene, large).map([](const ChosenView& view) { return view.view; });
+  };
+  const int threads = threads_ > 0 ? threads_ : default_threads();
+  request.ways = {picture_.settings, picture_.filter, held_by(words_given(picture_)), {}, threads, {}};
+  for (const auto& [level, unused] : request.at_levels) request.ways.levels.push_back(level);
+  request.combine = !quick_;
+  request.repetitions = study::kLeastRepetitions;
+  request.phase = [&](const std::string& what) { progress.phase(what); };
+  return study::measure_curve(request).map([&](study::Curve curve) {
+    const auto effort = quick_ ? study::Effort::kQuick : study::Effort::kFull;
+    return CurveReport{scene_,
+                       picture.size,
+                       pin ? pinned_words(picture_, picture) : words_given(picture_),
+                       study::origin_here(version_and_build(), effort, threads),
+                       command(),
+                       std::move(curve)};
+  });
+}
+
+Result<void> StudySceneCommand::write_outputs(const CurveReport& report) const {
+  if (csv_output_) {
+    if (const auto written = write_text(*csv_output_, curve_csv(report)); !written) return written;
+  }
+  if (json_output_) {
+    if (const auto written = write_json(*json_output_, curve_json(report)); !written)
+      return written;
+  }
+  if (!page_) return {};
+  const auto page = curve_page(report);
+  return page ? write_text(*page_, *page) : tl::unexpected(page.error());
+}
+
+int StudySceneCommand::run() const {
+  if (const auto legal = check_options(); !legal) return refuse(legal.error());
+  Progress progress;
+  const Result<Scene> scene = load_asked_scene(scene_, progress);
+  if (!scene) return refuse(scene.error());
+  const auto report = measure(*scene, progress);
+  progress.done();
+  if (!report) return refuse(report.error());
+  if (const auto written = write_outputs(*report); !written) return refuse(written.error());
+  if (json_output_ != "-" && csv_output_ != "-") {
+    fmt::print("{}", curve_text(*report));
+    if (page_) fmt::print("\n{}: open it in a browser\n", *page_);
+  }
+  return report->curve.faults.empty() ? kSuccess : kFailure;
+}
+
+}  // namespace glassbox::app

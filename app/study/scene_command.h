@@ -1,0 +1,33 @@
+// glassbox study scene: error against time for every way to draw one's own scene.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/options/cli_fwd.h"
+#include "app/options/picture_options.h"
+#include "app/study/scene/curve_report.h"
+
+#include <glassbox/base/error.h>
+
+namespace glassbox::app {
+
+class StudySceneCommand {
+public:
+  void add_to(CLI::App& study, int& exit_code);
+
+private:
+  Result<void> check_options() const;
+  Result<CurveReport> measure(const Scene& scene, Progress& progress) const;
+  Result<void> write_outputs(const CurveReport& report) const;
+  std::string command() const;
+  int run() const;
+
+  std::string scene_;
+  PictureOptions picture_;
+  bool quick_ = false;
+  int threads_ = 0;  // the most; 0: all
+  std::optional<std::string> json_output_, csv_output_, page_;
+};
+
+}  // namespace glassbox::app

@@ -1,0 +1,171 @@
+#include "study/curve/curve.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "study/curve/drawers.h"
+#include "study/recommend/vertices.h"
+
+#include <glassbox/render/engine/names.h>
+
+namespace glassbox::study {
+
+namespace {
+
+class Measurement {
+public:
+  explicit Measurement(const CurveRequest& request)
+      : request_(request), drawers_(*request.scene, request.view, &request.at_levels) {}
+
+  Result<Curve> run() && {
+    if (const auto drawn = draw_reference(); !drawn) return tl::unexpected(drawn.error());
+    Ways ways = single_turns(*request_.scene, request_.ways);
+    curve_.left_out = std::move(ways.left_out);
+    for (const Way& way : ways.all) {
+      if (const auto drawn = draw(way); !drawn) return tl::unexpected(drawn.error());
+    }
+    if (request_.combine) {
+      for (const Way& way : combined_turns(turns_that_show())) {
+        if (const auto drawn = draw(way); !drawn) return tl::unexpected(drawn.error());
+      }
+    }
+    find_faults();
+    if (const auto found = measure_geometry(); !found) return tl::unexpected(found.error());
+    add_times();
+    add_standings();
+    return std::move(curve_);
+  }
+
+private:
+  void tell(const std::string& what) const {
+    if (request_.phase) request_.phase(what);
+  }
+
+  // The finest level there is, shaded in each pixel unless something else was asked for.
+  Result<void> draw_reference() {
+    RenderSettings settings = request_.ways.settings;
+    if (!request_.ways.held.contains(Knob::kShading)) settings.shading = Shading::kPhong;
+    Way finest;
+    finest.filter = request_.ways.filter;
+    if (!request_.at_levels.empty() && request_.at_levels.rbegin()->first > request_.level)
+      finest.level = request_.at_levels.rbegin()->first;
+    const Scene& scene = drawers_.scene_of(finest);
+    tell("drawing the reference");
+    auto drawn = reference_picture(scene, request_.view, settings);
+    if (!drawn) return tl::unexpected(drawn.error());
+    curve_.reference = std::move(drawn->image);
+    curve_.reference_is = fmt::format(
+        "{0} x {0} times as large with 16 samples a pixel, averaged in light; {1}, {2}{3}",
+        drawn->factor, name_of(settings.shading), name_of(DepthFormat::kFloat32Reversed),
+        finest.level ? fmt::format(", level {}", *finest.level) : "");
+    return {};
+  }
+
+  Result<void> draw(const Way& way) {
+    const auto view = drawers_.view_of(way);
+    if (!view && way.knob == Knob::kNone) return tl::unexpected(view.error());
+    if (!view) {
+      curve_.left_out.push_back({way.knob, name_of(way) + ": " + view.error().cause});
+      return {};
+    }
+    tell(fmt::format("drawing {} ({} drawn)", name_of(way), curve_.points.size()));
+    CurvePoint point;
+    point.way = way;
+    Image<Rgba8> picture = drawers_.draw(way);
+    const auto same = std::ranges::find(curve_.pictures, picture);
+    point.picture = std::size_t(same - curve_.pictures.begin());
+    if (same == curve_.pictures.end()) {
+      errors_.push_back(picture_error(picture, curve_.reference));
+      curve_.pictures.push_back(std::move(picture));
+    }
+    point.error = errors_[point.picture];
+    curve_.points.push_back(std::move(point));
+    return {};
+  }
+
+  // Those that change a byte alone are worth being combined; a knob of which none does is left out.
+  std::vector<Way> turns_that_show() {
+    std::vector<Way> turns;
+    std::set<Knob> shown;
+    for (const CurvePoint& point : curve_.points) {
+      if (point.picture == 0 && point.way.knob != Knob::kNone) continue;
+      turns.push_back(point.way);
+      shown.insert(point.way.knob);
+    }
+    for (const Knob knob : {Knob::kShading, Knob::kFilter, Knob::kSamples}) {
+      const bool tried = std::ranges::any_of(
+          curve_.points, [&](const CurvePoint& point) { return point.way.knob == knob; });
+      if (tried && !shown.contains(knob)) {
+        curve_.left_out.push_back(
+            {knob, "it changes no byte of this picture, and is not combined"});
+      }
+    }
+    return turns;
+  }
+
+  void find_faults() {
+    for (const CurvePoint& point : curve_.points) {
+      if (point.way.knob == Knob::kEngine && point.picture != 0)
+        curve_.faults.push_back(name_of(point.way));
+    }
+  }
+
+  Result<void> measure_geometry() {
+    tell("following vertices with 50 digits");
+    std::map<DepthFormat, double> errors;
+    for (CurvePoint& point : curve_.points) {
+      const DepthFormat format = point.way.settings.depth;
+      if (!errors.contains(format)) {
+        const auto vertices = SceneVertices::of(*request_.scene, *drawers_.view_of(point.way));
+        if (!vertices) return tl::unexpected(vertices.error());
+        errors[format] = vertices->depth_error(format);
+        if (point.way.knob == Knob::kNone) {
+          curve_.position_error = vertices->position_error();
+          curve_.vertices = vertices->count();
+        }
+      }
+      point.depth_error = errors[format];
+    }
+    return {};
+  }
+
+  void add_times() {
+    tell(fmt::format("timing {} ways in turn", curve_.points.size()));
+    std::vector<Way> ways;
+    for (const CurvePoint& point : curve_.points) ways.push_back(point.way);
+    const std::vector<Timed> times = frame_times(drawers_, ways, request_.repetitions);
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      curve_.points[i].ns = times[i].ns;
+      curve_.points[i].disturbed = times[i].disturbed;
+    }
+    curve_.repetitions = request_.repetitions;
+  }
+
+  void add_standings() {
+    std::vector<CurvePoint*> rivals;
+    std::vector<Price> prices;
+    for (CurvePoint& point : curve_.points) {
+      if (!point.way.is_timed_alone()) continue;
+      rivals.push_back(&point);
+      prices.push_back({point.error.rms, point.ns});
+    }
+    const std::vector<Standing> found = standings(prices);
+    for (std::size_t i = 0; i < found.size(); ++i) rivals[i]->standing = found[i];
+  }
+
+  const CurveRequest& request_;
+  Drawers drawers_;
+  Curve curve_;
+  std::vector<PictureError> errors_;  // of the pictures
+};
+
+}  // namespace
+
+Result<Curve> measure_curve(const CurveRequest& request) {
+  return Measurement(request).run();
+}
+
+}  // namespace glassbox::study
