@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "app/report/csv_field.h"
 #include "study/experiment/pareto.h"
 #include "study/experiment/theory.h"
 
@@ -49,13 +50,6 @@ std::string experiment_lines(const study::ExperimentResult& experiment, const st
 }
 
 }  // namespace
-
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
 
 std::string study_csv(const study::StudyResults& results) {
   std::string text =

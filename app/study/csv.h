@@ -7,9 +7,6 @@
 
 namespace glassbox::app {
 
-// A field as RFC 4180 asks for.
-std::string csv_field(const std::string& text);
-
 // A line for each configuration and number of threads, after one with the names of the columns (docs/study.md).
 std::string study_csv(const study::StudyResults& results);
 

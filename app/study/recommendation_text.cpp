@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bench/text.h"
+#include "app/report/table.h"
 #include "app/report/text_layout.h"
 #include "app/study/recommendation.h"
-#include "app/study/table.h"
 #include "study/experiment/results_json.h"
 
 namespace glassbox::app {

@@ -135,7 +135,8 @@ Result<CurveReport> StudySceneCommand::measure(const Scene& scene, Progress& pro
     return choose_view(scene, large).map([](const ChosenView& view) { return view.view; });
   };
   const int threads = threads_ > 0 ? threads_ : default_threads();
-  request.ways = {picture_.settings, picture_.filter, held_by(words_given(picture_)), {}, threads, {}};
+  request.ways = {
+      picture_.settings, picture_.filter, held_by(words_given(picture_)), {}, threads, {}};
   for (const auto& [level, unused] : request.at_levels) request.ways.levels.push_back(level);
   request.combine = !quick_;
   request.repetitions = study::kLeastRepetitions;

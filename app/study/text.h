@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/study/table.h"
+#include "app/report/table.h"
 
 #include "study/experiment/results.h"
 

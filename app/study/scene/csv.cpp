@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "app/study/csv.h"
+#include "app/report/csv_field.h"
 #include "app/study/scene/curve_report.h"
 
 namespace glassbox::app {

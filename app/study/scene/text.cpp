@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include "app/bench/text.h"
+#include "app/report/table.h"
 #include "app/report/text_layout.h"
 #include "app/study/scene/curve_report.h"
-#include "app/study/table.h"
 
 #include <glassbox/base/counted.h>
 

@@ -4,6 +4,7 @@
 
 #include "study/extremes/kit/coverage.h"
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/sight.h"
 
 namespace glassbox::study {
 namespace c54 {
@@ -64,6 +65,22 @@ Outcome judge(const Span& span) {
           fmt::format("{:.2g} relative at column {}", worst, worst_x)};
 }
 
+// A row as wide as a picture may be, before a texture of as many texels: each pixel has a texel of its own, and no step may be lost.
+Outcome judge_drawn(const Drawer& by) {
+  static const SightDrawn row = [] {
+    const float half = float(kMaxImageSide) / 2;
+    const Lens lens = OrthographicLens{0.5, 0, 2};
+    Vista vista = textured_vista({{Point<Eye>{-half, -1.5f, -1}, {half, 0, -1}, {-half, 1.5f, -1}}},
+                                 {{{{0, 0}, {1, 0.5f}, {0, 1}}}}, lens, 1, {kMaxImageSide, 1},
+                                 Wrap::kClampToEdge);
+    Camera camera;
+    camera.lens = lens;
+    vista.view = make_view(camera, kMaxImageSide, 1).value();
+    return SightDrawn(std::move(vista));
+  }();
+  return row.judge(by);
+}
+
 }  // namespace c54
 
 ExtremeCase c54_stepping() {
@@ -82,6 +99,7 @@ ExtremeCase c54_stepping() {
       .naive = {"u += du in float", [] { return judge(stepped_span); }},
       .mutants = {{"begun anew every 1024 pixels only",
                    [] { return judge([](const auto& visit) { anchored_span(1024, visit); }); }}},
+      .drawn = judge_drawn,
   };
 }
 

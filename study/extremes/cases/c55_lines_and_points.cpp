@@ -5,7 +5,9 @@
 #include <glassbox/raster/point.h>
 
 #include "study/extremes/kit/coverage.h"
+#include "study/extremes/kit/drawn_coverage.h"
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/screen_scene.h"
 #include "study/naive/lines.h"
 
 namespace glassbox::study {
@@ -83,6 +85,70 @@ Outcome judge_ours() {
   return outcome;
 }
 
+constexpr int kSide = 2048, kCell = 24;
+
+using ScreenLine = std::array<SnappedVertex, 2>;
+
+// Lines and points as a scene whose picture has them where they are given, in 1/256 px; what they cover is counted.
+ScreenScene screen_lines(const std::vector<ScreenLine>& lines,
+                         const std::vector<SnappedVertex>& points) {
+  ScreenScene made = screen_scene({}, kSide, layer_material());
+  Mesh& mesh = made.scene.meshes[0];
+  const auto corner = [&](const SnappedVertex& v) {
+    const float half = float(kSide) / 2;
+    mesh.positions.emplace_back(float(v.x) / 256 - half, half - float(v.y) / 256, -0.5f);
+    return Corner{.position = std::uint32_t(mesh.positions.size() - 1)};
+  };
+  for (const auto& [from, to] : lines) mesh.lines.push_back({corner(from), corner(to)});
+  for (const SnappedVertex& point : points) mesh.points.push_back(corner(point));
+  return made;
+}
+
+Image<Rgba8> drawn_by(const Drawer& drawer, const ScreenScene& scene) {
+  return drawer.draw(scene.scene, scene.view, plain_settings()).buffers.color;
+}
+
+// The lines of joint_faults, each in a cell of its own; and a row of points, of which each lights the pixel by the rule.
+Outcome judge_drawn(const Drawer& by) {
+  Random random(55);
+  std::vector<ScreenLine> whole, parts;
+  constexpr int kColumns = kSide / kCell;
+  for (int i = 0; i < 4000; ++i) {
+    const std::int32_t left = i % kColumns * kCell * 256, top = i / kColumns * kCell * 256;
+    const auto lattice = [&](int low, int high) {
+      return std::int32_t(random.integer(low, high)) * 64;
+    };
+    const SnappedVertex a{left + lattice(24, 72), top + lattice(24, 72)};
+    const int steps = int(random.integer(2, 6)), cut = int(random.integer(1, steps - 1));
+    const std::int32_t dx = lattice(-3, 3), dy = lattice(-3, 3);
+    const auto at = [&](int step) { return SnappedVertex{a.x + step * dx, a.y + step * dy}; };
+    if (dx == 0 && dy == 0) continue;
+    whole.push_back({a, at(steps)});
+    parts.insert(parts.end(), {{a, at(cut)}, {at(cut), at(steps)}});
+  }
+  const Image<Rgba8> one = drawn_by(by, screen_lines(whole, {}));
+  const Image<Rgba8> two = drawn_by(by, screen_lines(parts, {}));
+  std::int64_t joints = 0, lit = 0, points = 0;
+  for (std::size_t p = 0; p < one.pixels.size(); ++p) {
+    joints += one.pixels[p] != two.pixels[p] || layers_of(one.pixels[p]) > 1;
+    lit += layers_of(one.pixels[p]);
+  }
+  for (std::int32_t quarter = 0; quarter < 16; ++quarter) {
+    const SnappedVertex at{512 + quarter * 64, 640};
+    const Image<Rgba8> shown = drawn_by(by, screen_lines({}, {at}));
+    for (int x = 0; x < 10; ++x) {
+      const double centre = x + 0.5, p = at.x / 256.0;
+      const bool is_lit = p - 0.5 <= centre && centre < p + 0.5;
+      points += layers_of(shown.at(x, 2)) != int(is_lit);
+    }
+  }
+  Outcome outcome = must_be_zero(double(joints + points),
+                                 fmt::format("{} pixels wrong at joints of {} lines, {} of points",
+                                             joints, whole.size(), points));
+  if (lit < std::int64_t(whole.size())) outcome.error = HUGE_VAL;  // nothing was drawn
+  return outcome;
+}
+
 }  // namespace c55
 
 ExtremeCase c55_lines_and_points() {
@@ -105,6 +171,7 @@ ExtremeCase c55_lines_and_points() {
                    [] { return judge(naive::line_with_last_pixel); }},
                   {"the first pixel only where its centre is passed",
                    [] { return judge(naive::line_without_start); }}},
+      .drawn = judge_drawn,
   };
 }
 

@@ -1,3 +1,4 @@
+#include <glassbox/base/random.h>
 #include <glassbox/pipeline/dialects.h>
 #include <glassbox/pipeline/stereo/parallax.h>
 
@@ -60,6 +61,34 @@ View with_sign_turned(Side side) {
   return view;
 }
 
+// A mosaic in the window, of triangles whose corners lie anywhere: each eye's picture is what the camera between them sees.
+Vista mosaic() {
+  Random random(70);
+  constexpr int kCells = 8;
+  Point<Eye> at[kCells + 1][kCells + 1];
+  for (int i = 0; i <= kCells; ++i) {
+    for (int j = 0; j <= kCells; ++j) {
+      at[i][j] = {float(i - 4 + random.between(-0.3, 0.3)),
+                  float(j - 4 + random.between(-0.3, 0.3)), -10};
+    }
+  }
+  std::vector<EyeTriangle> triangles;
+  for (int i = 0; i < kCells; ++i) {
+    for (int j = 0; j < kCells; ++j) {
+      triangles.push_back({at[i][j], at[i + 1][j], at[i + 1][j + 1]});
+      triangles.push_back({at[i][j], at[i + 1][j + 1], at[i][j + 1]});
+    }
+  }
+  return vista_of(triangles, PerspectiveLens{0.785398163397448309616, 0.5, 1000.0}, 160);
+}
+
+Outcome judge_drawn(const Drawer& by) {
+  static const SightDrawn seen(mosaic());
+  const StereoPair pair{0.3, 10};
+  return worse_of(seen.judge(eye_of(by, pair, Side::kLeft)),
+                  seen.judge(eye_of(by, pair, Side::kRight)));
+}
+
 }  // namespace c70
 
 ExtremeCase c70_zero_parallax() {
@@ -85,6 +114,7 @@ ExtremeCase c70_zero_parallax() {
                      return judge(
                          through(with_sign_turned(Side::kLeft), with_sign_turned(Side::kRight)));
                    }}},
+      .drawn = judge_drawn,
   };
 }
 

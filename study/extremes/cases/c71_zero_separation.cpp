@@ -26,6 +26,13 @@ Outcome judge_engine(EngineKind engine, const PairScene& s = mono()) {
   return judge({drawn.left.color, drawn.right.color}, drawn.passes);
 }
 
+Outcome judge_drawn(const Drawer& by) {
+  const PairScene s = mono();
+  const StereoRendering drawn =
+      by.renderer(s.scene, Transfer::kSrgb).render_pair(s.centre, s.pair, {});
+  return judge({drawn.left.color, drawn.right.color}, drawn.passes);
+}
+
 Outcome judge_ours() {
   return worse_of(judge_engine(EngineKind::kStaged), judge_engine(EngineKind::kTile));
 }
@@ -64,6 +71,7 @@ ExtremeCase c71_zero_separation() {
       .ours = {"both engines", judge_ours},
       .naive = {"always two passes", judge_two_passes},
       .mutants = {{"a separation of 0.002 in place of none", judge_least_separation}},
+      .drawn = judge_drawn,
   };
 }
 

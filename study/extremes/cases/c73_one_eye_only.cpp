@@ -74,6 +74,16 @@ Outcome judge_ours() {
                            count(maps.left).all() + count(maps.right).all()));
 }
 
+Outcome judge_drawn(const Drawer& by) {
+  static const PairDrawn things = [] {
+    const PairScene s = close_things();
+    Camera camera;
+    camera.lens = PerspectiveLens{0.785398163397448309616, 0.1, 1000.0};
+    return PairDrawn(vista_of(s.scene, camera, 320, 180), s.pair);
+  }();
+  return things.judge(by);
+}
+
 Outcome judge_culled(const Keeps& keeps) {
   return judge(each_eye_alone(culled(close_things(), keeps)));
 }
@@ -103,6 +113,7 @@ ExtremeCase c73_one_eye_only() {
                      return judge_culled(
                          [](const auto& left, const auto&, const View&) { return seen_by(left); });
                    }}},
+      .drawn = judge_drawn,
   };
 }
 

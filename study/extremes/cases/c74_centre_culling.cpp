@@ -1,3 +1,4 @@
+#include <glassbox/pipeline/framing.h>
 #include <glassbox/render/renderer.h>
 
 #include "study/extremes/kit/extreme_case.h"
@@ -30,6 +31,22 @@ Outcome judge_ours() {
                   judge(StereoCulling::kUnion, EngineKind::kTile));
 }
 
+Outcome judge_drawn(const Drawer& by) {
+  static const std::vector<PairDrawn> pairs = [] {
+    std::vector<PairDrawn> made;
+    for (const double share : {0.01, 0.03, 0.1}) {
+      const PairScene s = pair_scene("forest", share, 128, 72);
+      const Camera camera =
+          s.scene.cameras.empty() ? frame(s.scene, 128.0 / 72).value() : s.scene.cameras.front();
+      made.emplace_back(vista_of(s.scene, camera, 128, 72), s.pair);
+    }
+    return made;
+  }();
+  Outcome worst;
+  for (const PairDrawn& pair : pairs) worst = worse_of(pair.judge(by), worst);
+  return worst;
+}
+
 }  // namespace c74
 
 ExtremeCase c74_centre_culling() {
@@ -47,6 +64,7 @@ ExtremeCase c74_centre_culling() {
                 [] { return judge(StereoCulling::kCentre, EngineKind::kStaged); }},
       .mutants = {{"centre culling, tile engine",
                    [] { return judge(StereoCulling::kCentre, EngineKind::kTile); }}},
+      .drawn = judge_drawn,
   };
 }
 

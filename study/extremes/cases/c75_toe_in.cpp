@@ -56,6 +56,22 @@ View heights_of_their_own(const View& centre, const StereoPair& pair, Side side)
   return view;
 }
 
+// Low and wide triangles over the whole picture at the three distances: their edges are nearly level, and show when an eye's
+// picture lies higher than the other's.
+Outcome judge_drawn(const Drawer& by) {
+  static const PairDrawn steps = [] {
+    std::vector<EyeTriangle> triangles;
+    const float distances[] = {5, 10, 40};
+    for (int row = -12; row < 12; ++row) {
+      const float z = distances[(row + 12) % 3], y = float(row) * 0.033f * z;
+      triangles.push_back({Point<Eye>{-z, y, -z}, {z, y + 0.002f * z, -z}, {0, y + 0.03f * z, -z}});
+    }
+    return PairDrawn(
+        vista_of(triangles, PerspectiveLens{0.785398163397448309616, 0.5, 1000.0}, 160), kPair);
+  }();
+  return steps.judge(by);
+}
+
 }  // namespace c75
 
 ExtremeCase c75_toe_in() {
@@ -75,6 +91,7 @@ ExtremeCase c75_toe_in() {
       .mutants = {{"one camera toed in", [] { return judge(one_toed_in, false); }},
                   {"the eyes' rows of y differ by a rounding or two",
                    [] { return judge(heights_of_their_own, false); }}},
+      .drawn = judge_drawn,
   };
 }
 

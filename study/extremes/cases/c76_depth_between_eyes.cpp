@@ -40,6 +40,49 @@ Outcome judge(const Image<Rgba8>& shown) {
                       fmt::format("{} of {} pixels differ", differ, right.pixels.size()));
 }
 
+// Cards before each other, each texel in a colour of its own: red as the left eye sees it, green and blue as the right one does.
+Vista cards() {
+  std::vector<EyeTriangle> triangles;
+  std::vector<Texcoords> texcoords;
+  for (int i = 0; i < 6; ++i) {
+    const float z = -12 + 1.7f * float(i), x = float(i % 3 - 1) * 1.3f, y = float(i / 3) - 0.7f;
+    triangles.push_back(
+        {Point<Eye>{x - 1.5f, y - 1.2f, z}, {x + 1.5f, y - 1.2f, z}, {x, y + 1.6f, z}});
+    texcoords.push_back({{{0, 0}, {1, 0}, {0.5f, 1}}});
+  }
+  return textured_vista(triangles, texcoords, PerspectiveLens{0.7, 1, 20.0}, 96, {32, 32},
+                        Wrap::kClampToEdge);
+}
+
+Outcome judge_drawn(const Drawer& by) {
+  constexpr StereoPair kPair{0.2, 8};
+  static const SightDrawn left(seen_by(cards(), kPair, Side::kLeft)),
+      right(seen_by(cards(), kPair, Side::kRight));
+  const Vista& centre = left.vista();
+  StereoSettings settings;
+  settings.render = centre.settings;
+  settings.render.want_id = false;
+  const Image<Rgba8> shown = by.renderer(centre.scene, settings.render.transfer)
+                                 .render_masked_anaglyph(centre.view, kPair, settings, {})
+                                 .left.color;
+  const auto color = [&](const Sight& sight) {
+    return sight.nearest == 0 ? settings.render.background
+                              : color_of_texel(sight.texel[0], sight.texel[1]);
+  };
+  std::size_t judged = 0, wrong = 0;
+  for (std::size_t i = 0; i < shown.pixels.size(); ++i) {
+    const auto in_left = left.sight(i), in_right = right.sight(i);
+    if (!in_left || !in_right) continue;
+    ++judged;
+    const Rgba8 &found = shown.pixels[i], a = color(*in_left), b = color(*in_right);
+    wrong += found.r != a.r || found.g != b.g || found.b != b.b;
+  }
+  Outcome outcome = must_be_zero(
+      double(wrong), fmt::format("{} of {} pixels have another channel", wrong, judged));
+  if (2 * judged < shown.pixels.size()) outcome.error = HUGE_VAL;
+  return outcome;
+}
+
 }  // namespace c76
 
 ExtremeCase c76_depth_between_eyes() {
@@ -69,6 +112,7 @@ ExtremeCase c76_depth_between_eyes() {
                          make_anaglyph(eyes().right.color, eyes().left.color, AnaglyphMethod::kMask)
                              .value());
                    }}},
+      .drawn = judge_drawn,
       .pictures = {{"naive", [] { return png_of(without_clearing()); }},
                    {"ours", [] { return png_of(masked(EngineKind::kTile)); }}},
   };

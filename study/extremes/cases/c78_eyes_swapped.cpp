@@ -13,15 +13,18 @@ struct Drawn {
   Image<float> disparity;
 };
 
+Drawn room_by(const Drawer& drawer) {
+  const PairScene s = pair_scene("room", 0.03);
+  StereoSettings settings;
+  settings.render.want_distance = true;
+  const StereoRendering pair =
+      drawer.renderer(s.scene, settings.render.transfer).render_pair(s.centre, s.pair, settings);
+  return {{pair.left.color, pair.right.color}, disparity_map(s.centre, s.pair, pair.left.distance)};
+}
+
+// By the staged reference.
 const Drawn& room() {
-  static const Drawn drawn = [] {
-    const PairScene s = pair_scene("room", 0.03);
-    StereoSettings settings;
-    settings.render.want_distance = true;
-    const StereoRendering pair = render_pair(s.scene, s.centre, s.pair, settings);
-    return Drawn{{pair.left.color, pair.right.color},
-                 disparity_map(s.centre, s.pair, pair.left.distance)};
-  }();
+  static const Drawn drawn = room_by(drawers().front());
   return drawn;
 }
 
@@ -56,6 +59,11 @@ Image<Rgba8> red_and_blue_interchanged() {
   return picture;
 }
 
+Outcome judge_drawn(const Drawer& by) {
+  const Drawn drawn = room_by(by);
+  return outcome_of(pair_order(drawn.eyes.left, drawn.eyes.right, drawn.disparity).value());
+}
+
 Outcome judge_ours() {
   return worse_of(judge_pair(room().eyes),
                   judge_anaglyph(anaglyph(room().eyes.left, room().eyes.right)));
@@ -84,6 +92,7 @@ ExtremeCase c78_eyes_swapped() {
                    [] { return judge_anaglyph(anaglyph(room().eyes.right, room().eyes.left)); }},
                   {"channel swap: red and blue interchanged, as BGR files have them",
                    [] { return judge_anaglyph(red_and_blue_interchanged()); }}},
+      .drawn = judge_drawn,
       .pictures = {{"ours", [] { return png_of(anaglyph(room().eyes.left, room().eyes.right)); }},
                    {"naive", [] { return png_of(anaglyph(room().eyes.right, room().eyes.left)); }}},
   };

@@ -5,14 +5,15 @@
 #include <string>
 #include <vector>
 
-#include <glassbox/render/staged/staged.h>
-#include <glassbox/render/tile/tile_engine.h>
+#include <glassbox/render/renderer.h>
 
 namespace glassbox::study {
 
 struct Drawer {
   std::string name;  // "staged", "tile, avx2"
   std::function<Rendering(const Scene&, const View&, const RenderSettings&)> draw;
+  // For pairs. The scene must outlive it.
+  std::function<Renderer(const Scene&, Transfer)> renderer;
 };
 
 // The staged reference; the tile engine for each target that this processor has; and without a plan, for the best of them.

@@ -1,5 +1,9 @@
 #include "study/extremes/kit/pair.h"
 
+#include <cmath>
+#include <utility>
+#include <variant>
+
 #include <glassbox/mesh/bounds.h>
 #include <glassbox/mesh/builtin/scenes.h>
 #include <glassbox/pipeline/framing.h>
@@ -26,6 +30,41 @@ EyePictures each_eye_alone(const PairScene& s) {
     return render_staged(s.scene, eye_view(s.centre, s.pair, side), {}).buffers.color;
   };
   return {eye(Side::kLeft), eye(Side::kRight)};
+}
+
+Vista seen_by(Vista centre, const StereoPair& pair, Side side) {
+  const auto& lens = std::get<PerspectiveLens>(centre.lens);
+  const Viewport& viewport = centre.view.viewport;
+  const double shift = eye_shift(pair, side), height = std::tan(lens.fovy_radians / 2) * lens.near;
+  const double width = height * double(viewport.width()) / double(viewport.height());
+  const double skew = shift * lens.near / pair.window;
+  centre.lens = FrustumLens{skew - width, skew + width, -height, height, lens.near, lens.far};
+  for (SeenTriangle& triangle : centre.triangles) {
+    for (auto& corner : triangle.corners) corner[0] += shift;
+  }
+  return centre;
+}
+
+Drawer eye_of(const Drawer& drawer, const StereoPair& pair, Side side) {
+  const auto draw = [=](const Scene& scene, const View& centre, const RenderSettings& settings) {
+    StereoSettings both;
+    both.render = settings;
+    StereoRendering drawn =
+        drawer.renderer(scene, settings.transfer).render_pair(centre, pair, both);
+    return side == Side::kLeft ? Rendering{std::move(drawn.left), drawn.left_statistics}
+                               : Rendering{std::move(drawn.right), drawn.right_statistics};
+  };
+  return {drawer.name, draw, {}};
+}
+
+PairDrawn::PairDrawn(const Vista& centre, const StereoPair& pair)
+    : pair_(pair),
+      left_(seen_by(centre, pair, Side::kLeft)),
+      right_(seen_by(centre, pair, Side::kRight)) {}
+
+Outcome PairDrawn::judge(const Drawer& drawer) const {
+  return worse_of(left_.judge(eye_of(drawer, pair_, Side::kLeft)),
+                  right_.judge(eye_of(drawer, pair_, Side::kRight)));
 }
 
 std::uint64_t pixels_that_differ(const Image<Rgba8>& a, const Image<Rgba8>& b) {

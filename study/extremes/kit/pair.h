@@ -10,6 +10,8 @@
 #include <glassbox/render/stereo/render_pair.h>
 
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/sight.h"
+#include "study/extremes/kit/vista.h"
 
 namespace glassbox::study {
 
@@ -29,6 +31,23 @@ struct EyePictures {
 
 // Each eye by a run of its own, with the staged reference: what a pair has to look like.
 EyePictures each_eye_alone(const PairScene& scene);
+
+// What one eye sees of what the camera between the eyes looks at, through a perspective lens: from its own place, through the same
+// window.
+Vista seen_by(Vista centre, const StereoPair& pair, Side side);
+// One eye of the pairs that a drawer draws. The view that it is given is the camera's between the eyes.
+Drawer eye_of(const Drawer& drawer, const StereoPair& pair, Side side);
+
+// A vista from both eyes, worked out once for all drawers.
+class PairDrawn {
+public:
+  PairDrawn(const Vista& centre, const StereoPair& pair);
+  Outcome judge(const Drawer& drawer) const;
+
+private:
+  StereoPair pair_;
+  SightDrawn left_, right_;
+};
 
 // Pixels that differ from it, of both eyes.
 std::uint64_t pixels_that_differ(const Image<Rgba8>& a, const Image<Rgba8>& b);

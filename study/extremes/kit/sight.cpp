@@ -192,17 +192,34 @@ struct Reach {
   double left = -HUGE_VAL, right = HUGE_VAL, top = -HUGE_VAL, bottom = HUGE_VAL;
 };
 
+// What the picture shows at the distance 1 of a lens that has its eye in one place.
+struct Window {
+  Long left = 0, right = 0, bottom = 0, top = 0;
+};
+std::optional<Window> window_of(const Vista& vista) {
+  if (const auto* lens = std::get_if<FrustumLens>(&vista.lens)) {
+    const Long near = lens->near;
+    return Window{lens->left / near, lens->right / near, lens->bottom / near, lens->top / near};
+  }
+  const auto* lens = std::get_if<PerspectiveLens>(&vista.lens);
+  if (lens == nullptr) return std::nullopt;
+  const Long height = std::tan(Long(lens->fovy_radians) / 2);
+  const Viewport& viewport = vista.view.viewport;
+  const Long width = height * Long(viewport.width()) / Long(viewport.height());
+  return Window{-width, width, -height, height};
+}
+
 // Where on the screen a triangle before the eye may be, with a pixel to spare; everywhere, of one that reaches behind it.
 Reach reach_of(const Vista& vista, const SeenTriangle& triangle) {
-  const auto* lens = std::get_if<PerspectiveLens>(&vista.lens);
-  if (lens == nullptr) return {};
+  const auto window = window_of(vista);
+  if (!window) return {};
+  const auto& [left, right, bottom, top] = *window;
   const Long width = vista.view.viewport.width(), height = vista.view.viewport.height();
-  const Long scale = height / 2 / std::tan(Long(lens->fovy_radians) / 2);
   Reach reach{HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL};
   for (const Long3& p : triangle.corners) {
     if (!(-p[2] > Long(vista.view.near) / 2)) return {};
-    const double x = double(width / 2 + scale * p[0] / -p[2]);
-    const double y = double(height / 2 - scale * p[1] / -p[2]);
+    const double x = double((p[0] / -p[2] - left) / (right - left) * width);
+    const double y = double((top - p[1] / -p[2]) / (top - bottom) * height);
     reach = {std::min(reach.left, x - 1), std::max(reach.right, x + 1), std::min(reach.top, y - 1),
              std::max(reach.bottom, y + 1)};
   }
@@ -236,6 +253,11 @@ SightDrawn::SightDrawn(Vista vista) : vista_(std::move(vista)) {
                          as_deep ? std::optional(centre.layers) : std::nullopt});
     }
   }
+}
+
+std::optional<Sight> SightDrawn::sight(std::size_t pixel) const {
+  const std::optional<Sight>& sight = pixels_[pixel].sight;
+  return sight && sight->told_apart ? sight : std::nullopt;
 }
 
 Outcome SightDrawn::judge(const Drawer& drawer) const {

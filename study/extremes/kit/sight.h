@@ -37,6 +37,10 @@ public:
   // than half of the pixels can be judged.
   Outcome judge(const Drawer& drawer) const;
 
+  const Vista& vista() const { return vista_; }
+  // Of a pixel, by rows; none where it is not to be judged.
+  std::optional<Sight> sight(std::size_t pixel) const;
+
 private:
   Vista vista_;
   // Of a pixel; none: not to be judged.

@@ -1,4 +1,4 @@
-#include "app/study/table.h"
+#include "app/report/table.h"
 
 #include <algorithm>
 #include <cstddef>
