@@ -58,7 +58,10 @@ public:
     progress_.phase(fmt::format("measuring {}", name_of(budget.quantity)));
     auto compared = compare(budget);
     if (!compared) return tl::unexpected(compared.error());
-    const auto chosen = study::cheapest(compared->comparison.candidates, budget.limit);
+    const auto& candidates = compared->comparison.candidates;
+    const auto chosen = budget.quantity == Quantity::kPosition
+                            ? study::nearest_to_render(candidates, budget.limit)
+                            : study::cheapest(candidates, budget.limit);
     take(*compared, chosen);
     return Judged{budget, std::move(compared->comparison), chosen};
   }

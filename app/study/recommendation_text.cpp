@@ -25,7 +25,8 @@ std::string table_of(const Judged& judged) {
   }
   const TimeUnit unit = time_unit(fastest);
   std::vector<Row> rows{
-      {"", "error", fmt::format("{}/{}", unit.name, comparison.item), "quartiles", ""}};
+      {"", "error", comparison.item.empty() ? "" : fmt::format("{}/{}", unit.name, comparison.item),
+       comparison.item.empty() ? "" : "quartiles", ""}};
   for (std::size_t i = 0; i < comparison.candidates.size(); ++i) {
     const Candidate& each = comparison.candidates[i];
     const auto time = [&](double ns) { return three_digits(ns / unit.ns); };

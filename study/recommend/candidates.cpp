@@ -1,16 +1,9 @@
 #include "study/recommend/candidates.h"
 
-#include <algorithm>
-
 namespace glassbox::study {
 
 std::optional<std::size_t> cheapest(const std::vector<Candidate>& candidates, double limit) {
-  const auto is_accurate = [&](const Candidate& each) { return each.ns && each.error < limit; };
-  const bool any_in_render = std::ranges::any_of(
-      candidates, [&](const Candidate& each) { return each.in_render && is_accurate(each); });
-  const auto fits = [&](const Candidate& each) {
-    return is_accurate(each) && each.in_render == any_in_render;
-  };
+  const auto fits = [&](const Candidate& each) { return each.ns && each.error < limit; };
   const Candidate* fastest = nullptr;
   for (const Candidate& each : candidates) {
     if (fits(each) && (fastest == nullptr || each.ns->median < fastest->ns->median))
@@ -24,6 +17,16 @@ std::optional<std::size_t> cheapest(const std::vector<Candidate>& candidates, do
     if (!best || each.error < candidates[*best].error) best = i;
   }
   return best;
+}
+
+std::optional<std::size_t> nearest_to_render(const std::vector<Candidate>& candidates,
+                                             double limit) {
+  for (const bool in_render : {true, false}) {
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      if (candidates[i].in_render == in_render && candidates[i].error < limit) return i;
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace glassbox::study

@@ -15,7 +15,7 @@ struct Candidate {
   std::vector<std::string> options;  // of glassbox render, which ask for it
   bool in_render = true;             // glassbox render can do it
   double error = 0;
-  // For one item; none where it was not timed: it cannot be recommended.
+  // For one item; none where it was not timed.
   std::optional<Quartiles> ns;
 };
 
@@ -25,8 +25,12 @@ struct Comparison {
   std::vector<Candidate> candidates;
 };
 
-// Of those that render can do, with an error below `limit`, the fastest that was timed; where there is none, of the others. Those whose
-// quartiles of time reach down to the fastest's are as fast; of them the most accurate. None where no candidate is accurate enough.
+// Of those with an error below `limit` the fastest that was timed. Those whose quartiles of time reach down to the fastest's are
+// as fast; of them the most accurate. None where no candidate is accurate enough.
 std::optional<std::size_t> cheapest(const std::vector<Candidate>& candidates, double limit);
+
+// Of those with an error below `limit` the first that render can do; where there is none, the first of the others.
+std::optional<std::size_t> nearest_to_render(const std::vector<Candidate>& candidates,
+                                             double limit);
 
 }  // namespace glassbox::study

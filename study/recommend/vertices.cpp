@@ -15,8 +15,6 @@
 
 #include "exact/matrix.h"
 #include "exact/number.h"
-#include "study/experiment/runner.h"
-#include "study/experiment/timing.h"
 
 namespace glassbox::study {
 
@@ -251,10 +249,8 @@ Comparison SceneVertices::positions() const {
   result.quantity = Quantity::kPosition;
   result.error = fmt::format("largest distance on the screen, of {} vertices", count());
   result.reference = "50 digits";
-  result.item = "vertex";
   const VertexColumns vertices = columns_of(draws, places_);
   ScreenColumns found{std::vector<double>(count()), std::vector<double>(count())};
-  std::vector<TimedWork> works;
   for (const Arithmetic& way : ways) {
     for (const int bits : {4, 6, 8, 10, 12}) {
       const double steps = std::ldexp(1.0, bits);
@@ -264,12 +260,8 @@ Comparison SceneVertices::positions() const {
       way.place_all(vertices, steps, found);
       candidate.error = largest_distance(found, places_);
       result.candidates.push_back(std::move(candidate));
-      works.push_back(
-          {[&, steps] { way.place_all(vertices, steps, found); }, double(places_.size())});
     }
   }
-  const std::vector<Timed> times = time_in_turn(works, kLeastRepetitions);
-  for (std::size_t i = 0; i < times.size(); ++i) result.candidates[i].ns = times[i].ns;
   return result;
 }
 

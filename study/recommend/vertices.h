@@ -30,7 +30,8 @@ public:
 
   // The largest distance on the screen of where render snaps a vertex to from where it is, in pixels.
   double position_error() const;
-  // Vertex arithmetic and subpixel bits; time for one vertex.
+  // Vertex arithmetic and subpixel bits, by their errors alone: render has one way, and what the others would cost it is not what a
+  // loop of their own costs.
   Comparison positions() const;
   // The largest error of the distances that a depth buffer of this format gives back: a share of the distance, for parallel
   // projections of the distance between the planes. The view's depth range must be the format's.

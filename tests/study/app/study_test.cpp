@@ -209,12 +209,16 @@ TEST_CASE("study recommend says what fits on this scene, and with which options 
     bool listed = false;
     for (const json& each : budget.at("candidates")) {
       CHECK(each.at("fits") == (each.at("error").get<double>() < budget.at("limit").get<double>()));
-      // Frames are timed where they may be recommended, vertices always.
-      if (budget.at("quantity") != "position") CHECK(each.at("fits") == !each.at("ns").is_null());
+      // Frames are timed where they may be recommended.
+      const bool timed = budget.at("quantity") != "position" && each.at("fits");
+      CHECK(timed == !each.at("ns").is_null());
       if (each.at("name") == chosen) listed = each.at("fits");
     }
     CHECK(listed);
   }
+  const json& together = found.at("together");
+  CHECK(together.at("ns").get<double>() > 0);
+  CHECK(together.at("colour_error").get<double>() < 1.0 / 16);
   const std::string command = found.at("command");
   CHECK(command.find("render teapot --size 64x48 --depth d") != std::string::npos);
   const std::string words = command.substr(command.find("render"));

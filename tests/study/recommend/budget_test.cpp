@@ -74,13 +74,16 @@ TEST_CASE("the fastest candidate with an error below the limit is recommended") 
   CHECK_FALSE(cheapest({}, 1).has_value());
 }
 
-TEST_CASE(
-    "what render can do comes first, however fast the rest; of those as fast as the fastest the "
-    "smaller error") {
+TEST_CASE("of candidates as fast as the fastest the smaller error is recommended") {
   CHECK(cheapest({candidate(3, 10, 2), candidate(2, 11, 2), candidate(1, 30, 1)}, 4) == 1u);
-  CHECK(cheapest({candidate(1, 10, 2, false), candidate(2, 11, 2), candidate(3, 12, 2)}, 4) == 1u);
-  CHECK(cheapest({candidate(1, 10, 2, false), candidate(2, 30, 2)}, 4) == 1u);
-  CHECK(cheapest({candidate(1, 10, 2, false), candidate(5, 30, 2)}, 4) == 0u);
+}
+
+TEST_CASE("what render can do comes first, then the first of the rest") {
+  const auto other = [](double error) { return candidate(error, 1, 0, false); };
+  const auto ours = [](double error) { return candidate(error, 1, 0); };
+  CHECK(nearest_to_render({other(1), other(2), ours(3)}, 4) == 2u);
+  CHECK(nearest_to_render({other(5), other(2), ours(3)}, 3) == 1u);  // below, not at
+  CHECK_FALSE(nearest_to_render({other(1), ours(1)}, 1).has_value());
 }
 
 TEST_CASE("a candidate that was not timed is not recommended") {

@@ -41,8 +41,7 @@ TEST_CASE(
     const bool in_double = each.name.starts_with("double");
     CHECK(each.error <= most + (in_double ? 1e-9 : 4e-4));
     CHECK(each.error >= step / 8);
-    REQUIRE(each.ns);
-    CHECK(each.ns->median > 0);
+    CHECK_FALSE(each.ns);
   }
 }
 
