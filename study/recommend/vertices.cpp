@@ -242,8 +242,8 @@ double SceneVertices::position_error() const {
 Comparison SceneVertices::positions() const {
   const std::vector<Draw>& draws = list_.draws;
   const Arithmetic ways[] = {
-      {"float, one matrix after the other", false, separately<float>(*scene_, view_, draws)},
       {"float, composed in double, anchored", true, as_render_does(view_, draws)},
+      {"float, one matrix after the other", false, separately<float>(*scene_, view_, draws)},
       {"double, one matrix after the other", false, separately<double>(*scene_, view_, draws)}};
   Comparison result;
   result.quantity = Quantity::kPosition;

@@ -1,5 +1,5 @@
 // The pages of `glassbox bench --html`, `glassbox diff --html`, `glassbox inspect`, `glassbox stereo --html`, `glassbox study extremes
-// --html` and `glassbox study report` in a browser.
+// --html`, `glassbox study report` and `glassbox study scene --html` in a browser.
 //
 //     node run.mjs PROGRAM DIRECTORY [WORDS]
 //
@@ -9,6 +9,7 @@ import assert from "node:assert/strict";
 import {closeBrowser} from "./browser.mjs";
 import {tests} from "./cases.mjs";
 import "./bench_tests.mjs";
+import "./curve_tests.mjs";
 import "./drawing_tests.mjs";
 import "./inspect_tests.mjs";
 import "./inspect_ways_tests.mjs";

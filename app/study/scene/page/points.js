@@ -54,7 +54,7 @@ function errorChart(theme) {
     legend: {position: "bottom", labels, onClick: () => {}}, told: ({point}) => told(point)});
   described.options.onClick = (event, hits, drawn) => {
     const hit = hits.map(({datasetIndex, index}) => drawn.data.datasets[datasetIndex].data[index].point).find(Boolean);
-    if (hit) choose(hit);
+    if (hit) setTimeout(() => choose(hit)); // once this chart is through with the click: choosing draws another one
   };
   return described;
 }
