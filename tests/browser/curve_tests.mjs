@@ -76,7 +76,7 @@ test("curve: a click on a point of the chart chooses its way", async () => {
     return [box.left + point.x, box.top + point.y, chart.data.datasets[at].data[0].point.name];
   });
   await page.mouse.click(x, y);
-  assert.equal(await page.locator("#way-title").textContent(), name);
+  await page.waitForFunction((wanted) => document.getElementById("way-title").textContent === wanted, name);
   await page.locator("#measures input").first().focus();
   await page.keyboard.press("ArrowRight");
   assert.match(await page.locator("#chart canvas").evaluate((canvas) => Chart.getChart(canvas).options.scales.y.title.text), /FLIP/);
