@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/stereo/maps.h"
 #include "app/study/scene/curve_report.h"
 #include "curve_page.h"  // made by html/embed.cmake
 
@@ -74,9 +75,13 @@ std::vector<std::uint8_t> flip_levels(const Picture& picture, const Picture& ref
   return levels;
 }
 
-Json colours() {
+// By level, from black for nothing to be seen.
+Json colours_of_levels() {
   Json colours = Json::array();
-  for (const Rgba8& each : heat_colours()) colours.push_back({each.r, each.g, each.b});
+  for (int level = 0; level <= kHeatHottest; ++level) {
+    const Rgba8 colour = heat_colour(double(level) / kHeatHottest);
+    colours.push_back({colour.r, colour.g, colour.b});
+  }
   return colours;
 }
 
@@ -106,7 +111,7 @@ private:
 Result<std::string> curve_page(const CurveReport& report) {
   const study::Curve& curve = report.curve;
   Json manifest = curve_json(report);
-  manifest["heat"] = colours();
+  manifest["heat"] = colours_of_levels();
   // Most pictures are nearly another one's, and stand as what they differ from it by.
   Json& bases = manifest["bases"] = Json::array();
   Blocks blocks;
