@@ -129,8 +129,13 @@ void PictureBounds::triangle(const TracedTriangle& triangle) {
     const TracedVertex& vertex = triangle.polygon[i];
     const VertexBounds& bounds = known.bounds.polygon[i];
     const BoundPlace place{triangle.number, corner_of(vertex), -1, -1};
-    errors_.screen.see(largest_of({bounds.screen.x, bounds.screen.y}), place);
-    errors_.snapped.see(largest_of(snap_bound(vertex, bounds)), place);
+    const double snapped = largest_of(snap_bound(vertex, bounds));
+    if (place.corner) {
+      errors_.screen.see(largest_of({bounds.screen.x, bounds.screen.y}), place);
+      errors_.snapped.see(snapped, place);
+    } else {
+      errors_.cut.see(snapped, place);
+    }
     errors_.vertices_snapped_elsewhere += !bounds.snap_x.stable || !bounds.snap_y.stable;
   }
 }

@@ -47,8 +47,9 @@ private:
 };
 
 struct PictureErrors {
-  // Of vertices of triangles that have an area on the screen, in pixels: the larger of x and y, before and after the snap.
-  BoundSummary screen, snapped;
+  // Of vertices of triangles that have an area on the screen, in pixels: the larger of x and y, before and after the snap; and
+  // after the snap of those that clipping made, which may lie thousands of pixels beside the picture.
+  BoundSummary screen, snapped, cut;
   // Of fragments: NDC depth as the buffer stores it; of perspective views, as a share of the distance along the gaze.
   BoundSummary depth, distance;
   // Of fragments in front: texels of level 0, the larger of both axes; the length of the normal's error over the normal's.
