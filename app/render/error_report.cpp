@@ -146,7 +146,7 @@ std::string row_text(const Row& row) {
   const BoundSummary& bounds = row.bounds;
   const bool any = bounds.count() > bounds.unbounded();
   std::string text =
-      fmt::format("  {:<25}{:<13}{:>10}{:>11}  {:<26}", row.number, row.unit,
+      fmt::format("  {:<27}{:<13}{:>10}{:>11}  {:<26}", row.number, row.unit,
                   any ? number_text(bounds.largest() * row.units) : "unknown",
                   number_text(bounds.typical() * row.units), any ? place_text(bounds.place()) : "");
   if (bounds.unbounded() > 0) {
@@ -158,7 +158,7 @@ std::string row_text(const Row& row) {
 
 std::string parts_text(const ErrorReport& report) {
   std::string text =
-      fmt::format("  {:<38}{:>10}{:>11}  {}\n", "", "at most", "half below", "where");
+      fmt::format("  {:<40}{:>10}{:>11}  {}\n", "", "at most", "half below", "where");
   for (const Part& part : parts_of(report)) {
     text += fmt::format("{}, {:.1f} ms\n", part.name, part.ms);
     for (const Row& row : part.rows) {

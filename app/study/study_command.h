@@ -9,6 +9,7 @@
 #include "app/study/recommend_command.h"
 #include "app/study/report_command.h"
 #include "app/study/run_command.h"
+#include "app/study/stiffness_command.h"
 
 namespace glassbox::app {
 
@@ -23,6 +24,7 @@ private:
   StudyReportCommand report_;
   StudyExtremesCommand extremes_;
   StudyRecommendCommand recommend_;
+  StudyStiffnessCommand stiffness_;
 };
 
 }  // namespace glassbox::app
