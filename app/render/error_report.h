@@ -25,7 +25,7 @@ struct ErrorReport {
 };
 
 std::string error_report_text(const ErrorReport& report);
-// Schema "glassbox-report/1" (docs/command_line.md).
+// Schema "glassbox-report/1" (docs/exactness.md).
 nlohmann::ordered_json error_report_json(const ErrorReport& report);
 
 }  // namespace glassbox::app

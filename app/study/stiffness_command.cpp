@@ -28,7 +28,7 @@ void StudyStiffnessCommand::add_to(CLI::App& study, int& exit_code) {
       "  glassbox study stiffness room\n"
       "  glassbox study stiffness model.glb --near 0.001 --far 1e5 --html stiff.html\n"
       "  glassbox study stiffness forest --size 640x360 --json -\n\n"
-      "The options of the picture are those of glassbox render. docs/stiffness.md has the "
+      "The options of the picture are those of glassbox render. docs/exactness.md has the "
       "formulas.\n\n" +
       builtin_help());
   command.add_option("SCENE", scene_, kSceneHelp)->required();

@@ -183,8 +183,8 @@ bool PictureBounds::see_depth(const TracedFragment& fragment, const FragmentBoun
   errors_.depth.see(stored, where);
   if (view_.perspective) {
     const double distance = 1 / double(place.inverse_w);
-    errors_.distance.see(distance_of_depth(distance, view_.near, view_.far, stored) / distance,
-                         where);
+    const double first_order = distance_of_depth(distance, view_.near, view_.far, stored);
+    errors_.distance.see(share_of_distance(first_order / distance), where);
   }
   // The test is of codes. Exact depths of equal codes, or of codes whose bounds overlap, may be in another order; what is
   // stored may then be the other one.

@@ -50,7 +50,8 @@ double depth_share(const View& view, DepthFormat format, double depth, double di
   const bool whole = format == DepthFormat::kUnorm24 || format == DepthFormat::kUnorm16;
   const double step = whole ? 0.5 / unorm_depth_steps(format) : 0;
   const double bound = ndc_bound + 8 * unit_roundoff<float> * std::abs(depth) + step;
-  return distance_of_depth(distance, view.near, view.far, bound) / distance * kRoundUp;
+  return share_of_distance(distance_of_depth(distance, view.near, view.far, bound) / distance) *
+         kRoundUp;
 }
 
 double half_ulp_on_screen(const Transform<Clip, Object>& clip_from_object,

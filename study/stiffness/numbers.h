@@ -14,8 +14,8 @@ namespace glassbox::study {
 // Pixels that a unit across the gaze takes up in a distance of 1, vertically; of parallel views anywhere.
 double pixels_per_unit(const View& view);
 
-// C bound 8: distance along the gaze that the depth's error stands for, as a share of the distance z: z (f - n)/(f n) dd, where dd
-// is `ndc_bound` of the vertices, 8 u of the depth for interpolating it, and half a step of the format.
+// C bound 8: distance along the gaze that the depth's error stands for, as a share of the distance z: s = z (f - n)/(f n) dd, and
+// s/(1 - s) behind it, where dd is `ndc_bound` of the vertices, 8 u of the depth for interpolating it, and half a step of the format.
 double depth_share(const View& view, DepthFormat format, double depth, double distance,
                    double ndc_bound);
 

@@ -190,8 +190,8 @@ private:
          .bound = depth_.bound,
          .unit = "of distance",
          .pixels = depth_.pixels,
-         .formula = "z (f - n)/(f n) dd, as a share of z; dd of vertices, 8 u d, half a step of "
-                    "the format",
+         .formula =
+             "s/(1 - s), s = z (f - n)/(f n) dd; dd of vertices, 8 u d, half a step of the format",
          .source = "SPEC C, generic bound 8; C-10, C-56",
          .place = depth_.place,
          .tests_in_doubt = tests_in_doubt_,

@@ -68,6 +68,12 @@ std::string pixels_text(const StiffNumber& number) {
   return number.pixels ? number_text(*number.pixels) + " px" : "";
 }
 
+std::string errors_text(const StiffNumber& number) {
+  if (!std::isfinite(number.bound)) return "errors without a bound";
+  return "errors of up to " +
+         (number.pixels ? pixels_text(number) : number_text(number.bound) + " " + number.unit);
+}
+
 std::string doubt_text(std::uint64_t tests) {
   if (tests == 0) return "no depth test of this picture depends on it";
   return fmt::format("{} of this picture may go the other way", counted(tests, "depth test"));
@@ -179,9 +185,8 @@ std::vector<std::string> stiffness_warnings(const Scene& scene, const study::Sti
   std::vector<std::string> lines;
   for (const StiffNumber& number : found.numbers) {
     if (!number.passes()) continue;
-    std::string line = fmt::format(
-        "warning: {} is {}: errors of up to {}", number.name, condition_text(number.condition),
-        number.pixels ? pixels_text(number) : number_text(number.bound) + " " + number.unit);
+    std::string line = fmt::format("warning: {} is {}: {}", number.name,
+                                   condition_text(number.condition), errors_text(number));
     if (number.tests_in_doubt) line += ", " + doubt_text(*number.tests_in_doubt) + ", worst";
     if (number.place) line += " at " + place_text(scene, *number.place);
     lines.push_back(line + "; " + number.advice);

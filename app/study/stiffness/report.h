@@ -26,7 +26,7 @@ struct StiffnessReport {
 std::optional<Vector<World, double>> up_of(const Scene& scene, const CameraOptions& options);
 
 std::string stiffness_text(const Scene& scene, const StiffnessReport& report);
-// Schema "glassbox-stiffness/1" (docs/stiffness.md).
+// Schema "glassbox-stiffness/1" (docs/exactness.md).
 nlohmann::ordered_json stiffness_json(const Scene& scene, const StiffnessReport& report);
 // `command` makes the page again.
 std::string stiffness_page(const Scene& scene, const StiffnessReport& report,
