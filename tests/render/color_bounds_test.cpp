@@ -336,9 +336,9 @@ TEST_CASE("every colour of a run is within its bound") {
   for (int i = 0; i < 100; ++i) {
     CAPTURE(i);
     const Scene scene = random_scene(random);
-    const PerspectiveLens lens{random.between(0.5, 1.5), 0.1, {}};
+    const PerspectiveLens lens{random.between(0.5, 1.5), std::pow(10, random.between(-4, -1)), {}};
     const auto eye_from_world =
-        look_at(Point<World, double>{random.between(-1, 1), 1, random.between(0.5, 6)},
+        look_at(Point<World, double>{random.between(-1, 1), 0.5, random.between(0, 4)},
                 {0, random.between(-1, 1), 0}, {random.between(-0.5, 0.5), 1, 0});
     REQUIRE(eye_from_world);
     const auto view = make_view({"random", lens, inverse_rigid(*eye_from_world)}, 40, 30);
