@@ -18,6 +18,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::size_t kLongPath = 1000;
+
 // A number of a stage, with its bounds in the unit that is printed.
 struct Row {
   const char* stage;
@@ -109,9 +111,10 @@ std::vector<Doubt> doubts_of(const PictureErrors& e) {
        "fragment has an alpha that may be on the other side of the cutoff",
        "fragments have an alpha that may be on the other side of the cutoff"},
       {"pixels_undecided", e.pixels_undecided,
-       "pixel shows the outcome of one of the last three: its bytes are bounded for what it shows",
-       "pixels show the outcome of one of the last three: their bytes are bounded for what they "
-       "show"}};
+       "pixel shows what one of these fragments or tests decided: its bytes are bounded for what "
+       "it shows",
+       "pixels show what one of these fragments or tests decided: their bytes are bounded for what "
+       "they show"}};
 }
 
 std::vector<std::string> left_out(const ErrorReport& report) {
@@ -221,7 +224,8 @@ Json row_json(const ErrorReport& report, const Row& row) {
 
 std::string error_report_text(const ErrorReport& report) {
   return fmt::format("{}, {} x {}, {}: how far each stage's numbers may be off, and its time\n",
-                     printable(report.scene), report.width, report.height, report.engine) +
+                     printable(report.scene, kLongPath), report.width, report.height,
+                     report.engine) +
          parts_text(report) + doubts_text(report.errors) + left_out_text(report) +
          commands_text(report);
 }
