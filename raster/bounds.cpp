@@ -80,6 +80,10 @@ double distance_of_depth(double distance, double near, double far, double depth_
   return distance * distance * slope * depth_bound;
 }
 
+double share_of_distance(double first_order) {
+  return first_order < 1 ? first_order / (1 - first_order) * kRoundUp : kInfinity;
+}
+
 double area_bound(const std::array<ScreenVertex, 3>& vertices, double displacement) {
   const auto length = [&](std::size_t a, std::size_t b) {
     return std::abs(double(vertices[a].position.x) - double(vertices[b].position.x)) +

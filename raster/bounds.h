@@ -39,6 +39,10 @@ double attribute_bound(const std::array<float, 3>& values, const std::array<doub
 // it, for a perspective with planes at n and f (which may be infinite).
 double distance_of_depth(double distance, double near, double far, double depth_bound);
 
+// The same as a share of the distance, given `first_order`, that of above: 1/z is linear in the depth, so what lies behind by a
+// depth's error lies further behind than what lies before by it, and s becomes s/(1 - s). Infinite where that may be beyond all.
+double share_of_distance(double first_order);
+
 // Twice the signed area on the screen, in square pixels: how far that of the snapped triangle may lie from the exact one's
 // if no coordinate has been moved by more than `displacement` pixels. 2 s (|u|_1 + |v|_1) + 8 s^2, u and v two of its edges.
 double area_bound(const std::array<ScreenVertex, 3>& vertices, double displacement);

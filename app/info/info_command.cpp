@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/info/info_contents.h"
+#include "app/info/info_stiffness.h"
 #include "app/options/builtin_help.h"
 #include "app/options/output_options.h"
 #include "app/options/scene_input.h"
@@ -275,6 +276,8 @@ int InfoCommand::run() {
   std::vector<MeshReport> reports;
   for (const Mesh& mesh : scene.meshes) reports.push_back(check(mesh));
 
+  const std::vector<std::string> stiff = stiffness_of_framed(scene);
+
   if (glb_output_) {
     if (const auto written = write_glb(scene, *glb_output_); !written)
       return refuse(written.error());
@@ -282,6 +285,7 @@ int InfoCommand::run() {
   if (json_output_) {
     Json json = scene_json(scene, reports);
     add_contents(contents->value_or(GltfContents()), json);
+    json["stiffness"] = stiff;
     const auto written = write_json(*json_output_, json);
     if (!written) return refuse(written.error());
   }
@@ -289,6 +293,7 @@ int InfoCommand::run() {
     print_scene(scene, reports);
     if (*contents) fmt::print("{}", contents_text(**contents));
     print_warnings(scene);
+    for (const std::string& line : stiff) fmt::print("  {}\n", line);
   }
   return kSuccess;
 }

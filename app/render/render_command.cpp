@@ -16,6 +16,7 @@
 #include "app/options/ignored_options.h"
 #include "app/options/output_options.h"
 #include "app/options/scene_input.h"
+#include "app/render/error_report.h"
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
 #include "app/report/picture_output.h"
@@ -110,6 +111,7 @@ void RenderCommand::add_to(CLI::App& app, int& exit_code) {
       "  glassbox render teapot --eye 5,5,11 --look-at 0,1.5,0 --fov 30 --size 1920x1080\n"
       "  glassbox render plan.obj --ortho 10 --shade flat --background 1,1,1\n"
       "  glassbox render room --depth-out room.pfm --id-out ids.pfm --json -\n"
+      "  glassbox render room --report -\n"
       "  glassbox render forest --stereo anaglyph --eye-separation 0.3 --window 12\n"
       "  glassbox render forest --stereo anaglyph --frames 60 --path walk.json -o walk.png\n"
       "  glassbox render duck.glb --frames 36 --turntable -o turn/\n"
@@ -141,6 +143,12 @@ void RenderCommand::add_to(CLI::App& app, int& exit_code) {
       ->type_name("FILE.pfm")
       ->group(outputs);
   command.add_flag("--stats", stats_, "print what every stage did")->group(outputs);
+  command
+      .add_option("--report", report_output_,
+                  "how far each stage's numbers may be off, and its time: JSON in a .json, else a "
+                  "table; - is standard output")
+      ->type_name("FILE|-")
+      ->group(outputs);
   add_json_output(command, json_output_, "camera, counts and times")->group(outputs);
   command.callback([this, &exit_code] { exit_code = run(); });
 }
@@ -156,9 +164,26 @@ Result<void> RenderCommand::check_other_outputs(const std::string& image) const 
     if (const auto legal = check_extension(*plane, ".pfm"); !legal) return legal;
     paths.push_back(*plane);
   }
-  if (json_output_ && *json_output_ != "-") paths.push_back(*json_output_);
-  if (json_output_ == "-" && image == "-") {
-    return fail("--json -", "the picture goes to standard output", "name a file for one of them");
+  if (stereo_.form.wanted && report_output_) {
+    return fail("--report", "each eye has its own",
+                "render one eye at a time, with --seen-by left and --seen-by right");
+  }
+  std::vector<std::string> at_standard_output;
+  if (image == "-") at_standard_output.push_back("-o -");
+  for (const auto& [option, target] :
+       {std::pair("--json -", &json_output_), std::pair("--report -", &report_output_)}) {
+    if (!*target) continue;
+    if (**target != "-") {
+      paths.push_back(**target);
+    } else {
+      at_standard_output.push_back(option);
+    }
+  }
+  if (at_standard_output.size() > 1) {
+    return fail(at_standard_output.back(),
+                at_standard_output.front() == "-o -" ? "the picture goes to standard output"
+                                                     : "the JSON goes to standard output",
+                "name a file for one of them");
   }
   return check_outputs(paths);
 }
@@ -215,6 +240,10 @@ int RenderCommand::run_frames(const std::string& usual_output) {
   }
   if (stats_) {
     return refuse({"", "--stats", "each frame has its own", "leave it out, or see --json"});
+  }
+  if (report_output_) {
+    return refuse({"", "--report", "each frame has its own",
+                   "leave it out; one frame's picture says how it is rendered alone"});
   }
   if (output_ == "-") {
     return refuse({"", "-o -", "frames are many pictures", "name a file or a directory"});
@@ -275,7 +304,32 @@ int RenderCommand::run() {
   if (nothing_drawn(*drawn)) {
     fmt::print(stderr, "glassbox: note: {}\n", why_empty(renderer, drawn->view, picture_.settings));
   }
-  return report(output, *drawn, {load_ms, elapsed_ms(start)});
+  const RunTimes times{load_ms, elapsed_ms(start)};
+  if (report_output_) {
+    progress.phase("finding how exact the picture is");
+    const auto written = write_error_report(*scene, *drawn);
+    progress.done();
+    if (!written) return refuse(written.error());
+  }
+  return report(output, *drawn, times);
+}
+
+// A run of its own: what draws the picture stays as it is, and is timed without being watched.
+Result<void> RenderCommand::write_error_report(const Scene& scene,
+                                               const DrawnPicture& drawn) const {
+  const ErrorReport found{scene_,
+                          words_given(picture_),
+                          picture_.size.width,
+                          picture_.size.height,
+                          drawn.view,
+                          picture_.settings,
+                          engine_text(engine_),
+                          drawn.stages.front().second,
+                          picture_errors(scene, drawn.view, picture_.settings)};
+  const std::string& target = *report_output_;
+  return target != "-" && check_extension(target, ".json")
+             ? write_json(target, error_report_json(found))
+             : write_text(target, error_report_text(found));
 }
 
 Result<void> RenderCommand::write_pictures(const std::string& image,
@@ -322,7 +376,7 @@ int RenderCommand::report(const std::string& image, const DrawnPicture& drawn,
     if (const auto written = write_json(*json_output_, json); !written)
       return refuse(written.error());
   }
-  if (json_output_ == "-") return kSuccess;
+  if (json_output_ == "-" || report_output_ == "-") return kSuccess;
   std::FILE* const out = image == "-" ? stderr : stdout;
   if (stats_) fmt::print(out, "{}", stats_text(drawn, times));
   if (image == "-") return kSuccess;

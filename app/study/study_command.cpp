@@ -14,7 +14,8 @@ void StudyCommand::add_to(CLI::App& app, int& exit_code) {
       "  glassbox study report --quick -o report.html\n"
       "  glassbox study extremes\n"
       "  glassbox study scene room --html room.html\n"
-      "  glassbox study recommend forest --error-budget 'depth<1e-4, colour<1/100'\n\n"
+      "  glassbox study recommend forest --error-budget 'depth<1e-4, colour<1/100'\n"
+      "  glassbox study stiffness room\n\n"
       "docs/study.md explains how errors and times are measured.");
   command.require_subcommand(1);
   list_.add_to(command, exit_code);
@@ -24,6 +25,7 @@ void StudyCommand::add_to(CLI::App& app, int& exit_code) {
   extremes_.add_to(command, exit_code);
   scene_.add_to(command, exit_code);
   recommend_.add_to(command, exit_code);
+  stiffness_.add_to(command, exit_code);
 }
 
 }  // namespace glassbox::app

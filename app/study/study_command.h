@@ -10,6 +10,7 @@
 #include "app/study/report_command.h"
 #include "app/study/run_command.h"
 #include "app/study/scene_command.h"
+#include "app/study/stiffness_command.h"
 
 namespace glassbox::app {
 
@@ -25,6 +26,7 @@ private:
   StudyExtremesCommand extremes_;
   StudySceneCommand scene_;
   StudyRecommendCommand recommend_;
+  StudyStiffnessCommand stiffness_;
 };
 
 }  // namespace glassbox::app

@@ -53,7 +53,7 @@ TEST_CASE("what is missing or there twice is said in plain words") {
       {"render cube --size 8x8 --size 9x9", "--size: is given more than once; "},
       {"inspect cube --max-triangles -1", "--max-triangles"},
       {"lab", "a subcommand is missing; the subcommands are list, start, "},
-      {"study", "scene and recommend; glassbox study --help"}};
+      {"study", "scene, recommend and stiffness; glassbox study --help"}};
   for (const auto& [words, part] : cases) {
     INFO(words);
     check_refused(Workplace().run(words), {part});

@@ -1,5 +1,5 @@
 // The pages of `glassbox bench --html`, `glassbox diff --html`, `glassbox inspect`, `glassbox stereo --html`, `glassbox study extremes
-// --html`, `glassbox study report` and `glassbox study scene --html` in a browser.
+// --html`, `glassbox study report`, `glassbox study scene --html` and `glassbox study stiffness` in a browser.
 //
 //     node run.mjs PROGRAM DIRECTORY [WORDS]
 //
@@ -14,6 +14,7 @@ import "./drawing_tests.mjs";
 import "./inspect_tests.mjs";
 import "./inspect_ways_tests.mjs";
 import "./stereo_tests.mjs";
+import "./stiffness_tests.mjs";
 import "./study_tests.mjs";
 import "./using_tests.mjs";
 

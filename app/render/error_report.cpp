@@ -1,0 +1,254 @@
+#include "app/render/error_report.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "app/report/shell_line.h"
+#include "app/report/stage_report.h"
+#include "app/report/text_layout.h"
+
+#include <glassbox/base/counted.h>
+#include <glassbox/base/printable.h>
+
+namespace glassbox::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kLongPath = 1000;
+
+// A number of a stage, with its bounds in the unit that is printed.
+struct Row {
+  const char* stage;
+  const char* number;
+  const char* unit;
+  const BoundSummary& bounds;
+  double units = 1;  // printed units in one of the summary's
+};
+
+// The parts whose time an engine tells, and what they compute.
+struct Part {
+  const char* name;
+  double ms;
+  std::vector<Row> rows;
+};
+
+std::vector<Part> parts_of(const ErrorReport& report) {
+  const PictureErrors& e = report.errors;
+  const Statistics& s = report.statistics;
+  constexpr double kByte = 255;
+  return {{"prepare", s.prepare_ms, {}},
+          {"vertices", s.vertex_ms, {}},
+          {"triangles",
+           s.triangle_ms,
+           {{"screen", "corners on the screen", "px", e.screen},
+            {"snap", "snapped corners", "px", e.snapped},
+            {"snap", "where planes cut, snapped", "px", e.cut}}},
+          {"fragments",
+           s.fragment_ms,
+           {{"depth", "stored depth", "of 0 to 1", e.depth},
+            {"depth", "the same along the gaze", "of distance", e.distance},
+            {"attributes", "texture coordinates", "texels", e.texcoord},
+            {"attributes", "normals", "of length", e.normal},
+            {"texture", "texture samples", "1/255 light", e.texture, kByte},
+            {"light", "colours in the light", "1/255 light", e.light, kByte},
+            {"encoding", "stored bytes", "1/255", e.stored},
+            {"picture", "bytes of the picture", "1/255", e.picture}}}};
+}
+
+// ---- where ----
+
+std::string place_text(const BoundPlace& place) {
+  if (place.x >= 0) return fmt::format("pixel {},{}", place.x, place.y);
+  if (!place.corner) return fmt::format("triangle {}", place.triangle);
+  return fmt::format("triangle {}, corner {}", place.triangle, *place.corner);
+}
+
+// What shows the place stage by stage.
+std::string command_for(const ErrorReport& report, const BoundPlace& place) {
+  if (report.scene == "-") return {};
+  if (place.x >= 0) {
+    return shell_line({{"pixel", report.scene},
+                       report.picture,
+                       {"--at", fmt::format("{},{}", place.x, place.y)}});
+  }
+  return shell_line(
+      {{"step", report.scene}, report.picture, {"--triangle", fmt::format("{}", place.triangle)}});
+}
+
+Json place_json(const ErrorReport& report, const BoundPlace& place) {
+  Json json{{"triangle", place.triangle}};
+  if (place.corner) json["corner"] = *place.corner;
+  if (place.x >= 0) json["pixel"] = {place.x, place.y};
+  json["command"] = command_for(report, place);
+  return json;
+}
+
+// ---- what may be otherwise, and what is left out ----
+
+struct Doubt {
+  const char* key;
+  std::uint64_t count;
+  const char* one;
+  const char* many;
+};
+
+std::vector<Doubt> doubts_of(const PictureErrors& e) {
+  return {
+      {"vertices_snapped_elsewhere", e.vertices_snapped_elsewhere,
+       "vertex may belong on another place of the snap's grid",
+       "vertices may belong on another place of the snap's grid"},
+      {"fragments_near_edge", e.fragments_near_edge,
+       "fragment is so near an edge that the exact triangle may miss it",
+       "fragments are so near an edge that the exact triangle may miss them"},
+      {"fragments_as_deep", e.fragments_as_deep,
+       "depth test may go the other way with exact depths",
+       "depth tests may go the other way with exact depths"},
+      {"fragments_at_cutoff", e.fragments_at_cutoff,
+       "fragment has an alpha that may be on the other side of the cutoff",
+       "fragments have an alpha that may be on the other side of the cutoff"},
+      {"pixels_undecided", e.pixels_undecided,
+       "pixel shows what one of these fragments or tests decided: its bytes are bounded for what "
+       "it shows",
+       "pixels show what one of these fragments or tests decided: their bytes are bounded for what "
+       "they show"}};
+}
+
+std::vector<std::string> left_out(const ErrorReport& report) {
+  const PictureErrors& e = report.errors;
+  std::vector<std::string> notes;
+  if (e.fragments_of_lines_and_points > 0) {
+    notes.push_back(fmt::format(
+        "{} of lines and points, which have no bounds, and {} of the picture with a part of them",
+        counted(e.fragments_of_lines_and_points, "fragment"),
+        counted(e.pixels_unbounded, "pixel")));
+  }
+  if (samples_drawn(report.settings) > 1) {
+    notes.push_back(
+        fmt::format("the {} samples of a pixel: all numbers are those of pixel centres, as "
+                    "--samples 1 draws them",
+                    report.settings.samples));
+  }
+  if (report.settings.show != Show::kColor) {
+    notes.push_back("colours: the picture shows another quantity (--show)");
+  }
+  notes.push_back("pixels just outside an edge, which the exact triangle may cover");
+  return notes;
+}
+
+// ---- text ----
+
+std::string number_text(double value) {
+  return std::isfinite(value) ? fmt::format("{:.3g}", value) : "unknown";
+}
+
+std::string row_text(const Row& row) {
+  const BoundSummary& bounds = row.bounds;
+  const bool any = bounds.count() > bounds.unbounded();
+  std::string text =
+      fmt::format("  {:<27}{:<13}{:>10}{:>11}  {:<26}", row.number, row.unit,
+                  any ? number_text(bounds.largest() * row.units) : "unknown",
+                  number_text(bounds.typical() * row.units), any ? place_text(bounds.place()) : "");
+  if (bounds.unbounded() > 0) {
+    text += fmt::format("{} of {} unknown", grouped(bounds.unbounded()), grouped(bounds.count()));
+  }
+  text.erase(text.find_last_not_of(' ') + 1);
+  return text + "\n";
+}
+
+std::string parts_text(const ErrorReport& report) {
+  std::string text =
+      fmt::format("  {:<40}{:>10}{:>11}  {}\n", "", "at most", "half below", "where");
+  for (const Part& part : parts_of(report)) {
+    text += fmt::format("{}, {:.1f} ms\n", part.name, part.ms);
+    for (const Row& row : part.rows) {
+      if (row.bounds.count() > 0) text += row_text(row);
+    }
+  }
+  return text;
+}
+
+// The picture's own place, and where vertices are worst.
+std::string commands_text(const ErrorReport& report) {
+  std::string text;
+  for (const BoundSummary* bounds : {&report.errors.snapped, &report.errors.picture}) {
+    if (bounds->count() == bounds->unbounded()) continue;
+    const std::string command = command_for(report, bounds->place());
+    if (!command.empty()) text += "  " + command + "\n";
+  }
+  return text.empty() ? "" : "to look there\n" + text;
+}
+
+std::string doubts_text(const PictureErrors& errors) {
+  std::string text;
+  for (const Doubt& doubt : doubts_of(errors)) {
+    if (doubt.count > 0) {
+      text +=
+          wrapped("  ", grouped(doubt.count) + " " + (doubt.count == 1 ? doubt.one : doubt.many));
+    }
+  }
+  return text.empty() ? "" : "what exact numbers might decide otherwise\n" + text;
+}
+
+std::string left_out_text(const ErrorReport& report) {
+  std::string text = "what the bounds leave out\n";
+  for (const std::string& note : left_out(report)) text += wrapped("  ", note);
+  return text;
+}
+
+// ---- JSON ----
+
+Json finite(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json row_json(const ErrorReport& report, const Row& row) {
+  const BoundSummary& bounds = row.bounds;
+  Json json{{"stage", row.stage},
+            {"number", row.number},
+            {"unit", row.unit},
+            {"count", bounds.count()},
+            {"unknown", bounds.unbounded()}};
+  if (bounds.count() == 0) return json;
+  json["half_below"] = finite(bounds.typical() * row.units);
+  if (bounds.count() == bounds.unbounded()) return json;
+  json["at_most"] = bounds.largest() * row.units;
+  json["where"] = place_json(report, bounds.place());
+  return json;
+}
+
+}  // namespace
+
+std::string error_report_text(const ErrorReport& report) {
+  return fmt::format("{}, {} x {}, {}: how far each stage's numbers may be off, and its time\n",
+                     printable(report.scene, kLongPath), report.width, report.height,
+                     report.engine) +
+         parts_text(report) + doubts_text(report.errors) + left_out_text(report) +
+         commands_text(report);
+}
+
+Json error_report_json(const ErrorReport& report) {
+  Json parts = Json::array();
+  for (const Part& part : parts_of(report)) {
+    Json rows = Json::array();
+    for (const Row& row : part.rows) rows.push_back(row_json(report, row));
+    parts.push_back({{"part", part.name}, {"ms", part.ms}, {"numbers", std::move(rows)}});
+  }
+  Json doubts = Json::object();
+  for (const Doubt& doubt : doubts_of(report.errors)) doubts[doubt.key] = doubt.count;
+  return {{"schema", "glassbox-report/1"},
+          {"scene", report.scene},
+          {"width", report.width},
+          {"height", report.height},
+          {"engine", report.engine},
+          {"parts", std::move(parts)},
+          {"might_be_otherwise", std::move(doubts)},
+          {"fragments_of_lines_and_points", report.errors.fragments_of_lines_and_points},
+          {"pixels_unknown", report.errors.pixels_unbounded},
+          {"left_out", left_out(report)}};
+}
+
+}  // namespace glassbox::app

@@ -1,0 +1,29 @@
+// glassbox study stiffness: the condition numbers of a scene in one view, with the bounds that follow.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/options/cli_fwd.h"
+#include "app/options/picture_options.h"
+
+#include <glassbox/base/error.h>
+
+namespace glassbox::app {
+
+struct StiffnessReport;
+
+class StudyStiffnessCommand {
+public:
+  void add_to(CLI::App& study, int& exit_code);
+
+private:
+  int run() const;
+  Result<void> write_outputs(const Scene& scene, const StiffnessReport& report) const;
+
+  std::string scene_;
+  PictureOptions picture_;
+  std::optional<std::string> json_output_, html_output_;
+};
+
+}  // namespace glassbox::app

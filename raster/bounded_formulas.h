@@ -1,0 +1,21 @@
+// The formulas of the stages, for numbers that know how far they may be off (base/bounded.h).
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include <glassbox/base/bounded.h>
+#include <glassbox/raster/shading.h>
+#include <glassbox/raster/stages.h>
+#include <glassbox/raster/texture.h>
+
+namespace glassbox::bounded {
+
+#include <glassbox/base/formulas/transform_row.h>
+#include <glassbox/pipeline/formulas/vertex.h>
+#include <glassbox/raster/formulas/blend.h>
+#include <glassbox/raster/formulas/interpolate.h>
+#include <glassbox/raster/formulas/lighting.h>
+#include <glassbox/raster/formulas/texture.h>
+
+}  // namespace glassbox::bounded

@@ -1,0 +1,351 @@
+#include <glassbox/render/trace/color_bounds.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glassbox/mesh/normals.h>
+#include <glassbox/raster/color_bounds.h>
+#include <glassbox/raster/light_formulas.h>
+#include <glassbox/render/staged/vertex_stage.h>
+
+namespace glassbox {
+namespace {
+
+using bounded::Bounded;
+using bounded::BoundedOf;
+using bounded::standing_for;
+using Bounded3 = std::array<Bounded, 3>;
+
+// ---- at the corners ----
+
+template <class Columns, class Bounds>
+struct BoundedMatrix {
+  const Columns& columns;
+  const Bounds& bounds;
+  Bounded at(int row, int column) const { return {columns[column][row], bounds[column][row]}; }
+};
+template <class Columns, class Bounds>
+BoundedMatrix(const Columns&, const Bounds&) -> BoundedMatrix<Columns, Bounds>;
+
+Bounded3 eye_position(const Draw& draw, const DrawBounds& bounds, const Point<Object>& object) {
+  const BoundedMatrix matrix{draw.eye_from_anchored.columns, bounds.eye_from_anchored};
+  const Bounded x = Bounded(object.x) - draw.anchor.x, y = Bounded(object.y) - draw.anchor.y,
+                z = Bounded(object.z) - draw.anchor.z;
+  Bounded3 eye;
+  for (int row = 0; row < 3; ++row) {
+    eye[std::size_t(row)] = bounded::transform_row(matrix, row, x, y, z);
+  }
+  return eye;
+}
+
+double largest_entry(const glm::dmat3& m) {
+  double largest = 0;
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(m[column][row]));
+  }
+  return largest;
+}
+
+// Of the entries of Draw::eye_normal_from_object. eye_from_object is a product of doubles, one of them a rotation: its entries
+// are right to 12 * 2^-53 of the largest one. A cofactor is a difference of two products of such entries, 51 * 2^-53 of the
+// square of the largest; the scale makes the largest cofactor at most 1, and the rest is one rounding to float.
+glm::dmat3 normal_matrix_bound(const Draw& draw) {
+  const glm::dmat3 linear(draw.eye_from_object.columns);
+  const double largest = largest_entry(linear);
+  double cofactor = 0;
+  for (int c = 0; c < 3; ++c) {
+    for (int r = 0; r < 3; ++r) {
+      const int c1 = (c + 1) % 3, c2 = (c + 2) % 3, r1 = (r + 1) % 3, r2 = (r + 2) % 3;
+      cofactor =
+          std::max(cofactor, std::abs(linear[c1][r1] / largest * (linear[c2][r2] / largest) -
+                                      linear[c2][r1] / largest * (linear[c1][r2] / largest)));
+    }
+  }
+  glm::dmat3 bound;
+  for (int c = 0; c < 3; ++c) {
+    for (int r = 0; r < 3; ++r) {
+      bound[c][r] = std::abs(double(draw.eye_normal_from_object.columns[c][r])) * 0x1p-24 +
+                    0x1p-47 / cofactor + 0x1p-150;
+    }
+  }
+  return bound;
+}
+
+Bounded3 eye_normal(const Draw& draw, const Bounded3& object) {
+  const glm::dmat3 bounds = normal_matrix_bound(draw);
+  const BoundedMatrix matrix{draw.eye_normal_from_object.columns, bounds};
+  Bounded3 eye;
+  for (int row = 0; row < 3; ++row) {
+    eye[std::size_t(row)] = bounded::transform_normal_row(matrix, row, object);
+  }
+  return bounded::unit_normal(eye);
+}
+
+// Newell's vector is a sum of products of differences, in double: gamma_(N+3) of what it adds up.
+Bounded3 eye_normal_of_face(const Draw& draw, const Face& face) {
+  const std::optional<Normal<Object>> normal = face_normal(*draw.mesh, face);
+  if (!normal) return {};
+  std::vector<Point<Object, BoundedOf<double>>> corners;
+  for (std::uint32_t i = 0; i < face.count; ++i) {
+    const Point<Object>& p = draw.mesh->positions[draw.mesh->corners[face.first + i].position];
+    corners.emplace_back(double(p.x), double(p.y), double(p.z));
+  }
+  const auto newell = newell_vector<BoundedOf<double>>(corners);
+  const BoundedOf<double> length =
+      bounded::sqrt(newell.x * newell.x + newell.y * newell.y + newell.z * newell.z);
+  return eye_normal(draw, {standing_for(normal->x, bounded::rounded(newell.x / length)),
+                           standing_for(normal->y, bounded::rounded(newell.y / length)),
+                           standing_for(normal->z, bounded::rounded(newell.z / length))});
+}
+
+Bounded3 eye_centre(const Draw& draw, const DrawBounds& bounds, const Face& face) {
+  Bounded3 sum{};
+  for (std::uint32_t i = 0; i < face.count; ++i) {
+    const Corner& corner = draw.mesh->corners[face.first + i];
+    sum = bounded::sum(sum, eye_position(draw, bounds, draw.mesh->positions[corner.position]));
+  }
+  const Bounded share = Bounded(1.0f) / float(face.count);
+  return {sum[0] * share, sum[1] * share, sum[2] * share};
+}
+
+void light(const Draw& draw, const Lighting& lighting, const Bounded3& position,
+           BoundedVaryings& vertex) {
+  constexpr bool kHighlights = true;
+  const auto reflection = bounded::reflected_light(lighting, position, vertex.normal,
+                                                   draw.material->shininess, kHighlights);
+  vertex.diffuse = reflection.diffuse;
+  vertex.specular = reflection.specular;
+}
+
+struct Stage {
+  const Draw& draw;
+  const DrawBounds& bounds;
+  const Lighting& lighting;
+  const RenderSettings& settings;
+};
+
+BoundedVaryings corner_varyings(const Stage& stage, const Face& face, const Corner& corner,
+                                bool front) {
+  const Mesh& mesh = *stage.draw.mesh;
+  BoundedVaryings at;
+  if (corner.texcoord != kNone) {
+    at.texcoord = {mesh.texcoords[corner.texcoord].u, mesh.texcoords[corner.texcoord].v};
+  }
+  if (corner.color != kNone) {
+    const Rgba& color = mesh.colors[corner.color];
+    at.color = {color.r, color.g, color.b, color.a};
+  }
+  if (!needs_normals(stage.draw, stage.settings)) return at;
+  const bool flat = stage.settings.shading == Shading::kFlat;
+  at.position = eye_position(stage.draw, stage.bounds, mesh.positions[corner.position]);
+  if (flat || corner.normal == kNone) {
+    at.normal = eye_normal_of_face(stage.draw, face);
+  } else {
+    const Normal<Object>& normal = mesh.normals[corner.normal];
+    at.normal = eye_normal(stage.draw, {normal.x, normal.y, normal.z});
+  }
+  if (!front) at.normal = {-at.normal[0], -at.normal[1], -at.normal[2]};
+  if (flat) {
+    light(stage.draw, stage.lighting, eye_centre(stage.draw, stage.bounds, face), at);
+  }
+  if (stage.settings.shading == Shading::kGouraud) {
+    light(stage.draw, stage.lighting, at.position, at);
+  }
+  return at;
+}
+
+// ---- at vertices and fragments ----
+
+// mix(a, b, c) for each attribute of three places.
+template <class Mix>
+BoundedVaryings combine(const std::array<BoundedVaryings, 3>& v, const Mix& mix) {
+  return {mix(v[0].normal, v[1].normal, v[2].normal),
+          mix(v[0].position, v[1].position, v[2].position),
+          mix(v[0].diffuse, v[1].diffuse, v[2].diffuse),
+          mix(v[0].specular, v[1].specular, v[2].specular),
+          mix(v[0].color, v[1].color, v[2].color),
+          mix(v[0].texcoord, v[1].texcoord, v[2].texcoord)};
+}
+
+template <std::size_t N>
+std::array<Bounded, N> weigh(const std::array<Bounded, N>& a, const std::array<Bounded, N>& b,
+                             const std::array<Bounded, N>& c,
+                             const std::array<BoundedOf<double>, 3>& weights) {
+  std::array<Bounded, N> result;
+  for (std::size_t i = 0; i < N; ++i) {
+    result[i] =
+        bounded::rounded(weights[0] * bounded::widened(a[i]) + weights[1] * bounded::widened(b[i]) +
+                         weights[2] * bounded::widened(c[i]));
+  }
+  return result;
+}
+
+BoundedVaryings at_vertex(const std::array<BoundedVaryings, 3>& corners, const ClipVertex& vertex,
+                          const ClipVertexBound& bound) {
+  std::array<BoundedOf<double>, 3> weights;
+  for (std::size_t k = 0; k < 3; ++k) {
+    weights[k] = {vertex.weights[k], bound.weights[int(k)]};
+    if (vertex.weights[k] == 1 && bound.weights == glm::dvec3(0)) return corners[k];
+  }
+  return combine(corners, [&](const auto& a, const auto& b, const auto& c) {
+    return weigh(a, b, c, weights);
+  });
+}
+
+// Of weights 1 and 2. Bounds 5 charge every weight with the worst of the three 1/w; a corner next to the eye has a bad one and
+// hardly any weight elsewhere. With w_k the weights by the 1/w as given, and exact ones (1 + e_k) times these, |e_k| <= r_k:
+//   |w_k (1 + e_k)/(1 + sum w_j e_j) - w_k| <= w_k (r_k + s)/(1 - s),   s = sum w_j r_j
+// and the run's w_k have 10 u of their own (formulas/interpolate.h), 4 u where perspective changes nothing.
+std::array<Bounded, 2> weights_of(const TriangleSetup& setup, const SetupBounds& vertices,
+                                  const Fragment& place, const FragmentBounds& bounds) {
+  constexpr double kOwn = 10 * 0x1p-24 * (1 + 0x1p-18);
+  std::array<double, 3> r{};
+  double s = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    r[k] = vertices.inverse_w[k] / std::abs(double(setup.inverse_w[k]));
+    s += bounded::times(double(place.weights[k]) * (1 + kOwn), r[k]);
+  }
+  std::array<Bounded, 2> weights;
+  for (std::size_t k = 1; k < 3; ++k) {
+    const double weight = double(place.weights[k]);
+    const double inherited = s < 1 ? bounded::times(weight * (1 + kOwn), r[k] + s) / (1 - s)
+                                   : std::numeric_limits<double>::infinity();
+    weights[k - 1] = {place.weights[k],
+                      std::min(bounds.weights[k], (inherited + kOwn * weight) * bounded::kRoundUp)};
+  }
+  return weights;
+}
+
+template <std::size_t N>
+void stand_for(const std::array<float, N>& values, std::array<Bounded, N>& same) {
+  for (std::size_t i = 0; i < N; ++i) same[i] = standing_for(values[i], same[i]);
+}
+
+void stand_for(const Varyings& run, BoundedVaryings& same) {
+  stand_for(run.normal, same.normal);
+  stand_for(run.position, same.position);
+  stand_for(run.diffuse, same.diffuse);
+  stand_for(run.specular, same.specular);
+  stand_for(run.color, same.color);
+  stand_for(run.texcoord, same.texcoord);
+}
+
+Bounded3 lit_color(const Draw& draw, const Lighting& lighting, const RenderSettings& settings,
+                   const std::array<Bounded, 4>& surface, const BoundedVaryings& at) {
+  const Bounded3 base{surface[0], surface[1], surface[2]};
+  if (!needs_normals(draw, settings)) return base;
+  constexpr bool kHighlights = true;
+  ReflectionOf<Bounded> reflection{at.diffuse, at.specular};
+  if (settings.shading == Shading::kPhong) {
+    reflection = bounded::reflected_light(lighting, at.position, at.normal,
+                                          draw.material->shininess, kHighlights);
+  }
+  return bounded::lit(base, at.normal, reflection, draw.material->specular, kHighlights);
+}
+
+}  // namespace
+
+PieceColors::PieceColors(const Draw& draw, const DrawBounds& draw_bounds, const Lighting& lighting,
+                         const RenderSettings& settings, const BoundsOfRun::Known& known,
+                         std::uint32_t piece)
+    : draw_(draw),
+      lighting_(lighting),
+      settings_(settings),
+      setup_(*known.triangle->pieces[piece].setup),
+      setup_bounds_(setup_bounds(known.triangle->pieces[piece], known.bounds)) {
+  const TracedTriangle& triangle = *known.triangle;
+  const Stage stage{draw, draw_bounds, lighting, settings};
+  std::array<BoundedVaryings, 3> corners;
+  for (std::size_t k = 0; k < 3; ++k) {
+    corners[k] = corner_varyings(stage, draw.mesh->faces[triangle.face],
+                                 draw.mesh->corners[triangle.corners[k].corner],
+                                 triangle.pieces[piece].front);
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t at = triangle.pieces[piece].polygon[std::size_t(setup_.order[k])];
+    vertices_[k] = at_vertex(corners, triangle.polygon[at].clip, known.bounds.polygon[at].clip);
+  }
+  if (draw.texture != nullptr || draw.emission_texture != nullptr) make_planes();
+}
+
+void PieceColors::make_planes() {
+  std::array<std::array<Bounded, 2>, 3> texcoords;
+  std::array<std::array<float, 2>, 3> values;
+  std::array<Bounded3, 2> slopes;
+  const double area = double(setup_.double_area);
+  const Bounded inverse_area(setup_.inverse_area,
+                             std::abs(double(setup_.inverse_area) - 1 / area) + 0x1p-52 / area);
+  for (std::size_t k = 0; k < 3; ++k) {
+    texcoords[k] = vertices_[k].texcoord;
+    values[k] = {texcoords[k][0].value, texcoords[k][1].value};
+    const Bounded inverse_w(setup_.inverse_w[k], setup_bounds_.inverse_w[k]);
+    const auto slope = [&](std::int64_t step) {
+      return bounded::slope_over_w(bounded::to_float(step * kSubpixels), inverse_area, inverse_w);
+    };
+    slopes[0][k] = slope(setup_.edges[k].a);
+    slopes[1][k] = slope(setup_.edges[k].b);
+  }
+  planes_ = texture_planes(setup_, values);
+  bounded_planes_ = bounded::planes_over_w(slopes, texcoords, false);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    // Where the three w are equal the run says 0; the exact ones may not be.
+    bounded_planes_.inverse_w[axis] =
+        standing_for(planes_.inverse_w[axis], bounded_planes_.inverse_w[axis]);
+  }
+}
+
+std::array<Bounded, 4> PieceColors::sample(const MipChain& texture, const Sampler& sampler,
+                                           const TracedFragment& fragment,
+                                           const BoundedVaryings& at,
+                                           const Bounded& inverse_w) const {
+  const float level =
+      level_of_detail(texture_gradient(planes_, fragment.at.texcoord, fragment.fragment.inverse_w),
+                      texture.width, texture.height);
+  const auto gradient = bounded::gradient_at(bounded_planes_, at.texcoord, inverse_w);
+  const Bounded squared =
+      bounded::greatest(bounded::squared_texels(gradient.along_x, texture.width, texture.height),
+                        bounded::squared_texels(gradient.along_y, texture.width, texture.height));
+  const Rgba texel = glassbox::sample(texture, sampler, fragment.at.texcoord, level);
+  const double bound =
+      sample_bound(texture, sampler, settings_.transfer, at.texcoord, level_bounds(level, squared));
+  return {Bounded(texel.r, bound), Bounded(texel.g, bound), Bounded(texel.b, bound),
+          Bounded(texel.a, bound)};
+}
+
+ColorBounds PieceColors::at(const TracedFragment& fragment, const FragmentBounds& bounds) const {
+  const Fragment& place = fragment.fragment;
+  const Bounded inverse_w(place.inverse_w, bounds.inverse_w);
+  const auto [weight1, weight2] = weights_of(setup_, setup_bounds_, place, bounds);
+  ColorBounds colors;
+  colors.at =
+      combine(vertices_, [w1 = weight1, w2 = weight2](const auto& a, const auto& b, const auto& c) {
+        return bounded::interpolate(a, b, c, w1, w2);
+      });
+  stand_for(fragment.at, colors.at);
+  const std::array<Bounded, 4>& tint = colors.at.color;
+  const Rgba& base = draw_.material->base_color;
+  colors.surface = {Bounded(base.r) * tint[0], Bounded(base.g) * tint[1], Bounded(base.b) * tint[2],
+                    Bounded(base.a) * tint[3]};
+  if (draw_.texture != nullptr) {
+    const auto texel = sample(draw_.texture->get(), *draw_.sampler, fragment, colors.at, inverse_w);
+    colors.sample = texel[0].bound;
+    for (std::size_t i = 0; i < 4; ++i) colors.surface[i] = colors.surface[i] * texel[i];
+  }
+  const Rgba& surface = fragment.surface;
+  stand_for({surface.r, surface.g, surface.b, surface.a}, colors.surface);
+  colors.light = lit_color(draw_, lighting_, settings_, colors.surface, colors.at);
+  if (draw_.emits() && shows_light(draw_, settings_)) {
+    std::array<Bounded, 4> own{draw_.emission[0], draw_.emission[1], draw_.emission[2]};
+    if (draw_.emission_texture != nullptr) {
+      const auto texel = sample(draw_.emission_texture->get(), *draw_.emission_sampler, fragment,
+                                colors.at, inverse_w);
+      for (std::size_t i = 0; i < 3; ++i) own[i] = own[i] * texel[i];
+    }
+    for (std::size_t i = 0; i < 3; ++i) colors.light[i] += own[i];
+  }
+  stand_for({fragment.light.r, fragment.light.g, fragment.light.b}, colors.light);
+  return colors;
+}
+
+}  // namespace glassbox

@@ -1,0 +1,59 @@
+// Running error bounds of what a triangle's fragments are coloured with: attributes, texture samples, light (SPEC C, generic bound 5
+// and beyond). The stages' own formulas, with numbers that know how far they may be off (base/bounded.h).
+//
+// Besides what bounds.h takes for exact, so are here: normals, colours and texture coordinates as modelled, materials, the bytes
+// of images, and the lights in eye space, as the run has them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include <glassbox/raster/bounded_formulas.h>
+#include <glassbox/render/engine/draw_list.h>
+#include <glassbox/render/trace/bounds.h>
+
+namespace glassbox {
+
+struct BoundedVaryings {
+  std::array<bounded::Bounded, 3> normal{}, position{}, diffuse{}, specular{};
+  std::array<bounded::Bounded, 4> color{1.0f, 1.0f, 1.0f, 1.0f};
+  std::array<bounded::Bounded, 2> texcoord{};
+};
+
+// The run's numbers, with bounds.
+struct ColorBounds {
+  BoundedVaryings at;
+  // Of a sample of the texture, in light; none where the surface has no texture.
+  std::optional<double> sample;
+  std::array<bounded::Bounded, 4> surface;  // linear, with alpha
+  std::array<bounded::Bounded, 3> light;    // linear
+};
+
+// One piece of a triangle.
+class PieceColors {
+public:
+  // Pointers lead into the draw, the lighting and what is `known`, which must stay.
+  PieceColors(const Draw& draw, const DrawBounds& draw_bounds, const Lighting& lighting,
+              const RenderSettings& settings, const BoundsOfRun::Known& known, std::uint32_t piece);
+
+  // Of a fragment of the piece that passed the depth test.
+  ColorBounds at(const TracedFragment& fragment, const FragmentBounds& bounds) const;
+
+private:
+  std::array<bounded::Bounded, 4> sample(const MipChain& texture, const Sampler& sampler,
+                                         const TracedFragment& fragment, const BoundedVaryings& at,
+                                         const bounded::Bounded& inverse_w) const;
+  void make_planes();
+
+  const Draw& draw_;
+  const Lighting& lighting_;
+  const RenderSettings& settings_;
+  const TriangleSetup& setup_;
+  SetupBounds setup_bounds_;
+  std::array<BoundedVaryings, 3> vertices_;  // in the order of the setup
+  TexturePlanes planes_;
+  TexturePlanesOf<bounded::Bounded> bounded_planes_;
+};
+
+}  // namespace glassbox

@@ -1,0 +1,303 @@
+#include <glassbox/render/trace/picture_bounds.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <glassbox/raster/color_bounds.h>
+#include <glassbox/render/staged/vertex_stage.h>
+
+namespace glassbox {
+namespace {
+
+using bounded::Bounded;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kRoundUp = 1 + 0x1p-40;
+constexpr double kPixel = kSubpixels;
+
+// Rounded up.
+float as_float(double bound) {
+  const float nearest = float(bound);
+  return double(nearest) < bound ? std::nextafter(nearest, std::numeric_limits<float>::max())
+                                 : nearest;
+}
+
+// The corner of the triangle that the vertex is, if clipping has left it alone.
+std::optional<std::uint32_t> corner_of(const TracedVertex& vertex) {
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    if (vertex.clip.weights[k] == 1) return k;
+  }
+  return {};
+}
+
+double largest_of(const std::array<double, 2>& bounds) {
+  return std::isnan(bounds[0]) || std::isnan(bounds[1]) ? kInfinity
+                                                        : std::max(bounds[0], bounds[1]);
+}
+
+// How far the snapped vertex may be from the exact one along x and along y, in pixels.
+std::array<double, 2> snap_bound(const TracedVertex& vertex, const VertexBounds& bounds) {
+  const double x = double(vertex.snapped.x) / kPixel, y = double(vertex.snapped.y) / kPixel;
+  return {(std::abs(x - double(vertex.screen.position.x)) + bounds.screen.x) * kRoundUp,
+          (std::abs(y - double(vertex.screen.position.y)) + bounds.screen.y) * kRoundUp};
+}
+
+// What the buffer's format makes of a depth adds to its error.
+double rounding_of_format(DepthFormat format, float depth, std::uint32_t code) {
+  switch (format) {
+    case DepthFormat::kFloat32:
+    case DepthFormat::kFloat32Reversed:
+      return std::abs(double(depth) - std::clamp(double(depth), 0.0, 1.0));
+    case DepthFormat::kUnorm24:
+    case DepthFormat::kUnorm16:
+      break;
+  }
+  return std::abs(double(depth) - double(code) / unorm_depth_steps(format)) * kRoundUp;
+}
+
+double largest_bound(std::span<const Bounded> numbers) {
+  double largest = 0;
+  for (const Bounded& number : numbers) largest = std::max(largest, number.bound);
+  return largest;
+}
+
+// |error| / |normal|, to first order in neither: the normal may be as short as it is less its error.
+double share_of_length(const std::array<Bounded, 3>& normal) {
+  double squared = 0, error = 0;
+  for (const Bounded& n : normal) {
+    squared += double(n.value) * double(n.value);
+    error += n.bound * n.bound;
+  }
+  const double length = std::sqrt(squared), off = std::sqrt(error);
+  return length > off ? off / (length - off) * kRoundUp : kInfinity;
+}
+
+}  // namespace
+
+// ---- summaries ----
+
+void BoundSummary::see(double bound, const BoundPlace& place) {
+  ++count_;
+  if (!std::isfinite(bound)) {
+    ++unbounded_;
+    return;
+  }
+  ++bins_[std::bit_cast<std::uint32_t>(as_float(bound)) >> kShift];
+  if (bound < largest_ || (bound == largest_ && count_ - unbounded_ > 1)) return;
+  largest_ = bound;
+  place_ = place;
+}
+
+double BoundSummary::typical() const {
+  std::uint64_t below = 0;
+  for (std::size_t bin = 0; bin < bins_.size(); ++bin) {
+    below += bins_[bin];
+    if (bins_[bin] == 0 || 2 * below < count_) continue;
+    // The bin of 0 has nothing else in it but subnormal bounds.
+    const std::uint32_t last = std::uint32_t((bin + 1) << kShift) - 1;
+    return bin == 0 ? 0 : std::min(largest_, double(std::bit_cast<float>(last)));
+  }
+  return count_ == 0 ? 0 : kInfinity;
+}
+
+// ---- a run ----
+
+PictureBounds::PictureBounds(const Scene& scene, const View& view, const RenderSettings& settings)
+    : view_(view),
+      settings_(settings),
+      prepared_(prepare(scene, settings.transfer)),
+      list_(make_draw_list(scene, prepared_, view)),
+      bounds_(view),
+      pixels_(int(std::abs(view.viewport.right - view.viewport.left)),
+              int(std::abs(view.viewport.bottom - view.viewport.top))) {
+  for (const Draw& draw : list_.draws) draws_[draw.instance] = &draw;
+}
+
+void PictureBounds::draw(const TracedDraw& draw) {
+  draw_bounds_[draw.instance] = bounds_.draw(draw);
+}
+
+void PictureBounds::triangle(const TracedTriangle& triangle) {
+  const BoundsOfRun::Known& known = bounds_.triangle(triangle);
+  const bool is_seen = std::ranges::any_of(
+      triangle.pieces, [](const TracedPiece& piece) { return piece.setup && !piece.culled; });
+  if (!is_seen) return;
+  for (std::size_t i = 0; i < triangle.polygon.size(); ++i) {
+    const TracedVertex& vertex = triangle.polygon[i];
+    const VertexBounds& bounds = known.bounds.polygon[i];
+    const BoundPlace place{triangle.number, corner_of(vertex), -1, -1};
+    const double snapped = largest_of(snap_bound(vertex, bounds));
+    if (place.corner) {
+      errors_.screen.see(largest_of({bounds.screen.x, bounds.screen.y}), place);
+      errors_.snapped.see(snapped, place);
+    } else {
+      errors_.cut.see(snapped, place);
+    }
+    errors_.vertices_snapped_elsewhere += !bounds.snap_x.stable || !bounds.snap_y.stable;
+  }
+}
+
+void PictureBounds::fragment(const TracedFragment& fragment) {
+  const int x = fragment.fragment.x, y = fragment.fragment.y;
+  Pixel& pixel = pixels_.at(x, y);
+  const BoundsOfRun::Known* const known = bounds_.of(fragment);
+  if (known == nullptr) {
+    ++errors_.fragments_of_lines_and_points;
+    if (fragment.fate != Fate::kWritten && fragment.fate != Fate::kBlended) return;
+    const float unknown = std::numeric_limits<float>::infinity();
+    pixel = {
+        {unknown, unknown, unknown, unknown}, fragment.fragment.depth, unknown, 0, true, false};
+    return;
+  }
+  const FragmentBounds bounds = bounds_of(*known, fragment);
+  const bool as_deep = see_depth(fragment, bounds, pixel);
+  if (fragment.fate == Fate::kHidden) return;
+  const bool near_edge = is_near_edge(fragment, *known);
+  errors_.fragments_near_edge += near_edge;
+  // What is certainly in front, and certainly there, makes an end of all doubts before it.
+  if (fragment.fate == Fate::kWritten) pixel.is_undecided = as_deep;
+  pixel.is_undecided |= near_edge;
+  if (settings_.show != Show::kColor) return;
+  const ColorBounds colors = piece_of(fragment, *known).at(fragment, bounds);
+  see_attributes(fragment, colors);
+  const Material& material = *draws_.at(fragment.instance)->material;
+  if (material.alpha_mode == AlphaMode::kMask) {
+    const Bounded& alpha = colors.surface[3];
+    const bool at_cutoff =
+        std::abs(double(alpha.value) - double(material.alpha_cutoff)) <= alpha.bound;
+    errors_.fragments_at_cutoff += at_cutoff;
+    pixel.is_undecided |= at_cutoff;
+  }
+  if (fragment.fate != Fate::kDiscarded) store(fragment, colors, pixel);
+}
+
+bool PictureBounds::see_depth(const TracedFragment& fragment, const FragmentBounds& bounds,
+                              Pixel& pixel) {
+  const Fragment& place = fragment.fragment;
+  const BoundPlace where{fragment.source.number, {}, place.x, place.y};
+  const double stored =
+      bounds.depth + rounding_of_format(settings_.depth, place.depth, fragment.code);
+  errors_.depth.see(stored, where);
+  if (view_.perspective) {
+    const double distance = 1 / double(place.inverse_w);
+    const double first_order = distance_of_depth(distance, view_.near, view_.far, stored);
+    errors_.distance.see(share_of_distance(first_order / distance), where);
+  }
+  // The test is of codes. Exact depths of equal codes, or of codes whose bounds overlap, may be in another order; what is
+  // stored may then be the other one.
+  const double apart = std::abs(double(place.depth) - double(pixel.depth));
+  const bool as_deep = apart <= stored + double(pixel.depth_bound);
+  errors_.fragments_as_deep += as_deep;
+  pixel.is_undecided |= as_deep;
+  const double doubt = as_deep ? apart + std::max(stored, double(pixel.depth_bound)) : 0;
+  if (fragment.fate == Fate::kWritten) {
+    pixel.depth = place.depth;
+    pixel.depth_bound = as_float(std::max(stored, doubt));
+  } else {
+    pixel.depth_bound = std::max(pixel.depth_bound, as_float(doubt));
+  }
+  return as_deep;
+}
+
+// The snapped triangle's vertices lie within s pixels of the exact ones, along x and along y each: an edge between them is within
+// sqrt 2 s of the exact one.
+bool PictureBounds::is_near_edge(const TracedFragment& fragment,
+                                 const BoundsOfRun::Known& known) const {
+  const TracedPiece& piece = known.triangle->pieces[fragment.source.piece];
+  double moved = 0;
+  for (const std::size_t i : piece.polygon) {
+    moved = std::max(moved,
+                     largest_of(snap_bound(known.triangle->polygon[i], known.bounds.polygon[i])));
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    const EdgeFunction& edge = piece.setup->edges[k];
+    // a and b are in 1/256 pixel, the edge function in 1/65536 square pixel.
+    const double length = std::hypot(double(edge.a), double(edge.b));
+    const double away = double(fragment.coverage.edges[k]) / (length * kPixel);
+    if (!(away > std::sqrt(2.0) * moved * kRoundUp)) return true;
+  }
+  return false;
+}
+
+const PieceColors& PictureBounds::piece_of(const TracedFragment& fragment,
+                                           const BoundsOfRun::Known& known) {
+  const FragmentSource& source = fragment.source;
+  if (!piece_ || source.number != piece_triangle_ || source.piece != piece_number_) {
+    piece_.emplace(*draws_.at(fragment.instance), draw_bounds_.at(fragment.instance),
+                   list_.lighting, settings_, known, source.piece);
+    piece_triangle_ = source.number;
+    piece_number_ = source.piece;
+  }
+  return *piece_;
+}
+
+void PictureBounds::see_attributes(const TracedFragment& fragment, const ColorBounds& colors) {
+  const Draw& draw = *draws_.at(fragment.instance);
+  const BoundPlace where{fragment.source.number, {}, fragment.fragment.x, fragment.fragment.y};
+  if (draw.texture != nullptr) {
+    const MipChain& texture = draw.texture->get();
+    errors_.texcoord.see(largest_of({colors.at.texcoord[0].bound * texture.width,
+                                     colors.at.texcoord[1].bound * texture.height}),
+                         where);
+    errors_.texture.see(*colors.sample, where);
+  }
+  if (needs_normals(draw, settings_)) errors_.normal.see(share_of_length(colors.at.normal), where);
+  if (fragment.fate != Fate::kDiscarded) errors_.light.see(largest_bound(colors.light), where);
+}
+
+// One colour over another reads what is stored, with its own error.
+void PictureBounds::store(const TracedFragment& fragment, const ColorBounds& colors, Pixel& pixel) {
+  const bool blended = fragment.fate == Fate::kBlended;
+  const Bounded alpha = bounded::clamped(colors.surface[3], Bounded(0.0f), Bounded(1.0f));
+  const std::array<std::uint8_t, 4> before{fragment.before.r, fragment.before.g, fragment.before.b,
+                                           fragment.before.a};
+  const std::array<std::uint8_t, 4> after{fragment.after.r, fragment.after.g, fragment.after.b,
+                                          fragment.after.a};
+  const ColorMask& mask = settings_.mask;
+  const std::array<bool, 4> wanted{mask.r, mask.g, mask.b, mask.a};
+  double largest = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (!wanted[i]) continue;
+    const Transfer transfer = i == 3 ? Transfer::kNone : settings_.transfer;
+    Bounded light = i == 3 ? Bounded(1.0f) : colors.light[i];
+    if (blended) {
+      light = bounded::laid_over(light, alpha,
+                                 light_of_stored(transfer, before[i], double(pixel.bytes_off[i])));
+    }
+    const double bound = stored_bound(transfer, after[i], light);
+    pixel.bytes_off[i] =
+        light.is_bounded() ? as_float(bound) : std::numeric_limits<float>::infinity();
+    largest = std::max(largest, double(pixel.bytes_off[i]));
+  }
+  errors_.stored.see(largest,
+                     {fragment.source.number, {}, fragment.fragment.x, fragment.fragment.y});
+  pixel.triangle = fragment.source.number;
+  pixel.is_drawn = true;
+}
+
+PictureErrors PictureBounds::finish() {
+  for (int y = 0; y < pixels_.height; ++y) {
+    for (int x = 0; x < pixels_.width; ++x) {
+      const Pixel& pixel = pixels_.at(x, y);
+      errors_.pixels_undecided += pixel.is_undecided;
+      if (!pixel.is_drawn) continue;
+      const double largest = *std::ranges::max_element(pixel.bytes_off);
+      errors_.pixels_unbounded += !std::isfinite(largest);
+      errors_.picture.see(largest, {pixel.triangle, {}, x, y});
+    }
+  }
+  return std::move(errors_);
+}
+
+PictureErrors picture_errors(const Scene& scene, const View& view, const RenderSettings& settings) {
+  PictureBounds bounds(scene, view, at_centres(settings));
+  TraceFilter everything;
+  everything.max_bytes = std::numeric_limits<std::uint64_t>::max();
+  trace(scene, view, settings, everything, bounds);
+  return bounds.finish();
+}
+
+}  // namespace glassbox

@@ -1,0 +1,347 @@
+#include "study/stiffness/stiffness.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include <fmt/format.h>
+
+#include <glassbox/base/counted.h>
+#include <glassbox/base/rounding.h>
+#include <glassbox/mesh/bounds.h>
+#include <glassbox/raster/snap.h>
+#include <glassbox/render/trace/bounds.h>
+#include <glassbox/render/trace/tracer.h>
+
+#include "study/stiffness/numbers.h"
+
+namespace glassbox::study {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// The worst of one kind.
+struct Worst {
+  double condition = 0, bound = 0, pixels = 0;
+  std::optional<StiffPlace> place;
+
+  // Ordered by the bound, then by the condition; of equal ones the first stays.
+  void see(double bound_here, double condition_here, double pixels_here, const StiffPlace& where) {
+    const bool worse = bound_here > bound || (bound_here == bound && condition_here > condition);
+    if (place && !worse) return;
+    *this = {condition_here, bound_here, pixels_here, where};
+  }
+};
+
+// What a pixel holds: behind everything at first.
+struct StoredDepth {
+  double depth = 2, off = 0;
+};
+
+double size_of(const Mesh& mesh) {
+  double size = 0;
+  const Box<Object> box = bounds(mesh);
+  if (!box.empty()) {
+    size = std::max({box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z});
+  }
+  return size;
+}
+
+double largest_coordinate(const Point<Object>& p) {
+  return std::max({std::abs(double(p.x)), std::abs(double(p.y)), std::abs(double(p.z))});
+}
+
+class Watcher : public TraceSink {
+public:
+  Watcher(const Scene& scene, const View& view, const RenderSettings& settings)
+      : scene_(scene),
+        view_(view),
+        settings_(settings),
+        bounds_(view),
+        stored_(int(std::abs(view.viewport.right - view.viewport.left)),
+                int(std::abs(view.viewport.bottom - view.viewport.top))) {
+    for (const Mesh& mesh : scene.meshes) sizes_.push_back(size_of(mesh));
+  }
+
+  void draw(const TracedDraw& draw) override {
+    bounds_.draw(draw);
+    clip_from_object_ = view_.clip_from_eye * view_.eye_from_world * draw.world_from_object;
+  }
+
+  void triangle(const TracedTriangle& triangle) override {
+    const BoundsOfRun::Known& known = bounds_.triangle(triangle);
+    const bool is_seen = std::ranges::any_of(
+        triangle.pieces, [](const TracedPiece& piece) { return piece.setup && !piece.culled; });
+    if (!is_seen) return;
+    for (std::size_t i = 0; i < triangle.polygon.size(); ++i) see_vertex(triangle, known.bounds, i);
+    for (const TracedPiece& piece : triangle.pieces) {
+      if (piece.setup && !piece.culled) see_piece(triangle, known.bounds, piece);
+    }
+  }
+
+  void fragment(const TracedFragment& fragment) override {
+    const BoundsOfRun::Known* const known = bounds_.of(fragment);
+    if (known == nullptr) {
+      ++without_bounds_;
+      return;
+    }
+    const Fragment& place = fragment.fragment;
+    const FragmentBounds bounds = bounds_of(*known, fragment);
+    see_test(fragment, bounds.depth);
+    if (fragment.fate == Fate::kHidden) return;
+    const StiffPlace where{fragment.instance, fragment.source.number, {}, {}, place.x, place.y};
+    const double w = 1 / double(place.inverse_w);
+    nearest_ = std::min(nearest_, w);
+    farthest_ = std::max(farthest_, w);
+    inverse_w_.see(bounds.inverse_w * w, 0, 0, where);
+    if (!view_.perspective) return;
+    const double own = 8 * unit_roundoff<float> * std::abs(double(place.depth));
+    const double share =
+        depth_share(view_, settings_.depth, place.depth, w, std::max(0.0, bounds.depth - own));
+    depth_.see(share, view_.far / view_.near, share * pixels_per_unit(view_), where);
+  }
+
+  Stiffness finish(const std::optional<Vector<World, double>>& up) const {
+    Stiffness found;
+    add_depth(found);
+    add_inverse_w(found);
+    add_divide(found);
+    add_offset(found);
+    add_sliver(found);
+    add_texcoord(found);
+    if (up) add_up(*up, found);
+    add_left_out(up.has_value(), found);
+    return found;
+  }
+
+private:
+  // ---- seeing ----
+
+  bool is_in_picture(const ScreenVertex& screen) const {
+    const Viewport& v = view_.viewport;
+    return screen.position.x >= v.left && screen.position.x <= v.right &&
+           screen.position.y >= v.top && screen.position.y <= v.bottom;
+  }
+
+  // Codes of depths whose bounds overlap may be in another order than the depths.
+  void see_test(const TracedFragment& fragment, double bound) {
+    const DepthFormat format = settings_.depth;
+    const bool whole = format == DepthFormat::kUnorm24 || format == DepthFormat::kUnorm16;
+    const double off = bound + (whole ? 0.5 / unorm_depth_steps(format) : 0);
+    StoredDepth& stored = stored_.at(fragment.fragment.x, fragment.fragment.y);
+    const double depth = double(fragment.fragment.depth);
+    tests_in_doubt_ += std::abs(depth - stored.depth) <= off + stored.off;
+    if (fragment.fate == Fate::kWritten) stored = {depth, off};
+  }
+
+  void see_vertex(const TracedTriangle& triangle, const TriangleBounds& bounds, std::size_t i) {
+    const TracedVertex& vertex = triangle.polygon[i];
+    const auto corner = std::ranges::find(vertex.clip.weights, 1.0);
+    if (corner == vertex.clip.weights.end() || !is_in_picture(vertex.screen)) return;
+    const auto k = std::uint32_t(corner - vertex.clip.weights.begin());
+    const TracedCorner& traced = triangle.corners[k];
+    const StiffPlace where{triangle.instance, triangle.number, k, traced.position, -1, -1};
+    const VertexBounds& of = bounds.polygon[i];
+    const double pixels = std::max(of.screen.x, of.screen.y);
+    divide_.see(pixels, std::max(of.condition.x, of.condition.y), pixels, where);
+    const std::uint32_t mesh = scene_.instances[triangle.instance].mesh;
+    const double moved = half_ulp_on_screen(clip_from_object_, traced.object, view_.viewport);
+    offset_.see(moved, largest_coordinate(traced.object) / sizes_[mesh], moved, where);
+    see_texcoord(scene_.meshes[mesh], scene_.meshes[mesh].corners[traced.corner], where);
+  }
+
+  void see_texcoord(const Mesh& mesh, const Corner& corner, const StiffPlace& where) {
+    const Material& material = scene_.materials[mesh.material];
+    if (!material.texture || corner.texcoord == kNone) return;
+    const Image<Rgba8>& image = scene_.images[scene_.textures[*material.texture].image];
+    const auto& [u, v] = mesh.texcoords[corner.texcoord];
+    const double off =
+        std::max(half_ulp_in_texels(u, image.width), half_ulp_in_texels(v, image.height));
+    texcoord_.see(off, std::max(std::abs(double(u)), std::abs(double(v))), 0, where);
+  }
+
+  void see_piece(const TracedTriangle& triangle, const TriangleBounds& bounds,
+                 const TracedPiece& piece) {
+    std::array<std::array<double, 2>, 3> exact;
+    double moved = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const ScreenVertex& screen = piece.vertices[k];
+      const glm::dvec3& bound = bounds.polygon[piece.polygon[k]].screen;
+      if (!is_in_picture(screen)) return;
+      exact[k] = {double(screen.position.x), double(screen.position.y)};
+      moved = std::max({moved, bound.x, bound.y});
+    }
+    // Snapping moves by up to half a step, and the float place is `moved` from the exact one.
+    constexpr double kHalfStep = 0.5 / kSubpixels;
+    sliver_.see(sliver_share(exact, moved + kHalfStep), sliver_factor(exact), 0,
+                {triangle.instance, triangle.number, {}, {}, -1, -1});
+  }
+
+  // ---- saying ----
+
+  void add_depth(Stiffness& found) const {
+    if (!depth_.place) return;
+    found.numbers.push_back(
+        {.key = "far-over-near",
+         .name = "far over near",
+         .condition = depth_.condition,
+         .bound = depth_.bound,
+         .unit = "of distance",
+         .pixels = depth_.pixels,
+         .formula =
+             "s/(1 - s), s = z (f - n)/(f n) dd; dd of vertices, 8 u d, half a step of the format",
+         .source = "SPEC C, generic bound 8; C-10, C-56",
+         .place = depth_.place,
+         .tests_in_doubt = tests_in_doubt_,
+         .advice = "move the near plane away from the eye (--near), or store reversed depth "
+                   "(--depth d32r)"});
+  }
+
+  void add_inverse_w(Stiffness& found) const {
+    if (!inverse_w_.place || !view_.perspective) return;
+    found.numbers.push_back(
+        {.key = "range-of-w",
+         .name = "farthest over nearest seen",
+         .condition = farthest_ / nearest_,
+         .bound = inverse_w_.bound,
+         .unit = "of 1/w",
+         .pixels = {},
+         .formula = "7 u and the vertices' own; weights and attributes inherit it",
+         .source = "SPEC C, generic bound 5; C-33, C-66",
+         .place = inverse_w_.place,
+         .tests_in_doubt = {},
+         .advice = "split large triangles that reach from beside the eye to the distance, or move "
+                   "the near plane away from the eye (--near)"});
+  }
+
+  void add_divide(Stiffness& found) const {
+    if (!divide_.place) return;
+    found.numbers.push_back(
+        {.key = "divide",
+         .name = "transform and divide",
+         .condition = divide_.condition,
+         .bound = divide_.bound,
+         .unit = "px",
+         .pixels = divide_.pixels,
+         .formula = "(W/2)(dx + |x/w| dw)/(w - dw) + 2 u (|W/2 x| + |c|), dx = gamma_4 |M||p|",
+         .source = "SPEC C, generic bounds 1 to 3; C-13",
+         .place = divide_.place,
+         .tests_in_doubt = {},
+         .advice = "keep meshes near their own origins, and what is drawn away from the plane of "
+                   "the eye"});
+  }
+
+  void add_offset(Stiffness& found) const {
+    if (!offset_.place) return;
+    found.numbers.push_back(
+        {.key = "offset-over-size",
+         .name = "offset over size",
+         .condition = offset_.condition,
+         .bound = offset_.bound,
+         .unit = "px",
+         .pixels = offset_.pixels,
+         .formula =
+             "(W/2)(|M_x| + |x/w| |M_w|) dp/(w - |M_w| dp), dp half a unit in the last place of p",
+         .source = "SPEC C-13, C-14",
+         .place = offset_.place,
+         .tests_in_doubt = {},
+         .advice =
+             "the file's coordinates are rounded that far: write them relative to a point near "
+             "the mesh, and put the offset into the node"});
+  }
+
+  void add_sliver(Stiffness& found) const {
+    if (!sliver_.place) return;
+    found.numbers.push_back(
+        {.key = "sliver",
+         .name = "sliver, longest side over height",
+         .condition = sliver_.condition,
+         .bound = sliver_.bound,
+         .unit = "of range",
+         .pixels = {},
+         .formula =
+             "d/(h - 2 d), h the height on the screen, d = sqrt 2 (1/512 px and the vertex's own)",
+         .source = "SPEC C, generic bound 5; C-47",
+         .place = sliver_.place,
+         .tests_in_doubt = {},
+         .advice = "colours within that triangle may be those of its other end; where it matters, "
+                   "remesh it, or draw more pixels (--size)"});
+  }
+
+  void add_texcoord(Stiffness& found) const {
+    if (!texcoord_.place) return;
+    found.numbers.push_back(
+        {.key = "texture-coordinates",
+         .name = "largest texture coordinate",
+         .condition = texcoord_.condition,
+         .bound = texcoord_.bound,
+         .unit = "texels",
+         .pixels = {},
+         .formula = "half a unit in the last place of u, times the side in texels",
+         .source = "SPEC C-67",
+         .place = texcoord_.place,
+         .tests_in_doubt = {},
+         .advice = "subtract whole repeats from the texture coordinates of each face"});
+  }
+
+  void add_up(const Vector<World, double>& up, Stiffness& found) const {
+    const Transform<Eye, World>& m = view_.eye_from_world;
+    const UpAngle angle = up_angle({-m.at(2, 0), -m.at(2, 1), -m.at(2, 2)}, up, view_);
+    found.numbers.push_back(
+        {.key = "up",
+         .name = "1/sine of the angle to up",
+         .condition = 1 / angle.sine,
+         .bound = angle.pixels,
+         .unit = "px",
+         .pixels = angle.pixels,
+         .formula = "3 (8 + 4/sine) 2^-53 F (1 + (d/F)^2), at the picture's corners",
+         .source = "SPEC C-01",
+         .place = {},
+         .tests_in_doubt = {},
+         .advice = "give an --up that is further from the gaze"});
+  }
+
+  void add_left_out(bool has_up, Stiffness& found) const {
+    found.left_out.push_back(
+        "Corners beside the picture and vertices that planes cut: what they do to the pixels is in "
+        "the fragments' numbers.");
+    if (!has_up) found.left_out.push_back("The angle to up: the camera of the file is a pose.");
+    if (!view_.perspective) {
+      found.left_out.push_back(
+          "Depth and w: a parallel view has the same error at every distance.");
+    }
+    if (without_bounds_ > 0) {
+      found.left_out.push_back(fmt::format("{} of lines and points, which have no bounds.",
+                                           counted(without_bounds_, "fragment")));
+    }
+  }
+
+  const Scene& scene_;
+  const View& view_;
+  const RenderSettings& settings_;
+  BoundsOfRun bounds_;
+  std::vector<double> sizes_;  // by mesh
+  Transform<Clip, Object> clip_from_object_;
+  Worst depth_, inverse_w_, divide_, offset_, sliver_, texcoord_;
+  double nearest_ = kInfinity, farthest_ = 0;
+  std::uint64_t without_bounds_ = 0, tests_in_doubt_ = 0;
+  Image<StoredDepth> stored_;
+};
+
+}  // namespace
+
+Stiffness stiffness_of(const Scene& scene, const View& view, const RenderSettings& settings,
+                       const std::optional<Vector<World, double>>& up) {
+  Watcher watcher(scene, view, settings);
+  TraceFilter filter;
+  filter.colors = false;
+  filter.max_bytes = std::numeric_limits<std::uint64_t>::max();
+  RenderSettings without_light = settings;
+  without_light.shading = Shading::kUnlit;
+  trace(scene, view, without_light, filter, watcher);
+  return watcher.finish(up);
+}
+
+}  // namespace glassbox::study
