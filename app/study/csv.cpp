@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "study/experiment/measures.h"
 #include "study/experiment/pareto.h"
 #include "study/experiment/theory.h"
 
@@ -46,9 +47,9 @@ std::string experiment_lines(const study::ExperimentResult& experiment, const st
   for (std::size_t i = 0; i < experiment.configurations.size(); ++i) {
     const ConfigurationResult& each = experiment.configurations[i];
     const std::string first =
-        fmt::format("{},{},{},{},{},{},{},{},", field(experiment.id), field(each.series),
-                    field(each.scene), each.parameter, each.error, field(experiment.error_unit),
-                    comparison(each), field(experiment.item));
+        fmt::format("{},{},{},{},{},{},{},{},{},", field(experiment.id), field(each.series),
+                    field(each.scene), field(each.measure), each.parameter, each.error,
+                    field(experiment.error_unit), comparison(each), field(experiment.item));
     if (each.timings.empty()) text += first + times(nullptr, {}) + origin;
     for (const Timing& timing : each.timings)
       text += first + times(&timing, all[timing.threads][i]) + origin;
@@ -60,15 +61,18 @@ std::string experiment_lines(const study::ExperimentResult& experiment, const st
 
 std::string study_csv(const study::StudyResults& results) {
   std::string text =
-      "experiment,series,scene,parameter,error,error_unit,predicted_error,ratio,finding,item,"
+      "experiment,series,scene,measure,parameter,error,error_unit,predicted_error,ratio,finding,"
+      "item,"
       "threads,repetitions,ns,ns_lower,ns_upper,disturbed,standing,machine,compiler,flags,"
       "version\n";
   const study::Origin& from = results.origin;
   const std::string origin =
       fmt::format(",{},{},{},{}\n", field(from.machine), field(from.compiler), field(from.flags),
                   field(from.version));
-  for (const study::ExperimentResult& each : results.experiments)
-    text += experiment_lines(each, origin);
+  for (const study::ExperimentResult& experiment : results.experiments) {
+    for (const study::ExperimentResult& each : study::by_measure(experiment))
+      text += experiment_lines(each, origin);
+  }
   return text;
 }
 

@@ -9,6 +9,7 @@
 
 #include "app/bench/text.h"
 #include "app/report/text_layout.h"
+#include "study/experiment/measures.h"
 #include "study/experiment/pareto.h"
 #include "study/experiment/theory.h"
 
@@ -115,11 +116,15 @@ std::string findings_of(const ExperimentResult& result) {
 std::string experiment_text(const ExperimentResult& result) {
   std::string text = fmt::format("{}  {}\n", result.id, result.name);
   text += wrapped("  ", result.question);
-  text += wrapped("  Axis: ", with_unit(result.axis, result.axis_unit));
-  text += wrapped("  Error: ",
-                  with_unit(result.error, result.error_unit) + " against " + result.reference);
   if (!result.theory.empty()) text += wrapped("  Theory: ", result.theory);
-  return text + "\n" + table_of(result) + "\n" + findings_of(result);
+  for (const ExperimentResult& part : study::by_measure(result)) {
+    text += wrapped("  Axis: ", with_unit(part.axis, part.axis_unit));
+    text +=
+        wrapped("  Error: ", with_unit(part.error, part.error_unit) + " against " + part.reference +
+                                 (part.more_is_better ? "; more is better" : ""));
+    text += "\n" + table_of(part) + "\n";
+  }
+  return text + findings_of(result);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "study/experiment/pareto.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -11,10 +12,16 @@ bool is_faster(const ConfigurationResult& a, const ConfigurationResult& b, int t
   return timing_of(a, threads)->ns.upper < timing_of(b, threads)->ns.lower;
 }
 
-bool dominates(const ConfigurationResult& a, const ConfigurationResult& b, int threads) {
+bool dominates(const ConfigurationResult& a, const ConfigurationResult& b, bool more_is_better,
+               int threads) {
   if (std::isnan(a.error)) return false;
   if (std::isnan(b.error)) return !is_faster(b, a, threads);  // no answer, and no time won
-  return a.error <= b.error && is_faster(a, b, threads);
+  return (more_is_better ? a.error >= b.error : a.error <= b.error) && is_faster(a, b, threads);
+}
+
+bool more_is_better(const ExperimentResult& experiment, const std::string& measure) {
+  const auto found = std::ranges::find(experiment.measures, measure, &Measure::name);
+  return found == experiment.measures.end() ? experiment.more_is_better : found->more_is_better;
 }
 
 }  // namespace
@@ -40,7 +47,8 @@ const Timing* timing_of(const ConfigurationResult& result, int threads) {
 
 bool compete(const ExperimentResult& experiment, const ConfigurationResult& a,
              const ConfigurationResult& b) {
-  return a.scene == b.scene && (experiment.axis_is_chosen || a.parameter == b.parameter);
+  return a.measure == b.measure && a.scene == b.scene &&
+         (experiment.axis_is_chosen || a.parameter == b.parameter);
 }
 
 std::vector<Standing> standings(const ExperimentResult& experiment, int threads) {
@@ -49,9 +57,10 @@ std::vector<Standing> standings(const ExperimentResult& experiment, int threads)
     Standing standing = Standing::kUntimed;
     if (timing_of(each, threads) != nullptr) {
       standing = Standing::kFront;
+      const bool more = more_is_better(experiment, each.measure);
       for (const ConfigurationResult& other : experiment.configurations) {
         if (timing_of(other, threads) == nullptr || !compete(experiment, each, other)) continue;
-        if (dominates(other, each, threads)) standing = Standing::kDominated;
+        if (dominates(other, each, more, threads)) standing = Standing::kDominated;
       }
     }
     all.push_back(standing);

@@ -15,7 +15,7 @@ enum class Standing {
 
 const char* name_of(Standing standing);  // "front"
 
-// Competitors have the same scene and, unless the axis is chosen, the same parameter.
+// Competitors have the same measure, the same scene and, unless the axis is chosen, the same parameter.
 bool compete(const ExperimentResult& experiment, const ConfigurationResult& a,
              const ConfigurationResult& b);
 

@@ -20,7 +20,7 @@ struct Timing {
 struct ConfigurationResult {
   std::string series;
   double parameter = 0;
-  std::string scene;
+  std::string scene, measure;
   double error = 0;
   std::optional<double> predicted_error;
   std::optional<Finding> explanation;  // of why theory and measurement differ
@@ -31,7 +31,9 @@ struct ExperimentResult {
   // Experiment's fields of the same names.
   std::string id, name, question, axis, axis_unit;
   bool logarithmic_axis = true, axis_is_chosen = false;
+  bool more_is_better = false;  // a measure's
   std::string error, error_unit, reference, theory, item;
+  std::vector<Measure> measures;  // each with an axis
   std::vector<ConfigurationResult> configurations;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -31,6 +32,14 @@ ExperimentResult described(const Experiment& experiment) {
   result.reference = experiment.reference;
   result.theory = experiment.theory;
   result.item = experiment.item;
+  for (Measure measure : experiment.measures) {
+    if (measure.axis.empty()) {
+      measure.axis = experiment.axis;
+      measure.axis_unit = experiment.axis_unit;
+      measure.logarithmic_axis = experiment.logarithmic_axis;
+    }
+    result.measures.push_back(std::move(measure));
+  }
   return result;
 }
 
@@ -39,6 +48,7 @@ ConfigurationResult measured_error(const Configuration& configuration) {
   result.series = configuration.series;
   result.parameter = configuration.parameter;
   result.scene = configuration.scene;
+  result.measure = configuration.measure;
   result.error = configuration.error();
   result.predicted_error = configuration.predicted_error;
   result.explanation = configuration.finding;
@@ -59,6 +69,18 @@ void add_times(const std::vector<Configuration>& configurations, int threads, in
   for (std::size_t i = 0; i < times.size(); ++i) {
     const auto& [ns, disturbed] = times[i];
     result.configurations[of[i]].timings.push_back({threads, repetitions, ns, disturbed});
+  }
+}
+
+// Another measure of the same work has its times.
+void share_times(ExperimentResult& result) {
+  for (ConfigurationResult& each : result.configurations) {
+    if (each.measure.empty() || !each.timings.empty()) continue;
+    for (const ConfigurationResult& other : result.configurations) {
+      if (other.measure.empty() && other.series == each.series && other.scene == each.scene &&
+          other.parameter == each.parameter)
+        each.timings = other.timings;
+    }
   }
 }
 
@@ -84,6 +106,7 @@ ExperimentResult run_experiment(const Experiment& experiment, const RunOptions& 
     tell(options, fmt::format("{}: times with {} threads", experiment.id, options.threads));
     add_times(configurations, options.threads, options.repetitions, result);
   }
+  share_times(result);
   return result;
 }
 

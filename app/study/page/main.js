@@ -43,18 +43,26 @@ function figure(caption, experiment, makeChart) {
     (theme) => makeChart(theme, experiment, shownThreads(experiment, wantedThreads))));
 }
 
+// Charts and table of one measure.
+function measured(part, several) {
+  const figures = [];
+  if (threadsOf(part).length) figures.push(figure("Error against time", part, timeChart));
+  figures.push(figure("Error against the axis", part, axisChart));
+  return [several ? element("h3", {}, part.measure || "error") : null,
+    element("dl", {className: "about"}, ...terms([["Axis", withUnit(part.axis, part.axis_unit)],
+      ["Error", withUnit(part.error, part.error_unit) + (part.more_is_better ? "; more is better" : "")]])),
+    element("div", {className: "charts"}, ...figures),
+    element("details", {open: true}, element("summary", {}, "Numbers"), element("div", {className: "scroll"}, tableOf(part)))].filter(Boolean);
+}
+
 function section(experiment) {
-  const {id, name, question, reference, theory, command} = experiment, figures = [];
-  if (threadsOf(experiment).length) figures.push(figure("Error against time", experiment, timeChart));
-  figures.push(figure("Error against the axis", experiment, axisChart));
+  const {id, name, question, reference, theory, command} = experiment, parts = byMeasure(experiment);
   return element("section", {id, ariaLabel: id},
     element("h2", {}, `${id} ${name}`),
     element("p", {className: "question"}, question),
-    element("dl", {className: "about"}, ...terms([["Axis", withUnit(experiment.axis, experiment.axis_unit)],
-      ["Error", withUnit(experiment.error, experiment.error_unit)], ["Reference", reference], ["Theory", theory]])),
-    element("div", {className: "charts"}, ...figures),
+    element("dl", {className: "about"}, ...terms([["Reference", reference], ["Theory", theory]])),
+    ...parts.flatMap((part) => measured(part, parts.length > 1)),
     findingsOf(experiment),
-    element("details", {open: true}, element("summary", {}, "Numbers"), element("div", {className: "scroll"}, tableOf(experiment))),
     element("code", {}, command));
 }
 

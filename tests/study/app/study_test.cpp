@@ -69,8 +69,8 @@ TEST_CASE("study run gives errors, theory, times and origin as JSON, CSV and tex
   }
   const std::string csv = place.read("out.csv");
   CHECK(std::size_t(std::ranges::count(csv, '\n')) == lines);
-  CHECK(
-      csv.starts_with("experiment,series,scene,parameter,error,error_unit,predicted_error,ratio,"));
+  CHECK(csv.starts_with(
+      "experiment,series,scene,measure,parameter,error,error_unit,predicted_error,ratio,"));
 }
 
 TEST_CASE(

@@ -51,6 +51,8 @@ StudyResults made_by_hand() {
   experiment.configurations[1].predicted_error = 0.30000000000000004;
   experiment.configurations[1].explanation = Finding{"because", 0.3, 1.0 / 3};
   experiment.configurations[2].scene = "room";
+  experiment.measures = {{"signal", "signal over noise", "dB", "distance", "m", false, true}};
+  experiment.configurations[2].measure = "signal";
   experiment.configurations[3].timings.push_back({2, 21, {1, 2, 3}, 4});
   experiment.configurations[4].timings.clear();
   return {kHere, {experiment}};
@@ -73,8 +75,10 @@ TEST_CASE("results come back from their file as they went in, to the last digit"
     CHECK(a.predicted_error == b.predicted_error);
     CHECK(a.explanation == b.explanation);
     CHECK(a.scene == b.scene);
+    CHECK(a.measure == b.measure);
     CHECK(a.timings.size() == b.timings.size());
   }
+  CHECK(after->experiments[0].measures == before.experiments[0].measures);
   CHECK(after->experiments[0].axis_is_chosen);
   CHECK_FALSE(after->experiments[0].logarithmic_axis);
 }
