@@ -116,14 +116,15 @@ std::string findings_of(const ExperimentResult& result) {
 std::string experiment_text(const ExperimentResult& result) {
   std::string text = fmt::format("{}  {}\n", result.id, result.name);
   text += wrapped("  ", result.question);
+  text += wrapped("  Reference: ", result.reference);
   if (!result.theory.empty()) text += wrapped("  Theory: ", result.theory);
   for (const ExperimentResult& part : study::by_measure(result)) {
-    text += wrapped("  Axis: ", with_unit(part.axis, part.axis_unit));
-    text +=
-        wrapped("  Error: ", with_unit(part.error, part.error_unit) + " against " + part.reference +
-                                 (part.more_is_better ? "; more is better" : ""));
-    text += "\n" + table_of(part) + "\n";
+    text += "\n" + wrapped("  Axis: ", with_unit(part.axis, part.axis_unit));
+    text += wrapped("  Error: ", with_unit(part.error, part.error_unit) +
+                                     (part.more_is_better ? "; more is better" : ""));
+    text += "\n" + table_of(part);
   }
+  text += "\n";
   return text + findings_of(result);
 }
 

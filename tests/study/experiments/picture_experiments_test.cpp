@@ -3,10 +3,12 @@
 #include <cmath>
 #include <limits>
 
+#include <glassbox/base/random.h>
 #include <glassbox/mesh/builtin/forest.h>
 #include <glassbox/pipeline/stereo/stereo_pair.h>
 #include <glassbox/render/staged/staged.h>
 
+#include "study/experiments/d09_tests.h"
 #include "study/experiments/warp/depth_peeling.h"
 #include "study/experiments/warp/warp.h"
 #include "tests/study/experiments/laws.h"
@@ -51,6 +53,41 @@ TEST_CASE("D-9: only the test that knows nothing of the snap throws fronts away"
        {"none", "snapped area", "cluster cones", "filter, exact fallback, margin"})
     CHECK(largest_error(all, safe) == 0);
   CHECK(largest_error(all, "object-space dot product, float") > 0);
+}
+
+TEST_CASE("D-9: a filter decides as expansions do, or lets them decide") {
+  const auto all = check_experiment(d09_culling());
+  // Eight roundings of 2^-24 on terms that are no smaller than their sum; and 2^29 times as much of that as of 2^-53.
+  for (const char* scene : {"teapot", "ellipsoid", "ellipsoid as if scanned"}) {
+    const double in_float = largest_error(all, "filter in float", scene, "exact fallbacks"),
+                 in_double = largest_error(all, "filter in double", scene, "exact fallbacks");
+    INFO(scene);
+    CHECK(in_float > 0x1p-24);
+    CHECK(in_float < 32 * 0x1p-24);
+    CHECK(in_double > 0x1p-53);
+    CHECK(in_double < 64 * 0x1p-53);
+  }
+  Random random(1);
+  const auto coordinate = [&] { return float(random.between(-1, 1)); };
+  int exact = 0, fronts = 0;
+  for (int i = 0; i < 20000; ++i) {
+    d09::ObjectTriangle t;
+    for (Point<Object>& p : t) {
+      p.x = coordinate(), p.y = coordinate(), p.z = coordinate();
+    }
+    // In the plane of the triangle, but for its own rounding.
+    const float s = coordinate(), r = coordinate();
+    const Vector<Object, double> eye{
+        double(t[0].x + s * (t[1].x - t[0].x) + r * (t[2].x - t[0].x)),
+        double(t[0].y + s * (t[1].y - t[0].y) + r * (t[2].y - t[0].y)),
+        double(t[0].z + s * (t[1].z - t[0].z) + r * (t[2].z - t[0].z))};
+    const d09::Filtered one = d09::filter_in_float(t, eye), other = d09::filter_in_double(t, eye);
+    CHECK(one.back == other.back);
+    exact += one.used_exact;
+    fronts += !one.back;
+  }
+  CHECK(exact > 10000);  // they are that near
+  CHECK((fronts > 8000 && fronts < 12000));
 }
 
 TEST_CASE("D-10: culling by the centre camera loses half the parallax, by the union nothing") {
