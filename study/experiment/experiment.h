@@ -54,8 +54,8 @@ struct Configuration {
   std::optional<Finding> finding = {};
 
   // What is timed, on this many threads; empty where only the error is of interest, and where a measure is of work that is timed for
-  // the experiment's own error: of the same series, scene and parameter, whose times it has then. One call does `items` of the work,
-  // long enough to be timed (0.1 ms or more) and short enough to be repeated (100 ms or less).
+  // another one: of the same series and scene, at the same place of the same axis, whose times it has then. One call does `items` of
+  // the work, long enough to be timed (0.1 ms or more) and short enough to be repeated (100 ms or less).
   std::function<void(int threads)> work = {};
   double items = 1;
 };

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -72,15 +74,21 @@ void add_times(const std::vector<Configuration>& configurations, int threads, in
   }
 }
 
-// Another measure of the same work has its times.
+std::string axis_of(const ExperimentResult& result, const ConfigurationResult& each) {
+  const auto found = std::ranges::find(result.measures, each.measure, &Measure::name);
+  return found == result.measures.end() ? result.axis : found->axis;
+}
+
+// What has no work has the times of the same series on the same scene at the same place of the same axis.
 void share_times(ExperimentResult& result) {
+  const std::vector<ConfigurationResult> timed = result.configurations;
   for (ConfigurationResult& each : result.configurations) {
     if (each.measure.empty() || !each.timings.empty()) continue;
-    for (const ConfigurationResult& other : result.configurations) {
-      if (other.measure.empty() && other.series == each.series && other.scene == each.scene &&
-          other.parameter == each.parameter)
-        each.timings = other.timings;
-    }
+    const auto same = std::ranges::find_if(timed, [&](const ConfigurationResult& other) {
+      return !other.timings.empty() && other.series == each.series && other.scene == each.scene &&
+             other.parameter == each.parameter && axis_of(result, other) == axis_of(result, each);
+    });
+    if (same != timed.end()) each.timings = same->timings;
   }
 }
 

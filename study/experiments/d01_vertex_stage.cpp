@@ -233,9 +233,7 @@ void add_series(std::vector<Configuration>& all, const Series& series, Effort ef
                    .measure = kDepth,
                    .error = [=] { return errors().depth; },
                    .predicted_error = series.depth(planes.near),
-                   .finding = few_depths(planes.near),
-                   .work = vertices_of<Way>(1, planes),
-                   .items = kItems});
+                   .finding = few_depths(planes.near)});
   }
 }
 

@@ -6,10 +6,14 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include <glassbox/mesh/builtin/teapot.h>
 
 #include "study/bench/statistics.h"
 #include "study/experiment/theory.h"
+#include "study/experiments/d26_decimation.h"
 #include "study/experiments/experiments.h"
 
 namespace glassbox::study {
@@ -87,12 +91,17 @@ TEST_CASE("no two configurations are the same point, and all can be timed") {
   for (const Experiment& experiment : numeric_experiments()) {
     std::map<std::string, int> seen;
     const std::vector<Configuration> all = experiment.configurations(Effort::kQuick);
+    const auto axis_of = [&](const Configuration& c) {
+      const auto found = std::ranges::find(experiment.measures, c.measure, &Measure::name);
+      const bool own = found == experiment.measures.end() || found->axis.empty();
+      return own ? experiment.axis : found->axis;
+    };
     for (const Configuration& c : all) {
       INFO(name_of(experiment, c));
       CHECK(++seen[name_of(experiment, c)] == 1);
       const bool is_timed = std::ranges::any_of(all, [&](const Configuration& other) {
-        return other.work && (other.measure.empty() || other.measure == c.measure) &&
-               other.series == c.series && other.scene == c.scene && other.parameter == c.parameter;
+        return other.work && axis_of(other) == axis_of(c) && other.series == c.series &&
+               other.scene == c.scene && other.parameter == c.parameter;
       });
       CHECK(is_timed);
       CHECK(c.items >= 1);
@@ -279,6 +288,72 @@ TEST_CASE("error times triangles stays the same as a mesh is refined (D-26)") {
   const auto samples = curve(d26_tessellation(), "teapot, 32 patches of level x level cells");
   const auto law = fit_power_law(between(samples, 8, 32));
   CHECK(std::abs(law.exponent + 2) < 0.03);
+}
+
+// Both fall as the inverse of the number; a chosen set of edges scatters by a fifth, an outline by its few places.
+TEST_CASE("fewer triangles, chosen, are nearer to the surface than a grid of as many (D-26)") {
+  const Experiment experiment = d26_tessellation();
+  const char *grid = "teapot, 32 patches of level x level cells", *chosen = "decimated by quadrics";
+  for (const char* measure : {"deviation", "outline"}) {
+    CAPTURE(measure);
+    std::map<double, double> errors[2];
+    for (const Configuration& c : experiment.configurations(Effort::kQuick)) {
+      if (c.measure != measure) continue;
+      CHECK((c.series == chosen || c.series == grid));
+      errors[c.series == chosen][c.parameter] = c.error();
+    }
+    REQUIRE(errors[0].size() == 3);
+    REQUIRE(errors[1].size() == 3);
+    std::vector<Sample> samples;
+    for (const auto& [triangles, error] : errors[1]) {
+      CHECK(error < errors[0].at(triangles));
+      samples.push_back({triangles, error});
+    }
+    CHECK(std::abs(fit_power_law(samples).exponent + 1) < 0.2);
+  }
+}
+
+TEST_CASE("a decimated mesh has the triangles asked for, and none that fold or gape (D-26)") {
+  d26::Decimation mesh(tessellate_teapot(8));
+  const auto edges_of = [&] {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+    for (const d26::Triangle& t : mesh.triangles()) {
+      for (std::size_t k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
+    }
+    return edges;
+  };
+  // Euler's number of what is left: the same as before, and no directed edge twice.
+  const auto euler = [&] {
+    std::set<std::uint32_t> vertices;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+    for (const auto& [edge, count] : edges_of()) {
+      CHECK(count == 1);
+      vertices.insert(edge.first), vertices.insert(edge.second);
+      edges.insert(std::minmax(edge.first, edge.second));
+    }
+    return int(vertices.size()) - int(edges.size()) + int(mesh.triangles().size());
+  };
+  const int before = euler();
+  CHECK(mesh.size() == mesh.triangles().size());
+  for (const std::size_t wanted : {2000u, 1000u, 300u}) {
+    mesh.reduce_to(wanted);
+    CHECK(mesh.size() <= wanted);
+    CHECK(mesh.size() >= wanted - 1);
+    CHECK(mesh.size() == mesh.triangles().size());
+    CHECK(euler() == before);
+  }
+}
+
+TEST_CASE("the distance to a triangle is to its nearest point, side and corner alike (D-26)") {
+  const glm::dvec3 a(0, 0, 0), b(4, 0, 0), c(0, 3, 0);
+  CHECK(d26::distance_to({1, 1, 2}, a, b, c) == 2);
+  CHECK(d26::distance_to({1, 1, -2}, a, b, c) == 2);
+  CHECK(d26::distance_to({2, -3, 0}, a, b, c) == 3);
+  CHECK(d26::distance_to({-3, -4, 0}, a, b, c) == 5);
+  CHECK(d26::distance_to({7, 0, 4}, a, b, c) == 5);
+  // Beside the long side, in the plane: (4, 3) is 12/5 away.
+  CHECK(std::abs(d26::distance_to({4, 3, 0}, a, b, c) - 2.4) < 1e-15);
+  CHECK(d26::distance_to({3, 4, 0}, a, a, a) == 5);
 }
 
 }  // namespace glassbox::study
