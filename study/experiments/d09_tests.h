@@ -20,6 +20,8 @@
 #include <glassbox/render/engine/draw_list.h>
 #include <glassbox/render/staged/vertex_stage.h>
 
+#include "exact/coverage.h"
+
 namespace glassbox::study::d09 {
 
 inline constexpr int kSide = 512;  // px
@@ -88,18 +90,10 @@ inline bool shows_front(const ScreenTriangle& t) {
   return snapped_area(t) < 0;
 }
 
-// The same of exact integers that are none of the pipeline's: floor(256 v + 1/2), in double exact for what a screen has, and 128 bits.
+// The same of exact integers that are none of the pipeline's.
 inline bool shows_front_exactly(const ScreenTriangle& t) {
   __extension__ typedef __int128 Int128;
-  const auto snapped = [](float px) {
-    return Int128(std::int64_t(std::floor(double(px) * 256 + 0.5)));
-  };
-  const auto along = [&](std::size_t k) {
-    return std::array{snapped(t[k].position.x) - snapped(t[0].position.x),
-                      snapped(t[k].position.y) - snapped(t[0].position.y)};
-  };
-  const auto a = along(1), b = along(2);
-  return a[0] * b[1] - a[1] * b[0] < 0;
+  return exact::turn<Int128>(exact::snapped(t)) < 0;
 }
 
 // ---- the tests: whether a triangle is thrown away before it is set up ----
