@@ -50,9 +50,11 @@ std::string experiment_lines(const study::ExperimentResult& experiment, const st
         fmt::format("{},{},{},{},{},{},{},{},{},", field(experiment.id), field(each.series),
                     field(each.scene), field(each.measure), each.parameter, each.error,
                     field(experiment.error_unit), comparison(each), field(experiment.item));
-    if (each.timings.empty()) text += first + times(nullptr, {}) + origin;
+    const std::string last =
+        fmt::format(",{},{}", experiment.machine.load, experiment.machine.mhz) + origin;
+    if (each.timings.empty()) text += first + times(nullptr, {}) + last;
     for (const Timing& timing : each.timings)
-      text += first + times(&timing, all[timing.threads][i]) + origin;
+      text += first + times(&timing, all[timing.threads][i]) + last;
   }
   return text;
 }
@@ -63,12 +65,12 @@ std::string study_csv(const study::StudyResults& results) {
   std::string text =
       "experiment,series,scene,measure,parameter,error,error_unit,predicted_error,ratio,finding,"
       "item,"
-      "threads,repetitions,ns,ns_lower,ns_upper,disturbed,standing,machine,compiler,flags,"
-      "version\n";
+      "threads,repetitions,ns,ns_lower,ns_upper,disturbed,standing,load,mhz,machine,"
+      "target,caches,compiler,flags,version\n";
   const study::Origin& from = results.origin;
   const std::string origin =
-      fmt::format(",{},{},{},{}\n", field(from.machine), field(from.compiler), field(from.flags),
-                  field(from.version));
+      fmt::format(",{},{},{},{},{},{}\n", field(from.machine), field(from.target),
+                  field(from.caches), field(from.compiler), field(from.flags), field(from.version));
   for (const study::ExperimentResult& experiment : results.experiments) {
     for (const study::ExperimentResult& each : study::by_measure(experiment))
       text += experiment_lines(each, origin);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "study/bench/machine.h"
 #include "study/bench/statistics.h"
 #include "study/experiment/experiment.h"
 
@@ -34,6 +35,7 @@ struct ExperimentResult {
   bool more_is_better = false;  // a measure's
   std::string error, error_unit, reference, theory, item;
   std::vector<Measure> measures;  // each with an axis
+  MachineState machine;           // when its times began to be measured
   std::vector<ConfigurationResult> configurations;
 };
 
@@ -43,8 +45,9 @@ inline constexpr int kMostParts = 1000;
 struct Origin {
   std::string machine, compiler, flags, version;
   Effort effort = Effort::kQuick;
-  int threads = 1;          // the most that were used
-  int part = 1, parts = 1;  // of the experiments that were asked for: study run --part
+  int threads = 1;             // the most that were used
+  int part = 1, parts = 1;     // of the experiments that were asked for: study run --part
+  std::string target = {}, caches = {};  // as machine.h has them
 
   bool operator==(const Origin&) const = default;
 };

@@ -121,6 +121,7 @@ ExperimentResult experiment_of(const Json& json) {
   result.reference = json.at("reference");
   result.theory = json.at("theory");
   result.item = json.at("item");
+  result.machine = {number_of(json.at("load")), number_of(json.at("mhz"))};
   for (const Json& each : json.at("measures")) result.measures.push_back(measure_of(each));
   for (const Json& each : json.at("configurations"))
     result.configurations.push_back(configuration_of(each));
@@ -140,7 +141,9 @@ StudyResults unchecked_results_of(const Json& json) {
                     effort == "quick" ? Effort::kQuick : Effort::kFull,
                     json.at("threads"),
                     json.at("part").at(0),
-                    json.at("part").at(1)};
+                    json.at("part").at(1),
+                    json.at("target"),
+                    json.at("caches")};
   const Origin& origin = results.origin;
   if (origin.part < 1 || origin.part > origin.parts || origin.parts > kMostParts) {
     throw Json::other_error::create(501, "there is no such part", &json);
@@ -171,6 +174,8 @@ Json experiment_json(const ExperimentResult& result) {
             {"reference", result.reference},
             {"theory", result.theory},
             {"item", result.item},
+            {"load", number_json(result.machine.load)},
+            {"mhz", number_json(result.machine.mhz)},
             {"measures", Json::array()},
             {"configurations", Json::array()}};
   for (const Measure& each : result.measures) json["measures"].push_back(measure_json(each));
@@ -188,7 +193,8 @@ Json experiment_json(const ExperimentResult& result) {
 Json results_json(const StudyResults& results) {
   const Origin& origin = results.origin;
   Json json{{"format", kFormat},           {"version", origin.version},
-            {"machine", origin.machine},   {"compiler", origin.compiler},
+            {"machine", origin.machine},   {"target", origin.target},
+            {"caches", origin.caches},     {"compiler", origin.compiler},
             {"flags", origin.flags},       {"effort", name_of(origin.effort)},
             {"threads", origin.threads},   {"part", {origin.part, origin.parts}},
             {"experiments", Json::array()}};

@@ -109,6 +109,7 @@ ExperimentResult run_experiment(const Experiment& experiment, const RunOptions& 
     result.configurations.push_back(measured_error(each));
   }
   tell(options, experiment.id + ": times with one thread");
+  result.machine = machine_state();
   add_times(configurations, 1, options.repetitions, result);
   if (experiment.threaded && options.threads > 1) {
     tell(options, fmt::format("{}: times with {} threads", experiment.id, options.threads));
@@ -125,7 +126,9 @@ const Experiment* find_experiment(const std::vector<Experiment>& all, const std:
 }
 
 Origin origin_here(const std::string& version, Effort effort, int threads) {
-  return {machine_name(), compiler_name(), GLASSBOX_COMPILE_FLAGS, version, effort, threads, 1, 1};
+  return {
+      machine_name(),    compiler_name(), GLASSBOX_COMPILE_FLAGS, version, effort, threads, 1, 1,
+      instruction_set(), cache_sizes()};
 }
 
 }  // namespace glassbox::study
