@@ -64,9 +64,8 @@ std::string experiment_lines(const study::ExperimentResult& experiment, const st
 std::string study_csv(const study::StudyResults& results) {
   std::string text =
       "experiment,series,scene,measure,parameter,error,error_unit,predicted_error,ratio,finding,"
-      "item,"
-      "threads,repetitions,ns,ns_lower,ns_upper,disturbed,standing,load,mhz,machine,"
-      "target,caches,compiler,flags,version\n";
+      "item,threads,repetitions,ns,ns_lower,ns_upper,disturbed,standing,load,mhz,machine,target,"
+      "caches,compiler,flags,version\n";
   const study::Origin& from = results.origin;
   const std::string origin =
       fmt::format(",{},{},{},{},{},{}\n", field(from.machine), field(from.target),

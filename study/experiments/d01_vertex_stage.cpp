@@ -175,8 +175,7 @@ std::optional<Finding> few_depths(double near) {
   if (near / kShotDistance > 8 * 0x1p-24) return std::nullopt;
   return Finding{
       "within n/z = 4 u of 1 there are four depths: the matrix's entry is 1, its product exact, "
-      "and "
-      "the quotient of two neighbouring floats one of the four",
+      "and the quotient of two neighbouring floats one of the four",
       0.25, 0.5};
 }
 

@@ -307,9 +307,8 @@ Experiment d02_subpixel_bits() {
           .theory =
               "the area that an edge sweeps when its ends move: sqrt(2/pi) 2^-b/sqrt(12) * 0.812 = "
               "0.187 * 2^-b for each pixel of its length; of the union of both coverages that is "
-              "as much "
-              "as boundary and area say. The middle of a gliding edge is off by half the sum of "
-              "what its ends are, each by 2^-b/sqrt(12) sideways: 2^-b/sqrt(24)",
+              "as much as boundary and area say. The middle of a gliding edge is off by half the "
+              "sum of what its ends are, each by 2^-b/sqrt(12) sideways: 2^-b/sqrt(24)",
           .item = "triangle",
           .axis_is_chosen = true,
           .measures = {{kOverlap, "1 - IoU: pixels in one coverage alone over those in either", ""},

@@ -260,12 +260,10 @@ Errors predicted_among_trees(const Way& way, const LeftEye& seen) {
   return {std::sqrt(share * square), way.fill ? 0 : share, seen.parallaxes};
 }
 
-// Two layers and more leave holes deep between the trees alone; what the first ones leave open is more often the ground's, which has
-// nothing behind itself.
-const Finding kLastIsGround{
-    "a hole that two layers leave open shows the ground between trees more often than a pixel "
-    "anywhere, "
-    "and the third layer has it",
+// Of 9858 pixels that one layer leaves open at 2 %, two leave 5893, and 4005 where back faces are culled.
+const Finding kOwnBack{
+    "a tree's second layer is its own back, which no hole shows; the third has what stands behind "
+    "it, and fills more than other layers do",
     0.25, 0.5};
 
 const Finding kStillTheSame{
@@ -274,8 +272,7 @@ const Finding kStillTheSame{
 
 const Finding kWrongThing{
     "where layers leave few holes, what is left are places that show something farther away than "
-    "what "
-    "no layer has",
+    "what no layer has",
     2, 3};
 
 using Prediction = std::function<Errors(const Way&)>;
@@ -302,7 +299,7 @@ void add_stage(const std::shared_ptr<const Stage>& stage, const Prediction& pred
     all.back().work = [way, stage](int) { way.right(*stage); };
     add(kPsnr, psnr(predicted.rms), [](const Errors& e) { return psnr(e.rms); });
     add(kHoles, predicted.holes, [](const Errors& e) { return e.holes; });
-    if (way.layers >= 3) all.back().finding = kLastIsGround;
+    if (way.layers >= 3) all.back().finding = kOwnBack;
     add(kDisparity, predicted.disparity, [](const Errors& e) { return e.disparity; });
   }
 }
@@ -365,11 +362,9 @@ Experiment d11_second_eye() {
           "columns beside every edge in depth (B.9): over the cards' rows that is a share of the "
           "picture, whose colours are black or, filled, another cell's: sqrt(share 255 511/6), "
           "sqrt(share (256^2 - 1)/6). Two layers have the first thing behind every edge, three the "
-          "next: enough for cards. What is seen at a "
-          "wrong place differs by sqrt(2) of the picture's deviation, and by a parallax of all "
-          "that "
-          "there is at most; between the forest's trees most of what comes into view lies "
-          "behind two surfaces or more.",
+          "next: enough for cards. What is seen at a wrong place differs by sqrt(2) of the "
+          "picture's deviation, and by a parallax of all that there is at most; between the "
+          "forest's trees most of what comes into view lies behind two surfaces or more.",
       .item = "pair of pictures",
       .measures = {{.name = kPsnr,
                     .error = "peak signal-to-noise ratio of the right eye's picture",

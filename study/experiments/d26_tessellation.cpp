@@ -389,10 +389,9 @@ Experiment d26_tessellation() {
           "a chord misses its arc by h^2/8 of the second derivative across the surface: the "
           "largest over the teapot, times 1/level^2, so that error times triangles stays the same. "
           "Of a decimated mesh: what no mesh with corners on the surface is below, 2/(3 sqrt 3) of "
-          "the "
-          "integral of sqrt|K| over the triangles (D'Azevedo and Simpson 1989). An outline along "
-          "chords is off by h^2/12 of the curvature along it and, as corners lie beside it, h^2/24 "
-          "of that across",
+          "the integral of sqrt|K| over the triangles (D'Azevedo and Simpson 1989). An outline "
+          "along chords is off by h^2/12 of the curvature along it and, as corners lie beside it, "
+          "h^2/24 of that across",
       .item = "frame",
       .threaded = true,
       .axis_is_chosen = true,

@@ -199,13 +199,14 @@ struct WarpedForest {
   double holes = 0;
   double rms_elsewhere = 0;  // 1/255
 };
-WarpedForest warped_forest(int layers) {
+WarpedForest warped_forest(int layers, Cull cull = Cull::kMaterial) {
   const Scene forest = make_forest();
   const View centre = make_view(forest.cameras.front(), 240, 160).value();
   const StereoPair pair{0.02 * 12, 12};
   RenderSettings settings;
   settings.transfer = Transfer::kNone;
   settings.want_distance = true;
+  settings.cull = cull;
   const Framebuffer right =
       render_staged(forest, eye_view(centre, pair, Side::kRight), settings).buffers;
   const Warped warped =
@@ -233,6 +234,8 @@ TEST_CASE(
   CHECK(two.holes > one.holes / 2);
   CHECK(three.holes < one.holes / 3);
   CHECK(four.holes < three.holes);
+  // The second layer of a tree is its own back, unless backs are culled.
+  CHECK(warped_forest(2, Cull::kBack).holes < 0.75 * two.holes);
   for (const WarpedForest& each : {one, two, three, four}) CHECK(each.rms_elsewhere < 3);
 }
 
