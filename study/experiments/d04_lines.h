@@ -52,7 +52,7 @@ inline PerspectiveLine at_its_level(double u0, double u1, double q0, double q1, 
 }
 
 // A floor 1.5 below the eye, level gaze, 45 degrees from top to bottom, 256 x 256 px, up to 60 away; u runs along the gaze, 64
-// texels a unit. Rolled by an eighth of a turn: without a roll w is the same along each row, and nothing errs (S3-31).
+// texels a unit. Rolled by 22.5 degrees: without a roll w is the same along each row, and nothing errs.
 inline Lines rolled_floor() {
   constexpr double kHeight = 1.5, kFarthest = 60, kTexels = 64;
   const double focal = kLinePixels / 2.0 / tan_half_degrees(45);
