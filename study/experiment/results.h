@@ -45,8 +45,8 @@ inline constexpr int kMostParts = 1000;
 struct Origin {
   std::string machine, compiler, flags, version;
   Effort effort = Effort::kQuick;
-  int threads = 1;             // the most that were used
-  int part = 1, parts = 1;     // of the experiments that were asked for: study run --part
+  int threads = 1;                       // the most that were used
+  int part = 1, parts = 1;               // of the experiments that were asked for: study run --part
   std::string target = {}, caches = {};  // as machine.h has them
 
   bool operator==(const Origin&) const = default;
