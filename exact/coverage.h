@@ -2,13 +2,39 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
+#include <glassbox/pipeline/stages.h>
 #include <glassbox/raster/stages.h>
 
 namespace glassbox::exact {
 
 using SnappedTriangle = std::array<SnappedVertex, 3>;
+
+// floor(256 v + 1/2): in double both operations are exact for every float below 2^16 pixels.
+inline SnappedVertex snapped(const ScreenVertex& vertex) {
+  const auto subpixels = [](float pixels) {
+    return std::int32_t(std::floor(double(pixels) * kSubpixels + 0.5));
+  };
+  return {subpixels(vertex.position.x), subpixels(vertex.position.y)};
+}
+inline SnappedTriangle snapped(const std::array<ScreenVertex, 3>& t) {
+  return {snapped(t[0]), snapped(t[1]), snapped(t[2])};
+}
+
+// Which way three points run on a screen whose y points down, the sign of their area: 1 clockwise, which is a back; -1 counter-clockwise;
+// 0 along a line or in a point. N holds the products of their differences.
+template <class N, class P>
+int turn(const P& a, const P& b, const P& c) {
+  const N one = (N(b.x) - N(a.x)) * (N(c.y) - N(a.y)),
+          other = (N(c.x) - N(a.x)) * (N(b.y) - N(a.y));
+  return (one > other) - (one < other);
+}
+template <class N>
+int turn(const SnappedTriangle& t) {
+  return turn<N>(t[0], t[1], t[2]);
+}
 
 // (b - a) x (p - a) for the centre of pixel (x, y).
 template <class N>

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "app/report/csv_field.h"
+#include "study/experiment/measures.h"
 #include "study/experiment/pareto.h"
 #include "study/experiment/theory.h"
 
@@ -39,12 +40,14 @@ std::string experiment_lines(const study::ExperimentResult& experiment, const st
   for (std::size_t i = 0; i < experiment.configurations.size(); ++i) {
     const ConfigurationResult& each = experiment.configurations[i];
     const std::string first =
-        fmt::format("{},{},{},{},{},{},{},{},", csv_field(experiment.id), csv_field(each.series),
-                    csv_field(each.scene), each.parameter, each.error,
+        fmt::format("{},{},{},{},{},{},{},{},{},", csv_field(experiment.id), csv_field(each.series),
+                    csv_field(each.scene), csv_field(each.measure), each.parameter, each.error,
                     csv_field(experiment.error_unit), comparison(each), csv_field(experiment.item));
-    if (each.timings.empty()) text += first + times(nullptr, {}) + origin;
+    const std::string last =
+        fmt::format(",{},{}", experiment.machine.load, experiment.machine.mhz) + origin;
+    if (each.timings.empty()) text += first + times(nullptr, {}) + last;
     for (const Timing& timing : each.timings)
-      text += first + times(&timing, all[timing.threads][i]) + origin;
+      text += first + times(&timing, all[timing.threads][i]) + last;
   }
   return text;
 }
@@ -53,15 +56,18 @@ std::string experiment_lines(const study::ExperimentResult& experiment, const st
 
 std::string study_csv(const study::StudyResults& results) {
   std::string text =
-      "experiment,series,scene,parameter,error,error_unit,predicted_error,ratio,finding,item,"
-      "threads,repetitions,ns,ns_lower,ns_upper,disturbed,standing,machine,compiler,flags,"
-      "version\n";
+      "experiment,series,scene,measure,parameter,error,error_unit,predicted_error,ratio,finding,"
+      "item,threads,repetitions,ns,ns_lower,ns_upper,disturbed,standing,load,mhz,machine,target,"
+      "caches,compiler,flags,version\n";
   const study::Origin& from = results.origin;
   const std::string origin =
-      fmt::format(",{},{},{},{}\n", csv_field(from.machine), csv_field(from.compiler),
-                  csv_field(from.flags), csv_field(from.version));
-  for (const study::ExperimentResult& each : results.experiments)
-    text += experiment_lines(each, origin);
+      fmt::format(",{},{},{},{},{},{}\n", csv_field(from.machine), csv_field(from.target),
+                  csv_field(from.caches), csv_field(from.compiler), csv_field(from.flags),
+                  csv_field(from.version));
+  for (const study::ExperimentResult& experiment : results.experiments) {
+    for (const study::ExperimentResult& each : study::by_measure(experiment))
+      text += experiment_lines(each, origin);
+  }
   return text;
 }
 

@@ -144,6 +144,12 @@ std::string commands_of(const std::string& svg, const std::string& title, const 
   return text + plot + "\nset output\n";
 }
 
+// The measure's name.
+std::string error_label(const ExperimentResult& result) {
+  const std::string& measure = result.configurations.front().measure;
+  return with_unit(measure.empty() ? "error" : measure, result.error_unit);
+}
+
 std::vector<double> errors_of(const ExperimentResult& result, bool predicted) {
   std::vector<double> errors;
   for (const ConfigurationResult& each : result.configurations) {
@@ -221,8 +227,7 @@ std::string time_chart_commands(const ExperimentResult& result, const std::strin
   }
   return commands_of(svg, result.id + " " + result.name,
                      fmt::format("{} per {}, one thread", unit.name, result.item),
-                     with_unit("error", result.error_unit), x.commands('x') + y.commands('y'),
-                     plots);
+                     error_label(result), x.commands('x') + y.commands('y'), plots);
 }
 
 std::string axis_chart_commands(const ExperimentResult& result, const std::string& svg) {
@@ -255,10 +260,10 @@ std::string axis_chart_commands(const ExperimentResult& result, const std::strin
     plots.push_back(std::move(measured));
     if (!theory.points.empty()) plots.push_back(std::move(theory));
   }
-  return commands_of(
-      svg, result.id + " " + result.name + " (dashed: theory)",
-      with_unit(result.axis, result.axis_unit), with_unit("error", result.error_unit),
-      (logarithmic ? x.commands('x') : "set xtics autofreq\n") + y.commands('y'), plots);
+  return commands_of(svg, result.id + " " + result.name + " (dashed: theory)",
+                     with_unit(result.axis, result.axis_unit), error_label(result),
+                     (logarithmic ? x.commands('x') : "set xtics autofreq\n") + y.commands('y'),
+                     plots);
 }
 
 }  // namespace glassbox::app

@@ -1,5 +1,7 @@
 #include "app/study/list.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -11,6 +13,13 @@ namespace glassbox::app {
 nlohmann::ordered_json experiments_json() {
   auto json = nlohmann::ordered_json::array();
   for (const study::Experiment& each : study::experiments()) {
+    auto measures = nlohmann::ordered_json::array();
+    for (const study::Measure& measure : each.measures) {
+      measures.push_back({{"name", measure.name},
+                          {"error", measure.error},
+                          {"error_unit", measure.error_unit},
+                          {"axis", measure.axis.empty() ? each.axis : measure.axis}});
+    }
     json.push_back({{"id", each.id},
                     {"name", each.name},
                     {"question", each.question},
@@ -18,6 +27,7 @@ nlohmann::ordered_json experiments_json() {
                     {"error", each.error},
                     {"error_unit", each.error_unit},
                     {"reference", each.reference},
+                    {"measures", std::move(measures)},
                     {"theory", each.theory},
                     {"item", each.item},
                     {"threaded", each.threaded}});

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include "app/report/scratch.h"
 #include "app/study/gnuplot.h"
 #include "labs/framework/process.h"
+#include "study/experiment/measures.h"
 #include "study/experiment/pareto.h"
 
 namespace glassbox::app {
@@ -33,6 +35,11 @@ labs::ProcessOutcome run_gnuplot(const std::string& script) {
 std::string text_of(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// "D-2", and for its second and third measures "D-2-2", "D-2-3".
+std::string stem_of(const std::string& directory, const std::string& id, std::size_t measure) {
+  return directory + "/" + id + (measure == 0 ? "" : fmt::format("-{}", measure + 1));
 }
 
 // By way of a file of our own, so that a chart in the directory is whole or not there.
@@ -67,16 +74,19 @@ Result<int> write_svg_charts(const study::StudyResults& results, const std::stri
   const auto place = scratch.path();
   if (!place) return tl::unexpected(place.error());
   int written = 0;
-  for (const study::ExperimentResult& each : results.experiments) {
-    const std::string stem = directory + "/" + each.id;
-    if (!study::thread_counts(each).empty()) {
-      const auto done = draw(*place, time_chart_commands, each, stem + "-time.svg");
+  for (const study::ExperimentResult& experiment : results.experiments) {
+    const std::vector<study::ExperimentResult> measures = study::by_measure(experiment);
+    for (std::size_t i = 0; i < measures.size(); ++i) {
+      const std::string stem = stem_of(directory, experiment.id, i);
+      if (!study::thread_counts(measures[i]).empty()) {
+        const auto done = draw(*place, time_chart_commands, measures[i], stem + "-time.svg");
+        if (!done) return tl::unexpected(done.error());
+        ++written;
+      }
+      const auto done = draw(*place, axis_chart_commands, measures[i], stem + "-axis.svg");
       if (!done) return tl::unexpected(done.error());
       ++written;
     }
-    const auto done = draw(*place, axis_chart_commands, each, stem + "-axis.svg");
-    if (!done) return tl::unexpected(done.error());
-    ++written;
   }
   return written;
 }

@@ -12,7 +12,7 @@ namespace glassbox::app {
 // An error where there is no gnuplot.
 Result<void> check_gnuplot();
 
-// DIRECTORY/D-4-time.svg and D-4-axis.svg of each experiment; how many were written.
+// DIRECTORY/D-4-time.svg and D-4-axis.svg of each experiment, D-4-2-time.svg and so on of its further measures; how many were written.
 Result<int> write_svg_charts(const study::StudyResults& results, const std::string& directory);
 
 }  // namespace glassbox::app

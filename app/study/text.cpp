@@ -1,6 +1,7 @@
 #include "app/study/text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -9,6 +10,7 @@
 
 #include "app/bench/text.h"
 #include "app/report/text_layout.h"
+#include "study/experiment/measures.h"
 #include "study/experiment/pareto.h"
 #include "study/experiment/theory.h"
 
@@ -112,14 +114,30 @@ std::string findings_of(const ExperimentResult& result) {
   return text;
 }
 
+// "load 1.2, 2300 MHz", of what is known.
+std::string state_text(const study::MachineState& state) {
+  std::string text;
+  if (std::isfinite(state.load)) text = fmt::format("load {:.1f}", state.load);
+  if (std::isfinite(state.mhz) && state.mhz > 0)
+    text += fmt::format("{}{:.0f} MHz", text.empty() ? "" : ", ", state.mhz);
+  return text;
+}
+
 std::string experiment_text(const ExperimentResult& result) {
   std::string text = fmt::format("{}  {}\n", result.id, result.name);
   text += wrapped("  ", result.question);
-  text += wrapped("  Axis: ", with_unit(result.axis, result.axis_unit));
-  text += wrapped("  Error: ",
-                  with_unit(result.error, result.error_unit) + " against " + result.reference);
+  text += wrapped("  Reference: ", result.reference);
   if (!result.theory.empty()) text += wrapped("  Theory: ", result.theory);
-  return text + "\n" + table_of(result) + "\n" + findings_of(result);
+  if (const std::string state = state_text(result.machine); !state.empty())
+    text += wrapped("  Machine: ", state);
+  for (const ExperimentResult& part : study::by_measure(result)) {
+    text += "\n" + wrapped("  Axis: ", with_unit(part.axis, part.axis_unit));
+    text += wrapped("  Error: ", with_unit(part.error, part.error_unit) +
+                                     (part.more_is_better ? "; more is better" : ""));
+    text += "\n" + table_of(part);
+  }
+  text += "\n";
+  return text + findings_of(result);
 }
 
 }  // namespace
@@ -137,8 +155,9 @@ TimeUnit time_unit(const ExperimentResult& result) {
 }
 
 std::string origin_text(const study::Origin& origin) {
-  return fmt::format("{}; {} {}; glassbox {}; {} run, up to {}", origin.machine, origin.compiler,
-                     origin.flags, origin.version,
+  const std::string caches = origin.caches.empty() ? "unknown" : origin.caches;
+  return fmt::format("{}; {}; caches {}; {} {}; glassbox {}; {} run, up to {}", origin.machine,
+                     origin.target, caches, origin.compiler, origin.flags, origin.version,
                      origin.effort == study::Effort::kQuick ? "quick" : "full",
                      counted(origin.threads, "thread"));
 }

@@ -1,25 +1,53 @@
 #include "study/bench/machine.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <fstream>
+#include <limits>
+#include <string_view>
 #include <thread>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <glassbox/base/counted.h>
+#include <glassbox/raster/lanes/target.h>
 
 namespace glassbox::study {
 
 namespace {
 
-std::string processor_name() {
+// What /proc/cpuinfo says of each processor.
+std::vector<std::string> processors_say(std::string_view what) {
   std::ifstream in("/proc/cpuinfo");
+  std::vector<std::string> said;
   for (std::string line; std::getline(in, line);) {
-    if (!line.starts_with("model name")) continue;
+    if (!line.starts_with(what)) continue;
     const std::size_t colon = line.find(": ");
-    if (colon != std::string::npos) return line.substr(colon + 2);
+    if (colon != std::string::npos) said.push_back(line.substr(colon + 2));
   }
-  return "unnamed processor";
+  return said;
+}
+
+std::string processor_name() {
+  const std::vector<std::string> names = processors_say("model name");
+  return names.empty() ? "unnamed processor" : names.front();
+}
+
+// One line of a file; empty where there is no such file.
+std::string line_of(const std::string& path) {
+  std::ifstream in(path);
+  std::string line;
+  std::getline(in, line);
+  return line;
+}
+
+// "2048K" as Linux has it.
+std::string with_unit(const std::string& kibibytes) {
+  const int size = std::atoi(kibibytes.c_str());
+  return size < 1024 ? fmt::format("{} KiB", size) : fmt::format("{:g} MiB", size / 1024.0);
 }
 
 }  // namespace
@@ -30,6 +58,33 @@ int processor_count() {
 
 std::string machine_name() {
   return processor_name() + ", " + counted(processor_count(), "processor");
+}
+
+std::string cache_sizes() {
+  std::vector<std::string> sizes;
+  for (int index = 0;; ++index) {
+    const std::string cache = fmt::format("/sys/devices/system/cpu/cpu0/cache/index{}/", index);
+    const std::string type = line_of(cache + "type");
+    if (type.empty()) break;
+    if (type != "Instruction") sizes.push_back(with_unit(line_of(cache + "size")));
+  }
+  if (sizes.size() < 2) return fmt::format("{}", fmt::join(sizes, ""));
+  const std::string last = sizes.back();
+  sizes.pop_back();
+  return fmt::format("{} and {}", fmt::join(sizes, ", "), last);
+}
+
+std::string instruction_set() {
+  return std::string(name_of(best_target()));
+}
+
+MachineState machine_state() {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  MachineState state{kUnknown, kUnknown};
+  if (double load = 0; getloadavg(&load, 1) == 1) state.load = load;
+  for (const std::string& mhz : processors_say("cpu MHz"))
+    state.mhz = std::fmax(state.mhz, std::atof(mhz.c_str()));
+  return state;
 }
 
 std::string compiler_name() {

@@ -23,7 +23,7 @@ tl::unexpected<Error> refused(const PartFile& part, const std::string& cause,
 Origin shared(Origin origin, bool any_machine) {
   origin.part = 1;
   if (any_machine) {
-    origin.machine.clear();
+    origin.machine.clear(), origin.target.clear(), origin.caches.clear();
     origin.threads = 1;
   }
   return origin;

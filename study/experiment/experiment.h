@@ -24,11 +24,27 @@ struct Finding {
   friend bool operator==(const Finding&, const Finding&) = default;
 };
 
+// What an experiment measures besides its own error, or along another axis. Each measure has charts and a table of its own, in
+// which its configurations compete.
+struct Measure {
+  std::string name;        // short: "overlap"
+  std::string error;       // what is measured, as Experiment::error
+  std::string error_unit;  // of it; not the experiment's
+  std::string axis = {};   // empty: the experiment's, its unit and its scale
+  std::string axis_unit = {};
+  bool logarithmic_axis = true;
+  bool more_is_better = false;  // than less, as with errors
+
+  friend bool operator==(const Measure&, const Measure&) = default;
+};
+
 // One point of the chart.
 struct Configuration {
   std::string series;      // what is compared: "float", "camera-relative float", "double"
   double parameter = 0;    // where on the experiment's axis
   std::string scene = {};  // on what it was measured, where that is not the same for all
+  std::string measure =
+      {};  // the name of one of Experiment::measures; empty: the experiment's own error
 
   // In the experiment's unit, against its reference. The same to the last digit in every run and on every machine.
   std::function<double()> error = {};
@@ -37,8 +53,9 @@ struct Configuration {
   // Where measured and predicted error differ, and that is understood. Stated before anything is measured.
   std::optional<Finding> finding = {};
 
-  // What is timed, on this many threads; empty where only the error is of interest. One call does `items` of the work,
-  // long enough to be timed (0.1 ms or more) and short enough to be repeated (100 ms or less).
+  // What is timed, on this many threads; empty where only the error is of interest, and where a measure is of work that is timed for
+  // another one: of the same series and scene, at the same place of the same axis, whose times it has then. One call does `items` of
+  // the work, long enough to be timed (0.1 ms or more) and short enough to be repeated (100 ms or less).
   std::function<void(int threads)> work = {};
   double items = 1;
 };
@@ -60,6 +77,7 @@ struct Experiment {
   // Whether the axis is chosen by whoever draws (bits, steps) rather than given to him (distances, sizes): configurations
   // at all its places then compete with each other, and otherwise only those at the same place.
   bool axis_is_chosen = false;
+  std::vector<Measure> measures = {};
   std::function<std::vector<Configuration>(Effort)> configurations;
 };
 

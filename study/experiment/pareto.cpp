@@ -12,14 +12,19 @@ bool is_faster(const Price& a, const Price& b) {
   return a.ns.upper < b.ns.lower;
 }
 
-bool dominates(const Price& a, const Price& b) {
+bool dominates(const Price& a, const Price& b, bool more_is_better = false) {
   if (std::isnan(a.error)) return false;
   if (std::isnan(b.error)) return !is_faster(b, a);  // no answer, and no time won
-  return a.error <= b.error && is_faster(a, b);
+  return (more_is_better ? a.error >= b.error : a.error <= b.error) && is_faster(a, b);
 }
 
 Price price_of(const ConfigurationResult& result, int threads) {
   return {result.error, timing_of(result, threads)->ns};
+}
+
+bool more_is_better(const ExperimentResult& experiment, const std::string& measure) {
+  const auto found = std::ranges::find(experiment.measures, measure, &Measure::name);
+  return found == experiment.measures.end() ? experiment.more_is_better : found->more_is_better;
 }
 
 }  // namespace
@@ -55,7 +60,8 @@ const Timing* timing_of(const ConfigurationResult& result, int threads) {
 
 bool compete(const ExperimentResult& experiment, const ConfigurationResult& a,
              const ConfigurationResult& b) {
-  return a.scene == b.scene && (experiment.axis_is_chosen || a.parameter == b.parameter);
+  return a.measure == b.measure && a.scene == b.scene &&
+         (experiment.axis_is_chosen || a.parameter == b.parameter);
 }
 
 std::vector<Standing> standings(const ExperimentResult& experiment, int threads) {
@@ -64,9 +70,10 @@ std::vector<Standing> standings(const ExperimentResult& experiment, int threads)
     Standing standing = Standing::kUntimed;
     if (timing_of(each, threads) != nullptr) {
       standing = Standing::kFront;
+      const bool more = more_is_better(experiment, each.measure);
       for (const ConfigurationResult& other : experiment.configurations) {
         if (timing_of(other, threads) == nullptr || !compete(experiment, each, other)) continue;
-        if (dominates(price_of(other, threads), price_of(each, threads)))
+        if (dominates(price_of(other, threads), price_of(each, threads), more))
           standing = Standing::kDominated;
       }
     }

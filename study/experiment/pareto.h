@@ -24,7 +24,7 @@ struct Price {
 // The standing of each among all of them.
 std::vector<Standing> standings(const std::vector<Price>& competitors);
 
-// Competitors have the same scene and, unless the axis is chosen, the same parameter.
+// Competitors have the same measure, the same scene and, unless the axis is chosen, the same parameter.
 bool compete(const ExperimentResult& experiment, const ConfigurationResult& a,
              const ConfigurationResult& b);
 

@@ -35,6 +35,8 @@ std::string first_difference(const Origin& there, const Origin& here) {
   const auto effort = [](Effort e) { return e == Effort::kQuick ? "quick" : "full"; };
   for (const std::string& found : {difference("version", there.version, here.version),
                                    difference("machine", there.machine, here.machine),
+                                   difference("instruction set", there.target, here.target),
+                                   difference("list of caches", there.caches, here.caches),
                                    difference("effort", effort(there.effort), effort(here.effort)),
                                    difference("compiler", there.compiler, here.compiler),
                                    difference("list of compiler flags", there.flags, here.flags),

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "study/bench/machine.h"
 #include "study/bench/statistics.h"
 #include "study/experiment/experiment.h"
 
@@ -20,7 +21,7 @@ struct Timing {
 struct ConfigurationResult {
   std::string series;
   double parameter = 0;
-  std::string scene;
+  std::string scene, measure;
   double error = 0;
   std::optional<double> predicted_error;
   std::optional<Finding> explanation;  // of why theory and measurement differ
@@ -31,7 +32,10 @@ struct ExperimentResult {
   // Experiment's fields of the same names.
   std::string id, name, question, axis, axis_unit;
   bool logarithmic_axis = true, axis_is_chosen = false;
+  bool more_is_better = false;  // a measure's
   std::string error, error_unit, reference, theory, item;
+  std::vector<Measure> measures;  // each with an axis
+  MachineState machine;           // when its times began to be measured
   std::vector<ConfigurationResult> configurations;
 };
 
@@ -41,8 +45,9 @@ inline constexpr int kMostParts = 1000;
 struct Origin {
   std::string machine, compiler, flags, version;
   Effort effort = Effort::kQuick;
-  int threads = 1;          // the most that were used
-  int part = 1, parts = 1;  // of the experiments that were asked for: study run --part
+  int threads = 1;                       // the most that were used
+  int part = 1, parts = 1;               // of the experiments that were asked for: study run --part
+  std::string target = {}, caches = {};  // as machine.h has them
 
   bool operator==(const Origin&) const = default;
 };

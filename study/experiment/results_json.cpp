@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kFormat = "glassbox study results 2";
+constexpr const char* kFormat = "glassbox study results 3";
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 const char* name_of(Effort effort) {
@@ -26,11 +26,17 @@ const char* name_of(Effort effort) {
 
 // `standing` by number of threads, in the order of the timings.
 Json configuration_json(const ConfigurationResult& result, const std::vector<Standing>& standing) {
-  Json json{{"series", result.series},    {"parameter", number_json(result.parameter)},
-            {"scene", result.scene},      {"error", number_json(result.error)},
-            {"predicted_error", nullptr}, {"ratio", nullptr},
-            {"finding", false},           {"explanation", ""},
-            {"explains", nullptr},        {"times", Json::array()}};
+  Json json{{"series", result.series},
+            {"parameter", number_json(result.parameter)},
+            {"scene", result.scene},
+            {"measure", result.measure},
+            {"error", number_json(result.error)},
+            {"predicted_error", nullptr},
+            {"ratio", nullptr},
+            {"finding", false},
+            {"explanation", ""},
+            {"explains", nullptr},
+            {"times", Json::array()}};
   if (const auto check = check_theory(result)) {
     json["predicted_error"] = number_json(*result.predicted_error);
     json["ratio"] = number_json(check->ratio);
@@ -50,6 +56,22 @@ Json configuration_json(const ConfigurationResult& result, const std::vector<Sta
                              {"standing", name_of(standing[i])}});
   }
   return json;
+}
+
+Json measure_json(const Measure& measure) {
+  return {{"name", measure.name},
+          {"error", measure.error},
+          {"error_unit", measure.error_unit},
+          {"axis", measure.axis},
+          {"axis_unit", measure.axis_unit},
+          {"logarithmic_axis", measure.logarithmic_axis},
+          {"more_is_better", measure.more_is_better}};
+}
+
+Measure measure_of(const Json& json) {
+  return {json.at("name"),          json.at("error"),     json.at("error_unit"),
+          json.at("axis"),          json.at("axis_unit"), json.at("logarithmic_axis"),
+          json.at("more_is_better")};
 }
 
 double number_of(const Json& json) {
@@ -74,6 +96,7 @@ ConfigurationResult configuration_of(const Json& json) {
   result.series = json.at("series");
   result.parameter = number_of(json.at("parameter"));
   result.scene = json.at("scene");
+  result.measure = json.at("measure");
   result.error = number_of(json.at("error"));
   if (!json.at("predicted_error").is_null())
     result.predicted_error = number_of(json["predicted_error"]);
@@ -98,6 +121,8 @@ ExperimentResult experiment_of(const Json& json) {
   result.reference = json.at("reference");
   result.theory = json.at("theory");
   result.item = json.at("item");
+  result.machine = {number_of(json.at("load")), number_of(json.at("mhz"))};
+  for (const Json& each : json.at("measures")) result.measures.push_back(measure_of(each));
   for (const Json& each : json.at("configurations"))
     result.configurations.push_back(configuration_of(each));
   return result;
@@ -116,7 +141,9 @@ StudyResults unchecked_results_of(const Json& json) {
                     effort == "quick" ? Effort::kQuick : Effort::kFull,
                     json.at("threads"),
                     json.at("part").at(0),
-                    json.at("part").at(1)};
+                    json.at("part").at(1),
+                    json.at("target"),
+                    json.at("caches")};
   const Origin& origin = results.origin;
   if (origin.part < 1 || origin.part > origin.parts || origin.parts > kMostParts) {
     throw Json::other_error::create(501, "there is no such part", &json);
@@ -147,7 +174,11 @@ Json experiment_json(const ExperimentResult& result) {
             {"reference", result.reference},
             {"theory", result.theory},
             {"item", result.item},
+            {"load", number_json(result.machine.load)},
+            {"mhz", number_json(result.machine.mhz)},
+            {"measures", Json::array()},
             {"configurations", Json::array()}};
+  for (const Measure& each : result.measures) json["measures"].push_back(measure_json(each));
   std::map<int, std::vector<Standing>> all;  // by number of threads
   for (const int threads : thread_counts(result)) all[threads] = standings(result, threads);
   for (std::size_t i = 0; i < result.configurations.size(); ++i) {
@@ -162,7 +193,8 @@ Json experiment_json(const ExperimentResult& result) {
 Json results_json(const StudyResults& results) {
   const Origin& origin = results.origin;
   Json json{{"format", kFormat},           {"version", origin.version},
-            {"machine", origin.machine},   {"compiler", origin.compiler},
+            {"machine", origin.machine},   {"target", origin.target},
+            {"caches", origin.caches},     {"compiler", origin.compiler},
             {"flags", origin.flags},       {"effort", name_of(origin.effort)},
             {"threads", origin.threads},   {"part", {origin.part, origin.parts}},
             {"experiments", Json::array()}};

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -31,6 +34,14 @@ ExperimentResult described(const Experiment& experiment) {
   result.reference = experiment.reference;
   result.theory = experiment.theory;
   result.item = experiment.item;
+  for (Measure measure : experiment.measures) {
+    if (measure.axis.empty()) {
+      measure.axis = experiment.axis;
+      measure.axis_unit = experiment.axis_unit;
+      measure.logarithmic_axis = experiment.logarithmic_axis;
+    }
+    result.measures.push_back(std::move(measure));
+  }
   return result;
 }
 
@@ -39,6 +50,7 @@ ConfigurationResult measured_error(const Configuration& configuration) {
   result.series = configuration.series;
   result.parameter = configuration.parameter;
   result.scene = configuration.scene;
+  result.measure = configuration.measure;
   result.error = configuration.error();
   result.predicted_error = configuration.predicted_error;
   result.explanation = configuration.finding;
@@ -62,6 +74,24 @@ void add_times(const std::vector<Configuration>& configurations, int threads, in
   }
 }
 
+std::string axis_of(const ExperimentResult& result, const ConfigurationResult& each) {
+  const auto found = std::ranges::find(result.measures, each.measure, &Measure::name);
+  return found == result.measures.end() ? result.axis : found->axis;
+}
+
+// What has no work has the times of the same series on the same scene at the same place of the same axis.
+void share_times(ExperimentResult& result) {
+  const std::vector<ConfigurationResult> timed = result.configurations;
+  for (ConfigurationResult& each : result.configurations) {
+    if (each.measure.empty() || !each.timings.empty()) continue;
+    const auto same = std::ranges::find_if(timed, [&](const ConfigurationResult& other) {
+      return !other.timings.empty() && other.series == each.series && other.scene == each.scene &&
+             other.parameter == each.parameter && axis_of(result, other) == axis_of(result, each);
+    });
+    if (same != timed.end()) each.timings = same->timings;
+  }
+}
+
 std::string lower_case(std::string text) {
   for (char& c : text) c = char(std::tolower(static_cast<unsigned char>(c)));
   return text;
@@ -79,11 +109,13 @@ ExperimentResult run_experiment(const Experiment& experiment, const RunOptions& 
     result.configurations.push_back(measured_error(each));
   }
   tell(options, experiment.id + ": times with one thread");
+  result.machine = machine_state();
   add_times(configurations, 1, options.repetitions, result);
   if (experiment.threaded && options.threads > 1) {
     tell(options, fmt::format("{}: times with {} threads", experiment.id, options.threads));
     add_times(configurations, options.threads, options.repetitions, result);
   }
+  share_times(result);
   return result;
 }
 
@@ -94,7 +126,9 @@ const Experiment* find_experiment(const std::vector<Experiment>& all, const std:
 }
 
 Origin origin_here(const std::string& version, Effort effort, int threads) {
-  return {machine_name(), compiler_name(), GLASSBOX_COMPILE_FLAGS, version, effort, threads, 1, 1};
+  return {
+      machine_name(),    compiler_name(), GLASSBOX_COMPILE_FLAGS, version, effort, threads, 1, 1,
+      instruction_set(), cache_sizes()};
 }
 
 }  // namespace glassbox::study

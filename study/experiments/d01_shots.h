@@ -23,6 +23,7 @@ struct Shot {
   exact::PythagoreanRotation world_from_object, eye_from_world;
   Vector<World, double> object, eye;          // where they are: exactly these numbers
   std::vector<Point<Object, double>> points;  // in the unit ball, multiples of 2^-20: floats too
+  DepthPlanes planes;
 };
 
 template <class Space>
@@ -54,9 +55,11 @@ inline Point<Object, double> random_point(Random& random) {
   }
 }
 
-inline Shot make_shot(std::uint64_t seed, double offset, int points) {
+inline Shot make_shot(std::uint64_t seed, double offset, int points,
+                      const DepthPlanes& planes = {}) {
   Random random(seed);
   Shot shot;
+  shot.planes = planes;
   shot.world_from_object = exact::pythagorean_rotation(random);
   shot.eye_from_world = exact::pythagorean_rotation(random);
   shot.eye = random_direction<World>(random) * offset;
@@ -67,8 +70,8 @@ inline Shot make_shot(std::uint64_t seed, double offset, int points) {
   return shot;
 }
 
-inline Transform<Clip, Eye> shot_projection() {
-  return *perspective_degrees(90, double(kShotWidth) / kShotHeight, {0.1});
+inline Transform<Clip, Eye> projection_of(const Shot& shot) {
+  return *perspective_degrees(90, double(kShotWidth) / kShotHeight, shot.planes);
 }
 inline Viewport shot_viewport() {
   return {0, 0, float(kShotWidth), float(kShotHeight)};
@@ -96,19 +99,24 @@ public:
   explicit ExactShot(const Shot& shot)
       : world_from_object_(exact::exactly<Decimal>(shot.world_from_object)),
         eye_from_world_(exact::exactly<Decimal>(shot.eye_from_world)),
-        clip_from_eye_(exact::exactly<Decimal>(shot_projection())) {
+        clip_from_eye_(exact::exactly<Decimal>(projection_of(shot))) {
     from_eye_ = {Decimal(shot.object.x) - Decimal(shot.eye.x),
                  Decimal(shot.object.y) - Decimal(shot.eye.y),
                  Decimal(shot.object.z) - Decimal(shot.eye.z), Decimal(0)};
   }
 
-  std::array<Decimal, 2> screen(const Point<Object, double>& p) const {
+  struct Seen {
+    Decimal x, y;  // px
+    Decimal depth, distance;
+  };
+
+  Seen screen(const Point<Object, double>& p) const {
     auto relative = world_from_object_ * exact::exactly<Decimal>(p);
     for (std::size_t i = 0; i < 3; ++i) relative[i] += from_eye_[i];
     const auto clip = clip_from_eye_ * (eye_from_world_ * relative);
     const Decimal half_width(kShotWidth / 2), half_height(kShotHeight / 2);
     return {half_width + half_width * clip[0] / clip[3],
-            half_height - half_height * clip[1] / clip[3]};
+            half_height - half_height * clip[1] / clip[3], clip[2] / clip[3], clip[3]};
   }
 
 private:

@@ -1,11 +1,14 @@
 // D-1: in which numbers a vertex is carried to the screen.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <optional>
 
 #include "study/experiment/experiment.h"
 #include "study/experiments/consume.h"
 #include "study/experiments/d01_ways.h"
+#include "study/experiments/once.h"
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study {
@@ -15,27 +18,52 @@ namespace {
 
 constexpr int kPointsOfShot = 64;
 
+// Measures.
+constexpr const char* kLargest = "largest error";
+constexpr const char* kPlanes = "near plane moved";
+constexpr const char* kDepth = "depth";
+
 // The distance beyond which a vertex is simply wrong: the picture's diagonal.
 double diagonal() {
   return std::sqrt(square(kShotWidth) + square(kShotHeight));
 }
 
+struct Errors {
+  double rms = 0, largest = 0;  // px
+  double depth = 0;             // root mean square, as a distance along the gaze
+};
+
+// A depth d = (1 - n/z) f/(f - n) changes with the distance z as n/z^2 f/(f - n).
+double distance_of_depth(double error, double distance, const DepthPlanes& planes) {
+  return error * square(distance) / planes.near * (1 - planes.near / planes.far);
+}
+
 template <class Way>
-double rms_error(double offset, int shots) {
-  double sum = 0;
+Errors errors_of(double offset, const DepthPlanes& planes, int shots) {
+  Errors errors;
+  double sum = 0, depths = 0;
   for (int i = 0; i < shots; ++i) {
-    const Shot shot = make_shot(std::uint64_t(i) + 1, offset, kPointsOfShot);
+    const Shot shot = make_shot(std::uint64_t(i) + 1, offset, kPointsOfShot, planes);
     const Way way(shot);
     const ExactShot exact(shot);
     for (const Point<Object, double>& p : shot.points) {
-      const Pixels seen = Way::pixels(way(Way::input(p)));
+      const auto placed = way(Way::input(p));
+      const Pixels seen = Way::pixels(placed);
       const auto right = exact.screen(p);
-      const double squared =
-          square(exact::error_of(seen[0], right[0])) + square(exact::error_of(seen[1], right[1]));
-      sum += std::min(squared, square(diagonal()));
+      const double squared = std::min(
+          square(exact::error_of(seen[0], right.x)) + square(exact::error_of(seen[1], right.y)),
+          square(diagonal()));
+      sum += squared;
+      errors.largest = std::max(errors.largest, std::sqrt(squared));
+      if constexpr (requires { Way::depth(placed); }) {
+        depths += square(distance_of_depth(exact::error_of(Way::depth(placed), right.depth),
+                                           double(right.distance), planes));
+      }
     }
   }
-  return std::sqrt(sum / (shots * kPointsOfShot));
+  errors.rms = std::sqrt(sum / (shots * kPointsOfShot));
+  errors.depth = std::sqrt(depths / (shots * kPointsOfShot));
+  return errors;
 }
 
 // ---- the theory, all as root mean squares ----
@@ -82,7 +110,7 @@ double of_fixed() {
   return rms_of_step(0x1p-32) * std::sqrt(3.6 + square(kShotDistance) + 1 + 1);
 }
 
-using Theory = double (*)(double offset);
+using Theory = double (*)(double offset);  // the root mean square
 
 double predict_float(double offset) {
   const double in_eye = std::sqrt(square(of_far_roundings(offset)) + square(of_near_roundings()));
@@ -106,57 +134,154 @@ double predict_fixed(double) {
   return in_pixels(of_fixed());
 }
 
+// Far from the origin all points of a shot err together, near it each by itself: the largest of n distances whose two axes are normal
+// is rms sqrt(ln n), with n between the shots and their points.
+double of_largest(double rms, int shots) {
+  const double few = std::log(shots), many = std::log(shots * kPointsOfShot);
+  return std::min(diagonal(), rms * std::sqrt((few + many) / 2));
+}
+
+// ---- the theory of depth, as a distance along the gaze, at the object's ----
+
+// The quotient, just below 1, is in steps of 2^-24 (2^-53).
+template <class T>
+double of_quotient(double near) {
+  return square(kShotDistance) / near * rms_of_step(double(unit_roundoff<T>));
+}
+// So are, in a matrix of its own, two entries, a product and a sum, relative to the distance.
+double of_projection(double near) {
+  return square(kShotDistance) / near * std::sqrt(4.0) * rms_rounding<float>;
+}
+double together(double a, double b, double c) {
+  return std::sqrt(square(a) + square(b) + square(c));
+}
+// z and w come from one eye coordinate, which is off once.
+double predict_depth_float(double near) {
+  const double eye = together(of_far_roundings(1), of_near_roundings(), 0);
+  return together(eye, of_projection(near), of_quotient<float>(near));
+}
+double predict_depth_relative(double near) {
+  return together(of_near_roundings(), of_projection(near), of_quotient<float>(near));
+}
+// z and w are off each by itself, by a row of the one matrix: sqrt(2) of it is worth z/n as much along the gaze.
+template <class T>
+double predict_depth_composed(double near) {
+  const double row = rms_rounding<T> * std::sqrt(0.2 * (11.0 / 3) + 2 * square(kShotDistance));
+  return together(std::sqrt(2.0) * row * kShotDistance / near, of_quotient<T>(near), 0);
+}
+
+// Where n/z is 8 units of the last place below 1 and less.
+std::optional<Finding> few_depths(double near) {
+  if (near / kShotDistance > 8 * 0x1p-24) return std::nullopt;
+  return Finding{
+      "within n/z = 4 u of 1 there are four depths: the matrix's entry is 1, its product exact, "
+      "and the quotient of two neighbouring floats one of the four",
+      0.25, 0.5};
+}
+
 // ---- the table ----
 
+constexpr double kFar = 100;  // of the rows whose near plane is moved
 constexpr int kTimedPoints = 1 << 13, kRounds = 16;
 
 template <class Way>
-void add_series(std::vector<Configuration>& all, const std::string& series, Theory theory,
-                Effort effort) {
+std::function<void(int)> vertices_of(double offset, const DepthPlanes& planes) {
+  const Shot shot = make_shot(1, offset, kTimedPoints, planes);
+  std::vector<typename Way::Input> vertices;
+  for (const Point<Object, double>& p : shot.points) vertices.push_back(Way::input(p));
+  return rounds_of(kRounds, vertices, Way(shot));
+}
+
+struct Series {
+  const char* name;
+  Theory position;
+  double (*depth)(double near);  // null: there is none
+};
+
+template <class Way>
+void add_series(std::vector<Configuration>& all, const Series& series, Effort effort) {
   const int shots = effort == Effort::kFull ? 160 : 16;
+  constexpr double kItems = double(kTimedPoints) * kRounds;
   for (const double offset : {1.0, 1e2, 1e4, 1e6, 1e8}) {
-    const Shot shot = make_shot(1, offset, kTimedPoints);
-    std::vector<typename Way::Input> vertices;
-    for (const Point<Object, double>& p : shot.points) vertices.push_back(Way::input(p));
-    all.push_back({.series = series,
+    const auto errors = once([=] { return errors_of<Way>(offset, {}, shots); });
+    all.push_back({.series = series.name,
                    .parameter = offset,
-                   .error = [=] { return rms_error<Way>(offset, shots); },
-                   .predicted_error = theory(offset),
-                   .work = rounds_of(kRounds, vertices, Way(shot)),
-                   .items = double(kTimedPoints) * kRounds});
+                   .error = [=] { return errors().rms; },
+                   .predicted_error = series.position(offset),
+                   .work = vertices_of<Way>(offset, {}),
+                   .items = kItems});
+    all.push_back({.series = series.name,
+                   .parameter = offset,
+                   .measure = kLargest,
+                   .error = [=] { return errors().largest; },
+                   .predicted_error = of_largest(series.position(offset), shots)});
+  }
+  for (const double ratio : {1e2, 1e4, 1e6, 1e8}) {
+    const DepthPlanes planes{kFar / ratio, kFar};
+    const auto errors = once([=] { return errors_of<Way>(1, planes, shots); });
+    all.push_back({.series = series.name,
+                   .parameter = ratio,
+                   .measure = kPlanes,
+                   .error = [=] { return errors().rms; },
+                   .predicted_error = series.position(1),
+                   .work = vertices_of<Way>(1, planes),
+                   .items = kItems});
+    if (series.depth == nullptr) continue;
+    all.push_back({.series = series.name,
+                   .parameter = ratio,
+                   .measure = kDepth,
+                   .error = [=] { return errors().depth; },
+                   .predicted_error = series.depth(planes.near),
+                   .finding = few_depths(planes.near)});
   }
 }
 
 std::vector<Configuration> configurations(Effort effort) {
   std::vector<Configuration> all;
-  add_series<FloatStages>(all, "float", predict_float, effort);
-  add_series<CameraRelative>(all, "float, relative to the camera", predict_relative, effort);
-  add_series<ComposedOnce>(all, "composed in double, then float", predict_composed, effort);
-  add_series<DoubleStages>(all, "double", predict_double, effort);
-  add_series<Fixed32>(all, "32.32 fixed point", predict_fixed, effort);
+  add_series<FloatStages>(all, {"float", predict_float, predict_depth_float}, effort);
+  add_series<CameraRelative>(
+      all, {"float, relative to the camera", predict_relative, predict_depth_relative}, effort);
+  add_series<ComposedOnce>(
+      all, {"composed in double, then float", predict_composed, predict_depth_composed<float>},
+      effort);
+  add_series<DoubleStages>(all, {"double", predict_double, predict_depth_composed<double>}, effort);
+  add_series<Fixed32>(all, {"32.32 fixed point", predict_fixed, nullptr}, effort);
   return all;
 }
 
 }  // namespace
 
 Experiment d01_vertex_stage() {
-  return {.id = "D-1",
-          .name = "Vertices: in which numbers they are carried to the screen",
-          .question =
-              "How far from the origin may a scene be before its vertices tremble, and what do the "
-              "remedies cost?",
-          .axis = "distance of camera and object from the origin",
-          .axis_unit = "units; the object has a radius of 1",
-          .error = "root mean square distance from the right place on the screen",
-          .error_unit = "px",
-          .reference = "50 digits, for the same rotations and positions",
-          .theory =
-              "roundings counted as random, 0.42 u each (u = 2^-24 or 2^-53): float 0.63 u D "
-              "sqrt(2) F/z px for focal length F and distance z, at most the picture's diagonal; "
-              "composed in double 0.62 u D the same way; relative to the camera, and fixed point "
-              "after the eye is subtracted, flat; the last rounding of a float in px adds 2.5e-5",
-          .item = "vertex",
-          .configurations = configurations};
+  return {
+      .id = "D-1",
+      .name = "Vertices: in which numbers they are carried to the screen",
+      .question =
+          "How far from the origin may a scene be before its vertices tremble, and what do the "
+          "remedies cost?",
+      .axis = "distance of camera and object from the origin",
+      .axis_unit = "units; the object has a radius of 1",
+      .error = "root mean square distance from the right place on the screen",
+      .error_unit = "px",
+      .reference = "50 digits, for the same rotations and positions",
+      .theory =
+          "roundings counted as random, 0.42 u each (u = 2^-24 or 2^-53): float 0.63 u D "
+          "sqrt(2) F/z px for focal length F and distance z, at most the picture's diagonal; "
+          "composed in double 0.62 u D the same way; relative to the camera, and fixed point "
+          "after the eye is subtracted, flat; the last rounding of a float in px adds 2.5e-5. The "
+          "largest of n is sqrt(ln n) times as much. Near and far plane are in no row that x, y "
+          "and w come from; depth lies within n/z of 1, where roundings of 1 are worth z^2/n "
+          "along the gaze, and those of z and w, where they come from one matrix, z/n each",
+      .item = "vertex",
+      .measures = {{kLargest, "largest distance from the right place on the screen", "px"},
+                   {kPlanes,
+                    "root mean square distance from the right place on the screen, at "
+                    "1 unit from the origin",
+                    "px", "far plane, at 100 units, over near plane"},
+                   {kDepth,
+                    "root mean square error of the depth as a distance along the gaze, "
+                    "at 1 unit from the origin and 4 from the camera",
+                    "units", "far plane, at 100 units, over near plane"}},
+      .configurations = configurations};
 }
 
 }  // namespace glassbox::study

@@ -11,7 +11,7 @@
 
 namespace glassbox::study {
 
-// Each takes vertices in its own numbers, Input, and gives x, y, z and 1/w in them; pixels() are x and y as doubles.
+// Each takes vertices in its own numbers, Input, and gives x, y, z and 1/w in them; pixels() are x and y as doubles, depth() is z.
 using Pixels = std::array<double, 2>;
 
 // ---- float: the pipeline's own stages ----
@@ -23,15 +23,17 @@ public:
     return {float(p.x), float(p.y), float(p.z)};
   }
   static Pixels pixels(const ScreenVertex& v) { return {v.position.x, v.position.y}; }
+  static double depth(const ScreenVertex& v) { return double(v.position.z); }
 };
 
 class ThreeMatrices : public FloatWay {
 public:
   ThreeMatrices(const Transform<World, Object>& world_from_object,
-                const Transform<Eye, World>& eye_from_world)
+                const Transform<Eye, World>& eye_from_world,
+                const Transform<Clip, Eye>& clip_from_eye)
       : world_from_object_(round_to_float(world_from_object)),
         eye_from_world_(round_to_float(eye_from_world)),
-        clip_from_eye_(round_to_float(shot_projection())) {}
+        clip_from_eye_(round_to_float(clip_from_eye)) {}
   ScreenVertex operator()(const Point<Object>& p) const {
     return to_screen(divide(clip_from_eye_ * (eye_from_world_ * (world_from_object_ * p))),
                      shot_viewport());
@@ -47,7 +49,8 @@ private:
 class FloatStages : public ThreeMatrices {
 public:
   explicit FloatStages(const Shot& shot)
-      : ThreeMatrices(placed<World, Object>(shot.world_from_object, shot.object), view_of(shot)) {}
+      : ThreeMatrices(placed<World, Object>(shot.world_from_object, shot.object), view_of(shot),
+                      projection_of(shot)) {}
 };
 
 // Every matrix rounded to float, with the world's origin in the eye: the eye is subtracted in double, where the difference
@@ -56,11 +59,11 @@ class CameraRelative : public ThreeMatrices {
 public:
   explicit CameraRelative(const Shot& shot)
       : ThreeMatrices(placed<World, Object>(shot.world_from_object, shot.object - shot.eye),
-                      placed<Eye, World>(shot.eye_from_world, {0, 0, 0})) {}
+                      placed<Eye, World>(shot.eye_from_world, {0, 0, 0}), projection_of(shot)) {}
 };
 
 inline Transform<Clip, Object> composed(const Shot& shot) {
-  return shot_projection() * view_of(shot) *
+  return projection_of(shot) * view_of(shot) *
          placed<World, Object>(shot.world_from_object, shot.object);
 }
 
@@ -88,6 +91,7 @@ public:
   explicit DoubleStages(const Shot& shot) : clip_from_object_(composed(shot)) {}
   static Input input(const Point<Object, double>& p) { return p; }
   static Pixels pixels(const Output& v) { return {v.x, v.y}; }
+  static double depth(const Output& v) { return v.z; }
   Output operator()(const Input& p) const {
     const Point<Clip, double> clip = clip_from_object_ * p;
     return {clip.x / clip.w * (kShotWidth / 2.0) + kShotWidth / 2.0,
@@ -102,7 +106,7 @@ private:
 // ---- fixed point ----
 
 // Whole numbers of 2^-32 in 64 bits, products and quotients in 128. The world's positions are kept as such, and the eye is
-// subtracted before the camera's rotation. With an infinite far plane depth follows from 1/w.
+// subtracted before the camera's rotation. It has no depth: 1/w stands for it, in steps of 2^-32.
 class Fixed32 {
 public:
   using Input = std::array<std::int64_t, 3>;

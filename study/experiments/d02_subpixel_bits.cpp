@@ -3,13 +3,16 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <glassbox/base/random.h>
 #include <glassbox/base/trig.h>
 
 #include "study/experiment/experiment.h"
 #include "study/experiments/consume.h"
+#include "study/experiments/once.h"
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study {
@@ -140,19 +143,76 @@ Box box_of(const Triangle& t) {
 
 // ---- error and work ----
 
-// Pixels whose coverage the snap changes, for each pixel of boundary length.
-double flips(const std::vector<Triangle>& triangles, int bits) {
-  std::int64_t changed = 0;
+// Measures.
+constexpr const char* kOverlap = "overlap";
+constexpr const char* kCrawl = "crawl";
+
+struct Changes {
+  double flips = 0;  // pixels whose coverage the snap changes, for each pixel of boundary length
+  double lost = 0;   // of the union of the two coverages, what is not in both: 1 - IoU
+};
+
+Changes changes_of(const std::vector<Triangle>& triangles, int bits) {
+  std::int64_t changed = 0, united = 0;
   double boundary = 0;
   for (const Triangle& t : triangles) {
     const Covered<std::int64_t> exact(t, kExactBits), on_grid(t, bits);
     const Box box = box_of(t);
     for (int y = box.y0; y < box.y1; ++y) {
-      for (int x = box.x0; x < box.x1; ++x) changed += exact.at(x, y) != on_grid.at(x, y);
+      for (int x = box.x0; x < box.x1; ++x) {
+        const bool before = exact.at(x, y), after = on_grid.at(x, y);
+        changed += before != after;
+        united += before || after;
+      }
     }
     boundary += perimeter(t);
   }
-  return double(changed) / boundary;
+  return {double(changed) / boundary, double(changed) / double(united)};
+}
+
+// Twice the triangle's area, px^2.
+double twice_area(const Triangle& t) {
+  const auto side = [&](std::size_t k, std::size_t i) {
+    return double(t[k][i] - t[0][i]) * 0x1p-20;
+  };
+  return std::abs(side(1, 0) * side(2, 1) - side(2, 0) * side(1, 1));
+}
+
+constexpr int kFrames = 64;
+
+// How far the middle of an edge is off its path while the triangle glides by 8 px: what its snapped ends are off sideways, without
+// the mean over the frames, which does not move. Root mean square.
+double crawl(const std::vector<Triangle>& triangles, int bits) {
+  Random random(3);
+  const double step = std::ldexp(1.0, -bits), exact_step = std::ldexp(1.0, -kExactBits);
+  double squares = 0;
+  std::int64_t count = 0;
+  for (const Triangle& t : triangles) {
+    const SinCos direction = sin_cos(random.between(0, 2 * kPi));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Corner &p = t[k], &q = t[(k + 1) % 3];
+      const double dx = double(q[0] - p[0]), dy = double(q[1] - p[1]);
+      const double length = std::sqrt(square(dx) + square(dy));
+      if (length == 0) continue;
+      std::array<double, kFrames> off{};
+      double mean = 0;
+      for (std::size_t frame = 0; frame < kFrames; ++frame) {
+        const double along = double(frame) * 8 / kFrames;
+        const std::array<std::int64_t, 2> moved{std::int64_t(along * direction.cos * 0x1p20),
+                                                std::int64_t(along * direction.sin * 0x1p20)};
+        const auto displaced = [&](const Corner& corner, std::size_t i) {
+          const std::int64_t exact = corner[i] + moved[i];
+          return double(snapped(exact, bits)) * step - double(exact) * exact_step;
+        };
+        const double x = displaced(p, 0) + displaced(q, 0), y = displaced(p, 1) + displaced(q, 1);
+        off[frame] = (y * dx - x * dy) / length / 2;
+        mean += off[frame] / kFrames;
+      }
+      for (const double each : off) squares += square(each - mean);
+      count += kFrames;
+    }
+  }
+  return std::sqrt(squares / double(count));
 }
 
 template <class Int>
@@ -173,15 +233,31 @@ double predict(int bits) {
   return kMeanOfNormal * rms_of_step(std::ldexp(1.0, -bits)) * 0.8116;
 }
 
+// What changes hands is that much of each pixel of boundary; the union grows by half of it.
+double predict_lost(int bits, const std::vector<Triangle>& triangles) {
+  double boundary = 0, area = 0;
+  for (const Triangle& t : triangles) boundary += perimeter(t), area += twice_area(t) / 2;
+  const double changed = predict(bits) * boundary;
+  return changed / (area + changed / 2);
+}
+
+// Both ends are off sideways by 2^-bits/sqrt(12) each, independently, and their middle by half of the sum.
+double predict_crawl(int bits) {
+  return rms_of_step(std::ldexp(1.0, -bits)) / std::sqrt(2.0);
+}
+
 void add_scene(std::vector<Configuration>& all, const std::string& scene, MakeTriangle make,
                Effort effort) {
   const int count = effort == Effort::kFull ? 160000 : 16000;
   constexpr int kTimed = 500;
+  const auto triangles = once([=] { return make_triangles(make, count); });
   for (const int bits : {0, 1, 2, 4, 6, 8, 10, 12}) {
-    all.push_back({.series = bits <= 6 ? "32-bit edges" : "64-bit edges",
+    const auto changes = once([=] { return changes_of(triangles(), bits); });
+    const std::string series = bits <= 6 ? "32-bit edges" : "64-bit edges";
+    all.push_back({.series = series,
                    .parameter = double(bits),
                    .scene = scene,
-                   .error = [=] { return flips(make_triangles(make, count), bits); },
+                   .error = [=] { return changes().flips; },
                    .predicted_error = predict(bits),
                    .work =
                        [triangles = make_triangles(make, kTimed), bits](int) {
@@ -189,6 +265,22 @@ void add_scene(std::vector<Configuration>& all, const std::string& scene, MakeTr
                                            : cover_all<std::int64_t>(triangles, bits));
                        },
                    .items = kTimed});
+    all.push_back({.series = series,
+                   .parameter = double(bits),
+                   .scene = scene,
+                   .measure = kOverlap,
+                   .error = [=] { return changes().lost; },
+                   .predicted_error = predict_lost(bits, triangles())});
+    all.push_back(
+        {.series = series,
+         .parameter = double(bits),
+         .scene = scene,
+         .measure = kCrawl,
+         .error =
+             [=] {
+               return crawl({triangles().begin(), triangles().begin() + count / 16}, bits);
+             },
+         .predicted_error = predict_crawl(bits)});
   }
 }
 
@@ -214,9 +306,16 @@ Experiment d02_subpixel_bits() {
           .reference = "the triangle before the snap, in exact integers",
           .theory =
               "the area that an edge sweeps when its ends move: sqrt(2/pi) 2^-b/sqrt(12) * 0.812 = "
-              "0.187 * 2^-b for each pixel of its length",
+              "0.187 * 2^-b for each pixel of its length; of the union of both coverages that is "
+              "as much as boundary and area say. The middle of a gliding edge is off by half the "
+              "sum of what its ends are, each by 2^-b/sqrt(12) sideways: 2^-b/sqrt(24)",
           .item = "triangle",
           .axis_is_chosen = true,
+          .measures = {{kOverlap, "1 - IoU: pixels in one coverage alone over those in either", ""},
+                       {kCrawl,
+                        "RMS distance of an edge's middle from its path while the triangle "
+                        "glides by 8 px in 64 frames",
+                        "px"}},
           .configurations = configurations};
 }
 

@@ -1,34 +1,25 @@
 // D-4: where the perspective divide is done, and how well.
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <numeric>
+#include <string>
+#include <vector>
 
 #include "study/experiment/experiment.h"
 #include "study/experiments/consume.h"
+#include "study/experiments/d04_lines.h"
 #include "study/experiments/kernels/reciprocal_kernels.h"
+#include "study/experiments/once.h"
 #include "study/experiments/reciprocal_table.h"
 #include "study/experiments/rounding_model.h"
-
-#include <glassbox/base/random.h>
 
 namespace glassbox::study {
 namespace {
 
-// u runs over 256 texels along 256 pixels, one texel to a pixel on average, up to a random shift of the wall; w grows
-// `ratio`-fold from end to end.
-constexpr double kTexels = kLinePixels;
-
-std::vector<PerspectiveLine> random_lines(double ratio, int count) {
-  Random random(5);
-  std::vector<PerspectiveLine> lines;
-  for (int i = 0; i < count; ++i) {
-    const double near = random.between(1, 2);
-    lines.push_back(
-        {0, float(kTexels - random.unit()), float(1 / near), float(1 / (near * ratio))});
-  }
-  return lines;
-}
+using namespace d04;
 
 // ---- the ways ----
 
@@ -59,19 +50,19 @@ int span_of(Perspective method) {
 
 // u at the centre of pixel x.
 float by_pixel(Perspective method, const PerspectiveLine& line, int x) {
-  const auto [q, p] = at(line, (float(x) + 0.5f) * (1.0f / kLinePixels));
+  const auto [q, p] = at(line, (float(x) + 0.5f) * (1.0f / float(line.pixels)));
   if (method == Perspective::kDivide) return p / q;
   const float w = approximate_reciprocal(q);
   return p * (method == Perspective::kNewton ? newton_reciprocal(q, w) : w);
 }
 float by_span(int span, const PerspectiveLine& line, int x) {
-  const int first = x / span * span;
+  const int first = x / span * span, length = std::min(span, line.pixels - first);
   const auto edge = [&](int pixel) {
-    const auto [q, p] = at(line, float(pixel) * (1.0f / kLinePixels));
+    const auto [q, p] = at(line, float(pixel) * (1.0f / float(line.pixels)));
     return p / q;
   };
   const float start = first == 0 ? line.u0 : edge(first);
-  const float step = (edge(first + span) - start) * (1.0f / float(span));
+  const float step = (edge(first + length) - start) * (1.0f / float(length));
   return start + (float(x - first) + 0.5f) * step;
 }
 float coordinate(Perspective method, const PerspectiveLine& line, int x) {
@@ -87,57 +78,117 @@ double exact_coordinate(const PerspectiveLine& line, double far) {
   return ((1 - far) * (line.u0 * q0) + far * (line.u1 * q1)) / ((1 - far) * q0 + far * q1);
 }
 
-double largest_error(Perspective method, double ratio, int lines) {
-  double largest = 0;
-  for (const PerspectiveLine& line : random_lines(ratio, lines)) {
-    for (int x = 0; x < kLinePixels; ++x) {
-      const double right = exact_coordinate(line, (x + 0.5) / kLinePixels);
-      largest = std::max(largest, std::abs(coordinate(method, line, x) - right));
+struct Errors {
+  double largest = 0, rms = 0;  // texels
+};
+
+Errors errors_of(Perspective method, const Lines& lines) {
+  Errors errors;
+  double squares = 0, pixels = 0;
+  for (const PerspectiveLine& line : lines) {
+    for (int x = 0; x < line.pixels; ++x) {
+      const double right = exact_coordinate(line, (x + 0.5) / line.pixels);
+      const double error = std::abs(double(coordinate(method, line, x)) - right);
+      errors.largest = std::max(errors.largest, error);
+      squares += square(error);
     }
+    pixels += line.pixels;
   }
-  return largest;
+  errors.rms = std::sqrt(squares / pixels);
+  return errors;
 }
 
-// ---- the theory ----
+// ---- the theory, for one line: the largest error and the mean square ----
 
-// Float, for the largest u, that of the last pixel's centre: u/w is rounded as a product at the vertex and again times its
-// share; 1/w has two products and a sum; the division (or product) is the last. Six roundings of rms 0.42 u, of which the
-// largest of a few hundred is about three times the rms.
-double largest_coordinate(double ratio) {
-  return exact_coordinate({0, float(kTexels), 1, float(1 / ratio)}, 1 - 0.5 / kLinePixels);
-}
-double of_roundings(double ratio) {
-  return 3 * std::sqrt(6.0) * rms_rounding<float> * largest_coordinate(ratio);
-}
+struct Predicted {
+  double largest = 0, square = 0;
+};
 
-// Linear interpolation over a span errs by |du| (sqrt r - 1)/(sqrt r + 1) where 1/w changes r-fold in it.
-double of_span(double r, double du) {
-  return std::abs(du) * (std::sqrt(r) - 1) / (std::sqrt(r) + 1);
-}
-double of_spans(double ratio, int span) {
-  const PerspectiveLine line{0, float(kTexels), 1, float(1 / ratio)};
-  double largest = 0;
-  for (int x = 0; x < kLinePixels; x += span) {
-    const double start = double(x) / kLinePixels, end = double(x + span) / kLinePixels;
-    const auto q = [&](double far) { return (1 - far) + far / ratio; };
-    largest = std::max(largest, of_span(q(start) / q(end), exact_coordinate(line, end) -
-                                                               exact_coordinate(line, start)));
+// u at the pixels' centres.
+Predicted coordinates(const PerspectiveLine& line) {
+  Predicted u;
+  for (int x = 0; x < line.pixels; ++x) {
+    const double at = exact_coordinate(line, (x + 0.5) / line.pixels);
+    u.largest = std::max(u.largest, std::abs(at));
+    u.square += square(at) / line.pixels;
   }
-  return largest;
+  return u;
 }
 
-double predict(Perspective method, double ratio) {
+// Float: u/w is rounded as a product at the vertex and again times its share; 1/w has two products and a sum; the division (or
+// product) is the last. Six roundings of rms 0.42 u, of which the largest of a few hundred is about three times the rms.
+Predicted of_roundings(const Predicted& u) {
+  return {3 * std::sqrt(6.0) * rms_rounding<float> * u.largest,
+          6 * square(rms_rounding<float>) * u.square};
+}
+
+// Of the table: within 2^-12 by the interval and within 2^-14 by the rounding, both evenly.
+Predicted of_table(const Predicted& u) {
+  return {kReciprocalError * u.largest, (square(0x1p-12) + square(0x1p-14)) / 3 * u.square};
+}
+
+// Newton's step always errs downwards, by the square: 2^-24 and the mean fourth power 1/5 of it.
+Predicted of_newton(const Predicted& u) {
+  return {square(kReciprocalError) * u.largest, square(0x1p-24) / 5 * u.square};
+}
+
+// Linear interpolation over a span in which 1/w changes r-fold and u by du errs by |du| (t - t/(t + (1 - t) r)), whose largest value
+// is |du| (sqrt r - 1)/(sqrt r + 1); the mean square is its integral, with a = r - 1. Near r = 1 it is a parabola.
+Predicted of_span(double ratio, double du) {
+  const double r = std::max(ratio, 1 / ratio), a = r - 1;
+  const double largest = std::abs(du) * (std::sqrt(r) - 1) / (std::sqrt(r) + 1);
+  if (a < 0.05) return {largest, square(largest) * 8 / 15};
+  const double a3 = a * a * a;
+  const double product =
+      r * r * std::log(r) / a3 - r / (a * a) - 1 / (2 * a);  // of t and the other
+  const double other = (r * r - 1 - 2 * r * std::log(r)) / a3;
+  return {largest, square(du) * (1.0 / 3 - 2 * product + other)};
+}
+Predicted of_spans(const PerspectiveLine& line, int span) {
+  Predicted all;
+  for (int x = 0; x < line.pixels; x += span) {
+    const int length = std::min(span, line.pixels - x);
+    const double start = double(x) / line.pixels, end = double(x + length) / line.pixels;
+    const auto q = [&](double far) {
+      return (1 - far) * double(line.inverse_w0) + far * double(line.inverse_w1);
+    };
+    const Predicted one =
+        of_span(q(start) / q(end), exact_coordinate(line, end) - exact_coordinate(line, start));
+    all.largest = std::max(all.largest, one.largest);
+    all.square += one.square * length / line.pixels;
+  }
+  return all;
+}
+
+Predicted operator+(const Predicted& a, const Predicted& b) {
+  return {a.largest + b.largest, a.square + b.square};
+}
+
+Predicted predict(Perspective method, const PerspectiveLine& line) {
+  const Predicted u = coordinates(line);
   switch (method) {
     case Perspective::kDivide:
-      return of_roundings(ratio);
+      return of_roundings(u);
     case Perspective::kApproximate:
-      return kReciprocalError * largest_coordinate(ratio);
+      return of_table(u);
     case Perspective::kNewton:
-      // Newton's step always errs downwards, by the square; its own two roundings are of the kind of the others.
-      return square(kReciprocalError) * largest_coordinate(ratio) + of_roundings(ratio);
+      return of_newton(u) + of_roundings(u);
     default:
-      return of_spans(ratio, span_of(method)) + of_roundings(ratio);
+      return of_spans(line, span_of(method)) + of_roundings(u);
   }
+}
+
+Errors predict(Perspective method, const Lines& lines) {
+  Errors errors;
+  double squares = 0, pixels = 0;
+  for (const PerspectiveLine& line : lines) {
+    const Predicted one = predict(method, line);
+    errors.largest = std::max(errors.largest, one.largest);
+    squares += one.square * line.pixels;
+    pixels += line.pixels;
+  }
+  errors.rms = std::sqrt(squares / pixels);
+  return errors;
 }
 
 // ---- the table ----
@@ -146,6 +197,7 @@ struct Series {
   Perspective method;
   const char* name;
 };
+constexpr const char* kRms = "root mean square";
 constexpr Series kSeries[] = {
     {Perspective::kDivide, "a division for each pixel"},
     {Perspective::kNewton, "approximate reciprocal and a Newton step"},
@@ -156,31 +208,58 @@ constexpr Series kSeries[] = {
     {Perspective::kAffine, "none: affine"},
 };
 
-std::vector<Configuration> configurations(Effort effort) {
-  const int lines = effort == Effort::kFull ? 1000 : 100;
-  constexpr int kTimed = 250, kRounds = 16;
+// Every n-th of them, so that `most` are left.
+Lines some(const Lines& lines, std::size_t most) {
+  const std::size_t step = (lines.size() + most - 1) / most;
+  Lines kept;
+  for (std::size_t i = 0; i < lines.size(); i += step) kept.push_back(lines[i]);
+  return kept;
+}
+
+std::function<void(int)> work_of(Perspective method, const Lines& lines, int rounds) {
   std::vector<std::int32_t> texture(kLinePixels);
   std::iota(texture.begin(), texture.end(), 0);
-  std::vector<Configuration> all;
+  return [=, out = std::vector<std::int32_t>(lines.size() * kLinePixels)](int) mutable {
+    for (int round = 0; round < rounds; ++round) {
+      draw_lines(method, lines, texture, out);
+      consume(out.back());
+    }
+  };
+}
+
+void add_lines(const std::string& scene, const Lines& lines, double parameter,
+               std::vector<Configuration>& all) {
+  constexpr int kTimed = 250, kRounds = 16;
+  const Lines timed = some(lines, kTimed);
+  double pixels = 0;
+  for (const PerspectiveLine& line : timed) pixels += line.pixels;
   for (const Series& series : kSeries) {
     const Perspective method = series.method;
-    for (const double ratio : {1.01, 1.41, 2.0, 5.0, 10.0, 30.0, 100.0}) {
-      all.push_back(
-          {.series = series.name,
-           .parameter = ratio,
-           .error = [=] { return largest_error(method, ratio, lines); },
-           .predicted_error = predict(method, ratio),
-           .work =
-               [method, texture, walls = random_lines(ratio, kTimed),
-                out = std::vector<std::int32_t>(std::size_t(kTimed) * kLinePixels)](int) mutable {
-                 for (int round = 0; round < kRounds; ++round) {
-                   draw_lines(method, walls, texture, out);
-                   consume(out.back());
-                 }
-               },
-           .items = double(kTimed) * kLinePixels * kRounds});
-    }
+    const auto errors = once([=] { return errors_of(method, lines); });
+    const Errors predicted = predict(method, lines);
+    all.push_back({.series = series.name,
+                   .parameter = parameter,
+                   .scene = scene,
+                   .error = [=] { return errors().largest; },
+                   .predicted_error = predicted.largest,
+                   .work = work_of(method, timed, kRounds),
+                   .items = pixels * kRounds});
+    all.push_back({.series = series.name,
+                   .parameter = parameter,
+                   .scene = scene,
+                   .measure = kRms,
+                   .error = [=] { return errors().rms; },
+                   .predicted_error = predicted.rms});
   }
+}
+
+std::vector<Configuration> configurations(Effort effort) {
+  std::vector<Configuration> all;
+  for (const double ratio : {1.01, 1.41, 2.0, 5.0, 10.0, 30.0, 100.0})
+    add_lines("wall", wall(ratio, effort == Effort::kFull ? 1000 : 100), ratio, all);
+  const Lines floor = rolled_floor(), pot = teapot();
+  add_lines("floor, rolled by 22.5 degrees", floor, largest_ratio(floor), all);
+  add_lines("teapot", pot, largest_ratio(pot), all);
   return all;
 }
 
@@ -192,17 +271,23 @@ Experiment d04_perspective() {
           .question =
               "How wrong are texture coordinates when the divide is approximated, or done only now "
               "and then?",
-          .axis = "w at the far end of a line of 256 pixels over w at its near end",
-          .error = "largest error of u at a pixel centre, of 256 texels along the line",
+          .axis =
+              "w at the far end of a line of 256 pixels over w at its near end; the largest of "
+              "a floor's or the teapot's rows",
+          .error =
+              "largest error of u at a pixel centre, of 256 texels along the line; of the "
+              "level that fits each row on the floor and the teapot",
           .error_unit = "texel",
           .reference = "the same interpolation in double",
           .theory =
               "|du| (sqrt r - 1)/(sqrt r + 1) over a span in which w grows r-fold and u by du "
-              "(exact; B.11), the largest of the line's spans; for an approximate reciprocal u "
+              "(exact; B.11), the largest of the line's spans, and the integral of its square; for "
+              "an approximate reciprocal u "
               "times 2^-12 + 2^-14 (the table's bound, 2^-11.7), its square after a Newton step; "
               "six roundings of float otherwise. Errors are those of a table that stands for the "
               "instruction, which differs between processors; times are the instruction's",
           .item = "pixel",
+          .measures = {{kRms, "root mean square error of u over the pixel centres", "texel"}},
           .configurations = configurations};
 }
 

@@ -1,16 +1,22 @@
 // D-9: where back faces are found out, and whether anything is lost by finding them early.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 
 #include <fmt/format.h>
 
+#include <glassbox/base/random.h>
+#include <glassbox/base/trig.h>
 #include <glassbox/mesh/builtin/scenes.h>
+#include <glassbox/mesh/formats/load.h>
 #include <glassbox/pipeline/framing.h>
 #include <glassbox/raster/triangle_setup.h>
 
 #include "study/experiment/experiment.h"
+#include "study/experiments/consume.h"
 #include "study/experiments/d09_tests.h"
+#include "study/experiments/once.h"
 #include "study/scenes/scenes.h"
 
 namespace glassbox::study {
@@ -18,6 +24,8 @@ namespace glassbox::study {
 namespace {
 
 using namespace d09;
+
+constexpr const char* kFallbacks = "exact fallbacks";
 
 // ---- measures ----
 
@@ -79,8 +87,30 @@ Configuration configuration(const std::string& series, const std::string& scene,
           .items = double(surface->modelled.size())};
 }
 
+void add_filter(const std::string& series, const std::string& scene,
+                const std::shared_ptr<const Surface>& surface, Filter filter, Effort effort,
+                std::vector<Configuration>& all) {
+  const int eyes = effort == Effort::kFull ? 200'000 : 20'000;
+  const auto rate = once([=] { return fallbacks(surface->modelled, filter, eyes); });
+  const auto keep = std::make_shared<Keep>(surface->modelled.size());
+  all.push_back({.series = series,
+                 .parameter = double(surface->modelled.size()),
+                 .scene = scene,
+                 .measure = kFallbacks,
+                 .error = [=] { return rate().measured; },
+                 .predicted_error = rate().expected,
+                 .work =
+                     [=](int) {
+                       for (std::size_t i = 0; i < keep->size(); ++i)
+                         (*keep)[i] =
+                             !filter(surface->modelled[i], surface->viewer.eye_or_gaze).back;
+                       consume(*keep);
+                     },
+                 .items = double(surface->modelled.size())});
+}
+
 void add_surface(const std::string& scene, const std::shared_ptr<const Surface>& surface,
-                 std::vector<Configuration>& all) {
+                 Effort effort, std::vector<Configuration>& all) {
   const auto clusters = std::make_shared<const std::vector<Cluster>>(make_clusters(*surface));
   const Test cones = [clusters](const Surface& s, Keep& keep) {
     keep_by_cones(s, *clusters, keep);
@@ -93,6 +123,33 @@ void add_surface(const std::string& scene, const std::shared_ptr<const Surface>&
       configuration("cluster cones", scene, surface, cones, predicted_wrong(*surface, cones)));
   all.push_back(
       configuration("filter, exact fallback, margin", scene, surface, keep_by_exact_test, 0));
+  add_filter("filter in double", scene, surface, filter_in_double, effort, all);
+  add_filter("filter in float", scene, surface, filter_in_float, effort, all);
+}
+
+std::shared_ptr<const Surface> framed(const Scene& scene) {
+  return make_surface(scene, make_view(frame(scene, 1).value(), kSide, kSide).value());
+}
+
+// What a scanner makes of a smooth surface: an ellipsoid whose corners are off by up to a third of the way between two of them, so
+// that grazing faces turn at random and their neighbours' normals do not agree.
+std::shared_ptr<const Surface> scan() {
+  BenchScene bench = make_ellipsoid_scene("scan", kScannedGrid, kSide, kSide);
+  const double noise = kPi / kScannedGrid.stacks / 3;
+  Random random(10);
+  for (auto& p : bench.scene.meshes.front().positions) {
+    const float factor = float(1 + random.between(-noise, noise));
+    p = {p.x * factor, p.y * factor, p.z * factor};
+  }
+  return make_surface(bench.scene, bench.passes.front().view);
+}
+
+// A mesh of 100,000 faces that somebody has made, where the working directory has one beside it: never needed.
+std::shared_ptr<const Surface> koala() {
+  const char* path = "../shared/assets/meshes/obj/koala/koala.obj";
+  if (!std::filesystem::exists(path)) return nullptr;
+  const auto scene = load_scene(path);
+  return scene ? framed(*scene) : nullptr;
 }
 
 std::shared_ptr<const Surface> ellipsoid(const Grid& grid) {
@@ -100,17 +157,14 @@ std::shared_ptr<const Surface> ellipsoid(const Grid& grid) {
   return make_surface(bench.scene, bench.passes.front().view);
 }
 
-std::shared_ptr<const Surface> teapot() {
-  const Scene scene = make_builtin("teapot").value();
-  return make_surface(scene, make_view(frame(scene, 1).value(), kSide, kSide).value());
-}
-
 std::vector<Configuration> configurations(Effort effort) {
   std::vector<Configuration> all;
-  add_surface("teapot", teapot(), all);
-  add_surface("ellipsoid of a scan's size", ellipsoid(kScannedGrid), all);
+  add_surface("teapot", framed(make_builtin("teapot").value()), effort, all);
+  add_surface("ellipsoid", ellipsoid(kScannedGrid), effort, all);
+  add_surface("ellipsoid as if scanned", scan(), effort, all);
+  if (const auto file = koala()) add_surface("koala, from a file", file, effort, all);
   if (effort == Effort::kFull)
-    add_surface("ellipsoid of a million triangles", ellipsoid(kFineGrid), all);
+    add_surface("ellipsoid of a million triangles", ellipsoid(kFineGrid), effort, all);
   return all;
 }
 
@@ -130,8 +184,15 @@ Experiment d09_culling() {
           "An exact test in object space does not see the snap, which turns a face of twice the "
           "area -a with probability Phi(-a/sigma), sigma^2 = sum |edge|^2/(12 256^2): the sum over "
           "all that are thrown away. With a margin for the snap: 0. Half the faces of a closed "
-          "surface are backs, so at most half of the set-up is saved.",
+          "surface are backs, so at most half of the set-up is saved. From far away all cosines "
+          "between gaze and normal are as likely, so that a filter cannot tell in the share "
+          "bound/(|normal| distance) of directions.",
       .item = "triangle",
+      .measures =
+          {{kFallbacks,
+            "share of eyes, in all directions and 64 units away, from which a filter cannot tell "
+            "a face's side and expansions decide",
+            ""}},
       .configurations = configurations,
   };
 }

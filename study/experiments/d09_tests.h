@@ -9,6 +9,9 @@
 #include <memory>
 #include <vector>
 
+#include <glassbox/base/random.h>
+#include <glassbox/base/rounding.h>
+#include <glassbox/base/trig.h>
 #include <glassbox/mesh/normals.h>
 #include <glassbox/pipeline/back_face.h>
 #include <glassbox/pipeline/divide.h>
@@ -16,6 +19,8 @@
 #include <glassbox/raster/snap.h>
 #include <glassbox/render/engine/draw_list.h>
 #include <glassbox/render/staged/vertex_stage.h>
+
+#include "exact/coverage.h"
 
 namespace glassbox::study::d09 {
 
@@ -85,18 +90,10 @@ inline bool shows_front(const ScreenTriangle& t) {
   return snapped_area(t) < 0;
 }
 
-// The same of exact integers that are none of the pipeline's: floor(256 v + 1/2), in double exact for what a screen has, and 128 bits.
+// The same of exact integers that are none of the pipeline's.
 inline bool shows_front_exactly(const ScreenTriangle& t) {
   __extension__ typedef __int128 Int128;
-  const auto snapped = [](float px) {
-    return Int128(std::int64_t(std::floor(double(px) * 256 + 0.5)));
-  };
-  const auto along = [&](std::size_t k) {
-    return std::array{snapped(t[k].position.x) - snapped(t[0].position.x),
-                      snapped(t[k].position.y) - snapped(t[0].position.y)};
-  };
-  const auto a = along(1), b = along(2);
-  return a[0] * b[1] - a[1] * b[0] < 0;
+  return exact::turn<Int128>(exact::snapped(t)) < 0;
 }
 
 // ---- the tests: whether a triangle is thrown away before it is set up ----
@@ -186,5 +183,67 @@ inline void keep_by_cones(const Surface& surface, const std::vector<Cluster>& cl
 }
 
 using Test = std::function<void(const Surface&, Keep&)>;
+
+// ---- filters: a bound says whether the value's sign is right, and expansions decide where it does not ----
+
+struct Filtered {
+  bool back = false;
+  double bound = 0;  // of the error of (b - a) x (c - a) . (a - eye)
+  bool used_exact = false;
+};
+using Filter = Filtered (*)(const ObjectTriangle&, const Vector<Object, double>& eye);
+
+inline Filtered filter_in_double(const ObjectTriangle& t, const Vector<Object, double>& eye) {
+  const BackFaceTest test = test_back_face(t, ObjectViewer{true, eye, {}});
+  return {test.facing == Facing::kBack, test.bound, test.used_exact};
+}
+
+// In float, of an eye that is rounded to floats. Eight roundings on the way of each term: a difference in each of the three vectors,
+// two products, the difference of the two and two sums; gamma(8) times the sum of all terms taken positive, which is as rounded.
+inline Filtered filter_in_float(const ObjectTriangle& t, const Vector<Object, double>& eye) {
+  const auto minus = [](const Point<Object>& p, const auto& q) {
+    return std::array{p.x - float(q.x), p.y - float(q.y), p.z - float(q.z)};
+  };
+  const auto b = minus(t[1], t[0]), c = minus(t[2], t[0]), a = minus(t[0], eye);
+  float value = 0, size = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    const float one = b[j] * c[k], other = b[k] * c[j];
+    value += (one - other) * a[i];
+    size += (std::abs(one) + std::abs(other)) * std::abs(a[i]);
+  }
+  const double error = gamma<double>(1) + gamma<float>(8),
+               bound = error / (1 - error) * double(size);
+  if (std::abs(double(value)) > bound) return {value > 0, bound, false};
+  const Vector<Object, double> rounded{float(eye.x), float(eye.y), float(eye.z)};
+  return {filter_in_double(t, rounded).back, bound, true};
+}
+
+// The share of eyes, far away in all directions, from which a filter cannot tell: the cosine between normal and gaze is even in
+// [-1, 1], so that bound/(|normal| distance) of them are too near to the face's plane. That is rare; eyes are drawn from a slab
+// about the plane that is kSlab times as high, and what is found there counts for as much.
+struct Fallbacks {
+  double measured = 0, expected = 0;
+};
+inline Fallbacks fallbacks(const std::vector<ObjectTriangle>& triangles, Filter filter, int eyes) {
+  constexpr double kSlab = 32, kDistance = 64;
+  Random random(9);
+  Fallbacks mean;
+  for (int used = 0; used < eyes;) {
+    const auto& t = triangles[std::size_t(random.integer(0, std::int64_t(triangles.size()) - 1))];
+    const auto a = in_double(t[0]), b = in_double(t[1]) + -a, c = in_double(t[2]) + -a;
+    const auto area = cross(b, c);
+    if (!(length(area) > 0)) continue;
+    ++used;
+    const auto normal = area * (1 / length(area)), side = b * (1 / length(b));
+    const SinCos turn = sin_cos(random.between(0, 2 * kPi));
+    const auto in_plane = a + (side * turn.cos + cross(normal, side) * turn.sin) * kDistance;
+    const double share = filter(t, in_plane).bound / (length(area) * kDistance);
+    const auto eye = in_plane + normal * (kDistance * kSlab * share * random.between(-1, 1));
+    mean.expected += share / eyes;
+    mean.measured += filter(t, eye).used_exact ? kSlab * share / eyes : 0;
+  }
+  return mean;
+}
 
 }  // namespace glassbox::study::d09

@@ -85,4 +85,16 @@ inline double hole_pixels(int layers) {
   return pixels;
 }
 
+// Pixels that have another surface in the right picture than in the left one: what the cards cover in either. A stack's two cards cover
+// together what the one behind does.
+inline double moved_pixels() {
+  double pixels = 0;
+  const std::vector<Card> all = cards();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (i % 4 != 2) pixels += double(all[i].columns - all[i].parallax) * all[i].rows;
+  }
+  return pixels;
+}
+inline constexpr double kLargestParallax = 12;
+
 }  // namespace glassbox::study::d11

@@ -1,6 +1,7 @@
 // D-11: where a pair's second picture comes from: drawn, drawn together with the first, or warped from it.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 
@@ -13,7 +14,10 @@
 #include <glassbox/render/renderer.h>
 
 #include "study/experiment/experiment.h"
+#include "study/experiments/consume.h"
 #include "study/experiments/d11_cards.h"
+#include "study/experiments/d11_pair_setup.h"
+#include "study/experiments/once.h"
 #include "study/experiments/warp/depth_peeling.h"
 #include "study/experiments/warp/warp.h"
 
@@ -48,37 +52,48 @@ Stage make_stage(std::string name, Scene scene, const View& centre, const Stereo
 
 // ---- ways to the right eye's picture, the left one's included ----
 
-Picture draw_again(const Stage& s) {
+struct Shown {
+  Picture color;
+  Image<float> distance;  // infinite where nothing is
+};
+
+Shown shown(Framebuffer&& buffers) {
+  return {std::move(buffers.color), std::move(buffers.distance)};
+}
+Shown shown(Warped&& warped) {
+  return {std::move(warped.color), std::move(warped.distance)};
+}
+
+Shown draw_again(const Stage& s) {
   render_staged(s.scene, s.left, s.settings);
-  return render_staged(s.scene, s.right, s.settings).buffers.color;
+  return shown(render_staged(s.scene, s.right, s.settings).buffers);
 }
-Picture draw_together(const Stage& s) {
-  return render_pair(s.scene, s.centre, s.pair, {.render = s.settings}).right.color;
+Shown draw_together(const Stage& s) {
+  return shown(render_pair(s.scene, s.centre, s.pair, {.render = s.settings}).right);
 }
-Picture take_the_left_one(const Stage& s) {
-  return render_staged(s.scene, s.left, s.settings).buffers.color;
+Shown take_the_left_one(const Stage& s) {
+  return shown(render_staged(s.scene, s.left, s.settings).buffers);
 }
 template <int layers, bool fill>
-Picture warp_layers(const Stage& s) {
+Shown warp_layers(const Stage& s) {
   Warped warped =
       warp(peel(s.scene, s.left, s.settings, layers), s.centre, s.pair, s.settings.background);
   if (fill) fill_holes(warped);
-  return std::move(warped.color);
+  return shown(std::move(warped));
 }
-Picture draw_both_over_tiles(const Stage& s) {
+Shown draw_both_over_tiles(const Stage& s) {
   render_tiled(s.scene, s.left, s.settings, {.threads = 1});
-  return render_tiled(s.scene, s.right, s.settings, {.threads = 1}).buffers.color;
+  return shown(render_tiled(s.scene, s.right, s.settings, {.threads = 1}).buffers);
 }
-Picture draw_together_over_tiles(const Stage& s) {
+Shown draw_together_over_tiles(const Stage& s) {
   Renderer renderer(s.scene, s.settings.transfer, EngineKind::kTile, {.threads = 1});
-  return renderer.render_pair(s.centre, s.pair, {.render = s.settings}).right.color;
+  return shown(renderer.render_pair(s.centre, s.pair, {.render = s.settings}).right);
 }
 
-Picture warp_from_tiles(const Stage& s) {
+Shown warp_from_tiles(const Stage& s) {
   Framebuffer left = render_tiled(s.scene, s.left, s.settings, {.threads = 1}).buffers;
-  return warp({{std::move(left.color), std::move(left.distance)}}, s.centre, s.pair,
-              s.settings.background)
-      .color;
+  return shown(warp({{std::move(left.color), std::move(left.distance)}}, s.centre, s.pair,
+                    s.settings.background));
 }
 
 struct Way {
@@ -86,7 +101,7 @@ struct Way {
   int layers;  // that a warp has to take from; 0: no warp
   bool fill;
   bool exact;
-  Picture (*right)(const Stage&);
+  Shown (*right)(const Stage&);
 };
 constexpr Way kWays[] = {{"left picture twice", 0, false, false, take_the_left_one},
                          {"two full passes", 0, false, true, draw_again},
@@ -101,17 +116,50 @@ constexpr Way kWays[] = {{"left picture twice", 0, false, false, take_the_left_o
                          {"tile engine, shared stages", 0, false, true, draw_together_over_tiles},
                          {"tile engine, depth-image warp", 1, false, false, warp_from_tiles}};
 
-// In steps of 1/255, over red, green and blue.
-double rms_difference(const Picture& reference, const Picture& test) {
-  const StoredImage one = as_stored(reference), other = as_stored(test);
-  const Selection everything(reference.width, reference.height);
-  return 255 * sample_errors({one, other, everything}).rmse;
+// ---- measures ----
+
+constexpr const char* kPsnr = "PSNR";
+constexpr const char* kHoles = "holes";
+constexpr const char* kDisparity = "disparity";
+constexpr const char* kSetup = "set-up";
+
+struct Errors {
+  double rms = 0;        // in steps of 1/255, over red, green and blue
+  double holes = 0;      // of the pixels: where something should be, and nothing is
+  double disparity = 0;  // px: the largest error of the parallax of what is shown
+};
+
+// A float distance z is off by some units of its last place, and so its parallax, some 100 px/z, by less than this.
+constexpr double kLeastDisparity = 0x1p-12;
+
+double parallax_px(const Stage& s, float z) {
+  return parallax_at(s.centre, s.pair, double(z)).px;
 }
 
-double error_of(const Way& way, const Stage& stage) {
-  return rms_difference(render_staged(stage.scene, stage.right, stage.settings).buffers.color,
-                        way.right(stage));
+Errors errors_of(const Shown& right, const Shown& test, const Stage& stage) {
+  const StoredImage one = as_stored(right.color), other = as_stored(test.color);
+  const Selection everything(right.color.width, right.color.height);
+  Errors errors;
+  errors.rms = 255 * sample_errors({one, other, everything}).rmse;
+  for (std::size_t i = 0; i < right.distance.pixels.size(); ++i) {
+    const float z = right.distance.pixels[i], found = test.distance.pixels[i];
+    if (!std::isfinite(z)) continue;
+    if (!std::isfinite(found)) {
+      errors.holes += 1;
+      continue;
+    }
+    const double off = std::abs(parallax_px(stage, z) - parallax_px(stage, found));
+    if (off > kLeastDisparity) errors.disparity = std::max(errors.disparity, off);
+  }
+  errors.holes /= double(right.distance.pixels.size());
+  return errors;
 }
+
+double psnr(double rms) {
+  return rms == 0 ? std::numeric_limits<double>::infinity() : 20 * std::log10(255 / rms);
+}
+
+// ---- scenes, and what is to be expected on them ----
 
 View view_of(const Camera& camera) {
   return make_view(camera, kWidth, kHeight).value();
@@ -132,13 +180,19 @@ Stage card_stage() {
   return make_stage("cards before a wall", std::move(scene), centre, pair);
 }
 
-// Bytes drawn evenly from 0 .. 255: the mean square of one is 255 * 511/6, of the difference of two (256^2 - 1)/6. Holes are
-// black, or have the colour of another cell of the wall.
-std::optional<double> predicted_on_cards(const Way& way) {
-  if (way.exact) return 0;
-  if (way.layers == 0) return std::nullopt;
-  const double share = hole_pixels(way.layers) / (kWidth * kHeight);
-  return std::sqrt(share * (way.fill ? (256.0 * 256 - 1) / 6 : 255.0 * 511 / 6));
+// Mean squares of bytes drawn evenly from 0 .. 255, and of the difference of two.
+constexpr double kByteSquare = 255.0 * 511 / 6, kDifferenceSquare = (256.0 * 256 - 1) / 6;
+
+// Holes are black, or have the colour of another cell of the wall; what is elsewhere in the left picture has another cell's colour. The
+// wall is filled in where a card of 4 px more parallax is behind the front one.
+Errors predicted_on_cards(const Way& way) {
+  constexpr double kPixels = kWidth * kHeight;
+  if (way.exact) return {};
+  if (way.layers == 0)
+    return {std::sqrt(moved_pixels() / kPixels * kDifferenceSquare), 0, kLargestParallax};
+  const double share = hole_pixels(way.layers) / kPixels;
+  if (!way.fill) return {std::sqrt(share * kByteSquare), share, 0};
+  return {std::sqrt(share * kDifferenceSquare), 0, way.layers == 1 ? 4.0 : 0.0};
 }
 
 Stage forest_stage(double share) {
@@ -147,27 +201,146 @@ Stage forest_stage(double share) {
   return make_stage("forest", std::move(forest), centre, {share * 12, 12});
 }
 
-void add_stage(const std::shared_ptr<const Stage>& stage, bool cards,
-               std::vector<Configuration>& all) {
-  for (const Way& way : kWays) {
-    all.push_back({.series = way.name,
-                   .parameter = 100 * stage->pair.half_separation / stage->pair.window,
-                   .scene = stage->name,
-                   .error = [way, stage] { return error_of(way, *stage); },
-                   .predicted_error = cards       ? predicted_on_cards(way)
-                                      : way.exact ? std::optional<double>(0)
-                                                  : std::nullopt,
-                   .work = [way, stage](int) { way.right(*stage); }});
+double square_of(const Rgba8& c) {
+  return double(c.r) * c.r + double(c.g) * c.g + double(c.b) * c.b;
+}
+
+// What the left eye sees of a scene without a plan.
+struct LeftEye {
+  std::vector<Layer> layers;
+  double mean_square = 0, variance = 0;  // of a byte of its picture, where something is
+  double opened = 0;      // columns that open beside edges in depth: a share of the picture
+  double parallaxes = 0;  // px from the nearest surface to the farthest
+};
+
+LeftEye seen_by_left_eye(const Stage& stage) {
+  LeftEye seen{peel(stage.scene, stage.left, stage.settings, 5)};
+  const auto& [color, distance] = seen.layers.front();
+  double sum = 0, squares = 0, count = 0, near = HUGE_VAL, far = -HUGE_VAL;
+  for (int y = 0; y < kHeight; ++y) {
+    double before = 0;  // the left border opens as an edge at the window would
+    for (int x = 0; x < kWidth; ++x) {
+      const float z = distance.at(x, y);
+      const double p = parallax_px(stage, z);  // of the sky, too
+      if (std::isfinite(z)) {
+        const Rgba8& c = color.at(x, y);
+        sum += c.r + c.g + c.b, squares += square_of(c), count += 3;
+        near = std::min(near, p), far = std::max(far, p);
+        seen.opened += std::max(0.0, p - before) / (kWidth * kHeight);
+      }
+      before = p;
+    }
   }
+  seen.mean_square = squares / count;
+  seen.variance = seen.mean_square - sum / count * (sum / count);
+  seen.parallaxes = far - near;
+  return seen;
+}
+
+// The share of a layer's pixels that have another one behind.
+double share_behind(const LeftEye& seen, std::size_t layer) {
+  if (layer + 1 >= seen.layers.size()) return 0;
+  const auto covered = [&](const Layer& each) {
+    return double(
+        std::ranges::count_if(each.distance.pixels, [](float z) { return std::isfinite(z); }));
+  };
+  return covered(seen.layers[layer + 1]) / covered(seen.layers[layer]);
+}
+
+// Between many thin things a hole of the first layer shows, as anywhere in the left picture, the next layer, or the one after it. Holes
+// are black; filled ones, and what is seen in the left picture instead, have the colour of somewhere else.
+Errors predicted_among_trees(const Way& way, const LeftEye& seen) {
+  if (way.exact) return {};
+  if (way.layers == 0) return {std::sqrt(2 * seen.variance), 0, seen.parallaxes};
+  // Of pixels thrown anywhere, one each, 1/e stay empty: no more do however far things move.
+  double share = std::min(seen.opened, std::exp(-1.0));
+  for (int layer = 1; layer < way.layers; ++layer)
+    share *= share_behind(seen, std::size_t(layer - 1));
+  const double square = way.fill ? 2 * seen.variance : seen.mean_square;
+  return {std::sqrt(share * square), way.fill ? 0 : share, seen.parallaxes};
+}
+
+// Of 9858 pixels that one layer leaves open at 2 %, two leave 5893, and 4005 where back faces are culled.
+const Finding kOwnBack{
+    "a tree's second layer is its own back, which no hole shows; the third has what stands behind "
+    "it, and fills more than other layers do",
+    0.25, 0.5};
+
+const Finding kStillTheSame{
+    "parallaxes of a few px, less than trees are wide, leave most pixels on what they showed", 0.25,
+    0.5};
+
+const Finding kWrongThing{
+    "where layers leave few holes, what is left are places that show something farther away than "
+    "what no layer has",
+    2, 3};
+
+using Prediction = std::function<Errors(const Way&)>;
+
+void add_stage(const std::shared_ptr<const Stage>& stage, const Prediction& prediction,
+               std::vector<Configuration>& all) {
+  const auto right = once(
+      [=] { return shown(render_staged(stage->scene, stage->right, stage->settings).buffers); });
+  const double parameter = 100 * stage->pair.half_separation / stage->pair.window;
+  for (const Way& way : kWays) {
+    const auto errors = once([=] { return errors_of(right(), way.right(*stage), *stage); });
+    const Errors predicted = prediction(way);
+    const auto add = [&](const char* measure, double expected, auto error) {
+      all.push_back({.series = way.name,
+                     .parameter = parameter,
+                     .scene = stage->name,
+                     .measure = measure,
+                     .error = [=] { return error(errors()); },
+                     .predicted_error = expected});
+    };
+    add("", predicted.rms, [](const Errors& e) { return e.rms; });
+    if (way.layers == 0) all.back().finding = kStillTheSame;
+    if (way.layers >= 3) all.back().finding = kWrongThing;
+    all.back().work = [way, stage](int) { way.right(*stage); };
+    add(kPsnr, psnr(predicted.rms), [](const Errors& e) { return psnr(e.rms); });
+    add(kHoles, predicted.holes, [](const Errors& e) { return e.holes; });
+    if (way.layers >= 3) all.back().finding = kOwnBack;
+    add(kDisparity, predicted.disparity, [](const Errors& e) { return e.disparity; });
+  }
+}
+
+void add_setups(const Stage& stage, std::vector<Configuration>& all) {
+  const auto triangles = std::make_shared<const std::vector<PairTriangle>>(
+      pair_triangles(*d10::make_eyes(stage.scene, stage.centre, stage.pair)));
+  const auto add = [&](const char* series, auto set_up) {
+    all.push_back({.series = series,
+                   .parameter = double(triangles->size()),
+                   .scene = stage.name,
+                   .measure = kSetup,
+                   .error =
+                       [=] {
+                         return double(std::ranges::count_if(*triangles, [&](const auto& t) {
+                           const auto one = set_up_each(t), other = set_up(t);
+                           return !are_same(one[0], other[0]) || !are_same(one[1], other[1]);
+                         }));
+                       },
+                   .predicted_error = 0,
+                   .work =
+                       [=](int) {
+                         for (const PairTriangle& t : *triangles) consume(set_up(t));
+                       }});
+  };
+  add("set-up of each eye", set_up_each);
+  add("shared y-setup", set_up_shared);
 }
 
 std::vector<Configuration> configurations(Effort effort) {
   std::vector<Configuration> all;
-  add_stage(std::make_shared<const Stage>(card_stage()), true, all);
+  add_stage(std::make_shared<const Stage>(card_stage()), predicted_on_cards, all);
   std::vector<double> shares{0.02};
   if (effort == Effort::kFull) shares = {0.005, 0.01, 0.02, 0.05};
-  for (const double share : shares)
-    add_stage(std::make_shared<const Stage>(forest_stage(share)), false, all);
+  for (const double share : shares) {
+    const auto forest = std::make_shared<const Stage>(forest_stage(share));
+    const LeftEye seen = seen_by_left_eye(*forest);
+    add_stage(
+        forest, [seen](const Way& way) { return predicted_among_trees(way, seen); }, all);
+  }
+  add_setups(forest_stage(0.02), all);
   return all;
 }
 
@@ -189,9 +362,19 @@ Experiment d11_second_eye() {
           "columns beside every edge in depth (B.9): over the cards' rows that is a share of the "
           "picture, whose colours are black or, filled, another cell's: sqrt(share 255 511/6), "
           "sqrt(share (256^2 - 1)/6). Two layers have the first thing behind every edge, three the "
-          "next: enough for cards; between the forest's trees most of what comes into view lies "
-          "behind two surfaces or more.",
+          "next: enough for cards. What is seen at a wrong place differs by sqrt(2) of the "
+          "picture's deviation, and by a parallax of all that there is at most; between the "
+          "forest's trees most of what comes into view lies behind two surfaces or more.",
       .item = "pair of pictures",
+      .measures = {{.name = kPsnr,
+                    .error = "peak signal-to-noise ratio of the right eye's picture",
+                    .error_unit = "dB",
+                    .more_is_better = true},
+                   {kHoles, "pixels that show nothing where a surface is, over all pixels", ""},
+                   {kDisparity, "largest error of the parallax of what a pixel shows", "px"},
+                   {kSetup,
+                    "triangles whose set-up for either eye is not that of the eye by itself",
+                    "triangles", "triangles that lie wholly in both pictures"}},
       .configurations = configurations,
   };
 }

@@ -2,22 +2,41 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
 
+#include <glassbox/base/trig.h>
+#include <glassbox/images/image.h>
 #include <glassbox/mesh/builtin/teapot.h>
 #include <glassbox/pipeline/framing.h>
 #include <glassbox/pipeline/view.h>
 
 #include "study/bench/glassbox_peer.h"
 #include "study/experiment/experiment.h"
+#include "study/experiments/d26_decimation.h"
 #include "study/experiments/d26_surface.h"
+#include "study/experiments/once.h"
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study {
 namespace {
 
 constexpr int kWidth = 1280, kHeight = 720;
+constexpr int kFineLevel =
+    64;  // of the teapot whose outline counts as right: off by a 16th of what level 16 is
+
+constexpr const char* kPatches = "teapot, 32 patches of level x level cells";
+// Measures.
+constexpr const char* kDeviation = "deviation";
+constexpr const char* kOutline = "outline";
 
 View view_of_teapot() {
   const Camera camera = *frame(make_teapot(), double(kWidth) / kHeight);
@@ -96,6 +115,92 @@ double largest_deviation_px(int level) {
   return largest;
 }
 
+// ---- fewer triangles of a fine mesh ----
+
+// The teapot of this level, whose corners lie on the surface.
+int source_level(Effort effort) {
+  return effort == Effort::kFull ? 64 : 16;
+}
+
+d26::Decimation decimated(int source, std::size_t triangles) {
+  d26::Decimation mesh(tessellate_teapot(source));
+  mesh.reduce_to(triangles);
+  return mesh;
+}
+
+// From each corner of the fine mesh to the nearest triangle of those around what it has gone into.
+double largest_deviation_px(const d26::Decimation& mesh) {
+  const Magnification magnification;
+  double largest = 0;
+  for (std::uint32_t v = 0; v < mesh.places().size(); ++v) {
+    const glm::dvec3& p = mesh.places()[v];
+    double nearest = HUGE_VAL;
+    for (const auto& [a, b, c] : mesh.triangles_near(mesh.place_of(v)))
+      nearest = std::min(nearest,
+                         d26::distance_to(p, mesh.places()[a], mesh.places()[b], mesh.places()[c]));
+    largest = std::max(largest, nearest * magnification.at(p));
+  }
+  return largest;
+}
+
+// Corners keep their normals.
+Scene scene_of(const d26::Decimation& decimated, int source) {
+  Scene scene = make_teapot(source);
+  Mesh& mesh = scene.meshes.front();
+  std::map<std::tuple<float, float, float>, std::uint32_t> normals;
+  for (const Corner& corner : mesh.corners) {
+    const auto& p = mesh.positions[corner.position];
+    normals.try_emplace({p.x, p.y, p.z}, corner.normal);
+  }
+  mesh.positions.clear();
+  for (const glm::dvec3& p : decimated.places())
+    mesh.positions.emplace_back(float(p.x), float(p.y), float(p.z));
+  mesh.corners.clear(), mesh.faces.clear(), mesh.texcoords.clear();
+  for (const d26::Triangle& t : decimated.triangles()) {
+    mesh.faces.push_back({std::uint32_t(mesh.corners.size()), 3});
+    for (const std::uint32_t v : t) {
+      const auto& p = mesh.positions[v];
+      mesh.corners.push_back({v, normals.at({p.x, p.y, p.z})});
+    }
+  }
+  return scene;
+}
+
+// ---- the outline ----
+
+using Mask = Image<std::uint8_t>;
+
+Mask silhouette(const Scene& scene) {
+  RenderSettings settings;
+  settings.want_distance = true;
+  const Framebuffer drawn = render_tiled(scene, view_of_teapot(), settings, {.threads = 1}).buffers;
+  Mask mask(kWidth, kHeight, 0);
+  std::ranges::transform(drawn.distance.pixels, mask.pixels.begin(),
+                         [](float z) { return std::uint8_t(std::isfinite(z)); });
+  return mask;
+}
+
+// A curve of length l that runs in all directions crosses between 4 l/pi pairs of neighbours (Cauchy and Crofton).
+double outline_px(const Mask& mask) {
+  int crossings = 0;
+  for (int y = 1; y < mask.height; ++y) {
+    for (int x = 1; x < mask.width; ++x) {
+      crossings += mask.at(x, y) != mask.at(x - 1, y);
+      crossings += mask.at(x, y) != mask.at(x, y - 1);
+    }
+  }
+  return crossings * kPi / 4;
+}
+
+// The area between the two outlines for each pixel of their length.
+double outline_shift_px(const Mask& mask) {
+  static const Mask right = silhouette(make_teapot(kFineLevel));
+  static const double length = outline_px(right);
+  int changed = 0;
+  for (std::size_t i = 0; i < mask.pixels.size(); ++i) changed += mask.pixels[i] != right.pixels[i];
+  return changed / length;
+}
+
 // ---- the theory ----
 
 // A chord of length h in the parameters misses the middle of its arc by h^2/8 of the second derivative (the next term of
@@ -126,34 +231,141 @@ double predict_px(int level) {
   return largest_at_level_1 / (double(level) * level);
 }
 
+// Visits the surface at the middles of a grid on each patch, but for poles: the point, its normal of unit length, and its share of
+// the patch's parameters.
+template <class Visit>
+void for_each_place(const Visit& visit) {
+  constexpr int kGrid = 64;
+  for (std::size_t patch = 0; patch < kTeapotPatches.size(); ++patch) {
+    const Surface surface(patch);
+    for (int i = 0; i < kGrid; ++i) {
+      for (int j = 0; j < kGrid; ++j) {
+        const SurfacePoint p = surface.at((i + 0.5) / kGrid, (j + 0.5) / kGrid);
+        const glm::dvec3 normal = p.normal();
+        const double length = glm::length(normal);
+        if (length > 1e-6) visit(p, normal / length, 1.0 / (kGrid * kGrid));
+      }
+    }
+  }
+}
+
+// No triangles with their corners on a surface of curvature K are nearer to it than 2/(3 sqrt 3) of the integral of sqrt|K| over their
+// number: all are equilateral where the curvature is the measure (D'Azevedo and Simpson 1989). sqrt|K| dA is sqrt|L N - M^2| du dv.
+double predict_least_px(std::size_t triangles) {
+  static const double integral = [] {
+    const Magnification magnification;
+    double sum = 0;
+    for_each_place([&](const SurfacePoint& p, const glm::dvec3& normal, double share) {
+      const double l = glm::dot(p.duu, normal), m = glm::dot(p.duv, normal),
+                   n = glm::dot(p.dvv, normal);
+      sum += std::sqrt(std::abs(l * n - m * m)) * share * magnification.at(p.at);
+    });
+    return sum;
+  }();
+  return 2 / (3 * std::sqrt(3.0)) * integral / double(triangles);
+}
+
+// An outline runs along sides, whose middles are off by h^2/8 of the second derivative along it and 2/3 of that on the mean; and from
+// corner to corner that are next to where the surface is seen edge-on, up to h/2 away and so off by h^2/24 of the one across it. With
+// the same mean for both, of those along u and v where the surface is edge-on: h^2/8.
+double predict_outline_px(int level) {
+  static const double mean_at_level_1 = [] {
+    const Magnification magnification;
+    const Transform<Eye, World> eye_from_world = view_of_teapot().eye_from_world;
+    const auto in_eye = [&](const glm::dvec3& p) {
+      return to_glm(eye_from_world * Point<World, double>(p));
+    };
+    double sum = 0, count = 0;
+    for_each_place([&](const SurfacePoint& p, const glm::dvec3& normal, double) {
+      const glm::dvec3 at = in_eye(p.at), turned = in_eye(p.at + normal) - at;
+      if (std::abs(glm::dot(glm::normalize(at), turned)) > 0.05) return;
+      const double bend =
+          (std::abs(glm::dot(p.duu, normal)) + std::abs(glm::dot(p.dvv, normal))) / 2;
+      sum += bend / 8 * magnification.at(p.at), count += 1;
+    });
+    return sum / count;
+  }();
+  return mean_at_level_1 / (double(level) * level);
+}
+
+// The same of equilateral triangles, whose sides' middles are off by 3/4 of what they are in the middle.
+double predict_least_outline_px(std::size_t triangles) {
+  return predict_least_px(triangles) * 3 / 4;
+}
+
 // ---- the table ----
+
+using MakeScene = std::function<Scene()>;
+
+std::function<void(int)> frame_of(MakeScene make) {
+  struct Bench {
+    BenchScene scene;
+    std::optional<GlassboxPeer> peer;
+    int threads = 0;
+  };
+  return [make = std::move(make), bench = std::shared_ptr<Bench>()](int threads) mutable {
+    if (!bench) {
+      bench = std::make_shared<Bench>();
+      bench->scene = make_bench_scene("teapot", make(), view_of_teapot());
+    }
+    if (bench->threads != threads) {
+      bench->threads = threads;
+      bench->peer.emplace(bench->scene, EngineOptions{.tile = {.threads = threads}});
+    }
+    bench->peer->frame_ms();
+  };
+}
+
+// The cheapest edge first is not the best set of triangles.
+const Finding kGreedy{
+    "edges are collapsed one after the other, by the mean of squares and not the largest distance",
+    2, 8};
+
+// Largest deviation and outline of one mesh, at its number of triangles.
+struct Expected {
+  double deviation_px = 0, outline_px = 0;
+  std::optional<Finding> finding = {};  // on the deviation
+};
+void add_mesh(const std::string& series, std::size_t triangles, const MakeScene& make,
+              const std::function<double()>& deviation_px, const Expected& expected,
+              std::vector<Configuration>& all) {
+  all.push_back({.series = series,
+                 .parameter = double(triangles),
+                 .measure = kDeviation,
+                 .error = deviation_px,
+                 .predicted_error = expected.deviation_px,
+                 .finding = expected.finding,
+                 .work = frame_of(make)});
+  all.push_back({.series = series,
+                 .parameter = double(triangles),
+                 .measure = kOutline,
+                 .error = [=] { return outline_shift_px(silhouette(make())); },
+                 .predicted_error = expected.outline_px});
+}
 
 std::vector<Configuration> configurations(Effort effort) {
   std::vector<int> levels{2, 4, 8, 16, 32};
   if (effort == Effort::kFull) levels.insert(levels.end(), {64, 128});
   std::vector<Configuration> all;
   for (const int level : levels) {
-    struct Bench {
-      BenchScene scene;
-      std::optional<GlassboxPeer> peer;
-      int threads = 0;
-    };
-    const auto work = [level, bench = std::shared_ptr<Bench>()](int threads) mutable {
-      if (!bench) {
-        bench = std::make_shared<Bench>();
-        bench->scene = make_bench_scene("teapot", make_teapot(level), view_of_teapot());
-      }
-      if (bench->threads != threads) {
-        bench->threads = threads;
-        bench->peer.emplace(bench->scene, EngineOptions{.tile = {.threads = threads}});
-      }
-      bench->peer->frame_ms();
-    };
-    all.push_back({.series = "teapot, 32 patches of level x level cells",
+    all.push_back({.series = kPatches,
                    .parameter = double(level),
                    .error = [level] { return largest_deviation_px(level); },
                    .predicted_error = predict_px(level),
-                   .work = work});
+                   .work = frame_of([level] { return make_teapot(level); })});
+  }
+  const int source = source_level(effort);
+  for (const int level : {2, 4, 8}) {
+    const std::size_t triangles = tessellate_teapot(level).faces.size();
+    add_mesh(
+        kPatches, triangles, [level] { return make_teapot(level); },
+        [level] { return largest_deviation_px(level); },
+        {predict_px(level), predict_outline_px(level)}, all);
+    const auto mesh = once([=] { return decimated(source, triangles); });
+    add_mesh(
+        "decimated by quadrics", triangles, [=] { return scene_of(mesh(), source); },
+        [=] { return largest_deviation_px(mesh()); },
+        {predict_least_px(triangles), predict_least_outline_px(triangles), kGreedy}, all);
   }
   return all;
 }
@@ -175,10 +387,23 @@ Experiment d26_tessellation() {
       .reference = "the Bezier patches in double",
       .theory =
           "a chord misses its arc by h^2/8 of the second derivative across the surface: the "
-          "largest over the teapot, times 1/level^2, so that error times triangles stays the same",
+          "largest over the teapot, times 1/level^2, so that error times triangles stays the same. "
+          "Of a decimated mesh: what no mesh with corners on the surface is below, 2/(3 sqrt 3) of "
+          "the integral of sqrt|K| over the triangles (D'Azevedo and Simpson 1989). An outline "
+          "along chords is off by h^2/12 of the curvature along it and, as corners lie beside it, "
+          "h^2/24 of that across",
       .item = "frame",
       .threaded = true,
       .axis_is_chosen = true,
+      .measures =
+          {{kDeviation,
+            "largest distance between triangles and surface; of decimated ones, from the corners "
+            "of a fine mesh",
+            "px", "triangles"},
+           {kOutline,
+            "area between the outline and that of a mesh of level 64, for each pixel of its "
+            "length",
+            "px", "triangles"}},
       .configurations = configurations};
 }
 

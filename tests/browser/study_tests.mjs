@@ -12,17 +12,20 @@ const run = (...words) => execFileSync(program, ["study", ...words], {stdio: "pi
 // Results of everything that a chart can have: zeros, infinities, findings, theory, two numbers of threads, any text.
 function results() {
   const time = (threads, ns, standing) => ({threads, repetitions: 11, ns, ns_quartiles: [ns * .9, ns * 1.1], disturbed: 0, standing});
-  const configuration = (series, parameter, error, predicted, times, explanation = "") => ({series, parameter, scene: "", error, predicted_error: predicted,
+  const configuration = (series, parameter, error, predicted, times, explanation = "") => ({series, parameter, scene: "", measure: "", error, predicted_error: predicted,
     ratio: null, finding: false, explanation, explains: explanation ? [2, 100] : null, times});
   const experiment = (id, name, configurations, rest = {}) => ({id, name, question: "Is it drawn?", axis: "steps", axis_unit: "m", logarithmic_axis: true,
-    axis_is_chosen: true, error: "largest error", error_unit: "px", reference: "arithmetic", theory: "1/steps", item: "pixel", configurations, ...rest});
-  return {format: "glassbox study results 2", version: "1", machine: "a machine", compiler: "a compiler", flags: "-O9", effort: "quick", threads: 2, part: [1, 1],
+    axis_is_chosen: true, error: "largest error", error_unit: "px", reference: "arithmetic", theory: "1/steps", item: "pixel", load: 1.5, mhz: "nan", measures: [], configurations, ...rest});
+  const signal = {name: "signal", error: "signal over noise", error_unit: "dB", axis: "distance", axis_unit: "km", logarithmic_axis: true, more_is_better: true};
+  return {format: "glassbox study results 3", version: "1", machine: "a machine", target: "avx2", caches: "32 KiB and 1 MiB", compiler: "a compiler", flags: "-O9", effort: "quick", threads: 2, part: [1, 1],
     experiments: [
       experiment("D-901", "Everything", [1, 10, 100].flatMap((steps) => [
         configuration("float", steps, 1 / steps, 1 / steps, [time(1, 10 * steps, "front"), time(2, 6 * steps, "front")]),
         configuration("exact", steps, 0, 0, [time(1, 2000, "front"), time(2, 1500, "front")]),
         configuration("broken", steps, "infinity", 1, [time(1, 5000, "dominated"), time(2, 4000, "dominated")], "it overflows")])),
       experiment("D-902", hostile, [configuration(hostile, 0, 0, null, []), configuration("b", -3, 0, null, [])], {logarithmic_axis: false}),
+      experiment("D-903", "Two measures", [configuration("float", 1, 2, 2, [time(1, 10, "front")]),
+        {...configuration("float", 5, 30, null, [time(1, 10, "front")]), measure: "signal"}], {measures: [signal]}),
     ]};
 }
 
@@ -44,10 +47,22 @@ test("study: each series is drawn in its colour, what is dominated is grey, and 
   assert.equal(await page.locator("#D-902 canvas").count(), 1);
   assert.equal(await page.locator("#D-902 h2").textContent(), `D-902 ${hostile}`);
   assert.equal(await page.locator("#D-901 tbody tr").count(), 9);
+  assert.match(await page.locator("#D-901 .about").first().innerText(), /load 1.5/);
+  assert.match(await page.locator("#origin").innerText(), /avx2[^]*32 KiB and 1 MiB/);
   assert.match(await page.locator("#D-901 .findings").innerText(), /it overflows/);
   assert.match(await page.locator("#D-901 code").innerText(), /study run D-901 --quick --threads 2/);
   assert.ok(!/NaN|undefined/.test(await page.locator("main").innerText()));
   assert.deepEqual(await namelessControls(page), []);
+  return opened;
+});
+
+test("study: each measure has charts and a table of its own", async () => {
+  const opened = await openPage(report()), {page} = opened;
+  assert.equal(await page.locator("#D-903 canvas").count(), 4);
+  assert.deepEqual(await page.locator("#D-903 h3").allTextContents(), ["Error", "Signal"]);
+  assert.deepEqual(await page.locator("#D-903 tbody").evaluateAll((all) => all.map((each) => each.rows.length)), [1, 1]);
+  assert.match(await page.locator("#D-903").innerText(), /signal over noise \[dB\]; more is better/);
+  assert.match(await page.locator("#D-903").innerText(), /distance \[km\]/);
   return opened;
 });
 

@@ -200,3 +200,27 @@ TEST_CASE(
     }
   }
 }
+
+TEST_CASE("three points turn one way, the other way when two change places, and no way on a line") {
+  const SnappedVertex a{0, 0}, b{256, 0}, c{0, 256};  // y points down: to the right, then down
+  CHECK(turn<std::int64_t>(a, b, c) == 1);
+  CHECK(turn<Integer>(a, c, b) == -1);
+  CHECK(turn<Rational>(b, c, a) == 1);
+  CHECK(turn<std::int64_t>(a, a, b) == 0);
+  CHECK(turn<std::int64_t>(SnappedVertex{-3, -3}, SnappedVertex{0, 0}, SnappedVertex{7, 7}) == 0);
+  // One step beside a line from corner to corner of the largest picture, where 50 bits are needed.
+  const std::int32_t far = 1 << 24;
+  CHECK(turn<std::int64_t>(SnappedVertex{-far, -far}, SnappedVertex{far, far},
+                           SnappedVertex{0, 1}) == 1);
+  CHECK(turn<std::int64_t>(SnappedVertex{-far, -far}, SnappedVertex{far, far},
+                           SnappedVertex{1, 0}) == -1);
+}
+
+TEST_CASE("positions are snapped to the nearest 1/256 px, halves upwards") {
+  const auto snapped_x = [](float x) { return snapped(ScreenVertex{{x, 0, 0}, 1}).x; };
+  CHECK(snapped_x(1.0f) == 256);
+  CHECK(snapped_x(0x1p-9f) == 1);
+  CHECK(snapped_x(-0x1p-9f) == 0);
+  CHECK(snapped_x(-0x1.8p-8f) == -1);
+  CHECK(snapped_x(std::nextafter(0x1p-9f, 0.0f)) == 0);
+}

@@ -60,7 +60,7 @@ function legend(datasets) {
 }
 
 const errorChart = (experiment, threads, x, y, datasets) => pointChart({
-  x, y: titled(y, withUnit("error", experiment.error_unit)), datasets, legend: legend(datasets),
+  x, y: titled(y, withUnit(experiment.measure || "error", experiment.error_unit)), datasets, legend: legend(datasets),
   told: ({configuration}) => told(experiment, configuration, threads)});
 
 function timeChart(theme, experiment, threads) {

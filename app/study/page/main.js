@@ -43,18 +43,29 @@ function figure(caption, experiment, makeChart) {
     (theme) => makeChart(theme, experiment, shownThreads(experiment, wantedThreads))));
 }
 
+// Charts and table of one measure.
+function measured(part, several) {
+  const figures = [], name = part.measure || "error", title = name[0].toUpperCase() + name.slice(1);
+  if (threadsOf(part).length) figures.push(figure(`${title} against time`, part, timeChart));
+  figures.push(figure(`${title} against the axis`, part, axisChart));
+  return [several ? element("h3", {}, title) : null,
+    element("dl", {className: "about"}, ...terms([["Axis", withUnit(part.axis, part.axis_unit)],
+      ["Error", withUnit(part.error, part.error_unit) + (part.more_is_better ? "; more is better" : "")]])),
+    element("div", {className: "charts"}, ...figures),
+    element("details", {open: true}, element("summary", {}, "Numbers"), element("div", {className: "scroll"}, tableOf(part)))].filter(Boolean);
+}
+
+// When times began to be measured; empty where the system did not say.
+const stateOf = ({load, mhz}) => [Number.isFinite(number(load)) ? `load ${digits(load, 2)}` : "", number(mhz) > 0 ? `${digits(mhz, 4)} MHz` : ""].filter(Boolean).join(", ");
+
 function section(experiment) {
-  const {id, name, question, reference, theory, command} = experiment, figures = [];
-  if (threadsOf(experiment).length) figures.push(figure("Error against time", experiment, timeChart));
-  figures.push(figure("Error against the axis", experiment, axisChart));
+  const {id, name, question, reference, theory, command} = experiment, parts = byMeasure(experiment);
   return element("section", {id, ariaLabel: id},
     element("h2", {}, `${id} ${name}`),
     element("p", {className: "question"}, question),
-    element("dl", {className: "about"}, ...terms([["Axis", withUnit(experiment.axis, experiment.axis_unit)],
-      ["Error", withUnit(experiment.error, experiment.error_unit)], ["Reference", reference], ["Theory", theory]])),
-    element("div", {className: "charts"}, ...figures),
+    element("dl", {className: "about"}, ...terms([["Reference", reference], ["Theory", theory], ["Machine", stateOf(experiment)]].filter(([, text]) => text))),
+    ...parts.flatMap((part) => measured(part, parts.length > 1)),
     findingsOf(experiment),
-    element("details", {open: true}, element("summary", {}, "Numbers"), element("div", {className: "scroll"}, tableOf(experiment))),
     element("code", {}, command));
 }
 
@@ -64,7 +75,7 @@ function showContents() {
     return element("li", {}, element("a", {href: `#${each.id}`}, `${each.id} ${each.name}`), found ? ` (${count(found, "finding")})` : "");
   }));
   byId("summary").textContent = `${count(manifest.experiments.length, "experiment")}; ${manifest.machine}; ${manifest.effort} run`;
-  byId("origin").append(...terms([["Machine", manifest.machine], ["Compiler", manifest.compiler], ["Flags", manifest.flags], ["Glassbox", manifest.version],
+  byId("origin").append(...terms([["Machine", manifest.machine], ["Instructions", manifest.target], ["Caches", manifest.caches || "unknown"], ["Compiler", manifest.compiler], ["Flags", manifest.flags], ["Glassbox", manifest.version],
     ["Effort", manifest.effort], ["Threads", `up to ${manifest.threads}`]]));
   byId("command").textContent = manifest.command;
 }

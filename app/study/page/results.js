@@ -6,6 +6,10 @@ const seriesOf = (experiment) => [...new Set(experiment.configurations.map(({ser
 const scenesOf = (experiment) => [...new Set(experiment.configurations.map(({scene}) => scene))];
 const threadsOf = (experiment) => [...new Set(experiment.configurations.flatMap(({times}) => times.map(({threads}) => threads)))].sort((a, b) => a - b);
 const timeOf = (configuration, threads) => configuration.times.find((time) => time.threads === threads);
+// The experiment's own error first, then each of its measures, as experiments of their own.
+const byMeasure = (experiment) => [{name: "", more_is_better: false}, ...experiment.measures]
+  .map(({name: measure, ...rest}) => ({...experiment, ...rest, measure, configurations: experiment.configurations.filter((each) => each.measure === measure)}))
+  .filter(({configurations}) => configurations.length);
 const withUnit = (name, unit) => unit ? `${name} [${unit}]` : name;
 
 function digits(value, places = 3) {

@@ -7,6 +7,8 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
+
 HWY_BEFORE_NAMESPACE();
 namespace glassbox::study::HWY_NAMESPACE {
 
@@ -91,9 +93,9 @@ void line_by_pixels(const PerspectiveLine& line, const std::int32_t* texture, st
   const Tag d;
   const float q0 = line.inverse_w0, q1 = line.inverse_w1;
   const V p0 = hn::Set(d, line.u0 * q0), p1 = hn::Set(d, line.u1 * q1);
-  const V centres = hn::Iota(d, 0.5f);
-  for (int x = 0; x < kLinePixels; x += int(hn::Lanes(d))) {
-    const V far = hn::Mul(hn::Add(centres, hn::Set(d, float(x))), hn::Set(d, 1.0f / kLinePixels));
+  const V centres = hn::Iota(d, 0.5f), share = hn::Set(d, 1.0f / float(line.pixels));
+  for (int x = 0; x < line.pixels; x += int(hn::Lanes(d))) {
+    const V far = hn::Mul(hn::Add(centres, hn::Set(d, float(x))), share);
     const V near = hn::Sub(hn::Set(d, 1.0f), far);
     const V q = hn::Add(hn::Mul(near, hn::Set(d, q0)), hn::Mul(far, hn::Set(d, q1)));
     const V p = hn::Add(hn::Mul(near, p0), hn::Mul(far, p1));
@@ -111,12 +113,14 @@ void line_by_spans(const PerspectiveLine& line, const std::int32_t* texture, std
   const float q0 = line.inverse_w0, q1 = line.inverse_w1;
   const float p0 = line.u0 * q0, p1 = line.u1 * q1;
   const V centres = hn::Iota(d, 0.5f);
+  const float share = 1.0f / float(line.pixels);
   float start = line.u0;
-  for (int x = 0; x < kLinePixels; x += kSpan) {
-    const float far = float(x + kSpan) * (1.0f / kLinePixels), near = 1.0f - far;
+  for (int x = 0; x < line.pixels; x += kSpan) {
+    const int length = std::min(kSpan, line.pixels - x);
+    const float far = float(x + length) * share, near = 1.0f - far;
     const float end = (near * p0 + far * p1) / (near * q0 + far * q1);
-    const float step = (end - start) * (1.0f / kSpan);
-    for (int i = 0; i < kSpan; i += int(hn::Lanes(d))) {
+    const float step = (end - start) * (length == kSpan ? 1.0f / kSpan : 1.0f / float(length));
+    for (int i = 0; i < length; i += int(hn::Lanes(d))) {
       const V u = hn::Add(hn::Set(d, start),
                           hn::Mul(hn::Add(centres, hn::Set(d, float(i))), hn::Set(d, step)));
       look_up(u, texture, out + x + i);

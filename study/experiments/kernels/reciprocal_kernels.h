@@ -24,12 +24,14 @@ enum class Perspective { kDivide, kNewton, kApproximate, kEvery8, kEvery16, kEve
 
 inline constexpr int kLinePixels = 256;
 
-// A line of pixels across a wall: u and 1/w at its two ends.
+// A line of pixels across a surface: u and 1/w at its two ends.
 struct PerspectiveLine {
   float u0 = 0, u1 = 0, inverse_w0 = 1, inverse_w1 = 1;
+  int pixels = kLinePixels;  // 1 .. kLinePixels
 };
 
-// Looks up texel floor(u), 0 .. kLinePixels - 1, for each pixel centre of each line.
+// Looks up texel floor(u), 0 .. kLinePixels - 1, for each pixel centre of each line, the k-th of which fills out[k * kLinePixels]
+// and what follows: as many as it has pixels, and up to a multiple of 8 of no meaning.
 void draw_lines(Perspective method, std::span<const PerspectiveLine> lines,
                 std::span<const std::int32_t> texture, std::span<std::int32_t> out);
 

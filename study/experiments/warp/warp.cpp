@@ -42,7 +42,10 @@ void fill_holes(Warped& picture) {
                   right = end < width ? picture.distance.at(end, y) : -1;
       if (left < 0 && right < 0) break;  // an empty row
       const int from = left > right ? x - 1 : end;
-      for (; x < end; ++x) picture.color.at(x, y) = picture.color.at(from, y);
+      for (; x < end; ++x) {
+        picture.color.at(x, y) = picture.color.at(from, y);
+        picture.distance.at(x, y) = picture.distance.at(from, y);
+      }
     }
   }
 }

@@ -18,7 +18,7 @@ struct Warped {
 Warped warp(const std::vector<Layer>& layers, const View& centre, const StereoPair& pair,
             Rgba8 background);
 
-// Holes get the colour of the farther of the pixels on either side: what is behind goes on there.
+// Holes get the colour and the distance of the farther of the pixels on either side: what is behind goes on there.
 void fill_holes(Warped& picture);
 
 }  // namespace glassbox::study

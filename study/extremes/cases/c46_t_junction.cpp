@@ -45,7 +45,7 @@ int faults_along(const std::vector<ScreenTriangle>& triangles) {
 
 // Pixels there between the snapped M and the edge: those of the triangle A M B. They are covered by nobody or by two.
 int predicted(const Junction& j) {
-  const SnappedTriangle sliver = exact_snap(ScreenTriangle{j.a, j.m, j.b});
+  const SnappedTriangle sliver = exact::snapped(ScreenTriangle{j.a, j.m, j.b});
   int pixels = 0;
   for (int y = 16; y < 48; ++y) {
     for (int x = 16; x < 48; ++x) pixels += covers_exactly(sliver, x, y) ? 1 : 0;

@@ -38,7 +38,7 @@ void pipeline_draws(const ScreenTriangle& t, const std::function<void(int, int, 
 // Nothing is dropped: weights are edge functions over the area, 0/0 on the line that is left of a triangle.
 void draws_without_dropping(const ScreenTriangle& t,
                             const std::function<void(int, int, float)>& visit) {
-  const SnappedTriangle v = exact_snap(t);
+  const SnappedTriangle v = exact::snapped(t);
   const auto cross = [](const SnappedVertex& a, const SnappedVertex& b, double x, double y) {
     return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
   };
@@ -58,7 +58,7 @@ void draws_without_dropping(const ScreenTriangle& t,
 
 // What covers no whole pixel can be spared: or so it seems.
 void drops_small_ones(const ScreenTriangle& t, const std::function<void(int, int, float)>& visit) {
-  const SnappedTriangle v = exact_snap(t);
+  const SnappedTriangle v = exact::snapped(t);
   const std::int64_t area = std::int64_t(v[1].x - v[0].x) * (v[2].y - v[0].y) -
                             std::int64_t(v[2].x - v[0].x) * (v[1].y - v[0].y);
   if (std::abs(area) >= std::int64_t(512) * kSubpixels * kSubpixels) pipeline_draws(t, visit);
@@ -71,7 +71,7 @@ Outcome judge(const Draws& draws) {
   for (int i = 0; i < 200; ++i) {
     Image<int> times(kSide, kSide);
     for (const ScreenTriangle& t : mesh(random)) {
-      const SnappedTriangle v = exact_snap(t);
+      const SnappedTriangle v = exact::snapped(t);
       lines += std::int64_t(v[1].x - v[0].x) * (v[2].y - v[0].y) ==
                std::int64_t(v[2].x - v[0].x) * (v[1].y - v[0].y);
       draws(t, [&](int x, int y, float weight) {

@@ -16,17 +16,6 @@ void pipeline_covers(const ScreenTriangle& triangle, const PixelRect& window, co
   for_each_covered(*setup, window, [&](const Coverage& pixel) { visit(pixel.x, pixel.y); });
 }
 
-SnappedVertex exact_snap(const ScreenVertex& vertex) {
-  const auto subpixels = [](float pixels) {
-    return std::int32_t(std::floor(double(pixels) * 256 + 0.5));
-  };
-  return {subpixels(vertex.position.x), subpixels(vertex.position.y)};
-}
-
-SnappedTriangle exact_snap(const ScreenTriangle& t) {
-  return {exact_snap(t[0]), exact_snap(t[1]), exact_snap(t[2])};
-}
-
 bool covers_exactly(const SnappedTriangle& t, std::int64_t x, std::int64_t y) {
   __extension__ typedef __int128 Int128;
   return exact::covers<Int128>(t, x, y);
@@ -42,7 +31,7 @@ void compare_coverage(const Covers& covers, const ScreenTriangle& triangle, cons
   if (window.empty()) return;
   Image<int> times(window.x1 - window.x0, window.y1 - window.y0);
   covers(triangle, window, [&](int x, int y) { ++times.at(x - window.x0, y - window.y0); });
-  const SnappedTriangle snapped = exact_snap(triangle);
+  const SnappedTriangle snapped = exact::snapped(triangle);
   for (int y = window.y0; y < window.y1; ++y) {
     for (int x = window.x0; x < window.x1; ++x) {
       const int right = covers_exactly(snapped, x, y) ? 1 : 0;

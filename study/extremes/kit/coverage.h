@@ -38,10 +38,6 @@ inline ScreenTriangle screen_triangle(const SnappedTriangle& t) {
 
 // ---- the exact answer ----
 
-// floor(256 v + 1/2); in double both operations are exact for every float below 2^16 pixels.
-SnappedVertex exact_snap(const ScreenVertex& vertex);
-SnappedTriangle exact_snap(const ScreenTriangle& triangle);
-
 // In 128 bits.
 bool covers_exactly(const SnappedTriangle& triangle, std::int64_t x, std::int64_t y);
 

@@ -18,26 +18,17 @@ std::vector<ScreenTriangle> on_lattice(std::vector<ScreenTriangle> triangles) {
     }
   }
   std::erase_if(triangles, [](const ScreenTriangle& t) {
-    const auto along = [&](std::size_t k) {
-      return std::array{double(t[k].position.x) - double(t[0].position.x),
-                        double(t[k].position.y) - double(t[0].position.y)};
-    };
-    const auto a = along(1), b = along(2);
-    return a[0] * b[1] == a[1] * b[0];  // exact: 25 bits each
+    // In double, exactly: 25 bits each.
+    return exact::turn<double>(t[0].position, t[1].position, t[2].position) == 0;
   });
   return triangles;
 }
 
 namespace {
 
-// Clockwise on the screen, where y points down, is the back.
 bool is_culled(const SnappedTriangle& t, Cull cull) {
-  const auto along = [&](std::size_t k) {
-    return std::array{std::int64_t(t[k].x) - t[0].x, std::int64_t(t[k].y) - t[0].y};
-  };
-  const auto a = along(1), b = along(2);
-  const std::int64_t area = a[0] * b[1] - a[1] * b[0];
-  return (cull == Cull::kBack && area > 0) || (cull == Cull::kFront && area < 0);
+  const int turn = exact::turn<std::int64_t>(t);
+  return (cull == Cull::kBack && turn > 0) || (cull == Cull::kFront && turn < 0);
 }
 
 }  // namespace
@@ -45,7 +36,7 @@ bool is_culled(const SnappedTriangle& t, Cull cull) {
 TrianglesDrawn covered_exactly(const std::vector<ScreenTriangle>& triangles, int side, Cull cull) {
   TrianglesDrawn exact{Image<int>(side, side), Image<int>(side, side)};
   for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const SnappedTriangle t = exact_snap(triangles[i]);
+    const SnappedTriangle t = exact::snapped(triangles[i]);
     if (is_culled(t, cull)) continue;
     const auto [left, right] = std::minmax({t[0].x, t[1].x, t[2].x});
     const auto [top, bottom] = std::minmax({t[0].y, t[1].y, t[2].y});

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "study/experiment/measures.h"
 #include "study/experiment/pareto.h"
 #include "study/experiment/theory.h"
 #include "tests/study/experiment/sample.h"
@@ -108,6 +109,22 @@ TEST_CASE("places of an axis compete only where the axis is chosen, and scenes n
   std::vector<ConfigurationResult> scenes{result_of(1, 1, 10), result_of(1, 5, 20)};
   scenes[1].scene = "another";
   CHECK(standings_of(scenes, true) == std::vector{kFront, kFront});
+}
+
+TEST_CASE("measures do not compete with each other, and each knows whether more is better") {
+  ExperimentResult result;
+  result.measures = {
+      {.name = "signal", .error = "signal over noise", .error_unit = "dB", .more_is_better = true}};
+  result.configurations = {result_of(1, 1, 10), result_of(1, 2, 20), result_of(1, 30, 10),
+                           result_of(1, 20, 20), result_of(1, 40, 20)};
+  for (std::size_t i = 2; i < 5; ++i) result.configurations[i].measure = "signal";
+  CHECK(standings(result) == std::vector{kFront, kDominated, kFront, kDominated, kFront});
+  const std::vector<ExperimentResult> parts = by_measure(result);
+  REQUIRE(parts.size() == 2);
+  CHECK(parts[0].configurations.size() == 2);
+  CHECK(parts[1].configurations.size() == 3);
+  CHECK(parts[1].error_unit == "dB");
+  CHECK(standings(parts[1]) == std::vector{kFront, kDominated, kFront});
 }
 
 TEST_CASE(

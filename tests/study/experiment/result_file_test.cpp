@@ -51,6 +51,9 @@ StudyResults made_by_hand() {
   experiment.configurations[1].predicted_error = 0.30000000000000004;
   experiment.configurations[1].explanation = Finding{"because", 0.3, 1.0 / 3};
   experiment.configurations[2].scene = "room";
+  experiment.machine = {1.5, 2300.25};
+  experiment.measures = {{"signal", "signal over noise", "dB", "distance", "m", false, true}};
+  experiment.configurations[2].measure = "signal";
   experiment.configurations[3].timings.push_back({2, 21, {1, 2, 3}, 4});
   experiment.configurations[4].timings.clear();
   return {kHere, {experiment}};
@@ -73,8 +76,12 @@ TEST_CASE("results come back from their file as they went in, to the last digit"
     CHECK(a.predicted_error == b.predicted_error);
     CHECK(a.explanation == b.explanation);
     CHECK(a.scene == b.scene);
+    CHECK(a.measure == b.measure);
     CHECK(a.timings.size() == b.timings.size());
   }
+  CHECK(after->experiments[0].machine.load == 1.5);
+  CHECK(after->experiments[0].machine.mhz == 2300.25);
+  CHECK(after->experiments[0].measures == before.experiments[0].measures);
   CHECK(after->experiments[0].axis_is_chosen);
   CHECK_FALSE(after->experiments[0].logarithmic_axis);
 }
@@ -137,13 +144,15 @@ TEST_CASE(
   const std::string before = text_of(path);
   Calls calls;
   const Experiment experiment = sample_experiment("D-0", calls);
-  std::vector<std::pair<Origin, std::string>> others(6, {kHere, ""});
+  std::vector<std::pair<Origin, std::string>> others(8, {kHere, ""});
   others[0].first.machine = "b machine", others[0].second = "machine";
   others[1].first.version = "1.2.4", others[1].second = "version";
   others[2].first.effort = Effort::kFull, others[2].second = "effort";
   others[3].first.compiler = "b compiler", others[3].second = "compiler";
   others[4].first.flags = "-O0", others[4].second = "flags";
   others[5].first.threads = 1, others[5].second = "threads";
+  others[6].first.target = "avx512", others[6].second = "instruction set";
+  others[7].first.caches = "32 KiB", others[7].second = "caches";
   for (const auto& [origin, named] : others) {
     INFO(named);
     const auto refused = run_study({&experiment}, origin, {}, path);

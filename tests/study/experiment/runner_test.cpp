@@ -37,6 +37,32 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("another measure of the same work has its times, and the experiment's axis") {
+  Calls calls;
+  Experiment experiment = sample_experiment("D-0", calls);
+  experiment.measures = {{.name = "square", .error = "error squared", .error_unit = "px^2"}};
+  experiment.configurations = [only = experiment.configurations](Effort effort) {
+    std::vector<Configuration> all = only(effort);
+    for (const double steps : {1.0, 4.0, 5.0})
+      all.push_back(
+          {.series = "halving", .parameter = steps, .measure = "square", .error = [steps] {
+             return 1 / (steps * steps);
+           }});
+    return all;
+  };
+  const ExperimentResult result = run_experiment(experiment, {});
+  REQUIRE(result.configurations.size() == 5);
+  CHECK(result.measures.front().axis == "steps");
+  for (const std::size_t i : {0u, 1u}) {
+    const ConfigurationResult &own = result.configurations[i],
+                              &other = result.configurations[i + 2];
+    CHECK(other.measure == "square");
+    REQUIRE(other.timings.size() == 1);
+    CHECK(other.timings[0].ns.median == own.timings[0].ns.median);
+  }
+  CHECK(result.configurations[4].timings.empty());  // there is no such work
+}
+
 TEST_CASE("one thread is timed first, then all, where the experiment has a use for them") {
   Calls calls;
   Experiment experiment = sample_experiment("D-0", calls);

@@ -136,4 +136,23 @@ TEST_CASE("lines look up the texel that exact perspective names, where the divid
   for (int x = 0; x < kLinePixels; ++x) CHECK(out[std::size_t(x)] == x);
 }
 
+TEST_CASE("lines of any length end where they should, in spans and pixel by pixel (D-4)") {
+  std::vector<std::int32_t> texture(kLinePixels), out(2 * kLinePixels);
+  std::iota(texture.begin(), texture.end(), 0);
+  // One texel a pixel: each pixel looks up its own number, whatever the way.
+  for (const int pixels : {1, 7, 8, 9, 31, 33, 200, 256}) {
+    const PerspectiveLine line{0, float(pixels), 0.5f, 0.5f, pixels};
+    const std::vector<PerspectiveLine> two{line, line};
+    for (const Perspective method :
+         {Perspective::kDivide, Perspective::kEvery8, Perspective::kEvery16, Perspective::kEvery32,
+          Perspective::kAffine}) {
+      draw_lines(method, two, texture, out);
+      for (int x = 0; x < pixels; ++x) {
+        CHECK(out[std::size_t(x)] == x);
+        CHECK(out[std::size_t(kLinePixels + x)] == x);
+      }
+    }
+  }
+}
+
 }  // namespace glassbox::study

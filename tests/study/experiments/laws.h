@@ -27,8 +27,8 @@ inline std::vector<Measured> measure(const study::Experiment& experiment) {
 
 inline std::string describe(const Measured& m) {
   const study::Configuration& c = m.configuration;
-  std::string text = c.series + " at " + std::to_string(c.parameter) + ", " + c.scene +
-                     ": measured " + std::to_string(m.error);
+  std::string text = c.measure + " " + c.series + " at " + std::to_string(c.parameter) + ", " +
+                     c.scene + ": measured " + std::to_string(m.error);
   if (c.predicted_error) text += ", predicted " + std::to_string(*c.predicted_error);
   return text;
 }
@@ -56,12 +56,13 @@ inline std::vector<Measured> check_experiment(const study::Experiment& experimen
   return first;
 }
 
-// The largest error of a series on a scene (empty: on all).
+// The largest error of a series on a scene (empty: on all), in one measure.
 inline double largest_error(const std::vector<Measured>& all, const std::string& series,
-                            const std::string& scene = "") {
+                            const std::string& scene = "", const std::string& measure = "") {
   double largest = -1;
   for (const Measured& m : all) {
-    if (m.configuration.series == series && (scene.empty() || m.configuration.scene == scene))
+    if (m.configuration.series == series && m.configuration.measure == measure &&
+        (scene.empty() || m.configuration.scene == scene))
       largest = std::max(largest, m.error);
   }
   INFO(series);
@@ -71,10 +72,11 @@ inline double largest_error(const std::vector<Measured>& all, const std::string&
 
 // The error of a series on a scene at one place of the axis.
 inline double error_at(const std::vector<Measured>& all, const std::string& series,
-                       const std::string& scene, double parameter) {
+                       const std::string& scene, double parameter,
+                       const std::string& measure = "") {
   for (const Measured& m : all) {
     if (m.configuration.series == series && m.configuration.scene == scene &&
-        m.configuration.parameter == parameter)
+        m.configuration.measure == measure && m.configuration.parameter == parameter)
       return m.error;
   }
   FAIL("no " << series << " at " << parameter << " on " << scene);

@@ -1,15 +1,23 @@
 // The experiments on depth, culling, the second eye, anaglyphs, walks over pixels, elision, tracing and samples (SPEC D).
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
+#include <string>
 
+#include <glassbox/base/random.h>
+#include <glassbox/images/read.h>
 #include <glassbox/mesh/builtin/forest.h>
 #include <glassbox/pipeline/stereo/stereo_pair.h>
 #include <glassbox/render/staged/staged.h>
 
+#include "study/experiments/d09_tests.h"
+#include "study/experiments/d11_pair_setup.h"
+#include "study/experiments/d12_leaves.h"
 #include "study/experiments/warp/depth_peeling.h"
 #include "study/experiments/warp/warp.h"
 #include "tests/study/experiments/laws.h"
+#include "tests/support/skip.h"
 
 using namespace glassbox;
 using namespace glassbox::study;
@@ -53,6 +61,41 @@ TEST_CASE("D-9: only the test that knows nothing of the snap throws fronts away"
   CHECK(largest_error(all, "object-space dot product, float") > 0);
 }
 
+TEST_CASE("D-9: a filter decides as expansions do, or lets them decide") {
+  const auto all = check_experiment(d09_culling());
+  // Eight roundings of 2^-24 on terms that are no smaller than their sum; and 2^29 times as much of that as of 2^-53.
+  for (const char* scene : {"teapot", "ellipsoid", "ellipsoid as if scanned"}) {
+    const double in_float = largest_error(all, "filter in float", scene, "exact fallbacks"),
+                 in_double = largest_error(all, "filter in double", scene, "exact fallbacks");
+    INFO(scene);
+    CHECK(in_float > 0x1p-24);
+    CHECK(in_float < 32 * 0x1p-24);
+    CHECK(in_double > 0x1p-53);
+    CHECK(in_double < 64 * 0x1p-53);
+  }
+  Random random(1);
+  const auto coordinate = [&] { return float(random.between(-1, 1)); };
+  int exact = 0, fronts = 0;
+  for (int i = 0; i < 20000; ++i) {
+    d09::ObjectTriangle t;
+    for (Point<Object>& p : t) {
+      p.x = coordinate(), p.y = coordinate(), p.z = coordinate();
+    }
+    // In the plane of the triangle, but for its own rounding.
+    const float s = coordinate(), r = coordinate();
+    const Vector<Object, double> eye{
+        double(t[0].x + s * (t[1].x - t[0].x) + r * (t[2].x - t[0].x)),
+        double(t[0].y + s * (t[1].y - t[0].y) + r * (t[2].y - t[0].y)),
+        double(t[0].z + s * (t[1].z - t[0].z) + r * (t[2].z - t[0].z))};
+    const d09::Filtered one = d09::filter_in_float(t, eye), other = d09::filter_in_double(t, eye);
+    CHECK(one.back == other.back);
+    exact += one.used_exact;
+    fronts += !one.back;
+  }
+  CHECK(exact > 10000);  // they are that near
+  CHECK((fronts > 8000 && fronts < 12000));
+}
+
 TEST_CASE("D-10: culling by the centre camera loses half the parallax, by the union nothing") {
   const auto all = check_experiment(d10_stereo_culling());
   CHECK(largest_error(all, "each eye by itself") == 0);
@@ -88,18 +131,82 @@ TEST_CASE(
         largest_error(all, "depth-image warp", "forest"));
 }
 
+TEST_CASE("D-11: PSNR is the RMS difference in decibels, and is infinite where there is none") {
+  const auto all = check_experiment(d11_second_eye());
+  int judged = 0, exact = 0;
+  for (const Measured& m : all) {
+    const Configuration& c = m.configuration;
+    if (c.measure != "PSNR") continue;
+    INFO(describe(m));
+    ++judged;
+    const double rms = error_at(all, c.series, c.scene, c.parameter);
+    if (rms == 0) {
+      ++exact;
+      CHECK(std::isinf(m.error));
+    } else {
+      CHECK(m.error == 20 * std::log10(255 / rms));
+    }
+  }
+  CHECK(judged == 24);
+  CHECK(exact == 10);  // four ways that draw on either scene, and three and four layers of cards
+}
+
+TEST_CASE(
+    "D-11: holes are what RMS and PSNR come from, and fewer with each layer; filling leaves none") {
+  const auto all = check_experiment(d11_second_eye());
+  for (const char* scene : {"cards before a wall", "forest"}) {
+    INFO(scene);
+    const auto holes = [&](const char* way) { return largest_error(all, way, scene, "holes"); };
+    CHECK(holes("depth-image warp") > holes("warp of 2 layers"));
+    CHECK(holes("warp of 2 layers") > holes("warp of 3 layers"));
+    CHECK(holes("warp of 3 layers") >= holes("warp of 4 layers"));
+    CHECK(holes("tile engine, depth-image warp") == holes("depth-image warp"));
+    for (const char* full : {"depth-image warp, holes filled", "warp of 2 layers, holes filled",
+                             "shared vertex stage", "left picture twice"})
+      CHECK(holes(full) == 0);
+    // What is drawn has the right distance, and the left picture has none of it: 12 px on the cards, of floats.
+    CHECK(largest_error(all, "shared vertex stage", scene, "disparity") == 0);
+    CHECK(largest_error(all, "tile engine, shared stages", scene, "disparity") == 0);
+    CHECK(largest_error(all, "left picture twice", scene, "disparity") > 11.999);
+  }
+}
+
+TEST_CASE(
+    "D-11: a set-up that shares y is each eye's own, and one that should not be shared is seen") {
+  using namespace d11;
+  Scene forest = make_forest();
+  const View centre = make_view(forest.cameras.front(), 240, 160).value();
+  std::vector<PairTriangle> triangles =
+      pair_triangles(*d10::make_eyes(std::move(forest), centre, {0.02 * 12, 12}));
+  REQUIRE(triangles.size() > 10000);
+  int degenerate = 0, moved = 0, both_ways = 0;
+  for (PairTriangle t : triangles) {
+    const auto alone = set_up_each(t), shared = set_up_shared(t);
+    for (const std::size_t eye : {0u, 1u}) CHECK(are_same(alone[eye], shared[eye]));
+    degenerate += !alone[0].has_value();
+    both_ways += alone[0] && alone[1] && alone[0]->clockwise != alone[1]->clockwise;
+    // A right eye that is 1/256 px higher than the left one shares nothing.
+    for (ScreenVertex& v : t.right) v.position.y += 1.0f / 256;
+    const auto higher = set_up_each(t), wrong = set_up_shared(t);
+    moved += higher[1].has_value() && !are_same(higher[1], wrong[1]);
+  }
+  CHECK(moved + degenerate > int(triangles.size()) * 9 / 10);
+  CHECK(both_ways > 0);  // thin ones show one eye their front
+}
+
 // What a warp of the forest lacks, in shares of the picture: holes; and the error of the rest, where the surface is the right one.
 struct WarpedForest {
   double holes = 0;
   double rms_elsewhere = 0;  // 1/255
 };
-WarpedForest warped_forest(int layers) {
+WarpedForest warped_forest(int layers, Cull cull = Cull::kMaterial) {
   const Scene forest = make_forest();
   const View centre = make_view(forest.cameras.front(), 240, 160).value();
   const StereoPair pair{0.02 * 12, 12};
   RenderSettings settings;
   settings.transfer = Transfer::kNone;
   settings.want_distance = true;
+  settings.cull = cull;
   const Framebuffer right =
       render_staged(forest, eye_view(centre, pair, Side::kRight), settings).buffers;
   const Warped warped =
@@ -127,13 +234,15 @@ TEST_CASE(
   CHECK(two.holes > one.holes / 2);
   CHECK(three.holes < one.holes / 3);
   CHECK(four.holes < three.holes);
+  // The second layer of a tree is its own back, unless backs are culled.
+  CHECK(warped_forest(2, Cull::kBack).holes < 0.75 * two.holes);
   for (const WarpedForest& each : {one, two, three, four}) CHECK(each.rms_elsewhere < 3);
 }
 
 TEST_CASE(
     "D-12: the methods rank as in the literature, and desaturation closes the gap in proportion") {
   const auto all = check_experiment(d12_anaglyph());
-  for (const char* scene : {"eight colours", "random colours", "room"}) {
+  for (const char* scene : {"eight colours", "random colours", "room", "dead leaves"}) {
     double before = 1;
     for (const char* method :
          {"colour", "half-colour", "Dubois 2009", "Dubois 2001", "optimised", "grey"}) {
@@ -146,6 +255,81 @@ TEST_CASE(
     CHECK(largest_error(all, "grey", scene) == 0);
     CHECK(largest_error(all, "true", scene) == 0);
   }
+}
+
+// What photographs are known by: light differs little from pixel to pixel but for rare edges, whatever the scale, and varies more than
+// colour does.
+struct PictureStatistics {
+  double deviation = 0, kurtosis = 0;  // of the difference of the logarithms of neighbours' light
+  double colour = 0;                   // deviation of log(R/G) over that of log(light)
+};
+PictureStatistics statistics_of(const Image<Linear>& picture) {
+  const auto logarithm = [](float x) { return std::log(std::max(double(x), 0x1p-12)); };
+  const auto light = [&](int x, int y) { return logarithm(luma(picture.at(x, y))); };
+  double squares = 0, fourths = 0, count = 0, sum = 0, light2 = 0, ratio = 0, ratio2 = 0;
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      const Linear& c = picture.at(x, y);
+      const double red_green = logarithm(c[0]) - logarithm(c[1]);
+      sum += light(x, y), light2 += light(x, y) * light(x, y);
+      ratio += red_green, ratio2 += red_green * red_green;
+      if (x == 0) continue;
+      const double d = light(x, y) - light(x - 1, y);
+      squares += d * d, fourths += d * d * d * d, count += 1;
+    }
+  }
+  const double pixels = double(picture.pixels.size());
+  const auto deviation = [&](double s, double s2) {
+    return std::sqrt(s2 / pixels - s / pixels * (s / pixels));
+  };
+  return {std::sqrt(squares / count), fourths / count / (squares / count * (squares / count)),
+          deviation(ratio, ratio2) / deviation(sum, light2)};
+}
+Image<Linear> halved(const Image<Linear>& picture) {
+  Image<Linear> half(picture.width / 2, picture.height / 2, Linear{});
+  for (int y = 0; y < half.height; ++y) {
+    for (int x = 0; x < half.width; ++x) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        half.at(x, y)[k] = (picture.at(2 * x, 2 * y)[k] + picture.at(2 * x + 1, 2 * y)[k] +
+                            picture.at(2 * x, 2 * y + 1)[k] + picture.at(2 * x + 1, 2 * y + 1)[k]) /
+                           4;
+      }
+    }
+  }
+  return half;
+}
+
+TEST_CASE("D-12: dead leaves have the statistics of photographs, and even noise has not") {
+  const Image<Linear> leaves = d12::make_leaves(256, 192, 12);
+  const PictureStatistics fine = statistics_of(leaves), coarse = statistics_of(halved(leaves));
+  CAPTURE(fine.deviation, coarse.deviation, fine.kurtosis, coarse.kurtosis, fine.colour);
+  CHECK(fine.kurtosis > 6);  // 3 for normal differences
+  CHECK(coarse.kurtosis > 6);
+  // The same at half the size, but for the discs below a pixel that there are none of.
+  CHECK((coarse.deviation / fine.deviation > 0.67 && coarse.deviation / fine.deviation < 1.5));
+  CHECK(fine.colour < 0.5);
+  Image<Linear> noise = leaves;
+  Random random(1);
+  for (Linear& c : noise.pixels) {
+    for (float& channel : c) channel = float(std::exp(random.between(-2, 0)));
+  }
+  const PictureStatistics even = statistics_of(noise), even_coarse = statistics_of(halved(noise));
+  CHECK(even.kurtosis < 4);
+  CHECK(even_coarse.deviation / even.deviation < 0.67);
+  CHECK(even.colour > 0.5);
+}
+
+TEST_CASE("D-12: photographs, where there are any, have them too") {
+  const std::string path = GLASSBOX_ASSETS_DIR "/stereo/cones/im2.ppm";
+  if (!std::filesystem::exists(path)) SKIP_TEST("no photograph at " << path);
+  const Image<Rgba8> photograph = read_image(path).value();
+  Image<Linear> light(photograph.width, photograph.height, Linear{});
+  std::ranges::transform(photograph.pixels, light.pixels.begin(), linear_of);
+  const PictureStatistics fine = statistics_of(light), coarse = statistics_of(halved(light));
+  CAPTURE(fine.deviation, coarse.deviation, fine.kurtosis, coarse.kurtosis, fine.colour);
+  CHECK(fine.kurtosis > 6);
+  CHECK(coarse.kurtosis > 6);
+  CHECK((coarse.deviation / fine.deviation > 0.67 && coarse.deviation / fine.deviation < 1.5));
 }
 
 TEST_CASE("D-27: every walk counts the pixels of the definition") {
