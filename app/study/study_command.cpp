@@ -21,6 +21,7 @@ void StudyCommand::add_to(CLI::App& app, int& exit_code) {
   list_.add_to(command, exit_code);
   run_.add_to(command, exit_code);
   collect_.add_to(command, exit_code);
+  agree_.add_to(command, exit_code);
   report_.add_to(command, exit_code);
   extremes_.add_to(command, exit_code);
   scene_.add_to(command, exit_code);

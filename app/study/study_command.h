@@ -3,6 +3,7 @@
 
 #include "app/options/cli_fwd.h"
 #include "app/options/list_command.h"
+#include "app/study/agree_command.h"
 #include "app/study/collect_command.h"
 #include "app/study/extremes_command.h"
 #include "app/study/list.h"
@@ -22,6 +23,7 @@ private:
   ListCommand list_{"the experiments and what they ask", experiments_text, experiments_json};
   StudyRunCommand run_;
   StudyCollectCommand collect_;
+  StudyAgreeCommand agree_;
   StudyReportCommand report_;
   StudyExtremesCommand extremes_;
   StudySceneCommand scene_;

@@ -195,6 +195,36 @@ TEST_CASE("parts of a run, measured by GNU parallel, are joined to what one run 
   CHECK(place.run("study run D-13 --quick --part 1/3x").exit_code == 2);
 }
 
+TEST_CASE("two runs agree where neither states the opposite of the other") {
+  const Workplace place;
+  REQUIRE(place.run(std::string("study run --json one.json ") + kQuick).exit_code == 0);
+  CHECK(place.run("study agree one.json one.json").exit_code == 0);
+  // The first is slower than all others now, and was faster than one of them.
+  json turned = json::parse(place.read("one.json"));
+  auto& all = turned["experiments"][0]["configurations"];
+  std::size_t fastest = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i]["times"][0]["ns"] < all[fastest]["times"][0]["ns"]) fastest = i;
+  }
+  for (json& time : all[fastest]["times"]) {
+    time["ns"] = 1e12;
+    time["ns_quartiles"] = {1e12, 1e12};
+  }
+  place.write("other.json", turned.dump());
+  const Outcome run = place.run("study agree one.json other.json");
+  CHECK(run.exit_code == 1);
+  CHECK(run.out.find(all[fastest]["series"].get<std::string>() + " at ") != std::string::npos);
+  CHECK(run.out.find("faster") != std::string::npos);
+  // Others, and of others.
+  turned["experiments"][0]["configurations"].erase(0);
+  place.write("less.json", turned.dump());
+  CHECK(place.run("study agree one.json less.json").exit_code == 2);
+  turned["experiments"][0]["id"] = "D-77";
+  place.write("another.json", turned.dump());
+  CHECK(place.run("study agree one.json another.json").exit_code == 2);
+  CHECK(place.run("study agree one.json absent.json").exit_code == 2);
+}
+
 TEST_CASE("study recommend says what fits on this scene, and with which options it is drawn") {
   const Workplace place;
   const Outcome run = place.run(

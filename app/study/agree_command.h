@@ -1,0 +1,20 @@
+// glassbox study agree ONE OTHER: whether two runs state the same orders.
+#pragma once
+
+#include <string>
+
+#include "app/options/cli_fwd.h"
+
+namespace glassbox::app {
+
+class StudyAgreeCommand {
+public:
+  void add_to(CLI::App& study, int& exit_code);
+
+private:
+  int run() const;
+
+  std::string one_, other_;
+};
+
+}  // namespace glassbox::app
