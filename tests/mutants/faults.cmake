@@ -81,3 +81,8 @@ plant(render/plan/depth_cover.cpp [[nearest < cells[y * across_ + x].farthest]] 
 plant(render/plan/hidden_draws.cpp [[depth_codes(draw, eye_.view, eye_.settings.depth).nearest]] [[depth_codes(draw, eye_.view, eye_.settings.depth).farthest]] C-42 "a draw is hidden where its farthest point is")
 plant(render/plan/draw_order.h [[later.farthest < earlier.nearest]] [[later.nearest < earlier.nearest]] C-57 "a draw overtakes one with which it shares a depth")
 plant(render/engine/object_cull.cpp [[8 * s * edge_px + 8 * s * s]] [[0.0]] C-29 "culling before the snap has no margin for it")
+
+# ---- two eyes ----
+plant(raster/lanes/vertices-inl.h [[transform_row(*job.other_clip_from_anchored, 0, p)]] [[clip.x]] C-73 "the other eye has this one's x")
+plant(render/stereo/render_pair.cpp [[with_mask(render, masks.left)]] [[with_mask(render, masks.right)]] C-76 "the left eye writes the right one's channels")
+plant(pipeline/stereo/culling.cpp [[left && right]] [[left || right]] C-74 "what one eye does not see is thrown away")

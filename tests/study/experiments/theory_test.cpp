@@ -87,7 +87,8 @@ TEST_CASE("an experiment's errors are the same to the last digit when it is made
   }
 }
 
-TEST_CASE("no two configurations are the same point, and all can be timed") {
+TEST_CASE(
+    "no two configurations are the same point, and all can be timed but for what no machine has") {
   for (const Experiment& experiment : numeric_experiments()) {
     std::map<std::string, int> seen;
     const std::vector<Configuration> all = experiment.configurations(Effort::kQuick);
@@ -103,7 +104,9 @@ TEST_CASE("no two configurations are the same point, and all can be timed") {
         return other.work && axis_of(other) == axis_of(c) && other.series == c.series &&
                other.scene == c.scene && other.parameter == c.parameter;
       });
-      CHECK(is_timed);
+      // Of what stands for an instruction of other processors there is the error alone.
+      const bool is_table = experiment.id == "D-5" && c.series.starts_with("from a table");
+      CHECK(is_timed != is_table);
       CHECK(c.items >= 1);
       CHECK((c.measure.empty() ||
              std::ranges::count(experiment.measures, c.measure, &Measure::name) == 1));
