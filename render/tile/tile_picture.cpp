@@ -125,7 +125,9 @@ void TilePicture::prepare_framebuffer(bool one_round) {
     prepare_plane(run_.window, wanted, keep_picture_, empty, plane);
   };
   prepare(!eye_.draws_over(), s.background, target.color);
-  prepare(through_framebuffer || plan_.keep_depth, kEmptyDepth, target.depth);
+  // Each tile overwrites its depths, unless it has to read them first.
+  prepare_plane(run_.window, through_framebuffer || plan_.keep_depth, through_framebuffer,
+                kEmptyDepth, target.depth);
   prepare(s.want_distance || s.show == Show::kDepth, std::numeric_limits<float>::infinity(),
           target.distance);
   prepare(s.want_id || s.show == Show::kId, std::uint32_t{0}, target.id);
