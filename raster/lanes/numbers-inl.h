@@ -297,8 +297,8 @@ HWY_INLINE Shorts four_times(Ints i) {
   // Short 2k of the lanes is lane k's.
   const auto lane = hn::ShiftLeft<1>(hn::ShiftRight<2>(hn::Iota(kS, 0)));
   return {hn::Vec<DS>{_mm512_permutexvar_epi16(lane.raw, i.v.raw)},
-          hn::Vec<DS>{_mm512_permutexvar_epi16(
-              hn::Add(lane, hn::Set(kS, std::int16_t(kLanes))).raw, i.v.raw)}};
+          hn::Vec<DS>{_mm512_permutexvar_epi16(hn::Add(lane, hn::Set(kS, std::int16_t(kLanes))).raw,
+                                               i.v.raw)}};
 #else
   return shorts_of_words(i | shifted_left<16>(i), [](auto twice) HWY_ATTR {
     return hn::Or(twice, hn::ShiftLeft<32>(twice));
@@ -307,7 +307,7 @@ HWY_INLINE Shorts four_times(Ints i) {
 }
 // Words of 64 bits, `kBytes` times `at` bytes from the table's beginning.
 template <int kBytes>
-HWY_INLINE hn::Vec<DW> gather_words(const std::int64_t* table, hn::Vec<hn::Half<DI>> at) {
+HWY_INLINE hn::Vec<DW> gather_words(const std::int64_t* table, hn::Vec<hn::Half<DI> > at) {
 #if HWY_TARGET == HWY_AVX3
   return hn::Vec<DW>{_mm512_i32gather_epi64(at.raw, table, kBytes)};
 #elif HWY_TARGET == HWY_AVX2
