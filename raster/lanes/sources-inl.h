@@ -26,6 +26,13 @@ HWY_INLINE Float3 gather_triple(const T* table, Ints at) {
   return {float_of(xy.first), float_of(xy.second), gather(from + 2, word)};
 }
 
+// A member of 32 bits of a table's entries.
+template <class T>
+HWY_INLINE Ints gather_member(const T* table, Ints at, std::uint32_t T::*member) {
+  constexpr int kWords = sizeof(T) / sizeof(std::int32_t);
+  return gather(reinterpret_cast<const std::int32_t*>(&(table->*member)), at * kWords);
+}
+
 // Where in its pixel a fragment is shaded: with one sample to a pixel, at the centre.
 struct AtCentre {
   HWY_INLINE void move(const std::array<EdgeSlopes<Ints>, 3>&, Ints, Ints&, Ints&) const {}
@@ -101,10 +108,8 @@ template <class Self>
 class SmallAttributes {
 public:
   HWY_INLINE Float3 normal() const {
-    const OfVertices<Ints> corner = corners(self().draw->normal_indices);
-    return here<3>({facing(gather_triple(self().draw->normals, corner[0])),
-                    facing(gather_triple(self().draw->normals, corner[1])),
-                    facing(gather_triple(self().draw->normals, corner[2]))});
+    if (HWY_UNLIKELY(self().draw->faces != nullptr)) return face_normal();
+    return here<3>(normals());
   }
   HWY_INLINE Float3 position() const {
     return here<3>({gather_triple(self().draw->eye_positions, self().vertices[0]),
@@ -139,20 +144,71 @@ public:
   }
   HWY_INLINE ReflectionOf<Floats> reflection(const ShadeDraw& draw, const ResolveJob& job,
                                              const Float3& normal) const {
+    if (HWY_UNLIKELY(draw.light == LightAt::kVertices)) return reflection_of_vertices(draw, job);
     const Floats zero = 0.0f;
     const Float3 where = draw.eye_positions != nullptr ? position() : Float3{zero, zero, zero};
     return reflected_light(*job.lighting, where, normal, draw.material->shininess, draw.highlights);
   }
   // 1 + the triangle's number in the scene.
   HWY_INLINE Ints id() const {
-    const auto* numbers = reinterpret_cast<const std::int32_t*>(self().draw->triangles);
-    constexpr int kWords = sizeof(Triangle) / sizeof(std::int32_t);
-    constexpr int kNumber = offsetof(Triangle, number) / sizeof(std::int32_t);
-    return gather(numbers, self().triangle * kWords + kNumber) +
+    return gather_member(self().draw->triangles, self().triangle, &Triangle::number) +
            std::int32_t(self().draw->first_number + 1);
   }
 
 private:
+  HWY_INLINE OfVertices<Float3> normals() const {
+    const OfVertices<Ints> corner = corners(self().draw->normal_indices);
+    const auto at_vertex = [&](std::size_t k) HWY_ATTR {
+      return facing(gather_triple(self().draw->normals, corner[k]));
+    };
+    return {at_vertex(0), at_vertex(1), at_vertex(2)};
+  }
+
+  // ---- light that is computed at the vertices, or once for a face ----
+
+  HWY_NOINLINE ReflectionOf<Floats> reflection_of_vertices(const ShadeDraw& draw,
+                                                           const ResolveJob& job) const {
+    const auto light_at = [&](const Float3& place, const Float3& n) HWY_ATTR {
+      return reflected_light(*job.lighting, place, n, draw.material->shininess, draw.highlights);
+    };
+    if (draw.faces != nullptr) return light_at(face_centre(), face_normal());
+    const OfVertices<Float3> normal = normals();
+    OfVertices<Float3> diffuse, specular;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto light = light_at(gather_triple(draw.eye_positions, self().vertices[k]), normal[k]);
+      diffuse[k] = light.diffuse;
+      specular[k] = light.specular;
+    }
+    return {here<3>(diffuse), here<3>(specular)};
+  }
+
+  HWY_INLINE Ints face() const {
+    return gather_member(self().draw->triangles, self().triangle, &Triangle::face);
+  }
+  HWY_INLINE Float3 face_normal() const {
+    return facing(gather_triple(self().draw->face_normals, face()));
+  }
+  // The mean of the face's corners, summed from the first on (render/staged/corners.cpp).
+  HWY_INLINE Float3 face_centre() const {
+    const ShadeDraw& draw = *self().draw;
+    const Ints at = face();
+    const Ints first = gather_member(draw.faces, at, &Face::first);
+    const Ints count = gather_member(draw.faces, at, &Face::count);
+    const Floats zero = 0.0f;
+    Float3 sum{zero, zero, zero};
+    for (std::int32_t k = 0;; ++k) {
+      const IntMask inside = count > k;
+      if (none(inside)) break;
+      const Ints corner = first + select(inside, Ints(k), Ints(0));
+      const Float3 p =
+          gather_triple(draw.eye_positions, gather_member(draw.corners, corner, &Corner::position));
+      for (std::size_t i = 0; i < 3; ++i)
+        sum[i] = select(float_mask(inside), sum[i] + p[i], sum[i]);
+    }
+    const Floats share = 1.0f / to_float(count);
+    return {sum[0] * share, sum[1] * share, sum[2] * share};
+  }
+
   // An attribute of the three vertices, at the pixel.
   template <std::size_t N>
   HWY_INLINE std::array<Floats, N> here(const OfVertices<std::array<Floats, N>>& a) const {

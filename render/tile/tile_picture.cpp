@@ -42,6 +42,11 @@ ShadeDraw shade_draw(const TileRun& run, const DrawSlot& slot) {
     shade.normal_indices = or_positions(indices.normals);
     shade.normals = slot.eye_space.normals.data();
   }
+  if (run.settings.shading == Shading::kFlat && method.light != LightAt::kNowhere) {
+    shade.faces = draw.mesh->faces.data();
+    shade.corners = draw.mesh->corners.data();
+    shade.face_normals = slot.eye_space.face_normals.data();
+  }
   if (method.eye_positions) shade.eye_positions = slot.eye_space.positions.data();
   if (method.texture) {
     shade.texture = draw.texture;
