@@ -3,7 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+
+#include <glassbox/base/line_memory.h>
 
 namespace glassbox {
 
@@ -21,9 +22,11 @@ struct Rgb32f {
 
 template <class Pixel>
 struct Image {
-  int width = 0;              // px
-  int height = 0;             // px
-  std::vector<Pixel> pixels;  // width * height, row by row from the top
+  int width = 0;   // px
+  int height = 0;  // px
+  // width * height, row by row from the top. Rows whose width is a multiple of a line of the cache begin at one, so that a tile's can be
+  // written as whole lines.
+  LineVector<Pixel> pixels;
 
   Image() = default;
   Image(int width_, int height_, Pixel fill = {})

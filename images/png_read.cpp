@@ -140,9 +140,10 @@ Result<Header> start(Reader& reader, Form form, Rows& rows, const DecodeLimits& 
   return header;
 }
 
-template <class T>
-bool fill(Reader& reader, const Header& header, const Rows& rows, std::vector<T>& pixels) {
-  return read_rows(reader.png, rows, header.height, pixels.data(), pixels.size() * sizeof(T));
+template <class Pixels>
+bool fill(Reader& reader, const Header& header, const Rows& rows, Pixels& pixels) {
+  return read_rows(reader.png, rows, header.height, pixels.data(),
+                   pixels.size() * sizeof(pixels[0]));
 }
 
 }  // namespace

@@ -56,7 +56,8 @@ std::optional<StoredImage> heat_of(const Comparison& comparison, const StoredIma
       std::count_if(levels.pixels.begin(), levels.pixels.end(),
                     [](std::uint8_t level) { return level != kHeatSame && level != kHeatLeftOut; });
   if (std::uint64_t(differing) != comparison.differences->differing) return {};
-  return StoredImage{levels.width, levels.height, 1, std::move(levels.pixels)};
+  return StoredImage{levels.width, levels.height, 1,
+                     std::vector(levels.pixels.begin(), levels.pixels.end())};
 }
 
 // What there is to show of a comparison; nothing where the files have changed since, as its numbers would be of others.

@@ -44,6 +44,22 @@ inline I wrap_texel(Wrap wrap, I i, Size size) {
   return i;
 }
 
+// The texel `i` and the one after it, of -1 <= i < size: those at the ends are each other's neighbours, or their own. (A wrapped
+// coordinate below 1 times a size stays below the size when it is rounded.)
+template <WholeNumber I, class Size>
+inline std::array<I, 2> wrap_neighbours(Wrap wrap, I i, Size size) {
+  const I next = i + 1, last = size - 1;
+  switch (wrap) {
+    case Wrap::kRepeat:
+      return {select(i < 0, last, i), select(last < next, I(0), next)};
+    case Wrap::kMirroredRepeat:
+      break;  // is wrapped to two copies
+    case Wrap::kClampToEdge:
+      return {greatest(I(0), i), least(next, last)};
+  }
+  return {wrap_texel(wrap, i, size), wrap_texel(wrap, next, size)};
+}
+
 // ---- between texels ----
 
 // How far it is from one texel to the next, or from one level to the next: t in [0, 1] in units of 2^-15, rounded down, below 1.
@@ -95,10 +111,8 @@ inline auto sample_linear(const Texture& texture, const Sampler& sampler,
   const F x = u * to_float(level.width) - 0.5f, y = v * to_float(level.height) - 0.5f;
   const F left = floor(x), above = floor(y);
   const auto column = to_integer(left), row = to_integer(above);
-  const auto x0 = wrap_texel(sampler.wrap_u, column, level.width);
-  const auto x1 = wrap_texel(sampler.wrap_u, column + 1, level.width);
-  const auto y0 = wrap_texel(sampler.wrap_v, row, level.height);
-  const auto y1 = wrap_texel(sampler.wrap_v, row + 1, level.height);
+  const auto [x0, x1] = wrap_neighbours(sampler.wrap_u, column, level.width);
+  const auto [y0, y1] = wrap_neighbours(sampler.wrap_v, row, level.height);
   const auto across = fraction_of(x - left), down = fraction_of(y - above);
   return mix(mix(texture.texel(level, x0, y0), texture.texel(level, x1, y0), across),
              mix(texture.texel(level, x0, y1), texture.texel(level, x1, y1), across), down);

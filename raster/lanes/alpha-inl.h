@@ -53,9 +53,11 @@ public:
 private:
   template <class Source>
   HWY_INLINE IntMask kept(IntMask lanes, const Source& source) const {
-    const LazyMipChain* texture = test_.draw->texture;
+    const ShadeDraw& draw = *test_.draw;
+    DrawTextures textures;
+    if (draw.texture != nullptr) textures.color = &draw.texture->get();
     const Floats alpha =
-        surface_color(*test_.draw, texture != nullptr ? &texture->get() : nullptr, source).alpha;
+        surface_color(draw, textures, source, TexelsOfSource<Source>{draw, textures, source}).alpha;
     return lanes && int_mask(alpha >= test_.draw->material->alpha_cutoff);
   }
 

@@ -21,6 +21,8 @@ template <Number F>
 HWY_INLINE F wrap_coordinate(Wrap wrap, F t);
 template <WholeNumber I, class Size>
 HWY_INLINE I wrap_texel(Wrap wrap, I i, Size size);
+template <WholeNumber I, class Size>
+HWY_INLINE std::array<I, 2> wrap_neighbours(Wrap wrap, I i, Size size);
 template <Number F, class Texture, class Size>
 HWY_INLINE auto sample_nearest(const Texture& texture, const Sampler& sampler,
                                const TextureLevelOf<Size>& level, F u, F v);

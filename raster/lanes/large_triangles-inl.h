@@ -135,11 +135,26 @@ private:
       return;
     }
     make_plain_block_full(tile_, index);
+    const std::uint64_t written_before = counts_.written;
     for (int quad = 0; quad < kBlockQuads; ++quad) {
       draw_quad(index, quad, x + (quad % 2) * kQuadSide, y + (quad / 2) * kQuadSide, whole);
     }
     block.nearest = std::min(block.nearest, codes_.nearest);
     if (whole && fills(place)) block.farthest = std::min(block.farthest, codes_.farthest);
+    // Several triangles may cover the block together, of which none knows what the others do: worth a look where the next ones are
+    // likely to be behind it, too.
+    if (counts_.written == written_before) {
+      block.farthest = std::min(block.farthest, farthest_in(index));
+    }
+  }
+
+  HWY_INLINE TileDepth farthest_in(std::size_t block) const {
+    const TileDepth* depth = tile_.depth() + block * kBlockPixels;
+    Ints farthest = load(depth);
+    for (std::size_t i = kLanes; i < kBlockPixels; i += kLanes) {
+      farthest = greatest(farthest, load(depth + i));
+    }
+    return hn::GetLane(hn::MaxOfLanes(kI, farthest.v));
   }
 
   HWY_INLINE void draw_quad(std::size_t block, int quad, int x, int y, bool whole) {

@@ -11,6 +11,7 @@
 #endif
 
 #include <array>
+#include <bit>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -292,14 +293,35 @@ HWY_INLINE Shorts shorts_of_words(Ints i, const OfWords& of_words) {
 }
 // The lane's integer, which is in [0, 2^15), four times.
 HWY_INLINE Shorts four_times(Ints i) {
+#if HWY_TARGET == HWY_AVX3
+  // Short 2k of the lanes is lane k's.
+  const auto lane = hn::ShiftLeft<1>(hn::ShiftRight<2>(hn::Iota(kS, 0)));
+  return {hn::Vec<DS>{_mm512_permutexvar_epi16(lane.raw, i.v.raw)},
+          hn::Vec<DS>{_mm512_permutexvar_epi16(hn::Add(lane, hn::Set(kS, std::int16_t(kLanes))).raw,
+                                               i.v.raw)}};
+#else
   return shorts_of_words(i | shifted_left<16>(i), [](auto twice) HWY_ATTR {
     return hn::Or(twice, hn::ShiftLeft<32>(twice));
   });
+#endif
+}
+// Words of 64 bits, `kBytes` times `at` bytes from the table's beginning.
+template <int kBytes>
+HWY_INLINE hn::Vec<DW> gather_words(const std::int64_t* table, hn::Vec<hn::Half<DI> > at) {
+#if HWY_TARGET == HWY_AVX3
+  return hn::Vec<DW>{_mm512_i32gather_epi64(at.raw, table, kBytes)};
+#elif HWY_TARGET == HWY_AVX2
+  return hn::Vec<DW>{
+      _mm256_i32gather_epi64(reinterpret_cast<const long long*>(table), at.raw, kBytes)};
+#else
+  constexpr int kShift = std::countr_zero(unsigned(kBytes));
+  return hn::GatherOffset(kW, table, hn::ShiftLeft<kShift>(hn::PromoteTo(kW, at)));
+#endif
 }
 // Entry `at` of a table of four each.
 HWY_INLINE Shorts gather_shorts(const std::int64_t* table, Ints at) {
-  return shorts_of_words(at,
-                         [&](auto entry) HWY_ATTR { return hn::GatherIndex(kW, table, entry); });
+  return {hn::BitCast(kS, gather_words<8>(table, hn::LowerHalf(kHalfI, at.v))),
+          hn::BitCast(kS, gather_words<8>(table, hn::UpperHalf(kHalfI, at.v)))};
 }
 HWY_INLINE Shorts select(FloatMask condition, const Shorts& yes, const Shorts& no) {
   const Ints all_bits = hn::VecFromMask(kI, int_mask(condition).m);

@@ -15,6 +15,7 @@ namespace glassbox {
 namespace HWY_NAMESPACE {
 
 inline constexpr std::size_t kQuadVectors = kQuadPixels / kLanes;
+inline constexpr std::size_t kBlockVectors = kBlockPixels / kLanes;
 
 // Columns and rows of a quad's pixels i .. i + kLanes - 1 within the quad.
 HWY_INLINE Ints quad_columns(std::size_t i) {

@@ -10,20 +10,15 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
-#include <type_traits>
 
 #include <hwy/cache_control.h>
 
-#include <glassbox/raster/lanes/samples-inl.h>
-#include <glassbox/raster/lanes/shade-inl.h>
+#include <glassbox/raster/lanes/rows-inl.h>
+#include <glassbox/raster/lanes/seen-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
-
-// A line of the cache.
-inline constexpr std::ptrdiff_t kLineBytes = 64, kLineWords = kLineBytes / 4;
 
 // The pixels of a quad, row by row.
 struct QuadPixels {
@@ -31,78 +26,6 @@ struct QuadPixels {
   HWY_ALIGN float distance[kQuadPixels];
   HWY_ALIGN std::int32_t id[kQuadPixels];
 };
-
-// Calls work(row, columns) for the quad's rows that lie on the screen. Almost all quads do so wholly, and copying a number of bytes
-// that the compiler knows is one instruction.
-template <class Work>
-HWY_INLINE void for_each_row(const PixelRect& window, int x, int y, const Work& work) {
-  if (HWY_LIKELY(x + kQuadSide <= window.x1 && y + kQuadSide <= window.y1)) {
-    for (int row = 0; row < kQuadSide; ++row) {
-      work(row, std::integral_constant<std::size_t, kQuadSide>());
-    }
-    return;
-  }
-  const auto columns = std::size_t(std::min(kQuadSide, window.x1 - x));
-  const int rows = std::min(kQuadSide, window.y1 - y);
-  for (int row = 0; row < rows; ++row) work(row, columns);
-}
-
-// Rows that take the tile's pixels of a plane: the picture's own, or the tile's (tile_buffer.h), which leave for the picture as
-// whole lines of the cache.
-struct Rows {
-  std::uint32_t* first = nullptr;
-  std::ptrdiff_t pitch = 0;  // words
-  int x0 = 0, y0 = 0;        // of the first
-
-  std::uint32_t* at(int x, int y) const { return first + (y - y0) * pitch + (x - x0); }
-};
-template <class Pixel>
-Rows rows_of(Image<Pixel>& image) {
-  static_assert(sizeof(Pixel) == sizeof(std::uint32_t));
-  return {reinterpret_cast<std::uint32_t*>(image.pixels.data()), image.width, 0, 0};
-}
-
-template <class From>
-HWY_INLINE void store_quad(const From* from, const Rows& rows, const PixelRect& window, int x,
-                           int y) {
-  static_assert(sizeof(std::uint32_t) == sizeof(From));
-  std::uint32_t* to = rows.at(x, y);
-  for_each_row(window, x, y, [&](int row, auto columns) HWY_ATTR {
-    std::memcpy(to + row * rows.pitch, from + row * kQuadSide, columns * sizeof(From));
-  });
-}
-
-// Rows `from`, `pitch` words apart (0: the same one again), into the picture's, past the cache: nothing of this frame reads them
-// again, and lines that are written whole need not be read.
-template <class Pixel>
-HWY_INLINE void stream_rows(const std::uint32_t* from, std::ptrdiff_t pitch,
-                            const PixelRect& window, Image<Pixel>& image) {
-  const hn::RebindToUnsigned<DF> words;
-  const Rows rows = rows_of(image);
-  const std::ptrdiff_t width = window.x1 - window.x0;
-  for (int y = window.y0; y < window.y1; ++y, from += pitch) {
-    std::uint32_t* to = rows.at(window.x0, y);
-    const auto past_line = std::ptrdiff_t(reinterpret_cast<std::uintptr_t>(to) % kLineBytes / 4);
-    const std::ptrdiff_t begin = std::min(width, (kLineWords - past_line) % kLineWords);
-    const std::ptrdiff_t end = begin + (width - begin) / kLineWords * kLineWords;
-    std::copy(from, from + begin, to);
-    for (std::ptrdiff_t i = begin; i < end; i += std::ptrdiff_t(kLanes)) {
-      hn::Stream(hn::LoadU(words, from + i), words, to + i);
-    }
-    std::copy(from + end, from + width, to + end);
-  }
-}
-
-template <class To, class From>
-HWY_INLINE void load_quad(From* to, const Image<To>& image, const PixelRect& window, int x, int y) {
-  static_assert(sizeof(To) == sizeof(From));
-  const To* from = image.pixels.data() + image.index(x, y);
-  for_each_row(window, x, y, [&](int row, auto columns) HWY_ATTR {
-    std::memcpy(to + row * kQuadSide,
-                static_cast<const void*>(from + std::size_t(row) * std::size_t(image.width)),
-                columns * sizeof(To));
-  });
-}
 
 class TileResolver {
 public:
@@ -114,10 +37,13 @@ public:
         has_other_planes_(job.picture != nullptr || job.distance != nullptr || job.id != nullptr),
         plain_blocks_(job.distance == nullptr && job.id == nullptr && !job.keep_picture &&
                       job.samples == nullptr),
+        shades_in_steps_(job.picture != nullptr && job.distance == nullptr && job.id == nullptr &&
+                         job.points.empty() && job.samples == nullptr),
         streams_color_(job.picture != nullptr && !job.keep_picture && !job.drawn_over &&
                        job.samples == nullptr),
         color_{tile_.color_rows(), tile_.side(), tile_.window().x0, tile_.window().y0},
-        depth_{tile_.depth_rows(), tile_.side(), tile_.window().x0, tile_.window().y0} {
+        depth_{tile_.depth_rows(), tile_.side(), tile_.window().x0, tile_.window().y0},
+        shader_(job) {
     if (job.picture != nullptr && !streams_color_) color_ = rows_of(*job.picture);
   }
 
@@ -170,6 +96,11 @@ private:
           resolve_plain_block(block, x, y);
           continue;
         }
+        if (shades_in_steps_ && x + kBlockSide <= window.x1 && y + kBlockSide <= window.y1 &&
+            shader_.shows_texture(tile_, block)) {
+          resolve_block(block, x, y);
+          continue;
+        }
         for (int quad = 0; quad < kBlockQuads; ++quad) {
           const int qx = x + (quad % 2) * kQuadSide, qy = y + (quad / 2) * kQuadSide;
           if (qx >= window.x1 || qy >= window.y1) continue;
@@ -208,7 +139,7 @@ private:
     return one_color_;
   }
   HWY_NOINLINE std::uint32_t color_at(Reference reference, int x, int y) {
-    const LargeShape& shape = shape_of(reference);
+    const LargeShape& shape = shader_.shape_of(reference);
     const LargeSource source(shape, x, y, 0, AtCentre());
     HWY_ALIGN std::int32_t colors[kLanes];
     store(encoded(shining_by_call(job_.draws[shape.triangle->draw], DrawTextures(), job_, source),
@@ -231,15 +162,21 @@ private:
     const LargeTriangle& triangle = *job_.large[b.reference & ~kLargeReference];
     const ShadeDraw& draw = job_.draws[triangle.draw];
     const DrawTextures textures(draw);
-    const LargeShape& shape = shape_of(b.reference);
+    Ints colors[kBlockVectors];
+    const LargeShape& shape = shader_.shape_of(b.reference);
+    shade_vectors<LargeSource>(
+        draw, textures, job_, kBlockVectors,
+        [&](std::size_t i) HWY_ATTR { return SeenShader::large_source(shape, x, y, i); }, colors);
+    store_colors(colors, x, y);
+  }
+  HWY_INLINE void store_colors(const Ints* colors, int x, int y) {
     for (int quad = 0; quad < kBlockQuads; ++quad) {
-      const int qx = x + (quad % 2) * kQuadSide, qy = y + (quad / 2) * kQuadSide;
-      HWY_ALIGN std::int32_t colors[kQuadPixels];
-      for (std::size_t k = 0; k < kQuadPixels; k += kLanes) {
-        const LargeSource source(shape, qx, qy, k, AtCentre());
-        store(shade(draw, textures, job_, source), colors + k);
+      HWY_ALIGN std::int32_t of_quad[kQuadPixels];
+      for (std::size_t k = 0; k < kQuadVectors; ++k) {
+        store(colors[std::size_t(quad) * kQuadVectors + k], of_quad + k * kLanes);
       }
-      store_quad(colors, color_, tile_.window(), qx, qy);
+      store_quad(of_quad, color_, tile_.window(), x + (quad % 2) * kQuadSide,
+                 y + (quad / 2) * kQuadSide);
     }
   }
 
@@ -267,6 +204,39 @@ private:
     }
   }
 
+  // A block that lies on the screen, of a picture with one sample to a pixel and nothing beside its colours.
+  HWY_NOINLINE void resolve_block(std::size_t block, int x, int y) {
+    if (job_.depth != nullptr) {
+      for (int quad = 0; quad < kBlockQuads; ++quad) {
+        store_depths(block, quad, x + (quad % 2) * kQuadSide, y + (quad / 2) * kQuadSide);
+      }
+    }
+    const TileBlock& b = tile_.block(block);
+    const bool is_in_picture = b.reference == kNothing || b.reference == kInPicture;
+    if (b.plain && is_in_picture && job_.keep_picture) return;
+    Ints colors[kBlockVectors], seen[kBlockVectors];
+    IntMask pending[kBlockVectors];
+    for (std::size_t i = 0; i < kBlockVectors; ++i) {
+      colors[i] = std::bit_cast<std::int32_t>(job_.background);
+      seen[i] = seen_in(tile_, block, int(i / kQuadVectors), i % kQuadVectors * kLanes);
+      pending[i] = is_to_be_shaded(seen[i]);
+    }
+    if (job_.keep_picture) take_colors(colors, x, y);
+    shader_.shade_block(seen, pending, x, y, colors);
+    store_colors(colors, x, y);
+  }
+
+  HWY_INLINE void take_colors(Ints* colors, int x, int y) const {
+    for (int quad = 0; quad < kBlockQuads; ++quad) {
+      HWY_ALIGN std::int32_t of_quad[kQuadPixels];
+      load_quad(reinterpret_cast<Rgba8*>(of_quad), *job_.picture, tile_.window(),
+                x + (quad % 2) * kQuadSide, y + (quad / 2) * kQuadSide);
+      for (std::size_t k = 0; k < kQuadVectors; ++k) {
+        colors[std::size_t(quad) * kQuadVectors + k] = load(of_quad + k * kLanes);
+      }
+    }
+  }
+
   HWY_INLINE void resolve_quad(std::size_t block, int quad, int x, int y) {
     if (job_.depth != nullptr) store_depths(block, quad, x, y);
     const TileBlock& b = tile_.block(block);
@@ -281,7 +251,7 @@ private:
     }
     for (std::size_t k = 0; k < kQuadPixels; k += kLanes) {
       const Ints seen = seen_in(tile_, block, quad, k);
-      shade_lanes(seen, is_to_be_shaded(seen), x, y, k, ToPixels{*this, pixels, k});
+      shader_.shade_lanes(seen, is_to_be_shaded(seen), x, y, k, ToPixels{*this, pixels, k});
     }
     const PixelRect& window = tile_.window();
     if (job_.picture != nullptr) store_quad(pixels.color, color_, window, x, y);
@@ -311,27 +281,52 @@ private:
       std::fill_n(means, kQuadPixels, std::bit_cast<std::int32_t>(job_.background));
     }
     SampleColors colors;
+    FurtherSamples further;
     for (std::size_t k = 0; k < kQuadPixels; k += kLanes) {
-      Ints seen[kMostSamples];
-      for (std::size_t s = 0; s < tiles_.size(); ++s) {
-        seen[s] = seen_in(tiles_[s], block, quad, k);
-        Ints color = load(means + k);
-        IntMask pending = is_to_be_shaded(seen[s]);
-        for (std::size_t t = 0; t < s; ++t) {
-          const IntMask same = seen[s] == seen[t];
-          color = select(same, load(colors.at(t) + k), color);
-          pending = pending && !same;
-        }
-        shade_lanes(seen[s], pending, x, y, k, ToSample{job_, color});
-        store(color, colors.at(s) + k);
-      }
+      shade_samples(block, quad, x, y, k, load(means + k), colors, further);
     }
+    shader_.shade_further(further, x, y, colors);
+    for (std::size_t k = 0; k < kQuadPixels; k += kLanes)
+      copy_equal_samples(block, quad, k, colors);
     if (job_.samples != nullptr) return leave_samples(block, quad, x, y, colors);
     for (std::size_t k = 0; k < kQuadPixels; k += kLanes) {
       const Ints mean = mean_color(job_.transfer, colors, tiles_.size(), k);
       store((mean & mask_) | (load(means + k) & ~mask_), means + k);
     }
     store_quad(means, color_, tile_.window(), x, y);
+  }
+
+  // Of a quad's pixels k .. k + kLanes - 1: the first samples, and others of large triangles. Small ones wait in `further`, since few lanes
+  // have any. `background`: of samples that show nothing.
+  HWY_INLINE void shade_samples(std::size_t block, int quad, int x, int y, std::size_t k,
+                                Ints background, SampleColors& colors, FurtherSamples& further) {
+    Ints seen[kMostSamples];
+    for (std::size_t s = 0; s < tiles_.size(); ++s) {
+      seen[s] = seen_in(tiles_[s], block, quad, k);
+      Ints color = background;
+      IntMask pending = is_to_be_shaded(seen[s]);
+      for (std::size_t t = 0; t < s; ++t) pending = pending && seen[s] != seen[t];
+      if (s > 0) {
+        const IntMask small = pending && seen[s] >= 0;  // kLargeReference is the sign
+        if (!none(small)) further.add(seen[s], small, s, k);
+        pending = pending && !small;
+      }
+      shader_.shade_lanes(seen[s], pending, x, y, k, ToSample{job_, color});
+      store(color, colors.at(s) + k);
+    }
+  }
+  // What is seen at several of a pixel's samples was shaded at the first of them.
+  HWY_INLINE void copy_equal_samples(std::size_t block, int quad, std::size_t k,
+                                     SampleColors& colors) const {
+    Ints seen[kMostSamples];
+    for (std::size_t s = 0; s < tiles_.size(); ++s) {
+      seen[s] = seen_in(tiles_[s], block, quad, k);
+      Ints color = load(colors.at(s) + k);
+      for (std::size_t t = 0; t < s; ++t) {
+        color = select(seen[s] == seen[t], load(colors.at(t) + k), color);
+      }
+      store(color, colors.at(s) + k);
+    }
   }
 
   // For other draws to come: what was seen, and all depths. (Not often, and so pixel by pixel.)
@@ -408,40 +403,6 @@ private:
     Ints& color;
   };
 
-  // What is seen in the `pending` lanes, shaded.
-  template <class To>
-  HWY_INLINE void shade_lanes(Ints seen, IntMask pending, int x, int y, std::size_t k,
-                              const To& to) {
-    while (!none(pending)) {
-      HWY_ALIGN std::int32_t references[kLanes];
-      store(seen, references);
-      const auto first = Reference(references[hn::FindFirstTrue(kI, pending.m)]);
-      IntMask same;
-      if ((first & kLargeReference) != 0) {
-        same = pending && seen == std::int32_t(first);
-        const LargeShape& shape = shape_of(first);
-        const ShadeDraw& draw = job_.draws[shape.triangle->draw];
-        const DrawTextures textures = textures_of(draw);
-        to.take(draw, textures, LargeSource(shape, x, y, k, to.place(same)), same);
-      } else {
-        const ShadeDraw& draw = draw_of(first);
-        const DrawTextures textures = textures_of(draw);
-        const Ints begin = std::int32_t(draw.first_reference);
-        same = pending && seen >= begin && seen < std::int32_t(draw.end_reference);
-        const Ints reference = select(same, seen, std::int32_t(first));
-        const SmallSource source(draw, reference - begin, quad_columns(k) + x, quad_rows(k) + y,
-                                 to.place(same));
-        to.take(draw, textures, source, same);
-      }
-      pending = pending && !same;
-    }
-  }
-
-  // None where nobody wants colours.
-  HWY_INLINE DrawTextures textures_of(const ShadeDraw& draw) const {
-    return job_.picture != nullptr ? DrawTextures(draw) : DrawTextures();
-  }
-
   template <class Source>
   HWY_INLINE void finish(const ShadeDraw& draw, const DrawTextures& textures, const Source& source,
                          IntMask lanes, std::size_t k, QuadPixels& pixels) {
@@ -459,37 +420,16 @@ private:
     }
   }
 
-  const LargeShape& shape_of(Reference reference) {
-    if (reference != shape_reference_) {
-      shape_reference_ = reference;
-      shape_ = LargeShape(*job_.large[reference & ~kLargeReference]);
-    }
-    return shape_;
-  }
-
-  const ShadeDraw& draw_of(Reference reference) {
-    if (draw_ == nullptr || reference < draw_->first_reference ||
-        reference >= draw_->end_reference) {
-      const auto after = std::upper_bound(
-          job_.by_reference.begin(), job_.by_reference.end(), reference,
-          [&](Reference r, std::uint32_t draw) { return r < job_.draws[draw].first_reference; });
-      draw_ = &job_.draws[*(after - 1)];
-    }
-    return *draw_;
-  }
-
   const ResolveJob& job_;
   std::span<TileBuffer> tiles_;
   TileBuffer& tile_;  // the first of them, or the only one
   std::int32_t mask_;
   bool has_other_planes_;
-  bool plain_blocks_;  // may be stored without a look at what their pixels have in other planes
+  bool plain_blocks_;     // may be stored without a look at what their pixels have in other planes
+  bool shades_in_steps_;  // blocks of pixels
   bool streams_color_;
   Rows color_, depth_;
-  // What the pixels before were shaded with: neighbours are likely to have the same.
-  const ShadeDraw* draw_ = nullptr;
-  Reference shape_reference_ = kNothing;
-  LargeShape shape_;
+  SeenShader shader_;
   Reference one_color_reference_ = kNothing;
   std::uint32_t one_color_ = 0;
 };

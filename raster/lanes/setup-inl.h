@@ -32,15 +32,9 @@ HWY_INLINE Pair gather_pair(const std::int32_t* table, Ints at) {
 #if HWY_TARGET == HWY_SCALAR
   return {gather(table, at), gather(table + 1, at)};
 #else
-  using D64 = hn::Repartition<std::int64_t, DI>;
-  const D64 d64;
-  const hn::Half<DI> half;
   const auto* from = reinterpret_cast<const std::int64_t*>(table);
-  const auto gathered = [&](auto words) HWY_ATTR {
-    const auto bytes = hn::ShiftLeft<2>(hn::PromoteTo(d64, words));
-    return hn::BitCast(kI, hn::GatherOffset(d64, from, bytes));
-  };
-  const auto low = gathered(hn::LowerHalf(half, at.v)), high = gathered(hn::UpperHalf(half, at.v));
+  const auto low = hn::BitCast(kI, gather_words<4>(from, hn::LowerHalf(kHalfI, at.v)));
+  const auto high = hn::BitCast(kI, gather_words<4>(from, hn::UpperHalf(kHalfI, at.v)));
   return {hn::ConcatEven(kI, high, low), hn::ConcatOdd(kI, high, low)};
 #endif
 }

@@ -149,6 +149,10 @@ struct ShadeDraw {
   // Tables of attributes with the indices of each triangle's corners; null where the draw has none, or needs none.
   IndexTriples normal_indices = nullptr, texcoord_indices = nullptr, color_indices = nullptr;
   const Normal<Eye>* normals = nullptr;
+  // Of draws that are lit flat: their triangles' faces, with the normals by face; null otherwise.
+  const Face* faces = nullptr;
+  const Corner* corners = nullptr;
+  const Normal<Eye>* face_normals = nullptr;
   const Point<Eye>* eye_positions = nullptr;
   const TexCoord* texcoords = nullptr;
   const Rgba* colors = nullptr;

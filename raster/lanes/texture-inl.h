@@ -57,7 +57,7 @@ public:
   int last_level() const { return last_level_; }
   HWY_INLINE TextureLevelOf<std::int32_t> base() const { return {width_, height_, 0}; }
   HWY_INLINE TextureLevelOf<Ints> level(Ints k) const {
-    return {side_of_level(width_, k), side_of_level(height_, k), hn::GatherIndex(kI, first_, k.v)};
+    return {side_of_level(width_, k), side_of_level(height_, k), first_of(k)};
   }
   template <class Size>
   HWY_INLINE Shorts texel(const TextureLevelOf<Size>& level, Ints x, Ints y) const {
@@ -65,6 +65,18 @@ public:
   }
 
 private:
+  // A chain has hardly ever more levels than the longest vectors have lanes: then all of them are in one.
+  HWY_INLINE Ints first_of(Ints level) const {
+    if constexpr (kLanes == 16) {
+      if (HWY_LIKELY(last_level_ < int(kLanes))) {
+        const auto levels = hn::FirstN(kI, std::size_t(last_level_) + 1);
+        return hn::TableLookupLanes(hn::MaskedLoad(levels, kI, first_),
+                                    hn::IndicesFromVec(kI, level.v));
+      }
+    }
+    return hn::GatherIndex(kI, first_, level.v);
+  }
+
   const std::int64_t* texels_;
   const std::int32_t* first_;  // by level
   std::int32_t width_, height_, last_level_;

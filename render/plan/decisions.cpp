@@ -229,7 +229,7 @@ Decision light(const Subject& s) {
 Decision highlights(const Subject& s) {
   constexpr const char* kStage = "highlights";
   if (s.method.light == LightAt::kNowhere) return left_out(kStage, "nothing is lit");
-  if (s.method.staged_because != nullptr || s.method.light == LightAt::kVertices) {
+  if (s.method.staged_because != nullptr) {
     return needed(kStage, "the staged stages compute them with the light");
   }
   if (!s.method.highlights) return left_out(kStage, "the material's specular colour is 0");

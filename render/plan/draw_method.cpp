@@ -59,7 +59,6 @@ void choose_light(const Draw& draw, const Lighting& lighting, const RenderSettin
   method.highlights = !leave_out || shines(*draw.material);
   method.eye_positions = per_vertex || (method.highlights && lighting.perspective) ||
                          std::ranges::any_of(lighting.lights, depends_on_place);
-  if (per_vertex) method.large_because = "light is computed at the vertices";
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include <glassbox/base/line_memory.h>
 #include <glassbox/raster/lanes/kernels.h>
 #include <glassbox/render/engine/draw_list.h>
 #include <glassbox/render/plan/cluster_cull.h>
@@ -34,17 +35,17 @@ struct TileRun {
 };
 
 // Grows, and never gives memory back: the next picture is likely to need as much.
-template <class T>
-T* at_least(std::vector<T>& memory, std::size_t size) {
+template <class Memory>
+auto* at_least(Memory& memory, std::size_t size) {
   if (memory.size() < size) memory.resize(size);
   return memory.data();
 }
 
 // The vertices of a round's draws.
 struct VertexTables {
-  std::vector<SnappedEntry> screen;
-  std::vector<Normal<Eye>> normals;  // of vertices, then of faces, draw by draw
-  std::vector<Point<Eye>> eye_positions;
+  LineVector<SnappedEntry> screen;
+  LineVector<Normal<Eye>> normals;  // of vertices, then of faces, draw by draw
+  LineVector<Point<Eye>> eye_positions;
 };
 
 // Where a draw's entries of the tables begin.

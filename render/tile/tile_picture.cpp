@@ -42,6 +42,11 @@ ShadeDraw shade_draw(const TileRun& run, const DrawSlot& slot) {
     shade.normal_indices = or_positions(indices.normals);
     shade.normals = slot.eye_space.normals.data();
   }
+  if (run.settings.shading == Shading::kFlat && method.light != LightAt::kNowhere) {
+    shade.faces = draw.mesh->faces.data();
+    shade.corners = draw.mesh->corners.data();
+    shade.face_normals = slot.eye_space.face_normals.data();
+  }
   if (method.eye_positions) shade.eye_positions = slot.eye_space.positions.data();
   if (method.texture) {
     shade.texture = draw.texture;
@@ -125,7 +130,9 @@ void TilePicture::prepare_framebuffer(bool one_round) {
     prepare_plane(run_.window, wanted, keep_picture_, empty, plane);
   };
   prepare(!eye_.draws_over(), s.background, target.color);
-  prepare(through_framebuffer || plan_.keep_depth, kEmptyDepth, target.depth);
+  // Each tile overwrites its depths, unless it has to read them first.
+  prepare_plane(run_.window, through_framebuffer || plan_.keep_depth, through_framebuffer,
+                kEmptyDepth, target.depth);
   prepare(s.want_distance || s.show == Show::kDepth, std::numeric_limits<float>::infinity(),
           target.distance);
   prepare(s.want_id || s.show == Show::kId, std::uint32_t{0}, target.id);

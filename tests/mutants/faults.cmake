@@ -65,9 +65,9 @@ plant(raster/lanes/blocks-inl.h [=[triangle.depth[1] - triangle.depth[0]]=] [=[t
 plant(raster/lanes/blocks-inl.h [[y + (quad / 2) * kQuadSide]] [[y]] C-56 "a plain block that is filled in has its upper half twice")
 
 # ---- colours ----
-plant(raster/lanes/shade-inl.h [[draw.w_is_one]] [[true]] C-65 "affine weights, of small triangles")
-plant(raster/lanes/shade-inl.h [[setup.affine]] [[true]] C-65 "affine weights, of large triangles")
-plant(raster/lanes/shade-inl.h [[edge_at_pixel(setup.edges[1], x, y)]] [[edge_at_pixel(setup.edges[1], x + 1, y)]] C-65 "attributes of large triangles are those of the next pixel")
+plant(raster/lanes/sources-inl.h [[draw->w_is_one]] [[true]] C-65 "affine weights, of small triangles")
+plant(raster/lanes/sources-inl.h [[setup.affine]] [[true]] C-65 "affine weights, of large triangles")
+plant(raster/lanes/sources-inl.h [[edge_at_pixel(setup.edges[1], x, y)]] [[edge_at_pixel(setup.edges[1], x + 1, y)]] C-65 "attributes of large triangles are those of the next pixel")
 plant(raster/lanes/alpha-inl.h [[byte & 255]] [[byte & 127]] C-50 "the table of blended bytes is asked for half of them")
 
 # ---- tiles and the plan ----

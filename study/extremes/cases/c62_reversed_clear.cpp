@@ -41,8 +41,8 @@ Outcome judge(const DepthTest& test) {
 }
 
 // The numbers of the triangles that a run in this format shows, 1 + theirs, in a picture of 16 x 16 pixels.
-std::vector<std::uint32_t> shown_in(DepthFormat format, const Drawer& by,
-                                    const std::vector<ScreenTriangle>& triangles) {
+LineVector<std::uint32_t> shown_in(DepthFormat format, const Drawer& by,
+                                   const std::vector<ScreenTriangle>& triangles) {
   const bool reversed = format == DepthFormat::kFloat32Reversed;
   Camera camera;
   camera.lens = OrthographicLens{8, 0, 1};

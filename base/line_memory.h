@@ -1,0 +1,38 @@
+// Memory that begins at a line of the cache.
+#pragma once
+
+#include <cstddef>
+#include <new>
+#include <vector>
+
+namespace glassbox {
+
+inline constexpr std::size_t kCacheLine = 64;  // bytes; the longest vectors, too
+
+template <class T>
+struct LineAllocator {
+  using value_type = T;
+
+  LineAllocator() = default;
+  template <class U>
+  LineAllocator(const LineAllocator<U>&) {}
+
+  T* allocate(std::size_t count) {
+    return static_cast<T*>(::operator new (bytes_of(count), std::align_val_t{kCacheLine}));
+  }
+  void deallocate(T* memory, std::size_t) {
+    ::operator delete (memory, std::align_val_t{kCacheLine});
+  }
+  friend bool operator==(const LineAllocator&, const LineAllocator&) { return true; }
+
+private:
+  static std::size_t bytes_of(std::size_t count) {
+    if (count > std::size_t(-1) / sizeof(T)) throw std::bad_array_new_length();
+    return count * sizeof(T);
+  }
+};
+
+template <class T>
+using LineVector = std::vector<T, LineAllocator<T>>;
+
+}  // namespace glassbox

@@ -1,0 +1,237 @@
+// Shading of what is seen: which draw and which triangle the pixels' references stand for, and their colours.
+
+#if defined(GLASSBOX_SEEN_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLASSBOX_SEEN_INL_H_
+#undef GLASSBOX_SEEN_INL_H_
+#else
+#define GLASSBOX_SEEN_INL_H_
+#endif
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include <glassbox/raster/lanes/samples-inl.h>
+#include <glassbox/raster/lanes/shade-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace glassbox {
+namespace HWY_NAMESPACE {
+
+// Small triangles that are seen at samples of a quad's pixels, one after the other, and whose colours they are: sample * kQuadPixels
+// + pixel.
+struct FurtherSamples {
+  // (Room for what a vector writes beyond them.)
+  static constexpr std::size_t kMost = std::size_t(kMostSamples) * kQuadPixels + kLanes;
+  HWY_INLINE void add(Ints seen, IntMask lanes, std::size_t sample, std::size_t k) {
+    const Ints place = hn::Iota(kI, std::int32_t(sample * kQuadPixels + k));
+    hn::StoreU(hn::Compress(seen.v, lanes.m), kI, references + count);
+    hn::StoreU(hn::Compress(place.v, lanes.m), kI, places + count);
+    count += count_of(lanes);
+  }
+
+  std::size_t count = 0;
+  HWY_ALIGN std::int32_t references[kMost];
+  HWY_ALIGN std::int32_t places[kMost];
+};
+
+class SeenShader {
+public:
+  explicit SeenShader(const ResolveJob& job) : job_(job), mask_(bytes_of(job.mask)) {}
+
+  const LargeShape& shape_of(Reference reference) {
+    if (reference != shape_reference_) {
+      shape_reference_ = reference;
+      shape_ = LargeShape(*job_.large[reference & ~kLargeReference]);
+    }
+    return shape_;
+  }
+
+  const ShadeDraw& draw_of(Reference reference) {
+    if (draw_ == nullptr || reference < draw_->first_reference ||
+        reference >= draw_->end_reference) {
+      const auto after = std::upper_bound(
+          job_.by_reference.begin(), job_.by_reference.end(), reference,
+          [&](Reference r, std::uint32_t draw) { return r < job_.draws[draw].first_reference; });
+      draw_ = &job_.draws[*(after - 1)];
+    }
+    return *draw_;
+  }
+
+  // None where nobody wants colours.
+  HWY_INLINE DrawTextures textures_of(const ShadeDraw& draw) const {
+    return job_.picture != nullptr ? DrawTextures(draw) : DrawTextures();
+  }
+
+  // Whether vectors of the block are shaded step by step: where the first corner of a quad that shows anything shows a texture. Others
+  // are better shaded one by one.
+  HWY_INLINE bool shows_texture(const TileBuffer& tile, std::size_t block) {
+    const TileBlock& b = tile.block(block);
+    for (int quad = 0; quad < kBlockQuads; ++quad) {
+      const Reference seen =
+          b.plain ? b.reference
+                  : tile.reference()[block * kBlockPixels + std::size_t(quad) * kQuadPixels];
+      if (seen == kNothing || seen == kInPicture) continue;
+      const ShadeDraw& draw = (seen & kLargeReference) != 0
+                                  ? job_.draws[job_.large[seen & ~kLargeReference]->draw]
+                                  : draw_of(seen);
+      return draw.texture != nullptr || draw.emission_texture != nullptr;
+    }
+    return false;
+  }
+
+  // ---- a vector ----
+
+  // What is seen in the `pending` lanes, shaded.
+  template <class To>
+  HWY_INLINE void shade_lanes(Ints seen, IntMask pending, int x, int y, std::size_t k,
+                              const To& to) {
+    while (!none(pending)) {
+      HWY_ALIGN std::int32_t references[kLanes];
+      store(seen, references);
+      const auto first = Reference(references[hn::FindFirstTrue(kI, pending.m)]);
+      IntMask same;
+      if ((first & kLargeReference) != 0) {
+        same = pending && seen == std::int32_t(first);
+        const LargeShape& shape = shape_of(first);
+        const ShadeDraw& draw = job_.draws[shape.triangle->draw];
+        const DrawTextures textures = textures_of(draw);
+        to.take(draw, textures, LargeSource(shape, x, y, k, to.place(same)), same);
+      } else {
+        const ShadeDraw& draw = draw_of(first);
+        const DrawTextures textures = textures_of(draw);
+        const Ints begin = std::int32_t(draw.first_reference);
+        same = pending && seen >= begin && seen < std::int32_t(draw.end_reference);
+        const Ints reference = select(same, seen, std::int32_t(first));
+        const SmallSource source(draw, reference - begin, quad_columns(k) + x, quad_rows(k) + y,
+                                 to.place(same));
+        to.take(draw, textures, source, same);
+      }
+      pending = pending && !same;
+    }
+  }
+
+  // ---- a block ----
+
+  // Of vector i of the block at (x, y).
+  HWY_INLINE static LargeSource large_source(const LargeShape& shape, int x, int y, std::size_t i) {
+    const int quad = int(i / kQuadVectors);
+    return {shape, x + (quad % 2) * kQuadSide, y + (quad / 2) * kQuadSide,
+            i % kQuadVectors * kLanes, AtCentre()};
+  }
+
+  // The colours of a block's pixels that are pending, into those that have `colors` now.
+  HWY_INLINE void shade_block(const Ints* seen, IntMask* pending, int x, int y, Ints* colors) {
+    for (std::size_t i = 0; i < kBlockVectors; ++i) {
+      while (!none(pending[i])) shade_group(seen, pending, i, x, y, colors);
+    }
+  }
+
+  // ---- samples ----
+
+  // A vector's lanes may be of any pixels of the quad at (x, y): small triangles are found lane by lane.
+  HWY_NOINLINE void shade_further(const FurtherSamples& further, int x, int y,
+                                  SampleColors& colors) {
+    for (std::size_t i = 0; i < further.count; i += kLanes) {
+      const Ints seen = load(further.references + i), place = load(further.places + i);
+      const Ints pixel_x = (place & 3) + x, pixel_y = (shifted_right<2>(place) & 3) + y;
+      IntMask pending = first_lanes(std::min(kLanes, further.count - i));
+      Ints color = 0;
+      while (!none(pending)) {
+        HWY_ALIGN std::int32_t references[kLanes];
+        store(seen, references);
+        const auto first = Reference(references[hn::FindFirstTrue(kI, pending.m)]);
+        const ShadeDraw& draw = draw_of(first);
+        const Ints begin = std::int32_t(draw.first_reference);
+        const IntMask same = pending && seen >= begin && seen < std::int32_t(draw.end_reference);
+        const Ints reference = select(same, seen, std::int32_t(first));
+        const SmallSource source(draw, reference - begin, pixel_x, pixel_y,
+                                 AtSamples{job_.points, same});
+        color = select(same, encoded(shining_by_call(draw, textures_of(draw), job_, source), job_),
+                       color);
+        pending = pending && !same;
+      }
+      HWY_ALIGN std::int32_t shaded[kLanes];
+      store(color, shaded);
+      const std::size_t count = std::min(kLanes, further.count - i);
+      for (std::size_t lane = 0; lane < count; ++lane) {
+        colors.colors[further.places[i + lane]] = shaded[lane];
+      }
+    }
+  }
+
+private:
+  // Pixels of a block that show small triangles of one draw, or one large triangle.
+  struct Group {
+    std::size_t count = 0;
+    std::size_t vector[kBlockVectors];
+    IntMask lanes[kBlockVectors];
+  };
+  // Takes from the pixels that are pending, from vector `begin` on, those that belong.
+  template <class Belongs>
+  HWY_INLINE static void take_group(const Ints* seen, IntMask* pending, std::size_t begin,
+                                    const Belongs& belongs, Group& group) {
+    for (std::size_t i = begin; i < kBlockVectors; ++i) {
+      const IntMask same = pending[i] && belongs(seen[i]);
+      if (none(same)) continue;
+      pending[i] = pending[i] && !same;
+      group.vector[group.count] = i;
+      group.lanes[group.count++] = same;
+    }
+  }
+
+  // The group of the first pixel that is pending in vector `begin`.
+  HWY_INLINE void shade_group(const Ints* seen, IntMask* pending, std::size_t begin, int x, int y,
+                              Ints* colors) {
+    HWY_ALIGN std::int32_t references[kLanes];
+    store(seen[begin], references);
+    const auto first = Reference(references[hn::FindFirstTrue(kI, pending[begin].m)]);
+    Group group;
+    Ints shaded[kBlockVectors];
+    if ((first & kLargeReference) != 0) {
+      take_group(
+          seen, pending, begin, [&](Ints s) HWY_ATTR { return s == std::int32_t(first); }, group);
+      const LargeShape& shape = shape_of(first);
+      const ShadeDraw& draw = job_.draws[shape.triangle->draw];
+      shade_vectors<LargeSource>(
+          draw, DrawTextures(draw), job_, group.count,
+          [&](std::size_t i) HWY_ATTR { return large_source(shape, x, y, group.vector[i]); },
+          shaded);
+    } else {
+      const ShadeDraw& draw = draw_of(first);
+      const Ints from = std::int32_t(draw.first_reference);
+      take_group(
+          seen, pending, begin,
+          [&](Ints s) HWY_ATTR { return s >= from && s < std::int32_t(draw.end_reference); },
+          group);
+      shade_vectors<SmallSource>(
+          draw, DrawTextures(draw), job_, group.count,
+          [&](std::size_t i) HWY_ATTR {
+            const std::size_t vector = group.vector[i], k = vector % kQuadVectors * kLanes;
+            const int quad = int(vector / kQuadVectors);
+            const Ints reference = select(group.lanes[i], seen[vector], std::int32_t(first));
+            return SmallSource(draw, reference - from,
+                               quad_columns(k) + (x + (quad % 2) * kQuadSide),
+                               quad_rows(k) + (y + (quad / 2) * kQuadSide), AtCentre());
+          },
+          shaded);
+    }
+    for (std::size_t i = 0; i < group.count; ++i) {
+      Ints& color = colors[group.vector[i]];
+      color = select(group.lanes[i], (shaded[i] & mask_) | (color & ~mask_), color);
+    }
+  }
+
+  const ResolveJob& job_;
+  std::int32_t mask_;
+  // What the pixels before were shaded with: neighbours are likely to have the same.
+  const ShadeDraw* draw_ = nullptr;
+  Reference shape_reference_ = kNothing;
+  LargeShape shape_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glassbox
+HWY_AFTER_NAMESPACE();
+
+#endif
