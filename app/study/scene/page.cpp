@@ -69,9 +69,9 @@ std::optional<std::size_t> nearest_before(const study::Curve& curve, std::size_t
 std::vector<std::uint8_t> flip_levels(const Picture& picture, const Picture& reference) {
   const StoredImage test = as_stored(picture), right = as_stored(reference);
   const Selection all(picture.width, picture.height);
-  std::vector<std::uint8_t> levels = flip_heat_map(PicturePair{right, test, all}).pixels;
-  for (std::uint8_t& level : levels)
-    level = std::uint8_t(std::min((level + 7) / 8 * 8, int(kHeatHottest)));
+  std::vector<std::uint8_t> levels;
+  for (const std::uint8_t level : flip_heat_map(PicturePair{right, test, all}).pixels)
+    levels.push_back(std::uint8_t(std::min((level + 7) / 8 * 8, int(kHeatHottest))));
   return levels;
 }
 
