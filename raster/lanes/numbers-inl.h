@@ -249,6 +249,18 @@ HWY_INLINE Shorts times_fraction(const Shorts& i, const Shorts& f) {
 HWY_INLINE Shorts select(FloatMask condition, const Shorts& yes, const Shorts& no) {
   return none(condition) ? no : yes;
 }
+template <int kBits>
+HWY_INLINE Shorts shifted_right(const Shorts& a) {
+  return of_each(a, a, [](std::int32_t x, std::int32_t) { return x >> kBits; });
+}
+HWY_INLINE Shorts shorts_of(std::int16_t i) {
+  return {{i, i, i, i}};
+}
+// The lane's four, in [0, 255], as the bytes of one integer, the first in the lowest.
+HWY_INLINE Ints bytes_of(const Shorts& a) {
+  return std::int32_t(unsigned(a.i[0]) | unsigned(a.i[1]) << 8 | unsigned(a.i[2]) << 16 |
+                      unsigned(a.i[3]) << 24);
+}
 // The lane's integer, which is in [0, 2^15), four times.
 HWY_INLINE Shorts four_times(Ints i) {
   const auto one = std::int16_t(i.v.raw);
@@ -284,6 +296,19 @@ HWY_INLINE Shorts operator-(const Shorts& a, const Shorts& b) {
 }
 HWY_INLINE Shorts times_fraction(const Shorts& i, const Shorts& f) {
   return {hn::MulFixedPoint15(i.low, f.low), hn::MulFixedPoint15(i.high, f.high)};
+}
+template <int kBits>
+HWY_INLINE Shorts shifted_right(const Shorts& a) {
+  return {hn::ShiftRight<kBits>(a.low), hn::ShiftRight<kBits>(a.high)};
+}
+HWY_INLINE Shorts shorts_of(std::int16_t i) {
+  return {hn::Set(kS, i), hn::Set(kS, i)};
+}
+// The lane's four, in [0, 255], as the bytes of one integer, the first in the lowest.
+HWY_INLINE Ints bytes_of(const Shorts& a) {
+  const hn::Rebind<std::uint8_t, DS> half;
+  const hn::Twice<decltype(half)> whole;
+  return hn::BitCast(kI, hn::Combine(whole, hn::DemoteTo(half, a.high), hn::DemoteTo(half, a.low)));
 }
 // What `of_words` makes of the lanes as words of 64 bits, half by half.
 template <class OfWords>

@@ -154,7 +154,7 @@ private:
   }
 
   // (What covers all samples of a pixel covers its centre, which lies between them.)
-  HWY_INLINE void resolve_plain_block(std::size_t block, int x, int y) {
+  HWY_NOINLINE void resolve_plain_block(std::size_t block, int x, int y) {
     const TileBlock& b = tile_.block(block);
     if (job_.depth != nullptr) store_plain_depths(block, x, y);
     if (job_.picture == nullptr) return;
@@ -237,7 +237,8 @@ private:
     }
   }
 
-  HWY_INLINE void resolve_quad(std::size_t block, int quad, int x, int y) {
+  // (A function of its own, as that of plain blocks is: together they are more than compilers keep in registers well.)
+  HWY_NOINLINE void resolve_quad(std::size_t block, int quad, int x, int y) {
     if (job_.depth != nullptr) store_depths(block, quad, x, y);
     const TileBlock& b = tile_.block(block);
     if (!has_other_planes_) return;

@@ -102,13 +102,28 @@ public:
         const DrawTextures textures = textures_of(draw);
         const Ints begin = std::int32_t(draw.first_reference);
         same = pending && seen >= begin && seen < std::int32_t(draw.end_reference);
-        const Ints reference = select(same, seen, std::int32_t(first));
-        const SmallSource source(draw, reference - begin, quad_columns(k) + x, quad_rows(k) + y,
-                                 to.place(same));
-        to.take(draw, textures, source, same);
+        const Ints reference = select(same, seen, std::int32_t(first)) - begin;
+        if (textures.color != nullptr || textures.emission != nullptr) {
+          take_textured(draw, textures, reference, x, y, k, to, same);
+        } else {
+          to.take(draw, DrawTextures(), small_source(draw, reference, x, y, k, to, same), same);
+        }
       }
       pending = pending && !same;
     }
+  }
+
+  template <class To>
+  HWY_INLINE static SmallSource small_source(const ShadeDraw& draw, Ints reference, int x, int y,
+                                             std::size_t k, const To& to, IntMask lanes) {
+    return {draw, reference, quad_columns(k) + x, quad_rows(k) + y, to.place(lanes)};
+  }
+  // A call, so that compilers keep what vectors without textures need in registers.
+  template <class To>
+  HWY_NOINLINE static void take_textured(const ShadeDraw& draw, const DrawTextures& textures,
+                                         Ints reference, int x, int y, std::size_t k, const To& to,
+                                         IntMask lanes) {
+    to.take(draw, textures, small_source(draw, reference, x, y, k, to, lanes), lanes);
   }
 
   // ---- a block ----

@@ -181,6 +181,15 @@ HWY_INLINE void find_texels(const ShadeDraw& draw, const DrawTextures& textures,
   }
 }
 
+// What is seen are the texels as they are, in linear bytes.
+inline bool shows_texels(const ShadeDraw& draw, const DrawTextures& textures,
+                         const ResolveJob& job) {
+  const Rgba& base = draw.material->base_color;
+  return textures.color != nullptr && !draw.emits && draw.light == LightAt::kNowhere &&
+         draw.color_indices == nullptr && base.r == 1 && base.g == 1 && base.b == 1 &&
+         job.transfer == Transfer::kNone && job.channels.r && job.channels.g && job.channels.b;
+}
+
 // What a vector of textured pixels waits for, gathers and divisions one after the other, takes as long as all the rest of the work for
 // it, and its instructions are more than the processor looks ahead. So each step is done for some vectors in turn: while one waits, the
 // next are under way.
@@ -197,6 +206,12 @@ HWY_INLINE void shade_in_steps(const ShadeDraw& draw, const DrawTextures& textur
     find_points(draw, textures, source, points[i]);
   }
   for (std::size_t i = 0; i < count; ++i) find_texels(draw, textures, points[i], texels[i]);
+  if (shows_texels(draw, textures, job)) {
+    for (std::size_t i = 0; i < count; ++i) {
+      colors[i] = linear_bytes_of(texels[i].color()) | std::int32_t(0xff000000u);
+    }
+    return;
+  }
   for (std::size_t i = 0; i < count; ++i) {
     colors[i] = encoded(shining(draw, textures, job, fragments[i], texels[i]).color, job);
   }

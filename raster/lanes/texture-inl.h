@@ -42,6 +42,12 @@ HWY_INLINE Floats alpha_of(const Shorts& texels) {
   return alpha_of_texel(short_of<3>(texels));
 }
 
+// The bytes of texels whose light is stored linearly, as encode_unorm8() of color_of() has them: a byte is 128 of kFullTexel, and what light
+// rounds to is on the same side of each half (tests/raster/texture_test.cpp asks all of them).
+HWY_INLINE Ints linear_bytes_of(const Shorts& texels) {
+  return bytes_of(shifted_right<7>(texels + shorts_of(64)));
+}
+
 // A chain as the formulas ask it.
 class TextureInLanes {
 public:

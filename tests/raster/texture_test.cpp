@@ -241,6 +241,13 @@ TEST_CASE("a texel stands for its byte: the colour comes back, and alpha is the 
   CHECK(light_of(white) == Rgba{1, 1, 1, 1});
 }
 
+TEST_CASE("a linear byte is 128 of a texel, rounded halves up, whatever the texel: lanes shift") {
+  for (int whole = 0; whole <= kFullTexel; ++whole) {
+    const auto t = std::int16_t(whole);
+    REQUIRE(stored_texel({t, t, t, t}, Transfer::kNone).r == std::uint8_t((whole + 64) >> 7));
+  }
+}
+
 TEST_CASE("an image of one colour has that colour at every level, to the byte") {
   for (const Transfer transfer : {Transfer::kSrgb, Transfer::kNone}) {
     for (int byte = 0; byte < 256; ++byte) {
