@@ -83,6 +83,6 @@ plant(render/plan/draw_order.h [[later.farthest < earlier.nearest]] [[later.near
 plant(render/engine/object_cull.cpp [[8 * s * edge_px + 8 * s * s]] [[0.0]] C-29 "culling before the snap has no margin for it")
 
 # ---- two eyes ----
-plant(raster/lanes/vertices-inl.h [[transform_row(*job.other_clip_from_anchored, 0, p)]] [[clip.x]] C-73 "the other eye has this one's x")
+plant(raster/lanes/vertices-inl.h [[transform_row(*job.other_clip_from_anchored, 0, p)]] [[clip.x]] C-74 "the other eye has this one's x")
 plant(render/stereo/render_pair.cpp [[with_mask(render, masks.left)]] [[with_mask(render, masks.right)]] C-76 "the left eye writes the right one's channels")
 plant(pipeline/stereo/culling.cpp [[left && right]] [[left || right]] C-74 "what one eye does not see is thrown away")

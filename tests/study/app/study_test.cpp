@@ -219,7 +219,7 @@ TEST_CASE("two runs agree where neither states the opposite of the other") {
   turned["experiments"][0]["configurations"].erase(0);
   place.write("less.json", turned.dump());
   CHECK(place.run("study agree one.json less.json").exit_code == 2);
-  turned["experiments"][0]["id"] = "D-77";
+  turned["experiments"][0]["id"] = "D-1";
   place.write("another.json", turned.dump());
   CHECK(place.run("study agree one.json another.json").exit_code == 2);
   CHECK(place.run("study agree one.json absent.json").exit_code == 2);
