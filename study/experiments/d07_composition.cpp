@@ -179,7 +179,7 @@ double predict_eye_first(Depth depth, double) {
 
 // ---- the table ----
 
-constexpr int kTimedPoints = 1 << 14, kRounds = 8;
+constexpr int kTimedPoints = 1 << 9, kRounds = 1 << 8;  // they stay in the first cache
 
 template <class Way>
 void add_series(std::vector<Configuration>& all, const std::string& series, Theory theory,

@@ -81,7 +81,8 @@ std::string doubt_text(std::uint64_t tests) {
 
 std::string number_lines(const Scene& scene, const StiffnessReport& report,
                          const StiffNumber& number) {
-  const std::string bound = number_text(number.bound) + " " + number.unit;
+  const std::string bound =
+      std::isfinite(number.bound) ? number_text(number.bound) + " " + number.unit : "none";
   std::string text =
       fmt::format("{}{:<34}{:>12}{:>24}{:>14}\n", number.passes() ? "! " : "  ", number.name,
                   condition_text(number.condition), bound, pixels_text(number));

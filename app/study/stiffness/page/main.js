@@ -2,11 +2,12 @@
 
 const short = (value) => value === null ? "unknown" : Number(value.toPrecision(3)).toString();
 const condition = (value) => value === null ? "∞" : Number(value.toPrecision(4)).toString();
+const bounded = ({bound, unit}) => bound === null ? "none" : `${short(bound)} ${unit}`;
 const onScreen = ({pixels, unit}) => pixels === null && unit !== "px" ? "–" : `${short(pixels)} px`;
 const mark = ({passes}) => passes ? "passes" : "";
 
 function overview() {
-  const rows = manifest.numbers.map((one) => [element("a", {href: `#${one.key}`}, one.name), condition(one.condition), `${short(one.bound)} ${one.unit}`,
+  const rows = manifest.numbers.map((one) => [element("a", {href: `#${one.key}`}, one.name), condition(one.condition), bounded(one),
     onScreen(one), one.worst ? one.worst.text : "the whole picture"]);
   return table(["", "condition", "bound", "on the screen", "worst at"], ["", "number", "number", "number", ""], rows, (at) => mark(manifest.numbers[at]));
 }
@@ -29,7 +30,7 @@ function bars() {
 function part(one) {
   const at = one.worst, command = at && at.command ? element("code", {}, at.command) : null;
   const where = at ? element("span", {}, at.text, command) : "the whole picture";
-  const pairs = [["condition", condition(one.condition)], ["bound", `${short(one.bound)} ${one.unit}`], ["on the screen", onScreen(one)],
+  const pairs = [["condition", condition(one.condition)], ["bound", bounded(one)], ["on the screen", onScreen(one)],
     ["formula", one.formula], ["source", one.source], ["worst at", where], ["in the picture", one.seen], ["what to do", one.advice]];
   const heading = element("h2", {}, one.name, one.passes ? element("span", {className: "passes"}, " – passes a pixel or a texel") : null);
   return element("section", {id: one.key, className: mark(one)}, heading, element("dl", {}, ...terms(pairs)));
