@@ -20,6 +20,7 @@
 #include "app/study/scene/pinned_camera.h"
 #include "study/experiment/runner.h"
 
+#include <glassbox/base/printable.h>
 #include <glassbox/mesh/builtin/scenes.h>
 
 namespace glassbox::app {
@@ -28,6 +29,10 @@ namespace {
 
 using study::Knob;
 
+bool is_given(const std::vector<std::string>& words, const char* option) {
+  return std::ranges::find(words, option) != words.end();
+}
+
 // What the user has set is not turned.
 std::set<Knob> held_by(const std::vector<std::string>& words) {
   std::set<Knob> held;
@@ -35,7 +40,7 @@ std::set<Knob> held_by(const std::vector<std::string>& words) {
                                      {"--filter", Knob::kFilter},
                                      {"--samples", Knob::kSamples},
                                      {"--depth", Knob::kDepth}}) {
-    if (std::ranges::find(words, option) != words.end()) held.insert(knob);
+    if (is_given(words, option)) held.insert(knob);
   }
   return held;
 }
@@ -135,8 +140,12 @@ Result<CurveReport> StudySceneCommand::measure(const Scene& scene, Progress& pro
     return choose_view(scene, large).map([](const ChosenView& view) { return view.view; });
   };
   const int threads = threads_ > 0 ? threads_ : default_threads();
-  request.ways = {
-      picture_.settings, picture_.filter, held_by(words_given(picture_)), {}, threads, {}};
+  const std::vector<std::string> given = words_given(picture_);
+  request.ways.settings = picture_.settings;
+  request.ways.filter = picture_.filter;
+  request.ways.held = held_by(given);
+  request.ways.cull_stage_held = is_given(given, "--cull-stage");
+  request.ways.threads = threads;
   for (const auto& [level, unused] : request.at_levels) request.ways.levels.push_back(level);
   request.combine = !quick_;
   request.repetitions = study::kLeastRepetitions;
@@ -176,7 +185,7 @@ int StudySceneCommand::run() const {
   if (const auto written = write_outputs(*report); !written) return refuse(written.error());
   if (json_output_ != "-" && csv_output_ != "-") {
     fmt::print("{}", curve_text(*report));
-    if (page_) fmt::print("\n{}: open it in a browser\n", *page_);
+    if (page_) fmt::print("\n{}: open it in a browser\n", printable(*page_, kLongestMessage));
   }
   return report->curve.faults.empty() ? kSuccess : kFailure;
 }

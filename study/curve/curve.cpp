@@ -59,7 +59,7 @@ private:
     curve_.reference = std::move(drawn->image);
     curve_.reference_is = fmt::format(
         "{0} x {0} times as large with 16 samples a pixel, averaged in light; {1}, {2}{3}",
-        drawn->factor, name_of(settings.shading), name_of(DepthFormat::kFloat32Reversed),
+        drawn->factor, name_of(settings.shading), name_of(drawn->depth),
         finest.level ? fmt::format(", level {}", *finest.level) : "");
     return {};
   }
@@ -115,19 +115,21 @@ private:
 
   Result<void> measure_geometry() {
     tell("following vertices with 50 digits");
-    std::map<DepthFormat, double> errors;
+    std::map<std::pair<int, DepthFormat>, double> errors;  // by level and format
     for (CurvePoint& point : curve_.points) {
       const DepthFormat format = point.way.settings.depth;
-      if (!errors.contains(format)) {
-        const auto vertices = SceneVertices::of(*request_.scene, *drawers_.view_of(point.way));
+      const auto key = std::pair(point.way.level.value_or(0), format);
+      if (!errors.contains(key)) {
+        const Scene& scene = point.way.level ? drawers_.scene_of(point.way) : *request_.scene;
+        const auto vertices = SceneVertices::of(scene, *drawers_.view_of(point.way));
         if (!vertices) return tl::unexpected(vertices.error());
-        errors[format] = vertices->depth_error(format);
+        errors[key] = vertices->depth_error(format);
         if (point.way.knob == Knob::kNone) {
           curve_.position_error = vertices->position_error();
           curve_.vertices = vertices->count();
         }
       }
-      point.depth_error = errors[format];
+      point.depth_error = errors[key];
     }
     return {};
   }

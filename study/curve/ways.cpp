@@ -116,8 +116,10 @@ private:
           [&](Way& way) { way.tile.target = target; });
     }
     add(Knob::kEngine, {"--no-plan"}, [](Way& way) { way.tile.plan = false; });
-    add(Knob::kEngine, {"--cull-stage", "object"},
-        [](Way& way) { way.settings.cull_stage = CullStage::kObject; });
+    if (!asked_.cull_stage_held) {
+      add(Knob::kEngine, {"--cull-stage", "object"},
+          [](Way& way) { way.settings.cull_stage = CullStage::kObject; });
+    }
     add(Knob::kEngine, {"--engine", "staged"}, [](Way& way) { way.engine = EngineKind::kStaged; });
     for (int threads = 2; threads <= asked_.threads; threads *= 2) {
       add(Knob::kEngine, {"--threads", fmt::to_string(threads)},

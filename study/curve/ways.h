@@ -13,7 +13,8 @@ namespace glassbox::study {
 struct WaysAsked {
   RenderSettings settings{};
   std::optional<TextureFilter> filter{};
-  std::set<Knob> held{};      // what was asked for, and is not turned
+  std::set<Knob> held{};  // what was asked for, and is not turned
+  bool cull_stage_held = false;
   std::vector<int> levels{};  // that the scene may be had at, beside the one that was asked for
   int threads = 1;            // the most
   TileOptions tile{};         // of all ways, but for what they turn

@@ -49,6 +49,10 @@ std::string first_difference(const Origin& there, const Origin& here) {
 }
 
 Result<StudyResults> read_results(const std::string& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    return in_file(path, {{}, "", "is a directory", "name a file of study run"});
+  }
   std::ifstream in(path, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   if (!in) return in_file(path, {{}, "", "cannot be read", "check its name"});

@@ -52,14 +52,19 @@ Result<ReferencePicture> reference_picture(const Scene& scene, const ViewOf& vie
                                            const RenderSettings& asked) {
   RenderSettings settings = asked;
   settings.samples = 16;
-  settings.depth = DepthFormat::kFloat32Reversed;  // the most exact
-  const Result<View> small = view(settings, 1);
+  settings.depth = DepthFormat::kFloat32Reversed;
+  Result<View> small = view(settings, 1);
+  if (!small) {
+    settings.depth = asked.depth;
+    small = view(settings, 1);
+  }
   if (!small) return tl::unexpected(small.error());
   const int factor = reference_factor(scene, *small, settings);
   return view(settings, factor).map([&](const View& large) {
     Renderer renderer(scene, settings.transfer);
     return ReferencePicture{
-        shrunk(renderer.render(large, settings).buffers.color, factor, settings.transfer), factor};
+        shrunk(renderer.render(large, settings).buffers.color, factor, settings.transfer), factor,
+        settings.depth};
   });
 }
 

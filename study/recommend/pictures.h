@@ -17,10 +17,12 @@ using ViewOf = std::function<Result<View>(const RenderSettings& settings, int fa
 struct ReferencePicture {
   Image<Rgba8> image;
   int factor = 1;  // it was drawn that much wider and higher
+  DepthFormat depth = DepthFormat::kFloat32Reversed;
 };
 
 // The nearest to the right picture that there is: drawn up to 4 x 4 times as large with 16 samples a pixel, and averaged in
-// light. Its shading, and how its textures are filtered, are as asked for.
+// light. Its shading, and how its textures are filtered, are as asked for; so is its depth
+// format where the view cannot be had with the most exact one, reversed floats.
 Result<ReferencePicture> reference_picture(const Scene& scene, const ViewOf& view,
                                            const RenderSettings& settings);
 

@@ -42,6 +42,7 @@ Json point_json(const CurveReport& report, const CurvePoint& point) {
 }  // namespace
 
 std::string command_of(const CurveReport& report, const CurvePoint& point) {
+  if (report.scene == "-") return {};  // nobody has what came through a pipe
   std::vector<std::string> own = point.way.options;
   if (has_threads(point.way) && point.way.tile.threads == 1)
     own.insert(own.end(), {"--threads", "1"});

@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include "app/bench/text.h"
+#include "app/report/exit_codes.h"
 #include "app/report/table.h"
 #include "app/report/text_layout.h"
 #include "app/study/scene/curve_report.h"
 
 #include <glassbox/base/counted.h>
+#include <glassbox/base/printable.h>
 
 namespace glassbox::app {
 
@@ -68,10 +70,10 @@ std::vector<const CurvePoint*> front(const study::Curve& curve) {
 std::string curve_text(const CurveReport& report) {
   const study::Curve& curve = report.curve;
   const TimeUnit unit = unit_of(curve);
-  std::string text =
-      wrapped("", fmt::format("{}, {} x {}; {}; {}; glassbox {}", report.scene, report.size.width,
-                              report.size.height, report.origin.machine, report.origin.compiler,
-                              report.origin.version));
+  std::string text = wrapped(
+      "", fmt::format("{}, {} x {}; {}; {}; glassbox {}", printable(report.scene, kLongestMessage),
+                      report.size.width, report.size.height, report.origin.machine,
+                      report.origin.compiler, report.origin.version));
   text += wrapped("", "Errors are those of the whole picture, against it " + curve.reference_is);
   text += wrapped("", fmt::format("Positions are off by {:.2g} px at most, of {} vertices against "
                                   "50 digits",

@@ -29,7 +29,8 @@ json curve_of(const Workplace& place, const std::string& words) {
 TEST_CASE("every way has the command that draws it, and these make as many pictures as it says") {
   const Workplace place;
   for (const char* words : {"checker --size 48x36", "sphere:8 --size 48x36 --quick",
-                            "room --size 48x36 --depth d24 --fov 80 --quick"}) {
+                            "room --size 48x36 --depth d24 --fov 80 --quick",
+                            "cube --size 32x24 --projection t_pers --cull-stage object --quick"}) {
     INFO(words);
     const json curve = curve_of(place, words);
     CHECK(curve.at("faults").empty());

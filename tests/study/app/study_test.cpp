@@ -223,6 +223,7 @@ TEST_CASE("two runs agree where neither states the opposite of the other") {
   place.write("another.json", turned.dump());
   CHECK(place.run("study agree one.json another.json").exit_code == 2);
   CHECK(place.run("study agree one.json absent.json").exit_code == 2);
+  CHECK(place.run("study agree . one.json").exit_code == 2);
 }
 
 TEST_CASE("study recommend says what fits on this scene, and with which options it is drawn") {

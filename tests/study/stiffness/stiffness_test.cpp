@@ -135,6 +135,7 @@ TEST_CASE("info warns of what can be seen, and of nothing else") {
     const Outcome outcome = here.run(std::string("info ") + scene);
     INFO(outcome.out);
     CHECK_FALSE(contains(outcome.out, "warning:"));
+    CHECK_FALSE(contains(outcome.out, "was not asked"));
   }
   CHECK(contains(here.run("info depth-ladder").out, "warning: far over near is 2.097e+06"));
   here.write("far.obj", "v 1000000.1 0 0\nv 1000001.2 0 0.1\nv 1000000.3 1.1 0\nf 1 2 3\n");
@@ -143,6 +144,17 @@ TEST_CASE("info warns of what can be seen, and of nothing else") {
   CHECK(contains(far.out, "put the offset into the node"));
   CHECK(Json::parse(here.run("info far.obj --json -").out)["stiffness"].size() == 1);
   CHECK(Json::parse(here.run("info cube --json -").out)["stiffness"].empty());
+}
+
+TEST_CASE("info does not follow millions of fragments that nobody asked for") {
+  const Workplace here;
+  std::string text;
+  for (int i = 0; i < 2000; ++i) text += "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf -3 -2 -1\n";
+  here.write("deep.obj", text);
+  const Outcome outcome = here.run("info deep.obj");
+  CHECK(outcome.exit_code == 0);
+  CHECK(
+      contains(outcome.out, "was not asked, because of how often its triangles cover each other"));
 }
 
 }  // namespace
