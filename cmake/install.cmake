@@ -14,10 +14,18 @@ list(TRANSFORM targets PREPEND glassbox_)
 set_target_properties(glassbox_flags PROPERTIES EXPORT_NAME flags)
 install(TARGETS glassbox glassbox_flags ${targets} EXPORT glassbox
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-# What `glassbox lab` hands out and compiles students' code with; the judges are in the program.
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/labs DESTINATION ${CMAKE_INSTALL_DATADIR}/glassbox
-  PATTERN "CMakeLists.txt" EXCLUDE PATTERN "checks.cpp" EXCLUDE PATTERN "grading" EXCLUDE)
-install(FILES ${PROJECT_SOURCE_DIR}/labs/grading/witness.cpp DESTINATION ${CMAKE_INSTALL_DATADIR}/glassbox/labs/grading)
+# What `glassbox lab` hands out and compiles students' code with; the judges are in the program. Solutions and hidden cases are among
+# it, unless it is for students.
+set(installed_labs ${PROJECT_SOURCE_DIR}/labs)
+if(GLASSBOX_STUDENT)
+  set(installed_labs ${PROJECT_BINARY_DIR}/for-students/labs)
+endif()
+install(DIRECTORY ${installed_labs} DESTINATION ${CMAKE_INSTALL_DATADIR}/glassbox FILES_MATCHING
+  REGEX "/[0-9][0-9]-[^/]*/(student\\.cpp|runner\\.cpp|student\\.h|cases\\.h|points\\.json)$"
+  REGEX "/[0-9][0-9]-[^/]*/.*\\.(md|png|svg|jpg|ppm|obj|mtl|gltf|glb)$"
+  REGEX "/framework/([^/]*\\.h|runner_main\\.cpp)$"
+  REGEX "/grading/witness\\.cpp$")
+install(FILES ${PROJECT_SOURCE_DIR}/docs/references.md DESTINATION ${CMAKE_INSTALL_DATADIR}/glassbox/labs)
 install(TARGETS glassbox_program DESTINATION ${CMAKE_INSTALL_BINDIR})
 # What shells and man read: the program writes it from its own option tables.
 function(install_what_it_writes file destination)

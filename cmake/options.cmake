@@ -12,6 +12,12 @@ option(GLASSBOX_WERROR "Treat warnings as errors, those of g++ 12 and clang++ 14
 option(GLASSBOX_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
 option(GLASSBOX_SOME_TESTS "Build only the tests that ./glassbox test runs under the sanitizers" OFF)
 option(GLASSBOX_TOGETHER "Compile sources together where that is quicker" ON)
+# A package that `glassbox lab package --students` has made is for students, however it is configured.
+set(is_package OFF)
+if(EXISTS ${PROJECT_SOURCE_DIR}/cmake/for-students)
+  set(is_package ON)
+endif()
+option(GLASSBOX_STUDENT "A glassbox for students: labs without solutions, hidden checks and grading" ${is_package})
 option(GLASSBOX_FUZZ "Build the libFuzzer targets (needs clang++)" OFF)
 
 # The arithmetic contract: IEEE operations in the written order, so no contraction into FMA.

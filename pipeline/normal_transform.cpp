@@ -19,9 +19,13 @@ glm::dmat3 power_of_two_scaled(const glm::dmat3& m) {
   if (!(largest > 0) || !std::isfinite(largest)) return m;
   int exponent = 0;
   std::frexp(largest, &exponent);
+  // 2^-exponent, in two factors where it is too large for one: upwards no product rounds, and downwards there is one product.
+  constexpr int kLargestExponent = 1023;
+  const double factor = std::ldexp(1.0, std::min(-exponent, kLargestExponent));
+  const double rest = std::ldexp(1.0, std::max(-exponent - kLargestExponent, 0));
   glm::dmat3 scaled(0);
   for (int column = 0; column < 3; ++column) {
-    for (int row = 0; row < 3; ++row) scaled[column][row] = std::ldexp(m[column][row], -exponent);
+    for (int row = 0; row < 3; ++row) scaled[column][row] = m[column][row] * factor * rest;
   }
   return scaled;
 }

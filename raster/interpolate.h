@@ -74,8 +74,8 @@ std::array<float, N> interpolate(const std::array<float, N>& a0, const std::arra
 }
 
 // mix(a0, a1, a2) for each attribute of three vertices.
-template <class Mix>
-Varyings combine(const std::array<Varyings, 3>& v, const Mix& mix) {
+template <class Attributes, class Mix>
+Attributes combine(const std::array<Attributes, 3>& v, const Mix& mix) {
   return {mix(v[0].normal, v[1].normal, v[2].normal),
           mix(v[0].position, v[1].position, v[2].position),
           mix(v[0].diffuse, v[1].diffuse, v[2].diffuse),

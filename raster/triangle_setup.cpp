@@ -29,8 +29,11 @@ PixelRect intersect(const PixelRect& a, const PixelRect& b) {
 }
 
 std::optional<TriangleSetup> setup_triangle(const std::array<ScreenVertex, 3>& vertices) {
-  const std::array<SnappedVertex, 3> snapped{snap(vertices[0]), snap(vertices[1]),
-                                             snap(vertices[2])};
+  return setup_triangle(vertices, {snap(vertices[0]), snap(vertices[1]), snap(vertices[2])});
+}
+
+std::optional<TriangleSetup> setup_triangle(const std::array<ScreenVertex, 3>& vertices,
+                                            const std::array<SnappedVertex, 3>& snapped) {
   const std::int64_t area = double_area(snapped[0], snapped[1], snapped[2]);
   if (area == 0) return std::nullopt;
 

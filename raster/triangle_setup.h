@@ -16,5 +16,8 @@ PixelRect intersect(const PixelRect& a, const PixelRect& b);
 
 // Nothing for a triangle whose area is zero after snapping: it covers no pixel.
 std::optional<TriangleSetup> setup_triangle(const std::array<ScreenVertex, 3>& vertices);
+// The same where somebody has snapped them.
+std::optional<TriangleSetup> setup_triangle(const std::array<ScreenVertex, 3>& vertices,
+                                            const std::array<SnappedVertex, 3>& snapped);
 
 }  // namespace glassbox

@@ -34,7 +34,7 @@ using study::PeerProcess;
 using study::ScaledBy;
 
 constexpr const char* kPeerCommand = "bench-peer";
-constexpr int kMostThreads = 256, kMostFrames = 100000;
+constexpr int kMostFrames = 100000;
 
 std::vector<int> parse_threads(const std::string& text) {
   std::vector<int> all;

@@ -2,18 +2,16 @@
 
 #include "app/explain/plan_report.h"
 
+#include <glassbox/render/plan/planned_picture.h>
+
 namespace glassbox::app {
 
 void plan_pictures(const PictureJob& job, const TileOptions& options, PlannedPictures& planned) {
-  const std::vector<DrawList> lists = make_draw_lists(job.scene, job.prepared, views_of(job.eyes));
-  std::vector<PlannedEye> eyes;
-  for (std::size_t i = 0; i < lists.size(); ++i) {
-    eyes.push_back({lists[i], job.eyes[i].view, job.eyes[i].settings});
-  }
-  const std::vector<Plan> plans = options.planner(eyes, options.plan);
-  for (std::size_t i = 0; i < plans.size(); ++i) {
-    planned.texts.push_back(plan_text(job.scene, plans[i], eyes[i]));
-    planned.json.push_back(to_json(plans[i], eyes[i]));
+  PlannedPicture picture;
+  plan_picture(job.scene, job.prepared, job.eyes, options.planner, options.plan, picture);
+  for (std::size_t i = 0; i < picture.plans.size(); ++i) {
+    planned.texts.push_back(plan_text(job.scene, picture.plans[i], picture.eyes[i]));
+    planned.json.push_back(to_json(picture.plans[i], picture.eyes[i]));
   }
 }
 

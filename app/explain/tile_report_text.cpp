@@ -53,6 +53,10 @@ std::string tile_text(const Statistics& s, const TileReport& report) {
       grouped(s.plane_tests), grouped(s.normals), grouped(s.eye_positions),
       grouped(report.triangles), grouped(report.list_entries), grouped(report.tiles),
       grouped(report.large_triangles));
+  if (report.runs < report.draws) {
+    text += fmt::format("  draws: {} in {} runs of one mesh, each one list of triangles\n",
+                        grouped(report.draws), grouped(report.runs));
+  }
   if (report.textures > 0) {
     text += fmt::format("  textures: {} of {} looked at, and their levels made\n",
                         grouped(report.textures_made), grouped(report.textures));
@@ -81,6 +85,8 @@ nlohmann::ordered_json to_json(const Statistics& s, const TileReport& report) {
   }
   return {{"tiles", report.tiles},
           {"rounds", report.rounds},
+          {"draws", report.draws},
+          {"runs", report.runs},
           {"list_entries", report.list_entries},
           {"large_triangles", report.large_triangles},
           {"textures", {{"all", report.textures}, {"made", report.textures_made}}},

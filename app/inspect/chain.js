@@ -97,7 +97,10 @@ function fragmentOf(run, i) {
   const fragment = {index: i, x: c["fragment.x"][i], y: c["fragment.y"][i], fate: fates[c["fragment.fate"][i]],
     stored: storedBefore(run, i), ...bytesAround(run, i), number: number === noTriangle ? null : number};
   if (fragment.number === null) return {...fragment, code: codeOf(run, i)};
-  const chain = chainOf(run, number), piece = chain.pieces[c["fragment.piece"][i]], {setup} = piece;
+  const chain = chainOf(run, number), piece = chain?.pieces[c["fragment.piece"][i]];
+  // Somebody who took part in the run drew what the page's arithmetic does not.
+  if (!piece?.setup) return {...fragment, code: NaN};
+  const {setup} = piece;
   const edges = setup.edges.map((edge) => edgeAt(edge, fragment.x, fragment.y));
   const numbers = interpolateFragment(setup, edges);
   const known = piece.vertices.every(({bound}) => bound);

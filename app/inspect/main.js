@@ -167,6 +167,7 @@ async function start() {
   state.at = run.fragmentCount;
   showTitle();
   showStages();
+  showStudent(run);
   offerCheck();
   listenToControls();
   listenToPicture();
@@ -176,9 +177,10 @@ async function start() {
   byId("message").textContent = "";
   readAddress();
   document.body.dataset.ready = "yes";
-  // Needed by one overlay only.
+  // Needed by some overlays only.
+  if (run.reference) run.referencePicture = await unpackPicture(run.reference, run.width, run.height);
   run.normalPicture = await unpackPicture(run.normals, run.width, run.height);
-  if (state.overlay === "normals") update();
+  if (["normals", "reference", "parts"].includes(state.overlay)) update();
 }
 
 start().catch((error) => { byId("message").textContent = `This page cannot be shown: ${error.message}.`; });

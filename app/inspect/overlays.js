@@ -13,6 +13,11 @@ const overlays = {
   id: {name: "Triangle id", paint: paintId, note: () => "One colour for each triangle."},
   depth: {name: "Depth", paint: paintDepth, note: (run, {least, greatest}) =>
     greatest >= least ? `Depth ${shortNumber(least)} white to ${shortNumber(greatest)} dark.` : "Nothing is drawn yet."},
+  ...(manifest.student ? {
+    reference: {name: "Reference", paint: paintReference, note: () => "The picture as the reference's stages draw it."},
+    parts: {name: "Differences", paint: paintParts, note: (run, {pixels}) =>
+      pixels ? `${count(pixels, "pixel")} unlike the reference's.` : "Every pixel is the reference's."},
+  } : {}),
   normals: {name: "Normals", paint: paintNormals, note: () => "Eye-space normals of the finished picture: x red, y green, z blue."},
 };
 

@@ -305,7 +305,8 @@ Result<PageFacts> make_inspect_page(const Scene& scene, const Camera& camera, co
   const ColumnRun run = record_columns(scene, view, settings,
                                        {.pixels = options.rectangle,
                                         .max_triangles = options.max_triangles,
-                                        .max_fragments = options.max_fragments});
+                                        .max_fragments = options.max_fragments},
+                                       options.stages);
   if (const auto fits = check_limits(run, options); !fits) return tl::unexpected(fits.error());
 
   Json manifest = manifest_of(scene, camera, view, settings, options, run);
@@ -332,6 +333,7 @@ Result<PageFacts> make_inspect_page(const Scene& scene, const Camera& camera, co
       add_bounds(trace, pack);
     }
   }
+  if (!options.student.empty()) manifest["student"] = Json::parse(options.student);
   manifest["columns"] = entries_json(pack);
 
   std::string blobs;
@@ -345,6 +347,10 @@ Result<PageFacts> make_inspect_page(const Scene& scene, const Camera& camera, co
   }
   const auto normals = add_blob("normals", picture_text(normals_of(scene, view, settings)));
   if (!normals) return tl::unexpected(normals.error());
+  if (options.reference != nullptr) {
+    const auto reference = add_blob("reference", picture_text(*options.reference));
+    if (!reference) return tl::unexpected(reference.error());
+  }
   // What other fragments made of the rest of the picture.
   if (options.rectangle) {
     const auto rest = add_blob("picture", picture_text(run.rendering.buffers.color));

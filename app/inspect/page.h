@@ -11,6 +11,7 @@
 #include <glassbox/mesh/scene.h>
 #include <glassbox/pipeline/view.h>
 #include <glassbox/raster/stages.h>
+#include <glassbox/render/engine/observer.h>
 #include <glassbox/render/engine/settings.h>
 
 namespace glassbox::app {
@@ -26,6 +27,11 @@ struct InspectOptions {
   // Of 32 bits: CLI11 wraps a negative number of 64.
   std::uint32_t max_triangles = 1'000'000;
   std::uint32_t max_fragments = 4'000'000;
+
+  // A run in which somebody takes part (glassbox lab render).
+  Observer* stages = nullptr;
+  std::string student;  // JSON of drawing_page.h: their records; empty: nobody's
+  const Image<Rgba8>* reference = nullptr;  // the picture as it would be without them
 };
 
 struct PageFacts {

@@ -6,7 +6,8 @@ function showPanel() {
   const other = state.runs[1] && counterpart(state.runs[1], fragment);
   const chain = fragment?.chain ?? (state.triangle === null ? null : chainOf(run, state.triangle));
   const steps = chain ? chainSections(run, chain, fragment, other?.chain) : [];
-  byId("chain").replaceChildren(...(chain ? chainHeading(run, chain) : [nothingChosen(fragment)]), ...steps,
+  byId("chain").replaceChildren(...(chain ? chainHeading(run, chain) : [nothingChosen(fragment)]),
+    ...studentSections(run, state.triangle), ...steps,
     ...(fragment ? fragmentSections(run, fragment, other?.fragment) : []), ...recordSections(run, fragment));
 }
 

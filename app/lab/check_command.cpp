@@ -1,6 +1,7 @@
 #include "app/lab/check_command.h"
 
 #include <chrono>
+#include <functional>
 #include <system_error>
 #include <thread>
 
@@ -10,39 +11,33 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/lab/checker.h"
+#include "app/lab/draw_picture.h"
+#include "app/lab/for_students.h"
 #include "app/lab/report.h"
+#include "app/options/choices.h"
 #include "app/options/output_options.h"
+#include "app/options/scene_input.h"
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
-#include "labs/framework/check_lab.h"
 
 namespace glassbox::app {
 
 namespace {
 
 namespace fs = std::filesystem;
+using labs::grading::Confinement;
 
 struct Outputs {
   std::optional<std::string> json, html;
 };
 
 // Checks the folder once and says what came of it.
-Result<int> check_once(const LabFolder& folder, const labs::CheckOptions& options,
-                       const Outputs& outputs) {
-  const auto sources = labs::find_sources();
-  if (!sources) return tl::unexpected(sources.error());
-  const auto start = std::chrono::steady_clock::now();
-  labs::BuildRequest build;
-  build.folder = folder.lab->folder;
-  build.student = folder.student;
-  build.build_dir = folder.build_dir;
-  labs::LocalRunner runner;
-  const auto result = labs::check_lab(*folder.lab, *sources, build, options, runner);
-  if (!result) return tl::unexpected(result.error());
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  const LabReport report{*result, folder.student.string(),
-                         result->not_built.empty() ? (folder.build_dir / "runner").string() : "",
-                         took.count()};
+Result<int> check_once(LabChecker& checker, const Outputs& outputs) {
+  const auto checked = checker.check();
+  if (!checked) return tl::unexpected(checked.error());
+  const LabReport report{checked->graded.result, checker.student().string(), checked->runner,
+                         checked->seconds, checked->graded.names};
   if (outputs.json) {
     if (const auto written = write_json(*outputs.json, lab_report_json(report)); !written)
       return tl::unexpected(written.error());
@@ -54,7 +49,8 @@ Result<int> check_once(const LabFolder& folder, const labs::CheckOptions& option
       return tl::unexpected(written.error());
   }
   if (outputs.json != "-") fmt::print("{}", lab_report_text(report));
-  return result->score == result->max_score && result->not_built.empty() ? kSuccess : kFailure;
+  const labs::LabResult& result = checked->graded.result;
+  return result.score == result.max_score && result.not_built.empty() ? kSuccess : kFailure;
 }
 
 // When the file was last written; it may be away for a moment while an editor replaces it.
@@ -62,6 +58,39 @@ std::optional<fs::file_time_type> written_at(const fs::path& file) {
   std::error_code error;
   const auto time = fs::last_write_time(file, error);
   return error ? std::nullopt : std::optional(time);
+}
+
+void add_options(CLI::App& command, CheckOptions& options) {
+  command.add_flag(
+      "--sanitize", options.sanitize,
+      "with AddressSanitizer and UndefinedBehaviorSanitizer: the line of a bad access");
+  command.add_option("--time-limit", options.seconds, "seconds that a check may take")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->capture_default_str();
+  command.add_option("--memory-limit", options.memory_mib, "MiB that a check may use")
+      ->check(CLI::Range(std::size_t(64), std::size_t(1) << 20))
+      ->capture_default_str();
+  add_choice(command, "--sandbox", options.confinement,
+             choices_of({Confinement::kBubblewrap, Confinement::kLandlock, Confinement::kLimits}),
+             "this one or none; the strongest that works here");
+}
+
+// Does it now and whenever the file has been saved, until the program is ended.
+[[noreturn]] void after_every_save(const fs::path& file, const std::function<void()>& act) {
+  const bool terminal = isatty(STDOUT_FILENO) == 1;
+  std::optional<fs::file_time_type> seen;
+  while (true) {
+    const auto now = written_at(file);
+    if (now && now != seen) {
+      seen = now;
+      if (terminal) fmt::print("\x1b[H\x1b[2J\x1b[3J");
+      act();
+      fmt::print("\nSave {} to do it again; Ctrl-C ends.\n", file.string());
+      std::fflush(stdout);
+    }
+    // A glance at a file's time costs nothing, and works where notices of changes do not (shared folders, containers).
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  }
 }
 
 }  // namespace
@@ -73,15 +102,14 @@ void LabCheckCommand::add_to(CLI::App& lab, int& exit_code) {
       "Examples:\n"
       "  glassbox lab check ~/lab5\n"
       "  glassbox lab check ~/lab5 --html report.html\n"
-      "  glassbox lab check labs/05-clipping --hidden\n\n"
-      "The exit code is 0 for full marks and 1 for less.");
+      "  glassbox lab check labs/05-clipping\n\n"
+      "The code runs in a sandbox, as a grader runs it. The exit code is 0 for full marks and 1 "
+      "for less.");
   command.add_option("FOLDER", folder_, "made by glassbox lab start, or a lab's own")->required();
   add_json_output(command, json_output_, "the report");
   add_html_output(command, html_output_, "the report as a page with pictures");
-  command.add_flag("--hidden", hidden_, "hidden checks too");
-  command.add_option("--time-limit", seconds_, "seconds that a check may take")
-      ->check(CLI::Range(0.1, 3600.0))
-      ->capture_default_str();
+  if (!kForStudents) command.add_flag("--hidden", options_.hidden, "hidden checks too");
+  add_options(command, options_);
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 
@@ -91,45 +119,53 @@ int LabCheckCommand::run() const {
     return refuse(good.error());
   const auto folder = open_lab_folder(folder_);
   if (!folder) return refuse(folder.error());
-  labs::CheckOptions options;
-  options.with_hidden = hidden_;
-  options.limits.seconds = seconds_;
-  const auto code = check_once(*folder, options, outputs);
+  auto checker = LabChecker::open(*folder, options_);
+  if (!checker) return refuse(checker.error());
+  const auto code = check_once(**checker, outputs);
   return code ? *code : refuse(code.error());
 }
 
 void LabWatchCommand::add_to(CLI::App& lab, int& exit_code) {
-  CLI::App& command = *lab.add_subcommand("watch", "checks a lab again after every save");
+  CLI::App& command =
+      *lab.add_subcommand("watch", "checks a lab, or draws a scene with it, after every save");
   command.footer(
       "Examples:\n"
-      "  glassbox lab watch ~/lab5\n\n"
-      "Ctrl-C ends it.");
+      "  glassbox lab watch ~/lab5\n"
+      "  glassbox lab watch ~/lab5 teapot --size 640x360 -o teapot.png --html teapot.html\n\n"
+      "With a scene it draws, as glassbox lab render does, and a picture or page is replaced as a\n"
+      "whole. Ctrl-C ends it.");
   command.add_option("FOLDER", folder_, "made by glassbox lab start, or a lab's own")->required();
-  add_html_output(command, html_output_, "the last report as a page with pictures");
+  command.add_option("SCENE", scene_, "draw this in place of the checks");
+  command.add_option("-o,--output", output_, "of a scene: the pictures [SCENE.png]")
+      ->type_name("FILE");
+  add_html_output(command, html_output_, "the last report, or run, as a page");
+  add_options(command, options_);
+  add_picture_options(command, picture_);
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 
 int LabWatchCommand::run() const {
+  if (!scene_.empty()) return watch_picture();
   const Outputs outputs{std::nullopt, html_output_};
   if (const auto good = check_report_outputs(outputs.html, outputs.json); !good)
     return refuse(good.error());
   const auto folder = open_lab_folder(folder_);
   if (!folder) return refuse(folder.error());
-  const bool terminal = isatty(STDOUT_FILENO) == 1;
-  std::optional<fs::file_time_type> seen;
-  while (true) {
-    const auto now = written_at(folder->student);
-    if (now && now != seen) {
-      seen = now;
-      if (terminal) fmt::print("\x1b[H\x1b[2J\x1b[3J");
-      const auto code = check_once(*folder, labs::CheckOptions{}, outputs);
-      if (!code) fmt::print("{}\n", code.error().message());
-      fmt::print("\nSave {} to check it again; Ctrl-C ends.\n", folder->student.string());
-      std::fflush(stdout);
-    }
-    // A glance at a file's time costs nothing, and works where notices of changes do not (shared folders, containers).
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));
-  }
+  auto checker = LabChecker::open(*folder, options_);
+  if (!checker) return refuse(checker.error());
+  after_every_save(folder->student, [&] {
+    const auto code = check_once(**checker, outputs);
+    if (!code) fmt::print("{}\n", code.error().message());
+  });
+}
+
+int LabWatchCommand::watch_picture() const {
+  const std::string output = output_.empty() ? scene_stem(scene_) + ".png" : output_;
+  const LabPicture asked{folder_, scene_, output, picture_, {}, html_output_};
+  if (const auto good = check_lab_picture(asked); !good) return refuse(good.error());
+  const auto folder = open_lab_folder(folder_);
+  if (!folder) return refuse(folder.error());
+  after_every_save(folder->student, [&] { draw_lab_picture(asked); });
 }
 
 }  // namespace glassbox::app

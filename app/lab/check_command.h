@@ -1,12 +1,14 @@
 // glassbox lab check: builds a student's folder, runs its checks and says what is right. glassbox lab watch: again after every
-// save.
+// save; or the picture of a scene.
 #pragma once
 
 #include <optional>
 #include <string>
 
+#include "app/lab/checker.h"
 #include "app/lab/find_lab.h"
 #include "app/options/cli_fwd.h"
+#include "app/options/picture_options.h"
 
 namespace glassbox::app {
 
@@ -19,8 +21,7 @@ private:
 
   std::string folder_;
   std::optional<std::string> json_output_, html_output_;
-  bool hidden_ = false;
-  double seconds_ = 10;
+  CheckOptions options_;
 };
 
 class LabWatchCommand {
@@ -30,8 +31,12 @@ public:
 private:
   int run() const;
 
-  std::string folder_;
+  int watch_picture() const;
+
+  std::string folder_, scene_, output_;
+  PictureOptions picture_;
   std::optional<std::string> html_output_;
+  CheckOptions options_;
 };
 
 }  // namespace glassbox::app

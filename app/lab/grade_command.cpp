@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <thread>
 
 #include <fmt/format.h>
@@ -15,9 +16,12 @@
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
 #include "app/report/scratch.h"
+#include "labs/framework/digest.h"
+#include "labs/framework/points.h"
 #include "labs/grading/class.h"
 #include "labs/grading/grade.h"
 #include "labs/grading/overview.h"
+#include "labs/grading/program_digest.h"
 #include "labs/grading/results.h"
 #include "labs/grading/submission.h"
 
@@ -47,7 +51,7 @@ void LabGradeCommand::add_to(CLI::App& lab, int& exit_code) {
       .add_option("SUBMISSIONS", submissions_, "the folder of a class; with --one, of a submission")
       ->required();
   command
-      .add_option("-o,--output", output_,
+      .add_option("-o,--output", files_.output,
                   "the folder of the results; with --one, the file results.json")
       ->type_name("DIR|FILE")
       ->required();
@@ -56,12 +60,24 @@ void LabGradeCommand::add_to(CLI::App& lab, int& exit_code) {
       "the number of the lab; not needed where a submission is a folder of `lab start`");
   command.add_flag("--one", one_,
                    "SUBMISSIONS is one submission: nothing is shared with other gradings");
-  command.add_option("--classroom", classroom_, "with --one: GitHub Classroom's JSON too")
+  command.add_flag("--resume", resume_,
+                   "grades only what has no result of this submission, lab and glassbox");
+  command.add_option("--classroom", files_.classroom, "with --one: GitHub Classroom's JSON too")
+      ->type_name("FILE");
+  command.add_option("--junit", files_.junit, "with --one: JUnit's XML too, of the visible checks")
+      ->type_name("FILE");
+  command
+      .add_option("--vpl", files_.vpl,
+                  "with --one: what Moodle's Virtual Programming Lab reads, of the visible checks")
       ->type_name("FILE");
   command.add_option("--jobs", jobs_, "submissions at a time; as many as there are processors")
       ->check(CLI::Range(1, 1024));
   command.add_option("--time-limit", seconds_, "seconds for each check; 10")
       ->check(CLI::Range(0.1, 3600.0));
+  command
+      .add_option("--total-time", total_seconds_,
+                  "seconds for all checks of a submission together; 300")
+      ->check(CLI::Range(1.0, 86400.0));
   command.add_option("--memory-limit", memory_mib_, "MiB for each check; 512")
       ->check(CLI::Range(std::size_t(64), std::size_t(1) << 20));
   add_choice(command, "--sandbox", confinement_,
@@ -91,15 +107,14 @@ Result<const labs::Lab*> LabGradeCommand::find_lab(const labs::Sources& sources)
   for (const labs::Lab& lab : labs_())
     there += fmt::format("{}{}", there.empty() ? "" : ", ", lab.number);
   if (lab_) return fail("--lab", fmt::format("there is no lab {}", *lab_), "the labs are " + there);
-  std::vector<std::string> names{""};
+  std::vector<Submission> submissions{{"", submissions_}};
   if (!one_) {
-    const auto listed = list_submissions(submissions_);
+    auto listed = list_submissions(submissions_);
     if (!listed) return tl::unexpected(listed.error());
-    names = *listed;
+    submissions = std::move(listed->submissions);
   }
-  for (const std::string& name : names) {
-    if (const labs::Lab* lab = lab_of_folder(labs_(), sources, fs::path(submissions_) / name))
-      return lab;
+  for (const Submission& each : submissions) {
+    if (const labs::Lab* lab = lab_of_folder(labs_(), sources, each.path)) return lab;
   }
   return fail("--lab", "which lab this is cannot be seen from student.h in the submissions",
               "give the lab's number: " + there);
@@ -113,15 +128,42 @@ int LabGradeCommand::run() {
   return one_ ? run_one(**lab, *sources) : run_class(**lab, *sources);
 }
 
+Result<std::string> LabGradeCommand::digest_of(const labs::Lab& lab, const labs::Sources& sources,
+                                               const fs::path& submission) const {
+  const auto kit = kit_fingerprint(sources, lab.folder);
+  if (!kit) return kit;
+  const auto text = read_submission(submission);
+  labs::Digest digest;
+  digest.add(program_digest()).add(lab.folder).add(*kit);
+  digest.add(text ? *text : text.error().message());
+  if (const auto points = labs::read_text_file(sources.folder_of(lab.folder) / "points.json"))
+    digest.add(*points);
+  digest.add(fmt::format("{} s, {} s together, {} MiB", seconds_, total_seconds_, memory_mib_));
+  return digest.text();
+}
+
 int LabGradeCommand::run_one(const labs::Lab& lab, const labs::Sources& sources) {
-  // First of all, so that there are results whatever happens from here on.
-  if (const auto written = write_results(output_, classroom_, unfinished_json()); !written)
-    return refuse(written.error());
-  if (!fs::is_directory(submissions_))
-    return refuse({submissions_, "", "is no folder", "name the folder that holds student.cpp"});
-  const auto unfinished = gradescope_json(nothing_yet(lab, kUnfinished), "");
-  if (const auto written = write_results(output_, classroom_, unfinished); !written)
-    return refuse(written.error());
+  // Before anything can go wrong, so that there is a result whatever happens from here on.
+  if (const auto begun = begin_results(files_, unfinished_json()); !begun)
+    return refuse(begun.error());
+  if (!fs::exists(fs::symlink_status(submissions_)))
+    return refuse({submissions_, "", "is not there", "name the folder that holds student.cpp"});
+  const auto digest = digest_of(lab, sources, submissions_);
+  if (!digest) return refuse(digest.error());
+  if (resume_ && is_up_to_date(files_.output, *digest)) {
+    fmt::print("{} is the result of this submission already\n", files_.output);
+    return kSuccess;
+  }
+  const auto shares = labs::read_shares(lab, sources.folder_of(lab.folder) / "points.json");
+  if (!shares) return refuse(shares.error());
+  const auto unfinished = gradescope_json(nothing_yet(shares->lab, kUnfinished), "", *digest);
+  if (const auto begun = begin_results(files_, unfinished); !begun) return refuse(begun.error());
+  for (const std::string& warning : shares->warnings) fmt::print(stderr, "{}\n", warning);
+  return grade_one(shares->lab, sources, *digest);
+}
+
+int LabGradeCommand::grade_one(const labs::Lab& lab, const labs::Sources& sources,
+                               const std::string& digest) {
   const Scratch scratch;
   const auto place = scratch.path();
   if (!place) return refuse(place.error());
@@ -136,18 +178,28 @@ int LabGradeCommand::run_one(const labs::Lab& lab, const labs::Sources& sources)
   Limits limits;
   limits.seconds = seconds_;
   limits.memory_bytes = memory_mib_ * kMiB;
-  const Graded graded = grade(lab, submissions_, *sandbox, *kit, *build, limits);
-  const auto results = gradescope_json(graded, sandbox->in_force());
-  if (const auto written = write_results(output_, classroom_, results); !written)
-    return refuse(written.error());
-  fmt::print("{}", results.at("output").get<std::string>());
-  return graded.outcome == kUnfinished ? kFailure : kSuccess;
+  const Graded graded = grade({.lab = lab,
+                               .sandbox = *sandbox,
+                               .kit = *kit,
+                               .build = *build,
+                               .limits = limits,
+                               .total_seconds = total_seconds_},
+                              read_submission(submissions_));
+  const auto results = gradescope_json(graded, sandbox->in_force(), digest);
+  if (graded.outcome == kUnfinished) {  // an earlier result is better than none
+    fmt::print(stderr, "{}\n", results.at("output").get<std::string>());
+    return kFailure;
+  }
+  if (const auto written = write_results(files_, results); !written) return refuse(written.error());
+  fmt::print("{:.6g} of {:.6g} points\n{}", graded.result.score, graded.result.max_score,
+             results.at("output").get<std::string>());
+  return kSuccess;
 }
 
 std::vector<std::string> LabGradeCommand::command_for_one(const labs::Lab& lab,
                                                           const Sandbox& sandbox,
-                                                          const std::string& name) const {
-  const fs::path results = fs::path(output_) / name;
+                                                          const Submission& submission) const {
+  const fs::path results = fs::path(files_.output) / submission.name;
   return {"/proc/self/exe",
           "lab",
           "grade",
@@ -156,57 +208,74 @@ std::vector<std::string> LabGradeCommand::command_for_one(const labs::Lab& lab,
           std::to_string(lab.number),
           "--output=" + (results / "results.json").string(),
           "--classroom=" + (results / "classroom.json").string(),
+          "--junit=" + (results / "junit.xml").string(),
           "--time-limit",
           fmt::format("{}", seconds_),
+          "--total-time",
+          fmt::format("{}", total_seconds_),
           "--memory-limit",
           std::to_string(memory_mib_),
           "--sandbox",
           std::string(name_of(sandbox.confinement())),
           "--kit=" + kit_,
           "--",
-          (fs::path(submissions_) / name).string()};
+          submission.path.string()};
 }
 
 int LabGradeCommand::run_class(const labs::Lab& lab, const labs::Sources& sources) {
-  const auto names = list_submissions(submissions_);
-  if (!names) return refuse(names.error());
-  for (const std::string& name : *names) {
-    const fs::path results = fs::path(output_) / name;
+  const auto listed = list_submissions(submissions_);
+  if (!listed) return refuse(listed.error());
+  for (const std::string& skipped : listed->skipped)
+    fmt::print(stderr, "skipped: {}\n", printable(skipped));
+  const std::vector<Submission>& all = listed->submissions;
+  std::map<std::string, Submission> chosen;
+  for (const Submission& each : all) {
+    const fs::path results = fs::path(files_.output) / each.name;
     std::error_code error;
     fs::create_directories(results, error);
     if (error) return refuse({results.string(), "", error.message(), "choose another -o"});
-    const auto written = write_results((results / "results.json").string(),
-                                       (results / "classroom.json").string(), unfinished_json());
-    if (!written) return refuse(written.error());
+    const std::string file = (results / "results.json").string();
+    const auto digest = digest_of(lab, sources, each.path);
+    if (!digest) return refuse(digest.error());
+    if (resume_ && is_up_to_date(file, *digest)) continue;
+    chosen.emplace(each.name, each);
+    const auto begun = begin_results(
+        {file, (results / "classroom.json").string(), (results / "junit.xml").string()},
+        unfinished_json());
+    if (!begun) return refuse(begun.error());
   }
+  if (chosen.size() < all.size())
+    fmt::print(stderr, "{} of {} have their results already\n", all.size() - chosen.size(),
+               all.size());
   const Scratch scratch;
   const auto place = scratch.path();
   if (!place) return refuse(place.error());
   const auto sandbox = Sandbox::choose(*place, confinement_);
   if (!sandbox) return refuse(sandbox.error());
   fmt::print(stderr, "sandbox: {}\n", sandbox->in_force());
+  const auto shares = labs::read_shares(lab, sources.folder_of(lab.folder) / "points.json");
+  if (!shares) return refuse(shares.error());
+  for (const std::string& warning : shares->warnings) fmt::print(stderr, "{}\n", warning);
   kit_ = (*place / "kit").string();
   if (const auto kit = make_kit(sources, lab.folder, kit_); !kit) return refuse(kit.error());
   // What each makes on the way lies in here, and goes with it.
   ::setenv("TMPDIR", place->c_str(), 1);
 
   ClassRequest request;
-  request.names = *names;
+  for (const auto& [name, submission] : chosen) request.names.push_back(name);
   request.jobs =
       jobs_ > 0 ? jobs_ : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  request.command = [&](const std::string& name) { return command_for_one(lab, *sandbox, name); };
-  std::size_t done = 0, unfinished = 0;
+  request.command = [&](const std::string& name) {
+    return command_for_one(lab, *sandbox, chosen.at(name));
+  };
+  std::size_t done = 0;
   request.ended = [&](const std::string& name, bool fine, const std::string& said) {
-    fmt::print(stderr, "{} of {}: {}{}\n", ++done, names->size(), printable(name),
+    fmt::print(stderr, "{} of {}: {}{}\n", ++done, chosen.size(), printable(name),
                fine ? "" : ": grading did not finish");
-    if (fine) return;
-    ++unfinished;
-    fmt::print(stderr, "{}\n", printable(said, 2000));
+    if (!fine) fmt::print(stderr, "{}\n", printable(said, 2000));
   };
   grade_class(request);
-  const int collected = run_collect(output_);
-  if (collected != kSuccess) return collected;
-  return unfinished > 0 ? kFailure : kSuccess;
+  return run_collect(files_.output);
 }
 
 int LabGradeCommand::run_collect(const fs::path& results) const {
@@ -219,15 +288,19 @@ int LabGradeCommand::run_collect(const fs::path& results) const {
   }
   std::size_t width = 10;
   for (const Row& row : *rows) width = std::max(width, std::min<std::size_t>(40, row.name.size()));
+  std::size_t unfinished = 0;
   for (const Row& row : *rows) {
-    const auto& extra = row.results.at("extra_data");
     fmt::print("{:<{}}  {:>7.6g} / {:<7.6g}  {}\n", printable(row.name, 40), width,
-               row.results.at("score").get<double>(), extra.value("max_score", 0.0),
-               extra.at("outcome").get<std::string>());
+               total_of(row.results), row.results.at("extra_data").value("max_score", 0.0),
+               outcome_of(row));
+    if (!row.finished) ++unfinished;
   }
   fmt::print("{} and {} have the details\n", (results / "class.csv").string(),
              (results / "index.html").string());
-  return kSuccess;
+  if (unfinished == 0) return kSuccess;
+  fmt::print(stderr, "{} of {} did not finish; lab grade --resume goes on with them\n", unfinished,
+             rows->size());
+  return kFailure;
 }
 
 }  // namespace glassbox::app

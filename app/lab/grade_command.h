@@ -6,11 +6,13 @@
 #include <optional>
 #include <string>
 
+#include "app/lab/grade_files.h"
 #include "app/options/cli_fwd.h"
 #include "labs/framework/lab.h"
 #include "labs/framework/sources.h"
 #include "labs/grading/kit.h"
 #include "labs/grading/sandbox.h"
+#include "labs/grading/submission.h"
 
 namespace glassbox::app {
 
@@ -28,22 +30,27 @@ public:
 private:
   int run();
   int run_one(const labs::Lab& lab, const labs::Sources& sources);
+  int grade_one(const labs::Lab& lab, const labs::Sources& sources, const std::string& digest);
   int run_class(const labs::Lab& lab, const labs::Sources& sources);
   int run_collect(const std::filesystem::path& results) const;
   std::vector<std::string> command_for_one(const labs::Lab& lab,
                                            const labs::grading::Sandbox& sandbox,
-                                           const std::string& name) const;
+                                           const labs::grading::Submission& submission) const;
+  // What the result of a submission depends on.
+  Result<std::string> digest_of(const labs::Lab& lab, const labs::Sources& sources,
+                                const std::filesystem::path& submission) const;
   Result<const labs::Lab*> find_lab(const labs::Sources& sources) const;
 
   const std::vector<labs::Lab>& (*labs_)();
   FindSources find_sources_;
-  std::string submissions_, output_, classroom_, kit_, collected_;
+  std::string submissions_, kit_, collected_;
+  ResultFiles files_;  // of a class, the folder of all results
   std::optional<int> lab_;
   std::optional<labs::grading::Confinement> confinement_;
   int jobs_ = 0;
-  double seconds_ = 10;
+  double seconds_ = 10, total_seconds_ = 300;
   std::size_t memory_mib_ = 512;
-  bool one_ = false;
+  bool one_ = false, resume_ = false;
 };
 
 }  // namespace glassbox::app

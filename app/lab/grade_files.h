@@ -15,9 +15,21 @@
 
 namespace glassbox::app {
 
-// results.json to `output`, and what GitHub Classroom takes to `classroom` unless that is empty. Each is whole or not there.
-Result<void> write_results(const std::string& output, const std::string& classroom,
-                           const nlohmann::ordered_json& results);
+// Where the result of a submission goes: results.json, and where they are named the same for GitHub Classroom, JUnit's XML and the
+// text for Moodle's Virtual Programming Lab.
+struct ResultFiles {
+  std::string output, classroom = {}, junit = {}, vpl = {};
+};
+
+// Before a submission is graded: a mark beside results.json that its grading is under way. The result of an
+// earlier grading stays until there is another; where there is none, `unfinished` takes its place.
+Result<void> begin_results(const ResultFiles& files, const nlohmann::ordered_json& unfinished);
+
+// Each file is whole or not there. The mark goes.
+Result<void> write_results(const ResultFiles& files, const nlohmann::ordered_json& results);
+
+// Whether the result of a finished grading with this digest is there. The mark goes if it is.
+bool is_up_to_date(const std::string& output, const std::string& digest);
 
 // Of every folder in `results`, by name. A results.json that cannot be read counts as unfinished.
 Result<std::vector<labs::grading::Row>> read_results(const std::filesystem::path& results);

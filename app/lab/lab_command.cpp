@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/lab/for_students.h"
+
 namespace glassbox::app {
 
 void LabCommand::add_to(CLI::App& app, int& exit_code) {
@@ -17,9 +19,14 @@ void LabCommand::add_to(CLI::App& app, int& exit_code) {
   start_.add_to(command, exit_code);
   check_.add_to(command, exit_code);
   watch_.add_to(command, exit_code);
+  render_.add_to(command, exit_code);
+  stiff_.add_to(command, exit_code);
+  quiz_.add_to(command, exit_code);
+  if (kForStudents) return;
   export_.add_to(command, exit_code);
   grade_.add_to(command, exit_code);
   gradescope_.add_to(command, exit_code);
+  package_.add_to(command, exit_code);
 }
 
 }  // namespace glassbox::app

@@ -5,7 +5,11 @@
 #include "app/lab/grade_command.h"
 #include "app/lab/gradescope_command.h"
 #include "app/lab/list.h"
+#include "app/lab/package_command.h"
+#include "app/lab/quiz_command.h"
+#include "app/lab/render_command.h"
 #include "app/lab/start_command.h"
+#include "app/lab/stiff_command.h"
 #include "app/options/cli_fwd.h"
 #include "app/options/list_command.h"
 
@@ -20,9 +24,13 @@ private:
   LabStartCommand start_;
   LabCheckCommand check_;
   LabWatchCommand watch_;
+  LabRenderCommand render_;
+  LabStiffCommand stiff_;
+  LabQuizCommand quiz_;
   LabExportCommand export_;
   LabGradeCommand grade_;
   LabGradescopeCommand gradescope_;
+  LabPackageCommand package_;
 };
 
 }  // namespace glassbox::app

@@ -18,6 +18,8 @@ struct LabReport {
   std::string student;  // the file
   std::string runner;   // the program that puts the cases, for a debugger
   double seconds = 0;   // of building and running
+  // Of each check of the result: "passed", "crash (stack overflow)", as a grader names it.
+  std::vector<std::string> names = {};
 };
 
 std::string lab_report_text(const LabReport& report);
@@ -38,13 +40,10 @@ struct Restated {
 };
 Restated restated_lines(const std::string& restated);
 
+// What a grader calls the outcome of the check, where there are names; else the verdict on its first wrong case.
+std::string outcome_text(const LabReport& report, const labs::CheckResult& check);
+
 // The command that puts the failing case under a debugger; empty if there is no runner.
 std::string debugger_command(const LabReport& report, const labs::CheckResult& check);
-
-// With the digits that tell floats apart, and all of a double where these are the same for `other`.
-std::string number_text(double value, double other);
-
-// "1 world units, 8388608 float ulps; at most 1e-06 is allowed".
-std::string distance_text(const labs::Divergence& divergence);
 
 }  // namespace glassbox::app

@@ -29,6 +29,7 @@ Json divergence_json(const Divergence& found) {
           {"actual", number_json(found.actual)},
           {"distance", number_json(found.distance)},
           {"ulps", number_json(found.ulps)},
+          {"ulps_of", found.ulps_of_double ? "double" : "float"},
           {"unit", found.unit},
           {"bound", number_json(found.bound)},
           {"explanation", found.explanation}};
@@ -40,7 +41,8 @@ Json first_json(const LabReport& report, const CheckResult& check) {
   Json json{{"case", first.index},
             {"where", first.where},
             {"stage", check.stage},
-            {"status", labs::verdict_name(first.verdict)}};
+            {"status", labs::verdict_name(first.verdict)},
+            {"outcome", outcome_text(report, check)}};
   if (!first.text.empty()) json["text"] = first.text;
   if (first.divergence) json.update(divergence_json(*first.divergence));
   if (first.comparison && first.expected->shape == labs::Shape::kCoverage) {

@@ -8,6 +8,7 @@
 #include "app/lab/report.h"
 #include "lab_page.h"  // made by html/embed.cmake
 #include "labs/framework/compare.h"
+#include "labs/framework/divergence_text.h"
 #include "labs/framework/slips.h"
 
 #include <glassbox/html/blob.h>
@@ -60,10 +61,8 @@ Result<std::string> pictures(const FirstFailure& first) {
 std::string divergence_rows(const Divergence& found) {
   std::string rows =
       row("field", found.element.empty() ? found.field : found.field + ", " + found.element) +
-      row("failure", labs::kind_name(found.kind)) +
-      row("expected", number_text(found.expected, found.actual)) +
-      row("actual", number_text(found.actual, found.expected)) +
-      row("distance", distance_text(found));
+      row("failure", labs::kind_name(found.kind)) + row("expected", labs::expected_text(found)) +
+      row("actual", labs::actual_text(found)) + row("distance", labs::distance_text(found));
   if (!found.explanation.empty()) rows += row("that is", found.explanation);
   return rows;
 }
@@ -71,7 +70,8 @@ std::string divergence_rows(const Divergence& found) {
 Result<std::string> failure_html(const LabReport& report, const CheckResult& check) {
   const FirstFailure& first = *check.first;
   std::string html = "<table>\n" + row("case", fmt::format("{} {}", first.index, first.where)) +
-                     row("verdict", labs::verdict_name(first.verdict));
+                     row("verdict", outcome_text(report, check));
+  if (first.verdict == labs::Verdict::kUntouched) return html + "</table>\n";
   if (!first.text.empty()) html += row("that is", first.text);
   if (first.divergence) html += divergence_rows(*first.divergence);
   html += "</table>\n";
@@ -93,10 +93,13 @@ Result<std::string> failure_html(const LabReport& report, const CheckResult& che
     if (!debugger.empty()) html += escaped(debugger) + "\n";
     html += "</pre>\n";
   }
-  if (!check.said.empty())
-    html += "<p class=quiet>Your code printed:</p>\n<pre>" + escaped(check.said.substr(0, 4000)) +
-            "</pre>\n";
   return html;
+}
+
+std::string printed_html(const CheckResult& check) {
+  if (check.said.empty()) return {};
+  return "<p class=quiet>Your code printed:</p>\n<pre>" + escaped(check.said.substr(0, 4000)) +
+         "</pre>\n";
 }
 
 std::string table_of_tasks(const labs::LabResult& result) {
@@ -132,7 +135,7 @@ Result<std::string> lab_report_page(const LabReport& report) {
       if (!failure) return failure;
       html += *failure;
     }
-    html += "</section>\n";
+    html += printed_html(check) + "</section>\n";
   }
   return assemble_page(kLabPage, title, html + "</main>\n");
 }

@@ -8,6 +8,7 @@
 #include "app/report/program_name.h"
 #include "app/report/shell_line.h"
 #include "app/report/text_layout.h"
+#include "labs/framework/divergence_text.h"
 #include "labs/framework/slips.h"
 
 #include <glassbox/base/printable.h>
@@ -44,11 +45,10 @@ std::string divergence_text(const Divergence& found) {
                                  found.element, labs::kind_name(found.kind));
   const bool has_expected = found.kind != Divergence::Kind::kExtra || !std::isnan(found.expected);
   const bool has_actual = found.kind != Divergence::Kind::kMissing || !std::isnan(found.actual);
-  if (has_expected)
-    text += fmt::format("      expected  {}\n", number_text(found.expected, found.actual));
-  if (has_actual)
-    text += fmt::format("      actual    {}\n", number_text(found.actual, found.expected));
-  if (has_expected && has_actual) text += fmt::format("      distance  {}\n", distance_text(found));
+  if (has_expected) text += fmt::format("      expected  {}\n", labs::expected_text(found));
+  if (has_actual) text += fmt::format("      actual    {}\n", labs::actual_text(found));
+  if (has_expected && has_actual)
+    text += fmt::format("      distance  {}\n", labs::distance_text(found));
   if (!found.explanation.empty()) text += wrapped("      ", found.explanation);
   return text;
 }
@@ -57,7 +57,8 @@ std::string failure_text(const LabReport& report, const CheckResult& check) {
   const FirstFailure& first = *check.first;
   std::string text = fmt::format("  case {}", first.index);
   if (!first.where.empty()) text += ", " + first.where;
-  text += fmt::format(": {}\n", labs::verdict_name(first.verdict));
+  text += fmt::format(": {}\n", outcome_text(report, check));
+  if (first.verdict == Verdict::kUntouched) return text;
   if (!first.text.empty()) text += wrapped("    ", printable(first.text, 600));
   if (first.divergence) text += divergence_text(*first.divergence);
   if (first.comparison && !first.comparison->map.empty()) {
@@ -71,11 +72,12 @@ std::string failure_text(const LabReport& report, const CheckResult& check) {
     text += fmt::format("    look at it: {}\n", command);
   const std::string debugger = debugger_command(report, check);
   if (!debugger.empty()) text += fmt::format("    debug it: {}\n", debugger);
-  if (!check.said.empty()) {
-    text += "    your code printed:\n";
-    text += quoted_lines("      ", check.said, 12);
-  }
   return text;
+}
+
+std::string printed_text(const CheckResult& check) {
+  if (check.said.empty()) return {};
+  return "    your code printed:\n" + quoted_lines("      ", check.said, 12);
 }
 
 std::string check_text(const LabReport& report, const CheckResult& check) {
@@ -83,7 +85,7 @@ std::string check_text(const LabReport& report, const CheckResult& check) {
       fmt::format("\n{} (task {}, stage {}{}): {} of {} cases right\n", check.name, check.task,
                   check.stage, check.hidden ? ", hidden" : "", check.right, check.cases.size());
   if (check.first) text += failure_text(report, check);
-  return text;
+  return text + printed_text(check);
 }
 
 }  // namespace
@@ -98,21 +100,9 @@ std::string points_text(double score, double max_score) {
   return shown(seen) + " of " + shown(max_score);
 }
 
-std::string number_text(double value, double other) {
-  std::string text = fmt::format("{:.9g}", value);
-  return text == fmt::format("{:.9g}", other) ? fmt::format("{:.17g}", value) : text;
-}
-
-std::string distance_text(const Divergence& found) {
-  const std::string unit = found.unit.empty() ? "" : " " + found.unit;
-  if (found.kind == Divergence::Kind::kNotANumber) return "none: NaN is near nothing";
-  std::string text = fmt::format("{:.6g}{}", found.distance, unit);
-  // Ulps say nothing of what is counted.
-  const bool counted = found.unit.empty() && found.expected == std::round(found.expected) &&
-                       found.actual == std::round(found.actual);
-  if (std::isfinite(found.ulps) && !counted) text += fmt::format(", {:.6g} float ulps", found.ulps);
-  if (found.bound == 0) return text + "; it must be exact";
-  return text + fmt::format("; at most {:.6g} is allowed", found.bound);
+std::string outcome_text(const LabReport& report, const CheckResult& check) {
+  const auto at = std::size_t(&check - report.result.checks.data());
+  return at < report.names.size() ? report.names[at] : labs::verdict_name(check.verdict);
 }
 
 Restated restated_lines(const std::string& restated) {
@@ -157,7 +147,7 @@ std::string lab_report_text(const LabReport& report) {
   for (const std::string& warning : result.warnings)
     text += "\nThe compiler warns:\n" + quoted_lines("  ", warning, 30);
   for (const CheckResult& check : result.checks) {
-    if (check.first) text += check_text(report, check);
+    if (check.first || !check.said.empty()) text += check_text(report, check);
   }
   return text;
 }

@@ -13,6 +13,7 @@
 #include "app/report/output.h"
 #include "app/report/shell_line.h"
 #include "labs/framework/zip.h"
+#include "labs/grading/vpl.h"
 
 #include <glassbox/images/atomic_file.h>
 
@@ -92,12 +93,18 @@ void LabExportCommand::add_to(CLI::App& lab, int& exit_code) {
       *lab.add_subcommand("export", "the starter of a lab as an archive, to hand out");
   command.footer(
       "Examples:\n"
-      "  glassbox lab export 5 -o starter.zip\n\n"
-      "Solutions and hidden checks are left out.");
+      "  glassbox lab export 5 -o starter.zip\n"
+      "  glassbox lab export 5 --for vpl -o lab5-vpl.zip\n\n"
+      "Solutions and hidden checks are left out. For Moodle's Virtual Programming Lab, the archive "
+      "has its two\n"
+      "scripts and says where they go.");
   command.add_option("LAB", lab_, "its number or name")->required();
   command.add_option("-o,--output", output_, "the archive: a .zip file")
       ->type_name("FILE")
       ->required();
+  command.add_option("--for", for_, "who takes it: students (a folder to begin in), or vpl")
+      ->check(CLI::IsMember({"students", "vpl"}))
+      ->capture_default_str();
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 
@@ -106,8 +113,12 @@ int LabExportCommand::run() const {
   const auto starter = starter_of(lab_);
   if (!starter) return refuse(starter.error());
   std::vector<labs::ZipEntry> entries;
-  for (const labs::SourceFile& file : starter->files)
-    entries.push_back({starter->lab->folder + "/" + file.path, file.text});
+  if (for_ == "vpl") {
+    entries = labs::grading::vpl_files(*starter->lab, starter->files);
+  } else {
+    for (const labs::SourceFile& file : starter->files)
+      entries.push_back({starter->lab->folder + "/" + file.path, file.text});
+  }
   const auto bytes = labs::make_zip(entries);
   if (!bytes) return refuse(bytes.error());
   if (const auto written = write_file(output_, std::span(*bytes)); !written)

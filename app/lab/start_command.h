@@ -24,7 +24,7 @@ public:
 private:
   int run() const;
 
-  std::string lab_, output_;
+  std::string lab_, output_, for_ = "students";
 };
 
 }  // namespace glassbox::app

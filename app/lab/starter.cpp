@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <regex>
 #include <set>
+#include <sstream>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -133,6 +135,44 @@ std::string lab_json(const labs::Lab& lab) {
   return json.dump(2) + "\n";
 }
 
+// docs/references.md: beside the labs where they are installed or were copied for students, and in the clone's docs/.
+std::string references(const labs::Sources& sources) {
+  for (const fs::path& place :
+       {sources.labs / "references.md", sources.labs.parent_path() / "docs/references.md"}) {
+    if (const auto text = labs::read_text_file(place)) return *text;
+  }
+  return {};
+}
+
+// "| C-38 | an edge shared ... |": what it says of every code, for those that the handout cites.
+std::string rows_of_codes(const std::string& handout, const std::string& references) {
+  static const std::regex row(R"(\| ((?:[A-Z]\d?-|E|B\.|SPEC\s)[\d.]+) \|.*)");
+  std::istringstream lines(references);
+  std::string rows;
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch parts;
+    if (!std::regex_match(line, parts, row)) continue;
+    // As a word of its own.
+    std::string pattern = R"(\b)" +
+                          std::regex_replace(parts[1].str(), std::regex(R"(\.)"), R"(\.)") +
+                          R"((?![\w.-]*\d))";
+    if (std::regex_search(handout, std::regex(pattern))) rows += line + "\n";
+  }
+  return rows;
+}
+
+// A student has no other page that explains them.
+void add_codes(const labs::Sources& sources, std::vector<SourceFile>& files) {
+  for (SourceFile& file : files) {
+    if (file.path != "handout.md") continue;
+    const std::string rows = rows_of_codes(file.text, references(sources));
+    if (!rows.empty())
+      file.text +=
+          "\n## What the codes stand for\n\n| code | what it says | |\n| --- | --- | --- |\n" +
+          rows;
+  }
+}
+
 // The handout, and the pictures and meshes that lie beside it.
 Result<void> add_handout(const fs::path& folder, std::vector<SourceFile>& files) {
   std::error_code error;
@@ -157,8 +197,9 @@ Result<void> add_handout(const fs::path& folder, std::vector<SourceFile>& files)
 
 Result<std::vector<SourceFile>> make_starter(const labs::Sources& sources, const labs::Lab& lab) {
   std::vector<SourceFile> files;
-  if (const auto added = add_handout(sources.labs / lab.folder, files); !added)
+  if (const auto added = add_handout(sources.folder_of(lab.folder), files); !added)
     return tl::unexpected(added.error());
+  add_codes(sources, files);
   const auto solution = labs::solution_text(sources, lab.folder);
   if (!solution) return tl::unexpected(solution.error());
   auto stubs = labs::strip_solution(*solution, lab.folder + "/student.cpp");

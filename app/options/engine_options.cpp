@@ -20,9 +20,6 @@ namespace {
 
 const char* const kGroup = "Engine";
 
-// More than any machine has: beyond it, it is a slip of the finger.
-constexpr int kMostThreads = 1024;
-
 constexpr std::size_t kLongWord = 100;
 
 std::string names_of(const std::vector<Target>& targets, const char* separator) {

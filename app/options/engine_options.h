@@ -15,6 +15,9 @@
 
 namespace glassbox::app {
 
+// More than any machine has: beyond it, it is a slip of the finger.
+inline constexpr int kMostThreads = 1024;
+
 struct EngineOptions {
   EngineKind engine = EngineKind::kTile;
   TileOptions tile;

@@ -138,6 +138,14 @@ Result<ChosenView> choose_view(const Scene& scene, const PictureOptions& picture
   });
 }
 
+Result<View> choose_view(const Scene& scene, const PictureOptions& picture,
+                         const RenderSettings& settings, int factor) {
+  PictureOptions large = picture;
+  large.settings = settings;
+  large.size = {picture.size.width * factor, picture.size.height * factor};
+  return choose_view(scene, large).map([](const ChosenView& chosen) { return chosen.view; });
+}
+
 Result<ChosenEyes> choose_eyes(const Scene& scene, const PictureOptions& picture) {
   const Result<ChosenView> centre = choose_centre(scene, picture);
   if (!centre) return tl::unexpected(centre.error());

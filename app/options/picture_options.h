@@ -55,6 +55,10 @@ struct ChosenView {
 };
 Result<ChosenView> choose_view(const Scene& scene, const PictureOptions& picture);
 
+// choose_view() with other settings, of a picture `factor` times as wide and high.
+Result<View> choose_view(const Scene& scene, const PictureOptions& picture,
+                         const RenderSettings& settings, int factor);
+
 // The camera between the eyes, and the eyes.
 struct ChosenEyes {
   Camera camera;

@@ -122,7 +122,7 @@ std::vector<std::string> left_out(const ErrorReport& report) {
   std::vector<std::string> notes;
   if (e.fragments_of_lines_and_points > 0) {
     notes.push_back(fmt::format(
-        "{} of lines and points, which have no bounds, and {} of the picture with a part of them",
+        "{} of lines and points, which have no bounds, and {} of the picture that show them",
         counted(e.fragments_of_lines_and_points, "fragment"),
         counted(e.pixels_unbounded, "pixel")));
   }

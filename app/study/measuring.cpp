@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "app/options/engine_options.h"
 #include "app/report/progress.h"
 #include "app/study/build_id.h"
 #include "study/bench/machine.h"

@@ -12,8 +12,6 @@
 
 namespace glassbox::app {
 
-inline constexpr int kMostThreads = 256;  // that can be asked for
-
 struct MeasuringOptions {
   std::vector<std::string> ids;  // none: all experiments
   bool quick = false;

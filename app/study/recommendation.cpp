@@ -41,12 +41,7 @@ public:
       : scene_(scene),
         picture_(picture),
         view_([this](const RenderSettings& settings, int factor) {
-          PictureOptions large = picture_;
-          large.settings = settings;
-          large.size = {picture_.size.width * factor, picture_.size.height * factor};
-          return choose_view(scene_, large).map([](const ChosenView& chosen) {
-            return chosen.view;
-          });
+          return choose_view(scene_, picture_, settings, factor);
         }),
         drawers_(scene, view_),
         progress_(progress) {

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/options/builtin_help.h"
+#include "app/options/engine_options.h"
 #include "app/options/output_options.h"
 #include "app/options/scene_input.h"
 #include "app/report/exit_codes.h"
@@ -18,6 +19,7 @@
 #include "app/study/build_id.h"
 #include "app/study/measuring.h"
 #include "app/study/scene/pinned_camera.h"
+#include "study/bench/memory.h"
 #include "study/experiment/runner.h"
 
 #include <glassbox/base/printable.h>
@@ -134,10 +136,7 @@ Result<CurveReport> StudySceneCommand::measure(const Scene& scene, Progress& pro
   request.level = levels->asked;
   if (pin) request.at_levels = std::move(levels->others);
   request.view = [&](const RenderSettings& settings, int factor) {
-    PictureOptions large = picture;
-    large.settings = settings;
-    large.size = {picture.size.width * factor, picture.size.height * factor};
-    return choose_view(scene, large).map([](const ChosenView& view) { return view.view; });
+    return choose_view(scene, picture, settings, factor);
   };
   const int threads = threads_ > 0 ? threads_ : default_threads();
   const std::vector<std::string> given = words_given(picture_);
@@ -149,6 +148,7 @@ Result<CurveReport> StudySceneCommand::measure(const Scene& scene, Progress& pro
   for (const auto& [level, unused] : request.at_levels) request.ways.levels.push_back(level);
   request.combine = !quick_;
   request.repetitions = study::kLeastRepetitions;
+  if (const double free = study::available_bytes(); free > 0) request.most_bytes = free / 2;
   request.phase = [&](const std::string& what) { progress.phase(what); };
   return study::measure_curve(request).map([&](study::Curve curve) {
     const auto effort = quick_ ? study::Effort::kQuick : study::Effort::kFull;

@@ -29,6 +29,9 @@ inline std::vector<TextCase> texts() {
        ""},
       {"numbers counted back from the last position",
        "v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 0 1 0.25\nf -4 -2 -1\n", ""},
+      {"comments that look like corners and positions",
+       "v 0 0 0 # 1\n# v 9 9 9\nv 1 0 0\nv 1 1 0 # 2\nv 0 1 0\nf 1 2 3 # 4\n#f 1 2 4\nf 1 3 4 #\n",
+       ""},
       {"a corner that names position 0", tetrahedron + "f 2 3 4\n", tetrahedron + "f 2 3 0\n"},
   };
 }
@@ -42,6 +45,7 @@ inline std::vector<TextCase> hidden_texts() {
       {"a face of two corners", square + "f 1 2 4\n", square + "f 1 2\n"},
       {"a number that goes back too far", square + "f -4 -3 -2 -1\n", square + "f -5 -3 -2 -1\n"},
       {"a position of two numbers", square + "f 1 2 3\n", "v 0 0\n" + square + "f 1 2 3\n"},
+      {"a position of one number", square + "f 1 2 3\n", square + "f 1 2 3\nv 7\n"},
       {"exponents, signs and many corners",
        "v 1e3 -2.5E-2 +4\nv -1e3 0 4\nv 0 1e-3 4\nv .5 -7 4\nv 5. -70 4\nf 1 2 3 4 5\n", ""},
   };
@@ -129,6 +133,8 @@ inline std::vector<MeshCase> edge_meshes() {
       {"a tetrahedron", mesh_of(4, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}})},
       {"a cube of quads", cube()},
       {"a tube, open at both ends", torus(5, 3, Ends::kOpen)},
+      {"a tetrahedron that has one of its faces twice: edges of three faces",
+       mesh_of(4, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {1, 2, 3}})},
   };
 }
 
@@ -139,6 +145,16 @@ inline std::vector<MeshCase> hidden_edge_meshes() {
       {"two cubes apart", both(cube(), cube())},
       {"three pages that share a spine", mesh_of(5, {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}})},
       {"a cube with one face turned the wrong way", turned(cube(), {3})},
+      {"two tetrahedra that share an edge of four faces", mesh_of(6, {{0, 2, 1},
+                                                                      {0, 1, 3},
+                                                                      {0, 3, 2},
+                                                                      {1, 2, 3},
+                                                                      {0, 4, 1},
+                                                                      {0, 1, 5},
+                                                                      {0, 5, 4},
+                                                                      {1, 4, 5}})},
+      {"a face that comes by one position twice", mesh_of(5, {{0, 1, 2, 0, 3, 4}})},
+      {"no face that takes part: nothing is closed", mesh_of(3, {{0, 0, 1}, {2, 2, 2}})},
       {"repeated corners, and faces of fewer than three positions (C-25)",
        mesh_of(7, {{0, 1, 1, 2}, {2, 1, 3, 2}, {3, 4, 3}, {4, 4, 4}, {5, 6, 5, 6}})},
   };
@@ -231,6 +247,7 @@ inline std::vector<PolygonCase> hidden_polygons() {
       {"an L", tilted({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 4}, {0, 4}})},
       {"a quad with one corner lifted (C-26)", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0.5f}, {0, 1, 0}}},
       {"corners repeated (C-25)", tilted({{0, 0}, {0, 0}, {2, 0}, {2, 2}, {2, 2}, {0, 2}})},
+      {"three corners in one place (C-25)", {{3, 0.1f, -7}, {3, 0.1f, -7}, {3, 0.1f, -7}}},
       {"a sliver, far away",
        tilted({{0, 0}, {1, 0.0625f}, {2, 0.1875f}, {1, 0.125f}}, {50000, -30000, 20000})},
   };

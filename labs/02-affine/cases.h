@@ -73,6 +73,7 @@ inline std::vector<ComposeCase> hidden_compositions() {
     deep.push_back(move(i, -2, 0.5));
   }
   return {
+      {"no step at all", {}},
       {"nothing after a turn and its way back",
        {turn(3, 4, 12, 123), turn(3, 4, 12, -123), move(1, 0, 0)}},
       {"shears between turns",
@@ -107,6 +108,9 @@ inline std::vector<FitCase> hidden_fits() {
       {"a needle far away",
        {{{-900000, 800000}, {-899000, 800001}, {-897999, 800002}}},
        {{{10, 20}, {-30, 40}, {50, 60}}}},
+      {"triangles as large as they come",
+       {{{-1000003, 523}, {1000001, -77}, {12345, 999999}}},
+       {{{700001, -3}, {-999983, 77777}, {5, 1048573}}}},
       {"a target that is flat: the map has no inverse, but there is one",
        {{{0, 1}, {5, 2}, {3, 7}}},
        {{{1, 1}, {2, 2}, {4, 4}}}},

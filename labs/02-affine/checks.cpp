@@ -57,18 +57,37 @@ Case expect_turn(const TurnCase& input) {
           .restated = fmt::format("the point ({}, {}) stays where it is", to.x, to.y),
           .expected = expected(about(to, input.degrees), 1),
           .slipped = {{"multiplication-order", expected(about(-to, input.degrees), 1)},
+                      {"translation-sign",
+                       expected(translate<World>(to) * turn_degrees(z_axis, input.degrees) *
+                                    translate<World>(to),
+                                1)},
                       {"handedness", expected(about(to, -input.degrees), 1)},
+                      {"half-angle", expected(about(to, input.degrees / 2), 1)},
                       {"degrees-radians", expected(about(to, as_radians), kSlippedBound)}}};
 }
 
 // ---- steps ----
 
-enum class Slip { kNone, kRadians, kClockwise };
+enum class Slip { kNone, kRadians, kClockwise, kHalfAngle, kBackwards, kAnyLength };
+
+// Rodrigues' formula with an axis of whatever length it has.
+Map turn_about_any_length(const Vector<World, double>& axis, double degrees) {
+  const double a[3] = {axis.x, axis.y, axis.z};
+  const double angle = radians_from_degrees(degrees), c = std::cos(angle), s = std::sin(angle);
+  Map m;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    m.at(i, i) = a[i] * a[i] * (1 - c) + c;
+    m.at(i, j) = a[i] * a[j] * (1 - c) - a[k] * s;
+    m.at(j, i) = a[i] * a[j] * (1 - c) + a[k] * s;
+  }
+  return m;
+}
 
 Map matrix_of(const Step& step, Slip slip) {
   switch (step.kind) {
     case Step::Kind::kTranslate:
-      return translate<World>(step.v);
+      return translate<World>(slip == Slip::kBackwards ? -step.v : step.v);
     case Step::Kind::kScale:
       return glassbox::scale<World>(step.v.x, step.v.y, step.v.z);
     case Step::Kind::kShear:
@@ -76,6 +95,8 @@ Map matrix_of(const Step& step, Slip slip) {
     case Step::Kind::kRotate:
       break;
   }
+  if (slip == Slip::kAnyLength) return turn_about_any_length(step.v, step.amount);
+  if (slip == Slip::kHalfAngle) return turn_degrees(step.v, step.amount / 2);
   if (slip == Slip::kRadians) return turn_degrees(step.v, degrees_from_radians(step.amount));
   return turn_degrees(step.v, slip == Slip::kClockwise ? -step.amount : step.amount);
 }
@@ -106,15 +127,13 @@ std::string step_text(const Step& step) {
 }
 
 Case expect_composition(const ComposeCase& input) {
-  Map all, reversed, radians, clockwise;
+  Map all, reversed;
   double norms = 1;
   std::string text;
   for (const Step& step : input.steps) {
     const Map m = matrix_of(step, Slip::kNone);
     all = m * all;
     reversed = reversed * m;
-    radians = matrix_of(step, Slip::kRadians) * radians;
-    clockwise = matrix_of(step, Slip::kClockwise) * clockwise;
     norms *= norm(m);
     text += (text.empty() ? "" : ", then ") + step_text(step);
   }
@@ -124,12 +143,25 @@ Case expect_composition(const ComposeCase& input) {
   const auto expected = [&](const Map& m, double scale) {
     return std::vector{matrix("world_from_object", 4, entries(m), scale * bound)};
   };
-  return {.where = input.what,
-          .restated = text,
-          .expected = expected(all, 1),
-          .slipped = {{"multiplication-order", expected(reversed, 1)},
-                      {"handedness", expected(clockwise, 1)},
-                      {"degrees-radians", expected(radians, kSlippedBound)}}};
+  Case c{.where = input.what,
+         .restated = text.empty() ? "nothing is done" : text,
+         .expected = expected(all, 1),
+         .slipped = {{"multiplication-order", expected(reversed, 1)}}};
+  for (const auto& [name, slip] : {std::pair{"handedness", Slip::kClockwise},
+                                   {"half-angle", Slip::kHalfAngle},
+                                   {"translation-sign", Slip::kBackwards},
+                                   {"degrees-radians", Slip::kRadians},
+                                   {"not-normalised", Slip::kAnyLength}}) {
+    Map slipped;
+    double sizes = 1;
+    for (const Step& step : input.steps) {
+      const Map m = matrix_of(step, slip);
+      slipped = m * slipped;
+      sizes *= norm(m);
+    }
+    c.slipped.push_back({name, expected(slipped, kSlippedBound * std::max(1.0, sizes / norms))});
+  }
+  return c;
 }
 
 // ---- three points ----
@@ -170,9 +202,33 @@ Case expect_fit(const FitCase& input) {
   const double bound = 16 * condition * u * largest;
   const double last_bound = bound * (1 + std::abs(s[0].x) + std::abs(s[0].y)) +
                             4 * u * std::max(std::abs(from[0]), std::abs(from[1]));
-  return {input.what,
-          "from " + triangle_text(s) + " to " + triangle_text(t),
-          {matrix("linear part", 2, linear, bound), matrix("map", 3, map, last_bound)}};
+  const auto expected = [&](const std::vector<double>& m, double scale) {
+    return std::vector{matrix("linear part", 2, {m[0], m[1], m[3], m[4]}, scale * bound),
+                       matrix("map", 3, m, scale * last_bound)};
+  };
+  std::vector<double> backwards = map;
+  backwards[2] = -map[2];
+  backwards[5] = -map[5];
+  // E^-1 G, and the last column that goes with it.
+  std::vector<double> other{(fy * g[0] - fx * g[1]) / det,
+                            (fy * h[0] - fx * h[1]) / det,
+                            0,
+                            (ex * g[1] - ey * g[0]) / det,
+                            (ex * h[1] - ey * h[0]) / det,
+                            0,
+                            0,
+                            0,
+                            1};
+  double growth = 1;
+  for (const std::size_t row : {0u, 3u}) {
+    other[row + 2] = from[row / 3] - (other[row] * s[0].x + other[row + 1] * s[0].y);
+    growth = std::max({growth, std::abs(other[row]) / largest, std::abs(other[row + 1]) / largest});
+  }
+  return {.where = input.what,
+          .restated = "from " + triangle_text(s) + " to " + triangle_text(t),
+          .expected = expected(map, 1),
+          .slipped = {{"translation-sign", expected(backwards, 1)},
+                      {"multiplication-order", expected(other, growth)}}};
 }
 
 Case expect_line(const LineCase& input) {
@@ -199,13 +255,17 @@ Case expect_axis(const RotationCase& q) {
   const double axis_bound = 32 * u, angle_bound = 32 * u * angle;
   const Expected the_axis = point("axis", axis, axis_bound);
   const Expected the_angle = numbers("angle", {angle}, angle_bound, "radian");
-  Expected opposite = the_axis;
+  Expected opposite = the_axis, as_it_is = the_axis;
   for (double& each : opposite.values) each = -each;
-  return {.where = q.what,
-          .restated =
-              fmt::format("the quaternion ({}; {}, {}, {}) scaled to length 1", q.w, q.x, q.y, q.z),
-          .expected = {the_axis, the_angle},
-          .slipped = {{"row-column-order", {opposite, the_angle}}}};
+  for (double& each : as_it_is.values) each *= std::sin(angle);
+  Case c{.where = q.what,
+         .restated =
+             fmt::format("the quaternion ({}; {}, {}, {}) scaled to length 1", q.w, q.x, q.y, q.z),
+         .expected = {the_axis, the_angle},
+         .slipped = {{"row-column-order", {opposite, the_angle}}}};
+  // (R - R^T)/2 has the length of the sine.
+  if (sine > 0 && q.w != 0) c.slipped.push_back({"not-normalised", {as_it_is, the_angle}});
+  return c;
 }
 
 // ---- rotations again: any that is near enough is right ----

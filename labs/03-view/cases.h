@@ -31,6 +31,7 @@ inline std::vector<CameraCase> hidden_cameras() {
       {"`up` a thousandth of a radian from the gaze (C-01)", {{0, 0, 0}, {0, 1000, -1}, {0, 1, 0}}},
       {"z is up", {{5, -4, 3}, {0, 0, 1}, {0, 0, 1}}},
       {"upside down", {{1, 2, 3}, {-2, 0, -4}, {0, -1, 0}}},
+      {"lengths far apart", {{0, 0, 0}, {3e60, 0, -4e60}, {1e-71, 2e-70, 0}}},
       {"a microscope", {{1e-6, 2e-6, 3e-6}, {0, 0, 0}, {1, 0, 0}}},
       {"exactly along +z (C-05)", {{2, -1, -4}, {2, -1, 6}, {1, 2, 0}}},
       {"almost along +z (C-05)", {{0, 0, 0}, {0.000001, 0, 1}, {0, 1, 0}}},
@@ -67,6 +68,9 @@ inline std::vector<RefusedCase> hidden_refused_cameras() {
       {"an `up` that is NaN (C-03)",
        {{0, 0, 0}, {1, 1, 1}, {0, kNan, 0}},
        {{0, 0, 0}, {1, 1, 1}, {0, 3, 0}}},
+      {"a target that is infinite (C-03)",
+       {{0, 0, 0}, {1, 1, -kInfinity}, {0, 1, 0}},
+       {{0, 0, 0}, {1, 1, -1e50}, {0, 1, 0}}},
       {"an eye that is infinite (C-03)",
        {{kInfinity, 0, 0}, {1, 1, 1}, {0, 1, 0}},
        {{1e9, 0, 0}, {1, 1, 1}, {0, 1, 0}}},
@@ -101,6 +105,7 @@ inline std::vector<OntoCase> hidden_directions() {
       {"a direction onto itself", {3, -4, 12}, {3, -4, 12}},
       {"a millionth of a radian (C-04)", {0, 0, 5}, {0.000003, 0.000004, 5}},
       {"almost opposite (C-05)", {0, 0, 1}, {0.000001, 0, -1}},
+      {"almost opposite, and slanted (C-05)", {1, 2, 2}, {-1.000001, -2, -2}},
       {"lengths far apart", {1e-30, 2e-30, 0}, {0, 1e30, 1e30}},
   };
 }
@@ -136,6 +141,9 @@ inline std::vector<KindCase> kinds() {
       {"two axes turned round", rows({{-1, 0, 0}, {0, 1, 0}, {0, 0, -1}})},
       {"a uniform scale", rows({{2, 0, 0}, {0, 2, 0}, {0, 0, 2}})},
       {"a shear, whose determinant is 1", rows({{1, 0.5, 0}, {0, 1, 0}, {0, 0, 1}})},
+      {"columns of length 1 that are not perpendicular",
+       rows({{1, 0.6, 0}, {0, 0.8, 0}, {0, 0, 1}})},
+      {"a scale of z alone", rows({{0, -1, 0}, {1, 0, 0}, {0, 0, 2}})},
   };
 }
 // BEGIN HIDDEN

@@ -76,9 +76,30 @@ Case expect_view(const CameraCase& input, const Bounds& bounds) {
   columns_times_eye.at(0, 3) = moved.x;
   columns_times_eye.at(1, 3) = moved.y;
   columns_times_eye.at(2, 3) = moved.z;
+  // U = N x up, and V = N x U with it.
+  Transform<Eye, World> exchanged = view, forward = view, long_u = view, long_n = view;
+  // Lengths that U and V, or V and N, have where they are not made 1.
+  const Direction gaze = camera.target - camera.eye;
+  const double n = length(gaze), u_length = length(camera.up) * sine_between(camera.up, gaze);
+  for (int j = 0; j < 4; ++j) {
+    exchanged.at(0, j) = -view.at(0, j);
+    exchanged.at(1, j) = -view.at(1, j);
+    long_u.at(0, j) = u_length * view.at(0, j);
+    long_u.at(1, j) = u_length * view.at(1, j);
+    long_n.at(1, j) = n * view.at(1, j);
+    long_n.at(2, j) = n * view.at(2, j);
+  }
+  for (int i = 0; i < 3; ++i) forward.at(i, 3) = -view.at(i, 3);
+  const auto longer = [&](double by) {
+    return Bounds{bounds.rotation * std::max(1.0, by), bounds.view * std::max(1.0, by)};
+  };
   c.slipped = {{"z-sign", view_fields(backwards, bounds)},
                {"row-column-order", view_fields(columns, bounds)},
-               {"row-column-order", view_fields(columns_times_eye, bounds)}};
+               {"row-column-order", view_fields(columns_times_eye, bounds)},
+               {"cross-order", view_fields(exchanged, bounds)},
+               {"translation-sign", view_fields(forward, bounds)},
+               {"not-normalised", view_fields(long_u, longer(u_length))},
+               {"not-normalised", view_fields(long_n, longer(n))}};
   return c;
 }
 
@@ -105,7 +126,10 @@ Case expect_axis_angle(const CameraCase& input) {
   const Direction gaze = camera.target - camera.eye;
   const double s = sine_between(camera.up, gaze), g = sine_between(gaze, {0, 0, 1});
   const double bound = 64 * u * (1 + 1 / s + (gaze.z > 0 && g > 0 ? 1 / g : 0));
-  return expect_view(input, {bound, with_eye(bound, camera)});
+  Case c = expect_view(input, {bound, with_eye(bound, camera)});
+  // There is no U and no V here whose factors could be exchanged.
+  std::erase_if(c.slipped, [](const Slipped& each) { return each.slip == "cross-order"; });
+  return c;
 }
 
 Case expect_refused(const RefusedCase& input) {

@@ -38,12 +38,26 @@ Result<Transform<Clip, Eye>> perspective_of(const lab_04::Camera& c) {
   return perspective(c.fovy_radians, c.aspect, {c.near, c.far, DepthRange::kStandard});
 }
 
+// With z from -w to w.
+Slipped opengl_slip(const Transform<Clip, Eye>& m) {
+  const Transform<Clip, Eye> gl(clip_gl_from_clip().columns * m.columns);
+  return {"opengl-depth", {projection(gl, 2 * kEntryRoundings)}};
+}
+
 Case expect_camera(const lab_04::Camera& camera) {
   const auto& [fovy, aspect, near, far] = camera;
-  return {fmt::format("fovy {} radians, aspect {}", fovy, aspect),
-          fmt::format("near {}, far {}; the near plane's window is {:.6g} high", near, far,
-                      2 * near * std::tan(fovy / 2)),
-          {projection(*perspective_of(camera), kEntryRoundings)}};
+  const Transform<Clip, Eye> right = *perspective_of(camera);
+  Transform<Clip, Eye> tangent = right, inverted = right;
+  tangent.at(1, 1) = 1 / right.at(1, 1);
+  tangent.at(0, 0) = tangent.at(1, 1) / aspect;
+  inverted.at(0, 0) = right.at(1, 1) * aspect;
+  return {.where = fmt::format("fovy {} radians, aspect {}", fovy, aspect),
+          .restated = fmt::format("near {}, far {}; the near plane's window is {:.6g} high", near,
+                                  far, 2 * near * std::tan(fovy / 2)),
+          .expected = {projection(right, kEntryRoundings)},
+          .slipped = {opengl_slip(right),
+                      {"tan-cot", {projection(tangent, kEntryRoundings)}},
+                      {"inverted-aspect", {projection(inverted, kEntryRoundings)}}}};
 }
 
 Case expect_refusals(const std::vector<lab_04::Camera>& cameras) {
@@ -63,10 +77,14 @@ Case expect_refusals(const std::vector<lab_04::Camera>& cameras) {
 Case expect_box(const lab_04::Box& box) {
   const auto& [left, right, bottom, top, near, far] = box;
   const auto made = orthographic({left, right, bottom, top}, {near, far, DepthRange::kStandard});
-  return {fmt::format("x {} .. {}, y {} .. {}", left, right, bottom, top),
-          fmt::format("near {}, far {}: eye z {} becomes 0, eye z {} becomes 1", near, far, -near,
-                      -far),
-          {projection(*made, kEntryRoundings)}};
+  Transform<Clip, Eye> backwards = *made;
+  for (int i = 0; i < 3; ++i) backwards.at(i, 3) = -backwards.at(i, 3);
+  return {.where = fmt::format("x {} .. {}, y {} .. {}", left, right, bottom, top),
+          .restated = fmt::format("near {}, far {}: eye z {} becomes 0, eye z {} becomes 1", near,
+                                  far, -near, -far),
+          .expected = {projection(*made, kEntryRoundings)},
+          .slipped = {opengl_slip(*made),
+                      {"translation-sign", {projection(backwards, kEntryRoundings)}}}};
 }
 
 // How a dialect's numbers come from the pipeline's: by a matrix that acts on clip space, after the projection, or on eye space,
@@ -113,10 +131,16 @@ Case expect_divide(const Point<Clip, double>& p) {
     largest = std::max(largest, std::abs(ndc.values.back()));
   }
   ndc.bound = p.w == 1 ? 0 : 4 * kU * largest;
-  return {fmt::format("clip ({}, {}, {}, {})", p.x, p.y, p.z, p.w),
-          p.w > 0 ? fmt::format("in front of the eye, at the distance {}", p.w)
-                  : "at the eye or behind it",
-          {ndc}};
+  Expected opengl = ndc;
+  if (p.w > 0) {
+    opengl.values[2] = 2 * ndc.values[2] - 1;
+    opengl.bound = 8 * kU * (largest + 1);
+  }
+  return {.where = fmt::format("clip ({}, {}, {}, {})", p.x, p.y, p.z, p.w),
+          .restated = p.w > 0 ? fmt::format("in front of the eye, at the distance {}", p.w)
+                              : "at the eye or behind it",
+          .expected = {ndc},
+          .slipped = {{"opengl-depth", {opengl}}}};
 }
 
 Case expect_screen(const lab_04::ViewportCase& input) {
@@ -125,11 +149,16 @@ Case expect_screen(const lab_04::ViewportCase& input) {
   const Rational x = Rational(v.left) + (Rational(p.x) + Rational(1)) * half * Rational(v.width);
   const Rational y = Rational(v.top) + (Rational(1) - Rational(p.y)) * half * Rational(v.height);
   const double bound = 8 * kU * std::max(std::abs(v.left) + v.width, std::abs(v.top) + v.height);
-  return {
-      fmt::format("NDC ({}, {}, {})", p.x, p.y, p.z),
-      fmt::format("rectangle from ({}, {}), {} x {} pixels; y of NDC runs up, y of the screen down",
-                  v.left, v.top, v.width, v.height),
-      {point("screen", {double(x), double(y)}, bound, "px"), numbers("depth", {p.z}, 0, "depth")}};
+  const auto expected = [&](double off) {
+    return std::vector{point("screen", {double(x) + off, double(y) + off}, bound, "px"),
+                       numbers("depth", {p.z}, 0, "depth")};
+  };
+  return {.where = fmt::format("NDC ({}, {}, {})", p.x, p.y, p.z),
+          .restated = fmt::format(
+              "rectangle from ({}, {}), {} x {} pixels; y of NDC runs up, y of the screen down",
+              v.left, v.top, v.width, v.height),
+          .expected = expected(0),
+          .slipped = {{"half-pixel", expected(-0.5)}, {"half-pixel", expected(0.5)}}};
 }
 
 // z = n f / (f - d (f - n)); with an infinite far plane n / (1 - d).
@@ -145,10 +174,20 @@ Case expect_depth(const lab_04::DepthCase& input) {
   // Every rounding of a number up to 1 in z = n / (1 - d (1 - n/f)) moves z by u z^2 / n; there are four at most, and the
   // quotient's own. f = infinity, d = 1 is exact.
   const double bound = std::isinf(z) ? 0 : 8 * kU * z * z / near;
-  return {fmt::format("depth {}, near {}, far {}", input.depth, near, input.far),
+  const auto expected = [](double value, double by) {
+    return std::vector{numbers("distance", {value}, by, "world units")};
+  };
+  // A depth of -1 .. 1 taken to 0 .. 1 first.
+  lab_04::DepthCase opengl = input;
+  opengl.depth = (input.depth + 1) / 2;
+  const double gl = exact_distance(opengl);
+  return {
+      .where = fmt::format("depth {}, near {}, far {}", input.depth, near, input.far),
+      .restated =
           fmt::format("the distance is {}; one step of depth in float is {:.3g} of it there", z,
                       std::isinf(z) ? z : z / near * double(unit_roundoff<float>)),
-          {numbers("distance", {z}, bound, "world units")}};
+      .expected = expected(z, bound),
+      .slipped = {{"opengl-depth", expected(gl, std::isinf(gl) ? 0 : 16 * kU * gl * gl / near)}}};
 }
 
 template <Dialect kDialect>

@@ -1,6 +1,7 @@
 // The inputs of lab 5, which the runner puts to the student's functions and the judge to the pipeline's.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -38,16 +39,58 @@ inline FaceCase prism(const std::vector<std::array<float, 2>>& base, float low, 
   return questions;
 }
 
+// An L whose corner number `reflex` is the reflex one.
+inline std::vector<std::array<float, 2>> ell(int reflex) {
+  std::vector<std::array<float, 2>> base{{1, 1}, {1, 2}, {0, 2}, {0, 0}, {2, 0}, {2, 1}};
+  std::rotate(base.begin(), base.end() - reflex, base.end());
+  return base;
+}
+
+// Triangles as large as they come; the eye lies exactly in the plane of the first of each three, and a step on either side of it
+// for the others.
+inline FaceCase large_edge_on(std::uint64_t seed) {
+  Random random(seed);
+  const auto coordinate = [&] { return float(random.integer(-2047, 2047)) / 4; };
+  FaceCase questions;
+  for (int i = 0; i < 24; ++i) {
+    std::array<Point<World>, 3> p;
+    for (Point<World>& corner : p) {
+      const float x = coordinate(), y = coordinate();
+      corner = {x, y, coordinate()};
+    }
+    const auto inside = [](float a, float b, float c) { return a / 4 + b / 4 + c / 2; };
+    Point<World> eye(inside(p[0].x, p[1].x, p[2].x), inside(p[0].y, p[1].y, p[2].y),
+                     inside(p[0].z, p[1].z, p[2].z));
+    eye.z += float(i % 3 - 1) / 16;
+    questions.push_back({{p[0], p[1], p[2]}, eye});
+  }
+  return questions;
+}
+
 inline std::vector<FaceCase> solids() {
   const std::vector<std::array<float, 2>> square{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-  // An L; its first corner is the reflex one.
-  const std::vector<std::array<float, 2>> ell{{1, 1}, {1, 2}, {0, 2}, {0, 0}, {2, 0}, {2, 1}};
-  return {prism(square, -1, 1, {3, 0.5f, 0.25f}), prism(square, -1, 1, {-2, 4, 3}),
-          prism(ell, 0, 1, {1.5f, 1.75f, 4}), prism(ell, 0, 1, {-3, 5, -2})};
+  return {prism(square, -1, 1, {3, 0.5f, 0.25f}),
+          prism(square, -1, 1, {-2, 4, 3}),
+          prism(ell(0), 0, 1, {1.5f, 1.75f, 4}),
+          prism(ell(0), 0, 1, {-3, 5, -2}),
+          prism(ell(1), 0, 1, {1.5f, 1.75f, 4}),
+          prism(square, -1, 1, {1, 0.5f, 4}),  // in the plane of one side
+          large_edge_on(50)};
 }
 
 // BEGIN HIDDEN
-// Random triangles; the eye of every other one lies exactly in its plane.
+// The smallest triangles, in the xy plane and tilted, from as near as can be.
+inline FaceCase small_faces() {
+  constexpr float k = 1 / 16.0f;
+  FaceCase questions;
+  for (const float tilt : {0.0f, k, -k}) {
+    for (const float height : {-k, 0.0f, k})
+      questions.push_back({{{1, 1, 1}, {1 + k, 1, 1 + tilt}, {1, 1 + k, 1}}, {1, 1, 1 + height}});
+  }
+  return questions;
+}
+
+// Random triangles; the eye of every other one lies exactly in its plane. Large and small ones, and L's that begin anywhere.
 inline std::vector<FaceCase> faces_edge_on() {
   Random random(51);
   const auto coordinate = [&] { return float(random.integer(-128, 128)) / 16; };
@@ -69,6 +112,9 @@ inline std::vector<FaceCase> faces_edge_on() {
       each.push_back({{p[0], p[1], p[2]}, eye});
     }
   }
+  for (const std::uint64_t seed : {511u, 512u}) all.push_back(large_edge_on(seed));
+  all.push_back(small_faces());
+  for (int reflex = 2; reflex < 6; ++reflex) all.push_back(prism(ell(reflex), 0, 1, {-3, 5, -2}));
   return all;
 }
 // END HIDDEN
@@ -101,6 +147,9 @@ inline std::vector<std::vector<std::uint32_t>> outcode_lists() {
           {kLeft, kRight, kTop},
           {kLeft, 0, 0},
           {kNear | kLeft, kNear | kRight, kFar | kLeft},
+          {kLeft, kLeft, kLeft, kRight},
+          {0, 0, 0, 0, kTop},
+          {kFar},
           {kFar | kBottom, kBottom, kBottom | kRight, kNear | kBottom}};
 }
 
@@ -150,7 +199,20 @@ inline std::vector<EdgesCase> edges_both_ways() {
 
 // BEGIN HIDDEN
 inline std::vector<Edge> other_edges() {
-  return edges(54, 1);
+  std::vector<Edge> all = edges(54, 1);
+  // x, w of p, x, w of q: their crossing has an x that lies half-way between two floats and is the nearest double, and a w, on paper
+  // the same, that has lost the digits which say so.
+  constexpr std::array<std::array<float, 4>, 3> kApart{
+      {{14803879, 1599421440, 10933927, -1799110400},
+       {7425691, 1953577216, 11442587, -1267097088},
+       {16666339, 1534321408, 1380323, -2592284160}}};
+  const auto& [a, b, c] = kApart;
+  all.push_back({kFrustum[3], {a[0], 1, 2, a[1]}, {a[2], 2, 1, a[3]}});
+  all.push_back({kFrustum[2], {-b[0], 1, 2, b[1]}, {-b[2], 2, 1, b[3]}});
+  all.push_back({kFrustum[5], {1, b[0], 2, b[1]}, {2, b[2], 1, b[3]}});
+  all.push_back({kFrustum[4], {1, -a[0], 2, a[1]}, {2, -a[2], 1, a[3]}});
+  all.push_back({kFrustum[1], {1, 2, c[0], c[1]}, {2, 1, c[2], c[3]}});
+  return all;
 }
 
 // Edges whose crossing with the near plane lies half-way between two floats, and where p + t (q - p) in double, rounded once,
@@ -199,7 +261,10 @@ inline std::vector<PlaneCase> polygons() {
        top,
        {{0, 0, 1, 2}, {1, 2, 1, 2}, {0, 6, 2, 3}}},
       {"two inside, one on the plane", right, {{2, 0, 1, 2}, {0, 1, 1, 2}, {0, -1, 1, 2}}},
-      {"one on the plane, the others outside", near, {{0, 0, 0, 1}, {1, 0, -1, 1}, {1, 1, -2, 1}}}};
+      {"one on the plane, the others outside", near, {{0, 0, 0, 1}, {1, 0, -1, 1}, {1, 1, -2, 1}}},
+      {"a quad that loses its last corner",
+       right,
+       {{0, -1, 1, 2}, {1, -1, 1, 2}, {1, 1, 1, 2}, {3, 1, 1, 2}}}};
 }
 
 // BEGIN HIDDEN
@@ -215,7 +280,13 @@ inline std::vector<PlaneCase> more_polygons() {
       {"a hexagon, three corners outside",
        left,
        {{2, 0, 1, 2}, {1, 2, 1, 2}, {-3, 2, 1, 2}, {-4, 0, 1, 2}, {-3, -2, 1, 2}, {1, -2, 1, 2}}},
-      {"w of both signs", left, {{1, 0, 1, -2}, {0, 1, 1, 3}, {0, -1, 1, 3}}}};
+      {"w of both signs", left, {{1, 0, 1, -2}, {0, 1, 1, 3}, {0, -1, 1, 3}}},
+      {"a corner in, and one out, by a millionth",
+       kFrustum[0],
+       {{1, 0, 1e-6f, 1}, {2, 1, 1, 3}, {-1, 1, 1, 2}, {-1, 0, -1e-6f, 1}}},
+      {"an edge between the far plane's two sides, almost along it",
+       far,
+       {{1.5f, -7.3f, 23.00001f, 23}, {-9.1f, 3.7f, 27.29999f, 27.3f}, {2, 1, 3.3f, 21}}}};
 }
 // END HIDDEN
 
@@ -233,7 +304,11 @@ inline std::vector<FrustumCase> triangles() {
            {{{0.25f, 0.25f, 0.5f, 1}, {1, -2, -1.5f, -1}, {-2, -1, -1.5f, -1}}}},
           {"behind the eye", {{{0, 0, -2, -1}, {1, 0, -3, -2}, {0, 1, -2, -1}}}},
           {"a corner on each of three planes", {{{-2, 0, 1, 2}, {0, -2, 1, 2}, {2, 1, 1, 2}}}},
-          {"past a corner of the picture", {{{1, 3.5f, 1, 2}, {3.5f, 1, 1, 2}, {4, 4, 1, 2}}}}};
+          {"past a corner of the picture", {{{1, 3.5f, 1, 2}, {3.5f, 1, 1, 2}, {4, 4, 1, 2}}}},
+          {"from before the near plane to beyond the far plane",
+           {{{0, -1, -5, 2}, {1, 0, 5, 3}, {-1, 0.5f, 4, 3.5f}}}},
+          {"a corner that is out by less than a rounding: its two crossings are one vertex",
+           {{{0.5f, 0.5f, -1e-10f, 2}, {1, 0, 1, 2}, {0, 1, 1, 2}}}}};
 }
 
 // A square of two triangles reaches across near plane and picture: `shared` are the ends of their common edge, in clip space.
@@ -269,9 +344,17 @@ inline std::vector<FrustumCase> more_triangles() {
       {"all six planes cut it", {{{-9, -3, -3, 2}, {4, -3.5f, 1, 2}, {1, 9, 4.5f, 2}}}},
       {"nine vertices are left", {{{5.5f, 0, 4.5f, 4}, {-6, -5, -3.5f, 0.5f}, {0, 4.5f, 3, 4}}}},
       {"two corners behind the eye", {{{0, 0.5f, 2, 3}, {3, -8, -4, -2}, {-4, -9, -5, -3}}}},
-      {"a corner where three planes meet", {{{2, 2, 0, 2}, {-1, 0, 1, 2}, {0, -1, 1, 2}}}}};
+      {"a corner where three planes meet", {{{2, 2, 0, 2}, {-1, 0, 1, 2}, {0, -1, 1, 2}}}},
+      {"a corner far before the near plane, in the middle of the picture",
+       {{{0.25f, 0, -4, 1.5f}, {1, -1, 1, 2}, {-1, 1, 1.5f, 2}}}},
+      {"the second corner is out by less than a rounding",
+       {{{0, 1, 1, 2}, {0.5f, 0.5f, -1e-10f, 2}, {1, 0, 1, 2}}}},
+      {"two corners are out by less than a rounding",
+       {{{2.5e-10f, 0, -1e-10f, 2}, {0, 0, -1e-10f, 2}, {0.5f, 0.75f, 1, 2}}}},
+      {"a corner is in by less than a rounding, and all else out",
+       {{{0.5f, 0.5f, 1e-10f, 2}, {1, 0, -1, 2}, {0, 1, -1, 2}}}}};
   Random random(56);
-  while (all.size() < 9) {
+  while (all.size() < 13) {
     std::array<Point<Clip>, 3> t;
     for (Point<Clip>& p : t) {
       const auto x = float(random.between(-6, 6)), y = float(random.between(-6, 6));

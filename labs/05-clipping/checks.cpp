@@ -14,7 +14,7 @@ namespace {
 // ---- 5.1 ----
 
 Case expect_faces(const lab_05::FaceCase& questions) {
-  std::vector<double> back;
+  std::vector<double> back, front;
   std::string text;
   for (std::size_t i = 0; i < questions.size(); ++i) {
     const auto& [face, eye] = questions[i];
@@ -27,10 +27,14 @@ Case expect_faces(const lab_05::FaceCase& questions) {
     // World space stands for object space: the model matrix is the identity.
     const BackFaceTest test = test_back_face(corners, {true, {eye.x, eye.y, eye.z}, {0, 0, 0}});
     back.push_back(test.facing == Facing::kBack ? 1 : 0);
+    front.push_back(test.value < 0 ? 1 : 0);
     text +=
         fmt::format(" seen from ({}, {}, {}): (P - eye) . m = {}", eye.x, eye.y, eye.z, test.value);
   }
-  return {fmt::format("{} faces", questions.size()), text, {numbers("back", back)}};
+  return {.where = fmt::format("{} faces", questions.size()),
+          .restated = text,
+          .expected = {numbers("back", back)},
+          .slipped = {{"winding", {numbers("back", front)}}}};
 }
 
 // ---- 5.2 ----
@@ -46,6 +50,11 @@ std::string plane_names(std::uint32_t code) {
 
 Expected outcode_of(const Point<Clip>& p) {
   return numbers("outcode", {double(outcode(p, pipeline_frustum()))});
+}
+
+// With a near plane at z = -w.
+Expected opengl_outcode_of(const Point<Clip>& p) {
+  return numbers("outcode", {double(outcode(p, opengl_frustum()))});
 }
 
 Case expect_outcode(const Point<Clip>& p) {
@@ -65,7 +74,8 @@ Case expect_outcode(const Point<Clip>& p) {
       .judge = judge,
       .slipped = {{"z-sign", {outcode_of({p.x, p.y, -p.z, p.w})}},
                   {"y-direction", {outcode_of({p.x, -p.y, p.z, p.w})}},
-                  {"handedness", {outcode_of({-p.x, p.y, p.z, p.w})}}}};
+                  {"handedness", {outcode_of({-p.x, p.y, p.z, p.w})}},
+                  {"opengl-depth", {opengl_outcode_of(p)}}}};
 }
 
 Case expect_verdict(const std::vector<std::uint32_t>& codes) {

@@ -45,6 +45,30 @@ Expected crossing_of(const lab_05::Edge& edge, const char* field = "crossing") {
                "clip units");
 }
 
+// A vertex that is none of the polygon's own lies on the plane to the bit, as a crossing does.
+std::optional<Divergence> off_plane(const lab_05::PlaneCase& input, const Answer& answer) {
+  const auto* values = find_field(answer, "polygon");
+  if (values == nullptr) return std::nullopt;  // compared before
+  for (std::size_t i = 0; i + 4 <= values->size(); i += 4) {
+    const double* v = values->data() + i;
+    const Point<Clip> p{float(v[0]), float(v[1]), float(v[2]), float(v[3])};
+    const double off = signed_distance(pipeline_plane(input.plane), p);
+    const bool kept =
+        std::find(input.polygon.begin(), input.polygon.end(), p) != input.polygon.end();
+    if (kept || off == 0) continue;
+    return Divergence{
+        .kind = Divergence::Kind::kPosition,
+        .field = "polygon",
+        .index = i,
+        .element = fmt::format("vertex {}, distance from the plane", i / 4),
+        .actual = off,
+        .distance = std::abs(off),
+        .unit = "clip units",
+        .explanation = "neither a vertex of the polygon, bit for bit, nor on the plane"};
+  }
+  return std::nullopt;
+}
+
 Case expect_outline(const std::string& what, const std::string& text,
                     std::span<const Point<Clip>> polygon, std::span<const ClipPlane> planes) {
   const Expected expected = exact_clip(polygon, planes);
@@ -118,14 +142,21 @@ Case expect_both_ways(const lab_05::EdgesCase& edges) {
 
 Case expect_polygon(const lab_05::PlaneCase& input) {
   const auto& [what, plane, polygon] = input;
-  return expect_outline(
+  Case c = expect_outline(
       what,
       fmt::format("\nplane {} x + {} y + {} z + {} w >= 0", plane.a, plane.b, plane.c, plane.d),
       polygon, std::array{pipeline_plane(plane)});
+  c.judge = [input, outline = c.judge](const Answer& answer) {
+    auto found = outline(answer);
+    return found ? found : off_plane(input, answer);
+  };
+  return c;
 }
 
 Case expect_triangle(const lab_05::FrustumCase& input) {
-  return expect_outline(input.what, "", input.triangle, pipeline_frustum());
+  Case c = expect_outline(input.what, "", input.triangle, pipeline_frustum());
+  c.slipped = {{"opengl-depth", {exact_clip(input.triangle, opengl_frustum())}}};
+  return c;
 }
 
 Case expect_pairs(const lab_05::PairsCase& pairs) {

@@ -18,6 +18,9 @@ glassbox::ClipPlane pipeline_plane(const lab_05::Plane& plane);
 // The frustum's planes in the lab's order.
 std::vector<glassbox::ClipPlane> pipeline_frustum();
 
+// The same with OpenGL's near plane, z >= -w.
+std::vector<glassbox::ClipPlane> opengl_frustum();
+
 // A polygon of clip space in NDC and on a screen of 640 x 480 pixels, with its winding where it has one.
 std::string restated(std::span<const Point<Clip>> polygon);
 
@@ -25,7 +28,8 @@ std::string restated(std::span<const Point<Clip>> polygon);
 // off by `bound`.
 Expected exact_clip(std::span<const Point<Clip>> polygon, std::span<const ClipPlane> planes);
 
-// Any vertex may come first. Nothing if the answer's field is right.
+// Any vertex may come first. Nothing if the answer's field is right. Vertices nearer to each other than the bound may be one: no two
+// neighbours may be equal, though, and less than three vertices are none.
 std::optional<Divergence> compare_outlines(const Expected& expected, const Answer& answer);
 
 // The same edge in two triangles: each end of what is left of it must be a vertex of both, with the same bits.

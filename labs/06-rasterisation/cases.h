@@ -75,6 +75,9 @@ inline std::vector<EdgeCase> edges() {
             {at(1, 1), at(1, 9), at(3, 3)},
             {at(1, 9), at(9, 1), at(3, 3)},
             {at(9, 1), at(1, 1), at(3, 3)}}},
+          {"edges across 65 K pixels, whose products need 50 bits (C-50)",
+           {{SnappedVertex{-0x7fffff, -0x7ffff0}, {0x7fffff, 0x7ffff1}, {0x7ffff0, -0x7fffff}},
+            {SnappedVertex{0x7fffff, -0x7ffff1}, {-0x7ffff3, 0x7ffff5}, {3, 5}}}},
           picture};
 }
 
@@ -96,9 +99,15 @@ inline std::vector<EdgeCase> far_edges() {
 
 // Directed edges, as many as there are classes: eight directions each, of different lengths.
 inline std::vector<EdgeCase> directions() {
-  EdgeCase along{"the edges of a clockwise rectangle and its diagonal, both ways", {}};
-  for (const auto& [x, y] :
-       {std::array{4.0, 0.0}, {0.0, 3.0}, {-4.0, 0.0}, {0.0, -3.0}, {4.0, 3.0}, {-4.0, -3.0}})
+  EdgeCase along{"the edges of a clockwise rectangle and its diagonals, both ways", {}};
+  for (const auto& [x, y] : {std::array{4.0, 0.0},
+                             {0.0, 3.0},
+                             {-4.0, 0.0},
+                             {0.0, -3.0},
+                             {4.0, 3.0},
+                             {-4.0, -3.0},
+                             {4.0, -3.0},
+                             {-4.0, 3.0}})
     along.samples.push_back({at(5, 5), at(5 + x, 5 + y), at(0, 0)});
   return {along};
 }
@@ -155,6 +164,12 @@ inline std::vector<CoverageCase> triangles() {
       {"across the left and the upper edge of the screen (C-48)",
        {{at(-5.75, -4.25), at(4.5, -1.5), at(-2.25, 6.5)}},
        {-7, -6, 6, 7}},
+      {"edges that pass centres by one step",
+       {{at(0.75, 0.75390625), at(7, 7.00390625), at(1, 7)},
+        {at(0.75, 0.74609375), at(7, 6.99609375), at(7, 1)}}},
+      {"a window in a triangle that is larger on all sides, and one with a corner of it",
+       {{at(-20, -12), at(50, 1.5), at(3.25, 60)}, {at(-20, -30), at(8.5, 7.5), at(40, -25)}},
+       {2, 3, 11, 9}},
       fan(7, 8.5, 6)};
 }
 
@@ -272,7 +287,14 @@ inline std::vector<TileCase> tilings() {
           tiling("a thin diagonal triangle: its box has many tiles, the triangle few",
                  {at(1, 1), at(63, 60), at(60, 63)}, 8, screen),
           tiling("edges through the centres at the tiles' borders (C-53)",
-                 {at(8.5, 8.5), at(47.5, 8.5), at(8.5, 47.5)}, 8, screen)};
+                 {at(8.5, 8.5), at(47.5, 8.5), at(8.5, 47.5)}, 8, screen),
+          tiling("the other half of its square", {at(47.5, 47.5), at(8.5, 47.5), at(47.5, 8.5)}, 8,
+                 screen),
+          tiling("a thin triangle between the corners of its tiles",
+                 {at(1, 4), at(62, 28), at(62.5, 29)}, 8, screen),
+          tiling("edges that pass the centres at the tiles' borders by one step",
+                 {at(7.49609375, 7.49609375), at(-32, 7.49609375), at(7.49609375, -32)}, 8,
+                 {0, 0, 16, 16})};
 }
 
 // BEGIN HIDDEN

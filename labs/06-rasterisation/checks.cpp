@@ -39,16 +39,51 @@ Case expect_numbers(const std::string& what, const std::string& restated, const 
 // ---- 6.1 ----
 
 Case expect_snap(const SnapCase& input) {
-  std::vector<double> steps;
+  std::vector<double> steps, from_centre;
   std::string text = "positions";
   for (const float pixels : input.pixels) {
     steps.push_back(glassbox::snap(pixels));
+    from_centre.push_back(steps.back() - kCentre);
     if (steps.size() <= 6)
       text += fmt::format("{} {} px ({} steps)", steps.size() == 1 ? "" : ",", pixels,
                           double(pixels) * 256);
   }
   if (steps.size() > 6) text += ", ...";
-  return expect_numbers(input.what, text, "steps", steps, "1/256 px");
+  Case c = expect_numbers(input.what, text, "steps", steps, "1/256 px");
+  c.slipped = {{"half-pixel", {numbers("steps", from_centre, 0, "1/256 px")}}};
+  return c;
+}
+
+// ---- coverage with a slip ----
+
+// Where a pixel is looked at, and which edges a clockwise triangle owns.
+struct Rule {
+  const char* slip;
+  std::int32_t centre;
+  bool (*owns)(const SnappedVertex& a, const SnappedVertex& b);
+};
+
+bool top_left(const SnappedVertex& a, const SnappedVertex& b) {
+  return b.y < a.y || (b.y == a.y && b.x > a.x);
+}
+bool bottom_left(const SnappedVertex& a, const SnappedVertex& b) {
+  return b.y < a.y || (b.y == a.y && b.x < a.x);
+}
+bool all_edges(const SnappedVertex&, const SnappedVertex&) {
+  return true;
+}
+
+constexpr Rule kSlippedRules[] = {{"half-pixel", 0, top_left},
+                                  {"y-direction", kCentre, bottom_left},
+                                  {"all-edges", kCentre, all_edges}};
+
+// Edge k of a triangle turned clockwise, at a pixel.
+bool inside_edge(const Rule& rule, const Triangle& t, std::size_t k, int x, int y) {
+  const bool turned = double_area(t[0], t[1], t[2]) < 0;
+  const SnappedVertex &from = t[k], &to = t[(k + 1) % 3];
+  const SnappedVertex &a = turned ? to : from, &b = turned ? from : to;
+  const std::int64_t e = double_area(a, b, {x * kSteps + rule.centre, y * kSteps + rule.centre});
+  return e > 0 || (e == 0 && rule.owns(a, b));
 }
 
 // ---- 6.2 and 6.3 ----
@@ -71,7 +106,8 @@ Case expect_edge(const EdgeCase& input) {
   }
   Case c = expect_numbers(input.what, samples_text(input, true), "edge function", values,
                           "steps squared");
-  c.slipped = {{"winding", {numbers("edge function", negated, 0, "steps squared")}}};
+  // The formula of a y that points up.
+  c.slipped = {{"y-direction", {numbers("edge function", negated, 0, "steps squared")}}};
   return c;
 }
 
@@ -82,17 +118,41 @@ ScreenVertex on_screen(const SnappedVertex& v) {
 
 // A triangle with the edge is set up, and asked.
 Case expect_owner(const EdgeCase& input) {
-  std::vector<double> owned;
+  std::vector<double> owned, going_down, bottom;
   for (const auto& [a, b, p] : input.samples) {
     // The left normal of b - a on the screen points into a clockwise triangle.
     const SnappedVertex inner{a.x - (b.y - a.y), a.y + (b.x - a.x)};
     const auto setup = setup_triangle({on_screen(inner), on_screen(a), on_screen(b)});
     owned.push_back(setup && setup->edges[0].owns_zero ? 1 : 0);
+    going_down.push_back(b.y > a.y || (b.y == a.y && b.x > a.x) ? 1 : 0);
+    bottom.push_back(bottom_left(a, b) ? 1 : 0);
   }
-  return expect_numbers(input.what, samples_text(input, false), "owned", owned);
+  Case c = expect_numbers(input.what, samples_text(input, false), "owned", owned);
+  c.slipped = {{"y-direction", {numbers("owned", going_down)}},
+               {"y-direction", {numbers("owned", bottom)}},
+               {"all-edges", {numbers("owned", std::vector<double>(owned.size(), 1))}}};
+  return c;
 }
 
 // ---- 6.4 ----
+
+Expected coverage_by(const CoverageCase& input, const Rule& rule) {
+  const PixelRect& w = input.window;
+  Expected expected{.field = "times covered", .shape = Shape::kCoverage, .columns = w.x1 - w.x0};
+  for (int y = w.y0; y < w.y1; ++y) {
+    for (int x = w.x0; x < w.x1; ++x) {
+      int times = 0;
+      for (const Triangle& t : input.triangles) {
+        if (double_area(t[0], t[1], t[2]) == 0) continue;
+        bool inside = true;
+        for (std::size_t k = 0; k < 3; ++k) inside = inside && inside_edge(rule, t, k, x, y);
+        times += inside ? 1 : 0;
+      }
+      expected.values.push_back(times);
+    }
+  }
+  return expected;
+}
 
 Expected coverage_of(const CoverageCase& input, bool clockwise, bool counter_clockwise) {
   const PixelRect& w = input.window;
@@ -121,11 +181,14 @@ Case expect_coverage(const CoverageCase& input) {
   if (input.triangles.size() > 4) text += fmt::format("\n  ... {} in all", input.triangles.size());
   const Expected inside = numbers("outside the window", {0});
   // Who takes one winding for the only one draws nothing of the other.
-  return {.where = input.what,
-          .restated = text + command_for(input.what),
-          .expected = {coverage_of(input, true, true), inside},
-          .slipped = {{"winding", {coverage_of(input, true, false), inside}},
-                      {"winding", {coverage_of(input, false, true), inside}}}};
+  Case c{.where = input.what,
+         .restated = text + command_for(input.what),
+         .expected = {coverage_of(input, true, true), inside},
+         .slipped = {{"winding", {coverage_of(input, true, false), inside}},
+                     {"winding", {coverage_of(input, false, true), inside}}}};
+  for (const Rule& rule : kSlippedRules)
+    c.slipped.push_back({rule.slip, {coverage_by(input, rule), inside}});
+  return c;
 }
 
 // ---- 6.5 ----
@@ -162,6 +225,22 @@ TileCover cover_of(const TriangleSetup& setup, const PixelRect& tile) {
   return all ? TileCover::kAll : TileCover::kSome;
 }
 
+TileCover cover_by(const Rule& rule, const Triangle& t, const PixelRect& tile) {
+  bool all = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    bool some = false;
+    for (int y = tile.y0; y < tile.y1; ++y) {
+      for (int x = tile.x0; x < tile.x1; ++x) {
+        const bool inside = inside_edge(rule, t, k, x, y);
+        some = some || inside;
+        all = all && inside;
+      }
+    }
+    if (!some) return TileCover::kNone;
+  }
+  return all ? TileCover::kAll : TileCover::kSome;
+}
+
 Case expect_tiles(const TileCase& input) {
   const auto& [a, b, c] = input.triangle;
   const auto setup = setup_triangle({on_screen(a), on_screen(b), on_screen(c)});
@@ -172,12 +251,20 @@ Case expect_tiles(const TileCase& input) {
   while (std::size_t(columns) < input.tiles.size() &&
          input.tiles[std::size_t(columns)].y0 == input.tiles[0].y0)
     ++columns;
-  return expect_numbers(input.what,
-                        fmt::format("{}\ntiles of {} x {} pixels, {} to a row, the first at pixel "
-                                    "({}, {}); 0 kNone, 1 kSome, 2 kAll",
-                                    text_of(input.triangle), input.side, input.side, columns,
-                                    input.tiles[0].x0, input.tiles[0].y0),
-                        "tiles", covers);
+  Case made = expect_numbers(
+      input.what,
+      fmt::format("{}\ntiles of {} x {} pixels, {} to a row, the first at pixel ({}, {}); "
+                  "0 kNone, 1 kSome, 2 kAll",
+                  text_of(input.triangle), input.side, input.side, columns, input.tiles[0].x0,
+                  input.tiles[0].y0),
+      "tiles", covers);
+  for (const Rule& rule : kSlippedRules) {
+    std::vector<double> slipped;
+    for (const PixelRect& tile : input.tiles)
+      slipped.push_back(int(cover_by(rule, input.triangle, tile)));
+    made.slipped.push_back({rule.slip, {numbers("tiles", slipped)}});
+  }
+  return made;
 }
 
 }  // namespace

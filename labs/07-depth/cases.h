@@ -204,7 +204,7 @@ inline std::vector<LadderCase> more_ladders() {
                    format,
                    5,
                    10,
-                   {5.7, 7, 9.5}});
+                   {5.7, 7, 9.5, 9.9999}});
   }
   return all;
 }

@@ -127,7 +127,7 @@ inline std::vector<FootprintCase> footprints() {
        256,
        256},
       {"a floor, wound the other way",
-       {{{20, 200, 0.5, 0, 0}, {100, 110, 0.02, 0.5, 12}, {220, 200, 0.5, 1, 0}}},
+       {{{20, 200, 0.5, 0, 0}, {220, 200, 0.5, 1, 0}, {100, 110, 0.02, 0.5, 12}}},
        96.5,
        140.5,
        64,
@@ -212,6 +212,17 @@ inline Patch teapot_bottom() {
             {{{1.5, 0.075, 0}, {1.5, 0.075, -0.84}, {0.84, 0.075, -1.5}, {0, 0.075, -1.5}}},
             {{{1.5, 0.15, 0}, {1.5, 0.15, -0.84}, {0.84, 0.15, -1.5}, {0, 0.15, -1.5}}}}}};
 }
+// The body with a first row that comes back to where it began, or begins with one point twice: not a pole.
+inline Patch looped_body() {
+  Patch p = teapot_body();
+  p.rows[0][3] = p.rows[0][0];
+  return p;
+}
+inline Patch doubled_body() {
+  Patch p = teapot_body();
+  p.rows[0][1] = p.rows[0][0];
+  return p;
+}
 // END HIDDEN
 
 struct PatchCase {
@@ -232,6 +243,8 @@ inline std::vector<PatchCase> hidden_patches() {
       {"the spout", teapot_spout(), 5},
       {"the bottom, which begins in a point", teapot_bottom(), 2},
       {"a flat square", flat_square(), 3},
+      {"a first row that begins and ends in one point, but is no pole", looped_body(), 2},
+      {"a first row that begins with one point twice", doubled_body(), 2},
       {"the body, finely", teapot_body(), 16},
   };
 }

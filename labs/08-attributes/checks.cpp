@@ -34,20 +34,26 @@ Case expect_pixel(const PixelCase& input) {
     share[k] = Rational(at.edges[k]) * Rational(double(at.inverse_w[k]));
     q += share[k];
   }
-  std::vector<Expected> expected;
+  std::vector<Expected> expected, affine;
   for (std::size_t i = 0; i < 2; ++i) {
-    Rational sum, spread;
+    Rational sum, spread, even, even_spread;
     const Rational a0(double(at.texcoords[0][i]));
     for (std::size_t k = 0; k < 3; ++k) {
       const Rational a(double(at.texcoords[k][i]));
       sum += share[k] * a;
       spread += share[k] * abs(a - a0);
+      even += Rational(at.edges[k]) * a;
+      even_spread += Rational(at.edges[k]) * abs(a - a0);
     }
     const double value = double(sum / q);
     // 13 u of the spread and a last rounding, as raster/interpolate.h derives it; the edge functions are rounded here
     // as there, and the area, which a student may divide by or not, adds a rounding to each of 1/w and u/w.
     const double bound = 16 * u24 * double(spread / q) + u24 * std::abs(value);
     expected.push_back(numbers(i == 0 ? "u" : "v", {value}, bound));
+    // With the weights of the screen.
+    const double on_screen = double(even / area);
+    affine.push_back(numbers(i == 0 ? "u" : "v", {on_screen},
+                             16 * u24 * double(even_spread / area) + u24 * std::abs(on_screen)));
   }
   std::string text =
       fmt::format("edge functions {}, {}, {}; 1/w {:.9g}, {:.9g}, {:.9g};", at.edges[0],
@@ -59,7 +65,8 @@ Case expect_pixel(const PixelCase& input) {
       part(Rational(at.edges[0]), area), part(Rational(at.edges[1]), area),
       part(Rational(at.edges[2]), area), part(share[0], q), part(share[1], q), part(share[2], q));
   if (*input.command != 0) text += fmt::format("\n{}", input.command);
-  return {input.what, text, expected};
+  return {
+      .where = input.what, .restated = text, .expected = expected, .slipped = {{"affine", affine}}};
 }
 
 // ---- rows of pixels ----
@@ -91,19 +98,27 @@ std::string line_text(const Line& line) {
 // u within a span makes no more than it saves of the others.
 Case expect_span(const SpanCase& input) {
   const Line& line = input.line;
-  std::vector<double> values;
+  std::vector<double> values, at_borders, even;
   for (int first = 0; first < line.pixels; first += input.every) {
     const int end = std::min(first + input.every, line.pixels);
     const Rational start = place_on(line, first).u;
     const Rational step = (place_on(line, end).u - start) / Rational(end - first);
-    for (int x = first; x < end; ++x)
+    for (int x = first; x < end; ++x) {
       values.push_back(double(start + step * (Rational(2 * (x - first) + 1) / Rational(2))));
+      at_borders.push_back(double(start + step * Rational(x - first)));
+      even.push_back(line.u0 + (x + 0.5) / line.pixels * (line.u1 - line.u0));
+    }
   }
   const double bound = 2 * (line.pixels + 8) * u53 * scale_of(line);
-  return {input.what,
-          fmt::format("{}, a division every {}; number x is at x + 1/2\nglassbox study run D-4",
-                      line_text(line), input.every),
-          {numbers("u at each pixel", values, bound, "texel")}};
+  const auto expected = [&](const std::vector<double>& u) {
+    return std::vector{numbers("u at each pixel", u, bound, "texel")};
+  };
+  return {.where = input.what,
+          .restated =
+              fmt::format("{}, a division every {}; number x is at x + 1/2\nglassbox study run D-4",
+                          line_text(line), input.every),
+          .expected = expected(values),
+          .slipped = {{"half-pixel", expected(at_borders)}, {"affine", expected(even)}}};
 }
 
 // The largest error of the law over the spans.
@@ -143,6 +158,12 @@ Case expect_choice(const ChoiceCase& input) {
 }
 
 // ---- footprints ----
+
+// What the derivatives would be of coordinates that are planes over the screen, as they are where all 1/w are 1.
+FootprintCase without_perspective(FootprintCase input) {
+  for (TexturedVertex& vertex : input.triangle) vertex.inverse_w = 1;
+  return input;
+}
 
 // N = sum E_k q_k a_k and D = sum E_k q_k, with the edge functions E_k, and their derivatives: (N/D)' = (N' - (N/D) D')
 // / D.
@@ -189,7 +210,12 @@ double gradient_bound(const FootprintCase& input, double TexturedVertex::*attrib
   return 2048 * k * k * largest / e * u53;
 }
 
-Case expect_footprint(const FootprintCase& input) {
+struct ExpectedFootprint {
+  std::vector<Expected> fields;
+  double along_x = 0, along_y = 0;  // texels to a pixel
+};
+
+ExpectedFootprint footprint_of(const FootprintCase& input) {
   const ExactGradient u = exact_gradient(input, &TexturedVertex::u);
   const ExactGradient v = exact_gradient(input, &TexturedVertex::v);
   const double u_bound = gradient_bound(input, &TexturedVertex::u);
@@ -204,19 +230,27 @@ Case expect_footprint(const FootprintCase& input) {
   // roundings of lengths and logarithm.
   const double of_length = std::hypot(input.width * u_bound, input.height * v_bound);
   const double level_bound = of_length / std::max(longer, 0.5) / std::log(2.0) + 16 * u53 * last;
+  const double level = std::clamp(longer > 0 ? std::log2(longer) : 0, 0.0, last);
+  return {{numbers("du/dx, du/dy", {double(u.along_x), double(u.along_y)}, u_bound, "per px"),
+           numbers("dv/dx, dv/dy", {double(v.along_x), double(v.along_y)}, v_bound, "per px"),
+           numbers("level", {level}, level_bound, "levels")},
+          along_x,
+          along_y};
+}
+
+Case expect_footprint(const FootprintCase& input) {
+  const ExpectedFootprint expected = footprint_of(input);
   std::string text;
   for (const TexturedVertex& t : input.triangle)
     text +=
         fmt::format("({}, {}) px: 1/w {}, (u, v) = ({}, {})\n", t.x, t.y, t.inverse_w, t.u, t.v);
   text +=
       fmt::format("at ({}, {}), {} x {} texels: {:.6g} texels to a pixel along x, {:.6g} along y",
-                  input.x, input.y, input.width, input.height, along_x, along_y);
-  return {input.what,
-          text,
-          {numbers("du/dx, du/dy", {double(u.along_x), double(u.along_y)}, u_bound, "per px"),
-           numbers("dv/dx, dv/dy", {double(v.along_x), double(v.along_y)}, v_bound, "per px"),
-           numbers("level", {std::clamp(longer > 0 ? std::log2(longer) : 0, 0.0, last)},
-                   level_bound, "levels")}};
+                  input.x, input.y, input.width, input.height, expected.along_x, expected.along_y);
+  return {.where = input.what,
+          .restated = text,
+          .expected = expected.fields,
+          .slipped = {{"affine", footprint_of(without_perspective(input)).fields}}};
 }
 
 }  // namespace

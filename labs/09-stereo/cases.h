@@ -155,6 +155,9 @@ inline std::vector<CullCase> triangles() {
   all.add("above", upright(pair, -1, 1, 9, 8));
   all.add("below", upright(pair, -1, 1, -9, 8));
   all.add("nearer than the near plane", upright(pair, -0.1, 0.1, 0, 0.75));
+  all.add(
+      "far before the near plane",
+      {StereoPoint{0.5f, 0.25f, 0, -3, 1}, {0.75f, 0.5f, 0, -4, 1}, {0.5f, 0.25f, 0.5f, -3, 1}});
   all.add("behind the eyes", upright(pair, -1, 1, 0, -8));
   all.add("beyond the far plane", upright(pair, -1, 1, 0, 70));
   all.add("across the left side", upright(pair, -10, -6, 0, 8));
@@ -183,6 +186,25 @@ inline std::vector<CullCase> hidden_triangles() {
           {seen_at(pair, -50, -20, 8), seen_at(pair, 50, -20, 8), seen_at(pair, 0, 60, 8)});
   odd.add("with a corner on the right side of the left eye",
           {StereoPoint{8, 6, 0, 4, 8}, {9, 9, 0, 4, 8}, {9, 9, 1, 4, 8}});
+  odd.add("far before the near plane",
+          {StereoPoint{1, 0, 0, -9, 2}, {1, 0, 1, -9, 2}, {0, -1, 0, -8, 2}});
+  // One corner on a plane, and nothing inside of it.
+  odd.add("with a corner on the far plane",
+          {StereoPoint{0, 0, 0, 8, 8}, {1, 1, 0, 9, 8}, {0, 0, 1, 9, 8}});
+  odd.add("with a corner on the top plane",
+          {StereoPoint{0, 0, 8, 4, 8}, {1, 1, 9, 4, 8}, {-1, -1, 9, 4, 8}});
+  odd.add("with a corner on the bottom plane",
+          {StereoPoint{0, 0, -8, 4, 8}, {1, 1, -9, 4, 8}, {-1, -1, -9, 4, 8}});
+  odd.add("with a corner on the left side of the left eye, left of the right one",
+          {StereoPoint{-8, -10, 0, 4, 8}, {-9, -11, 0, 4, 8}, {-9, -11, 1, 4, 8}});
+  odd.add("with a corner on the right side of the left eye, right of the right one",
+          {StereoPoint{8, 10, 0, 4, 8}, {9, 11, 0, 4, 8}, {9, 11, 1, 4, 8}});
+  odd.add("with a corner on the left side of the right eye, left of the left one",
+          {StereoPoint{-10, -8, 0, 4, 8}, {-11, -9, 0, 4, 8}, {-11, -9, 1, 4, 8}});
+  odd.add("with a corner on the right side of the right eye, right of the left one",
+          {StereoPoint{10, 8, 0, 4, 8}, {11, 9, 0, 4, 8}, {11, 9, 1, 4, 8}});
+  odd.add("beyond the far plane, one corner behind the eyes",
+          {StereoPoint{0, 0, 0, 1, -1}, {0, 0, 0, 10, 8}, {1, 1, 0, 10, 8}});
   odd.add("on the near plane", {StereoPoint{0, 0, 0, 0, 1}, {1, 1, 0, 0, 1}, {0, 0, 1, 0, 1}});
   odd.add("two corners above, one far below",
           {seen_at(pair, 0, 20, 8), seen_at(pair, 1, 20, 8), seen_at(pair, 0, -20, 8)});

@@ -70,7 +70,10 @@ Case expect_projection(const ProjectionCase& input) {
          fmt::format("s = {}, f = {}; the projection's row of x is ({}, {}, {}, {})", s,
                      pair.window, given.at(0, 0), given.at(0, 1), given.at(0, 2), given.at(0, 3)),
          {}};
-  c.slipped = {{"z-sign", {}}, {"row-column-order", {}}, {"multiplication-order", {}}};
+  c.slipped = {{"z-sign", {}},
+               {"row-column-order", {}},
+               {"multiplication-order", {}},
+               {"translation-sign", {}}};
   const auto projection = exact::exactly<Rational>(given);
   for (const lab_09::Side side : kEyes) {
     const Rational shift(side == lab_09::Side::kLeft ? s : -s);
@@ -78,6 +81,8 @@ Case expect_projection(const ProjectionCase& input) {
     skew.at[0][3] = turned.at[0][3] = transposed.at[3][0] = shift;
     skew.at[0][2] = transposed.at[2][0] = shift * inverse(pair.window);
     turned.at[0][2] = -skew.at[0][2];
+    auto backwards = skew;
+    backwards.at[0][3] = Rational(0) - shift;
     const auto add = [&](std::vector<Expected>& to, const Matrix4<Rational>& m) {
       for (Expected& each : projection_fields(side, m, bound)) to.push_back(std::move(each));
     };
@@ -85,6 +90,7 @@ Case expect_projection(const ProjectionCase& input) {
     add(c.slipped[0].expected, projection * turned);
     add(c.slipped[1].expected, projection * transposed);
     add(c.slipped[2].expected, skew * projection);
+    add(c.slipped[3].expected, projection * backwards);
   }
   // In the other order a sum has terms of the projection's other rows, each rounded.
   for (Expected& each : c.slipped[2].expected) {
@@ -147,11 +153,24 @@ Case expect_parallax(const ParallaxCase& input) {
 
 // ---- culling ----
 
+// With a near plane at z = -w.
+bool unseen_with_opengl_near(const std::array<StereoPoint, 3>& triangle) {
+  const auto all = [&](auto outside) { return std::ranges::all_of(triangle, outside); };
+  using P = const StereoPoint&;
+  const bool left =
+      all([](P p) { return p.left_x < -p.w; }) || all([](P p) { return p.left_x > p.w; });
+  const bool right =
+      all([](P p) { return p.right_x < -p.w; }) || all([](P p) { return p.right_x > p.w; });
+  return all([](P p) { return p.z < -p.w; }) || all([](P p) { return p.z > p.w; }) ||
+         all([](P p) { return p.y < -p.w; }) || all([](P p) { return p.y > p.w; }) ||
+         (left && right);
+}
+
 Case expect_culled(const CullCase& input) {
   View centre;
   centre.near = 1;
   centre.far = 65;
-  std::vector<double> verdicts;
+  std::vector<double> verdicts, opengl;
   std::string text = "1 is drawn, 2 is culled";
   for (std::size_t i = 0; i < input.triangles.size(); ++i) {
     std::array<Outcode, 3> codes{};
@@ -159,14 +178,19 @@ Case expect_culled(const CullCase& input) {
       const StereoPoint& p = input.triangles[i][k];
       codes[k] = stereo_outcode(StereoClipPoint{p.left_x, p.right_x, p.y, p.z, p.w}, centre);
     }
-    verdicts.push_back(int(unseen_by_both(codes) ? Verdict::kCull : Verdict::kDraw));
+    const auto verdict = [](bool unseen) { return int(unseen ? Verdict::kCull : Verdict::kDraw); };
+    verdicts.push_back(verdict(unseen_by_both(codes)));
+    opengl.push_back(verdict(unseen_with_opengl_near(input.triangles[i])));
     if (input.triangles.size() > 10) continue;
     text += fmt::format("\n{}: {}; left x, right x, y, z, w of its corners", i, input.names[i]);
     for (const StereoPoint& p : input.triangles[i])
       text += fmt::format(" ({:.6g}, {:.6g}, {:.6g}, {:.6g}, {:.6g})", p.left_x, p.right_x, p.y,
                           p.z, p.w);
   }
-  return {input.what, text, {numbers("verdicts", verdicts)}};
+  return {.where = input.what,
+          .restated = text,
+          .expected = {numbers("verdicts", verdicts)},
+          .slipped = {{"opengl-depth", {numbers("verdicts", opengl)}}}};
 }
 
 // ---- comfort ----

@@ -16,14 +16,20 @@ using exact::Rational;
 
 namespace {
 
-Image<Rgba8> picture_of(const Anaglyph& anaglyph, const std::vector<Fragment>& fragments) {
+// Of equally near fragments the first is seen, or the last.
+enum class Ties { kFirst, kLast };
+
+Image<Rgba8> picture_of(const Anaglyph& anaglyph, const std::vector<Fragment>& fragments,
+                        Ties ties) {
   Image<Rgba8> picture(anaglyph.width, anaglyph.height, anaglyph.background);
   for (int y = 0; y < anaglyph.height; ++y) {
     for (int x = 0; x < anaglyph.width; ++x) {
       const Fragment* nearest = nullptr;
       for (const Fragment& each : fragments) {
         const bool here = each.x == x && each.y == y;
-        if (here && (nearest == nullptr || each.depth < nearest->depth)) nearest = &each;
+        if (!here) continue;
+        const bool nearer = nearest == nullptr || each.depth < nearest->depth;
+        if (nearer || (ties == Ties::kLast && each.depth == nearest->depth)) nearest = &each;
       }
       if (nearest != nullptr) picture.at(x, y) = nearest->colour;
     }
@@ -39,15 +45,23 @@ Case expect_anaglyph(const AnaglyphCase& input) {
   const Glasses glasses = input.lenses == Lenses::kRedCyan        ? Glasses::kRedCyan
                           : input.lenses == Lenses::kGreenMagenta ? Glasses::kGreenMagenta
                                                                   : Glasses::kAmberBlue;
-  const Image<Rgba8> shown =
-      make_anaglyph(picture_of(a, a.left), picture_of(a, a.right), AnaglyphMethod::kMask, glasses)
-          .value();
-  std::vector<double> red, green, blue;
-  for (const Rgba8& pixel : shown.pixels) {
-    red.push_back(pixel.r);
-    green.push_back(pixel.g);
-    blue.push_back(pixel.b);
-  }
+  const auto expected = [&](Ties ties, bool from_bottom) {
+    const Image<Rgba8> shown =
+        make_anaglyph(picture_of(a, a.left, ties), picture_of(a, a.right, ties),
+                      AnaglyphMethod::kMask, glasses)
+            .value();
+    std::vector<double> red, green, blue;
+    for (int row = 0; row < a.height; ++row) {
+      for (int x = 0; x < a.width; ++x) {
+        const Rgba8& pixel = shown.at(x, from_bottom ? a.height - 1 - row : row);
+        red.push_back(pixel.r);
+        green.push_back(pixel.g);
+        blue.push_back(pixel.b);
+      }
+    }
+    return std::vector{matrix("red", a.width, red), matrix("green", a.width, green),
+                       matrix("blue", a.width, blue)};
+  };
   std::string text =
       fmt::format("{} lenses, {} x {} px; fragments: {} of the left eye, {} of the right one",
                   name_of(glasses), a.width, a.height, a.left.size(), a.right.size());
@@ -59,10 +73,11 @@ Case expect_anaglyph(const AnaglyphCase& input) {
                             f.colour.g, f.colour.b);
     }
   }
-  return {input.what,
-          text,
-          {matrix("red", a.width, red), matrix("green", a.width, green),
-           matrix("blue", a.width, blue)}};
+  return {.where = input.what,
+          .restated = text,
+          .expected = expected(Ties::kFirst, false),
+          .slipped = {{"depth-or-equal", expected(Ties::kLast, false)},
+                      {"y-direction", expected(Ties::kFirst, true)}}};
 }
 
 // Recoloured colours are at most 1 and right to 10 u; the sizes of a row add up to less than 1.5, and six products and their sum

@@ -25,6 +25,23 @@ double float_ulps(double expected, double actual) {
   return std::abs(expected - actual) / double(ulp(e));
 }
 
+// Whether a function returned floats cannot be seen; but no float is as near as a bound below half an ulp asks, and what is no float
+// was none.
+bool are_doubles(const Divergence& found) {
+  if (!std::isfinite(found.actual) || !std::isfinite(found.expected)) return false;
+  const float expected = float(found.expected);
+  return double(float(found.actual)) != found.actual ||
+         (found.bound > 0 && std::isfinite(expected) && found.bound < double(ulp(expected)) / 2);
+}
+
+// Of the larger number.
+double double_ulps(double expected, double actual) {
+  const double larger = std::max(std::abs(expected), std::abs(actual));
+  if (!std::isfinite(larger)) return std::numeric_limits<double>::infinity();
+  const double next = std::nextafter(larger, std::numeric_limits<double>::infinity());
+  return std::abs(expected - actual) / (next - larger);
+}
+
 Divergence divergence_at(const Expected& expected, std::size_t index, Divergence::Kind kind) {
   return {.kind = kind,
           .field = expected.field,
@@ -182,7 +199,9 @@ Comparison compare(const Expected& expected, const std::vector<double>& actual) 
     found.expected = expected.values[i];
     found.actual = actual[i];
     found.distance = distance_between(found.expected, found.actual);
-    found.ulps = float_ulps(found.expected, found.actual);
+    found.ulps_of_double = are_doubles(found);
+    found.ulps = found.ulps_of_double ? double_ulps(found.expected, found.actual)
+                                      : float_ulps(found.expected, found.actual);
     result.first = found;
   }
   if (actual.size() != expected.values.size()) {

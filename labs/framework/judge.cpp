@@ -1,5 +1,7 @@
 #include "labs/framework/judge.h"
 
+#include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -57,21 +59,9 @@ CheckResult nothing_judged(const Check& check, std::size_t cases, double points)
 const char* verdict_name(Verdict verdict) {
   constexpr const char* kNames[] = {
       "right",   "wrong answer",   "no answer",        "exception", "crash",
-      "timeout", "limit exceeded", "malformed output", "not built"};
-  static_assert(std::size(kNames) == std::size_t(Verdict::kNotBuilt) + 1);
+      "timeout", "limit exceeded", "malformed output", "not built", "not written yet"};
+  static_assert(std::size(kNames) == std::size_t(Verdict::kUntouched) + 1);
   return kNames[int(verdict)];
-}
-
-double points_of_case(const Lab& lab, const std::vector<std::size_t>& counts,
-                      const std::string& task) {
-  std::size_t cases = 0;
-  for (std::size_t i = 0; i < lab.checks.size() && i < counts.size(); ++i) {
-    if (lab.checks[i].task == task) cases += counts[i];
-  }
-  for (const Task& each : lab.tasks) {
-    if (each.id == task && cases > 0) return each.points / double(cases);
-  }
-  return 0;
 }
 
 CheckResult judge_check(const Check& check, const std::vector<Case>& cases,
@@ -106,6 +96,22 @@ CheckResult judge_check(const Check& check, const std::vector<Case>& cases,
   result.score = result.right == cases.size() ? result.max_score : points * double(result.right);
   if (result.first) result.slips = find_slips(cases, answers.cases);
   return result;
+}
+
+bool same_answers(const CheckAnswers& a, const CheckAnswers& b) {
+  const auto same_number = [](double x, double y) {
+    return x == y || (std::isnan(x) && std::isnan(y));
+  };
+  const auto same_field = [&](const Answer::Field& x, const Answer::Field& y) {
+    return x.name == y.name && std::equal(x.values.begin(), x.values.end(), y.values.begin(),
+                                          y.values.end(), same_number);
+  };
+  return std::equal(a.cases.begin(), a.cases.end(), b.cases.begin(), b.cases.end(),
+                    [&](const CaseAnswer& x, const CaseAnswer& y) {
+                      const auto &f = x.answer.fields(), &g = y.answer.fields();
+                      return x.state == y.state && x.text == y.text &&
+                             std::equal(f.begin(), f.end(), g.begin(), g.end(), same_field);
+                    });
 }
 
 CheckResult not_built_check(const Check& check, std::size_t cases, double points) {

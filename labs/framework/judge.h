@@ -21,10 +21,11 @@ enum class Verdict {
   kTimeout,
   kLimit,
   kMalformed,
-  kNotBuilt
+  kNotBuilt,
+  kUntouched
 };
 
-// "right", "wrong answer", "no answer", "exception", "crash", "timeout", "limit exceeded", "malformed output", "not built".
+// "right", "wrong answer", "no answer", "exception", "crash", "timeout", "limit exceeded", "malformed output", "not built", "not written yet".
 const char* verdict_name(Verdict verdict);
 
 // The first case of a check that is not right.
@@ -48,7 +49,7 @@ struct CheckResult {
   std::vector<Verdict> cases = {};
   std::size_t right = 0;
   std::optional<FirstFailure> first = {};
-  // Ids that make every answer of the check right, the likeliest first.
+  // The slip that explains every wrong answer of the check, if one does and no other: one id or none.
   std::vector<std::string> slips = {};
   std::string said = {};  // what the student's code printed
   double seconds = 0;
@@ -70,13 +71,11 @@ struct LabResult {
   std::vector<std::string> warnings = {};
 };
 
-// The points of one case of each check of the task: the task's points shared equally by the cases of all its checks, hidden
-// ones too. `counts` are the numbers of cases of the lab's checks, in their order.
-double points_of_case(const Lab& lab, const std::vector<std::size_t>& counts,
-                      const std::string& task);
-
 CheckResult judge_check(const Check& check, const std::vector<Case>& cases,
                         const CheckAnswers& answers, double points_of_case);
+
+// Whether two programs answered every case of a check in the same way: a student's and the starter, of a task that nobody has begun.
+bool same_answers(const CheckAnswers& a, const CheckAnswers& b);
 
 // No answer to any case, because the code does not compile.
 CheckResult not_built_check(const Check& check, std::size_t cases, double points_of_case);

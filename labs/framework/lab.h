@@ -57,13 +57,14 @@ struct Divergence {
   std::string element = {};  // "row 2, column 3", "vertex 4, w", "pixel (10, 12)"
   double expected = 0, actual = 0;
   double distance = 0, bound = 0;  // in `unit`
-  double ulps = 0;                 // of float, between expected and actual
+  // Between expected and actual: of float where both are floats, else of double.
+  double ulps = 0;
+  bool ulps_of_double = false;
   std::string unit = {};
   std::string explanation = {};  // where a judge of the case's own has more to say
 };
 
-// What the answer is under one of the convention slips: "z-sign", "y-direction", "row-column-order", "handedness", "winding",
-// "half-angle", "degrees-radians", "multiplication-order".
+// What the answer is under one of the convention slips, known_slips() of slips.h.
 struct Slipped {
   std::string slip;
   std::vector<Expected> expected;
@@ -96,6 +97,7 @@ struct Check {
   std::string stage;
   bool hidden = false;  // not part of what a student is given
   std::function<std::vector<Case>()> cases;
+  double weight = 1;  // of its task's points (points.h)
 };
 
 // A check that expects of each of `inputs` what `expect` says.
@@ -118,10 +120,15 @@ Check hidden_check(const char* name, const char* task, const char* stage, Inputs
   return made;
 }
 
+// A hidden check of the task that this program does not have: it is a students' (students.h).
+inline Check hidden_elsewhere(const char* task) {
+  return {"", task, "", true, [] { return std::vector<Case>(); }};
+}
+
 struct Task {
   std::string id;     // "5.2"
   std::string title;  // "Clip a polygon against one plane"
-  double points = 0;  // shared equally by the cases of its checks
+  double points = 0;  // shared by its checks (points.h)
 };
 
 struct Lab {

@@ -61,6 +61,11 @@ Candidates axis_or_line(const Expected& field, const Values& values, std::size_t
   return all;
 }
 
+// A normal, or Newell's sums, which are one of some length.
+bool names_normal(const Expected& field) {
+  return field.field.find("normal") != std::string::npos || field.field == "newell";
+}
+
 // All numbers with the opposite sign: a normal that points inwards, a signed area.
 Candidates all_negated(const Expected& field, const Values& values, std::size_t size) {
   if (values.size() != size || (field.shape != Shape::kNumbers && field.shape != Shape::kPoint))
@@ -98,7 +103,8 @@ Candidates reversed_polygon(const Expected& field, const Values& values) {
   const std::size_t count = values.size() / columns;
   // A clipped polygon has ten at most; more would cost quadratic time.
   constexpr std::size_t kMost = 64;
-  if (!is_vertex_list(field) || values.size() % columns != 0 || count < 3 || count > kMost)
+  const bool table = field.field == "positions";  // has an order, but no winding
+  if (!is_vertex_list(field) || table || values.size() % columns != 0 || count < 3 || count > kMost)
     return {};
   Candidates all;
   for (std::size_t start = 0; start < count; ++start) {
@@ -131,14 +137,20 @@ Candidates reversed_triples(const Expected& field, const Values& values) {
   const auto is_index = [](double x) { return x >= 0 && x == std::floor(x); };
   if (field.shape != Shape::kNumbers || values.size() % 3 != 0 || !all_are(values, is_index))
     return {};
+  for (std::size_t i = 0; i + 3 <= field.values.size(); i += 3) {
+    const double a = field.values[i], b = field.values[i + 1], c = field.values[i + 2];
+    if (a == b || b == c || c == a) return {};  // no triangle
+  }
   Values changed = values;
   for (std::size_t i = 0; i < changed.size(); i += 3) std::swap(changed[i + 1], changed[i + 2]);
   return {changed};
 }
 
+// A depth, or a distance along the gaze.
 bool names_depth(const Expected& field) {
   return field.field == "z" || field.field.find("depth") != std::string::npos ||
-         field.field.ends_with("_z") || field.field.ends_with(" z");
+         field.field.find("distance") != std::string::npos || field.field.ends_with("_z") ||
+         field.field.ends_with(" z");
 }
 
 }  // namespace
@@ -165,9 +177,12 @@ std::vector<AnswerVariant> answer_variants() {
   add("winding", 1, reversed_polygon);
   add("winding", 2, inverted_answers);
   add("winding", 2, reversed_triples);
-  add("winding", 2, [](const Expected& f, const Values& v) { return all_negated(f, v, 1); });
-  add("winding", 1, [](const Expected& f, const Values& v) { return all_negated(f, v, 3); });
-  add("handedness", 1, [](const Expected& f, const Values& v) { return all_negated(f, v, 3); });
+  add("winding", 2, [](const Expected& f, const Values& v) {
+    return f.field.find("area") != std::string::npos ? all_negated(f, v, 1) : Candidates{};
+  });
+  add("winding", 1, [](const Expected& f, const Values& v) {
+    return names_normal(f) ? all_negated(f, v, 3) : Candidates{};
+  });
   return all;
 }
 

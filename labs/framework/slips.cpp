@@ -54,10 +54,11 @@ Expected shape_of(const Case& input, const Answer::Field& field) {
   return guess;
 }
 
-// Whether some way of undoing the slip in all fields satisfies the case's judge.
+// Whether some way of undoing the slip in all fields satisfies the case's judge. An answer that is right as it is must be so
+// without the slip as well, or have nothing that the slip could change.
 bool undone_satisfies_judge(const Case& input, const Answer& answer, const AnswerVariant& variant,
                             std::set<double>& changed) {
-  if (!input.judge(answer)) return true;
+  const bool right = !input.judge(answer);
   std::vector<std::vector<Values>> ways;
   std::size_t most = 0;
   for (const Answer::Field& field : answer.fields()) {
@@ -71,21 +72,23 @@ bool undone_satisfies_judge(const Case& input, const Answer& answer, const Answe
       undone.emit(field.name, way < ways[f].size() ? ways[f][way] : field.values);
     }
     if (input.judge(undone)) continue;
-    for (std::size_t f = 0; f < ways.size(); ++f)
+    for (std::size_t f = 0; f < ways.size() && !right; ++f)
       note_changes(answer.fields()[f].values, undone.fields()[f].values, changed);
     return true;
   }
-  return false;
+  return right && most == 0;
 }
 
 bool undone_is_right(const Expected& expected, const Values& actual, const AnswerVariant& variant,
                      std::set<double>& changed) {
-  for (const Values& undone : variant.undo(expected, actual)) {
+  const bool right = !compare(expected, actual).first;
+  const std::vector<Values> ways = variant.undo(expected, actual);
+  for (const Values& undone : ways) {
     if (compare(expected, undone).first) continue;
-    if (compare(expected, actual).first) note_changes(actual, undone, changed);
+    if (!right) note_changes(actual, undone, changed);
     return true;
   }
-  return false;
+  return right && ways.empty();
 }
 
 bool explains(const Evidence& evidence, const AnswerVariant& variant) {
@@ -118,11 +121,9 @@ bool explains(const Evidence& evidence, const ExpectedVariant& variant) {
     for (const Expected& expected : input.expected) {
       if (evidence.right_fields.count(expected.field) != 0) continue;
       const bool wrong = compare(expected, answer).first.has_value();
-      bool matched = !wrong;  // a case in which the slip changes nothing
-      for (const Expected& slipped : variant.make(expected)) {
-        if (matched) break;
-        matched = !compare(slipped, answer).first;
-      }
+      const std::vector<Expected> slipped = variant.make(expected);
+      bool matched = !wrong && slipped.empty();  // a case in which the slip changes nothing
+      for (const Expected& each : slipped) matched = matched || !compare(each, answer).first;
       if (!matched) return false;
       used = used || wrong;
     }
@@ -130,23 +131,24 @@ bool explains(const Evidence& evidence, const ExpectedVariant& variant) {
   return used;
 }
 
-// What the lab itself says of a slip.
+// What the lab itself says of a slip. A right answer contradicts a slip that would have made it wrong.
 bool explains(const Evidence& evidence, const std::string& slip) {
   bool used = false;
   for (std::size_t i = 0; i < evidence.cases.size(); ++i) {
     const Case& input = evidence.cases[i];
     const Answer& answer = evidence.answers[i].answer;
-    if (!judge_case(input, answer)) continue;
-    const auto said =
-        std::find_if(input.slipped.begin(), input.slipped.end(), [&](const Slipped& each) {
-          return each.slip == slip && !each.expected.empty() &&
-                 std::none_of(each.expected.begin(), each.expected.end(),
-                              [&](const Expected& field) {
-                                return compare(field, answer).first.has_value();
-                              });
-        });
-    if (said == input.slipped.end()) return false;
-    used = true;
+    const bool wrong = judge_case(input, answer).has_value();
+    bool said = false, matched = false;
+    for (const Slipped& each : input.slipped) {
+      if (each.slip != slip || each.expected.empty()) continue;
+      said = true;
+      matched = matched || std::none_of(each.expected.begin(), each.expected.end(),
+                                        [&](const Expected& field) {
+                                          return compare(field, answer).first.has_value();
+                                        });
+    }
+    if (wrong ? !matched : said && !matched) return false;
+    used = used || wrong;
   }
   return used;
 }
@@ -167,6 +169,23 @@ std::vector<double> heights_of(const Evidence& evidence) {
   return {};
 }
 
+// Whether a matrix of the check is affine and moves the origin: transposed, it has its translation in the last row.
+bool has_translation(const std::vector<Case>& cases) {
+  for (const Case& input : cases) {
+    for (const Expected& field : input.expected) {
+      const auto side = std::size_t(std::max(0, columns_of(field)));
+      if (field.shape != Shape::kMatrix || side < 3 || side * side != field.values.size()) continue;
+      bool affine = true, moves = false;
+      for (std::size_t i = 0; i < side; ++i) {
+        affine = affine && field.values[(side - 1) * side + i] == (i + 1 == side ? 1 : 0);
+        moves = moves || (i + 1 < side && field.values[i * side + side - 1] != 0);
+      }
+      if (affine && moves) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 const std::vector<Slip>& known_slips() {
@@ -175,8 +194,10 @@ const std::vector<Slip>& known_slips() {
       {"y-direction",
        "your y runs the other way: up in the world, the eye and NDC, down on the screen"},
       {"row-column-order",
-       "your rows and columns are exchanged (the matrix is transposed): vectors are columns, and a "
-       "translation stands in the last column"},
+       "your rows and columns are exchanged (the matrix is transposed): at(row, column)"},
+      {"row-vectors",
+       "your matrix is one for vectors that are rows: here vectors are columns, and a translation "
+       "stands in the last column"},
       {"handedness", "your axes are mirrored: the world is right-handed, x cross y is z"},
       {"winding",
        "your winding is reversed: seen from outside, a front face runs counter-clockwise"},
@@ -186,6 +207,24 @@ const std::vector<Slip>& known_slips() {
       {"degrees-radians", "one of your angles is in degrees where radians are due, or the reverse"},
       {"multiplication-order",
        "your matrices are multiplied in the other order: the one that acts first stands rightmost"},
+      {"cross-order",
+       "a cross product has its factors exchanged: a x b is -(b x a), and U is up x N, not N x up"},
+      {"translation-sign",
+       "a translation has the wrong sign: what brings a point to the origin moves by minus that "
+       "point"},
+      {"not-normalised", "a vector that must have length 1 is used with the length that it has"},
+      {"normal-as-vector",
+       "your normals are carried along by the model matrix: they take its inverse transpose"},
+      {"tan-cot", "your tangent stands where its reciprocal, the cotangent, is due"},
+      {"inverted-aspect", "your aspect ratio is inverted: it is width / height, and divides x"},
+      {"opengl-depth", "your depth range is OpenGL's, -w <= z <= w: here the near plane is z = 0"},
+      {"affine",
+       "you go evenly on the screen: in perspective u/w and 1/w do, and u is their quotient"},
+      {"half-pixel", "you are half a pixel off: the centre of pixel (i, j) is (i + 1/2, j + 1/2)"},
+      {"all-edges",
+       "your triangles own all their edges (>=): a centre on an edge belongs to the triangle whose "
+       "top or left edge it is"},
+      {"depth-or-equal", "your depth test is <=: of equally near fragments the first stays"},
   };
   return all;
 }
@@ -217,12 +256,15 @@ std::vector<std::string> find_slips(const std::vector<Case>& cases,
   }
   std::vector<AnswerVariant> variants = answer_variants();
   for (const double height : heights_of(evidence)) variants.push_back(y_from_other_end(height));
+  const bool translated = has_translation(cases);
   for (const AnswerVariant& variant : variants) {
-    if (explains(evidence, variant)) note(variant.slip);
+    if (!explains(evidence, variant)) continue;
+    note(translated && variant.slip == "row-column-order" ? "row-vectors" : variant.slip);
   }
   for (const ExpectedVariant& variant : expected_variants()) {
     if (explains(evidence, variant)) note(variant.slip);
   }
+  if (found.size() != 1) found.clear();
   return found;
 }
 

@@ -20,8 +20,9 @@ const std::vector<Slip>& known_slips();
 // The sentence for an id; empty if there is no such slip.
 std::string slip_text(const std::string& id);
 
-// The slips under which the answers to all cases are as expected, where without one they are not. One is named only on
-// evidence: every case must have been answered, and at least one answer must be one that the slip changes.
+// The slip under which the answers to all cases are as expected, where without it they are not; none if another slip explains
+// them too. It is named on evidence only: every case must have been answered, at least one answer must be one that the slip
+// changes, and none that is right may be one that it would have made wrong.
 std::vector<std::string> find_slips(const std::vector<Case>& cases,
                                     const std::vector<CaseAnswer>& answers);
 

@@ -46,9 +46,9 @@ Result<Sources> find_sources() {
   std::vector<Sources> places;
   if (!error) {
     const fs::path prefix = program.parent_path().parent_path();
-    places.push_back({prefix / "share/glassbox/labs", prefix / "include"});
+    places.push_back({prefix / "share/glassbox/labs", prefix / "include", {}});
   }
-  places.push_back({GLASSBOX_LABS_SOURCE, GLASSBOX_LABS_INCLUDE});
+  places.push_back({GLASSBOX_LABS_SOURCE, GLASSBOX_LABS_INCLUDE, {}});
   for (const Sources& place : places) {
     if (is_file(place.labs / "framework/runner_main.cpp") &&
         is_file(place.include / "glassbox/base/spaces.h"))
@@ -82,7 +82,7 @@ Result<void> write_if_changed(const fs::path& path, const std::string& text) {
 }
 
 Result<std::string> solution_text(const Sources& sources, const std::string& folder) {
-  return read_text_file(sources.labs / folder / "student.cpp");
+  return read_text_file(sources.folder_of(folder) / "student.cpp");
 }
 
 Result<std::vector<SourceFile>> support_files(const Sources& sources, const std::string& folder,
@@ -93,7 +93,7 @@ Result<std::vector<SourceFile>> support_files(const Sources& sources, const std:
   };
   std::vector<Wanted> wanted;
   for (const char* name : {"student.h", "cases.h", "runner.cpp"})
-    wanted.push_back({sources.labs / folder / name, name});
+    wanted.push_back({sources.folder_of(folder) / name, name});
   const auto want_of_framework = [&](const std::string& name) {
     wanted.push_back({sources.labs / "framework" / name, "labs/framework/" + name});
   };

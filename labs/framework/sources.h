@@ -12,6 +12,12 @@ namespace glassbox::labs {
 struct Sources {
   std::filesystem::path labs;     // has NN-name/ and framework/
   std::filesystem::path include;  // has glassbox/
+  std::filesystem::path outside =
+      {};  // a lab's folder that is not in `labs`, and stands for every lab
+
+  std::filesystem::path folder_of(const std::string& lab) const {
+    return outside.empty() ? labs / lab : outside;
+  }
 };
 
 // Beside an installed program (share/glassbox/labs, include), or the source tree that it was built from.

@@ -2,10 +2,15 @@
 
 #include <string.h>
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
+#include "labs/framework/in_parallel.h"
+#include "labs/framework/points.h"
 #include "labs/framework/run_check.h"
-#include "labs/grading/submission.h"
+#include "labs/grading/compile.h"
+#include "labs/grading/sanitizer_report.h"
 
 namespace glassbox::labs::grading {
 
@@ -14,75 +19,90 @@ namespace {
 namespace fs = std::filesystem;
 using Ending = RunOutcome::Ending;
 
-struct Cases {
-  std::vector<std::vector<Case>> of_check;
-  std::vector<double> points;  // of one case
-};
+using AllCases = std::vector<std::vector<Case>>;  // of each check
 
-Cases cases_of(const Lab& lab) {
-  Cases cases;
-  std::vector<std::size_t> counts;
-  for (const Check& check : lab.checks) {
-    cases.of_check.push_back(check.cases());
-    counts.push_back(cases.of_check.back().size());
-  }
-  for (const Check& check : lab.checks)
-    cases.points.push_back(points_of_case(lab, counts, check.task));
+AllCases cases_of(const Lab& lab) {
+  AllCases cases;
+  for (const Check& check : lab.checks) cases.push_back(check.cases());
   return cases;
 }
 
-Graded nothing(const Lab& lab, const Cases& cases, const std::string& outcome) {
+Graded nothing(const Lab& lab, const AllCases& cases, const std::string& outcome) {
   Graded graded;
   std::vector<CheckResult> checks;
-  for (std::size_t i = 0; i < lab.checks.size(); ++i)
-    checks.push_back(not_built_check(lab.checks[i], cases.of_check[i].size(), cases.points[i]));
+  for (std::size_t i = 0; i < lab.checks.size(); ++i) {
+    const std::size_t count = cases[i].size();
+    checks.push_back(
+        not_built_check(lab.checks[i], count, points_of_case(lab, lab.checks[i], count)));
+  }
   graded.result = sum_up(lab, std::move(checks));
   graded.outcome = outcome;
   graded.names.assign(lab.checks.size(), outcome);
   return graded;
 }
 
-std::string without(std::string text, const std::string& part) {
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at))
-    text.erase(at, part.size());
-  return text;
-}
-
-// Empty if the compiler was content.
-std::string compile_trouble(const RunOutcome& outcome, const Limits& limits, std::string& said) {
-  switch (outcome.ending) {
-    case Ending::kExit:
-      return outcome.code == 0 ? "" : "compile error";
-    case Ending::kTimeout:
-      said = fmt::format("The compiler was still busy after {} seconds.\n{}", limits.seconds, said);
-      return "compile timeout";
-    case Ending::kTooMuchOutput:
-      said = "The compiler wrote more than it may.\n" + said;
-      return "compile error";
-    case Ending::kNotStarted:
-      said = outcome.detail;
-      return "grading did not finish";
-    default:
-      said = fmt::format("The compiler did not survive (signal {}).\n{}", outcome.code, said);
-      return "compile error";
-  }
-}
-
-// A file that a submission included and that is neither the compiler's nor the lab's; empty if there is none. Where the sandbox
-// hides files there cannot be.
-std::string foreign_file(const fs::path& build, const Kit& kit) {
-  const auto rule = read_text_file(build / kFilesRead);
-  if (!rule) return "a file that is not named";
-  for (const fs::path& header : headers_of(*rule)) {
-    if (!Sandbox::is_compilers(build / header, {kit.readable, build})) return header.string();
-  }
-  return {};
-}
-
 std::string signal_name(int signal) {
   const char* name = ::sigabbrev_np(signal);
   return name != nullptr ? fmt::format("SIG{}", name) : fmt::format("signal {}", signal);
 }
+
+// The checks of one program, put and judged.
+class Putting {
+public:
+  Putting(const GradeRequest& request, const AllCases& cases)
+      : request_(request), cases_(cases), time_(request.total_seconds) {
+    results.resize(cases.size());
+    names.resize(cases.size());
+  }
+
+  void put(const fs::path& program, const fs::path& starter, bool hidden) {
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = 0; i < cases_.size(); ++i) {
+      if (request_.lab.checks[i].hidden == hidden && !cases_[i].empty()) chosen.push_back(i);
+    }
+    in_parallel(
+        chosen.size(), [&](std::size_t k) { put_check(program, starter, chosen[k]); },
+        request_.at_a_time);
+  }
+
+  std::vector<CheckResult> results;
+  std::vector<std::string> names;
+
+private:
+  void put_check(const fs::path& program, const fs::path& starter, std::size_t i) {
+    const Check& check = request_.lab.checks[i];
+    SandboxRunner runner(request_.sandbox, request_.limits, request_.words.sanitize, &time_);
+    const CheckAnswers answers = answers_of(runner, program, i);
+    CheckResult& result = results[i];
+    result = judge_check(check, cases_[i], answers,
+                         points_of_case(request_.lab, check, cases_[i].size()));
+    names[i] = name_of(result, runner.processes());
+    if (request_.words.sanitize) name_finding(result, names[i]);
+    if (result.right > 0 || starter.empty()) return;
+    SandboxRunner other(request_.sandbox, request_.limits);
+    if (!same_answers(answers, answers_of(other, starter, i))) return;
+    result.verdict = result.first->verdict = Verdict::kUntouched;
+    names[i] = verdict_name(Verdict::kUntouched);
+  }
+
+  // A sanitizer ends the process with its own exit status, after it has said why.
+  static void name_finding(CheckResult& result, std::string& name) {
+    const auto finding = sanitizer_finding(result.said);
+    if (!finding || !result.first || result.verdict != Verdict::kCrash) return;
+    name = result.first->text = *finding;
+    result.said.clear();  // the report, which begins with what is named
+  }
+
+  CheckAnswers answers_of(Runner& runner, const fs::path& program, std::size_t i) const {
+    const Limits& limits = request_.limits;
+    return run_check(runner, program, request_.lab.checks[i].name, cases_[i].size(),
+                     {limits.seconds, limits.output_bytes, limits.kept_bytes});
+  }
+
+  const GradeRequest& request_;
+  const AllCases& cases_;
+  TimeLeft time_;
+};
 
 }  // namespace
 
@@ -104,7 +124,7 @@ std::string name_of(const CheckResult& check, const std::vector<RunOutcome>& pro
       return first.detail.empty() ? fmt::format("crash ({})", signal_name(first.code))
                                   : fmt::format("crash ({})", first.detail);
     case Ending::kTimeout:
-      return "timeout";
+      return first.detail.empty() ? "timeout" : fmt::format("timeout ({})", first.detail);
     case Ending::kTooMuchOutput:
       return "too much output";
     case Ending::kOutOfMemory:
@@ -118,52 +138,41 @@ std::string name_of(const CheckResult& check, const std::vector<RunOutcome>& pro
   return verdict_name(check.verdict);
 }
 
-Graded grade(const Lab& lab, const fs::path& submission, const Sandbox& sandbox, const Kit& kit,
-             const fs::path& build, const Limits& limits) {
-  const Cases cases = cases_of(lab);
-  const auto text = read_submission(submission);
-  if (!text) {
-    const bool missing = text.error().cause == "is missing";
-    Graded graded = nothing(lab, cases, missing ? "missing file" : "file refused");
-    graded.said = text.error().message();
+Graded grade(const GradeRequest& request, const Result<std::string>& submission) {
+  const AllCases cases = cases_of(request.lab);
+  if (!submission) {
+    const bool missing = submission.error().cause.starts_with("is missing");
+    Graded graded = nothing(request.lab, cases, missing ? "missing file" : "file refused");
+    graded.said = submission.error().message();
     return graded;
   }
-  const auto written = write_if_changed(build / "student.cpp", *text);
-  if (!written || !sandbox.hand_over(build) || !sandbox.hand_over(build / "student.cpp")) {
-    Graded graded = nothing(lab, cases, "grading did not finish");
-    graded.said = written ? "the build directory cannot be handed over" : written.error().message();
+  const Sandbox& sandbox = request.sandbox;
+  Compiled compiled =
+      compile_submission(*submission, sandbox, request.kit, request.build, request.words);
+  const auto not_built = [&](const std::string& outcome) {
+    Graded graded = nothing(request.lab, cases, outcome);
+    graded.said = graded.result.not_built = compiled.said;
     return graded;
-  }
-  const RunOutcome compiled = sandbox.compile(compile_command(kit, "student.cpp", "runner"), build,
-                                              {kit.readable}, compile_limits());
-  std::string said =
-      without(without(compiled.said, build.string() + "/"), kit.include.string() + "/");
-  if (const std::string trouble = compile_trouble(compiled, compile_limits(), said);
-      !trouble.empty()) {
-    Graded graded = nothing(lab, cases, trouble);
-    graded.said = said;
-    graded.result.not_built = said;
-    return graded;
-  }
-  if (const std::string foreign = foreign_file(build, kit); !foreign.empty()) {
-    Graded graded = nothing(lab, cases, "compile error");
-    graded.said = "student.cpp includes " + foreign + ", which is not part of the lab.\n";
-    graded.result.not_built = graded.said;
-    return graded;
+  };
+  if (!compiled.trouble.empty()) return not_built(compiled.trouble);
+  Putting putting(request, cases);
+  // The visible checks first, by a program without the hidden ones: there is nothing of them that it could show.
+  for (const Checks which : {Checks::kVisible, Checks::kAll}) {
+    if (which == Checks::kAll && !request.hidden) break;
+    const fs::path program =
+        link_submission(which, sandbox, request.kit, request.build, compiled.said, request.words);
+    if (program.empty()) return not_built("compile error");
+    putting.put(program, link_starter(which, sandbox, request.kit, request.build),
+                which == Checks::kAll);
   }
   Graded graded;
   graded.outcome = "graded";
-  graded.said = said;
-  std::vector<CheckResult> checks;
-  for (std::size_t i = 0; i < lab.checks.size(); ++i) {
-    SandboxRunner runner(sandbox, limits);
-    const CheckAnswers answers =
-        run_check(runner, build / "runner", lab.checks[i].name, cases.of_check[i].size(),
-                  {limits.seconds, limits.output_bytes, limits.kept_bytes});
-    checks.push_back(judge_check(lab.checks[i], cases.of_check[i], answers, cases.points[i]));
-    graded.names.push_back(name_of(checks.back(), runner.processes()));
-  }
-  graded.result = sum_up(lab, std::move(checks));
+  graded.said = compiled.said;
+  // What was not put has no name, and is not in the result.
+  std::erase_if(putting.results, [](const CheckResult& each) { return each.name.empty(); });
+  std::erase_if(putting.names, [](const std::string& each) { return each.empty(); });
+  graded.names = std::move(putting.names);
+  graded.result = sum_up(request.lab, std::move(putting.results));
   return graded;
 }
 

@@ -11,6 +11,8 @@
 #include "labs/grading/limits.h"
 #include "labs/grading/sandbox.h"
 
+#include <glassbox/base/error.h>
+
 namespace glassbox::labs::grading {
 
 struct Graded {
@@ -21,13 +23,24 @@ struct Graded {
   std::vector<std::string> names;
 };
 
+struct GradeRequest {
+  const Lab& lab;  // with its points (framework/points.h)
+  const Sandbox& sandbox;
+  const Kit& kit;
+  std::filesystem::path build;  // an empty directory of its own
+  Limits limits = {};
+  double total_seconds = 0;  // of all checks together; 0: no limit
+  bool hidden = true;        // hidden checks too
+  std::size_t at_a_time = 1;
+  CompileWords words = {};
+};
+
 // The lab with no points given, and `outcome` for every check: what a result says until it is known.
 Graded nothing_yet(const Lab& lab, const std::string& outcome);
 
-// Compiles in `build`, an empty directory of its own, and puts every check to a process of its own. What goes wrong in a
-// submission is a result, not an error.
-Graded grade(const Lab& lab, const std::filesystem::path& submission, const Sandbox& sandbox,
-             const Kit& kit, const std::filesystem::path& build, const Limits& limits);
+// Compiles the submission, or the reason why there is none, and puts every check to a process of its own. What goes wrong in a
+// submission is a result, not an error. A check that is answered as the starter answers it has not been written yet.
+Graded grade(const GradeRequest& request, const Result<std::string>& submission);
 
 // What became of a check, from its verdict and from how its first process ended.
 std::string name_of(const CheckResult& check, const std::vector<RunOutcome>& processes);

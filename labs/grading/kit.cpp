@@ -3,13 +3,17 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <sstream>
 
 #include <fmt/format.h>
 
 #include "labs/framework/build.h"
+#include "labs/framework/digest.h"
+#include "labs/framework/in_parallel.h"
 #include "labs/framework/process.h"
+#include "labs/framework/strip.h"
 
 namespace glassbox::labs::grading {
 
@@ -17,17 +21,32 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// As `lab check` compiles, but for the debugger's information. The whole program is static, so that it starts without opening
-// a file.
+bool is_clang(const std::string& compiler) {
+  return fs::path(compiler).filename().string().find("clang") != std::string::npos;
+}
+
+// The same for the lab's own files and for a student's. -ffp-contract=off is the arithmetic of the pipeline: a product and a sum
+// are two roundings.
 const std::vector<std::string>& flags() {
-  static const std::vector<std::string> words{"-std=c++20", "-O1", "-ffp-contract=off", "-static"};
+  static const std::vector<std::string> words{"-std=c++20", "-O1", "-ffp-contract=off"};
   return words;
 }
 
-// The option by which a compiler stops after ten errors.
-std::string ten_errors(const std::string& compiler) {
-  const bool is_clang = fs::path(compiler).filename().string().find("clang") != std::string::npos;
-  return is_clang ? "-ferror-limit=10" : "-fmax-errors=10";
+// The assembly is GNU's, without comments, and assembled by the GNU assembler.
+std::vector<std::string> of_clang(const std::string& compiler) {
+  if (!is_clang(compiler)) return {};
+  return {"-fno-integrated-as", "-fno-verbose-asm"};
+}
+
+// -O1 as for the others: an error that an optimiser turns into another is not told apart at -O0 either.
+const std::vector<std::string>& sanitizers() {
+  static const std::vector<std::string> words{
+      "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-fno-omit-frame-pointer"};
+  return words;
+}
+
+void append(std::vector<std::string>& words, const std::vector<std::string>& more) {
+  words.insert(words.end(), more.begin(), more.end());
 }
 
 Result<std::string> path_of(const std::string& program) {
@@ -64,69 +83,176 @@ Result<bool> copy_below(const fs::path& file, const fs::path& from, const fs::pa
   return true;
 }
 
-Kit kit_in(const fs::path& directory, const std::string& compiler) {
+Kit kit_in(const fs::path& directory, const std::string& compiler, const std::string& fingerprint) {
   Kit kit;
   kit.compiler = compiler;
-  kit.readable = directory / "for-students";
-  kit.include = kit.readable / "include";
-  for (const char* name : {"checks.o", "main.o", "witness.o"})
-    kit.objects.push_back(kit.readable / "objects" / name);
+  kit.fingerprint = fingerprint;
+  kit.include = directory / "include";
+  const fs::path objects = directory / "objects";
+  kit.starter = objects / "starter.o";
+  for (const char* name : {"main.o", "witness.o"}) {
+    kit.visible.push_back(objects / name);
+    kit.all.push_back(objects / name);
+  }
+  kit.visible.push_back(objects / "visible.o");
+  kit.all.push_back(objects / "all.o");
   return kit;
 }
 
-// Whatever the mask of the caller: the user that compiles is another.
+// Whatever the mask of the caller: the user that compiles is another. The objects stay the caller's own.
 void open_to_all(const Kit& kit, const fs::path& directory) {
   using fs::perms;
   std::error_code error;
-  for (fs::recursive_directory_iterator entry(kit.readable, error), end; !error && entry != end;
+  for (fs::recursive_directory_iterator entry(kit.include, error), end; !error && entry != end;
        entry.increment(error)) {
     perms added = perms::group_read | perms::others_read;
     if (entry->is_directory()) added |= perms::group_exec | perms::others_exec;
     std::error_code ignored;
     fs::permissions(entry->path(), added, fs::perm_options::add, ignored);
   }
-  for (const fs::path& path : {directory, kit.readable})
+  for (const fs::path& path : {directory, kit.include})
     fs::permissions(path, perms(0755), fs::perm_options::replace, error);
+  fs::permissions(directory / "objects", perms::owner_all, fs::perm_options::replace, error);
 }
 
-Result<void> fill(const Kit& kit, const Sources& sources, const std::string& folder,
-                  const fs::path& directory) {
-  const fs::path own = directory / "own";
-  std::error_code error;
-  fs::create_directories(kit.readable / "objects", error);
-  fs::create_directories(kit.include, error);
-  auto files = support_files(sources, folder, true);
-  if (!files) return tl::unexpected(files.error());
+// What a kit is made of.
+struct Parts {
+  std::string starter;
+  std::vector<SourceFile> visible,
+      all;  // the files around student.cpp, and student.cpp with the solution
+  std::string witness;
+};
+
+Result<std::vector<SourceFile>> files_of(const Sources& sources, const std::string& folder,
+                                         bool with_hidden) {
+  auto files = support_files(sources, folder, with_hidden);
+  if (!files) return files;
   const auto solution = solution_text(sources, folder);
   if (!solution) return tl::unexpected(solution.error());
-  files->push_back({"student.cpp", *solution});
-  for (const SourceFile& file : *files) {
-    if (const auto written = write_if_changed(own / file.path, file.text); !written) return written;
-  }
-  std::vector<std::string> words{kit.compiler};
-  words.insert(words.end(), flags().begin(), flags().end());
-  words.insert(words.end(), {"-I", own.string(), "-I", sources.include.string()});
+  files->push_back({kSource, *solution});
+  return files;
+}
 
-  std::vector<std::string> listing = words;
-  listing.insert(listing.end(), {"-MM", (own / "student.cpp").string()});
-  const auto rule = call(listing);
-  if (!rule) return tl::unexpected(rule.error());
-  for (const fs::path& header : headers_of(*rule)) {
-    for (const fs::path& root : {own, sources.include}) {
-      const auto copied = copy_below(header, root, kit.include);
-      if (!copied) return tl::unexpected(copied.error());
-      if (*copied) break;
+Result<Parts> parts_of(const Sources& sources, const std::string& folder) {
+  auto visible = files_of(sources, folder, false);
+  if (!visible) return tl::unexpected(visible.error());
+  auto all = files_of(sources, folder, true);
+  if (!all) return tl::unexpected(all.error());
+  const auto witness = read_text_file(sources.labs / "grading/witness.cpp");
+  if (!witness) return tl::unexpected(witness.error());
+  auto starter = strip_solution(visible->back().text, folder + "/student.cpp");
+  if (!starter) return tl::unexpected(starter.error());
+  return Parts{std::move(*starter), std::move(*visible), std::move(*all), *witness};
+}
+
+Result<std::string> fingerprint_of(const Sources& sources, const Parts& parts,
+                                   const std::string& compiler_path) {
+  const auto headers = library_headers(sources, parts.all);
+  if (!headers) return tl::unexpected(headers.error());
+  Digest digest;
+  for (const auto* files : {&parts.visible, &parts.all, &*headers}) {
+    for (const SourceFile& file : *files) digest.add(file.path).add(file.text);
+  }
+  digest.add(parts.witness).add(compiler_path);
+  for (const std::string& word : flags()) digest.add(word);
+  return digest.text();
+}
+
+// A compiler that is called where `files` lie, so that its messages and macros do not name the place.
+class Workshop {
+public:
+  Workshop(const Kit& kit, const Sources& sources, fs::path place)
+      : kit_(kit), sources_(sources), place_(std::move(place)) {}
+
+  Result<void> lay_out(const std::vector<SourceFile>& files) const {
+    for (const SourceFile& file : files) {
+      if (const auto written = write_if_changed(place_ / file.path, file.text); !written)
+        return written;
     }
+    return {};
   }
-  const std::vector<fs::path> compiled{own / "runner.cpp", own / "labs/framework/runner_main.cpp",
-                                       sources.labs / "grading/witness.cpp"};
-  for (std::size_t i = 0; i < compiled.size(); ++i) {
-    std::vector<std::string> compiling = words;
-    compiling.insert(compiling.end(), {"-c", compiled[i].string(), "-o", kit.objects[i].string()});
-    if (const auto done = call(compiling); !done) return tl::unexpected(done.error());
+  Result<void> compile(const fs::path& source, const fs::path& object) const {
+    std::vector<std::string> words = start();
+    append(words, {"-c", source.string(), "-o", object.string()});
+    const auto done = call(words);
+    if (!done) return tl::unexpected(done.error());
+    return {};
   }
-  // With the solution in it.
+  // What the solution includes, of the lab's and of the library's headers.
+  Result<void> copy_headers() const {
+    std::vector<std::string> listing = start();
+    append(listing, {"-MM", (place_ / kSource).string()});
+    const auto rule = call(listing);
+    if (!rule) return tl::unexpected(rule.error());
+    for (const fs::path& header : headers_of(*rule)) {
+      for (const fs::path& root : {place_, sources_.include}) {
+        const auto copied = copy_below(header, root, kit_.include);
+        if (!copied) return tl::unexpected(copied.error());
+        if (*copied) break;
+      }
+    }
+    return {};
+  }
+
+private:
+  std::vector<std::string> start() const {
+    std::vector<std::string> words{kit_.compiler};
+    append(words, flags());
+    append(words, {"-I", place_.string(), "-I", sources_.include.string()});
+    return words;
+  }
+
+  const Kit& kit_;
+  const Sources& sources_;
+  fs::path place_;
+};
+
+// Half a kit beside its place is what a killed program left; none takes an hour to make.
+void remove_leftovers(const fs::path& directory) {
+  std::error_code error;
+  const std::string name = directory.filename().string() + "-";
+  const auto now = fs::file_time_type::clock::now();
+  for (fs::directory_iterator entry(directory.parent_path(), error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::string other = entry->path().filename().string();
+    std::error_code ignored;
+    if (other.starts_with(name) && other.size() == name.size() + 6 &&
+        fs::exists(entry->path() / "objects", ignored) &&
+        now - fs::last_write_time(entry->path(), ignored) > std::chrono::hours(1))
+      fs::remove_all(entry->path(), ignored);
+  }
+}
+
+Result<void> fill(const Kit& kit, const Sources& sources, const Parts& parts,
+                  const fs::path& directory) {
+  const fs::path objects = directory / "objects", own = directory / "own";
+  std::error_code error;
+  fs::create_directories(objects, error);
+  fs::create_directories(kit.include, error);
+  fs::create_directories(own, error);
   fs::permissions(own, fs::perms::owner_all, fs::perm_options::replace, error);
+  const Workshop visible(kit, sources, own / "visible"), all(kit, sources, own / "all");
+  const fs::path starter = own / "visible/starter.cpp";
+  if (const auto written = write_if_changed(starter, parts.starter); !written) return written;
+  for (const auto& done :
+       {visible.lay_out(parts.visible), all.lay_out(parts.all), visible.copy_headers()}) {
+    if (!done) return done;
+  }
+  const std::vector<std::pair<fs::path, fs::path>> compiled{
+      {own / "visible/runner.cpp", objects / "visible.o"},
+      {own / "all/runner.cpp", objects / "all.o"},
+      {starter, kit.starter},
+      {own / "visible/labs/framework/runner_main.cpp", objects / "main.o"},
+      {sources.labs / "grading/witness.cpp", objects / "witness.o"}};
+  std::vector<Result<void>> done(compiled.size());
+  in_parallel(compiled.size(), [&](std::size_t i) {
+    const auto& [source, object] = compiled[i];
+    done[i] = (i == 1 ? all : visible).compile(source, object);
+  });
+  for (const auto& each : done) {
+    if (!each) return each;
+  }
+  fs::remove_all(own, error);  // the solution, and the hidden cases
   open_to_all(kit, directory);
   return {};
 }
@@ -142,7 +268,12 @@ std::vector<fs::path> headers_of(const std::string& rule) {
 Result<Kit> make_kit(const Sources& sources, const std::string& folder, const fs::path& directory) {
   const auto found = path_of(compiler());
   if (!found) return tl::unexpected(found.error());
-  const std::string label = folder + ", " + *found + "\n";
+  const auto parts = parts_of(sources, folder);
+  if (!parts) return tl::unexpected(parts.error());
+  const auto fingerprint = fingerprint_of(sources, *parts, *found);
+  if (!fingerprint) return tl::unexpected(fingerprint.error());
+  const std::string label = folder + ", " + *found + ", " + *fingerprint + "\n";
+  remove_leftovers(directory);
   std::error_code error;
   if (!fs::exists(directory, error)) {
     // Beside its place, and renamed into it. Where another was faster, its kit is as good.
@@ -150,7 +281,7 @@ Result<Kit> make_kit(const Sources& sources, const std::string& folder, const fs
     fs::create_directories(directory.parent_path(), error);
     if (::mkdtemp(beside.data()) == nullptr)
       return fail(directory.string(), "cannot be made", "name a place that can be written to");
-    const auto filled = fill(kit_in(beside, *found), sources, folder, beside);
+    const auto filled = fill(kit_in(beside, *found, *fingerprint), sources, *parts, beside);
     const auto labelled = filled ? write_if_changed(fs::path(beside) / "lab", label) : filled;
     if (labelled) fs::rename(beside, directory, error);
     std::error_code ignored;
@@ -158,28 +289,68 @@ Result<Kit> make_kit(const Sources& sources, const std::string& folder, const fs
     if (!labelled) return tl::unexpected(labelled.error());
   }
   const auto is = read_text_file(directory / "lab");
-  if (is && *is == label) return kit_in(directory, *found);
-  return fail(directory.string(), "is no kit of this lab and compiler",
+  if (is && *is == label) return kit_in(directory, *found, *fingerprint);
+  return fail(directory.string(), "is no kit of this lab, this compiler and this glassbox",
               "name another directory, or remove this one");
 }
 
+Result<std::string> kit_fingerprint(const Sources& sources, const std::string& folder) {
+  const auto found = path_of(compiler());
+  if (!found) return tl::unexpected(found.error());
+  const auto parts = parts_of(sources, folder);
+  if (!parts) return tl::unexpected(parts.error());
+  return fingerprint_of(sources, *parts, *found);
+}
+
 Result<Kit> copy_kit(const Kit& kit, const fs::path& directory) {
-  const Kit copy = kit_in(directory, kit.compiler);
+  Kit copy = kit;
+  copy.include = directory / "include";
   std::error_code error;
   fs::create_directories(directory, error);
-  fs::copy(kit.readable, copy.readable, fs::copy_options::recursive, error);
+  fs::copy(kit.include, copy.include, fs::copy_options::recursive, error);
   if (error) return fail(directory.string(), error.message(), "free some space there");
   open_to_all(copy, directory);
   return copy;
 }
 
-std::vector<std::string> compile_command(const Kit& kit, const std::string& source,
-                                         const std::string& program) {
+std::vector<std::string> assembly_command(const Kit& kit, const CompileWords& options,
+                                          const fs::path& build) {
   std::vector<std::string> words{kit.compiler};
-  words.insert(words.end(), flags().begin(), flags().end());
-  words.insert(words.end(), {ten_errors(kit.compiler), "-I", kit.include.string(), source});
-  for (const fs::path& object : kit.objects) words.push_back(object.string());
-  words.insert(words.end(), {"-MD", "-MF", kFilesRead, "-o", program});
+  append(words, flags());
+  append(words, of_clang(kit.compiler));
+  if (options.debugger) append(words, {"-O0", "-g"});
+  if (options.sanitize) append(words, sanitizers());
+  if (!options.stands_for.empty())
+    append(words,
+           {"-g", fmt::format("-fdebug-prefix-map={}={}", build.string(), options.stands_for)});
+  // A stub uses no parameter.
+  if (options.warnings) append(words, {"-Wall", "-Wextra", "-Wno-unused-parameter"});
+  // A student's own errors come before those that they make elsewhere.
+  words.push_back(is_clang(kit.compiler) ? "-ferror-limit=10" : "-fmax-errors=10");
+  append(words, {"-isystem", kit.include.string(), "-MD", "-MF", kFilesRead, "-S", kSource, "-o",
+                 kAssembly});
+  return words;
+}
+
+std::vector<std::string> object_command(const Kit& kit) {
+  std::vector<std::string> words{kit.compiler};
+  append(words, of_clang(kit.compiler));
+  append(words, {"-c", kAssembly, "-o", kObject});
+  return words;
+}
+
+std::vector<std::string> link_command(const Kit& kit, const std::vector<std::string>& objects,
+                                      const std::string& program, const CompileWords& options) {
+  // Nothing in an object makes the linker compile.
+  std::vector<std::string> words{kit.compiler, "-fno-lto"};
+  if (options.sanitize) {
+    append(words, sanitizers());
+  } else {
+    words.push_back("-static");  // so that the program starts without opening a file
+  }
+  if (!is_clang(kit.compiler)) words.push_back("-fno-use-linker-plugin");
+  append(words, objects);
+  append(words, {"-o", program});
   return words;
 }
 

@@ -11,26 +11,53 @@
 
 namespace glassbox::labs::grading {
 
+// A runner puts the checks that students have, or all of them. Of hidden checks there is nothing in the visible runner.
+enum class Checks { kVisible, kAll };
+
 struct Kit {
-  std::filesystem::path readable;  // all of it that a submission's compiler sees
-  // Headers: those of the lab that its own student.cpp includes, and no others.
+  // Headers: those of the lab that its own student.cpp includes, and no others. All of the kit that a submission's compiler sees.
   std::filesystem::path include;
-  std::vector<std::filesystem::path> objects;  // the runner without the student's functions
-  std::string compiler;                        // its path
+  // The two runners without the student's functions; for the linker alone, when the submission's code has been compiled.
+  std::vector<std::filesystem::path> visible, all;
+  std::filesystem::path starter;  // student.cpp as students get it, compiled
+  std::string compiler;           // its path
+  std::string fingerprint;        // of all that it was made from
+
+  const std::vector<std::filesystem::path>& objects(Checks checks) const {
+    return checks == Checks::kVisible ? visible : all;
+  }
 };
 
 // Makes the kit of the lab labs/FOLDER in `directory`, which must be absolute, or finds the one that was made there. It appears
-// whole: several may make the same one at the same time. An error where it is another lab's or another compiler's.
+// whole: several may make the same one at the same time. An error where it is another lab's, another compiler's or of other
+// sources.
 Result<Kit> make_kit(const Sources& sources, const std::string& folder,
                      const std::filesystem::path& directory);
 
-// What submissions see of the kit, in another place: one that every user can reach.
+// Kit::fingerprint of the kit that would be made.
+Result<std::string> kit_fingerprint(const Sources& sources, const std::string& folder);
+
+// The kit in another place: one where every user can reach its headers.
 Result<Kit> copy_kit(const Kit& kit, const std::filesystem::path& directory);
 
-// The call that makes `program` of `source`; both are looked for in the directory that it is called in, where kFilesRead then
-// names the files that were included.
-std::vector<std::string> compile_command(const Kit& kit, const std::string& source,
-                                         const std::string& program);
+// The calls that make a program of student.cpp, one after the other. The files are looked for in the directory `build` that they
+// are called in, where kFilesRead then names those that were included.
+struct CompileWords {
+  bool warnings = false;
+  bool debugger = false;  // with what a debugger reads, and every variable in its place (-O0 -g)
+  bool sanitize =
+      false;  // with AddressSanitizer and UndefinedBehaviorSanitizer, which end the program with a report
+  std::string
+      stands_for;  // the folder that a debugger is to look for student.cpp in; empty for none
+};
+std::vector<std::string> assembly_command(const Kit& kit, const CompileWords& words,
+                                          const std::filesystem::path& build);
+std::vector<std::string> object_command(const Kit& kit);
+std::vector<std::string> link_command(const Kit& kit, const std::vector<std::string>& objects,
+                                      const std::string& program, const CompileWords& words);
+inline constexpr const char* kSource = "student.cpp";
+inline constexpr const char* kAssembly = "student.s";
+inline constexpr const char* kObject = "student.o";
 inline constexpr const char* kFilesRead = "files-read";
 
 // The files that a compiler's rule "student.o: student.cpp a.h" names, without the first.

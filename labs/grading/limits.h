@@ -9,7 +9,7 @@ inline constexpr std::size_t kMiB = std::size_t(1) << 20;
 
 struct Limits {
   double seconds = 10;  // of wall-clock time; the processor's time is limited to the next second
-  std::size_t memory_bytes = 512 * kMiB;  // of address space
+  std::size_t memory_bytes = 512 * kMiB;  // of address space; 0: no limit
   std::size_t stack_bytes = 8 * kMiB;     // what a student's own machine gives by default
   std::size_t file_bytes = kMiB;          // of each file it writes
   std::size_t output_bytes = 64 * kMiB;   // of answers; a process that writes more is ended

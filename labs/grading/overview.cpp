@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "labs/grading/results.h"
+
 #include <glassbox/base/counted.h>
 #include <glassbox/html/escaped.h>
 
@@ -18,10 +20,6 @@ using Json = nlohmann::ordered_json;
 
 double max_score(const Row& row) {
   return row.results.at("extra_data").value("max_score", 0.0);
-}
-
-std::string outcome(const Row& row) {
-  return row.results.at("extra_data").at("outcome");
 }
 
 const Json& tasks(const Row& row) {
@@ -70,11 +68,11 @@ std::string check_row(const Json& test) {
 }
 
 std::string submission_html(const Row& row) {
-  const double score = row.results.at("score"), most = max_score(row);
+  const double score = total_of(row.results), most = max_score(row);
   std::string html = fmt::format(
       "<details><summary><b>{}</b><span>{}</span><meter max=\"{:.6g}\" "
       "value=\"{:.6g}\"></meter><span class=\"score\">{:.6g} / {:.6g}</span></summary>\n",
-      escaped(row.name), escaped(outcome(row)), most > 0 ? most : 1, score, score, most);
+      escaped(row.name), escaped(outcome_of(row)), most > 0 ? most : 1, score, score, most);
   html += "<pre>" + escaped(row.results.at("output")) + "</pre>\n";
   html += "<table><tr><th>No.</th><th>Check</th><th>Outcome</th><th>Points</th></tr>\n";
   for (const Json& test : row.results.at("tests")) html += check_row(test);
@@ -83,15 +81,20 @@ std::string submission_html(const Row& row) {
 
 }  // namespace
 
+std::string outcome_of(const Row& row) {
+  const std::string outcome = row.results.at("extra_data").at("outcome");
+  if (row.finished || outcome == kUnfinished) return outcome;
+  return fmt::format("{}; this is an earlier result: {}", kUnfinished, outcome);
+}
+
 std::string class_csv(const std::vector<Row>& rows) {
   const std::vector<std::string> ids = task_ids(rows);
   std::string csv = "submission,score,max_score,outcome";
   for (const std::string& id : ids) csv += "," + csv_text("task " + id);
   csv += "\r\n";
   for (const Row& row : rows) {
-    csv +=
-        fmt::format("{},{:.6g},{:.6g},{}", csv_text(row.name),
-                    row.results.at("score").get<double>(), max_score(row), csv_text(outcome(row)));
+    csv += fmt::format("{},{:.6g},{:.6g},{}", csv_text(row.name), total_of(row.results),
+                       max_score(row), csv_text(outcome_of(row)));
     for (const std::string& id : ids) csv += "," + task_score(row, id);
     csv += "\r\n";
   }
@@ -106,7 +109,7 @@ std::string class_html(const std::vector<Row>& rows) {
     const Json& extra = row.results.at("extra_data");
     if (extra.contains("folder")) title = "Lab " + extra["folder"].get<std::string>();
     if (extra.contains("sandbox")) sandbox = extra["sandbox"];
-    sum += row.results.at("score").get<double>();
+    sum += total_of(row.results);
     most = std::max(most, max_score(row));
   }
   std::string html =

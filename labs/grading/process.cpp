@@ -32,7 +32,7 @@ struct Prepared {
   const char* directory = nullptr;
   const Launch* launch = nullptr;
   SystemCallFilter filter;
-  int empty_input = -1, answers = -1, said = -1, notes = -1, filter_file = -1, errors = -1;
+  int input = -1, answers = -1, said = -1, notes = -1, filter_file = -1, errors = -1;
 };
 
 bool limit(int what, std::size_t value) {
@@ -46,7 +46,7 @@ bool set_limits(const Limits& limits, bool own_user) {
   fine = fine && limit(RLIMIT_FSIZE, limits.file_bytes) && limit(RLIMIT_STACK, limits.stack_bytes);
   // It counts all processes of a user, not those of this one alone.
   if (own_user) fine = fine && limit(RLIMIT_NPROC, limits.processes);
-  return fine && limit(RLIMIT_AS, limits.memory_bytes);
+  return fine && (limits.memory_bytes == 0 || limit(RLIMIT_AS, limits.memory_bytes));
 }
 
 [[noreturn]] void give_up(const Prepared& prepared, const char* step) {
@@ -68,7 +68,7 @@ bool become(uid_t user) {
   ::sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
   for (const int signal : {SIGPIPE, SIGINT, SIGTERM, SIGHUP, SIGXFSZ}) ::signal(signal, SIG_DFL);
-  const std::array<std::array<int, 2>, 6> places{{{prepared.empty_input, 0},
+  const std::array<std::array<int, 2>, 6> places{{{prepared.input, 0},
                                                   {prepared.said, 1},
                                                   {prepared.said, 2},
                                                   {prepared.answers, kAnswersFd},
@@ -158,7 +158,7 @@ RunOutcome launch(const Launch& launch) {
       return not_started("no file in memory for the system-call filter");
     filter_file.set(file);
   }
-  prepared.empty_input = empty_input.get();
+  prepared.input = launch.input >= 0 ? launch.input : empty_input.get();
   prepared.answers = answers.write.get();
   prepared.said = said.write.get();
   prepared.notes = notes.write.get();

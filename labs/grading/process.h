@@ -28,9 +28,10 @@ struct Launch {
   SystemCallFilter filter;    // none if empty
   bool in_bubblewrap = false;
   int file_rules = -1;  // FileRules::descriptor()
+  int input = -1;       // standard input; none: it is empty
 };
 
-// Standard input is empty. The process leads a session of its own, which is killed as a whole when its time or output is
+// The process leads a session of its own, which is killed as a whole when its time or output is
 // spent and when it ends; it does not outlive the caller. Core files are off and no new privileges can be had.
 RunOutcome launch(const Launch& launch);
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "labs/framework/divergence_text.h"
 #include "labs/framework/slips.h"
 
 namespace glassbox::labs::grading {
@@ -34,13 +35,9 @@ Json number(double value) {
 std::string divergence_text(const Divergence& divergence) {
   std::string text = fmt::format("  {}", divergence.field);
   if (!divergence.element.empty()) text += ", " + divergence.element;
-  text += fmt::format(" ({}): expected {:.9g}, actual {:.9g}", kind_name(divergence.kind),
-                      divergence.expected, divergence.actual);
-  if (divergence.bound > 0 || divergence.distance > 0) {
-    text += fmt::format("\n  distance {:.3g}{}{}, {:.3g} ulps; allowed {:.3g}", divergence.distance,
-                        divergence.unit.empty() ? "" : " ", divergence.unit, divergence.ulps,
-                        divergence.bound);
-  }
+  text +=
+      fmt::format(" ({}): expected {}, actual {}\n  distance {}", kind_name(divergence.kind),
+                  expected_text(divergence), actual_text(divergence), distance_text(divergence));
   text += '\n';
   if (!divergence.explanation.empty()) text += "  " + divergence.explanation + '\n';
   return text;
@@ -82,12 +79,8 @@ Json test_json(const CheckResult& check, const std::string& name, const std::str
           {"extra_data", extra}};
 }
 
-}  // namespace
-
-std::string explanation(const CheckResult& check, const std::string& name) {
-  if (check.verdict == Verdict::kRight)
-    return fmt::format("All {} cases are right.\n", check.cases.size());
-  if (check.verdict == Verdict::kNotBuilt) return fmt::format("Not run: {}.\n", name);
+// The first case that is not right, and what may be the reason.
+std::string failure_text(const CheckResult& check, const std::string& name) {
   std::string text =
       fmt::format("{}: {} of {} cases are right.\n", name, check.right, check.cases.size());
   if (const auto& first = check.first) {
@@ -99,14 +92,30 @@ std::string explanation(const CheckResult& check, const std::string& name) {
     if (!first->restated.empty()) text += "The case:\n" + first->restated + '\n';
   }
   for (const std::string& slip : check.slips) text += "Likely: " + slip_text(slip) + '\n';
+  return text;
+}
+
+}  // namespace
+
+std::string explanation(const CheckResult& check, const std::string& name) {
+  if (check.verdict == Verdict::kNotBuilt) return fmt::format("Not run: {}.\n", name);
+  std::string text;
+  if (check.verdict == Verdict::kUntouched) {
+    text = "Not written yet: every case is answered as the starter answers it.\n";
+  } else if (check.verdict == Verdict::kRight) {
+    text = fmt::format("All {} cases are right.\n", check.cases.size());
+  } else {
+    text = failure_text(check, name);
+  }
   if (!check.said.empty()) text += "Your code printed:\n" + cut(check.said, kMostText) + '\n';
   return text;
 }
 
-Json gradescope_json(const Graded& graded, const std::string& confinement) {
+Json gradescope_json(const Graded& graded, const std::string& confinement,
+                     const std::string& digest) {
   const LabResult& lab = graded.result;
-  std::string output = fmt::format("Lab {}, {}: {:.6g} of {:.6g} points.\n", lab.number, lab.title,
-                                   points(lab.score), points(lab.max_score));
+  // No points: students read this before grades are published, and the total would tell of hidden checks.
+  std::string output = fmt::format("Lab {}, {}.\n", lab.number, lab.title);
   if (graded.outcome != "graded") output += graded.outcome + ".\n";
   if (!graded.said.empty()) output += "\n" + cut(graded.said, 3 * kMostText);
   Json tasks = Json::array();
@@ -123,29 +132,29 @@ Json gradescope_json(const Graded& graded, const std::string& confinement) {
     const std::string number = fmt::format("{}.{}", check.task, ++counts[check.task]);
     tests.push_back(test_json(check, graded.names[i], number));
   }
-  return {{"score", points(lab.score)},
-          {"output", output},
+  // Without a "score" of its own: Gradescope adds up the tests, and shows the sum when it shows them all.
+  return {{"output", output},
           {"output_format", "text"},
           {"test_output_format", "text"},
-          {"visibility", "visible"},
           {"stdout_visibility", "hidden"},
           {"extra_data",
            {{"lab", lab.number},
             {"folder", lab.folder},
             {"outcome", graded.outcome},
+            {"score", points(lab.score)},
             {"max_score", points(lab.max_score)},
             {"tasks", tasks},
-            {"sandbox", confinement}}},
+            {"sandbox", confinement},
+            {"digest", digest}}},
           {"tests", tests}};
 }
 
 Json unfinished_json() {
-  return {{"score", 0.0},
+  return {{"score", 0.0},  // there are no tests to add up
           {"output", std::string(kUnfinished) + ".\n"},
           {"output_format", "text"},
-          {"visibility", "visible"},
           {"stdout_visibility", "hidden"},
-          {"extra_data", {{"outcome", kUnfinished}}},
+          {"extra_data", {{"outcome", kUnfinished}, {"score", 0.0}}},
           {"tests", Json::array()}};
 }
 
@@ -178,6 +187,10 @@ Json classroom_json(const Json& results) {
                              : "fail"},
           {"max_score", extra.value("max_score", 0.0)},
           {"tests", tests}};
+}
+
+double total_of(const Json& results) {
+  return results.at("extra_data").at("score").get<double>();
 }
 
 std::string text_of(const Json& json) {

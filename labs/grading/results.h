@@ -14,12 +14,18 @@ namespace glassbox::labs::grading {
 
 inline constexpr const char* kUnfinished = "grading did not finish";
 
-// results.json. One test a check; a hidden check is shown when grades are published. What the grader knows beyond Gradescope's
-// fields is in extra_data. Nothing in it depends on when or where it was made. `confinement` is Sandbox::in_force().
-nlohmann::ordered_json gradescope_json(const Graded& graded, const std::string& confinement);
+// results.json. One test a check; a hidden check is shown when grades are published, and nothing else that students see depends
+// on one: there is no total. What the grader knows beyond Gradescope's fields is in extra_data, which students do not see.
+// Nothing in it depends on when or where it was made. `confinement` is Sandbox::in_force(), `digest` one of all that the result
+// depends on.
+nlohmann::ordered_json gradescope_json(const Graded& graded, const std::string& confinement,
+                                       const std::string& digest = {});
 
 // results.json of a submission of which nothing is known yet, not even the lab.
 nlohmann::ordered_json unfinished_json();
+
+// The points of results.json.
+double total_of(const nlohmann::ordered_json& results);
 
 // From results.json: hidden checks count, but say nothing but their names.
 nlohmann::ordered_json classroom_json(const nlohmann::ordered_json& results);

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include <fmt/format.h>
@@ -77,12 +78,25 @@ Result<Sandbox> Sandbox::choose(const fs::path& scratch, std::optional<Confineme
   std::vector<std::optional<uid_t>> users;
   if (::geteuid() == 0) users.push_back(user_of_nobody());
   users.push_back(std::nullopt);
+  std::string why;  // none of them works
+  const auto does_not_work = [&](Confinement each, const std::string& reason) {
+    why += fmt::format("{}{}: {}", why.empty() ? "" : "; ", name_of(each), reason);
+  };
   for (const Confinement each :
        {Confinement::kBubblewrap, Confinement::kLandlock, Confinement::kLimits}) {
     if (only && *only != each) continue;
-    if (each == Confinement::kBubblewrap && bubblewrap.empty()) continue;
-    if (each == Confinement::kLandlock && !can_rule_files()) continue;
-    if (each != Confinement::kBubblewrap && !can_filter_system_calls()) continue;
+    if (each == Confinement::kBubblewrap && bubblewrap.empty()) {
+      does_not_work(each, "bwrap is not installed");
+      continue;
+    }
+    if (each == Confinement::kLandlock && !can_rule_files()) {
+      does_not_work(each, "this kernel has it not, or not switched on");
+      continue;
+    }
+    if (each != Confinement::kBubblewrap && !can_filter_system_calls()) {
+      does_not_work(each, "glassbox was built without libseccomp");
+      continue;
+    }
     sandbox.confinement_ = each;
     sandbox.bubblewrap_ = bubblewrap;
     if (can_filter_system_calls()) {
@@ -90,29 +104,34 @@ Result<Sandbox> Sandbox::choose(const fs::path& scratch, std::optional<Confineme
       if (!runner) return tl::unexpected(runner.error());
       sandbox.runner_filter_ = *runner;
     }
+    std::string reason;
     for (const auto& user : users) {
       sandbox.user_ = user;
-      if (sandbox.works(scratch)) return sandbox;
+      reason = sandbox.trouble(scratch);
+      if (reason.empty()) return sandbox;
     }
+    does_not_work(each, reason);
   }
-  return fail("the sandbox", "neither bubblewrap nor a system-call filter works on this machine",
+  return fail("the sandbox", why,
               "install bubblewrap, or build glassbox with libseccomp-dev, and allow user "
               "namespaces or seccomp in the container");
 }
 
 // A compiler's confinement needs more than a runner's: what can start a program there can start one here.
-bool Sandbox::works(const fs::path& scratch) const {
+std::string Sandbox::trouble(const fs::path& scratch) const {
   const fs::path trial = scratch / "trial";
   std::error_code error;
   fs::create_directory(trial, error);
-  if (error || !hand_over(trial)) return false;
+  if (error || !hand_over(trial)) return "no directory can be handed over in " + scratch.string();
   Limits limits = compile_limits();
   limits.seconds = 10;
   const RunOutcome outcome = compile({"/usr/bin/touch", "here"}, trial, {}, limits);
   const bool fine = outcome.ending == RunOutcome::Ending::kExit && outcome.code == 0 &&
                     fs::exists(trial / "here");
   fs::remove_all(trial, error);
-  return fine;
+  if (fine) return {};
+  const std::string said = outcome.said.substr(0, outcome.said.find('\n'));
+  return !said.empty() ? said : ending_text(outcome, {});
 }
 
 std::string Sandbox::in_force() const {
@@ -139,14 +158,18 @@ bool Sandbox::hand_over(const fs::path& path) const {
   return !user_ || ::lchown(path.c_str(), *user_, *user_) == 0;
 }
 
-RunOutcome Sandbox::compile(const std::vector<std::string>& command, const fs::path& build,
-                            const std::vector<fs::path>& readable, const Limits& limits) const {
+// Where only the system's own files and `readable` are seen, and `directory` if it may be written to.
+RunOutcome Sandbox::launch_confined(const std::vector<std::string>& command,
+                                    const fs::path& directory, bool may_write,
+                                    const std::vector<fs::path>& readable,
+                                    const std::vector<std::string>& environment,
+                                    const Limits& limits) const {
   Launch job;
   job.limits = limits;
   job.user = user_;
-  job.directory = build;
+  job.directory = directory;
   job.filter = compiler_filter_;
-  job.environment = plain_environment(build.string());
+  job.environment = environment;
   if (confinement_ == Confinement::kBubblewrap) {
     job.in_bubblewrap = true;
     job.directory = "/";
@@ -164,8 +187,13 @@ RunOutcome Sandbox::compile(const std::vector<std::string>& command, const fs::p
     }
     for (const fs::path& path : readable)
       words.insert(words.end(), {"--ro-bind", path.string(), path.string()});
-    words.insert(words.end(), {"--dev", "/dev", "--bind", build.string(), build.string(), "--chdir",
-                               build.string(), "--"});
+    words.insert(words.end(), {"--dev", "/dev"});
+    if (may_write) {
+      words.insert(words.end(), {"--bind", directory.string(), directory.string()});
+    } else {
+      words.insert(words.end(), {"--proc", "/proc"});  // where a program finds itself
+    }
+    words.insert(words.end(), {"--chdir", may_write ? directory.string() : "/", "--"});
     words.insert(words.end(), command.begin(), command.end());
     return launch(job);
   }
@@ -174,9 +202,37 @@ RunOutcome Sandbox::compile(const std::vector<std::string>& command, const fs::p
   std::vector<fs::path> seen = compiler_files();
   seen.insert(seen.end(), old_places().begin(), old_places().end());
   seen.insert(seen.end(), readable.begin(), readable.end());
-  const FileRules rules(seen, {build});
+  std::vector<fs::path> written;
+  if (may_write) {
+    written.push_back(directory);
+  } else {
+    seen.push_back("/proc");
+  }
+  const FileRules rules(seen, written);
   job.file_rules = rules.descriptor();
   return launch(job);
+}
+
+RunOutcome Sandbox::compile(const std::vector<std::string>& command, const fs::path& build,
+                            const std::vector<fs::path>& readable, const Limits& limits) const {
+  return launch_confined(command, build, true, readable, plain_environment(build.string()), limits);
+}
+
+RunOutcome Sandbox::run_sanitized(const fs::path& program,
+                                  const std::vector<std::string>& arguments,
+                                  const Limits& limits) const {
+  Limits own = limits;
+  own.memory_bytes = 0;
+  std::vector<std::string> command{program.string()};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  command.insert(command.end(), {"--out-fd", std::to_string(kAnswersFd)});
+  // A leak is no error of a stage; looking for one takes threads and tracing.
+  const std::vector<std::string> environment{
+      "LC_ALL=C",
+      fmt::format("ASAN_OPTIONS=detect_leaks=0:hard_rss_limit_mb={}:color=never",
+                  limits.memory_bytes / kMiB),
+      "UBSAN_OPTIONS=print_stacktrace=1:color=never"};
+  return launch_confined(command, "/", false, {program}, environment, own);
 }
 
 bool Sandbox::is_compilers(const fs::path& file, const std::vector<fs::path>& readable) {
@@ -192,8 +248,9 @@ bool Sandbox::is_compilers(const fs::path& file, const std::vector<fs::path>& re
 }
 
 RunOutcome Sandbox::run(const fs::path& program, const std::vector<std::string>& arguments,
-                        const Limits& limits) const {
+                        const Limits& limits, int input) const {
   Launch job;
+  job.input = input;
   job.limits = limits;
   job.user = user_;
   job.directory = "/";
@@ -215,8 +272,29 @@ RunOutcome Sandbox::run(const fs::path& program, const std::vector<std::string>&
   return launch(job);
 }
 
+double TimeLeft::of(double most) const {
+  const std::lock_guard lock(mutex_);
+  return limited_ ? std::clamp(left_, 0.0, most) : most;
+}
+
+void TimeLeft::spend(double seconds) {
+  const std::lock_guard lock(mutex_);
+  left_ -= seconds;
+}
+
 RunOutcome SandboxRunner::run(const RunRequest& request) {
-  RunOutcome outcome = sandbox_.run(request.program, request.arguments, limits_);
+  Limits limits = limits_;
+  if (time_ != nullptr) limits.seconds = time_->of(limits_.seconds);
+  RunOutcome outcome;
+  if (limits.seconds <= 0) {
+    outcome.ending = RunOutcome::Ending::kTimeout;
+  } else {
+    outcome = sanitized_ ? sandbox_.run_sanitized(request.program, request.arguments, limits)
+                         : sandbox_.run(request.program, request.arguments, limits);
+    if (time_ != nullptr) time_->spend(outcome.seconds);
+  }
+  if (outcome.ending == RunOutcome::Ending::kTimeout && limits.seconds < limits_.seconds)
+    outcome.detail = "the time of the whole submission is spent";
   processes_.push_back({outcome.ending, outcome.code, outcome.detail, {}, {}, outcome.seconds});
   return outcome;
 }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -48,12 +49,22 @@ public:
   // afterwards where it cannot.
   static bool is_compilers(const std::filesystem::path& file,
                            const std::vector<std::filesystem::path>& readable);
-  // A statically linked program, which sees no file at all.
+  // A statically linked program, which sees no file at all, but what `input` is open for: its standard input (-1: empty).
   RunOutcome run(const std::filesystem::path& program, const std::vector<std::string>& arguments,
-                 const Limits& limits) const;
+                 const Limits& limits, int input = -1) const;
+  // A program that was built with sanitizers. It reads the system's libraries and itself, as its report needs, and makes the
+  // system calls that a compiler may. It reserves terabytes of addresses, so that its memory is limited by itself.
+  RunOutcome run_sanitized(const std::filesystem::path& program,
+                           const std::vector<std::string>& arguments, const Limits& limits) const;
 
 private:
-  bool works(const std::filesystem::path& scratch) const;
+  // Empty, or why not.
+  std::string trouble(const std::filesystem::path& scratch) const;
+  RunOutcome launch_confined(const std::vector<std::string>& command,
+                             const std::filesystem::path& directory, bool may_write,
+                             const std::vector<std::filesystem::path>& readable,
+                             const std::vector<std::string>& environment,
+                             const Limits& limits) const;
 
   Confinement confinement_ = Confinement::kLimits;
   std::string bubblewrap_;  // its path
@@ -61,10 +72,26 @@ private:
   SystemCallFilter compiler_filter_, runner_filter_;
 };
 
+// The time that all processes of a submission have together. For several threads.
+class TimeLeft {
+public:
+  explicit TimeLeft(double seconds) : limited_(seconds > 0), left_(seconds) {}
+  // At most `most`; 0 when all is spent.
+  double of(double most) const;
+  void spend(double seconds);
+
+private:
+  mutable std::mutex mutex_;
+  bool limited_;
+  double left_;
+};
+
 // Sandbox::run as the framework's way of running a check.
 class SandboxRunner : public Runner {
 public:
-  SandboxRunner(const Sandbox& sandbox, Limits limits) : sandbox_(sandbox), limits_(limits) {}
+  SandboxRunner(const Sandbox& sandbox, Limits limits, bool sanitized = false,
+                TimeLeft* time = nullptr)
+      : sandbox_(sandbox), limits_(limits), sanitized_(sanitized), time_(time) {}
   RunOutcome run(const RunRequest& request) override;
 
   // How the processes ended, in order, without what they wrote.
@@ -73,6 +100,8 @@ public:
 private:
   const Sandbox& sandbox_;
   Limits limits_;
+  bool sanitized_;
+  TimeLeft* time_;
   std::vector<RunOutcome> processes_;
 };
 

@@ -7,8 +7,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <optional>
 
 #include <fmt/format.h>
+
+#include "labs/grading/archive.h"
 
 namespace glassbox::labs::grading {
 
@@ -25,18 +28,41 @@ bool is_there(const fs::path& path) {
   return fs::symlink_status(path, error).type() != fs::file_type::not_found && !error;
 }
 
-std::vector<fs::path> folders_in(const fs::path& folder, std::error_code& error) {
+// What is in a folder, by name, without what systems put there.
+std::vector<fs::path> entries_of(const fs::path& folder, std::error_code& error) {
   std::vector<fs::path> found;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error)) {
     const std::string name = entry->path().filename().string();
-    std::error_code unreadable;
-    if (name.starts_with('.') || name == "__MACOSX") continue;
-    if (entry->symlink_status(unreadable).type() == fs::file_type::directory)
-      found.push_back(entry->path());
+    if (!name.starts_with('.') && name != "__MACOSX") found.push_back(entry->path());
   }
   std::sort(found.begin(), found.end());
   return found;
+}
+
+fs::file_type type_of(const fs::path& path) {
+  std::error_code error;
+  return fs::symlink_status(path, error).type();
+}
+
+std::vector<fs::path> folders_in(const fs::path& folder, std::error_code& error) {
+  std::vector<fs::path> found = entries_of(folder, error);
+  std::erase_if(found,
+                [](const fs::path& path) { return type_of(path) != fs::file_type::directory; });
+  return found;
+}
+
+// Some of the files below a folder, for a message.
+std::vector<fs::path> files_below(const fs::path& folder) {
+  constexpr std::size_t kMost = 100;
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::recursive_directory_iterator at(folder, error), end;
+       !error && at != end && files.size() < kMost; at.increment(error)) {
+    std::error_code ignored;
+    if (at->is_regular_file(ignored)) files.push_back(at->path().lexically_relative(folder));
+  }
+  return files;
 }
 
 // The file is opened once and asked about afterwards, so that it cannot be another in between.
@@ -63,30 +89,103 @@ Result<std::string> read_ordinary(const fs::path& path) {
   return text;
 }
 
+// The only archive in a folder.
+std::optional<fs::path> only_archive(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> found = entries_of(folder, error);
+  std::erase_if(found, [](const fs::path& path) { return !is_archive(path); });
+  if (found.size() != 1) return std::nullopt;
+  return found[0];
+}
+
 }  // namespace
 
-Result<std::string> read_submitted(const fs::path& folder, const std::string& name) {
-  if (is_there(folder / name)) return read_ordinary(folder / name);
+tl::unexpected<Error> missing(const std::string& name, std::vector<fs::path> found) {
+  constexpr std::size_t kNamed = 8;
+  std::sort(found.begin(), found.end());
+  std::string names;
+  for (std::size_t i = 0; i < std::min(found.size(), kNamed); ++i)
+    names += (i == 0 ? "" : ", ") + found[i].generic_string();
+  if (found.size() > kNamed) names += ", ...";
+  return fail(name, fmt::format("is missing; there is {}", found.empty() ? "no file" : names),
+              "hand in " + name + ", at the top of what is handed in");
+}
+
+Result<std::string> read_source(const fs::path& path) {
+  return read_ordinary(path);
+}
+
+Result<std::string> read_submitted(const fs::path& submission, const std::string& name) {
+  const fs::file_type type = type_of(submission);
+  if (type == fs::file_type::symlink) return refused(submission, "is a link");
+  if (type == fs::file_type::regular && is_archive(submission))
+    return read_from_archive(submission, name);
+  if (type != fs::file_type::directory) {
+    if (name == "student.cpp") return read_ordinary(submission);
+    return missing(name, {submission.filename()});
+  }
+  if (is_there(submission / name)) return read_ordinary(submission / name);
   std::error_code error;
-  const std::vector<fs::path> inner = folders_in(folder, error);
+  const std::vector<fs::path> inner = folders_in(submission, error);
   if (inner.size() == 1 && is_there(inner[0] / name)) return read_ordinary(inner[0] / name);
-  return fail(name, "is missing", "hand in " + name + ", at the top of what is handed in");
+  if (const auto archive = only_archive(submission)) return read_from_archive(*archive, name);
+  return missing(name, files_below(submission));
 }
 
-Result<std::string> read_submission(const fs::path& folder) {
-  return read_submitted(folder, "student.cpp");
+Result<std::string> read_submission(const fs::path& submission) {
+  return read_submitted(submission, "student.cpp");
 }
 
-Result<std::vector<std::string>> list_submissions(const fs::path& submissions) {
+Result<ClassFolder> list_submissions(const fs::path& folder) {
   std::error_code error;
-  const std::vector<fs::path> folders = folders_in(submissions, error);
+  const std::vector<fs::path> entries = entries_of(folder, error);
   if (error) {
-    return fail(submissions.string(), error.message(),
+    return fail(folder.string(), error.message(),
                 "name the folder that holds one folder a submission");
   }
-  if (folders.empty()) {
-    return fail(submissions.string(), "holds no folder",
+  ClassFolder found;
+  const auto add = [&](const std::string& name, const fs::path& path) {
+    const auto same = std::find_if(found.submissions.begin(), found.submissions.end(),
+                                   [&](const Submission& each) { return each.name == name; });
+    if (same == found.submissions.end()) {
+      found.submissions.push_back({name, path});
+    } else {
+      found.skipped.push_back(fmt::format("{}: {} is of the same name", path.filename().string(),
+                                          same->path.filename().string()));
+    }
+  };
+  // Folders first: an archive beside the folder that was unpacked of it is not taken twice.
+  for (const fs::path& path : entries) {
+    if (fs::is_directory(path, error)) add(path.filename().string(), path);
+  }
+  for (const fs::path& path : entries) {
+    const std::string name = path.filename().string();
+    if (fs::is_directory(path, error)) continue;
+    if (is_archive(path)) {
+      std::string stem = path.stem().string();
+      if (stem.ends_with(".tar")) stem.erase(stem.size() - 4);
+      add(stem, path);
+    } else if (path.extension() == ".cpp") {
+      add(path.stem().string(), path);
+    } else {
+      found.skipped.push_back(name + ": is no folder, no archive and no .cpp file");
+    }
+  }
+  std::sort(found.submissions.begin(), found.submissions.end(),
+            [](const Submission& a, const Submission& b) { return a.name < b.name; });
+  if (found.submissions.empty()) {
+    return fail(folder.string(), "holds no submission",
                 "put each submission's student.cpp into a folder of its own in it");
+  }
+  return found;
+}
+
+Result<std::vector<std::string>> list_folders(const fs::path& folder) {
+  std::error_code error;
+  const std::vector<fs::path> folders = folders_in(folder, error);
+  if (error || folders.empty()) {
+    return fail(folder.string(), error ? error.message() : "holds no folder",
+                "name the folder that `lab grade` wrote, with one folder a submission");
   }
   std::vector<std::string> names;
   for (const fs::path& each : folders) names.push_back(each.filename().string());

@@ -7,7 +7,8 @@
 #define GLASSBOX_FORMULAS_INL_H_
 #endif
 
-#include <glassbox/raster/lanes/numbers-inl.h>
+#include <glassbox/raster/lanes/doubles-inl.h>
+#include <glassbox/raster/lanes/shorts-inl.h>
 #include <glassbox/raster/shading.h>
 #include <glassbox/raster/stages.h>
 #include <glassbox/raster/texture.h>

@@ -16,7 +16,8 @@ struct Kernels {
   void (*transform_normals)(const NormalJob& job);
   void (*transform_positions)(const EyePositionJob& job);
   // Writes to `selected`, which has room for job.count + kMostLanes, and returns how many there are.
-  std::size_t (*select_triangles)(const SelectJob& job, BinEntry* selected, SelectCounts& counts);
+  std::size_t (*select_triangles)(const SelectJob& job, const BinColumns& selected,
+                                  SelectCounts& counts);
   // Into each of `tiles`, which are of the same part of the screen: a pixel's samples.
   void (*draw_small)(const SmallJob& job, const std::uint32_t* triangles, std::size_t count,
                      std::span<TileBuffer> tiles, FragmentCounts& counts);

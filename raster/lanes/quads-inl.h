@@ -25,6 +25,16 @@ HWY_INLINE Ints quad_rows(std::size_t i) {
   return shifted_right<2>(hn::Iota(kI, std::int32_t(i)));
 }
 
+// Those of a block's vector within the block.
+HWY_INLINE Ints block_columns(std::size_t vector) {
+  const auto quad = std::int32_t(vector / kQuadVectors);
+  return quad_columns(vector % kQuadVectors * kLanes) + (quad % 2) * kQuadSide;
+}
+HWY_INLINE Ints block_rows(std::size_t vector) {
+  const auto quad = std::int32_t(vector / kQuadVectors);
+  return quad_rows(vector % kQuadVectors * kLanes) + (quad / 2) * kQuadSide;
+}
+
 // Which of the quad's pixels i .. i + kLanes - 1 are on the screen, where the quad at (x, y) reaches beyond it.
 HWY_INLINE IntMask on_screen(const PixelRect& window, int x, int y, std::size_t i) {
   return quad_columns(i) + x < window.x1 && quad_rows(i) + y < window.y1;

@@ -13,8 +13,7 @@
 
 #include <hwy/cache_control.h>
 
-#include <glassbox/raster/lanes/rows-inl.h>
-#include <glassbox/raster/lanes/seen-inl.h>
+#include <glassbox/raster/lanes/resolve_samples-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace glassbox {
@@ -37,13 +36,14 @@ public:
         has_other_planes_(job.picture != nullptr || job.distance != nullptr || job.id != nullptr),
         plain_blocks_(job.distance == nullptr && job.id == nullptr && !job.keep_picture &&
                       job.samples == nullptr),
-        shades_in_steps_(job.picture != nullptr && job.distance == nullptr && job.id == nullptr &&
-                         job.points.empty() && job.samples == nullptr),
+        shades_blocks_(job.picture != nullptr && job.distance == nullptr && job.id == nullptr &&
+                       job.points.empty() && job.samples == nullptr),
         streams_color_(job.picture != nullptr && !job.keep_picture && !job.drawn_over &&
                        job.samples == nullptr),
         color_{tile_.color_rows(), tile_.side(), tile_.window().x0, tile_.window().y0},
         depth_{tile_.depth_rows(), tile_.side(), tile_.window().x0, tile_.window().y0},
-        shader_(job) {
+        shader_(job),
+        samples_(job, tiles, shader_) {
     if (job.picture != nullptr && !streams_color_) color_ = rows_of(*job.picture);
   }
 
@@ -96,8 +96,8 @@ private:
           resolve_plain_block(block, x, y);
           continue;
         }
-        if (shades_in_steps_ && x + kBlockSide <= window.x1 && y + kBlockSide <= window.y1 &&
-            shader_.shows_texture(tile_, block)) {
+        if (shades_blocks_ && x + kBlockSide <= window.x1 && y + kBlockSide <= window.y1 &&
+            (BlockOfTile(tile_, block, x, y).shows_few() || shader_.shows_texture(tile_, block))) {
           resolve_block(block, x, y);
           continue;
         }
@@ -107,7 +107,7 @@ private:
           if (job_.points.empty()) {
             resolve_quad(block, quad, qx, qy);
           } else {
-            resolve_samples(block, quad, qx, qy);
+            samples_.resolve(block, quad, qx, qy, color_);
           }
         }
       }
@@ -149,9 +149,6 @@ private:
   }
   // The depth code of a plain block whose pixels all have the same depth.
   static std::uint32_t code_of(const TileBlock& b) { return stored_code(b.nearest); }
-  static std::uint32_t stored_code(TileDepth depth) {
-    return depth == kEmptyTileDepth ? kEmptyDepth : std::uint32_t(depth);
-  }
 
   // (What covers all samples of a pixel covers its centre, which lies between them.)
   HWY_NOINLINE void resolve_plain_block(std::size_t block, int x, int y) {
@@ -222,7 +219,7 @@ private:
       pending[i] = is_to_be_shaded(seen[i]);
     }
     if (job_.keep_picture) take_colors(colors, x, y);
-    shader_.shade_block(seen, pending, x, y, colors);
+    shader_.shade_block(BlockOfTile(tile_, block, x, y), seen, pending, colors);
     store_colors(colors, x, y);
   }
 
@@ -259,96 +256,6 @@ private:
     if (job_.distance != nullptr)
       store_quad(pixels.distance, rows_of(*job_.distance), window, x, y);
     if (job_.id != nullptr) store_quad(pixels.id, rows_of(*job_.id), window, x, y);
-  }
-
-  // References of a quad's pixels k .. k + kLanes - 1.
-  HWY_INLINE static Ints seen_in(const TileBuffer& tile, std::size_t block, int quad,
-                                 std::size_t k) {
-    const TileBlock& b = tile.block(block);
-    if (b.plain) return std::int32_t(b.reference);
-    return load(reinterpret_cast<const std::int32_t*>(tile.reference()) + block * kBlockPixels +
-                std::size_t(quad) * kQuadPixels + k);
-  }
-  HWY_INLINE static IntMask is_to_be_shaded(Ints seen) {
-    return seen != std::int32_t(kNothing) && seen != std::int32_t(kInPicture);
-  }
-
-  // A quad's samples: each triangle that is seen at some of a pixel's is shaded once there.
-  HWY_NOINLINE void resolve_samples(std::size_t block, int quad, int x, int y) {
-    HWY_ALIGN std::int32_t means[kQuadPixels];
-    if (job_.keep_picture && job_.samples == nullptr) {
-      load_quad(reinterpret_cast<Rgba8*>(means), *job_.picture, tile_.window(), x, y);
-    } else {
-      std::fill_n(means, kQuadPixels, std::bit_cast<std::int32_t>(job_.background));
-    }
-    SampleColors colors;
-    FurtherSamples further;
-    for (std::size_t k = 0; k < kQuadPixels; k += kLanes) {
-      shade_samples(block, quad, x, y, k, load(means + k), colors, further);
-    }
-    shader_.shade_further(further, x, y, colors);
-    for (std::size_t k = 0; k < kQuadPixels; k += kLanes)
-      copy_equal_samples(block, quad, k, colors);
-    if (job_.samples != nullptr) return leave_samples(block, quad, x, y, colors);
-    for (std::size_t k = 0; k < kQuadPixels; k += kLanes) {
-      const Ints mean = mean_color(job_.transfer, colors, tiles_.size(), k);
-      store((mean & mask_) | (load(means + k) & ~mask_), means + k);
-    }
-    store_quad(means, color_, tile_.window(), x, y);
-  }
-
-  // Of a quad's pixels k .. k + kLanes - 1: the first samples, and others of large triangles. Small ones wait in `further`, since few lanes
-  // have any. `background`: of samples that show nothing.
-  HWY_INLINE void shade_samples(std::size_t block, int quad, int x, int y, std::size_t k,
-                                Ints background, SampleColors& colors, FurtherSamples& further) {
-    Ints seen[kMostSamples];
-    for (std::size_t s = 0; s < tiles_.size(); ++s) {
-      seen[s] = seen_in(tiles_[s], block, quad, k);
-      Ints color = background;
-      IntMask pending = is_to_be_shaded(seen[s]);
-      for (std::size_t t = 0; t < s; ++t) pending = pending && seen[s] != seen[t];
-      if (s > 0) {
-        const IntMask small = pending && seen[s] >= 0;  // kLargeReference is the sign
-        if (!none(small)) further.add(seen[s], small, s, k);
-        pending = pending && !small;
-      }
-      shader_.shade_lanes(seen[s], pending, x, y, k, ToSample{job_, color});
-      store(color, colors.at(s) + k);
-    }
-  }
-  // What is seen at several of a pixel's samples was shaded at the first of them.
-  HWY_INLINE void copy_equal_samples(std::size_t block, int quad, std::size_t k,
-                                     SampleColors& colors) const {
-    Ints seen[kMostSamples];
-    for (std::size_t s = 0; s < tiles_.size(); ++s) {
-      seen[s] = seen_in(tiles_[s], block, quad, k);
-      Ints color = load(colors.at(s) + k);
-      for (std::size_t t = 0; t < s; ++t) {
-        color = select(seen[s] == seen[t], load(colors.at(t) + k), color);
-      }
-      store(color, colors.at(s) + k);
-    }
-  }
-
-  // For other draws to come: what was seen, and all depths. (Not often, and so pixel by pixel.)
-  void leave_samples(std::size_t block, int quad, int x, int y, const SampleColors& colors) {
-    for (std::size_t s = 0; s < tiles_.size(); ++s) {
-      TileBuffer& tile = tiles_[s];
-      make_plain_block_full(tile, block);
-      const std::size_t first = block * kBlockPixels + std::size_t(quad) * kQuadPixels;
-      for_each_row(tile_.window(), x, y, [&](int row, auto columns) {
-        for (int column = 0; column < int(columns); ++column) {
-          const int i = row * kQuadSide + column;
-          const Reference seen = tile.reference()[first + std::size_t(i)];
-          const std::size_t to = job_.samples->at(x + column, y + row) + s;
-          job_.samples->depths[to] = stored_code(tile.depth()[first + std::size_t(i)]);
-          if (seen == kNothing || seen == kInPicture) continue;
-          auto& color = job_.samples->colors[to];
-          color = std::bit_cast<Rgba8>((colors.at(s)[i] & mask_) |
-                                       (std::bit_cast<std::int32_t>(color) & ~mask_));
-        }
-      });
-    }
   }
 
   // Plain blocks are filled in where their depths differ.
@@ -392,18 +299,6 @@ private:
     QuadPixels& pixels;
     std::size_t k;
   };
-  struct ToSample {
-    HWY_INLINE AtSamples place(IntMask lanes) const { return {job.points, lanes}; }
-    template <class Source>
-    HWY_INLINE void take(const ShadeDraw& draw, const DrawTextures& textures, const Source& source,
-                         IntMask lanes) const {
-      const Ints shaded = encoded(shining_by_call(draw, textures, job, source), job);
-      color = select(lanes, shaded, color);
-    }
-    const ResolveJob& job;
-    Ints& color;
-  };
-
   template <class Source>
   HWY_INLINE void finish(const ShadeDraw& draw, const DrawTextures& textures, const Source& source,
                          IntMask lanes, std::size_t k, QuadPixels& pixels) {
@@ -426,11 +321,12 @@ private:
   TileBuffer& tile_;  // the first of them, or the only one
   std::int32_t mask_;
   bool has_other_planes_;
-  bool plain_blocks_;     // may be stored without a look at what their pixels have in other planes
-  bool shades_in_steps_;  // blocks of pixels
+  bool plain_blocks_;   // may be stored without a look at what their pixels have in other planes
+  bool shades_blocks_;  // whole, where their vectors have something in common
   bool streams_color_;
   Rows color_, depth_;
   SeenShader shader_;
+  SampleResolver samples_;
   Reference one_color_reference_ = kNothing;
   std::uint32_t one_color_ = 0;
 };

@@ -18,6 +18,21 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
+// References of a quad's pixels k .. k + kLanes - 1.
+HWY_INLINE Ints seen_in(const TileBuffer& tile, std::size_t block, int quad, std::size_t k) {
+  const TileBlock& b = tile.block(block);
+  if (b.plain) return std::int32_t(b.reference);
+  return load(reinterpret_cast<const std::int32_t*>(tile.reference()) + block * kBlockPixels +
+              std::size_t(quad) * kQuadPixels + k);
+}
+HWY_INLINE IntMask is_to_be_shaded(Ints seen) {
+  return seen != std::int32_t(kNothing) && seen != std::int32_t(kInPicture);
+}
+
+inline std::uint32_t stored_code(TileDepth depth) {
+  return depth == kEmptyTileDepth ? kEmptyDepth : std::uint32_t(depth);
+}
+
 // Small triangles that are seen at samples of a quad's pixels, one after the other, and whose colours they are: sample * kQuadPixels
 // + pixel.
 struct FurtherSamples {
@@ -33,6 +48,21 @@ struct FurtherSamples {
   std::size_t count = 0;
   HWY_ALIGN std::int32_t references[kMost];
   HWY_ALIGN std::int32_t places[kMost];
+};
+
+// A block, with its first pixel at (x, y).
+struct BlockOfTile {
+  HWY_INLINE BlockOfTile(const TileBuffer& tile, std::size_t block, int at_x, int at_y)
+      : state(tile.block(block)), list(tile.listed(block)), x(at_x), y(at_y) {}
+
+  // Small triangles came to it, no more than there are lanes for.
+  bool shows_few() const {
+    return state.listed - 1 < BlockTriangles::kMost && state.listed <= kLanes;
+  }
+
+  const TileBlock& state;
+  const BlockTriangles& list;
+  int x, y;
 };
 
 class SeenShader {
@@ -136,9 +166,10 @@ public:
   }
 
   // The colours of a block's pixels that are pending, into those that have `colors` now.
-  HWY_INLINE void shade_block(const Ints* seen, IntMask* pending, int x, int y, Ints* colors) {
+  HWY_INLINE void shade_block(const BlockOfTile& block, const Ints* seen, IntMask* pending,
+                              Ints* colors) {
     for (std::size_t i = 0; i < kBlockVectors; ++i) {
-      while (!none(pending[i])) shade_group(seen, pending, i, x, y, colors);
+      while (!none(pending[i])) shade_group(block, seen, pending, i, colors);
     }
   }
 
@@ -196,8 +227,8 @@ private:
   }
 
   // The group of the first pixel that is pending in vector `begin`.
-  HWY_INLINE void shade_group(const Ints* seen, IntMask* pending, std::size_t begin, int x, int y,
-                              Ints* colors) {
+  HWY_INLINE void shade_group(const BlockOfTile& block, const Ints* seen, IntMask* pending,
+                              std::size_t begin, Ints* colors) {
     HWY_ALIGN std::int32_t references[kLanes];
     store(seen[begin], references);
     const auto first = Reference(references[hn::FindFirstTrue(kI, pending[begin].m)]);
@@ -210,7 +241,8 @@ private:
       const ShadeDraw& draw = job_.draws[shape.triangle->draw];
       shade_vectors<LargeSource>(
           draw, DrawTextures(draw), job_, group.count,
-          [&](std::size_t i) HWY_ATTR { return large_source(shape, x, y, group.vector[i]); },
+          [&](std::size_t i)
+              HWY_ATTR { return large_source(shape, block.x, block.y, group.vector[i]); },
           shaded);
     } else {
       const ShadeDraw& draw = draw_of(first);
@@ -219,21 +251,63 @@ private:
           seen, pending, begin,
           [&](Ints s) HWY_ATTR { return s >= from && s < std::int32_t(draw.end_reference); },
           group);
-      shade_vectors<SmallSource>(
-          draw, DrawTextures(draw), job_, group.count,
-          [&](std::size_t i) HWY_ATTR {
-            const std::size_t vector = group.vector[i], k = vector % kQuadVectors * kLanes;
-            const int quad = int(vector / kQuadVectors);
-            const Ints reference = select(group.lanes[i], seen[vector], std::int32_t(first));
-            return SmallSource(draw, reference - from,
-                               quad_columns(k) + (x + (quad % 2) * kQuadSide),
-                               quad_rows(k) + (y + (quad / 2) * kQuadSide), AtCentre());
-          },
-          shaded);
+      if (block.shows_few() && SharedTriangles::can_have(draw)) {
+        shade_shared(draw, block, seen, group, shaded);
+      } else {
+        shade_vectors<SmallSource>(
+            draw, DrawTextures(draw), job_, group.count,
+            [&](std::size_t i) HWY_ATTR {
+              const std::size_t vector = group.vector[i];
+              const Ints reference = select(group.lanes[i], seen[vector], std::int32_t(first));
+              return SmallSource(draw, reference - from, block_columns(vector) + block.x,
+                                 block_rows(vector) + block.y, AtCentre());
+            },
+            shaded);
+      }
     }
     for (std::size_t i = 0; i < group.count; ++i) {
       Ints& color = colors[group.vector[i]];
       color = select(group.lanes[i], (shaded[i] & mask_) | (color & ~mask_), color);
+    }
+  }
+
+  // ---- small triangles that a block's pixels share ----
+
+  // The draw's among those that came to the block, and which of them each vector of the group shows.
+  struct Shared {
+    HWY_INLINE Shared(const ShadeDraw& draw, const BlockOfTile& block, const Ints* seen,
+                      const Group& group) {
+      for (std::size_t i = 0; i < group.count; ++i) lanes[i] = 0;
+      std::int32_t count = 0;
+      for (std::uint32_t k = 1; k <= block.state.listed; ++k) {
+        const Reference reference = block.list.references[k];
+        if (reference < draw.first_reference || reference >= draw.end_reference) continue;
+        for (std::size_t i = 0; i < group.count; ++i) {
+          lanes[i] = select(seen[group.vector[i]] == std::int32_t(reference), count, lanes[i]);
+        }
+        references[count++] = std::int32_t(reference - draw.first_reference);
+      }
+    }
+
+    // Less the draw's first. What is left of the lanes has a triangle all the same: the draw's first.
+    HWY_ALIGN std::int32_t references[kLanes] = {};
+    Ints lanes[kBlockVectors];
+  };
+  HWY_NOINLINE void shade_shared(const ShadeDraw& draw, const BlockOfTile& block, const Ints* seen,
+                                 const Group& group, Ints* colors) const {
+    const Shared shared(draw, block, seen, group);
+    const SharedTriangles triangles(draw, load(shared.references), block.x, block.y);
+    const auto source_of = [&](std::size_t i) HWY_ATTR {
+      const std::size_t vector = group.vector[i];
+      return SharedSource(triangles, shared.lanes[i], block_columns(vector), block_rows(vector));
+    };
+    const DrawTextures textures(draw);
+    // (Of shorter vectors a block has more than registers hold from one step to the next.)
+    if (kLanes == 16 || textures.color != nullptr || textures.emission != nullptr) {
+      return shade_in_steps<SharedSource>(draw, textures, job_, group.count, source_of, colors);
+    }
+    for (std::size_t i = 0; i < group.count; ++i) {
+      colors[i] = shade(draw, DrawTextures(), job_, source_of(i));
     }
   }
 

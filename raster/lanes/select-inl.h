@@ -7,8 +7,6 @@
 #define GLASSBOX_SELECT_INL_H_
 #endif
 
-#include <bit>
-
 #include <glassbox/raster/lanes/setup-inl.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -30,16 +28,13 @@ HWY_INLINE OfVertices<Ints> load_indices(IndexTriples triples, std::uint32_t fir
   return indices;
 }
 
-// Bin entries, a word of each in each vector.
-HWY_INLINE void store_words(const std::array<Ints, 3>& words, BinEntry* to) {
-  static_assert(std::endian::native == std::endian::little);
-  static_assert(sizeof(BinEntry) == 3 * sizeof(std::int32_t));
-  hn::StoreInterleaved3(words[0].v, words[1].v, words[2].v, kI,
-                        reinterpret_cast<std::int32_t*>(to));
+// The words of the lanes that are kept, one after the other, and whatever beyond them.
+HWY_INLINE void store_kept(Ints words, IntMask keep, std::uint32_t* to) {
+  hn::StoreU(hn::Compress(words.v, keep.m), kI, reinterpret_cast<std::int32_t*>(to));
 }
 
 // Writes those that may cover a pixel to `selected`, which has room for job.count + kMostLanes, and returns how many there are.
-inline std::size_t select_triangles(const SelectJob& job, BinEntry* selected,
+inline std::size_t select_triangles(const SelectJob& job, const BinColumns& selected,
                                     SelectCounts& counts) {
   std::size_t kept = 0;
   const Ints small = kSmallSide * kSubpixels;
@@ -87,12 +82,10 @@ inline std::size_t select_triangles(const SelectJob& job, BinEntry* selected,
                              HWY_ATTR { return Ints(hn::ShiftRightSame(pixel.v, job.tile_shift)); };
     const auto in_one_word = [&](Ints tile_x, Ints tile_y)
                                  HWY_ATTR { return tile_x | shifted_left<16>(tile_y); };
-    const Ints marked = triangle | select(is_large, std::int32_t(kLarge), 0);
-    const Ints low_tile = in_one_word(to_tile(x0), to_tile(y0));
-    const Ints high_tile = in_one_word(to_tile(x1 - 1), to_tile(y1 - 1));
-    store_words({hn::Compress(marked.v, keep.m), hn::Compress(low_tile.v, keep.m),
-                 hn::Compress(high_tile.v, keep.m)},
-                selected + kept);
+    const BinColumns to = selected.from(kept);
+    store_kept(triangle | select(is_large, std::int32_t(kLarge), 0), keep, to.entries);
+    store_kept(in_one_word(to_tile(x0), to_tile(y0)), keep, to.first);
+    store_kept(in_one_word(to_tile(x1 - 1), to_tile(y1 - 1)), keep, to.last);
     kept += count_of(keep);
   }
   return kept;

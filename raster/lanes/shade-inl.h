@@ -8,7 +8,9 @@
 #define GLASSBOX_SHADE_INL_H_
 #endif
 
-#include <glassbox/raster/lanes/sources-inl.h>
+#include <glassbox/raster/lanes/large_source-inl.h>
+#include <glassbox/raster/lanes/shared_source-inl.h>
+#include <glassbox/raster/lanes/small_source-inl.h>
 #include <glassbox/raster/lanes/texture-inl.h>
 
 HWY_BEFORE_NAMESPACE();

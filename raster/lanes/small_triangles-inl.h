@@ -1,5 +1,5 @@
-// Small triangles into a tile: as many as there are lanes are set up at once; then each is tested against the quads of pixels
-// that its box meets, a quad at a time.
+// Small triangles into a tile: as many as there are lanes are set up at once; then each is drawn over the quads of pixels that it
+// may cover, a quad at a time.
 
 #if defined(GLASSBOX_SMALL_TRIANGLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_SMALL_TRIANGLES_INL_H_
@@ -8,106 +8,18 @@
 #define GLASSBOX_SMALL_TRIANGLES_INL_H_
 #endif
 
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
 #include <glassbox/raster/lanes/alpha-inl.h>
 #include <glassbox/raster/lanes/blocks-inl.h>
 #include <glassbox/raster/lanes/depth-inl.h>
-#include <glassbox/raster/lanes/select-inl.h>
-#include <glassbox/raster/lanes/setup-inl.h>
+#include <glassbox/raster/lanes/small_setups-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
-
-// Triangles are set up so many at a time: the tables' lines are then on their way for all of them before the first is drawn.
-inline constexpr std::size_t kSmallBatch = 64;
-
-// A batch of small triangles, set up: one column a triangle. Edges 1 and 2 are kept; edge 0 is what they leave of the area.
-struct SmallSetups {
-  template <class T>
-  using Row = T[kSmallBatch];
-
-  HWY_ALIGN Row<std::int32_t> reference;
-  HWY_ALIGN Row<std::int32_t> right1, right2;  // what a step of one pixel adds
-  HWY_ALIGN Row<std::int32_t> down1, down2;
-  HWY_ALIGN Row<std::int32_t> above0, above1, above2;
-  HWY_ALIGN Row<std::int32_t> area;
-  HWY_ALIGN Row<float> inverse_area;
-  HWY_ALIGN Row<float> depth0, depth1, depth2;           // 1 and 2 less 0
-  HWY_ALIGN Row<std::int32_t> left, top, right, bottom;  // of the box
-  HWY_ALIGN Row<std::int32_t> origin1, origin2;  // edges at the centre of the tile's first pixel
-
-  // Where the triangle begins, for the point of a pixel that a tile asks at.
-  HWY_ALIGN Row<std::int32_t> x0, y0, x1, y1;  // quads of the tile, x1 and y1 excluded
-  HWY_ALIGN Row<std::int32_t> e1, e2;          // at the first pixel of the first quad
-};
-
-HWY_INLINE void set_up(const SmallJob& job, Ints triangle, const PixelRect& window, SmallSetups& to,
-                       std::size_t at) {
-  const OfVertices<Ints> vertices = gather_indices(job.positions, triangle);
-  const OfVertices<Ints> entries = entries_of(vertices);
-  OfVertices<Ints> x, y;
-  gather_position(job.screen, entries, x, y);
-  OfVertices<Floats> z = gather(&job.screen->z, entries);
-  const Ints signed_area = double_area(x, y);
-  const Order order = order_of(signed_area, z);
-  x = put_in_order(order, x);
-  y = put_in_order(order, y);
-  z = put_in_order(order, z);
-  const Ints area = abs(signed_area);
-  store(std::int32_t(job.first_reference) +
-            (triangle * std::int32_t(kReferenceStep) | code_of(order)),
-        to.reference + at);
-
-  store(smallest(x), to.left + at);
-  store(smallest(y), to.top + at);
-  store(largest(x), to.right + at);
-  store(largest(y), to.bottom + at);
-
-  const Ints at_x = window.x0 * kSubpixels + kPixelCentre;
-  const Ints at_y = window.y0 * kSubpixels + kPixelCentre;
-  const EdgeSlopes<Ints> edge0 = edge_of<0>(x, y), edge1 = edge_of<1>(x, y),
-                         edge2 = edge_of<2>(x, y);
-  store(value_of<1>(edge1, x, y, at_x, at_y), to.origin1 + at);
-  store(value_of<2>(edge2, x, y, at_x, at_y), to.origin2 + at);
-  store(shifted_left<kSubpixelBits>(edge1.a), to.right1 + at);
-  store(shifted_left<kSubpixelBits>(edge2.a), to.right2 + at);
-  store(shifted_left<kSubpixelBits>(edge1.b), to.down1 + at);
-  store(shifted_left<kSubpixelBits>(edge2.b), to.down2 + at);
-  store(outside_up_to(edge0), to.above0 + at);
-  store(outside_up_to(edge1), to.above1 + at);
-  store(outside_up_to(edge2), to.above2 + at);
-  store(area, to.area + at);
-  store(1.0f / to_float(area), to.inverse_area + at);
-  store(z[0], to.depth0 + at);
-  store(z[1] - z[0], to.depth1 + at);
-  store(z[2] - z[0], to.depth2 + at);
-}
-
-// Where kLanes triangles begin in the tile. (An edge at the tile's first pixel may not fit 32 bits; at the triangle's own pixels it
-// does, and sums that wrap around arrive there all the same.)
-HWY_INLINE void place(const TileBuffer& tile, SmallSetups& s, std::size_t at) {
-  const PixelRect& window = tile.window();
-  const SampleOffset point = tile.point();
-  const Ints px0 = greatest(first_pixel(load(s.left + at) - point.x), Ints(window.x0)) - window.x0;
-  const Ints py0 = greatest(first_pixel(load(s.top + at) - point.y), Ints(window.y0)) - window.y0;
-  const Ints px1 = least(end_pixel(load(s.right + at) - point.x), Ints(window.x1)) - window.x0;
-  const Ints py1 = least(end_pixel(load(s.bottom + at) - point.y), Ints(window.y1)) - window.y0;
-  const Ints qx0 = shifted_right<2>(px0), qy0 = shifted_right<2>(py0);
-  store(qx0, s.x0 + at);
-  store(qy0, s.y0 + at);
-  store(shifted_right<2>(px1 + 3), s.x1 + at);
-  store(shifted_right<2>(py1 + 3), s.y1 + at);
-
-  const Ints dx = shifted_left<2 + kSubpixelBits>(qx0) + point.x;
-  const Ints dy = shifted_left<2 + kSubpixelBits>(qy0) + point.y;
-  const auto edge_at = [&](const std::int32_t* origin, const std::int32_t* right,
-                           const std::int32_t* down) HWY_ATTR {
-    return load(origin + at) + shifted_right<kSubpixelBits>(load(right + at)) * dx +
-           shifted_right<kSubpixelBits>(load(down + at)) * dy;
-  };
-  store(edge_at(s.origin1, s.right1, s.down1), s.e1 + at);
-  store(edge_at(s.origin2, s.right2, s.down2), s.e2 + at);
-}
 
 // What drawing into a tile needs of it, held where the compiler sees that stores to pixels leave it alone.
 struct TilePixels {
@@ -116,75 +28,130 @@ struct TilePixels {
         depth(t.depth()),
         seen(reinterpret_cast<std::int32_t*>(t.reference())),
         blocks(&t.block(0)),
+        listed(&t.listed(0)),
         blocks_across(std::size_t(t.blocks_across())) {}
 
   TileBuffer& tile;
   TileDepth* depth;
   std::int32_t* seen;
   TileBlock* blocks;
+  BlockTriangles* listed;
   std::size_t blocks_across;
 };
 
-template <bool kRagged, class Code, class Alpha>
-HWY_INLINE void draw_one(const SmallSetups& s, std::size_t t, const Code& code_of,
-                         const Alpha& alpha, const TilePixels& pixels, FragmentCounts& counts) {
-  Ints offset1[kQuadVectors], offset2[kQuadVectors];
-  for (std::size_t k = 0; k < kQuadVectors; ++k) {
-    const Ints column = quad_columns(k * kLanes), row = quad_rows(k * kLanes);
-    offset1[k] = column * s.right1[t] + row * s.down1[t];
-    offset2[k] = column * s.right2[t] + row * s.down2[t];
-  }
-  const Ints area = s.area[t];
-  const Ints above0 = s.above0[t], above1 = s.above1[t], above2 = s.above2[t];
-  const Floats inverse_area = s.inverse_area[t];
-  const Floats depth0 = s.depth0[t], depth1 = s.depth1[t], depth2 = s.depth2[t];
-  const Ints seen = s.reference[t];
+// The block's list gets the triangle, unless it is the last one there.
+HWY_INLINE void list_triangle(TileBlock& block, BlockTriangles& list, Reference reference) {
+  const std::uint32_t last = block.listed;
+  const std::uint32_t at =
+      std::min(last + (list.references[last] != reference ? 1u : 0u), BlockTriangles::kTooMany);
+  list.references[at] = reference;
+  block.listed = at;
+}
 
+// Triangle t of the batch, in all lanes.
+struct SmallInLanes {
+  HWY_INLINE SmallInLanes(const SmallSetups& s, std::size_t t)
+      : slopes1(s.slopes1[t]),
+        slopes2(s.slopes2[t]),
+        area(s.area[t]),
+        above0(s.above0[t]),
+        above1(s.above1[t]),
+        above2(s.above2[t]),
+        reference(s.reference[t]),
+        first1(s.e1[t]),
+        first2(s.e2[t]),
+        inverse_area(s.inverse_area[t]),
+        depth0(s.depth0[t]),
+        depth1(s.depth1[t]),
+        depth2(s.depth2[t]) {}
+
+  Ints slopes1, slopes2, area, above0, above1, above2, reference;
+  Ints first1, first2;  // edges at the first pixel of the first quad
+  Floats inverse_area, depth0, depth1, depth2;
+};
+
+// Triangle t over the quad in column x, row y of those that its box meets.
+template <bool kRagged, class Code, class Alpha>
+HWY_INLINE void draw_quad(const SmallSetups& setups, std::size_t t, std::size_t x, std::size_t y,
+                          const Code& code_of, const Alpha& alpha, const TilePixels& pixels,
+                          FragmentCounts& counts) {
   const PixelRect& window = pixels.tile.window();
-  const auto x0 = std::size_t(s.x0[t]), x1 = std::size_t(s.x1[t]), y1 = std::size_t(s.y1[t]);
-  std::int32_t row1 = s.e1[t], row2 = s.e2[t];
-  for (auto qy = std::size_t(s.y0[t]); qy < y1; ++qy) {
-    std::int32_t first1 = row1, first2 = row2;
-    for (std::size_t qx = x0; qx < x1; ++qx) {
-      const std::size_t block = (qy / 2) * pixels.blocks_across + qx / 2;
-      const std::size_t quad = block * kBlockPixels + ((qy % 2) * 2 + qx % 2) * kQuadPixels;
-      for (std::size_t k = 0; k < kQuadVectors; ++k) {
-        const Ints e1 = first1 + offset1[k];
-        const Ints e2 = first2 + offset2[k];
-        const Ints e0 = area - e1 - e2;
-        IntMask covered = e1 > above1 && e2 > above2 && e0 > above0;
-        if (kRagged) {
-          covered = covered && on_screen(window, window.x0 + int(qx) * kQuadSide,
-                                         window.y0 + int(qy) * kQuadSide, k * kLanes);
-        }
-        if (none(covered)) continue;
-        if (HWY_UNLIKELY(pixels.blocks[block].plain)) fill_block(pixels.tile, block);
-        pixels.blocks[block].nearest = kNearestTileDepth;
-        const Ints code =
-            code_of(interpolate(depth0, depth1, depth2, screen_weight(to_float(e1), inverse_area),
-                                screen_weight(to_float(e2), inverse_area)));
-        TileDepth* depth_at_quad = pixels.depth + quad + k * kLanes;
-        std::int32_t* seen_at_quad = pixels.seen + quad + k * kLanes;
-        const Ints stored = load(depth_at_quad);
-        IntMask passes = covered && code < stored;
-        counts.covered += count_of(covered);
-        if constexpr (!Alpha::kKeepsAll) {
-          if (none(passes)) continue;
-          const IntMask kept =
-              alpha.kept(passes, Reference(s.reference[t]), window.x0 + int(qx) * kQuadSide,
-                         window.y0 + int(qy) * kQuadSide, k * kLanes);
-          counts.*Alpha::kOthers += count_of(passes) - count_of(kept);
-          passes = kept;
-        }
-        store(select(passes, code, stored), depth_at_quad);
-        store(select(passes, seen, load(seen_at_quad)), seen_at_quad);
-        counts.written += count_of(passes);
-      }
-      first1 += s.right1[t] * kQuadSide;
-      first2 += s.right2[t] * kQuadSide;
+  const auto qx = std::size_t(setups.x0[t]) + x, qy = std::size_t(setups.y0[t]) + y;
+  const std::size_t block = qy / 2 * pixels.blocks_across + qx / 2;
+  const std::size_t quad = block * kBlockPixels + ((qy % 2) * 2 + qx % 2) * kQuadPixels;
+  // (Before anything is in registers, which the call would push out.)
+  if (HWY_UNLIKELY(pixels.blocks[block].plain)) fill_block(pixels.tile, block);
+  pixels.blocks[block].nearest = kNearestTileDepth;
+  if (setups.is_tiny[t] != 0) {
+    pixels.blocks[block].listed = BlockTriangles::kTooMany;
+  } else {
+    list_triangle(pixels.blocks[block], pixels.listed[block], Reference(setups.reference[t]));
+  }
+  const auto first_pixel = std::int32_t(x * kQuadSide | y * kQuadSide << 16);
+  for (std::size_t k = 0; k < kQuadVectors; ++k) {
+    const SmallInLanes s(setups, t);
+    const Ints pixel = pair_of(quad_columns(k * kLanes), quad_rows(k * kLanes)) + first_pixel;
+    const Ints e1 = s.first1 + shifted_left<kSubpixelBits>(sum_of_products(s.slopes1, pixel));
+    const Ints e2 = s.first2 + shifted_left<kSubpixelBits>(sum_of_products(s.slopes2, pixel));
+    const Ints e0 = s.area - e1 - e2;
+    const Ints above0 = s.above0, above1 = s.above1, above2 = s.above2;
+    IntMask covered = e1 > above1 && e2 > above2 && e0 > above0;
+    if (kRagged) {
+      covered = covered && on_screen(window, window.x0 + int(qx) * kQuadSide,
+                                     window.y0 + int(qy) * kQuadSide, k * kLanes);
     }
-    row1 += s.down1[t] * kQuadSide;
-    row2 += s.down2[t] * kQuadSide;
+    const Ints code = code_of(interpolate(s.depth0, s.depth1, s.depth2,
+                                          screen_weight(to_float(e1), s.inverse_area),
+                                          screen_weight(to_float(e2), s.inverse_area)));
+    TileDepth* depth_at_quad = pixels.depth + quad + k * kLanes;
+    const Ints stored = load(depth_at_quad);
+    IntMask passes = covered && code < stored;
+    counts.covered += count_of(covered);
+    if constexpr (!Alpha::kKeepsAll) {
+      if (none(passes)) continue;
+      const IntMask kept =
+          alpha.kept(passes, Reference(setups.reference[t]), window.x0 + int(qx) * kQuadSide,
+                     window.y0 + int(qy) * kQuadSide, k * kLanes);
+      counts.*Alpha::kOthers += count_of(passes) - count_of(kept);
+      passes = kept;
+    }
+    store(select(passes, code, stored), depth_at_quad);
+    store_where(passes, s.reference, pixels.seen + quad + k * kLanes);
+    counts.written += count_of(passes);
+  }
+}
+
+// A triangle after the other, in the order of the batch. How many quads one has, and which, cannot be foreseen: those of some
+// triangles are the bits of one word, and the only branch is for its end.
+template <bool kRagged, class Code, class Alpha>
+HWY_INLINE void draw_batch(const SmallSetups& s, std::size_t live, const Code& code_of,
+                           const Alpha& alpha, const TilePixels& pixels, FragmentCounts& counts) {
+  constexpr std::size_t kSide = kMaskSide, kBits = kSide * kSide, kGroup = 64 / kBits;
+  static_assert(kSmallBatch % kGroup == 0);
+  const auto draw_quads = [&](std::uint64_t quads, std::size_t t, std::int32_t x,
+                              std::int32_t y) HWY_ATTR {
+    for (; quads != 0; quads &= quads - 1) {
+      const auto bit = std::size_t(std::countr_zero(quads));
+      draw_quad<kRagged>(s, t + bit / kBits, std::size_t(x) + bit % kSide,
+                         std::size_t(y) + bit / kSide % kSide, code_of, alpha, pixels, counts);
+    }
+  };
+  for (std::size_t first = 0; first < live; first += kGroup) {
+    const std::size_t end = HWY_MIN(first + kGroup, live);
+    if (HWY_LIKELY((s.wide >> first & ((1u << kGroup) - 1)) == 0)) {
+      std::uint64_t quads;
+      std::memcpy(&quads, s.quads + first, sizeof(quads));
+      if (end < first + kGroup) quads &= (std::uint64_t{1} << kBits * (end - first)) - 1;
+      draw_quads(quads, first, 0, 0);
+      continue;
+    }
+    for (std::size_t t = first; t < end; ++t) {
+      for (std::int32_t y = 0; y < s.y1[t] - s.y0[t]; y += kMaskSide) {
+        for (std::int32_t x = 0; x < s.x1[t] - s.x0[t]; x += kMaskSide) {
+          draw_quads(find_quads_from(s, t, x, y), t, x, y);
+        }
+      }
+    }
   }
 }
 
@@ -204,11 +171,9 @@ HWY_INLINE void draw_all(const SmallJob& job, const std::uint32_t* triangles, st
       set_up(job, load(lanes), tiles.front().window(), setups, k);
     }
     for (TileBuffer& tile : tiles) {
-      for (std::size_t k = 0; k < live; k += kLanes) place(tile, setups, k);
+      for (std::size_t k = 0; k < live; k += kLanes) place(tile, setups, k, first_lanes(live - k));
       const TilePixels pixels(tile);
-      for (std::size_t k = 0; k < live; ++k) {
-        draw_one<kRagged>(setups, k, code_of, alpha, pixels, own);
-      }
+      draw_batch<kRagged>(setups, live, code_of, alpha, pixels, own);
     }
   }
   counts.covered += own.covered;

@@ -90,11 +90,17 @@ struct SelectJob {
 };
 inline constexpr std::size_t kMostLanes = 64;  // of 32 bits: the widest vectors have 2048 bits
 
-// What goes into the bins of a rectangle of tiles, both ends included. From selection it is the index of a triangle in its draw;
-// one with kLarge is for the staged primitives to look at, and its tiles say nothing.
-struct BinEntry {
-  std::uint32_t entry = 0;
-  std::uint16_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+// A tile of the screen: its column, and its row in the upper half.
+using TilePlace = std::uint32_t;
+
+// What goes into the bins of rectangles of tiles, of which the first and the last are named. From selection an entry is the index of
+// a triangle in its draw; one with kLarge is for the staged primitives to look at, and its tiles say nothing.
+struct BinColumns {
+  std::uint32_t* entries = nullptr;
+  TilePlace* first = nullptr;
+  TilePlace* last = nullptr;
+
+  BinColumns from(std::size_t i) const { return {entries + i, first + i, last + i}; }
 };
 inline constexpr std::uint32_t kLarge = 0x80000000u;
 
@@ -117,7 +123,7 @@ struct LargeTriangle {
   TriangleSetup setup;
   std::array<Varyings, 3> vertices;
   TexturePlanes texture;     // of textured ones, be it in their emission
-  std::uint32_t draw = 0;    // index into the draw list
+  std::uint32_t draw = 0;    // index into ResolveJob::draws
   std::uint32_t number = 0;  // in the whole scene
   bool one_color = false;    // all its pixels have the same
 };
@@ -190,7 +196,7 @@ struct SampleRows {
 
 // A tile's colours, from what is seen at its pixels.
 struct ResolveJob {
-  std::span<const ShadeDraw> draws;  // by draw
+  std::span<const ShadeDraw> draws;
   // Draws with small triangles, in the order of their references.
   std::span<const std::uint32_t> by_reference;
   const LargeTriangle* const* large = nullptr;  // by reference without the top bit

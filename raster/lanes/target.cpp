@@ -24,10 +24,16 @@ constexpr std::array<Known, 5> kKnown{{{Target::kScalar, "scalar", HWY_EMU128 | 
                                        {Target::kAvx512, "avx512", HWY_AVX3},
                                        {Target::kNeon, "neon", HWY_NEON}}};
 
+// Highway asks the processor anew in every call, and on virtual machines each of these instructions goes to the host.
+std::int64_t supported_targets() {
+  static const std::int64_t supported = hwy::SupportedTargets() | HWY_EMU128 | HWY_SCALAR;
+  return supported;
+}
+
 }  // namespace
 
 std::vector<Target> available_targets() {
-  const std::int64_t supported = hwy::SupportedTargets() | HWY_EMU128 | HWY_SCALAR;
+  const std::int64_t supported = supported_targets();
   std::vector<Target> available;
   for (const Known& known : kKnown) {
     if ((known.highway & supported & HWY_TARGETS) != 0) available.push_back(known.target);

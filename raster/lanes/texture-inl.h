@@ -16,6 +16,9 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
+using Float3 = std::array<Floats, 3>;
+using Float2 = std::array<Floats, 2>;
+
 // Red, green and blue; opaque surfaces have no use for alpha.
 using Rgb = std::array<Floats, 3>;
 

@@ -68,6 +68,15 @@ struct TileBlock {
   // What covers a plain block, and the triangle that its depths come from; null where all have the same.
   Reference reference = kNothing;
   const TriangleSetup* triangle = nullptr;
+  // How many small triangles came to the block, those that large ones hid since included; kTooMany also where one of them was tiny.
+  std::uint32_t listed = 0;
+};
+
+// Which small triangles came to a block, as long as they are few.
+struct BlockTriangles {
+  static constexpr std::uint32_t kMost = 16, kTooMany = kMost + 1;
+  // From 1 on, in the order in which they came. 0 is none, and stays so; the last is any of those that are too many.
+  Reference references[kTooMany + 1] = {};
 };
 
 class TileBuffer {
@@ -80,7 +89,10 @@ public:
         reference_(std::size_t(side) * std::size_t(side)),
         color_rows_(std::size_t(side) * kBlockSide),
         depth_rows_(std::size_t(side) * kBlockSide),
-        blocks_(std::size_t(blocks_across_) * std::size_t(blocks_across_)) {}
+        blocks_(std::size_t(blocks_across_) * std::size_t(blocks_across_)),
+        listed_(std::size_t(blocks_across_) * std::size_t(blocks_across_)) {
+    std::fill_n(listed_.get(), block_count(), BlockTriangles{});
+  }
 
   // Begins the tile whose part of the screen is `window`; x0 and y0 are multiples of the side. Whether a pixel is covered is
   // asked at `point`, and so is its depth.
@@ -127,6 +139,8 @@ public:
 
   TileBlock& block(std::size_t i) { return blocks_[i]; }
   const TileBlock& block(std::size_t i) const { return blocks_[i]; }
+  BlockTriangles& listed(std::size_t block) { return listed_[block]; }
+  const BlockTriangles& listed(std::size_t block) const { return listed_[block]; }
   TileDepth* depth() { return depth_.get(); }
   const TileDepth* depth() const { return depth_.get(); }
   Reference* reference() { return reference_.get(); }
@@ -146,6 +160,7 @@ private:
   AlignedArray<Reference> reference_;
   AlignedArray<std::uint32_t> color_rows_, depth_rows_;
   AlignedArray<TileBlock> blocks_;
+  AlignedArray<BlockTriangles> listed_;
 };
 
 }  // namespace glassbox

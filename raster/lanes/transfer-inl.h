@@ -33,15 +33,15 @@ HWY_INLINE Floats decode(Transfer transfer, Ints byte) {
 // comparison is decided as in exact arithmetic.
 HWY_INLINE Ints encode_unorm8(Floats value) {
   const Floats v = in_unit_range(value);
-  const Floats below = floor(v * 255.0f);
-  return to_integer(below) + one_where(v * 256.0f - (below + 0.5f) >= v);
+  const Ints below = to_integer(v * 255.0f);
+  return below + one_where(v * 256.0f - (to_float(below) + 0.5f) >= v);
 }
 
 // encode_srgb(), in one look at a table. Below the first bucket the code is 0, as it is at its lowest float.
 HWY_INLINE Ints encode_srgb(Floats linear) {
   const Floats lowest = float_of(Ints(std::int32_t(srgb_detail::kFirstBucket << 16)));
   const Floats highest = kSrgbThreshold[255];
-  const Ints bits = bits_of(select(linear > lowest, least(linear, highest), lowest));
+  const Ints bits = bits_of(greatest(lowest, least(linear, highest)));
   const Ints bucket =
       shifted_right<srgb_detail::kBucketShift>(bits) - std::int32_t(srgb_detail::kFirstBucket);
   const Ints carry = hn::GatherIndex(kI, kSrgbCarry.data(), bucket.v);

@@ -33,33 +33,8 @@ Vector<Object, double> in_double(const Vector<Object>& v) {
   return {v.x, v.y, v.z};
 }
 
-Transform<Eye, Object> eye_from_anchored_of(const Scene& scene, const View& view,
-                                            const Draw& draw) {
-  const Transform<World, Object>& world_from_object =
-      scene.nodes[scene.instances[draw.instance].node].world_from_node;
-  return view.eye_from_world * world_from_object *
-         translate<Object, Object>(in_double(draw.anchor));
-}
-
-Draw make_draw(const Scene& scene, const View& view, std::uint32_t instance,
-               const Box<Object>& box) {
-  const Instance& placed = scene.instances[instance];
-  const Transform<World, Object>& world_from_object = scene.nodes[placed.node].world_from_node;
-  const Transform<Eye, Object> eye_from_object = view.eye_from_world * world_from_object;
-
-  Draw draw;
-  draw.mesh = &scene.meshes[placed.mesh];
-  draw.material = &scene.materials[draw.mesh->material];
-  draw.instance = instance;
-  draw.anchor = anchor_for(box);
-  draw.eye_from_object = eye_from_object;
-  const Transform<Eye, Object> eye_from_anchored = eye_from_anchored_of(scene, view, draw);
-  draw.eye_from_anchored = round_to_float(eye_from_anchored);
-  draw.clip_from_anchored = round_to_float(view.clip_from_eye * eye_from_anchored);
-  draw.eye_normal_from_object = normal_transform(eye_from_object);
-  draw.mirrored = glm::determinant(glm::dmat3(world_from_object.columns)) < 0;
-  if (!box.empty()) draw.distance_of_centre = -(eye_from_object * box.center()).z;
-  return draw;
+Transform<Eye, Object> eye_from_anchored_of(const Draw& draw) {
+  return draw.eye_from_object * translate<Object, Object>(in_double(draw.anchor));
 }
 
 void choose_textures(const Scene& scene, const PreparedScene& prepared, Draw& draw) {
@@ -70,6 +45,43 @@ void choose_textures(const Scene& scene, const PreparedScene& prepared, Draw& dr
   if (const auto& texture = draw.material->emission_texture; texture && draw.emits()) {
     draw.emission_texture = prepared.textures[*texture].get();
     draw.emission_sampler = &scene.textures[*texture].sampler;
+  }
+}
+
+// What all instances of a mesh have in common.
+Draw make_draw_of_mesh(const Scene& scene, const PreparedScene& prepared, std::uint32_t mesh) {
+  Draw draw;
+  draw.mesh = &scene.meshes[mesh];
+  draw.material = &scene.materials[draw.mesh->material];
+  draw.prepared = &prepared.meshes[mesh];
+  draw.triangulation = &draw.prepared->triangulation;
+  draw.anchor = anchor_for(draw.prepared->bounds);
+  const bool has_texcoords = !draw.mesh->texcoords.empty();
+  if (emits_light(*draw.material) && (has_texcoords || !draw.material->emission_texture)) {
+    draw.emission = draw.material->emission;
+  }
+  if (has_texcoords) choose_textures(scene, prepared, draw);
+  return draw;
+}
+
+void place_draw(const Scene& scene, const View& view, std::uint32_t instance, Draw& draw) {
+  const Transform<World, Object>& world_from_object =
+      scene.nodes[scene.instances[instance].node].world_from_node;
+  draw.instance = instance;
+  draw.eye_from_object = view.eye_from_world * world_from_object;
+  const Transform<Eye, Object> eye_from_anchored = eye_from_anchored_of(draw);
+  draw.eye_from_anchored = round_to_float(eye_from_anchored);
+  draw.clip_from_anchored = round_to_float(view.clip_from_eye * eye_from_anchored);
+  draw.eye_normal_from_object = normal_transform(draw.eye_from_object);
+  draw.mirrored = glm::determinant(glm::dmat3(world_from_object.columns)) < 0;
+  const Box<Object>& box = draw.prepared->bounds;
+  if (!box.empty()) draw.distance_of_centre = -(draw.eye_from_object * box.center()).z;
+}
+
+// Draws of another eye that shares eye_from_world.
+void see_through(const View& eye, std::span<Draw> draws) {
+  for (Draw& draw : draws) {
+    draw.clip_from_anchored = round_to_float(eye.clip_from_eye * eye_from_anchored_of(draw));
   }
 }
 
@@ -94,43 +106,48 @@ Vector<Object> anchor_for(const Box<Object>& box) {
 
 DrawList make_draw_list(const Scene& scene, const PreparedScene& prepared, const View& view) {
   DrawList list;
-  list.lighting = light_scene(scene, view);
-  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
-    const PreparedMesh& mesh = prepared.meshes[scene.instances[i].mesh];
-    Draw draw = make_draw(scene, view, i, mesh.bounds);
-    draw.triangulation = &mesh.triangulation;
-    draw.prepared = &mesh;
-    draw.first_number = list.triangle_count;
-    list.triangle_count += draw.triangulation->numbered;
-    const bool has_texcoords = !draw.mesh->texcoords.empty();
-    if (emits_light(*draw.material) && (has_texcoords || !draw.material->emission_texture)) {
-      draw.emission = draw.material->emission;
-    }
-    if (has_texcoords) choose_textures(scene, prepared, draw);
-    list.draws.push_back(draw);
-  }
-  sort_blended(list.draws);
+  fill_draw_list(scene, prepared, view, list);
   return list;
 }
 
-std::vector<DrawList> make_draw_lists(const Scene& scene, const PreparedScene& prepared,
-                                      std::span<const View* const> eyes) {
-  std::vector<DrawList> lists{make_draw_list(scene, prepared, *eyes.front())};
-  for (const View* eye : eyes.subspan(1)) {
-    const DrawList& first = lists.front();
-    lists.push_back(
-        {draws_of_other_eye(first.draws, scene, *eye), first.lighting, first.triangle_count});
+void fill_draw_list(const Scene& scene, const PreparedScene& prepared, const View& view,
+                    DrawList& list) {
+  list.groups = prepared.groups.get();
+  list.lighting = light_scene(scene, view);
+  std::vector<Draw> of_meshes;
+  of_meshes.reserve(scene.meshes.size());
+  for (std::uint32_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
+    of_meshes.push_back(make_draw_of_mesh(scene, prepared, mesh));
   }
-  return lists;
+  list.triangle_count = 0;
+  list.degenerate = list.lines = list.points = 0;
+  list.draws.resize(scene.instances.size());
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    Draw& draw = list.draws[i];
+    draw = of_meshes[scene.instances[i].mesh];
+    place_draw(scene, view, i, draw);
+    draw.first_number = list.triangle_count;
+    list.triangle_count += draw.triangulation->numbered;
+    list.degenerate += draw.triangulation->numbered - draw.triangulation->triangles.size();
+    list.lines += draw.mesh->lines.size();
+    list.points += draw.mesh->points.size();
+  }
+  sort_blended(list.draws);
 }
 
-std::vector<Draw> draws_of_other_eye(const std::vector<Draw>& draws, const Scene& scene,
-                                     const View& other_eye) {
-  std::vector<Draw> others = draws;
-  for (Draw& draw : others) {
-    draw.clip_from_anchored =
-        round_to_float(other_eye.clip_from_eye * eye_from_anchored_of(scene, other_eye, draw));
+void fill_draw_lists(const Scene& scene, const PreparedScene& prepared,
+                     std::span<const View* const> eyes, std::vector<DrawList>& lists) {
+  lists.resize(eyes.size());
+  fill_draw_list(scene, prepared, *eyes.front(), lists.front());
+  for (std::size_t eye = 1; eye < eyes.size(); ++eye) {
+    lists[eye] = lists.front();
+    see_through(*eyes[eye], lists[eye].draws);
   }
+}
+
+std::vector<Draw> draws_of_other_eye(const std::vector<Draw>& draws, const View& other_eye) {
+  std::vector<Draw> others = draws;
+  see_through(other_eye, others);
   return others;
 }
 

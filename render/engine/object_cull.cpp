@@ -214,8 +214,11 @@ Spread spread_of(const ObjectCull::Row& row, const Point<Object, double>& centre
           std::abs(m[0]) * half.x + std::abs(m[1]) * half.y + std::abs(m[2]) * half.z};
 }
 
+// (Asked four times for each cluster: std::hypot is for the squares that vanish. Those that overflow remove nothing.)
 double slope_of(const ObjectCull::Row& row) {
-  return std::hypot(row.exact[0], row.exact[1], row.exact[2]);
+  const auto& m = row.exact;
+  const double squares = m[0] * m[0] + m[1] * m[1] + m[2] * m[2];
+  return squares > 0x1p-900 ? std::sqrt(squares) : std::hypot(m[0], m[1], m[2]);
 }
 
 }  // namespace

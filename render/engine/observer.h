@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include <glassbox/mesh/triangulate.h>
 #include <glassbox/pipeline/clip.h>
@@ -16,6 +18,7 @@ namespace glassbox {
 struct Draw;
 struct PrimitiveStage;
 struct FragmentStage;
+struct ReadyTriangle;
 
 // What became of a fragment.
 enum class Fate : std::uint8_t {
@@ -64,7 +67,10 @@ public:
   // The same on the screen.
   virtual void placed(const NdcVertex& /*ndc*/, ScreenVertex& /*screen*/) {}
 
-  // A piece of the polygon, snapped and set up; nothing where its area is zero.
+  // The polygon's vertices on the grid, and which of them its fan begins at.
+  virtual void fanned(std::span<SnappedVertex> /*polygon*/, int& /*apex*/) {}
+
+  // A piece of the polygon, set up; nothing where its area is zero.
   virtual void set_up(std::uint32_t /*piece*/, const std::array<ScreenVertex, 3>& /*vertices*/,
                       std::optional<TriangleSetup>& /*setup*/) {}
 
@@ -76,6 +82,13 @@ public:
 
   // ---- fragments ----
 
+  // A piece before its fragments, with what its vertices carry.
+  virtual void ready(const ReadyTriangle& /*triangle*/) {}
+
+  // The pixel centres that it covers, in the order in which they are drawn, and its edge functions there; null: as the stage finds
+  // them. Pixels lie in the picture. Not asked where several samples are drawn.
+  virtual const std::vector<Coverage>* covered(const FragmentSource& /*source*/) { return nullptr; }
+
   // A covered pixel centre: depth and weights there.
   virtual void interpolated(const FragmentSource& /*source*/, const Coverage& /*coverage*/,
                             Fragment& /*fragment*/) {}
@@ -83,6 +96,9 @@ public:
   // The depth test: the incoming code against the stored one.
   virtual void compared(const FragmentSource& /*source*/, const Fragment& /*fragment*/,
                         std::uint32_t /*code*/, std::uint32_t /*stored*/, bool& /*in_front*/) {}
+
+  // The attributes there, of a fragment that passed.
+  virtual void varied(const Fragment& /*fragment*/, Varyings& /*at*/) {}
 
   // The surface's own colour: material times vertex colour times texture.
   virtual void textured(const Varyings& /*at*/, Rgba& /*surface*/) {}

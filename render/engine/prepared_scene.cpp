@@ -57,11 +57,49 @@ CornerIndices corner_indices(const Mesh& mesh, const Triangulation& triangulatio
   return indices;
 }
 
+// `indices` for the first of `copies` instances, each of which has `stride` entries of its own.
+std::vector<std::uint32_t> repeated(const std::vector<std::uint32_t>& indices, std::size_t copies,
+                                    std::size_t stride) {
+  std::vector<std::uint32_t> all;
+  all.reserve(indices.size() * copies);
+  for (std::size_t copy = 0; copy < copies; ++copy) {
+    for (const std::uint32_t index : indices) all.push_back(std::uint32_t(index + copy * stride));
+  }
+  return all;
+}
+
+CornerIndices joined_indices(const Mesh& mesh, const PreparedMesh& prepared, std::size_t copies) {
+  const CornerIndices& one = prepared.indices;
+  const auto or_positions = [&](const std::vector<std::uint32_t>& own) -> const auto& {
+    return own.empty() ? one.positions : own;
+  };
+  const std::size_t normals =
+      mesh.normals.size() + (prepared.all_have_normals ? 0 : mesh.faces.size());
+  CornerIndices joined;
+  joined.positions = repeated(one.positions, copies, mesh.positions.size());
+  joined.normals = repeated(or_positions(one.normals), copies, normals);
+  if (one.has_texcoords) joined.texcoords = repeated(or_positions(one.texcoords), copies, 0);
+  if (one.has_colors) joined.colors = repeated(or_positions(one.colors), copies, 0);
+  joined.has_texcoords = one.has_texcoords;
+  joined.has_colors = one.has_colors;
+  joined.mixed = one.mixed;
+  return joined;
+}
+
+// Where many small meshes are drawn, what each draw takes by itself is what counts. Meshes that have clusters are large enough.
+bool is_joined(const Mesh& mesh, const PreparedMesh& prepared, std::size_t instances) {
+  const std::size_t triangles = prepared.triangulation.triangles.size();
+  return instances > 1 && triangles > 0 && triangles <= kJoinedTriangles / 2 &&
+         prepared.clusters.clusters.empty() && mesh.lines.empty() && mesh.points.empty();
+}
+
 }  // namespace
 
 PreparedScene prepare(const Scene& scene, Transfer transfer) {
   PreparedScene prepared;
   prepared.meshes.reserve(scene.meshes.size());
+  std::vector<std::size_t> instances(scene.meshes.size());
+  for (const Instance& instance : scene.instances) ++instances[instance.mesh];
   for (const Mesh& mesh : scene.meshes) {
     PreparedMesh& made = prepared.meshes.emplace_back();
     made.triangulation = triangulate(mesh);
@@ -76,6 +114,15 @@ PreparedScene prepare(const Scene& scene, Transfer transfer) {
     if (made.all_finite) {
       made.clusters = make_clusters(mesh, made.indices.positions, made.indices.normals);
     }
+    if (const std::size_t copies = instances[prepared.meshes.size() - 1];
+        is_joined(mesh, made, copies)) {
+      const std::size_t most = kJoinedTriangles / made.triangulation.triangles.size();
+      made.joined = joined_indices(mesh, made, std::min(copies, most));
+    }
+  }
+  if (scene.instances.size() >= kLeastGroupedInstances) {
+    prepared.groups =
+        std::make_unique<InstanceGroups>(make_instance_groups(scene, prepared.meshes));
   }
   for (const Texture& texture : scene.textures) {
     prepared.textures.push_back(std::make_unique<LazyMipChain>(

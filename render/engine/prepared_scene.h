@@ -10,6 +10,7 @@
 #include <glassbox/mesh/triangulate.h>
 #include <glassbox/raster/texture.h>
 #include <glassbox/render/engine/clusters.h>
+#include <glassbox/render/engine/instance_groups.h>
 
 namespace glassbox {
 
@@ -26,10 +27,18 @@ struct CornerIndices {
   bool mixed = false;
 };
 
+// Instances of a mesh may go through the tile engine together, up to so many triangles: their vertices lie one instance after the
+// other in its tables.
+inline constexpr std::uint32_t kJoinedTriangles = 8192;
+
 struct PreparedMesh {
   Triangulation triangulation;
   Box<Object> bounds;
   CornerIndices indices;
+  // The same for as many instances as the scene has, or as have kJoinedTriangles: the positions of instance k follow those of k - 1, and
+  // so do its normals (with the faces' after them, where corners lack normals). All have the mesh's own texture coordinates and
+  // colours. Empty: instances stay by themselves.
+  CornerIndices joined;
   Clusters clusters;  // none where a position is not finite
   bool all_have_normals = false;
   bool all_finite = true;  // the positions that are drawn: no vertex is lost from `bounds`
@@ -39,6 +48,7 @@ struct PreparedMesh {
 struct PreparedScene {
   std::vector<PreparedMesh> meshes;                     // by mesh
   std::vector<std::unique_ptr<LazyMipChain>> textures;  // by texture
+  std::unique_ptr<const InstanceGroups> groups;         // null in scenes of few instances
 };
 
 // `transfer` decides how the halvings of textures are averaged: it must be that of the settings rendered with.

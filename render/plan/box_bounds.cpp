@@ -15,16 +15,10 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// A coordinate of clip space over a box: its values at the corners, and how far the float transform may be off.
-struct Coordinate {
-  std::array<double, 8> at_corner{};
-  double error = 0;
-};
-
-Coordinate coordinate_over(const Box<Object>& box, const Transform<Clip, Object, float>& m,
-                           int row) {
-  Coordinate c;
-  double size = 0;
+ClipCoordinate coordinate_over(const Box<Object>& box, const Transform<Clip, Object, float>& m,
+                               int row) {
+  ClipCoordinate c;
+  double& size = c.largest_term;
   for (int i = 0; i < 8; ++i) {
     const Point<Object, double> p = box.corner(i);
     const std::array<double, 4> terms{double(m.at(row, 0)) * p.x, double(m.at(row, 1)) * p.y,
@@ -40,16 +34,18 @@ Coordinate coordinate_over(const Box<Object>& box, const Transform<Clip, Object,
 
 // The fourth coordinate over the box, where all of it lies before the eye.
 struct BeforeTheEye {
-  Coordinate w;
+  ClipCoordinate w;
   double least_w = 0;
 };
+std::optional<BeforeTheEye> before_the_eye(const ClipCoordinate& w, const View& view) {
+  const double least_w = *std::ranges::min_element(w.at_corner) - w.error;
+  if (!(least_w > (view.perspective ? view.near / 2 : 0.5))) return std::nullopt;
+  return BeforeTheEye{w, least_w};
+}
 std::optional<BeforeTheEye> before_the_eye(const Draw& draw, const Box<Object>& box,
                                            const View& view) {
   if (box.empty() || !draw.prepared->all_finite) return std::nullopt;
-  BeforeTheEye found{coordinate_over(box, draw.clip_from_anchored, 3)};
-  found.least_w = *std::ranges::min_element(found.w.at_corner) - found.w.error;
-  if (!(found.least_w > (view.perspective ? view.near / 2 : 0.5))) return std::nullopt;
-  return found;
+  return before_the_eye(coordinate_over(box, draw.clip_from_anchored, 3), view);
 }
 
 struct Range {
@@ -60,7 +56,7 @@ struct Range {
 };
 
 // Of coordinate / w, which has its extremes over the box at corners, as w > 0 there: with what the transform is off by.
-Range quotients(const Coordinate& coordinate, const BeforeTheEye& eye) {
+Range quotients(const ClipCoordinate& coordinate, const BeforeTheEye& eye) {
   Range range;
   for (std::size_t i = 0; i < 8; ++i) {
     const double quotient = coordinate.at_corner[i] / eye.w.at_corner[i];
@@ -97,14 +93,21 @@ std::array<int, 2> pixels_between(const Range& ndc, float at_minus_one, float at
 
 }  // namespace
 
-DepthCodes depth_codes(const Draw& draw, const View& view, DepthFormat format) {
-  const Box<Object> box = anchored_box(draw);
-  const std::optional<BeforeTheEye> eye = before_the_eye(draw, box, view);
+DepthCodes depth_codes(const ClipCoordinate& z, const ClipCoordinate& w, const View& view,
+                       DepthFormat format) {
+  const std::optional<BeforeTheEye> eye = before_the_eye(w, view);
   if (!eye) return {};
-  const Range depths = quotients(coordinate_over(box, draw.clip_from_anchored, 2), *eye);
+  const Range depths = quotients(z, *eye);
   // Relative to the depth, a rounding for the divide, 8 for its interpolation (interpolate.h), and 2 for each plane that may
   // have cut, in z and in w: below 32 in all.
   return codes_of(depths.widened(32 * unit_roundoff<float> * depths.largest()), format);
+}
+
+DepthCodes depth_codes(const Draw& draw, const View& view, DepthFormat format) {
+  const Box<Object> box = anchored_box(draw);
+  if (box.empty() || !draw.prepared->all_finite) return {};
+  const Transform<Clip, Object, float>& m = draw.clip_from_anchored;
+  return depth_codes(coordinate_over(box, m, 2), coordinate_over(box, m, 3), view, format);
 }
 
 DepthCodes depth_codes(const TriangleSetup& triangle, DepthFormat format) {

@@ -1,6 +1,7 @@
 // What every fragment of a draw keeps to, from its box alone, whatever rounds.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -14,6 +15,18 @@ namespace glassbox {
 struct DepthCodes {
   std::uint32_t nearest = 0, farthest = kEmptyDepth;
 };
+
+// A coordinate of clip space over a box: its values at the corners, and how far what is computed in float may be off.
+struct ClipCoordinate {
+  std::array<double, 8> at_corner{};
+  double error = 0;
+  double largest_term = 0;  // of the sums that it is computed by
+};
+
+// Of everything in a box with these z and w.
+DepthCodes depth_codes(const ClipCoordinate& z, const ClipCoordinate& w, const View& view,
+                       DepthFormat format);
+
 DepthCodes depth_codes(const Draw& draw, const View& view, DepthFormat format);
 
 // Of one triangle, which has been snapped.

@@ -15,6 +15,7 @@ struct BoxPlace {
   bool inside = false;         // of every plane that rendering clips by, each vertex
   bool in_picture = false;     // or at most the margin beside it
   bool in_guard_band = false;  // nothing is cut by the four planes of the guard band
+  bool of_group = false;       // the box is that of the draw's group of instances
   // Clip units: how far the box is from where the first two would be otherwise.
   double distance = 0;
 };

@@ -29,6 +29,11 @@ std::string in_all(const char* what, std::size_t count) {
   return fmt::format("{} {}", count, what);
 }
 
+// Whose box it was.
+const char* box_of(const BoxPlace& place) {
+  return place.of_group ? "the box of its group of instances" : "its box";
+}
+
 // ---- the stages, in order ----
 
 Decision whole_object(const Subject& s) {
@@ -42,17 +47,18 @@ Decision whole_object(const Subject& s) {
                           : left_out(kStage, where);
   }
   if (place.outside_of == nullptr) {
-    return needed(kStage, s.draw.prepared->all_finite
-                              ? "its box is not wholly beyond a plane of the frustum"
-                              : "a position is not finite, so that its box says nothing");
+    return needed(kStage,
+                  s.draw.prepared->all_finite
+                      ? fmt::format("{} is not wholly beyond a plane of the frustum", box_of(place))
+                      : std::string("a position is not finite, so that its box says nothing"));
   }
   const std::string numbers =
       fmt::format("beyond it by {:.3g} in clip space at least", place.distance);
   if (!s.method.drawn) {
     return left_out(kStage,
-                    fmt::format("all corners of its box, transformed with their rounding, lie "
+                    fmt::format("all corners of {}, transformed with their rounding, lie "
                                 "beyond the {} of the view",
-                                place.outside_of),
+                                box_of(place), place.outside_of),
                     numbers);
   }
   return needed(kStage, s.plan.leaves_out ? "the other eye may see it" : kNoPlan, numbers);
@@ -72,6 +78,18 @@ Decision clusters(const Subject& s) {
   return needed(kStage, s.method.no_clusters_because, numbers);
 }
 
+// Of small meshes with several instances.
+Decision alone(const Subject& s) {
+  constexpr const char* kStage = "a draw by itself";
+  if (s.method.alone_because != nullptr) return needed(kStage, s.method.alone_because);
+  const PreparedMesh& mesh = *s.draw.prepared;
+  return left_out(kStage,
+                  "instances of its mesh that follow each other are one list of triangles once "
+                  "their vertices are on the screen",
+                  fmt::format("{} together at most",
+                              mesh.joined.positions.size() / mesh.indices.positions.size()));
+}
+
 Decision duplicate_vertices(const Subject& s) {
   constexpr const char* kStage = "repeated vertices";
   const std::size_t corners = s.draw.prepared->indices.positions.size();
@@ -88,9 +106,11 @@ Decision plane_tests(const Subject& s) {
   constexpr const char* kStage = "clip test of vertices";
   const BoxPlace& place = s.method.place;
   if (!s.method.test_planes) {
-    return left_out(kStage,
-                    "its box lies within all planes that rendering clips by, rounding included",
-                    fmt::format("{:.3g} from the nearest of near, eye and far", place.distance));
+    return left_out(
+        kStage,
+        fmt::format("{} lies within all planes that rendering clips by, rounding included",
+                    box_of(place)),
+        fmt::format("{:.3g} from the nearest of near, eye and far", place.distance));
   }
   if (place.inside) return needed(kStage, kNoPlan);
   return needed(kStage, "its box reaches one of the planes that rendering clips by",
@@ -101,8 +121,9 @@ Decision side_clipping(const Subject& s) {
   constexpr const char* kStage = "clipping in x and y";
   if (s.method.place.in_guard_band) {
     return left_out(kStage,
-                    "its box lies within the guard band, 32768 px around the centre, where "
-                    "integers hold the edge functions");
+                    fmt::format("{} lies within the guard band, 32768 px around the centre, where "
+                                "integers hold the edge functions",
+                                box_of(s.method.place)));
   }
   return needed(kStage, "its box may leave the guard band");
 }
@@ -266,6 +287,7 @@ std::vector<Decision> decisions(const Plan& plan, const PlannedEye& eye, std::si
                             highlights(s),    emission(s),
                             blending(s)};
   if (!s.draw.prepared->clusters.clusters.empty()) all.insert(all.begin() + 1, clusters(s));
+  if (!s.draw.prepared->joined.positions.empty()) all.insert(all.begin() + 1, alone(s));
   if (eye.settings.cull_stage == CullStage::kObject) all.push_back(early_culling(s));
   return all;
 }

@@ -44,11 +44,37 @@ const char* why_no_clusters(const Draw& draw, const DrawMethod& method, bool lea
   return nullptr;
 }
 
-void choose_vertex_stages(const Draw& draw, const View& view, bool leave_out, DrawMethod& method) {
-  method.place = place_box(draw, view);
-  method.drawn = !leave_out || method.place.outside_of == nullptr;
-  method.test_planes = !leave_out || !method.place.inside;
-  method.divide = !leave_out || !draw.prepared->all_finite || !w_is_one(draw.clip_from_anchored);
+const char* why_alone(const Draw& draw, const DrawMethod& method, const RenderSettings& settings,
+                      bool leave_out) {
+  if (!leave_out) return kNoPlan;
+  if (draw.prepared->joined.positions.empty()) {
+    return "its mesh has one instance, or is as large as many";
+  }
+  if (method.staged_because != nullptr) return "the staged stages draw one after the other";
+  if (settings.want_id || settings.show == Show::kId) {
+    return "numbers of triangles are asked for, which are those of each draw";
+  }
+  if (settings.cull_stage == CullStage::kObject) return "faces are culled in its own object space";
+  if (method.light == LightAt::kVertices && settings.shading == Shading::kFlat) {
+    return "light looks at the faces of its mesh";
+  }
+  return nullptr;
+}
+
+void choose_vertex_stages(const Draw& draw, const BoxPlace& place, bool leave_out,
+                          DrawMethod& method) {
+  method.place = place;
+  method.drawn = !leave_out || place.outside_of == nullptr;
+  method.test_planes = !leave_out || !place.inside;
+  method.divide = !leave_out || needs_divide(draw);
+}
+
+// What is blended lies over what came before it. The staged stages write to the framebuffer, and to move them among the others
+// would make tiles change over more often. Lines and points are left where they are, too.
+void choose_order(const Draw& draw, DrawMethod& method) {
+  method.into_framebuffer = method.staged_because != nullptr ||
+                            draw.material->alpha_mode == AlphaMode::kBlend ||
+                            !draw.mesh->lines.empty() || !draw.mesh->points.empty();
 }
 
 void choose_light(const Draw& draw, const Lighting& lighting, const RenderSettings& settings,
@@ -63,11 +89,17 @@ void choose_light(const Draw& draw, const Lighting& lighting, const RenderSettin
 
 }  // namespace
 
-DrawMethod choose_method(const Draw& draw, const Lighting& lighting, const View& view,
-                         const RenderSettings& settings, bool colors, bool leave_out) {
+bool needs_divide(const Draw& draw) {
+  return !draw.prepared->all_finite || !w_is_one(draw.clip_from_anchored);
+}
+
+DrawMethod choose_method(const Draw& draw, const BoxPlace& place, const MethodQuestion& asked) {
+  const RenderSettings& settings = asked.settings;
+  const bool colors = asked.colors, leave_out = asked.leave_out;
   DrawMethod method;
   method.staged_because = why_staged(settings);
-  choose_vertex_stages(draw, view, leave_out, method);
+  choose_vertex_stages(draw, place, leave_out, method);
+  choose_order(draw, method);
 
   method.keep_front = !is_culled(draw, settings.cull, true);
   method.keep_back = !is_culled(draw, settings.cull, false);
@@ -78,7 +110,7 @@ DrawMethod choose_method(const Draw& draw, const Lighting& lighting, const View&
   method.texture = (painted || masked) && draw.texture != nullptr;
   method.vertex_colors = (painted || masked) && draw.prepared->indices.has_colors;
   if (colors && needs_normals(draw, settings)) {
-    choose_light(draw, lighting, settings, leave_out, method);
+    choose_light(draw, asked.lighting, settings, leave_out, method);
   }
   method.emission = method.light != LightAt::kNowhere && painted && (!leave_out || draw.emits());
   method.emission_texture = method.emission && draw.emission_texture != nullptr;
@@ -89,6 +121,7 @@ DrawMethod choose_method(const Draw& draw, const Lighting& lighting, const View&
     method.large_because = "some of its corners have attributes that others lack";
   if ((method.texture || method.emission_texture) && !draw.prepared->indices.has_texcoords)
     method.large_because = "its corners do not say where in the texture they lie";
+  method.alone_because = why_alone(draw, method, settings, leave_out);
   return method;
 }
 

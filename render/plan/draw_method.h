@@ -21,10 +21,16 @@ struct DrawMethod {
   // Null: the mesh's clusters are asked whether this eye sees any of them, before their vertices (cluster_cull.h). Otherwise why not.
   const char* no_clusters_because = nullptr;
 
+  // Null: neighbours in the order of drawing that are instances of the same mesh go through the stages with it. Otherwise why it goes
+  // by itself.
+  const char* alone_because = nullptr;
+
   // ---- vertices ----
-  BoxPlace place;           // of all of them: the proof of the next two
-  bool hidden = false;      // all of it lies behind draws before it
-  bool drawn = true;        // otherwise no stage sees any of it
+  BoxPlace place;       // of all of them: the proof of the next two
+  bool hidden = false;  // all of it lies behind draws before it
+  bool drawn = true;    // otherwise no stage sees any of it
+  // It writes to the framebuffer, or lies over what is there: it keeps its place in the order, and planes are kept up to date for it.
+  bool into_framebuffer = false;
   bool test_planes = true;  // each is asked whether clipping has to look at it
   bool divide = true;       // by w, which may differ from 1
   // Carried to eye space; and of faces, where some corner has none of its own.
@@ -44,8 +50,18 @@ struct DrawMethod {
   bool emission_texture = false;
 };
 
-// `colors`: somebody sees them. `leave_out`: what the proofs allow; otherwise everything runs that can.
-DrawMethod choose_method(const Draw& draw, const Lighting& lighting, const View& view,
-                         const RenderSettings& settings, bool colors, bool leave_out);
+// What is asked of a picture's draws.
+struct MethodQuestion {
+  const Lighting& lighting;
+  const View& view;
+  const RenderSettings& settings;
+  bool colors = true;     // somebody sees them
+  bool leave_out = true;  // what the proofs allow; otherwise everything runs that can
+};
+// `place`: of the draw, or of a group that it is in.
+DrawMethod choose_method(const Draw& draw, const BoxPlace& place, const MethodQuestion& asked);
+
+// Whether w may differ from 1.
+bool needs_divide(const Draw& draw);
 
 }  // namespace glassbox

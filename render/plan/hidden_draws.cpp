@@ -61,9 +61,10 @@ public:
         most_work_(points_.size() * std::clamp(triangles / 4, kLeastWork, kMostWork)) {}
 
   // `pixels`: that the draw's box reaches, unless it reaches the eye.
-  bool hides(const Draw& draw, const std::optional<PixelRect>& pixels) const {
+  bool hides(const Draw& draw, const DepthCodes& codes,
+             const std::optional<PixelRect>& pixels) const {
     return cover_ && !cover_->covers_nothing() && is_filled(draw) && pixels &&
-           cover_->hides(*pixels, depth_codes(draw, eye_.view, eye_.settings.depth).nearest);
+           cover_->hides(*pixels, codes.nearest);
   }
 
   void add(const Draw& draw, const std::optional<PixelRect>& pixels) {
@@ -114,7 +115,7 @@ std::vector<bool> find_hidden(const PlannedEye& eye, const Plan& plan, double ma
     // Of lines it draws, not of surfaces.
     if (plan.methods[i].staged_because != nullptr) break;
     const std::optional<PixelRect> pixels = pixels_of_box(draws[i], eye.view, margin_px);
-    hidden[i] = found.hides(draws[i], pixels);
+    hidden[i] = found.hides(draws[i], plan.codes[i], pixels);
     if (!hidden[i]) found.add(draws[i], pixels);
   }
   return hidden;

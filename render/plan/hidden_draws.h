@@ -15,7 +15,7 @@ namespace glassbox {
 // greater than the least of its own; what is masked, blended or drawn in between does not matter, nor what comes after.
 //
 // Only draws of few and large triangles hide others here, and only until looking has cost a quarter of what it would save if all were
-// hidden (docs/plan.md has the numbers). `margin_px`: as for place_box.
+// hidden (docs/plan.md has the numbers). The plan has the codes of its draws, and their order. `margin_px`: as for place_box.
 std::vector<bool> find_hidden(const PlannedEye& eye, const Plan& plan,
                               double margin_px = kOutsideMarginPx);
 

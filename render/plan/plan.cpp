@@ -1,8 +1,10 @@
 #include <glassbox/render/plan/plan.h>
 
 #include <algorithm>
+#include <optional>
 
 #include <glassbox/render/plan/draw_order.h>
+#include <glassbox/render/plan/group_place.h>
 #include <glassbox/render/plan/hidden_draws.h>
 
 namespace glassbox {
@@ -18,16 +20,81 @@ bool sees_colors(const RenderSettings& settings) {
   return settings.show != Show::kDepth && settings.show != Show::kId && !is_empty(settings.mask);
 }
 
+// What holds for all draws of a group, once it is known.
+struct GroupPlan {
+  bool asked = false;
+  std::optional<BoxPlace> place;  // none: each draw is asked
+  std::optional<DepthCodes> codes;
+  const Mesh* mesh = nullptr;  // of the method
+  DrawMethod method;
+};
+
+// The groups of a scene of many instances, as one eye sees them.
+class PlannedGroups {
+public:
+  explicit PlannedGroups(const PlannedEye& eye)
+      : eye_(eye),
+        places_(eye.view),
+        plans_(eye.list.groups != nullptr ? eye.list.groups->groups.size() : 0) {}
+
+  // Null: the draw has to be asked itself.
+  const DrawMethod* method_of(const Draw& draw, const MethodQuestion& asked) {
+    if (plans_.empty()) return nullptr;
+    GroupPlan& plan = plan_of(draw);
+    if (!plan.asked) plan.place = places_.place(group_of(draw));
+    plan.asked = true;
+    if (!plan.place) return nullptr;
+    if (plan.mesh != draw.mesh) {
+      plan.mesh = draw.mesh;
+      plan.method = choose_method(draw, *plan.place, asked);
+    }
+    // The matrix of each draw has a say in that: of a perspective one w is never known to be 1.
+    plan.method.divide = asked.view.perspective || needs_divide(draw);
+    return &plan.method;
+  }
+
+  DepthCodes codes_of(const Draw& draw) {
+    const DepthFormat format = eye_.settings.depth;
+    if (plans_.empty() || !plan_of(draw).place) return depth_codes(draw, eye_.view, format);
+    GroupPlan& plan = plan_of(draw);
+    if (!plan.codes) plan.codes = places_.codes(group_of(draw), format);
+    return *plan.codes;
+  }
+
+private:
+  std::uint32_t index_of(const Draw& draw) const {
+    return eye_.list.groups->of_instance[draw.instance];
+  }
+  const InstanceGroup& group_of(const Draw& draw) const {
+    return eye_.list.groups->groups[index_of(draw)];
+  }
+  GroupPlan& plan_of(const Draw& draw) { return plans_[index_of(draw)]; }
+
+  const PlannedEye& eye_;
+  GroupPlaces places_;
+  std::vector<GroupPlan> plans_;
+};
+
 Plan plan_draws(const PlannedEye& eye, bool leave_out) {
+  PlannedGroups groups(eye);
   Plan plan;
   plan.leaves_out = leave_out;
   plan.colors = !leave_out || sees_colors(eye.settings);
   if (leave_out) plan.channels = eye.settings.mask;
   plan.read_back = !leave_out;
   plan.keep_depth = !leave_out || eye.settings.want_depth;
-  for (const Draw& draw : eye.list.draws) {
+  const MethodQuestion asked{eye.list.lighting, eye.view, eye.settings, plan.colors, leave_out};
+  const std::vector<Draw>& draws = eye.list.draws;
+  const bool ordered = leave_out && draws.size() > 1;
+  plan.methods.reserve(draws.size());
+  if (ordered) plan.codes.reserve(draws.size());
+  for (const Draw& draw : draws) {
+    const DrawMethod* const of_group = leave_out ? groups.method_of(draw, asked) : nullptr;
     plan.methods.push_back(
-        choose_method(draw, eye.list.lighting, eye.view, eye.settings, plan.colors, leave_out));
+        of_group != nullptr ? *of_group : choose_method(draw, place_box(draw, eye.view), asked));
+    if (ordered) {
+      plan.codes.push_back(plan.methods.back().drawn ? groups.codes_of(draw) : DepthCodes{});
+    }
   }
   return plan;
 }
@@ -53,29 +120,18 @@ void make_agree(std::span<Plan> plans) {
   }
 }
 
-// What is blended lies over what came before it. The staged stages write to the framebuffer, and to move them among the others
-// would make tiles change over more often. Lines and points are left where they are, too.
-bool may_be_moved(const Draw& draw, const DrawMethod& method) {
-  return method.staged_because == nullptr && draw.material->alpha_mode != AlphaMode::kBlend &&
-         draw.mesh->lines.empty() && draw.mesh->points.empty();
-}
-
-// Depth does not depend on the eye: z and w are the same for both.
-void order_draws(const PlannedEye& eye, Plan& plan) {
-  const std::vector<Draw>& draws = eye.list.draws;
-  for (std::uint32_t i = 0; i < draws.size(); ++i) {
+// The same for both eyes of a pair: their z and w are.
+void order_draws(Plan& plan) {
+  plan.order.reserve(plan.methods.size());
+  for (std::uint32_t i = 0; i < plan.methods.size(); ++i) {
     if (plan.methods[i].drawn) plan.order.push_back(i);
   }
-  if (!plan.leaves_out || plan.order.size() < 2) return;
-  std::vector<DepthCodes> codes(draws.size());
-  for (const std::uint32_t i : plan.order) {
-    codes[i] = depth_codes(draws[i], eye.view, eye.settings.depth);
-  }
-  const auto stays = [&](std::uint32_t i) { return !may_be_moved(draws[i], plan.methods[i]); };
+  if (plan.codes.empty()) return;
+  const auto stays = [&](std::uint32_t i) { return plan.methods[i].into_framebuffer; };
   for (auto first = plan.order.begin(); first != plan.order.end();) {
     first = std::find_if_not(first, plan.order.end(), stays);
     const auto end = std::find_if(first, plan.order.end(), stays);
-    plan.moved += order_front_to_back({first, end}, codes);
+    plan.moved += order_front_to_back({first, end}, plan.codes);
     first = end;
   }
 }
@@ -85,6 +141,7 @@ void leave_out_hidden(std::span<const PlannedEye> eyes, std::span<Plan> plans) {
   for (std::size_t i = 0; i < eyes.size(); ++i) {
     if (!plans[i].leaves_out) return;
     const std::vector<bool> hidden = find_hidden(eyes[i], plans[i]);
+    if (std::ranges::find(hidden, true) == hidden.end()) return;  // this eye sees all that it may
     for (std::size_t draw = 0; draw < hidden.size(); ++draw) {
       plans[i].methods[draw].hidden = hidden[draw];
     }
@@ -106,9 +163,9 @@ void leave_out_hidden(std::span<const PlannedEye> eyes, std::span<Plan> plans) {
 std::vector<Plan> make_plans(std::span<const PlannedEye> eyes, bool leave_out) {
   std::vector<Plan> plans;
   for (const PlannedEye& eye : eyes) plans.push_back(plan_draws(eye, leave_out));
-  make_agree(plans);
-  order_draws(eyes.front(), plans.front());
-  for (Plan& plan : plans) {
+  if (plans.size() > 1) make_agree(plans);
+  order_draws(plans.front());
+  for (Plan& plan : std::span(plans).subspan(1)) {
     plan.order = plans.front().order;
     plan.moved = plans.front().moved;
   }

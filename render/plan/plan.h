@@ -12,6 +12,7 @@
 #include <glassbox/pipeline/view.h>
 #include <glassbox/render/engine/draw_list.h>
 #include <glassbox/render/engine/settings.h>
+#include <glassbox/render/plan/box_bounds.h>
 #include <glassbox/render/plan/draw_method.h>
 
 namespace glassbox {
@@ -27,7 +28,9 @@ struct Plan {
   bool leaves_out = true;
   std::vector<DrawMethod> methods;   // by draw
   std::vector<std::uint32_t> order;  // of drawing: those draws that are drawn
-  std::size_t moved = 0;             // that many of them before others which the list has earlier
+  // By draw, of those within the view: its own, or those of a group that it is in. Empty where there is nothing to order.
+  std::vector<DepthCodes> codes;
+  std::size_t moved = 0;  // that many of them before others which the list has earlier
 
   bool colors = true;       // somebody sees them
   ColorMask channels;       // that are encoded

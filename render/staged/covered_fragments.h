@@ -4,6 +4,7 @@
 
 #include <array>
 #include <bit>
+#include <vector>
 
 #include <glassbox/raster/coverage.h>
 #include <glassbox/raster/depth.h>
@@ -42,12 +43,17 @@ void interpolate_at(const Coverage& coverage, const FragmentStage& stage, const 
 template <class Watch, class Visit>
 void for_each_centre(const FragmentStage& stage, const Watch& watch, const TriangleSetup& setup,
                      const Surface& surface, const Visit& visit) {
-  for_each_covered(setup, stage.window, [&](const Coverage& pixel) {
+  const auto at_centre = [&](const Coverage& pixel) {
     CoveredFragment fragment;
     fragment.centre = true;
     interpolate_at(pixel, stage, watch, setup, surface, fragment);
     visit(fragment);
-  });
+  };
+  if (const std::vector<Coverage>* given = watch.covered(surface.source)) {
+    for (const Coverage& pixel : *given) at_centre(pixel);
+  } else {
+    for_each_covered(setup, stage.window, at_centre);
+  }
 }
 
 // Those at samples; at pixel centres too, where the surface writes to the planes that belong to them.

@@ -18,10 +18,9 @@ bool unseen(const Draw& draw, const Triangle& triangle, const std::vector<Outcod
 
 }  // namespace
 
-CullingList::CullingList(StereoCulling how, const Scene& scene, const View& centre,
-                         const std::vector<Draw>& left_draws)
+CullingList::CullingList(StereoCulling how, const View& centre, const std::vector<Draw>& left_draws)
     : centre_(centre), draws_(left_draws) {
-  if (how == StereoCulling::kCentre) centre_draws_ = draws_of_other_eye(draws_, scene, centre);
+  if (how == StereoCulling::kCentre) centre_draws_ = draws_of_other_eye(draws_, centre);
 }
 
 std::span<const Triangle> CullingList::triangles_of(std::size_t draw, const DrawTables& tables) {

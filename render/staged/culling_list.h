@@ -13,8 +13,7 @@ namespace glassbox {
 class CullingList {
 public:
   // `left_draws` are those of the left eye.
-  CullingList(StereoCulling how, const Scene& scene, const View& centre,
-              const std::vector<Draw>& left_draws);
+  CullingList(StereoCulling how, const View& centre, const std::vector<Draw>& left_draws);
 
   // Of a draw that was transformed for both eyes. The span holds until the next call.
   std::span<const Triangle> triangles_of(std::size_t draw, const DrawTables& tables);

@@ -38,7 +38,8 @@ void ready_triangle(const PrimitiveStage& stage, const Watch& watch, const Trian
     screen[k] = on_screen(stage, watch, polygon.vertices[k]);  // divide, viewport
     snapped[k] = snap(screen[k]);                              // snap
   }
-  const int apex = fan_apex(std::span(snapped).first(count));
+  int apex = fan_apex(std::span(snapped).first(count));
+  watch.fanned(std::span(snapped).first(count), apex);
 
   const std::uint32_t number = stage.draw.first_number + triangle.number;
   const std::array<Varyings, 3>* visible = nullptr;
@@ -46,7 +47,8 @@ void ready_triangle(const PrimitiveStage& stage, const Watch& watch, const Trian
     const std::array<std::size_t, 3> piece = fan_vertices(apex, polygon.count, i);
     const std::array<ScreenVertex, 3> vertices{screen[piece[0]], screen[piece[1]],
                                                screen[piece[2]]};
-    std::optional<TriangleSetup> setup = setup_triangle(vertices);  // set up
+    std::optional<TriangleSetup> setup = setup_triangle(  // set up
+        vertices, {snapped[piece[0]], snapped[piece[1]], snapped[piece[2]]});
     watch.set_up(std::uint32_t(i), vertices, setup);
     if (!setup) continue;
     const bool front = shows_front(stage.draw, *setup);
@@ -74,8 +76,9 @@ Fate draw_fragment(const FragmentStage& stage, const Watch& watch, const Surface
                    CoveredFragment& fragment) {
   test_depth(stage, watch, surface.source, fragment);  // depth test
   if (fragment.is_empty()) return Fate::kHidden;
-  const Varyings at = interpolate(surface.vertices, fragment.place.weights);  // interpolate
-  Rgba base = surface_color(stage, surface, at, fragment.place);              // texture
+  Varyings at = interpolate(surface.vertices, fragment.place.weights);  // interpolate
+  watch.varied(fragment.place, at);
+  Rgba base = surface_color(stage, surface, at, fragment.place);  // texture
   watch.textured(at, base);
   if (is_discarded(*stage.draw.material, base)) return Fate::kDiscarded;
   const bool blended = is_blended(stage);
@@ -97,6 +100,7 @@ void rasterise_surface(const FragmentStage& stage, const Watch& watch, const Tri
 
 template <class Watch>
 void rasterise(const FragmentStage& stage, const Watch& watch, const ReadyTriangle& triangle) {
+  watch.ready(triangle);
   rasterise_surface(stage, watch, triangle.setup, surface_of(stage, triangle));
 }
 

@@ -174,7 +174,7 @@ NotSubmitted draw_watched(const PictureJob& job, const std::vector<Watch>& watch
     const Stopwatch stopwatch(first.statistics.prepare_ms);
     list = make_draw_list(job.scene, job.prepared, first.view);
     if (job.eyes.size() > 1) {
-      of_second = draws_of_other_eye(list.draws, job.scene, job.eyes[1].view);
+      of_second = draws_of_other_eye(list.draws, job.eyes[1].view);
     }
     for (const EyePicture& eye : job.eyes) clear(eye);
   }
@@ -182,7 +182,7 @@ NotSubmitted draw_watched(const PictureJob& job, const std::vector<Watch>& watch
   if (job.eyes.size() > 1) eyes.push_back({job.eyes[1], of_second, watches[1]});
   std::optional<CullingList> pair;
   if (job.culling != nullptr) {
-    pair.emplace(job.culling->how, job.scene, job.culling->centre, list.draws);
+    pair.emplace(job.culling->how, job.culling->centre, list.draws);
   }
 
   for (std::size_t i = 0; i < list.draws.size(); ++i) {

@@ -2,6 +2,9 @@
 // What nobody does costs nothing. The methods are Observer's, in the order of the stages.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include <glassbox/render/engine/observer.h>
 #include <glassbox/render/engine/statistics.h>
 
@@ -15,13 +18,17 @@ struct Nobody {
                ClipVerdict, ClipPolygon&) const {}
   void divided(const ClipVertex&, NdcVertex&) const {}
   void placed(const NdcVertex&, ScreenVertex&) const {}
+  void fanned(std::span<SnappedVertex>, int&) const {}
   void set_up(std::uint32_t, const std::array<ScreenVertex, 3>&,
               std::optional<TriangleSetup>&) const {}
   void faced(const TriangleSetup&, bool, bool&) const {}
   void prepared(const Triangle&) const {}
+  void ready(const ReadyTriangle&) const {}
+  static constexpr const std::vector<Coverage>* covered(const FragmentSource&) { return nullptr; }
   void interpolated(const FragmentSource&, const Coverage&, Fragment&) const {}
   void compared(const FragmentSource&, const Fragment&, std::uint32_t, std::uint32_t, bool&) const {
   }
+  void varied(const Fragment&, Varyings&) const {}
   void textured(const Varyings&, Rgba&) const {}
   void emitted(const Varyings&, std::array<float, 3>&) const {}
   void lit(const Varyings&, const Rgba&, Rgba&) const {}
@@ -94,6 +101,7 @@ struct Observed : Counting {
   }
   void divided(const ClipVertex& clip, NdcVertex& ndc) const { observer.divided(clip, ndc); }
   void placed(const NdcVertex& ndc, ScreenVertex& screen) const { observer.placed(ndc, screen); }
+  void fanned(std::span<SnappedVertex> polygon, int& apex) const { observer.fanned(polygon, apex); }
   void set_up(std::uint32_t piece, const std::array<ScreenVertex, 3>& vertices,
               std::optional<TriangleSetup>& setup) const {
     observer.set_up(piece, vertices, setup);
@@ -104,6 +112,10 @@ struct Observed : Counting {
     Counting::faced(setup, front, culled);
   }
   void prepared(const Triangle& triangle) const { observer.prepared(triangle); }
+  void ready(const ReadyTriangle& triangle) const { observer.ready(triangle); }
+  const std::vector<Coverage>* covered(const FragmentSource& source) const {
+    return observer.covered(source);
+  }
   void interpolated(const FragmentSource& source, const Coverage& coverage,
                     Fragment& fragment) const {
     observer.interpolated(source, coverage, fragment);
@@ -112,6 +124,7 @@ struct Observed : Counting {
                 std::uint32_t stored, bool& in_front) const {
     observer.compared(source, fragment, code, stored, in_front);
   }
+  void varied(const Fragment& fragment, Varyings& at) const { observer.varied(fragment, at); }
   void textured(const Varyings& at, Rgba& surface) const { observer.textured(at, surface); }
   void emitted(const Varyings& at, std::array<float, 3>& emission) const {
     observer.emitted(at, emission);

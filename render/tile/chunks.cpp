@@ -16,21 +16,41 @@ namespace glassbox {
 
 namespace {
 
+PixelRect tiles_between(TilePlace first, TilePlace last) {
+  return {int(first & 0xffff), int(first >> 16), int(last & 0xffff) + 1, int(last >> 16) + 1};
+}
+
+// Neighbours in a mesh are likely to be neighbours on the screen: most runs are longer than one.
+void find_runs(const Unsorted& from, std::vector<BinRun>& runs) {
+  runs.clear();
+  for (std::size_t end = 0; end < from.count;) {
+    const std::size_t begin = end;
+    const TilePlace first = from.first[begin], last = from.last[begin];
+    while (end < from.count && from.first[end] == first && from.last[end] == last) ++end;
+    runs.push_back({begin, end});
+  }
+}
+
 // Sorts entries into the chunk's bins by counting; within a bin they keep their order.
-void sort_into_bins(std::span<const BinEntry> entries, Chunk& chunk) {
+void sort_into_bins(const Unsorted& from, Chunk& chunk) {
   chunk.tiles = {};
   chunk.starts.assign(1, 0);
-  chunk.entries.clear();
-  if (entries.empty()) return;
-  PixelRect tiles{entries[0].x0, entries[0].y0, 0, 0};
-  for (const BinEntry& e : entries) {
-    tiles = {std::min<int>(tiles.x0, e.x0), std::min<int>(tiles.y0, e.y0),
-             std::max<int>(tiles.x1, e.x1 + 1), std::max<int>(tiles.y1, e.y1 + 1)};
+  if (from.count == 0) return chunk.entries.clear();
+  find_runs(from, chunk.runs);
+  const auto tiles_of = [&](const BinRun& run) {
+    return tiles_between(from.first[run.begin], from.last[run.begin]);
+  };
+  PixelRect tiles = tiles_of(chunk.runs.front());
+  for (const BinRun& run : chunk.runs) {
+    const PixelRect own = tiles_of(run);
+    tiles = {std::min(tiles.x0, own.x0), std::min(tiles.y0, own.y0), std::max(tiles.x1, own.x1),
+             std::max(tiles.y1, own.y1)};
   }
   const auto width = std::size_t(tiles.x1 - tiles.x0);
-  const auto for_each_bin = [&](const BinEntry& e, auto&& visit) {
-    for (int y = e.y0; y <= e.y1; ++y) {
-      for (int x = e.x0; x <= e.x1; ++x) {
+  const auto for_each_bin = [&](const BinRun& run, auto&& visit) {
+    const PixelRect own = tiles_of(run);
+    for (int y = own.y0; y < own.y1; ++y) {
+      for (int x = own.x0; x < own.x1; ++x) {
         visit(std::size_t(y - tiles.y0) * width + std::size_t(x - tiles.x0));
       }
     }
@@ -38,24 +58,31 @@ void sort_into_bins(std::span<const BinEntry> entries, Chunk& chunk) {
   // Counted one bin further on, so that after the sums starts[i] is where bin i begins ...
   chunk.tiles = tiles;
   chunk.starts.assign(width * std::size_t(tiles.y1 - tiles.y0) + 2, 0);
-  for (const BinEntry& e : entries) {
-    for_each_bin(e, [&](std::size_t bin) { ++chunk.starts[bin + 2]; });
+  for (const BinRun& run : chunk.runs) {
+    const auto size = std::uint32_t(run.end - run.begin);
+    for_each_bin(run, [&](std::size_t bin) { chunk.starts[bin + 2] += size; });
   }
   for (std::size_t i = 2; i < chunk.starts.size(); ++i) chunk.starts[i] += chunk.starts[i - 1];
   chunk.entries.resize(chunk.starts.back());
   // ... and filling bin i moves starts[i + 1] to its end.
-  for (const BinEntry& e : entries) {
-    for_each_bin(e, [&](std::size_t bin) { chunk.entries[chunk.starts[bin + 1]++] = e.entry; });
+  for (const BinRun& run : chunk.runs) {
+    for_each_bin(run, [&](std::size_t bin) {
+      std::uint32_t& at = chunk.starts[bin + 1];
+      std::copy(from.entries.data() + run.begin, from.entries.data() + run.end,
+                chunk.entries.data() + at);
+      at += std::uint32_t(run.end - run.begin);
+    });
   }
 }
 
-// The bins of the pixels of a box; nothing where none is on the screen.
-std::optional<BinEntry> bin_entry(const TileRun& run, std::uint32_t entry, const PixelRect& box) {
+// Into the bins of the pixels of a box, where any is on the screen.
+void add_entry(const TileRun& run, std::uint32_t entry, const PixelRect& box, Chunk& chunk) {
   const PixelRect seen{std::max(box.x0, run.window.x0), std::max(box.y0, run.window.y0),
                        std::min(box.x1, run.window.x1), std::min(box.y1, run.window.y1)};
-  if (seen.empty()) return std::nullopt;
-  const auto tile = [&](int pixel) { return std::uint16_t(pixel / run.tile_side); };
-  return BinEntry{entry, tile(seen.x0), tile(seen.y0), tile(seen.x1 - 1), tile(seen.y1 - 1)};
+  if (seen.empty()) return;
+  const auto tile = [&](int pixel) { return TilePlace(pixel / run.tile_side); };
+  chunk.unsorted.add(entry, tile(seen.x0) | tile(seen.y0) << 16,
+                     tile(seen.x1 - 1) | tile(seen.y1 - 1) << 16);
 }
 
 // Pixels of which the triangle may cover something.
@@ -83,10 +110,6 @@ PrimitiveStage primitive_stage(const TileRun& run, const DrawSlot& slot) {
           .object_cull = object_culling(draw, run.view, run.settings).test};
 }
 
-void add_entry(const TileRun& run, std::uint32_t entry, const PixelRect& box, Chunk& chunk) {
-  if (const auto bins = bin_entry(run, entry, box)) chunk.unsorted.push_back(*bins);
-}
-
 // ---- triangles over lanes ----
 
 // Nothing on the triangle changes from pixel to pixel: an attribute that is equal at the vertices is exactly that everywhere
@@ -107,11 +130,12 @@ bool has_one_color(const DrawMethod& method, const std::array<Varyings, 3>& vert
   return false;
 }
 
-LargeTriangle large_triangle(const TileRun& run, const DrawSlot& slot, const ReadyTriangle& ready) {
-  LargeTriangle large{ready.setup,  ready.vertices,
-                      {},           slot.draw,
-                      ready.number, has_one_color(run.methods[slot.draw], ready.vertices)};
-  if (run.methods[slot.draw].texture || run.methods[slot.draw].emission_texture) {
+// `shade`: the slot's index in the round.
+LargeTriangle large_triangle(const DrawMethod& method, std::uint32_t shade,
+                             const ReadyTriangle& ready) {
+  LargeTriangle large{ready.setup, ready.vertices, {},
+                      shade,       ready.number,   has_one_color(method, ready.vertices)};
+  if (method.texture || method.emission_texture) {
     large.texture = texture_planes(
         ready.setup,
         {ready.vertices[0].texcoord, ready.vertices[1].texcoord, ready.vertices[2].texcoord});
@@ -148,12 +172,12 @@ void for_each_drawn(const DrawSlot& slot, const Chunk& chunk, const Visit& visit
 }
 
 // The entries of the bins: the small triangles, and in their places what came of the large ones.
-std::span<const BinEntry> fill_from_lanes(const TileRun& run, const Kernels& kernels,
-                                          const DrawSlot& slot, Chunk& chunk) {
+const Unsorted& fill_from_lanes(const TileRun& run, const Kernels& kernels, const DrawSlot& slot,
+                                Chunk& chunk) {
   const Draw& draw = run.list.draws[slot.draw];
   const DrawMethod& method = run.methods[slot.draw];
   SelectJob job;
-  job.positions = draw.prepared->indices.positions.data();
+  job.positions = slot.indices->positions.data();
   job.screen = slot.screen;
   job.mirrored = draw.mirrored;
   job.keep_front = method.keep_front;
@@ -163,41 +187,48 @@ std::span<const BinEntry> fill_from_lanes(const TileRun& run, const Kernels& ker
   job.margin = samples_drawn(run.settings) > 1 ? 1 : 0;
   job.tile_shift = std::countr_zero(unsigned(run.tile_side));
 
-  const PrimitiveStage stage = primitive_stage(run, slot);
+  // Of the draw that a triangle belongs to: the first, until another one is asked about.
+  std::optional<PrimitiveStage> stage(primitive_stage(run, slot));
   SelectCounts counts;
-  BinEntry* selected = at_least(chunk.selected, chunk.count + kMostLanes);
-  std::size_t kept = 0;
+  Unsorted& found = chunk.selected;
+  const BinColumns selected = found.columns(chunk.count + kMostLanes);
+  found.count = 0;
   for_each_drawn(slot, chunk, [&](std::size_t first, std::size_t count) {
     job.first = std::uint32_t(first);
     job.count = std::uint32_t(count);
-    if (!job.all_large) job.keep = cull_early(stage, slot, job.first, job.count, chunk);
-    kept += kernels.select_triangles(job, selected + kept, counts);
+    if (!job.all_large) job.keep = cull_early(*stage, slot, job.first, job.count, chunk);
+    found.count += kernels.select_triangles(job, selected.from(found.count), counts);
   });
-  const std::span found(selected, kept);
   Statistics& s = chunk.statistics;
   s.after_clipping += counts.small;
   s.zero_area += counts.zero_area;
   s.culled += counts.culled;
   s.set_up += counts.small - counts.zero_area - counts.culled;
 
-  const auto is_large = [](const BinEntry& one) { return (one.entry & kLarge) != 0; };
-  if (std::ranges::none_of(found, is_large)) return found;
+  const auto is_large = [](std::uint32_t entry) { return (entry & kLarge) != 0; };
+  if (std::none_of(selected.entries, selected.entries + found.count, is_large)) return found;
 
   const Counting watch(s);
   std::vector<ReadyTriangle> ready;
   std::vector<ReadyLine> no_lines;
-  for (const BinEntry& one : found) {
-    if (!is_large(one)) {
-      chunk.unsorted.push_back(one);
+  const std::vector<Triangle>& triangles = draw.triangulation->triangles;
+  std::size_t draw_of_stage = 0;
+  for (std::size_t i = 0; i < found.count; ++i) {
+    const std::uint32_t entry = found.entries[i];
+    if (!is_large(entry)) {
+      chunk.unsorted.add(entry, found.first[i], found.last[i]);
       continue;
     }
+    const std::size_t triangle = entry & ~kLarge, of_draw = triangle / triangles.size();
+    if (of_draw != draw_of_stage) stage.emplace(primitive_stage(run, slot_of_draw(slot, of_draw)));
+    draw_of_stage = of_draw;
     ready.clear();
     TriangleAttributes attributes;
-    ready_triangle(stage, watch, draw.triangulation->triangles[one.entry & ~kLarge], attributes,
-                   ready, no_lines);
+    ready_triangle(*stage, watch, triangles[triangle % triangles.size()], attributes, ready,
+                   no_lines);
     for (const ReadyTriangle& triangle : ready) {
       add_entry(run, kOfChunk | std::uint32_t(chunk.large.size()), reach(run, triangle), chunk);
-      chunk.large.push_back(large_triangle(run, slot, triangle));
+      chunk.large.push_back(large_triangle(method, chunk.slot, triangle));
     }
   }
   return chunk.unsorted;
@@ -205,7 +236,7 @@ std::span<const BinEntry> fill_from_lanes(const TileRun& run, const Kernels& ker
 
 // ---- the staged primitives ----
 
-std::span<const BinEntry> fill_staged(const TileRun& run, const DrawSlot& slot, Chunk& chunk) {
+const Unsorted& fill_staged(const TileRun& run, const DrawSlot& slot, Chunk& chunk) {
   const Draw& draw = run.list.draws[slot.draw];
   const PrimitiveStage stage = primitive_stage(run, slot);
   const Counting watch(chunk.statistics);
@@ -241,7 +272,7 @@ void fill_chunk(const TileRun& run, const Kernels& kernels, const Round& round, 
   chunk.lines.clear();
   chunk.points.clear();
   chunk.statistics = {};
-  chunk.unsorted.clear();
+  chunk.unsorted.count = 0;
   sort_into_bins(chunk.kind == Chunk::Kind::kLanes ? fill_from_lanes(run, kernels, slot, chunk)
                                                    : fill_staged(run, slot, chunk),
                  chunk);

@@ -48,18 +48,24 @@ struct VertexTables {
   LineVector<Point<Eye>> eye_positions;
 };
 
-// Where a draw's entries of the tables begin.
+// Where the entries of a draw begin in the tables; or those of several draws of one mesh that go together, one after the other.
 struct DrawSlot {
-  std::uint32_t draw = 0;
+  std::uint32_t draw = 0;                  // the first
+  std::span<const std::uint32_t> draws;    // all of them: a part of the plan's order
+  const CornerIndices* indices = nullptr;  // of all their triangles, into these tables
   std::size_t first_position = 0, first_normal = 0, first_eye_position = 0;
+  std::size_t positions = 0, normals = 0, eye_positions = 0;  // entries of each draw
   Reference first_reference = kReferenceStep;
   SnappedEntry* screen = nullptr;
-  EyeSpace eye_space;
+  EyeSpace eye_space;  // of the first draw
 
   std::span<ClusterVerdict> verdicts;  // of the mesh's clusters; empty: all are drawn
   // Of the blocks of the mesh's tables: 0 where no eye draws anything of one. Empty: all are needed.
   std::span<const std::uint8_t> needed_positions, needed_normals;
 };
+
+// The slot of one of its draws.
+DrawSlot slot_of_draw(const DrawSlot& slot, std::size_t k);
 
 // Some clusters of one draw.
 struct ClusterTask {
@@ -69,11 +75,35 @@ struct ClusterTask {
 
 // ---- bins ----
 
-// An entry of a bin: the index of a small triangle in its draw, or, with the bit that is kLarge before, of one of the chunk's
+// An entry of a bin: the index of a small triangle in its slot, or, with the bit that is kLarge before, of one of the chunk's
 // primitives.
 inline constexpr std::uint32_t kOfChunk = kLarge;
 
-// Some primitives of one draw, sorted into tiles in the order of the draw.
+// Entries and the tiles that they go to, in the order of the draw.
+struct Unsorted {
+  std::vector<std::uint32_t> entries;
+  std::vector<TilePlace> first, last;
+  std::size_t count = 0;
+
+  // Columns with room for `size` of them.
+  BinColumns columns(std::size_t size) {
+    return {at_least(entries, size), at_least(first, size), at_least(last, size)};
+  }
+  void add(std::uint32_t entry, TilePlace first_tile, TilePlace last_tile) {
+    const BinColumns at = columns(count + 1).from(count);
+    *at.entries = entry;
+    *at.first = first_tile;
+    *at.last = last_tile;
+    ++count;
+  }
+};
+
+// Neighbours that go to the same tiles.
+struct BinRun {
+  std::size_t begin = 0, end = 0;
+};
+
+// Some primitives of one slot, sorted into tiles in the order of the draw.
 struct Chunk {
   enum class Kind { kLanes, kStagedTriangles, kLinesAndPoints };
   Kind kind = Kind::kLanes;
@@ -81,14 +111,15 @@ struct Chunk {
   std::uint32_t first = 0, count = 0;  // triangles
 
   std::vector<std::int32_t> keep;  // kLanes, where faces are culled in object space
-  std::vector<BinEntry> selected;  // kLanes
+  Unsorted selected;               // kLanes
   std::vector<LargeTriangle> large;
   std::vector<ReadyTriangle> triangles;  // the other kinds
   std::vector<ReadyLine> lines;
   std::vector<ReadyPoint> points;
   std::uint32_t first_large = 0;  // of `large`, in the whole round
 
-  std::vector<BinEntry> unsorted;
+  Unsorted unsorted;
+  std::vector<BinRun> runs;
 
   // Tiles x0 <= x < x1, y0 <= y < y1 have bins; bin i is entries[starts[i]] .. entries[starts[i + 1] - 1].
   PixelRect tiles;
@@ -120,6 +151,12 @@ struct Round {
 };
 
 // ---- the work, in the order in which it is done ----
+
+// The slots of the draws from order[first] on, as many as a round takes: `round_size` vertices or triangles, or one draw. Returns the
+// index of the draw after the last. The tables have no memory yet; then they get it.
+std::size_t make_slots(const TileRun& run, std::span<const std::uint32_t> order, std::size_t first,
+                       std::size_t round_size, std::vector<DrawSlot>& slots);
+void set_eye_space(const TileRun& run, VertexTables& tables, DrawSlot& slot);
 
 // Lists the clusters of the round that are asked about, by one eye.
 void begin_clusters(const TileRun& run, Round& round);

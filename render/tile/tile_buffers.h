@@ -34,7 +34,7 @@ void mark_as_in_picture(TileBuffer& tile);
 template <class CodeOf>
 void load_tile(TileBuffer& tile, const CodeOf& code_of) {
   for (std::size_t i = 0; i < tile.block_count(); ++i) {
-    tile.block(i) = {0, kEmptyTileDepth, false, kNothing, nullptr};
+    tile.block(i) = {0, kEmptyTileDepth, false, kNothing, nullptr, 0};
   }
   mark_as_in_picture(tile);
   const PixelRect& window = tile.window();

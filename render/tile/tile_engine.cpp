@@ -5,7 +5,6 @@
 #include <cassert>
 #include <cstddef>
 #include <deque>
-#include <optional>
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/enumerable_thread_specific.h>
@@ -15,6 +14,7 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <glassbox/render/engine/stopwatch.h>
+#include <glassbox/render/plan/planned_picture.h>
 #include <glassbox/render/tile/round.h>
 #include <glassbox/render/tile/tile_pass.h>
 #include <glassbox/render/tile/tile_picture.h>
@@ -43,16 +43,13 @@ void add(const Statistics& part, Statistics& sum) {
   sum.blended += part.blended;
 }
 
-std::size_t size_of(const Draw& draw) {
-  return std::max(draw.mesh->positions.size(), draw.triangulation->triangles.size());
-}
-
-// Part of the vertex stage's work.
+// Part of the vertex stage's work: some entries of one draw, or all of some draws that go together.
 struct VertexTask {
   enum class Kind { kPositions, kNormals, kFaceNormals };
   Kind kind = Kind::kPositions;
   std::uint32_t slot = 0;
-  std::size_t first = 0, count = 0;
+  std::size_t first_draw = 0, draws = 1;
+  std::size_t first = 0, count = 0;  // entries of each
 };
 
 constexpr std::size_t kMostEyes = 2;
@@ -112,6 +109,7 @@ struct TileEngine::State {
   // More threads than the machine has, if that is what was asked for. (Of several, oneTBB takes the least.)
   tbb::task_arena arena;
   tbb::enumerable_thread_specific<TileMemory> memories;
+  PlannedPicture planned;
   std::array<Round, kMostEyes> rounds;  // by eye; what both have in common is the first one's
   std::vector<VertexTask> vertex_tasks;
   TileReport* report = nullptr;  // of the picture being drawn, if somebody wants one
@@ -120,53 +118,22 @@ struct TileEngine::State {
 
 std::size_t TileEngine::State::begin_round(const Pictures& pictures, std::size_t first) {
   const TileRun& run = pictures.front().run();
-  const std::vector<std::uint32_t>& order = pictures.front().plan().order;
   std::vector<DrawSlot>& slots = rounds.front().slots;
-  slots.clear();
-  std::size_t positions = 0, normals = 0, eye_positions = 0, size = 0;
-  Reference reference = kReferenceStep;
-  std::size_t end = first;
-  for (; end < order.size(); ++end) {
-    const Draw& draw = run.list.draws[order[end]];
-    size += size_of(draw);
-    if (end > first && size > options.round_size) break;
-    const DrawMethod& method = run.methods[order[end]];
-    DrawSlot slot;
-    slot.draw = order[end];
-    slot.first_position = positions;
-    slot.first_normal = normals;
-    slot.first_eye_position = eye_positions;
-    slot.first_reference = reference;
-    positions += draw.mesh->positions.size();
-    if (method.normals) normals += draw.mesh->normals.size();
-    if (method.face_normals) normals += draw.mesh->faces.size();
-    if (method.eye_positions) eye_positions += draw.mesh->positions.size();
-    reference += Reference(draw.triangulation->triangles.size()) * kReferenceStep;
-    slots.push_back(slot);
-  }
-  VertexTables& t = rounds.front().tables;
-  at_least(t.normals, normals);
-  at_least(t.eye_positions, eye_positions);
-  for (DrawSlot& slot : slots) {
-    const Draw& draw = run.list.draws[slot.draw];
-    const DrawMethod& method = run.methods[slot.draw];
-    slot.eye_space.lit = method.normals && needs_normals(draw, run.settings);
-    const std::span all_normals(t.normals);
-    if (method.normals) {
-      slot.eye_space.normals = all_normals.subspan(slot.first_normal, draw.mesh->normals.size());
-    }
-    if (method.face_normals) {
-      slot.eye_space.face_normals = all_normals.subspan(
-          slot.first_normal + draw.mesh->normals.size(), draw.mesh->faces.size());
-    }
-    if (method.eye_positions) {
-      slot.eye_space.positions =
-          std::span(t.eye_positions).subspan(slot.first_eye_position, draw.mesh->positions.size());
-    }
-  }
+  const std::size_t end =
+      make_slots(run, pictures.front().plan().order, first, options.round_size, slots);
+  VertexTables& tables = rounds.front().tables;
+  const auto entries = [&](std::size_t DrawSlot::*begin, std::size_t DrawSlot::*of_draw) {
+    if (slots.empty()) return std::size_t{0};
+    const DrawSlot& last = slots.back();
+    return last.*begin + last.draws.size() * last.*of_draw;
+  };
+  at_least(tables.normals, entries(&DrawSlot::first_normal, &DrawSlot::normals));
+  at_least(tables.eye_positions, entries(&DrawSlot::first_eye_position, &DrawSlot::eye_positions));
+  for (DrawSlot& slot : slots) set_eye_space(run, tables, slot);
+  const std::size_t positions = entries(&DrawSlot::first_position, &DrawSlot::positions);
   for (std::size_t eye = 0; eye < pictures.size(); ++eye) {
     Round& round = rounds[eye];
-    round.slots = slots;
+    if (eye > 0) round.slots = slots;
     SnappedEntry* screen = at_least(round.tables.screen, positions);
     for (DrawSlot& slot : round.slots) slot.screen = screen + slot.first_position;
   }
@@ -202,47 +169,56 @@ void TileEngine::State::transform_vertices(const Pictures& pictures) {
   Round& round = rounds.front();
   vertex_tasks.clear();
   const auto add_tasks = [&](VertexTask::Kind kind, std::uint32_t slot, std::size_t size) {
-    for (std::size_t at = 0; at < size; at += kVertexBatch) {
-      vertex_tasks.push_back({kind, slot, at, std::min(kVertexBatch, size - at)});
+    if (size == 0) return;
+    const std::size_t draws = round.slots[slot].draws.size();
+    const std::size_t together = std::max<std::size_t>(kVertexBatch / size, 1);
+    for (std::size_t draw = 0; draw < draws; draw += together) {
+      for (std::size_t at = 0; at < size; at += kVertexBatch) {
+        vertex_tasks.push_back({kind, slot, draw, std::min(together, draws - draw), at,
+                                std::min(kVertexBatch, size - at)});
+      }
     }
   };
   for (std::uint32_t i = 0; i < round.slots.size(); ++i) {
     const DrawSlot& slot = round.slots[i];
-    const Draw& draw = run.list.draws[slot.draw];
-    const std::size_t positions = count_needed(slot.needed_positions, draw.mesh->positions.size());
-    const std::size_t normals = slot.eye_space.normals.size();
+    const std::size_t draws = slot.draws.size(), normals = slot.eye_space.normals.size();
+    const std::size_t positions = count_needed(slot.needed_positions, slot.positions);
     Statistics& statistics = pictures.front().statistics();
-    statistics.vertices += positions;
-    if (normals > 0) statistics.normals += count_needed(slot.needed_normals, normals);
-    statistics.normals += slot.eye_space.face_normals.size();
-    if (!slot.eye_space.positions.empty()) statistics.eye_positions += positions;
-    if (pictures.size() > 1) pictures.back().statistics().moved_in_x += positions;
+    statistics.vertices += draws * positions;
+    if (normals > 0) statistics.normals += draws * count_needed(slot.needed_normals, normals);
+    statistics.normals += draws * slot.eye_space.face_normals.size();
+    if (!slot.eye_space.positions.empty()) statistics.eye_positions += draws * positions;
+    if (pictures.size() > 1) pictures.back().statistics().moved_in_x += draws * positions;
     for (const TilePicture& picture : pictures) {
-      if (picture.run().methods[slot.draw].test_planes) {
-        picture.statistics().plane_tests += positions;
+      for (const std::uint32_t draw : slot.draws) {
+        if (picture.run().methods[draw].test_planes) picture.statistics().plane_tests += positions;
       }
     }
-    add_tasks(VertexTask::Kind::kPositions, i, draw.mesh->positions.size());
+    add_tasks(VertexTask::Kind::kPositions, i, slot.positions);
     add_tasks(VertexTask::Kind::kNormals, i, normals);
-    if (!slot.eye_space.face_normals.empty()) {
-      vertex_tasks.push_back({VertexTask::Kind::kFaceNormals, i, 0, 0});
-    }
+    add_tasks(VertexTask::Kind::kFaceNormals, i, slot.eye_space.face_normals.empty() ? 0 : 1);
   }
   for_each(&TileReport::Thread::vertex_ms, vertex_tasks.size(), [&](std::size_t i) {
     const VertexTask& task = vertex_tasks[i];
-    const DrawSlot& slot = round.slots[task.slot];
-    std::optional<OtherEye> other;
-    if (pictures.size() > 1) {
-      other.emplace(OtherEye{pictures.back().run(), rounds.back().slots[task.slot]});
-    }
-    switch (task.kind) {
-      case VertexTask::Kind::kPositions:
-        return transform_positions(run, kernels, slot, other ? &*other : nullptr, round.tables,
-                                   task.first, task.count);
-      case VertexTask::Kind::kNormals:
-        return transform_normals(run, kernels, slot, round.tables, task.first, task.count);
-      case VertexTask::Kind::kFaceNormals:
-        return transform_face_normals(run, slot, round.tables);
+    for (std::size_t k = task.first_draw; k < task.first_draw + task.draws; ++k) {
+      const DrawSlot slot = slot_of_draw(round.slots[task.slot], k);
+      switch (task.kind) {
+        case VertexTask::Kind::kPositions:
+          if (pictures.size() == 1) {
+            transform_positions(run, kernels, slot, nullptr, round.tables, task.first, task.count);
+          } else {
+            const DrawSlot of_other = slot_of_draw(rounds.back().slots[task.slot], k);
+            const OtherEye other{pictures.back().run(), of_other};
+            transform_positions(run, kernels, slot, &other, round.tables, task.first, task.count);
+          }
+          break;
+        case VertexTask::Kind::kNormals:
+          transform_normals(run, kernels, slot, round.tables, task.first, task.count);
+          break;
+        case VertexTask::Kind::kFaceNormals:
+          transform_face_normals(run, slot, round.tables);
+          break;
+      }
     }
   });
 }
@@ -262,9 +238,10 @@ void begin_chunks(const TileRun& run, Round& round) {
     chunk.count = count;
   };
   for (std::uint32_t i = 0; i < round.slots.size(); ++i) {
-    const Draw& draw = run.list.draws[round.slots[i].draw];
-    const auto triangles = std::uint32_t(draw.triangulation->triangles.size());
-    const bool staged = run.methods[round.slots[i].draw].staged_because != nullptr;
+    const DrawSlot& slot = round.slots[i];
+    const Draw& draw = run.list.draws[slot.draw];
+    const auto triangles = std::uint32_t(slot.draws.size() * draw.triangulation->triangles.size());
+    const bool staged = run.methods[slot.draw].staged_because != nullptr;
     for (std::uint32_t at = 0; at < triangles; at += kChunkTriangles) {
       add_chunk(staged ? Chunk::Kind::kStagedTriangles : Chunk::Kind::kLanes, i, at,
                 std::min(kChunkTriangles, triangles - at));
@@ -339,21 +316,6 @@ void TileEngine::State::draw_tiles(const Pictures& pictures, std::span<const Til
 
 namespace {
 
-// The same draws for each eye.
-void make_pictures(const Scene& scene, const PreparedScene& prepared,
-                   std::span<const EyePicture> eyes, const TileOptions& options,
-                   std::deque<TilePicture>& pictures) {
-  std::vector<DrawList> lists = make_draw_lists(scene, prepared, views_of(eyes));
-  std::vector<PlannedEye> planned;
-  for (std::size_t i = 0; i < eyes.size(); ++i) {
-    planned.push_back({lists[i], eyes[i].view, eyes[i].settings});
-  }
-  std::vector<Plan> plans = options.planner(planned, options.plan);
-  for (std::size_t i = 0; i < eyes.size(); ++i) {
-    pictures.emplace_back(eyes[i], std::move(lists[i]), std::move(plans[i]), options.tile_side);
-  }
-}
-
 // What a round adds to the report.
 void count_round(const Round& round, TileReport& report) {
   for (std::size_t i = 0; i < round.chunk_count; ++i) {
@@ -361,6 +323,8 @@ void count_round(const Round& round, TileReport& report) {
     report.list_entries += round.chunks[i].entries.size();
   }
   report.large_triangles += round.large.size();
+  report.runs += round.slots.size();
+  for (const DrawSlot& slot : round.slots) report.draws += slot.draws.size();
 }
 
 std::uint64_t plane_bytes(const Framebuffer& f) {
@@ -391,7 +355,10 @@ void TileEngine::render(const Scene& scene, const PreparedScene& prepared,
   State::Pictures pictures;
   {
     const Stopwatch watch(shared.prepare_ms);
-    make_pictures(scene, prepared, eyes, s.options, pictures);
+    plan_picture(scene, prepared, eyes, s.options.planner, s.options.plan, s.planned);
+    for (std::size_t i = 0; i < eyes.size(); ++i) {
+      pictures.emplace_back(eyes[i], s.planned.lists[i], s.planned.plans[i], s.options.tile_side);
+    }
   }
   for (const TilePicture& picture : pictures) picture.count_input();
   s.report = report;

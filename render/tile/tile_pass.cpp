@@ -91,8 +91,7 @@ private:
     }
     begin_lanes(chunk);
     const DrawSlot& slot = pass_.round.slots[chunk.slot];
-    const Draw& draw = pass_.run.list.draws[slot.draw];
-    const SmallJob job{draw.prepared->indices.positions.data(), slot.screen, slot.first_reference};
+    const SmallJob job{slot.indices->positions.data(), slot.screen, slot.first_reference};
     const auto is_large = [](std::uint32_t entry) { return (entry & kOfChunk) != 0; };
     for (auto at = bin.begin(); at != bin.end();) {
       const auto large = std::find_if(at, bin.end(), is_large);
@@ -162,22 +161,23 @@ private:
   }
   bool is_sampled() const { return samples_drawn(pass_.run.settings) > 1; }
 
+  const ShadeDraw& shade_of(const DrawSlot& slot) const {
+    return pass_.resolve.draws[std::size_t(&slot - pass_.round.slots.data())];
+  }
+
   // Where a fragment is shaded is one place, whichever of its samples asks; for its centre, that.
   std::span<const SampleOffset> points_of(const TileBuffer& tile) const {
     if (&tile == buffers_.centres) return {};
     return sample_offsets(pass_.run.settings.samples);
   }
   AlphaTest alpha_test(const DrawSlot& slot, const TileBuffer& tile) const {
-    return {&pass_.resolve.draws[slot.draw], points_of(tile)};
+    return {&shade_of(slot), points_of(tile)};
   }
 
   BlendJob blend_job(const DrawSlot& slot, const TileBuffer& tile) const {
     const bool centres = &tile == buffers_.centres;
-    BlendJob job{&pass_.resolve.draws[slot.draw],
-                 centres ? &centre_planes_ : &sample_colors_,
-                 points_of(tile),
-                 nullptr,
-                 {}};
+    BlendJob job{
+        &shade_of(slot), centres ? &centre_planes_ : &sample_colors_, points_of(tile), nullptr, {}};
     if (!centres) {
       job.rows = planes_->rows();
       job.colors = job.rows.colors + (&tile - buffers_.samples.data());

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 #include <glassbox/render/engine/show.h>
 
@@ -20,14 +19,15 @@ TileRun make_run(const EyePicture& eye, const DrawList& list, const Plan& plan, 
 ShadeDraw shade_draw(const TileRun& run, const DrawSlot& slot) {
   const Draw& draw = run.list.draws[slot.draw];
   const DrawMethod& method = run.methods[slot.draw];
-  const CornerIndices& indices = draw.prepared->indices;
+  const CornerIndices& indices = *slot.indices;
   const auto or_positions = [&](const std::vector<std::uint32_t>& own) {
     return own.empty() ? indices.positions.data() : own.data();
   };
   ShadeDraw shade;
   shade.first_reference = slot.first_reference;
   shade.end_reference =
-      slot.first_reference + Reference(draw.triangulation->triangles.size()) * kReferenceStep;
+      slot.first_reference +
+      Reference(slot.draws.size() * draw.triangulation->triangles.size()) * kReferenceStep;
   shade.positions = indices.positions.data();
   shade.screen = slot.screen;
   shade.mirrored = draw.mirrored;
@@ -84,21 +84,17 @@ void prepare_plane(const PixelRect& window, bool wanted, bool clear, Pixel empty
 
 }  // namespace
 
-TilePicture::TilePicture(const EyePicture& eye, DrawList list, Plan plan, int tile_side)
-    : eye_(eye),
-      list_(std::move(list)),
-      plan_(std::move(plan)),
-      run_(make_run(eye, list_, plan_, tile_side)) {}
+TilePicture::TilePicture(const EyePicture& eye, const DrawList& list, const Plan& plan,
+                         int tile_side)
+    : eye_(eye), list_(list), plan_(plan), run_(make_run(eye, list_, plan_, tile_side)) {}
 
 void TilePicture::count_input() const {
   Statistics& statistics = eye_.statistics;
-  for (const Draw& draw : list_.draws) {
-    ++statistics.instances;
-    statistics.triangles += draw.triangulation->numbered;
-    statistics.degenerate += draw.triangulation->numbered - draw.triangulation->triangles.size();
-    statistics.lines += draw.mesh->lines.size();
-    statistics.points += draw.mesh->points.size();
-  }
+  statistics.instances = list_.draws.size();
+  statistics.triangles = list_.triangle_count;
+  statistics.degenerate = list_.degenerate;
+  statistics.lines = list_.lines;
+  statistics.points = list_.points;
   for (std::size_t i = 0; i < list_.draws.size(); ++i) {
     if (!plan_.methods[i].drawn) {
       statistics.left_out += list_.draws[i].triangulation->triangles.size();
@@ -108,12 +104,8 @@ void TilePicture::count_input() const {
 
 // Some draws write to the framebuffer themselves: staged ones, and those that are laid over what is there.
 bool TilePicture::draws_into_framebuffer() const {
-  return std::ranges::any_of(plan_.order, [&](std::uint32_t i) {
-    const Draw& draw = list_.draws[i];
-    return run_.methods[i].staged_because != nullptr ||
-           draw.material->alpha_mode == AlphaMode::kBlend || !draw.mesh->lines.empty() ||
-           !draw.mesh->points.empty();
-  });
+  return std::ranges::any_of(plan_.order,
+                             [&](std::uint32_t i) { return run_.methods[i].into_framebuffer; });
 }
 
 void TilePicture::prepare_framebuffer(bool one_round) {
@@ -142,11 +134,11 @@ void TilePicture::prepare_framebuffer(bool one_round) {
 }
 
 TilePass TilePicture::pass(const Kernels& kernels, const Round& round, bool first_round) {
-  shades_.assign(list_.draws.size(), {});
+  shades_.clear();
   by_reference_.clear();
   for (const DrawSlot& slot : round.slots) {
-    shades_[slot.draw] = shade_draw(run_, slot);
-    by_reference_.push_back(slot.draw);
+    by_reference_.push_back(std::uint32_t(shades_.size()));
+    shades_.push_back(shade_draw(run_, slot));
   }
   const auto if_there = [](auto& plane) { return plane.pixels.empty() ? nullptr : &plane; };
   const View& view = eye_.view;

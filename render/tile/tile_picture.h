@@ -12,8 +12,9 @@ namespace glassbox {
 // One eye's part in a run.
 class TilePicture {
 public:
-  TilePicture(const EyePicture& eye, DrawList list, Plan plan, int tile_side);
-  TilePicture(const TilePicture&) = delete;  // run_ refers to list_ and plan_
+  // The list and the plan must outlive it.
+  TilePicture(const EyePicture& eye, const DrawList& list, const Plan& plan, int tile_side);
+  TilePicture(const TilePicture&) = delete;  // passes refer to it
   TilePicture& operator=(const TilePicture&) = delete;
 
   const TileRun& run() const { return run_; }
@@ -35,14 +36,14 @@ private:
   bool draws_into_framebuffer() const;
 
   const EyePicture& eye_;
-  const DrawList list_;
-  const Plan plan_;
+  const DrawList& list_;
+  const Plan& plan_;
   const TileRun run_;
   bool keep_picture_ = false;         // pixels where nothing is seen have their values already
   bool overwrite_untouched_ = false;  // but for tiles that read nothing back
   bool store_depth_ = false;
   // Of the round, for its pass.
-  std::vector<ShadeDraw> shades_;
+  std::vector<ShadeDraw> shades_;  // by slot
   std::vector<std::uint32_t> by_reference_;
 };
 

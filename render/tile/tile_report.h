@@ -14,7 +14,9 @@ struct TileReport {
   std::vector<Thread> threads;  // those that took part
 
   std::uint64_t rounds = 0, tiles = 0;
-  std::uint64_t triangles = 0;        // of the draws that were drawn
+  std::uint64_t triangles = 0;  // of the draws that were drawn
+  // Draws that were drawn; and runs of them, of one mesh each, that went through the stages together.
+  std::uint64_t draws = 0, runs = 0;
   std::uint64_t list_entries = 0;     // primitives in the tiles' lists, once for each tile
   std::uint64_t large_triangles = 0;  // set up one by one
   std::uint64_t plane_bytes = 0;      // of the framebuffer's planes

@@ -6,6 +6,7 @@
 
 #include <glassbox/mesh/normals.h>
 #include <glassbox/raster/color_bounds.h>
+#include <glassbox/raster/interpolate.h>
 #include <glassbox/raster/light_formulas.h>
 #include <glassbox/render/staged/vertex_stage.h>
 
@@ -156,17 +157,6 @@ BoundedVaryings corner_varyings(const Stage& stage, const Face& face, const Corn
 }
 
 // ---- at vertices and fragments ----
-
-// mix(a, b, c) for each attribute of three places.
-template <class Mix>
-BoundedVaryings combine(const std::array<BoundedVaryings, 3>& v, const Mix& mix) {
-  return {mix(v[0].normal, v[1].normal, v[2].normal),
-          mix(v[0].position, v[1].position, v[2].position),
-          mix(v[0].diffuse, v[1].diffuse, v[2].diffuse),
-          mix(v[0].specular, v[1].specular, v[2].specular),
-          mix(v[0].color, v[1].color, v[2].color),
-          mix(v[0].texcoord, v[1].texcoord, v[2].texcoord)};
-}
 
 template <std::size_t N>
 std::array<Bounded, N> weigh(const std::array<Bounded, N>& a, const std::array<Bounded, N>& b,

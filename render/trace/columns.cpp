@@ -4,6 +4,7 @@
 #include <glassbox/raster/triangle_setup.h>
 #include <glassbox/render/engine/draw_list.h>
 #include <glassbox/render/staged/ready.h>
+#include <glassbox/render/trace/observer_pair.h>
 #include <glassbox/render/trace/reach.h>
 #include <glassbox/render/trace/tracer.h>
 
@@ -31,10 +32,10 @@ public:
     std::array<Outcode, 3> codes;
     for (std::size_t k = 0; k < 3; ++k) codes[k] = outcode(corners[k].position, stage.planes);
     const ClipVerdict verdict = trivial_verdict(codes);
-    marks_ = verdict == ClipVerdict::kAccept   ? 0
-             : verdict == ClipVerdict::kReject ? kMarkRejected
-             : polygon.count == 0              ? kMarkClippedAway
-                                               : kMarkCut;
+    marks_ = is_left_whole(corners, polygon) && verdict == ClipVerdict::kAccept ? 0
+             : polygon.count > 0                                                ? kMarkCut
+             : verdict == ClipVerdict::kReject                                  ? kMarkRejected
+                                                                                : kMarkClippedAway;
     polygon_ = &polygon;
     reaches_ = !filter_.pixels.has_value();
   }
@@ -94,6 +95,13 @@ public:
   }
 
 private:
+  // Somebody who takes part in the run may have cut what no plane cuts.
+  static bool is_left_whole(const std::array<ClipVertex, 3>& corners, const ClipPolygon& polygon) {
+    return polygon.count == 3 && polygon.vertices[0].position == corners[0].position &&
+           polygon.vertices[1].position == corners[1].position &&
+           polygon.vertices[2].position == corners[2].position;
+  }
+
   const Scene& scene_;
   const RenderSettings& settings_;
   const ColumnFilter& filter_;
@@ -108,10 +116,13 @@ private:
 }  // namespace
 
 ColumnRun record_columns(const Scene& scene, const View& view, const RenderSettings& settings,
-                         const ColumnFilter& filter) {
+                         const ColumnFilter& filter, Observer* stages) {
   ColumnRun run;
   ColumnRecorder recorder(scene, view, settings, filter, run);
-  run.rendering = render_staged(scene, view, at_centres(settings), &recorder);
+  Observer nobody;
+  ObserverPair both(stages != nullptr ? *stages : nobody, recorder);
+  Observer* const watching = stages != nullptr ? static_cast<Observer*>(&both) : &recorder;
+  run.rendering = render_staged(scene, view, at_centres(settings), watching);
   return run;
 }
 

@@ -71,7 +71,8 @@ struct ColumnRun {
   std::uint64_t fragment_count = 0;
 };
 
+// `stages`: who takes part in the run; null: nobody.
 ColumnRun record_columns(const Scene& scene, const View& view, const RenderSettings& settings,
-                         const ColumnFilter& filter);
+                         const ColumnFilter& filter, Observer* stages = nullptr);
 
 }  // namespace glassbox

@@ -69,7 +69,8 @@ struct PictureErrors {
 
   // ---- what no bound is said of ----
   std::uint64_t fragments_of_lines_and_points = 0;
-  std::uint64_t pixels_unbounded = 0;  // that they have a part in
+  // That show them. What is blended over them has a bound: the byte below is one of 256.
+  std::uint64_t pixels_unbounded = 0;
 };
 
 // Where a run's records go. What it needs of memory is a few numbers for each pixel.

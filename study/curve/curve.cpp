@@ -1,6 +1,7 @@
 #include "study/curve/curve.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -21,8 +22,9 @@ public:
       : request_(request), drawers_(*request.scene, request.view, &request.at_levels) {}
 
   Result<Curve> run() && {
-    if (const auto drawn = draw_reference(); !drawn) return tl::unexpected(drawn.error());
     Ways ways = single_turns(*request_.scene, request_.ways);
+    if (const auto fits = check_memory(ways.all); !fits) return tl::unexpected(fits.error());
+    if (const auto drawn = draw_reference(); !drawn) return tl::unexpected(drawn.error());
     curve_.left_out = std::move(ways.left_out);
     for (const Way& way : ways.all) {
       if (const auto drawn = draw(way); !drawn) return tl::unexpected(drawn.error());
@@ -42,6 +44,22 @@ public:
 private:
   void tell(const std::string& what) const {
     if (request_.phase) request_.phase(what);
+  }
+
+  // Pictures are kept, if each way has one of its own.
+  Result<void> check_memory(const std::vector<Way>& ways) {
+    const auto view = drawers_.view_of(ways.front());
+    if (!view) return tl::unexpected(view.error());
+    const std::size_t most = ways.size() + (request_.combine ? combined_turns(ways).size() : 0);
+    const Viewport& v = view->viewport;
+    const double pixels = std::abs(v.right - v.left) * std::abs(v.bottom - v.top);
+    const double bytes = double(most) * pixels * sizeof(Rgba8);
+    if (bytes <= request_.most_bytes) return {};
+    return fail(fmt::format("{} pictures", most),
+                fmt::format("they may take {:.0f} MB, and {:.0f} MB are at hand", 1e-6 * bytes,
+                            1e-6 * request_.most_bytes),
+                request_.combine ? "ask for fewer pixels (--size), or fewer ways (--quick)"
+                                 : "ask for fewer pixels (--size)");
   }
 
   // The finest level there is, shaded in each pixel unless something else was asked for.
@@ -150,7 +168,7 @@ private:
     std::vector<CurvePoint*> rivals;
     std::vector<Price> prices;
     for (CurvePoint& point : curve_.points) {
-      if (!point.way.is_timed_alone()) continue;
+      if (point.way.threads() > 1) continue;
       rivals.push_back(&point);
       prices.push_back({point.error.rms, point.ns});
     }

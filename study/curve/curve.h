@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -28,7 +29,8 @@ struct CurveRequest {
   WaysAsked ways;
   bool combine = true;  // shading, filter and samples; else each knob is turned alone
   int repetitions = 0;
-  std::function<void(const std::string&)> phase;  // told what is being done
+  double most_bytes = std::numeric_limits<double>::infinity();  // that pictures may take
+  std::function<void(const std::string&)> phase;                // told what is being done
 };
 
 struct CurvePoint {
@@ -56,7 +58,7 @@ struct Curve {
   std::vector<std::string> faults;
 };
 
-// An error where the view cannot be had, or nothing of the scene is in it.
+// An error where the view cannot be had, nothing of the scene is in it, or the pictures would not fit.
 Result<Curve> measure_curve(const CurveRequest& request);
 
 }  // namespace glassbox::study

@@ -45,8 +45,7 @@ Image<Rgba8> Drawers::draw(const Way& way) {
 std::vector<Timed> frame_times(Drawers& drawers, const std::vector<Way>& ways, int repetitions) {
   std::vector<TimedWork> works;
   for (const Way& way : ways) {
-    const int threads = way.is_timed_alone() ? 1 : way.tile.threads;
-    works.push_back({[&drawers, &way] { drawers.draw(way); }, 1, threads});
+    works.push_back({[&drawers, &way] { drawers.draw(way); }, 1, way.threads()});
   }
   return time_in_turn(works, repetitions);
 }

@@ -27,7 +27,7 @@ struct Way {
   EngineKind engine = EngineKind::kTile;
   TileOptions tile;  // one thread but where threads are what is turned
 
-  bool is_timed_alone() const { return engine == EngineKind::kStaged || tile.threads == 1; }
+  int threads() const { return engine == EngineKind::kStaged ? 1 : tile.threads; }
 };
 
 // "--shade flat --samples 4", "level 8", "as asked".

@@ -38,22 +38,19 @@ int calls_a_sample(const std::function<void()>& work) {
   return int(std::clamp(std::ceil(kLeastSample / seconds), 1.0, kMostCalls));
 }
 
-// The same work for every round: 100,000 products, each of which waits for the one before.
+// Whether the processor is slower than it was.
 class Reference {
 public:
+  explicit Reference(const std::function<double()>& seconds) : seconds_(seconds) {}
+
   bool is_slower() {
-    const double seconds = seconds_of([this] { run(); }, 1).processor;
+    const double seconds = seconds_();
     least_ = std::min(least_, seconds);
     return seconds > kMostSlower * least_;
   }
 
 private:
-  void run() {
-    float x = result_;
-    for (int i = 0; i < 100000; ++i) x = x * 0.999f + 0.001f;
-    result_ = x;
-  }
-  volatile float result_ = 2;
+  const std::function<double()>& seconds_;
   double least_ = std::numeric_limits<double>::infinity();
 };
 
@@ -72,13 +69,26 @@ struct Samples {
 
 }  // namespace
 
-std::vector<Timed> time_in_turn(const std::vector<TimedWork>& works, int repetitions) {
+double seconds_of_products() {
+  volatile float result = 2;
+  return seconds_of(
+             [&result] {
+               float x = result;
+               for (int i = 0; i < 100000; ++i) x = x * 0.999f + 0.001f;
+               result = x;
+             },
+             1)
+      .processor;
+}
+
+std::vector<Timed> time_in_turn(const std::vector<TimedWork>& works, int repetitions,
+                                const std::function<double()>& reference_seconds) {
   std::vector<int> calls;
   for (const TimedWork& each : works) calls.push_back(calls_a_sample(each.work));
   const auto wanted = std::size_t(repetitions);
   std::vector<Samples> samples(works.size());
   const auto is_done = [&](const Samples& of) { return of.steady.size() >= wanted; };
-  Reference reference;
+  Reference reference(reference_seconds);
   for (std::size_t round = 0; round < 2 * wanted; ++round) {
     if (std::ranges::all_of(samples, is_done)) break;
     const bool slower = reference.is_slower();

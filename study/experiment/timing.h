@@ -21,14 +21,21 @@ struct Timed {
   int disturbed = 0;
 };
 
+// The reference: the processor's seconds for 100,000 products, each of which waits for the one before.
+double seconds_of_products();
+
 // Each once without a clock, then `repetitions` rounds over all of them, each round beginning one further on, so that
 // nobody always runs behind the same neighbour. A work shorter than kLeastSample is called several times a sample.
 //
 // One thread's time is the processor's: what others take meanwhile is not in it. Where the clock on the wall went on for more
 // than kMostWaiting beyond it, the thread had to wait, and finds its caches changed: the sample is disturbed. So is a round
-// in which a reference, a fixed sum of products, takes kMostSlower of its least time: the processor itself was slower. Up to
+// in which the reference takes kMostSlower of its least time: the processor itself was slower. Up to
 // as many rounds again replace disturbed samples. Several threads' time is the wall's, which only the reference can judge.
-std::vector<Timed> time_in_turn(const std::vector<TimedWork>& works, int repetitions);
+std::vector<Timed> time_in_turn(const std::vector<TimedWork>& works, int repetitions,
+                                const std::function<double()>& reference_seconds);
+inline std::vector<Timed> time_in_turn(const std::vector<TimedWork>& works, int repetitions) {
+  return time_in_turn(works, repetitions, seconds_of_products);
+}
 
 inline constexpr double kLeastSample = 2e-4;  // seconds; a clock's reading takes some 5e-8
 inline constexpr double kMostWaiting = 0.05;  // of the sample

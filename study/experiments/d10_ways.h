@@ -34,8 +34,8 @@ inline std::shared_ptr<const Eyes> make_eyes(Scene scene, const View& centre,
   eyes->left = eye_view(centre, pair, Side::kLeft),
   eyes->right = eye_view(centre, pair, Side::kRight);
   eyes->list = make_draw_list(eyes->scene, eyes->prepared, centre);
-  eyes->left_draws = draws_of_other_eye(eyes->list.draws, eyes->scene, eyes->left);
-  eyes->right_draws = draws_of_other_eye(eyes->list.draws, eyes->scene, eyes->right);
+  eyes->left_draws = draws_of_other_eye(eyes->list.draws, eyes->left);
+  eyes->right_draws = draws_of_other_eye(eyes->list.draws, eyes->right);
   for (std::size_t i = 0; i < eyes->list.draws.size(); ++i) {
     eyes->centre_clip.push_back(project_vertices(eyes->list.draws[i], centre));
     eyes->left_clip.push_back(project_vertices(eyes->left_draws[i], eyes->left));

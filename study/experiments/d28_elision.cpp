@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <string>
 #include <variant>
 
 #include <glassbox/base/trig.h>
@@ -86,6 +87,14 @@ std::shared_ptr<Planned> cut_teapot() {
 std::shared_ptr<Planned> behind_a_wall() {
   BenchScene bench = make_real_scene("R11", kWidth, kHeight).value();
   return make("100 spheres behind a wall", std::move(bench.scene), bench.passes.front().view, {});
+}
+
+// R10, smaller: cubes beside and behind each other.
+std::shared_ptr<Planned> many_cubes(int cubes) {
+  BenchScene bench = make_real_scene("R10", kWidth, kHeight).value();
+  bench.scene.instances.resize(std::size_t(cubes));
+  return make(std::to_string(cubes) + " cubes", std::move(bench.scene), bench.passes.front().view,
+              {});
 }
 
 // 64 quads with one colour each, parallel and back to front, each an object of its own.
@@ -188,9 +197,11 @@ std::vector<OneDecision> decisions_on_scenes(Effort effort) {
   const auto aside = forest_aside();
   const auto room = builtin("room", "room", {});
   const auto quads = parallel_quads();
+  const auto cubes = many_cubes(effort == Effort::kQuick ? 2000 : 20000);
   return {{"objects outside the picture", plan_only<take_outside>, {aside, teapot}},
           {"hidden objects", plan_only<take_hidden>, {behind_a_wall(), teapot}},
           {"clusters out of sight", plan_only<take_clusters>, {teapot, quads}},
+          {"draws by themselves", plan_only<take_runs>, {cubes, teapot}},
           {"plane tests", plan_only<take_plane_tests>, {teapot, cut_teapot()}},
           {"divide by w", plan_only<take_divide>, {quads, teapot}},
           {"normals", plan_only<take_normals>, {quads, teapot}},
@@ -200,7 +211,7 @@ std::vector<OneDecision> decisions_on_scenes(Effort effort) {
           {"channels", plan_only<take_channels>, {red, teapot}},
           {"read back", plan_only<take_read_back>, {teapot, red}},
           {"depth plane", plan_only<take_depth>, {teapot, depth}},
-          {"all of them", make_plans, {teapot, depth, red, aside, forest, room, quads}}};
+          {"all of them", make_plans, {teapot, depth, red, aside, forest, room, quads, cubes}}};
 }
 
 std::vector<Configuration> configurations(Effort effort) {

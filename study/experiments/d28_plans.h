@@ -42,6 +42,11 @@ inline void take_clusters(const Plan& with, Plan& plan) {
     to.no_clusters_because = from.no_clusters_because;
   });
 }
+inline void take_runs(const Plan& with, Plan& plan) {
+  for_methods(with, plan, [](const DrawMethod& from, DrawMethod& to) {
+    to.alone_because = from.alone_because;
+  });
+}
 inline void take_plane_tests(const Plan& with, Plan& plan) {
   for_methods(with, plan,
               [](const DrawMethod& from, DrawMethod& to) { to.test_planes = from.test_planes; });

@@ -14,6 +14,7 @@
 #include <glassbox/render/trace/bounds.h>
 #include <glassbox/render/trace/tracer.h>
 
+#include "study/stiffness/kinds.h"
 #include "study/stiffness/numbers.h"
 
 namespace glassbox::study {
@@ -24,11 +25,13 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // The worst of one kind.
 struct Worst {
-  double condition = 0, bound = 0, pixels = 0;
+  double condition = 0, bound = 0;
+  std::optional<double> pixels;
   std::optional<StiffPlace> place;
 
   // Ordered by the bound, then by the condition; of equal ones the first stays.
-  void see(double bound_here, double condition_here, double pixels_here, const StiffPlace& where) {
+  void see(double bound_here, double condition_here, std::optional<double> pixels_here,
+           const StiffPlace& where) {
     const bool worse = bound_here > bound || (bound_here == bound && condition_here > condition);
     if (place && !worse) return;
     *this = {condition_here, bound_here, pixels_here, where};
@@ -91,12 +94,12 @@ public:
     const FragmentBounds bounds = bounds_of(*known, fragment);
     see_test(fragment, bounds.depth);
     if (fragment.fate == Fate::kHidden) return;
+    if (!view_.perspective) return;
     const StiffPlace where{fragment.instance, fragment.source.number, {}, {}, place.x, place.y};
     const double w = 1 / double(place.inverse_w);
     nearest_ = std::min(nearest_, w);
     farthest_ = std::max(farthest_, w);
-    inverse_w_.see(bounds.inverse_w * w, 0, 0, where);
-    if (!view_.perspective) return;
+    inverse_w_.see(bounds.inverse_w * w, 0, {}, where);
     const double own = 8 * unit_roundoff<float> * std::abs(double(place.depth));
     const double share =
         depth_share(view_, settings_.depth, place.depth, w, std::max(0.0, bounds.depth - own));
@@ -105,12 +108,14 @@ public:
 
   Stiffness finish(const std::optional<Vector<World, double>>& up) const {
     Stiffness found;
-    add_depth(found);
-    add_inverse_w(found);
-    add_divide(found);
-    add_offset(found);
-    add_sliver(found);
-    add_texcoord(found);
+    Worst inverse_w = inverse_w_;
+    inverse_w.condition = farthest_ / nearest_;
+    add(StiffKind::kDepth, depth_, found, tests_in_doubt_);
+    add(StiffKind::kInverseW, inverse_w, found);
+    add(StiffKind::kDivide, divide_, found);
+    add(StiffKind::kOffset, offset_, found);
+    add(StiffKind::kSliver, sliver_, found);
+    add(StiffKind::kTexcoord, texcoord_, found);
     if (up) add_up(*up, found);
     add_left_out(up.has_value(), found);
     return found;
@@ -159,7 +164,7 @@ private:
     const auto& [u, v] = mesh.texcoords[corner.texcoord];
     const double off =
         std::max(half_ulp_in_texels(u, image.width), half_ulp_in_texels(v, image.height));
-    texcoord_.see(off, std::max(std::abs(double(u)), std::abs(double(v))), 0, where);
+    texcoord_.see(off, std::max(std::abs(double(u)), std::abs(double(v))), {}, where);
   }
 
   void see_piece(const TracedTriangle& triangle, const TriangleBounds& bounds,
@@ -175,132 +180,33 @@ private:
     }
     // Snapping moves by up to half a step, and the float place is `moved` from the exact one.
     constexpr double kHalfStep = 0.5 / kSubpixels;
-    sliver_.see(sliver_share(exact, moved + kHalfStep), sliver_factor(exact), 0,
+    sliver_.see(sliver_share(exact, moved + kHalfStep), sliver_factor(exact), {},
                 {triangle.instance, triangle.number, {}, {}, -1, -1});
   }
 
   // ---- saying ----
 
-  void add_depth(Stiffness& found) const {
-    if (!depth_.place) return;
-    found.numbers.push_back(
-        {.key = "far-over-near",
-         .name = "far over near",
-         .condition = depth_.condition,
-         .bound = depth_.bound,
-         .unit = "of distance",
-         .pixels = depth_.pixels,
-         .formula =
-             "s/(1 - s), s = z (f - n)/(f n) dd; dd of vertices, 8 u d, half a step of the format",
-         .source = "SPEC C, generic bound 8; C-10, C-56",
-         .place = depth_.place,
-         .tests_in_doubt = tests_in_doubt_,
-         .advice = "move the near plane away from the eye (--near), or store reversed depth "
-                   "(--depth d32r)"});
-  }
-
-  void add_inverse_w(Stiffness& found) const {
-    if (!inverse_w_.place || !view_.perspective) return;
-    found.numbers.push_back(
-        {.key = "range-of-w",
-         .name = "farthest over nearest seen",
-         .condition = farthest_ / nearest_,
-         .bound = inverse_w_.bound,
-         .unit = "of 1/w",
-         .pixels = {},
-         .formula = "7 u and the vertices' own; weights and attributes inherit it",
-         .source = "SPEC C, generic bound 5; C-33, C-66",
-         .place = inverse_w_.place,
-         .tests_in_doubt = {},
-         .advice = "split large triangles that reach from beside the eye to the distance, or move "
-                   "the near plane away from the eye (--near)"});
-  }
-
-  void add_divide(Stiffness& found) const {
-    if (!divide_.place) return;
-    found.numbers.push_back(
-        {.key = "divide",
-         .name = "transform and divide",
-         .condition = divide_.condition,
-         .bound = divide_.bound,
-         .unit = "px",
-         .pixels = divide_.pixels,
-         .formula = "(W/2)(dx + |x/w| dw)/(w - dw) + 2 u (|W/2 x| + |c|), dx = gamma_4 |M||p|",
-         .source = "SPEC C, generic bounds 1 to 3; C-13",
-         .place = divide_.place,
-         .tests_in_doubt = {},
-         .advice = "keep meshes near their own origins, and what is drawn away from the plane of "
-                   "the eye"});
-  }
-
-  void add_offset(Stiffness& found) const {
-    if (!offset_.place) return;
-    found.numbers.push_back(
-        {.key = "offset-over-size",
-         .name = "offset over size",
-         .condition = offset_.condition,
-         .bound = offset_.bound,
-         .unit = "px",
-         .pixels = offset_.pixels,
-         .formula =
-             "(W/2)(|M_x| + |x/w| |M_w|) dp/(w - |M_w| dp), dp half a unit in the last place of p",
-         .source = "SPEC C-13, C-14",
-         .place = offset_.place,
-         .tests_in_doubt = {},
-         .advice =
-             "the file's coordinates are rounded that far: write them relative to a point near "
-             "the mesh, and put the offset into the node"});
-  }
-
-  void add_sliver(Stiffness& found) const {
-    if (!sliver_.place) return;
-    found.numbers.push_back(
-        {.key = "sliver",
-         .name = "sliver, longest side over height",
-         .condition = sliver_.condition,
-         .bound = sliver_.bound,
-         .unit = "of range",
-         .pixels = {},
-         .formula =
-             "d/(h - 2 d), h the height on the screen, d = sqrt 2 (1/512 px and the vertex's own)",
-         .source = "SPEC C, generic bound 5; C-47",
-         .place = sliver_.place,
-         .tests_in_doubt = {},
-         .advice = "colours within that triangle may be those of its other end; where it matters, "
-                   "remesh it, or draw more pixels (--size)"});
-  }
-
-  void add_texcoord(Stiffness& found) const {
-    if (!texcoord_.place) return;
-    found.numbers.push_back(
-        {.key = "texture-coordinates",
-         .name = "largest texture coordinate",
-         .condition = texcoord_.condition,
-         .bound = texcoord_.bound,
-         .unit = "texels",
-         .pixels = {},
-         .formula = "half a unit in the last place of u, times the side in texels",
-         .source = "SPEC C-67",
-         .place = texcoord_.place,
-         .tests_in_doubt = {},
-         .advice = "subtract whole repeats from the texture coordinates of each face"});
+  // Those of which something was seen.
+  static void add(StiffKind kind, const Worst& worst, Stiffness& found,
+                  std::optional<std::uint64_t> tests_in_doubt = {}) {
+    if (!worst.place) return;
+    StiffNumber number = number_of(kind);
+    number.condition = worst.condition;
+    number.bound = worst.bound;
+    number.pixels = worst.pixels;
+    number.place = worst.place;
+    number.tests_in_doubt = tests_in_doubt;
+    found.numbers.push_back(std::move(number));
   }
 
   void add_up(const Vector<World, double>& up, Stiffness& found) const {
     const Transform<Eye, World>& m = view_.eye_from_world;
     const UpAngle angle = up_angle({-m.at(2, 0), -m.at(2, 1), -m.at(2, 2)}, up, view_);
-    found.numbers.push_back(
-        {.key = "up",
-         .name = "1/sine of the angle to up",
-         .condition = 1 / angle.sine,
-         .bound = angle.pixels,
-         .unit = "px",
-         .pixels = angle.pixels,
-         .formula = "3 (8 + 4/sine) 2^-53 F (1 + (d/F)^2), at the picture's corners",
-         .source = "SPEC C-01",
-         .place = {},
-         .tests_in_doubt = {},
-         .advice = "give an --up that is further from the gaze"});
+    StiffNumber number = number_of(StiffKind::kUp);
+    number.condition = 1 / angle.sine;
+    number.bound = angle.pixels;
+    number.pixels = angle.pixels;
+    found.numbers.push_back(std::move(number));
   }
 
   void add_left_out(bool has_up, Stiffness& found) const {

@@ -36,6 +36,9 @@ const std::vector<Lines> kRunElsewhere{
     {"docs/grading.md", "", "compiles submissions; tests/labs/grading"},
     {"docs/labs.md", "glassbox lab check", "compiles a lab; tests/labs/framework"},
     {"docs/labs.md", "glassbox lab watch", "does not end; tests/labs/framework"},
+    {"docs/labs.md", "glassbox lab render",
+     "compiles a lab; tests/labs/drawing, and the handouts' own"},
+    {"docs/labs.md", "glassbox lab stiff", "compiles a lab; tests/labs/drawing"},
     {"docs/metrics.md", "glassbox diff REFERENCE TEST", "with two files, below"},
     {"docs/study.md", "glassbox study run --resume", "20 minutes"},
     {"docs/study.md", "glassbox study report --from", "of the line above it"},
@@ -58,6 +61,7 @@ struct Ends {
 };
 const std::vector<Ends> kEnds{
     {{"docs/command_line.md", "glassbox render teapot --sise", "a slip"}, 2},
+    {{"docs/labs.md", "glassbox lab quiz 2 TTT", "not all of them are true"}, 1},
     {{"docs/command_line.md", "glassbox rendr", "a slip"}, 2},
     {{"docs/command_line.md", "glassbox render teapot --size 8x8 -o .", "a folder"}, 2},
     {{"docs/diff.md", "glassbox diff images/golden/shade-gouraud", "the pictures differ"}, 1},

@@ -42,10 +42,10 @@ plant(raster/lanes/select-inl.h [[job.mirrored ? clockwise : counter]] [[counter
 plant(raster/lanes/select-inl.h [[small >= high]] [[small >= wide]] C-50 "a high triangle is taken for a small one, and its edges overflow")
 plant(raster/lanes/small_triangles-inl.h [[e2 > above2 && e0 > above0]] [[e2 > above2]] C-43 "one edge is not asked")
 plant(raster/lanes/small_triangles-inl.h [[covered && code < stored]] [[covered && !(stored < code)]] C-58 "equal depths pass, of small triangles")
-plant(raster/lanes/small_triangles-inl.h [[shifted_right<2>(px1 + 3)]] [[shifted_right<2>(px1 + 2)]] C-52 "a quad of which one column is reached is left out")
-plant(raster/lanes/small_triangles-inl.h [[first_pixel(load(s.left + at) - point.x)]] [[first_pixel(load(s.left + at) - point.x) + 4]] C-43 "small triangles begin a quad late")
+plant(raster/lanes/small_setups-inl.h [[shifted_right<2>(px1 + 3)]] [[shifted_right<2>(px1 + 2)]] C-52 "a quad of which one column is reached is left out")
+plant(raster/lanes/small_setups-inl.h [[first_pixel(load(s.left + at) - point.x)]] [[first_pixel(load(s.left + at) - point.x) + 4]] C-43 "small triangles begin a quad late")
 plant(raster/lanes/small_triangles-inl.h [[kNearestTileDepth]] [[pixels.blocks[block].nearest]] C-56 "a block does not learn that a small triangle came to it")
-plant(raster/lanes/small_triangles-inl.h [=[z[1] - z[0]]=] [=[z[2] - z[0]]=] C-57 "one vertex has another's depth, of small triangles")
+plant(raster/lanes/small_setups-inl.h [=[z[1] - z[0]]=] [=[z[2] - z[0]]=] C-57 "one vertex has another's depth, of small triangles")
 
 # ---- large triangles: tiles and blocks ----
 plant(raster/lanes/large_triangles-inl.h [[first + e.above * (side - 1) < e.least]] [[first + e.above * (side - 1) <= e.least]] C-53 "a block that an edge touches in a corner is given up")
@@ -65,20 +65,20 @@ plant(raster/lanes/blocks-inl.h [=[triangle.depth[1] - triangle.depth[0]]=] [=[t
 plant(raster/lanes/blocks-inl.h [[y + (quad / 2) * kQuadSide]] [[y]] C-56 "a plain block that is filled in has its upper half twice")
 
 # ---- colours ----
-plant(raster/lanes/sources-inl.h [[draw->w_is_one]] [[true]] C-65 "affine weights, of small triangles")
-plant(raster/lanes/sources-inl.h [[setup.affine]] [[true]] C-65 "affine weights, of large triangles")
-plant(raster/lanes/sources-inl.h [[edge_at_pixel(setup.edges[1], x, y)]] [[edge_at_pixel(setup.edges[1], x + 1, y)]] C-65 "attributes of large triangles are those of the next pixel")
+plant(raster/lanes/small_source-inl.h [[draw->w_is_one]] [[true]] C-65 "affine weights, of small triangles")
+plant(raster/lanes/large_source-inl.h [[setup.affine]] [[true]] C-65 "affine weights, of large triangles")
+plant(raster/lanes/large_source-inl.h [[edge_at_pixel(setup.edges[1], x, y)]] [[edge_at_pixel(setup.edges[1], x + 1, y)]] C-65 "attributes of large triangles are those of the next pixel")
 plant(raster/lanes/alpha-inl.h [[byte & 255]] [[byte & 127]] C-50 "the table of blended bytes is asked for half of them")
 
 # ---- tiles and the plan ----
 plant(render/tile/chunks.cpp [[tile(seen.x0)]] [[tile(seen.x0 + 1)]] C-53 "a large triangle does not reach the tile in whose last column it begins")
-plant(render/tile/chunks.cpp [[x <= e.x1]] [[x < std::max<int>(e.x1, e.x0 + 1)]] C-53 "a triangle does not reach the last of several tiles")
+plant(render/tile/chunks.cpp [[x < own.x1]] [[x < std::max(own.x1 - 1, own.x0 + 1)]] C-53 "a triangle does not reach the last of several tiles")
 plant(render/tile/chunks.cpp [[method.texture || method.emission_texture || !equal(&Varyings::color)]] [[!equal(&Varyings::color)]] C-68 "a textured triangle is taken for one of one colour")
 plant(render/plan/box_place.cpp [[greatest < 0 && place.outside_of == nullptr]] [[least < 0 && place.outside_of == nullptr]] C-42 "a draw that is partly outside is left out")
 plant(render/plan/cluster_cull.cpp [[edge.over(centre, half).greatest < 0]] [[edge.over(centre, half).least < 0]] C-42 "a cluster that is partly outside is left out")
 plant(render/plan/depth_cover.cpp [[edge.covers(first + left_end + upper_end)]] [[edge.covers(first + right_end + lower_end)]] C-42 "a cell that is partly covered counts as covered")
 plant(render/plan/depth_cover.cpp [[nearest < cells[y * across_ + x].farthest]] [[false]] C-42 "what reaches the picture counts as hidden")
-plant(render/plan/hidden_draws.cpp [[depth_codes(draw, eye_.view, eye_.settings.depth).nearest]] [[depth_codes(draw, eye_.view, eye_.settings.depth).farthest]] C-42 "a draw is hidden where its farthest point is")
+plant(render/plan/hidden_draws.cpp [[codes.nearest]] [[codes.farthest]] C-42 "a draw is hidden where its farthest point is")
 plant(render/plan/draw_order.h [[later.farthest < earlier.nearest]] [[later.nearest < earlier.nearest]] C-57 "a draw overtakes one with which it shares a depth")
 plant(render/engine/object_cull.cpp [[8 * s * edge_px + 8 * s * s]] [[0.0]] C-29 "culling before the snap has no margin for it")
 

@@ -248,14 +248,15 @@ TEST_CASE("CMake is told everywhere which build program to use: its own choice m
 TEST_CASE("the sources that start programs by themselves are those that are known") {
   // What each starts: itself again, or what its caller or the table names.
   const Words known{
-      "labs/framework/process.cpp",         // the compiler, the runner that it has made, gnuplot
-      "labs/grading/class.cpp",             // itself, for each submission
-      "labs/grading/process.cpp",           // bwrap, the compiler, the runner
-      "study/bench/peer_process.cpp",       // itself, as a peer
-      "tests/app/step_prompt_test.cpp",     // the program, on a pseudo-terminal
-      "tests/labs/grading/class_test.cpp",  // parallel
-      "tests/report/junit_test.cpp",        // xmllint
-      "tests/support/run_program.h",        // what its callers name
+      "labs/framework/process.cpp",           // the compiler, the runner that it has made, gnuplot
+      "labs/grading/class.cpp",               // itself, for each submission
+      "labs/grading/process.cpp",             // bwrap, the compiler, the runner
+      "study/bench/peer_process.cpp",         // itself, as a peer
+      "tests/app/step_prompt_test.cpp",       // the program, on a pseudo-terminal
+      "tests/labs/drawing/command_test.cpp",  // the program, which is ended
+      "tests/labs/grading/class_test.cpp",    // parallel
+      "tests/report/junit_test.cpp",          // xmllint
+      "tests/support/run_program.h",          // what its callers name
   };
   Words found;
   for (const std::string& file : sources()) {

@@ -11,15 +11,14 @@ std::string curve_csv(const CurveReport& report) {
       "ns_upper,disturbed,standing,machine,compiler,flags,version\n";
   const study::Origin& from = report.origin;
   for (const study::CurvePoint& point : report.curve.points) {
-    const bool tiles = point.way.engine == EngineKind::kTile;
     text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
                         csv_field(report.scene), report.size.width, report.size.height,
                         csv_field(name_of(point.way)), name_of(point.way.knob), point.error.rms,
                         point.error.largest, point.error.wrong, point.error.flip, point.depth_error,
-                        tiles ? point.way.tile.threads : 1, point.ns.median, point.ns.lower,
-                        point.ns.upper, point.disturbed,
-                        point.standing ? name_of(*point.standing) : "", csv_field(from.machine),
-                        csv_field(from.compiler), csv_field(from.flags), csv_field(from.version));
+                        point.way.threads(), point.ns.median, point.ns.lower, point.ns.upper,
+                        point.disturbed, point.standing ? name_of(*point.standing) : "",
+                        csv_field(from.machine), csv_field(from.compiler), csv_field(from.flags),
+                        csv_field(from.version));
   }
   return text;
 }

@@ -16,10 +16,6 @@ std::string scene_of(const CurveReport& report, const study::Way& way) {
   return report.scene.substr(0, report.scene.find(':')) + ":" + std::to_string(*way.level);
 }
 
-bool has_threads(const study::Way& way) {
-  return way.engine == EngineKind::kTile;
-}
-
 Json point_json(const CurveReport& report, const CurvePoint& point) {
   Json json{{"name", name_of(point.way)},
             {"knob", name_of(point.way.knob)},
@@ -30,7 +26,7 @@ Json point_json(const CurveReport& report, const CurvePoint& point) {
             {"wrong", point.error.wrong},
             {"flip", point.error.flip},
             {"depth_error", study::number_json(point.depth_error)},
-            {"threads", has_threads(point.way) ? point.way.tile.threads : 1},
+            {"threads", point.way.threads()},
             {"ns", point.ns.median},
             {"ns_quartiles", {point.ns.lower, point.ns.upper}},
             {"disturbed", point.disturbed},
@@ -44,7 +40,7 @@ Json point_json(const CurveReport& report, const CurvePoint& point) {
 std::string command_of(const CurveReport& report, const CurvePoint& point) {
   if (report.scene == "-") return {};  // nobody has what came through a pipe
   std::vector<std::string> own = point.way.options;
-  if (has_threads(point.way) && point.way.tile.threads == 1)
+  if (point.way.engine == EngineKind::kTile && point.way.threads() == 1)
     own.insert(own.end(), {"--threads", "1"});
   return shell_line({{"render", scene_of(report, point.way)}, report.words, own});
 }

@@ -102,6 +102,16 @@ TEST_CASE(
   CHECK(json["tests"][0]["status"] == "not built");
 }
 
+TEST_CASE("a started folder's handout explains the codes that it cites") {
+  const Desk desk;
+  REQUIRE(desk.run({"lab", "start", "5", "mine"}).exit_code == 0);
+  const std::string handout = read_text_file(desk.path / "mine/handout.md").value();
+  CHECK(handout.find("\n| E16 | ") != std::string::npos);
+  CHECK(handout.find("\n| B.1 | ") != std::string::npos);
+  CHECK(handout.find("\n| B.11 | ") == std::string::npos);
+  CHECK(handout.find("\n| E1 | ") == std::string::npos);
+}
+
 TEST_CASE("a started folder builds with no program but the named ones: Ninja or make") {
   const Desk desk;
   const std::string preset = GENERATE("ninja", "make");

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "labs/framework/compare.h"
+#include "labs/framework/divergence_text.h"
 #include "tests/support/catch.h"
 
 using namespace glassbox::labs;
@@ -103,4 +104,21 @@ TEST_CASE("a case's own judge stands in place of the comparison") {
   CHECK(judge_case(input, answer));
   input.judge = [](const Answer&) { return std::nullopt; };
   CHECK_FALSE(judge_case(input, answer));
+}
+
+TEST_CASE("ulps are those of the numbers' own format, and of what is counted there are none") {
+  const auto text_of = [](const Expected& expected, double actual) {
+    const auto found = compare(expected, std::vector<double>{actual}).first;
+    REQUIRE(found);
+    return expected_text(*found) + "; " + distance_text(*found);
+  };
+  CHECK(text_of(numbers("f", {1}, 1e-6), 1 + 0x1p-18) ==
+        "1; 3.8147e-06, 32 float ulps; at most 1e-06 is allowed");
+  CHECK(text_of(numbers("f", {1}, 1e-15), 1 + 0x1p-48) ==
+        "1; 3.55271e-15, 16 double ulps; at most 1e-15 is allowed");
+  CHECK(text_of(numbers("f", {3}), 2) == "3; 1; it must be exact");
+  CHECK(text_of(numbers("f", {1}, 1e-15), -1) == "1; 2; at most 1e-15 is allowed");
+  // The judge's own rounding is not shown as an expected number.
+  CHECK(text_of(numbers("f", {4.44e-16}, 1e-15, "px"), 0.25) ==
+        "0; 0.25 px; at most 1e-15 is allowed");
 }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "labs/framework/judge.h"
+#include "labs/framework/points.h"
 #include "labs/framework/process.h"
 #include "labs/framework/run_check.h"
 #include "tests/support/catch.h"
@@ -138,14 +139,18 @@ TEST_CASE("a program that is not there is no answer") {
   CHECK(answers.cases[0].text.find("could not be started") != std::string::npos);
 }
 
-TEST_CASE("points are shared by the cases of a task's checks, hidden ones too") {
+TEST_CASE("a task's points are shared by its checks, and a check's by its cases") {
   Lab lab;
   lab.tasks = {{"1.1", "first", 6}, {"1.2", "second", 4}};
   lab.checks.resize(3);
   lab.checks[0].task = lab.checks[1].task = "1.1";
   lab.checks[2].task = "1.2";
-  CHECK(points_of_case(lab, {2, 4, 8}, "1.1") == 1);
-  CHECK(points_of_case(lab, {2, 4, 8}, "1.2") == 0.5);
+  CHECK(points_of_case(lab, lab.checks[0], 2) == 1.5);
+  CHECK(points_of_case(lab, lab.checks[1], 4) == 0.75);
+  CHECK(points_of_case(lab, lab.checks[2], 8) == 0.5);
+  lab.checks[1].weight = 2;
+  CHECK(points_of_case(lab, lab.checks[0], 2) == 1);
+  CHECK(points_of_case(lab, lab.checks[1], 4) == 1);
 
   lab.checks[0].name = "visible";
   CheckAnswers answers;

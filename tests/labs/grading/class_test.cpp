@@ -76,10 +76,9 @@ TEST_CASE("partial credit is per case") {
         submission("return x > 0 ? 2 * x : 0;", "return x == 8 ? 0 : 1 / x;"));
   REQUIRE(grader(for_one("ann"), place.path).exit_code == 0);
   const auto results = read_json(place.path / "ann.json");
-  CHECK(results.at("score") == 3 + 3 * 0.75 + 3 * 0.75);
+  CHECK(total(results) == 3 + 3 * 0.75 + 3 * 0.75);
   CHECK(results.at("tests")[0].at("score") == 3);
   CHECK(results.at("tests")[1].at("extra_data").at("right") == 3);
-  CHECK(results.at("tests")[2].at("visibility") == "after_published");
 }
 
 TEST_CASE("GNU parallel grades over a hundred submissions as the class is") {
@@ -114,7 +113,7 @@ TEST_CASE("results.json is valid, and gives no points, when a grading is killed"
   CHECK(grader(for_one("slow"), place.path, kill_soon).exit_code == 128 + SIGKILL);
   const auto results = read_json(place.path / "slow.json");
   REQUIRE(results.is_object());
-  CHECK(results.at("score") == 0);
+  CHECK(total(results) == 0);
   CHECK(results.at("extra_data").at("outcome") == "grading did not finish");
 }
 
@@ -140,7 +139,7 @@ TEST_CASE(
   CHECK(outcome("large") == "file refused");
   CHECK(outcome("nothing") == "missing file");
   CHECK(outcome("unpacked") == "graded");
-  CHECK_FALSE(fs::exists(place.path / "results/folder-link"));
+  CHECK(outcome("folder-link") == "file refused");
 }
 
 TEST_CASE("the lab is known by student.h in a submission, and asked for where there is none") {
@@ -152,7 +151,7 @@ TEST_CASE("the lab is known by student.h in a submission, and asked for where th
   fs::copy_file(fs::path(TINY_SOLUTION).parent_path() / "student.h",
                 place.path / "class/ann/student.h");
   CHECK(grader({"grade", "class", "-o", "results"}, place.path).exit_code == 0);
-  CHECK(read_json(place.path / "results/ann/results.json").at("score") == 10);
+  CHECK(total(read_json(place.path / "results/ann/results.json")) == 10);
 }
 
 }  // namespace glassbox::test

@@ -1,5 +1,8 @@
 #include "labs/grading/autograder.h"
 
+#include <set>
+#include <sstream>
+
 #include "tests/labs/grading/grading.h"
 #include "tests/labs/grading/tiny_lab.h"
 #include "tests/support/catch.h"
@@ -56,6 +59,25 @@ TEST_CASE(
   CHECK(launcher);
 }
 
+TEST_CASE("autograder.zip has every folder that the build of its sources enters") {
+  std::set<std::string> folders;
+  for (const labs::ZipEntry& entry : archive()) {
+    const std::string path = entry.path;
+    if (path.starts_with("glassbox/")) folders.insert(path.substr(9, path.find('/', 9) - 9));
+  }
+  std::istringstream lines(read(fs::path(GLASSBOX_SOURCE_DIR) / "CMakeLists.txt"));
+  std::size_t entered = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const std::string call = "add_subdirectory(";
+    if (!line.starts_with(call)) continue;  // tests/ is entered on a condition
+    ++entered;
+    INFO(line);
+    CHECK(folders.count(line.substr(call.size(), line.find(')') - call.size())) == 1);
+  }
+  CHECK(entered >= 10);
+  CHECK(folders.count("include") == 1);
+}
+
 TEST_CASE("run_autograder grades /autograder/submission into /autograder/results/results.json") {
   const Place place;
   unpack(place.path, archive());
@@ -66,7 +88,7 @@ TEST_CASE("run_autograder grades /autograder/submission into /autograder/results
   CHECK(outcome.exit_code == 0);
   const auto results = read_json(place.path / "results/results.json");
   REQUIRE(results.is_object());
-  CHECK(results.at("score") == 4);
+  CHECK(total(results) == 4);
   CHECK(results.at("tests").size() == 3);
 }
 
@@ -77,7 +99,7 @@ TEST_CASE("run_autograder leaves a valid results.json where the program cannot e
   run_autograder(place.path);
   const auto results = read_json(place.path / "results/results.json");
   REQUIRE(results.is_object());
-  CHECK(results.at("score") == 0);
+  CHECK(total(results) == 0);
 }
 
 }  // namespace glassbox::test

@@ -11,10 +11,9 @@ using namespace labs::grading;
 
 TEST_CASE("results.json has Gradescope's fields, in its types and with its words") {
   const auto json = gradescope_json(nothing_yet(tiny_labs()[0], "compile error"), "a sandbox");
-  CHECK(json.at("score").is_number());
   CHECK(json.at("output").is_string());
   CHECK(json.at("output_format") == "text");
-  CHECK(json.at("visibility") == "visible");
+  CHECK_FALSE(json.contains("score"));  // Gradescope adds up the tests
   CHECK(json.at("stdout_visibility") == "hidden");
   CHECK(json.at("extra_data").is_object());
   REQUIRE(json.at("tests").size() == 3);

@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
   int exit_code = app::kSuccess;
   // TINY_LABS: a folder with this lab's files and those of the framework.
   app::LabGradeCommand grade(test::tiny_labs, [] {
-    return Result<labs::Sources>(labs::Sources{TINY_LABS, TINY_INCLUDE});
+    return Result<labs::Sources>(labs::Sources{TINY_LABS, TINY_INCLUDE, {}});
   });
   grade.add_to(lab, exit_code);
   try {

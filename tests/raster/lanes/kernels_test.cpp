@@ -288,6 +288,69 @@ TEST_CASE("a tile holds the nearest depths of the triangles drawn into it, small
   }
 }
 
+TEST_CASE("of small triangles at a pixel the nearest is seen, and of equally near ones the first") {
+  Random random(27);
+  std::uint64_t ties = 0;
+  for (int round = 0; round < 400; ++round) {
+    const int side = 16 << random.integer(0, 2);
+    PixelRect window{side, 2 * side, 2 * side, 3 * side};
+    if (random.integer(0, 2) == 0) window.y1 -= int(random.integer(1, side - 1));
+    // Few quads each, or more than are asked for at once (kMaskSide), or some of either.
+    const double largest_px = std::exp2(random.between(0, 6));
+    std::vector<SnappedEntry> screen;
+    std::vector<std::uint32_t> positions, batch;
+    Image<std::uint32_t> nearest(window.x1, window.y1, kEmptyDepth);
+    Image<std::uint32_t> seen(window.x1, window.y1, 0);  // 1 + the index of the triangle
+    std::uint64_t covered = 0, written = 0;
+    Shape shape;
+    for (std::int64_t i = random.integer(1, 150); i > 0; --i) {
+      // Often exactly there once more.
+      if (batch.empty() || random.integer(0, 3) > 0) shape = any_shape(random, window, largest_px);
+      const auto setup = setup_triangle(shape.on_screen());
+      if (!setup || intersect(setup->bounds, window).empty()) continue;
+      for (std::size_t k = 0; k < 3; ++k) {
+        positions.push_back(std::uint32_t(screen.size()));
+        screen.push_back({shape.at[k].x, shape.at[k].y, shape.depth[k], 1.0f});
+      }
+      batch.push_back(std::uint32_t(batch.size()));
+      for_each_covered(*setup, window, [&](const Coverage& pixel) {
+        const std::uint32_t code =
+            depth_code(DepthFormat::kUnorm16, interpolate(*setup, pixel).depth);
+        std::uint32_t& stored = nearest.at(pixel.x, pixel.y);
+        ++covered;
+        ties += code == stored ? 1 : 0;
+        if (!in_front(code, stored)) return;
+        ++written;
+        stored = code;
+        seen.at(pixel.x, pixel.y) = std::uint32_t(batch.size());
+      });
+    }
+    for (const Target target : available_targets()) {
+      INFO("target " << name_of(target) << ", round " << round);
+      TileBuffer tile(side);
+      tile.clear(window, DepthFormat::kUnorm16);
+      FragmentCounts counts;
+      SmallJob job;
+      job.positions = positions.data();
+      job.screen = screen.data();
+      kernels(target).draw_small(job, batch.data(), batch.size(), {&tile, 1}, counts);
+      CHECK(counts.covered == covered);
+      CHECK(counts.written == written);
+      std::size_t wrong = 0;
+      for (int y = window.y0; y < window.y1; ++y) {
+        for (int x = window.x0; x < window.x1; ++x) {
+          const std::size_t i = tile.pixel_index(x, y);
+          const TileBlock& block = tile.block(i / kBlockPixels);
+          const Reference reference = block.plain ? block.reference : tile.reference()[i];
+          wrong += reference / kReferenceStep == seen.at(x, y) ? 0u : 1u;
+        }
+      }
+      CHECK(wrong == 0);
+    }
+  }
+  CHECK(ties > 1000);
+}
+
 TEST_CASE("a depth that rounding carries beyond the corners' is not taken for hidden") {
   Random random(25);
   const PixelRect window{0, 0, 16, 16};
@@ -381,44 +444,48 @@ TEST_CASE("selecting keeps every triangle that covers a pixel, for the tiles whe
 
     for (const Target target : available_targets()) {
       INFO("target " << name_of(target) << ", round " << round);
-      std::vector<BinEntry> selected(job.count + kMostLanes);
+      std::vector<std::uint32_t> entries(job.count + kMostLanes);
+      std::vector<TilePlace> first(entries.size()), last(entries.size());
       SelectCounts counts;
-      selected.resize(kernels(target).select_triangles(job, selected.data(), counts));
+      const std::size_t selected = kernels(target).select_triangles(
+          job, {entries.data(), first.data(), last.data()}, counts);
       std::size_t next = 0, wrong = 0;
       std::uint64_t small = 0, flat = 0, culled = 0;
       for (std::uint32_t i = job.first; i < shapes.size(); ++i) {
-        const BinEntry* one = next < selected.size() && (selected[next].entry & ~kLarge) == i
-                                  ? &selected[next]
-                                  : nullptr;
-        if (one != nullptr) ++next;
+        const std::size_t at = next;
+        const bool is_selected = at < selected && (entries[at] & ~kLarge) == i;
+        const bool is_large = is_selected && (entries[at] & kLarge) != 0;
+        if (is_selected) ++next;
         const bool clips = std::any_of(&screen[3 * i], &screen[3 * i] + 3,
                                        [](const SnappedEntry& e) { return e.x == kNeedsClipping; });
         if (clips || !is_small(shapes[i])) {
-          wrong += one != nullptr && (one->entry & kLarge) != 0 ? 0 : 1;
+          wrong += is_large ? 0 : 1;
           continue;
         }
         ++small;
         const auto setup = setup_triangle(shapes[i].on_screen());
         if (!setup) {
           ++flat;
-          wrong += one == nullptr ? 0 : 1;
+          wrong += is_selected ? 1 : 0;
           continue;
         }
         const bool front = setup->clockwise == job.mirrored;
         if (!(front ? job.keep_front : job.keep_back)) {
           ++culled;
-          wrong += one == nullptr ? 0 : 1;
+          wrong += is_selected ? 1 : 0;
           continue;
         }
         for_each_covered(*setup, job.window, [&](const Coverage& pixel) {
-          const int x = pixel.x >> job.tile_shift, y = pixel.y >> job.tile_shift;
-          const bool there = one != nullptr && (one->entry & kLarge) == 0 && x >= one->x0 &&
-                             x <= one->x1 && y >= one->y0 && y <= one->y1;
+          const auto x = TilePlace(pixel.x >> job.tile_shift);
+          const auto y = TilePlace(pixel.y >> job.tile_shift);
+          const bool there = is_selected && !is_large && x >= (first[at] & 0xffff) &&
+                             x <= (last[at] & 0xffff) && y >= first[at] >> 16 &&
+                             y <= last[at] >> 16;
           wrong += there ? 0 : 1;
         });
       }
       CHECK(wrong == 0);
-      CHECK(next == selected.size());  // in order, nothing twice
+      CHECK(next == selected);  // in order, nothing twice
       CHECK(counts.small == small);
       CHECK(counts.zero_area == flat);
       CHECK(counts.culled == culled);

@@ -201,6 +201,7 @@ HiddenBalls judge_hidden(double margin_px, int tries) {
     settings.samples = random.integer(0, 3) == 0 ? 4 : 1;
     Planned planned = plan_of(scene, view, settings, false);
     std::ranges::reverse(planned.plan.order);  // the wall first
+    planned.plan.codes = plan_of(scene, view, settings).plan.codes;
     const PlannedEye eye{planned.list, view, settings};
     if (!find_hidden(eye, planned.plan, margin_px)[0]) continue;
     ++judged.hidden;

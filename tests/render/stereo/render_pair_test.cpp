@@ -108,7 +108,7 @@ TEST_CASE(
     const View right = eye_view(c.centre, c.pair, Side::kRight);
     const PreparedScene prepared = prepare(c.scene, Transfer::kSrgb);
     const DrawList list = make_draw_list(c.scene, prepared, left);
-    const std::vector<Draw> others = draws_of_other_eye(list.draws, c.scene, right);
+    const std::vector<Draw> others = draws_of_other_eye(list.draws, right);
     const DrawList own = make_draw_list(c.scene, prepared, right);
     for (std::size_t i = 0; i < list.draws.size(); ++i) {
       CHECK(others[i].clip_from_anchored == own.draws[i].clip_from_anchored);

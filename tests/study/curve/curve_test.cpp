@@ -55,6 +55,19 @@ const CurvePoint& point(const Curve& curve, const std::string& name) {
   return *found;
 }
 
+TEST_CASE("pictures that would not fit are refused before any is drawn") {
+  const Scene scene = scene_of("checker");
+  CurveRequest request = request_of(scene);
+  const std::size_t ways = single_turns(scene, request.ways).all.size();
+  const double bytes = 64 * 48 * 4;
+  request.combine = false;
+  request.most_bytes = bytes * double(ways) - 1;
+  request.phase = [](const std::string& what) { FAIL(what); };
+  const auto refused = measure_curve(request);
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().place == std::to_string(ways) + " pictures");
+}
+
 TEST_CASE("each knob is turned alone to all that it has but what is asked for") {
   const Scene room = scene_of("room");
   const Ways ways = single_turns(room, {.threads = 4});

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
+#include <set>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "study/experiment/runner.h"
@@ -93,6 +96,34 @@ TEST_CASE("one thread's time is the processor's, and a sample that had to wait i
   CHECK(timed[0].disturbed == 3);
   // Of several threads the wall's clock is all there is.
   CHECK(timed[1].ns.lower >= 2e6);
+}
+
+// A reference that takes one second, but kMostSlower and a bit in the rounds that are named.
+std::function<double()> reference_slow_in(const std::set<int>& rounds) {
+  return
+      [rounds, round = 0]() mutable { return rounds.contains(round++) ? 1.01 * kMostSlower : 1; };
+}
+
+TEST_CASE("a round in which the reference was slower is measured again, or flagged") {
+  // Of two threads, so that only the reference judges it.
+  const auto spin = [] {
+    volatile double sum = 0;
+    for (int i = 0; i < 400000; ++i) sum = sum + i;
+  };
+  const auto rounds_and_disturbed = [&](const std::set<int>& slow) {
+    int calls = 0;
+    const auto counted = [&] {
+      ++calls;
+      spin();
+    };
+    const Timed timed = time_in_turn({{counted, 1, 2}}, 4, reference_slow_in(slow)).front();
+    return std::pair{calls - 2, timed.disturbed};
+  };
+  CHECK(rounds_and_disturbed({}) == std::pair{4, 0});
+  CHECK(rounds_and_disturbed({1, 3}) == std::pair{6, 0});
+  CHECK(rounds_and_disturbed({1, 2, 3, 4, 5, 6}) == std::pair{8, 2});
+  // The first round is what the others are compared with.
+  CHECK(rounds_and_disturbed({0}) == std::pair{4, 0});
 }
 
 TEST_CASE("a configuration without work has an error and no time") {

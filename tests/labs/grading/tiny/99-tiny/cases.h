@@ -1,4 +1,14 @@
 // The inputs of both sides.
 #pragma once
 
-inline constexpr double kInputs[] = {1, -3, 0.5, 8};
+#include <vector>
+
+inline std::vector<double> inputs() {
+  return {1, -3, 0.5, 8};
+}
+
+// BEGIN HIDDEN
+inline std::vector<double> hidden_inputs() {
+  return {1, -5, 0.015625, 8};
+}
+// END HIDDEN

@@ -6,10 +6,14 @@
 namespace glassbox::labs {
 
 std::vector<RunnerCheck> runner_checks() {
-  return {{"twice a number", 4, [](int i, Answer& a) { a.emit("y", {twice(kInputs[i])}); }},
-          {"a reciprocal", 4, [](int i, Answer& a) { a.emit("y", {reciprocal(kInputs[i])}); }},
-          {"a reciprocal undone", 4,
-           [](int i, Answer& a) { a.emit("y", {reciprocal(reciprocal(kInputs[i]))}); }}};
+  return {
+      check("twice a number", inputs(), [](double x, Answer& a) { a.emit("y", {twice(x)}); }),
+      check("a reciprocal", inputs(), [](double x, Answer& a) { a.emit("y", {reciprocal(x)}); }),
+      // BEGIN HIDDEN
+      check("a reciprocal undone", hidden_inputs(),
+            [](double x, Answer& a) { a.emit("y", {reciprocal(reciprocal(x))}); }),
+      // END HIDDEN
+  };
 }
 
 }  // namespace glassbox::labs

@@ -1,0 +1,116 @@
+#include "app/lab/checker.h"
+
+#include <algorithm>
+#include <chrono>
+#include <system_error>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "labs/framework/points.h"
+#include "labs/grading/compile.h"
+#include "labs/grading/submission.h"
+
+namespace glassbox::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace labs::grading;
+
+// The folder's own kit. One that another glassbox or compiler has made gives way.
+Result<Kit> kit_of(const labs::Sources& sources, const LabFolder& folder) {
+  const fs::path place = folder.build_dir / "kit";
+  const auto found = make_kit(sources, folder.lab->folder, place);
+  if (found) return found;
+  std::error_code error;
+  if (!fs::exists(place / "lab", error)) return found;
+  fs::remove_all(place, error);
+  return make_kit(sources, folder.lab->folder, place);
+}
+
+}  // namespace
+
+Result<std::unique_ptr<LabChecker>> LabChecker::open(const LabFolder& folder,
+                                                     const CheckOptions& options) {
+  std::unique_ptr<LabChecker> checker(new LabChecker(folder, options));
+  if (const auto prepared = checker->prepare(); !prepared) return tl::unexpected(prepared.error());
+  return checker;
+}
+
+Result<void> LabChecker::prepare() {
+  const auto sources = labs::find_sources();
+  if (!sources) return tl::unexpected(sources.error());
+  sources_ = *sources;
+  auto shares =
+      labs::read_shares(*folder_.lab, sources_.folder_of(folder_.lab->folder) / "points.json");
+  if (!shares) return tl::unexpected(shares.error());
+  lab_ = std::move(shares->lab);
+  warnings_ = std::move(shares->warnings);
+  const auto place = scratch_.path();
+  if (!place) return tl::unexpected(place.error());
+  auto sandbox = Sandbox::choose(*place, options_.confinement);
+  if (!sandbox) return tl::unexpected(sandbox.error());
+  sandbox_ = std::move(*sandbox);
+  const auto kit = kit_of(sources_, folder_);
+  if (!kit) return tl::unexpected(kit.error());
+  auto copy = copy_kit(*kit, *place / "kit");
+  if (!copy) return tl::unexpected(copy.error());
+  kit_ = std::move(*copy);
+  return {};
+}
+
+Result<Checked> LabChecker::check() {
+  const auto start = std::chrono::steady_clock::now();
+  const auto text = read_source(folder_.student);
+  if (!text) return tl::unexpected(text.error());
+  const auto build = scratch_.own(fmt::format("build-{}", ++builds_));
+  if (!build) return tl::unexpected(build.error());
+  GradeRequest request{.lab = lab_, .sandbox = *sandbox_, .kit = kit_, .build = *build};
+  request.limits.seconds = options_.seconds;
+  request.limits.memory_bytes = options_.memory_mib * kMiB;
+  request.hidden = options_.hidden;
+  request.at_a_time = std::max(1u, std::thread::hardware_concurrency());
+  request.words.warnings = true;
+  request.words.sanitize = options_.sanitize;
+  Checked checked;
+  checked.graded = grade(request, *text);
+  auto& result = checked.graded.result;
+  if (!options_.hidden)
+    std::erase_if(result.checks, [](const labs::CheckResult& each) { return each.hidden; });
+  result.warnings = warnings_;
+  if (result.not_built.empty() && !checked.graded.said.empty())
+    result.warnings.push_back(checked.graded.said);
+  const bool failed = std::any_of(result.checks.begin(), result.checks.end(),
+                                  [](const labs::CheckResult& each) { return each.first; });
+  if (failed) {
+    auto program = debugger_program(*text);
+    if (!program) return tl::unexpected(program.error());
+    checked.runner = std::move(*program);
+  }
+  std::error_code error;
+  fs::remove_all(*build, error);
+  checked.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return checked;
+}
+
+Result<std::string> LabChecker::debugger_program(const std::string& text) {
+  const auto build = scratch_.own(fmt::format("debug-{}", builds_));
+  if (!build) return tl::unexpected(build.error());
+  CompileWords words;
+  words.debugger = true;
+  words.stands_for = folder_.student.parent_path().string();
+  Compiled compiled = compile_submission(text, *sandbox_, kit_, *build, words);
+  const Checks checks = options_.hidden ? Checks::kAll : Checks::kVisible;
+  const fs::path made = compiled.trouble.empty()
+                            ? link_submission(checks, *sandbox_, kit_, *build, compiled.said)
+                            : fs::path();
+  const fs::path program = folder_.build_dir / "runner";
+  std::error_code error;
+  if (made.empty() || !fs::copy_file(made, program, fs::copy_options::overwrite_existing, error))
+    return std::string();  // the report does without
+  fs::remove_all(*build, error);
+  return program.string();
+}
+
+}  // namespace glassbox::app

@@ -1,0 +1,60 @@
+// A student's folder checked as a grader would: in the sandbox, once or after every save.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/lab/find_lab.h"
+#include "app/report/scratch.h"
+#include "labs/framework/sources.h"
+#include "labs/grading/grade.h"
+#include "labs/grading/sandbox.h"
+
+#include <glassbox/base/error.h>
+
+namespace glassbox::app {
+
+struct CheckOptions {
+  bool hidden = false;
+  bool sanitize = false;
+  double seconds = 10;  // of each check
+  std::size_t memory_mib = 512;
+  std::optional<labs::grading::Confinement> confinement = {};
+};
+
+struct Checked {
+  labs::grading::Graded graded;
+  std::string
+      runner;  // where a check failed: a program for the debugger, built at -O0 -g; else empty
+  double seconds = 0;
+};
+
+class LabChecker {
+public:
+  // The sandbox, and what the lab's submissions are compiled with: made here, or found where it was made before.
+  static Result<std::unique_ptr<LabChecker>> open(const LabFolder& folder,
+                                                  const CheckOptions& options);
+
+  Result<Checked> check();
+  const std::filesystem::path& student() const { return folder_.student; }
+
+private:
+  LabChecker(const LabFolder& folder, const CheckOptions& options)
+      : folder_(folder), options_(options) {}
+  Result<void> prepare();
+  Result<std::string> debugger_program(const std::string& text);
+
+  LabFolder folder_;
+  CheckOptions options_;
+  labs::Sources sources_;
+  labs::Lab lab_;  // with its points
+  std::vector<std::string> warnings_;
+  Scratch scratch_;
+  std::optional<labs::grading::Sandbox> sandbox_;
+  labs::grading::Kit kit_;
+  int builds_ = 0;
+};
+
+}  // namespace glassbox::app

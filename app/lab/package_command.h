@@ -1,0 +1,21 @@
+// glassbox lab package: this glassbox without what students are not to see.
+#pragma once
+
+#include <string>
+
+#include "app/options/cli_fwd.h"
+
+namespace glassbox::app {
+
+class LabPackageCommand {
+public:
+  void add_to(CLI::App& lab, int& exit_code);
+
+private:
+  int run() const;
+
+  std::string output_;
+  bool students_ = false;
+};
+
+}  // namespace glassbox::app

@@ -1,0 +1,21 @@
+// glassbox lab quiz: the slides' true/false questions, and what is wrong with an answer.
+#pragma once
+
+#include <string>
+
+#include "app/options/cli_fwd.h"
+
+namespace glassbox::app {
+
+class LabQuizCommand {
+public:
+  void add_to(CLI::App& lab, int& exit_code);
+
+private:
+  int run() const;
+
+  std::string lab_, answers_;
+  bool show_ = false;
+};
+
+}  // namespace glassbox::app

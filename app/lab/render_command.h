@@ -1,0 +1,25 @@
+// glassbox lab render: a scene drawn with the student's functions in the pipeline, beside the reference's picture.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/options/cli_fwd.h"
+#include "app/options/picture_options.h"
+
+namespace glassbox::app {
+
+class LabRenderCommand {
+public:
+  void add_to(CLI::App& lab, int& exit_code);
+
+private:
+  int run() const;
+
+  std::string folder_, scene_, output_;
+  PictureOptions picture_;
+  std::optional<std::string> json_output_, html_output_;
+  double seconds_ = 10;
+};
+
+}  // namespace glassbox::app

@@ -1,0 +1,46 @@
+// Puts the places of a scene's objects to your functions.
+#include "labs/framework/stages.h"
+#include "student.h"
+
+namespace lab_02 {
+namespace {
+
+using glassbox::labs::append_matrix;
+using glassbox::labs::append_place;
+using glassbox::labs::Numbers;
+using glassbox::labs::RecordReader;
+
+// A matrix that should be a rotation. One that is.
+void repair(RecordReader& in, Numbers& out) {
+  append_matrix(out, repaired(in.matrix<Transform<World, World>>()));
+}
+
+// A rotation. Its axis and angle.
+void axis(RecordReader& in, Numbers& out) {
+  const AxisAngle found = axis_angle_of(in.matrix<Transform<World, World>>());
+  append_place(out, found.axis);
+  out.push_back(found.radians);
+}
+
+// Steps, each as its kind, v, amount, changed and by. Their matrix.
+void place(RecordReader& in, Numbers& out) {
+  std::vector<Step> steps;
+  while (in.more()) {
+    Step step;
+    step.kind = Step::Kind(in.integer());
+    step.v = in.place<Vector<World, double>>();
+    step.amount = in.number();
+    step.changed = in.integer();
+    step.by = in.integer();
+    steps.push_back(step);
+  }
+  append_matrix(out, compose(steps));
+}
+
+}  // namespace
+}  // namespace lab_02
+
+std::vector<glassbox::labs::StageFunction> glassbox::labs::stage_functions() {
+  using namespace lab_02;
+  return {{"repair", repair}, {"axis", axis}, {"place", place}};
+}

@@ -1,0 +1,223 @@
+// Lab 3 in a picture: the view matrix, the projection's hand, and which models are mirrored, by the student's functions.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "labs/drawing/drawing.h"
+
+#include <glassbox/base/rounding.h>
+#include <glassbox/pipeline/dialects.h>
+#include <glassbox/pipeline/look_at.h>
+#include <glassbox/render/engine/draw_list.h>
+
+namespace glassbox::labs {
+
+namespace {
+
+constexpr double u = unit_roundoff<double>;
+constexpr double kRotation = 1, kMirror = 2;  // lab_03::Kind
+
+struct Asked {
+  bool by_rotations = false;
+  Point<World, double> eye, target;
+  Vector<World, double> up;
+
+  explicit Asked(const Numbers& question) {
+    RecordReader in(question.data(), question.size());
+    by_rotations = in.number() != 0;
+    eye = in.place<Point<World, double>>();
+    target = in.place<Point<World, double>>();
+    up = in.place<Vector<World, double>>();
+  }
+};
+
+double length(const Vector<World, double>& v) {
+  return std::sqrt(dot(v, v));
+}
+
+// ---- the reference ----
+
+Numbers numbers_left(RecordReader& in) {
+  Numbers numbers;
+  while (in.more()) numbers.push_back(in.number());
+  return numbers;
+}
+
+Numbers view(RecordReader& in) {
+  const Asked asked(numbers_left(in));
+  const auto made = asked.by_rotations ? look_at_axis_angle(asked.eye, asked.target, asked.up)
+                                       : look_at(asked.eye, asked.target, asked.up);
+  Numbers out;
+  if (made) append_matrix(out, *made);
+  return out;
+}
+
+Numbers hand(RecordReader& in) {
+  Numbers out;
+  append_matrix(out, in.matrix<Transform<Clip, EyeLeft>>() * eye_left_from_eye());
+  return out;
+}
+
+double determinant_of(const Transform<World, World>& m) {
+  const auto column = [&](int k) {
+    return Vector<World, double>(m.at(0, k), m.at(1, k), m.at(2, k));
+  };
+  return dot(cross(column(0), column(1)), column(2));
+}
+
+Numbers kind(RecordReader& in) {
+  return {determinant_of(in.matrix<Transform<World, World>>()) > 0 ? kRotation : kMirror};
+}
+
+// ---- judgement ----
+
+// student.h: 32 u (1 + 1/s), or 64 u (1 + 1/s + 1/g), and in the last column that times (1 + 2 D); ours errs as much.
+std::optional<WrongNumber> judge_view(const Numbers& in, const Numbers& yours,
+                                      const Numbers& reference) {
+  const Asked asked(in);
+  const Vector<World, double> gaze = asked.target - asked.eye;
+  const double s = length(cross(asked.up, gaze)) / (length(asked.up) * length(gaze));
+  const double g = std::hypot(gaze.x, gaze.y) / length(gaze);
+  const double inverse_g = gaze.z > 0 && g > 0 ? 1 / g : 0;
+  const double rotation =
+      2 * u * (asked.by_rotations ? 64 * (1 + 1 / s + inverse_g) : 32 * (1 + 1 / s));
+  const double far =
+      std::max({std::abs(asked.eye.x), std::abs(asked.eye.y), std::abs(asked.eye.z)});
+  return first_wrong(
+      yours, reference,
+      [&](std::size_t i) { return i % 4 == 3 ? rotation * (1 + 2 * far) : rotation; }, "",
+      [](std::size_t i) { return fmt::format("row {}, column {}", i / 4, i % 4); });
+}
+
+std::optional<WrongNumber> judge_hand(const Numbers&, const Numbers& yours,
+                                      const Numbers& reference) {
+  return first_wrong_entry(yours, reference, 0, "");
+}
+
+std::optional<WrongNumber> judge_kind(const Numbers&, const Numbers& yours,
+                                      const Numbers& reference) {
+  return first_wrong(
+      yours, reference, [](std::size_t) { return 0; }, "",
+      [](std::size_t) { return std::string("0 neither, 1 rotation, 2 mirror"); });
+}
+
+// ---- in the pipeline ----
+
+// The largest entry of R^T R - I in size.
+double from_rigid(const Transform<World, World>& m) {
+  double most = 0;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      double sum = i == j ? -1 : 0;
+      for (int k = 0; k < 3; ++k) sum += m.at(k, i) * m.at(k, j);
+      most = std::max(most, std::abs(sum));
+    }
+  }
+  return most;
+}
+
+// Turns away what the kinds of the models say is turned away.
+class Stages : public Observer {
+public:
+  Stages(std::map<std::uint32_t, bool> mirrored, Cull cull)
+      : mirrored_(std::move(mirrored)), cull_(cull) {}
+
+  void draw(const Draw& draw) override { draw_ = &draw; }
+
+  void faced(const TriangleSetup& setup, bool, bool& culled) override {
+    const auto found = mirrored_.find(draw_->instance);
+    if (found != mirrored_.end())
+      culled = is_culled(*draw_, cull_, setup.clockwise == found->second);
+  }
+
+private:
+  const std::map<std::uint32_t, bool> mirrored_;  // by instance
+  const Cull cull_;
+  const Draw* draw_ = nullptr;
+};
+
+const std::vector<DrawnStage>& stages() {
+  static const std::vector<DrawnStage> all{
+      {"kind", "world", "kind_of", kind, judge_kind},
+      {"view", "eye", "uvn_view or axis_angle_view", view, judge_view},
+      {"hand", "clip", "for_right_handed_eye", hand, judge_hand}};
+  return all;
+}
+
+Question camera_question(const Drawn& drawn) {
+  const Transform<World, Eye>& m = drawn.camera.world_from_eye;
+  const auto column = [&](int k) {
+    return Vector<World, double>(m.at(0, k), m.at(1, k), m.at(2, k));
+  };
+  const Vector<World, double> place = column(3);
+  const Point<World, double> eye(place.x, place.y, place.z);
+  Question question{{drawn.formulation.view == ViewForm::kAxisAngle ? 1.0 : 0.0}};
+  append_place(question.numbers, eye);
+  append_place(question.numbers, eye + -column(2));
+  append_place(question.numbers, column(1));
+  return question;
+}
+
+Result<std::map<std::uint32_t, bool>> ask_for_kinds(const Scene& scene, Answering& answering) {
+  // Between the sizes that the contract leaves open no matrix is asked for.
+  constexpr double kRigid = 1e-6;
+  std::vector<Question> questions;
+  std::vector<std::uint32_t> instances;
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    const Transform<World, World> m(scene.nodes[scene.instances[i].node].world_from_node.columns);
+    if (from_rigid(m) > kRigid) continue;
+    questions.emplace_back();
+    append_matrix(questions.back().numbers, m);
+    instances.push_back(i);
+  }
+  const auto answers = answering.ask(stages()[0], questions);
+  if (!answers) return tl::unexpected(answers.error());
+  std::map<std::uint32_t, bool> mirrored;
+  for (std::size_t i = 0; i < instances.size(); ++i)
+    mirrored[instances[i]] = !(*answers)[i].empty() && (*answers)[i][0] == kMirror;
+  return mirrored;
+}
+
+// What an answer of one record says of a matrix; as it is where it says none.
+template <class M>
+Result<void> ask_for_matrix(const DrawnStage& stage, Question question, Answering& answering,
+                            M& matrix) {
+  const auto answer = answering.ask(stage, std::array{std::move(question)});
+  if (!answer) return tl::unexpected(answer.error());
+  if (answer->front().size() != 16) {
+    matrix = M(glm::dmat4(0));  // without a matrix there is no picture
+    return {};
+  }
+  RecordReader reader(answer->front().data(), 16);
+  matrix = reader.matrix<M>();
+  return {};
+}
+
+Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
+  StandIn made{drawn.scene, drawn.view, drawn.settings, nullptr, {}};
+  const auto mirrored = ask_for_kinds(drawn.scene, answering);
+  if (!mirrored) return tl::unexpected(mirrored.error());
+  made.settings.cull_stage = CullStage::kScreen;
+  made.stages = std::make_shared<Stages>(*mirrored, drawn.settings.cull);
+  if (const auto asked =
+          ask_for_matrix(stages()[1], camera_question(drawn), answering, made.view.eye_from_world);
+      !asked)
+    return tl::unexpected(asked.error());
+  Question projection;
+  append_matrix(projection.numbers, drawn.view.clip_from_eye * eye_from_eye_left());
+  if (const auto asked =
+          ask_for_matrix(stages()[2], projection, answering, made.view.clip_from_eye);
+      !asked)
+    return tl::unexpected(asked.error());
+  return made;
+}
+
+}  // namespace
+
+LabDrawing drawing_03() {
+  return {stages(), draw, "rotation_onto, but for what axis_angle_view makes of it"};
+}
+
+}  // namespace glassbox::labs

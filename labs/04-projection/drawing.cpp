@@ -1,0 +1,287 @@
+// Lab 4 in a picture: the projection, the divide and the viewport and, in pictures of depth, the way back to distances, by the
+// student's functions.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "labs/drawing/drawing.h"
+
+#include <glassbox/base/rounding.h>
+#include <glassbox/pipeline/dialects.h>
+#include <glassbox/pipeline/projection.h>
+#include <glassbox/render/engine/draw_list.h>
+#include <glassbox/render/engine/show.h>
+
+namespace glassbox::labs {
+
+namespace {
+
+constexpr double u = unit_roundoff<double>;
+constexpr float kMostPixels = 32767;  // from the picture's corner: what the snap can carry
+
+double largest(std::span<const double> numbers) {
+  double most = 0;
+  for (const double x : numbers) most = std::max(most, std::abs(x));
+  return most;
+}
+
+// ---- the reference ----
+
+Numbers projection(RecordReader& in) {
+  const bool reversed = in.number() != 0, is_perspective = in.number() != 0;
+  std::array<double, 6> n{};
+  for (double& each : n) each = in.number();
+  const auto made = is_perspective ? perspective(n[0], n[1], {n[2], n[3]})
+                                   : orthographic({n[0], n[1], n[2], n[3]}, {n[4], n[5]});
+  Numbers out;
+  if (made) append_matrix(out, reversed ? reverse_depth() * *made : *made);
+  return out;
+}
+
+Numbers divided(RecordReader& in) {
+  Numbers out;
+  while (in.more()) {
+    const auto p = in.place<Point<Clip, double>>();
+    if (!(p.w > 0)) return {};
+    append_place(out, Point<Ndc, double>(p.x / p.w, p.y / p.w, p.z / p.w));
+  }
+  return out;
+}
+
+Numbers placed(RecordReader& in) {
+  const double left = in.number(), top = in.number();
+  const double width = in.number(), height = in.number();
+  Numbers out;
+  while (in.more()) {
+    const auto p = in.place<Point<Ndc, double>>();
+    append_place(out, Point<Screen, double>(left + (p.x + 1) / 2 * width,
+                                            top + (1 - p.y) / 2 * height, p.z));
+  }
+  return out;
+}
+
+Numbers distances(RecordReader& in) {
+  const double near = in.number(), far = in.number();
+  Numbers out;
+  while (in.more()) {
+    const double depth = in.number();
+    out.push_back(1 / ((1 - depth) / near + depth / far));
+  }
+  return out;
+}
+
+// ---- judgement: the bounds of student.h ----
+
+// 16 u of the largest entry for the projection, 4 u for the dialect, and our own matrix's share.
+std::optional<WrongNumber> judge_projection(const Numbers&, const Numbers& yours,
+                                            const Numbers& reference) {
+  return first_wrong_entry(yours, reference, 24 * u * largest(reference), "");
+}
+
+std::string coordinate(std::size_t i) {
+  return fmt::format("vertex {}, {}", i / 3, "xyz"[i % 3]);
+}
+
+std::optional<WrongNumber> judge_divided(const Numbers& in, const Numbers& yours,
+                                         const Numbers& reference) {
+  return first_wrong(
+      yours, reference,
+      [&](std::size_t i) {
+        const bool is_parallel = in[i / 3 * 4 + 3] == 1;
+        const auto vertex = std::span(reference).subspan(i / 3 * 3, 3);
+        return is_parallel ? 0 : 4 * u * largest(vertex);
+      },
+      "", coordinate);
+}
+
+std::optional<WrongNumber> judge_placed(const Numbers& in, const Numbers& yours,
+                                        const Numbers& reference) {
+  return first_wrong(
+      yours, reference,
+      [&](std::size_t i) {
+        if (i % 3 == 2) return 0.0;  // z stays
+        // A vertex beside the picture is that much further away.
+        const double ndc = std::abs(in[4 + i]);
+        return 8 * u * (std::abs(in[i % 3]) + in[2 + i % 3]) * std::max(1.0, ndc);
+      },
+      "px", coordinate);
+}
+
+// With d the depth and z the exact distance, 8 u z^2 / near, theirs and ours.
+std::optional<WrongNumber> judge_distances(const Numbers& in, const Numbers& yours,
+                                           const Numbers& reference) {
+  return first_wrong(
+      yours, reference,
+      [&](std::size_t i) {
+        const double z = reference[i];
+        return std::isfinite(z) ? 16 * u * z * z / in[0] : 0;
+      },
+      "world units",
+      [&](std::size_t i) {
+        return fmt::format("the distance of depth {}", in[std::min(i + 2, in.size() - 1)]);
+      });
+}
+
+// ---- in the pipeline ----
+
+class Stages : public Observer {
+public:
+  explicit Stages(const Viewport& viewport) : viewport_(viewport) {}
+
+  void draw(const Draw& draw) override { draw_ = &draw; }
+
+  void clipped(const PrimitiveStage&, const Triangle& triangle, const std::array<ClipVertex, 3>&,
+               ClipPolygon& polygon) override {
+    number_ = draw_->first_number + triangle.number;
+    count_ = std::size_t(polygon.count);
+    vertex_ = 0;
+    if (!gathering_ || count_ == 0) return;
+    Question question{{}, number_};
+    for (std::size_t i = 0; i < count_; ++i) {
+      const Point<Clip>& p = polygon.vertices[i].position;
+      append_place(question.numbers, p);
+    }
+    divide_questions.push_back(std::move(question));
+  }
+
+  void divided(const ClipVertex&, NdcVertex& ndc) override {
+    if (!gathering_ && vertex_ < count_) place(ndcs_, ndc.position);
+  }
+
+  void placed(const NdcVertex&, ScreenVertex& screen) override {
+    if (gathering_ || vertex_ >= count_) return;
+    place(screens_, screen.position);
+    screen.position.x = std::clamp(screen.position.x, -kMostPixels, kMostPixels);
+    screen.position.y = std::clamp(screen.position.y, -kMostPixels, kMostPixels);
+    ++vertex_;
+  }
+
+  // NDC in double is what to_screen is given: it is rounded to float only for the stages behind.
+  std::vector<Question> take_ndcs(std::vector<Numbers> answers) {
+    std::vector<Question> placing;
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+      const std::uint32_t number = divide_questions[i].triangle;
+      Question question{{viewport_.left, viewport_.top, viewport_.width(), viewport_.height()},
+                        number};
+      for (const double x : answers[i]) question.numbers.push_back(std::isfinite(x) ? x : 0);
+      question.numbers.resize(4 + divide_questions[i].numbers.size() / 4 * 3);
+      placing.push_back(std::move(question));
+      keep(ndcs_, number, std::move(answers[i]));
+    }
+    return placing;
+  }
+  void take_screens(const std::vector<Question>& questions, std::vector<Numbers> answers) {
+    for (std::size_t i = 0; i < answers.size(); ++i)
+      keep(screens_, questions[i].triangle, std::move(answers[i]));
+    gathering_ = false;
+  }
+
+  std::vector<Question> divide_questions;
+
+private:
+  static void keep(std::vector<Numbers>& places, std::uint32_t number, Numbers answer) {
+    places.resize(std::max(places.size(), std::size_t(number) + 1));
+    places[number] = std::move(answer);
+  }
+
+  template <class P>
+  void place(const std::vector<Numbers>& places, P& position) const {
+    const Numbers* given = number_ < places.size() ? &places[number_] : nullptr;
+    const auto at = [&](std::size_t k) {
+      const std::size_t i = 3 * vertex_ + k;
+      return given != nullptr && i < given->size() ? carried((*given)[i]) : 0.0f;
+    };
+    position = {at(0), at(1), at(2)};
+  }
+
+  const Viewport viewport_;
+  bool gathering_ = true;
+  const Draw* draw_ = nullptr;
+  std::uint32_t number_ = 0;
+  std::size_t count_ = 0, vertex_ = 0;
+  std::vector<Numbers> ndcs_, screens_;  // by triangle
+};
+
+const std::vector<DrawnStage>& stages() {
+  static const std::vector<DrawnStage> all{
+      {"projection", "clip", "perspective, orthographic, in_dialect", projection, judge_projection},
+      {"divide", "ndc", "divide", divided, judge_divided},
+      {"viewport", "screen", "to_screen", placed, judge_placed},
+      {"distances", "depth", "distance_of", distances, judge_distances}};
+  return all;
+}
+
+Result<Question> projection_question(const Drawn& drawn) {
+  const View& view = drawn.view;
+  const double aspect = double(view.viewport.width()) / double(view.viewport.height());
+  const double reversed = view.depth_range == DepthRange::kReversed ? 1 : 0;
+  if (const auto* lens = std::get_if<PerspectiveLens>(&drawn.camera.lens))
+    return Question{{reversed, 1, lens->fovy_radians, aspect, view.near, view.far}};
+  if (const auto* lens = std::get_if<OrthographicLens>(&drawn.camera.lens)) {
+    const double h = lens->half_height, w = h * aspect;
+    return Question{{reversed, 0, -w, w, -h, h, view.near, view.far}};
+  }
+  return fail("--frustum", "lab 4 has no function for a window on the near plane",
+              "give the view by --fov or --ortho");
+}
+
+// In place of the distances that the pipeline has from 1/w.
+Result<void> ask_for_distances(StandIn& made, Answering& answering) {
+  RenderSettings settings = made.settings;
+  settings.want_depth = true;
+  const Framebuffer plane =
+      render_staged(made.scene, made.view, settings, made.stages.get()).buffers;
+  Question question{{made.view.near, made.view.far}, kNone};
+  std::vector<std::size_t> pixels;
+  for (std::size_t i = 0; i < plane.depth.pixels.size(); ++i) {
+    if (plane.depth.pixels[i] == kEmptyDepth) continue;
+    question.numbers.push_back(std::min(1.0, double(std::bit_cast<float>(plane.depth.pixels[i]))));
+    pixels.push_back(i);
+  }
+  const auto answer = answering.ask(stages()[3], std::array{question});
+  if (!answer) return tl::unexpected(answer.error());
+  made.finish = [pixels, distance = answer->front()](Framebuffer& picture) {
+    for (std::size_t i = 0; i < pixels.size() && i < distance.size(); ++i)
+      picture.distance.pixels[pixels[i]] = float(distance[i]);
+    show(Show::kDepth, picture);
+  };
+  return {};
+}
+
+Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
+  StandIn made{drawn.scene, drawn.view, drawn.settings, nullptr, {}};
+  const auto question = projection_question(drawn);
+  if (!question) return tl::unexpected(question.error());
+  const auto matrix = answering.ask(stages()[0], std::array{*question});
+  if (!matrix) return tl::unexpected(matrix.error());
+  if (matrix->front().size() == 16) {
+    RecordReader reader(matrix->front().data(), 16);
+    made.view.clip_from_eye = reader.matrix<Transform<Clip, Eye>>();
+  }
+  auto seats = std::make_shared<Stages>(drawn.view.viewport);
+  watch_run(made, *seats);
+  auto ndcs = answering.ask(stages()[1], seats->divide_questions);
+  if (!ndcs) return tl::unexpected(ndcs.error());
+  const std::vector<Question> placing = seats->take_ndcs(std::move(*ndcs));
+  auto screens = answering.ask(stages()[2], placing);
+  if (!screens) return tl::unexpected(screens.error());
+  seats->take_screens(placing, std::move(*screens));
+  made.stages = seats;
+  const bool float_depth = drawn.settings.depth == DepthFormat::kFloat32;
+  if (drawn.settings.show == Show::kDepth && drawn.view.perspective && float_depth) {
+    const auto asked = ask_for_distances(made, answering);
+    if (!asked) return tl::unexpected(asked.error());
+  }
+  return made;
+}
+
+}  // namespace
+
+LabDrawing drawing_04() {
+  return {stages(), draw, ""};
+}
+
+}  // namespace glassbox::labs

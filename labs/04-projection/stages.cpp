@@ -1,0 +1,63 @@
+// Puts the projection and the vertices of a scene to your functions.
+#include <array>
+
+#include "labs/framework/stages.h"
+#include "student.h"
+
+namespace lab_04 {
+namespace {
+
+using glassbox::labs::append_matrix;
+using glassbox::labs::append_place;
+using glassbox::labs::Numbers;
+using glassbox::labs::RecordReader;
+
+// 1 and fovy, aspect, near, far of a perspective view, or 0 and left, right, bottom, top, near, far of a parallel one; before them
+// 1 where depth is reversed. The matrix.
+void projection(RecordReader& in, Numbers& out) {
+  const bool reversed = in.number() != 0, is_perspective = in.number() != 0;
+  std::array<double, 6> n{};
+  for (double& each : n) each = in.number();
+  Projection m = is_perspective ? perspective(n[0], n[1], n[2], n[3])
+                                : orthographic(n[0], n[1], n[2], n[3], n[4], n[5]);
+  if (reversed) m = in_dialect(m, Dialect::kReversed);
+  append_matrix(out, m);
+}
+
+// Points of clip space. NDC of each; nothing for a record with a point that has none.
+void divided(RecordReader& in, Numbers& out) {
+  Numbers made;
+  while (in.more()) {
+    const auto ndc = divide(in.place<Point<Clip, double>>());
+    if (!ndc) return;
+    append_place(made, *ndc);
+  }
+  out.insert(out.end(), made.begin(), made.end());
+}
+
+// The viewport's left, top, width and height, then points of NDC. Each on the screen.
+void placed(RecordReader& in, Numbers& out) {
+  Rectangle viewport;
+  viewport.left = in.number();
+  viewport.top = in.number();
+  viewport.width = in.number();
+  viewport.height = in.number();
+  while (in.more()) append_place(out, to_screen(in.place<Point<Ndc, double>>(), viewport));
+}
+
+// near and far, then depths. The distance of each.
+void distances(RecordReader& in, Numbers& out) {
+  const double near = in.number(), far = in.number();
+  while (in.more()) out.push_back(distance_of(in.number(), near, far));
+}
+
+}  // namespace
+}  // namespace lab_04
+
+std::vector<glassbox::labs::StageFunction> glassbox::labs::stage_functions() {
+  using namespace lab_04;
+  return {{"projection", projection},
+          {"divide", divided},
+          {"viewport", placed},
+          {"distances", distances}};
+}

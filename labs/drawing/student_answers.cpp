@@ -1,0 +1,172 @@
+// Batches of records to the student's process, and its answers back.
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "labs/drawing/program.h"
+#include "labs/framework/follow.h"
+
+namespace glassbox::labs {
+
+namespace {
+
+// Numbers that one process is given, 32 MiB of them: there and back they fit into its memory with room to spare.
+constexpr std::size_t kBatch = std::size_t(4) << 20;
+
+}  // namespace
+
+// A batch as a file in memory, as stages_main.cpp reads it.
+class BatchFile {
+public:
+  explicit BatchFile(std::span<const Question> batch) {
+    std::size_t numbers = 2;
+    for (const Question& question : batch) numbers += 1 + question.numbers.size();
+    bytes_ = numbers * sizeof(double);
+    const int file = ::memfd_create("records", MFD_CLOEXEC);
+    if (file < 0) return;
+    file_.set(file);
+    if (::ftruncate(file_.get(), off_t(bytes_)) != 0) return;
+    void* const at = ::mmap(nullptr, bytes_, PROT_READ | PROT_WRITE, MAP_SHARED, file_.get(), 0);
+    if (at == MAP_FAILED) return;
+    at_ = static_cast<double*>(at);
+    double* to = at_;
+    *to++ = 0;
+    *to++ = double(batch.size());
+    for (const Question& question : batch) {
+      *to++ = double(question.numbers.size());
+      to = std::copy(question.numbers.begin(), question.numbers.end(), to);
+    }
+  }
+  ~BatchFile() {
+    if (at_ != nullptr) ::munmap(at_, bytes_);
+  }
+  BatchFile(const BatchFile&) = delete;
+  BatchFile& operator=(const BatchFile&) = delete;
+
+  bool valid() const { return at_ != nullptr; }
+  int descriptor() const { return file_.get(); }
+  // How many records the process says that it has begun.
+  std::size_t begun(std::size_t most) const {
+    const double said = *at_;
+    return said >= 0 && said <= double(most) ? std::size_t(said) : 0;
+  }
+
+private:
+  Descriptor file_;
+  std::size_t bytes_ = 0;
+  double* at_ = nullptr;
+};
+
+namespace {
+
+// Nothing where the bytes are no answers to `count` questions.
+std::optional<std::vector<Numbers>> answers_of(const std::string& bytes, std::size_t count) {
+  std::vector<Numbers> answers;
+  answers.reserve(count);
+  const std::size_t size = bytes.size() / sizeof(double);
+  const auto read = [&](std::size_t i) {
+    double number = 0;
+    std::memcpy(&number, bytes.data() + i * sizeof(double), sizeof number);
+    return number;
+  };
+  std::size_t at = 0;
+  while (at < size) {
+    const double length = read(at++);
+    if (!(length >= 0 && length <= double(size - at)) || length != std::floor(length))
+      return std::nullopt;
+    Numbers& answer = answers.emplace_back(std::size_t(length));
+    std::memcpy(answer.data(), bytes.data() + at * sizeof(double), answer.size() * sizeof(double));
+    at += answer.size();
+  }
+  if (answers.size() != count) return std::nullopt;
+  return answers;
+}
+
+// The first numbers of a record, as many as a line holds.
+std::string record_text(const Question& question) {
+  constexpr std::size_t kShown = 12;
+  std::string text;
+  for (std::size_t i = 0; i < question.numbers.size() && i < kShown; ++i)
+    text += fmt::format("{}{}", i == 0 ? "" : ", ", question.numbers[i]);
+  return text + (question.numbers.size() > kShown ? ", ..." : "");
+}
+
+}  // namespace
+
+StudentAnswers::StudentAnswers(const grading::Sandbox& sandbox, std::filesystem::path program,
+                               double seconds)
+    : sandbox_(sandbox), program_(std::move(program)) {
+  limits_.seconds = seconds;
+  // A triangle over all of a picture of 4096 x 4096 pixels is one answer of 640 MiB, made by doubling.
+  limits_.memory_bytes = 2048 * grading::kMiB;
+  limits_.output_bytes = 1024 * grading::kMiB;
+}
+
+Result<std::vector<Numbers>> StudentAnswers::ask(const DrawnStage& stage,
+                                                 std::span<const Question> questions) {
+  std::vector<Numbers> answers;
+  answers.reserve(questions.size());
+  for (std::size_t from = 0; from < questions.size();) {
+    std::size_t to = from, numbers = 0;
+    while (to < questions.size() &&
+           (to == from || numbers + questions[to].numbers.size() <= kBatch))
+      numbers += questions[to++].numbers.size();
+    auto some = ask_batch(stage, questions.subspan(from, to - from));
+    if (!some) return some;
+    std::move(some->begin(), some->end(), std::back_inserter(answers));
+    from = to;
+  }
+  return answers;
+}
+
+// One process. Of many in a row some namespaces of those before may not be gone yet, and count towards the user's processes:
+// where nothing was begun, it is tried again.
+RunOutcome StudentAnswers::run(const DrawnStage& stage, const BatchFile& file) {
+  constexpr int kTries = 40;
+  for (int tried = 1;; ++tried) {
+    RunOutcome outcome =
+        sandbox_.run(program_, {"--stage", stage.name}, limits_, file.descriptor());
+    const bool not_begun = outcome.ending == RunOutcome::Ending::kExit && outcome.code == 1 &&
+                           file.begun(1) == 0 && outcome.said.starts_with("bwrap:");
+    if (!not_begun || tried == kTries) return outcome;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+}
+
+Result<std::vector<Numbers>> StudentAnswers::ask_batch(const DrawnStage& stage,
+                                                       std::span<const Question> batch) {
+  const BatchFile file(batch);
+  if (!file.valid())
+    return fail("the records", "there is no memory for them", "draw a smaller picture");
+  const RunOutcome outcome = run(stage, file);
+  seconds_ += outcome.seconds;
+  constexpr std::size_t kSaid = 4096;
+  if (said_.size() < kSaid) said_ += outcome.said.substr(0, kSaid - said_.size());
+  const bool well = outcome.ending == RunOutcome::Ending::kExit && outcome.code == 0;
+  if (well) {
+    if (auto answers = answers_of(outcome.answers, batch.size())) return std::move(*answers);
+  }
+  constexpr int kThrew = 3;  // stages_main.cpp
+  const bool threw = outcome.ending == RunOutcome::Ending::kExit && outcome.code == kThrew;
+  const std::string how = threw  ? outcome.said.substr(0, outcome.said.find('\n'))
+                          : well ? "something that is no answer was written among the answers"
+                                 : ending_text(outcome, {limits_.seconds, limits_.output_bytes, 0});
+  std::string text = fmt::format("{}: {}", stage.functions, how);
+  const std::size_t begun = file.begun(batch.size());
+  if (begun == 0 && !outcome.said.empty()) text += ": " + outcome.said.substr(0, 500);
+  if (begun > 0) {
+    const Question& question = batch[begun - 1];
+    if (question.triangle != kNone) text += fmt::format(", at triangle {}", question.triangle);
+    text += fmt::format("\n  it was given: {}", record_text(question));
+  }
+  broke_ = text;
+  return fail("student.cpp", text, "");
+}
+
+}  // namespace glassbox::labs

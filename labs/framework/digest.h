@@ -1,0 +1,31 @@
+// A number for a text that another text is not likely to have.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace glassbox::labs {
+
+// FNV-1a of 64 bits (Fowler, Noll and Vo 1991), over texts one after the other; where one ends is part of it. Nothing is kept
+// secret by it: whoever can make two texts of one digest gains nothing here.
+class Digest {
+public:
+  Digest& add(std::string_view text) {
+    for (const char c : text) put(static_cast<unsigned char>(c));
+    for (std::uint64_t size = text.size(), i = 0; i < 8; ++i, size >>= 8)
+      put(static_cast<unsigned char>(size & 0xff));
+    return *this;
+  }
+  std::uint64_t number() const { return state_; }
+  // 16 hexadecimal digits.
+  std::string text() const { return fmt::format("{:016x}", state_); }
+
+private:
+  void put(unsigned char byte) { state_ = (state_ ^ byte) * 0x100000001b3u; }
+  std::uint64_t state_ = 0xcbf29ce484222325u;
+};
+
+}  // namespace glassbox::labs

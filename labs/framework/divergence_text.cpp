@@ -1,0 +1,47 @@
+#include "labs/framework/divergence_text.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace glassbox::labs {
+
+namespace {
+
+// What an expected number is shown as: the judge's own rounding errors are not the student's business.
+double shown(const Divergence& found) {
+  return std::abs(found.expected) <= found.bound ? 0 : found.expected;
+}
+
+std::string number_text(double value, double other) {
+  std::string text = fmt::format("{:.9g}", value);
+  return text == fmt::format("{:.9g}", other) ? fmt::format("{:.17g}", value) : text;
+}
+
+bool is_whole(double number) {
+  return number == std::round(number);
+}
+
+}  // namespace
+
+std::string expected_text(const Divergence& found) {
+  return number_text(shown(found), found.actual);
+}
+
+std::string actual_text(const Divergence& found) {
+  return number_text(found.actual, shown(found));
+}
+
+std::string distance_text(const Divergence& found) {
+  if (found.kind == Divergence::Kind::kNotANumber) return "none: NaN is near nothing";
+  std::string text =
+      fmt::format("{:.6g}{}{}", found.distance, found.unit.empty() ? "" : " ", found.unit);
+  const bool counted = found.unit.empty() && is_whole(found.expected) && is_whole(found.actual);
+  // Next to 0 an ulp is no measure of anything.
+  if (std::isfinite(found.ulps) && !counted && shown(found) != 0)
+    text += fmt::format(", {:.6g} {} ulps", found.ulps, found.ulps_of_double ? "double" : "float");
+  if (found.bound == 0) return text + "; it must be exact";
+  return text + fmt::format("; at most {:.6g} is allowed", found.bound);
+}
+
+}  // namespace glassbox::labs

@@ -1,0 +1,140 @@
+#include "labs/framework/points.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "labs/framework/sources.h"
+
+namespace glassbox::labs {
+
+namespace {
+
+namespace fs = std::filesystem;
+using OrderedJson = nlohmann::ordered_json;
+
+auto refused(const fs::path& file, const std::string& cause) {
+  return fail(file.string(), cause,
+              "write {\"points\": 100, \"tasks\": {\"5.1\": 15}, \"checks\": {}, \"hidden\": {}}");
+}
+
+bool is_weight(const OrderedJson& json) {
+  return json.is_number() && json.get<double>() >= 0 && json.get<double>() <= 1e6;
+}
+
+// Whether `json` has nothing but the four entries, of their kinds.
+bool has_shape(const OrderedJson& json) {
+  if (!json.is_object()) return false;
+  for (const auto& [name, value] : json.items()) {
+    if (name == "points") {
+      if (!is_weight(value)) return false;
+    } else if (name == "tasks" || name == "checks" || name == "hidden") {
+      if (!value.is_object() || !std::all_of(value.begin(), value.end(), is_weight)) return false;
+    } else {
+      return false;
+    }
+  }
+  return true;
+}
+
+Task* task_called(Lab& lab, const std::string& id) {
+  for (Task& task : lab.tasks) {
+    if (task.id == id) return &task;
+  }
+  return nullptr;
+}
+
+void set_tasks(const OrderedJson& json, Shares& shares) {
+  if (!json.contains("tasks")) return;
+  for (const auto& [id, points] : json["tasks"].items()) {
+    if (Task* task = task_called(shares.lab, id)) {
+      task->points = points.get<double>();
+    } else {
+      shares.warnings.push_back(fmt::format("points.json: the lab has no task {}", id));
+    }
+  }
+  for (const Task& task : shares.lab.tasks) {
+    if (!json["tasks"].contains(task.id))
+      shares.warnings.push_back(fmt::format(
+          "points.json: task {} is not in it, and keeps its {:g} points", task.id, task.points));
+  }
+}
+
+void set_checks(const OrderedJson& json, Shares& shares) {
+  if (!json.contains("checks")) return;
+  for (const auto& [name, weight] : json["checks"].items()) {
+    const auto found = std::find_if(
+        shares.lab.checks.begin(), shares.lab.checks.end(),
+        [&, &wanted = name](const Check& check) { return check.name == wanted && !check.hidden; });
+    if (found == shares.lab.checks.end()) {
+      shares.warnings.push_back(
+          fmt::format("points.json: the lab has no visible check \"{}\"", name));
+    } else {
+      found->weight = weight.get<double>();
+    }
+  }
+}
+
+void set_hidden(const OrderedJson& json, Shares& shares) {
+  if (!json.contains("hidden")) return;
+  for (const auto& [id, weight] : json["hidden"].items()) {
+    const auto is_of_task = [&, &task = id](const Check& check) {
+      return check.hidden && check.task == task;
+    };
+    auto& checks = shares.lab.checks;
+    const auto count = std::count_if(checks.begin(), checks.end(), is_of_task);
+    if (count == 0)
+      shares.warnings.push_back(fmt::format("points.json: task {} has no hidden check", id));
+    for (Check& check : checks) {
+      if (is_of_task(check)) check.weight = weight.get<double>() / double(count);
+    }
+  }
+}
+
+void compare_sums(const OrderedJson& json, Shares& shares) {
+  double sum = 0;
+  for (const Task& task : shares.lab.tasks) {
+    sum += task.points;
+    double weights = 0;
+    for (const Check& check : shares.lab.checks)
+      weights += check.task == task.id ? check.weight : 0;
+    if (weights == 0 && task.points > 0)
+      shares.warnings.push_back(fmt::format(
+          "points.json: no check of task {} has a weight: its {:g} points cannot be had", task.id,
+          task.points));
+  }
+  const double said = json.value("points", sum);
+  if (std::abs(sum - said) > 1e-9 * said)  // decimal fractions, as they are written
+    shares.warnings.push_back(
+        fmt::format("points.json: the tasks have {:g} points together, not {:g}", sum, said));
+}
+
+}  // namespace
+
+Result<Shares> read_shares(const Lab& lab, const fs::path& file) {
+  Shares shares{lab, {}};
+  std::error_code error;
+  if (!fs::exists(file, error)) return shares;
+  const auto text = read_text_file(file);
+  if (!text) return tl::unexpected(text.error());
+  const OrderedJson json = OrderedJson::parse(*text, nullptr, false);
+  if (json.is_discarded()) return refused(file, "is no JSON");
+  if (!has_shape(json))
+    return refused(file, "has other entries than points, tasks, checks and hidden");
+  set_tasks(json, shares);
+  set_checks(json, shares);
+  set_hidden(json, shares);
+  compare_sums(json, shares);
+  return shares;
+}
+
+double points_of_case(const Lab& lab, const Check& check, std::size_t cases) {
+  double weights = 0, points = 0;
+  for (const Check& each : lab.checks) weights += each.task == check.task ? each.weight : 0;
+  for (const Task& task : lab.tasks) points += task.id == check.task ? task.points : 0;
+  return weights > 0 && cases > 0 ? points * check.weight / weights / double(cases) : 0;
+}
+
+}  // namespace glassbox::labs

@@ -1,0 +1,71 @@
+// The side of a drawing (glassbox lab render) on which a student's code runs: records of a scene in, what the student's
+// functions make of them out. A record is a list of doubles, in which floats and whole numbers up to 2^53 are exact.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace glassbox::labs {
+
+using Numbers = std::vector<double>;
+
+// A record, number after number.
+class RecordReader {
+public:
+  RecordReader(const double* numbers, std::size_t count) : at_(numbers), end_(numbers + count) {}
+
+  bool more() const { return at_ != end_; }
+  double number() { return more() ? *at_++ : 0; }
+  float real() { return float(number()); }
+  int integer() { return int(number()); }
+
+  // A point or vector, of floats or doubles; of clip space four numbers.
+  template <class P>
+  P place() {
+    using T = typename P::scalar;
+    const T x = T(number()), y = T(number()), z = T(number());
+    if constexpr (requires(P p) { p.w; }) {
+      return {x, y, z, T(number())};
+    } else {
+      return {x, y, z};
+    }
+  }
+  // Sixteen numbers, row by row.
+  template <class M>
+  M matrix() {
+    M m;
+    for (int row = 0; row < 4; ++row) {
+      for (int column = 0; column < 4; ++column) m.at(row, column) = number();
+    }
+    return m;
+  }
+
+private:
+  const double *at_, *end_;
+};
+
+template <class P>
+void append_place(Numbers& out, const P& p) {
+  out.insert(out.end(), {double(p.x), double(p.y), double(p.z)});
+  if constexpr (requires { p.w; }) out.push_back(double(p.w));
+}
+
+template <class M>
+void append_matrix(Numbers& out, const M& m) {
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) out.push_back(double(m.at(row, column)));
+  }
+}
+
+// One stage of the picture as the student's functions do it: appends to `out` what they make of a record.
+struct StageFunction {
+  std::string name;
+  std::function<void(RecordReader& in, Numbers& out)> run;
+};
+
+// Defined by the lab's stages.cpp.
+std::vector<StageFunction> stage_functions();
+
+}  // namespace glassbox::labs

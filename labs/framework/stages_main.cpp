@@ -1,0 +1,86 @@
+// The program around a lab's stages: puts a batch of records to one of them and writes what it made of each.
+//
+//   stages --stage NAME --out-fd N
+//
+// Standard input is a file in memory, of doubles: [0] how many records have been begun, which is written here, so that
+// whoever started the program can tell in which one it ended; [1] how many there are; then each as its length and its
+// numbers. The answers have the same form, without the first two. The standard library only.
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+
+#include "labs/framework/stages.h"
+
+namespace {
+
+using glassbox::labs::Numbers;
+using glassbox::labs::RecordReader;
+using glassbox::labs::StageFunction;
+
+constexpr std::size_t kBlock = 32768;  // numbers written at once, at least
+
+bool write_all(int to, const Numbers& block) {
+  const char* at = reinterpret_cast<const char*>(block.data());
+  for (std::size_t left = block.size() * sizeof(double); left > 0;) {
+    const ssize_t written = ::write(to, at, left);
+    if (written <= 0) return false;
+    at += written;
+    left -= std::size_t(written);
+  }
+  return true;
+}
+
+int run(const StageFunction& stage, volatile double* begun, const double* at, const double* end,
+        int to) {
+  const auto records = std::size_t(*at++);
+  Numbers block;
+  for (std::size_t i = 0; i < records && at < end; ++i) {
+    *begun = double(i + 1);
+    const auto count = std::size_t(*at++);
+    RecordReader in(at, count);
+    at += count;
+    const std::size_t head = block.size();
+    block.push_back(0);
+    stage.run(in, block);
+    block[head] = double(block.size() - head - 1);
+    if (block.size() >= kBlock) {
+      if (!write_all(to, block)) return 1;
+      block.clear();
+    }
+  }
+  return write_all(to, block) ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const char* name = "";
+  int to = 1;
+  for (int i = 1; i + 1 < argc; i += 2) {
+    if (std::strcmp(argv[i], "--stage") == 0) name = argv[i + 1];
+    if (std::strcmp(argv[i], "--out-fd") == 0) to = std::atoi(argv[i + 1]);
+  }
+  struct stat file {};
+  if (::fstat(0, &file) != 0 || file.st_size < off_t(2 * sizeof(double))) return 2;
+  const auto bytes = std::size_t(file.st_size);
+  void* const input = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, 0, 0);
+  if (input == MAP_FAILED) return 2;
+  auto* const numbers = static_cast<double*>(input);
+  for (const StageFunction& stage : glassbox::labs::stage_functions()) {
+    if (stage.name != name) continue;
+    try {
+      return run(stage, numbers, numbers + 1, numbers + bytes / sizeof(double), to);
+    } catch (const std::exception& error) {
+      std::fprintf(stderr, "threw \"%.500s\"\n", error.what());
+    } catch (...) {
+      std::fprintf(stderr, "threw something that is no std::exception\n");
+    }
+    return 3;
+  }
+  return 2;
+}

@@ -1,0 +1,132 @@
+#include "labs/grading/compile.h"
+
+#include <fmt/format.h>
+
+#include "labs/grading/assembly.h"
+#include "labs/grading/messages.h"
+
+namespace glassbox::labs::grading {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Ending = RunOutcome::Ending;
+
+std::string without(std::string text, const std::string& part) {
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at))
+    text.erase(at, part.size());
+  return text;
+}
+
+// Empty if the compiler was content.
+std::string trouble_of(const RunOutcome& outcome, const Limits& limits, std::string& said) {
+  switch (outcome.ending) {
+    case Ending::kExit:
+      return outcome.code == 0 ? "" : "compile error";
+    case Ending::kTimeout:
+      said = fmt::format("The compiler was still busy after {} seconds.\n{}", limits.seconds, said);
+      return "compile timeout";
+    case Ending::kTooMuchOutput:
+      said = "The compiler wrote more than it may.\n" + said;
+      return "compile error";
+    case Ending::kNotStarted:
+      said = outcome.detail;
+      return "grading did not finish";
+    default:
+      said = fmt::format("The compiler did not survive (signal {}).\n{}", outcome.code, said);
+      return "compile error";
+  }
+}
+
+// A file that a submission included and that is neither the compiler's nor the lab's; empty if there is none. Where the sandbox
+// hides files there cannot be.
+std::string foreign_file(const fs::path& build, const Kit& kit) {
+  const auto rule = read_text_file(build / kFilesRead);
+  if (!rule) return "a file that is not named";
+  for (const fs::path& header : headers_of(*rule)) {
+    if (!Sandbox::is_compilers(build / header, {kit.include, build})) return header.string();
+  }
+  return {};
+}
+
+// Calls one of the compiler's parts and takes what it says, without the places that only the grader knows.
+std::string call(const std::vector<std::string>& command, const Sandbox& sandbox, const Kit& kit,
+                 const fs::path& build, std::string& said) {
+  const RunOutcome outcome = sandbox.compile(command, build, {kit.include}, compile_limits());
+  said += without(without(outcome.said, build.string() + "/"), kit.include.string() + "/");
+  return trouble_of(outcome, compile_limits(), said);
+}
+
+struct Place {
+  const Sandbox& sandbox;
+  const Kit& kit;
+  const fs::path& build;
+};
+
+// `objects` are copied to the place and removed again.
+fs::path link(std::vector<std::string> words, const std::vector<fs::path>& objects,
+              const std::string& program, const Place& place, std::string& said,
+              const CompileWords& options) {
+  std::error_code error;
+  for (const fs::path& object : objects) {
+    words.push_back(object.filename().string());
+    const fs::path copy = place.build / words.back();
+    fs::copy_file(object, copy, fs::copy_options::overwrite_existing, error);
+    if (error || !place.sandbox.hand_over(copy)) {
+      said = object.string() + ": cannot be copied to " + place.build.string();
+      return {};
+    }
+  }
+  const std::string trouble = call(link_command(place.kit, words, program, options), place.sandbox,
+                                   place.kit, place.build, said);
+  said = own_line_first(said, "");
+  for (const fs::path& object : objects) fs::remove(place.build / object.filename(), error);
+  return trouble.empty() ? place.build / program : fs::path();
+}
+
+}  // namespace
+
+Compiled compile_submission(const std::string& text, const Sandbox& sandbox, const Kit& kit,
+                            const fs::path& build, const CompileWords& words) {
+  const auto written = write_if_changed(build / kSource, text);
+  if (!written) return {"grading did not finish", written.error().message()};
+  if (!sandbox.hand_over(build) || !sandbox.hand_over(build / kSource))
+    return {"grading did not finish", "the build directory cannot be handed over"};
+  Compiled compiled;
+  compiled.trouble = call(assembly_command(kit, words, build), sandbox, kit, build, compiled.said);
+  compiled.said = own_line_first(compiled.said, text);
+  if (!compiled.trouble.empty()) return compiled;
+  if (const std::string foreign = foreign_file(build, kit); !foreign.empty())
+    return {"compile error",
+            fmt::format("student.cpp includes {}, which is not part of the lab.\n", foreign)};
+  const auto assembly = read_text_file(build / kAssembly);
+  if (!assembly) return {"grading did not finish", assembly.error().message()};
+  if (const auto statement = foreign_statement(*assembly))
+    return {"compile error",
+            fmt::format("student.cpp gives the assembler \"{}\", which no compiler writes: leave "
+                        "out asm, and sections and names of that kind.\n",
+                        *statement)};
+  compiled.trouble = call(object_command(kit), sandbox, kit, build, compiled.said);
+  return compiled;
+}
+
+fs::path link_submission(Checks checks, const Sandbox& sandbox, const Kit& kit,
+                         const fs::path& build, std::string& said, const CompileWords& words) {
+  const std::string program = checks == Checks::kVisible ? "runner" : "runner-of-all";
+  std::vector<fs::path> objects = kit.objects(checks);
+  // A sanitizer watches for signals itself.
+  if (words.sanitize)
+    std::erase_if(objects, [](const fs::path& each) { return each.filename() == "witness.o"; });
+  return link({kObject}, objects, program, {sandbox, kit, build}, said, words);
+}
+
+fs::path link_starter(Checks checks, const Sandbox& sandbox, const Kit& kit,
+                      const fs::path& build) {
+  std::vector<fs::path> objects = kit.objects(checks);
+  objects.push_back(kit.starter);
+  std::string said;
+  const std::string program = checks == Checks::kVisible ? "starter" : "starter-of-all";
+  return link({}, objects, program, {sandbox, kit, build}, said, {});
+}
+
+}  // namespace glassbox::labs::grading

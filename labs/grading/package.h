@@ -1,0 +1,22 @@
+// Archives that glassbox is built from elsewhere: by an autograder, and by students.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "labs/framework/zip.h"
+
+#include <glassbox/base/error.h>
+
+namespace glassbox::labs::grading {
+
+// The sources of the program in the clone `tree`, each with its path below `prefix` ("glassbox/"); neither tests nor documents.
+Result<std::vector<ZipEntry>> program_files(const std::filesystem::path& tree,
+                                            const std::string& prefix);
+
+// The same and the documents, with the labs as students get them (framework/students.h): what is built from it is a glassbox for
+// students, with the commands that they need.
+Result<std::vector<ZipEntry>> students_files(const std::filesystem::path& tree);
+
+}  // namespace glassbox::labs::grading

@@ -1,0 +1,301 @@
+#include "labs/quiz/quiz.h"
+
+#include <array>
+#include <cmath>
+
+#include <glassbox/pipeline/affine.h>
+#include <glassbox/pipeline/divide.h>
+#include <glassbox/pipeline/projection.h>
+
+namespace glassbox::labs {
+
+namespace {
+
+using Map = Transform<World, Object>;
+using Place = Point<World, double>;
+using Arrow = Vector<World, double>;
+
+// ---- samples ----
+
+// Maps of every kind: a shift, a turn, uneven scales, a shear, a mirror, and products of them.
+std::vector<Map> affine_maps() {
+  const Map shift = translate<World, Object>({3, -1, 2});
+  const Map turn = *rotate_degrees<World, Object>({1, 2, 3}, 40);
+  const Map scaled = scale<World, Object>(2, 0.5, 1);
+  const Map leaning = shear<World, Object>(Axis::kX, Axis::kY, 1);
+  const Map mirror = scale<World, Object>(-1, 1, 1);
+  const auto then = [](const Map& first, const Map& second) {
+    return Map((Transform<World, World>(second.columns) * first).columns);
+  };
+  return {Map(), shift, turn, scaled, leaning, mirror, then(turn, shift), then(leaning, turn)};
+}
+
+std::vector<Point<Object, double>> places() {
+  return {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2, -3, 1}, {-1, 4, 0.5}};
+}
+
+// A right angle of view, near 1 and nothing far: x and y over the distance.
+Place in_picture(const Place& p) {
+  const auto m = *perspective_degrees(90, 1, {1});
+  const auto clip = m * Point<Eye, double>(p.x, p.y, p.z);
+  return {clip.x / clip.w, clip.y / clip.w, clip.z / clip.w};
+}
+
+// In front of the eye, at various distances.
+std::vector<Place> seen() {
+  return {{0, 0, -2}, {1, 0, -2}, {1, 1, -4}, {-2, 1, -3}, {0.5, -1, -8}, {3, 2, -5}};
+}
+std::vector<Arrow> directions() {
+  return {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {1, 1, 0}, {1, 0, -2}, {-1, 2, -1}};
+}
+
+// ---- comparisons ----
+
+bool same(double a, double b) {
+  return std::abs(a - b) <=
+         1e-12 * (1 + std::abs(a) + std::abs(b));  // some thousand roundings of double
+}
+bool same(const Arrow& a, const Arrow& b) {
+  return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
+}
+Arrow flat(const Arrow& v) {
+  return {v.x, v.y, 0};
+}
+bool parallel(const Arrow& a, const Arrow& b) {
+  return same(cross(a, b), {0, 0, 0});
+}
+
+template <class Items, class Test>
+bool for_all(const Items& items, const Test& test) {
+  for (const auto& each : items) {
+    if (!test(each)) return false;
+  }
+  return true;
+}
+
+// For every map and every two places.
+template <class Test>
+bool of_pairs(const Test& test) {
+  return for_all(affine_maps(), [&](const Map& m) {
+    return for_all(places(), [&](const auto& p) {
+      return for_all(places(), [&](const auto& q) { return test(m, p, q); });
+    });
+  });
+}
+
+Point<Object, double> half_way(const Point<Object, double>& a, const Point<Object, double>& b) {
+  return {(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2};
+}
+Place half_way(const Place& a, const Place& b) {
+  return {(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2};
+}
+
+// ---- affine maps ----
+
+Quiz affine_quiz() {
+  const std::string shift = "--model '1 0 0 3  0 1 0 0  0 0 1 0  0 0 0 1'";
+  const std::string shear = "--model '1 1 0 0  0 1 0 0  0 0 1 0  0 0 0 1'";
+  const std::string eye = " --proj '1 0 0 0  0 1 0 0  0 0 -1 -10  0 0 0 1' --dialect glassbox";
+  return {2,
+          "Affine maps",
+          {{"Every affine map is linear.", false,
+            "A linear map leaves the origin where it is, and a translation does not. Affine is "
+            "linear and then translated.",
+            "step --point 0,0,0 " + shift + eye,
+            [] {
+              return for_all(affine_maps(), [](const Map& m) {
+                return same(m * Point<Object, double>(0, 0, 0) - Place(0, 0, 0), {0, 0, 0});
+              });
+            }},
+           {"An affine map is a combination of linear transformations.", false,
+            "Products and sums of linear maps are linear, so that no translation is among them "
+            "(E10). With a fourth coordinate, "
+            "which stays 1, it is a linear map of four coordinates.",
+            "step --point 0,0,0 --point 1,0,0 " + shift + eye,
+            [] {
+              // Linear maps take a sum to the sum: of p and q and the origin.
+              return of_pairs([](const Map& m, const auto& p, const auto& q) {
+                const Place sum = m * Point<Object, double>(p.x + q.x, p.y + q.y, p.z + q.z);
+                return same(sum - (m * p), (m * q) - Place(0, 0, 0));
+              });
+            }},
+           {"The last row of an affine map of space, with column vectors, is (0, 0, 0, 1).", true,
+            "It is what keeps w = 1. With row vectors it would be the last column.",
+            "step --point 1,2,3 " + shear + eye,
+            [] {
+              return for_all(affine_maps(), [](const Map& m) {
+                return m.at(3, 0) == 0 && m.at(3, 1) == 0 && m.at(3, 2) == 0 && m.at(3, 3) == 1;
+              });
+            }},
+           {"An affine map can change w.", false, "0 x + 0 y + 0 z + 1 w is w.",
+            "step --point 1,2,3 " + shift + eye,
+            [] {
+              return for_all(affine_maps(), [](const Map& m) {
+                return !same(m.at(3, 0) + m.at(3, 1) + m.at(3, 2) + m.at(3, 3), 1);
+              });
+            }},
+           {"Affine maps keep parallel lines parallel.", true,
+            "Two lines of one direction d have the one direction A d afterwards.",
+            "step --point 0,0,0 --point 0,1,0 --point 1,0,0 --point 1,1,0 " + shear + eye,
+            [] {
+              return of_pairs([](const Map& m, const auto& p, const auto& q) {
+                const Point<Object, double> p2(p.x + 1, p.y + 2, p.z + 3),
+                    q2(q.x + 1, q.y + 2, q.z + 3);
+                return parallel((m * p2) - (m * p), (m * q2) - (m * q));
+              });
+            }},
+           {"Affine maps keep the middle of a segment in its middle.", true,
+            "Weights that add up to 1 pass through: A (p + q)/2 + t = (A p + t + A q + t)/2.",
+            "step --point 0,0,0 --point 1,1,0 --point 2,2,0 " + shear + eye,
+            [] {
+              return of_pairs([](const Map& m, const auto& p, const auto& q) {
+                return same((m * half_way(p, q)) - half_way(m * p, m * q), {0, 0, 0});
+              });
+            }},
+           {"Affine maps keep right angles right.", false,
+            "A shear leans one axis and leaves the other.",
+            "step --point 0,0,0 --point 1,0,0 --point 0,1,0 " + shear + eye,
+            [] {
+              return for_all(affine_maps(), [](const Map& m) {
+                const Place o = m * Point<Object, double>(0, 0, 0);
+                return same(dot((m * Point<Object, double>(1, 0, 0)) - o,
+                                (m * Point<Object, double>(0, 1, 0)) - o),
+                            0);
+              });
+            }},
+           {"It does not matter whether a thing is turned first and moved then, or the other way "
+            "round.",
+            false, "T R has the translation t, R T has R t: they differ by (R - I) t.",
+            "step --point 1,0,0 --model '0 -1 0 0  1 0 0 3  0 0 1 0  0 0 0 1'" + eye,
+            [] {
+              const auto turn = *rotate_degrees<World, World>({0, 0, 1}, 90);
+              const auto shift = translate<World, World>({3, 0, 0});
+              return turn * shift == shift * turn;
+            }},
+           {"Any three pairs of points determine an affine map of the plane.", false,
+            "Not if the first three lie on a line: every shear along that line moves none of them.",
+            "step --point 0,0,0 --point 1,0,0 --point 2,0,0 " + shear + eye, [] {
+              return affine_from_three_points({{{0, 0}, {1, 0}, {2, 0}}},
+                                              {{{0, 0}, {1, 0}, {2, 0}}})
+                  .has_value();
+            }}}};
+}
+
+// ---- perspective ----
+
+Quiz perspective_quiz() {
+  const std::string eye = " --proj '1 0 0 0  0 1 0 0  0 0 -1 -1  0 0 -1 0' --dialect glassbox";
+  const auto along = [](const Place& p, const Arrow& d) {
+    return in_picture(p + d) - in_picture(p);
+  };
+  return {4,
+          "Perspective",
+          {{"Parallel lines that go into the scene converge in the picture.", true,
+            "All of one direction d run to the picture of d itself, the vanishing point (d.x, d.y) "
+            "/ -d.z.",
+            "step --point 1,0,-2 --point 1,0,-200 --point -1,0,-2 --point -1,0,-200" + eye,
+            [] {
+              return for_all(directions(), [](const Arrow& d) {
+                if (d.z == 0) return true;
+                const Place goal = in_picture({d.x, d.y, d.z});
+                // Each is half as far from the vanishing point when it is twice as far away.
+                return for_all(seen(), [&](const Place& p) {
+                  const auto from_goal = [&](double t) {
+                    return flat(in_picture(p + d * t) - goal) * (-p.z - t * d.z);
+                  };
+                  return same(from_goal(0), from_goal(3));
+                });
+              });
+            }},
+           {"All parallel lines converge in the picture.", false,
+            "Lines parallel to the picture's plane stay parallel: w is the same all along them.",
+            "step --point 0,0,-2 --point 1,0,-2 --point 0,1,-2 --point 1,1,-2" + eye,
+            [along] {
+              return for_all(directions(), [&](const Arrow& d) {
+                return for_all(seen(), [&](const Place& p) {
+                  return !parallel(flat(along(p, d)), flat(along({p.x, p.y + 1, p.z}, d)));
+                });
+              });
+            }},
+           {"What is twice as far away is seen half as large.", true,
+            "x/w and y/w, with w the distance.", "step --point 1,1,-2 --point 1,1,-4" + eye,
+            [] {
+              return for_all(seen(), [](const Place& p) {
+                const Place near = in_picture(p), far = in_picture({p.x, p.y, 2 * p.z});
+                return same(near.x, 2 * far.x) && same(near.y, 2 * far.y);
+              });
+            }},
+           {"Perspective keeps the middle of a segment in its middle.", false,
+            "The nearer half is seen longer: foreshortening is not uniform.",
+            "step --point 1,0,-2 --point 1,0,-4 --point 1,0,-6" + eye,
+            [] {
+              return for_all(seen(), [](const Place& p) {
+                return for_all(seen(), [&](const Place& q) {
+                  return same(
+                      flat(in_picture(half_way(p, q)) - half_way(in_picture(p), in_picture(q))),
+                      {0, 0, 0});
+                });
+              });
+            }},
+           {"Perspective keeps straight lines straight.", true,
+            "A line and the eye span a plane, which meets the picture in a line. So the ends of an "
+            "edge are enough.",
+            "step --point 0,0,-2 --point 1,1,-4 --point 2,2,-6" + eye,
+            [along] {
+              return for_all(directions(), [&](const Arrow& d) {
+                return for_all(seen(), [&](const Place& p) {
+                  return parallel(flat(along(p, d)), flat(along(p, d * 3.0)));
+                });
+              });
+            }},
+           {"Perspective keeps angles.", false,
+            "The corner of a square on the floor is none in the picture.",
+            "step --point 0,-1,-2 --point 1,-1,-2 --point 0,-1,-4" + eye,
+            [along] {
+              return for_all(seen(), [&](const Place& p) {
+                return same(dot(flat(along(p, {1, 0, 0})), flat(along(p, {0, 0, -1}))), 0);
+              });
+            }},
+           {"The last row of a perspective projection is (0, 0, 0, 1).", false,
+            "It is (0, 0, -1, 0): w becomes the distance, and so the map is not affine.",
+            "step --point 1,1,-2" + eye,
+            [] {
+              const auto m = *perspective_degrees(90, 1, {1});
+              return m.at(3, 2) == 0 && m.at(3, 3) == 1;
+            }},
+           {"After a parallel projection w is still 1.", true,
+            "It is affine. So the divide may be left out, to the bit.",
+            "step --point 1,1,-2 --proj '1 0 0 0  0 1 0 0  0 0 -0.1 0  0 0 0 1' --dialect glassbox",
+            [] {
+              const auto m = *orthographic({-1, 1, -1, 1}, {0, 10});
+              return for_all(seen(), [&](const Place& p) {
+                return (m * Point<Eye, double>(p.x, p.y, p.z)).w == 1;
+              });
+            }},
+           {"A point behind the eye is divided by its w and so stays out of the picture.", false,
+            "Its w is negative, and (x, y)/w lies in the picture, upside down. It has to be "
+            "clipped before the divide.",
+            "step --point 0.5,0.5,2" + eye,
+            [] {
+              return for_all(seen(), [](const Place& p) {
+                const Place behind = in_picture({p.x, p.y, -p.z});
+                return std::abs(behind.x) > 1 || std::abs(behind.y) > 1;
+              });
+            }},
+           {"Depth grows evenly with the distance.", false,
+            "It is linear in 1/distance: half of all depths lie within twice the near plane's "
+            "distance.",
+            "step --point 0,0,-1 --point 0,0,-2 --point 0,0,-3" + eye, [] {
+              return same(in_picture({0, 0, -3}).z - in_picture({0, 0, -2}).z,
+                          in_picture({0, 0, -2}).z - in_picture({0, 0, -1}).z);
+            }}}};
+}
+
+}  // namespace
+
+const std::vector<Quiz>& all_quizzes() {
+  static const std::vector<Quiz> all{affine_quiz(), perspective_quiz()};
+  return all;
+}
+
+}  // namespace glassbox::labs

@@ -1,0 +1,167 @@
+// Where the attributes of fragments come from: a few small triangles that the pixels of a block share. What shading needs of a triangle is
+// gathered and computed once, with a triangle in every lane; then each pixel looks its own up.
+
+#if defined(GLASSBOX_SHARED_SOURCE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLASSBOX_SHARED_SOURCE_INL_H_
+#undef GLASSBOX_SHARED_SOURCE_INL_H_
+#else
+#define GLASSBOX_SHARED_SOURCE_INL_H_
+#endif
+
+#include <glassbox/raster/lanes/small_source-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace glassbox {
+namespace HWY_NAMESPACE {
+
+// An attribute at vertex 0, and what the others have more.
+template <std::size_t N>
+struct AtVertices {
+  std::array<Floats, N> first, more1, more2;
+
+  AtVertices() = default;
+  HWY_INLINE explicit AtVertices(const OfVertices<std::array<Floats, N>>& a) : first(a[0]) {
+    for (std::size_t i = 0; i < N; ++i) {
+      more1[i] = a[1][i] - a[0][i];
+      more2[i] = a[2][i] - a[0][i];
+    }
+  }
+};
+
+// Small triangles of a draw, one a lane, seen from the first pixel of a block. Of the attributes there are those that the draw has.
+struct SharedTriangles {
+  const ShadeDraw* draw;
+  Ints e1, e2;                        // at the pixel's centre
+  Ints right1, right2, down1, down2;  // what a step of one pixel adds
+  Ints area;
+  Floats inverse_area;
+  OfVertices<Floats> inverse_w;
+  bool none_is_affine;
+  AtVertices<3> normal, position, color;
+  AtVertices<1> alpha;
+  AtVertices<2> texcoord;
+  TexturePlanesOf<Floats> texture_planes;
+
+  // Of draws that are lit where vertices are, faces have their part in what pixels show.
+  static bool can_have(const ShadeDraw& draw) { return draw.light != LightAt::kVertices; }
+
+  // `reference`: less the draw's first.
+  HWY_INLINE SharedTriangles(const ShadeDraw& of_draw, Ints reference, int x, int y)
+      : draw(&of_draw) {
+    const SmallFragments at{place_of(of_draw, reference), {}};
+    const SmallOnScreen screen(draw->screen, at.vertices, x, y, AtCentre());
+    e1 = screen.e1;
+    e2 = screen.e2;
+    right1 = shifted_left<kSubpixelBits>(screen.edges[1].a);
+    right2 = shifted_left<kSubpixelBits>(screen.edges[2].a);
+    down1 = shifted_left<kSubpixelBits>(screen.edges[1].b);
+    down2 = shifted_left<kSubpixelBits>(screen.edges[2].b);
+    area = screen.area;
+    inverse_area = screen.inverse_area;
+    inverse_w = screen.inverse_w;
+    none_is_affine = none(is_affine(inverse_w));
+    if (draw->light != LightAt::kNowhere) normal = AtVertices<3>(at.normals());
+    if (draw->eye_positions != nullptr) position = AtVertices<3>(at.positions());
+    if (draw->color_indices != nullptr) {
+      color = AtVertices<3>(at.colors());
+      alpha = AtVertices<1>(at.alphas());
+    }
+    if (draw->texcoord_indices != nullptr) {
+      const OfVertices<Float2> texcoords = at.texcoords();
+      texcoord = AtVertices<2>(texcoords);
+      texture_planes = screen.texture_planes(texcoords);
+    }
+  }
+};
+
+// What of it is needed for attributes.
+struct SharedPlace {
+  const SharedTriangles* triangles = nullptr;
+  Ints lane;                // of them, the pixel's
+  Floats weight1, weight2;  // in space, of vertices 1 and 2
+};
+template <class Self>
+class SharedAttributes {
+public:
+  HWY_INLINE Float3 normal() const { return here(self().triangles->normal); }
+  HWY_INLINE Float3 position() const { return here(self().triangles->position); }
+  HWY_INLINE Rgb color() const { return here(self().triangles->color); }
+  HWY_INLINE Floats alpha() const { return here(self().triangles->alpha)[0]; }
+  HWY_INLINE Float2 texcoord() const { return here(self().triangles->texcoord); }
+  HWY_INLINE ReflectionOf<Floats> reflection(const ShadeDraw& draw, const ResolveJob& job,
+                                             const Float3& normal) const {
+    const Floats zero = 0.0f;
+    const Float3 where = draw.eye_positions != nullptr ? position() : Float3{zero, zero, zero};
+    return reflected_light(*job.lighting, where, normal, draw.material->shininess, draw.highlights);
+  }
+
+protected:
+  // The pixel's of what each triangle has.
+  HWY_INLINE Ints own(Ints of_triangles) const {
+    return hn::TableLookupLanes(of_triangles.v, hn::IndicesFromVec(kI, self().lane.v));
+  }
+  HWY_INLINE Floats own(Floats of_triangles) const {
+    return hn::TableLookupLanes(of_triangles.v, hn::IndicesFromVec(kF, self().lane.v));
+  }
+
+private:
+  template <std::size_t N>
+  HWY_INLINE std::array<Floats, N> here(const AtVertices<N>& a) const {
+    std::array<Floats, N> attribute;
+    for (std::size_t i = 0; i < N; ++i) {
+      attribute[i] = interpolate(own(a.first[i]), own(a.more1[i]), own(a.more2[i]), self().weight1,
+                                 self().weight2);
+    }
+    return attribute;
+  }
+
+  const Self& self() const { return static_cast<const Self&>(*this); }
+};
+struct SharedFragments : SharedPlace, SharedAttributes<SharedFragments> {};
+
+// Pixels at columns and rows of the block.
+class SharedSource : public SharedPlace, public SharedAttributes<SharedSource> {
+public:
+  using Fragments = SharedFragments;
+
+  HWY_INLINE SharedSource(const SharedTriangles& shared, Ints of_pixels, Ints column, Ints row)
+      : SharedPlace{&shared, of_pixels, {}, {}} {
+    const Ints e1 = own(shared.e1) + own(shared.right1) * column + own(shared.down1) * row;
+    const Ints e2 = own(shared.e2) + own(shared.right2) * column + own(shared.down2) * row;
+    const Ints e0 = own(shared.area) - e1 - e2;
+    const Floats inverse_area = own(shared.inverse_area);
+    const Float3 lambda{screen_weight(to_float(e0), inverse_area),
+                        screen_weight(to_float(e1), inverse_area),
+                        screen_weight(to_float(e2), inverse_area)};
+    at_ = in_space(lambda);
+    weight1 = at_.weight1;
+    weight2 = at_.weight2;
+  }
+
+  HWY_INLINE Fragments fragments() const { return {{*this}, {}}; }
+  const WeightsInSpace<Floats>& at() const { return at_; }
+  HWY_INLINE TexturePlanesOf<Floats> texture_planes() const {
+    const TexturePlanesOf<Floats>& p = triangles->texture_planes;
+    return {
+        {own(p.origin[0]), own(p.origin[1])},
+        {{{own(p.over_w[0][0]), own(p.over_w[0][1])}, {own(p.over_w[1][0]), own(p.over_w[1][1])}}},
+        {own(p.inverse_w[0]), own(p.inverse_w[1])}};
+  }
+
+private:
+  HWY_INLINE WeightsInSpace<Floats> in_space(const Float3& lambda) const {
+    const OfVertices<Floats>& w = triangles->inverse_w;
+    if (triangles->draw->w_is_one) return {lambda[0], lambda[1], lambda[2], own(w[0])};
+    const Float3 inverse_w{own(w[0]), own(w[1]), own(w[2])};
+    return triangles->none_is_affine ? perspective<Floats>(lambda, inverse_w)
+                                     : weights_in_space<Floats>(lambda, inverse_w);
+  }
+
+  WeightsInSpace<Floats> at_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glassbox
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,166 @@
+// Four integers of 16 bits in each lane, and how words of 64 bits are gathered.
+
+#if defined(GLASSBOX_SHORTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLASSBOX_SHORTS_INL_H_
+#undef GLASSBOX_SHORTS_INL_H_
+#else
+#define GLASSBOX_SHORTS_INL_H_
+#endif
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include <glassbox/raster/lanes/numbers-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace glassbox {
+namespace HWY_NAMESPACE {
+
+#if HWY_TARGET == HWY_SCALAR
+// There are no narrower ones in a single lane: they are computed one by one.
+struct Shorts {
+  std::array<std::int16_t, 4> i;
+};
+template <class Operation>
+HWY_INLINE Shorts of_each(const Shorts& a, const Shorts& b, const Operation& operation) {
+  Shorts results;
+  for (std::size_t k = 0; k < 4; ++k) {
+    results.i[k] = std::int16_t(operation(std::int32_t(a.i[k]), std::int32_t(b.i[k])));
+  }
+  return results;
+}
+HWY_INLINE Shorts operator+(const Shorts& a, const Shorts& b) {
+  return of_each(a, b, [](std::int32_t x, std::int32_t y) { return x + y; });
+}
+HWY_INLINE Shorts operator-(const Shorts& a, const Shorts& b) {
+  return of_each(a, b, [](std::int32_t x, std::int32_t y) { return x - y; });
+}
+HWY_INLINE Shorts times_fraction(const Shorts& i, const Shorts& f) {
+  return of_each(i, f,
+                 [](std::int32_t x, std::int32_t y) { return glassbox::times_fraction(x, y); });
+}
+HWY_INLINE Shorts select(FloatMask condition, const Shorts& yes, const Shorts& no) {
+  return none(condition) ? no : yes;
+}
+template <int kBits>
+HWY_INLINE Shorts shifted_right(const Shorts& a) {
+  return of_each(a, a, [](std::int32_t x, std::int32_t) { return x >> kBits; });
+}
+HWY_INLINE Shorts shorts_of(std::int16_t i) {
+  return {{i, i, i, i}};
+}
+// The lane's four, in [0, 255], as the bytes of one integer, the first in the lowest.
+HWY_INLINE Ints bytes_of(const Shorts& a) {
+  return std::int32_t(unsigned(a.i[0]) | unsigned(a.i[1]) << 8 | unsigned(a.i[2]) << 16 |
+                      unsigned(a.i[3]) << 24);
+}
+// The lane's integer, which is in [0, 2^15), four times.
+HWY_INLINE Shorts four_times(Ints i) {
+  const auto one = std::int16_t(i.v.raw);
+  return {{one, one, one, one}};
+}
+// Entry `at` of a table of four each.
+HWY_INLINE Shorts gather_shorts(const std::int64_t* table, Ints at) {
+  Shorts gathered;
+  std::memcpy(gathered.i.data(), table + at.v.raw, sizeof(gathered.i));
+  return gathered;
+}
+// The k-th of them, which is not negative.
+template <std::size_t k>
+HWY_INLINE Ints short_of(const Shorts& shorts) {
+  return std::int32_t(shorts.i[k]);
+}
+#else
+using DS = hn::Repartition<std::int16_t, DF>;
+using DW = hn::Repartition<std::int64_t, DF>;
+inline constexpr DS kS;
+inline constexpr DW kW;
+inline constexpr hn::Half<DI> kHalfI;
+
+// Those of the lower half of the lanes, and those of the upper one.
+struct Shorts {
+  hn::Vec<DS> low, high;
+};
+HWY_INLINE Shorts operator+(const Shorts& a, const Shorts& b) {
+  return {hn::Add(a.low, b.low), hn::Add(a.high, b.high)};
+}
+HWY_INLINE Shorts operator-(const Shorts& a, const Shorts& b) {
+  return {hn::Sub(a.low, b.low), hn::Sub(a.high, b.high)};
+}
+HWY_INLINE Shorts times_fraction(const Shorts& i, const Shorts& f) {
+  return {hn::MulFixedPoint15(i.low, f.low), hn::MulFixedPoint15(i.high, f.high)};
+}
+template <int kBits>
+HWY_INLINE Shorts shifted_right(const Shorts& a) {
+  return {hn::ShiftRight<kBits>(a.low), hn::ShiftRight<kBits>(a.high)};
+}
+HWY_INLINE Shorts shorts_of(std::int16_t i) {
+  return {hn::Set(kS, i), hn::Set(kS, i)};
+}
+// The lane's four, in [0, 255], as the bytes of one integer, the first in the lowest.
+HWY_INLINE Ints bytes_of(const Shorts& a) {
+  const hn::Rebind<std::uint8_t, DS> half;
+  const hn::Twice<decltype(half)> whole;
+  return hn::BitCast(kI, hn::Combine(whole, hn::DemoteTo(half, a.high), hn::DemoteTo(half, a.low)));
+}
+// What `of_words` makes of the lanes as words of 64 bits, half by half.
+template <class OfWords>
+HWY_INLINE Shorts shorts_of_words(Ints i, const OfWords& of_words) {
+  return {hn::BitCast(kS, of_words(hn::PromoteTo(kW, hn::LowerHalf(kHalfI, i.v)))),
+          hn::BitCast(kS, of_words(hn::PromoteTo(kW, hn::UpperHalf(kHalfI, i.v))))};
+}
+// The lane's integer, which is in [0, 2^15), four times.
+HWY_INLINE Shorts four_times(Ints i) {
+#if HWY_TARGET == HWY_AVX3
+  // Short 2k of the lanes is lane k's.
+  const auto lane = hn::ShiftLeft<1>(hn::ShiftRight<2>(hn::Iota(kS, 0)));
+  return {hn::Vec<DS>{_mm512_permutexvar_epi16(lane.raw, i.v.raw)},
+          hn::Vec<DS>{_mm512_permutexvar_epi16(hn::Add(lane, hn::Set(kS, std::int16_t(kLanes))).raw,
+                                               i.v.raw)}};
+#else
+  return shorts_of_words(i | shifted_left<16>(i), [](auto twice) HWY_ATTR {
+    return hn::Or(twice, hn::ShiftLeft<32>(twice));
+  });
+#endif
+}
+// Words of 64 bits, `kBytes` times `at` bytes from the table's beginning.
+template <int kBytes>
+HWY_INLINE hn::Vec<DW> gather_words(const std::int64_t* table, hn::Vec<hn::Half<DI> > at) {
+#if HWY_TARGET == HWY_AVX3
+  return hn::Vec<DW>{_mm512_i32gather_epi64(at.raw, table, kBytes)};
+#elif HWY_TARGET == HWY_AVX2
+  return hn::Vec<DW>{
+      _mm256_i32gather_epi64(reinterpret_cast<const long long*>(table), at.raw, kBytes)};
+#else
+  constexpr int kShift = std::countr_zero(unsigned(kBytes));
+  return hn::GatherOffset(kW, table, hn::ShiftLeft<kShift>(hn::PromoteTo(kW, at)));
+#endif
+}
+// Entry `at` of a table of four each.
+HWY_INLINE Shorts gather_shorts(const std::int64_t* table, Ints at) {
+  return {hn::BitCast(kS, gather_words<8>(table, hn::LowerHalf(kHalfI, at.v))),
+          hn::BitCast(kS, gather_words<8>(table, hn::UpperHalf(kHalfI, at.v)))};
+}
+HWY_INLINE Shorts select(FloatMask condition, const Shorts& yes, const Shorts& no) {
+  const Ints all_bits = hn::VecFromMask(kI, int_mask(condition).m);
+  const Shorts where = shorts_of_words(all_bits, [](auto words) HWY_ATTR { return words; });
+  return {hn::IfVecThenElse(where.low, yes.low, no.low),
+          hn::IfVecThenElse(where.high, yes.high, no.high)};
+}
+// The k-th of them, which is not negative.
+template <std::size_t k>
+HWY_INLINE Ints short_of(const Shorts& shorts) {
+  const auto low = hn::BitCast(kI, shorts.low), high = hn::BitCast(kI, shorts.high);
+  const Ints two = k < 2 ? hn::ConcatEven(kI, high, low) : hn::ConcatOdd(kI, high, low);
+  return k % 2 == 0 ? two & 0xffff : shifted_right<16>(two);
+}
+#endif
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glassbox
+HWY_AFTER_NAMESPACE();
+
+#endif

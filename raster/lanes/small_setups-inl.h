@@ -1,0 +1,197 @@
+// Small triangles set up, as many as there are lanes at once: their edges, depths, and which quads of a tile they may cover
+// something of.
+
+#if defined(GLASSBOX_SMALL_SETUPS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLASSBOX_SMALL_SETUPS_INL_H_
+#undef GLASSBOX_SMALL_SETUPS_INL_H_
+#else
+#define GLASSBOX_SMALL_SETUPS_INL_H_
+#endif
+
+#include <cstddef>
+#include <cstdint>
+
+#include <glassbox/raster/lanes/quads-inl.h>
+#include <glassbox/raster/lanes/select-inl.h>
+#include <glassbox/raster/lanes/setup-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace glassbox {
+namespace HWY_NAMESPACE {
+
+// Triangles are set up so many at a time: the tables' lines are then on their way for all of them before the first is drawn.
+inline constexpr std::size_t kSmallBatch = 64;
+
+// A batch of small triangles, set up: one column a triangle. Edges 1 and 2 are kept; edge 0 is what they leave of the area.
+struct SmallSetups {
+  template <class T>
+  using Row = T[kSmallBatch];
+
+  HWY_ALIGN Row<std::int32_t> reference;
+  // What a step of 1/256 pixel adds to an edge: to the right, and downwards, as shorts; sides of 64 pixels are 2^14 steps long.
+  HWY_ALIGN Row<std::int32_t> slopes1, slopes2;
+  HWY_ALIGN Row<std::int32_t> above0, above1, above2;
+  HWY_ALIGN Row<std::int32_t> area;
+  HWY_ALIGN Row<float> inverse_area;
+  HWY_ALIGN Row<float> depth0, depth1, depth2;           // 1 and 2 less 0
+  HWY_ALIGN Row<std::int32_t> left, top, right, bottom;  // of the box
+  HWY_ALIGN Row<std::int32_t> origin1, origin2;  // edges at the centre of the tile's first pixel
+
+  // Where the triangle begins, for the point of a pixel that a tile asks at.
+  HWY_ALIGN Row<std::int32_t> x0, y0, x1, y1;  // quads of the tile, x1 and y1 excluded
+  HWY_ALIGN Row<std::int32_t> e1, e2;          // at the first pixel of the first quad
+  HWY_ALIGN Row<std::int32_t> is_tiny;         // covers hardly more than one quad
+
+  // The quads that the triangle may cover something of, of a box that meets at most 4 x 4 of them: bit 4 y + x. Of which triangles the
+  // box meets more: bit t for triangle t.
+  HWY_ALIGN Row<std::uint16_t> quads;
+  std::uint64_t wide;
+};
+static_assert(kSmallBatch <= 64);
+inline constexpr std::int32_t kMaskSide = 4;  // quads
+
+HWY_INLINE void set_up(const SmallJob& job, Ints triangle, const PixelRect& window, SmallSetups& to,
+                       std::size_t at) {
+  const OfVertices<Ints> vertices = gather_indices(job.positions, triangle);
+  const OfVertices<Ints> entries = entries_of(vertices);
+  OfVertices<Ints> x, y;
+  gather_position(job.screen, entries, x, y);
+  OfVertices<Floats> z = gather(&job.screen->z, entries);
+  const Ints signed_area = double_area(x, y);
+  const Order order = order_of(signed_area, z);
+  x = put_in_order(order, x);
+  y = put_in_order(order, y);
+  z = put_in_order(order, z);
+  const Ints area = abs(signed_area);
+  store(std::int32_t(job.first_reference) +
+            (triangle * std::int32_t(kReferenceStep) | code_of(order)),
+        to.reference + at);
+
+  store(smallest(x), to.left + at);
+  store(smallest(y), to.top + at);
+  store(largest(x), to.right + at);
+  store(largest(y), to.bottom + at);
+
+  const Ints at_x = window.x0 * kSubpixels + kPixelCentre;
+  const Ints at_y = window.y0 * kSubpixels + kPixelCentre;
+  const EdgeSlopes<Ints> edge0 = edge_of<0>(x, y), edge1 = edge_of<1>(x, y),
+                         edge2 = edge_of<2>(x, y);
+  store(value_of<1>(edge1, x, y, at_x, at_y), to.origin1 + at);
+  store(value_of<2>(edge2, x, y, at_x, at_y), to.origin2 + at);
+  store(pair_of(edge1.a, edge1.b), to.slopes1 + at);
+  store(pair_of(edge2.a, edge2.b), to.slopes2 + at);
+  store(outside_up_to(edge0), to.above0 + at);
+  store(outside_up_to(edge1), to.above1 + at);
+  store(outside_up_to(edge2), to.above2 + at);
+  store(area, to.area + at);
+  store(1.0f / to_float(area), to.inverse_area + at);
+  store(z[0], to.depth0 + at);
+  store(z[1] - z[0], to.depth1 + at);
+  store(z[2] - z[0], to.depth2 + at);
+}
+
+// An edge at the pixel of a quad where it is greatest, of kLanes triangles, less what counts as outside.
+struct GreatestInQuad {
+  HWY_INLINE GreatestInQuad(Ints at_first_pixel, Ints right_slope, Ints down_slope, Ints outside)
+      : right(shifted_left<kSubpixelBits>(right_slope)),
+        down(shifted_left<kSubpixelBits>(down_slope)) {
+    const Ints rise = greatest(right, 0) + greatest(down, 0);
+    here = at_first_pixel + (rise + rise + rise) - outside;
+  }
+  HWY_INLINE void next_column() { here = here + shifted_left<2>(right); }
+  HWY_INLINE void next_row() { here = here + shifted_left<2>(down); }
+
+  Ints right, down, here;
+};
+
+// Which quads the `live` ones of kLanes triangles may cover something of: those at no edge of which all pixels are outside.
+HWY_INLINE void find_quads(SmallSetups& s, std::size_t at, IntMask live) {
+  const Ints across = load(s.x1 + at) - load(s.x0 + at), high = load(s.y1 + at) - load(s.y0 + at);
+  const IntMask wide = live && (across > kMaskSide || high > kMaskSide);
+  s.wide = (at == 0 ? 0 : s.wide) | bits_of(wide) << at;
+  live = live && !wide;
+
+  const Ints slopes1 = load(s.slopes1 + at), slopes2 = load(s.slopes2 + at);
+  const Ints a1 = first_short(slopes1), a2 = first_short(slopes2);
+  const Ints b1 = second_short(slopes1), b2 = second_short(slopes2);
+  const Ints e1 = load(s.e1 + at), e2 = load(s.e2 + at);
+  GreatestInQuad row0(load(s.area + at) - e1 - e2, 0 - a1 - a2, 0 - b1 - b2, load(s.above0 + at));
+  GreatestInQuad row1(e1, a1, b1, load(s.above1 + at));
+  GreatestInQuad row2(e2, a2, b2, load(s.above2 + at));
+  Ints quads = 0;
+  for (std::int32_t y = 0; y < kMaskSide; ++y) {
+    const IntMask in_row = live && high > y;
+    if (none(in_row)) break;
+    GreatestInQuad quad0 = row0, quad1 = row1, quad2 = row2;
+    for (std::int32_t x = 0; x < kMaskSide; ++x) {
+      const IntMask in_box = in_row && across > x;
+      if (none(in_box)) break;
+      const IntMask met = in_box && quad0.here > 0 && quad1.here > 0 && quad2.here > 0;
+      quads = select(met, quads | (1 << (y * kMaskSide + x)), quads);
+      quad0.next_column();
+      quad1.next_column();
+      quad2.next_column();
+    }
+    row0.next_row();
+    row1.next_row();
+    row2.next_row();
+  }
+  store_shorts(quads, s.quads + at);
+}
+
+// The same of one triangle, wide or not, and of the 4 x 4 quads of its box that begin in column x, row y: one quad a lane.
+HWY_INLINE std::uint32_t find_quads_from(const SmallSetups& s, std::size_t t, std::int32_t x,
+                                         std::int32_t y) {
+  const auto slopes1 = std::uint32_t(s.slopes1[t]), slopes2 = std::uint32_t(s.slopes2[t]);
+  const std::int32_t a1 = std::int16_t(slopes1), b1 = std::int16_t(slopes1 >> 16);
+  const std::int32_t a2 = std::int16_t(slopes2), b2 = std::int16_t(slopes2 >> 16);
+  const auto rise = [](std::int32_t a, std::int32_t b) {
+    return 3 * kSubpixels * (HWY_MAX(a, 0) + HWY_MAX(b, 0));
+  };
+  const Ints rise0 = rise(-a1 - a2, -b1 - b2), rise1 = rise(a1, b1), rise2 = rise(a2, b2);
+  std::uint32_t quads = 0;
+  for (std::size_t k = 0; k < kQuadPixels; k += kLanes) {
+    const Ints column = quad_columns(k) + x, row = quad_rows(k) + y;
+    const Ints pixel = shifted_left<2>(pair_of(column, row));
+    const Ints e1 = s.e1[t] + shifted_left<kSubpixelBits>(sum_of_products(s.slopes1[t], pixel));
+    const Ints e2 = s.e2[t] + shifted_left<kSubpixelBits>(sum_of_products(s.slopes2[t], pixel));
+    const Ints e0 = s.area[t] - e1 - e2;
+    const IntMask in_box = s.x1[t] - s.x0[t] > column && s.y1[t] - s.y0[t] > row;
+    const IntMask met =
+        in_box && e0 + rise0 > s.above0[t] && e1 + rise1 > s.above1[t] && e2 + rise2 > s.above2[t];
+    quads |= std::uint32_t(bits_of(met)) << k;
+  }
+  return quads;
+}
+
+// Where kLanes triangles, of which some are `live`, begin in the tile. (An edge at the tile's first pixel may not fit 32 bits; at the
+// triangle's own pixels it does, and sums that wrap around arrive there all the same.)
+HWY_INLINE void place(const TileBuffer& tile, SmallSetups& s, std::size_t at, IntMask live) {
+  const PixelRect& window = tile.window();
+  const SampleOffset point = tile.point();
+  const Ints px0 = greatest(first_pixel(load(s.left + at) - point.x), Ints(window.x0)) - window.x0;
+  const Ints py0 = greatest(first_pixel(load(s.top + at) - point.y), Ints(window.y0)) - window.y0;
+  const Ints px1 = least(end_pixel(load(s.right + at) - point.x), Ints(window.x1)) - window.x0;
+  const Ints py1 = least(end_pixel(load(s.bottom + at) - point.y), Ints(window.y1)) - window.y0;
+  const Ints qx0 = shifted_right<2>(px0), qy0 = shifted_right<2>(py0);
+  store(qx0, s.x0 + at);
+  store(qy0, s.y0 + at);
+  store(one_where(px1 - px0 < 5 && py1 - py0 < 5), s.is_tiny + at);
+  store(shifted_right<2>(px1 + 3), s.x1 + at);
+  store(shifted_right<2>(py1 + 3), s.y1 + at);
+
+  const Ints dx = shifted_left<2 + kSubpixelBits>(qx0) + point.x;
+  const Ints dy = shifted_left<2 + kSubpixelBits>(qy0) + point.y;
+  const auto edge_at = [&](const std::int32_t* origin, Ints slopes) HWY_ATTR {
+    return load(origin + at) + first_short(slopes) * dx + second_short(slopes) * dy;
+  };
+  store(edge_at(s.origin1, load(s.slopes1 + at)), s.e1 + at);
+  store(edge_at(s.origin2, load(s.slopes2 + at)), s.e2 + at);
+  find_quads(s, at, live);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glassbox
+HWY_AFTER_NAMESPACE();
+
+#endif

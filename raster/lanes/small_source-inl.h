@@ -1,0 +1,265 @@
+// Where the attributes of fragments come from: a small triangle in every lane.
+
+#if defined(GLASSBOX_SMALL_SOURCE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLASSBOX_SMALL_SOURCE_INL_H_
+#undef GLASSBOX_SMALL_SOURCE_INL_H_
+#else
+#define GLASSBOX_SMALL_SOURCE_INL_H_
+#endif
+
+#include <glassbox/raster/lanes/shading_places-inl.h>
+#include <glassbox/raster/lanes/texture-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace glassbox {
+namespace HWY_NAMESPACE {
+
+template <class T>
+HWY_INLINE Float3 gather_triple(const T* table, Ints at) {
+  const float* from = &table->x;
+  const Ints word = at + at + at;
+  const Pair xy = gather_pair(reinterpret_cast<const std::int32_t*>(from), word);
+  return {float_of(xy.first), float_of(xy.second), gather(from + 2, word)};
+}
+
+// A member of 32 bits of a table's entries.
+template <class T>
+HWY_INLINE Ints gather_member(const T* table, Ints at, std::uint32_t T::*member) {
+  constexpr int kWords = sizeof(T) / sizeof(std::int32_t);
+  return gather(reinterpret_cast<const std::int32_t*>(&(table->*member)), at * kWords);
+}
+
+// What of it is needed for attributes, which are gathered from the draw's tables.
+struct SmallPlace {
+  const ShadeDraw* draw = nullptr;
+  Ints triangle;
+  Order order;
+  OfVertices<Ints> vertices;
+  Floats weight1, weight2;  // in space, of vertices 1 and 2
+};
+
+// Attributes, of any class that has the members of a place.
+template <class Self>
+class SmallAttributes {
+public:
+  HWY_INLINE Float3 normal() const {
+    if (HWY_UNLIKELY(self().draw->faces != nullptr)) return face_normal();
+    return here<3>(normals());
+  }
+  HWY_INLINE Float3 position() const { return here<3>(positions()); }
+  HWY_INLINE Rgb color() const { return here<3>(colors()); }
+  HWY_INLINE Floats alpha() const { return here<1>(alphas())[0]; }
+  HWY_INLINE Float2 texcoord() const { return here<2>(texcoords()); }
+
+  HWY_INLINE ReflectionOf<Floats> reflection(const ShadeDraw& draw, const ResolveJob& job,
+                                             const Float3& normal) const {
+    if (HWY_UNLIKELY(draw.light == LightAt::kVertices)) return reflection_of_vertices(draw, job);
+    const Floats zero = 0.0f;
+    const Float3 where = draw.eye_positions != nullptr ? position() : Float3{zero, zero, zero};
+    return reflected_light(*job.lighting, where, normal, draw.material->shininess, draw.highlights);
+  }
+  // 1 + the triangle's number in the scene.
+  HWY_INLINE Ints id() const {
+    return gather_member(self().draw->triangles, self().triangle, &Triangle::number) +
+           std::int32_t(self().draw->first_number + 1);
+  }
+
+  // ---- at the vertices ----
+
+  HWY_INLINE OfVertices<Float3> normals() const {
+    const OfVertices<Ints> corner = corners(self().draw->normal_indices);
+    const auto at_vertex = [&](std::size_t k) HWY_ATTR {
+      return facing(gather_triple(self().draw->normals, corner[k]));
+    };
+    return {at_vertex(0), at_vertex(1), at_vertex(2)};
+  }
+  HWY_INLINE OfVertices<Float3> positions() const {
+    const OfVertices<Ints>& vertices = self().vertices;
+    const Point<Eye>* from = self().draw->eye_positions;
+    return {gather_triple(from, vertices[0]), gather_triple(from, vertices[1]),
+            gather_triple(from, vertices[2])};
+  }
+  HWY_INLINE OfVertices<Rgb> colors() const {
+    const OfVertices<Ints> corner = corners(self().draw->color_indices);
+    const auto at_vertex = [&](std::size_t k) HWY_ATTR {
+      const Ints at = shifted_left<2>(corner[k]);
+      return Rgb{gather(&self().draw->colors->r, at), gather(&self().draw->colors->g, at),
+                 gather(&self().draw->colors->b, at)};
+    };
+    return {at_vertex(0), at_vertex(1), at_vertex(2)};
+  }
+  HWY_INLINE OfVertices<std::array<Floats, 1>> alphas() const {
+    const OfVertices<Ints> corner = corners(self().draw->color_indices);
+    const auto at_vertex = [&](std::size_t k) HWY_ATTR {
+      return std::array{gather(&self().draw->colors->a, shifted_left<2>(corner[k]))};
+    };
+    return {at_vertex(0), at_vertex(1), at_vertex(2)};
+  }
+  HWY_INLINE OfVertices<Float2> texcoords() const {
+    const OfVertices<Ints> corner = corners(self().draw->texcoord_indices);
+    const auto at_vertex = [&](std::size_t k) HWY_ATTR {
+      const Ints at = corner[k] + corner[k];
+      return Float2{gather(&self().draw->texcoords->u, at), gather(&self().draw->texcoords->v, at)};
+    };
+    return {at_vertex(0), at_vertex(1), at_vertex(2)};
+  }
+
+private:
+  // ---- light that is computed at the vertices, or once for a face ----
+
+  HWY_NOINLINE ReflectionOf<Floats> reflection_of_vertices(const ShadeDraw& draw,
+                                                           const ResolveJob& job) const {
+    const auto light_at = [&](const Float3& place, const Float3& n) HWY_ATTR {
+      return reflected_light(*job.lighting, place, n, draw.material->shininess, draw.highlights);
+    };
+    if (draw.faces != nullptr) return light_at(face_centre(), face_normal());
+    const OfVertices<Float3> normal = normals();
+    OfVertices<Float3> diffuse, specular;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto light = light_at(gather_triple(draw.eye_positions, self().vertices[k]), normal[k]);
+      diffuse[k] = light.diffuse;
+      specular[k] = light.specular;
+    }
+    return {here<3>(diffuse), here<3>(specular)};
+  }
+
+  HWY_INLINE Ints face() const {
+    return gather_member(self().draw->triangles, self().triangle, &Triangle::face);
+  }
+  HWY_INLINE Float3 face_normal() const {
+    return facing(gather_triple(self().draw->face_normals, face()));
+  }
+  // The mean of the face's corners, summed from the first on (render/staged/corners.cpp).
+  HWY_INLINE Float3 face_centre() const {
+    const ShadeDraw& draw = *self().draw;
+    const Ints at = face();
+    const Ints first = gather_member(draw.faces, at, &Face::first);
+    const Ints count = gather_member(draw.faces, at, &Face::count);
+    const Floats zero = 0.0f;
+    Float3 sum{zero, zero, zero};
+    for (std::int32_t k = 0;; ++k) {
+      const IntMask inside = count > k;
+      if (none(inside)) break;
+      const Ints corner = first + select(inside, Ints(k), Ints(0));
+      const Float3 p =
+          gather_triple(draw.eye_positions, gather_member(draw.corners, corner, &Corner::position));
+      for (std::size_t i = 0; i < 3; ++i)
+        sum[i] = select(float_mask(inside), sum[i] + p[i], sum[i]);
+    }
+    const Floats share = 1.0f / to_float(count);
+    return {sum[0] * share, sum[1] * share, sum[2] * share};
+  }
+
+  // An attribute of the three vertices, at the pixel.
+  template <std::size_t N>
+  HWY_INLINE std::array<Floats, N> here(const OfVertices<std::array<Floats, N>>& a) const {
+    return interpolate(a[0], a[1], a[2], self().weight1, self().weight2);
+  }
+  HWY_INLINE OfVertices<Ints> corners(IndexTriples indices) const {
+    if (HWY_LIKELY(indices == self().draw->positions)) return self().vertices;
+    return put_in_order(self().order, gather_indices(indices, self().triangle));
+  }
+  // Seen from behind, a surface is lit as if its normals pointed the other way.
+  HWY_INLINE Float3 facing(const Float3& n) const {
+    if (!self().draw->shows_backs) return n;
+    // Counter-clockwise on the screen is the front, and the back of what is mirrored.
+    const FloatMask back =
+        float_mask(self().draw->mirrored ? self().order.swapped : !self().order.swapped);
+    return {select(back, -n[0], n[0]), select(back, -n[1], n[1]), select(back, -n[2], n[2])};
+  }
+
+  const Self& self() const { return static_cast<const Self&>(*this); }
+};
+struct SmallFragments : SmallPlace, SmallAttributes<SmallFragments> {};
+
+// Triangles on the screen: their edges, with the values of two of them at a point of a pixel, and what perspective needs.
+struct SmallOnScreen {
+  std::array<EdgeSlopes<Ints>, 3> edges;
+  Ints e1, e2, area;
+  Floats inverse_area;
+  OfVertices<Floats> inverse_w;
+
+  template <class Place>
+  HWY_INLINE SmallOnScreen(const SnappedEntry* screen, const OfVertices<Ints>& vertices,
+                           Ints pixel_x, Ints pixel_y, const Place& place) {
+    const OfVertices<Ints> entries = entries_of(vertices);
+    OfVertices<Ints> x, y;
+    gather_position(screen, entries, x, y);
+    inverse_w = gather(&screen->inverse_w, entries);
+    const Ints at_x = shifted_left<kSubpixelBits>(pixel_x) + kPixelCentre;
+    const Ints at_y = shifted_left<kSubpixelBits>(pixel_y) + kPixelCentre;
+    edges = {edge_of<0>(x, y), edge_of<1>(x, y), edge_of<2>(x, y)};
+    area = double_area(x, y);
+    e1 = value_of<1>(edges[1], x, y, at_x, at_y);
+    e2 = value_of<2>(edges[2], x, y, at_x, at_y);
+    place.move(edges, area, e1, e2);
+    inverse_area = 1.0f / to_float(area);
+  }
+
+  HWY_INLINE TexturePlanesOf<Floats> texture_planes(const OfVertices<Float2>& texcoords) const {
+    std::array<Float3, 2> slopes;  // d lambda_k over one pixel along x and y, times 1/w_k
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto slope = [&](Ints step) HWY_ATTR {
+        return slope_over_w(to_float(shifted_left<kSubpixelBits>(step)), inverse_area,
+                            inverse_w[k]);
+      };
+      slopes[0][k] = slope(edges[k].a);
+      slopes[1][k] = slope(edges[k].b);
+    }
+    return planes_over_w(slopes, texcoords, is_affine(inverse_w));
+  }
+};
+
+HWY_INLINE SmallPlace place_of(const ShadeDraw& draw, Ints reference) {
+  static_assert(kReferenceStep == 1 << 3);
+  SmallPlace place;
+  place.draw = &draw;
+  place.triangle = shifted_right<3>(reference);
+  place.order = order_of_code(reference);
+  place.vertices = put_in_order(place.order, gather_indices(draw.positions, place.triangle));
+  return place;
+}
+
+// A triangle in every lane, at a pixel of its own.
+class SmallSource : public SmallPlace, public SmallAttributes<SmallSource> {
+public:
+  using Fragments = SmallFragments;
+
+  // `reference`: of the lane's triangle, less the draw's first.
+  template <class Place>
+  HWY_INLINE SmallSource(const ShadeDraw& of_draw, Ints reference, Ints pixel_x, Ints pixel_y,
+                         const Place& place)
+      : SmallPlace(place_of(of_draw, reference)),
+        screen_(draw->screen, vertices, pixel_x, pixel_y, place),
+        lambda1_(screen_weight(to_float(screen_.e1), screen_.inverse_area)),
+        lambda2_(screen_weight(to_float(screen_.e2), screen_.inverse_area)) {
+    const Ints e0 = screen_.area - screen_.e1 - screen_.e2;
+    const Floats lambda0 = screen_weight(to_float(e0), screen_.inverse_area);
+    const OfVertices<Floats>& inverse_w = screen_.inverse_w;
+    at_ = draw->w_is_one ? WeightsInSpace<Floats>{lambda0, lambda1_, lambda2_, inverse_w[0]}
+                         : weights_in_space({lambda0, lambda1_, lambda2_}, inverse_w);
+    weight1 = at_.weight1;
+    weight2 = at_.weight2;
+  }
+
+  HWY_INLINE Fragments fragments() const { return {{*this}, {}}; }
+  const WeightsInSpace<Floats>& at() const { return at_; }
+  HWY_INLINE Floats depth() const {
+    const OfVertices<Floats> z = gather(&draw->screen->z, entries_of(vertices));
+    return interpolate(z[0], z[1] - z[0], z[2] - z[0], lambda1_, lambda2_);
+  }
+  HWY_INLINE TexturePlanesOf<Floats> texture_planes() const {
+    return screen_.texture_planes(texcoords());
+  }
+
+private:
+  SmallOnScreen screen_;
+  Floats lambda1_, lambda2_;
+  WeightsInSpace<Floats> at_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glassbox
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,23 @@
+// The draws of a picture's eyes, and what is planned for them.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <glassbox/render/engine/engine.h>
+#include <glassbox/render/plan/plan.h>
+
+namespace glassbox {
+
+// By eye. The eyes refer to the lists; memory is used again for the next picture.
+struct PlannedPicture {
+  std::vector<DrawList> lists;
+  std::vector<PlannedEye> eyes;
+  std::vector<Plan> plans;
+};
+
+void plan_picture(const Scene& scene, const PreparedScene& prepared,
+                  std::span<const EyePicture> eyes, Planner planner, bool leave_out,
+                  PlannedPicture& picture);
+
+}  // namespace glassbox

@@ -1,0 +1,165 @@
+// glassbox lab render and lab watch as a student uses them.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "labs/framework/sources.h"
+#include "tests/support/catch.h"
+#include "tests/support/run_program.h"
+
+using namespace glassbox;
+using namespace glassbox::labs;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A folder of a lab with the solution in it, but for what is replaced.
+class Folder {
+public:
+  explicit Folder(std::string number = "6", std::string name = "06-rasterisation")
+      : name_(std::move(name)) {
+    fs::remove_all(path_);
+    fs::create_directories(path_);
+    REQUIRE(run({"lab", "start", number, "mine"}).exit_code == 0);
+  }
+  ~Folder() { fs::remove_all(path_); }
+
+  void write(const std::string& find, const std::string& replace) const {
+    std::string text = solution_text(find_sources().value(), name_).value();
+    const std::size_t at = text.find(find);
+    REQUIRE(at != std::string::npos);
+    text.replace(at, find.size(), replace);
+    std::ofstream(path_ / "mine/student.cpp") << text;
+  }
+  test::Outcome run(const std::vector<std::string>& words) const {
+    return test::run_program(GLASSBOX_PROGRAM, words, path_.string());
+  }
+  test::Outcome render(const std::vector<std::string>& more) const {
+    std::vector<std::string> words{"lab", "render", "mine", "cube", "--size", "48x32"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words);
+  }
+  const fs::path& path() const { return path_; }
+
+private:
+  std::string name_;
+  fs::path path_ = fs::temp_directory_path() / fmt::format("glassbox-lab-render-{}", getpid());
+};
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("lab render says what is wrong where, as text, JSON and a page, and by its exit code") {
+  const Folder folder;
+  folder.write("+ 0.5)", "+ 0.5) + (pixels > 24 ? 9 : 0)");
+  const auto wrong = folder.render({"--json", "out.json", "--html", "out.html", "-o", "out.png"});
+  CAPTURE(wrong.out, wrong.err);
+  CHECK(wrong.exit_code == 1);
+  CHECK(has(wrong.out, "stage snap (snap)"));
+  CHECK(has(wrong.out, "at most 0 is allowed"));
+  const auto json = nlohmann::json::parse(read_text_file(folder.path() / "out.json").value());
+  CHECK(json["right"] == false);
+  CHECK(json["first_record"]["stage"] == "snap");
+  CHECK(json["first_record"]["yours"].get<double>() -
+            json["first_record"]["reference"].get<double>() ==
+        9);
+  CHECK(json["first_pixel"]["yours"] != json["first_pixel"]["reference"]);
+  const std::string page = read_text_file(folder.path() / "out.html").value();
+  CHECK(has(page, "\"student\":"));
+  CHECK(has(page, "id=\"reference\""));
+  CHECK(fs::exists(folder.path() / "out.png"));
+
+  // What cannot be drawn leaves no picture, and says so in one line each.
+  folder.write("std::int32_t snap(", "int missing_semicolon = 1\nstd::int32_t snap(");
+  const auto broken = folder.render({"-o", "none.png"});
+  CHECK(broken.exit_code == 1);
+  CHECK(has(broken.out, "student.cpp:"));
+  CHECK_FALSE(fs::exists(folder.path() / "none.png"));
+  folder.write("std::int32_t snap(float pixels) {",
+               "std::int32_t snap(float pixels) {\n  if (pixels > 24) throw 5;");
+  const auto throwing = folder.render({"-o", "none.png"});
+  CAPTURE(throwing.out);
+  CHECK(throwing.exit_code == 1);
+  CHECK(has(throwing.out, "snap: threw something"));
+  CHECK(has(throwing.out, "triangle"));
+  CHECK_FALSE(fs::exists(folder.path() / "none.png"));
+}
+
+TEST_CASE("lab render refuses what it cannot draw with a line") {
+  const Folder folder;
+  for (const std::vector<std::string>& more : {std::vector<std::string>{"--wireframe"},
+                                               {"-o", "x.gif"},
+                                               {"--json", "a.json", "-o", "."}}) {
+    const auto outcome = folder.render(more);
+    CAPTURE(outcome.err);
+    CHECK(outcome.exit_code == 2);
+    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+  }
+  CHECK(folder.run({"lab", "render", ".", "cube"}).exit_code == 2);
+}
+
+TEST_CASE("lab watch with a scene draws again when the file is saved") {
+  const Folder folder;
+  folder.write("+ 0.5)", "+ 0.5)");
+  const pid_t watching = fork();
+  if (watching == 0) {
+    if (chdir(folder.path().c_str()) != 0) _exit(1);
+    freopen("watch.txt", "w", stdout);
+    execl(GLASSBOX_PROGRAM, "glassbox", "lab", "watch", "mine", "cube", "--size", "48x32", "-o",
+          "watched.png", static_cast<char*>(nullptr));
+    _exit(1);
+  }
+  const auto says = [&](const std::string& what) {
+    for (int tenths = 0; tenths < 1200; ++tenths) {
+      const auto text = read_text_file(folder.path() / "watch.txt");
+      if (text && has(*text, what)) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    return false;
+  };
+  CHECK(says("to do it again"));
+  folder.write("+ 0.5)", "+ 7.5)");
+  CHECK(says("stage snap (snap)"));
+  kill(watching, SIGTERM);
+  waitpid(watching, nullptr, 0);
+  CHECK(fs::exists(folder.path() / "watched.png"));
+}
+
+TEST_CASE("lab stiff says where the functions give up, beside the reference") {
+  const Folder folder("2", "02-affine");
+  folder.write("all = matrix_of(step) * all;", "all = matrix_of(step) * all;");
+  const auto right = folder.run({"lab", "stiff", "mine", "--json", "right.json"});
+  CAPTURE(right.out, right.err);
+  CHECK(right.exit_code == 0);
+  CHECK(has(right.out, "C-15"));
+  const auto json = nlohmann::json::parse(read_text_file(folder.path() / "right.json").value());
+  CHECK(std::count_if(json["cases"].begin(), json["cases"].end(),
+                      [](const auto& each) { return each.contains("yours"); }) == 1);
+
+  folder.write("all = matrix_of(step) * all;",
+               "all = matrix_of(step) * all, all.at(0, 3) += 0.25;");
+  const auto wrong = folder.run({"lab", "stiff", "mine"});
+  CAPTURE(wrong.out);
+  CHECK(wrong.exit_code == 1);
+  CHECK(has(wrong.out, "glassbox study extremes --case C-15"));
+
+  folder.write("all = matrix_of(step) * all;", "*static_cast<volatile int*>(nullptr) = 1;");
+  const auto crashing = folder.run({"lab", "stiff", "mine"});
+  CAPTURE(crashing.out);
+  CHECK(crashing.exit_code == 1);
+  CHECK(has(crashing.out, "SIGSEGV"));
+}

@@ -1,0 +1,234 @@
+// Pictures with a student's functions in the pipeline: every lab with a right, a wrong, a crashing and an endless stage.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "labs/drawing/compare.h"
+#include "labs/drawing/program.h"
+#include "labs/framework/lab.h"
+#include "tests/support/catch.h"
+
+#include <glassbox/mesh/builtin/scenes.h>
+#include <glassbox/pipeline/framing.h>
+
+using namespace glassbox;
+using namespace glassbox::labs;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// How the solution is led astray: in `find`, by an expression that asks trial::wrong().
+struct Trial {
+  int lab;
+  std::string scene;
+  RenderSettings settings;
+  std::string find, replace;
+  std::string stage, functions;  // where the wrong one is found, and what a message names
+};
+
+const std::vector<Trial>& trials() {
+  RenderSettings d16;
+  d16.depth = DepthFormat::kUnorm16;
+  static const std::vector<Trial> all{
+      {1,
+       "teapot:2",
+       {},
+       "m.x += (p.y - next.y)",
+       "m.x += (trial::wrong() ? 2 : 1) * (p.y - next.y)",
+       "normal",
+       "newell_vector"},
+      {2,
+       "room",
+       {},
+       "return rotation(step.v, step.amount);",
+       "return rotation(step.v, trial::wrong() ? step.amount + 1 : step.amount);",
+       "place",
+       "compose"},
+      {3,
+       "room",
+       {},
+       "gaze * (-1 / length(gaze))",
+       "gaze * ((trial::wrong() ? 1 : -1) / length(gaze))",
+       "view",
+       "uvn_view"},
+      {4,
+       "room",
+       {},
+       "std::tan(fovy_radians / 2)",
+       "std::tan(fovy_radians / (trial::wrong() ? 1 : 2))",
+       "projection",
+       "perspective"},
+      {5,
+       "room",
+       {},
+       "if (p.x > p.w) code",
+       "if (p.x > (trial::wrong() ? p.w / 2 : p.w)) code",
+       "clip",
+       "outcode"},
+      {6, "room", {}, "* kSteps + 0.5)", "* kSteps + (trial::wrong() ? 0 : 0.5))", "snap", "snap"},
+      {7, "room", d16, "double(z) * steps", "double(trial::wrong() ? 1 - z : z) * steps", "codes",
+       "depth_code"},
+      {8,
+       "room",
+       {},
+       "float(at.edges[k]) * at.inverse_w[k]",
+       "float(at.edges[k]) * (trial::wrong() ? 1 : at.inverse_w[k])",
+       "attributes",
+       "texcoord_at"},
+      {9,
+       "room",
+       {},
+       "skew.at(0, 2) = s / pair.window;",
+       "skew.at(0, 2) = (trial::wrong() ? -s : s) / pair.window;",
+       "eye",
+       "eye_projection"},
+  };
+  return all;
+}
+
+// One program behaves in four ways: by a letter in its file, so that it is compiled once.
+constexpr const char* kMark = "glassbox trial: ";
+constexpr const char* kTrial = R"(
+namespace trial {
+static volatile char how[] = "glassbox trial: r";
+// True where the answer is to be wrong; ends in a crash or not at all where that is asked.
+inline bool wrong() {
+  const char letter = how[sizeof how - 2];
+  if (letter == 'c') *static_cast<volatile int*>(nullptr) = 1;
+  while (letter == 'e') how[0] = how[0];
+  return letter == 'w';
+}
+}
+)";
+
+const Lab& lab_of(int number) {
+  const auto& all = all_labs();
+  return *std::find_if(all.begin(), all.end(), [&](const Lab& l) { return l.number == number; });
+}
+
+// A place that the sandbox's user may pass through.
+class Place {
+public:
+  Place() {
+    std::string name = (fs::temp_directory_path() / "glassbox-drawing-XXXXXX").string();
+    REQUIRE(::mkdtemp(name.data()) != nullptr);
+    path_ = name;
+    fs::permissions(path_, fs::perms(0711));
+  }
+  ~Place() {
+    std::error_code error;
+    fs::remove_all(path_, error);
+  }
+  const fs::path& path() const { return path_; }
+
+private:
+  fs::path path_;
+};
+
+class Desk {
+public:
+  explicit Desk(const Trial& trial)
+      : trial_(trial),
+        sandbox_(grading::Sandbox::choose(place_.path()).value()),
+        drawing_(drawing_of(trial.lab).value()),
+        scene_(make_builtin(trial.scene).value()) {
+    const Sources sources = find_sources().value();
+    const std::string& folder = lab_of(trial.lab).folder;
+    std::string text = solution_text(sources, folder).value();
+    const std::size_t at = text.find(trial.find);
+    REQUIRE(at != std::string::npos);
+    text.replace(at, trial.find.size(), trial.replace);
+    const fs::path student = place_.path() / "student.cpp";
+    std::ofstream(student) << "#include \"student.h\"\n" << kTrial << text;
+    const fs::path kept = fs::path(KEPT) / folder;
+    fs::create_directories(kept);
+    const auto made = build_stages(sources, {folder, student, kept, place_.path()}, sandbox_);
+    REQUIRE(made);
+    INFO(made->messages << made->foreign_file);
+    REQUIRE_FALSE(made->program.empty());
+    program_ = made->program;
+  }
+
+  // The program that behaves so: r right, w wrong, c crashes, e is endless.
+  fs::path behaving(char how) const {
+    std::ifstream file(program_, std::ios::binary);
+    std::string bytes((std::istreambuf_iterator<char>(file)), {});
+    const std::size_t mark = bytes.find(kMark);
+    REQUIRE(mark != std::string::npos);
+    bytes[mark + std::string(kMark).size()] = how;
+    const fs::path program = place_.path() / std::string("stages-").append(1, how);
+    std::ofstream(program, std::ios::binary) << bytes;
+    fs::permissions(program, fs::perms(0755));
+    return program;
+  }
+
+  struct Outcome {
+    Result<DrawnBoth> both;
+    std::optional<std::string> broke;
+  };
+  Outcome draw(char how, double seconds = 60) const {
+    Camera camera = scene_.cameras.empty() ? frame(scene_, 64.0 / 48).value() : scene_.cameras[0];
+    const DepthRange range = DepthRange::kStandard;
+    const Drawn drawn{scene_,          camera, make_view(camera, 64, 48, range).value(),
+                      trial_.settings, {},     {0.05, 3}};
+    StudentAnswers answers(sandbox_, behaving(how), seconds);
+    auto both = draw_both(drawing_, drawn, answers);
+    return {std::move(both), answers.broke()};
+  }
+
+private:
+  Place place_;
+  const Trial& trial_;
+  grading::Sandbox sandbox_;
+  LabDrawing drawing_;
+  Scene scene_;
+  fs::path program_;
+};
+
+}  // namespace
+
+TEST_CASE("every lab draws: the solution as the reference, and what goes wrong is named") {
+  const Trial& trial = GENERATE(from_range(trials()));
+  CAPTURE(trial.lab);
+  const Desk desk(trial);
+
+  const Desk::Outcome right = desk.draw('r');
+  REQUIRE(right.both);
+  const DrawingResult& fine = right.both->result;
+  CHECK(fine.right());
+  std::uint64_t records = 0;
+  for (const JudgedStage& stage : fine.stages) records += stage.records;
+  CHECK(records > 0);
+  // Interpolation in float and in double end in neighbouring bytes now and then; nothing else rounds.
+  CHECK(fine.differing_pixels <= (trial.lab == 8 ? fine.yours.pixels.size() / 100 : 0));
+
+  const Desk::Outcome wrong = desk.draw('w');
+  REQUIRE(wrong.both);
+  const DrawingResult& found = wrong.both->result;
+  CHECK_FALSE(found.right());
+  CHECK(found.differing_pixels > 0);
+  REQUIRE(found.first_record);
+  const WrongRecord& record = found.wrong[*found.first_record];
+  CHECK(found.stages[record.stage].name == trial.stage);
+  CHECK(std::abs(record.number.yours - record.number.reference) > record.number.bound);
+  REQUIRE(found.first_pixel);
+  CHECK(found.first_pixel->yours != found.first_pixel->reference);
+
+  const Desk::Outcome crashing = desk.draw('c');
+  CHECK_FALSE(crashing.both);
+  REQUIRE(crashing.broke);
+  CAPTURE(*crashing.broke);
+  CHECK(crashing.broke->find("SIGSEGV") != std::string::npos);
+  CHECK(crashing.broke->find(trial.functions) != std::string::npos);
+
+  const Desk::Outcome endless = desk.draw('e', 0.5);
+  CHECK_FALSE(endless.both);
+  REQUIRE(endless.broke);
+  CAPTURE(*endless.broke);
+  CHECK(endless.broke->find("still running after 0.5 seconds") != std::string::npos);
+}

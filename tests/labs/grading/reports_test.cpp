@@ -1,0 +1,117 @@
+// What other services read, and what a student reads of a compiler.
+#include "labs/grading/reports.h"
+
+#include "labs/grading/messages.h"
+#include "labs/grading/vpl.h"
+#include "tests/labs/grading/grading.h"
+#include "tests/labs/grading/tiny_lab.h"
+#include "tests/support/catch.h"
+
+namespace glassbox::test {
+
+using namespace labs::grading;
+
+namespace {
+
+bool is_in(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("JUnit's XML and Moodle's text have the visible checks and nothing of the hidden one") {
+  const Place place;
+  write(place.path / "one/student.cpp", submission("return x < 0 ? 0 : 2 * x;", "return 1 / x;"));
+  const Outcome outcome = grader({"grade", "one", "--one", "--lab", "99", "-o", "r.json", "--junit",
+                                  "junit.xml", "--vpl", "vpl.txt", "--kit", "kit"},
+                                 place.path);
+  INFO(outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  const std::string xml = read(place.path / "junit.xml"), text = read(place.path / "vpl.txt");
+  CHECK(run_program("/usr/bin/xmllint", {"--noout", (place.path / "junit.xml").string()}, "/")
+            .exit_code == 0);
+  CHECK(is_in(xml, "tests=\"2\" failures=\"1\" errors=\"0\""));
+  CHECK(is_in(xml, "<testcase classname=\"task 99.2\" name=\"a reciprocal\"/>"));
+  CHECK(is_in(xml, "<failure message=\"wrong answer\">"));
+  // 3 of 4 cases of 4 points, and 3 of the 6 points of the second task, of whose checks one is hidden.
+  CHECK(is_in(text, "Grade :=>>85.71\n"));
+  CHECK(is_in(text, "-99.1.1 twice a number: wrong answer\n>wrong answer: 3 of 4"));
+  for (const std::string& each : {xml, text}) CHECK_FALSE(is_in(each, "undone"));
+
+  write(place.path / "one/student.cpp", "int x = ;");
+  grader({"grade", "one", "--one", "--lab", "99", "-o", "r.json", "--junit", "junit.xml", "--vpl",
+          "vpl.txt", "--kit", "kit"},
+         place.path);
+  CHECK(is_in(read(place.path / "junit.xml"), "errors=\"1\""));
+  CHECK(run_program("/usr/bin/xmllint", {"--noout", (place.path / "junit.xml").string()}, "/")
+            .exit_code == 0);
+  CHECK(is_in(read(place.path / "vpl.txt"), "Grade :=>>0.00\n"));
+  CHECK(is_in(read(place.path / "vpl.txt"), "student.cpp:1:9: error:"));
+}
+
+TEST_CASE("Moodle's scripts leave a program that grades and writes a grade out of the activity's") {
+  const Place place;
+  write(place.path / "student.cpp", solution());
+  write(place.path / "vpl_environment.sh", "export VPL_GRADEMAX=20\n");
+  write(place.path / "bin/glassbox", std::string("#!/bin/sh\nexec ") + TINY_GRADER + " \"$@\"\n");
+  fs::permissions(place.path / "bin/glassbox", fs::perms(0755));
+  const auto said = [&](const std::string& script) {
+    write(place.path / "script.sh", script);
+    return run_program("/bin/bash",
+                       {"-c", "PATH=" + (place.path / "bin").string() +
+                                  ":$PATH; bash ./script.sh && ./vpl_execution"},
+                       place.path.string())
+        .out;
+  };
+  const std::string evaluated = said(vpl_evaluate_script(99));
+  INFO(evaluated);
+  CHECK(is_in(evaluated, "Grade :=>>20.00\n"));
+  const std::string run = said(vpl_run_script(99));
+  INFO(run);
+  CHECK(is_in(run, "99.1.1 twice a number: passed\nAll 4 cases are right."));
+  CHECK_FALSE(is_in(run, "Grade"));
+}
+
+TEST_CASE("an error in a header or of the linker begins with the student's line") {
+  const std::string source = "#include <vector>\n\n  std::vector<void> all;\n";
+  const std::string header =
+      "In file included from student.cpp:1:\n/usr/include/v.h: In instantiation of 'x':\n"
+      "student.cpp:3:21:   required from here\n/usr/include/v.h:10:2: error: no such thing\n";
+  CHECK(own_line_first(header, source) ==
+        "student.cpp:3: this line leads to the error below:\n    std::vector<void> all;\n" +
+            header);
+  const std::string own = "student.cpp:3:2: error: x\n/usr/include/v.h:1:1: error: y\n";
+  CHECK(own_line_first(own, source) == own);
+  CHECK(own_line_first("a warning\n", source) == "a warning\n");
+  CHECK(own_line_first("ld: visible.o: undefined reference to `twice(double)'\n", "")
+            .starts_with("student.cpp does not define twice(double), which is called.\n"));
+}
+
+TEST_CASE("all checks of a submission have one budget of time together") {
+  const Place place;
+  write(place.path / "one/student.cpp",
+        submission("for (volatile int i = 0;; ++i) {}", "for (volatile int i = 0;; ++i) {}"));
+  REQUIRE(grader({"grade", "one", "--one", "--lab", "99", "-o", "r.json", "--kit", "kit",
+                  "--time-limit", "30", "--total-time", "2"},
+                 place.path)
+              .exit_code == 0);
+  const auto results = read_json(place.path / "r.json");
+  for (const auto& test : results.at("tests")) {
+    CHECK(test.at("extra_data").at("outcome") ==
+          "timeout (the time of the whole submission is spent)");
+    CHECK(test.at("score") == 0);
+  }
+}
+
+TEST_CASE("a task that answers as the starter does is not written yet") {
+  const Place place;
+  write(place.path / "one/student.cpp", submission("return 2 * x;", "return 0 * x;"));
+  REQUIRE(
+      grader({"grade", "one", "--one", "--lab", "99", "-o", "r.json", "--kit", "kit"}, place.path)
+          .exit_code == 0);
+  const auto results = read_json(place.path / "r.json");
+  CHECK(results.at("tests")[0].at("extra_data").at("outcome") == "passed");
+  CHECK(results.at("tests")[1].at("extra_data").at("outcome") == "not written yet");
+}
+
+}  // namespace glassbox::test

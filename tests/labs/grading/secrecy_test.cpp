@@ -1,0 +1,161 @@
+// What is hidden stays so: until grades are published nothing that a student sees depends on a hidden check.
+#include "labs/grading/assembly.h"
+
+#include "tests/labs/grading/grading.h"
+#include "tests/support/catch.h"
+
+namespace glassbox::test {
+
+namespace {
+
+// The results of one submission.
+nlohmann::json graded(const Place& place, const std::string& text,
+                      const std::vector<std::string>& options = {}) {
+  write(place.path / "one/student.cpp", text);
+  std::vector<std::string> words{"grade",  "one",          "--one", "--lab", "99", "-o",
+                                 "r.json", "--time-limit", "60",    "--kit", "kit"};
+  words.insert(words.end(), options.begin(), options.end());
+  const Outcome outcome = grader(words, place.path);
+  INFO(outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  return read_json(place.path / "r.json");
+}
+
+// What Gradescope shows before publishing: neither extra_data nor tests of another visibility.
+std::string seen_before_publishing(const nlohmann::json& results) {
+  nlohmann::json seen;
+  for (const auto& [key, value] : results.items()) {
+    if (key != "tests" && key != "extra_data") seen[key] = value;
+  }
+  for (nlohmann::json test : results.at("tests")) {
+    test.erase("extra_data");
+    if (test.at("visibility") == "visible") seen["tests"].push_back(test);
+  }
+  return seen.dump();
+}
+
+// Declares what the runner has, calls every check in it at its first call, and prints the inputs that come.
+const std::string kSpy = R"cpp(#include "student.h"
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <vector>
+                               namespace glassbox::labs {
+                               class Answer {
+                               public:
+                                 struct Field {
+                                   std::string name;
+                                   std::vector<double> values;
+                                 };
+                                 std::vector<Field> fields_;
+                               };
+                               struct RunnerCheck {
+                                 std::string name;
+                                 int cases = 0;
+                                 std::function<void(int, Answer&)> run;
+                               };
+                               std::vector<RunnerCheck> runner_checks();
+                               }  // namespace glassbox::labs
+                               static bool spying = false;
+                               static void spy() {
+                                 if (spying) return;
+                                 spying = true;
+                                 for (auto& check : glassbox::labs::runner_checks()) {
+                                   std::printf("check %s\n", check.name.c_str());
+                                   for (int i = 0; i < check.cases; ++i) {
+                                     glassbox::labs::Answer answer;
+                                     check.run(i, answer);
+                                   }
+                                 }
+                               }
+                               double twice(double x) {
+                                 spy();
+                                 std::printf("input %.9g\n", x);
+                                 return 0;
+                               }
+                               double reciprocal(double x) {
+                                 spy();
+                                 std::printf("input %.9g\n", x);
+                                 return 0;
+                               }
+)cpp";
+
+}  // namespace
+
+TEST_CASE(
+    "a submission that calls the runner's own checks finds no hidden one in a visible check") {
+  const Place place;
+  const auto results = graded(place, kSpy);
+  const std::string seen = seen_before_publishing(results);
+  // It does see what it may, so it would have seen the rest.
+  CHECK(seen.find("check twice a number") != std::string::npos);
+  CHECK(seen.find("input 8") != std::string::npos);
+  CHECK(seen.find("a reciprocal undone") == std::string::npos);
+  CHECK(seen.find("0.015625") == std::string::npos);
+  CHECK(seen.find("input -5") == std::string::npos);
+  // And it was put to the hidden check, where the same prints are shown when grades are published.
+  CHECK(results.dump().find("input 0.015625") != std::string::npos);
+}
+
+TEST_CASE(
+    "submissions that differ in hidden checks alone look the same until grades are published") {
+  const Place place;
+  const auto right = graded(place, submission("return 2 * x;", "return 1 / x;"));
+  const auto wrong = graded(place, submission("return 2 * x;", "return x == -5 ? 0 : 1 / x;"));
+  CHECK(total(right) != total(wrong));
+  CHECK(seen_before_publishing(right) == seen_before_publishing(wrong));
+  CHECK(right.at("tests")[2].at("visibility") == "after_published");
+}
+
+TEST_CASE("a file that the assembler would read is refused before it reads it") {
+  const std::string secret = "the secret of this test";
+  const Place place;
+  write(place.path / "secret", secret);
+  const std::string file = (place.path / "secret").string();
+  const std::string right =
+      "double twice(double x) { return 2 * x; }\ndouble reciprocal(double x) { return 1 / x; }\n";
+  const std::string shows =
+      "extern const char stolen[];\n#include <cstdio>\ndouble twice(double) { std::puts(stolen); "
+      "return 0; }\n"
+      "double reciprocal(double x) { return 1 / x; }\n";
+  const std::vector<std::string> attacks{
+      "asm(\".section .rodata\\nstolen: .incbin \\\"" + file + "\\\"\\n.byte 0\\n.text\\n\");\n",
+      "asm(\".section .rodata\\nstolen: .INCBIN \\\"" + file + "\\\"\\n.byte 0\\n.text\\n\");\n",
+      "asm(\".macro m x\\n.inc\\\\x \\\"" + file +
+          "\\\"\\n.endm\\n.section .rodata\\nstolen: m bin\\n.byte 0\\n.text\\n\");\n",
+      "asm(\".include \\\"" + file + "\\\"\");\nconst char stolen[] = \"\";\n",
+      "__attribute__((section(\"x,\\\"a\\\"\\nstolen: .incbin \\\"" + file +
+          "\\\"\\n.byte 0\\n.section y\"))) int hidden_away = 1;\n",
+  };
+  for (const std::string sandbox : {"limits", ""}) {
+    for (const std::string& attack : attacks) {
+      const auto options = sandbox.empty() ? std::vector<std::string>{}
+                                           : std::vector<std::string>{"--sandbox", sandbox};
+      const auto results = graded(place, "#include \"student.h\"\n" + attack + shows, options);
+      INFO(attack << results.dump(2));
+      CHECK(results.at("extra_data").at("outcome") == "compile error");
+      CHECK(results.dump().find(secret) == std::string::npos);
+    }
+  }
+  CHECK(total(graded(place, "#include \"student.h\"\n" + right)) == 10);
+}
+
+TEST_CASE("only what compilers write is assembled") {
+  using labs::grading::foreign_statement;
+  for (const char* fine :
+       {"\t.file\t\"a.cpp\"\n\t.text\nf:\n\tmovl\t$1, %eax; ret\n", ".L1: .L2:\tnop\n",
+        "# 5 \"a.cpp\" 1\n\t.ascii \"\\\".incbin\\\" ;.include\"\n", "x = 4\n.L5 = 3",
+        "\t.cfi_startproc\n", "\tmov x0, #4\n", ""})
+    CHECK_FALSE(foreign_statement(fine));
+  for (const char* foreign :
+       {".incbin \"f\"", "\tnop; .incbin \"f\"\n", "a: .incbin \"f\"\n", "a:b:\t.InCbIn \"f\"\n",
+        ".include \"f\"", ".macro m\n", ".irp x,y\n", ".rept 2\n", "\".incbin\" \"f\"\n",
+        "nop /* \" */ ; .incbin \"f\" /* \" */\n", ".byte '\" ; .incbin \"f\"\n",
+        ".ascii \"a\nb\" ; .incbin \"f\"\n", ".ascii \"a\\\n\" ; .incbin \"f\"\n",
+        "nop \f .incbin \"f\"\n", ".altmacro\n", ".linkonce\n", "{evex} nop\n", "\\x\n"}) {
+    INFO(foreign);
+    CHECK(foreign_statement(foreign));
+  }
+}
+
+}  // namespace glassbox::test

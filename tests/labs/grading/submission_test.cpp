@@ -1,0 +1,121 @@
+// What is handed in: folders, archives and files are graded, what is none is said to be skipped, and nothing hostile gets through.
+#include "labs/grading/submission.h"
+
+#include <archive.h>
+#include <archive_entry.h>
+
+#include "labs/grading/archive.h"
+#include "tests/labs/grading/grading.h"
+#include "tests/support/catch.h"
+
+namespace glassbox::test {
+
+using namespace labs::grading;
+
+namespace {
+
+struct Entry {
+  std::string path, text, link = {};
+};
+
+// An archive as the library writes it, whatever the paths say.
+void write_archive(const fs::path& file, const std::vector<Entry>& entries) {
+  archive* writer = archive_write_new();
+  const std::string name = file.string();
+  if (name.ends_with(".zip")) {
+    archive_write_set_format_zip(writer);
+  } else {
+    archive_write_set_format_pax_restricted(writer);
+    if (name.ends_with("gz")) archive_write_add_filter_gzip(writer);
+  }
+  REQUIRE(archive_write_open_filename(writer, name.c_str()) == ARCHIVE_OK);
+  for (const Entry& each : entries) {
+    archive_entry* entry = archive_entry_new();
+    archive_entry_set_pathname(entry, each.path.c_str());
+    archive_entry_set_perm(entry, 0644);
+    archive_entry_set_filetype(entry, each.link.empty() ? AE_IFREG : AE_IFLNK);
+    if (!each.link.empty()) archive_entry_set_symlink(entry, each.link.c_str());
+    archive_entry_set_size(entry, la_int64_t(each.text.size()));
+    REQUIRE(archive_write_header(writer, entry) == ARCHIVE_OK);
+    if (!each.text.empty()) archive_write_data(writer, each.text.data(), each.text.size());
+    archive_entry_free(entry);
+  }
+  REQUIRE(archive_write_close(writer) == ARCHIVE_OK);
+  archive_write_free(writer);
+}
+
+std::string message_of(const Result<std::string>& read) {
+  return read ? "read: " + *read : read.error().message();
+}
+
+bool is_in(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("folders, archives and single files are submissions; the rest is skipped with a reason") {
+  const Place place;
+  const fs::path folder = place.path / "class";
+  write(folder / "ann/student.cpp", solution());
+  write_archive(folder / "ann.zip", {{"student.cpp", "// not this one"}});
+  fs::create_directory_symlink("ann", folder / "bob");
+  write_archive(folder / "cid.zip",
+                {{"lab/student.cpp", solution()}, {"__MACOSX/._student.cpp", "x"}});
+  write_archive(folder / "dan.tar.gz", {{"student.cpp", solution()}});
+  write(folder / "eve.cpp", solution());
+  write(folder / "fay/lab5.zip", "no archive at all");
+  fs::create_directories(folder / "gus");
+  write_archive(folder / "gus/lab5.zip", {{"student.cpp", solution()}});
+  write(folder / "hal/main.cpp", "int main() {}");
+  write(folder / "grades.xlsx", "x");
+  const Outcome outcome = grader({"grade", "class", "--lab", "99", "-o", "results"}, place.path);
+  INFO(outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  CHECK(is_in(outcome.err, "grades.xlsx: is no folder, no archive and no .cpp file"));
+  CHECK(is_in(outcome.err, "ann.zip: ann is of the same name"));
+  const auto result = [&](const std::string& name) {
+    return read_json(place.path / "results" / name / "results.json");
+  };
+  for (const char* name : {"ann", "cid", "dan", "eve", "gus"}) {
+    INFO(name);
+    CHECK(total(result(name)) == 10);
+  }
+  CHECK(result("bob").at("extra_data").at("outcome") == "file refused");
+  CHECK(is_in(result("bob").at("output"), "is a link"));
+  CHECK(result("fay").at("extra_data").at("outcome") == "file refused");
+  CHECK(result("hal").at("extra_data").at("outcome") == "missing file");
+  CHECK(is_in(result("hal").at("output"), "there is main.cpp"));
+  CHECK(is_in(read(place.path / "results/class.csv"), "bob,0,10,file refused"));
+}
+
+TEST_CASE("hostile archives are refused with the reason, and nothing of them is written anywhere") {
+  const Place place;
+  const auto refused = [&](const std::string& name, const std::vector<Entry>& entries) {
+    write_archive(place.path / name, entries);
+    return message_of(read_from_archive(place.path / name, "student.cpp"));
+  };
+  CHECK(is_in(refused("a.zip", {{"../student.cpp", "x"}}), "has the path \"../student.cpp\""));
+  CHECK(is_in(refused("b.tar", {{"/tmp/student.cpp", "x"}}), "has the path \"/tmp/student.cpp\""));
+  CHECK(
+      is_in(refused("c.tar", {{"a/../../b", "x"}, {"student.cpp", "x"}}), "has the path \"../b\""));
+  CHECK(is_in(refused("d.tar", {{"student.cpp", "", "/etc/passwd"}}), "is a link"));
+  CHECK(is_in(refused("e.tar.gz", {{"student.cpp", std::string((1 << 20) + 1, ' ')}}),
+              "more than 1048576 bytes"));
+  // 300 MiB of one byte, in some 300 KiB.
+  std::vector<Entry> bomb(30, {"zeros", std::string(10 << 20, '\0')});
+  bomb.push_back({"student.cpp", "x"});
+  CHECK(is_in(refused("f.tar.gz", bomb), "more than 256 MiB"));
+  CHECK(is_in(refused("g.zip", std::vector<Entry>(10001, {"a", "x"})), "more than 10000 entries"));
+  CHECK(is_in(refused("h.zip", {{"main.cpp", "x"}, {"lib/x.cpp", "x"}}),
+              "there is lib/x.cpp, main.cpp"));
+  CHECK(refused("i.zip", {{"student.cpp", "x"}, {"lab/student.cpp", "y"}}) == "read: x");
+  write(place.path / "cut.zip", read(place.path / "i.zip").substr(0, 40));
+  CHECK(is_in(message_of(read_from_archive(place.path / "cut.zip", "student.cpp")), "damaged"));
+  std::size_t files = 0;
+  for (const auto& entry : fs::directory_iterator(place.path))
+    files += entry.is_regular_file() ? 1U : 0U;
+  CHECK(files == 10);
+}
+
+}  // namespace glassbox::test

@@ -1,0 +1,104 @@
+#include "views/files/camera_file.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
+#include <glassbox/base/printable.h>
+
+#include "views/files/number_rows.h"
+
+namespace glassbox::views {
+
+namespace {
+
+constexpr std::size_t kNumbers = 21;
+
+Matrix3d matrix_at(const std::vector<double>& numbers, std::size_t first) {
+  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(numbers.data() + first);
+}
+
+Result<void> check_intrinsic(const Matrix3d& k, const std::string& place) {
+  const bool is_triangular = k(1, 0) == 0 && k(2, 0) == 0 && k(2, 1) == 0;
+  if (!is_triangular || !(k(0, 0) > 0) || !(k(1, 1) > 0) || !(k(2, 2) > 0)) {
+    return fail(place, "K is no camera matrix: zero below a positive diagonal",
+                "give the focal lengths, the skew and the principal point, in pixels");
+  }
+  return {};
+}
+
+// Of few digits: the nearest rotation.
+Result<Matrix3d> rotation_of(const Matrix3d& r, const std::string& place) {
+  constexpr double kFewDigits = 1e-5;
+  const double off = (r.transpose() * r - Matrix3d::Identity()).cwiseAbs().maxCoeff();
+  if (!(off <= kFewDigits)) {
+    return fail(place, fmt::format("R is no rotation: an entry of R^T R - I is {:.3g}", off),
+                "give perpendicular rows of length 1");
+  }
+  if (r.determinant() < 0) {
+    return fail(place, "R is a mirror: its determinant is -1",
+                "change the sign of one of its rows");
+  }
+  const Eigen::JacobiSVD<Matrix3d> svd(r, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  return Matrix3d(svd.matrixU() * svd.matrixV().transpose());
+}
+
+Result<NamedCamera> camera_of_row(const NumberRow& row) {
+  const std::string place = fmt::format("line {}", row.line);
+  if (row.name.empty() || row.numbers.size() != kNumbers) {
+    return fail(place,
+                fmt::format("a camera is a picture's name and {} numbers, and there are {}",
+                            kNumbers, row.numbers.size()),
+                "write name, K, R and t, matrices by rows");
+  }
+  const Matrix3d k = matrix_at(row.numbers, 0);
+  if (const auto legal = check_intrinsic(k, place); !legal) return tl::unexpected(legal.error());
+  const auto rotation = rotation_of(matrix_at(row.numbers, 9), place);
+  if (!rotation) return tl::unexpected(rotation.error());
+  const Vector3d shift(row.numbers[18], row.numbers[19], row.numbers[20]);
+  return NamedCamera{row.name, {k / k(2, 2), *rotation, -rotation->transpose() * shift}};
+}
+
+}  // namespace
+
+Result<std::vector<NamedCamera>> parse_cameras(std::string_view text) {
+  const auto rows = number_rows(text);
+  if (!rows) return tl::unexpected(rows.error());
+  const bool has_count =
+      !rows->empty() && rows->front().name.empty() && rows->front().numbers.size() == 1;
+  if (!has_count) {
+    return fail("line 1", "the number of cameras stands alone in the first line", "write it there");
+  }
+  const double count = rows->front().numbers.front();
+  if (count != double(rows->size() - 1)) {
+    return fail(fmt::format("line {}", rows->front().line),
+                fmt::format("it says {:g} cameras, and there are {}", count, rows->size() - 1),
+                "make the number and the lines agree");
+  }
+  std::vector<NamedCamera> cameras;
+  for (std::size_t i = 1; i < rows->size(); ++i) {
+    auto camera = camera_of_row((*rows)[i]);
+    if (!camera) return tl::unexpected(camera.error());
+    cameras.push_back(std::move(*camera));
+  }
+  return cameras;
+}
+
+std::string cameras_text(const std::vector<NamedCamera>& cameras) {
+  std::string text = fmt::format("{}\n", cameras.size());
+  for (const auto& [picture, camera] : cameras) {
+    text += picture;
+    const auto add = [&](const Matrix3d& matrix) {
+      for (int i = 0; i < 9; ++i) text += fmt::format(" {}", matrix(i / 3, i % 3));
+    };
+    add(camera.intrinsic);
+    add(camera.camera_from_world);
+    const Vector3d shift = -camera.camera_from_world * camera.centre;
+    text += fmt::format(" {} {} {}\n", shift.x(), shift.y(), shift.z());
+  }
+  return text;
+}
+
+}  // namespace glassbox::views

@@ -1,0 +1,23 @@
+// Text files of numbers in rows: matches, cameras.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glassbox/base/error.h>
+
+namespace glassbox::views {
+
+struct NumberRow {
+  std::uint64_t line = 0;  // from 1
+  std::string name;        // the first word, where it is no number
+  std::vector<double> numbers;
+};
+
+// A row for each line that is neither blank nor a comment ('#'). Words stand apart by blanks, commas or semicolons. A word that is no
+// finite number is an error that names its line, unless it is the first of its line.
+Result<std::vector<NumberRow>> number_rows(std::string_view text);
+
+}  // namespace glassbox::views

@@ -1,0 +1,223 @@
+#include "views/two_view/minimal.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+#include "views/two_view/constraint.h"
+#include "views/two_view/linear_fit.h"
+
+namespace glassbox::views {
+
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Basis = std::array<Matrix3d, 4>;  // X, Y, Z, W
+using Cubics = Eigen::Matrix<double, 10, 20>;
+
+// ---- polynomials of degree 3 or less in x, y and z ----
+
+constexpr int kMonomials = 20;
+// Powers of x, y, z: the ten cubic monomials, then the ten smaller ones, by degree.
+constexpr std::array<std::array<int, 3>, kMonomials> kPowers{
+    {{3, 0, 0}, {2, 1, 0}, {2, 0, 1}, {1, 2, 0}, {1, 1, 1}, {1, 0, 2}, {0, 3, 0},
+     {0, 2, 1}, {0, 1, 2}, {0, 0, 3}, {2, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 2, 0},
+     {0, 1, 1}, {0, 0, 2}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}};
+constexpr int kX = 16, kY = 17, kZ = 18, kOne = 19, kFirstSmall = 10;
+
+int index_of(const std::array<int, 3>& powers) {
+  return int(std::ranges::find(kPowers, powers) - kPowers.begin());
+}
+
+struct Polynomial {
+  Eigen::Matrix<double, 1, kMonomials> c = Eigen::Matrix<double, 1, kMonomials>::Zero();
+
+  Polynomial& operator+=(const Polynomial& other) {
+    c += other.c;
+    return *this;
+  }
+  friend Polynomial operator+(Polynomial a, const Polynomial& b) { return a += b; }
+  friend Polynomial operator-(Polynomial a, const Polynomial& b) {
+    a.c -= b.c;
+    return a;
+  }
+  // Degrees must add up to 3 or less.
+  friend Polynomial operator*(const Polynomial& a, const Polynomial& b) {
+    Polynomial product;
+    for (int i = 0; i < kMonomials; ++i) {
+      if (a.c[i] == 0) continue;
+      for (int j = 0; j < kMonomials; ++j) {
+        if (b.c[j] == 0) continue;
+        const auto& p = kPowers[std::size_t(i)];
+        const auto& q = kPowers[std::size_t(j)];
+        product.c[index_of({p[0] + q[0], p[1] + q[1], p[2] + q[2]})] += a.c[i] * b.c[j];
+      }
+    }
+    return product;
+  }
+};
+
+using PolynomialMatrix = std::array<std::array<Polynomial, 3>, 3>;
+
+PolynomialMatrix unknown_essential(const Basis& basis) {
+  PolynomialMatrix e;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      auto& c = e[std::size_t(row)][std::size_t(column)].c;
+      c[kX] = basis[0](row, column);
+      c[kY] = basis[1](row, column);
+      c[kZ] = basis[2](row, column);
+      c[kOne] = basis[3](row, column);
+    }
+  }
+  return e;
+}
+
+Polynomial determinant(const PolynomialMatrix& e) {
+  return e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) -
+         e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
+         e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
+}
+
+// det E = 0, and the nine entries of 2 E E^T E - tr(E E^T) E = 0.
+Cubics cubics_of(const Basis& basis) {
+  const PolynomialMatrix e = unknown_essential(basis);
+  PolynomialMatrix square;
+  Polynomial trace;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t k = 0; k < 3; ++k) square[i][j] += e[i][k] * e[j][k];
+    }
+    trace += square[i][i];
+  }
+  Cubics rows;
+  rows.row(0) = determinant(e).c;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      Polynomial sum;
+      for (std::size_t k = 0; k < 3; ++k) sum += square[i][k] * e[k][j];
+      rows.row(Eigen::Index(1 + 3 * i + j)) = 2 * sum.c - (trace * e[i][j]).c;
+    }
+  }
+  return rows;
+}
+
+// ---- their common roots ----
+
+Matrix3d combined(const Basis& basis, const Vector3d& at) {
+  return at.x() * basis[0] + at.y() * basis[1] + at.z() * basis[2] + basis[3];
+}
+
+Eigen::Matrix<double, kMonomials, 1> monomials_at(const Vector3d& at) {
+  Eigen::Matrix<double, kMonomials, 1> values;
+  for (int i = 0; i < kMonomials; ++i) {
+    const auto& [p, q, r] = kPowers[std::size_t(i)];
+    values[i] = std::pow(at.x(), p) * std::pow(at.y(), q) * std::pow(at.z(), r);
+  }
+  return values;
+}
+
+// d/dx, d/dy, d/dz of each monomial.
+Eigen::Matrix<double, kMonomials, 3> monomial_slopes_at(const Vector3d& at) {
+  Eigen::Matrix<double, kMonomials, 3> slopes;
+  for (int i = 0; i < kMonomials; ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      std::array<int, 3> powers = kPowers[std::size_t(i)];
+      const int factor = powers[axis];
+      powers[axis] = std::max(0, factor - 1);
+      slopes(i, Eigen::Index(axis)) = factor * std::pow(at.x(), powers[0]) *
+                                      std::pow(at.y(), powers[1]) * std::pow(at.z(), powers[2]);
+    }
+  }
+  return slopes;
+}
+
+// Gauss and Newton, as long as the equations' residual falls.
+Vector3d improved(const Cubics& cubics, Vector3d at) {
+  constexpr int kMostSteps = 10;
+  Eigen::Matrix<double, 10, 1> residual = cubics * monomials_at(at);
+  for (int step = 0; step < kMostSteps; ++step) {
+    const Eigen::Matrix<double, 10, 3> slopes = cubics * monomial_slopes_at(at);
+    const Vector3d next = at - slopes.colPivHouseholderQr().solve(residual);
+    const Eigen::Matrix<double, 10, 1> next_residual = cubics * monomials_at(next);
+    if (!(next_residual.norm() < residual.norm())) break;
+    at = next;
+    residual = next_residual;
+  }
+  return at;
+}
+
+// Multiplication by x, on the ten smaller monomials: x times one of degree 2 is a cubic one, which the equations express by smaller
+// ones; x times one of degree 1 or 0 is among them.
+Eigen::Matrix<double, 10, 10> multiplication_by_x(const Cubics& cubics) {
+  const Eigen::Matrix<double, 10, 10> smaller =
+      -cubics.leftCols<10>().partialPivLu().solve(cubics.rightCols<10>());
+  Eigen::Matrix<double, 10, 10> action = Eigen::Matrix<double, 10, 10>::Zero();
+  for (int i = 0; i < 10; ++i) {
+    std::array<int, 3> powers = kPowers[std::size_t(kFirstSmall + i)];
+    ++powers[0];
+    const int product = index_of(powers);
+    if (product < kFirstSmall) {
+      action.row(i) = smaller.row(product);
+    } else {
+      action(i, product - kFirstSmall) = 1;
+    }
+  }
+  return action;
+}
+
+// Where a solution has no W at all, x, y and z are infinite. Points in special positions have such solutions in the basis that the
+// decomposition gives; a turned one has none but by chance. Columns of an orthogonal matrix with no zero in it.
+Basis turned_basis(const Eigen::Matrix<double, 9, Eigen::Dynamic>& kernel) {
+  Eigen::Matrix4d mixed;
+  mixed << 0.8, 0.4, -0.4, 0.2,  //
+      -0.4, 0.8, -0.2, -0.4,     //
+      0.4, -0.2, 0.2, -0.8588,   //
+      0.2, 0.4, 0.8588, 0.25;
+  const Eigen::Matrix4d turn = mixed.householderQr().householderQ();
+  Basis basis;
+  for (int k = 0; k < 4; ++k) {
+    basis[std::size_t(k)] = (kernel * turn.col(k)).reshaped<Eigen::RowMajor>(3, 3);
+  }
+  return basis;
+}
+
+}  // namespace
+
+Result<std::vector<Matrix3d>> five_point(const Matches& calibrated) {
+  const auto fit = linear_fit(calibrated, 5);
+  if (!fit) return tl::unexpected(fit.error());
+  if (fit->rank() < 5) {
+    return fail("the matches",
+                "they say less than five equations do: some are combinations of others",
+                "give matches in general position");
+  }
+  const Basis basis = turned_basis(fit->kernel.rightCols(4));
+  const Cubics cubics = cubics_of(basis);
+  const Eigen::EigenSolver<Eigen::Matrix<double, 10, 10>> solver(multiplication_by_x(cubics));
+  // Pairs of roots that are one are found with imaginary parts of the root of the rounding error.
+  const double close = 256 * std::sqrt(std::numeric_limits<double>::epsilon());
+  std::vector<Matrix3d> found;
+  for (int i = 0; i < 10; ++i) {
+    const std::complex<double> x = solver.eigenvalues()[i];
+    if (std::abs(x.imag()) > close * (1 + std::abs(x))) continue;
+    const Eigen::Matrix<double, 10, 1> values = solver.eigenvectors().col(i).real();
+    const Vector3d at = values.segment<3>(kX - kFirstSmall) / values[kOne - kFirstSmall];
+    if (!at.allFinite()) continue;
+    const Matrix3d e = combined(basis, improved(cubics, at)).normalized();
+    const bool is_new = std::ranges::none_of(found, [&](const Matrix3d& other) {
+      return std::min((e - other).norm(), (e + other).norm()) < close;
+    });
+    // What Newton's method did not bring to a root is none: 2 E E^T E - tr(E E^T) E of a matrix of norm 1.
+    if (is_new && demazure<double>(e).norm() < close) found.push_back(e);
+  }
+  return found;
+}
+
+}  // namespace glassbox::views

@@ -1,0 +1,108 @@
+#include "views/two_view/model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
+#include "views/two_view/homography.h"
+#include "views/two_view/linear_fit.h"
+#include "views/two_view/refinement.h"
+#include "views/two_view/residual.h"
+#include "views/two_view/triangulation.h"
+
+namespace glassbox::views {
+
+namespace {
+
+// GRIC = sum rho(e^2/sigma^2) + lambda1 d n + lambda2 k, rho(x) = min(x, lambda3 (r - d)), with lambda1 = log 4, lambda2 = log 4 n,
+// lambda3 = 2: matches are r = 4 numbers, on a manifold of d dimensions, of a model of k parameters.
+struct ModelSize {
+  int dimensions, parameters;
+};
+constexpr ModelSize kFundamental{3, 7}, kHomography{2, 8}, kRotation{2, 3};
+
+template <class SquareOf>
+double criterion(const Matches& matches, double sigma, ModelSize size, const SquareOf& square_of) {
+  const double count = double(matches.size());
+  double sum = std::log(4.0) * size.dimensions * count + std::log(4 * count) * size.parameters;
+  for (const Match& match : matches) {
+    sum += std::min(square_of(match) / (sigma * sigma), 2.0 * (4 - size.dimensions));
+  }
+  return sum;
+}
+
+// The rotation that carries the left rays nearest to the right ones (Kabsch, Acta Crystallographica A32, 1976).
+Matrix3d fit_rotation(const Matches& pixels, const Matrix3d& left_intrinsic,
+                      const Matrix3d& right_intrinsic) {
+  Matrix3d sum = Matrix3d::Zero();
+  for (const Match& match : pixels) {
+    const Rays rays = rays_of(match, left_intrinsic, right_intrinsic);
+    sum += rays.right.normalized() * rays.left.normalized().transpose();
+  }
+  const Eigen::JacobiSVD<Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Matrix3d u = svd.matrixU(), v = svd.matrixV();
+  const Vector3d signs(1, 1, (u * v.transpose()).determinant());
+  return u * signs.asDiagonal() * v.transpose();
+}
+
+// Half of the transfer errors' squares is what both points together are off, to first order.
+double cost_of_transfer(const Matches& pixels, const Matrix3d& homography, double sigma,
+                        ModelSize size) {
+  const Matrix3d inverse = homography.inverse();
+  return criterion(pixels, sigma, size, [&](const Match& match) {
+    const double distance = transfer_distance(homography, inverse, match);
+    return distance * distance / 2;
+  });
+}
+
+}  // namespace
+
+const char* name_of(PairKind kind) {
+  switch (kind) {
+    case PairKind::kGeneral:
+      return "general";
+    case PairKind::kTurned:
+      return "one point of view";
+    case PairKind::kPlane:
+      return "a plane";
+    case PairKind::kCritical:
+      return "a critical surface";
+  }
+  return "";
+}
+
+Result<PairJudgement> judge_pair(const Matches& pixels, const Matrix3d& left_intrinsic,
+                                 const Matrix3d& right_intrinsic, double sigma) {
+  const auto fit = fit_fundamental(pixels, Conditioning::kNormalised);
+  if (!fit) return tl::unexpected(fit.error());
+  const auto homography = fit_homography(pixels);
+  if (!homography) return tl::unexpected(homography.error());
+  const Matrix3d f = refined_fundamental(fit->matrix, pixels);
+  const Matrix3d rotation = fit_rotation(pixels, left_intrinsic, right_intrinsic);
+
+  PairJudgement judgement;
+  judgement.cost_of_fundamental = criterion(pixels, sigma, kFundamental, [&](const Match& match) {
+    const double distance = sampson_distance(f, match);
+    return distance * distance;
+  });
+  judgement.cost_of_homography = cost_of_transfer(pixels, *homography, sigma, kHomography);
+  judgement.cost_of_rotation = cost_of_transfer(
+      pixels, right_intrinsic * rotation * left_intrinsic.inverse(), sigma, kRotation);
+  const auto& values = fit->system.singular_values;
+  judgement.eighth_over_ninth = values[7] / values[8];
+
+  const double simpler = std::min(judgement.cost_of_homography, judgement.cost_of_rotation);
+  const bool is_family = fit->system.rank() < 8 || judgement.eighth_over_ninth < 3;
+  // Of a plane F is one of a family of two dimensions, whose best member has been fitted to the noise: two more parameters.
+  const double freedom = is_family ? 2 * std::log(4.0 * double(pixels.size())) : 0;
+  if (simpler <= judgement.cost_of_fundamental + freedom) {
+    judgement.kind = judgement.cost_of_rotation == simpler ? PairKind::kTurned : PairKind::kPlane;
+  } else if (is_family) {
+    judgement.kind = PairKind::kCritical;
+  }
+  return judgement;
+}
+
+}  // namespace glassbox::views

@@ -1,0 +1,17 @@
+// Roots of polynomials in one unknown.
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace glassbox::views {
+
+// p(x) = c[0] + c[1] x + ... by Horner's rule.
+double polynomial_at(const Eigen::VectorXd& coefficients, double x);
+
+// Real roots, ascending: eigenvalues of the companion matrix, whose imaginary part is within the error of a double root
+// (the root of the unit roundoff), each improved by Newton's method. Leading zeros are left out; none for a constant.
+std::vector<double> real_roots(const Eigen::VectorXd& coefficients);
+
+}  // namespace glassbox::views

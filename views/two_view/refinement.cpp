@@ -1,0 +1,93 @@
+#include "views/two_view/refinement.h"
+
+#include <cmath>
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+#include <unsupported/Eigen/NonLinearOptimization>
+#include <unsupported/Eigen/NumericalDiff>
+
+#include "views/two_view/linear_fit.h"
+#include "views/two_view/residual.h"
+
+namespace glassbox::views {
+
+namespace {
+
+// What Eigen's optimiser asks of a function: Sampson distances as a function of a few numbers, zero at the first estimate.
+template <class MatrixOf>
+struct Distances {
+  using Scalar = double;
+  using InputType = Eigen::VectorXd;
+  using ValueType = Eigen::VectorXd;
+  using JacobianType = Eigen::MatrixXd;
+  static constexpr int InputsAtCompileTime = Eigen::Dynamic;
+  static constexpr int ValuesAtCompileTime = Eigen::Dynamic;
+
+  MatrixOf matrix_of;
+  const Matches& pixels;
+  int unknowns;
+
+  int inputs() const { return unknowns; }
+  int values() const { return int(pixels.size()); }
+  int operator()(const Eigen::VectorXd& at, Eigen::VectorXd& distances) const {
+    const Matrix3d matrix = matrix_of(at);
+    for (Eigen::Index i = 0; i < distances.size(); ++i) {
+      distances[i] = sampson_distance(matrix, pixels[std::size_t(i)]);
+    }
+    return 0;
+  }
+};
+
+template <class MatrixOf>
+Eigen::VectorXd least_squares(const MatrixOf& matrix_of, const Matches& pixels, int unknowns) {
+  Eigen::VectorXd at = Eigen::VectorXd::Zero(unknowns);
+  if (int(pixels.size()) < unknowns) return at;
+  using Function = Eigen::NumericalDiff<Distances<MatrixOf>, Eigen::Central>;
+  Function function(Distances<MatrixOf>{matrix_of, pixels, unknowns});
+  Eigen::LevenbergMarquardt<Function> method(function);
+  method.minimize(at);
+  return at;
+}
+
+Matrix3d turned_by(const Vector3d& rotation_vector) {
+  const double angle = rotation_vector.norm();
+  if (angle == 0) return Matrix3d::Identity();
+  return Eigen::AngleAxisd(angle, rotation_vector / angle).matrix();
+}
+
+}  // namespace
+
+RelativePose refined_pose(const StereoRig& first, const Matches& pixels) {
+  const Vector3d direction = first.pose.translation.normalized();
+  const Vector3d across = direction.unitOrthogonal(), up = direction.cross(across);
+  const auto pose_at = [&](const Eigen::VectorXd& at) {
+    const Vector3d moved = direction + at[3] * across + at[4] * up;
+    return RelativePose{turned_by(at.head<3>()) * first.pose.rotation,
+                        first.pose.translation.norm() * moved.normalized()};
+  };
+  const auto matrix_at = [&](const Eigen::VectorXd& at) {
+    return fundamental_of({first.left_intrinsic, first.right_intrinsic, pose_at(at)});
+  };
+  constexpr int kUnknowns = 5;
+  return pose_at(least_squares(matrix_at, pixels, kUnknowns));
+}
+
+Matrix3d refined_fundamental(const Matrix3d& first, const Matches& pixels) {
+  // Pixels are of very different sizes than 1; the unknowns are turns of normalised ones.
+  const auto from = normalised(pixels);
+  if (!from) return first.normalized();
+  const Matrix3d there = from->right.inverse().transpose() * first * from->left.inverse();
+  const Eigen::JacobiSVD<Matrix3d> svd(there, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const double ratio = svd.singularValues()[1] / svd.singularValues()[0];
+  const auto matrix_at = [&](const Eigen::VectorXd& at) {
+    const Vector3d values(1, ratio + at[6], 0);
+    const Matrix3d matrix = turned_by(at.head<3>()) * svd.matrixU() * values.asDiagonal() *
+                            svd.matrixV().transpose() * turned_by(at.segment<3>(3));
+    return Matrix3d(from->right.transpose() * matrix * from->left);
+  };
+  constexpr int kUnknowns = 7;
+  return matrix_at(least_squares(matrix_at, pixels, kUnknowns)).normalized();
+}
+
+}  // namespace glassbox::views
