@@ -9,13 +9,12 @@
 #include "app/lab/drawing_page.h"
 #include "app/lab/drawing_report.h"
 #include "app/lab/find_lab.h"
+#include "app/lab/student_stages.h"
 #include "app/options/scene_input.h"
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
 #include "app/report/picture_output.h"
 #include "app/report/progress.h"
-#include "app/report/scratch.h"
-#include "labs/drawing/program.h"
 
 #include <glassbox/base/printable.h>
 
@@ -69,30 +68,20 @@ int draw_lab_picture(const LabPicture& asked) {
   const auto drawn = chosen(*folder->lab, *scene, asked.picture, camera);
   if (!drawn) return refuse(drawn.error());
 
-  const Scratch scratch;
-  const auto place = scratch.path();
-  if (!place) return refuse(place.error());
-  const auto sandbox = labs::grading::Sandbox::choose(*place);
-  if (!sandbox) return refuse(sandbox.error());
   const auto sources = labs::find_sources();
   if (!sources) return refuse(sources.error());
-  progress.phase("compiling " + folder->student.string());
-  const auto program = labs::build_stages(
-      *sources, {folder->lab->folder, folder->student, folder->build_dir / "drawing", *place},
-      *sandbox);
-  if (!program) return refuse(program.error());
-  if (program->program.empty()) {
+  StudentStages stages;
+  if (const auto built = stages.build(*sources, *folder, progress); !built)
+    return refuse(built.error());
+  if (stages.program().program.empty()) {
     progress.done();
-    if (!program->foreign_file.empty())
-      fmt::print("{} includes {}, which is not part of the lab.\n", folder->student.string(),
-                 program->foreign_file);
-    fmt::print("{}", program->messages);
+    fmt::print("{}", stages.program().messages);
     return kFailure;
   }
 
   progress.phase("drawing " + scene_title(asked.scene));
   const Clock::time_point start = Clock::now();
-  labs::StudentAnswers answers(*sandbox, program->program, asked.seconds);
+  labs::StudentAnswers answers(stages.sandbox(), stages.program().program, asked.seconds);
   const auto both = labs::draw_both(*drawing, *drawn, answers);
   if (!both && answers.broke()) {
     progress.done();

@@ -8,11 +8,11 @@
 
 #include "app/lab/find_lab.h"
 #include "app/lab/stiff_cases.h"
+#include "app/lab/student_stages.h"
 #include "app/options/output_options.h"
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
 #include "app/report/progress.h"
-#include "app/report/scratch.h"
 
 namespace glassbox::app {
 
@@ -106,26 +106,20 @@ int LabStiffCommand::run() const {
   if (!cases) return refuse(cases.error());
   if (!drawing || cases->empty())
     return refuse({folder_, "", "this lab has no stiff cases", "name the folder of another lab"});
-  const Scratch scratch;
-  const auto place = scratch.path();
-  if (!place) return refuse(place.error());
-  const auto sandbox = labs::grading::Sandbox::choose(*place);
-  if (!sandbox) return refuse(sandbox.error());
   Progress progress;
-  progress.phase("compiling " + folder->student.string());
-  const auto program = labs::build_stages(
-      *sources, {folder->lab->folder, folder->student, folder->build_dir / "drawing", *place},
-      *sandbox);
-  if (!program) return refuse(program.error());
-  if (program->program.empty()) {
+  StudentStages stages;
+  if (const auto built = stages.build(*sources, *folder, progress); !built)
+    return refuse(built.error());
+  if (stages.program().program.empty()) {
     progress.done();
-    fmt::print("{}{}", program->foreign_file, program->messages);
+    fmt::print("{}", stages.program().messages);
     return kFailure;
   }
   std::vector<StiffCase> put;
   for (const study::ExtremeCase* each : *cases) {
     progress.phase("putting " + each->id);
-    put.push_back(put_case(*each, *folder->lab, *drawing, *sandbox, *program, seconds_));
+    put.push_back(
+        put_case(*each, *folder->lab, *drawing, stages.sandbox(), stages.program(), seconds_));
   }
   progress.done();
   if (json_output_) {

@@ -13,7 +13,6 @@
 #include <glassbox/pipeline/dialects.h>
 #include <glassbox/pipeline/projection.h>
 #include <glassbox/render/engine/draw_list.h>
-#include <glassbox/render/engine/show.h>
 
 namespace glassbox::labs {
 
@@ -243,11 +242,7 @@ Result<void> ask_for_distances(StandIn& made, Answering& answering) {
   }
   const auto answer = answering.ask(stages()[3], std::array{question});
   if (!answer) return tl::unexpected(answer.error());
-  made.finish = [pixels, distance = answer->front()](Framebuffer& picture) {
-    for (std::size_t i = 0; i < pixels.size() && i < distance.size(); ++i)
-      picture.distance.pixels[pixels[i]] = float(distance[i]);
-    show(Show::kDepth, picture);
-  };
+  made.finish = show_distances(std::move(pixels), answer->front());
   return {};
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <glassbox/mesh/scene.h>
+#include <glassbox/render/engine/show.h>
 
 namespace glassbox::labs {
 
@@ -50,6 +51,15 @@ Rendering StandIn::render() const {
 
 void watch_run(const StandIn& run, Observer& observer) {
   render_staged(run.scene, run.view, run.settings, &observer);
+}
+
+std::function<void(Framebuffer&)> show_distances(std::vector<std::size_t> pixels,
+                                                 Numbers distances) {
+  return [pixels = std::move(pixels), distances = std::move(distances)](Framebuffer& picture) {
+    for (std::size_t i = 0; i < pixels.size() && i < distances.size(); ++i)
+      picture.distance.pixels[pixels[i]] = float(distances[i]);
+    show(Show::kDepth, picture);
+  };
 }
 
 Result<void> check_opaque(const Scene& scene, const std::string& lab) {

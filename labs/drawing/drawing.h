@@ -115,6 +115,11 @@ std::optional<WrongNumber> first_wrong_entry(std::span<const double> yours,
 // Runs of a scene are the same from one to the next.
 void watch_run(const StandIn& run, Observer& observer);
 
+// For StandIn::finish: a picture of depth has distances[i], in world units, at pixel pixels[i], row by row, and the pipeline's own
+// elsewhere.
+std::function<void(Framebuffer&)> show_distances(std::vector<std::size_t> pixels,
+                                                 Numbers distances);
+
 // Surfaces that are seen through, or left out by their alpha: an error, for labs whose functions know none.
 Result<void> check_opaque(const Scene& scene, const std::string& lab);
 

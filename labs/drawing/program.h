@@ -13,9 +13,7 @@ namespace glassbox::labs {
 
 struct StageProgram {
   std::filesystem::path program;  // empty: it did not compile
-  std::string messages;           // of the compiler
-  std::string
-      foreign_file;  // a file that student.cpp reads and that is not the lab's; then there is no program
+  std::string messages;           // why not, or the compiler's warnings
 };
 
 struct StageBuild {

@@ -72,6 +72,14 @@ Result<std::string> call(const std::vector<std::string>& words) {
       "install a C++20 compiler with its static libraries, or build glassbox again");
 }
 
+std::vector<std::string> own_words(const std::string& compiler,
+                                   const std::vector<fs::path>& includes) {
+  std::vector<std::string> words{compiler};
+  append(words, flags());
+  for (const fs::path& include : includes) append(words, {"-I", include.string()});
+  return words;
+}
+
 // Copies what lies in `from` to the same place in `to`; false if it does not lie there.
 Result<bool> copy_below(const fs::path& file, const fs::path& from, const fs::path& to) {
   const fs::path relative = file.lexically_normal().lexically_relative(from.lexically_normal());
@@ -172,15 +180,11 @@ public:
     return {};
   }
   Result<void> compile(const fs::path& source, const fs::path& object) const {
-    std::vector<std::string> words = start();
-    append(words, {"-c", source.string(), "-o", object.string()});
-    const auto done = call(words);
-    if (!done) return tl::unexpected(done.error());
-    return {};
+    return compile_own(kit_.compiler, source, includes(), object);
   }
   // What the solution includes, of the lab's and of the library's headers.
   Result<void> copy_headers() const {
-    std::vector<std::string> listing = start();
+    std::vector<std::string> listing = own_words(kit_.compiler, includes());
     append(listing, {"-MM", (place_ / kSource).string()});
     const auto rule = call(listing);
     if (!rule) return tl::unexpected(rule.error());
@@ -195,12 +199,7 @@ public:
   }
 
 private:
-  std::vector<std::string> start() const {
-    std::vector<std::string> words{kit_.compiler};
-    append(words, flags());
-    append(words, {"-I", place_.string(), "-I", sources_.include.string()});
-    return words;
-  }
+  std::vector<fs::path> includes() const { return {place_, sources_.include}; }
 
   const Kit& kit_;
   const Sources& sources_;
@@ -258,6 +257,15 @@ Result<void> fill(const Kit& kit, const Sources& sources, const Parts& parts,
 }
 
 }  // namespace
+
+Result<void> compile_own(const std::string& compiler, const fs::path& source,
+                         const std::vector<fs::path>& includes, const fs::path& object) {
+  std::vector<std::string> words = own_words(compiler, includes);
+  append(words, {"-c", source.string(), "-o", object.string()});
+  const auto done = call(words);
+  if (!done) return tl::unexpected(done.error());
+  return {};
+}
 
 std::vector<fs::path> headers_of(const std::string& rule) {
   std::vector<fs::path> files = dependencies_of(rule);

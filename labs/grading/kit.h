@@ -40,6 +40,11 @@ Result<std::string> kit_fingerprint(const Sources& sources, const std::string& f
 // The kit in another place: one where every user can reach its headers.
 Result<Kit> copy_kit(const Kit& kit, const std::filesystem::path& directory);
 
+// Compiles a file of the lab's own as a student's is compiled, so that the numbers are the same. `includes` are searched for headers.
+Result<void> compile_own(const std::string& compiler, const std::filesystem::path& source,
+                         const std::vector<std::filesystem::path>& includes,
+                         const std::filesystem::path& object);
+
 // The calls that make a program of student.cpp, one after the other. The files are looked for in the directory `build` that they
 // are called in, where kFilesRead then names those that were included.
 struct CompileWords {

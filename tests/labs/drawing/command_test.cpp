@@ -99,6 +99,19 @@ TEST_CASE("lab render says what is wrong where, as text, JSON and a page, and by
   CHECK_FALSE(fs::exists(folder.path() / "none.png"));
 }
 
+TEST_CASE("lab render and lab stiff hand the assembler nothing that a compiler did not write") {
+  const Folder folder("2", "02-affine");
+  folder.write("all = matrix_of(step) * all;",
+               "all = matrix_of(step) * all;\n  asm(\".incbin \\\"/etc/hostname\\\"\");");
+  for (const auto& outcome :
+       {folder.render({"-o", "none.png"}), folder.run({"lab", "stiff", "mine"})}) {
+    CAPTURE(outcome.out, outcome.err);
+    CHECK(outcome.exit_code == 1);
+    CHECK(has(outcome.out, "which no compiler writes"));
+  }
+  CHECK_FALSE(fs::exists(folder.path() / "none.png"));
+}
+
 TEST_CASE("lab render refuses what it cannot draw with a line") {
   const Folder folder;
   for (const std::vector<std::string>& more : {std::vector<std::string>{"--wireframe"},

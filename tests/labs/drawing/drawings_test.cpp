@@ -149,7 +149,7 @@ public:
     fs::create_directories(kept);
     const auto made = build_stages(sources, {folder, student, kept, place_.path()}, sandbox_);
     REQUIRE(made);
-    INFO(made->messages << made->foreign_file);
+    INFO(made->messages);
     REQUIRE_FALSE(made->program.empty());
     program_ = made->program;
   }
