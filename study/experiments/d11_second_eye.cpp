@@ -18,7 +18,6 @@
 #include "study/experiments/d11_cards.h"
 #include "study/experiments/d11_pair_setup.h"
 #include "study/experiments/once.h"
-#include "study/experiments/warp/depth_peeling.h"
 #include "study/experiments/warp/warp.h"
 
 namespace glassbox::study {

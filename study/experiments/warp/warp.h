@@ -5,9 +5,12 @@
 
 #include <glassbox/pipeline/stereo/stereo_pair.h>
 
-#include "study/experiments/warp/depth_peeling.h"
+#include "views/layers/depth_peeling.h"
 
 namespace glassbox::study {
+
+using views::Layer;
+using views::peel;
 
 struct Warped {
   Image<Rgba8> color;

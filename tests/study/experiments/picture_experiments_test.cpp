@@ -14,7 +14,6 @@
 #include "study/experiments/d09_tests.h"
 #include "study/experiments/d11_pair_setup.h"
 #include "study/experiments/d12_leaves.h"
-#include "study/experiments/warp/depth_peeling.h"
 #include "study/experiments/warp/warp.h"
 #include "tests/study/experiments/laws.h"
 #include "tests/support/skip.h"

@@ -1,11 +1,11 @@
-#include "study/experiments/warp/depth_peeling.h"
+#include "views/layers/depth_peeling.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <glassbox/render/staged/staged.h>
 
-namespace glassbox::study {
+namespace glassbox::views {
 
 namespace {
 
@@ -42,4 +42,4 @@ std::vector<Layer> peel(const Scene& scene, const View& view, const RenderSettin
   return peeled;
 }
 
-}  // namespace glassbox::study
+}  // namespace glassbox::views

@@ -8,7 +8,7 @@
 #include <glassbox/pipeline/view.h>
 #include <glassbox/render/engine/settings.h>
 
-namespace glassbox::study {
+namespace glassbox::views {
 
 struct Layer {
   Image<Rgba8> color;
@@ -20,4 +20,4 @@ struct Layer {
 std::vector<Layer> peel(const Scene& scene, const View& view, const RenderSettings& settings,
                         int layers);
 
-}  // namespace glassbox::study
+}  // namespace glassbox::views

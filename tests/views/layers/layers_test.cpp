@@ -1,0 +1,250 @@
+// Layered depth images: how they are packed, merged, warped and drawn (S1-01 to S1-11, C-37, C-80 to C-86).
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glassbox/base/random.h>
+#include <glassbox/mesh/builtin/scenes.h>
+#include <glassbox/pipeline/framing.h>
+#include <glassbox/pipeline/look_at.h>
+#include <glassbox/render/renderer.h>
+
+#include "tests/support/catch.h"
+#include "views/layers/draw_layers.h"
+#include "views/layers/layer_builder.h"
+
+using namespace glassbox;
+using namespace glassbox::views;
+
+namespace {
+
+Camera camera_at(const Point<World, double>& eye, const Point<World, double>& target,
+                 double near = 0.5, double far = 50) {
+  Camera camera;
+  camera.lens = PerspectiveLens{0.9, near, far};
+  camera.world_from_eye = camera_pose(eye, target, {0, 1, 0}).value();
+  return camera;
+}
+
+View view_at(const Point<World, double>& eye, const Point<World, double>& target, int width = 96,
+             int height = 64) {
+  return make_view(camera_at(eye, target), width, height).value();
+}
+
+RenderSettings plain() {
+  RenderSettings settings;
+  settings.want_distance = true;
+  return settings;
+}
+
+LayerCamera small_camera() {
+  return layer_camera(view_at({0, 0, 4}, {0, 0, 0}, 4, 3));
+}
+
+}  // namespace
+
+TEST_CASE("S1-07: the warp matrix carries a pixel to where the world's point is seen (C-37)") {
+  Random random(7);
+  // With a depth of near / distance the inverse is exact to a few roundings, whatever far / near.
+  for (const double far : {10.0, 1e5, 1e9}) {
+    const View from = make_view(camera_at({1, 2, 6}, {0, 0, 0}, 1e-2, far), 640, 480).value();
+    const View to = make_view(camera_at({1.3, 1.9, 5.7}, {0.1, 0, 0}, 1e-2, far), 640, 480).value();
+    const LayerCamera c1 = layer_camera(from), c2 = layer_camera(to);
+    const Eigen::Matrix4d warp = warp_matrix(c2, c1);
+    for (int i = 0; i < 200; ++i) {
+      const Eigen::Vector4d world(random.between(-2, 2), random.between(-2, 2),
+                                  random.between(-2, 2), 1);
+      const Eigen::Vector4d in1 = c1.screen_from_world * world, in2 = c2.screen_from_world * world;
+      const float depth = float(in1.z() / in1.w());  // as it is stored
+      CHECK(double(depth) == Approx(depth_of(from, in1.w())).epsilon(1e-6));
+      const Eigen::Vector4d found =
+          warp * Eigen::Vector4d(in1.x() / in1.w(), in1.y() / in1.w(), double(depth), 1);
+      // A depth that is 2^-24 off moves the point by as much of its parallax, which is below 640 px.
+      const double bound = 640 * 0x1p-23;  // px
+      CHECK(std::abs(found.x() / found.w() - in2.x() / in2.w()) < bound);
+      CHECK(std::abs(found.y() / found.w() - in2.y() / in2.w()) < bound);
+      CHECK(found.w() == Approx(in2.w() / in1.w()).epsilon(1e-6));
+    }
+  }
+}
+
+TEST_CASE("S1-06, C-85: packed from the bottom left, from back to front, and checked") {
+  LayerBuilder builder(small_camera(), 0);
+  builder.add(3, 2, 0.25f, {1, 0, 0});
+  builder.add(3, 2, 0.5f, {2, 0, 0});
+  builder.add(3, 2, 0.125f, {3, 0, 0});
+  builder.add(0, 0, 0.75f, {4, 0, 0});
+  builder.add(1, 2, std::nanf(""), {5, 0, 0});  // nothing
+  const LayeredImage image = builder.pack();
+  REQUIRE(check(image, "test"));
+  CHECK(image.depth == std::vector<float>{0.125f, 0.25f, 0.5f, 0.75f});
+  CHECK(image.color[0] == Rgba8{3, 0, 0});
+  CHECK(image.first[image.place(3, 2)] == 0);
+  CHECK(image.first[image.place(0, 0)] == 3);
+  const LayerCounts counts = count_layers(image);
+  CHECK(counts.samples == 4);
+  CHECK(counts.covered == 2);
+  CHECK(counts.most == 3);
+  CHECK(counts.complexity() == 2);
+
+  // No layers at all, and more than a byte could count.
+  CHECK(check(LayerBuilder(small_camera(), 0).pack(), "empty"));
+  LayerBuilder deep(small_camera(), 0);
+  for (int i = 1; i <= 300; ++i) deep.add(2, 1, float(i) / 512, {std::uint8_t(i), 0, 0});
+  CHECK(check(deep.pack(), "deep"));
+  CHECK(count_layers(deep.pack()).most == 300);
+
+  const auto broken = [&](auto&& change) {
+    LayeredImage other = image;
+    change(other);
+    return !check(other, "broken");
+  };
+  CHECK(broken([](LayeredImage& i) { std::swap(i.depth[0], i.depth[1]); }));
+  CHECK(broken([](LayeredImage& i) { i.depth[3] = 0; }));
+  CHECK(broken([](LayeredImage& i) { i.depth[3] = std::nanf(""); }));
+  CHECK(broken([](LayeredImage& i) { i.first[5] = 9; }));
+  CHECK(broken([](LayeredImage& i) { i.first.pop_back(); }));
+  CHECK(broken([](LayeredImage& i) { i.color.pop_back(); }));
+  CHECK(broken([](LayeredImage& i) { i.camera.screen_from_world.setZero(); }));
+}
+
+TEST_CASE(
+    "S1-02, C-84: a chain of near depths is merged from the front, in whatever order it comes") {
+  constexpr double kEpsilon = 0x1p-6;
+  std::vector<float> chain;
+  for (int i = 0; i < 12; ++i)
+    chain.push_back(0.5f * std::pow(float(1 - 0.9 * kEpsilon), float(i)));
+  Random random(84);
+  std::vector<LayeredImage> packed;
+  for (int order = 0; order < 20; ++order) {
+    LayerBuilder builder(small_camera(), kEpsilon);
+    for (std::size_t i = 0; i < chain.size(); ++i)
+      builder.add(1, 1, chain[i], {std::uint8_t(i), 9, 9});
+    packed.push_back(builder.pack());
+    for (std::size_t i = chain.size(); i-- > 1;) {
+      std::swap(chain[i], chain[std::size_t(random.integer(0, int(i)))]);
+    }
+    // Every other one is within epsilon of the one before it: six are left, not one.
+    CHECK(packed.back().samples() == 6);
+    CHECK(packed.back().depth == packed.front().depth);
+  }
+}
+
+TEST_CASE(
+    "S1-09: at the view that layers were made from, the picture is that view's, byte for byte") {
+  for (const char* name : {"room", "teapot"}) {
+    const Scene scene = make_builtin(name).value();
+    const Camera camera = scene.cameras.empty() ? frame(scene, 1.5).value() : scene.cameras[0];
+    const View view = make_view(camera, 96, 64).value();
+    Renderer renderer(scene, Transfer::kSrgb);
+    const Image<Rgba8> own = renderer.render(view, plain()).buffers.color;
+    const LayeredImage image = build_layers(scene, view, plain(), 3);
+    REQUIRE(check(image, name));
+    for (const LayerOrder order : {LayerOrder::kDepth, LayerOrder::kOcclusion}) {
+      for (const Splat splat : {Splat::kPoint, Splat::kProjected}) {
+        LayerDrawing drawing;
+        drawing.order = order;
+        drawing.splat = splat;
+        drawing.background = RenderSettings{}.background;
+        CHECK(draw_layers(image, image.camera, drawing).color.pixels == own.pixels);
+      }
+    }
+  }
+}
+
+TEST_CASE("the picture does not depend on how many threads draw it") {
+  const Scene scene = make_builtin("room").value();
+  const View view = make_view(scene.cameras.at(0), 96, 64).value();
+  const LayeredImage image = build_layers(scene, view, plain(), 4);
+  View beside = view;
+  beside.eye_from_world.at(0, 3) -= 0.2;
+  LayerDrawing drawing;
+  const LayerPicture one = draw_layers(image, layer_camera(beside), drawing);
+  for (const int threads : {2, 3, 64}) {
+    drawing.threads = threads;
+    const LayerPicture many = draw_layers(image, layer_camera(beside), drawing);
+    CHECK(many.color.pixels == one.color.pixels);
+    CHECK(many.depth.pixels == one.depth.pixels);
+    CHECK(many.counts == one.counts);
+  }
+}
+
+TEST_CASE(
+    "C-81, S1-10: magnified by m, points leave 1 - 1/m^2 of a wall, and projected squares "
+    "nothing") {
+  // A wall that fills the picture, from twice and four times as far.
+  LayerBuilder builder(layer_camera(view_at({0, 0, 8}, {0, 0, 0}, 64, 64)), 0);
+  const View wall = view_at({0, 0, 8}, {0, 0, 0}, 64, 64);
+  builder.add_picture(wall, Image<Rgba8>(64, 64, {9, 9, 9}), Image<float>(64, 64, 8.0f));
+  const LayeredImage image = builder.pack();
+  for (const int m : {1, 2, 4}) {
+    const LayerCamera near = layer_camera(view_at({0, 0, 8.0 / m}, {0, 0, 0}, 64, 64));
+    LayerDrawing drawing;
+    drawing.splat = Splat::kPoint;
+    const auto holes = [&] {
+      const auto depth = draw_layers(image, near, drawing).depth;
+      return double(std::ranges::count(depth.pixels, 0.0f)) / double(depth.pixels.size());
+    };
+    CHECK(holes() == Approx(1 - 1.0 / (m * m)));
+    drawing.splat = Splat::kProjected;
+    CHECK(holes() == 0);
+  }
+}
+
+TEST_CASE(
+    "C-83, C-86: what is behind the eye is left out, and a sample in its face is cut and counted") {
+  LayerBuilder builder(layer_camera(view_at({0, 0, 8}, {0, 0, 0}, 64, 64)), 0);
+  const View from = view_at({0, 0, 8}, {0, 0, 0}, 64, 64);
+  builder.add_picture(from, Image<Rgba8>(64, 64, {9, 9, 9}), Image<float>(64, 64, 3.0f));
+  const LayeredImage image = builder.pack();
+  // The wall is at z = 5. The other eye has passed it.
+  const auto passed = draw_layers(image, layer_camera(view_at({0, 0, 4}, {0, 0, 0}, 64, 64)), {});
+  CHECK(passed.counts.behind == image.samples());
+  CHECK(std::ranges::count(passed.depth.pixels, 0.0f) == 64 * 64);
+  // Between the near plane and the eye nothing is drawn either.
+  const auto at_near =
+      draw_layers(image, layer_camera(view_at({0, 0, 5.25}, {0, 0, 0}, 64, 64)), {});
+  CHECK(at_near.counts.beside == image.samples());
+  // A near plane of 0.001: 3 / 0.01 pixels each.
+  const View face = make_view(camera_at({0, 0, 5.01}, {0, 0, 0}, 1e-3, 50), 64, 64).value();
+  CHECK(draw_layers(image, layer_camera(face), {}).counts.cut > 0);
+}
+
+TEST_CASE(
+    "S1-11, C-82: the order of visits runs towards an epipole before the camera, and away from one "
+    "behind") {
+  CHECK(visiting_order(2.5 * 1, 1, 5) == std::vector<int>{0, 1, 4, 3, 2});  // inside, before
+  CHECK(visiting_order(-2.5, -1, 5) == std::vector<int>{3, 4, 2, 1, 0});    // inside, behind
+  CHECK(visiting_order(9, 1, 3) == std::vector<int>{0, 1, 2});              // beside it
+  CHECK(visiting_order(-9, 1, 3) == std::vector<int>{2, 1, 0});
+  CHECK(visiting_order(1, 0, 3) == std::vector<int>{0, 1, 2});  // at infinity
+  CHECK(visiting_order(-1, 0, 3) == std::vector<int>{2, 1, 0});
+}
+
+TEST_CASE("S1-11: along a row of a stereo pair, what is visited later is nearer") {
+  // Eyes side by side: rows stay rows, and two samples that meet in a pixel are on one line. All depths are such that samples fall on
+  // pixels' centres, where the order is exact.
+  const View left = view_at({0, 0, 0}, {0, 0, -1}, 64, 8);
+  const LayerCamera from = layer_camera(left);
+  const double pixels = from.screen_from_world(0, 0);  // for each unit, at distance 1
+  Random random(82);
+  for (const double side : {1.0, -1.0}) {
+    LayerBuilder builder(from, 0);
+    for (int i = 0; i < 600; ++i) {
+      // Parallaxes of whole pixels: near / distance = n near / (pixels * baseline), with a baseline of 1.
+      const double depth = double(random.integer(1, 30)) * 0.5 / pixels;
+      builder.add(int(random.integer(0, 63)), int(random.integer(0, 7)), float(depth),
+                  {std::uint8_t(random.integer(0, 255)), std::uint8_t(i), std::uint8_t(i >> 8)});
+    }
+    const LayeredImage image = builder.pack();
+    const LayerCamera to = layer_camera(view_at({side, 0, 0}, {side, 0, -1}, 64, 8));
+    LayerDrawing drawing;
+    drawing.splat = Splat::kPoint;
+    const LayerPicture by_depth = draw_layers(image, to, drawing);
+    drawing.order = LayerOrder::kOcclusion;
+    const LayerPicture by_order = draw_layers(image, to, drawing);
+    CHECK(by_depth.counts == by_order.counts);
+    CHECK(by_depth.counts.drawn > 100);
+    CHECK(by_depth.color.pixels == by_order.color.pixels);
+  }
+}

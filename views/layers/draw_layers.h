@@ -1,0 +1,53 @@
+// A layered depth image looked at from another place: its samples warped and splatted (S1-07 to S1-11).
+#pragma once
+
+#include <cstdint>
+
+#include "views/layers/layered_image.h"
+
+namespace glassbox::views {
+
+enum class LayerOrder {
+  kDepth,      // what is nearer stays: the depths of the picture are compared
+  kOcclusion,  // pixels in an order in which what is drawn later is nearer, and nothing is compared (McMillan 1997; S1-11)
+};
+
+// How large a sample is drawn, in pixels of the picture.
+enum class Splat {
+  kPoint,      // the pixel that it is in
+  kThree,      // and those around it
+  kProjected,  // a square with sides l = (F2 / F1) (d1 / d2): as large as its own pixel is from there, if that faces it (S1-10)
+};
+inline constexpr float kLargestSplat =
+    64;  // px; larger ones are drawn so large, and counted (C-86)
+
+struct LayerDrawing {
+  LayerOrder order = LayerOrder::kDepth;
+  Splat splat = Splat::kProjected;
+  Rgba8 background{};
+  int threads = 1;  // of kDepth; the picture does not depend on it
+};
+
+struct WarpCounts {
+  std::size_t drawn = 0;   // samples of which a pixel was asked
+  std::size_t behind = 0;  // not before the eye (C-83)
+  std::size_t beside = 0;  // outside the picture, or nearer than the near plane
+  std::size_t cut = 0;     // larger than kLargestSplat
+  friend bool operator==(const WarpCounts&, const WarpCounts&) = default;
+};
+
+struct LayerPicture {
+  Image<Rgba8> color;
+  Image<float> depth;  // of layer_camera.h; 0: a hole
+  WarpCounts counts;
+};
+
+// Where two samples have one depth at a pixel, kDepth keeps the one that is first in the packed order.
+LayerPicture draw_layers(const LayeredImage& image, const LayerCamera& to,
+                         const LayerDrawing& drawing);
+
+// Columns (or rows) 0 .. count - 1 in the order of kOcclusion: towards the epipole, where the other eye is seen in the picture, if it lies
+// before the camera, and away from it if behind (S1-11). `epipole` and w: its homogeneous coordinate along the axis, in pixels.
+std::vector<int> visiting_order(double epipole, double w, int count);
+
+}  // namespace glassbox::views

@@ -1,0 +1,91 @@
+#include "views/layers/layer_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "views/layers/depth_peeling.h"
+
+namespace glassbox::views {
+
+LayerBuilder::LayerBuilder(const LayerCamera& camera, double epsilon)
+    : camera_(camera),
+      epsilon_(epsilon),
+      last_added_(std::size_t(camera.width) * std::size_t(camera.height), kNone) {}
+
+void LayerBuilder::add(int x, int y, float depth, Rgba8 color) {
+  if (!(depth > 0) || !std::isfinite(depth)) return;
+  const std::size_t place =
+      std::size_t(camera_.height - 1 - y) * std::size_t(camera_.width) + std::size_t(x);
+  samples_.push_back({depth, color, last_added_[place]});
+  last_added_[place] = std::uint32_t(samples_.size() - 1);
+}
+
+std::size_t LayerBuilder::add_picture(const View& from, const Image<Rgba8>& color,
+                                      const Image<float>& distance) {
+  const Eigen::Matrix4d warp = warp_matrix(camera_, layer_camera(from));
+  std::size_t beside = 0;
+  for (int y = 0; y < distance.height; ++y) {
+    for (int x = 0; x < distance.width; ++x) {
+      const float z = distance.at(x, y);
+      if (!std::isfinite(z)) continue;
+      const Eigen::Vector4d here(x + 0.5, y + 0.5, depth_of(from, double(z)), 1);
+      const Eigen::Vector4d there = warp * here;
+      const double column = std::floor(there.x() / there.w());
+      const double row = std::floor(there.y() / there.w());
+      if (!(there.w() > 0) || !(column >= 0 && column < camera_.width) ||
+          !(row >= 0 && row < camera_.height)) {
+        ++beside;
+        continue;
+      }
+      add(int(column), int(row), float(there.z() / there.w()), color.at(x, y));
+    }
+  }
+  return beside;
+}
+
+// A total order of what samples say, so that equal ones are the same.
+bool LayerBuilder::is_behind(const Sample& a, const Sample& b) {
+  const auto key = [](const Sample& s) {
+    return std::tuple(s.depth, s.color.r, s.color.g, s.color.b, s.color.a);
+  };
+  return key(a) < key(b);
+}
+
+LayeredImage LayerBuilder::pack() const {
+  LayeredImage image;
+  image.camera = camera_;
+  image.first.reserve(last_added_.size() + 1);
+  image.first.push_back(0);
+  std::vector<Sample> here;
+  for (const std::uint32_t last : last_added_) {
+    here.clear();
+    for (std::uint32_t i = last; i != kNone; i = samples_[i].next) here.push_back(samples_[i]);
+    std::ranges::sort(here, [](const Sample& a, const Sample& b) { return is_behind(b, a); });
+    std::size_t kept = 0;  // from the front
+    for (const Sample& sample : here) {
+      const bool is_new = kept == 0 || double(here[kept - 1].depth) - double(sample.depth) >
+                                           epsilon_ * double(here[kept - 1].depth);
+      if (is_new) here[kept++] = sample;
+    }
+    for (std::size_t i = kept; i-- > 0;) {
+      image.depth.push_back(here[i].depth);
+      image.color.push_back(here[i].color);
+    }
+    image.first.push_back(std::uint32_t(image.depth.size()));
+  }
+  return image;
+}
+
+LayeredImage build_layers(const Scene& scene, const View& view, const RenderSettings& settings,
+                          int layers) {
+  RenderSettings with_distance = settings;
+  with_distance.want_distance = true;
+  LayerBuilder builder(layer_camera(view), 0);
+  for (const Layer& layer : peel(scene, view, with_distance, layers)) {
+    builder.add_picture(view, layer.color, layer.distance);
+  }
+  return builder.pack();
+}
+
+}  // namespace glassbox::views

@@ -1,0 +1,55 @@
+#include "views/layers/layered_image.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <Eigen/LU>
+
+namespace glassbox::views {
+
+Result<void> check(const LayeredImage& image, const std::string& source) {
+  const auto bad = [&](const std::string& what) {
+    return fail(source, what, "build the layers again");
+  };
+  const LayerCamera& camera = image.camera;
+  if (camera.width < 1 || camera.height < 1 || camera.width > kMaxImageSide ||
+      camera.height > kMaxImageSide)
+    return bad(fmt::format("has {} x {} pixels", camera.width, camera.height));
+  const Eigen::Matrix4d& m = camera.screen_from_world;
+  if (!m.allFinite() || !m.inverse().allFinite()) return bad("has a camera without an inverse");
+  const std::size_t pixels = std::size_t(camera.width) * std::size_t(camera.height);
+  if (image.first.size() != pixels + 1 || image.color.size() != image.depth.size())
+    return bad(fmt::format("has {} offsets for {} pixels, {} colours for {} depths",
+                           image.first.size(), pixels, image.color.size(), image.depth.size()));
+  if (image.first.front() != 0 || image.first.back() != image.depth.size())
+    return bad(fmt::format("has offsets from {} to {} of {} samples", image.first.front(),
+                           image.first.back(), image.depth.size()));
+  for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+    const std::string where = fmt::format("pixel {}, from the bottom left,", pixel);
+    const std::uint32_t begin = image.first[pixel], end = image.first[pixel + 1];
+    if (begin > end || end > image.depth.size())
+      return bad(fmt::format("{} has its samples from {} to {}", where, begin, end));
+    for (std::size_t i = begin; i < end; ++i) {
+      const float depth = image.depth[i];
+      if (!std::isfinite(depth) || !(depth > 0))
+        return bad(fmt::format("{} has the depth {}", where, depth));
+      if (i > begin && !(image.depth[i - 1] < depth))
+        return bad(fmt::format("{} has samples that do not go from back to front", where));
+    }
+  }
+  return {};
+}
+
+LayerCounts count_layers(const LayeredImage& image) {
+  LayerCounts counts;
+  counts.samples = image.samples();
+  for (std::size_t pixel = 0; pixel + 1 < image.first.size(); ++pixel) {
+    const std::size_t here = image.first[pixel + 1] - image.first[pixel];
+    counts.covered += here > 0;
+    counts.most = std::max(counts.most, here);
+  }
+  return counts;
+}
+
+}  // namespace glassbox::views

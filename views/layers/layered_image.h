@@ -1,0 +1,46 @@
+// A layered depth image: at each pixel of one camera several surfaces, one behind the other (Shade, Gortler, He and Szeliski 1998;
+// S1-01).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glassbox/base/error.h>
+#include <glassbox/images/image.h>
+
+#include "views/layers/layer_camera.h"
+
+namespace glassbox::views {
+
+// Packed for drawing (S1-06): rows from the bottom to the top, pixels from left to right, samples of a pixel from back to front.
+struct LayeredImage {
+  LayerCamera camera;
+  // width * height + 1 of them, ascending: the samples of a pixel begin at first[place(x, y)] and end where the next one's begin.
+  std::vector<std::uint32_t> first;
+  std::vector<float>
+      depth;  // layer_camera.h: positive, and greater in front; in a pixel no two are the same
+  std::vector<Rgba8> color;
+
+  // Of pixel (x, y), y down.
+  std::size_t place(int x, int y) const {
+    return std::size_t(camera.height - 1 - y) * std::size_t(camera.width) + std::size_t(x);
+  }
+  std::size_t samples() const { return depth.size(); }
+};
+
+// Whether it is what drawing relies on: one offset a pixel and one more, ascending to the number of samples, finite depths above 0
+// that ascend within a pixel, an invertible camera. The error names `source` and the pixel.
+Result<void> check(const LayeredImage& image, const std::string& source);
+
+struct LayerCounts {
+  std::size_t samples = 0;
+  std::size_t covered = 0;  // pixels with at least one
+  std::size_t most = 0;     // in one pixel
+  // Samples for each covered pixel; 0 without any.
+  double complexity() const { return covered == 0 ? 0 : double(samples) / double(covered); }
+};
+LayerCounts count_layers(const LayeredImage& image);
+
+}  // namespace glassbox::views
