@@ -12,6 +12,7 @@
 #include "tests/support/catch.h"
 #include "views/layers/draw_layers.h"
 #include "views/layers/layer_builder.h"
+#include "views/layers/layer_file.h"
 
 using namespace glassbox;
 using namespace glassbox::views;
@@ -246,5 +247,52 @@ TEST_CASE("S1-11: along a row of a stereo pair, what is visited later is nearer"
     CHECK(by_depth.counts == by_order.counts);
     CHECK(by_depth.counts.drawn > 100);
     CHECK(by_depth.color.pixels == by_order.color.pixels);
+  }
+}
+
+TEST_CASE(
+    "S1-06: layers are the same from a file, and a file that is anything else is refused at its "
+    "byte") {
+  const Scene scene = make_builtin("room").value();
+  const View view = make_view(scene.cameras.at(0), 24, 16).value();
+  const StoredLayers layers{scene.cameras[0], {1, 2, 3, 4}, build_layers(scene, view, plain(), 3)};
+  const std::vector<std::byte> bytes = encode_layers(layers);
+  const auto again = decode_layers(bytes, "a.ldi");
+  REQUIRE(again);
+  CHECK(encode_layers(*again) == bytes);
+  CHECK(again->image.first == layers.image.first);
+  CHECK(again->image.depth == layers.image.depth);
+  CHECK(again->image.color == layers.image.color);
+  CHECK(again->background == layers.background);
+  CHECK(again->image.camera.screen_from_world == layers.image.camera.screen_from_world);
+
+  for (std::size_t size = 0; size < bytes.size(); size += 1 + size / 7) {
+    CHECK_FALSE(decode_layers(std::span(bytes).first(size), "cut.ldi"));
+  }
+  const auto refused = [&](std::size_t at, std::byte value) {
+    std::vector<std::byte> other = bytes;
+    other.at(at) = value;
+    const auto read = decode_layers(other, "bad.ldi");
+    return !read && read.error().message().find("bad.ldi") != std::string::npos;
+  };
+  CHECK(refused(16, std::byte{'2'}));                       // a version to come
+  CHECK(refused(18 + 3, std::byte{1}));                     // 16 million columns
+  CHECK(refused(18 + 8, std::byte{3}));                     // a lens that there is not
+  CHECK(refused(18 + 8 + 4 + 6 * 8 + 7, std::byte{0x7f}));  // a pose that is none
+  const std::size_t offsets = bytes.size() - 8 * layers.image.samples() - 4 * (24 * 16 + 1);
+  CHECK(refused(offsets - 4, std::byte(bytes[offsets - 4] ^ std::byte{1})));  // other samples
+  CHECK(refused(offsets, std::byte{1}));
+  const std::size_t depths = bytes.size() - 8 * layers.image.samples();
+  CHECK(refused(depths + 3, std::byte{0xbf}));  // negative
+  // No byte, whatever it becomes, may do more than that.
+  Random random(6);
+  for (int i = 0; i < 3000; ++i) {
+    std::vector<std::byte> other = bytes;
+    for (int k = 0; k < 3; ++k) {
+      const auto at = random.integer(0, std::int64_t(other.size()) - 1);
+      other[std::size_t(at)] = std::byte(random.integer(0, 255));
+    }
+    const auto read = decode_layers(other, "bad.ldi");
+    if (read) CHECK(check(read->image, "read"));
   }
 }

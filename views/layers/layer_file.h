@@ -1,0 +1,41 @@
+// Layered depth images as files (.ldi): what `glassbox views layers` writes and reads.
+//
+//   "glassbox-layers 1\n"
+//   u32 width, height
+//   u32 lens (0 perspective, 1 orthographic, 2 frustum); f64[6] its numbers, in the order of Scene's lenses; absent ones are infinite or 0
+//   f64[16] world_from_eye, row by row
+//   u8[4] background
+//   u32 samples
+//   u32[width * height + 1] offsets; f32[samples] depths; u8[4][samples] colours        as in layered_image.h
+//
+// All numbers are little-endian.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glassbox/base/error.h>
+#include <glassbox/mesh/scene.h>
+
+#include "views/layers/layered_image.h"
+
+namespace glassbox::views {
+
+struct StoredLayers {
+  Camera camera;
+  Rgba8 background;
+  LayeredImage image;
+};
+
+// The camera of a view of width x height pixels; the picture's own LayerCamera comes from it.
+std::vector<std::byte> encode_layers(const StoredLayers& layers);
+
+// An error names `source` and the byte from which on the file is not what it should be. Nothing is allocated that the file's bytes do
+// not fill.
+Result<StoredLayers> decode_layers(std::span<const std::byte> bytes, const std::string& source);
+
+bool is_layers(std::span<const std::byte> bytes);  // starts as one
+
+}  // namespace glassbox::views
