@@ -31,7 +31,7 @@ Result<void> check_matches(const views::Matches& matches) {
     different.insert({m.left.x(), m.left.y(), m.right.x(), m.right.y()});
   if (int(different.size()) < kFewest) {
     return fail("the matches",
-                fmt::format("{} of the {} differ, and {} are needed", different.size(),
+                fmt::format("only {} of the {} are different, and {} are needed", different.size(),
                             matches.size(), kFewest),
                 "leave out the repeated ones, and give more");
   }
@@ -180,6 +180,12 @@ std::vector<LeftOut> left_out_of(const GeometryInput& input, const GeometryRepor
   if (!report.has_geometry()) leave_out_geometry(report, out);
   leave_out_pose(input, out);
   leave_out_of_truth(input, report, out);
+  if (report.samples_wanted > report.question.ransac.most_samples) {
+    out.push_back({"certainty",
+                   fmt::format("the law asks for {:.3g} samples, and {} were drawn: so few inliers "
+                               "may agree by chance",
+                               report.samples_wanted, report.analysis.samples)});
+  }
   const int off = int(input.matches.size()) - report.analysis.inliers;
   if (off > 0) {
     out.push_back({fmt::format("{} matches", off),

@@ -20,7 +20,7 @@ struct GeometryQuestion {
   double sigma = 0.5;                         // px: what a coordinate of a match may be off
   std::optional<double> threshold;            // px, of an inlier; absent: 2 sigma
   double confidence = 0.99;                   // that one sample has no outlier
-  std::uint64_t seed = 1;                     // of the samples, and of noise and outliers
+  std::uint32_t seed = 1;                     // of the samples, and of noise and outliers
 };
 
 // Of the inliers' residuals, px.

@@ -202,6 +202,11 @@ Result<void> check_geometry_scene(const GeometryScene& scene) {
     return fail("--arrangement", "nobody has said where the second camera is",
                 "give --move or --turn");
   }
+  const EyesOptions& eyes = scene.picture.eyes;
+  if (is_arbitrary && (eyes.separation || eyes.window)) {
+    return fail(eyes.separation ? "--eye-separation" : "--window",
+                "an arbitrary pair is decided by --move and --turn", "leave it out");
+  }
   if (is_arbitrary && scene.turn) {
     for (const double degrees : *scene.turn) {
       constexpr double kMostDegrees = 360;

@@ -83,7 +83,10 @@ std::string estimation_lines(const GeometryReport& report) {
   const auto& [question, analysis] = std::tie(report.question, report.analysis);
   const auto& system = analysis.system;
   const auto& judgement = analysis.judgement;
-  std::string text = heading("samples", fmt::format("{} drawn, {}; {}", analysis.samples,
+  const bool is_undecided = analysis.why_no_model && analysis.samples == 0;
+  std::string text =
+      heading("samples", is_undecided ? "none decides a model; all matches are judged"
+                                      : fmt::format("{} drawn, {}; {}", analysis.samples,
                                                     name_of(question.estimator), law_text(report)));
   std::string planted;
   if (const auto& facts = report.outliers; facts && facts->planted > 0) {
