@@ -1,4 +1,4 @@
-// glassbox views geometry: from two pictures' matches to the cameras that took them (S2-01 to S2-12).
+// glassbox views geometry: from two pictures' matches to the cameras that took them (S2-02 to S2-12).
 #pragma once
 
 #include <optional>
