@@ -23,22 +23,46 @@ SystemFacts facts_of(const Matches& matches) {
   return facts;
 }
 
-// What the samples found, with a pose where there are intrinsics.
+void add_fundamental(const FundamentalEstimate& found, PairAnalysis& analysis) {
+  analysis.fundamental = found.fundamental.normalized();
+  analysis.is_inlier = found.is_inlier;
+  analysis.inliers = found.inliers;
+  analysis.samples = found.samples;
+}
+
+// Where no sample decides a model, all matches may lie on one plane, or be seen from one point: rank 6. Less is too little to say.
+Result<PairAnalysis> undecided_analysis(const PairQuestion& question, const Error& error) {
+  constexpr int kRankOfPlane = 6;
+  PairAnalysis analysis;
+  if (facts_of(question.matches).rank < kRankOfPlane) return tl::unexpected(error);
+  analysis.is_inlier.assign(question.matches.size(), true);
+  analysis.inliers = int(question.matches.size());
+  analysis.why_no_model = error;
+  return analysis;
+}
+
+// What the samples found, with a pose where there are intrinsics and one is in front of the others.
 Result<PairAnalysis> sampled_analysis(const PairQuestion& question) {
   PairAnalysis analysis;
   if (!question.intrinsics) {
     const auto found = estimate_fundamental(question.matches, question.estimator, question.ransac);
-    if (!found) return tl::unexpected(found.error());
-    analysis.fundamental = found->fundamental.normalized();
-    analysis.is_inlier = found->is_inlier;
-    analysis.inliers = found->inliers;
-    analysis.samples = found->samples;
+    if (!found) return undecided_analysis(question, found.error());
+    add_fundamental(*found, analysis);
     return analysis;
   }
   const auto& [left, right] = *question.intrinsics;
   const auto found =
       estimate_pose(question.matches, left, right, question.estimator, question.ransac);
-  if (!found) return tl::unexpected(found.error());
+  if (!found) {
+    // Of a camera that only turned the rays are parallel, and nothing lies in front. F of the pixels may be enough to name it.
+    const Estimator of_pixels =
+        question.estimator == Estimator::kFivePoint ? Estimator::kSevenPoint : question.estimator;
+    const auto instead = estimate_fundamental(question.matches, of_pixels, question.ransac);
+    if (!instead) return undecided_analysis(question, found.error());
+    add_fundamental(*instead, analysis);
+    analysis.why_no_model = found.error();
+    return analysis;
+  }
   analysis.pose = found->pose;
   analysis.fundamental = fundamental_of({left, right, found->pose}).normalized();
   analysis.is_inlier = found->is_inlier;
@@ -83,6 +107,7 @@ Result<PairAnalysis> analyse(const PairQuestion& question) {
   if (!judgement) return tl::unexpected(judgement.error());
   analysis->judgement = *judgement;
   if (is_decided(judgement->kind, question)) {
+    if (analysis->why_no_model) return tl::unexpected(*analysis->why_no_model);
     add_residuals(question.matches, *analysis);
   } else {
     analysis->fundamental.reset();

@@ -35,8 +35,10 @@ struct PairAnalysis {
   std::optional<Matrix3d> fundamental;
   std::optional<RelativePose> pose;  // with intrinsics; |T| is 1
   int in_front = 0;                  // of the inliers, of both cameras
-  std::vector<double> residuals;     // of all matches: Sampson's distance, px; empty without F
-  double rms = 0;                    // of the inliers'
+  // What kept the samples from a model, or a pose, where the judgement says why.
+  std::optional<Error> why_no_model;
+  std::vector<double> residuals;  // of all matches: Sampson's distance, px; empty without F
+  double rms = 0;                 // of the inliers'
 };
 
 // The threshold of an inlier is the question's RANSAC's. An error for fewer than 8 matches, and where no model is found.

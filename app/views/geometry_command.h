@@ -1,0 +1,44 @@
+// glassbox views geometry: from two pictures' matches to the cameras that took them (S2-02 to S2-12).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/options/cli_fwd.h"
+#include "app/views/geometry_files.h"
+#include "app/views/geometry_report.h"
+#include "app/views/geometry_scene.h"
+
+#include <glassbox/base/error.h>
+
+namespace glassbox::app {
+
+class Progress;
+
+class ViewsGeometryCommand {
+public:
+  void add_to(CLI::App& views, int& exit_code);
+
+private:
+  void add_question_options(CLI::App& command);
+  void add_output_options(CLI::App& command);
+  Result<void> check_sources() const;
+  Result<void> check_question() const;
+  Result<void> check_outputs() const;
+  Result<GeometryInput> input(Progress& progress);
+  Result<void> write_scene(const SceneGeometry& made) const;
+  Result<void> write_report(const GeometryInput& input, const GeometryReport& report) const;
+  int run();
+
+  GeometryFiles files_;
+  GeometryScene scene_;
+  GeometryQuestion question_;
+  bool sigma_given_ = false;
+  std::pair<std::string, std::string> pair_output_;
+  std::optional<std::string> matches_output_, cameras_output_, page_, json_output_;
+  std::vector<const CLI::Option*> options_;  // a command line repeats them
+};
+
+}  // namespace glassbox::app

@@ -1,0 +1,25 @@
+// Pair, matches and cameras from files.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "app/views/geometry_input.h"
+
+#include <glassbox/base/error.h>
+
+namespace glassbox::app {
+
+struct GeometryFiles {
+  std::pair<std::string, std::string> pair;  // pictures; empty: none
+  std::optional<std::string> matches, cameras;
+
+  bool has_pair() const { return !pair.first.empty(); }
+};
+
+// Two cameras, or of more the two that are named as the pictures are. Refused: pictures of unequal sizes, and files that the
+// readers of views/files refuse.
+Result<GeometryInput> read_geometry_files(const GeometryFiles& files);
+
+}  // namespace glassbox::app

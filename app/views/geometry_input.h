@@ -1,0 +1,34 @@
+// What the geometry of two views is found from: matches, and what is known of the pictures and the cameras.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "views/two_view/camera.h"
+#include "views/two_view/match.h"
+
+#include <glassbox/images/image.h>
+
+namespace glassbox::app {
+
+// What became of the left picture's pixels in the right one (S2-03).
+struct PixelFates {
+  std::uint64_t seen = 0, hidden = 0, beside = 0, missing = 0, nothing = 0;
+};
+
+struct GeometryInput {
+  std::string about;       // "room, 640 x 480", "matches.csv"
+  std::string made_how;    // how pair and matches came about, a line; empty of files
+  views::Matches matches;  // pixels from the pictures' top left corners
+  std::optional<std::array<views::Matrix3d, 2>> intrinsics;  // left, right
+  std::optional<views::RelativePose> truth;                  // |T| in world units
+  std::vector<bool> is_outlier;  // of each match, where that is known; else empty
+  std::optional<PixelFates> fates;
+  std::optional<std::array<Image<Rgba8>, 2>> pictures;
+  std::array<std::string, 2> picture_names{"left", "right"};
+};
+
+}  // namespace glassbox::app

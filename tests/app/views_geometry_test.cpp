@@ -1,0 +1,325 @@
+// glassbox views geometry: of scenes whose truth is known, of the files that it writes, and of what it cannot be asked.
+#include "tests/support/catch.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/run.h"
+
+namespace glassbox::test {
+namespace {
+
+using Json = nlohmann::json;
+
+// A general pair with half a pixel of noise and three outliers in ten.
+const std::string kNoisy =
+    "--scene room --size 640x480 --move 0.5,0.1,0.2 --turn -10,3,5 --noise 0.5 --outliers 0.3 ";
+
+Json geometry_of(const Workplace& here, const std::string& words) {
+  const Outcome outcome = here.run("views geometry " + words + " --json -");
+  INFO(words << ": " << outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  return Json::parse(outcome.out);
+}
+
+using Rows = std::array<std::array<double, 3>, 3>;
+using Triple = std::array<double, 3>;
+
+double constraint(const Rows& f, const std::vector<double>& left,
+                  const std::vector<double>& right) {
+  const Triple l{left[0], left[1], 1}, r{right[0], right[1], 1};
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) sum += r[i] * f[i][k] * l[k];
+  }
+  return sum;
+}
+
+// How far from 0 F e is, the matrix and the vector being of length 1.
+double image_of(const Rows& f, const Triple& e, bool transposed) {
+  double squares = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) sum += (transposed ? f[k][i] : f[i][k]) * e[k];
+    squares += sum * sum;
+  }
+  return std::sqrt(squares);
+}
+
+bool says(const Json& json, const std::string& words) {
+  return std::ranges::any_of(json.at("left_out"), [&](const Json& one) {
+    const std::string line =
+        one.at("what").get<std::string>() + ": " + one.at("why").get<std::string>();
+    return line.find(words) != std::string::npos;
+  });
+}
+
+}  // namespace
+
+TEST_CASE("exact matches give the cameras of all three scenarios back (S2-02, S2-09, C-105)") {
+  const Workplace here;
+  for (const std::string& words :
+       {std::string("--eye-separation 0.3"),
+        std::string("--arrangement converging --eye-separation 0.5 --window 4"),
+        std::string("--move 0.5,0.1,0.2 --turn -10,3,5")}) {
+    INFO(words);
+    const Json json = geometry_of(here, "--scene room --size 320x240 " + words);
+    CHECK(json["estimator"] == "5-point");
+    CHECK(json["pair_is"]["kind"] == "general");
+    CHECK(json["inliers"] == 500);
+    // Places are floats of some hundred pixels, off by 2^-16 px at most, and the focal length is 290 px: 3e-6 degrees each.
+    CHECK(json["truth"]["rotation_error_degrees"] < 1e-4);
+    CHECK(json["truth"]["direction_error_degrees"] < 1e-3);
+    CHECK(json["residuals"]["sampson"]["largest_px"] < 1e-4);
+    int in_front = 0, chosen = 0;
+    REQUIRE(json["four_poses"].size() == 4);
+    for (const Json& pose : json["four_poses"]) {
+      chosen += pose["chosen"].get<bool>();
+      in_front += pose["in_front"].get<int>();
+      if (pose["chosen"].get<bool>()) CHECK(pose["in_front"] == 500);
+    }
+    CHECK(chosen == 1);
+    CHECK(in_front == 500);
+    CHECK(says(json, "|T|"));
+  }
+}
+
+TEST_CASE(
+    "of parallel eyes E is that of the slides, and epipolar lines are scan lines (S2-06, E4)") {
+  const Workplace here;
+  const Json json = geometry_of(here, "--scene room --size 320x240 --eye-separation 0.3");
+  const Rows e = json["E"], other = json["E_of_shift"];
+  // R = 1 and T = (1, 0, 0): S has -1 and 1 in its lower right corner; [t]x R is the same with the other sign.
+  const Rows expected{{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      CHECK(std::abs(e[i][k] - expected[i][k]) < 1e-6);
+      CHECK(std::abs(other[i][k] + expected[i][k]) < 1e-6);
+    }
+  }
+  const Triple left = json["epipoles"]["left"];
+  CHECK(std::abs(std::abs(left[0]) - 1) < 1e-6);
+  CHECK(std::abs(left[2]) < 1e-6);
+}
+
+TEST_CASE("with noise and outliers every estimator finds the cameras (S2-12, C-99)") {
+  const Workplace here;
+  for (const std::string& estimator : {std::string("8"), std::string("7"), std::string("5")}) {
+    INFO(estimator);
+    const Json json = geometry_of(here, kNoisy + "--estimator " + estimator);
+    CHECK(json["estimator"] == estimator + "-point");
+    // A coordinate is off by 0.5 px of a focal length of 461 px, a sixteenth of a degree, and 330 matches average it.
+    CHECK(json["truth"]["rotation_error_degrees"] < 0.2);
+    CHECK(json["truth"]["direction_error_degrees"] < 1);
+    const Json& outliers = json["truth"]["outliers"];
+    CHECK(outliers["planted"] == 151);
+    // An outlier is near its line, 2 px of some 400, one time in 200; of the others 4.6 % are beyond two sigma.
+    CHECK(outliers["kept"] <= 5);
+    CHECK(outliers["lost_matches"] < 349 / 10);
+    CHECK(json["threshold_px"] == 1.0);
+    CHECK(json["samples"] >= json["samples_wanted"]);
+    CHECK(json["system"]["condition_raw"] >
+          100 * json["system"]["condition_normalised"].get<double>());
+    // rms of Sampson's distance is sigma, and less what the threshold cuts off.
+    CHECK(std::abs(json["residuals"]["sampson"]["rms_px"].get<double>() - 0.45) < 0.05);
+  }
+}
+
+TEST_CASE("F, its residuals and its epipoles belong together") {
+  const Workplace here;
+  const Json json = geometry_of(here, kNoisy);
+  const Rows f = json["F"];
+  CHECK(image_of(f, json["epipoles"]["left"], false) < 1e-12);
+  CHECK(image_of(f, json["epipoles"]["right"], true) < 1e-12);
+  int inliers = 0;
+  for (const Json& match : json["matches"]) {
+    const auto left = match["left"].get<std::vector<double>>();
+    const auto right = match["right"].get<std::vector<double>>();
+    double slope = 0;  // of p_r^T F p_l by all four coordinates, squared
+    for (std::size_t i = 0; i < 2; ++i) {
+      slope += std::pow(f[i][0] * left[0] + f[i][1] * left[1] + f[i][2], 2);
+      slope += std::pow(f[0][i] * right[0] + f[1][i] * right[1] + f[2][i], 2);
+    }
+    const double distance = std::abs(constraint(f, left, right)) / std::sqrt(slope);
+    CHECK(std::abs(distance - match["sampson_px"].get<double>()) < 1e-6 * (1 + distance));
+    CHECK(match["inlier"].get<bool>() == (distance <= 1.0));
+    inliers += match["inlier"].get<bool>();
+  }
+  CHECK(json["inliers"] == inliers);
+}
+
+TEST_CASE("what --scene writes, --matches and --cameras read, and find the same in it") {
+  const Workplace here;
+  const Json scene =
+      geometry_of(here, kNoisy + "--matches-out m.csv --cameras-out c.txt --pair-out a.png b.png");
+  const Json files =
+      geometry_of(here, "--pair a.png b.png --matches m.csv --cameras c.txt --sigma 0.5");
+  for (const char* name : {"F", "E", "pose", "inliers", "samples", "epipoles", "system", "width"}) {
+    INFO(name);
+    CHECK(files[name] == scene[name]);
+  }
+  // The reader takes the nearest rotation to what it reads: some roundings of numbers up to 1.
+  const Rows read = files["truth"]["R"], drawn = scene["truth"]["R"];
+  for (std::size_t i = 0; i < 9; ++i)
+    CHECK(std::abs(read[i / 3][i % 3] - drawn[i / 3][i % 3]) < 16 * 0x1p-53);
+  // Without pictures, and without cameras: the latter leaves F.
+  CHECK(geometry_of(here, "--matches m.csv --cameras c.txt --sigma 0.5")["F"] == scene["F"]);
+  const Json bare = geometry_of(here, "--matches m.csv --sigma 0.5");
+  CHECK(bare["estimator"] == "8-point");
+  CHECK(bare["E"].is_null());
+  CHECK(bare["pose"].is_null());
+  CHECK(says(bare, "no K"));
+  CHECK(std::abs(bare["inliers"].get<int>() - scene["inliers"].get<int>()) < 10);
+  CHECK(here.run("views geometry --scene room --size 160x120 --count 20 --matches-out -")
+            .out.starts_with("x_left,y_left,x_right,y_right\n"));
+}
+
+TEST_CASE("of a file of many cameras those of the pictures' names count") {
+  const Workplace here;
+  const Json scene =
+      geometry_of(here, kNoisy + "--matches-out m.csv --cameras-out c.txt --pair-out a.png b.png");
+  std::istringstream lines(here.read("c.txt"));
+  std::string count, left, right;
+  std::getline(lines, count);
+  std::getline(lines, left);
+  std::getline(lines, right);
+  std::string third = right;
+  third.replace(0, 1, "c");
+  here.write("three.txt", "3\n" + third + "\n" + right + "\n" + left + "\n");
+  const std::string words = "--matches m.csv --sigma 0.5 --cameras three.txt ";
+  CHECK(geometry_of(here, words + "--pair a.png b.png")["pose"] == scene["pose"]);
+  CHECK(here.run("views geometry " + words).exit_code == 2);
+  CHECK(here.run("views geometry " + words + "--pair a.png x.png").exit_code == 2);
+}
+
+TEST_CASE(
+    "a turned camera, a plane and one point of view are named, not estimated (C-101, C-102)") {
+  const Workplace here;
+  const std::string turned = "--scene room --size 320x240 --turn 8,0,0";
+  for (const std::string& words :
+       {turned, turned + " --noise 0.5", turned + " --estimator 8 --noise 0.3",
+        std::string("--scene room --size 320x240 --eye-separation 0")}) {
+    INFO(words);
+    const Json json = geometry_of(here, words);
+    CHECK(json["pair_is"]["kind"] == "one point of view");
+    CHECK(json["F"].is_null());
+    CHECK(json["pose"].is_null());
+    CHECK(says(json, "C-101"));
+  }
+  const std::string plane =
+      "--scene checker --size 320x240 --eye 0,2,4 --look-at 0,0,-2 --eye-separation 0.3 --window "
+      "5 ";
+  for (const std::string& noise : {std::string(), std::string("--noise 0.3 ")}) {
+    const Json eight = geometry_of(here, plane + noise + "--estimator 8");
+    CHECK(eight["pair_is"]["kind"] == "a plane");
+    CHECK(eight["pose"].is_null());
+    CHECK(says(eight, "C-102"));
+  }
+  const Json five = geometry_of(here, plane + "--estimator 5");
+  CHECK(five["pair_is"]["kind"] == "a plane");
+  CHECK(five["truth"]["rotation_error_degrees"] < 0.01);
+}
+
+TEST_CASE(
+    "the text has what the slides and the other textbooks call E, the law, and what is left out") {
+  const Workplace here;
+  const Outcome outcome = here.run("views geometry " + kNoisy);
+  REQUIRE(outcome.exit_code == 0);
+  CHECK(outcome.err.empty());
+  for (const char* words :
+       {"room, 640 x 480\n", "seen in the right one", "500, 151 of them outliers", "E = R S",
+        "[t]x R", "log(1 - 0.99)/log(1 - 0.", "epipoles  left (", "Sampson's distance", "(chosen)",
+        "rotation off by", "condition", "with normalised points", "left out\n  - |T|"}) {
+    INFO(words << " in\n" << outcome.out);
+    CHECK(outcome.out.find(words) != std::string::npos);
+  }
+  std::istringstream lines(outcome.out);
+  for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);
+  // Nearly all outliers: what agrees may do so by chance, and that is said.
+  CHECK(says(geometry_of(here, "--scene room --size 320x240 --outliers 0.97"), "by chance"));
+}
+
+TEST_CASE("what has no geometry, and what contradicts itself, is refused in one line (C-104)") {
+  const Workplace here;
+  REQUIRE(here.run("views geometry " + kNoisy +
+                   "--matches-out m.csv --cameras-out c.txt --pair-out a.png b.png")
+              .exit_code == 0);
+  REQUIRE(here.run("render cube --size 32x32 -o small.png").exit_code == 0);
+  std::string few, same, line, one_left;
+  for (int i = 1; i <= 12; ++i) {
+    if (i < 8) few += std::to_string(i) + " 2 " + std::to_string(i * i) + " 4\n";
+    same += "10 20 30 40\n";
+    line += std::to_string(i) + " " + std::to_string(i) + " " + std::to_string(i + 1) + " 3\n";
+    one_left += "5 5 " + std::to_string(i * i) + " " + std::to_string(i) + "\n";
+  }
+  here.write("few.csv", few);
+  here.write("same.csv", same);
+  here.write("line.csv", line);
+  here.write("one_left.csv", one_left);
+  here.write("inf.csv", same + "1 2 3 inf\n");
+  here.write("empty.csv", "");
+  std::string cameras = here.read("c.txt");
+  const std::size_t focal = cameras.find(' ') + 1;
+  here.write("no_k.txt", cameras.replace(focal, cameras.find(' ', focal) - focal, "0"));
+  const std::vector<std::string> before = here.names();
+  struct Case {
+    std::string words, cause;
+  };
+  for (const auto& [words, cause] : std::vector<Case>{
+           {"", "which points"},
+           {"--pair a.png b.png", "which points"},
+           {"--matches few.csv", "there are 7, and 8 are needed"},
+           {"--matches same.csv", "only 1 of the 12 are different"},
+           {"--matches line.csv", "no sample of the 12"},
+           {"--matches one_left.csv", "no sample of the 12"},
+           {"--matches inf.csv", "inf.csv: line 13: 'inf' is no finite number"},
+           {"--matches empty.csv", "there are 0"},
+           {"--matches nowhere.csv", "nowhere.csv"},
+           {"--matches m.csv --estimator 5", "only where K is known"},
+           {"--matches m.csv --estimator 6", "8|7|5"},
+           {"--matches m.csv --cameras no_k.txt", "no_k.txt: line 2: K is no camera matrix"},
+           {"--matches m.csv --cameras m.csv", "m.csv: line 1"},
+           {"--matches m.csv --pair a.png small.png", "unequal sizes, 640 x 480 and 32 x 32"},
+           {"--matches m.csv --pair a.png m.csv", "m.csv"},
+           {"--matches m.csv --size 64x64", "--size"},
+           {"--matches m.csv --noise 1", "--noise"},
+           {"--matches m.csv --matches-out n.csv", "--matches-out"},
+           {"--matches m.csv --sigma 0", "--sigma"},
+           {"--matches m.csv --threshold nan", "--threshold"},
+           {"--matches m.csv --confidence 1", "--confidence"},
+           {"--matches m.csv --seed -1", "--seed"},
+           {"--scene room --matches m.csv", "files have one as well"},
+           {"--scene room --ortho 3", "no centre"},
+           {"--scene room --outliers 1", "--outliers"},
+           {"--scene room --noise -1", "--noise"},
+           {"--scene room --count 7", "too few"},
+           {"--scene room --seen-by left", "both pictures"},
+           {"--scene room --eye-separation -1", "exchanges the eyes"},
+           {"--scene room --arrangement arbitrary", "where the second camera is"},
+           {"--scene room --arrangement converging --move 1,0,0", "a converging pair"},
+           {"--scene room --move 1,0,0 --window 3", "decided by --move"},
+           {"--scene room --turn 1e9,0,0", "more than a turn"},
+           {"--scene room --turn 180,0,0 --size 64x48", "8 are needed"},
+           {"--scene room --arrangement converging --eye-separation 0.1 --window inf", "finite"},
+           {"--scene room --size 1x1", "8 are needed"},
+           {"--scene room --json nowhere/x.json", "nowhere"},
+           {"--scene room --pair-out a.png a.txt", "a.txt"},
+           {"--scene room --matches-out x --json x", "two outputs"},
+           {"--scene room --matches-out - --json -", "standard output"}}) {
+    const Outcome outcome = here.run("views geometry " + words);
+    INFO(words << ": " << outcome.err);
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.err.find(cause) != std::string::npos);
+    CHECK(std::ranges::count(outcome.err, '\n') == 1);
+    CHECK(here.names() == before);
+  }
+}
+
+}  // namespace glassbox::test
