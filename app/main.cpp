@@ -26,6 +26,7 @@
 #include "app/stereo/stereo_command.h"
 #include "app/study/study_command.h"
 #include "app/trace/trace_command.h"
+#include "app/views/views_command.h"
 #include "app/why/why_command.h"
 
 #include <glassbox/base/printable.h>
@@ -56,6 +57,7 @@ int run(int argc, char** argv) {
   BenchCommand bench;
   BenchPeerCommand bench_peer;
   StudyCommand study;
+  ViewsCommand views;
   LabCommand lab;
   HelpCommand help;
   CompletionCommand completion;
@@ -73,6 +75,7 @@ int run(int argc, char** argv) {
   bench.add_to(app, exit_code);
   bench_peer.add_to(app, exit_code);
   study.add_to(app, exit_code);
+  views.add_to(app, exit_code);
   lab.add_to(app, exit_code);
   help.add_to(app, exit_code);
   completion.add_to(app, exit_code);
