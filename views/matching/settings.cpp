@@ -49,13 +49,13 @@ Result<void> check_settings(const MatchSettings& settings) {
                 fmt::format("stay within {} pixels", kFarthest));
   }
   if (settings.window < 1 || settings.window > 15 || settings.window % 2 == 0) {
-    return fail("--window", fmt::format("{} is no window", settings.window),
+    return fail("--cost-window", fmt::format("{} is no window", settings.window),
                 "give an odd number, 1 to 15");
   }
   const bool correlation =
       settings.cost == MatchingCost::kNcc || settings.cost == MatchingCost::kZncc;
   if (correlation && settings.window == 1) {
-    return fail("--window", "one pixel has no correlation", "give 3 to 15 with ncc and zncc");
+    return fail("--cost-window", "one pixel has no correlation", "give 3 to 15 with ncc and zncc");
   }
   const int paths = settings.paths;
   if (paths != 0 && paths != 2 && paths != 4 && paths != 8 && paths != 16) {
