@@ -5,15 +5,18 @@
 namespace glassbox::app {
 
 void ViewsCommand::add_to(CLI::App& app, int& exit_code) {
-  CLI::App& command =
-      *app.add_subcommand("views", "what two pictures tell of the cameras that took them");
+  CLI::App& command = *app.add_subcommand("views", "what pictures of a scene are good for");
   command.footer(
       "Examples:\n"
       "  glassbox views geometry --scene room --eye-separation 0.3\n"
-      "  glassbox views geometry --matches matches.csv --cameras cameras.txt\n\n"
-      "docs/views.md goes from two pictures to the cameras, step by step.");
+      "  glassbox views match --scene room --eye-separation 0.2 -o disparity.pfm\n"
+      "  glassbox views layers build room -o room.ldi\n\n"
+      "docs/views.md goes from two pictures to the cameras, docs/matching.md to a disparity map,\n"
+      "docs/layers.md from layers to new pictures.");
   command.require_subcommand(1);
   geometry_.add_to(command, exit_code);
+  match_.add_to(command, exit_code);
+  layers_.add_to(command, exit_code);
 }
 
 }  // namespace glassbox::app

@@ -3,6 +3,8 @@
 
 #include "app/options/cli_fwd.h"
 #include "app/views/geometry_command.h"
+#include "app/views/layers_command.h"
+#include "app/views/match_command.h"
 
 namespace glassbox::app {
 
@@ -12,6 +14,8 @@ public:
 
 private:
   ViewsGeometryCommand geometry_;
+  ViewsMatchCommand match_;
+  ViewsLayersCommand layers_;
 };
 
 }  // namespace glassbox::app

@@ -1,0 +1,42 @@
+// glassbox views match: how far apart two pictures show each point.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/options/cli_fwd.h"
+#include "app/views/match_input.h"
+#include "views/matching/match.h"
+
+namespace glassbox::app {
+
+class ViewsMatchCommand {
+public:
+  void add_to(CLI::App& views, int& exit_code);
+
+private:
+  void add_settings_options(CLI::App& command);
+  void add_output_options(CLI::App& command);
+  int run();
+  Result<void> check_sources() const;
+  Result<void> check_outputs() const;
+  Result<void> write_outputs(const MatchInput& input, const views::DenseMatch& match) const;
+  views::MatchSettings settings(const MatchInput& input) const;
+
+  MatchSources sources_;
+  std::string method_ = "default";
+  std::optional<views::MatchingCost> cost_;
+  std::optional<int> window_, adaptive_, paths_, left_right_, speckle_;
+  std::optional<float> confidence_;
+  std::optional<views::DisparityRange> range_;
+  std::optional<views::Calibration> calibration_;
+  bool no_fill_ = false, no_subpixel_ = false, no_median_ = false, no_check_ = false;
+  Target target_ = best_target();
+  int threads_ = 0;
+  std::uint32_t max_megabytes_ = 4096;
+  std::optional<std::string> output_, depth_output_, json_output_;
+};
+
+}  // namespace glassbox::app

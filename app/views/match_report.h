@@ -1,0 +1,18 @@
+// What `glassbox views match` says of its result.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "app/views/match_input.h"
+#include "views/matching/match.h"
+
+namespace glassbox::app {
+
+std::string match_text(const MatchInput& input, const views::MatchSettings& settings,
+                       const views::DenseMatch& match);
+nlohmann::ordered_json match_json(const MatchInput& input, const views::MatchSettings& settings,
+                                  const views::DenseMatch& match);
+
+}  // namespace glassbox::app

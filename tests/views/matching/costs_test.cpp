@@ -1,0 +1,158 @@
+// S2-04: every cost and average against its definition, written out.
+#include <tests/support/catch.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+
+#include "tests/views/matching/sample.h"
+#include "views/matching/costs.h"
+#include "views/matching/support.h"
+
+namespace glassbox::views {
+namespace {
+
+constexpr int kAcross = 37, kRows = 11;
+
+struct NoisePair {
+  Planes left = planes_of(noise(kAcross, kRows, 3)), right = planes_of(noise(kAcross, kRows, 4));
+};
+
+int grey(const Planes& planes, int x, int y) {
+  x = std::clamp(x, 0, kAcross - 1);
+  y = std::clamp(y, 0, kRows - 1);
+  return planes.grey[std::size_t(y * kAcross + x)];
+}
+
+int color_difference(const NoisePair& pair, int x, int right_x, int y) {
+  const auto a = std::size_t(y * kAcross + x), b = std::size_t(y * kAcross + right_x);
+  return std::abs(pair.left.r[a] - pair.right.r[b]) + std::abs(pair.left.g[a] - pair.right.g[b]) +
+         std::abs(pair.left.b[a] - pair.right.b[b]);
+}
+
+int bits_that_differ(const NoisePair& pair, int x, int right_x, int y) {
+  int bits = 0;
+  for (int dy = -3; dy <= 3; ++dy) {
+    for (int dx = -4; dx <= 4; ++dx) {
+      const bool left = grey(pair.left, x + dx, y + dy) < grey(pair.left, x, y);
+      const bool right = grey(pair.right, right_x + dx, y + dy) < grey(pair.right, right_x, y);
+      bits += left != right;
+    }
+  }
+  return bits;
+}
+
+// Of the part of the window that both pictures have.
+double window_correlation(const NoisePair& pair, int x, int right_x, int y, int radius,
+                          bool centred) {
+  double n = 0, a = 0, b = 0, aa = 0, bb = 0, ab = 0;
+  for (int dy = -radius; dy <= radius; ++dy) {
+    for (int dx = -radius; dx <= radius; ++dx) {
+      const auto inside = [&](int column) { return column + dx >= 0 && column + dx < kAcross; };
+      if (!inside(x) || !inside(right_x) || y + dy < 0 || y + dy >= kRows) continue;
+      const double left = grey(pair.left, x + dx, y + dy);
+      const double right = grey(pair.right, right_x + dx, y + dy);
+      n += 1, a += left, b += right, aa += left * left, bb += right * right, ab += left * right;
+    }
+  }
+  if (!centred) return ab / std::sqrt(aa * bb);
+  return (ab - a * b / n) / std::sqrt((aa - a * a / n) * (bb - b * b / n));
+}
+
+double defined(const NoisePair& pair, const MatchSettings& settings, int x, int right_x, int y) {
+  const int difference = grey(pair.left, x, y) - grey(pair.right, right_x, y);
+  switch (settings.cost) {
+    case MatchingCost::kSad:
+      return 6 * std::abs(difference);
+    case MatchingCost::kSsd:
+      return (difference * difference + 16) / 32;
+    case MatchingCost::kNcc:
+    case MatchingCost::kZncc: {
+      const bool centred = settings.cost == MatchingCost::kZncc;
+      return (1 - window_correlation(pair, x, right_x, y, settings.window / 2, centred)) * 1023;
+    }
+    case MatchingCost::kCensus:
+      return 16 * bits_that_differ(pair, x, right_x, y);
+    case MatchingCost::kAdCensus:
+      break;
+  }
+  return 16 * std::min(bits_that_differ(pair, x, right_x, y), 40) +
+         8 * std::min(color_difference(pair, x, right_x, y), 60);
+}
+
+TEST_CASE(
+    "S2-04: every cost is its definition, on every instruction set; beside the picture nothing "
+    "matches") {
+  const NoisePair pair;
+  for (const Target target : available_targets()) {
+    for (const MatchingCost cost :
+         {MatchingCost::kSad, MatchingCost::kSsd, MatchingCost::kNcc, MatchingCost::kZncc,
+          MatchingCost::kCensus, MatchingCost::kAdCensus}) {
+      MatchSettings settings;
+      settings.range = {-5, 40};
+      settings.cost = cost;
+      settings.window = 5;
+      settings.target = target;
+      const CostVolume volume = pixel_costs(pair.left, pair.right, settings);
+      INFO(name_of(target) << ", " << name_of(cost));
+      for (int y = 0; y < kRows; ++y) {
+        for (int x = 0; x < kAcross; ++x) {
+          for (int i = 0; i < volume.count; ++i) {
+            const int right_x = x - (i - 5);
+            INFO("pixel " << x << ", " << y << ", disparity " << i - 5);
+            const bool inside = right_x >= 0 && right_x < kAcross;
+            const double value =
+                inside ? defined(pair, settings, x, right_x, y) : double(kHighestCost);
+            // Half a unit from rounding; sums in another order are some 1e-13 off.
+            REQUIRE(std::abs(volume.at(x, y)[i] - value) <= 0.5 + 1e-6);
+            REQUIRE((i >= volume.from(x) && i < volume.to(x)) == inside);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("S2-04: the average of a square is the mean of the rows' means, to a rounding each") {
+  const NoisePair pair;
+  MatchSettings settings;
+  settings.range = {0, 7};
+  settings.cost = MatchingCost::kSsd;
+  const CostVolume single = pixel_costs(pair.left, pair.right, settings);
+  for (const Target target : available_targets()) {
+    CostVolume averaged = single;
+    average_costs(averaged, square_arms(kAcross, kRows, 2), FirstAlong::kRows, target);
+    for (int y = 0; y < kRows; ++y) {
+      for (int x = 0; x < kAcross; ++x) {
+        const int i = (x + y) % 8;
+        double sum = 0;
+        int count = 0;
+        for (int row = std::max(0, y - 2); row <= std::min(kRows - 1, y + 2); ++row) {
+          for (int column = std::max(0, x - 2); column <= std::min(kAcross - 1, x + 2); ++column) {
+            sum += single.at(column, row)[i];
+            ++count;
+          }
+        }
+        INFO(name_of(target) << ": pixel " << x << ", " << y);
+        // Half a unit from each of two roundings; the inverse's own is 2^-24 of 65535.
+        REQUIRE(std::abs(averaged.at(x, y)[i] - sum / count) <= 1.01);
+      }
+    }
+  }
+}
+
+TEST_CASE("arms stop where the colour changes") {
+  Image<Rgba8> image(50, 3, {100, 100, 100, 255});
+  for (int y = 0; y < 3; ++y) {
+    for (int x = 20; x < 50; ++x) image.at(x, y) = {100, 121, 100, 255};
+  }
+  const Image<Arms> arms = adaptive_arms(planes_of(image));
+  CHECK(int(arms.at(10, 1).right) == 9);
+  CHECK(int(arms.at(10, 1).left) == 10);
+  CHECK(int(arms.at(20, 1).left) == 0);
+  CHECK(int(arms.at(20, 1).right) == 29);
+  CHECK(int(arms.at(20, 1).up) == 1);
+}
+
+}  // namespace
+}  // namespace glassbox::views

@@ -1,0 +1,173 @@
+// C-110, C-111, C-113, D-20: what comes out of a whole match, and what does not go in.
+#include <tests/support/catch.h>
+
+#include <cmath>
+
+#include "tests/views/matching/sample.h"
+#include "views/matching/calibration.h"
+#include "views/matching/evaluate.h"
+#include "views/matching/match.h"
+#include "views/matching/winner.h"
+
+namespace glassbox::views {
+namespace {
+
+MatchSettings method(const char* name, DisparityRange range) {
+  MatchSettings settings = *settings_named(name);
+  settings.range = range;
+  return settings;
+}
+
+DenseMatch matched(const Image<Rgba8>& left, const Image<Rgba8>& right,
+                   const MatchSettings& settings) {
+  auto match = match_pictures(left, right, settings);
+  REQUIRE(match);
+  return std::move(*match);
+}
+
+// Of the pixels whose windows, none reaches further than this, lie where there is a match.
+constexpr int kReach =
+    6;  // px: five of a square of 11, or four of a census word and one of a square of 3; one of the median
+
+double wrong_share(const Image<float>& disparity, int d) {
+  int wrong = 0, all = 0;
+  for (int y = 0; y < disparity.height; ++y) {
+    for (int x = std::max(0, d) + kReach;
+         x < std::min(disparity.width, disparity.width + d) - kReach; ++x) {
+      wrong += !(std::abs(disparity.at(x, y) - float(d)) <= 0.5f);
+      ++all;
+    }
+  }
+  return double(wrong) / all;
+}
+
+TEST_CASE("D-20: the same bytes for every instruction set and number of threads") {
+  const Image<Rgba8> left = noise(71, 40, 5), right = moved_left(left, 6, 6);
+  for (const char* name : {"default", "fast", "winner"}) {
+    MatchSettings settings = method(name, {-3, 33});
+    settings.target = Target::kScalar;
+    settings.threads = 1;
+    const DenseMatch reference = matched(left, right, settings);
+    for (const Target target : available_targets()) {
+      for (const int threads : {1, 2, 5, 0}) {
+        settings.target = target;
+        settings.threads = threads;
+        const DenseMatch match = matched(left, right, settings);
+        INFO(name << ", " << name_of(target) << ", " << threads << " threads");
+        CHECK(match.disparity == reference.disparity);
+        CHECK(match.confidence == reference.confidence);
+        CHECK(match.doubts == reference.doubts);
+      }
+    }
+  }
+}
+
+TEST_CASE("S2-04: a wall of noise stands where it was put, before the window and behind it") {
+  const Image<Rgba8> left = noise(90, 40, 7);
+  for (const int d : {0, 11, -7}) {
+    const Image<Rgba8> right = moved_left(left, d, 8);
+    for (const char* name : {"default", "fast", "winner"}) {
+      INFO(name << ", disparity " << d);
+      const DenseMatch match = matched(left, right, method(name, {-12, 20}));
+      CHECK(wrong_share(match.disparity, d) == 0);
+    }
+  }
+}
+
+TEST_CASE("C-110: gain and offset are nothing to census and ZNCC, and the end of SAD") {
+  Image<Rgba8> left = noise(90, 60, 9);
+  for (Rgba8& pixel : left.pixels) {
+    // Grey, and dark enough that nothing clips.
+    pixel.r = pixel.g = pixel.b = std::uint8_t(pixel.r / 2);
+  }
+  Image<Rgba8> right = moved_left(left, 9, 10);
+  for (Rgba8& pixel : right.pixels) {
+    pixel.r = pixel.g = pixel.b = std::uint8_t(std::min(255, pixel.r * 13 / 10 + 40));
+  }
+  const auto wrong = [&](MatchingCost cost, int window) {
+    MatchSettings settings = method("winner", {0, 20});
+    settings.cost = cost;
+    settings.window = window;
+    settings.left_right.reset();
+    settings.fill = settings.median = false;
+    return wrong_share(matched(left, right, settings).disparity, 9);
+  };
+  const double zncc = wrong(MatchingCost::kZncc, 7), census = wrong(MatchingCost::kCensus, 3);
+  CHECK(zncc == 0);
+  CHECK(census == 0);
+  CHECK(wrong(MatchingCost::kSad, 3) > 0.1);
+}
+
+TEST_CASE("C-111: a period and a blank wall have no clear winner") {
+  Image<Rgba8> stripes(80, 20), blank(80, 20, {90, 90, 90, 255});
+  for (int y = 0; y < 20; ++y) {
+    for (int x = 0; x < 80; ++x) {
+      const auto value = std::uint8_t(x % 8 * 30);
+      stripes.at(x, y) = {value, value, value, 255};
+    }
+  }
+  MatchSettings settings = method("winner", {0, 31});
+  settings.confidence = 0.1f;
+  settings.fill = false;
+  for (const Image<Rgba8>& wall : {stripes, blank}) {
+    const DenseMatch match = matched(wall, wall, settings);
+    // From column 40 on the range holds four periods.
+    for (int x = 40; x < 70; ++x) CHECK(match.disparity.at(x, 10) == kNoDisparity);
+  }
+  const Image<Rgba8> clear = noise(80, 20, 11);
+  const DenseMatch match = matched(clear, clear, settings);
+  for (int x = 40; x < 70; ++x) CHECK(match.disparity.at(x, 10) == 0);
+}
+
+TEST_CASE("C-113: what the range or the picture does not hold is invalid, not clamped") {
+  const Image<Rgba8> left = noise(60, 30, 12), right = moved_left(left, 4, 13);
+  MatchSettings settings = method("default", {10, 20});
+  settings.fill = settings.median = false;
+  const DenseMatch match = matched(left, right, settings);
+  for (int y = 0; y < 30; ++y) {
+    for (int x = 0; x < 10; ++x) {
+      CHECK(match.disparity.at(x, y) == kNoDisparity);
+      CHECK(match.doubts.at(x, y) == Doubt::kOutside);
+    }
+    for (int x = 0; x < 60; ++x) {
+      const float d = match.disparity.at(x, y);
+      CHECK((d == kNoDisparity || (d >= 9.5f && d <= 20.5f && float(x) - d > -1)));
+    }
+  }
+}
+
+TEST_CASE("what cannot be matched is refused before anything is allocated") {
+  const Image<Rgba8> some(20, 10), other(21, 10), single(1, 1);
+  const auto cause = [](const Image<Rgba8>& left, const Image<Rgba8>& right,
+                        const MatchSettings& settings, std::uint64_t bytes = 1u << 30) {
+    const auto match = match_pictures(left, right, settings, bytes);
+    REQUIRE_FALSE(match);
+    return match.error().message();
+  };
+  CHECK(cause(some, other, {}).find("20 x 10 and 21 x 10") != std::string::npos);
+  CHECK(cause(single, single, {}).find("1 x 1") != std::string::npos);
+  CHECK(cause(some, some, method("default", {3, 2})).find("no disparity") != std::string::npos);
+  CHECK(cause(some, some, method("default", {20, 30})).find("beside") != std::string::npos);
+  // 20 x 10 pixels of 16032 disparities of six bytes.
+  CHECK(bytes_of_match(20, 10, method("default", {0, 16000})) == 20u * 10 * 16032 * 6);
+  CHECK(cause(some, some, method("default", {0, 16000}), 19'000'000).find("18 MB") !=
+        std::string::npos);
+}
+
+TEST_CASE("C-107, C-109, C-114: depth adds the offset, and needs a baseline") {
+  Image<float> disparity(4, 1);
+  disparity.pixels = {100, 0, -40, kNoDisparity};
+  const Calibration motorcycle{994.978, 193.001, 31.086};
+  const Image<float> depths = depths_of(disparity, motorcycle);
+  // A float's rounding: 2^-24 of some 1500 mm.
+  CHECK(std::abs(double(depths.pixels[0]) - 994.978 * 193.001 / 131.086) < 1e-4);
+  CHECK(std::abs(double(depths.pixels[1]) - 994.978 * 193.001 / 31.086) < 5e-4);
+  CHECK(std::isinf(depths.pixels[2]));
+  CHECK(std::isinf(depths.pixels[3]));
+  CHECK(check_calibration(motorcycle));
+  CHECK_FALSE(check_calibration({994.978, 0, 31.086}));
+  CHECK_FALSE(check_calibration({std::nan(""), 1, 0}));
+}
+
+}  // namespace
+}  // namespace glassbox::views

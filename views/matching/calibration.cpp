@@ -1,0 +1,38 @@
+#include "views/matching/calibration.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "views/matching/winner.h"
+
+namespace glassbox::views {
+
+Result<void> check_calibration(const Calibration& calibration) {
+  const auto& [focal, baseline, offset] = calibration;
+  if (!(focal > 0 && std::isfinite(focal))) {
+    return fail("--calibration", fmt::format("{:g} px is no focal length", focal),
+                "give F,B,OFFSET, F above 0");
+  }
+  if (!(baseline > 0 && std::isfinite(baseline))) {
+    return fail("--calibration",
+                fmt::format("{:g} is no baseline: without one there is no depth", baseline),
+                "give F,B,OFFSET, B above 0");
+  }
+  if (!std::isfinite(offset)) {
+    return fail("--calibration", "the offset is not finite", "give F,B,OFFSET, 0 for none");
+  }
+  return {};
+}
+
+Image<float> depths_of(const Image<float>& disparity, const Calibration& calibration) {
+  Image<float> depths(disparity.width, disparity.height, kNoDisparity);
+  const double product = calibration.focal_px * calibration.baseline;
+  for (std::size_t i = 0; i < depths.pixels.size(); ++i) {
+    const double parallax = double(disparity.pixels[i]) + calibration.offset_px;
+    if (std::isfinite(parallax) && parallax > 0) depths.pixels[i] = float(product / parallax);
+  }
+  return depths;
+}
+
+}  // namespace glassbox::views

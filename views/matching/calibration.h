@@ -1,0 +1,22 @@
+// From disparity to depth: Z = f B / (d + offset) (SPEC S2-13, C-114).
+#pragma once
+
+#include <glassbox/base/error.h>
+#include <glassbox/images/image.h>
+
+namespace glassbox::views {
+
+struct Calibration {
+  double focal_px = 0;
+  double baseline = 0;  // from camera to camera; depth has its unit
+  double offset_px =
+      0;  // the left principal point's x less the right one's, taken away from disparities: added before depth
+};
+
+// An error where a number is not finite, or focal length or baseline is not above 0 (C-109).
+Result<void> check_calibration(const Calibration& calibration);
+
+// Infinite where there is no disparity, or where the rays do not meet before the cameras: d + offset <= 0 (C-107).
+Image<float> depths_of(const Image<float>& disparity, const Calibration& calibration);
+
+}  // namespace glassbox::views

@@ -1,0 +1,14 @@
+// The first step of a dense match: how unlike the pixels of a pair are, for every disparity (SPEC S2-04).
+#pragma once
+
+#include "views/matching/cost_volume.h"
+#include "views/matching/pictures.h"
+#include "views/matching/settings.h"
+
+namespace glassbox::views {
+
+// Costs of single pixels, or of the correlation's window; a window of the others is for average_costs. Where the right pixel would lie
+// beside the picture the cost is kHighestCost: nothing speaks for such a match, and the winner is not sought there.
+CostVolume pixel_costs(const Planes& left, const Planes& right, const MatchSettings& settings);
+
+}  // namespace glassbox::views

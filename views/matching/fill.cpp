@@ -1,0 +1,103 @@
+#include "views/matching/fill.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+#include <vector>
+
+#include <tbb/parallel_for.h>
+
+#include "views/matching/winner.h"
+
+namespace glassbox::views {
+
+namespace {
+
+constexpr int kVoters = 20;
+constexpr int kAgreeFifths = 2;
+constexpr std::array<std::pair<int, int>, 8> kDirections{
+    {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}}};
+
+int color_difference(const Planes& picture, std::size_t a, std::size_t b) {
+  return std::abs(int(picture.r[a]) - int(picture.r[b])) +
+         std::abs(int(picture.g[a]) - int(picture.g[b])) +
+         std::abs(int(picture.b[a]) - int(picture.b[b]));
+}
+
+// The votes of the cross whose rows hang on the column of a pixel.
+float voted(const Image<Arms>& arms, const Image<float>& disparity, const Image<Doubt>& doubts,
+            int x, int y, int first, std::vector<int>& votes) {
+  std::ranges::fill(votes, 0);
+  int voters = 0;
+  const Arms& own = arms.at(x, y);
+  for (int row = y - own.up; row <= y + own.down; ++row) {
+    const Arms& across = arms.at(x, row);
+    for (int column = x - across.left; column <= x + across.right; ++column) {
+      if (doubts.at(column, row) != Doubt::kNone) continue;
+      const int number = int(std::floor(disparity.at(column, row) + 0.5f)) - first;
+      ++votes[std::size_t(std::clamp(number, 0, int(votes.size()) - 1))];
+      ++voters;
+    }
+  }
+  const auto most = std::ranges::max_element(votes);
+  if (voters < kVoters || 5 * *most < kAgreeFifths * voters) return kNoDisparity;
+  return float(first + int(most - votes.begin()));
+}
+
+float filled(const Planes& picture, const Image<float>& disparity, const Image<Doubt>& doubts,
+             int x, int y) {
+  float farthest = kNoDisparity, second = kNoDisparity;  // the least disparities found
+  float likest = kNoDisparity;
+  int least = 766;  // more than any difference
+  const std::size_t own = disparity.index(x, y);
+  for (const auto& [dx, dy] : kDirections) {
+    int column = x + dx, row = y + dy;
+    const auto is_inside = [&] {
+      return column >= 0 && row >= 0 && column < disparity.width && row < disparity.height;
+    };
+    while (is_inside() && doubts.at(column, row) != Doubt::kNone) column += dx, row += dy;
+    if (!is_inside()) continue;
+    const std::size_t at = disparity.index(column, row);
+    const float value = disparity.pixels[at];
+    second = std::min(second, std::max(farthest, value));
+    farthest = std::min(farthest, value);
+    const int difference = color_difference(picture, own, at);
+    if (difference < least) least = difference, likest = value;
+  }
+  if (doubts.pixels[own] == Doubt::kMismatched) return likest;
+  return std::isfinite(second) ? second : farthest;
+}
+
+}  // namespace
+
+void vote(const Image<Arms>& arms, int first, int count, int rounds, Image<float>& disparity,
+          Image<Doubt>& doubts) {
+  for (int round = 0; round < rounds; ++round) {
+    const Image<float> before = disparity;
+    const Image<Doubt> doubted = doubts;
+    tbb::parallel_for(0, disparity.height, [&](int y) {
+      std::vector<int> votes(static_cast<std::size_t>(count));
+      for (int x = 0; x < disparity.width; ++x) {
+        if (doubted.at(x, y) == Doubt::kNone) continue;
+        const float value = voted(arms, before, doubted, x, y, first, votes);
+        if (!std::isfinite(value)) continue;
+        disparity.at(x, y) = value;
+        doubts.at(x, y) = Doubt::kNone;
+      }
+    });
+  }
+}
+
+void fill_holes(const Planes& picture, Image<float>& disparity, const Image<Doubt>& doubts) {
+  const Image<float> before = disparity;
+  tbb::parallel_for(0, disparity.height, [&](int y) {
+    for (int x = 0; x < disparity.width; ++x) {
+      if (doubts.at(x, y) == Doubt::kNone) continue;
+      disparity.at(x, y) = filled(picture, before, doubts, x, y);
+    }
+  });
+}
+
+}  // namespace glassbox::views

@@ -1,0 +1,104 @@
+#include "views/matching/filters.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include <tbb/parallel_for.h>
+
+#include "views/matching/winner.h"
+
+namespace glassbox::views {
+
+namespace {
+
+constexpr float kConnected = 1;  // px
+
+int nearest_column(int x, float disparity) {
+  return int(std::floor(float(x) - disparity + 0.5f));
+}
+
+// Whether some right pixel of the row says that it is seen at x.
+Doubt kind_of(const std::vector<std::uint8_t>& is_claimed, int x) {
+  return is_claimed[std::size_t(x)] ? Doubt::kMismatched : Doubt::kOccluded;
+}
+
+}  // namespace
+
+Image<Doubt> left_right_doubts(const Image<float>& left, const Image<float>& right, int tolerance) {
+  Image<Doubt> doubts(left.width, left.height, Doubt::kNone);
+  tbb::parallel_for(0, left.height, [&](int y) {
+    std::vector<std::uint8_t> is_claimed(static_cast<std::size_t>(left.width));
+    for (int x = 0; x < right.width; ++x) {
+      if (!std::isfinite(right.at(x, y))) continue;
+      const int column = x + int(right.at(x, y));
+      if (column >= 0 && column < left.width) is_claimed[std::size_t(column)] = 1;
+    }
+    for (int x = 0; x < left.width; ++x) {
+      const float disparity = left.at(x, y);
+      if (!std::isfinite(disparity)) {
+        doubts.at(x, y) = Doubt::kOutside;
+        continue;
+      }
+      const int column = nearest_column(x, disparity);
+      const bool agrees = column >= 0 && column < right.width &&
+                          std::abs(right.at(column, y) - disparity) <= float(tolerance) + 0.5f;
+      if (!agrees) doubts.at(x, y) = kind_of(is_claimed, x);
+    }
+  });
+  return doubts;
+}
+
+void doubt_speckles(const Image<float>& disparity, int least, Image<Doubt>& doubts) {
+  std::vector<std::uint8_t> is_seen(disparity.pixels.size());
+  std::vector<std::size_t> piece;
+  const auto belongs = [&](std::size_t i) {
+    return doubts.pixels[i] == Doubt::kNone && std::isfinite(disparity.pixels[i]);
+  };
+  const auto width = std::size_t(disparity.width);
+  for (std::size_t start = 0; start < disparity.pixels.size(); ++start) {
+    if (is_seen[start] || !belongs(start)) continue;
+    piece.assign(1, start);
+    is_seen[start] = 1;
+    for (std::size_t next = 0; next < piece.size(); ++next) {
+      const std::size_t at = piece[next], x = at % width;
+      const auto visit = [&](bool exists, std::size_t neighbour) {
+        if (!exists || is_seen[neighbour] || !belongs(neighbour)) return;
+        if (std::abs(disparity.pixels[at] - disparity.pixels[neighbour]) > kConnected) return;
+        is_seen[neighbour] = 1;
+        piece.push_back(neighbour);
+      };
+      visit(x > 0, at - 1);
+      visit(x + 1 < width, at + 1);
+      visit(at >= width, at - width);
+      visit(at + width < disparity.pixels.size(), at + width);
+    }
+    if (piece.size() >= std::size_t(least)) continue;
+    for (const std::size_t at : piece) doubts.pixels[at] = Doubt::kSpeckle;
+  }
+}
+
+Image<float> median_of(const Image<float>& disparity) {
+  Image<float> result = disparity;
+  tbb::parallel_for(0, disparity.height, [&](int y) {
+    for (int x = 0; x < disparity.width; ++x) {
+      if (!std::isfinite(disparity.at(x, y))) continue;
+      std::array<float, 9> values;
+      std::size_t count = 0;
+      for (int row = std::max(y - 1, 0); row <= std::min(y + 1, disparity.height - 1); ++row) {
+        for (int column = std::max(x - 1, 0); column <= std::min(x + 1, disparity.width - 1);
+             ++column) {
+          const float value = disparity.at(column, row);
+          if (std::isfinite(value)) values[count++] = value;
+        }
+      }
+      const auto middle = values.begin() + std::ptrdiff_t((count - 1) / 2);
+      std::nth_element(values.begin(), middle, values.begin() + std::ptrdiff_t(count));
+      result.at(x, y) = *middle;
+    }
+  });
+  return result;
+}
+
+}  // namespace glassbox::views

@@ -1,0 +1,140 @@
+#include "views/matching/kernels.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include <glassbox/raster/lanes/compiled_targets.h>
+
+// This file is compiled once for each instruction set. Loops without intrinsics are left to the compiler's vectoriser.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "views/matching/kernels.cpp"
+#include <hwy/foreach_target.h>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace glassbox::views::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Bits of a word, without an instruction that older processors lack: sums in fields of 2, 4, 8 bits.
+inline std::uint32_t bits_of(std::uint64_t word) {
+  word -= (word >> 1) & 0x5555555555555555u;
+  word = (word & 0x3333333333333333u) + ((word >> 2) & 0x3333333333333333u);
+  word = (word + (word >> 4)) & 0x0f0f0f0f0f0f0f0fu;
+  word += word >> 8;
+  word += word >> 16;
+  word += word >> 32;
+  return std::uint32_t(word & 127);
+}
+
+void mixed_costs(const MatchKernels::Pixel& left, const MatchKernels::PixelRow& right, int count,
+                 const MatchKernels::Mix& mix, std::uint16_t* HWY_RESTRICT out) {
+  for (int i = 0; i < count; ++i) {
+    const int bits = int(bits_of(left.census ^ right.census[i]));
+    out[i] = std::uint16_t(mix.census_weight * std::min(bits, mix.most_bits));
+  }
+  if (mix.color_weight == 0) return;
+  for (int i = 0; i < count; ++i) {
+    const int color = std::abs(int(left.r) - int(right.r[i])) +
+                      std::abs(int(left.g) - int(right.g[i])) +
+                      std::abs(int(left.b) - int(right.b[i]));
+    out[i] = std::uint16_t(out[i] + mix.color_weight * std::min(color, mix.most_color));
+  }
+}
+
+void running_sum(const std::uint32_t* HWY_RESTRICT before, const std::uint16_t* HWY_RESTRICT costs,
+                 int count, std::uint32_t* HWY_RESTRICT sums) {
+  for (int i = 0; i < count; ++i) sums[i] = before[i] + costs[i];
+}
+
+void mean(const std::uint32_t* HWY_RESTRICT before, const std::uint32_t* HWY_RESTRICT after,
+          float inverse, int count, std::uint16_t* HWY_RESTRICT costs) {
+  for (int i = 0; i < count; ++i) {
+    costs[i] = std::uint16_t(int(float(int(after[i] - before[i])) * inverse + 0.5f));
+  }
+}
+
+std::uint16_t path_step(const std::uint16_t* costs, const std::uint16_t* before,
+                        std::uint16_t least, std::uint16_t p1, std::uint16_t p2, int count,
+                        std::uint16_t* out, std::uint16_t* sums) {
+  const hn::CappedTag<std::uint16_t, 32> d;
+  const int lanes = int(hn::Lanes(d));
+  const auto step = hn::Set(d, p1), jump = hn::Set(d, std::uint16_t(least + p2));
+  const auto base = hn::Set(d, least);
+  auto smallest = hn::Set(d, std::uint16_t(65535));
+  for (int i = 0; i < count; i += lanes) {
+    const auto same = hn::LoadU(d, before + i);
+    const auto beside = hn::Min(hn::LoadU(d, before + i - 1), hn::LoadU(d, before + i + 1));
+    const auto best = hn::Min(hn::Min(same, jump), hn::SaturatedAdd(beside, step));
+    const auto value = hn::Add(hn::LoadU(d, costs + i), hn::Sub(best, base));
+    hn::StoreU(value, d, out + i);
+    hn::StoreU(hn::Add(hn::LoadU(d, sums + i), value), d, sums + i);
+    smallest = hn::Min(smallest, value);
+  }
+  alignas(64) std::uint16_t each[32];
+  hn::Store(smallest, d, each);
+  std::uint16_t result = each[0];
+  for (int i = 1; i < lanes; ++i) result = std::min(result, each[i]);
+  return result;
+}
+
+void add(const std::uint16_t* HWY_RESTRICT more, int count, std::uint16_t* HWY_RESTRICT sums) {
+  for (int i = 0; i < count; ++i) sums[i] = std::uint16_t(sums[i] + more[i]);
+}
+
+std::uint16_t least(const std::uint16_t* values, int count) {
+  std::uint16_t result = 65535;
+  for (int i = 0; i < count; ++i) result = values[i] < result ? values[i] : result;
+  return result;
+}
+
+void keep_less(const std::uint16_t* HWY_RESTRICT values, int count,
+               std::uint16_t* HWY_RESTRICT best, std::uint16_t* HWY_RESTRICT which,
+               int first_which) {
+  for (int i = 0; i < count; ++i) {
+    const bool less = values[i] < best[i];
+    which[i] = less ? std::uint16_t(first_which + i) : which[i];
+    best[i] = less ? values[i] : best[i];
+  }
+}
+
+const MatchKernels kKernels{mixed_costs, running_sum, mean, path_step, add, least, keep_less};
+
+}  // namespace glassbox::views::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace glassbox::views {
+
+const MatchKernels& match_kernels(Target target) {
+  switch (target) {
+#if (HWY_TARGETS & HWY_AVX3) != 0
+    case Target::kAvx512:
+      return N_AVX3::kKernels;
+#endif
+#if (HWY_TARGETS & HWY_AVX2) != 0
+    case Target::kAvx2:
+      return N_AVX2::kKernels;
+#endif
+#if (HWY_TARGETS & HWY_SSE4) != 0
+    case Target::kSse4:
+      return N_SSE4::kKernels;
+#endif
+#if (HWY_TARGETS & HWY_NEON) != 0
+    case Target::kNeon:
+      return N_NEON::kKernels;
+#endif
+    default:
+#if (HWY_TARGETS & HWY_EMU128) != 0
+      return N_EMU128::kKernels;
+#else
+      return N_SCALAR::kKernels;
+#endif
+  }
+}
+
+}  // namespace glassbox::views
+
+#endif

@@ -1,0 +1,51 @@
+// The inner loops over disparities, compiled once for each instruction set. All are integer work, or floats in one written order: every
+// target gives the same bytes.
+#pragma once
+
+#include <cstdint>
+
+#include <glassbox/raster/lanes/target.h>
+
+namespace glassbox::views {
+
+struct MatchKernels {
+  // out[i] = census_weight * min(bits that differ, most) + color_weight * min(sum of the channels' differences, most), of left and
+  // right[count - 1 - i]: the right pixels of growing disparity go to the left.
+  struct Pixel {
+    std::uint64_t census;
+    std::uint8_t r, g, b;
+  };
+  struct PixelRow {
+    const std::uint64_t* census;
+    const std::uint8_t *r, *g, *b;
+  };
+  struct Mix {
+    int census_weight, most_bits, color_weight, most_color;
+  };
+  void (*mixed_costs)(const Pixel& left, const PixelRow& right_reversed, int count, const Mix& mix,
+                      std::uint16_t* out);
+
+  // sums[i] = before[i] + costs[i]
+  void (*running_sum)(const std::uint32_t* before, const std::uint16_t* costs, int count,
+                      std::uint32_t* sums);
+  // costs[i] = (after[i] - before[i]) * inverse, to the nearest
+  void (*mean)(const std::uint32_t* before, const std::uint32_t* after, float inverse, int count,
+               std::uint16_t* costs);
+
+  // One step along a path: out = cost + min(before, before of a disparity beside + p1, least + p2) - least. `before` may be read from
+  // -1 to count. Adds out to sums; returns the least of out.
+  std::uint16_t (*path_step)(const std::uint16_t* costs, const std::uint16_t* before,
+                             std::uint16_t least, std::uint16_t p1, std::uint16_t p2, int count,
+                             std::uint16_t* out, std::uint16_t* sums);
+  // sums[i] += more[i]
+  void (*add)(const std::uint16_t* more, int count, std::uint16_t* sums);
+  // The least of the values; 65535 of none.
+  std::uint16_t (*least)(const std::uint16_t* values, int count);
+  // Where values[i] < best[i]: best[i] = values[i], which[i] = i.
+  void (*keep_less)(const std::uint16_t* values, int count, std::uint16_t* best,
+                    std::uint16_t* which, int first_which);
+};
+
+const MatchKernels& match_kernels(Target target);
+
+}  // namespace glassbox::views

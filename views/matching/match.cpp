@@ -1,0 +1,150 @@
+#include "views/matching/match.h"
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+#include <tbb/task_arena.h>
+
+#include "views/matching/costs.h"
+#include "views/matching/fill.h"
+#include "views/matching/paths.h"
+#include "views/matching/support.h"
+#include "views/matching/winner.h"
+
+namespace glassbox::views {
+
+namespace {
+
+class Clock {
+public:
+  explicit Clock(std::vector<MatchStep>& steps) : steps_(steps) {}
+  // What was done since the last call, or since the beginning.
+  void done(const char* name) {
+    const auto now = std::chrono::steady_clock::now();
+    steps_.push_back({name, std::chrono::duration<double, std::milli>(now - last_).count()});
+    last_ = now;
+  }
+
+private:
+  std::vector<MatchStep>& steps_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+void average(CostVolume& costs, const Image<Arms>& arms, const MatchSettings& settings) {
+  const bool correlation =
+      settings.cost == MatchingCost::kNcc || settings.cost == MatchingCost::kZncc;
+  if (settings.window > 1 && !correlation) {
+    average_costs(costs, square_arms(costs.width, costs.height, settings.window / 2),
+                  FirstAlong::kRows, settings.target);
+  }
+  for (int round = 0; round < settings.adaptive; ++round) {
+    average_costs(costs, arms, round % 2 == 0 ? FirstAlong::kRows : FirstAlong::kColumns,
+                  settings.target);
+  }
+}
+
+Winners winners_of(const CostVolume& costs, const Planes& picture, const MatchSettings& settings,
+                   Clock& clock) {
+  if (settings.paths == 0) {
+    return find_winners(costs, nullptr, settings.subpixel, settings.target);
+  }
+  const PathSums sums = sum_paths(costs, picture, settings.paths, Penalties{}, settings.target);
+  clock.done("paths");
+  return find_winners(sums.down, &sums.up, settings.subpixel, settings.target);
+}
+
+Image<Doubt> doubts_of(const Winners& winners, const MatchSettings& settings) {
+  Image<Doubt> doubts(winners.left.width, winners.left.height, Doubt::kNone);
+  if (settings.left_right) {
+    doubts = left_right_doubts(winners.left, winners.right, *settings.left_right);
+  }
+  for (std::size_t i = 0; i < doubts.pixels.size(); ++i) {
+    if (!std::isfinite(winners.left.pixels[i])) doubts.pixels[i] = Doubt::kOutside;
+    if (doubts.pixels[i] == Doubt::kNone && winners.confidence.pixels[i] < settings.confidence) {
+      doubts.pixels[i] = Doubt::kUnsure;
+    }
+  }
+  if (settings.speckle > 0) doubt_speckles(winners.left, settings.speckle, doubts);
+  return doubts;
+}
+
+void run(const Image<Rgba8>& left, const Image<Rgba8>& right, const MatchSettings& settings,
+         DenseMatch& match) {
+  Clock clock(match.steps);
+  const Planes left_planes = planes_of(left), right_planes = planes_of(right);
+  CostVolume costs = pixel_costs(left_planes, right_planes, settings);
+  clock.done("costs");
+  const Image<Arms> arms = adaptive_arms(left_planes);
+  average(costs, arms, settings);
+  clock.done("averages");
+  const Winners winners = winners_of(costs, left_planes, settings, clock);
+  clock.done("winners");
+  match.doubts = doubts_of(winners, settings);
+  match.disparity = winners.left;
+  match.confidence = winners.confidence;
+  clock.done("checks");
+  Image<Doubt> doubts = match.doubts;
+  if (settings.fill) {
+    vote(arms, settings.range.first, settings.range.count(), 2, match.disparity, doubts);
+    fill_holes(left_planes, match.disparity, doubts);
+  } else {
+    for (std::size_t i = 0; i < doubts.pixels.size(); ++i) {
+      if (doubts.pixels[i] != Doubt::kNone) match.disparity.pixels[i] = kNoDisparity;
+    }
+  }
+  clock.done("holes");
+  if (settings.median) match.disparity = median_of(match.disparity);
+  clock.done("median");
+}
+
+}  // namespace
+
+std::uint64_t bytes_of_match(int width, int height, const MatchSettings& settings) {
+  const auto lanes = std::uint64_t(kDisparityLanes);
+  const std::uint64_t stride =
+      (std::uint64_t(std::int64_t(settings.range.last) - settings.range.first + 1) + lanes - 1) /
+      lanes * lanes;
+  const std::uint64_t cell = sizeof(std::uint16_t) * (settings.paths > 0 ? 3 : 1);
+  return std::uint64_t(width) * std::uint64_t(height) * stride * cell;
+}
+
+Result<DenseMatch> match_pictures(const Image<Rgba8>& left, const Image<Rgba8>& right,
+                                  const MatchSettings& settings, std::uint64_t max_bytes) {
+  if (const auto legal = check_settings(settings); !legal) return tl::unexpected(legal.error());
+  if (left.width != right.width || left.height != right.height) {
+    return fail("the pair",
+                fmt::format("the pictures are {} x {} and {} x {}", left.width, left.height,
+                            right.width, right.height),
+                "match two of one size, rectified");
+  }
+  if (left.width < 2 || left.height < 2) {
+    return fail("the pair", fmt::format("the pictures are {} x {}", left.width, left.height),
+                "match pictures of at least 2 x 2 pixels");
+  }
+  if (settings.range.first >= left.width || settings.range.last <= -left.width) {
+    return fail("--range",
+                fmt::format("{},{} leads beside pictures of {} columns", settings.range.first,
+                            settings.range.last, left.width),
+                "take disparities below the width");
+  }
+  DenseMatch match;
+  match.bytes = bytes_of_match(left.width, left.height, settings);
+  if (match.bytes > max_bytes) {
+    return fail("--range",
+                fmt::format("{} x {} pixels of {} disparities take {} MB, more than the {} allowed",
+                            left.width, left.height, settings.range.count(), match.bytes >> 20,
+                            max_bytes >> 20),
+                "take a shorter range, smaller pictures, or more --max-mb");
+  }
+  if (settings.threads == 0) {
+    run(left, right, settings, match);
+  } else {
+    tbb::task_arena arena(settings.threads);
+    arena.execute([&] { run(left, right, settings, match); });
+  }
+  return match;
+}
+
+}  // namespace glassbox::views

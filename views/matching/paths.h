@@ -1,0 +1,29 @@
+// Smoothness along paths (Hirschmueller 2008): L(p, d) = C(p, d) + min(L(q, d), L(q, d +- 1) + P1, min L(q) + P2) - min L(q), where q is the
+// pixel before p; the sum over directions is what the winner is sought in.
+#pragma once
+
+#include <array>
+
+#include "views/matching/cost_volume.h"
+#include "views/matching/pictures.h"
+#include "views/matching/settings.h"
+
+namespace glassbox::views {
+
+// Of a step of one disparity, and of any other: the latter is less where the grey changes, because depth is likelier to.
+struct Penalties {
+  std::uint16_t p1 = 40;
+  std::uint16_t p2 = 400;       // of no change
+  std::uint16_t p2_least = 80;  // of any
+  int half_at = 10;             // codes of grey at which the penalty has halved
+};
+std::array<std::uint16_t, 256> jump_penalties(const Penalties& penalties);
+
+// The sums of the directions that arrive from above or from the left, and of the others; a pixel's are added to find its winner.
+struct PathSums {
+  CostVolume down, up;
+};
+PathSums sum_paths(const CostVolume& costs, const Planes& picture, int paths,
+                   const Penalties& penalties, Target target);
+
+}  // namespace glassbox::views

@@ -1,0 +1,69 @@
+#include "views/matching/rendered.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "views/matching/pictures.h"
+#include "views/matching/winner.h"
+#include "views/two_view/truth.h"
+
+namespace glassbox::views {
+
+namespace {
+
+constexpr int kAcross = 4, kDown = 3;  // px, of the census window
+constexpr int kContrast = 8;           // codes of grey
+
+StereoTruth truth_of(const KnownPicture& left, const KnownPicture& right) {
+  const Image<TrueMatch> matches = true_matches(left, right);
+  StereoTruth truth{{matches.width, matches.height, kNoDisparity},
+                    {matches.width, matches.height, 0}};
+  for (int y = 0; y < matches.height; ++y) {
+    for (int x = 0; x < matches.width; ++x) {
+      const TrueMatch& match = matches.at(x, y);
+      if (!std::isfinite(match.x)) continue;
+      truth.disparity.at(x, y) = float(x + 0.5 - double(match.x));
+      truth.is_visible.at(x, y) = match.fate == OtherEye::kSeesIt;
+    }
+  }
+  return truth;
+}
+
+}  // namespace
+
+Image<std::uint8_t> has_texture(const Image<Rgba8>& picture) {
+  const Planes planes = planes_of(picture);
+  Image<std::uint8_t> textured(picture.width, picture.height, 0);
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      int contrast = 0;
+      for (int row = std::max(y - kDown, 0); row <= std::min(y + kDown, picture.height - 1);
+           ++row) {
+        const auto begin = planes.grey.begin() + std::ptrdiff_t(picture.index(0, row));
+        const auto [least, greatest] = std::minmax_element(
+            begin + std::max(x - kAcross, 0), begin + std::min(x + kAcross + 1, picture.width));
+        contrast = std::max(contrast, int(*greatest) - int(*least));
+      }
+      textured.at(x, y) = contrast >= kContrast;
+    }
+  }
+  return textured;
+}
+
+Result<RenderedPair> rendered_pair(const Scene& scene, const View& centre, const StereoPair& eyes,
+                                   const RenderSettings& settings) {
+  auto left = known_picture(scene, eye_view(centre, eyes, Side::kLeft), settings);
+  if (!left) return tl::unexpected(left.error());
+  auto right = known_picture(scene, eye_view(centre, eyes, Side::kRight), settings);
+  if (!right) return tl::unexpected(right.error());
+  RenderedPair pair;
+  pair.truth = truth_of(*left, *right);
+  const double focal = left->camera.intrinsic(0, 0), baseline = 2 * eyes.half_separation;
+  pair.calibration = {focal, baseline, focal * baseline / eyes.window};
+  pair.is_textured = has_texture(left->color);
+  pair.left = std::move(left->color);
+  pair.right = std::move(right->color);
+  return pair;
+}
+
+}  // namespace glassbox::views

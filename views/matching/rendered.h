@@ -1,0 +1,28 @@
+// A pair from the rasterizer, whose every disparity is known.
+#pragma once
+
+#include <glassbox/mesh/scene.h>
+#include <glassbox/pipeline/stereo/stereo_pair.h>
+#include <glassbox/render/engine/settings.h>
+
+#include "views/matching/calibration.h"
+#include "views/matching/evaluate.h"
+
+namespace glassbox::views {
+
+struct RenderedPair {
+  Image<Rgba8> left, right;
+  StereoTruth truth;  // visible: by reprojection into the other picture and its distances
+  Image<std::uint8_t> is_textured;  // has_texture() of the left picture
+  Calibration calibration;
+};
+
+// Pixels with contrast: in the window of 9 x 7 that the census looks at, greys differ by at least 8 codes along the row. Elsewhere two
+// pictures say nothing about disparity (C-111).
+Image<std::uint8_t> has_texture(const Image<Rgba8>& picture);
+
+// The truth is d = f B / z - f B / window, of each pixel's centre.
+Result<RenderedPair> rendered_pair(const Scene& scene, const View& centre, const StereoPair& eyes,
+                                   const RenderSettings& settings);
+
+}  // namespace glassbox::views

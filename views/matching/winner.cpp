@@ -1,0 +1,81 @@
+#include "views/matching/winner.h"
+
+#include <algorithm>
+
+#include <tbb/parallel_for.h>
+
+#include "views/matching/kernels.h"
+
+namespace glassbox::views {
+
+namespace {
+
+// Where two lines of opposite slope through the costs of three neighbours meet: in [-1/2, 1/2]. Costs that are sums of absolute differences
+// have such a corner, not a parabola's round bottom.
+float corner(int before, int least, int behind) {
+  const int steep = std::max(before, behind) - least;
+  return steep == 0 ? 0.0f : float(before - behind) / float(2 * steep);
+}
+
+struct Row {
+  LineVector<std::uint16_t> costs;  // of one pixel
+  LineVector<std::uint16_t> right,
+      number;  // of the right row from its last pixel on: the least cost, and whose
+};
+
+void left_winner(const CostVolume& volume, const std::uint16_t* costs, int x, int y, bool subpixel,
+                 const MatchKernels& kernels, Winners& winners) {
+  const int from = volume.from(x), to = volume.to(x);
+  if (from >= to) return;
+  const std::uint16_t least = kernels.least(costs + from, to - from);
+  const int best = int(std::find(costs + from, costs + to, least) - costs);
+  std::uint16_t second = 65535;
+  if (best - 1 > from) second = std::min(second, kernels.least(costs + from, best - 1 - from));
+  if (best + 2 < to) second = std::min(second, kernels.least(costs + best + 2, to - best - 2));
+  winners.confidence.at(x, y) =
+      second == 0 || second == 65535 ? 0 : float(second - least) / float(second);
+  const bool inside = subpixel && best > from && best + 1 < to;
+  const float part = inside ? corner(costs[best - 1], least, costs[best + 1]) : 0.0f;
+  winners.left.at(x, y) = float(volume.first + best) + part;
+}
+
+void winners_of_row(const CostVolume& volume, const CostVolume* more, int y, bool subpixel,
+                    const MatchKernels& kernels, Row& row, Winners& winners) {
+  const int width = volume.width;
+  row.costs.resize(std::size_t(volume.stride));
+  row.right.assign(std::size_t(width), 65535);
+  row.number.assign(std::size_t(width), 0);
+  for (int x = 0; x < width; ++x) {
+    const std::uint16_t* costs = volume.at(x, y);
+    if (more) {
+      std::copy_n(costs, volume.stride, row.costs.begin());
+      kernels.add(more->at(x, y), volume.stride, row.costs.data());
+      costs = row.costs.data();
+    }
+    left_winner(volume, costs, x, y, subpixel, kernels, winners);
+    const int from = volume.from(x), to = volume.to(x);
+    if (from >= to) continue;
+    const auto start = std::size_t(width - 1 - (x - volume.first - from));
+    kernels.keep_less(costs + from, to - from, row.right.data() + start, row.number.data() + start,
+                      from);
+  }
+  for (int x = 0; x < width; ++x) {
+    const auto at = std::size_t(width - 1 - x);
+    if (row.right[at] != 65535) winners.right.at(x, y) = float(volume.first + row.number[at]);
+  }
+}
+
+}  // namespace
+
+Winners find_winners(const CostVolume& costs, const CostVolume* more, bool subpixel,
+                     Target target) {
+  const auto none = [&](float value) { return Image<float>(costs.width, costs.height, value); };
+  Winners winners{none(kNoDisparity), none(kNoDisparity), none(0)};
+  tbb::parallel_for(0, costs.height, [&](int y) {
+    thread_local Row row;
+    winners_of_row(costs, more, y, subpixel, match_kernels(target), row, winners);
+  });
+  return winners;
+}
+
+}  // namespace glassbox::views

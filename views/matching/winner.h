@@ -1,0 +1,27 @@
+// The disparity that costs least, of every pixel of either picture.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include <glassbox/images/image.h>
+
+#include "views/matching/cost_volume.h"
+#include "views/matching/settings.h"
+
+namespace glassbox::views {
+
+// A pixel without disparity, in memory and in files, as in the truth of published pairs (C-114).
+inline constexpr float kNoDisparity = std::numeric_limits<float>::infinity();
+
+struct Winners {
+  Image<float> left;        // px; with a part of a pixel where asked for
+  Image<float> right;       // px, whole
+  Image<float> confidence;  // (second - best) / second, in [0, 1]
+};
+
+// Of one volume, or of the sum of two. Disparities whose right pixel lies beside the picture are never sought: a pixel that has no other is
+// without (C-113).
+Winners find_winners(const CostVolume& costs, const CostVolume* more, bool subpixel, Target target);
+
+}  // namespace glassbox::views
