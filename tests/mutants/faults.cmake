@@ -86,3 +86,12 @@ plant(render/engine/object_cull.cpp [[8 * s * edge_px + 8 * s * s]] [[0.0]] C-29
 plant(raster/lanes/vertices-inl.h [[transform_row(*job.other_clip_from_anchored, 0, p)]] [[clip.x]] C-74 "the other eye has this one's x")
 plant(render/stereo/render_pair.cpp [[with_mask(render, masks.left)]] [[with_mask(render, masks.right)]] C-76 "the left eye writes the right one's channels")
 plant(pipeline/stereo/culling.cpp [[left && right]] [[left || right]] C-74 "what one eye does not see is thrown away")
+
+# ---- what is drawn together: groups of instances, slots of small draws, quads of small triangles ----
+plant(raster/lanes/small_setups-inl.h [[quad1.here > 0]] [[quad1.here > kSubpixels]] C-43 "a quad that an edge meets by less than a pixel is left out")
+plant(raster/lanes/small_setups-inl.h [=[e1 + rise1 > s.above1[t]]=] [=[e1 > s.above1[t]]=] C-53 "a quad of a wide triangle is judged by its first pixel alone")
+plant(raster/lanes/small_triangles-inl.h [=[list.references[last] != reference]=] [[last == 0]] C-69 "of the triangles that share a block only the first and the last are gathered")
+plant(render/tile/slots.cpp [[draw.mirrored == other.mirrored]] [[true]] C-17 "a mirrored draw is drawn together with one that is not")
+plant(render/tile/slots.cpp [[method.divide == method_of_other.divide]] [[true]] C-42 "a draw that is spared the divide spares it for the one behind it")
+plant(render/plan/group_place.cpp [[distances.greatest >= 0]] [[distances.least >= 0]] C-42 "a group of instances that is partly outside is left out")
+plant(render/plan/group_place.cpp [[inside && distances.least >= 0]] [[inside]] C-42 "a group of instances that is partly inside is taken whole")

@@ -7,6 +7,7 @@
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/normals_case.h"
 #include "study/extremes/kit/sight.h"
+#include "study/extremes/kit/world.h"
 #include "study/naive/transform.h"
 
 namespace glassbox::study {
@@ -101,6 +102,20 @@ Outcome judge_drawn(const Drawer& by) {
       vista.settings.cull = Cull::kBack;
       all.emplace_back(std::move(vista));
     }
+    // Mirrored and not, of one mesh, side by side.
+    Scene both = make_cube();
+    const Node node = both.nodes[0];
+    both.nodes.clear();
+    both.instances.clear();
+    for (const double x : {-1.0, 1.0, -0.5, 0.5}) {
+      Node& copy = both.nodes.emplace_back(node);
+      copy.world_from_node = translate<World>(WorldVector{2 * x, x, 0}) *
+                             scale<World>(x / 2, 0.5, 0.5) * node.world_from_node;
+      both.instances.push_back({0, std::uint32_t(both.nodes.size() - 1)});
+    }
+    Vista vista = vista_of(both, camera_at({3, 2, 4}, {-3, -2, -4}), 64, 48);
+    vista.settings.cull = Cull::kBack;
+    all.emplace_back(std::move(vista));
     return all;
   }();
   return worst_of(cubes, by);

@@ -115,6 +115,43 @@ Vista cubes_behind_panes() {
   return vista_of(scene, from_before(), 128, 128);
 }
 
+Scene pane() {
+  Scene scene = no_cubes();
+  Mesh& mesh = scene.meshes[0] = {};
+  const Point<Object> a{-1, -1, 0}, b{1, -1, 0}, c{1, 1, 0}, d{-1, 1, 0};
+  add_triangle(mesh, {a, b, c});
+  add_triangle(mesh, {a, c, d});
+  return scene;
+}
+
+// 1280 panes around the eye: so many are planned in groups, of which most reach out of the picture and some to behind the eye.
+Vista panes_in_groups() {
+  Random random(1042);
+  Scene scene = pane();
+  for (int i = 0; i < 1280; ++i) {
+    const auto coordinate = [&] { return random.between(-9, 9); };
+    const double x = coordinate(), y = coordinate(), size = random.between(0.05, 0.3);
+    // Not as far behind as before the eye, so that groups lie on both sides of it.
+    add_at(scene, translate<World>(WorldVector{x, y, coordinate() - 4}) *
+                      rotate_degrees<World>({0, 1, 0}, random.between(-60, 60)).value() *
+                      scale<World, Object>(size, size, size));
+  }
+  return vista_of(scene, camera_at({0, 0, 0}, {0, 0, -1}), 32, 32);
+}
+
+// A copy that is squashed into the plane where w is 1, and spared the divide; the one behind it is not, and shows its texture in
+// perspective.
+Vista panes_with_and_without_divide() {
+  Scene scene = pane();
+  add_at(scene, translate<World>(WorldVector{-0.25, 0, -1}) * scale<World, Object>(0.2, 0.2, 0));
+  add_at(scene, translate<World>(WorldVector{0.75, 0, -3}) *
+                    rotate_degrees<World>({0, 1, 0}, 60).value() *
+                    scale<World, Object>(0.75, 0.75, 1));
+  Vista vista = vista_of(scene, camera_at({0, 0, 0}, {0, 0, -1}), 64, 64);
+  lay_texels(vista, {8, 8});
+  return vista;
+}
+
 // A ball of 2,208 triangles, from so near that it reaches out of the picture.
 Vista near_ball(const WorldPoint& eye) {
   Vista vista = vista_of(make_sphere(24), camera_at(eye, {0.2, -0.4, -1}), 64, 64);
@@ -127,6 +164,8 @@ Outcome judge_drawn(const Drawer& by) {
     std::vector<SightDrawn> all;
     all.emplace_back(cubes_and_walls());
     all.emplace_back(cubes_behind_panes());
+    all.emplace_back(panes_in_groups());
+    all.emplace_back(panes_with_and_without_divide());
     for (const WorldPoint& eye : {WorldPoint{0.9, 0.6, 0.9}, {0.2, 1.3, -0.4}}) {
       all.emplace_back(near_ball(eye));
     }

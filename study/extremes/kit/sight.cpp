@@ -8,6 +8,8 @@
 
 #include "study/extremes/kit/drawn_coverage.h"
 
+#include <glassbox/mesh/triangulate.h>
+
 namespace glassbox::study {
 
 namespace {
@@ -148,6 +150,44 @@ std::array<int, 2> texel_at(const Vista& vista, const SeenTriangle& triangle, co
           wrapped(sampler.wrap_v, at[1], image.height)};
 }
 
+// Without numbers of triangles pictures are drawn in other ways: draws of one mesh together, for one. What is seen is told by its
+// colour then, which is that of the face in its mesh.
+Rgba8 color_of_face(std::uint32_t face) {
+  return {std::uint8_t(face & 255), std::uint8_t(face >> 8), 255, 255};
+}
+
+Scene with_numbered_faces(Scene scene) {
+  for (Material& material : scene.materials) {
+    const bool double_sided = material.double_sided;
+    material = {};
+    material.unlit = true;
+    material.double_sided = double_sided;
+  }
+  for (Mesh& mesh : scene.meshes) {
+    mesh.colors.clear();
+    for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
+      const Rgba8 c = color_of_face(face);
+      mesh.colors.push_back({float(c.r) / 255, float(c.g) / 255, float(c.b) / 255, 1});
+      const Face& corners = mesh.faces[face];
+      for (std::uint32_t k = 0; k < corners.count; ++k) {
+        mesh.corners[corners.first + k].color = face;
+      }
+    }
+  }
+  return scene;
+}
+
+// Of each triangle of a scene.
+std::vector<std::uint32_t> faces_of(const Scene& scene) {
+  std::vector<std::uint32_t> faces;
+  for (const Instance& instance : scene.instances) {
+    for (const Triangle& triangle : triangulate(scene.meshes[instance.mesh]).triangles) {
+      faces.push_back(triangle.face);
+    }
+  }
+  return faces;
+}
+
 // Whether a pixel has the colour of what is seen.
 bool shows(Vista::Texels texels, const Sight& sight, const Rgba8& color) {
   if (sight.nearest == 0 || texels == Vista::Texels::kNone) return true;
@@ -229,6 +269,10 @@ Reach reach_of(const Vista& vista, const SeenTriangle& triangle) {
 }  // namespace
 
 SightDrawn::SightDrawn(Vista vista) : vista_(std::move(vista)) {
+  if (vista_.texels == Vista::Texels::kNone) {
+    numbered_ = with_numbered_faces(vista_.scene);
+    faces_ = faces_of(vista_.scene);
+  }
   const Viewport& viewport = vista_.view.viewport;
   std::vector<Reach> reaches;
   for (const SeenTriangle& each : vista_.triangles) reaches.push_back(reach_of(vista_, each));
@@ -255,6 +299,11 @@ SightDrawn::SightDrawn(Vista vista) : vista_(std::move(vista)) {
   }
 }
 
+bool SightDrawn::shows_face(const Sight& sight, const Rgba8& color) const {
+  if (sight.nearest == 0) return color == vista_.settings.background;
+  return color == color_of_face(faces_[std::size_t(sight.nearest - 1)]);
+}
+
 std::optional<Sight> SightDrawn::sight(std::size_t pixel) const {
   const std::optional<Sight>& sight = pixels_[pixel].sight;
   return sight && sight->told_apart ? sight : std::nullopt;
@@ -264,7 +313,9 @@ Outcome SightDrawn::judge(const Drawer& drawer) const {
   const Framebuffer shown = drawer.draw(vista_.scene, vista_.view, vista_.settings).buffers;
   RenderSettings colors = vista_.settings;
   colors.want_id = false;  // some ways of drawing are for colours alone
-  const Framebuffer colored = drawer.draw(vista_.scene, vista_.view, colors).buffers;
+  const bool by_face = vista_.texels == Vista::Texels::kNone;
+  const Framebuffer colored =
+      drawer.draw(by_face ? numbered_ : vista_.scene, vista_.view, colors).buffers;
   Scene layers = vista_.scene;
   std::ranges::fill(layers.materials, layer_material());
   const Framebuffer counted = drawer.draw(layers, vista_.view, colors).buffers;
@@ -276,7 +327,8 @@ Outcome SightDrawn::judge(const Drawer& drawer) const {
     ++judged;
     wrong += int(shown.id.pixels[i]) != sight->nearest ||
              !shows(vista_.texels, *sight, shown.color.pixels[i]) ||
-             !shows(vista_.texels, *sight, colored.color.pixels[i]);
+             !(by_face ? shows_face(*sight, colored.color.pixels[i])
+                       : shows(vista_.texels, *sight, colored.color.pixels[i]));
   }
   Outcome outcome = must_be_zero(
       double(wrong + times),

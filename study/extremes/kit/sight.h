@@ -33,7 +33,7 @@ Sight sight_at(const Vista& vista, std::span<const std::size_t> candidates, doub
 class SightDrawn {
 public:
   explicit SightDrawn(Vista vista);
-  // Pixels that show another triangle or texel, and those that are covered by another number of layers. Infinite where fewer
+  // Pixels that show another triangle or texel, with and without numbers of triangles, and those that are covered by another number of layers. Infinite where fewer
   // than half of the pixels can be judged.
   Outcome judge(const Drawer& drawer) const;
 
@@ -42,7 +42,11 @@ public:
   std::optional<Sight> sight(std::size_t pixel) const;
 
 private:
+  bool shows_face(const Sight& sight, const Rgba8& color) const;
+
   Vista vista_;
+  Scene numbered_;  // where no texels tell triangles apart: with a colour for each face of a mesh
+  std::vector<std::uint32_t> faces_;  // by triangle
   // Of a pixel; none: not to be judged.
   struct Pixel {
     std::optional<Sight> sight;

@@ -39,6 +39,18 @@ void set_texture(Vista& vista, Image<Rgba8> image, const Sampler& sampler) {
   vista.scene.materials[0].texture = 0;
 }
 
+void set_numbered_texels(Vista& vista, std::array<int, 2> texels, Wrap wrap) {
+  vista.texels = Vista::Texels::kEach;
+  Image<Rgba8> image(texels[0], texels[1]);
+  for (int row = 0; row < texels[1]; ++row) {
+    for (int column = 0; column < texels[0]; ++column) {
+      image.at(column, row) = color_of_texel(column, row);
+    }
+  }
+  set_texture(vista, std::move(image),
+              {wrap, wrap, Filter::kNearest, Filter::kNearest, MipFilter::kNone});
+}
+
 // A point in eye space, from its place in the world less the camera's.
 Long3 in_eye_space(const Transform<World, Eye>& pose, const Transform<World, Object>& map,
                    const Point<Object>& p) {
@@ -80,15 +92,7 @@ Vista textured_vista(const std::vector<EyeTriangle>& triangles,
                      const std::vector<Texcoords>& texcoords, const Lens& lens, int side,
                      std::array<int, 2> texels, Wrap wrap) {
   Vista vista = with_texcoords(triangles, texcoords, lens, side);
-  vista.texels = Vista::Texels::kEach;
-  Image<Rgba8> image(texels[0], texels[1]);
-  for (int row = 0; row < texels[1]; ++row) {
-    for (int column = 0; column < texels[0]; ++column) {
-      image.at(column, row) = color_of_texel(column, row);
-    }
-  }
-  set_texture(vista, std::move(image),
-              {wrap, wrap, Filter::kNearest, Filter::kNearest, MipFilter::kNone});
+  set_numbered_texels(vista, texels, wrap);
   return vista;
 }
 
@@ -130,6 +134,28 @@ Vista vista_of(const Scene& scene, const Camera& camera, int width, int height) 
     }
   }
   return vista;
+}
+
+void lay_texels(Vista& vista, std::array<int, 2> texels) {
+  for (Mesh& mesh : vista.scene.meshes) {
+    mesh.texcoords.clear();
+    for (const Point<Object>& p : mesh.positions) {
+      mesh.texcoords.push_back({(p.x + 1) / 2, (p.y + 1) / 2});
+    }
+    for (Corner& corner : mesh.corners) corner.texcoord = corner.position;
+  }
+  std::size_t number = 0;
+  for (const Instance& instance : vista.scene.instances) {
+    const Mesh& mesh = vista.scene.meshes[instance.mesh];
+    for (const Triangle& triangle : triangulate(mesh).triangles) {
+      SeenTriangle& seen = vista.triangles[number++];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const TexCoord& at = mesh.texcoords[mesh.corners[triangle.corners[k]].texcoord];
+        seen.texcoords[k] = {double(at.u), double(at.v)};
+      }
+    }
+  }
+  set_numbered_texels(vista, texels, Wrap::kRepeat);
 }
 
 Camera camera_at(const Point<World, double>& place, const Vector<World, double>& gaze) {

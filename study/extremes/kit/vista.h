@@ -43,6 +43,10 @@ Vista striped_vista(const std::vector<EyeTriangle>& triangles,
 // All triangles of a scene.
 Vista vista_of(const Scene& scene, const Camera& camera, int width, int height);
 
+// Gives all triangles of such a vista, whose meshes lie in -1 .. 1 of x and y and are not mirrored, a texture over that square: each
+// texel has a colour of its own, and the nearest is shown.
+void lay_texels(Vista& vista, std::array<int, 2> texels);
+
 // At a place in the world, looking along a gaze, 57 degrees wide, from 0.1 to 100 units away.
 Camera camera_at(const Point<World, double>& place, const Vector<World, double>& gaze);
 
