@@ -53,9 +53,11 @@ function matrices() {
   return all.length ? all : [element("p", {}, "Not decided: see what is left out.")];
 }
 
+const vectorText = (vector) => `(${vector.map((value) => (Math.round(value * 1000) / 1000 + 0).toFixed(3).replace("-", "−")).join(", ")})`;
+
 function posesTable() {
-  const rows = manifest.four_poses.map((pose) => [matrixText([pose.T], 3), shortNumber(turnOf(pose.R)) + "°", pose.in_front]);
-  return table(["four poses: T", "turned by", "inliers in front of both"], ["", "number", "number"], rows, (at) => manifest.four_poses[at].chosen ? "chosen" : "");
+  const rows = manifest.four_poses.map((pose) => [vectorText(pose.T), shortNumber(turnOf(pose.R)) + "°", pose.in_front]);
+  return table(["four poses: T", "turned by", "in front of both"], ["", "number", "number"], rows, (at) => manifest.four_poses[at].chosen ? "chosen" : "");
 }
 
 // The angle of a rotation: its trace is 1 + 2 cos.

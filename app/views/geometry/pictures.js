@@ -2,9 +2,9 @@
 
 const sides = ["left", "right"], otherSide = {left: "right", right: "left"};
 const {width, height, F: constraint, matches} = manifest;
-const unit = Math.max(width, height) / 150;
 const point = {side: "left", at: [width / 2, height / 2], match: -1};
 const layers = {};
+let unit = 1; // pixels of the pictures that are as wide as five of the screen
 
 // Violet to yellow, of one hue after the other as its brightness grows: told apart without colours, too.
 const ramp = ["#5e3fbe", "#4d6fd0", "#3b9bc4", "#46c19d", "#9bdb5c", "#f6e34a"];
@@ -77,13 +77,18 @@ function showPoint() {
 }
 
 const pixels = (value) => value.toFixed(2).replace("-", "−");
+
+// "−0.27 x − 0.96 y + 335.7 = 0"
+function lineText(line) {
+  const digits = line.map((value) => Number(Math.abs(value).toPrecision(5)).toString());
+  return `${line[0] < 0 ? "−" : ""}${digits[0]} x ${line[1] < 0 ? "−" : "+"} ${digits[1]} y ${line[2] < 0 ? "−" : "+"} ${digits[2]} = 0`;
+}
 const placeText = ([x, y]) => `(${pixels(x)}, ${pixels(y)})`;
 
 function told(side, at, match, ends) {
   const where = match ? `Match ${point.match + 1} of ${matches.length}: ${side} ${placeText(at)}, ${otherSide[side]} ${placeText(match[otherSide[side]])}.` : `${side === "left" ? "Left" : "Right"} ${placeText(at)}.`;
   if (!constraint) return `${where} There is no line: ${manifest.pair_is.sentence}.`;
-  const [a, b, c] = epipolarLine(side, at).map((value) => Number(value.toPrecision(5)).toString().replace("-", "−"));
-  const line = ends ? `Its line in the other picture: ${a} x + ${b} y + ${c} = 0.` : "Its line passes beside the other picture.";
+  const line = ends ? `Its line in the other picture: ${lineText(epipolarLine(side, at))}.` : "Its line passes beside the other picture.";
   const planted = match?.planted_outlier ? " It was planted as an outlier." : "";
   return match ? `${where} ${line} Sampson's distance ${match.sampson_px.toPrecision(3)} px: ${match.inlier ? "an inlier" : "no inlier"}.${planted}` : `${where} ${line}`;
 }
@@ -130,11 +135,19 @@ function pictureOf(side, name) {
   return element("div", {}, element("h3", {}, name), frame);
 }
 
+// Marks are of one size on the screen, whatever the pictures' is.
+function fitMarks() {
+  unit = 5 * width / Math.max(byId("left").clientWidth, 1);
+  showMatches();
+  showPoint();
+}
+
 function setUpPictures() {
   byId("pair").append(...sides.map((side) => pictureOf(side, manifest.picture_names[side])));
   for (const radio of document.querySelectorAll("#shown input")) radio.addEventListener("change", showMatches);
   byId("previous").addEventListener("click", () => stepMatch(-1));
   byId("next").addEventListener("click", () => stepMatch(1));
-  showMatches();
+  new ResizeObserver(fitMarks).observe(byId("left"));
+  fitMarks();
   stepMatch(1);
 }
