@@ -227,6 +227,28 @@ TEST_CASE(
   CHECK(five["truth"]["rotation_error_degrees"] < 0.01);
 }
 
+TEST_CASE("points on a ruled quadric through both centres are named (C-103)") {
+  // x^2 - x + y Z = 0 has both centres, (0, 0, 0) and (1, 0, 0), on it, but not the line between them.
+  const Workplace here;
+  constexpr double kFocal = 800;
+  std::ostringstream matches;
+  matches.precision(17);
+  for (int i = 0; i < 60; ++i) {
+    const double x = -1.5 + 4.0 * (i % 8) / 7, z = 4 + 4.0 * (i / 8) / 7 + 0.01 * (i % 5);
+    const double y = -(x * x - x) / z;
+    matches << kFocal * x / z + 320 << ' ' << kFocal * y / z + 240 << ' '
+            << kFocal * (x - 1) / z + 320 << ' ' << kFocal * y / z + 240 << '\n';
+  }
+  here.write("quadric.csv", matches.str());
+  here.write("c.txt",
+             "2\na 800 0 320 0 800 240 0 0 1 1 0 0 0 1 0 0 0 1 0 0 0\n"
+             "b 800 0 320 0 800 240 0 0 1 1 0 0 0 1 0 0 0 1 -1 0 0\n");
+  const Json json = geometry_of(here, "--matches quadric.csv --cameras c.txt --sigma 0.1");
+  CHECK(json["pair_is"]["kind"] == "a critical surface");
+  CHECK(json["F"].is_null());
+  CHECK(says(json, "C-103"));
+}
+
 TEST_CASE(
     "the text has what the slides and the other textbooks call E, the law, and what is left out") {
   const Workplace here;
