@@ -16,10 +16,14 @@
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
 #include "app/report/progress.h"
+#include "app/report/shell_line.h"
 #include "app/views/geometry_json.h"
+#include "app/views/geometry_page.h"
 #include "app/views/geometry_text.h"
 #include "views/files/match_file.h"
 
+#include <glassbox/base/printable.h>
+#include <glassbox/images/atomic_file.h>
 #include <glassbox/images/write.h>
 
 namespace glassbox::app {
@@ -82,6 +86,13 @@ void ViewsGeometryCommand::add_question_options(CLI::App& command) {
 
 void ViewsGeometryCommand::add_output_options(CLI::App& command) {
   const std::string outputs = "Other outputs";
+  command
+      .add_option(
+          "--draw", page_,
+          "a page: both pictures, each point's epipolar line in the other, matches coloured "
+          "by residual")
+      ->type_name("FILE")
+      ->group(outputs);
   add_json_output(command, json_output_)->group(outputs);
   const std::string of_scene = "Outputs of a scene";
   command
@@ -112,12 +123,18 @@ void ViewsGeometryCommand::add_to(CLI::App& views, int& exit_code) {
       builtin_help());
   const std::string group = "Pair from files";
   add_pair_of_files(command, "--pair", files_.pair, "the pictures")->group(group);
-  command.add_option("--matches", files_.matches, "their matches")->type_name("FILE")->group(group);
-  command.add_option("--cameras", files_.cameras, "their cameras: K, and the truth of R and T")
-      ->type_name("FILE")
-      ->group(group);
+  options_.push_back(command.add_option("--matches", files_.matches, "their matches")
+                         ->type_name("FILE")
+                         ->group(group));
+  options_.push_back(
+      command.add_option("--cameras", files_.cameras, "their cameras: K, and the truth of R and T")
+          ->type_name("FILE")
+          ->group(group));
   add_geometry_scene_options(command, scene_);
+  const std::size_t before = command.get_options().size();
   add_question_options(command);
+  const auto all = command.get_options();
+  options_.insert(options_.end(), all.begin() + std::ptrdiff_t(before), all.end());
   add_output_options(command);
   command.callback([this, &exit_code] { exit_code = run(); });
 }
@@ -171,6 +188,12 @@ Result<void> ViewsGeometryCommand::check_outputs() const {
   if (matches_output_ == "-" && json_output_ == "-") {
     return fail("--matches-out", "--json goes to standard output already", "give one a file");
   }
+  if (page_) {
+    if (const auto legal = check_extension(*page_, ".html"); !legal) return legal;
+    if (!scene_.scene && !files_.has_pair())
+      return fail("--draw", "there are no pictures to draw on", "add --pair");
+    files.push_back(*page_);
+  }
   if (!pair_output_.first.empty()) {
     for (const std::string& path : {pair_output_.first, pair_output_.second}) {
       if (const auto legal = check_image_path(path); !legal) return legal;
@@ -213,9 +236,29 @@ Result<GeometryInput> ViewsGeometryCommand::input(Progress& progress) {
   return std::move(made->input);
 }
 
+// What makes this report again.
+std::string ViewsGeometryCommand::command_line() const {
+  std::vector<std::string> files, page;
+  if (files_.has_pair()) files = {"--pair", files_.pair.first, files_.pair.second};
+  if (page_) page = {"--draw", *page_};
+  return shell_line({{"views", "geometry"},
+                     files,
+                     words_of(options_),
+                     words_of(scene_.options),
+                     words_given(scene_.picture),
+                     page});
+}
+
 Result<void> ViewsGeometryCommand::write_report(const GeometryInput& input,
                                                 const GeometryReport& report) const {
   const nlohmann::ordered_json json = geometry_json(input, report);
+  if (page_) {
+    const Result<std::string> page =
+        make_geometry_page(input, json, {"glassbox " GLASSBOX_VERSION, command_line()});
+    if (!page) return tl::unexpected(page.error());
+    const auto written = write_file(*page_, std::as_bytes(std::span(*page)));
+    if (!written) return written;
+  }
   return json_output_ ? write_json(*json_output_, json) : Result<void>();
 }
 
@@ -233,6 +276,8 @@ int ViewsGeometryCommand::run() {
   progress.done();
   if (json_output_ == "-" || matches_output_ == "-") return kSuccess;
   fmt::print("{}", geometry_text(*pair, *report));
+  constexpr std::size_t kLongPath = 1000;
+  if (page_) fmt::print("\n{}: open it in a browser\n", printable(*page_, kLongPath));
   return kSuccess;
 }
 

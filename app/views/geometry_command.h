@@ -29,6 +29,7 @@ private:
   Result<void> check_outputs() const;
   Result<GeometryInput> input(Progress& progress);
   Result<void> write_scene(const SceneGeometry& made) const;
+  std::string command_line() const;
   Result<void> write_report(const GeometryInput& input, const GeometryReport& report) const;
   int run();
 

@@ -1,5 +1,5 @@
-// What the geometry of two views says of one pair: the analysis, what follows from it, how far it is from the truth where there is one,
-// and what is left out.
+// What the geometry of two views says of one pair: the analysis, what follows from it, how far it is from the truth where there is
+// one, and what is left out.
 #pragma once
 
 #include <array>

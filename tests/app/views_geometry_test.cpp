@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/app/run.h"
+#include "tests/support/manifest.h"
 
 namespace glassbox::test {
 namespace {
@@ -226,6 +227,28 @@ TEST_CASE(
   CHECK(five["truth"]["rotation_error_degrees"] < 0.01);
 }
 
+TEST_CASE("points on a ruled quadric through both centres are named (C-103)") {
+  // x^2 - x + y Z = 0 has both centres, (0, 0, 0) and (1, 0, 0), on it, but not the line between them.
+  const Workplace here;
+  constexpr double kFocal = 800;
+  std::ostringstream matches;
+  matches.precision(17);
+  for (int i = 0; i < 60; ++i) {
+    const double x = -1.5 + 4.0 * (i % 8) / 7, z = 4 + 4.0 * (i / 8) / 7 + 0.01 * (i % 5);
+    const double y = -(x * x - x) / z;
+    matches << kFocal * x / z + 320 << ' ' << kFocal * y / z + 240 << ' '
+            << kFocal * (x - 1) / z + 320 << ' ' << kFocal * y / z + 240 << '\n';
+  }
+  here.write("quadric.csv", matches.str());
+  here.write("c.txt",
+             "2\na 800 0 320 0 800 240 0 0 1 1 0 0 0 1 0 0 0 1 0 0 0\n"
+             "b 800 0 320 0 800 240 0 0 1 1 0 0 0 1 0 0 0 1 -1 0 0\n");
+  const Json json = geometry_of(here, "--matches quadric.csv --cameras c.txt --sigma 0.1");
+  CHECK(json["pair_is"]["kind"] == "a critical surface");
+  CHECK(json["F"].is_null());
+  CHECK(says(json, "C-103"));
+}
+
 TEST_CASE(
     "the text has what the slides and the other textbooks call E, the law, and what is left out") {
   const Workplace here;
@@ -243,6 +266,52 @@ TEST_CASE(
   for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);
   // Nearly all outliers: what agrees may do so by chance, and that is said.
   CHECK(says(geometry_of(here, "--scene room --size 320x240 --outliers 0.97"), "by chance"));
+}
+
+TEST_CASE(
+    "the page has both pictures, the report and the line that makes it, and takes names for text") {
+  const Workplace here;
+  const Outcome outcome = here.run("views geometry " + kNoisy + "--count 40 --draw page.html");
+  INFO(outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  CHECK(outcome.out.find("page.html: open it in a browser") != std::string::npos);
+  const std::string page = here.read("page.html");
+  CHECK(page.find("content=\"default-src 'none'; img-src data:;") != std::string::npos);
+  CHECK(page.find("http:") == page.find("http://www.w3.org/2000/svg"));
+  CHECK(page.find("https:") == std::string::npos);
+  const Json manifest = manifest_of(page), json = geometry_of(here, kNoisy + "--count 40");
+  for (const char* name : {"F", "E", "pose", "matches", "left_out", "truth", "four_poses"})
+    CHECK(manifest[name] == json[name]);
+  CHECK(manifest["all_matches"] == 40);
+  CHECK(manifest["command"] ==
+        "glassbox views geometry --scene room --move 0.5,0.1,0.2 --turn -10,3,5 --noise 0.5 "
+        "--outliers 0.3 --count 40 --size 640x480 --draw page.html");
+  for (const char* side : {"left", "right"}) {
+    CHECK(manifest["pictures"][side].get<std::string>().starts_with(
+        "data:image/png;base64,iVBORw0KGgo"));
+  }
+  REQUIRE(here.run("views geometry " + kNoisy + "--matches-out m.csv --pair-out a.png b.png")
+              .exit_code == 0);
+  const std::string name = "<img src=x>.png";
+  here.write(name, here.read("a.png"));
+  const Outcome named = run_program(
+      GLASSBOX_PROGRAM,
+      {"views", "geometry", "--pair", name, "b.png", "--matches", "m.csv", "--draw", "named.html"},
+      here.path());
+  INFO(named.err);
+  REQUIRE(named.exit_code == 0);
+  CHECK(here.read("named.html").find("<img src=x>") == std::string::npos);
+  CHECK(manifest_of(here.read("named.html"))["picture_names"]["left"] == name);
+}
+
+TEST_CASE("the page of very many matches has some of them, and says so") {
+  const Workplace here;
+  REQUIRE(here.run("views geometry --scene room --size 320x240 --move 0.4,0,0 --count 2500 --draw "
+                   "page.html")
+              .exit_code == 0);
+  const Json manifest = manifest_of(here.read("page.html"));
+  CHECK(manifest["all_matches"] == 2500);
+  CHECK(manifest["matches"].size() == 2000);
 }
 
 TEST_CASE("what has no geometry, and what contradicts itself, is refused in one line (C-104)") {
@@ -309,6 +378,11 @@ TEST_CASE("what has no geometry, and what contradicts itself, is refused in one 
            {"--scene room --arrangement converging --eye-separation 0.1 --window inf", "finite"},
            {"--scene room --size 1x1", "8 are needed"},
            {"--scene room --json nowhere/x.json", "nowhere"},
+           {"--scene room --draw page.txt", ".html"},
+           {"--scene room --draw nowhere/page.html", "nowhere"},
+           {"--scene room --draw a.html --json a.html", "two outputs"},
+           {"--scene room --draw a.html --size 16384x1024", "too large"},
+           {"--matches m.csv --draw a.html", "add --pair"},
            {"--scene room --pair-out a.png a.txt", "a.txt"},
            {"--scene room --matches-out x --json x", "two outputs"},
            {"--scene room --matches-out - --json -", "standard output"}}) {

@@ -1,5 +1,6 @@
 // The pages of `glassbox bench --html`, `glassbox diff --html`, `glassbox inspect`, `glassbox stereo --html`, `glassbox study extremes
-// --html`, `glassbox study report`, `glassbox study scene --html` and `glassbox study stiffness` in a browser.
+// --html`, `glassbox study report`, `glassbox study scene --html`, `glassbox study stiffness` and `glassbox views geometry --draw` in a
+// browser.
 //
 //     node run.mjs PROGRAM DIRECTORY [WORDS]
 //
@@ -11,6 +12,7 @@ import {tests} from "./cases.mjs";
 import "./bench_tests.mjs";
 import "./curve_tests.mjs";
 import "./drawing_tests.mjs";
+import "./geometry_tests.mjs";
 import "./inspect_tests.mjs";
 import "./inspect_ways_tests.mjs";
 import "./stereo_tests.mjs";
