@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/lab/grade_files.h"
+#include "app/lab/lab_dir.h"
 #include "app/options/arguments.h"
 #include "app/options/choices.h"
 #include "app/report/exit_codes.h"
@@ -20,6 +21,7 @@
 #include "labs/framework/points.h"
 #include "labs/grading/class.h"
 #include "labs/grading/grade.h"
+#include "labs/grading/outside_lab.h"
 #include "labs/grading/overview.h"
 #include "labs/grading/program_digest.h"
 #include "labs/grading/results.h"
@@ -41,7 +43,8 @@ void LabGradeCommand::add_to(CLI::App& lab, int& exit_code) {
   command.footer(
       "Examples:\n"
       "  glassbox lab grade submissions/ --lab 5 -o results/\n"
-      "  glassbox lab grade submissions/ann --lab 5 --one -o results/ann/results.json\n\n"
+      "  glassbox lab grade submissions/ann --lab 5 --one -o results/ann/results.json\n"
+      "  glassbox lab grade submissions/ --lab-dir ~/labs/10-fog -o results/\n\n"
       "A class is a folder of folders, one a submission, with student.cpp in each. Every "
       "submission and every\n"
       "check of it runs in a sandbox and in a process of its own. docs/grading.md has the rest: "
@@ -58,6 +61,7 @@ void LabGradeCommand::add_to(CLI::App& lab, int& exit_code) {
   command.add_option(
       "--lab", lab_,
       "the number of the lab; not needed where a submission is a folder of `lab start`");
+  add_lab_dir(command, lab_dir_)->excludes("--lab");
   command.add_flag("--one", one_,
                    "SUBMISSIONS is one submission: nothing is shared with other gradings");
   command.add_flag("--resume", resume_,
@@ -99,7 +103,13 @@ void LabGradeCommand::add_to(CLI::App& lab, int& exit_code) {
   collect.callback([this, &exit_code] { exit_code = run_collect(collected_); });
 }
 
-Result<const labs::Lab*> LabGradeCommand::find_lab(const labs::Sources& sources) const {
+Result<const labs::Lab*> LabGradeCommand::find_lab(const labs::Sources& sources,
+                                                   const Scratch& scratch) const {
+  if (!sources.outside.empty()) {
+    // Beside the kit, so that those who share one share the judge.
+    const auto place = kit_.empty() ? scratch.own("judge") : fs::path(kit_ + ".judge");
+    return place ? load_outside_lab(sources, *place) : tl::unexpected(place.error());
+  }
   for (const labs::Lab& lab : labs_()) {
     if (lab_ == lab.number) return &lab;
   }
@@ -121,11 +131,17 @@ Result<const labs::Lab*> LabGradeCommand::find_lab(const labs::Sources& sources)
 }
 
 int LabGradeCommand::run() {
-  const auto sources = find_sources_();
+  const auto sources = with_lab_dir(find_sources_(), lab_dir_);
   if (!sources) return refuse(sources.error());
-  const auto lab = find_lab(*sources);
+  const Scratch scratch;
+  if (!one_) {
+    const auto place = scratch.path();
+    if (!place) return refuse(place.error());
+    kit_ = (*place / "kit").string();
+  }
+  const auto lab = find_lab(*sources, scratch);
   if (!lab) return refuse(lab.error());
-  return one_ ? run_one(**lab, *sources) : run_class(**lab, *sources);
+  return one_ ? run_one(**lab, *sources, scratch) : run_class(**lab, *sources, scratch);
 }
 
 Result<std::string> LabGradeCommand::digest_of(const labs::Lab& lab, const labs::Sources& sources,
@@ -138,11 +154,17 @@ Result<std::string> LabGradeCommand::digest_of(const labs::Lab& lab, const labs:
   digest.add(text ? *text : text.error().message());
   if (const auto points = labs::read_text_file(sources.folder_of(lab.folder) / "points.json"))
     digest.add(*points);
+  if (!sources.outside.empty()) {
+    const auto judge = judge_digest(sources);
+    if (!judge) return judge;
+    digest.add(*judge);
+  }
   digest.add(fmt::format("{} s, {} s together, {} MiB", seconds_, total_seconds_, memory_mib_));
   return digest.text();
 }
 
-int LabGradeCommand::run_one(const labs::Lab& lab, const labs::Sources& sources) {
+int LabGradeCommand::run_one(const labs::Lab& lab, const labs::Sources& sources,
+                             const Scratch& scratch) {
   // Before anything can go wrong, so that there is a result whatever happens from here on.
   if (const auto begun = begin_results(files_, unfinished_json()); !begun)
     return refuse(begun.error());
@@ -159,12 +181,11 @@ int LabGradeCommand::run_one(const labs::Lab& lab, const labs::Sources& sources)
   const auto unfinished = gradescope_json(nothing_yet(shares->lab, kUnfinished), "", *digest);
   if (const auto begun = begin_results(files_, unfinished); !begun) return refuse(begun.error());
   for (const std::string& warning : shares->warnings) fmt::print(stderr, "{}\n", warning);
-  return grade_one(shares->lab, sources, *digest);
+  return grade_one(shares->lab, sources, *digest, scratch);
 }
 
 int LabGradeCommand::grade_one(const labs::Lab& lab, const labs::Sources& sources,
-                               const std::string& digest) {
-  const Scratch scratch;
+                               const std::string& digest, const Scratch& scratch) {
   const auto place = scratch.path();
   if (!place) return refuse(place.error());
   const auto sandbox = Sandbox::choose(*place, confinement_);
@@ -204,8 +225,8 @@ std::vector<std::string> LabGradeCommand::command_for_one(const labs::Lab& lab,
           "lab",
           "grade",
           "--one",
-          "--lab",
-          std::to_string(lab.number),
+          lab_dir_.empty() ? fmt::format("--lab={}", lab.number)
+                           : "--lab-dir=" + fs::absolute(lab_dir_).string(),
           "--output=" + (results / "results.json").string(),
           "--classroom=" + (results / "classroom.json").string(),
           "--junit=" + (results / "junit.xml").string(),
@@ -222,7 +243,8 @@ std::vector<std::string> LabGradeCommand::command_for_one(const labs::Lab& lab,
           submission.path.string()};
 }
 
-int LabGradeCommand::run_class(const labs::Lab& lab, const labs::Sources& sources) {
+int LabGradeCommand::run_class(const labs::Lab& lab, const labs::Sources& sources,
+                               const Scratch& scratch) {
   const auto listed = list_submissions(submissions_);
   if (!listed) return refuse(listed.error());
   for (const std::string& skipped : listed->skipped)
@@ -247,7 +269,6 @@ int LabGradeCommand::run_class(const labs::Lab& lab, const labs::Sources& source
   if (chosen.size() < all.size())
     fmt::print(stderr, "{} of {} have their results already\n", all.size() - chosen.size(),
                all.size());
-  const Scratch scratch;
   const auto place = scratch.path();
   if (!place) return refuse(place.error());
   const auto sandbox = Sandbox::choose(*place, confinement_);
@@ -256,7 +277,6 @@ int LabGradeCommand::run_class(const labs::Lab& lab, const labs::Sources& source
   const auto shares = labs::read_shares(lab, sources.folder_of(lab.folder) / "points.json");
   if (!shares) return refuse(shares.error());
   for (const std::string& warning : shares->warnings) fmt::print(stderr, "{}\n", warning);
-  kit_ = (*place / "kit").string();
   if (const auto kit = make_kit(sources, lab.folder, kit_); !kit) return refuse(kit.error());
   // What each makes on the way lies in here, and goes with it.
   ::setenv("TMPDIR", place->c_str(), 1);
