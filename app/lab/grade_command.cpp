@@ -19,6 +19,7 @@
 #include "app/report/scratch.h"
 #include "labs/framework/digest.h"
 #include "labs/framework/points.h"
+#include "labs/framework/vary.h"
 #include "labs/grading/class.h"
 #include "labs/grading/grade.h"
 #include "labs/grading/outside_lab.h"
@@ -64,6 +65,12 @@ void LabGradeCommand::add_to(CLI::App& lab, int& exit_code) {
   add_lab_dir(command, lab_dir_)->excludes("--lab");
   command.add_flag("--one", one_,
                    "SUBMISSIONS is one submission: nothing is shared with other gradings");
+  auto* vary = command.add_flag(
+      "--vary", vary_, "hidden checks with inputs of each submission's own, which follow its name");
+  command
+      .add_option("--name", name_,
+                  "with --one and --vary: the submission's name; that of its folder or file")
+      ->needs(vary);
   command.add_flag("--resume", resume_,
                    "grades only what has no result of this submission, lab and glassbox");
   command.add_option("--classroom", files_.classroom, "with --one: GitHub Classroom's JSON too")
@@ -144,8 +151,13 @@ int LabGradeCommand::run() {
   return one_ ? run_one(**lab, *sources, scratch) : run_class(**lab, *sources, scratch);
 }
 
+std::uint64_t LabGradeCommand::seed_of(const labs::Lab& lab, const std::string& name) {
+  return std::max<std::uint64_t>(1, labs::Digest().add(lab.folder).add(name).number());
+}
+
 Result<std::string> LabGradeCommand::digest_of(const labs::Lab& lab, const labs::Sources& sources,
-                                               const fs::path& submission) const {
+                                               const fs::path& submission,
+                                               const std::string& name) const {
   const auto kit = kit_fingerprint(sources, lab.folder);
   if (!kit) return kit;
   const auto text = read_submission(submission);
@@ -160,6 +172,7 @@ Result<std::string> LabGradeCommand::digest_of(const labs::Lab& lab, const labs:
     digest.add(*judge);
   }
   digest.add(fmt::format("{} s, {} s together, {} MiB", seconds_, total_seconds_, memory_mib_));
+  if (vary_) digest.add(std::to_string(seed_of(lab, name)));
   return digest.text();
 }
 
@@ -170,7 +183,9 @@ int LabGradeCommand::run_one(const labs::Lab& lab, const labs::Sources& sources,
     return refuse(begun.error());
   if (!fs::exists(fs::symlink_status(submissions_)))
     return refuse({submissions_, "", "is not there", "name the folder that holds student.cpp"});
-  const auto digest = digest_of(lab, sources, submissions_);
+  if (name_.empty()) name_ = submission_name(submissions_);
+  if (vary_) labs::set_inputs_seed(seed_of(lab, name_));
+  const auto digest = digest_of(lab, sources, submissions_, name_);
   if (!digest) return refuse(digest.error());
   if (resume_ && is_up_to_date(files_.output, *digest)) {
     fmt::print("{} is the result of this submission already\n", files_.output);
@@ -221,26 +236,27 @@ std::vector<std::string> LabGradeCommand::command_for_one(const labs::Lab& lab,
                                                           const Sandbox& sandbox,
                                                           const Submission& submission) const {
   const fs::path results = fs::path(files_.output) / submission.name;
-  return {"/proc/self/exe",
-          "lab",
-          "grade",
-          "--one",
-          lab_dir_.empty() ? fmt::format("--lab={}", lab.number)
-                           : "--lab-dir=" + fs::absolute(lab_dir_).string(),
-          "--output=" + (results / "results.json").string(),
-          "--classroom=" + (results / "classroom.json").string(),
-          "--junit=" + (results / "junit.xml").string(),
-          "--time-limit",
-          fmt::format("{}", seconds_),
-          "--total-time",
-          fmt::format("{}", total_seconds_),
-          "--memory-limit",
-          std::to_string(memory_mib_),
-          "--sandbox",
-          std::string(name_of(sandbox.confinement())),
-          "--kit=" + kit_,
-          "--",
-          submission.path.string()};
+  std::vector<std::string> words{"/proc/self/exe",
+                                 "lab",
+                                 "grade",
+                                 "--one",
+                                 lab_dir_.empty() ? fmt::format("--lab={}", lab.number)
+                                                  : "--lab-dir=" + fs::absolute(lab_dir_).string(),
+                                 "--output=" + (results / "results.json").string(),
+                                 "--classroom=" + (results / "classroom.json").string(),
+                                 "--junit=" + (results / "junit.xml").string(),
+                                 "--time-limit",
+                                 fmt::format("{}", seconds_),
+                                 "--total-time",
+                                 fmt::format("{}", total_seconds_),
+                                 "--memory-limit",
+                                 std::to_string(memory_mib_),
+                                 "--sandbox",
+                                 std::string(name_of(sandbox.confinement())),
+                                 "--kit=" + kit_};
+  if (vary_) words.insert(words.end(), {"--vary", "--name=" + submission.name});
+  words.insert(words.end(), {"--", submission.path.string()});
+  return words;
 }
 
 int LabGradeCommand::run_class(const labs::Lab& lab, const labs::Sources& sources,
@@ -257,7 +273,7 @@ int LabGradeCommand::run_class(const labs::Lab& lab, const labs::Sources& source
     fs::create_directories(results, error);
     if (error) return refuse({results.string(), "", error.message(), "choose another -o"});
     const std::string file = (results / "results.json").string();
-    const auto digest = digest_of(lab, sources, each.path);
+    const auto digest = digest_of(lab, sources, each.path, each.name);
     if (!digest) return refuse(digest.error());
     if (resume_ && is_up_to_date(file, *digest)) continue;
     chosen.emplace(each.name, each);
