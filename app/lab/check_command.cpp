@@ -14,6 +14,7 @@
 #include "app/lab/checker.h"
 #include "app/lab/draw_picture.h"
 #include "app/lab/for_students.h"
+#include "app/lab/lab_dir.h"
 #include "app/lab/report.h"
 #include "app/options/choices.h"
 #include "app/options/output_options.h"
@@ -60,7 +61,8 @@ std::optional<fs::file_time_type> written_at(const fs::path& file) {
   return error ? std::nullopt : std::optional(time);
 }
 
-void add_options(CLI::App& command, CheckOptions& options) {
+void add_options(CLI::App& command, CheckOptions& options, std::string& lab_dir) {
+  add_lab_dir(command, lab_dir);
   command.add_flag(
       "--sanitize", options.sanitize,
       "with AddressSanitizer and UndefinedBehaviorSanitizer: the line of a bad access");
@@ -109,7 +111,7 @@ void LabCheckCommand::add_to(CLI::App& lab, int& exit_code) {
   add_json_output(command, json_output_, "the report");
   add_html_output(command, html_output_, "the report as a page with pictures");
   if (!kForStudents) command.add_flag("--hidden", options_.hidden, "hidden checks too");
-  add_options(command, options_);
+  add_options(command, options_, lab_dir_);
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 
@@ -117,7 +119,7 @@ int LabCheckCommand::run() const {
   const Outputs outputs{json_output_, html_output_};
   if (const auto good = check_report_outputs(outputs.html, outputs.json); !good)
     return refuse(good.error());
-  const auto folder = open_lab_folder(folder_);
+  const auto folder = open_lab_folder(folder_, lab_dir_);
   if (!folder) return refuse(folder.error());
   auto checker = LabChecker::open(*folder, options_);
   if (!checker) return refuse(checker.error());
@@ -139,7 +141,7 @@ void LabWatchCommand::add_to(CLI::App& lab, int& exit_code) {
   command.add_option("-o,--output", output_, "of a scene: the pictures [SCENE.png]")
       ->type_name("FILE");
   add_html_output(command, html_output_, "the last report, or run, as a page");
-  add_options(command, options_);
+  add_options(command, options_, lab_dir_);
   add_picture_options(command, picture_);
   command.callback([this, &exit_code] { exit_code = run(); });
 }
@@ -149,7 +151,7 @@ int LabWatchCommand::run() const {
   const Outputs outputs{std::nullopt, html_output_};
   if (const auto good = check_report_outputs(outputs.html, outputs.json); !good)
     return refuse(good.error());
-  const auto folder = open_lab_folder(folder_);
+  const auto folder = open_lab_folder(folder_, lab_dir_);
   if (!folder) return refuse(folder.error());
   auto checker = LabChecker::open(*folder, options_);
   if (!checker) return refuse(checker.error());
@@ -160,6 +162,8 @@ int LabWatchCommand::run() const {
 }
 
 int LabWatchCommand::watch_picture() const {
+  if (!lab_dir_.empty())
+    return refuse({"--lab-dir", "", "a lab of your own draws no scene", "leave SCENE out"});
   const std::string output = output_.empty() ? scene_stem(scene_) + ".png" : output_;
   const LabPicture asked{folder_, scene_, output, picture_, {}, html_output_};
   if (const auto good = check_lab_picture(asked); !good) return refuse(good.error());

@@ -42,6 +42,7 @@ Result<void> LabChecker::prepare() {
   const auto sources = labs::find_sources();
   if (!sources) return tl::unexpected(sources.error());
   sources_ = *sources;
+  sources_.outside = folder_.outside;
   auto shares =
       labs::read_shares(*folder_.lab, sources_.folder_of(folder_.lab->folder) / "points.json");
   if (!shares) return tl::unexpected(shares.error());

@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/lab/lab_dir.h"
+
 namespace glassbox::app {
 
 namespace {
@@ -47,6 +49,29 @@ Result<std::string> named_lab(const fs::path& folder) {
   return name->get<std::string>();
 }
 
+// What is common to both kinds of labs: where student.cpp is, and where it is built.
+Result<LabFolder> open_place(const std::string& folder, const fs::path& place, bool own) {
+  LabFolder found;
+  found.own = own;
+  found.student = place / "student.cpp";
+  std::error_code error;
+  if (!fs::is_regular_file(found.student, error))
+    return fail((fs::path(folder) / "student.cpp").string(), "is not there",
+                "put your code into this file; glassbox lab start makes it");
+  const bool writable = access(place.c_str(), W_OK) == 0;
+  found.build_dir = own || !writable ? cache_for(place) : place / "build" / "check";
+  return found;
+}
+
+Result<fs::path> open_directory(const std::string& folder) {
+  std::error_code error;
+  fs::path place = fs::canonical(folder, error);
+  if (error || !fs::is_directory(place, error))
+    return fail(folder, "is no folder",
+                "name the folder that glassbox lab start has made, or make one with it");
+  return place;
+}
+
 }  // namespace
 
 std::string lab_names() {
@@ -72,27 +97,33 @@ Result<const labs::Lab*> find_lab(const std::string& name) {
 }
 
 Result<LabFolder> open_lab_folder(const std::string& folder) {
-  std::error_code error;
-  fs::path place = fs::canonical(folder, error);
-  if (error || !fs::is_directory(place, error))
-    return fail(folder, "is no folder",
-                "name the folder that glassbox lab start has made, or make one with it");
-  const auto named = named_lab(place);
+  const auto place = open_directory(folder);
+  if (!place) return tl::unexpected(place.error());
+  const auto named = named_lab(*place);
   if (!named) return tl::unexpected(named.error());
-  LabFolder found;
-  found.own = named->empty();
-  const auto lab = find_lab(found.own ? place.filename().string() : *named);
-  if (!lab && found.own)
+  const bool own = named->empty();
+  const auto lab = find_lab(own ? place->filename().string() : *named);
+  if (!lab && own)
     return fail(folder, "is no lab: there is no lab.json in it",
                 "name the folder that glassbox lab start has made, or make one with it");
   if (!lab) return tl::unexpected(lab.error());
-  found.lab = *lab;
-  found.student = place / "student.cpp";
-  if (!fs::is_regular_file(found.student, error))
-    return fail((fs::path(folder) / "student.cpp").string(), "is not there",
-                "put your code into this file; glassbox lab start makes it");
-  const bool writable = access(place.c_str(), W_OK) == 0;
-  found.build_dir = found.own || !writable ? cache_for(place) : place / "build" / "check";
+  auto found = open_place(folder, *place, own);
+  if (found) found->lab = *lab;
+  return found;
+}
+
+Result<LabFolder> open_lab_folder(const std::string& folder, const std::string& lab_dir) {
+  if (lab_dir.empty()) return open_lab_folder(folder);
+  const auto place = open_directory(folder);
+  if (!place) return tl::unexpected(place.error());
+  const auto sources = with_lab_dir(labs::find_sources(), lab_dir);
+  if (!sources) return tl::unexpected(sources.error());
+  auto found = open_place(folder, *place, *place == sources->outside);
+  if (!found) return found;
+  const auto lab = labs::grading::load_outside_lab(*sources, found->build_dir / "judge");
+  if (!lab) return tl::unexpected(lab.error());
+  found->lab = *lab;
+  found->outside = sources->outside;
   return found;
 }
 

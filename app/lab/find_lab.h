@@ -21,8 +21,12 @@ struct LabFolder {
   std::filesystem::path
       build_dir;     // in the folder, or in the user's cache where the folder is the lab's own
   bool own = false;  // the lab's own folder, with the solution
+  std::filesystem::path outside = {};  // of a lab that is not the program's, where the lab lies
 };
 Result<LabFolder> open_lab_folder(const std::string& folder);
+
+// The same of the lab in the folder `lab_dir`, which is compiled where `folder` is built; of the program's where that is empty.
+Result<LabFolder> open_lab_folder(const std::string& folder, const std::string& lab_dir);
 
 // "1 to 9", for a message.
 std::string lab_names();

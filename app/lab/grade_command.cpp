@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/lab/grade_files.h"
+#include "app/lab/lab_dir.h"
 #include "app/options/arguments.h"
 #include "app/options/choices.h"
 #include "app/report/exit_codes.h"
@@ -18,8 +19,10 @@
 #include "app/report/scratch.h"
 #include "labs/framework/digest.h"
 #include "labs/framework/points.h"
+#include "labs/framework/vary.h"
 #include "labs/grading/class.h"
 #include "labs/grading/grade.h"
+#include "labs/grading/outside_lab.h"
 #include "labs/grading/overview.h"
 #include "labs/grading/program_digest.h"
 #include "labs/grading/results.h"
@@ -41,7 +44,8 @@ void LabGradeCommand::add_to(CLI::App& lab, int& exit_code) {
   command.footer(
       "Examples:\n"
       "  glassbox lab grade submissions/ --lab 5 -o results/\n"
-      "  glassbox lab grade submissions/ann --lab 5 --one -o results/ann/results.json\n\n"
+      "  glassbox lab grade submissions/ann --lab 5 --one -o results/ann/results.json\n"
+      "  glassbox lab grade submissions/ --lab-dir ~/labs/10-fog -o results/\n\n"
       "A class is a folder of folders, one a submission, with student.cpp in each. Every "
       "submission and every\n"
       "check of it runs in a sandbox and in a process of its own. docs/grading.md has the rest: "
@@ -58,8 +62,15 @@ void LabGradeCommand::add_to(CLI::App& lab, int& exit_code) {
   command.add_option(
       "--lab", lab_,
       "the number of the lab; not needed where a submission is a folder of `lab start`");
+  add_lab_dir(command, lab_dir_)->excludes("--lab");
   command.add_flag("--one", one_,
                    "SUBMISSIONS is one submission: nothing is shared with other gradings");
+  auto* vary = command.add_flag(
+      "--vary", vary_, "hidden checks with inputs of each submission's own, which follow its name");
+  command
+      .add_option("--name", name_,
+                  "with --one and --vary: the submission's name; that of its folder or file")
+      ->needs(vary);
   command.add_flag("--resume", resume_,
                    "grades only what has no result of this submission, lab and glassbox");
   command.add_option("--classroom", files_.classroom, "with --one: GitHub Classroom's JSON too")
@@ -99,7 +110,13 @@ void LabGradeCommand::add_to(CLI::App& lab, int& exit_code) {
   collect.callback([this, &exit_code] { exit_code = run_collect(collected_); });
 }
 
-Result<const labs::Lab*> LabGradeCommand::find_lab(const labs::Sources& sources) const {
+Result<const labs::Lab*> LabGradeCommand::find_lab(const labs::Sources& sources,
+                                                   const Scratch& scratch) const {
+  if (!sources.outside.empty()) {
+    // Beside the kit, so that those who share one share the judge.
+    const auto place = kit_.empty() ? scratch.own("judge") : fs::path(kit_ + ".judge");
+    return place ? load_outside_lab(sources, *place) : tl::unexpected(place.error());
+  }
   for (const labs::Lab& lab : labs_()) {
     if (lab_ == lab.number) return &lab;
   }
@@ -121,15 +138,26 @@ Result<const labs::Lab*> LabGradeCommand::find_lab(const labs::Sources& sources)
 }
 
 int LabGradeCommand::run() {
-  const auto sources = find_sources_();
+  const auto sources = with_lab_dir(find_sources_(), lab_dir_);
   if (!sources) return refuse(sources.error());
-  const auto lab = find_lab(*sources);
+  const Scratch scratch;
+  if (!one_) {
+    const auto place = scratch.path();
+    if (!place) return refuse(place.error());
+    kit_ = (*place / "kit").string();
+  }
+  const auto lab = find_lab(*sources, scratch);
   if (!lab) return refuse(lab.error());
-  return one_ ? run_one(**lab, *sources) : run_class(**lab, *sources);
+  return one_ ? run_one(**lab, *sources, scratch) : run_class(**lab, *sources, scratch);
+}
+
+std::uint64_t LabGradeCommand::seed_of(const labs::Lab& lab, const std::string& name) {
+  return std::max<std::uint64_t>(1, labs::Digest().add(lab.folder).add(name).number());
 }
 
 Result<std::string> LabGradeCommand::digest_of(const labs::Lab& lab, const labs::Sources& sources,
-                                               const fs::path& submission) const {
+                                               const fs::path& submission,
+                                               const std::string& name) const {
   const auto kit = kit_fingerprint(sources, lab.folder);
   if (!kit) return kit;
   const auto text = read_submission(submission);
@@ -138,17 +166,26 @@ Result<std::string> LabGradeCommand::digest_of(const labs::Lab& lab, const labs:
   digest.add(text ? *text : text.error().message());
   if (const auto points = labs::read_text_file(sources.folder_of(lab.folder) / "points.json"))
     digest.add(*points);
+  if (!sources.outside.empty()) {
+    const auto judge = judge_digest(sources);
+    if (!judge) return judge;
+    digest.add(*judge);
+  }
   digest.add(fmt::format("{} s, {} s together, {} MiB", seconds_, total_seconds_, memory_mib_));
+  if (vary_) digest.add(std::to_string(seed_of(lab, name)));
   return digest.text();
 }
 
-int LabGradeCommand::run_one(const labs::Lab& lab, const labs::Sources& sources) {
+int LabGradeCommand::run_one(const labs::Lab& lab, const labs::Sources& sources,
+                             const Scratch& scratch) {
   // Before anything can go wrong, so that there is a result whatever happens from here on.
   if (const auto begun = begin_results(files_, unfinished_json()); !begun)
     return refuse(begun.error());
   if (!fs::exists(fs::symlink_status(submissions_)))
     return refuse({submissions_, "", "is not there", "name the folder that holds student.cpp"});
-  const auto digest = digest_of(lab, sources, submissions_);
+  if (name_.empty()) name_ = submission_name(submissions_);
+  if (vary_) labs::set_inputs_seed(seed_of(lab, name_));
+  const auto digest = digest_of(lab, sources, submissions_, name_);
   if (!digest) return refuse(digest.error());
   if (resume_ && is_up_to_date(files_.output, *digest)) {
     fmt::print("{} is the result of this submission already\n", files_.output);
@@ -159,12 +196,11 @@ int LabGradeCommand::run_one(const labs::Lab& lab, const labs::Sources& sources)
   const auto unfinished = gradescope_json(nothing_yet(shares->lab, kUnfinished), "", *digest);
   if (const auto begun = begin_results(files_, unfinished); !begun) return refuse(begun.error());
   for (const std::string& warning : shares->warnings) fmt::print(stderr, "{}\n", warning);
-  return grade_one(shares->lab, sources, *digest);
+  return grade_one(shares->lab, sources, *digest, scratch);
 }
 
 int LabGradeCommand::grade_one(const labs::Lab& lab, const labs::Sources& sources,
-                               const std::string& digest) {
-  const Scratch scratch;
+                               const std::string& digest, const Scratch& scratch) {
   const auto place = scratch.path();
   if (!place) return refuse(place.error());
   const auto sandbox = Sandbox::choose(*place, confinement_);
@@ -200,29 +236,31 @@ std::vector<std::string> LabGradeCommand::command_for_one(const labs::Lab& lab,
                                                           const Sandbox& sandbox,
                                                           const Submission& submission) const {
   const fs::path results = fs::path(files_.output) / submission.name;
-  return {"/proc/self/exe",
-          "lab",
-          "grade",
-          "--one",
-          "--lab",
-          std::to_string(lab.number),
-          "--output=" + (results / "results.json").string(),
-          "--classroom=" + (results / "classroom.json").string(),
-          "--junit=" + (results / "junit.xml").string(),
-          "--time-limit",
-          fmt::format("{}", seconds_),
-          "--total-time",
-          fmt::format("{}", total_seconds_),
-          "--memory-limit",
-          std::to_string(memory_mib_),
-          "--sandbox",
-          std::string(name_of(sandbox.confinement())),
-          "--kit=" + kit_,
-          "--",
-          submission.path.string()};
+  std::vector<std::string> words{"/proc/self/exe",
+                                 "lab",
+                                 "grade",
+                                 "--one",
+                                 lab_dir_.empty() ? fmt::format("--lab={}", lab.number)
+                                                  : "--lab-dir=" + fs::absolute(lab_dir_).string(),
+                                 "--output=" + (results / "results.json").string(),
+                                 "--classroom=" + (results / "classroom.json").string(),
+                                 "--junit=" + (results / "junit.xml").string(),
+                                 "--time-limit",
+                                 fmt::format("{}", seconds_),
+                                 "--total-time",
+                                 fmt::format("{}", total_seconds_),
+                                 "--memory-limit",
+                                 std::to_string(memory_mib_),
+                                 "--sandbox",
+                                 std::string(name_of(sandbox.confinement())),
+                                 "--kit=" + kit_};
+  if (vary_) words.insert(words.end(), {"--vary", "--name=" + submission.name});
+  words.insert(words.end(), {"--", submission.path.string()});
+  return words;
 }
 
-int LabGradeCommand::run_class(const labs::Lab& lab, const labs::Sources& sources) {
+int LabGradeCommand::run_class(const labs::Lab& lab, const labs::Sources& sources,
+                               const Scratch& scratch) {
   const auto listed = list_submissions(submissions_);
   if (!listed) return refuse(listed.error());
   for (const std::string& skipped : listed->skipped)
@@ -235,7 +273,7 @@ int LabGradeCommand::run_class(const labs::Lab& lab, const labs::Sources& source
     fs::create_directories(results, error);
     if (error) return refuse({results.string(), "", error.message(), "choose another -o"});
     const std::string file = (results / "results.json").string();
-    const auto digest = digest_of(lab, sources, each.path);
+    const auto digest = digest_of(lab, sources, each.path, each.name);
     if (!digest) return refuse(digest.error());
     if (resume_ && is_up_to_date(file, *digest)) continue;
     chosen.emplace(each.name, each);
@@ -247,7 +285,6 @@ int LabGradeCommand::run_class(const labs::Lab& lab, const labs::Sources& source
   if (chosen.size() < all.size())
     fmt::print(stderr, "{} of {} have their results already\n", all.size() - chosen.size(),
                all.size());
-  const Scratch scratch;
   const auto place = scratch.path();
   if (!place) return refuse(place.error());
   const auto sandbox = Sandbox::choose(*place, confinement_);
@@ -256,7 +293,6 @@ int LabGradeCommand::run_class(const labs::Lab& lab, const labs::Sources& source
   const auto shares = labs::read_shares(lab, sources.folder_of(lab.folder) / "points.json");
   if (!shares) return refuse(shares.error());
   for (const std::string& warning : shares->warnings) fmt::print(stderr, "{}\n", warning);
-  kit_ = (*place / "kit").string();
   if (const auto kit = make_kit(sources, lab.folder, kit_); !kit) return refuse(kit.error());
   // What each makes on the way lies in here, and goes with it.
   ::setenv("TMPDIR", place->c_str(), 1);

@@ -8,6 +8,7 @@
 
 #include "app/lab/grade_files.h"
 #include "app/options/cli_fwd.h"
+#include "app/report/scratch.h"
 #include "labs/framework/lab.h"
 #include "labs/framework/sources.h"
 #include "labs/grading/kit.h"
@@ -29,28 +30,32 @@ public:
 
 private:
   int run();
-  int run_one(const labs::Lab& lab, const labs::Sources& sources);
-  int grade_one(const labs::Lab& lab, const labs::Sources& sources, const std::string& digest);
-  int run_class(const labs::Lab& lab, const labs::Sources& sources);
+  int run_one(const labs::Lab& lab, const labs::Sources& sources, const Scratch& scratch);
+  int grade_one(const labs::Lab& lab, const labs::Sources& sources, const std::string& digest,
+                const Scratch& scratch);
+  int run_class(const labs::Lab& lab, const labs::Sources& sources, const Scratch& scratch);
   int run_collect(const std::filesystem::path& results) const;
   std::vector<std::string> command_for_one(const labs::Lab& lab,
                                            const labs::grading::Sandbox& sandbox,
                                            const labs::grading::Submission& submission) const;
   // What the result of a submission depends on.
   Result<std::string> digest_of(const labs::Lab& lab, const labs::Sources& sources,
-                                const std::filesystem::path& submission) const;
-  Result<const labs::Lab*> find_lab(const labs::Sources& sources) const;
+                                const std::filesystem::path& submission,
+                                const std::string& name) const;
+  // What a submission of this name has its inputs varied by; never 0.
+  static std::uint64_t seed_of(const labs::Lab& lab, const std::string& name);
+  Result<const labs::Lab*> find_lab(const labs::Sources& sources, const Scratch& scratch) const;
 
   const std::vector<labs::Lab>& (*labs_)();
   FindSources find_sources_;
-  std::string submissions_, kit_, collected_;
+  std::string submissions_, kit_, collected_, lab_dir_, name_;
   ResultFiles files_;  // of a class, the folder of all results
   std::optional<int> lab_;
   std::optional<labs::grading::Confinement> confinement_;
   int jobs_ = 0;
   double seconds_ = 10, total_seconds_ = 300;
   std::size_t memory_mib_ = 512;
-  bool one_ = false, resume_ = false;
+  bool one_ = false, resume_ = false, vary_ = false;
 };
 
 }  // namespace glassbox::app

@@ -8,9 +8,11 @@
 #include <CLI/CLI.hpp>
 
 #include "app/lab/find_lab.h"
+#include "app/lab/lab_dir.h"
 #include "app/lab/starter.h"
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
+#include "app/report/scratch.h"
 #include "app/report/shell_line.h"
 #include "labs/framework/zip.h"
 #include "labs/grading/vpl.h"
@@ -28,11 +30,19 @@ struct Starter {
   std::vector<labs::SourceFile> files;
 };
 
-Result<Starter> starter_of(const std::string& name) {
-  const auto lab = find_lab(name);
-  if (!lab) return tl::unexpected(lab.error());
-  const auto sources = labs::find_sources();
+// The lab with this name; where `lab_dir` is a folder, the one that lies there.
+Result<Starter> starter_of(const std::string& name, const std::string& lab_dir = {}) {
+  const auto sources = with_lab_dir(labs::find_sources(), lab_dir);
   if (!sources) return tl::unexpected(sources.error());
+  const Scratch scratch;
+  Result<const labs::Lab*> lab = nullptr;
+  if (lab_dir.empty()) {
+    lab = find_lab(name);
+  } else {
+    const auto place = scratch.own("judge");
+    lab = place ? labs::grading::load_outside_lab(*sources, *place) : tl::unexpected(place.error());
+  }
+  if (!lab) return tl::unexpected(lab.error());
   auto files = make_starter(*sources, **lab);
   if (!files) return tl::unexpected(files.error());
   return Starter{*lab, std::move(*files)};
@@ -50,7 +60,8 @@ Result<void> check_empty(const std::string& folder) {
               "name a new folder, so that no work of yours is written over");
 }
 
-std::string suggestion(const std::vector<std::string>& words) {
+std::string suggestion(std::vector<std::string> words, const std::string& lab_dir) {
+  if (!lab_dir.empty()) words.insert(words.end(), {"--lab-dir", lab_dir});
   const std::string line = shell_line({words});
   return line.empty() ? program_name() + " " + words[0] + " " + words[1] + " FOLDER" : line;
 }
@@ -61,18 +72,27 @@ void LabStartCommand::add_to(CLI::App& lab, int& exit_code) {
   CLI::App& command = *lab.add_subcommand("start", "a folder to do a lab in");
   command.footer(
       "Examples:\n"
-      "  glassbox lab start 5 ~/lab5");
-  command.add_option("LAB", lab_, "its number or name")->required();
-  command.add_option("FOLDER", folder_, "new or empty")->required();
+      "  glassbox lab start 5 ~/lab5\n"
+      "  glassbox lab start --lab-dir ~/labs/10-fog ~/lab10");
+  command.add_option("LAB", lab_, "its number or name; left out with --lab-dir")->required();
+  command.add_option("FOLDER", folder_, "new or empty");
+  add_lab_dir(command, lab_dir_);
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 
 int LabStartCommand::run() const {
-  const auto starter = starter_of(lab_);
+  // With --lab-dir, the only name is the folder's.
+  const bool one_name = folder_.empty();
+  if (one_name && lab_dir_.empty())
+    return refuse({"FOLDER", "", "is missing", "name a new folder after the lab"});
+  if (!one_name && !lab_dir_.empty())
+    return refuse({"LAB", "", "is one of two labs, beside --lab-dir", "name one of them"});
+  const std::string& folder = one_name ? lab_ : folder_;
+  const auto starter = starter_of(lab_, lab_dir_);
   if (!starter) return refuse(starter.error());
-  if (const auto empty = check_empty(folder_); !empty) return refuse(empty.error());
+  if (const auto empty = check_empty(folder); !empty) return refuse(empty.error());
   for (const labs::SourceFile& file : starter->files) {
-    if (const auto written = labs::write_if_changed(fs::path(folder_) / file.path, file.text);
+    if (const auto written = labs::write_if_changed(fs::path(folder) / file.path, file.text);
         !written)
       return refuse(written.error());
   }
@@ -83,8 +103,9 @@ int LabStartCommand::run() const {
       "  student.cpp   yours to write\n\n"
       "{}    what is right so far\n"
       "{}    the same after every save\n",
-      starter->lab->number, starter->lab->title, folder_, suggestion({"lab", "check", folder_}),
-      suggestion({"lab", "watch", folder_}));
+      starter->lab->number, starter->lab->title, folder,
+      suggestion({"lab", "check", folder}, lab_dir_),
+      suggestion({"lab", "watch", folder}, lab_dir_));
   return kSuccess;
 }
 

@@ -14,7 +14,7 @@ public:
 private:
   int run() const;
 
-  std::string lab_, folder_;
+  std::string lab_, folder_, lab_dir_;
 };
 
 class LabExportCommand {

@@ -18,11 +18,10 @@ namespace fs = std::filesystem;
 const std::string kPrefix = "glassbox-scratch-";
 constexpr const char* kLock = "in-use";
 
-// The lock of the directory, which is held until the descriptor is closed; -1 if another holds it or there is none. `flags`: O_CREAT
-// to make it.
-int take_lock(const fs::path& directory, int flags) {
-  const int file =
-      ::open((directory / kLock).c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | flags, 0600);
+// The lock at `path`, which is held until the descriptor is closed; -1 if another holds it or there is none. `flags`: O_CREAT to make
+// it.
+int take_lock(const fs::path& path, int flags) {
+  const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | flags, 0600);
   if (file < 0 || ::flock(file, LOCK_EX | LOCK_NB) == 0) return file;
   ::close(file);
   return -1;
@@ -36,7 +35,7 @@ bool is_abandoned(const fs::path& directory) {
     return false;
   std::error_code error;
   if (!fs::exists(directory / kLock, error)) return std::time(nullptr) - status.st_mtime > 3600;
-  const int lock = take_lock(directory, 0);
+  const int lock = take_lock(directory / kLock, 0);
   if (lock >= 0) ::close(lock);
   return lock >= 0;
 }
@@ -60,7 +59,10 @@ Scratch::Scratch() {
   std::string name = (temporary / (kPrefix + "XXXXXX")).string();
   if (::mkdtemp(name.data()) == nullptr || ::chmod(name.c_str(), 0711) != 0) return;
   path_ = name;
-  lock_ = take_lock(path_, O_CREAT);
+  // It gets its name when it is held: whoever finds a lock that nobody holds removes the directory.
+  const fs::path unnamed = path_ / "to-be-in-use";
+  lock_ = take_lock(unnamed, O_CREAT);
+  fs::rename(unnamed, path_ / kLock, error);
 }
 
 Scratch::~Scratch() {

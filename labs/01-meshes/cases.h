@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "labs/framework/vary.h"
 #include "student.h"
 
 namespace lab_01 {
@@ -140,24 +141,35 @@ inline std::vector<MeshCase> edge_meshes() {
 
 // BEGIN HIDDEN
 inline std::vector<MeshCase> hidden_edge_meshes() {
-  return {
-      {"a torus: V - E + F = 0", torus(5, 4, Ends::kJoined)},
-      {"two cubes apart", both(cube(), cube())},
-      {"three pages that share a spine", mesh_of(5, {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}})},
-      {"a cube with one face turned the wrong way", turned(cube(), {3})},
-      {"two tetrahedra that share an edge of four faces", mesh_of(6, {{0, 2, 1},
-                                                                      {0, 1, 3},
-                                                                      {0, 3, 2},
-                                                                      {1, 2, 3},
-                                                                      {0, 4, 1},
-                                                                      {0, 1, 5},
-                                                                      {0, 5, 4},
-                                                                      {1, 4, 5}})},
-      {"a face that comes by one position twice", mesh_of(5, {{0, 1, 2, 0, 3, 4}})},
-      {"no face that takes part: nothing is closed", mesh_of(3, {{0, 0, 1}, {2, 2, 2}})},
-      {"repeated corners, and faces of fewer than three positions (C-25)",
-       mesh_of(7, {{0, 1, 1, 2}, {2, 1, 3, 2}, {3, 4, 3}, {4, 4, 4}, {5, 6, 5, 6}})},
-  };
+  return glassbox::labs::with_varied(
+      std::vector<MeshCase>{
+          {"a torus: V - E + F = 0", torus(5, 4, Ends::kJoined)},
+          {"two cubes apart", both(cube(), cube())},
+          {"three pages that share a spine", mesh_of(5, {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}})},
+          {"a cube with one face turned the wrong way", turned(cube(), {3})},
+          {"two tetrahedra that share an edge of four faces", mesh_of(6, {{0, 2, 1},
+                                                                          {0, 1, 3},
+                                                                          {0, 3, 2},
+                                                                          {1, 2, 3},
+                                                                          {0, 4, 1},
+                                                                          {0, 1, 5},
+                                                                          {0, 5, 4},
+                                                                          {1, 4, 5}})},
+          {"a face that comes by one position twice", mesh_of(5, {{0, 1, 2, 0, 3, 4}})},
+          {"no face that takes part: nothing is closed", mesh_of(3, {{0, 0, 1}, {2, 2, 2}})},
+          {"repeated corners, and faces of fewer than three positions (C-25)",
+           mesh_of(7, {{0, 1, 1, 2}, {2, 1, 3, 2}, {3, 4, 3}, {4, 4, 4}, {5, 6, 5, 6}})},
+      },
+      11, 2, [](glassbox::Random& random) {
+        const auto around = std::uint32_t(random.integer(3, 7)),
+                   along = std::uint32_t(random.integer(3, 6));
+        std::vector<std::size_t> faces;
+        for (std::size_t f = 1; f < std::size_t(around) * along; ++f) {
+          if (random.integer(0, 2) == 0) faces.push_back(f);
+        }
+        return MeshCase{"a torus, some faces turned",
+                        turned(torus(around, along, Ends::kJoined), faces)};
+      });
 }
 // END HIDDEN
 
@@ -172,13 +184,25 @@ inline std::vector<MeshCase> turn_meshes() {
 
 // BEGIN HIDDEN
 inline std::vector<MeshCase> hidden_turn_meshes() {
-  return {
-      {"a torus, all turned but the first",
-       turned(torus(4, 3, Ends::kJoined), {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11})},
-      {"two cubes apart, each with its own mistakes",
-       turned(both(cube(), cube()), {2, 3, 5, 7, 11})},
-      {"triangles that touch in a point only: nothing to turn", mesh_of(5, {{0, 1, 2}, {2, 4, 3}})},
-  };
+  return glassbox::labs::with_varied(
+      std::vector<MeshCase>{
+          {"a torus, all turned but the first",
+           turned(torus(4, 3, Ends::kJoined), {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11})},
+          {"two cubes apart, each with its own mistakes",
+           turned(both(cube(), cube()), {2, 3, 5, 7, 11})},
+          {"triangles that touch in a point only: nothing to turn",
+           mesh_of(5, {{0, 1, 2}, {2, 4, 3}})},
+      },
+      12, 2, [](glassbox::Random& random) {
+        const auto around = std::uint32_t(random.integer(3, 7)),
+                   along = std::uint32_t(random.integer(3, 6));
+        std::vector<std::size_t> faces;
+        for (std::size_t f = 1; f < std::size_t(around) * along; ++f) {
+          if (random.integer(0, 2) == 0) faces.push_back(f);
+        }
+        return MeshCase{"a torus, some faces turned",
+                        turned(torus(around, along, Ends::kJoined), faces)};
+      });
 }
 // END HIDDEN
 
@@ -243,14 +267,21 @@ inline std::vector<PolygonCase> far_polygons() {
 
 // BEGIN HIDDEN
 inline std::vector<PolygonCase> hidden_polygons() {
-  return {
-      {"an L", tilted({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 4}, {0, 4}})},
-      {"a quad with one corner lifted (C-26)", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0.5f}, {0, 1, 0}}},
-      {"corners repeated (C-25)", tilted({{0, 0}, {0, 0}, {2, 0}, {2, 2}, {2, 2}, {0, 2}})},
-      {"three corners in one place (C-25)", {{3, 0.1f, -7}, {3, 0.1f, -7}, {3, 0.1f, -7}}},
-      {"a sliver, far away",
-       tilted({{0, 0}, {1, 0.0625f}, {2, 0.1875f}, {1, 0.125f}}, {50000, -30000, 20000})},
-  };
+  return glassbox::labs::with_varied(
+      std::vector<PolygonCase>{
+          {"an L", tilted({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 4}, {0, 4}})},
+          {"a quad with one corner lifted (C-26)", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0.5f}, {0, 1, 0}}},
+          {"corners repeated (C-25)", tilted({{0, 0}, {0, 0}, {2, 0}, {2, 2}, {2, 2}, {0, 2}})},
+          {"three corners in one place (C-25)", {{3, 0.1f, -7}, {3, 0.1f, -7}, {3, 0.1f, -7}}},
+          {"a sliver, far away",
+           tilted({{0, 0}, {1, 0.0625f}, {2, 0.1875f}, {1, 0.125f}}, {50000, -30000, 20000})},
+      },
+      13, 3, [](glassbox::Random& random) {
+        const auto in = [&](int low, int high) { return float(random.integer(low, high)); };
+        const float width = in(1, 9), height = in(1, 9), x = in(-9, 9), y = in(-99, 99);
+        return PolygonCase{"a triangle of any shape", tilted({{0, 0}, {width, 0}, {x, height}},
+                                                             {y, in(-99, 99), in(-99, 99)})};
+      });
 }
 // END HIDDEN
 
@@ -272,12 +303,22 @@ inline std::vector<AngleCase> angles() {
 
 // BEGIN HIDDEN
 inline std::vector<AngleCase> hidden_angles() {
-  return {
-      {"5e-8 radians (C-04)", {30000001, 7, 3}, {30000000, 8, 3}},
-      {"almost opposite", {1048573, 3, 1}, {-1048571, -2, 0}},
-      {"small and slanted", {100001, 200002, 300003}, {100000, 200003, 300003}},
-      {"opposite", {1, -2, 5}, {-3, 6, -15}},
-  };
+  return glassbox::labs::with_varied(
+      std::vector<AngleCase>{
+          {"5e-8 radians (C-04)", {30000001, 7, 3}, {30000000, 8, 3}},
+          {"almost opposite", {1048573, 3, 1}, {-1048571, -2, 0}},
+          {"small and slanted", {100001, 200002, 300003}, {100000, 200003, 300003}},
+          {"opposite", {1, -2, 5}, {-3, 6, -15}},
+      },
+      14, 3, [](glassbox::Random& random) {
+        for (;;) {
+          double v[6];
+          for (double& each : v) each = double(random.integer(-9, 9));
+          const Vector<Object, double> a{v[0], v[1], v[2]}, b{v[3], v[4], v[5]};
+          const auto across = cross(a, b);
+          if (dot(across, across) > 0) return AngleCase{"whole numbers", a, b};
+        }
+      });
 }
 // END HIDDEN
 

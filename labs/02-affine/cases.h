@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "labs/framework/vary.h"
 #include "student.h"
 
 namespace lab_02 {
@@ -21,7 +22,12 @@ inline std::vector<TurnCase> turns() {
 }
 // BEGIN HIDDEN
 inline std::vector<TurnCase> hidden_turns() {
-  return {{{0.5, 0.25}, 180}, {{-12, 7}, 359}, {{1e6, 2e6}, 10}, {{7, -7}, -200}};
+  return glassbox::labs::with_varied(
+      std::vector<TurnCase>{{{0.5, 0.25}, 180}, {{-12, 7}, 359}, {{1e6, 2e6}, 10}, {{7, -7}, -200}},
+      21, 3, [](glassbox::Random& random) {
+        const double x = random.between(-50, 50), y = random.between(-50, 50);
+        return TurnCase{{x, y}, random.between(-180, 180)};
+      });
 }
 // END HIDDEN
 
@@ -72,15 +78,24 @@ inline std::vector<ComposeCase> hidden_compositions() {
     deep.push_back(scale(1.5, i % 2 == 0 ? 0.5 : 2, 1));
     deep.push_back(move(i, -2, 0.5));
   }
-  return {
-      {"no step at all", {}},
-      {"nothing after a turn and its way back",
-       {turn(3, 4, 12, 123), turn(3, 4, 12, -123), move(1, 0, 0)}},
-      {"shears between turns",
-       {shear(2, 0, -1.5), turn(0, 1, 1, 77), shear(1, 2, 0.25), turn(5, 0, 1, -20)}},
-      {"a mirror and a long axis", {scale(-1, 1, 1), turn(3000, -4000, 500, 210), move(1, 2, 3)}},
-      {"36 steps, as in a deep hierarchy (C-15)", deep},
-  };
+  return glassbox::labs::with_varied(
+      std::vector<ComposeCase>{
+          {"no step at all", {}},
+          {"nothing after a turn and its way back",
+           {turn(3, 4, 12, 123), turn(3, 4, 12, -123), move(1, 0, 0)}},
+          {"shears between turns",
+           {shear(2, 0, -1.5), turn(0, 1, 1, 77), shear(1, 2, 0.25), turn(5, 0, 1, -20)}},
+          {"a mirror and a long axis",
+           {scale(-1, 1, 1), turn(3000, -4000, 500, 210), move(1, 2, 3)}},
+          {"36 steps, as in a deep hierarchy (C-15)", deep},
+      },
+      22, 2, [](glassbox::Random& random) {
+        const auto in = [&](double low, double high) { return random.between(low, high); };
+        const double x = in(-3, 3), y = in(-3, 3), size = in(0.25, 4), degrees = in(-180, 180);
+        return ComposeCase{"in any order",
+                           {turn(x, y, 1, degrees), scale(size, 2, -1), move(y, in(-9, 9), x),
+                            shear(2, 0, in(-2, 2)), turn(1, x, y, in(-180, 180))}};
+      });
 }
 // END HIDDEN
 
@@ -103,18 +118,32 @@ inline std::vector<FitCase> fits() {
 }
 // BEGIN HIDDEN
 inline std::vector<FitCase> hidden_fits() {
-  return {
-      {"a needle: ill-conditioned", {{{0, 0}, {1000, 1}, {2001, 2}}}, {{{1, 1}, {4, -2}, {3, 5}}}},
-      {"a needle far away",
-       {{{-900000, 800000}, {-899000, 800001}, {-897999, 800002}}},
-       {{{10, 20}, {-30, 40}, {50, 60}}}},
-      {"triangles as large as they come",
-       {{{-1000003, 523}, {1000001, -77}, {12345, 999999}}},
-       {{{700001, -3}, {-999983, 77777}, {5, 1048573}}}},
-      {"a target that is flat: the map has no inverse, but there is one",
-       {{{0, 1}, {5, 2}, {3, 7}}},
-       {{{1, 1}, {2, 2}, {4, 4}}}},
-  };
+  return glassbox::labs::with_varied(
+      std::vector<FitCase>{
+          {"a needle: ill-conditioned",
+           {{{0, 0}, {1000, 1}, {2001, 2}}},
+           {{{1, 1}, {4, -2}, {3, 5}}}},
+          {"a needle far away",
+           {{{-900000, 800000}, {-899000, 800001}, {-897999, 800002}}},
+           {{{10, 20}, {-30, 40}, {50, 60}}}},
+          {"triangles as large as they come",
+           {{{-1000003, 523}, {1000001, -77}, {12345, 999999}}},
+           {{{700001, -3}, {-999983, 77777}, {5, 1048573}}}},
+          {"a target that is flat: the map has no inverse, but there is one",
+           {{{0, 1}, {5, 2}, {3, 7}}},
+           {{{1, 1}, {2, 2}, {4, 4}}}},
+      },
+      23, 3, [](glassbox::Random& random) {
+        for (;;) {
+          double v[12];
+          for (double& each : v) each = double(random.integer(-1000, 1000));
+          const double det = (v[2] - v[0]) * (v[5] - v[1]) - (v[4] - v[0]) * (v[3] - v[1]);
+          if (det > 1e4 || det < -1e4)
+            return FitCase{"whole numbers",
+                           {{{v[0], v[1]}, {v[2], v[3]}, {v[4], v[5]}}},
+                           {{{v[6], v[7]}, {v[8], v[9]}, {v[10], v[11]}}}};
+        }
+      });
 }
 // END HIDDEN
 
@@ -170,14 +199,19 @@ inline std::vector<RotationCase> stiff_rotations() {
 }
 // BEGIN HIDDEN
 inline std::vector<RotationCase> hidden_rotations() {
-  return {
-      {"no turn at all", 1, 0, 0, 0},
-      {"half a turn about y", 0, 0, 1, 0},
-      {"half a turn, the first component negative", 0, -1, 4, 8},
-      {"almost half a turn about -z", 1, 0, 0, -10000},
-      {"a thousandth of a radian", 2000, 0, 0, 1},
-      {"a little less than a right angle", 100, 60, 60, -50},
-  };
+  return glassbox::labs::with_varied(
+      std::vector<RotationCase>{
+          {"no turn at all", 1, 0, 0, 0},
+          {"half a turn about y", 0, 0, 1, 0},
+          {"half a turn, the first component negative", 0, -1, 4, 8},
+          {"almost half a turn about -z", 1, 0, 0, -10000},
+          {"a thousandth of a radian", 2000, 0, 0, 1},
+          {"a little less than a right angle", 100, 60, 60, -50},
+      },
+      24, 3, [](glassbox::Random& random) {
+        const auto in = [&](int low) { return double(random.integer(low, 9)); };
+        return RotationCase{"whole numbers", in(1), in(-9), in(-9), in(1)};
+      });
 }
 // END HIDDEN
 
@@ -211,9 +245,16 @@ inline std::vector<DriftCase> drifts() {
 }
 // BEGIN HIDDEN
 inline std::vector<DriftCase> hidden_drifts() {
-  return {{"10^5 products in float", drifted(100000)},
+  return glassbox::labs::with_varied(
+      std::vector<DriftCase>{
+          {"10^5 products in float", drifted(100000)},
           {"written with six digits", disturbed({"", 1, 7, -2, 3}, 5e-7)},
-          {"off by as much as is allowed", disturbed({"", 2, -3, 1, 1}, 0.0025)}};
+          {"off by as much as is allowed", disturbed({"", 2, -3, 1, 1}, 0.0025)}},
+      25, 2, [](glassbox::Random& random) {
+        const auto in = [&](int low) { return double(random.integer(low, 9)); };
+        const RotationCase q{"", in(1), in(-9), in(-9), in(1)};
+        return DriftCase{"disturbed", disturbed(q, random.between(1e-6, 2e-3))};
+      });
 }
 // END HIDDEN
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "labs/framework/vary.h"
 #include "student.h"
 
 namespace lab_03 {
@@ -26,16 +27,30 @@ inline std::vector<CameraCase> cameras() {
 }
 // BEGIN HIDDEN
 inline std::vector<CameraCase> hidden_cameras() {
-  return {
-      {"far away (C-13)", {{1e6, -2e6, 5e5}, {1e6 + 3, -2e6 + 1, 5e5 - 7}, {0, 1, 0}}},
-      {"`up` a thousandth of a radian from the gaze (C-01)", {{0, 0, 0}, {0, 1000, -1}, {0, 1, 0}}},
-      {"z is up", {{5, -4, 3}, {0, 0, 1}, {0, 0, 1}}},
-      {"upside down", {{1, 2, 3}, {-2, 0, -4}, {0, -1, 0}}},
-      {"lengths far apart", {{0, 0, 0}, {3e60, 0, -4e60}, {1e-71, 2e-70, 0}}},
-      {"a microscope", {{1e-6, 2e-6, 3e-6}, {0, 0, 0}, {1, 0, 0}}},
-      {"exactly along +z (C-05)", {{2, -1, -4}, {2, -1, 6}, {1, 2, 0}}},
-      {"almost along +z (C-05)", {{0, 0, 0}, {0.000001, 0, 1}, {0, 1, 0}}},
-  };
+  return glassbox::labs::with_varied(
+      std::vector<CameraCase>{
+          {"far away (C-13)", {{1e6, -2e6, 5e5}, {1e6 + 3, -2e6 + 1, 5e5 - 7}, {0, 1, 0}}},
+          {"`up` a thousandth of a radian from the gaze (C-01)",
+           {{0, 0, 0}, {0, 1000, -1}, {0, 1, 0}}},
+          {"z is up", {{5, -4, 3}, {0, 0, 1}, {0, 0, 1}}},
+          {"upside down", {{1, 2, 3}, {-2, 0, -4}, {0, -1, 0}}},
+          {"lengths far apart", {{0, 0, 0}, {3e60, 0, -4e60}, {1e-71, 2e-70, 0}}},
+          {"a microscope", {{1e-6, 2e-6, 3e-6}, {0, 0, 0}, {1, 0, 0}}},
+          {"exactly along +z (C-05)", {{2, -1, -4}, {2, -1, 6}, {1, 2, 0}}},
+          {"almost along +z (C-05)", {{0, 0, 0}, {0.000001, 0, 1}, {0, 1, 0}}},
+      },
+      31, 3, [](glassbox::Random& random) {
+        for (;;) {
+          double v[9];
+          for (double& each : v) each = random.between(-10, 10);
+          const Camera camera{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}};
+          const auto gaze = camera.target - camera.eye, across = cross(camera.up, gaze);
+          // Neither short nor within a tenth of a radian of each other.
+          if (dot(across, across) > 0.01 * dot(gaze, gaze) * dot(camera.up, camera.up) &&
+              dot(gaze, gaze) > 1)
+            return CameraCase{"anywhere", camera};
+        }
+      });
 }
 // END HIDDEN
 
@@ -101,13 +116,23 @@ inline std::vector<OntoCase> opposite_directions() {
 }
 // BEGIN HIDDEN
 inline std::vector<OntoCase> hidden_directions() {
-  return {
-      {"a direction onto itself", {3, -4, 12}, {3, -4, 12}},
-      {"a millionth of a radian (C-04)", {0, 0, 5}, {0.000003, 0.000004, 5}},
-      {"almost opposite (C-05)", {0, 0, 1}, {0.000001, 0, -1}},
-      {"almost opposite, and slanted (C-05)", {1, 2, 2}, {-1.000001, -2, -2}},
-      {"lengths far apart", {1e-30, 2e-30, 0}, {0, 1e30, 1e30}},
-  };
+  return glassbox::labs::with_varied(
+      std::vector<OntoCase>{
+          {"a direction onto itself", {3, -4, 12}, {3, -4, 12}},
+          {"a millionth of a radian (C-04)", {0, 0, 5}, {0.000003, 0.000004, 5}},
+          {"almost opposite (C-05)", {0, 0, 1}, {0.000001, 0, -1}},
+          {"almost opposite, and slanted (C-05)", {1, 2, 2}, {-1.000001, -2, -2}},
+          {"lengths far apart", {1e-30, 2e-30, 0}, {0, 1e30, 1e30}},
+      },
+      32, 3, [](glassbox::Random& random) {
+        for (;;) {
+          double v[6];
+          for (double& each : v) each = double(random.integer(-9, 9));
+          const Vector<World, double> from{v[0], v[1], v[2]}, to{v[3], v[4], v[5]};
+          const auto across = cross(from, to);
+          if (dot(across, across) > 0) return OntoCase{"whole numbers", from, to};
+        }
+      });
 }
 inline std::vector<OntoCase> hidden_opposite_directions() {
   return {
@@ -185,7 +210,11 @@ inline std::vector<HandCase> hands() {
 }
 // BEGIN HIDDEN
 inline std::vector<HandCase> hidden_hands() {
-  return {{2, 3, 5}, {0.5, 1e6, 0.25}};
+  return glassbox::labs::with_varied(
+      std::vector<HandCase>{{2, 3, 5}, {0.5, 1e6, 0.25}}, 35, 2, [](glassbox::Random& random) {
+        const double near = random.between(0.1, 2), far = near + random.between(1, 100);
+        return HandCase{near, far, random.between(0.1, 2)};
+      });
 }
 // END HIDDEN
 

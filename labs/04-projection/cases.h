@@ -7,6 +7,7 @@
 
 #include <glassbox/base/random.h>
 
+#include "labs/framework/vary.h"
 #include "student.h"
 
 namespace lab_04 {
@@ -45,10 +46,24 @@ inline std::vector<Box> boxes() {
 // BEGIN HIDDEN
 // Planes far apart, an infinite far plane, narrow and wide views (C-08, C-10).
 inline std::vector<Camera> stiff_cameras() {
-  return {{1, 1.5, 0.1, kInfinity}, {1, 1.5, 1e-6, 1e6}, {1e-6, 1, 1, 2}, {3.1, 1, 1, 1000}};
+  return glassbox::labs::with_varied(
+      std::vector<Camera>{
+          {1, 1.5, 0.1, kInfinity}, {1, 1.5, 1e-6, 1e6}, {1e-6, 1, 1, 2}, {3.1, 1, 1, 1000}},
+      41, 3, [](glassbox::Random& random) {
+        const double fovy = random.between(0.3, 2.5), aspect = random.between(0.5, 2.5);
+        const double near = random.between(0.01, 2);
+        return Camera{fovy, aspect, near, near + random.between(1, 1000)};
+      });
 }
 inline std::vector<Box> more_boxes() {
-  return {{-1e6, 1e-3, 5, 6, 1, 1e9}, {7, 9, -11, -10, -100, -1}};
+  return glassbox::labs::with_varied(
+      std::vector<Box>{{-1e6, 1e-3, 5, 6, 1, 1e9}, {7, 9, -11, -10, -100, -1}}, 42, 3,
+      [](glassbox::Random& random) {
+        const double left = random.between(-9, 9), bottom = random.between(-9, 9);
+        const double near = random.between(-9, 9), width = random.between(1, 9);
+        const double height = random.between(1, 9);
+        return Box{left, left + width, bottom, bottom + height, near, near + random.between(1, 99)};
+      });
 }
 // END HIDDEN
 
@@ -115,17 +130,31 @@ inline std::vector<DepthCase> depths() {
 
 // BEGIN HIDDEN
 inline std::vector<ViewportCase> viewports() {
-  return {{{-1, 1, 0.5}, {100, 50, 320, 200}},
-          {{0.5, 0.75, 0.5}, {-16, 32, 64, 48}},
-          {{1.5, -2, 1.25}, {3, 5, 7, 11}},
-          {{0.1, 0.2, 0.3}, {0, 0, 32768, 16384}}};
+  return glassbox::labs::with_varied(
+      std::vector<ViewportCase>{{{-1, 1, 0.5}, {100, 50, 320, 200}},
+                                {{0.5, 0.75, 0.5}, {-16, 32, 64, 48}},
+                                {{1.5, -2, 1.25}, {3, 5, 7, 11}},
+                                {{0.1, 0.2, 0.3}, {0, 0, 32768, 16384}}},
+      43, 3, [](glassbox::Random& random) {
+        const auto whole = [&](int low, int high) { return double(random.integer(low, high)); };
+        const double x = random.between(-1, 1), y = random.between(-1, 1), z = random.between(0, 1);
+        const double left = whole(-99, 99), top = whole(-99, 99), width = whole(1, 999);
+        return ViewportCase{{x, y, z}, {left, top, width, whole(1, 999)}};
+      });
 }
 inline std::vector<DepthCase> stiff_depths() {
-  return {
-      {1 - 0x1p-24, 0.1, 1e4}, {1 - 0x1p-40, 0.1, kInfinity}, {1, 0.1, kInfinity}, {1e-9, 1, 1e9}};
+  return glassbox::labs::with_varied(
+      std::vector<DepthCase>{{1 - 0x1p-24, 0.1, 1e4},
+                             {1 - 0x1p-40, 0.1, kInfinity},
+                             {1, 0.1, kInfinity},
+                             {1e-9, 1, 1e9}},
+      45, 3, [](glassbox::Random& random) {
+        const double depth = random.unit(), near = random.between(0.01, 2);
+        return DepthCase{depth, near, near + random.between(1, 1000)};
+      });
 }
 inline std::vector<Point<Clip, double>> random_points() {
-  glassbox::Random random(44);
+  glassbox::Random random = glassbox::labs::varied(44);
   std::vector<Point<Clip, double>> all;
   for (int i = 0; i < 6; ++i) {
     const double x = random.between(-3, 3), y = random.between(-3, 3), z = random.between(-1, 2);

@@ -8,6 +8,7 @@
 
 #include <glassbox/base/random.h>
 
+#include "labs/framework/vary.h"
 #include "student.h"
 
 namespace lab_05 {
@@ -92,7 +93,7 @@ inline FaceCase small_faces() {
 
 // Random triangles; the eye of every other one lies exactly in its plane. Large and small ones, and L's that begin anywhere.
 inline std::vector<FaceCase> faces_edge_on() {
-  Random random(51);
+  Random random = glassbox::labs::varied(51);
   const auto coordinate = [&] { return float(random.integer(-128, 128)) / 16; };
   std::vector<FaceCase> all(4);
   for (FaceCase& each : all) {
@@ -112,7 +113,8 @@ inline std::vector<FaceCase> faces_edge_on() {
       each.push_back({{p[0], p[1], p[2]}, eye});
     }
   }
-  for (const std::uint64_t seed : {511u, 512u}) all.push_back(large_edge_on(seed));
+  for (const std::uint64_t seed : {511u, 512u})
+    all.push_back(large_edge_on(glassbox::labs::varied_seed(seed)));
   all.push_back(small_faces());
   for (int reflex = 2; reflex < 6; ++reflex) all.push_back(prism(ell(reflex), 0, 1, {-3, 5, -2}));
   return all;
@@ -199,7 +201,7 @@ inline std::vector<EdgesCase> edges_both_ways() {
 
 // BEGIN HIDDEN
 inline std::vector<Edge> other_edges() {
-  std::vector<Edge> all = edges(54, 1);
+  std::vector<Edge> all = edges(glassbox::labs::varied_seed(54), 1);
   // x, w of p, x, w of q: their crossing has an x that lies half-way between two floats and is the nearest double, and a w, on paper
   // the same, that has lost the digits which say so.
   constexpr std::array<std::array<float, 4>, 3> kApart{
@@ -353,7 +355,7 @@ inline std::vector<FrustumCase> more_triangles() {
        {{{2.5e-10f, 0, -1e-10f, 2}, {0, 0, -1e-10f, 2}, {0.5f, 0.75f, 1, 2}}}},
       {"a corner is in by less than a rounding, and all else out",
        {{{0.5f, 0.5f, 1e-10f, 2}, {1, 0, -1, 2}, {0, 1, -1, 2}}}}};
-  Random random(56);
+  Random random = glassbox::labs::varied(56);
   while (all.size() < 13) {
     std::array<Point<Clip>, 3> t;
     for (Point<Clip>& p : t) {

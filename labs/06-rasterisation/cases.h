@@ -10,6 +10,7 @@
 
 #include <glassbox/base/random.h>
 
+#include "labs/framework/vary.h"
 #include "student.h"
 
 namespace lab_06 {
@@ -43,7 +44,7 @@ inline std::vector<SnapCase> more_positions() {
     near_ties.pixels.push_back(std::nextafter(tie, -1e9f));
     near_ties.pixels.push_back(std::nextafter(tie, 1e9f));
   }
-  Random random(61);
+  Random random = glassbox::labs::varied(61);
   SnapCase far{"large positions", {}};
   for (int i = 0; i < 50; ++i) far.pixels.push_back(float(random.between(-65535, 65535)));
   return {near_ties, far, {"almost nothing", {1e-30f, -1e-30f, 1e-3f, -1e-3f, 0.99999994f}}};
@@ -83,7 +84,7 @@ inline std::vector<EdgeCase> edges() {
 
 // BEGIN HIDDEN
 inline std::vector<EdgeCase> far_edges() {
-  Random random(63);
+  Random random = glassbox::labs::varied(63);
   EdgeCase large{"edges 8 K and 32 K pixels long (C-50)", {}},
       close{"points next to and on edges of 32 K pixels", {}};
   for (int i = 0; i < 20; ++i)
@@ -119,7 +120,7 @@ inline std::vector<EdgeCase> more_directions() {
     for (const int dy : {-1, 0, 1})
       almost.samples.push_back({SnappedVertex{40, 9}, {40 + dx, 9 + dy}, {}});
   }
-  Random random(64);
+  Random random = glassbox::labs::varied(64);
   for (int i = 0; i < 40; ++i) any.samples.push_back(random_sample(random, 3 + 1000 * (i % 4)));
   return {almost, any};
 }
@@ -200,9 +201,10 @@ inline CoverageCase jittered_grid(int cells, double cell, std::uint64_t seed) {
 }
 
 inline std::vector<CoverageCase> more_triangles() {
-  std::vector<CoverageCase> all{jittered_grid(12, 2.5, 65), jittered_grid(9, 3.25, 66)};
+  std::vector<CoverageCase> all{jittered_grid(12, 2.5, glassbox::labs::varied_seed(65)),
+                                jittered_grid(9, 3.25, glassbox::labs::varied_seed(66))};
   for (const int count : {3, 5, 16, 61}) all.push_back(fan(count, 10.5, 7));
-  Random random(67);
+  Random random = glassbox::labs::varied(67);
   for (int k = 0; k < 3; ++k) {
     CoverageCase lattice{"triangles with vertices on pixel centres (C-43)", {}};
     for (int i = 0; i < 60; ++i) {
@@ -247,7 +249,7 @@ inline std::vector<PolygonsCase> polygons() {
 
 // BEGIN HIDDEN
 inline std::vector<PolygonsCase> thin_polygons() {
-  Random random(68);
+  Random random = glassbox::labs::varied(68);
   PolygonsCase thin{"flat polygons that the snap has bent", {}}, turned = thin;
   for (int i = 0; i < 60; ++i) {
     const int count = int(random.integer(4, 9));

@@ -8,6 +8,7 @@
 
 #include <glassbox/base/random.h>
 
+#include "labs/framework/vary.h"
 #include "student.h"
 
 namespace lab_07 {
@@ -98,7 +99,7 @@ inline std::vector<CodeCase> codes() {
 // BEGIN HIDDEN
 inline std::vector<CodeCase> more_codes() {
   std::vector<CodeCase> all;
-  Random random(71);
+  Random random = glassbox::labs::varied(71);
   for (const Format format : kFormats) {
     CodeCase c{std::string(name_of(format)) + ": random depths", format, {}};
     for (int i = 0; i < 200; ++i) c.depths.push_back(float(random.unit()));
@@ -154,7 +155,7 @@ inline std::vector<BufferCase> buffers() {
 // BEGIN HIDDEN
 inline std::vector<BufferCase> more_buffers() {
   std::vector<BufferCase> all;
-  Random random(72);
+  Random random = glassbox::labs::varied(72);
   for (const Format format : kFormats) {
     // Depths of few different values, the ends among them, so that ties are frequent.
     BufferCase c{std::string(name_of(format)) + ": many fragments with many ties", format, 40, {}};

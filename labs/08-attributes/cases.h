@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "labs/framework/vary.h"
 #include "student.h"
 
 namespace lab_08 {
@@ -33,23 +34,33 @@ inline std::vector<PixelCase> pixels() {
 }
 // BEGIN HIDDEN
 inline std::vector<PixelCase> hidden_pixels() {
-  return {
-      {"1/w from 1000 to 10^-6 (C-66)",
-       {{123456, 654321, 987654321}, {1e3f, 1, 1e-6f}, {{{0, 0}, {1024, 0}, {1024, 512}}}},
-       "glassbox study extremes --case C-66"},
-      {"the far end of a floor (C-65)",
-       {{7, 12, 4567890}, {0.25f, 0.25f, 0.00025f}, {{{0, 0}, {0, 1}, {1, 0.5f}}}},
-       "glassbox study extremes --case C-65"},
-      {"coordinates around a million (C-67)",
-       {{10007, 43333, 35008},
-        {1, 0.5f, 0.2f},
-        {{{1e6f, -1e6f}, {1000001, -1000001}, {1000003, -1000000}}}},
-       "glassbox study extremes --case C-67"},
-      {"edge functions of 2^50",
-       {{1125899906842623, 562949953421313, 281474976710657},
-        {0.3f, 0.02f, 7},
-        {{{-3, 0.25f}, {9, 0.75f}, {2, 0.5f}}}}},
-  };
+  return glassbox::labs::with_varied(
+      std::vector<PixelCase>{
+          {"1/w from 1000 to 10^-6 (C-66)",
+           {{123456, 654321, 987654321}, {1e3f, 1, 1e-6f}, {{{0, 0}, {1024, 0}, {1024, 512}}}},
+           "glassbox study extremes --case C-66"},
+          {"the far end of a floor (C-65)",
+           {{7, 12, 4567890}, {0.25f, 0.25f, 0.00025f}, {{{0, 0}, {0, 1}, {1, 0.5f}}}},
+           "glassbox study extremes --case C-65"},
+          {"coordinates around a million (C-67)",
+           {{10007, 43333, 35008},
+            {1, 0.5f, 0.2f},
+            {{{1e6f, -1e6f}, {1000001, -1000001}, {1000003, -1000000}}}},
+           "glassbox study extremes --case C-67"},
+          {"edge functions of 2^50",
+           {{1125899906842623, 562949953421313, 281474976710657},
+            {0.3f, 0.02f, 7},
+            {{{-3, 0.25f}, {9, 0.75f}, {2, 0.5f}}}}},
+      },
+      81, 3, [](glassbox::Random& random) {
+        PixelCase c{"anywhere", {}};
+        for (auto& edge : c.at.edges) edge = random.integer(1, 1 << 24);
+        for (auto& w : c.at.inverse_w) w = float(random.between(0.01, 1));
+        for (auto& coordinates : c.at.texcoords) {
+          for (auto& each : coordinates) each = float(random.between(-9, 9));
+        }
+        return c;
+      });
 }
 // END HIDDEN
 
@@ -71,11 +82,18 @@ inline std::vector<SpanCase> spans() {
 }
 // BEGIN HIDDEN
 inline std::vector<SpanCase> hidden_spans() {
-  return {
-      {"a hundred times as far (C-65)", {0, 256, 1, 0.01, 256}, 32},
-      {"affine: one span", {-10, 90, 0.02, 1, 64}, 64},
-      {"a last span of one pixel", {100, 7, 0.3, 0.9, 33}, 16},
-  };
+  return glassbox::labs::with_varied(
+      std::vector<SpanCase>{
+          {"a hundred times as far (C-65)", {0, 256, 1, 0.01, 256}, 32},
+          {"affine: one span", {-10, 90, 0.02, 1, 64}, 64},
+          {"a last span of one pixel", {100, 7, 0.3, 0.9, 33}, 16},
+      },
+      82, 3, [](glassbox::Random& random) {
+        const double first = random.between(-50, 50), last = random.between(-50, 50);
+        const double near = random.between(0.1, 1), far = random.between(0.1, 1);
+        const int pixels = int(random.integer(17, 99));
+        return SpanCase{"anywhere", {first, last, near, far, pixels}, int(random.integer(2, 16))};
+      });
 }
 // END HIDDEN
 

@@ -8,6 +8,7 @@
 
 #include <glassbox/base/random.h>
 
+#include "labs/framework/vary.h"
 #include "student.h"
 
 namespace lab_09 {
@@ -53,16 +54,26 @@ inline std::vector<ProjectionCase> projections() {
 }
 // BEGIN HIDDEN
 inline std::vector<ProjectionCase> hidden_projections() {
-  return {
-      {"the picture's middle beside the gaze",
-       perspective_matrix(1.9, 0.3, -1.125, -2.25),
-       {0.07, 3}},
-      {"a parallel projection", parallel_matrix(0.21, -0.4, -0.0625, -0.125), {0.3, 11}},
-      {"reversed depth, an infinite far plane", perspective_matrix(2.4, 0, 0, 0.1), {0.033, 1.7}},
-      {"a window at infinity: parallel eyes without skew",
-       perspective_matrix(1.4, 0, -1.25, -1.25),
-       {0.2, kInfinity}},
-  };
+  return glassbox::labs::with_varied(
+      std::vector<ProjectionCase>{
+          {"the picture's middle beside the gaze",
+           perspective_matrix(1.9, 0.3, -1.125, -2.25),
+           {0.07, 3}},
+          {"a parallel projection", parallel_matrix(0.21, -0.4, -0.0625, -0.125), {0.3, 11}},
+          {"reversed depth, an infinite far plane",
+           perspective_matrix(2.4, 0, 0, 0.1),
+           {0.033, 1.7}},
+          {"a window at infinity: parallel eyes without skew",
+           perspective_matrix(1.4, 0, -1.25, -1.25),
+           {0.2, kInfinity}},
+      },
+      91, 3, [](glassbox::Random& random) {
+        const double size = random.between(1, 3), off = random.between(-0.3, 0.3);
+        const double half = random.between(0.01, 0.5);
+        return ProjectionCase{"any eyes",
+                              perspective_matrix(size, off, -1.125, -2.25),
+                              {half, random.between(1, 20)}};
+      });
 }
 // END HIDDEN
 
@@ -110,13 +121,20 @@ inline std::vector<ParallaxCase> distances() {
 inline std::vector<ParallaxCase> hidden_distances() {
   const Pair pair{0.03, 10};
   const Picture picture{1.37, 1920};
-  return {{"near the eyes (C-73)", pair, picture, 0.1},
+  return glassbox::labs::with_varied(
+      std::vector<ParallaxCase>{
+          {"near the eyes (C-73)", pair, picture, 0.1},
           {"a window that is no short number", {0.07, 0.3}, picture, 1.1},
           {"just in front of a far window", {3, 1e6}, picture, 999999.99999},
           {"far behind it", pair, picture, 1e9},
           {"parallel eyes without skew: all is in front", {0.03, kInfinity}, picture, 7},
           {"no separation (C-71)", {0, 10}, picture, 3},
-          {"a small picture", pair, {1.37, 40}, 12}};
+          {"a small picture", pair, {1.37, 40}, 12}},
+      92, 3, [](glassbox::Random& random) {
+        const double half = random.between(0.01, 0.5), window = random.between(1, 20);
+        const double screen = random.between(1, 2);
+        return ParallaxCase{"any eyes", {half, window}, {screen, 1280}, random.between(0.5, 50)};
+      });
 }
 // END HIDDEN
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "labs/framework/process.h"
+#include "labs/framework/vary.h"
 
 namespace glassbox::labs {
 
@@ -106,8 +107,9 @@ CheckAnswers run_check(Runner& runner, const std::filesystem::path& program,
   answers.cases.resize(cases);
   std::size_t from = 0;
   for (int restarts = 0; from < cases; ++restarts) {
-    const RunOutcome outcome =
-        runner.run({program, {"--check", check, "--from", std::to_string(from)}, limits});
+    std::vector<std::string> words{"--check", check, "--from", std::to_string(from)};
+    if (inputs_seed() != 0) words.insert(words.end(), {"--seed", std::to_string(inputs_seed())});
+    const RunOutcome outcome = runner.run({program, words, limits});
     read_answers(outcome.answers, answers);
     if (answers.said.size() < limits.said_bytes)
       answers.said += outcome.said.substr(0, limits.said_bytes - answers.said.size());

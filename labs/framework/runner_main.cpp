@@ -15,11 +15,14 @@
 #include <string>
 
 #include "labs/framework/runner.h"
+#include "labs/framework/vary.h"
 
 namespace {
 
 using glassbox::labs::Answer;
 using glassbox::labs::RunnerCheck;
+
+std::uint64_t the_seed = 0;
 
 void append_string(std::string& line, const std::string& text) {
   line += '"';
@@ -111,12 +114,16 @@ int list(std::FILE* out) {
 int usage(const char* program) {
   std::fprintf(stderr,
                "usage: %s --list\n"
-               "       %s --check NAME [--case N | --from N] [--out-fd N]\n",
+               "       %s --check NAME [--case N | --from N] [--seed N] [--out-fd N]\n",
                program, program);
   return 2;
 }
 
 }  // namespace
+
+std::uint64_t glassbox::labs::inputs_seed() {
+  return the_seed;
+}
 
 int main(int argc, char** argv) {
   std::string name;
@@ -133,6 +140,8 @@ int main(int argc, char** argv) {
       from = std::atoi(argv[++i]);
     } else if (std::strcmp(argv[i], "--case") == 0 && more) {
       only = std::atoi(argv[++i]);
+    } else if (std::strcmp(argv[i], "--seed") == 0 && more) {
+      the_seed = std::strtoull(argv[++i], nullptr, 10);
     } else if (std::strcmp(argv[i], "--out-fd") == 0 && more) {
       out_fd = std::atoi(argv[++i]);
     } else {

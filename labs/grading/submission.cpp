@@ -136,6 +136,17 @@ Result<std::string> read_submission(const fs::path& submission) {
   return read_submitted(submission, "student.cpp");
 }
 
+std::string submission_name(const fs::path& path) {
+  std::error_code error;
+  fs::path place = fs::absolute(path, error).lexically_normal();  // "." and "ann/" have names too
+  if (!place.has_filename()) place = place.parent_path();
+  if (fs::is_directory(place, error)) return place.filename().string();
+  if (!is_archive(place) && place.extension() != ".cpp") return place.filename().string();
+  std::string stem = place.stem().string();
+  if (is_archive(place) && stem.ends_with(".tar")) stem.erase(stem.size() - 4);
+  return stem;
+}
+
 Result<ClassFolder> list_submissions(const fs::path& folder) {
   std::error_code error;
   const std::vector<fs::path> entries = entries_of(folder, error);
@@ -162,11 +173,9 @@ Result<ClassFolder> list_submissions(const fs::path& folder) {
     const std::string name = path.filename().string();
     if (fs::is_directory(path, error)) continue;
     if (is_archive(path)) {
-      std::string stem = path.stem().string();
-      if (stem.ends_with(".tar")) stem.erase(stem.size() - 4);
-      add(stem, path);
+      add(submission_name(path), path);
     } else if (path.extension() == ".cpp") {
-      add(path.stem().string(), path);
+      add(submission_name(path), path);
     } else {
       found.skipped.push_back(name + ": is no folder, no archive and no .cpp file");
     }

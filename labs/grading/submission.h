@@ -28,6 +28,9 @@ Result<std::string> read_submitted(const std::filesystem::path& submission,
 // The error of a submission without the file; `found` are the files that it has.
 tl::unexpected<Error> missing(const std::string& name, std::vector<std::filesystem::path> found);
 
+// The name of a submission in a class: that of its folder, or of its file without what says what kind it is.
+std::string submission_name(const std::filesystem::path& path);
+
 // One submission of a class.
 struct Submission {
   std::string name;  // as the student is to be named

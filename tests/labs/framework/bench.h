@@ -19,10 +19,14 @@ namespace glassbox::labs {
 // expected is worked out once.
 class Bench {
 public:
-  explicit Bench(const Lab& lab) : lab_(lab), sources_(find_sources().value()) {
+  // Cases that depend on a seed are worked out anew for each file.
+  enum class Cases { kOnce, kAnew };
+  explicit Bench(const Lab& lab, Cases cases_are = Cases::kOnce)
+      : lab_(lab), sources_(find_sources().value()) {
     namespace fs = std::filesystem;
     folder_ = fs::temp_directory_path() / fmt::format("glassbox-{}-{}", lab.folder, getpid());
     fs::create_directories(folder_);
+    if (cases_are == Cases::kAnew) return;
     for (Check& check : lab_.checks) {
       check.cases = [cases = check.cases()] { return cases; };
     }

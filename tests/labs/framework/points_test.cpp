@@ -91,3 +91,28 @@ TEST_CASE("every lab's points.json sums to 100 and names no hidden check") {
     CHECK(sum == 100);
   }
 }
+
+TEST_CASE(
+    "one visible check of a task weighs 2, the others 1, and the hidden ones as much together") {
+  const Sources sources = find_sources().value();
+  for (const Lab& lab : all_labs()) {
+    const auto shares = read_shares(lab, sources.folder_of(lab.folder) / "points.json");
+    REQUIRE(shares);
+    for (const Task& task : lab.tasks) {
+      INFO("task " << task.id);
+      double visible = 0, hidden = 0;
+      std::size_t checks = 0, headlines = 0;
+      for (const Check& check : shares->lab.checks) {
+        if (check.task != task.id) continue;
+        (check.hidden ? hidden : visible) += check.weight;
+        if (check.hidden) continue;
+        ++checks;
+        headlines += check.weight == 2 ? 1 : 0;
+        CHECK((check.weight == 1 || check.weight == 2));
+      }
+      if (hidden == 0) continue;  // 4.3: three dialects, headlines alike
+      CHECK(headlines == (checks > 1 ? 1u : 0u));
+      CHECK(hidden == visible);
+    }
+  }
+}

@@ -1,0 +1,29 @@
+// --lab-dir: a lab that lies outside of the source tree, in place of one of the program's.
+#pragma once
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "labs/framework/sources.h"
+#include "labs/grading/outside_lab.h"
+
+namespace glassbox::app {
+
+inline CLI::Option* add_lab_dir(CLI::App& command, std::string& folder) {
+  return command
+      .add_option("--lab-dir", folder, "a lab of your own: its folder NN-name (docs/labs.md)")
+      ->type_name("DIR");
+}
+
+// The sources with that lab in place of the program's, or as they are where no folder is named.
+inline Result<labs::Sources> with_lab_dir(Result<labs::Sources> sources,
+                                          const std::string& folder) {
+  if (!sources || folder.empty()) return sources;
+  const auto found = labs::grading::find_outside_lab(folder);
+  if (!found) return tl::unexpected(found.error());
+  sources->outside = *found;
+  return sources;
+}
+
+}  // namespace glassbox::app

@@ -1,0 +1,201 @@
+#include "labs/grading/outside_lab.h"
+
+#include <dlfcn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <memory>
+#include <system_error>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "labs/framework/build.h"
+#include "labs/framework/digest.h"
+#include "labs/framework/process.h"
+#include "labs/framework/students.h"
+#include "labs/grading/program_digest.h"
+
+namespace glassbox::labs::grading {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kNeeded[] = {"handout.md", "student.h",  "student.cpp",
+                                   "cases.h",    "runner.cpp", "checks.cpp"};
+
+// What is compiled with a student's code, or draws, is no part of the judge.
+bool is_of_judge(const fs::path& file) {
+  const std::string name = file.filename().string();
+  return file.extension() == ".cpp" && name != "student.cpp" && name != "runner.cpp" &&
+         name != "stages.cpp" && name != "drawing.cpp";
+}
+
+// Its sources, and every header that they may include, in an order that is the same everywhere.
+Result<std::vector<fs::path>> files_of_judge(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    if (is_of_judge(at->path()) || at->path().extension() == ".h") files.push_back(at->path());
+  }
+  if (error) return fail(folder.string(), error.message(), "check the folder's permissions");
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::string number_of(const fs::path& folder) {
+  return folder.filename().string().substr(0, 2);
+}
+
+// The one name that is looked for in what was compiled, without C++'s decoration.
+std::string entry_point(const fs::path& folder) {
+  return fmt::format(
+      "#include \"labs/framework/lab.h\"\n"
+      "namespace glassbox::labs {{ Lab lab_{0}(); }}\n"
+      "extern \"C\" void glassbox_lab(glassbox::labs::Lab* lab) {{\n"
+      "  *lab = glassbox::labs::lab_{0}();\n"
+      "}}\n",
+      number_of(folder));
+}
+
+// -Bsymbolic and -fno-gnu-unique: what the folder defines is the folder's, also where the program has a function of that name, as
+// it does where the folder is a changed copy of one of its own labs. The arithmetic is the program's.
+std::vector<std::string> compile_words(const Sources& sources, const std::vector<fs::path>& files,
+                                       const fs::path& entry, const fs::path& made) {
+  std::vector<std::string> words{compiler(),
+                                 "-std=c++20",
+                                 "-O1",
+                                 "-DFMT_SHARED",
+                                 "-fPIC",
+                                 "-ffp-contract=off",
+                                 "-w",
+                                 "-shared",
+                                 "-I",
+                                 sources.outside,
+                                 "-I",
+                                 sources.labs.parent_path(),
+                                 "-I",
+                                 sources.include,
+                                 "-Wl,-Bsymbolic"};
+  if (words[0].find("clang") == std::string::npos) words.push_back("-fno-gnu-unique");
+  for (const fs::path& file : files) {
+    if (file.extension() == ".cpp") words.push_back(file);
+  }
+  words.insert(words.end(), {entry.string(), "-o", made.string()});
+  return words;
+}
+
+Result<void> compile_judge(const Sources& sources, const fs::path& place, const fs::path& library) {
+  const auto files = files_of_judge(sources.outside);
+  if (!files) return tl::unexpected(files.error());
+  std::error_code error;
+  fs::create_directories(place, error);
+  fs::permissions(place, fs::perms::owner_all, fs::perm_options::replace, error);
+  // Beside its place, and renamed into it.
+  std::string beside = (place / "judge-XXXXXX").string();
+  if (::mkdtemp(beside.data()) == nullptr)
+    return fail(place.string(), "cannot be written", "check the directory's permissions and space");
+  const fs::path entry = fs::path(beside) / "entry.cpp", made = fs::path(beside) / "judge.so";
+  auto done = write_if_changed(entry, entry_point(sources.outside));
+  if (done) {
+    const ProcessOutcome outcome =
+        run_process(compile_words(sources, *files, entry, made), {300, 0, std::size_t(64) << 10});
+    if (!outcome.started || outcome.timed_out || !WIFEXITED(outcome.status) ||
+        WEXITSTATUS(outcome.status) != 0)
+      done = fail(sources.outside.string(),
+                  "the judge does not compile: " +
+                      (outcome.started ? outcome.said : outcome.why_not_started),
+                  "mend the file that the compiler names");
+  }
+  if (done) {
+    fs::rename(made, library, error);
+    if (error) done = fail(library.string(), error.message(), "check the directory's permissions");
+  }
+  fs::remove_all(beside, error);
+  return done;
+}
+
+auto of_checks(const Sources& sources, const std::string& cause, const std::string& what_to_do) {
+  return fail((sources.outside / "checks.cpp").string(), cause, what_to_do);
+}
+
+// What the points and the reports rely on.
+Result<void> check_whole(const Sources& sources, const Lab& lab) {
+  const std::string folder = sources.outside.filename().string();
+  if (lab.folder != folder)
+    return of_checks(sources, fmt::format("the lab calls its folder \"{}\"", lab.folder),
+                     fmt::format("it must be \"{}\", as the folder is called", folder));
+  if (lab.number != std::stoi(number_of(sources.outside)))
+    return of_checks(sources, fmt::format("the lab's number is {}", lab.number),
+                     "give it the number that the folder's name begins with");
+  if (lab.tasks.empty() || lab.checks.empty())
+    return of_checks(sources, "the lab has no tasks or no checks", "give it one of each at least");
+  for (const Check& check : lab.checks) {
+    const auto is_its = [&](const Task& task) { return task.id == check.task; };
+    if (std::none_of(lab.tasks.begin(), lab.tasks.end(), is_its))
+      return of_checks(
+          sources,
+          fmt::format("the check \"{}\" is of task {}, which is not there", check.name, check.task),
+          "name one of the lab's tasks");
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<fs::path> find_outside_lab(const std::string& folder) {
+  std::error_code error;
+  const fs::path place = fs::canonical(folder, error);
+  if (error || !fs::is_directory(place, error))
+    return fail(folder, "is no folder", "name the folder of a lab, NN-name");
+  if (!is_of_a_lab(fs::path("labs") / place.filename()))
+    return fail(folder, "is not called as a lab is", "call it NN-name, such as 10-fog");
+  for (const char* name : kNeeded) {
+    if (!fs::is_regular_file(place / name, error))
+      return fail((fs::path(folder) / name).string(), "is not there",
+                  "docs/labs.md says what the files of a lab are");
+  }
+  return place;
+}
+
+Result<std::string> judge_digest(const Sources& sources) {
+  const auto files = files_of_judge(sources.outside);
+  if (!files) return tl::unexpected(files.error());
+  Digest digest;
+  digest.add(program_digest()).add(compiler());
+  for (const fs::path& file : *files) {
+    const auto text = read_text_file(file);
+    if (!text) return text;
+    digest.add(file.filename().string()).add(*text);
+  }
+  return digest.text();
+}
+
+Result<const Lab*> load_outside_lab(const Sources& sources, const fs::path& place) {
+  const auto digest = judge_digest(sources);
+  if (!digest) return tl::unexpected(digest.error());
+  const fs::path library = fs::absolute(place) / (*digest + ".so");
+  std::error_code error;
+  if (!fs::exists(library, error)) {
+    const auto compiled = compile_judge(sources, fs::absolute(place), library);
+    if (!compiled) return tl::unexpected(compiled.error());
+  }
+  void* const loaded = ::dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (loaded == nullptr)
+    return of_checks(sources, fmt::format("the judge cannot be loaded: {}", ::dlerror()),
+                     "call only what lab.h, compare.h and glassbox's headers declare");
+  using Make = void (*)(Lab*);
+  const auto make = reinterpret_cast<Make>(::dlsym(loaded, "glassbox_lab"));
+  if (make == nullptr) return of_checks(sources, ::dlerror(), "remove the directory of the judge");
+  // Its checks are functions of what is loaded, so both stay until the program ends.
+  static std::vector<std::unique_ptr<Lab>> kept;
+  auto lab = std::make_unique<Lab>();
+  make(lab.get());
+  if (const auto whole = check_whole(sources, *lab); !whole) return tl::unexpected(whole.error());
+  kept.push_back(std::move(lab));
+  return kept.back().get();
+}
+
+}  // namespace glassbox::labs::grading

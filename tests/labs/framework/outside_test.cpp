@@ -1,0 +1,150 @@
+// A lab outside of the source tree: made of the files that docs/labs.md shows, and graded.
+#include <filesystem>
+#include <fstream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "labs/framework/sources.h"
+#include "labs/framework/strip.h"
+#include "tests/support/catch.h"
+#include "tests/support/run_program.h"
+
+using namespace glassbox;
+using namespace glassbox::labs;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A directory of its own, removed at the end, with the page's lab in 10-fog.
+struct Desk {
+  fs::path path = fs::temp_directory_path() / fmt::format("glassbox-outside-{}", getpid());
+  fs::path lab = path / "10-fog";
+  Desk() {
+    fs::remove_all(path);
+    fs::create_directories(lab);
+    const std::string page = read_text_file(LABS_PAGE).value();
+    for (const char* name :
+         {"handout.md", "student.h", "student.cpp", "cases.h", "runner.cpp", "checks.cpp"})
+      write(lab / name, shown(page, name));
+  }
+  ~Desk() { fs::remove_all(path); }
+  // What the page shows below the line "`NAME`:".
+  static std::string shown(const std::string& page, const std::string& name) {
+    const std::size_t named = page.find("\n`" + name + "`:\n");
+    INFO(name);
+    REQUIRE(named != std::string::npos);
+    const std::size_t first = page.find('\n', page.find("```", named)) + 1;
+    return page.substr(first, page.find("\n```", first) + 1 - first);
+  }
+  static void write(const fs::path& file, const std::string& text) {
+    fs::create_directories(file.parent_path());
+    std::ofstream(file, std::ios::binary) << text;
+  }
+  std::string solution() const { return read_text_file(lab / "student.cpp").value(); }
+  test::Outcome run(const std::vector<std::string>& words) const {
+    return test::run_program(GLASSBOX_PROGRAM, words, path.string());
+  }
+  double total(const std::string& name) const {
+    const std::string text = read_text_file(path / "results" / name / "results.json").value();
+    return nlohmann::json::parse(text).at("extra_data").at("score").get<double>();
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a lab of the page's small files, outside of the source tree, is graded (--lab-dir)") {
+  const Desk desk;
+  const std::string solution = desk.solution();
+  Desk::write(desk.path / "class/right/student.cpp", solution);
+  Desk::write(desk.path / "class/fresh/student.cpp", strip_solution(solution, "").value());
+  std::string unclamped = solution;
+  unclamped.replace(unclamped.find(", 0.0, 1.0"), 10, ", -9.0, 9.0");
+  Desk::write(desk.path / "class/unclamped/student.cpp", unclamped);
+
+  const auto graded = desk.run({"lab", "grade", "class", "--lab-dir", "10-fog", "-o", "results"});
+  INFO(graded.err);
+  REQUIRE(graded.exit_code == 0);
+  CHECK(desk.total("right") == 100);
+  CHECK(desk.total("fresh") == 0);
+  // Two of the visible check's four distances are not between start and end; the hidden check's three are.
+  CHECK(desk.total("unclamped") == 75);
+
+  SECTION("again only where the judge is another") {
+    const std::vector<std::string> again{"lab",    "grade", "class",   "--lab-dir",
+                                         "10-fog", "-o",    "results", "--resume"};
+    CHECK(desk.run(again).err.find("3 of 3 have their results already") != std::string::npos);
+    std::string judge = read_text_file(desk.lab / "checks.cpp").value();
+    judge.replace(judge.find(", 0.0, 1.0"), 10, ", -9.0, 9.0");
+    Desk::write(desk.lab / "checks.cpp", judge);
+    REQUIRE(desk.run(again).exit_code == 0);
+    CHECK(desk.total("right") == 75);
+    CHECK(desk.total("unclamped") == 100);
+  }
+  SECTION("one by one, with a kit and a judge that are kept") {
+    for (int i = 0; i < 2; ++i) {
+      const auto one = desk.run({"lab", "grade", "class/right", "--one", "--lab-dir", "10-fog",
+                                 "--kit", "kit", "-o", "results/right/results.json"});
+      INFO(one.err);
+      CHECK(one.exit_code == 0);
+      CHECK(desk.total("right") == 100);
+      CHECK(std::distance(fs::directory_iterator(desk.path / "kit.judge"), {}) == 1);
+    }
+  }
+}
+
+TEST_CASE("a lab outside of the source tree is started and checked (--lab-dir)") {
+  const Desk desk;
+  const auto started = desk.run({"lab", "start", "mine", "--lab-dir", "10-fog"});
+  INFO(started.err);
+  REQUIRE(started.exit_code == 0);
+  CHECK(started.out.find("lab check mine --lab-dir 10-fog") != std::string::npos);
+  const std::string handed_out = read_text_file(desk.path / "mine/cases.h").value();
+  CHECK(handed_out.find("hidden") == std::string::npos);
+  const auto fresh = desk.run({"lab", "check", "mine", "--lab-dir", "10-fog", "--json", "-"});
+  INFO(fresh.err);
+  CHECK(fresh.exit_code == 1);
+  CHECK(nlohmann::json::parse(fresh.out).at("score") == 0);
+  const auto whole = desk.run({"lab", "check", "10-fog", "--lab-dir", "10-fog", "--hidden"});
+  CHECK(whole.exit_code == 0);
+  CHECK(whole.out.find("100 of 100") != std::string::npos);
+  CHECK(desk.run({"lab", "start", "3", "other", "--lab-dir", "10-fog"}).exit_code == 2);
+  CHECK(desk.run({"lab", "start", "3"}).exit_code == 2);
+}
+
+TEST_CASE("what is wrong with a lab's folder is said, with exit code 2 (--lab-dir)") {
+  const Desk desk;
+  Desk::write(desk.path / "class/right/student.cpp", desk.solution());
+  const auto refused = [&](const std::string& folder, const std::string& words) {
+    const auto outcome = desk.run({"lab", "grade", "class", "--lab-dir", folder, "-o", "results"});
+    INFO(outcome.err);
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.err.find(words) != std::string::npos);
+  };
+  refused("nowhere", "is no folder");
+  fs::create_directories(desk.path / "fog");
+  refused("fog", "is not called as a lab is");
+  const std::string checks = read_text_file(desk.lab / "checks.cpp").value();
+  const auto with = [&](const std::string& find, const std::string& replace) {
+    std::string changed = checks;
+    changed.replace(changed.find(find), find.size(), replace);
+    Desk::write(desk.lab / "checks.cpp", changed);
+  };
+  with("Lab lab_10()", "Lab lab_11()");
+  refused("10-fog", "lab_10");
+  with("expect(const FogCase& input) {", "expect(const FogCase& input) { oh");
+  refused("10-fog", "checks.cpp:");
+  with("\"10-fog\"", "\"10-mist\"");
+  refused("10-fog", "calls its folder \"10-mist\"");
+  with(".number = 10", ".number = 11");
+  refused("10-fog", "number is 11");
+  with("{{\"10.1\"", "{{\"10.2\"");
+  refused("10-fog", "is of task 10.1");
+  for (const char* name : {"runner.cpp", "checks.cpp", "student.h", "handout.md"}) {
+    const std::string text = read_text_file(desk.lab / name).value();
+    fs::remove(desk.lab / name);
+    refused("10-fog", std::string("10-fog/") + name);
+    Desk::write(desk.lab / name, text);
+  }
+}

@@ -1,0 +1,62 @@
+// Inputs that differ from student to student: another seed is other inputs, of which the solution answers all.
+#include "labs/framework/vary.h"
+
+#include "labs/framework/check_lab.h"
+#include "labs/framework/lab.h"
+#include "tests/labs/framework/bench.h"
+#include "tests/support/catch.h"
+
+using namespace glassbox::labs;
+
+namespace {
+
+// The seed of the tests' process, and 0 again at the end.
+struct Seeded {
+  explicit Seeded(std::uint64_t seed) { set_inputs_seed(seed); }
+  ~Seeded() { set_inputs_seed(0); }
+};
+
+// All that is asked and expected in a lab's hidden checks, or in its visible ones.
+std::string asked(const Lab& lab, bool hidden) {
+  std::string text;
+  for (const Check& check : lab.checks) {
+    if (check.hidden != hidden) continue;
+    for (const Case& each : check.cases()) {
+      text += check.name + ": " + each.where + "; " + each.restated;
+      for (const Expected& expected : each.expected) {
+        for (const double value : expected.values) text += fmt::format(" {}", value);
+      }
+      text += "\n";
+    }
+  }
+  return text;
+}
+std::string asked(const Lab& lab, bool hidden, std::uint64_t seed) {
+  const Seeded seeded(seed);
+  return asked(lab, hidden);
+}
+
+}  // namespace
+
+TEST_CASE("a seed changes what every lab's hidden checks ask, and nothing that students have") {
+  for (const Lab& lab : all_labs()) {
+    INFO(lab.folder);
+    CHECK(asked(lab, true, 1) == asked(lab, true, 1));
+    CHECK(asked(lab, true, 1) != asked(lab, true, 2));
+    CHECK(asked(lab, true, 1) != asked(lab, true, 0));
+    CHECK(asked(lab, false, 1) == asked(lab, false, 0));
+  }
+}
+
+TEST_CASE("every solution has all points under 50 seeds of its inputs") {
+  for (const Lab& lab : all_labs()) {
+    const std::string solution = solution_text(find_sources().value(), lab.folder).value();
+    const Bench bench(lab, Bench::Cases::kAnew);
+    for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+      const Seeded seeded(seed);
+      const auto result = bench.check(solution);
+      INFO(lab.folder << ", seed " << seed << "\n" << failures(result));
+      CHECK(result.score == result.max_score);
+    }
+  }
+}

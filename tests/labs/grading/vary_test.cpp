@@ -1,0 +1,70 @@
+// --vary: each submission's hidden checks have inputs of its own, which follow its name.
+#include "tests/labs/grading/grading.h"
+#include "tests/support/catch.h"
+
+using namespace glassbox::test;
+
+namespace {
+
+// The hidden check's 1/(1/x) is right for the lab's own inputs and wrong for most others, so that the report restates one.
+void make_class(const Place& place) {
+  const std::string wrong =
+      submission("return 2 * x;",
+                 "const double own[] = {1, -3, 0.5, -5, -0.2, 0.015625, 64, 8, 0.125};"
+                 "for (double y : own) if (x == y) return 1 / x;"
+                 "return 0;");
+  for (const char* name : {"ann", "bob"}) write(place.path / "class" / name / "student.cpp", wrong);
+  write(place.path / "class/eve.cpp", solution());
+}
+
+nlohmann::json tests_of(const Place& place, const std::string& results) {
+  return read_json(place.path / results / "results.json").at("tests");
+}
+
+}  // namespace
+
+TEST_CASE(
+    "two names have different hidden inputs, one name the same whenever and however (--vary)") {
+  const Place place;
+  make_class(place);
+  const auto grade = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), "grade");
+    const auto outcome = grader(words, place.path);
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+  };
+  grade({"class", "-o", "plain", "--lab", "99"});
+  grade({"class", "-o", "one", "--lab", "99", "--vary", "--jobs", "1"});
+  grade({"class", "-o", "two", "--lab", "99", "--vary", "--jobs", "3"});
+  CHECK(tests_of(place, "plain/ann") == tests_of(place, "plain/bob"));
+  CHECK(tests_of(place, "one/ann") != tests_of(place, "one/bob"));
+  CHECK(tests_of(place, "one/ann") != tests_of(place, "plain/ann"));
+  for (const char* file :
+       {"ann/results.json", "bob/results.json", "eve/results.json", "class.csv", "index.html"})
+    CHECK(read(place.path / "one" / file) == read(place.path / "two" / file));
+  CHECK(total(read_json(place.path / "one/eve/results.json")) == 10);
+
+  // What students can see is the same for all: it is what lab check shows them.
+  const auto visible = [&](const std::string& results) {
+    auto shown = nlohmann::json::array();
+    for (const auto& test : tests_of(place, results)) {
+      if (test.at("visibility") == "visible") shown.push_back(test);
+    }
+    return shown;
+  };
+  CHECK(visible("one/ann").size() == 2);
+  CHECK(visible("one/ann") == visible("plain/bob"));
+
+  SECTION("graded one by one it is the same") {
+    grade({"class/bob/", "--one", "-o", "bob.json", "--lab", "99", "--vary"});
+    CHECK(read_json(place.path / "bob.json") == read_json(place.path / "one/bob/results.json"));
+    grade({"class/bob", "--one", "-o", "ann.json", "--lab", "99", "--vary", "--name", "ann"});
+    CHECK(read_json(place.path / "ann.json").at("tests") == tests_of(place, "one/ann"));
+    grade({"class/eve.cpp", "--one", "-o", "eve.json", "--lab", "99", "--vary"});
+    CHECK(read_json(place.path / "eve.json") == read_json(place.path / "one/eve/results.json"));
+  }
+  SECTION("a result of other inputs is not taken for one of these") {
+    grade({"class", "-o", "plain", "--lab", "99", "--vary", "--resume"});
+    CHECK(read(place.path / "plain/ann/results.json") == read(place.path / "one/ann/results.json"));
+  }
+}
