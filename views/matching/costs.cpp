@@ -36,7 +36,7 @@ void for_matches(const CostVolume& volume, const One& one) {
 MatchKernels::Mix mix_of(MatchingCost cost) {
   if (cost == MatchingCost::kCensus) return {16, 62, 0, 0};
   if (cost == MatchingCost::kSad) return {0, 0, 2, 765};
-  return {16, 40, 8, 60};
+  return {16, 40, 4, 60};
 }
 
 void mixed_row(const Planes& left, const Planes& right, const LineVector<std::uint64_t>& left_words,

@@ -14,10 +14,10 @@ namespace glassbox::views {
 
 // Of a step of one disparity, and of any other: the latter is less where the grey changes, because depth is likelier to.
 struct Penalties {
-  std::uint16_t p1 = 40;
-  std::uint16_t p2 = 400;       // of no change
-  std::uint16_t p2_least = 80;  // of any
-  int half_at = 10;             // codes of grey at which the penalty has halved
+  std::uint16_t p1 = 80;
+  std::uint16_t p2 = 800;        // of no change
+  std::uint16_t p2_least = 160;  // of any
+  int half_at = 10;              // codes of grey at which the penalty has halved
 };
 std::array<std::uint16_t, 256> jump_penalties(const Penalties& penalties);
 

@@ -31,7 +31,7 @@ struct MatchSettings {
   int window =
       1;  // odd, 1 to 15: costs are averaged over such a square. Of NCC and ZNCC it is the correlation's window
   // Averages of the costs over arms that stop where the colour changes (Zhang, Lu and Lafruit 2009): how often, 0 to 4.
-  int adaptive = 1;
+  int adaptive = 0;
   // Directions along which smoothness is summed (Hirschmueller 2008): 2, 4, 8, 16; 0: the winner of each pixel alone.
   int paths = 8;
   // Only those paths that do not come from below, in bands of rows, with next to no memory. Costs that are averaged
