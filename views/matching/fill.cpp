@@ -17,8 +17,6 @@ namespace {
 
 constexpr int kVoters = 20;
 constexpr int kAgreeFifths = 2;
-constexpr int kVoteReach =
-    17;  // px along an arm: beyond it a wide blank surface costs more than it tells
 constexpr std::array<std::pair<int, int>, 8> kDirections{
     {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}}};
 

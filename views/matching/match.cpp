@@ -83,7 +83,9 @@ void run(const Image<Rgba8>& left, const Image<Rgba8>& right, const MatchSetting
   const Planes left_planes = planes_of(left), right_planes = planes_of(right);
   const bool votes = settings.fill && settings.vote;
   Image<Arms> arms;
-  if (settings.adaptive > 0 || votes) arms = adaptive_arms(left_planes);
+  if (settings.adaptive > 0 || votes) {
+    arms = adaptive_arms(left_planes, settings.adaptive > 0 ? kLongestArm : kVoteReach);
+  }
   clock.done("crosses");
   Winners winners;
   if (sweeps_once(settings)) {
