@@ -113,8 +113,8 @@ std::vector<Step> opposite(std::span<const Step> steps) {
 }
 
 constexpr int kBandRows = 64;  // px
-constexpr int kWarmUp =
-    16;  // rows above a band, after which little is left of where its paths began
+// Rows above a band, after which little is left of where its paths began.
+constexpr int kWarmUp = 8;
 
 }  // namespace
 

@@ -75,6 +75,24 @@ TEST_CASE("S2-04: a wall of noise stands where it was put, before the window and
   }
 }
 
+TEST_CASE("S2-04: the part of a pixel is where the two lines through three costs meet") {
+  for (const double best : {4.0, 4.3, 4.5, 7.8}) {
+    CostVolume costs(30, 1, -1, 12);
+    for (int x = 0; x < costs.width; ++x) {
+      std::fill_n(costs.at(x, 0), costs.stride, kNeverCost);
+      for (int i = 0; i < costs.count; ++i) {
+        costs.at(x, 0)[i] = std::uint16_t(100 * std::abs(i - 1 - best) + 0.5);
+      }
+    }
+    const Winners winners = find_winners(costs, nullptr, true, best_target());
+    INFO(best);
+    // Costs are rounded to a hundredth of what a pixel makes: half of it in each of two lines.
+    CHECK(std::abs(double(winners.left.at(20, 0)) - best) <= 0.01);
+    // Its neighbours on the same valley do not count as rivals; the next ones are 2 px off.
+    CHECK(winners.confidence.at(20, 0) > 0.5f);
+  }
+}
+
 TEST_CASE("C-110: gain and offset are nothing to census and ZNCC, and the end of SAD") {
   Image<Rgba8> left = noise(90, 60, 9);
   for (Rgba8& pixel : left.pixels) {
