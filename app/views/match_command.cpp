@@ -65,11 +65,11 @@ void ViewsMatchCommand::add_settings_options(CLI::App& command) {
   add_value(command, "--cost-window", window_, "N", group,
             "side of the square that costs are averaged over, odd, 1 to 15 [1; winner: 11; ncc, "
             "zncc: 7]");
-  add_value(
-      command, "--adaptive", adaptive_, "N", group,
-      "averages over crosses that stop where the colour changes, 0 to 4 [2; fast, winner: 0]");
+  add_value(command, "--adaptive", adaptive_, "N", group,
+            "averages over crosses that stop where the colour changes, 0 to 4 [0]");
   add_value(command, "--paths", paths_, "N", group,
-            "directions of semi-global matching: 2, 4, 8, 16; 0: none [8; fast: 4; winner: 0]");
+            "directions of semi-global matching: 2, 4, 8, 16; 0: none [8; fast: 4, of which it "
+            "leaves out those from below; winner: 0]");
   add_value(command, "--left-right", left_right_, "PX", group,
             "how far the right picture's disparity may be off the left one's [1]");
   add_value(command, "--confidence", confidence_, "RATIO", group,

@@ -74,10 +74,10 @@ std::string errors_text(const MatchInput& input, const Image<float>& disparity) 
 std::string match_text(const MatchInput& input, const views::MatchSettings& settings,
                        const views::DenseMatch& match) {
   constexpr std::size_t kLongPath = 1000;
-  std::string text = fmt::format("{}\ndisparities {} to {}, {}, {} paths, {} MB of volumes, {}\n",
+  std::string text = fmt::format("{}\ndisparities {} to {}, {}, {} paths, {} MB of volumes\n",
                                  printable(input.about, kLongPath), settings.range.first,
                                  settings.range.last, views::name_of(settings.cost), settings.paths,
-                                 (match.bytes + (1u << 20) - 1) >> 20, name_of(settings.target));
+                                 (match.bytes + (1u << 20) - 1) >> 20);
   std::string doubts;
   for (const auto& [doubt, name] : kDoubts) {
     const double share = 100 * double(count_of(match, doubt)) / double(match.doubts.pixels.size());
@@ -88,7 +88,7 @@ std::string match_text(const MatchInput& input, const views::MatchSettings& sett
   for (const views::MatchStep& step : match.steps) {
     steps += fmt::format("{}{} {:.1f}", steps.empty() ? "" : ", ", step.name, step.milliseconds);
   }
-  text += fmt::format("{:.1f} ms: {}\n", total_ms(match), steps);
+  text += fmt::format("{:.1f} ms on {}: {}\n", total_ms(match), name_of(settings.target), steps);
   return input.truth ? text + "\n" + errors_text(input, match.disparity) : text;
 }
 

@@ -1,8 +1,12 @@
 // A number for every pixel and disparity: how unlike the two pixels are.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <new>
+#include <utility>
+#include <vector>
 
 #include <glassbox/base/line_memory.h>
 
@@ -15,12 +19,32 @@ inline constexpr std::uint16_t kHighestPenalty = 2047;
 inline constexpr std::uint16_t kNeverCost = 8188;
 inline constexpr int kDisparityLanes = 32;  // 16-bit lanes of the widest instruction set
 
+// Memory of this size is not written before it is used: pages of it that nobody has touched cost nothing yet.
+template <class T>
+struct UnwrittenAllocator : LineAllocator<T> {
+  UnwrittenAllocator() = default;
+  template <class U>
+  UnwrittenAllocator(const UnwrittenAllocator<U>&) {}
+  template <class U>
+  struct rebind {
+    using other = UnwrittenAllocator<U>;
+  };
+  template <class U>
+  void construct(U* place) {
+    ::new (static_cast<void*>(place)) U;
+  }
+  template <class U, class... Values>
+  void construct(U* place, Values&&... values) {
+    ::new (static_cast<void*>(place)) U(std::forward<Values>(values)...);
+  }
+};
+
 struct CostVolume {
   int width = 0, height = 0;  // px
   int first = 0;              // disparity of number 0
   int count = 0;              // disparities
   int stride = 0;             // count, filled up to whole lanes
-  LineVector<std::uint16_t> costs;
+  std::vector<std::uint16_t, UnwrittenAllocator<std::uint16_t>> costs;
 
   CostVolume() = default;
   CostVolume(int width_, int height_, int first_, int count_)

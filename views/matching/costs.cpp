@@ -12,11 +12,13 @@ namespace glassbox::views {
 
 namespace {
 
-// Where nothing else is written: beside the picture, and behind the last disparity.
-void fill_row(CostVolume& volume, int y) {
+// What no match writes: beside the picture, and behind the last disparity.
+void fill_row(CostVolume& volume, int row) {
   for (int x = 0; x < volume.width; ++x) {
-    std::uint16_t* costs = volume.at(x, y);
-    std::fill_n(costs, volume.count, kHighestCost);
+    std::uint16_t* costs = volume.at(x, row);
+    const int from = std::min(volume.from(x), volume.count), to = std::max(from, volume.to(x));
+    std::fill(costs, costs + from, kHighestCost);
+    std::fill(costs + to, costs + volume.count, kHighestCost);
     std::fill(costs + volume.count, costs + volume.stride, kNeverCost);
   }
 }
@@ -34,12 +36,12 @@ void for_matches(const CostVolume& volume, const One& one) {
 MatchKernels::Mix mix_of(MatchingCost cost) {
   if (cost == MatchingCost::kCensus) return {16, 62, 0, 0};
   if (cost == MatchingCost::kSad) return {0, 0, 2, 765};
-  return {16, 40, 8, 60};
+  return {16, 40, 4, 60};
 }
 
 void mixed_row(const Planes& left, const Planes& right, const LineVector<std::uint64_t>& left_words,
                const LineVector<std::uint64_t>& right_words, const MatchSettings& settings, int y,
-               CostVolume& volume) {
+               CostVolume& volume, int to_row) {
   const bool color = settings.cost == MatchingCost::kAdCensus;
   const auto width = std::size_t(left.width), start = std::size_t(y) * width;
   const auto reversed = [&](const auto& values) {
@@ -61,18 +63,18 @@ void mixed_row(const Planes& left, const Planes& right, const LineVector<std::ui
     const int skip = left.width - 1 - first_right;
     kernels.mixed_costs({left_words[at], left_r[at], left_g[at], left_b[at]},
                         {words.data() + skip, r.data() + skip, g.data() + skip, b.data() + skip},
-                        to - from, mix, volume.at(x, y) + from);
+                        to - from, mix, volume.at(x, to_row) + from);
   });
 }
 
 // Squares of grey differences reach 65025: a 32nd of it stays below kHighestCost.
-void squared_row(const Planes& left, const Planes& right, int y, CostVolume& volume) {
+void squared_row(const Planes& left, const Planes& right, int y, CostVolume& volume, int to_row) {
   const auto start = std::size_t(y) * std::size_t(left.width);
   for_matches(volume, [&](int x, int from, int to, int first_right) {
     for (int i = from; i < to; ++i) {
       const int difference = int(left.grey[start + std::size_t(x)]) -
                              int(right.grey[start + std::size_t(first_right - (i - from))]);
-      volume.at(x, y)[i] = std::uint16_t((difference * difference + 16) / 32);
+      volume.at(x, to_row)[i] = std::uint16_t((difference * difference + 16) / 32);
     }
   });
 }
@@ -100,7 +102,7 @@ std::uint16_t correlation_cost(const Sums& sums, bool centred) {
 
 // Both windows are cut at the edge of either picture alike. A column's sums are shared by the windows that hold it.
 void correlation_row(const Planes& left, const Planes& right, const MatchSettings& settings, int y,
-                     CostVolume& volume) {
+                     CostVolume& volume, int to_row) {
   const int radius = settings.window / 2, width = left.width;
   const int top = std::max(0, y - radius), bottom = std::min(left.height - 1, y + radius);
   std::vector<Sums> columns(static_cast<std::size_t>(width));
@@ -132,29 +134,39 @@ void correlation_row(const Planes& left, const Planes& right, const MatchSetting
     for (int x = begin; x < end; ++x) {
       change(x + radius, 1);
       change(x - radius - 1, -1);
-      volume.at(x, y)[i] = correlation_cost(window, settings.cost == MatchingCost::kZncc);
+      volume.at(x, to_row)[i] = correlation_cost(window, settings.cost == MatchingCost::kZncc);
     }
   }
 }
 
 }  // namespace
 
+PixelCosts::PixelCosts(const Planes& left, const Planes& right, const MatchSettings& settings)
+    : left_(left),
+      right_(right),
+      settings_(settings),
+      left_words_(census_words(left)),
+      right_words_(census_words(right)) {}
+
+CostVolume PixelCosts::volume_of(int rows) const {
+  return {left_.width, rows, settings_.range.first, settings_.range.count()};
+}
+
+void PixelCosts::row(int y, CostVolume& volume, int to_row) const {
+  fill_row(volume, to_row);
+  if (is_correlation(settings_.cost)) {
+    correlation_row(left_, right_, settings_, y, volume, to_row);
+  } else if (settings_.cost == MatchingCost::kSsd) {
+    squared_row(left_, right_, y, volume, to_row);
+  } else {
+    mixed_row(left_, right_, left_words_, right_words_, settings_, y, volume, to_row);
+  }
+}
+
 CostVolume pixel_costs(const Planes& left, const Planes& right, const MatchSettings& settings) {
-  CostVolume volume(left.width, left.height, settings.range.first, settings.range.count());
-  const bool correlation =
-      settings.cost == MatchingCost::kNcc || settings.cost == MatchingCost::kZncc;
-  const LineVector<std::uint64_t> left_words = census_words(left),
-                                  right_words = census_words(right);
-  tbb::parallel_for(0, left.height, [&](int y) {
-    fill_row(volume, y);
-    if (correlation) {
-      correlation_row(left, right, settings, y, volume);
-    } else if (settings.cost == MatchingCost::kSsd) {
-      squared_row(left, right, y, volume);
-    } else {
-      mixed_row(left, right, left_words, right_words, settings, y, volume);
-    }
-  });
+  const PixelCosts costs(left, right, settings);
+  CostVolume volume = costs.volume_of(left.height);
+  tbb::parallel_for(0, left.height, [&](int y) { costs.row(y, volume, y); });
   return volume;
 }
 

@@ -32,9 +32,10 @@ float voted(const Image<Arms>& arms, const Image<float>& disparity, const Image<
   std::ranges::fill(votes, 0);
   int voters = 0;
   const Arms& own = arms.at(x, y);
-  for (int row = y - own.up; row <= y + own.down; ++row) {
+  const auto reach = [](int arm) { return std::min(arm, kVoteReach); };
+  for (int row = y - reach(own.up); row <= y + reach(own.down); ++row) {
     const Arms& across = arms.at(x, row);
-    for (int column = x - across.left; column <= x + across.right; ++column) {
+    for (int column = x - reach(across.left); column <= x + reach(across.right); ++column) {
       if (doubts.at(column, row) != Doubt::kNone) continue;
       const int number = int(std::floor(disparity.at(column, row) + 0.5f)) - first;
       ++votes[std::size_t(std::clamp(number, 0, int(votes.size()) - 1))];

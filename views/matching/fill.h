@@ -9,6 +9,9 @@
 
 namespace glassbox::views {
 
+// How far along an arm: beyond it a wide blank surface costs more than it tells.
+inline constexpr int kVoteReach = 17;  // px
+
 // Pixels in doubt take the disparity that most pixels of their cross have, where at least 20 have one and two fifths of them agree (Mei et al.
 // 2011); `rounds` times over. What was voted on is no longer in doubt.
 void vote(const Image<Arms>& arms, int first, int count, int rounds, Image<float>& disparity,

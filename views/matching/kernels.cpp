@@ -55,28 +55,45 @@ void mean(const std::uint32_t* HWY_RESTRICT before, const std::uint32_t* HWY_RES
   }
 }
 
-std::uint16_t path_step(const std::uint16_t* costs, const std::uint16_t* before,
-                        std::uint16_t least, std::uint16_t p1, std::uint16_t p2, int count,
-                        std::uint16_t* out, std::uint16_t* sums) {
+template <bool kBeginsSums>
+HWY_INLINE std::uint16_t path_step(const std::uint16_t* HWY_RESTRICT costs,
+                                   const std::uint16_t* HWY_RESTRICT before, std::uint16_t least,
+                                   std::uint16_t p1, std::uint16_t jump, int count,
+                                   std::uint16_t* HWY_RESTRICT out,
+                                   std::uint16_t* HWY_RESTRICT sums) {
   const hn::CappedTag<std::uint16_t, 32> d;
   const int lanes = int(hn::Lanes(d));
-  const auto step = hn::Set(d, p1), jump = hn::Set(d, std::uint16_t(least + p2));
+  const auto step = hn::Set(d, p1), from_any = hn::Set(d, std::uint16_t(least + jump));
   const auto base = hn::Set(d, least);
   auto smallest = hn::Set(d, std::uint16_t(65535));
   for (int i = 0; i < count; i += lanes) {
     const auto same = hn::LoadU(d, before + i);
     const auto beside = hn::Min(hn::LoadU(d, before + i - 1), hn::LoadU(d, before + i + 1));
-    const auto best = hn::Min(hn::Min(same, jump), hn::SaturatedAdd(beside, step));
+    const auto best = hn::Min(hn::Min(same, from_any), hn::SaturatedAdd(beside, step));
     const auto value = hn::Add(hn::LoadU(d, costs + i), hn::Sub(best, base));
     hn::StoreU(value, d, out + i);
-    hn::StoreU(hn::Add(hn::LoadU(d, sums + i), value), d, sums + i);
+    hn::StoreU(kBeginsSums ? value : hn::Add(hn::LoadU(d, sums + i), value), d, sums + i);
     smallest = hn::Min(smallest, value);
   }
-  alignas(64) std::uint16_t each[32];
-  hn::Store(smallest, d, each);
-  std::uint16_t result = each[0];
-  for (int i = 1; i < lanes; ++i) result = std::min(result, each[i]);
-  return result;
+  return hn::GetLane(hn::MinOfLanes(d, smallest));
+}
+
+template <bool kBeginsSums>
+void path_row_of(const MatchKernels::PathRow& row) {
+  for (int i = 0; i < row.width; ++i) {
+    const int x = row.leftwards ? row.width - 1 - i : i, from = x - row.from;
+    const bool begins = !row.before || from < 0 || from >= row.width;
+    const int change = begins ? 0 : std::abs(int(row.grey[x]) - int(row.grey_before[from]));
+    const auto at = std::ptrdiff_t(x) * row.stride;
+    row.least[x] = path_step<kBeginsSums>(
+        row.costs + at, begins ? row.nothing : row.before + std::ptrdiff_t(from) * row.cell,
+        begins ? std::uint16_t(0) : row.least_before[from], row.p1, row.jumps[change], row.stride,
+        row.values + std::ptrdiff_t(x) * row.cell, row.sums + at);
+  }
+}
+
+void path_row(const MatchKernels::PathRow& row) {
+  row.begins_sums ? path_row_of<true>(row) : path_row_of<false>(row);
 }
 
 void add(const std::uint16_t* HWY_RESTRICT more, int count, std::uint16_t* HWY_RESTRICT sums) {
@@ -99,7 +116,7 @@ void keep_less(const std::uint16_t* HWY_RESTRICT values, int count,
   }
 }
 
-const MatchKernels kKernels{mixed_costs, running_sum, mean, path_step, add, least, keep_less};
+const MatchKernels kKernels{mixed_costs, running_sum, mean, path_row, add, least, keep_less};
 
 }  // namespace glassbox::views::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -32,11 +32,25 @@ struct MatchKernels {
   void (*mean)(const std::uint32_t* before, const std::uint32_t* after, float inverse, int count,
                std::uint16_t* costs);
 
-  // One step along a path: out = cost + min(before, before of a disparity beside + p1, least + p2) - least. `before` may be read from
-  // -1 to count. Adds out to sums; returns the least of out.
-  std::uint16_t (*path_step)(const std::uint16_t* costs, const std::uint16_t* before,
-                             std::uint16_t least, std::uint16_t p1, std::uint16_t p2, int count,
-                             std::uint16_t* out, std::uint16_t* sums);
+  // One row of one direction: of each pixel, values = cost + min(before, before of a disparity beside + p1, least before + jump) - least
+  // before, which are added to the sums, or begin them. Values of a pixel may be read from -1 to stride.
+  struct PathRow {
+    int width, stride,
+        cell;        // pixels; disparities of a pixel; from the values of a pixel to the next one's
+    int from;        // the pixel before pixel x is x - from
+    bool leftwards;  // the row's pixels are taken from the last one on
+    bool begins_sums;
+    std::uint16_t p1;
+    const std::uint16_t* jumps;  // [256], by the change of grey
+    const std::uint16_t* costs;
+    const std::uint8_t *grey, *grey_before;
+    const std::uint16_t *before,
+        *least_before;             // of the row before, or the same one; null where there is none
+    const std::uint16_t* nothing;  // zeros, what comes before a path's first pixel
+    std::uint16_t *values, *least;
+    std::uint16_t* sums;
+  };
+  void (*path_row)(const PathRow& row);
   // sums[i] += more[i]
   void (*add)(const std::uint16_t* more, int count, std::uint16_t* sums);
   // The least of the values; 65535 of none.

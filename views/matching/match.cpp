@@ -1,5 +1,6 @@
 #include "views/matching/match.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
@@ -33,9 +34,7 @@ private:
 };
 
 void average(CostVolume& costs, const Image<Arms>& arms, const MatchSettings& settings) {
-  const bool correlation =
-      settings.cost == MatchingCost::kNcc || settings.cost == MatchingCost::kZncc;
-  if (settings.window > 1 && !correlation) {
+  if (settings.window > 1 && !is_correlation(settings.cost)) {
     average_costs(costs, square_arms(costs.width, costs.height, settings.window / 2),
                   FirstAlong::kRows, settings.target);
   }
@@ -45,14 +44,22 @@ void average(CostVolume& costs, const Image<Arms>& arms, const MatchSettings& se
   }
 }
 
-Winners winners_of(const CostVolume& costs, const Planes& picture, const MatchSettings& settings,
-                   Clock& clock) {
+Winners winners_of_volume(const Planes& left, const Planes& right, const Image<Arms>& arms,
+                          const MatchSettings& settings, Clock& clock) {
+  CostVolume costs = pixel_costs(left, right, settings);
+  clock.done("costs");
+  average(costs, arms, settings);
+  clock.done("averages");
   if (settings.paths == 0) {
-    return find_winners(costs, nullptr, settings.subpixel, settings.target);
+    Winners winners = find_winners(costs, nullptr, settings.subpixel, settings.target);
+    clock.done("winners");
+    return winners;
   }
-  const PathSums sums = sum_paths(costs, picture, settings.paths, Penalties{}, settings.target);
+  const PathSums sums = sum_paths(costs, left, settings.paths, Penalties{}, settings.target);
   clock.done("paths");
-  return find_winners(sums.down, &sums.up, settings.subpixel, settings.target);
+  Winners winners = find_winners(sums.down, &sums.up, settings.subpixel, settings.target);
+  clock.done("winners");
+  return winners;
 }
 
 Image<Doubt> doubts_of(const Winners& winners, const MatchSettings& settings) {
@@ -74,20 +81,26 @@ void run(const Image<Rgba8>& left, const Image<Rgba8>& right, const MatchSetting
          DenseMatch& match) {
   Clock clock(match.steps);
   const Planes left_planes = planes_of(left), right_planes = planes_of(right);
-  CostVolume costs = pixel_costs(left_planes, right_planes, settings);
-  clock.done("costs");
-  const Image<Arms> arms = adaptive_arms(left_planes);
-  average(costs, arms, settings);
-  clock.done("averages");
-  const Winners winners = winners_of(costs, left_planes, settings, clock);
-  clock.done("winners");
+  const bool votes = settings.fill && settings.vote;
+  Image<Arms> arms;
+  if (settings.adaptive > 0 || votes) {
+    arms = adaptive_arms(left_planes, settings.adaptive > 0 ? kLongestArm : kVoteReach);
+  }
+  clock.done("crosses");
+  Winners winners;
+  if (sweeps_once(settings)) {
+    winners = sweep_once({left_planes, right_planes, settings}, left_planes, settings, {});
+    clock.done("sweep");
+  } else {
+    winners = winners_of_volume(left_planes, right_planes, arms, settings, clock);
+  }
   match.doubts = doubts_of(winners, settings);
   match.disparity = winners.left;
   match.confidence = winners.confidence;
   clock.done("checks");
   Image<Doubt> doubts = match.doubts;
   if (settings.fill) {
-    vote(arms, settings.range.first, settings.range.count(), 2, match.disparity, doubts);
+    if (votes) vote(arms, settings.range.first, settings.range.count(), 2, match.disparity, doubts);
     fill_holes(left_planes, match.disparity, doubts);
   } else {
     for (std::size_t i = 0; i < doubts.pixels.size(); ++i) {
@@ -106,8 +119,13 @@ std::uint64_t bytes_of_match(int width, int height, const MatchSettings& setting
   const std::uint64_t stride =
       (std::uint64_t(std::int64_t(settings.range.last) - settings.range.first + 1) + lanes - 1) /
       lanes * lanes;
-  const std::uint64_t cell = sizeof(std::uint16_t) * (settings.paths > 0 ? 3 : 1);
-  return std::uint64_t(width) * std::uint64_t(height) * stride * cell;
+  const std::uint64_t row = std::uint64_t(width) * stride * sizeof(std::uint16_t);
+  // Of a band a row of costs and one of sums, and three of each path's; of a whole picture the rows of paths are next to nothing.
+  if (sweeps_once(settings)) {
+    const auto paths = std::uint64_t(settings.paths / 2 + 1);
+    return row * bands_of(height) * (2 + 3 * paths);
+  }
+  return row * std::uint64_t(height) * (settings.paths > 0 ? 3 : 1);
 }
 
 Result<DenseMatch> match_pictures(const Image<Rgba8>& left, const Image<Rgba8>& right,

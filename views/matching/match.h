@@ -27,7 +27,7 @@ struct DenseMatch {
 };
 
 // What the volumes of such a match take, in bytes: 2 for the cost of each pixel and disparity, and 4 more for the sums along paths, with the
-// disparities filled up to a multiple of 32. May exceed what 64 bits hold of no picture that exists.
+// disparities filled up to a multiple of 32; of a single sweep some rows of each band.
 std::uint64_t bytes_of_match(int width, int height, const MatchSettings& settings);
 
 // Both pictures are of one size, and rectified: a point is on the same row of both. An error where they are not of one size, the settings

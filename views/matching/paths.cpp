@@ -1,10 +1,10 @@
 #include "views/matching/paths.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <span>
 #include <vector>
 
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 
 #include "views/matching/kernels.h"
@@ -45,50 +45,76 @@ private:
 };
 
 struct Sweep {
-  const CostVolume& costs;
   const Planes& picture;
-  std::span<const Step> steps;
+  std::span<const Step> steps;  // from the pixel before
   const std::array<std::uint16_t, 256>& jumps;
   std::uint16_t p1;
-  int sign;  // 1 to the right and down, -1 to the left and up
   const MatchKernels& kernels;
 };
 
-void sweep_pixel(const Sweep& sweep, int x, int y, const std::uint16_t* nothing,
-                 std::vector<PathRows>& rows, CostVolume& sums) {
-  const CostVolume& costs = sweep.costs;
-  const auto grey = [&](int column, int row) {
-    return int(
-        sweep.picture.grey[std::size_t(row) * std::size_t(costs.width) + std::size_t(column)]);
-  };
-  std::uint16_t* out = sums.at(x, y);
-  std::fill_n(out, costs.stride, std::uint16_t(0));
-  for (std::size_t i = 0; i < sweep.steps.size(); ++i) {
-    const int from_x = x - sweep.sign * sweep.steps[i].x,
-              from_y = y - sweep.sign * sweep.steps[i].y;
-    const bool begins = from_x < 0 || from_x >= costs.width || from_y < 0 || from_y >= costs.height;
-    const std::uint16_t* before = begins ? nothing : rows[i].values(from_x, from_y);
-    const std::uint16_t least = begins ? std::uint16_t(0) : rows[i].least(from_x, from_y);
-    const int change = begins ? 0 : std::abs(grey(x, y) - grey(from_x, from_y));
-    rows[i].least(x, y) = sweep.kernels.path_step(costs.at(x, y), before, least, sweep.p1,
-                                                  sweep.jumps[std::size_t(change)], costs.stride,
-                                                  rows[i].values(x, y), out);
+class Sweeper {
+public:
+  Sweeper(const Sweep& sweep, int stride)
+      : sweep_(sweep),
+        stride_(stride),
+        zeros_(std::size_t(stride + 2 * kGap)),
+        rows_(sweep.steps.size(), PathRows(sweep.picture.width, stride)) {}
+
+  // The picture's row y, whose costs and sums begin there; `begin` and `end` are the rows that have been or will be swept.
+  void row(int y, int begin, int end, const std::uint16_t* costs, std::uint16_t* sums) {
+    for (std::size_t i = 0; i < sweep_.steps.size(); ++i) {
+      const Step step = sweep_.steps[i];
+      const int before = y - step.y;
+      const bool exists = before >= begin && before < end;
+      sweep_.kernels.path_row({.width = sweep_.picture.width,
+                               .stride = stride_,
+                               .cell = stride_ + kGap,
+                               .from = step.x,
+                               .leftwards = step.x < 0,
+                               .begins_sums = i == 0,
+                               .p1 = sweep_.p1,
+                               .jumps = sweep_.jumps.data(),
+                               .costs = costs,
+                               .grey = grey(y),
+                               .grey_before = exists ? grey(before) : nullptr,
+                               .before = exists ? rows_[i].values(0, before) : nullptr,
+                               .least_before = exists ? &rows_[i].least(0, before) : nullptr,
+                               .nothing = zeros_.data() + kGap,
+                               .values = rows_[i].values(0, y),
+                               .least = &rows_[i].least(0, y),
+                               .sums = sums});
+    }
+  }
+
+private:
+  const std::uint8_t* grey(int y) const {
+    return sweep_.picture.grey.data() + std::size_t(y) * std::size_t(sweep_.picture.width);
+  }
+
+  Sweep sweep_;
+  int stride_;
+  // Where a path begins it has the cost alone: as if zeros came before.
+  LineVector<std::uint16_t> zeros_;
+  std::vector<PathRows> rows_;
+};
+
+void sweep_all(const Sweep& sweep, const CostVolume& costs, bool upwards, CostVolume& sums) {
+  Sweeper sweeper(sweep, costs.stride);
+  for (int row = 0; row < costs.height; ++row) {
+    const int y = upwards ? costs.height - 1 - row : row;
+    sweeper.row(y, 0, costs.height, costs.at(0, y), sums.at(0, y));
   }
 }
 
-void run(const Sweep& sweep, CostVolume& sums) {
-  const CostVolume& costs = sweep.costs;
-  // Where a path begins it has the cost alone: as if zeros came before.
-  const LineVector<std::uint16_t> zeros(std::size_t(costs.stride + 2 * kGap));
-  std::vector<PathRows> rows(sweep.steps.size(), PathRows(costs.width, costs.stride));
-  for (int row = 0; row < costs.height; ++row) {
-    const int y = sweep.sign > 0 ? row : costs.height - 1 - row;
-    for (int column = 0; column < costs.width; ++column) {
-      const int x = sweep.sign > 0 ? column : costs.width - 1 - column;
-      sweep_pixel(sweep, x, y, zeros.data() + kGap, rows, sums);
-    }
-  }
+std::vector<Step> opposite(std::span<const Step> steps) {
+  std::vector<Step> result;
+  for (const Step step : steps) result.push_back({-step.x, -step.y});
+  return result;
 }
+
+constexpr int kBandRows = 64;  // px
+// Rows above a band, after which little is left of where its paths began.
+constexpr int kWarmUp = 8;
 
 }  // namespace
 
@@ -107,11 +133,42 @@ PathSums sum_paths(const CostVolume& costs, const Planes& picture, int paths,
   const auto steps = std::span(kSteps).first(std::size_t(paths / 2));
   const auto like = [&] { return CostVolume(costs.width, costs.height, costs.first, costs.count); };
   PathSums sums{like(), like()};
-  const auto sweep = [&](int sign) {
-    return Sweep{costs, picture, steps, jumps, penalties.p1, sign, match_kernels(target)};
-  };
-  tbb::parallel_invoke([&] { run(sweep(1), sums.down); }, [&] { run(sweep(-1), sums.up); });
+  const std::vector<Step> back = opposite(steps);
+  const MatchKernels& kernels = match_kernels(target);
+  tbb::parallel_invoke(
+      [&] {
+        sweep_all({picture, steps, jumps, penalties.p1, kernels}, costs, false, sums.down);
+      },
+      [&] {
+        sweep_all({picture, back, jumps, penalties.p1, kernels}, costs, true, sums.up);
+      });
   return sums;
+}
+
+std::uint64_t bands_of(int height) {
+  return std::uint64_t((height + kBandRows - 1) / kBandRows);
+}
+
+Winners sweep_once(const PixelCosts& costs, const Planes& picture, const MatchSettings& settings,
+                   const Penalties& penalties) {
+  const auto jumps = jump_penalties(penalties);
+  std::vector<Step> steps(kSteps.begin(), kSteps.begin() + settings.paths / 2);
+  steps.push_back({-1, 0});
+  const Sweep sweep{picture, steps, jumps, penalties.p1, match_kernels(settings.target)};
+  Winners winners = no_winners(picture.width, picture.height);
+  tbb::parallel_for(0, int(bands_of(picture.height)), [&](int band) {
+    const int begin = band * kBandRows, end = std::min(picture.height, begin + kBandRows);
+    const int first = std::max(0, begin - kWarmUp);
+    CostVolume one = costs.volume_of(1), sums = costs.volume_of(1);
+    Sweeper sweeper(sweep, one.stride);
+    for (int y = first; y < end; ++y) {
+      costs.row(y, one, 0);
+      sweeper.row(y, first, end, one.at(0, 0), sums.at(0, 0));
+      if (y < begin) continue;
+      winners_of_row(sums, nullptr, 0, y, settings.subpixel, settings.target, winners);
+    }
+  });
+  return winners;
 }
 
 }  // namespace glassbox::views

@@ -5,17 +5,19 @@
 #include <array>
 
 #include "views/matching/cost_volume.h"
+#include "views/matching/costs.h"
 #include "views/matching/pictures.h"
 #include "views/matching/settings.h"
+#include "views/matching/winner.h"
 
 namespace glassbox::views {
 
 // Of a step of one disparity, and of any other: the latter is less where the grey changes, because depth is likelier to.
 struct Penalties {
-  std::uint16_t p1 = 40;
-  std::uint16_t p2 = 400;       // of no change
-  std::uint16_t p2_least = 80;  // of any
-  int half_at = 10;             // codes of grey at which the penalty has halved
+  std::uint16_t p1 = 80;
+  std::uint16_t p2 = 800;        // of no change
+  std::uint16_t p2_least = 160;  // of any
+  int half_at = 10;              // codes of grey at which the penalty has halved
 };
 std::array<std::uint16_t, 256> jump_penalties(const Penalties& penalties);
 
@@ -25,5 +27,11 @@ struct PathSums {
 };
 PathSums sum_paths(const CostVolume& costs, const Planes& picture, int paths,
                    const Penalties& penalties, Target target);
+
+// The winners of those paths that do not come from below: 2, 3, 5 or 9 of 2, 4, 8 or 16. Bands of rows are summed apart, each from some
+// rows above it on, so that several can be at the same time; where they begin does not depend on how many threads there are.
+std::uint64_t bands_of(int height);
+Winners sweep_once(const PixelCosts& costs, const Planes& picture, const MatchSettings& settings,
+                   const Penalties& penalties);
 
 }  // namespace glassbox::views

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <tbb/parallel_for.h>
+
 #include "views/matching/pictures.h"
 #include "views/matching/winner.h"
 #include "views/two_view/truth.h"
@@ -12,7 +14,25 @@ namespace glassbox::views {
 namespace {
 
 constexpr int kAcross = 4, kDown = 3;  // px, of the census window
+constexpr float kSameSurface = 1;      // px of disparity
 constexpr int kContrast = 8;           // codes of grey
+
+// Within one row of the window and one surface.
+int contrast_at(const Planes& planes, const Image<float>& disparity, int x, int y) {
+  int contrast = 0;
+  for (int row = std::max(y - kDown, 0); row <= std::min(y + kDown, planes.height - 1); ++row) {
+    int least = 255, greatest = 0;
+    for (int column = std::max(x - kAcross, 0); column <= std::min(x + kAcross, planes.width - 1);
+         ++column) {
+      if (!(std::abs(disparity.at(column, row) - disparity.at(x, y)) <= kSameSurface)) continue;
+      const int grey = planes.grey[disparity.index(column, row)];
+      least = std::min(least, grey);
+      greatest = std::max(greatest, grey);
+    }
+    contrast = std::max(contrast, greatest - least);
+  }
+  return contrast;
+}
 
 StereoTruth truth_of(const KnownPicture& left, const KnownPicture& right) {
   const Image<TrueMatch> matches = true_matches(left, right);
@@ -31,22 +51,14 @@ StereoTruth truth_of(const KnownPicture& left, const KnownPicture& right) {
 
 }  // namespace
 
-Image<std::uint8_t> has_texture(const Image<Rgba8>& picture) {
+Image<std::uint8_t> has_texture(const Image<Rgba8>& picture, const Image<float>& disparity) {
   const Planes planes = planes_of(picture);
   Image<std::uint8_t> textured(picture.width, picture.height, 0);
-  for (int y = 0; y < picture.height; ++y) {
+  tbb::parallel_for(0, picture.height, [&](int y) {
     for (int x = 0; x < picture.width; ++x) {
-      int contrast = 0;
-      for (int row = std::max(y - kDown, 0); row <= std::min(y + kDown, picture.height - 1);
-           ++row) {
-        const auto begin = planes.grey.begin() + std::ptrdiff_t(picture.index(0, row));
-        const auto [least, greatest] = std::minmax_element(
-            begin + std::max(x - kAcross, 0), begin + std::min(x + kAcross + 1, picture.width));
-        contrast = std::max(contrast, int(*greatest) - int(*least));
-      }
-      textured.at(x, y) = contrast >= kContrast;
+      textured.at(x, y) = contrast_at(planes, disparity, x, y) >= kContrast;
     }
-  }
+  });
   return textured;
 }
 
@@ -60,7 +72,7 @@ Result<RenderedPair> rendered_pair(const Scene& scene, const View& centre, const
   pair.truth = truth_of(*left, *right);
   const double focal = left->camera.intrinsic(0, 0), baseline = 2 * eyes.half_separation;
   pair.calibration = {focal, baseline, focal * baseline / eyes.window};
-  pair.is_textured = has_texture(left->color);
+  pair.is_textured = has_texture(left->color, pair.truth.disparity);
   pair.left = std::move(left->color);
   pair.right = std::move(right->color);
   return pair;

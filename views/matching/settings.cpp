@@ -26,6 +26,8 @@ std::optional<MatchSettings> settings_named(std::string_view name) {
     settings.cost = MatchingCost::kCensus;
     settings.adaptive = 0;
     settings.paths = 4;
+    settings.single_sweep = true;
+    settings.vote = false;
     return settings;
   }
   if (name == "winner") {
@@ -33,6 +35,7 @@ std::optional<MatchSettings> settings_named(std::string_view name) {
     settings.window = 11;
     settings.adaptive = 0;
     settings.paths = 0;
+    settings.vote = false;
     return settings;
   }
   return std::nullopt;
@@ -52,9 +55,7 @@ Result<void> check_settings(const MatchSettings& settings) {
     return fail("--cost-window", fmt::format("{} is no window", settings.window),
                 "give an odd number, 1 to 15");
   }
-  const bool correlation =
-      settings.cost == MatchingCost::kNcc || settings.cost == MatchingCost::kZncc;
-  if (correlation && settings.window == 1) {
+  if (is_correlation(settings.cost) && settings.window == 1) {
     return fail("--cost-window", "one pixel has no correlation", "give 3 to 15 with ncc and zncc");
   }
   const int paths = settings.paths;

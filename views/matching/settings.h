@@ -21,6 +21,9 @@ struct DisparityRange {
 // away, the Hamming distance of census words (Zabih and Woodfill 1994), and absolute difference of colour and census together (Mei et al. 2011).
 enum class MatchingCost : std::uint8_t { kSad, kSsd, kNcc, kZncc, kCensus, kAdCensus };
 std::string_view name_of(MatchingCost cost);
+inline bool is_correlation(MatchingCost cost) {
+  return cost == MatchingCost::kNcc || cost == MatchingCost::kZncc;
+}
 
 struct MatchSettings {
   DisparityRange range;
@@ -28,9 +31,12 @@ struct MatchSettings {
   int window =
       1;  // odd, 1 to 15: costs are averaged over such a square. Of NCC and ZNCC it is the correlation's window
   // Averages of the costs over arms that stop where the colour changes (Zhang, Lu and Lafruit 2009): how often, 0 to 4.
-  int adaptive = 2;
+  int adaptive = 0;
   // Directions along which smoothness is summed (Hirschmueller 2008): 2, 4, 8, 16; 0: the winner of each pixel alone.
   int paths = 8;
+  // Only those paths that do not come from below, in bands of rows, with next to no memory. Costs that are averaged
+  // over pixels need their volume, and are summed along all paths.
+  bool single_sweep = false;
   bool subpixel = true;
   // Left and right disparities that differ by more are both invalid; absent: not checked.
   std::optional<int> left_right = 1;
@@ -38,10 +44,17 @@ struct MatchSettings {
   float confidence = 0;
   int speckle = 0;     // connected pieces of fewer pixels are invalid
   bool median = true;  // 3x3
-  bool fill = true;    // invalid pixels take what stands behind them
+  bool vote = true;  // of the pixels of like colour around an invalid one, before holes are filled
+  bool fill = true;  // invalid pixels take what stands behind them
   Target target = best_target();
   int threads = 0;  // at most; 0: as many as the machine has
 };
+
+// Whether it is to be had of such costs.
+inline bool sweeps_once(const MatchSettings& settings) {
+  return settings.single_sweep && settings.paths > 0 && settings.adaptive == 0 &&
+         (settings.window == 1 || is_correlation(settings.cost));
+}
 
 // "default", "fast", "winner" (each pixel for itself: SAD of a square of 11).
 std::optional<MatchSettings> settings_named(std::string_view name);

@@ -11,8 +11,8 @@ namespace glassbox::views {
 
 namespace {
 
-constexpr int kLongest = 34, kLong = 17;  // px
-constexpr int kNear = 20, kNearer = 6;    // codes of a channel
+constexpr int kLong = 17;               // px
+constexpr int kNear = 20, kNearer = 6;  // codes of a channel
 
 int difference(const Planes& picture, std::size_t a, std::size_t b) {
   return std::max({std::abs(int(picture.r[a]) - int(picture.r[b])),
@@ -20,11 +20,10 @@ int difference(const Planes& picture, std::size_t a, std::size_t b) {
                    std::abs(int(picture.b[a]) - int(picture.b[b]))});
 }
 
-// Pixels from `at` on, `step` apart, of which there are `room`.
-std::uint8_t arm(const Planes& picture, std::size_t at, std::ptrdiff_t step, int room) {
+// Pixels from `at` on, `step` apart, of which there are `most`.
+std::uint8_t arm(const Planes& picture, std::size_t at, std::ptrdiff_t step, int most) {
   int length = 0;
-  for (auto place = std::ptrdiff_t(at) + step; length < std::min(room, kLongest);
-       place += step, ++length) {
+  for (auto place = std::ptrdiff_t(at) + step; length < most; place += step, ++length) {
     if (difference(picture, at, std::size_t(place)) > (length < kLong ? kNear : kNearer)) break;
   }
   return std::uint8_t(length);
@@ -77,14 +76,16 @@ void average_columns(CostVolume& volume, const Image<Arms>& arms, const MatchKer
 
 }  // namespace
 
-Image<Arms> adaptive_arms(const Planes& picture) {
+Image<Arms> adaptive_arms(const Planes& picture, int longest) {
+  const auto most = [&](int room) { return std::min(room, longest); };
   Image<Arms> arms(picture.width, picture.height);
   tbb::parallel_for(0, picture.height, [&](int y) {
     for (int x = 0; x < picture.width; ++x) {
       const std::size_t at = arms.index(x, y);
       const std::ptrdiff_t row = picture.width;
-      arms.pixels[at] = {arm(picture, at, -1, x), arm(picture, at, 1, picture.width - 1 - x),
-                         arm(picture, at, -row, y), arm(picture, at, row, picture.height - 1 - y)};
+      arms.pixels[at] = {
+          arm(picture, at, -1, most(x)), arm(picture, at, 1, most(picture.width - 1 - x)),
+          arm(picture, at, -row, most(y)), arm(picture, at, row, most(picture.height - 1 - y))};
     }
   });
   return arms;

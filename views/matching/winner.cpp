@@ -39,17 +39,21 @@ void left_winner(const CostVolume& volume, const std::uint16_t* costs, int x, in
   winners.left.at(x, y) = float(volume.first + best) + part;
 }
 
-void winners_of_row(const CostVolume& volume, const CostVolume* more, int y, bool subpixel,
-                    const MatchKernels& kernels, Row& row, Winners& winners) {
+}  // namespace
+
+void winners_of_row(const CostVolume& volume, const CostVolume* more, int from_row, int y,
+                    bool subpixel, Target target, Winners& winners) {
+  thread_local Row row;
+  const MatchKernels& kernels = match_kernels(target);
   const int width = volume.width;
   row.costs.resize(std::size_t(volume.stride));
   row.right.assign(std::size_t(width), 65535);
   row.number.assign(std::size_t(width), 0);
   for (int x = 0; x < width; ++x) {
-    const std::uint16_t* costs = volume.at(x, y);
+    const std::uint16_t* costs = volume.at(x, from_row);
     if (more) {
       std::copy_n(costs, volume.stride, row.costs.begin());
-      kernels.add(more->at(x, y), volume.stride, row.costs.data());
+      kernels.add(more->at(x, from_row), volume.stride, row.costs.data());
       costs = row.costs.data();
     }
     left_winner(volume, costs, x, y, subpixel, kernels, winners);
@@ -65,16 +69,15 @@ void winners_of_row(const CostVolume& volume, const CostVolume* more, int y, boo
   }
 }
 
-}  // namespace
+Winners no_winners(int width, int height) {
+  return {{width, height, kNoDisparity}, {width, height, kNoDisparity}, {width, height, 0}};
+}
 
 Winners find_winners(const CostVolume& costs, const CostVolume* more, bool subpixel,
                      Target target) {
-  const auto none = [&](float value) { return Image<float>(costs.width, costs.height, value); };
-  Winners winners{none(kNoDisparity), none(kNoDisparity), none(0)};
-  tbb::parallel_for(0, costs.height, [&](int y) {
-    thread_local Row row;
-    winners_of_row(costs, more, y, subpixel, match_kernels(target), row, winners);
-  });
+  Winners winners = no_winners(costs.width, costs.height);
+  tbb::parallel_for(0, costs.height,
+                    [&](int y) { winners_of_row(costs, more, y, y, subpixel, target, winners); });
   return winners;
 }
 

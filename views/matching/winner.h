@@ -24,4 +24,9 @@ struct Winners {
 // without (C-113).
 Winners find_winners(const CostVolume& costs, const CostVolume* more, bool subpixel, Target target);
 
+// Of the pictures' row y alone, whose costs are row `from_row` of the volume, into such winners.
+Winners no_winners(int width, int height);
+void winners_of_row(const CostVolume& volume, const CostVolume* more, int from_row, int y,
+                    bool subpixel, Target target, Winners& winners);
+
 }  // namespace glassbox::views

@@ -77,7 +77,7 @@ double defined(const NoisePair& pair, const MatchSettings& settings, int x, int 
       break;
   }
   return 16 * std::min(bits_that_differ(pair, x, right_x, y), 40) +
-         8 * std::min(color_difference(pair, x, right_x, y), 60);
+         4 * std::min(color_difference(pair, x, right_x, y), 60);
 }
 
 TEST_CASE(

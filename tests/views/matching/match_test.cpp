@@ -42,11 +42,12 @@ double wrong_share(const Image<float>& disparity, int d) {
 }
 
 TEST_CASE("D-20: the same bytes for every instruction set and number of threads") {
-  const Image<Rgba8> left = noise(71, 40, 5), right = moved_left(left, 6, 6);
+  const Image<Rgba8> left = noise(71, 150, 5), right = moved_left(left, 6, 6);
   for (const char* name : {"default", "fast", "winner"}) {
     MatchSettings settings = method(name, {-3, 33});
     settings.target = Target::kScalar;
     settings.threads = 1;
+    // Three bands of the single sweep.
     const DenseMatch reference = matched(left, right, settings);
     for (const Target target : available_targets()) {
       for (const int threads : {1, 2, 5, 0}) {
@@ -71,6 +72,24 @@ TEST_CASE("S2-04: a wall of noise stands where it was put, before the window and
       const DenseMatch match = matched(left, right, method(name, {-12, 20}));
       CHECK(wrong_share(match.disparity, d) == 0);
     }
+  }
+}
+
+TEST_CASE("S2-04: the part of a pixel is where the two lines through three costs meet") {
+  for (const double best : {4.0, 4.3, 4.5, 7.8}) {
+    CostVolume costs(30, 1, -1, 12);
+    for (int x = 0; x < costs.width; ++x) {
+      std::fill_n(costs.at(x, 0), costs.stride, kNeverCost);
+      for (int i = 0; i < costs.count; ++i) {
+        costs.at(x, 0)[i] = std::uint16_t(100 * std::abs(i - 1 - best) + 0.5);
+      }
+    }
+    const Winners winners = find_winners(costs, nullptr, true, best_target());
+    INFO(best);
+    // Costs are rounded to a hundredth of what a pixel makes: half of it in each of two lines.
+    CHECK(std::abs(double(winners.left.at(20, 0)) - best) <= 0.01);
+    // Its neighbours on the same valley do not count as rivals; the next ones are 2 px off.
+    CHECK(winners.confidence.at(20, 0) > 0.5f);
   }
 }
 
