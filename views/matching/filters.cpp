@@ -59,7 +59,8 @@ Ordered ordered(float a, float b, float c) {
   return {std::min(low, c), middle, std::max(high, c)};
 }
 
-// The median of nine, of three ordered columns, is the median of: the greatest of their least, the median of their medians, the least of
+// The median of nine, of three ordered columns, is the median of: the greatest of their least, the median of their medians, the
+// least of
 // their greatest. Without branches, so that the compiler takes several pixels at a time.
 void inner_medians(const Image<float>& disparity, int y, Image<float>& result) {
   const float *above = &disparity.at(0, y - 1), *own = &disparity.at(0, y),

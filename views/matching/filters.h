@@ -20,7 +20,8 @@ enum class Doubt : std::uint8_t {
 // Left pixels whose right pixel has a disparity that differs by more than `tolerance` (px) are in doubt.
 Image<Doubt> left_right_doubts(const Image<float>& left, const Image<float>& right, int tolerance);
 
-// Pixels of connected pieces of fewer than `least` pixels, in which neighbours differ by at most one; pixels in doubt belong to none.
+// Pixels of connected pieces of fewer than `least` pixels, in which neighbours differ by at most one; pixels in doubt belong to
+// none.
 void doubt_speckles(const Image<float>& disparity, int least, Image<Doubt>& doubts);
 
 // The median of the finite ones of each pixel's 3 x 3; of an even number the lesser middle one. Pixels without disparity keep none.

@@ -1,4 +1,5 @@
-// The inner loops over disparities, compiled once for each instruction set. All are integer work, or floats in one written order: every
+// The inner loops over disparities, compiled once for each instruction set. All are integer work, or floats in one written order:
+// every
 // target gives the same bytes.
 #pragma once
 
@@ -32,7 +33,8 @@ struct MatchKernels {
   void (*mean)(const std::uint32_t* before, const std::uint32_t* after, float inverse, int count,
                std::uint16_t* costs);
 
-  // One row of one direction: of each pixel, values = cost + min(before, before of a disparity beside + p1, least before + jump) - least
+  // One row of one direction: of each pixel, values = cost + min(before, before of a disparity beside + p1, least before + jump) -
+  // least
   // before, which are added to the sums, or begin them. Values of a pixel may be read from -1 to stride.
   struct PathRow {
     int width, stride,

@@ -16,7 +16,8 @@ struct Planes {
 };
 Planes planes_of(const Image<Rgba8>& image);
 
-// One bit for each of the 62 neighbours in a window of 9 by 7: whether it is darker than the centre. Beyond the edge the picture's last
+// One bit for each of the 62 neighbours in a window of 9 by 7: whether it is darker than the centre. Beyond the edge the picture's
+// last
 // row and column go on. Gain and offset of the grey do not change a word (C-110), but where they clip.
 LineVector<std::uint64_t> census_words(const Planes& picture);
 

@@ -17,8 +17,10 @@ struct RenderedPair {
   Calibration calibration;
 };
 
-// Pixels with contrast of their own: of those pixels in the window of 9 x 7, which the census looks at, whose disparity is within a pixel of
-// the centre's, two in one row differ by at least 8 codes of grey. Elsewhere two pictures say nothing about the surface's disparity (C-111);
+// Pixels with contrast of their own: of those pixels in the window of 9 x 7, which the census looks at, whose disparity is within a
+// pixel of
+// the centre's, two in one row differ by at least 8 codes of grey. Elsewhere two pictures say nothing about the surface's disparity
+// (C-111);
 // an outline against what is behind does not count, because it is as well the edge of that.
 Image<std::uint8_t> has_texture(const Image<Rgba8>& picture, const Image<float>& disparity);
 

@@ -17,8 +17,10 @@ struct DisparityRange {
   int count() const { return last - first + 1; }
 };
 
-// What makes two pixels alike (SPEC S2-04): absolute and squared differences of grey, their correlation without and with the means taken
-// away, the Hamming distance of census words (Zabih and Woodfill 1994), and absolute difference of colour and census together (Mei et al. 2011).
+// What makes two pixels alike (SPEC S2-04): absolute and squared differences of grey, their correlation without and with the means
+// taken
+// away, the Hamming distance of census words (Zabih and Woodfill 1994), and absolute difference of colour and census together (Mei
+// et al. 2011).
 enum class MatchingCost : std::uint8_t { kSad, kSsd, kNcc, kZncc, kCensus, kAdCensus };
 std::string_view name_of(MatchingCost cost);
 inline bool is_correlation(MatchingCost cost) {

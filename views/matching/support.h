@@ -16,7 +16,8 @@ struct Arms {
   std::uint8_t left = 0, right = 0, up = 0, down = 0;
 };
 
-// Arms that stop where a channel differs from the centre's by more than 20, or, beyond 17 pixels, by more than 6; at most `longest` long, to 255 (Mei et
+// Arms that stop where a channel differs from the centre's by more than 20, or, beyond 17 pixels, by more than 6; at most `longest`
+// long, to 255 (Mei et
 // al. 2011; lengths and thresholds are theirs).
 inline constexpr int kLongestArm = 34;  // px
 Image<Arms> adaptive_arms(const Planes& picture, int longest = kLongestArm);

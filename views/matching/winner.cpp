@@ -10,7 +10,8 @@ namespace glassbox::views {
 
 namespace {
 
-// Where two lines of opposite slope through the costs of three neighbours meet: in [-1/2, 1/2]. Costs that are sums of absolute differences
+// Where two lines of opposite slope through the costs of three neighbours meet: in [-1/2, 1/2]. Costs that are sums of absolute
+// differences
 // have such a corner, not a parabola's round bottom.
 float corner(int before, int least, int behind) {
   const int steep = std::max(before, behind) - least;

@@ -20,7 +20,8 @@ struct Winners {
   Image<float> confidence;  // (second - best) / second, in [0, 1]
 };
 
-// Of one volume, or of the sum of two. Disparities whose right pixel lies beside the picture are never sought: a pixel that has no other is
+// Of one volume, or of the sum of two. Disparities whose right pixel lies beside the picture are never sought: a pixel that has no
+// other is
 // without (C-113).
 Winners find_winners(const CostVolume& costs, const CostVolume* more, bool subpixel, Target target);
 
