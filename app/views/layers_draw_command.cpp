@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/options/choices.h"
+#include "app/options/engine_options.h"
 #include "app/options/output_options.h"
 #include "app/options/scene_input.h"
 #include "app/report/exit_codes.h"
@@ -28,7 +29,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr int kVisibleDifference = 8;  // of 255
-constexpr int kMostThreads = 64;
 
 double ms_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
