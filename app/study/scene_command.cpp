@@ -148,6 +148,7 @@ Result<CurveReport> StudySceneCommand::measure(const Scene& scene, Progress& pro
   for (const auto& [level, unused] : request.at_levels) request.ways.levels.push_back(level);
   request.combine = !quick_;
   request.repetitions = study::kLeastRepetitions;
+  request.keep_pictures = page_.has_value();
   if (const double free = study::available_bytes(); free > 0) request.most_bytes = free / 2;
   request.phase = [&](const std::string& what) { progress.phase(what); };
   return study::measure_curve(request).map([&](study::Curve curve) {

@@ -10,6 +10,7 @@
 #include "study/curve/drawers.h"
 #include "study/recommend/vertices.h"
 
+#include <glassbox/images/write.h>
 #include <glassbox/render/engine/names.h>
 
 namespace glassbox::study {
@@ -23,7 +24,9 @@ public:
 
   Result<Curve> run() && {
     Ways ways = single_turns(*request_.scene, request_.ways);
-    if (const auto fits = check_memory(ways.all); !fits) return tl::unexpected(fits.error());
+    if (const auto fits = check_memory(ways.all); request_.keep_pictures && !fits) {
+      return tl::unexpected(fits.error());
+    }
     if (const auto drawn = draw_reference(); !drawn) return tl::unexpected(drawn.error());
     curve_.left_out = std::move(ways.left_out);
     for (const Way& way : ways.all) {
@@ -58,8 +61,9 @@ private:
     return fail(fmt::format("{} pictures", most),
                 fmt::format("they may take {:.0f} MB, and {:.0f} MB are at hand", 1e-6 * bytes,
                             1e-6 * request_.most_bytes),
-                request_.combine ? "ask for fewer pixels (--size), or fewer ways (--quick)"
-                                 : "ask for fewer pixels (--size)");
+                request_.combine
+                    ? "ask for no page, for fewer pixels (--size), or fewer ways (--quick)"
+                    : "ask for no page, or for fewer pixels (--size)");
   }
 
   // The finest level there is, shaded in each pixel unless something else was asked for.
@@ -93,15 +97,30 @@ private:
     CurvePoint point;
     point.way = way;
     Image<Rgba8> picture = drawers_.draw(way);
-    const auto same = std::ranges::find(curve_.pictures, picture);
-    point.picture = std::size_t(same - curve_.pictures.begin());
-    if (same == curve_.pictures.end()) {
+    const auto number = number_of(picture);
+    if (!number) return tl::unexpected(number.error());
+    point.picture = *number;
+    if (*number == errors_.size()) {
       errors_.push_back(picture_error(picture, curve_.reference));
-      curve_.pictures.push_back(std::move(picture));
+      if (request_.keep_pictures) curve_.pictures.push_back(std::move(picture));
     }
+    curve_.different = errors_.size();
     point.error = errors_[point.picture];
     curve_.points.push_back(std::move(point));
     return {};
+  }
+
+  // Which of those before it is the same; the next number where it is another one.
+  Result<std::size_t> number_of(const Image<Rgba8>& picture) {
+    if (request_.keep_pictures) {
+      return std::size_t(std::ranges::find(curve_.pictures, picture) - curve_.pictures.begin());
+    }
+    // Without loss: two pictures of one size are the same where these bytes are.
+    auto packed = encode_png(picture);
+    if (!packed) return tl::unexpected(packed.error());
+    const auto same = std::size_t(std::ranges::find(packed_, *packed) - packed_.begin());
+    if (same == packed_.size()) packed_.push_back(std::move(*packed));
+    return same;
   }
 
   // Those that change a byte alone are worth being combined; a knob of which none does is left out.
@@ -179,7 +198,8 @@ private:
   const CurveRequest& request_;
   Drawers drawers_;
   Curve curve_;
-  std::vector<PictureError> errors_;  // of the pictures
+  std::vector<PictureError> errors_;            // of the different pictures
+  std::vector<std::vector<std::byte>> packed_;  // those, where they are not kept as they are
 };
 
 }  // namespace

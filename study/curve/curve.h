@@ -29,13 +29,15 @@ struct CurveRequest {
   WaysAsked ways;
   bool combine = true;  // shading, filter and samples; else each knob is turned alone
   int repetitions = 0;
-  double most_bytes = std::numeric_limits<double>::infinity();  // that pictures may take
-  std::function<void(const std::string&)> phase;                // told what is being done
+  // Curve::pictures are wanted, and may take that much; otherwise pictures are kept packed, to be told apart.
+  bool keep_pictures = true;
+  double most_bytes = std::numeric_limits<double>::infinity();
+  std::function<void(const std::string&)> phase;  // told what is being done
 };
 
 struct CurvePoint {
   Way way;
-  std::size_t picture = 0;  // index into Curve::pictures
+  std::size_t picture = 0;  // which of the different ones: an index into Curve::pictures
   PictureError error;
   double depth_error = 0;  // as SceneVertices::depth_error
   Quartiles ns;            // of a frame
@@ -47,7 +49,8 @@ struct CurvePoint {
 struct Curve {
   Image<Rgba8> reference;
   std::string reference_is;            // how it was drawn
-  std::vector<Image<Rgba8>> pictures;  // each once
+  std::size_t different = 0;           // pictures
+  std::vector<Image<Rgba8>> pictures;  // each once; none where they are not kept
   std::vector<CurvePoint> points;      // as asked first
   std::vector<NotTurned> left_out;
   double position_error =

@@ -50,6 +50,7 @@ ordered_json case_json(const study::CaseResult& r) {
           {"naive", outcome_json(r.what.naive.name, r.naive)},
           {"mutants", mutants},
           {"drawn", drawn},
+          {"not_drawn", r.what.not_drawn},
           {"holds", r.holds()}};
 }
 

@@ -148,6 +148,7 @@ std::string case_text(const CaseResult& r) {
     text += wrapped("drawn   ", fmt::format("{}: {}{}", study::drawers()[i].name,
                                             r.drawn[i].passes() ? "" : "WRONG: ", r.drawn[i].seen));
   }
+  if (!r.what.not_drawn.empty()) text += wrapped("no picture  ", r.what.not_drawn);
   return text + fmt::format("\n{}\n", verdict(r));
 }
 

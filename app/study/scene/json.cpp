@@ -59,7 +59,7 @@ Json curve_json(const CurveReport& report) {
             {"reference", curve.reference_is},
             {"position_error_px", study::number_json(curve.position_error)},
             {"vertices", curve.vertices},
-            {"pictures", curve.pictures.size()},
+            {"pictures", curve.different},
             {"left_out", Json::array()},
             {"faults", curve.faults},
             {"points", Json::array()}};

@@ -83,7 +83,7 @@ std::string curve_text(const CurveReport& report) {
   text += fmt::format("\nThe front: {} of {} ways with one thread, {} pictures\n", best.size(),
                       std::ranges::count_if(
                           curve.points, [](const CurvePoint& p) { return p.standing.has_value(); }),
-                      curve.pictures.size());
+                      curve.different);
   text += table_of(best, unit);
   if (!curve.left_out.empty()) text += "\nLeft out\n";
   for (const study::NotTurned& each : curve.left_out)

@@ -1,8 +1,11 @@
 #include <glassbox/base/rounding.h>
+#include <glassbox/mesh/builtin/sphere.h>
+#include <glassbox/pipeline/affine.h>
 #include <glassbox/pipeline/look_at.h>
 
 #include "exact/camera.h"
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/sight.h"
 #include "study/extremes/kit/world.h"
 #include "study/naive/camera.h"
 
@@ -38,6 +41,25 @@ Outcome judge(LookAt look_at_under_test) {
   return worst.outcome(fmt::format("{} of 4 undefined rolls answered", answered));
 }
 
+// A ball by a camera whose up is nearly its gaze: where the axes of 50 digits put it.
+Outcome judge_drawn(const Drawer& by) {
+  static const std::vector<SightDrawn> pictures = [] {
+    std::vector<SightDrawn> all;
+    Scene ball = make_sphere(6);
+    for (Node& node : ball.nodes) {
+      node.world_from_node =
+          translate<World>(WorldVector{4, 0, 9}) * scale<World>(3, 1, 2) * node.world_from_node;
+    }
+    for (const double sine : {1e-1, 1e-3, 1e-5, 2e-6}) {
+      const WorldVector gaze{3, -2, 6};
+      const Aim aim{{1, 2, 3}, WorldPoint{1, 2, 3} + gaze, gaze + WorldVector{6, 3, -2} * sine};
+      all.emplace_back(vista_of(ball, aim, PerspectiveLens{1, 0.5, 20.0}, 64));
+    }
+    return all;
+  }();
+  return worst_of(pictures, by);
+}
+
 }  // namespace c01
 
 ExtremeCase c01_up_along_gaze() {
@@ -58,6 +80,7 @@ ExtremeCase c01_up_along_gaze() {
       .mutants = {{"no limit for the sine", [] { return judge(naive::look_at_without_limit); }},
                   {"V is the given up", [] { return judge(naive::look_at_with_given_up); }},
                   {"in float", [] { return judge(naive::look_at_in_float); }}},
+      .drawn = judge_drawn,
   };
 }
 

@@ -51,6 +51,7 @@ ExtremeCase c02_eye_is_target() {
       .naive = {"unchecked UVN", [] { return judge(naive::unchecked_look_at); }},
       .mutants = {{"only equal points are refused", [] { return judge(equality_alone); }},
                   {"refused below a distance of 1e-6", [] { return judge(least_distance); }}},
+      .not_drawn = "two equal points are refused, and there is no camera to draw by",
   };
 }
 

@@ -152,6 +152,7 @@ ExtremeCase c03_numbers_that_are_none() {
                    [] {
                      return judge({look_at, lens_that_lets_nan_through, checked_inverse});
                    }}},
+      .not_drawn = "files and cameras with such numbers are refused before anything is drawn",
       .exceptions_of_ours = FE_INVALID,  // NaN is compared
   };
 }

@@ -57,6 +57,7 @@ ExtremeCase c04_small_angle() {
       .ours = {"arctangent of sine over cosine", [] { return judge(by_arctangent); }},
       .naive = {"arccosine of the trace, in float", [] { return judge(by_arccosine_in_float); }},
       .mutants = {{"acos of the trace, in double", [] { return judge(by_arccosine); }}},
+      .not_drawn = "an angle is read off a matrix; no picture is made of it",
   };
 }
 

@@ -62,6 +62,8 @@ ExtremeCase c05_half_turn() {
       .ours = {"look_at_axis_angle", [] { return judge(look_at_axis_angle); }},
       .naive = {"v x t over its length, arccosine", [] { return judge(by_the_book); }},
       .mutants = {{"acos for the angle", [] { return judge(with_arccosine); }}},
+      .not_drawn =
+          "any axis across the two directions is right, so that no picture is the right one",
   };
 }
 

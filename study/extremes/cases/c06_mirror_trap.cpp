@@ -1,9 +1,12 @@
 #include <glassbox/base/rounding.h>
+#include <glassbox/base/trig.h>
 #include <glassbox/pipeline/look_at.h>
 #include <glassbox/pipeline/projection.h>
 
 #include "exact/camera.h"
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/screen_scene.h"
+#include "study/extremes/kit/sight.h"
 #include "study/extremes/kit/world.h"
 #include "study/naive/camera.h"
 
@@ -65,6 +68,23 @@ Transform<Clip, World> v_reversed(const WorldPoint& eye, const WorldPoint& targe
   return with_axes(eye, target, up, 1, -1);
 }
 
+// The letter itself, of three strokes: reflected in any way it is another one.
+Outcome judge_drawn(const Drawer& by) {
+  static const SightDrawn letter([] {
+    Mesh mesh;
+    for (const auto& [left, bottom, right, top] : {std::array{0.0f, 0.0f, 0.25f, 2.0f},
+                                                   {0.25f, 1.75f, 1.0f, 2.0f},
+                                                   {0.25f, 1, 0.75f, 1.25f}}) {
+      add_triangle(mesh, {Point<Object>{left, bottom, 0}, {right, bottom, 0}, {right, top, 0}});
+      add_triangle(mesh, {Point<Object>{left, bottom, 0}, {right, top, 0}, {left, top, 0}});
+    }
+    return vista_of(scene_of(std::move(mesh), unlit_material()),
+                    Aim{{1, 2, 6}, {0.5, 1, 0}, {0, 1, 0}},
+                    PerspectiveLens{radians_from_degrees(60), 1, 100.0}, 96);
+  }());
+  return letter.judge(by);
+}
+
 }  // namespace c06
 
 ExtremeCase c06_mirror_trap() {
@@ -83,6 +103,7 @@ ExtremeCase c06_mirror_trap() {
       .naive = {"S3.37 to the letter", [] { return judge(slide_37); }},
       .mutants = {{"U = N x up instead of up x N", [] { return judge(u_reversed); }},
                   {"V = U x N instead of N x U", [] { return judge(v_reversed); }}},
+      .drawn = judge_drawn,
   };
 }
 

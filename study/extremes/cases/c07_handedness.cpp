@@ -1,8 +1,10 @@
+#include <glassbox/base/trig.h>
 #include <glassbox/pipeline/clip.h>
 #include <glassbox/pipeline/projection.h>
 
 #include <glassbox/base/random.h>
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/sight.h"
 
 namespace glassbox::study {
 namespace c07 {
@@ -50,6 +52,29 @@ Transform<Clip, Eye> w_negated() {
   return m;
 }
 
+// 60 small triangles before the eye, and behind it their reflections.
+Outcome judge_drawn(const Drawer& by) {
+  static const SightDrawn picture([] {
+    Random random(807);
+    std::vector<EyeTriangle> triangles;
+    for (int i = 0; i < 60; ++i) {
+      const double depth = random.between(1.5, 9.5);
+      const double x = random.between(-0.9, 0.9) * depth, y = random.between(-0.9, 0.9) * depth;
+      EyeTriangle front, behind;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double dx = random.between(-0.2, 0.2) * depth, dy = random.between(-0.2, 0.2) * depth;
+        const double dz = random.between(-0.4, 0.4);
+        front[k] = {float(x + dx), float(y + dy), float(-depth + dz)};
+        behind[k] = {front[k].x, front[k].y, -front[k].z};
+      }
+      triangles.push_back(front);
+      triangles.push_back(behind);
+    }
+    return vista_of(triangles, PerspectiveLens{radians_from_degrees(90), 1, 10.0}, 96);
+  }());
+  return picture.judge(by);
+}
+
 }  // namespace c07
 
 ExtremeCase c07_handedness() {
@@ -70,6 +95,7 @@ ExtremeCase c07_handedness() {
       .mutants = {{"half a turn about y instead of the reflection",
                    [] { return judge(turned_round); }},
                   {"the sign of w alone", [] { return judge(w_negated); }}},
+      .drawn = judge_drawn,
   };
 }
 

@@ -1,8 +1,10 @@
 #include <glassbox/base/rounding.h>
+#include <glassbox/base/trig.h>
 #include <glassbox/pipeline/projection.h>
 
 #include "exact/number.h"
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/sight.h"
 #include "study/naive/projection.h"
 
 namespace glassbox::study {
@@ -47,6 +49,43 @@ Result<Transform<Clip, Eye>> swapped_when_out_of_order(double near, double far) 
   return far < near ? ours(far, near) : ours(near, far);
 }
 
+// Triangles between such planes, none before another: with so few steps of depth left, neither would be nearer.
+Outcome judge_drawn(const Drawer& by) {
+  static const std::vector<SightDrawn> pictures = [] {
+    std::vector<SightDrawn> all;
+    struct Planes {
+      double near, far;
+      float distance;
+      DepthFormat format;
+    };
+    for (const Planes& planes : {Planes{1e-30, 1, 0.5f, DepthFormat::kFloat32},
+                                 {1e-30, 1e30, 1e3f, DepthFormat::kFloat32},
+                                 {1e-30, 1e10, 1e3f, DepthFormat::kFloat32Reversed},
+                                 {1, 1 + 0x1p-20, 1 + 0x1p-21f, DepthFormat::kFloat32},
+                                 {1, 1 + 0x1p-20, 1 + 0x1p-21f, DepthFormat::kUnorm24},
+                                 {0.1, 100, 10, DepthFormat::kUnorm16}}) {
+      const float d = planes.distance;
+      std::vector<EyeTriangle> triangles{{Point<Eye>{-0.9f * d, -0.8f * d, -d},
+                                          {0.9f * d, -0.8f * d, -d},
+                                          {-0.9f * d, 0.6f * d, -d}},
+                                         {Point<Eye>{0.9f * d, -0.6f * d, -d},
+                                          {0.9f * d, 0.9f * d, -d},
+                                          {-0.8f * d, 0.9f * d, -d}}};
+      // One beyond the far plane, where depth knows of it: 1 - n/z is 1 in float, before that plane and behind, where n is 1e-30.
+      if (planes.near > 0x1p-24 || planes.format == DepthFormat::kFloat32Reversed) {
+        const float z = -2 * float(planes.far);
+        triangles.push_back({Point<Eye>{2 * z, 0, z}, {-2 * z, z, z}, {-2 * z, -z, z}});
+      }
+      Vista vista = vista_of(
+          triangles, PerspectiveLens{radians_from_degrees(90), planes.near, planes.far}, 48);
+      store_depth(vista, planes.format);
+      all.emplace_back(std::move(vista));
+    }
+    return all;
+  }();
+  return worst_of(pictures, by);
+}
+
 }  // namespace c09
 
 ExtremeCase c09_planes_out_of_order() {
@@ -66,6 +105,7 @@ ExtremeCase c09_planes_out_of_order() {
       .naive = {"f / (f - n) in float, unchecked", [] { return judge(unchecked); }},
       .mutants = {{"n = f passes", [] { return judge(equal_planes_pass); }},
                   {"n > f is swapped in silence", [] { return judge(swapped_when_out_of_order); }}},
+      .drawn = judge_drawn,
   };
 }
 

@@ -3,6 +3,7 @@
 #include <glassbox/pipeline/projection.h>
 
 #include "exact/number.h"
+#include "study/extremes/kit/depth.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/naive/projection.h"
 
@@ -66,6 +67,25 @@ float through_gl(const Planes& planes, float distance) {
   return naive::depth_through_gl_remap(round_to_float(lens) * Point<Eye>(0, 0, -distance));
 }
 
+// Panes across the gaze, and the depths that runs keep of them: all vertices have one depth, so that nothing is rounded between them.
+Outcome judge_drawn(const Drawer& by) {
+  Worst worst;
+  for (const double far : {100.0, 1e5, 1e8, double(HUGE_VAL)}) {
+    for (float z = 0.15f; z < 1e7f && double(z) < far; z *= 4) {
+      const double n = 0.125;
+      const auto code = pane_code_drawn(by, n, far, DepthFormat::kFloat32Reversed, z);
+      const double depth = depth_of_reversed_code(code), share = std::isinf(far) ? 0 : n / far;
+      // depth = (n/z - share) / (1 - share), so z = n / (depth (1 - share) + share).
+      const double recovered = n / (depth * (1 - share) + share);
+      const double condition = 1 + (std::isinf(far) ? 0 : double(z) / far);
+      worst.see(std::abs(recovered / double(z) - 1),
+                5 * unit_roundoff<float> * condition * (1 + 0x1p-20),
+                fmt::format("far {:g}, distance {:.4g}", far, z));
+    }
+  }
+  return worst.outcome();
+}
+
 }  // namespace c10
 
 ExtremeCase c10_depth_ratio() {
@@ -84,6 +104,7 @@ ExtremeCase c10_depth_ratio() {
       .naive = {"f / (f - n) in float", [] { return judge(standard); }},
       .mutants = {{"reversed as 1 - depth", [] { return judge(one_minus_standard); }},
                   {"reversed z through OpenGL's [-1, 1]", [] { return judge(through_gl); }}},
+      .drawn = judge_drawn,
   };
 }
 

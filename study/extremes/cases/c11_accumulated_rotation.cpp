@@ -55,6 +55,9 @@ ExtremeCase c11_accumulated_rotation() {
       .ours = {"nearest_rotation every 1000", [] { return judge(nearest); }},
       .naive = {"never repaired", [] { return judge(nothing); }},
       .mutants = {{"only the lengths of the axes repaired", [] { return judge(unit_columns); }}},
+      .not_drawn =
+          "the products are made by whoever turns a camera; a pose that has drifted as far as the "
+          "naive one is refused by make_view",
   };
 }
 

@@ -25,6 +25,25 @@ Outcome judge(TransformNormal transform) {
   return worst.outcome();
 }
 
+// Triangles that lie in the plane which is not squashed, with these normals at their corners.
+Outcome judge_drawn(const Drawer& by) {
+  static const std::vector<Specimen> specimens = [] {
+    std::vector<Specimen> all;
+    for (const double squash : {0.5, 1e-2, 1e-4, 1e-6}) {
+      const auto upright = scale<World, Object>(1, 1, squash);
+      for (const auto& map : {upright, shear<World>(Axis::kX, Axis::kY, 0.75) * upright}) {
+        for (const Normal<Object>& n : {Normal<Object>(0.6f, 0, 0.8f), Normal<Object>(0, 1, 0),
+                                        Normal<Object>(0, -0.8f, 0.6f)}) {
+          all.push_back(specimen(triangle_with_normal(n), map, exact_normal(map, n)));
+        }
+      }
+    }
+    return all;
+  }();
+  // 10 u of the normal, 4 u where three equal ones are interpolated.
+  return judge_normals(by, specimens, Shading::kPhong, 14.0 * unit_roundoff<float>);
+}
+
 }  // namespace c16
 
 ExtremeCase c16_squashed_normal() {
@@ -41,6 +60,7 @@ ExtremeCase c16_squashed_normal() {
       .naive = {"by M itself", [] { return judge(naive::normal_by_matrix); }},
       .mutants = {{"cofactors transposed",
                    [] { return judge(naive::normal_by_transposed_cofactors); }}},
+      .drawn = judge_drawn,
   };
 }
 

@@ -26,6 +26,24 @@ Outcome judge(TransformNormal transform) {
   return worst.outcome();
 }
 
+// A triangle in the plane that is left, with these normals at its corners; the last has none.
+Outcome judge_drawn(const Drawer& by) {
+  static const std::vector<Specimen> specimens = [] {
+    std::vector<Specimen> all;
+    const auto turn = rotate_degrees<World>(Vector<World, double>(1, 2, 3), 77).value();
+    const auto flat = scale<World, Object>(0.8, 0.7, 0);
+    for (const auto& map : {flat, turn * flat}) {
+      for (const Normal<Object>& n : {Normal<Object>(0, 0, 1), Normal<Object>(0.6f, 0, 0.8f),
+                                      Normal<Object>(0, -0.8f, -0.6f), Normal<Object>(1, 0, 0)}) {
+        all.push_back(specimen(triangle_with_normal(n), map, exact_normal(map, n)));
+      }
+    }
+    return all;
+  }();
+  // As in C-16.
+  return judge_normals(by, specimens, Shading::kPhong, 14.0 * unit_roundoff<float>);
+}
+
 }  // namespace c18
 
 ExtremeCase c18_flattened_model() {
@@ -45,6 +63,7 @@ ExtremeCase c18_flattened_model() {
       .mutants = {{"by M itself", [] { return judge(naive::normal_by_matrix); }},
                   {"cofactors transposed",
                    [] { return judge(naive::normal_by_transposed_cofactors); }}},
+      .drawn = judge_drawn,
   };
 }
 

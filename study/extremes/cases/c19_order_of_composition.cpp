@@ -1,8 +1,11 @@
 #include <glassbox/pipeline/affine.h>
+#include <utility>
 
 #include "exact/matrix.h"
 #include "exact/number.h"
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/screen_scene.h"
+#include "study/extremes/kit/sight.h"
 #include "study/extremes/kit/world.h"
 #include "study/naive/transform.h"
 
@@ -46,6 +49,33 @@ glm::dmat4 transposed_storage(const WorldMap& turn, const WorldMap& move) {
   return (move * WorldMap(glm::transpose(turn.columns))).columns;
 }
 
+// A triangle placed so, against where whole numbers put it: T R p less the eye's place.
+Outcome judge_drawn(const Drawer& by) {
+  static const std::vector<SightDrawn> pictures = [] {
+    std::vector<SightDrawn> all;
+    const std::array<Point<Object>, 3> corners{Point<Object>{-2, -1, 0}, {3, -1, 0}, {1, 2, 1}};
+    for (int quarter = 1; quarter <= 3; ++quarter) {
+      const WorldMap turn = rotate_degrees<World>(WorldVector(0, 0, 1), 90.0 * quarter).value();
+      const WorldVector offset{3, -5, 8};
+      Mesh mesh;
+      add_triangle(mesh, corners);
+      Scene scene = scene_of(std::move(mesh), unlit_material());
+      scene.nodes[0].world_from_node = translate<World>(offset) * turn * Transform<World, Object>();
+      Vista vista = vista_of(scene, camera_at(WorldPoint{3, -5, 15}, {0, 0, -1}), 64, 64);
+      vista.triangles.clear();
+      SeenTriangle& seen = vista.triangles.emplace_back();
+      for (std::size_t k = 0; k < 3; ++k) {
+        long double x = corners[k].x, y = corners[k].y;
+        for (int i = 0; i < quarter; ++i) x = std::exchange(y, x) * -1;
+        seen.corners[k] = {x, y, static_cast<long double>(corners[k].z) - 7};
+      }
+      all.emplace_back(std::move(vista));
+    }
+    return all;
+  }();
+  return worst_of(pictures, by);
+}
+
 }  // namespace c19
 
 ExtremeCase c19_order_of_composition() {
@@ -62,6 +92,7 @@ ExtremeCase c19_order_of_composition() {
       .naive = {"in reading order: rotate * translate", [] { return judge(in_reading_order); }},
       .mutants = {{"the product premultiplied", [] { return judge(premultiplied); }},
                   {"the rotation stored row by row", [] { return judge(transposed_storage); }}},
+      .drawn = judge_drawn,
   };
 }
 

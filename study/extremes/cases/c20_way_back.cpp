@@ -74,6 +74,8 @@ ExtremeCase c20_way_back() {
       .ours = {"reversed depth, unproject", [] { return judge(ours); }},
       .naive = {"inverse 4x4 matrix in float", [] { return judge(inverse_in_float); }},
       .mutants = {{"standard depth", [] { return judge(standard_depth); }}},
+      .not_drawn =
+          "the way back is taken by whoever asks where a pixel lies; a picture is the way there",
   };
 }
 

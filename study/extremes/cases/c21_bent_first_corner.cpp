@@ -1,3 +1,4 @@
+#include "study/extremes/kit/drawn_normals.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/polygons.h"
 #include "study/naive/normals.h"
@@ -32,6 +33,32 @@ Outcome judge(PolygonNormal normal) {
   return worst.outcome();
 }
 
+// Such hexagons, each lit by its own one normal: against the rational Newell vector of the same floats.
+Outcome judge_drawn(const Drawer& by) {
+  static const std::vector<Specimen> specimens = [] {
+    Random random(821);
+    std::vector<Specimen> all;
+    for (const double bend : {1e-1, 1e-2, 1e-3, 1e-4}) {
+      for (int i = 0; i < 4; ++i) {
+        Polygon polygon;
+        for (const auto& [x, y] : {std::pair{0.0, -0.8},
+                                   {0.4, -0.8 - bend},
+                                   {0.8, -0.8},
+                                   {0.8, 0.8},
+                                   {-0.8, 0.8},
+                                   {-0.8, -0.8}}) {
+          const auto noise = [&] { return random.between(-kNoise, kNoise); };
+          const double dx = noise(), dy = noise();
+          polygon.emplace_back(float(x + dx), float(y + dy), float(noise()));
+        }
+        all.push_back(specimen(mesh_of(polygon), {}, exact_newell(polygon)));
+      }
+    }
+    return all;
+  }();
+  return judge_normals(by, specimens, Shading::kFlat, kShownNormal);
+}
+
 }  // namespace c21
 
 ExtremeCase c21_bent_first_corner() {
@@ -52,6 +79,7 @@ ExtremeCase c21_bent_first_corner() {
       .naive = {"cross product of the first three", [] { return judge(naive::first_corner); }},
       .mutants = {{"one x for a y, and the last edge missing",
                    [] { return judge(naive::open_newell); }}},
+      .drawn = judge_drawn,
   };
 }
 

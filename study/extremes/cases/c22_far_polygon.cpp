@@ -1,6 +1,8 @@
 #include <glassbox/base/rounding.h>
 #include <glassbox/base/trig.h>
+#include <glassbox/pipeline/affine.h>
 
+#include "study/extremes/kit/drawn_normals.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/polygons.h"
 #include "study/naive/normals.h"
@@ -33,6 +35,28 @@ Vector<Object, double> newell_in_float(std::span<const Point<Object>> polygon) {
   return {m.x, m.y, m.z};
 }
 
+// The octagon and its likes, brought back to the origin when they are placed.
+Outcome judge_drawn(const Drawer& by) {
+  static const std::vector<Specimen> specimens = [] {
+    std::vector<Specimen> all;
+    for (const double offset : {0.0, 1e2, 1e4, 1e6}) {
+      for (const double lean : {0.5, -0.25}) {
+        Polygon octagon;
+        for (int i = 0; i < 8; ++i) {
+          const SinCos turn = sin_cos_degrees(45.0 * i);
+          octagon.emplace_back(float(offset + turn.cos), float(offset + turn.sin),
+                               float(offset + lean * turn.cos - 0.25 * turn.sin));
+        }
+        const Vector<World, double> back{-offset, -offset, -offset};
+        all.push_back(
+            specimen(mesh_of(octagon), translate<World, Object>(back), exact_newell(octagon)));
+      }
+    }
+    return all;
+  }();
+  return judge_normals(by, specimens, Shading::kFlat, kShownNormal);
+}
+
 }  // namespace c22
 
 ExtremeCase c22_far_polygon() {
@@ -53,6 +77,7 @@ ExtremeCase c22_far_polygon() {
                    [] { return judge(newell_in_float); }},
                   {"a minus for the plus of the sums",
                    [] { return judge(naive::newell_of_differences); }}},
+      .drawn = judge_drawn,
   };
 }
 

@@ -1,3 +1,5 @@
+#include <glassbox/pipeline/affine.h>
+#include "study/extremes/kit/drawn_normals.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/polygons.h"
 #include "study/naive/normals.h"
@@ -25,6 +27,30 @@ Outcome judge(PolygonNormal normal) {
   return wrong_of(reversed, all, "normals reversed");
 }
 
+// The arrow heads, each begun at each of its corners: seen at all, for reversed they would be turned away, and in their own colour.
+Outcome judge_drawn(const Drawer& by) {
+  static const std::vector<Specimen> specimens = [] {
+    const Polygon arrow{{0, 0, 0}, {2, 0, 0.5f}, {0.25f, 0.5f, 0.0625f}, {0, 2, 0}};
+    std::vector<Specimen> all;
+    for (const float size : {1.0f, 1e-3f, 1e3f}) {
+      for (std::size_t first = 0; first < arrow.size(); ++first) {
+        Polygon turned;
+        for (std::size_t i = 0; i < arrow.size(); ++i) {
+          const Point<Object>& p = arrow[(first + i) % arrow.size()];
+          turned.emplace_back(p.x * size, p.y * size, p.z * size);
+        }
+        const double back = 1 / double(size);
+        all.push_back(specimen(mesh_of(turned),
+                               translate<World>(Vector<World, double>{-1, -1, 0}) *
+                                   scale<World, Object>(back, back, back),
+                               exact_newell(turned)));
+      }
+    }
+    return all;
+  }();
+  return judge_normals(by, specimens, Shading::kFlat, kShownNormal);
+}
+
 }  // namespace c23
 
 ExtremeCase c23_reflex_corner() {
@@ -40,6 +66,7 @@ ExtremeCase c23_reflex_corner() {
       .ours = {"newell_vector", [] { return judge(newell_in_double); }},
       .naive = {"cross product of the first three", [] { return judge(naive::first_corner); }},
       .mutants = {{"(V1 - V2) x (V3 - V2)", [] { return judge(naive::slide_32); }}},
+      .drawn = judge_drawn,
   };
 }
 

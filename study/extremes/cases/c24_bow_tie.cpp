@@ -1,7 +1,10 @@
 #include <glassbox/mesh/triangulate.h>
+#include <algorithm>
 
+#include "study/extremes/kit/drawn_coverage.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/polygons.h"
+#include "study/extremes/kit/screen_scene.h"
 #include "study/naive/normals.h"
 
 namespace glassbox::study {
@@ -44,6 +47,31 @@ bool by_open_newell(const Polygon& polygon) {
   return is_not_zero(naive::open_newell(polygon));
 }
 
+// Each alone in a picture: without a normal it leaves no trace, with one it does.
+Outcome judge_drawn(const Drawer& by) {
+  const Polygon faces[] = {{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}},
+                           {{5, 7, 1}, {6, 8, 1}, {6, 7, 1}, {5, 8, 1}},
+                           {{0, 0, 0}, {2, 2, 2}, {2, 0, 0}, {0, 2, 2}},
+                           {{0, 0, 0}, {1, 2, 3}, {2, 4, 6}},
+                           {{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {3, 0, 0}, {3, 1, 0}, {0, 1, 0}},
+                           {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}};
+  Camera camera;
+  camera.lens = OrthographicLens{9, 0, 20};
+  camera.world_from_eye.at(2, 3) = 10;
+  const View view = make_view(camera, 96, 96).value();
+  int wrong = 0;
+  for (const Polygon& face : faces) {
+    const auto exact = exact_newell(face);
+    const bool flat = exact.x.sign() == 0 && exact.y.sign() == 0 && exact.z.sign() == 0;
+    const auto shown =
+        by.draw(scene_of(mesh_of(face), unlit_material()), view, plain_settings()).buffers.id;
+    const bool leaves_trace =
+        std::ranges::any_of(shown.pixels, [](std::uint32_t id) { return id != 0; });
+    wrong += leaves_trace == flat;
+  }
+  return wrong_of(wrong, int(std::size(faces)), "faces drawn that have no normal, or not drawn");
+}
+
 }  // namespace c24
 
 ExtremeCase c24_bow_tie() {
@@ -60,6 +88,7 @@ ExtremeCase c24_bow_tie() {
       .naive = {"cross product of the first three", [] { return judge(by_first_corner); }},
       .mutants = {{"one x for a y, and the last edge missing",
                    [] { return judge(by_open_newell); }}},
+      .drawn = judge_drawn,
   };
 }
 

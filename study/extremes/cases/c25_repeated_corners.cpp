@@ -1,7 +1,9 @@
 #include <glassbox/mesh/triangulate.h>
 
+#include "study/extremes/kit/drawn_coverage.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/polygons.h"
+#include "study/extremes/kit/screen_scene.h"
 #include "study/naive/normals.h"
 
 namespace glassbox::study {
@@ -68,6 +70,45 @@ Triangles by_index_alone(const Mesh& mesh) {
   return kept;
 }
 
+// Whether a point of the unit square is in what the face is.
+using Inside = bool (*)(double x, double y);
+
+struct Shown {
+  std::vector<std::uint32_t> face;
+  Inside inside;
+};
+
+// Each face alone, 16 px for a unit, half-transparent: every pixel as often as its centre is in the face. On the diagonal, where a
+// triangle ends, centres lie on the edge itself and belong to one side or the other.
+Outcome judge_drawn(const Drawer& by) {
+  const Inside nowhere = [](double, double) { return false; };
+  const Inside everywhere = [](double, double) { return true; };
+  const Inside below = [](double x, double y) { return y < x; };
+  const Shown faces[] = {{{0, 1, 1}, nowhere},  {{0, 1, 4}, nowhere},
+                         {{0, 0, 0}, nowhere},  {{0, 1}, nowhere},
+                         {{2}, nowhere},        {{0, 1, 1, 2, 3}, everywhere},
+                         {{0, 1, 4, 2}, below}, {{0, 1, 2, 3}, everywhere}};
+  Camera camera;
+  camera.lens = OrthographicLens{2, 0, 2};
+  camera.world_from_eye.at(2, 3) = 1;
+  const View view = make_view(camera, 64, 64).value();
+  int wrong = 0, all = 0;
+  for (const Shown& shown : faces) {
+    const Scene scene = scene_of(mesh_of(kPositions, shown.face), layer_material());
+    const auto picture = by.draw(scene, view, plain_settings()).buffers.color;
+    for (int row = 0; row < 64; ++row) {
+      for (int column = 0; column < 64; ++column) {
+        const double x = (column + 0.5 - 32) / 16, y = (32 - row - 0.5) / 16;
+        if (x == y) continue;
+        const bool in_square = x > 0 && x < 1 && y > 0 && y < 1;
+        wrong += layers_of(picture.at(column, row)) != int(in_square && shown.inside(x, y));
+        ++all;
+      }
+    }
+  }
+  return wrong_of(wrong, all, "pixels are covered too often or not often enough");
+}
+
 }  // namespace c25
 
 ExtremeCase c25_repeated_corners() {
@@ -83,6 +124,7 @@ ExtremeCase c25_repeated_corners() {
       .ours = {"triangulate", [] { return judge(ours); }},
       .naive = {"a fan from the first corner", [] { return judge(fan); }},
       .mutants = {{"repetitions found by index alone", [] { return judge(by_index_alone); }}},
+      .drawn = judge_drawn,
   };
 }
 

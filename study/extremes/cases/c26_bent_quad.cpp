@@ -1,11 +1,14 @@
 #include <glassbox/base/rounding.h>
 #include <glassbox/mesh/triangulate.h>
+#include <bit>
 
 #include <array>
 #include <set>
 
+#include "study/extremes/kit/drawn_coverage.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/polygons.h"
+#include "study/extremes/kit/screen_scene.h"
 #include "study/naive/normals.h"
 
 namespace glassbox::study {
@@ -71,6 +74,37 @@ std::array<std::size_t, 2> from_the_first_corner(const Polygon&) {
   return {0, 2};
 }
 
+// From above, 32 px a side: the depths that runs keep are those of the square folded along its shorter diagonal, from (1, 0) to
+// (0, 1), wherever the list begins. Depth is 1/2 - z/2, exactly at the corners; 8 u of it (C-57).
+Outcome judge_drawn(const Drawer& by) {
+  Camera camera;
+  camera.lens = OrthographicLens{1, 0, 2};
+  camera.world_from_eye.at(2, 3) = 1;
+  const View view = make_view(camera, 64, 64).value();
+  RenderSettings settings = plain_settings();
+  settings.want_depth = true;
+  Worst worst;
+  for (const float h : {0.5f, 0x1p-5f, 0x1p-10f}) {
+    const Polygon square{{0, 0, 0}, {1, 0, 0}, {1, 1, h}, {0, 1, 0}};
+    for (std::size_t first = 0; first < 4; ++first) {
+      Polygon turned;
+      for (std::size_t i = 0; i < 4; ++i) turned.push_back(square[(first + i) % 4]);
+      const Framebuffer found =
+          by.draw(scene_of(mesh_of(turned), unlit_material()), view, settings).buffers;
+      for (int row = 1; row < 31; ++row) {
+        for (int column = 33; column < 63; ++column) {
+          const double x = (column + 0.5 - 32) / 32, y = (32 - row - 0.5) / 32;
+          const double right = 0.5 - double(h) * std::max(0.0, x + y - 1) / 2;
+          const auto depth = double(std::bit_cast<float>(found.depth.at(column, row)));
+          worst.see(found.id.at(column, row) == 0 ? HUGE_VAL : std::abs(depth - right) / right,
+                    8 * unit_roundoff<float>, fmt::format("corner lifted by {:g}", h));
+        }
+      }
+    }
+  }
+  return worst.outcome();
+}
+
 }  // namespace c26
 
 ExtremeCase c26_bent_quad() {
@@ -98,6 +132,7 @@ ExtremeCase c26_bent_quad() {
                    [] {
                      return judge({deviation_from_mean_plane, from_the_first_corner});
                    }}},
+      .drawn = judge_drawn,
   };
 }
 

@@ -1,7 +1,9 @@
 #include <glassbox/base/random.h>
+#include <glassbox/base/trig.h>
 #include <glassbox/pipeline/back_face.h>
 
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/sight.h"
 #include "study/naive/normals.h"
 
 namespace glassbox::study {
@@ -47,6 +49,43 @@ Facing without_fallback(std::span<const Point<Object>> face, const ObjectViewer&
   return value > 0 ? Facing::kBack : value < 0 ? Facing::kFront : Facing::kEdgeOn;
 }
 
+// Triangles whose plane has the eye in it, before a wall: their corners are where floats can say it, at whole pixels of one line on
+// the screen, so that nothing is rounded and nothing is covered; with any culling, by either stage.
+Outcome judge_drawn(const Drawer& by) {
+  static const std::vector<SightDrawn> pictures = [] {
+    Random random(827);
+    std::vector<EyeTriangle> triangles;
+    for (int i = 0; i < 80; ++i) {
+      const auto place = [&](double low, double high) {
+        return float(random.integer(std::int64_t(low), std::int64_t(high)));
+      };
+      const float x = place(-24, 24), y = place(-24, 24), dx = place(-4, 4), dy = place(-4, 4);
+      EyeTriangle t;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const float steps = place(-2, 2), w = 1 << random.integer(0, 2);
+        t[k] = {(x + dx * steps) / 32 * w, (y + dy * steps) / 32 * w, -w};
+      }
+      // On the screen they are on one line, in space not: those would be no triangles.
+      const Vector<Eye> a = t[1] - t[0], b = t[2] - t[0];
+      const auto [nx, ny, nz] =
+          std::array{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+      if (nx != 0 || ny != 0 || nz != 0) triangles.push_back(t);
+    }
+    triangles.push_back({Point<Eye>{-20, -20, -8}, {40, -20, -8}, {-20, 40, -8}});
+    std::vector<SightDrawn> all;
+    for (const Cull cull : {Cull::kNone, Cull::kBack, Cull::kFront}) {
+      for (const CullStage stage : {CullStage::kScreen, CullStage::kObject}) {
+        Vista vista = vista_of(triangles, PerspectiveLens{radians_from_degrees(90), 0.5, 16.0}, 64);
+        vista.settings.cull = cull;
+        vista.settings.cull_stage = stage;
+        all.emplace_back(std::move(vista));
+      }
+    }
+    return all;
+  }();
+  return worst_of(pictures, by);
+}
+
 }  // namespace c27
 
 ExtremeCase c27_edge_on() {
@@ -64,6 +103,7 @@ ExtremeCase c27_edge_on() {
       .naive = {"(P - eye) . m in float", [] { return judge(naive::facing<float>); }},
       .mutants = {{"no exact sum where the bound is exceeded",
                    [] { return judge(without_fallback); }}},
+      .drawn = judge_drawn,
   };
 }
 

@@ -1,8 +1,10 @@
 #include <glassbox/base/random.h>
+#include <glassbox/base/trig.h>
 #include <glassbox/pipeline/back_face.h>
 
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/polygons.h"
+#include "study/extremes/kit/sight.h"
 #include "study/naive/normals.h"
 
 namespace glassbox::study {
@@ -64,6 +66,39 @@ Answer in_double(std::span<const Point<Object>> face, const ObjectViewer& viewer
   return {naive::facing<double>(face, viewer), false};
 }
 
+// Large triangles of which little is seen: two corners anywhere, the third a few pixels off the line through them, at other distances.
+// With fronts or backs culled, by either stage.
+Outcome judge_drawn(const Drawer& by) {
+  static const std::vector<SightDrawn> pictures = [] {
+    Random random(828);
+    std::vector<EyeTriangle> triangles;
+    for (int i = 0; i < 120; ++i) {
+      const auto anywhere = [&] { return random.between(-0.9, 0.9); };
+      const double x0 = anywhere(), y0 = anywhere(), x1 = anywhere(), y1 = anywhere();
+      const double share = random.between(0.2, 0.8), off = random.between(-4, 4) / 48;
+      const double x[] = {x0, x1, x0 + share * (x1 - x0) + off * (y1 - y0)};
+      const double y[] = {y0, y1, y0 + share * (y1 - y0) - off * (x1 - x0)};
+      EyeTriangle t;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double w = random.between(1, 30);
+        t[k] = {float(x[k] * w), float(y[k] * w), float(-w)};
+      }
+      triangles.push_back(t);
+    }
+    std::vector<SightDrawn> all;
+    for (const Cull cull : {Cull::kBack, Cull::kFront}) {
+      for (const CullStage stage : {CullStage::kScreen, CullStage::kObject}) {
+        Vista vista = vista_of(triangles, PerspectiveLens{radians_from_degrees(90), 0.5, 40.0}, 96);
+        vista.settings.cull = cull;
+        vista.settings.cull_stage = stage;
+        all.emplace_back(std::move(vista));
+      }
+    }
+    return all;
+  }();
+  return worst_of(pictures, by);
+}
+
 }  // namespace c28
 
 ExtremeCase c28_nearly_edge_on() {
@@ -79,6 +114,7 @@ ExtremeCase c28_nearly_edge_on() {
       .ours = {"test_back_face", [] { return judge(ours); }},
       .naive = {"(P - eye) . m in float", [] { return judge(in_float); }},
       .mutants = {{"in double, without the exact sum", [] { return judge(in_double); }}},
+      .drawn = judge_drawn,
   };
 }
 

@@ -1,6 +1,8 @@
 #include <glassbox/base/random.h>
 #include <glassbox/mesh/normals.h>
+#include <glassbox/pipeline/affine.h>
 
+#include "study/extremes/kit/drawn_normals.h"
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/polygons.h"
 #include "study/naive/normals.h"
@@ -35,6 +37,28 @@ Vector<Object, double> factors_exchanged(std::span<const Point<Object>> t) {
   return {m.x, m.y, m.z};
 }
 
+// Triangles turned so that Newell's vector points to the viewer: all are seen, and in the colour of that vector.
+Outcome judge_drawn(const Drawer& by) {
+  static const std::vector<Specimen> specimens = [] {
+    Random random(831);
+    std::vector<Specimen> all;
+    while (all.size() < 49) {
+      Polygon triangle(3);
+      for (Point<Object>& p : triangle) {
+        p = {float(random.integer(-99, 99)), float(random.integer(-99, 99)),
+             float(random.integer(-99, 99))};
+      }
+      auto normal = exact_newell(triangle);
+      if (abs(normal.z) < exact::Rational(4000)) continue;  // less than a fifth of the square
+      if (normal.z.sign() < 0) std::swap(triangle[0], triangle[1]);
+      all.push_back(specimen(mesh_of(triangle), scale<World, Object>(0.01, 0.01, 0.01),
+                             exact_newell(triangle)));
+    }
+    return all;
+  }();
+  return judge_normals(by, specimens, Shading::kFlat, kShownNormal);
+}
+
 }  // namespace c31
 
 ExtremeCase c31_sign_conflict() {
@@ -50,6 +74,7 @@ ExtremeCase c31_sign_conflict() {
       .ours = {"three_point_normal", [] { return judge(ours); }},
       .naive = {"S4.32: (V1 - V2) x (V3 - V2)", [] { return judge(naive::slide_32); }},
       .mutants = {{"the factors exchanged", [] { return judge(factors_exchanged); }}},
+      .drawn = judge_drawn,
   };
 }
 

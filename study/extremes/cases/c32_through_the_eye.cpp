@@ -1,5 +1,7 @@
+#include <glassbox/base/trig.h>
 #include "study/extremes/cases/clip_case.h"
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/sight.h"
 
 namespace glassbox::study {
 namespace c32 {
@@ -32,6 +34,25 @@ Outline wrong_end(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   return naive::clip({.crossing = crossing}, t, planes);
 }
 
+// The same triangles, each alone in a picture, and each with its corners at other distances behind the eye.
+Outcome judge_drawn(const Drawer& by) {
+  static const std::vector<SightDrawn> pictures = [] {
+    std::vector<SightDrawn> all;
+    const Point<Eye> front{0, 0.25f, -1}, front2{0.5f, 0, -1};
+    for (const float w : {1.0f, 0.25f, 16.0f}) {
+      const Point<Eye> behind{-w, -w, w}, behind2{w, -w, w};
+      for (const EyeTriangle& t : {EyeTriangle{front, behind, behind2},
+                                   {behind, behind2, front},
+                                   {front, front2, behind},
+                                   {behind, front, front2}}) {
+        all.emplace_back(vista_of({t}, PerspectiveLens{radians_from_degrees(90), 0.5, 8.0}, 48));
+      }
+    }
+    return all;
+  }();
+  return worst_of(pictures, by);
+}
+
 }  // namespace c32
 
 ExtremeCase c32_through_the_eye() {
@@ -48,6 +69,7 @@ ExtremeCase c32_through_the_eye() {
       .naive = {"divide without clipping", [] { return judge(naive::nothing); }},
       .mutants = {{"a quadrilateral drawn as one triangle", [] { return judge(one_triangle); }},
                   {"the crossing measured from the wrong end", [] { return judge(wrong_end); }}},
+      .drawn = judge_drawn,
   };
 }
 

@@ -1,8 +1,10 @@
+#include <glassbox/base/trig.h>
 #include <glassbox/pipeline/divide.h>
 #include <glassbox/pipeline/viewport.h>
 
 #include "study/extremes/cases/clip_case.h"
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/sight.h"
 
 namespace glassbox::study {
 namespace c33 {
@@ -46,6 +48,21 @@ Outline without_guard_band(const ClipTriangle& t, std::span<const ClipPlane> pla
   return pipeline_clips(t, planes.first(2));
 }
 
+// The same corners in eye space, where the distance along the gaze is w, each in a picture of its own.
+Outcome judge_drawn(const Drawer& by) {
+  static const std::vector<SightDrawn> pictures = [] {
+    std::vector<SightDrawn> all;
+    for (const float w : {0.5f, 1e-2f, 1e-10f, 1e-38f, 1e-45f, 0.0f, -1e-45f}) {
+      for (const auto& [x, y] : {std::array{0.0f, 0.0f}, {1.0f, -1.0f}, {1e6f, 1.0f}, {w, w}}) {
+        all.emplace_back(vista_of({{Point<Eye>{x, y, -w}, {0.5f, -0.5f, -1}, {-0.5f, 0.5f, -1}}},
+                                  PerspectiveLens{radians_from_degrees(90), 0.01, 8.0}, 32));
+      }
+    }
+    return all;
+  }();
+  return worst_of(pictures, by);
+}
+
 }  // namespace c33
 
 ExtremeCase c33_w_towards_zero() {
@@ -64,6 +81,7 @@ ExtremeCase c33_w_towards_zero() {
       .naive = {"divide without clipping", [] { return judge(naive::nothing); }},
       .mutants = {{"no eye plane", [] { return judge(without_eye_plane); }},
                   {"no guard band", [] { return judge(without_guard_band); }}},
+      .drawn = judge_drawn,
   };
 }
 

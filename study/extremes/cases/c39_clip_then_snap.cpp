@@ -4,6 +4,7 @@
 #include "study/extremes/cases/clip_case.h"
 #include "study/extremes/kit/coverage.h"
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/sight.h"
 
 namespace glassbox::study {
 namespace c39 {
@@ -57,6 +58,34 @@ Outline asymmetric(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   return naive::clip({}, t, planes);
 }
 
+// Two such fans in eye space: one layer in every pixel, of the sliver that lies there.
+Outcome judge_drawn(const Drawer& by) {
+  static const std::vector<SightDrawn> pictures = [] {
+    std::vector<SightDrawn> all;
+    for (int fan = 0; fan < 2; ++fan) {
+      Random random(839 + std::uint64_t(fan));
+      const float hub_x = float(random.between(-0.9, 0.9)),
+                  hub_y = float(random.between(-0.9, 0.9));
+      const Point<Eye> hub{hub_x, hub_y, -1};
+      std::vector<Point<Eye>> rim;
+      for (int i = 0; i < kSlivers; ++i) {
+        const SinCos turn = sin_cos_degrees(360.0 / kSlivers * (i + random.between(0, 0.9)));
+        const double reach = random.between(1e5, 1e7) / (0.5 * kSide), w = random.between(0.5, 2);
+        rim.push_back({float(reach * turn.cos * w), float(reach * turn.sin * w), float(-w)});
+      }
+      std::vector<EyeTriangle> slivers;
+      for (std::size_t i = 0; i < rim.size(); ++i) {
+        const Point<Eye>&a = rim[i], &b = rim[(i + 1) % rim.size()];
+        slivers.push_back(i % 2 == 0 ? EyeTriangle{hub, a, b} : EyeTriangle{b, hub, a});
+      }
+      all.emplace_back(
+          vista_of(slivers, PerspectiveLens{radians_from_degrees(90), 0.1, 100.0}, kSide));
+    }
+    return all;
+  }();
+  return worst_of(pictures, by);
+}
+
 }  // namespace c39
 
 ExtremeCase c39_clip_then_snap() {
@@ -74,6 +103,7 @@ ExtremeCase c39_clip_then_snap() {
       .ours = {"clip_triangle by the guard band", [] { return judge(pipeline_clips); }},
       .naive = {"a + t (b - a), cut at the picture's edge", [] { return judge(at_the_screen); }},
       .mutants = {{"asymmetric crossings at the guard band", [] { return judge(asymmetric); }}},
+      .drawn = judge_drawn,
       .pictures = {{"ours", [] { return picture(pipeline_clips); }},
                    {"naive", [] { return picture(at_the_screen); }}},
   };

@@ -54,6 +54,7 @@ ExtremeCase c41_near_plane_dialects() {
       .ours = {"clip_planes of the dialect", [] { return judge(of_the_dialect); }},
       .naive = {"z >= 0 for every dialect", [] { return judge(always_zero); }},
       .mutants = {{"z >= -w for every dialect", [] { return judge(always_minus_w); }}},
+      .not_drawn = "a renderer has one dialect of matrices, and no picture is drawn in the other",
   };
 }
 

@@ -2,6 +2,7 @@
 
 #include "study/extremes/cases/clip_case.h"
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/far_panes.h"
 #include "study/extremes/kit/screen_scene.h"
 #include "study/extremes/kit/sight.h"
 #include "study/extremes/kit/world.h"
@@ -159,6 +160,22 @@ Vista near_ball(const WorldPoint& eye) {
   return vista;
 }
 
+// Panes at the near plane: of some the exact place lies before it, and the computed one on it or behind.
+Outcome judge_panes_at_the_near_plane(const Drawer& by) {
+  Company all;
+  for (int i = 0; i < 200; ++i) {
+    const float z = 1e6f + float(i) * 0.0625f;
+    const double scale = 1 + i * 1e-7;
+    const Company found =
+        changed_by_company(by, {{z, 1e-5 * scale, (double(z) * scale - 1e6) * 1e-5}});
+    all.changed += found.changed;
+    all.shown += found.shown;
+  }
+  if (all.shown == 0) return must_be_zero(HUGE_VAL, "no pane was drawn");
+  return wrong_of(int(all.changed), int(all.shown),
+                  "pixels of panes depend on what else their mesh has");
+}
+
 Outcome judge_drawn(const Drawer& by) {
   static const std::vector<SightDrawn> pictures = [] {
     std::vector<SightDrawn> all;
@@ -171,7 +188,7 @@ Outcome judge_drawn(const Drawer& by) {
     }
     return all;
   }();
-  return worst_of(pictures, by);
+  return worse_of(worst_of(pictures, by), judge_panes_at_the_near_plane(by));
 }
 
 }  // namespace c42

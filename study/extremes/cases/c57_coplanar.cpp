@@ -1,5 +1,6 @@
 #include "study/extremes/kit/depth.h"
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/far_panes.h"
 #include "study/naive/depth.h"
 
 #include <glassbox/base/random.h>
@@ -70,6 +71,27 @@ Outcome judge_ties(const Drawer& by) {
                       fmt::format("{} of {} pixels decide a tie otherwise", wrong, all));
 }
 
+// Two panes that are computed to have one depth, of which the second is nearer by exact numbers: the first stays, as it does where
+// nothing is known of their boxes.
+Outcome judge_order_of_panes(const Drawer& by) {
+  Company all;
+  for (int i = 0; i + 1 < 200; ++i) {
+    std::vector<FarPane> panes;
+    for (const int k : {i, i + 1}) {
+      panes.push_back({1e6f + float(k) * 0.0625f,
+                       1e-5,
+                       5e-4 + k * 0.0625 * 1e-5 - (k - i) * 2e-8,
+                       {k == i ? 1.0f : 0.0f, 0, 1}});
+    }
+    const Company found = changed_by_company(by, panes);
+    all.changed += found.changed;
+    all.shown += found.shown;
+  }
+  if (all.shown == 0) return must_be_zero(HUGE_VAL, "no pane was drawn");
+  return wrong_of(int(all.changed), int(all.shown),
+                  "pixels of panes show the one that was drawn second");
+}
+
 // Triangles of the plane in a picture of 256 x 256 pixels, whose depths the engine keeps.
 Outcome judge_drawn(const Drawer& by) {
   Random random(157);
@@ -88,7 +110,8 @@ Outcome judge_drawn(const Drawer& by) {
   const Outcome depths = judge_depths(by, triangles, 256, 8, [](int x, int y, std::size_t) {
     return static_cast<long double>(plane_at(x + 0.5, y + 0.5));
   });
-  return worse_of(judge_ties(by), depths);
+  const Outcome order = worse_of(judge_ties(by), judge_order_of_panes(by));
+  return order.passes() ? depths : order;
 }
 
 }  // namespace c57

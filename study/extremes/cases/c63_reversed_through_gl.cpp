@@ -2,6 +2,7 @@
 
 #include "study/extremes/kit/depth.h"
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/sight.h"
 
 namespace glassbox::study {
 namespace c63 {
@@ -14,6 +15,26 @@ Outcome judge(DepthPath::Detour detour) {
           4 * double(unit_roundoff<float>),
           {},
           fmt::format("depths {:.2g} apart confused at the distance 1,000", confused)};
+}
+
+// Two panes across the gaze, 8 u apart at the distance 1,000, in both orders: the nearer one is seen.
+Outcome judge_drawn(const Drawer& by) {
+  static const std::vector<SightDrawn> pictures = [] {
+    std::vector<SightDrawn> all;
+    for (const bool near_first : {true, false}) {
+      std::vector<EyeTriangle> panes;
+      for (const bool near : {near_first, !near_first}) {
+        const float z = -1000 - (near ? 0.0f : 8 * 0x1p-14f);
+        panes.push_back({Point<Eye>{-4000, -4000, z}, {9000, -4000, z}, {-4000, 9000, z}});
+      }
+      Vista vista = vista_of(panes, PerspectiveLens{1, 0.1, 1e4}, 32);
+      store_depth(vista, DepthFormat::kFloat32Reversed);
+      vista.separation = 4 * 0x1p-24;
+      all.emplace_back(std::move(vista));
+    }
+    return all;
+  }();
+  return worst_of(pictures, by);
 }
 
 }  // namespace c63
@@ -34,6 +55,7 @@ ExtremeCase c63_reversed_through_gl() {
                 [] { return judge(DepthPath::kThroughGl); }},
       .mutants = {{"reversed after the divide, as 1 - z",
                    [] { return judge(DepthPath::kSubtracted); }}},
+      .drawn = judge_drawn,
   };
 }
 

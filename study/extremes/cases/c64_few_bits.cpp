@@ -1,3 +1,4 @@
+#include <glassbox/base/rounding.h>
 #include "study/extremes/kit/depth.h"
 #include "study/extremes/kit/extreme_case.h"
 
@@ -35,6 +36,24 @@ double without_near_plane(const DepthPath&, double distance, double step) {
   return distance * step;
 }
 
+// Panes across the gaze, and the codes that runs keep of them, against depth as a formula has it. In float it is (alpha z + beta)/z
+// by rounded numbers: 3 u |alpha|, 2 u |beta|/z and 2 u of the quotient; then half a step.
+Outcome judge_drawn(const Drawer& by) {
+  const double near = 0.1, far = 1e4;
+  Worst worst;
+  for (const auto& [format, steps] :
+       {std::pair{DepthFormat::kUnorm16, 65535.0}, {DepthFormat::kUnorm24, 16777215.0}}) {
+    for (const float z : {0.125f, 1.0f, 10.0f, 100.0f, 1000.0f, 9000.0f}) {
+      const double alpha = far / (far - near), beta = near * far / (far - near) / double(z);
+      const double u = unit_roundoff<float>, depth = alpha - beta;
+      const double bound = 0.5 + steps * u * (3 * alpha + 2 * beta + 2 * depth);
+      worst.see(std::abs(double(pane_code_drawn(by, near, far, format, z)) - depth * steps), bound,
+                fmt::format("distance {:g}", z));
+    }
+  }
+  return worst.outcome();
+}
+
 }  // namespace c64
 
 ExtremeCase c64_few_bits() {
@@ -52,6 +71,7 @@ ExtremeCase c64_few_bits() {
       .ours = {"the formula", [] { return judge(by_formula); }},
       .naive = {"steps spread evenly between the planes", [] { return judge(evenly); }},
       .mutants = {{"the near plane is forgotten", [] { return judge(without_near_plane); }}},
+      .drawn = judge_drawn,
   };
 }
 

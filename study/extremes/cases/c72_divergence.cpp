@@ -69,6 +69,9 @@ ExtremeCase c72_divergence() {
                    [] { return judge(with_diameter_for_radius); }},
                   {"only what is in front of the window counts",
                    [] { return judge(looking_in_front_only); }}},
+      .not_drawn =
+          "it is a number that is chosen before a pair is drawn: its picture is that of any other "
+          "separation (C-70, C-73)",
   };
 }
 

@@ -4,6 +4,7 @@
 #include <glassbox/images/stereo/anaglyph.h>
 
 #include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/pair.h"
 #include "study/naive/stereo.h"
 
 namespace glassbox::study {
@@ -124,6 +125,59 @@ AnaglyphMatrix with_misprint() {
   return matrix;
 }
 
+// A pair of pictures that a run draws of cards in six strong colours, mixed: within a byte of what the colours make that are seen along
+// each eye's own line of sight.
+Outcome judge_drawn(const Drawer& by) {
+  constexpr StereoPair kPair{0.3, 8};
+  static const std::array<Rgba8, 6> colors{Rgba8{255, 0, 0, 255}, {0, 255, 0, 255},
+                                           {0, 0, 255, 255},      {0, 255, 255, 255},
+                                           {255, 0, 255, 255},    {128, 255, 0, 255}};
+  static const Vista cards = [] {
+    std::vector<EyeTriangle> triangles;
+    for (int i = 0; i < 6; ++i) {
+      const float z = -14 + 1.7f * float(i), x = float(i % 3 - 1) * 1.3f, y = float(i / 3) - 0.7f;
+      triangles.push_back({Point<Eye>{x - 2, y - 1.2f, z}, {x + 2, y - 1.2f, z}, {x, y + 2, z}});
+    }
+    Vista vista = vista_of(triangles, PerspectiveLens{0.7, 1, 30.0}, 64);
+    Mesh& mesh = vista.scene.meshes[0];
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+      const auto [r, g, b] = linear_of(colors[i]);
+      for (std::size_t k = 0; k < 3; ++k) mesh.corners[3 * i + k].color = std::uint32_t(i);
+      mesh.colors.push_back({r, g, b, 1});
+    }
+    vista.settings.transfer = Transfer::kSrgb;
+    return vista;
+  }();
+  static const SightDrawn left(seen_by(cards, kPair, Side::kLeft)),
+      right(seen_by(cards, kPair, Side::kRight));
+  StereoSettings settings;
+  settings.render = cards.settings;
+  settings.render.want_id = false;
+  const StereoRendering drawn =
+      by.renderer(cards.scene, Transfer::kSrgb).render_pair(cards.view, kPair, settings);
+  const auto shown =
+      make_anaglyph(drawn.left.color, drawn.right.color, AnaglyphMethod::kDubois).value();
+  const auto color = [&](const Sight& sight) {
+    return sight.nearest == 0 ? settings.render.background : colors[std::size_t(sight.nearest - 1)];
+  };
+  Worst worst;
+  bool clamped = false;
+  for (std::size_t i = 0; i < shown.pixels.size(); ++i) {
+    const auto in_left = left.sight(i), in_right = right.sight(i);
+    if (!in_left || !in_right) continue;
+    const Bytes exact = exact_mix(color(*in_left), color(*in_right));
+    const Bytes found{shown.pixels[i].r, shown.pixels[i].g, shown.pixels[i].b};
+    for (std::size_t k = 0; k < 3; ++k) {
+      worst.see(std::abs(int(found[k]) - int(exact[k])), 1);
+      clamped = clamped || (exact[k] == 0 && in_left->nearest > 0);
+    }
+  }
+  if (2 * std::size_t(worst.count()) < 3 * shown.pixels.size() || !clamped) {
+    return must_be_zero(HUGE_VAL, "hardly a pixel could be judged");
+  }
+  return worst.outcome(fmt::format("{} channels", worst.count()));
+}
+
 }  // namespace c77
 
 ExtremeCase c77_dubois_negatives() {
@@ -145,6 +199,7 @@ ExtremeCase c77_dubois_negatives() {
                   {"the matrix is transposed", [] { return judge(pipeline_mix, transposed()); }},
                   {"a misprint: -0.62 for -0.062",
                    [] { return judge(pipeline_mix, with_misprint()); }}},
+      .drawn = judge_drawn,
   };
 }
 

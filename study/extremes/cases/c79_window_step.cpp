@@ -75,6 +75,9 @@ ExtremeCase c79_window_step() {
                            [spring = naive::Spring()](double f) mutable { return spring.next(f); };
                      });
                    }}},
+      .not_drawn =
+          "what is judged is the change from frame to frame; each frame is a pair like any other "
+          "(C-70)",
   };
 }
 

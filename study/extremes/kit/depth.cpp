@@ -11,6 +11,7 @@
 
 #include "study/extremes/kit/drawn_coverage.h"
 #include "study/extremes/kit/screen_scene.h"
+#include "study/extremes/kit/vista.h"
 
 namespace glassbox::study {
 
@@ -54,6 +55,21 @@ double coarsest_confused(const DepthPath& path, double distance, double around) 
 double standard_separation(double distance, double near, double far, double step) {
   const double s = step * (1 / near - 1 / far) * distance;
   return s < 1 ? s / (1 - s) : std::numeric_limits<double>::infinity();
+}
+
+std::uint32_t pane_code_drawn(const Drawer& drawer, double near, double far, DepthFormat format,
+                              float distance) {
+  const float d = distance;
+  Vista pane =
+      vista_of({{Point<Eye>{-2 * d, -2 * d, -d}, {6 * d, -2 * d, -d}, {-2 * d, 6 * d, -d}}},
+               PerspectiveLens{1, near, far}, 8);
+  store_depth(pane, format);
+  pane.settings.want_depth = true;
+  return drawer.draw(pane.scene, pane.view, pane.settings).buffers.depth.at(4, 4);
+}
+
+float depth_of_reversed_code(std::uint32_t code) {
+  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(1.0f) - code);
 }
 
 float pipeline_depth(const TriangleSetup& setup, const Coverage& pixel) {

@@ -31,6 +31,12 @@ double coarsest_confused(const DepthPath& path, double distance, double around);
 // n)/(n f); infinite beyond. For float, steps of 2^-24 below 1 (SPEC B.3).
 double standard_separation(double distance, double near, double far, double step);
 
+// The code that a run keeps of a pane across the gaze at this distance.
+std::uint32_t pane_code_drawn(const Drawer& drawer, double near, double far, DepthFormat format,
+                              float distance);
+// What the code of reversed float stands for.
+float depth_of_reversed_code(std::uint32_t code);
+
 // ---- over a triangle ----
 
 using DepthAt = std::function<float(const TriangleSetup&, const Coverage&)>;

@@ -41,8 +41,9 @@ struct ExtremeCase {
   Subject ours, naive;
   std::vector<Subject> mutants = {};
   // A case that shows in a picture: the same put to a whole run by any of the drawers, judged by something that no drawer has a
-  // part in. Exceptions of the run's own are not asked about. Empty: no picture tells more than `ours`.
+  // part in. Exceptions of the run's own are not asked about.
   std::function<Outcome(const Drawer& drawer)> drawn = {};
+  std::string not_drawn = {};  // where that is empty: why no picture shows it
   std::vector<ExtremePicture> pictures = {};
   // Floating-point exceptions that the case itself asks for (FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW): naive code
   // divides by zero, right code does not. Of `ours` alone; naive code and mutants may raise any.

@@ -4,6 +4,7 @@
 #include <glassbox/base/rounding.h>
 #include <glassbox/pipeline/normal_transform.h>
 
+#include "study/extremes/kit/drawn_normals.h"
 #include "study/extremes/kit/polygons.h"
 
 namespace glassbox::study {
@@ -27,6 +28,14 @@ inline Vector<Object, exact::Rational> exact_normal(const Transform<World, Objec
   return cofactors[0] * (sign * exact::Rational(double(n.x))) +
          cofactors[1] * (sign * exact::Rational(double(n.y))) +
          cofactors[2] * (sign * exact::Rational(double(n.z)));
+}
+
+// In the plane z = 0, with this normal at its corners.
+inline Mesh triangle_with_normal(const Normal<Object>& n) {
+  Mesh mesh = mesh_of(Polygon{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}});
+  mesh.normals = {n};
+  for (Corner& corner : mesh.corners) corner.normal = 0;
+  return mesh;
 }
 
 inline double normal_error(const Normal<World>& normal, const Transform<World, Object>& m,

@@ -5,6 +5,7 @@
 #include <glassbox/mesh/triangulate.h>
 #include <glassbox/pipeline/look_at.h>
 
+#include "exact/camera.h"
 #include "study/extremes/kit/drawn_coverage.h"
 
 namespace glassbox::study {
@@ -134,6 +135,59 @@ Vista vista_of(const Scene& scene, const Camera& camera, int width, int height) 
     }
   }
   return vista;
+}
+
+namespace {
+
+// To 64 bits, of which a double has 53.
+Long in_64_bits(const exact::Decimal& number) {
+  const double high = double(number);
+  return Long(high) + Long(double(number - exact::Decimal(high)));
+}
+
+Long3 aimed(const exact::Matrix4<exact::Decimal>& eye_from_world,
+            const Transform<World, Object>& map, const Point<Object>& p) {
+  const exact::Vector4<exact::Decimal> object{exact::Decimal(double(p.x)),
+                                              exact::Decimal(double(p.y)),
+                                              exact::Decimal(double(p.z)), exact::Decimal(1)};
+  const auto eye = eye_from_world * (exact::exactly<exact::Decimal>(map) * object);
+  return {in_64_bits(eye[0]), in_64_bits(eye[1]), in_64_bits(eye[2])};
+}
+
+}  // namespace
+
+Vista vista_of(const Scene& scene, const Aim& aim, const Lens& lens, int side) {
+  Camera camera;
+  camera.lens = lens;
+  camera.world_from_eye = camera_pose(aim.eye, aim.target, aim.up).value();
+  Vista vista = vista_of(scene, camera, side, side);
+  const auto eye_from_world = exact::look_at(aim.eye, aim.target, aim.up);
+  std::size_t number = 0;
+  for (const Instance& instance : scene.instances) {
+    const auto& map = scene.nodes[instance.node].world_from_node;
+    const Mesh& mesh = scene.meshes[instance.mesh];
+    for (const Triangle& triangle : triangulate(mesh).triangles) {
+      SeenTriangle& seen = vista.triangles[number++];
+      for (std::size_t k = 0; k < 3; ++k) {
+        seen.corners[k] =
+            aimed(eye_from_world, map, mesh.positions[mesh.corners[triangle.corners[k]].position]);
+      }
+    }
+  }
+  return vista;
+}
+
+void store_depth(Vista& vista, DepthFormat format) {
+  const bool reversed = format == DepthFormat::kFloat32Reversed;
+  const Transform<Eye, World> eye_from_world = vista.view.eye_from_world;
+  Camera camera;
+  camera.lens = vista.lens;
+  vista.view =
+      make_view(camera, int(vista.view.viewport.width()), int(vista.view.viewport.height()),
+                reversed ? DepthRange::kReversed : DepthRange::kStandard)
+          .value();
+  vista.view.eye_from_world = eye_from_world;
+  vista.settings.depth = format;
 }
 
 void lay_texels(Vista& vista, std::array<int, 2> texels) {

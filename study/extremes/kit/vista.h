@@ -47,6 +47,16 @@ Vista vista_of(const Scene& scene, const Camera& camera, int width, int height);
 // texel has a colour of its own, and the nearest is shown.
 void lay_texels(Vista& vista, std::array<int, 2> texels);
 
+// All triangles of a scene seen by a camera that is aimed, where 50 digits put them.
+struct Aim {
+  Point<World, double> eye, target;
+  Vector<World, double> up;
+};
+Vista vista_of(const Scene& scene, const Aim& aim, const Lens& lens, int side);
+
+// The view with the range of depth that the format takes.
+void store_depth(Vista& vista, DepthFormat format);
+
 // At a place in the world, looking along a gaze, 57 degrees wide, from 0.1 to 100 units away.
 Camera camera_at(const Point<World, double>& place, const Vector<World, double>& gaze);
 

@@ -27,16 +27,16 @@ Place place_at(double offset) {
           look_at({at.x + 3, at.y + 0.0, at.z + 4}, at, {0, 1, 0}).value()};
 }
 
-using Long = glm::vec<3, long double>;
+using LongVector = glm::vec<3, long double>;
 
 // The matrices' own numbers, in 64 bits of mantissa: relative 2^-60 of the offset.
-Long exactly(const Place& place, const Point<Object>& p) {
-  Long eye(0);
+LongVector exactly(const Place& place, const Point<Object>& p) {
+  LongVector eye(0);
   const auto& m = place.eye_from_world;
   const auto& w = place.world_from_object;
-  const Long world(static_cast<long double>(p.x) + static_cast<long double>(w.at(0, 3)),
-                   static_cast<long double>(p.y) + static_cast<long double>(w.at(1, 3)),
-                   static_cast<long double>(p.z) + static_cast<long double>(w.at(2, 3)));
+  const LongVector world(static_cast<long double>(p.x) + static_cast<long double>(w.at(0, 3)),
+                         static_cast<long double>(p.y) + static_cast<long double>(w.at(1, 3)),
+                         static_cast<long double>(p.z) + static_cast<long double>(w.at(2, 3)));
   for (int row = 0; row < 3; ++row) {
     eye[row] = static_cast<long double>(m.at(row, 3));
     for (int k = 0; k < 3; ++k) eye[row] += static_cast<long double>(m.at(row, k)) * world[k];
@@ -96,7 +96,7 @@ SweepSeries series_of(const char* name, bool ours,
       const auto coordinate = [&] { return float(random.between(-1, 1)); };
       const Point<Object> p(coordinate(), coordinate(), coordinate());
       const Computed found = compute(place, p);
-      const Long exact = exactly(place, p);
+      const LongVector exact = exactly(place, p);
       for (int k = 0; k < 3; ++k) {
         worst.error = std::max(
             worst.error, double(std::abs(static_cast<long double>(found.position[k]) - exact[k])));

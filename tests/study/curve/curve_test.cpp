@@ -68,6 +68,27 @@ TEST_CASE("pictures that would not fit are refused before any is drawn") {
   CHECK(refused.error().place == std::to_string(ways) + " pictures");
 }
 
+TEST_CASE("without a page pictures are told apart by their packed bytes, and none is kept") {
+  const Scene scene = scene_of("teapot");
+  CurveRequest request = request_of(scene);
+  request.combine = false;
+  const auto kept = measure_curve(request);
+  request.keep_pictures = false;
+  request.most_bytes = 0;
+  const auto packed = measure_curve(request);
+  REQUIRE(kept);
+  REQUIRE(packed);
+  CHECK(packed->pictures.empty());
+  CHECK(kept->pictures.size() == kept->different);
+  CHECK(packed->different == kept->different);
+  REQUIRE(packed->points.size() == kept->points.size());
+  for (std::size_t i = 0; i < kept->points.size(); ++i) {
+    CAPTURE(name_of(kept->points[i].way));
+    CHECK(packed->points[i].picture == kept->points[i].picture);
+    CHECK(packed->points[i].error.rms == kept->points[i].error.rms);
+  }
+}
+
 TEST_CASE("each knob is turned alone to all that it has but what is asked for") {
   const Scene room = scene_of("room");
   const Ways ways = single_turns(room, {.threads = 4});

@@ -79,6 +79,12 @@ TEST_CASE("cases that show in a picture are drawn right by both engines and for 
   CHECK(drawers().front().name == "staged");
   int drawn = 0;
   for (const ExtremeCase& each : extreme_cases()) {
+    // The cases of other stages than the renderer's have numbers from C-80 on.
+    const bool is_renderers = std::stoi(each.id.substr(2)) < 80;
+    if (is_renderers) {
+      INFO(each.id << ": it is drawn, or says why no picture shows it");
+      CHECK(bool(each.drawn) == each.not_drawn.empty());
+    }
     if (!each.drawn) continue;
     ++drawn;
     for (const Drawer& drawer : drawers()) {
@@ -88,7 +94,7 @@ TEST_CASE("cases that show in a picture are drawn right by both engines and for 
       CHECK(outcome.passes());
     }
   }
-  CHECK(drawn >= 45);
+  CHECK(drawn >= 68);
 }
 
 TEST_CASE("the list of extreme cases has C-01 to C-79 once each, done or left out with a reason",

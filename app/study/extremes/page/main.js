@@ -16,12 +16,12 @@ const caseTable = () => table(["case", "", "naive error", "our error", "bound", 
 
 const subjectText = (subject, unit) => `${subject.name}: ${errorOf(subject)} ${unit}. ${subject.seen}`;
 
-function caseSection({id, name, construction, stage, right, unit, oracle, ours, naive, mutants, drawn, pictures}) {
+function caseSection({id, name, construction, stage, right, unit, oracle, ours, naive, mutants, drawn, not_drawn: whyNot, pictures}) {
   return element("section", {id, ariaLabel: id},
     element("h2", {}, `${id} ${name}`),
     element("dl", {className: "about"}, ...terms([["Built", construction], ["Stage", stage], ["Right", right], ["Oracle", oracle],
       ["Ours", subjectText(ours, unit)], ["Naive", subjectText(naive, unit)], ...mutants.map((each) => ["Mutant", subjectText(each, unit)]),
-      ...drawn.map(({name, seen}) => ["Drawn", `${name}: ${seen}`])])),
+      ...drawn.map(({name, seen}) => ["Drawn", `${name}: ${seen}`]), ...(whyNot ? [["No picture", whyNot]] : [])])),
     element("div", {className: "pictures"}, ...pictures.map((picture) => element("figure", {},
       element("img", {src: `data:image/png;base64,${picture.png}`, alt: `${id}, ${picture.name}`}), element("figcaption", {}, picture.name)))));
 }
