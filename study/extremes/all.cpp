@@ -17,10 +17,6 @@ const std::vector<ExtremeCase>& extreme_cases() {
 
 const std::vector<LeftOut>& left_out_cases() {
   static const std::vector<LeftOut> all{
-      {"C-37", "A layered depth image's inverse camera",
-       "warps layered depth images, which nothing draws yet"},
-      {"C-80 to C-86", "Layered depth images",
-       "warps, splats and merges of layers: the pipeline draws no layered depth images"},
       {"C-87 to C-94", "Voxel colouring",
        "footprints, thresholds and sweeps through voxels: nothing is reconstructed from pictures"},
       {"C-95 to C-98", "Polygon colouring",

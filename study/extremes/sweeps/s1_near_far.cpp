@@ -8,7 +8,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace s1 {
 
 constexpr double kDistance = 0.5;  // of the far plane, at 1
 
@@ -57,9 +57,10 @@ std::vector<SweepSeries> near_far_series() {
   return all;
 }
 
-}  // namespace
+}  // namespace s1
 
 Sweep s1_near_far() {
+  using namespace s1;
   return {
       .name = "near-far",
       .title = "Far plane over near plane",

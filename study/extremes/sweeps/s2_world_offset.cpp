@@ -13,7 +13,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace s2 {
 
 // An object a few units large stands `offset` from the origin of the world; the eye looks at it from five units away.
 struct Place {
@@ -114,9 +114,10 @@ std::vector<SweepSeries> world_offset_series() {
           series_of("double, step by step", false, in_double)};
 }
 
-}  // namespace
+}  // namespace s2
 
 Sweep s2_world_offset() {
+  using namespace s2;
   return {.name = "world-offset",
           .title = "Distance of the scene from the world's origin",
           .question = "How far out may a scene be built before its vertices shake?",

@@ -9,7 +9,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace s3 {
 
 const std::vector<double>& angles() {
   static const std::vector<double> all{1e-6,  1e-5,  1e-4,   1e-3,    1e-2,    0.1,   1,
@@ -72,9 +72,10 @@ std::vector<SweepSeries> field_of_view_series() {
   return all;
 }
 
-}  // namespace
+}  // namespace s3
 
 Sweep s3_field_of_view() {
+  using namespace s3;
   return {
       .name = "field-of-view",
       .title = "Field of view",

@@ -11,7 +11,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace s4 {
 
 using LooksAt = Result<Transform<Eye, World>> (*)(const Point<World, double>&,
                                                   const Point<World, double>&,
@@ -58,9 +58,10 @@ std::vector<SweepSeries> up_angle_series() {
           series_of("float", false, naive::look_at_in_float, double(unit_roundoff<float>))};
 }
 
-}  // namespace
+}  // namespace s4
 
 Sweep s4_up_angle() {
+  using namespace s4;
   return {
       .name = "up-angle",
       .title = "Angle between up and gaze",

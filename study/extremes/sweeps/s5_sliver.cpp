@@ -8,7 +8,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace s5 {
 
 constexpr double kLength = 4000;
 
@@ -46,9 +46,10 @@ std::vector<SweepSeries> sliver_series() {
           series_of("float, not snapped", naive::float_covers, false)};
 }
 
-}  // namespace
+}  // namespace s5
 
 Sweep s5_sliver() {
+  using namespace s5;
   return {.name = "sliver",
           .title = "Width of a sliver",
           .question = "How thin may a triangle 4,000 px long be before pixels are decided wrongly?",

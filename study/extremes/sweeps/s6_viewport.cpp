@@ -9,7 +9,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace s6 {
 
 double share_wrong(const Covers& covers, int side) {
   Random random(5);
@@ -49,9 +49,10 @@ std::vector<SweepSeries> viewport_series() {
       series_by_size("float, not snapped", naive::float_covers, false)};
 }
 
-}  // namespace
+}  // namespace s6
 
 Sweep s6_viewport() {
+  using namespace s6;
   return {
       .name = "viewport",
       .title = "Size of the picture",

@@ -8,7 +8,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace s7 {
 
 template <class T>
 using Matrix = Transform<Object, Object, T>;
@@ -98,9 +98,10 @@ std::vector<SweepSeries> nesting_series() {
   return {with_limit(ours, 1e-5), with_limit(in_double, 1e-5), with_limit(in_float, 1e-5)};
 }
 
-}  // namespace
+}  // namespace s7
 
 Sweep s7_nesting() {
+  using namespace s7;
   return {.name = "nesting",
           .title = "Depth of nesting",
           .question = "How many nodes may lie between a mesh and the world before it drifts away?",

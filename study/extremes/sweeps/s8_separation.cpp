@@ -16,7 +16,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace s8 {
 
 constexpr double kWindow = 10;
 using ClipFromEye = Transform<Clip, Eye, float>;
@@ -91,9 +91,10 @@ std::vector<SweepSeries> separation_series() {
           series_of("composed in float", false, composed_in_float)};
 }
 
-}  // namespace
+}  // namespace s8
 
 Sweep s8_separation() {
+  using namespace s8;
   return {
       .name = "separation",
       .title = "Separation of the eyes over the window's distance",

@@ -1,0 +1,197 @@
+// D-14: where the samples of a layered depth image come to: by products, by additions, in float, fixed point and double.
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "study/experiment/experiment.h"
+#include "study/experiments/consume.h"
+#include "study/experiments/d14_model.h"
+#include "study/experiments/d14_ways.h"
+#include "study/experiments/layer_samples.h"
+#include "study/experiments/once.h"
+
+namespace glassbox::study {
+
+namespace {
+
+using namespace d14;
+
+constexpr const char* kMoved = "moved";
+
+// About 111,600 samples in 90,000 pixels: 1.24 for each, as the slides have it (S1-12). One image for each width, seen from several
+// places.
+struct Stage {
+  views::LayeredImage image;
+  std::vector<Eigen::Matrix4d> warps;
+};
+
+Eigen::Isometry3d nearby_eye(Random& random) {
+  const auto some = [&](double most) { return random.between(-most, most); };
+  const Eigen::Vector3d axis = Eigen::Vector3d(some(1), some(1), some(1)).normalized();
+  Eigen::Isometry3d eye = Eigen::Isometry3d::Identity();
+  eye.linear() = Eigen::AngleAxisd(some(0.1), axis).toRotationMatrix();
+  eye.translation() = Eigen::Vector3d(some(0.3), some(0.3), some(0.3));
+  return eye;
+}
+
+Stage make_stage(int width, int eyes) {
+  const int height = 90000 / width;
+  const double focal = width, near = 0.5;
+  Stage stage;
+  const auto from = perspective_camera(width, height, focal, near, Eigen::Isometry3d::Identity());
+  Random random(14);
+  views::LayerBuilder builder(from, 0);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      builder.add(x, y, float(near / random.between(2, 20)), random_color(random));
+      if (random.integer(0, 99) < 24)
+        builder.add(x, y, float(near / random.between(20, 40)), random_color(random));
+    }
+  }
+  stage.image = builder.pack();
+  for (int i = 0; i < eyes; ++i) {
+    const auto to = perspective_camera(width, height, focal, near, nearby_eye(random));
+    stage.warps.push_back(views::warp_matrix(to, from));
+  }
+  return stage;
+}
+
+// ---- errors ----
+
+// `value` minus the product of a row with (x, y, z, 1), to twice the digits of double: what each product and each sum lose is kept.
+double beyond(double value, const Eigen::RowVector4d& row, double x, double y, double z) {
+  double sum = value, rest = 0;
+  const auto take_away = [&](double a, double b) {
+    const double product = a * b;
+    rest -= std::fma(a, b, -product);
+    const double next = sum - product, shown = next - sum;
+    rest += (sum - (next - shown)) - (product + shown);
+    sum = next;
+  };
+  take_away(row[0], x);
+  take_away(row[1], y);
+  take_away(row[2], z);
+  take_away(row[3], 1);
+  return sum + rest;
+}
+
+struct Errors {
+  double rms = 0;    // px, of both coordinates, before the division
+  double moved = 0;  // share of the samples
+};
+
+template <class Way>
+Errors errors_of(const Stage& stage) {
+  double squares = 0, samples = 0, moved = 0;
+  for (const Eigen::Matrix4d& m : stage.warps) {
+    warp_all<Way>(stage.image, m, [&](int x, int y, std::uint32_t i, const auto& at) {
+      const double u = x + 0.5, v = y + 0.5, z = double(stage.image.depth[i]);
+      const Eigen::Vector4d right = m * Eigen::Vector4d(u, v, z, 1);
+      const double column = right.x() / right.w(), row = right.y() / right.w();
+      const double of_w = beyond(double(at.w), m.row(3), u, v, z);
+      const double dx = (beyond(double(at.x), m.row(0), u, v, z) - column * of_w) / right.w();
+      const double dy = (beyond(double(at.y), m.row(1), u, v, z) - row * of_w) / right.w();
+      squares += square(dx) + square(dy);
+      const auto inverse = 1 / at.w;
+      moved += std::floor(double(at.x * inverse)) != std::floor(column);
+      moved += std::floor(double(at.y * inverse)) != std::floor(row);
+      ++samples;
+    });
+  }
+  return {std::sqrt(squares / samples), moved / samples};
+}
+
+// ---- work: one picture, a pixel for each sample, the nearest stays ----
+
+template <class Way>
+void draw(const Stage& stage) {
+  const int width = stage.image.camera.width, height = stage.image.camera.height;
+  Image<float> depth(width, height, 0.0f);
+  Image<Rgba8> color(width, height, Rgba8{0, 0, 0, 255});
+  warp_all<Way>(stage.image, stage.warps.front(), [&](int, int, std::uint32_t i, const auto& at) {
+    if (!(at.w > 0)) return;
+    const auto inverse = 1 / at.w;
+    const auto x = at.x * inverse, y = at.y * inverse;
+    if (!(x >= 0 && y >= 0 && x < decltype(x)(width) && y < decltype(y)(height))) return;
+    const auto z = float(at.z * inverse);
+    const std::size_t pixel = depth.index(int(x), int(y));
+    if (!(z > depth.pixels[pixel])) return;
+    depth.pixels[pixel] = z;
+    color.pixels[pixel] = stage.image.color[i];
+  });
+  consume(color);
+}
+
+// ---- the table ----
+
+template <class Way>
+void add_way(const char* name, const std::shared_ptr<const Stage>& stage,
+             std::vector<Configuration>& all) {
+  const int width = stage->image.camera.width, height = stage->image.camera.height;
+  const auto eyes = double(stage->warps.size());
+  Predicted mean;
+  for (const Eigen::Matrix4d& m : stage->warps) {
+    const Predicted one = predict<Way>(stage->image, m, std::max(height / 5, 1));
+    mean.mean_square += one.mean_square / eyes;
+    mean.moved += one.moved / eyes;
+  }
+  const double samples = double(stage->image.samples()) * eyes;
+  // A share of which not a hundredth of a sample is expected is none.
+  if (mean.moved * samples < 0.01) mean.moved = 0;
+  const auto errors = once([stage] { return errors_of<Way>(*stage); });
+  all.push_back({.series = name,
+                 .parameter = double(width),
+                 .error = [errors] { return errors().rms; },
+                 .predicted_error = std::sqrt(mean.mean_square),
+                 .work = [stage](int) { draw<Way>(*stage); },
+                 .items = double(stage->image.samples())});
+  all.push_back({.series = name,
+                 .parameter = double(width),
+                 .measure = kMoved,
+                 .error = [errors] { return errors().moved; },
+                 .predicted_error = mean.moved});
+}
+
+std::vector<Configuration> configurations(Effort effort) {
+  std::vector<int> widths{300, 942, 8192};
+  if (effort == Effort::kFull) widths = {300, 942, 2048, 4096, 8192, 16384};
+  std::vector<Configuration> all;
+  for (const int width : widths) {
+    const auto stage =
+        std::make_shared<const Stage>(make_stage(width, effort == Effort::kQuick ? 8 : 16));
+    add_way<FullProduct<float>>("float, 16 products", stage, all);
+    add_way<Additions<float, kNever>>("float, added up, never anew", stage, all);
+    add_way<Additions<float, kLine>>("float, added up, anew each row", stage, all);
+    add_way<Additions<float, 64>>("float, added up, anew every 64 px", stage, all);
+    add_way<Additions<float, 16>>("float, added up, anew every 16 px", stage, all);
+    add_way<Multiples>("float, multiples of the step, anew every 64 px", stage, all);
+    add_way<FixedPoint>("fixed point, added up, anew each row", stage, all);
+    add_way<FullProduct<double>>("double, 16 products", stage, all);
+    add_way<Additions<double, kLine>>("double, added up, anew each row", stage, all);
+  }
+  return all;
+}
+
+}  // namespace
+
+Experiment d14_layer_warp() {
+  return {
+      .id = "D-14",
+      .name = "Warping the samples of a layered image",
+      .question = "What do additions in place of products save, and how far do they drift?",
+      .axis = "width of a row",
+      .axis_unit = "px",
+      .error = "RMS distance of a sample from its place, before the division",
+      .error_unit = "px",
+      .reference = "the product with the matrix, to twice the digits of double",
+      .theory =
+          "each rounding is within half a unit of the last place, evenly: ulp/sqrt 12. Adding the "
+          "same step again to a sum of the same power of two is rounded by the same amount again, "
+          "so that n additions are off by n ulp/sqrt 12; w's error counts x times. At most W u W "
+          "px, of which a sum over the powers of two is left",
+      .item = "sample",
+      .measures = {{kMoved, "samples whose row or column is another pixel's, a share of all", ""}},
+      .configurations = configurations};
+}
+
+}  // namespace glassbox::study

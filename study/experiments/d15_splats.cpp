@@ -1,0 +1,180 @@
+// D-15: how large a sample of a layered depth image is drawn, and as what.
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "study/experiment/experiment.h"
+#include "study/experiments/consume.h"
+#include "study/experiments/d15_filter.h"
+#include "study/experiments/d15_splats.h"
+#include "study/experiments/layer_samples.h"
+#include "study/experiments/once.h"
+
+namespace glassbox::study {
+
+namespace {
+
+using namespace d15;
+
+constexpr const char *kRms = "rms", *kPsnr = "PSNR", *kSharpness = "sharpness";
+
+// A wall of n x n samples of independent colours, one behind each pixel of a parallel camera, and the same seen m times as large: nothing
+// but sampling is at work, and every pixel's place among the samples repeats.
+struct Stage {
+  std::string name;
+  Magnification m;
+  views::LayeredImage wall;
+  views::LayerCamera to;
+};
+
+Stage make_stage(int samples, double times, bool tilted) {
+  // Seen by the first eye at 60 degrees, the wall is 1/cos 60 = 2 times as wide.
+  const Magnification m{tilted ? 2 * times : times, times, times};
+  Stage stage{tilted ? "wall at 60 degrees" : "wall", m, {}, {}};
+  views::LayerCamera from;
+  from.width = from.height = samples;
+  stage.to.width = int(samples * m.x), stage.to.height = int(samples * m.y);
+  stage.to.screen_from_world.diagonal() << m.x, m.y, 1, 1;
+  views::LayerBuilder builder(from, 0);
+  Random random(15);
+  for (int y = 0; y < samples; ++y) {
+    for (int x = 0; x < samples; ++x) builder.add(x, y, 0.5f, random_color(random));
+  }
+  stage.wall = builder.pack();
+  return stage;
+}
+
+// ---- the error ----
+
+struct Errors {
+  double holes = 0;      // a share
+  double rms = 0;        // of a channel, 1/255
+  double sharpness = 0;  // gradients' mean square over the true one's
+};
+
+double channel(const Rgba8& c, int k) {
+  return k == 0 ? c.r : k == 1 ? c.g : c.b;
+}
+
+// Pixels to which all samples that could reach them are there.
+Errors errors_of(const Stage& stage, const Splatted& drawn) {
+  const int margin = int(8 * std::max(stage.m.x, stage.m.y));
+  const int height = stage.wall.camera.height;
+  const auto truth = [&](int u, int v, int k) {
+    double sum = 0;
+    for (const auto& [sample, area] : truth_in(u, v, stage.m)) {
+      const auto place =
+          std::size_t(height - 1 - sample.second) * std::size_t(height) + std::size_t(sample.first);
+      sum += area * channel(stage.wall.color[place], k);
+    }
+    return sum;
+  };
+  double holes = 0, squares = 0, gradient = 0, true_gradient = 0, pixels = 0;
+  for (int v = margin; v < stage.to.height - margin; ++v) {
+    std::array<double, 3> before{};
+    for (int u = margin; u < stage.to.width - margin; ++u) {
+      ++pixels;
+      holes += drawn.depth.at(u, v) == 0;
+      for (int k = 0; k < 3; ++k) {
+        const double is = channel(drawn.color.at(u, v), k), should = truth(u, v, k);
+        squares += square(is - should) / 3;
+        if (u > margin) {
+          gradient += square(is - channel(drawn.color.at(u - 1, v), k));
+          true_gradient += square(should - before[std::size_t(k)]);
+        }
+        before[std::size_t(k)] = should;
+      }
+    }
+  }
+  return {holes / pixels, std::sqrt(squares / pixels), gradient / true_gradient};
+}
+
+double psnr(double rms) {
+  return 20 * std::log10(255 / rms);
+}
+
+// ---- the table ----
+
+template <class Footprint>
+void add_footprint(const char* name, const std::shared_ptr<const Stage>& stage, double times,
+                   const Footprint& footprint, std::vector<Configuration>& all) {
+  const Expected expected = expect(stage->m, footprint);
+  const auto errors =
+      once([=] { return errors_of(*stage, splat(stage->wall, stage->to, footprint)); });
+  const auto add = [&](const char* measure, double predicted, auto error) {
+    all.push_back({.series = name,
+                   .parameter = times,
+                   .scene = stage->name,
+                   .measure = measure,
+                   .error = [=] { return error(errors()); },
+                   .predicted_error = predicted});
+  };
+  add("", expected.holes, [](const Errors& e) { return e.holes; });
+  all.back().work = [=](int) { consume(splat(stage->wall, stage->to, footprint)); };
+  all.back().items = double(stage->wall.samples());
+  const double rms = std::sqrt(expected.mean_square);
+  add(kRms, rms, [](const Errors& e) { return e.rms; });
+  add(kPsnr, psnr(rms), [](const Errors& e) { return psnr(e.rms); });
+  add(kSharpness, expected.gradient / expected.true_gradient,
+      [](const Errors& e) { return e.sharpness; });
+}
+
+void add_stage(int samples, double times, bool tilted, std::vector<Configuration>& all) {
+  const auto stage = std::make_shared<const Stage>(make_stage(samples, times, tilted));
+  const Magnification& m = stage->m;
+  const double side = std::max(m.focal, 1.0);
+  add_footprint("1 x 1", stage, times, Square{1}, all);
+  add_footprint("3 x 3", stage, times, Square{3}, all);
+  add_footprint("square of side l", stage, times, Square{side}, all);
+  // sqrt(cos 0 / cos 60): as large in area as the sample is from there (S1-10).
+  const double with_tilt = std::max(m.focal * std::sqrt(m.x / m.y), 1.0);
+  if (tilted)
+    add_footprint("square of side l, with the tilt", stage, times, Square{with_tilt}, all);
+  add_footprint("four sizes, weights 1, 1/2, 1/4", stage, times, FourSizes::of(with_tilt), all);
+  add_footprint("Gaussian (EWA)", stage, times, Gaussian::of(m), all);
+  const double corner = std::sqrt(0.5);
+  add_footprint("ellipse", stage, times,
+                Ellipse{std::max(m.x, 1.0) * corner, std::max(m.y, 1.0) * corner}, all);
+}
+
+std::vector<Configuration> configurations(Effort effort) {
+  const bool quick = effort == Effort::kQuick;
+  std::vector<double> magnifications{0.5, 1, 2, 4};
+  if (!quick) magnifications = {0.5, 1, 2, 3, 4};
+  std::vector<Configuration> all;
+  for (const bool tilted : {false, true}) {
+    for (const double times : magnifications) add_stage(quick ? 40 : 128, times, tilted, all);
+  }
+  return all;
+}
+
+}  // namespace
+
+Experiment d15_splats() {
+  return {
+      .id = "D-15",
+      .name = "Splats: one pixel, a square, a bell",
+      .question = "Which footprint of a sample leaves no holes, and what does it blur?",
+      .axis = "magnification from one picture to the other",
+      .error = "pixels of a wall that show nothing, over all",
+      .reference = "the wall of samples, averaged over each pixel",
+      .theory =
+          "one pixel a sample covers 1/m^2, so that 1 - 1/m^2 are holes, 1 - 9/m^2 with three "
+          "pixels from m = 3 on, and none with sides l = m; a wall at 60 degrees is twice as wide. "
+          "Colours of samples are independent, with the mean 127.5 and the variance s = (256^2 - "
+          "1)/12: a footprint is a filter, whose error with weights d has the mean square s "
+          "sum(d^2) + 127.5^2 (sum d)^2, and so have the differences of neighbours",
+      .item = "sample",
+      .measures = {{kRms, "RMS error of a channel", "1/255"},
+                   {.name = kPsnr,
+                    .error = "peak signal-to-noise ratio",
+                    .error_unit = "dB",
+                    .more_is_better = true},
+                   {.name = kSharpness,
+                    .error = "mean square of neighbours' differences, over what is there",
+                    .error_unit = "",
+                    .more_is_better = true}},
+      .configurations = configurations};
+}
+
+}  // namespace glassbox::study

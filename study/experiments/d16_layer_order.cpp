@@ -1,0 +1,222 @@
+// D-16: samples of a layered depth image by depth, in an occlusion-compatible order, and in the order in which they are packed.
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <set>
+#include <tuple>
+#include <vector>
+
+#include "study/experiment/experiment.h"
+#include "study/experiments/consume.h"
+#include "study/experiments/layer_samples.h"
+#include "study/experiments/once.h"
+#include "views/layers/draw_layers.h"
+
+namespace glassbox::study {
+
+namespace {
+
+constexpr int kSide = 128;  // px
+constexpr double kFocal = 128, kNear = 1e-3;
+
+// How the second eye has moved, and what it sees: samples at random pixels, whose places there are known without a matrix.
+struct Move {
+  const char* name;
+  Eigen::Vector3d to;  // the eye, world units; the first is at 0 and looks along -z
+  // A random distance, and how many times as far from the middle of the picture a thing at that distance is seen from there.
+  double (*distance)(Random&);
+  int middle;  // px: a square around the picture's middle to which samples come from everywhere
+  // Wrong pixels of those that show something, at `layers` samples a pixel.
+  double (*order)(double layers);
+  double (*packed)(double layers);
+};
+
+// Of pixels on which n samples fall, n as Poisson has it with mean `mean`: those with two or more, of those with any.
+double share_with_two(double mean) {
+  return 1 - mean * std::exp(-mean) / (1 - std::exp(-mean));
+}
+
+// To the left by a unit: a parallax of n whole pixels at kFocal / n, to the right; what is packed later lies to the right, and is farther
+// where it comes to the same place: the farthest stays.
+double at_whole_parallaxes(Random& random) {
+  return kFocal / double(random.integer(1, 40));
+}
+// Ahead by a unit: seen r times as large with r/(r - 1) units to go, r from 1.5 to 2.5.
+double magnified(Random& random) {
+  const double r = random.between(1.5, 2.5);
+  return r / (r - 1);
+}
+// Back by a unit, half as large: r from 0.5 to 0.501, by which 32 pixels are moved by 1/30 px.
+double halved(Random& random) {
+  const double r = random.between(0.5, 0.501);
+  return r / (1 - r);
+}
+// The packed order goes up: below the epipole towards it, which is right, and above it away.
+double packed_ahead(double layers) {
+  return share_with_two(layers * (1 / 1.5 - 1 / 2.5)) / 2;
+}
+
+const Move kMoves[] = {
+    {"aside", {-1, 0, 0}, at_whole_parallaxes, 40, [](double) { return 0.0; }, share_with_two},
+    {"ahead", {0, 0, -1}, magnified, 90, [](double) { return 0.0; }, packed_ahead},
+    // Four pixels come to one, and whose sample is the nearest has nothing to do with who is visited last.
+    {"back, a thin slab",
+     {0, 0, 1},
+     halved,
+     56,
+     [](double) { return 0.75; },
+     [](double) { return 0.75; }},
+};
+
+struct Stage {
+  const Move* move = nullptr;
+  views::LayeredImage image;
+  views::LayerCamera to;
+  Image<Rgba8> right;
+};
+
+Stage make_stage(const Move& move, double layers) {
+  const Eigen::Isometry3d first = Eigen::Isometry3d::Identity();
+  Stage stage;
+  stage.move = &move;
+  stage.to = perspective_camera(kSide, kSide, kFocal, kNear,
+                                Eigen::Isometry3d(Eigen::Translation3d(-move.to)));
+  stage.right = Image<Rgba8>(kSide, kSide, Rgba8{0, 0, 0, 0});
+  Image<double> nearest(kSide, kSide, std::numeric_limits<double>::infinity());
+  views::LayerBuilder builder(perspective_camera(kSide, kSide, kFocal, kNear, first), 0);
+  Random random(16);
+  std::set<std::tuple<int, int, float>> taken;
+  const auto add = [&](int x, int y) {
+    const double distance = move.distance(random);
+    const Rgba8 color = random_color(random);
+    const auto depth = float(kNear / distance);
+    if (!taken.emplace(x, y, depth).second) return;
+    // In the other picture: along the ray from the first eye, less the move.
+    const double z = kNear / double(depth), left = z + move.to.z();
+    const double X = (x + 0.5 - kSide / 2.0) * z / kFocal - move.to.x();
+    const double Y = (y + 0.5 - kSide / 2.0) * z / kFocal;
+    const int u = int(std::floor(X * kFocal / left + kSide / 2.0)),
+              v = int(std::floor(Y * kFocal / left + kSide / 2.0));
+    const bool is_inside = u >= 0 && v >= 0 && u < kSide && v < kSide;
+    // Of two that are as far neither is the nearest.
+    if (is_inside && z == nearest.at(u, v)) return;
+    builder.add(x, y, depth, color);
+    if (!is_inside || z > nearest.at(u, v)) return;
+    nearest.at(u, v) = z;
+    stage.right.at(u, v) = color;
+  };
+  const int each = move.to.z() > 0 ? int(layers) : 0;
+  for (int i = 0; i < each * kSide * kSide; ++i) add(i % kSide, i / kSide % kSide);
+  for (int i = 0; each == 0 && i < int(layers * kSide * kSide); ++i)
+    add(int(random.integer(0, kSide - 1)), int(random.integer(0, kSide - 1)));
+  stage.image = builder.pack();
+  return stage;
+}
+
+// ---- the three ways: the same loop ----
+
+enum class Way { kDepth, kOrder, kPacked };
+
+template <Way way>
+Image<Rgba8> draw(const Stage& stage) {
+  const views::LayeredImage& image = stage.image;
+  const Eigen::Matrix4d m = views::warp_matrix(stage.to, image.camera);
+  std::vector<int> rows, columns;
+  if constexpr (way == Way::kOrder) {
+    const Eigen::Vector4d e = image.camera.screen_from_world * views::eye_of(stage.to);
+    rows = views::visiting_order(e.y(), e.w(), kSide);
+    columns = views::visiting_order(e.x(), e.w(), kSide);
+  } else {
+    for (int i = 0; i < kSide; ++i) columns.push_back(i), rows.push_back(kSide - 1 - i);
+  }
+  Image<Rgba8> color(kSide, kSide, Rgba8{0, 0, 0, 0});
+  Image<double> nearest(kSide, kSide, 0.0);
+  for (const int y : rows) {
+    for (const int x : columns) {
+      const std::size_t place = image.place(x, y);
+      const Eigen::Vector4d start = m * Eigen::Vector4d(x + 0.5, y + 0.5, 0, 1);
+      for (std::uint32_t i = image.first[place]; i < image.first[place + 1]; ++i) {
+        const Eigen::Vector4d at = start + double(image.depth[i]) * m.col(2);
+        if (!(at.w() > 0)) continue;
+        const double inverse = 1 / at.w();
+        const double u = at.x() * inverse, v = at.y() * inverse;
+        if (!(u >= 0 && v >= 0 && u < kSide && v < kSide)) continue;
+        const std::size_t pixel = color.index(int(u), int(v));
+        if constexpr (way == Way::kDepth) {
+          const double z = at.z() * inverse;
+          if (!(z > nearest.pixels[pixel])) continue;
+          nearest.pixels[pixel] = z;
+        }
+        color.pixels[pixel] = image.color[i];
+      }
+    }
+  }
+  return color;
+}
+
+// Pixels of the middle that show something else than what is nearest, of those that show something.
+double wrong_share(const Stage& stage, const Image<Rgba8>& drawn) {
+  const int begin = (kSide - stage.move->middle) / 2;
+  double wrong = 0, shown = 0;
+  for (int y = begin; y < kSide - begin; ++y) {
+    for (int x = begin; x < kSide - begin; ++x) {
+      const Rgba8 right = stage.right.at(x, y);
+      shown += right.a != 0;
+      wrong += drawn.at(x, y) != right;
+    }
+  }
+  return wrong / shown;
+}
+
+template <Way way>
+void add_way(const char* name, const std::shared_ptr<const Stage>& stage, double layers,
+             double predicted, std::vector<Configuration>& all) {
+  all.push_back({.series = name,
+                 .parameter = layers,
+                 .scene = stage->move->name,
+                 .error = [stage] { return wrong_share(*stage, draw<way>(*stage)); },
+                 .predicted_error = predicted,
+                 .work = [stage](int) { consume(draw<way>(*stage)); },
+                 .items = double(stage->image.samples())});
+}
+
+std::vector<Configuration> configurations(Effort effort) {
+  std::vector<double> counts{1, 2, 4, 8};
+  if (effort == Effort::kFull) counts = {1, 2, 4, 8, 16};
+  std::vector<Configuration> all;
+  for (const Move& move : kMoves) {
+    for (const double layers : counts) {
+      const auto stage = std::make_shared<const Stage>(make_stage(move, layers));
+      add_way<Way::kDepth>("the nearest, by depth", stage, layers, 0, all);
+      add_way<Way::kOrder>("the last, in an order for this eye", stage, layers, move.order(layers),
+                           all);
+      add_way<Way::kPacked>("the last, as they are packed", stage, layers, move.packed(layers),
+                            all);
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+Experiment d16_layer_order() {
+  return {
+      .id = "D-16",
+      .name = "Who is in front: order or depth",
+      .question = "Does an order of visits show what a depth buffer shows, and what does it save?",
+      .axis = "samples for each pixel",
+      .error = "pixels that do not show the nearest sample that falls on them, of those with any",
+      .reference = "each sample's place, and the nearest of each pixel",
+      .theory =
+          "McMillan's order is right for points: two that fall on one pixel and are visited in the "
+          "wrong order would have to be less than a pixel apart in the picture and at least one in "
+          "the first, which is impossible where things are seen as large or larger. Seen half as "
+          "large, four pixels come to one, of which the last is the nearest in 1 of 4 thin slabs. "
+          "As they are packed the farthest stays, wherever two samples fall on a pixel, to the "
+          "left of a move to the right and above a move ahead: 1 - m e^-m/(1 - e^-m) with m on "
+          "average (Poisson)",
+      .item = "sample",
+      .configurations = configurations};
+}
+
+}  // namespace glassbox::study

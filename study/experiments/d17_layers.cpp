@@ -1,0 +1,245 @@
+// D-17: how many layers of how many eyes have what another eye sees, and what they take to store.
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <Eigen/LU>
+
+#include <glassbox/mesh/builtin/scenes.h>
+
+#include "study/experiment/experiment.h"
+#include "study/experiments/consume.h"
+#include "study/experiments/d17_leaves.h"
+#include "study/experiments/once.h"
+#include "views/layers/depth_peeling.h"
+#include "views/layers/draw_layers.h"
+#include "views/layers/layer_builder.h"
+
+namespace glassbox::study {
+
+namespace {
+
+using namespace d17;
+using views::Layer;
+
+constexpr const char *kStorage = "storage", *kMerged = "merged";
+constexpr int kAllLayers = 14;  // of the leaves: with 3 on average one line in a million meets more
+
+// What is seen from some eyes, peeled, and what another eye sees.
+struct Stage {
+  std::string name;
+  std::vector<View> eyes;
+  std::vector<std::vector<Layer>> peeled;  // of each eye
+  View other;
+  Layer seen;
+  double tolerance = 0;  // of a distance, as a share of it; 0: surfaces are told by their colour
+};
+
+RenderSettings plain() {
+  RenderSettings settings;
+  settings.transfer = Transfer::kNone;
+  settings.background = {0, 0, 0, 255};
+  settings.want_distance = true;
+  return settings;
+}
+
+Stage make_stage(std::string name, const Scene& scene, std::vector<View> eyes, const View& other,
+                 int layers, double tolerance) {
+  Stage stage{std::move(name), std::move(eyes), {}, other, {}, tolerance};
+  for (const View& eye : stage.eyes)
+    stage.peeled.push_back(views::peel(scene, eye, plain(), layers));
+  stage.seen = views::peel(scene, other, plain(), 1).front();
+  return stage;
+}
+
+views::LayeredImage built(const Stage& stage, int layers, int eyes, double epsilon) {
+  views::LayerBuilder builder(views::layer_camera(stage.eyes.front()), epsilon);
+  for (std::size_t i = 0; i < std::size_t(eyes); ++i) {
+    for (std::size_t k = 0; k < std::min(std::size_t(layers), stage.peeled[i].size()); ++k)
+      builder.add_picture(stage.eyes[i], stage.peeled[i][k].color, stage.peeled[i][k].distance);
+  }
+  return builder.pack();
+}
+
+// Whether one of the first layers of an eye has a surface of that colour, or, where surfaces are shaded, at that distance, where a point of
+// the world is seen: in the pixel or the one that is next to the point. Nothing for a point beside the picture.
+std::optional<bool> has(const Stage& stage, std::size_t eye, int layers,
+                        const Eigen::Vector4d& world, const Rgba8& color) {
+  const views::LayerCamera camera = views::layer_camera(stage.eyes[eye]);
+  const Eigen::Vector4d at = camera.screen_from_world * world;
+  const double x = at.x() / at.w(), y = at.y() / at.w(), depth = at.z() / at.w();
+  if (!(at.w() > 0) || !(x >= 1 && y >= 0 && x < camera.width - 1 && y < camera.height))
+    return std::nullopt;
+  const int column = int(x), row = int(y), beside = x - column < 0.5 ? column - 1 : column + 1;
+  const auto count = std::min(std::size_t(layers), stage.peeled[eye].size());
+  for (std::size_t k = 0; k < count; ++k) {
+    const Layer& layer = stage.peeled[eye][k];
+    for (const int u : {column, beside}) {
+      const auto z = double(layer.distance.at(u, row));
+      if (!std::isfinite(z)) continue;
+      const double there = views::depth_of(stage.eyes[eye], z);
+      if (stage.tolerance > 0 ? std::abs(there / depth - 1) < stage.tolerance
+                              : layer.color.at(u, row) == color)
+        return true;
+    }
+  }
+  return false;
+}
+
+// Of the pixels in which the other eye sees what is within all first eyes' pictures, those whose surface none of their layers has.
+double missing(const Stage& stage, int layers, int eyes) {
+  const views::LayerCamera camera = views::layer_camera(stage.other);
+  const Eigen::Matrix4d back = camera.screen_from_world.inverse();
+  double without = 0, seen = 0;
+  for (int y = 0; y < camera.height; ++y) {
+    for (int x = 0; x < camera.width; ++x) {
+      const auto z = double(stage.seen.distance.at(x, y));
+      if (!std::isfinite(z)) continue;
+      const Eigen::Vector4d world =
+          back * Eigen::Vector4d(x + 0.5, y + 0.5, views::depth_of(stage.other, z), 1);
+      bool is_within = true, is_there = false;
+      for (std::size_t eye = 0; eye < std::size_t(eyes); ++eye) {
+        const auto found = has(stage, eye, layers, world, stage.seen.color.at(x, y));
+        is_within = is_within && found;
+        is_there = is_there || found.value_or(false);
+      }
+      seen += is_within;
+      without += is_within && !is_there;
+    }
+  }
+  return without / seen;
+}
+
+// Four bytes for a colour, four for a depth, and an offset for each pixel.
+double bytes_of(const views::LayeredImage& image) {
+  return (8 * double(image.samples()) + 4 * double(image.first.size())) /
+         double(image.first.size() - 1);
+}
+
+std::string series_of(int eyes) {
+  return eyes == 1 ? "one eye's layers" : "two eyes' layers";
+}
+
+struct Law {
+  double covered;  // T, surfaces on a line
+  std::optional<Finding> of_missing = {};
+};
+
+void add_layers(const std::shared_ptr<const Stage>& stage, int layers, int eyes, const Law& law,
+                std::vector<Configuration>& all) {
+  const auto image = once([=] { return built(*stage, layers, eyes, views::kMergedDepths); });
+  all.push_back({.series = series_of(eyes),
+                 .parameter = double(layers),
+                 .scene = stage->name,
+                 .error = [=] { return missing(*stage, layers, eyes); },
+                 .predicted_error = missing_share(law.covered, layers, eyes),
+                 .finding = law.of_missing,
+                 .work =
+                     [=](int) {
+                       views::LayerDrawing drawing;
+                       drawing.splat = views::Splat::kPoint;
+                       const auto to = views::layer_camera(stage->other);
+                       consume(views::draw_layers(image(), to, drawing));
+                     }});
+  if (eyes > 1) return;
+  all.push_back({.series = series_of(eyes),
+                 .parameter = double(layers),
+                 .scene = stage->name,
+                 .measure = kStorage,
+                 .error = [=] { return bytes_of(image()); },
+                 .predicted_error = 4 + 8 * kept_layers(law.covered, layers)});
+}
+
+void add_epsilon(const std::shared_ptr<const Stage>& stage, double epsilon,
+                 std::vector<Configuration>& all) {
+  all.push_back({.series = series_of(1),
+                 .parameter = epsilon,
+                 .scene = stage->name,
+                 .measure = kMerged,
+                 .error =
+                     [=] {
+                       const auto left = built(*stage, kAllLayers, 1, epsilon).samples(),
+                                  before = built(*stage, kAllLayers, 1, 0).samples();
+                       return 1 - double(left) / double(before);
+                     },
+                 .predicted_error = merged_share(kCovered, epsilon),
+                 .work = [=](int) { consume(built(*stage, kAllLayers, 1, epsilon)); },
+                 .items = 1});
+}
+
+const Finding kLargeThings{
+    "walls and furniture are larger than the move: neighbouring lines meet the same things, and "
+    "only "
+    "a strip beside each edge comes into view",
+    0, 0.5};
+const Finding kTrees{
+    "trees are as wide as the move, so that lines of both eyes that meet in a point often meet the "
+    "same tree on the way",
+    0.2, 1};
+
+// A scene that is one: the eye of its camera, and one a little beside.
+std::shared_ptr<const Stage> scene_stage(const char* name, double aside) {
+  const Scene scene = make_builtin(name).value();
+  Camera camera = scene.cameras.at(0);
+  const View eye = make_view(camera, 120, 90).value();
+  for (int row = 0; row < 3; ++row)
+    camera.world_from_eye.at(row, 3) += aside * camera.world_from_eye.at(row, 0);
+  return std::make_shared<const Stage>(
+      make_stage(name, scene, {eye}, make_view(camera, 120, 90).value(), 6, 0.02));
+}
+
+// Surfaces on a line of the first eye.
+double surfaces_on_a_line(const Stage& stage) {
+  return double(built(stage, kAllLayers, 1, 0).samples()) / double(stage.seen.color.pixels.size());
+}
+
+std::vector<Configuration> configurations(Effort effort) {
+  std::vector<Configuration> all;
+  const auto slab = std::make_shared<const Stage>(make_stage(
+      "leaves", leaves(), {eye_at_angle(0, kSourceWidth), eye_at_angle(-kAngle, kSourceWidth)},
+      eye_at_angle(kAngle, kSeenWidth), kAllLayers, 0));
+  for (const int layers : {1, 2, 3, 4, 6}) add_layers(slab, layers, 1, {kCovered}, all);
+  for (const int layers : {1, 2, 3, 4}) add_layers(slab, layers, 2, {kCovered}, all);
+  for (const double epsilon : {0x1p-6, 0x1p-4, 0x1p-2}) add_epsilon(slab, epsilon, all);
+  if (effort == Effort::kFull) {
+    for (const double epsilon : {0x1p-7, 0x1p-5, 0x1p-3}) add_epsilon(slab, epsilon, all);
+  }
+  const auto add_scene = [&](const char* name, double aside, const Finding& finding) {
+    const auto stage = scene_stage(name, aside);
+    for (const int layers : {1, 2, 3, 4})
+      add_layers(stage, layers, 1, {surfaces_on_a_line(*stage), finding}, all);
+  };
+  add_scene("room", 0.17, kLargeThings);
+  add_scene("forest", 0.3, kTrees);
+  return all;
+}
+
+}  // namespace
+
+Experiment d17_layers() {
+  return {
+      .id = "D-17",
+      .name = "How many layers, of how many eyes",
+      .question = "How much of what another eye sees is in the layers, and what do they weigh?",
+      .axis = "layers of each eye",
+      .logarithmic_axis = false,
+      .error = "pixels of another eye whose surface no layer has, of those that show one",
+      .reference = "the scene as that eye sees it",
+      .theory =
+          "things that lie anywhere are met by a line as Poisson has it, T on average. What an eye "
+          "sees lies behind t of them for another one, with the density e^-t: k layers lack "
+          "int e^-t P(N(t) >= k) dt, 2^-k for an endless slab, and of two eyes the square of P. A "
+          "pixel keeps E min(N, k) samples of 8 bytes, and an offset of 4. Samples that take in "
+          "what is within epsilon of their depth lose 1 - ln(1 + T epsilon)/(T epsilon)",
+      .item = "picture",
+      .axis_is_chosen = true,
+      .measures = {{kStorage, "bytes for each pixel", "bytes"},
+                   {.name = kMerged,
+                    .error = "samples that are taken for another one's, of all",
+                    .error_unit = "",
+                    .axis = "epsilon, as a share of the depth"}},
+      .configurations = configurations};
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,90 @@
+#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/layers.h"
+#include "study/naive/layers.h"
+
+namespace glassbox::study {
+namespace c81 {
+
+constexpr int kSide = 64;  // px
+
+// A wall, 8 units away, that fills the picture.
+const views::LayeredImage& wall() {
+  static const views::LayeredImage image = [] {
+    views::LayerBuilder builder(
+        layer_camera_of({.width = kSide, .height = kSide, .focal = kSide, .near = 0.5}), 0);
+    for (int y = 0; y < kSide; ++y) {
+      for (int x = 0; x < kSide; ++x) builder.add(x, y, 0.5f / 8, color_of_number(1));
+    }
+    return builder.pack();
+  }();
+  return image;
+}
+
+// How many pixels show nothing; `zoom` is F2/F1.
+using Holes = std::function<int(const views::LayerCamera& to, double zoom)>;
+
+Outcome judge(const Holes& holes) {
+  int most = 0;
+  std::string where = "none";
+  const auto see = [&](const LayerEye& eye, double zoom, const char* by, int m) {
+    const int here = holes(layer_camera_of(eye), zoom);
+    if (here <= most) return;
+    most = here;
+    where = fmt::format("{:.1f} % magnified {} times by {}", 100.0 * here / (kSide * kSide), m, by);
+  };
+  for (const int m : {1, 2, 4}) {
+    LayerEye nearer{.width = kSide, .height = kSide, .focal = kSide, .near = 0.5};
+    LayerEye zoomed = nearer;
+    nearer.at = {0, 0, -8 + 8.0 / m};
+    zoomed.focal = kSide * m;
+    see(nearer, 1, "going there", m);
+    see(zoomed, m, "the lens", m);
+  }
+  return must_be_zero(most, where);
+}
+
+int ours(const views::LayerCamera& to, double) {
+  return int(
+      std::ranges::count(drawn_layers(wall(), to, views::Splat::kProjected).depth.pixels, 0.0f));
+}
+
+Outcome judge_sides(const std::function<double(double zoom, double w)>& side) {
+  naive::SplatLoop loop;
+  loop.side = side;
+  return judge([loop](const views::LayerCamera& to, double zoom) {
+    return int(std::ranges::count(naive::splat(wall(), to, loop, zoom).depth.pixels, 0.0));
+  });
+}
+
+}  // namespace c81
+
+ExtremeCase c81_layers_magnified() {
+  using namespace c81;
+  return {
+      .id = "C-81",
+      .name = "Layers looked at through a magnifier",
+      .construction =
+          "64 x 64 samples of a wall, seen 1, 2 and 4 times as large: from as much nearer, and by "
+          "a lens of as much more focal length",
+      .stage = "layers",
+      .right = "no hole: a sample's side is (F2/F1)(d1/d2) (S1-10); of one pixel each 1 - 1/m^2",
+      .unit = "pixels",
+      .oracle = Oracle::kAnalytic,
+      .ours = {"squares of the projected size", [] { return judge(ours); }},
+      .naive = {"one pixel a sample",
+                [] { return judge_sides([](double, double) { return 1.0; }); }},
+      .mutants = {{"three pixels, whatever the size",
+                   [] { return judge_sides([](double, double) { return 3.0; }); }},
+                  {"focal lengths left out",
+                   [] {
+                     return judge_sides([](double, double w) { return std::max(1 / w, 1.0); });
+                   }},
+                  {"d2/d1 in place of d1/d2",
+                   [] {
+                     return judge_sides(
+                         [](double zoom, double w) { return std::max(zoom * w, 1.0); });
+                   }}},
+  };
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,109 @@
+#include <glassbox/base/random.h>
+
+#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/layers.h"
+#include "study/naive/layers.h"
+
+namespace glassbox::study {
+namespace c83 {
+
+constexpr int kSide = 64;  // px
+
+// 4,096 samples 0.5 to 8 units away, and an eye that has gone 4 of them ahead.
+const views::LayeredImage& cloud() {
+  static const views::LayeredImage image = [] {
+    views::LayerBuilder builder(
+        layer_camera_of({.width = kSide, .height = kSide, .focal = 40, .near = 0.25}), 0);
+    Random random(83);
+    for (std::uint32_t i = 0; i < kSide * kSide; ++i)
+      builder.add(int(i % kSide), int(i / kSide), float(0.25 / random.between(0.5, 8)),
+                  color_of_number(i + 1));
+    return builder.pack();
+  }();
+  return image;
+}
+views::LayerCamera passed() {
+  return layer_camera_of(
+      {.width = kSide, .height = kSide, .focal = 40, .near = 0.25, .at = {0, 0, -4}});
+}
+
+Outcome judge(const std::function<Image<Rgba8>()>& draw) {
+  const Image<Rgba8> drawn = draw();
+  const Eigen::Matrix4d warp = views::warp_matrix(passed(), cloud().camera);
+  int wrong = 0, missing = 0, shown = 0;
+  const auto warped = [&](std::uint32_t number) -> Eigen::Vector4d {
+    const int x = int((number - 1) % kSide), y = int((number - 1) / kSide);
+    const auto depth = double(cloud().depth[cloud().first[cloud().place(x, y)]]);
+    return warp * Eigen::Vector4d(x + 0.5, y + 0.5, depth, 1);
+  };
+  for (const Rgba8& pixel : drawn.pixels) {
+    const std::uint32_t number = number_of_color(pixel);
+    if (number == 0) continue;
+    ++shown;
+    wrong += !(warped(number).w() > 0);
+  }
+  // Who is before the eye and the near plane, and well within a pixel, has something in it.
+  for (std::uint32_t number = 1; number <= kSide * kSide; ++number) {
+    const Eigen::Vector4d at = warped(number);
+    if (!(at.w() > 0) || at.z() / at.w() > 0.999) continue;
+    const double x = at.x() / at.w(), y = at.y() / at.w();
+    const auto is_well_within = [](double v) {
+      return v > 0 && v < kSide && std::abs(v - std::round(v)) > 0x1p-10;
+    };
+    if (is_well_within(x) && is_well_within(y))
+      missing += number_of_color(drawn.at(int(x), int(y))) == 0;
+  }
+  return wrong_of(wrong + missing, shown, "pixels", fmt::format("; {} are missing", missing));
+}
+
+Outcome judge_order(views::LayerOrder order) {
+  return judge(
+      [order] { return drawn_layers(cloud(), passed(), views::Splat::kPoint, order).color; });
+}
+
+Outcome judge_test(const std::function<bool(double z, double w)>& is_drawn,
+                   const std::function<double(double zoom, double w)>& side) {
+  naive::SplatLoop loop;
+  loop.is_drawn = is_drawn;
+  loop.side = side;
+  // As in an occlusion-compatible order: a depth buffer hides what has z < 0 by chance.
+  loop.compares_depth = false;
+  return judge([loop] { return naive::splat(cloud(), passed(), loop).color; });
+}
+
+}  // namespace c83
+
+ExtremeCase c83_layers_behind() {
+  using namespace c83;
+  const auto one_pixel = [](double, double) { return 1.0; };
+  return {
+      .id = "C-83",
+      .name = "Samples that the eye has passed",
+      .construction =
+          "4,096 samples 0.5 to 8 units before the first eye, and a second one 4 units ahead",
+      .stage = "layers",
+      .right = "what has w <= 0 is not drawn, and all that is before the near plane is",
+      .unit = "pixels",
+      .oracle = Oracle::kProperty,
+      .ours = {"w <= 0 is left out",
+               [] {
+                 return worse_of(judge_order(views::LayerOrder::kDepth),
+                                 judge_order(views::LayerOrder::kOcclusion));
+               }},
+      .naive = {"divided by whatever w is",
+                [one_pixel] { return judge_test([](double, double) { return true; }, one_pixel); }},
+      .mutants =
+          {{"the depth alone is tested",
+            [one_pixel] { return judge_test([](double z, double) { return z <= 1; }, one_pixel); }},
+           {"w >= -1",
+            [one_pixel] {
+              return judge_test([](double z, double w) { return w >= -1 && z <= 1; }, one_pixel);
+            }},
+           {"what is nearer than the first eye was, left out",
+            [one_pixel] {
+              return judge_test([](double z, double w) { return w >= 0.2 && z <= 1; }, one_pixel);
+            }}},
+  };
+}
+
+}  // namespace glassbox::study

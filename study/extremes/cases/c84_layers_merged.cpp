@@ -1,0 +1,76 @@
+#include <numeric>
+
+#include <glassbox/base/random.h>
+
+#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/layers.h"
+#include "study/naive/layers.h"
+
+namespace glassbox::study {
+namespace c84 {
+
+constexpr double kEpsilon = 0x1p-6;
+
+// What is left of the depths of one pixel, from back to front.
+using Merge = std::function<std::vector<float>(const std::vector<float>& depths, double epsilon)>;
+
+// Each 0.9 epsilon behind the one before it: near to its neighbours, and not to the next but one.
+std::vector<float> chain() {
+  std::vector<float> depths;
+  for (int i = 0; i < 12; ++i)
+    depths.push_back(float(0.5 * std::pow(1 - 0.9 * kEpsilon, double(i))));
+  return depths;
+}
+
+Outcome judge(const Merge& merge) {
+  std::vector<float> depths = chain();
+  // From the front: the first, the third, and so on.
+  std::vector<float> right;
+  for (std::size_t i = depths.size(); i-- > 0;) {
+    if (i % 2 == 0) right.push_back(depths[i]);
+  }
+  constexpr int kOrders = 200;
+  int wrong = 0;
+  std::size_t least = depths.size(), most = 0;
+  Random random(84);
+  for (int order = 0; order < kOrders; ++order) {
+    const std::vector<float> left = merge(depths, kEpsilon);
+    wrong += left != right;
+    least = std::min(least, left.size());
+    most = std::max(most, left.size());
+    for (std::size_t i = depths.size(); i-- > 1;)
+      std::swap(depths[i], depths[std::size_t(random.integer(0, int(i)))]);
+  }
+  return wrong_of(wrong, kOrders, "orders",
+                  fmt::format("; {} to {} samples are left", least, most));
+}
+
+std::vector<float> ours(const std::vector<float>& depths, double epsilon) {
+  views::LayerBuilder builder(layer_camera_of({.width = 1, .height = 1}), epsilon);
+  for (const float depth : depths) builder.add(0, 0, depth, {9, 9, 9});
+  return builder.pack().depth;
+}
+
+}  // namespace c84
+
+ExtremeCase c84_layers_merged() {
+  using namespace c84;
+  return {
+      .id = "C-84",
+      .name = "A chain of near depths",
+      .construction = "twelve samples of a pixel, each 0.9 epsilon behind the last, in 200 orders",
+      .stage = "layers",
+      .right =
+          "the same samples in every order: from the front, each that is left takes in what is "
+          "near to itself, and nothing else: six",
+      .unit = "orders",
+      .oracle = Oracle::kProperty,
+      .ours = {"sorted, then merged from the front", [] { return judge(ours); }},
+      .naive = {"merged as they come", [] { return judge(naive::merged_as_they_come); }},
+      .mutants = {{"each compared with its neighbour",
+                   [] { return judge(naive::merged_along_the_chain); }},
+                  {"merged from behind", [] { return judge(naive::merged_from_behind); }}},
+  };
+}
+
+}  // namespace glassbox::study

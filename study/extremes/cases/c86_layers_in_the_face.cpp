@@ -1,0 +1,90 @@
+#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/layers.h"
+#include "study/naive/layers.h"
+
+namespace glassbox::study {
+namespace c86 {
+
+constexpr int kSide = 512;  // px
+
+// One sample, straight ahead and 1 unit away.
+const views::LayeredImage& sample() {
+  static const views::LayeredImage image = [] {
+    views::LayerBuilder builder(
+        layer_camera_of({.width = 1, .height = 1, .focal = 64, .near = 0x1p-24}), 0);
+    builder.add(0, 0, 0x1p-24f, {9, 9, 9});
+    return builder.pack();
+  }();
+  return image;
+}
+// 1/m units before it: there it is m px wide, from the middle of the picture.
+views::LayerCamera eye_at(double m) {
+  return layer_camera_of(
+      {.width = kSide, .height = kSide, .focal = 64, .near = 0x1p-24, .at = {0, 0, -1 + 1 / m}});
+}
+
+struct Splatted {
+  int pixels = 0;    // that are covered
+  int reported = 0;  // samples that are said to be larger than they are drawn
+};
+using Draw = std::function<Splatted(double m)>;
+
+// Pixels too many or too few, and samples of which it should have been said; 2 to 2^20 px wide.
+Outcome judge(const Draw& draw) {
+  double wrong = 0;
+  int silent = 0;
+  for (int k = 1; k <= 20; ++k) {
+    const double m = std::ldexp(1.0, k), side = std::min(m, double(views::kLargestSplat));
+    const Splatted splatted = draw(m);
+    wrong += std::abs(splatted.pixels - side * side);
+    silent += splatted.reported != (m > side);
+  }
+  return must_be_zero(wrong + silent,
+                      fmt::format("{} pixels, {} samples not reported or in vain", wrong, silent));
+}
+
+Splatted ours(double m) {
+  const auto picture = drawn_layers(sample(), eye_at(m), views::Splat::kProjected);
+  const auto covered = std::ranges::count_if(picture.depth.pixels, [](float z) { return z > 0; });
+  return {int(covered), int(picture.counts.cut)};
+}
+Splatted by_side(double m, double side, bool reported) {
+  naive::SplatLoop loop;
+  loop.side = [side](double, double) { return side; };
+  const auto picture = naive::splat(sample(), eye_at(m), loop);
+  const auto covered = std::ranges::count_if(picture.depth.pixels, [](double z) { return z > 0; });
+  return {int(covered), reported ? 1 : 0};
+}
+Splatted without_limit(double m) {
+  return by_side(m, m, false);
+}
+Splatted in_silence(double m) {
+  return by_side(m, std::min(m, double(views::kLargestSplat)), false);
+}
+Splatted left_out(double m) {
+  const bool large = m > views::kLargestSplat;
+  return by_side(m, large ? 0 : m, large);
+}
+
+}  // namespace c86
+
+ExtremeCase c86_layers_in_the_face() {
+  using namespace c86;
+  return {
+      .id = "C-86",
+      .name = "A sample in the eye's face",
+      .construction =
+          "one sample, from 1/2 to 2^-20 of its first distance: 2 to 2^20 px wide by its size law; "
+          "a surface that the first eye saw at its edge grows as far",
+      .stage = "layers",
+      .right = "min(m, 64)^2 pixels, and a count of those that would have been larger",
+      .unit = "pixels and samples",
+      .oracle = Oracle::kAnalytic,
+      .ours = {"cut to 64 px, and counted", [] { return judge(ours); }},
+      .naive = {"as large as it comes", [] { return judge(without_limit); }},
+      .mutants = {{"cut without a word", [] { return judge(in_silence); }},
+                  {"left out where too large", [] { return judge(left_out); }}},
+  };
+}
+
+}  // namespace glassbox::study
