@@ -72,10 +72,11 @@ Sought in_whole_picture(const WordPair& pair, int x, int y) {
                   [](std::size_t at) { return at + 1; });
 }
 
-// Left pixels that the right picture has, some 4000 of them; x of the first ones of a row is less often asked.
+// Left pixels that have all disparities, `most` of them at most or somewhat more.
 template <class Ask>
 int for_some(const WordPair& pair, int most, Ask ask) {
-  const int step = std::max(1, pair.width * pair.height / most);
+  const int step =
+      std::max(1, pair.width * pair.height / most) | 1;  // odd: all columns take their turn
   int asked = 0;
   for (int i = step / 2; i < pair.width * pair.height; i += step) {
     if (i % pair.width < pair.disparities) continue;
@@ -111,7 +112,7 @@ double predicted_wrong(double candidates) {
 
 std::vector<Configuration> configurations(Effort effort) {
   std::vector<int> widths{32, 48, 64, 96};
-  if (effort == Effort::kFull) widths.insert(widths.end(), {128, 192});
+  if (effort == Effort::kFull) widths.insert(widths.end(), {128, 160});
   std::vector<Configuration> all;
   for (const int width : widths) {
     const double pixels = width * width * 3 / 4, disparities = width / 4;
