@@ -45,7 +45,7 @@ void LabGradeCommand::add_to(CLI::App& lab, int& exit_code) {
       "Examples:\n"
       "  glassbox lab grade submissions/ --lab 5 -o results/\n"
       "  glassbox lab grade submissions/ann --lab 5 --one -o results/ann/results.json\n"
-      "  glassbox lab grade submissions/ --lab-dir ~/labs/10-fog -o results/\n\n"
+      "  glassbox lab grade submissions/ --lab-dir ~/labs/40-fog -o results/\n\n"
       "A class is a folder of folders, one a submission, with student.cpp in each. Every "
       "submission and every\n"
       "check of it runs in a sandbox and in a process of its own. docs/grading.md has the rest: "

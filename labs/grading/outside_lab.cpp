@@ -151,7 +151,7 @@ Result<fs::path> find_outside_lab(const std::string& folder) {
   if (error || !fs::is_directory(place, error))
     return fail(folder, "is no folder", "name the folder of a lab, NN-name");
   if (!is_of_a_lab(fs::path("labs") / place.filename()))
-    return fail(folder, "is not called as a lab is", "call it NN-name, such as 10-fog");
+    return fail(folder, "is not called as a lab is", "call it NN-name, such as 40-fog");
   for (const char* name : kNeeded) {
     if (!fs::is_regular_file(place / name, error))
       return fail((fs::path(folder) / name).string(), "is not there",

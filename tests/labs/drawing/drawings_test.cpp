@@ -87,6 +87,20 @@ const std::vector<Trial>& trials() {
        "skew.at(0, 2) = (trial::wrong() ? -s : s) / pair.window;",
        "eye",
        "eye_projection"},
+      {10,
+       "room",
+       {},
+       "r[2] * l[0], r[2] * l[1]",
+       "r[2] * l[trial::wrong() ? 1 : 0], r[2] * l[1]",
+       "matrix",
+       "eight_point"},
+      {11,
+       "room",
+       {},
+       "< picture.at(x, y)) word",
+       "< picture.at(x, y) - (trial::wrong() ? 20 : 0)) word",
+       "costs",
+       "census"},
   };
   return all;
 }
