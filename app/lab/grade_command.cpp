@@ -318,7 +318,7 @@ int LabGradeCommand::run_collect(const fs::path& results) const {
   const auto rows = read_results(results);
   if (!rows) return refuse(rows.error());
   for (const auto& [file, text] :
-       {std::pair{"class.csv", class_csv(*rows)}, {"index.html", class_html(*rows)}}) {
+       {std::pair{kTableOfClass, class_csv(*rows)}, {kPageOfClass, class_html(*rows)}}) {
     if (const auto written = write_text((results / file).string(), text); !written)
       return refuse(written.error());
   }
@@ -331,8 +331,8 @@ int LabGradeCommand::run_collect(const fs::path& results) const {
                outcome_of(row));
     if (!row.finished) ++unfinished;
   }
-  fmt::print("{} and {} have the details\n", (results / "class.csv").string(),
-             (results / "index.html").string());
+  fmt::print("{} and {} have the details\n", (results / kTableOfClass).string(),
+             (results / kPageOfClass).string());
   if (unfinished == 0) return kSuccess;
   fmt::print(stderr, "{} of {} did not finish; lab grade --resume goes on with them\n", unfinished,
              rows->size());

@@ -30,7 +30,8 @@ constexpr const char* kNeeded[] = {"handout.md", "student.h",  "student.cpp",
 bool is_of_judge(const fs::path& file) {
   const std::string name = file.filename().string();
   return file.extension() == ".cpp" && name != "student.cpp" && name != "runner.cpp" &&
-         name != "stages.cpp" && name != "drawing.cpp";
+         name != "stages.cpp" && name != "drawing.cpp" && name != "timed.cpp" &&
+         name != "measured.cpp";
 }
 
 // Its sources, and every header that they may include, in an order that is the same everywhere.

@@ -46,6 +46,7 @@ ExtremeCase c106_rank_first() {
       .naive = {"made essential, then carried back",
                 [] { return judge(naive::essential_made_before_carrying_back); }},
       .mutants = {{"rank 2 alone", [] { return judge(naive::essential_of_rank_two); }}},
+      .not_drawn = "an estimate from matches, which no engine draws",
   };
 }
 

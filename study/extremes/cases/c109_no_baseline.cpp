@@ -60,6 +60,7 @@ ExtremeCase c109_no_baseline() {
       .naive = {"the reprojection is near, so is the point", [] { return judge(by_reprojection); }},
       .mutants = {{"the baseline's root", [] { return judge(with_root_of_baseline); }},
                   {"without baseline nothing is off", [] { return judge(never_infinite); }}},
+      .not_drawn = "an estimate from matches, which no engine draws",
   };
 }
 

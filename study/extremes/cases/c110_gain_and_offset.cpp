@@ -65,6 +65,7 @@ ExtremeCase c110_gain_and_offset() {
       .mutants = {{"squared differences", [] { return judge(MatchingCost::kSsd, 3); }},
                   {"absolute differences of a wider square",
                    [] { return judge(MatchingCost::kSad, 5); }}},
+      .not_drawn = "pictures are only what it starts from: no engine draws what is matched",
   };
 }
 

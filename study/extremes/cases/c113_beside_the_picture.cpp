@@ -65,6 +65,7 @@ ExtremeCase c113_beside_the_picture() {
       .naive = {"clamped into the picture", [] { return judge(naive::match_clamped); }},
       .mutants = {{"holes are filled", [] { return judge(filled); }},
                   {"from 0 on", [] { return judge(of_positive_ones); }}},
+      .not_drawn = "pictures are only what it starts from: no engine draws what is matched",
   };
 }
 

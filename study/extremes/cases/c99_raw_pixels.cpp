@@ -65,6 +65,7 @@ ExtremeCase c99_raw_pixels() {
       .mutants = {{"carried back crosswise",
                    [] { return judge(naive::fundamental_carried_back_crosswise); }},
                   {"not carried back", [] { return judge(naive::fundamental_not_carried_back); }}},
+      .not_drawn = "an estimate from matches, which no engine draws",
   };
 }
 
