@@ -79,6 +79,7 @@ ExtremeCase c107_parallel_rays() {
       .naive = {"a quotient", [] { return judge(naive::by_division); }},
       .mutants = {{"parallel lines are divided by 0", [] { return judge(never_at_infinity); }},
                   {"beyond 1000 is infinitely far", [] { return judge(at_infinity_too_soon); }}},
+      .not_drawn = "an estimate from matches, which no engine draws",
   };
 }
 

@@ -73,6 +73,7 @@ ExtremeCase c108_near_epipole() {
       .naive = {"Z^2 sqrt(2) sigma/(f B)", [] { return judge(by_parallel_law); }},
       .mutants = {{"noise in one picture alone", [] { return judge(one_picture_alone); }},
                   {"by the sine at the camera", [] { return judge(by_sine_at_camera); }}},
+      .not_drawn = "an estimate from matches, which no engine draws",
   };
 }
 

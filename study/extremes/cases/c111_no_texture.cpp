@@ -70,6 +70,7 @@ ExtremeCase c111_no_texture() {
       .naive = {"the winner", [] { return judge(by_confidence(0)); }},
       .mutants = {{"only equal costs are unclear", [] { return judge(by_confidence(1e-6f)); }},
                   {"peak ratio of 1", [] { return judge(by_confidence(0.9999f)); }}},
+      .not_drawn = "pictures are only what it starts from: no engine draws what is matched",
   };
 }
 

@@ -103,6 +103,7 @@ ExtremeCase c112_slanted_plane() {
       .naive = {"whole pixels", [] { return judge(whole_pixels); }},
       .mutants = {{"the part with the other sign", [] { return judge(other_way); }},
                   {"the part cut off", [] { return judge(cut_off); }}},
+      .not_drawn = "pictures are only what it starts from: no engine draws what is matched",
   };
 }
 

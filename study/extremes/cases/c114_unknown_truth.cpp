@@ -91,6 +91,7 @@ ExtremeCase c114_unknown_truth() {
                    [] {
                      return judge({of_known, naive::depth_without_offset});
                    }}},
+      .not_drawn = "pictures are only what it starts from: no engine draws what is matched",
   };
 }
 
