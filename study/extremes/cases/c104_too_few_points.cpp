@@ -76,8 +76,8 @@ ExtremeCase c104_too_few_points() {
       .naive = {"eight are there", [] { return judge(eight_are_there); }},
       .mutants = {{"the rank is not asked", [] { return judge(is_solved); }},
                   {"left points that differ will do", [] { return judge(left_points_differ); }}},
-      .exceptions_of_ours = FE_INVALID,
       .not_drawn = "an estimate from matches, which no engine draws",
+      .exceptions_of_ours = FE_INVALID,
   };
 }
 
