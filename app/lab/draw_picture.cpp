@@ -25,13 +25,13 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-// What is drawn: of lab 9 the centre's view, with the eyes beside it.
+// What is drawn: of labs 9 and 12 the centre's view, with the eyes beside it.
 Result<labs::Drawn> chosen(const labs::Lab& lab, const Scene& scene, const PictureOptions& picture,
                            Camera& camera) {
-  constexpr int kStereo = 9;
+  constexpr int kStereo = 9, kLayers = 12;
   labs::Drawn drawn{scene, camera, {}, at_centres(picture.settings), picture.camera.formulation,
                     {}};
-  if (lab.number == kStereo) {
+  if (lab.number == kStereo || lab.number == kLayers) {
     const auto eyes = choose_eyes(scene, picture);
     if (!eyes) return tl::unexpected(eyes.error());
     camera = eyes->camera;
@@ -114,8 +114,10 @@ int draw_lab_picture(const LabPicture& asked) {
   }
   progress.done();
   if (asked.json != "-")
-    fmt::print("{}{}: yours on the left, the reference's on the right; {:.1f} s\n",
-               drawing_text(report), printable(asked.output, kLongestMessage), report.seconds);
+    fmt::print("{}{}: yours on the left, the reference's {}; {:.1f} s\n", drawing_text(report),
+               printable(asked.output, kLongestMessage),
+               both->result.truth ? "beside it, and what is really there" : "on the right",
+               report.seconds);
   return both->result.right() ? kSuccess : kFailure;
 }
 

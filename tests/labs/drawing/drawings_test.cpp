@@ -87,6 +87,13 @@ const std::vector<Trial>& trials() {
        "skew.at(0, 2) = (trial::wrong() ? -s : s) / pair.window;",
        "eye",
        "eye_projection"},
+      {12,
+       "room",
+       {},
+       "focal_ratio / w *",
+       "(trial::wrong() ? 3 : 1) * focal_ratio / w *",
+       "size",
+       "splat_size"},
   };
   return all;
 }
