@@ -25,10 +25,10 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-// What is drawn: of a lab of pairs the centre's view, with the eyes beside it.
+// What is drawn: of a lab of pairs (9 to 12) the centre's view, with the eyes beside it.
 Result<labs::Drawn> chosen(const labs::Lab& lab, const Scene& scene, const PictureOptions& picture,
                            Camera& camera) {
-  constexpr int kFirstOfPairs = 9, kLastOfPairs = 11;
+  constexpr int kFirstOfPairs = 9, kLastOfPairs = 12;
   labs::Drawn drawn{scene, camera, {}, at_centres(picture.settings), picture.camera.formulation,
                     {}};
   if (lab.number >= kFirstOfPairs && lab.number <= kLastOfPairs) {
@@ -114,8 +114,10 @@ int draw_lab_picture(const LabPicture& asked) {
   }
   progress.done();
   if (asked.json != "-")
-    fmt::print("{}{}: yours on the left, the reference's on the right; {:.1f} s\n",
-               drawing_text(report), printable(asked.output, kLongestMessage), report.seconds);
+    fmt::print("{}{}: yours on the left, the reference's {}; {:.1f} s\n", drawing_text(report),
+               printable(asked.output, kLongestMessage),
+               both->result.truth ? "beside it, and what is really there" : "on the right",
+               report.seconds);
   return both->result.right() ? kSuccess : kFailure;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -66,6 +67,26 @@ std::string pixel_text(const DrawingReport& report) {
   return text;
 }
 
+// Of the pixels, those with a channel that is off by more than 8/255 from what the pipeline shows.
+double share_beside(const Image<Rgba8>& picture, const Image<Rgba8>& truth) {
+  constexpr int kSeen = 8;
+  std::size_t off = 0;
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+    const Rgba8 &a = picture.pixels[i], &b = truth.pixels[i];
+    off += std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)}) > kSeen;
+  }
+  return double(off) / double(picture.pixels.size());
+}
+
+std::string truth_text(const labs::DrawingResult& result) {
+  if (!result.truth) return "";
+  return fmt::format(
+      "Of your pixels {:.2f} % are off by more than 8/255 from what is really there, of the "
+      "reference's {:.2f} %.\n",
+      100 * share_beside(result.yours, *result.truth),
+      100 * share_beside(result.reference, *result.truth));
+}
+
 // What shows the triangle, or the pixel, that is wrong.
 std::string look_closer(const DrawingReport& report) {
   const auto& p = report.result.first_pixel;
@@ -106,20 +127,24 @@ Image<Rgba8> side_by_side(const labs::DrawingResult& result) {
   constexpr int kGap = 4;
   constexpr Rgba8 kPaper{128, 128, 128, 255};
   const int width = result.yours.width;
-  Image<Rgba8> both(2 * width + kGap, result.yours.height, kPaper);
-  for (int y = 0; y < both.height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      both.at(x, y) = result.yours.at(x, y);
-      both.at(width + kGap + x, y) = result.reference.at(x, y);
+  std::vector<const Image<Rgba8>*> pictures{&result.yours, &result.reference};
+  if (result.truth) pictures.push_back(&*result.truth);
+  const int count = int(pictures.size());
+  Image<Rgba8> row(count * width + (count - 1) * kGap, result.yours.height, kPaper);
+  for (int i = 0; i < count; ++i) {
+    for (int y = 0; y < row.height; ++y) {
+      for (int x = 0; x < width; ++x)
+        row.at(i * (width + kGap) + x, y) = pictures[std::size_t(i)]->at(x, y);
     }
   }
-  return both;
+  return row;
 }
 
 std::string drawing_text(const DrawingReport& report) {
   const labs::DrawingResult& result = report.result;
   std::string text = fmt::format("Lab {}: {}\n\n{}\n{}", report.lab.number, report.lab.title,
                                  stages_text(result), pixel_text(report));
+  text += truth_text(result);
   if (result.right() && result.first_pixel)
     text += "Every record is within its bound: what differs is rounding.\n";
   if (result.first_record && result.first_record != result.record_of_pixel)
@@ -144,6 +169,9 @@ Json drawing_json(const DrawingReport& report) {
                               {"records", stage.records},
                               {"wrong", stage.wrong}});
   json["differing_pixels"] = result.differing_pixels;
+  if (result.truth)
+    json["beside_truth"] = {{"yours", share_beside(result.yours, *result.truth)},
+                            {"reference", share_beside(result.reference, *result.truth)}};
   if (const auto& p = result.first_pixel) {
     json["first_pixel"] = {{"x", p->x},
                            {"y", p->y},

@@ -24,7 +24,7 @@ struct DrawingReport {
 std::string drawing_text(const DrawingReport& report);
 nlohmann::ordered_json drawing_json(const DrawingReport& report);
 
-// Yours on the left, the reference's on the right.
+// Yours on the left, the reference's on the right; then what the pipeline shows, where the lab draws in another way.
 Image<Rgba8> side_by_side(const labs::DrawingResult& result);
 
 // "#8f2311"

@@ -151,6 +151,7 @@ Result<DrawnBoth> draw_both(const LabDrawing& lab, const Drawn& drawn, Answering
   if (result.first_pixel) result.record_of_pixel = first_of(result.wrong, &*result.first_pixel);
   result.yours = std::move(your_buffers.color);
   result.reference = std::move(reference_buffers.color);
+  if (lab.truth != nullptr) result.truth = lab.truth(drawn).render().buffers.color;
   return both;
 }
 

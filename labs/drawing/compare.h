@@ -42,9 +42,10 @@ struct WrongPixel {
 
 struct DrawingResult {
   Image<Rgba8> yours, reference;
-  std::vector<JudgedStage> stages;  // in the order of the pipeline
-  std::vector<WrongRecord> wrong;   // by stage; of each the first kMostWrong
-  std::vector<KeptRecord> kept;     // the wrong ones, and others as far as there is room
+  std::optional<Image<Rgba8>> truth;  // LabDrawing::truth, if it has one
+  std::vector<JudgedStage> stages;    // in the order of the pipeline
+  std::vector<WrongRecord> wrong;     // by stage; of each the first kMostWrong
+  std::vector<KeptRecord> kept;       // the wrong ones, and others as far as there is room
   std::uint64_t differing_pixels = 0;
   std::optional<WrongPixel> first_pixel;  // row by row from the top
   // Among the wrong records the first of the first stage; and the same of those that concern the triangles of first_pixel.

@@ -92,6 +92,8 @@ struct LabDrawing {
   std::vector<DrawnStage> stages;  // in the order of the pipeline
   std::function<Result<StandIn>(const Drawn& drawn, Answering& answering)> draw;
   std::string not_drawn;  // functions of student.h that take no part; empty: all do
+  // Where the lab draws in another way than the pipeline does: what the pipeline shows, beside both. Null: the reference's picture is that.
+  StandIn (*truth)(const Drawn& drawn) = nullptr;
 };
 
 // Nothing for a lab that draws nothing.

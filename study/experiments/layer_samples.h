@@ -1,9 +1,7 @@
 // Layered depth images of random samples, and cameras with short numbers: for D-14 to D-16.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
-#include <vector>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -14,7 +12,7 @@
 
 namespace glassbox::study {
 
-// `pixels_wide` is the focal length in pixels; the gaze goes through the middle of the picture, and depth is near/distance.
+// `focal_px` is the focal length in pixels; the gaze goes through the middle of the picture, and depth is near/distance.
 inline views::LayerCamera perspective_camera(int width, int height, double focal_px, double near,
                                              const Eigen::Isometry3d& eye_from_world) {
   Eigen::Matrix4d screen_from_eye;

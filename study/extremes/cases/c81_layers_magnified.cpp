@@ -84,6 +84,7 @@ ExtremeCase c81_layers_magnified() {
                      return judge_sides(
                          [](double zoom, double w) { return std::max(zoom * w, 1.0); });
                    }}},
+      .not_drawn = "samples are warped by views/layers; no engine takes part",
   };
 }
 

@@ -151,7 +151,7 @@ ExtremeCase c82_layers_order() {
   using namespace c82;
   return {
       .id = "C-82",
-      .name = "The epipole in, beside and behind the picture",
+      .name = "Epipoles in, beside and behind",
       .construction =
           "33 x 33 pixels with up to 5 samples each, and eyes that went ahead, back and aside, to "
           "48 places: every sample falls on a pixel's middle, and those that meet are on one line",
@@ -165,6 +165,7 @@ ExtremeCase c82_layers_order() {
                    [] { return judge(without_sign); }},
                   {"rows by the epipole, columns from the left", [] { return judge(rows_alone); }},
                   {"front to back within a pixel", [] { return judge(front_to_back); }}},
+      .not_drawn = "samples are warped by views/layers; no engine takes part",
   };
 }
 

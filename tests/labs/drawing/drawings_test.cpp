@@ -101,6 +101,13 @@ const std::vector<Trial>& trials() {
        "< picture.at(x, y) - (trial::wrong() ? 20 : 0)) word",
        "costs",
        "census"},
+      {12,
+       "room",
+       {},
+       "focal_ratio / w *",
+       "(trial::wrong() ? 3 : 1) * focal_ratio / w *",
+       "size",
+       "splat_size"},
   };
   return all;
 }
@@ -220,6 +227,9 @@ TEST_CASE("every lab draws: the solution as the reference, and what goes wrong i
   CHECK(records > 0);
   // Interpolation in float and in double end in neighbouring bytes now and then; nothing else rounds.
   CHECK(fine.differing_pixels <= (trial.lab == 8 ? fine.yours.pixels.size() / 100 : 0));
+  // Layers lack what no eye has seen: what is really there stands beside them.
+  CHECK(fine.truth.has_value() == (trial.lab == 12));
+  if (fine.truth) CHECK(fine.truth->pixels != fine.reference.pixels);
 
   const Desk::Outcome wrong = desk.draw('w');
   REQUIRE(wrong.both);

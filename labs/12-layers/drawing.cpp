@@ -1,0 +1,467 @@
+// Lab 12 in a picture: the left eye's layers, packed, warped to the right eye and splatted by the student's functions, in an order of
+// visits in which what comes later is nearer.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "labs/drawing/drawing.h"
+#include "views/layers/depth_peeling.h"
+#include "views/layers/layer_camera.h"
+
+#include <glassbox/base/rounding.h>
+#include <glassbox/pipeline/stereo/stereo_pair.h>
+
+#include <glm/matrix.hpp>
+
+namespace glassbox::labs {
+
+namespace {
+
+constexpr int kLayers = 3;
+constexpr int kRows = 16;  // of a picture, in a question
+constexpr double kEpsilon = 0x1p-10;
+constexpr double kMostPx = 64;
+using Screens = Transform<Screen, Screen>;
+
+// ---- the reference ----
+
+struct Sample {
+  int x, y;
+  float depth;
+  double colour;
+};
+
+Numbers pack(RecordReader& in) {
+  const int width = in.integer(), height = in.integer();
+  const double epsilon = in.number();
+  std::vector<std::vector<Sample>> pixels(std::size_t(width) * std::size_t(height));
+  while (in.more()) {
+    const int x = in.integer(), y = in.integer();
+    const float depth = in.real();
+    pixels[std::size_t(height - 1 - y) * std::size_t(width) + std::size_t(x)].push_back(
+        {x, y, depth, in.number()});
+  }
+  Numbers out{0}, samples;
+  for (std::vector<Sample>& here : pixels) {
+    std::ranges::stable_sort(here, std::greater<>(), &Sample::depth);
+    std::vector<Sample> kept;
+    for (const Sample& s : here) {
+      const double front = kept.empty() ? 0 : double(kept.back().depth);
+      if (kept.empty() || front - double(s.depth) > epsilon * front) kept.push_back(s);
+    }
+    for (std::size_t i = kept.size(); i-- > 0;)
+      samples.insert(samples.end(), {double(kept[i].depth), kept[i].colour});
+    out.push_back(double(samples.size() / 2));
+  }
+  out.insert(out.end(), samples.begin(), samples.end());
+  return out;
+}
+
+Numbers matrix(RecordReader& in) {
+  const auto first = in.matrix<Transform<Screen, World>>();
+  const auto second = in.matrix<Transform<Screen, World>>();
+  Numbers out;
+  append_matrix(out, second * Transform<World, Screen>(glm::inverse(first.columns)));
+  return out;
+}
+
+// The sums are begun anew every 64 pixels, as the solution's are: another way rounds otherwise, and a sample in some thousands comes to
+// another pixel.
+Numbers row(RecordReader& in) {
+  const auto warp = in.matrix<Screens>();
+  const int y = in.integer();
+  std::array<float, 4> start{};
+  Numbers out;
+  for (int x = 0; in.more(); ++x) {
+    for (int i = 0; i < 4; ++i) {
+      float& sum = start[std::size_t(i)];
+      sum = x % 64 == 0
+                ? float(warp.at(i, 0) * (x + 0.5) + warp.at(i, 1) * (y + 0.5) + warp.at(i, 3))
+                : sum + float(warp.at(i, 0));
+    }
+    for (int count = in.integer(); count > 0; --count) {
+      const float z = in.real();
+      for (int i = 0; i < 4; ++i)
+        out.push_back(double(start[std::size_t(i)] + z * float(warp.at(i, 2))));
+    }
+  }
+  return out;
+}
+
+Numbers size(RecordReader& in) {
+  const double focal_ratio = in.number();
+  Numbers out;
+  while (in.more()) {
+    const double side = focal_ratio / in.number();
+    out.insert(out.end(), {std::clamp(side, 1.0, kMostPx), side > kMostPx ? 1.0 : 0.0});
+  }
+  return out;
+}
+
+Numbers order(RecordReader& in) {
+  const double epipole = in.number(), w = in.number();
+  const int count = in.integer();
+  const auto grows = [&](int i) { return epipole - (i + 0.5) * w > 0; };
+  Numbers out;
+  for (int i = 0; i < count; ++i) {
+    if (grows(i)) out.push_back(i);
+  }
+  for (int i = count; i-- > 0;) {
+    if (!grows(i)) out.push_back(i);
+  }
+  return out;
+}
+
+Numbers draw_samples(RecordReader& in) {
+  const int width = in.integer(), height = in.integer();
+  Numbers picture(std::size_t(width) * std::size_t(height), in.number());
+  while (in.more()) {
+    const double xw = in.number(), yw = in.number(), zw = in.number(), w = in.number();
+    const double half = in.number() / 2, colour = in.number();
+    if (!(w > 0) || zw / w > 1) continue;
+    const auto edge = [](double v, int end) {
+      return int(std::clamp(std::floor(v + 0.5), 0.0, double(end)));
+    };
+    const int right = edge(xw / w + half, width), bottom = edge(yw / w + half, height);
+    for (int j = edge(yw / w - half, height); j < bottom; ++j) {
+      for (int i = edge(xw / w - half, width); i < right; ++i)
+        picture[std::size_t(j) * std::size_t(width) + std::size_t(i)] = colour;
+    }
+  }
+  return picture;
+}
+
+// ---- judgement ----
+
+std::optional<WrongNumber> judge_exactly(const Numbers& yours, const Numbers& reference,
+                                         const std::function<std::string(std::size_t)>& name) {
+  return first_wrong(
+      yours, reference, [](std::size_t) { return 0; }, "", name);
+}
+
+std::optional<WrongNumber> judge_pack(const Numbers& in, const Numbers& yours,
+                                      const Numbers& reference) {
+  const auto offsets = std::size_t(in[0] * in[1]) + 1;
+  return judge_exactly(yours, reference, [&](std::size_t i) {
+    if (i < offsets) return fmt::format("offset of pixel {}", i);
+    const std::size_t k = i - offsets;
+    return fmt::format("{} of sample {}", k % 2 == 0 ? "depth" : "colour", k / 2);
+  });
+}
+
+// 2^-40 of a row's largest entry: cameras are as good as those of a scene, of which 12 digits of a double's 16 are left.
+std::optional<WrongNumber> judge_matrix(const Numbers&, const Numbers& yours,
+                                        const Numbers& reference) {
+  const auto largest = [&](std::size_t row) {
+    double most = 0;
+    for (std::size_t i = 4 * row; i < 4 * row + 4; ++i)
+      most = std::max(most, std::abs(reference[i]));
+    return most;
+  };
+  return first_wrong(
+      yours, reference, [&](std::size_t i) { return 0x1p-40 * largest(i / 4); }, "",
+      [](std::size_t i) { return fmt::format("row {}, column {}", i / 4, i % 4); });
+}
+
+// 72 u of the largest coordinate of the row, and ours.
+std::optional<WrongNumber> judge_row(const Numbers& in, const Numbers& yours,
+                                     const Numbers& reference) {
+  std::array<double, 4> largest{};
+  for (std::size_t i = 0; i < reference.size(); ++i)
+    largest[i % 4] = std::max(largest[i % 4], std::abs(reference[i]));
+  // The start is at most that and what the depth, up to 1, has added.
+  for (std::size_t i = 0; i < 4; ++i) largest[i] += 2 * std::abs(in[4 * i + 2]);
+  return first_wrong(
+      yours, reference,
+      [&](std::size_t i) { return 2 * 72 * double(unit_roundoff<float>) * largest[i % 4]; }, "",
+      [](std::size_t i) {
+        static constexpr const char* kNames[] = {"x w", "y w", "z w", "w"};
+        return fmt::format("sample {}, {}", i / 4, kNames[i % 4]);
+      });
+}
+
+std::optional<WrongNumber> judge_size(const Numbers&, const Numbers& yours,
+                                      const Numbers& reference) {
+  return first_wrong(
+      yours, reference,
+      [&](std::size_t i) { return i % 2 == 0 ? 16 * unit_roundoff<double> * reference[i] : 0; },
+      "px",
+      [](std::size_t i) {
+        return fmt::format("sample {}, {}", i / 2, i % 2 == 0 ? "side" : "is cut");
+      });
+}
+
+std::optional<WrongNumber> judge_order(const Numbers&, const Numbers& yours,
+                                       const Numbers& reference) {
+  return judge_exactly(yours, reference, [](std::size_t i) { return fmt::format("visit {}", i); });
+}
+
+std::optional<WrongNumber> judge_draw(const Numbers& in, const Numbers& yours,
+                                      const Numbers& reference) {
+  const auto width = std::size_t(in[0]);
+  return judge_exactly(yours, reference, [&](std::size_t i) {
+    return fmt::format("row {} of {}, column {}", i / width, in[1], i % width);
+  });
+}
+
+const std::vector<DrawnStage>& stages() {
+  static const std::vector<DrawnStage> all{{"pack", "eye", "pack", pack, judge_pack},
+                                           {"matrix", "clip", "warp_matrix", matrix, judge_matrix},
+                                           {"row", "screen", "warp_row", row, judge_row},
+                                           {"size", "coverage", "splat_size", size, judge_size},
+                                           {"order", "depth", "visiting_order", order, judge_order},
+                                           {"draw", "shading", "draw", draw_samples, judge_draw}};
+  return all;
+}
+enum Stage : std::size_t { kPack, kMatrix, kRow, kSize, kOrder, kDraw };
+
+// ---- in the pipeline ----
+
+Result<std::vector<Numbers>> ask(Answering& answering, Stage stage,
+                                 const std::vector<Question>& questions) {
+  return answering.ask(stages()[stage], questions);
+}
+Result<Numbers> ask_one(Answering& answering, Stage stage, Numbers numbers) {
+  return ask(answering, stage, {{std::move(numbers)}}).map([](std::vector<Numbers>&& answers) {
+    return std::move(answers[0]);
+  });
+}
+
+double packed_colour(const Rgba8& c) {
+  return 65536.0 * c.r + 256.0 * c.g + c.b;
+}
+Rgba8 unpacked_colour(double colour) {
+  const auto rgb =
+      std::uint32_t(std::clamp(std::isfinite(colour) ? colour : 0, 0.0, double(0xffffff)));
+  return {std::uint8_t(rgb >> 16), std::uint8_t(rgb >> 8), std::uint8_t(rgb), 255};
+}
+
+// Some rows of the first picture, from the bottom up, as they are packed: samples of pixel (x, y) with their depths and colours.
+struct Seen {
+  double depth = 0, colour = 0;
+};
+using Row = std::vector<std::vector<Seen>>;
+
+std::vector<Question> pack_questions(const View& first, const std::vector<views::Layer>& layers) {
+  const int width = int(first.viewport.width()), height = int(first.viewport.height());
+  std::vector<Question> questions;
+  for (int top = 0; top < height; top += kRows) {
+    const int rows = std::min(kRows, height - top);
+    Numbers numbers{double(width), double(rows), kEpsilon};
+    for (const views::Layer& layer : layers) {
+      for (int y = 0; y < rows; ++y) {
+        for (int x = 0; x < width; ++x) {
+          const auto z = double(layer.distance.at(x, top + y));
+          if (!std::isfinite(z)) continue;
+          const auto depth = double(float(views::depth_of(first, z)));
+          const double colour = packed_colour(layer.color.at(x, top + y));
+          numbers.insert(numbers.end(), {double(x), double(y), depth, colour});
+        }
+      }
+    }
+    questions.push_back({std::move(numbers)});
+  }
+  return questions;
+}
+
+// What an answer says of a row of its band; nothing where its offsets say nothing.
+Row row_of(const Numbers& band, int width, int rows, int y) {
+  Row row(static_cast<std::size_t>(width));
+  const std::size_t offsets = std::size_t(width) * std::size_t(rows) + 1;
+  if (band.size() < offsets) return row;
+  const std::size_t samples = (band.size() - offsets) / 2;
+  for (std::size_t x = 0; x < row.size(); ++x) {
+    const std::size_t pixel = std::size_t(rows - 1 - y) * std::size_t(width) + x;
+    const double begin = band[pixel], end = band[pixel + 1];
+    if (!(begin >= 0 && begin <= end && end <= double(samples))) continue;
+    for (auto i = std::size_t(begin); i < std::size_t(end); ++i) {
+      const double depth = band[offsets + 2 * i];
+      row[x].push_back({std::isfinite(depth) ? depth : 0, band[offsets + 2 * i + 1]});
+    }
+  }
+  return row;
+}
+
+Question row_question(const Numbers& warp, int y, const Row& row) {
+  Question question{warp};
+  question.numbers.resize(16);
+  question.numbers.push_back(y);
+  for (const auto& here : row) {
+    question.numbers.push_back(double(here.size()));
+    for (const Seen& sample : here) question.numbers.push_back(sample.depth);
+  }
+  return question;
+}
+
+// The same for both axes, where the lens has square pixels; the geometric mean where not.
+double focal_length(const views::LayerCamera& camera) {
+  const Eigen::Vector3d gaze = camera.screen_from_world.row(3).head<3>();
+  const auto across = [&](int i) {
+    const Eigen::Vector3d row = camera.screen_from_world.row(i).head<3>();
+    return (row - row.dot(gaze) * gaze).norm();
+  };
+  return std::sqrt(across(0) * across(1));
+}
+
+struct Placed {
+  double x, y, z, w;  // times w
+  double side, colour;
+};
+
+// Those that may cover a band of the second picture, in the order of visits. What is not before the eye is nowhere: it is asked in the first.
+std::vector<Question> draw_questions(const std::vector<Placed>& samples, int width, int height,
+                                     double background) {
+  std::vector<Question> questions;
+  for (int top = 0; top < height; top += kRows)
+    questions.push_back({{double(width), double(std::min(kRows, height - top)), background}});
+  for (const Placed& s : samples) {
+    const bool is_before = s.w > 0;
+    const double y = is_before ? s.y / s.w : 0, half = s.side / 2 + 1;
+    if (!std::isfinite(y) || !std::isfinite(half)) continue;
+    const auto last = double(questions.size() - 1);
+    const auto begin = std::size_t(std::clamp(std::floor((y - half) / kRows), 0.0, last));
+    const auto end = std::size_t(std::clamp(std::floor((y + half) / kRows), 0.0, last));
+    for (std::size_t band = begin; band <= end; ++band) {
+      Numbers& numbers = questions[band].numbers;
+      const auto in_band = double(float(s.y - double(band) * kRows * s.w));
+      numbers.insert(numbers.end(), {s.x, in_band, s.z, s.w, s.side, s.colour});
+    }
+  }
+  return questions;
+}
+
+std::vector<std::size_t> numbers_below(const Numbers& answer, int count) {
+  std::vector<std::size_t> all;
+  for (const double each : answer) {
+    if (each >= 0 && each < count) all.push_back(std::size_t(each));
+  }
+  all.resize(std::min(all.size(), std::size_t(count)));
+  return all;
+}
+
+Numbers matrix_numbers(const views::LayerCamera& first, const views::LayerCamera& second) {
+  Numbers numbers;
+  for (const views::LayerCamera* camera : {&first, &second}) {
+    for (int row = 0; row < 4; ++row) {
+      for (int column = 0; column < 4; ++column)
+        numbers.push_back(camera->screen_from_world(row, column));
+    }
+  }
+  return numbers;
+}
+
+// Of each row of the first picture, from the top: samples with their places in the second one.
+using PlacedRows = std::vector<std::vector<std::vector<Placed>>>;
+
+Result<PlacedRows> place(const std::vector<Numbers>& bands, const Numbers& warp, int width,
+                         int height, double focal_ratio, Answering& answering) {
+  std::vector<Row> rows;
+  std::vector<Question> questions;
+  for (int y = 0; y < height; ++y) {
+    const int band = y / kRows, band_rows = std::min(kRows, height - band * kRows);
+    rows.push_back(row_of(bands[std::size_t(band)], width, band_rows, y % kRows));
+    questions.push_back(row_question(warp, y, rows.back()));
+  }
+  auto warped = ask(answering, kRow, questions);
+  if (!warped) return tl::unexpected(warped.error());
+  // What comes back is short where an answer is.
+  std::vector<Question> size_questions;
+  for (std::size_t y = 0; y < rows.size(); ++y) {
+    std::size_t samples = 0;
+    for (const auto& here : rows[y]) samples += here.size();
+    (*warped)[y].resize(4 * samples);
+    Question question{{focal_ratio}};
+    for (std::size_t i = 0; i < samples; ++i) {
+      const double w = (*warped)[y][4 * i + 3];
+      question.numbers.push_back(w > 0 ? w : 1);
+    }
+    size_questions.push_back(std::move(question));
+  }
+  auto sizes = ask(answering, kSize, size_questions);
+  if (!sizes) return tl::unexpected(sizes.error());
+  PlacedRows placed(rows.size());
+  for (std::size_t y = 0; y < rows.size(); ++y) {
+    const Numbers& at = (*warped)[y];
+    (*sizes)[y].resize(at.size() / 2);
+    std::size_t i = 0;
+    for (const auto& here : rows[y]) {
+      placed[y].emplace_back();
+      for (const Seen& sample : here) {
+        const double side = std::clamp((*sizes)[y][2 * i], 0.0, 4 * kMostPx);
+        placed[y].back().push_back({double(carried(at[4 * i])), double(carried(at[4 * i + 1])),
+                                    double(carried(at[4 * i + 2])), double(carried(at[4 * i + 3])),
+                                    std::isfinite(side) ? side : 0, sample.colour});
+        ++i;
+      }
+    }
+  }
+  return placed;
+}
+
+View eye_of_pair(const Drawn& drawn, Side side) {
+  return eye_view(drawn.view, drawn.pair, side);
+}
+
+Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
+  if (const auto opaque = check_opaque(drawn.scene, "lab 12"); !opaque)
+    return tl::unexpected(opaque.error());
+  const View left = eye_of_pair(drawn, Side::kLeft), right = eye_of_pair(drawn, Side::kRight);
+  StandIn made{drawn.scene, right, drawn.settings, nullptr, {}};
+  made.settings.show = Show::kColor;
+  const int width = int(left.viewport.width()), height = int(left.viewport.height());
+
+  RenderSettings with_distance = made.settings;
+  with_distance.want_distance = true;
+  const auto bands =
+      ask(answering, kPack,
+          pack_questions(left, views::peel(drawn.scene, left, with_distance, kLayers)));
+  if (!bands) return tl::unexpected(bands.error());
+  const views::LayerCamera first = views::layer_camera(left), second = views::layer_camera(right);
+  auto warp = ask_one(answering, kMatrix, matrix_numbers(first, second));
+  if (!warp) return tl::unexpected(warp.error());
+  warp->resize(16);
+  for (double& entry : *warp) entry = std::isfinite(entry) ? entry : 0;
+  const auto rows =
+      place(*bands, *warp, width, height, focal_length(second) / focal_length(first), answering);
+  if (!rows) return tl::unexpected(rows.error());
+
+  const Eigen::Vector4d epipole = first.screen_from_world * views::eye_of(second);
+  const auto orders = ask(
+      answering, kOrder,
+      {{{epipole.x(), epipole.w(), double(width)}}, {{epipole.y(), epipole.w(), double(height)}}});
+  if (!orders) return tl::unexpected(orders.error());
+  std::vector<Placed> samples;
+  const std::vector<std::size_t> columns = numbers_below((*orders)[0], width);
+  for (const std::size_t y : numbers_below((*orders)[1], height)) {
+    for (const std::size_t x : columns)
+      samples.insert(samples.end(), (*rows)[y][x].begin(), (*rows)[y][x].end());
+  }
+  const auto drawn_bands =
+      ask(answering, kDraw,
+          draw_questions(samples, width, height, packed_colour(drawn.settings.background)));
+  if (!drawn_bands) return tl::unexpected(drawn_bands.error());
+  made.finish = [bands = *drawn_bands, width](Framebuffer& picture) {
+    const std::size_t of_band = std::size_t(kRows) * std::size_t(width);
+    for (std::size_t p = 0; p < picture.color.pixels.size(); ++p) {
+      const Numbers& band = bands[p / of_band];
+      if (p % of_band < band.size()) picture.color.pixels[p] = unpacked_colour(band[p % of_band]);
+    }
+  };
+  return made;
+}
+
+// What the right eye sees.
+StandIn truth(const Drawn& drawn) {
+  StandIn right{drawn.scene, eye_of_pair(drawn, Side::kRight), drawn.settings, nullptr, {}};
+  right.settings.show = Show::kColor;
+  return right;
+}
+
+}  // namespace
+
+LabDrawing drawing_12() {
+  return {.stages = stages(), .draw = draw, .not_drawn = "", .truth = truth};
+}
+
+}  // namespace glassbox::labs

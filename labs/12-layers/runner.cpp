@@ -1,0 +1,86 @@
+// Puts the cases of lab 12 to your functions.
+#include "labs/framework/runner.h"
+#include "cases.h"
+#include "student.h"
+
+namespace lab_12 {
+namespace {
+
+using glassbox::labs::Answer;
+using glassbox::labs::entries;
+
+double number_of(const Rgba8& c) {
+  return 65536.0 * c.r + 256.0 * c.g + c.b;
+}
+
+void packed(const PackCase& input, Answer& answer) {
+  const Layers layers = pack(input.width, input.height, input.samples, input.epsilon);
+  answer.emit("offsets", {layers.first.begin(), layers.first.end()});
+  answer.emit("depths", {layers.depth.begin(), layers.depth.end()});
+  std::vector<double> colours;
+  for (const Rgba8& colour : layers.colour) colours.push_back(number_of(colour));
+  answer.emit("colours", colours);
+}
+
+void matrix(const MatrixCase& input, Answer& answer) {
+  const auto all = entries(warp_matrix(input.first, input.second));
+  const char* names[] = {"row of x w", "row of y w", "row of z w", "row of w"};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto row = all.begin() + std::ptrdiff_t(4 * i);
+    answer.emit(names[i], {row, row + 4});
+  }
+}
+
+void row(const RowCase& input, Answer& answer) {
+  std::vector<double> x, y, z, w;
+  for (const Warped& at : warp_row(input.warp, input.y, input.depths)) {
+    x.push_back(double(at.x));
+    y.push_back(double(at.y));
+    z.push_back(double(at.z));
+    w.push_back(double(at.w));
+  }
+  answer.emit("x w", x);
+  answer.emit("y w", y);
+  answer.emit("z w", z);
+  answer.emit("w", w);
+}
+
+// 1 is cut, 0 is not.
+void size(const SizeCase& input, Answer& answer) {
+  const Splat splat =
+      splat_size(input.focal_ratio, input.w, input.cosine_first, input.cosine_second);
+  answer.emit("side", {splat.side});
+  answer.emit("is cut", {splat.is_cut ? 1.0 : 0.0});
+}
+
+void order(const OrderCase& input, Answer& answer) {
+  const std::vector<int> visited = visiting_order(input.epipole, input.w, input.count);
+  answer.emit("order", {visited.begin(), visited.end()});
+}
+
+void picture(const DrawCase& input, Answer& answer) {
+  std::vector<double> colours;
+  for (const Rgba8& pixel : draw(input.canvas).pixels) colours.push_back(number_of(pixel));
+  answer.emit("samples shown", colours);
+}
+
+}  // namespace
+}  // namespace lab_12
+
+std::vector<glassbox::labs::RunnerCheck> glassbox::labs::runner_checks() {
+  using namespace lab_12;
+  return {
+      check("samples are packed", packs(), packed),
+      check("the matrix from picture to picture", matrices(), matrix),
+      check("rows are warped step by step", rows(), row),
+      check("how large a sample is", sizes(), size), check("the order of visits", orders(), order),
+      check("samples in a picture", pictures(), picture),
+      // BEGIN HIDDEN
+      check("other samples are packed", hidden_packs(), packed),
+      check("the matrix of other eyes", hidden_matrices(), matrix),
+      check("other rows", hidden_rows(), row), check("other sizes", hidden_sizes(), size),
+      check("other orders", hidden_orders(), order),
+      check("other pictures", hidden_pictures(), picture),
+      // END HIDDEN
+  };
+}

@@ -1,0 +1,103 @@
+// Puts the samples of two eyes to your functions.
+#include "labs/framework/stages.h"
+#include "student.h"
+
+namespace lab_12 {
+namespace {
+
+using glassbox::labs::append_matrix;
+using glassbox::labs::Numbers;
+using glassbox::labs::RecordReader;
+
+double number_of(const Rgba8& c) {
+  return 65536.0 * c.r + 256.0 * c.g + c.b;
+}
+Rgba8 colour(RecordReader& in) {
+  const auto rgb = std::uint32_t(in.number());
+  return {std::uint8_t(rgb >> 16), std::uint8_t(rgb >> 8), std::uint8_t(rgb), 255};
+}
+
+// Width, height, epsilon, then samples: x, y, depth, colour (65536 red + 256 green + blue). The offsets, then depth and colour of each
+// sample.
+void packed(RecordReader& in, Numbers& out) {
+  const int width = in.integer(), height = in.integer();
+  const double epsilon = in.number();
+  std::vector<Sample> samples;
+  while (in.more()) {
+    const int x = in.integer(), y = in.integer();
+    const float depth = in.real();
+    samples.push_back({x, y, depth, colour(in)});
+  }
+  const Layers layers = pack(width, height, samples, epsilon);
+  out.insert(out.end(), layers.first.begin(), layers.first.end());
+  for (std::size_t i = 0; i < layers.depth.size() && i < layers.colour.size(); ++i) {
+    out.push_back(double(layers.depth[i]));
+    out.push_back(number_of(layers.colour[i]));
+  }
+}
+
+// Two matrices from the world. The one between the pictures.
+void matrix(RecordReader& in, Numbers& out) {
+  const auto first = in.matrix<Transform<Screen, World>>();
+  append_matrix(out, warp_matrix(first, in.matrix<Transform<Screen, World>>()));
+}
+
+// The matrix, y, then for each pixel how many depths, and those. x w, y w, z w, w of each sample.
+void row(RecordReader& in, Numbers& out) {
+  const auto warp = in.matrix<Transform<Screen, Screen>>();
+  const int y = in.integer();
+  std::vector<std::vector<float>> depths;
+  while (in.more()) {
+    depths.emplace_back();
+    for (int i = in.integer(); i > 0; --i) depths.back().push_back(in.real());
+  }
+  for (const Warped& at : warp_row(warp, y, depths))
+    out.insert(out.end(), {double(at.x), double(at.y), double(at.z), double(at.w)});
+}
+
+// F2/F1, then w of some samples, which face both eyes. Side and 1 for a cut one, or 0, of each.
+void size(RecordReader& in, Numbers& out) {
+  const double focal_ratio = in.number();
+  while (in.more()) {
+    const Splat splat = splat_size(focal_ratio, in.number(), 1, 1);
+    out.push_back(splat.side);
+    out.push_back(splat.is_cut ? 1 : 0);
+  }
+}
+
+// The epipole's coordinate, w, how many. Their order.
+void order(RecordReader& in, Numbers& out) {
+  const double epipole = in.number(), w = in.number();
+  const std::vector<int> visited = visiting_order(epipole, w, in.integer());
+  out.insert(out.end(), visited.begin(), visited.end());
+}
+
+// Width, height, background, then samples in their order: x w, y w, z w, w, side, colour. The picture row by row, of which the last
+// sample stays.
+void picture(RecordReader& in, Numbers& out) {
+  Canvas canvas;
+  canvas.width = in.integer();
+  canvas.height = in.integer();
+  canvas.background = colour(in);
+  canvas.hiding = Hiding::kLast;
+  while (in.more()) {
+    Placed sample;
+    sample.at.x = in.real();
+    sample.at.y = in.real();
+    sample.at.z = in.real();
+    sample.at.w = in.real();
+    sample.side = in.number();
+    sample.colour = colour(in);
+    canvas.samples.push_back(sample);
+  }
+  for (const Rgba8& pixel : draw(canvas).pixels) out.push_back(number_of(pixel));
+}
+
+}  // namespace
+}  // namespace lab_12
+
+std::vector<glassbox::labs::StageFunction> glassbox::labs::stage_functions() {
+  using namespace lab_12;
+  return {{"pack", packed}, {"matrix", matrix}, {"row", row},
+          {"size", size},   {"order", order},   {"draw", picture}};
+}
