@@ -41,6 +41,7 @@ const std::vector<Lines> kRunElsewhere{
     {"docs/labs.md", "glassbox lab render",
      "compiles a lab; tests/labs/drawing, and the handouts' own"},
     {"docs/labs.md", "glassbox lab stiff", "compiles a lab; tests/labs/drawing"},
+    {"docs/labs.md", "glassbox lab measure", "compiles a lab; tests/labs/drawing"},
     {"docs/metrics.md", "glassbox diff REFERENCE TEST", "with two files, below"},
     {"docs/study.md", "glassbox study run --resume", "20 minutes"},
     {"docs/study.md", "glassbox study report --from", "of the line above it"},

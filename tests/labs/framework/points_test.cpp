@@ -67,8 +67,7 @@ TEST_CASE(
   const Lab& lab = shares->lab;
   CHECK_FALSE(lab.checks[0].whole);
   CHECK(lab.checks[1].whole);
-  const std::vector<Case> cases{{.expected = {numbers("y", {1})}},
-                                {.expected = {numbers("y", {2})}}};
+  const std::vector<Case> cases{{"", "", {numbers("y", {1})}}, {"", "", {numbers("y", {2})}}};
   CheckAnswers answers;
   answers.cases.resize(2);
   for (std::size_t i = 0; i < 2; ++i) {
