@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bench/json.h"
+#include "app/bench/matching.h"
 #include "app/bench/page.h"
 #include "app/bench/text.h"
 #include "app/options/builtin_help.h"
@@ -69,6 +70,7 @@ void BenchCommand::add_to(CLI::App& app, int& exit_code) {
       "  glassbox bench\n"
       "  glassbox bench S1 S3 --against mesa --threads 1,2\n"
       "  glassbox bench model.glb teapot:64 --against mesa --samples 4\n"
+      "  glassbox bench room forest --against opencv --threads 2\n"
       "  glassbox bench room --stereo anaglyph --json -\n"
       "  glassbox bench --scaling triangles --most 1000000\n\n"
       "Times are medians after three frames that are not measured; docs/benchmark.md says what is\n"
@@ -86,12 +88,15 @@ void BenchCommand::add_to(CLI::App& app, int& exit_code) {
 }
 
 void BenchCommand::add_measure_options(CLI::App& command) {
-  add_choice<std::optional<Peer>>(command, "--against", against_, {{"mesa", Peer::kMesa}},
-                                  "draw with this too, in alternation, and compare the pictures");
+  add_choice<std::optional<Peer>>(command, "--against", against_,
+                                  {{"mesa", Peer::kMesa}, {"opencv", Peer::kOpencv}},
+                                  "draw with this too, in alternation, and compare the pictures; "
+                                  "opencv: match pairs of pictures, as views match does");
   command.add_option("--frames", frames_, "measured frames of each side [9]")
       ->check(CLI::Range(1, kMostFrames))
       ->type_name("N");
   add_bench_drawing(command, drawing_);
+  size_option_ = command.get_option("--size");
   add_choice(
       command, "--scaling", scaling_,
       choices_of({ScaledBy::kTriangles, ScaledBy::kPixels, ScaledBy::kThreads, ScaledBy::kTile}),
@@ -187,6 +192,27 @@ void BenchCommand::measure_scaling(BenchReport& report, Progress& progress) cons
       [&](double x) { progress.phase(fmt::format("{} {}", x, by)); }));
 }
 
+// Pairs of pictures in place of scenes that are drawn.
+int BenchCommand::run_matching() {
+  if (scaling_ || floor_ || html_output_ || drawing_.anaglyph || drawing_.samples) {
+    return refuse(fail("--against opencv", "pairs are matched, and nothing is measured of drawing",
+                       "leave out --scaling, --floor, --html, --samples and --stereo")
+                      .value());
+  }
+  MatchingQuestion question{scenes_, {640, 480}, threads_, frames_, engine_.tile.target};
+  if (size_option_->count() > 0) question.size = drawing_.size;
+  Progress progress;
+  const auto report = measure_matching(question, progress);
+  if (!report) return refuse(report.error());
+  progress.done();
+  if (json_output_) {
+    const auto written = write_json(*json_output_, matching_json(*report));
+    if (!written) return refuse(written.error());
+  }
+  if (json_output_ != "-") fmt::print("{}", matching_text(*report));
+  return kSuccess;
+}
+
 int BenchCommand::run() {
   if (const auto legal = check_options(); !legal) return refuse(legal.error());
   const bool staged = engine_.engine == EngineKind::kStaged;
@@ -194,6 +220,7 @@ int BenchCommand::run() {
     threads_ = {1};
     if (!staged && study::processor_count() > 1) threads_.push_back(study::processor_count());
   }
+  if (against_ == Peer::kOpencv) return run_matching();
   BenchReport report;
   report.machine = study::machine_name();
   report.compiler = study::compiler_name();

@@ -19,7 +19,7 @@ public:
   void add_to(CLI::App& app, int& exit_code);
 
 private:
-  enum class Peer { kMesa };
+  enum class Peer { kMesa, kOpencv };
 
   void add_measure_options(CLI::App& command);
   void add_engine_options(CLI::App& command);
@@ -30,6 +30,7 @@ private:
                              Progress& progress) const;
   Result<void> measure_scenes(BenchReport& report, Progress& progress) const;
   void measure_scaling(BenchReport& report, Progress& progress) const;
+  int run_matching();
   Result<void> write_outputs(const BenchReport& report) const;
 
   std::vector<std::string> scenes_;
@@ -38,6 +39,7 @@ private:
   std::vector<int> threads_;
   int frames_ = 9;
   BenchDrawing drawing_;
+  const CLI::Option* size_option_ = nullptr;
   std::optional<study::ScaledBy> scaling_;
   double most_ = 0;
   bool floor_ = false;

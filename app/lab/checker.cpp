@@ -18,15 +18,15 @@ namespace {
 namespace fs = std::filesystem;
 using namespace labs::grading;
 
-// The folder's own kit. One that another glassbox or compiler has made gives way.
+// One for all folders of a lab. It has hidden checks in it, and so is not in a folder.
 Result<Kit> kit_of(const labs::Sources& sources, const LabFolder& folder) {
-  const fs::path place = folder.build_dir / "kit";
-  const auto found = make_kit(sources, folder.lab->folder, place);
-  if (found) return found;
+  const auto fingerprint = kit_fingerprint(sources, folder.lab->folder);
+  if (!fingerprint) return tl::unexpected(fingerprint.error());
   std::error_code error;
-  if (!fs::exists(place / "lab", error)) return found;
-  fs::remove_all(place, error);
-  return make_kit(sources, folder.lab->folder, place);
+  fs::create_directories(folder.kits, error);
+  fs::permissions(folder.kits, fs::perms::owner_all, error);
+  return make_kit(sources, folder.lab->folder,
+                  folder.kits / fmt::format("{}-{}", folder.lab->folder, *fingerprint));
 }
 
 }  // namespace
@@ -106,8 +106,9 @@ Result<std::string> LabChecker::debugger_program(const std::string& text) {
   const fs::path made = compiled.trouble.empty()
                             ? link_submission(checks, *sandbox_, kit_, *build, compiled.said)
                             : fs::path();
-  const fs::path program = folder_.build_dir / "runner";
+  const fs::path program = (options_.hidden ? folder_.cache : folder_.build_dir) / "runner";
   std::error_code error;
+  fs::create_directories(program.parent_path(), error);
   if (made.empty() || !fs::copy_file(made, program, fs::copy_options::overwrite_existing, error))
     return std::string();  // the report does without
   fs::remove_all(*build, error);

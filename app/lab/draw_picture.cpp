@@ -25,13 +25,13 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-// What is drawn: of labs 9 and 12 the centre's view, with the eyes beside it.
+// What is drawn: of a lab of pairs the centre's view, with the eyes beside it.
 Result<labs::Drawn> chosen(const labs::Lab& lab, const Scene& scene, const PictureOptions& picture,
                            Camera& camera) {
-  constexpr int kStereo = 9, kLayers = 12;
+  constexpr int kFirstOfPairs = 9, kLastOfPairs = 12;
   labs::Drawn drawn{scene, camera, {}, at_centres(picture.settings), picture.camera.formulation,
                     {}};
-  if (lab.number == kStereo || lab.number == kLayers) {
+  if (lab.number >= kFirstOfPairs && lab.number <= kLastOfPairs) {
     const auto eyes = choose_eyes(scene, picture);
     if (!eyes) return tl::unexpected(eyes.error());
     camera = eyes->camera;

@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The user's cache, with a folder for each place that a lab is checked in.
-fs::path cache_for(const fs::path& folder) {
+// The user's cache.
+fs::path cache() {
   const char* cache = std::getenv("XDG_CACHE_HOME");
   const char* home = std::getenv("HOME");
   fs::path base;
@@ -30,8 +30,13 @@ fs::path cache_for(const fs::path& folder) {
   } else {
     base = fs::temp_directory_path() / fmt::format("glassbox-{}", getuid());
   }
+  return base / "glassbox";
+}
+
+// A folder in it for each place that a lab is checked in.
+fs::path cache_for(const fs::path& folder) {
   const std::size_t place = std::hash<std::string>{}(folder.string());
-  return base / "glassbox" / "labs" / fmt::format("{}-{:016x}", folder.filename().string(), place);
+  return cache() / "labs" / fmt::format("{}-{:016x}", folder.filename().string(), place);
 }
 
 // The name in lab.json: an error if the file is no such thing, empty if there is none.
@@ -49,6 +54,19 @@ Result<std::string> named_lab(const fs::path& folder) {
   return name->get<std::string>();
 }
 
+// Whether nothing in the folder's build/check, nor the way there, is a link: whoever hands a folder in does not say what is
+// written elsewhere.
+bool is_plain(const fs::path& place) {
+  std::error_code error;
+  const fs::path build = place / "build", check = build / "check";
+  if (fs::is_symlink(build, error) || fs::is_symlink(check, error)) return false;
+  for (fs::recursive_directory_iterator at(check, error), end; !error && at != end;
+       at.increment(error)) {
+    if (at->is_symlink(error)) return false;
+  }
+  return true;
+}
+
 // What is common to both kinds of labs: where student.cpp is, and where it is built.
 Result<LabFolder> open_place(const std::string& folder, const fs::path& place, bool own) {
   LabFolder found;
@@ -59,7 +77,10 @@ Result<LabFolder> open_place(const std::string& folder, const fs::path& place, b
     return fail((fs::path(folder) / "student.cpp").string(), "is not there",
                 "put your code into this file; glassbox lab start makes it");
   const bool writable = access(place.c_str(), W_OK) == 0;
-  found.build_dir = own || !writable ? cache_for(place) : place / "build" / "check";
+  found.cache = cache_for(place);
+  found.kits = cache() / "kits";
+  const bool there = !own && writable && is_plain(place);
+  found.build_dir = there ? place / "build" / "check" : found.cache;
   return found;
 }
 
@@ -120,10 +141,22 @@ Result<LabFolder> open_lab_folder(const std::string& folder, const std::string& 
   if (!sources) return tl::unexpected(sources.error());
   auto found = open_place(folder, *place, *place == sources->outside);
   if (!found) return found;
-  const auto lab = labs::grading::load_outside_lab(*sources, found->build_dir / "judge");
+  const auto lab = labs::grading::load_outside_lab(*sources, found->cache / "judge");
   if (!lab) return tl::unexpected(lab.error());
   found->lab = *lab;
   found->outside = sources->outside;
+  return found;
+}
+
+Result<LabFolder> open_submission(const std::string& folder, const std::string& name) {
+  const auto place = open_directory(folder);
+  if (!place) return tl::unexpected(place.error());
+  const auto lab = find_lab(name);
+  if (!lab) return tl::unexpected(lab.error());
+  auto found = open_place(folder, *place, true);
+  if (!found) return found;
+  found->lab = *lab;
+  found->own = false;
   return found;
 }
 

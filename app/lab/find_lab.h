@@ -19,14 +19,19 @@ struct LabFolder {
   const labs::Lab* lab = nullptr;
   std::filesystem::path student;  // student.cpp
   std::filesystem::path
-      build_dir;     // in the folder, or in the user's cache where the folder is the lab's own
-  bool own = false;  // the lab's own folder, with the solution
+      build_dir;  // in the folder, or in the user's cache where the folder is the lab's own, or has links there
+  // In the user's cache in any case, for what has hidden checks in it or is loaded: the folder's own place, and one for kits.
+  std::filesystem::path cache, kits;
+  bool own = false;                    // the lab's own folder, with the solution
   std::filesystem::path outside = {};  // of a lab that is not the program's, where the lab lies
 };
 Result<LabFolder> open_lab_folder(const std::string& folder);
 
 // The same of the lab in the folder `lab_dir`, which is compiled where `folder` is built; of the program's where that is empty.
 Result<LabFolder> open_lab_folder(const std::string& folder, const std::string& lab_dir);
+
+// A folder with a student.cpp of the lab `name` (find_lab) in it, as it was handed in; nothing is written there.
+Result<LabFolder> open_submission(const std::string& folder, const std::string& name);
 
 // "1 to 9", for a message.
 std::string lab_names();

@@ -45,7 +45,7 @@ void LabGradeCommand::add_to(CLI::App& lab, int& exit_code) {
       "Examples:\n"
       "  glassbox lab grade submissions/ --lab 5 -o results/\n"
       "  glassbox lab grade submissions/ann --lab 5 --one -o results/ann/results.json\n"
-      "  glassbox lab grade submissions/ --lab-dir ~/labs/10-fog -o results/\n\n"
+      "  glassbox lab grade submissions/ --lab-dir ~/labs/40-fog -o results/\n\n"
       "A class is a folder of folders, one a submission, with student.cpp in each. Every "
       "submission and every\n"
       "check of it runs in a sandbox and in a process of its own. docs/grading.md has the rest: "
@@ -318,7 +318,7 @@ int LabGradeCommand::run_collect(const fs::path& results) const {
   const auto rows = read_results(results);
   if (!rows) return refuse(rows.error());
   for (const auto& [file, text] :
-       {std::pair{"class.csv", class_csv(*rows)}, {"index.html", class_html(*rows)}}) {
+       {std::pair{kTableOfClass, class_csv(*rows)}, {kPageOfClass, class_html(*rows)}}) {
     if (const auto written = write_text((results / file).string(), text); !written)
       return refuse(written.error());
   }
@@ -331,8 +331,8 @@ int LabGradeCommand::run_collect(const fs::path& results) const {
                outcome_of(row));
     if (!row.finished) ++unfinished;
   }
-  fmt::print("{} and {} have the details\n", (results / "class.csv").string(),
-             (results / "index.html").string());
+  fmt::print("{} and {} have the details\n", (results / kTableOfClass).string(),
+             (results / kPageOfClass).string());
   if (unfinished == 0) return kSuccess;
   fmt::print(stderr, "{} of {} did not finish; lab grade --resume goes on with them\n", unfinished,
              rows->size());

@@ -22,6 +22,7 @@ void LabCommand::add_to(CLI::App& app, int& exit_code) {
   render_.add_to(command, exit_code);
   stiff_.add_to(command, exit_code);
   quiz_.add_to(command, exit_code);
+  measure_.add_to(command, exit_code);
   if (kForStudents) return;
   export_.add_to(command, exit_code);
   grade_.add_to(command, exit_code);

@@ -5,6 +5,7 @@
 #include "app/lab/grade_command.h"
 #include "app/lab/gradescope_command.h"
 #include "app/lab/list.h"
+#include "app/lab/measure_command.h"
 #include "app/lab/package_command.h"
 #include "app/lab/quiz_command.h"
 #include "app/lab/render_command.h"
@@ -27,6 +28,7 @@ private:
   LabRenderCommand render_;
   LabStiffCommand stiff_;
   LabQuizCommand quiz_;
+  LabMeasureCommand measure_;
   LabExportCommand export_;
   LabGradeCommand grade_;
   LabGradescopeCommand gradescope_;

@@ -126,10 +126,10 @@ Result<std::string> lab_report_page(const LabReport& report) {
   for (const CheckResult& check : result.checks) {
     html += fmt::format(
         "<section class={}>\n<h2>{}</h2>\n<p class=quiet>task {}, stage {}{}: {} of {} cases "
-        "right, {} points</p>\n",
+        "right{}, {} points</p>\n",
         check.right == check.cases.size() ? "right" : "wrong", escaped(check.name),
         escaped(check.task), escaped(check.stage), check.hidden ? ", hidden" : "", check.right,
-        check.cases.size(), points_text(check.score, check.max_score));
+        check.cases.size(), note_of_whole(check), points_text(check.score, check.max_score));
     if (check.first) {
       const auto failure = failure_html(report, check);
       if (!failure) return failure;

@@ -81,9 +81,9 @@ std::string printed_text(const CheckResult& check) {
 }
 
 std::string check_text(const LabReport& report, const CheckResult& check) {
-  std::string text =
-      fmt::format("\n{} (task {}, stage {}{}): {} of {} cases right\n", check.name, check.task,
-                  check.stage, check.hidden ? ", hidden" : "", check.right, check.cases.size());
+  std::string text = fmt::format("\n{} (task {}, stage {}{}): {} of {} cases right{}\n", check.name,
+                                 check.task, check.stage, check.hidden ? ", hidden" : "",
+                                 check.right, check.cases.size(), note_of_whole(check));
   if (check.first) text += failure_text(report, check);
   return text + printed_text(check);
 }

@@ -73,7 +73,7 @@ void LabStartCommand::add_to(CLI::App& lab, int& exit_code) {
   command.footer(
       "Examples:\n"
       "  glassbox lab start 5 ~/lab5\n"
-      "  glassbox lab start --lab-dir ~/labs/10-fog ~/lab10");
+      "  glassbox lab start --lab-dir ~/labs/40-fog ~/lab40");
   command.add_option("LAB", lab_, "its number or name; left out with --lab-dir")->required();
   command.add_option("FOLDER", folder_, "new or empty");
   add_lab_dir(command, lab_dir_);

@@ -12,8 +12,9 @@ namespace glassbox::app {
 
 class StudentStages {
 public:
-  // Compiles what has changed. An error is what kept it from being tried; a student's own mistakes are in program().messages.
-  Result<void> build(const labs::Sources& sources, const LabFolder& folder, Progress& progress);
+  // Compiles what has changed: the lab's stages, or what is timed of it. An error is what kept it from being tried; a student's own mistakes are in program().messages.
+  Result<void> build(const labs::Sources& sources, const LabFolder& folder, Progress& progress,
+                     bool timed = false);
 
   // Both as build() made them.
   const labs::grading::Sandbox& sandbox() const { return *sandbox_; }

@@ -93,6 +93,11 @@ void ViewsGeometryCommand::add_output_options(CLI::App& command) {
           "by residual")
       ->type_name("FILE")
       ->group(outputs);
+  add_pair_of_files(
+      command, "--rectified-out", rectified_output_,
+      "both pictures turned until their epipolar lines are scan lines, by the cameras "
+      "that were found: .png, transparent where they show nothing")
+      ->group(outputs);
   add_json_output(command, json_output_)->group(outputs);
   const std::string of_scene = "Outputs of a scene";
   command
@@ -115,7 +120,9 @@ void ViewsGeometryCommand::add_to(CLI::App& views, int& exit_code) {
       "  glassbox views geometry --scene room --eye-separation 0.3\n"
       "  glassbox views geometry --scene room --move 0.5,0,0.2 --turn -10,0,0 --noise 0.5 "
       "--outliers 0.3\n"
-      "  glassbox views geometry --pair left.png right.png --matches m.csv --cameras c.txt\n\n"
+      "  glassbox views geometry --pair left.png right.png --matches m.csv --cameras c.txt\n"
+      "  glassbox views geometry --scene room --move 0.5,0,0 --turn -10,0,0 --rectified-out l.png "
+      "r.png\n\n"
       "Matches are lines of x and y in the left picture, then in the right one, in pixels from "
       "the\ntop left corner. Cameras are those of vision.middlebury.edu/mview: their number, then "
       "lines of\na picture's name, K, R and t by rows, a point X being at the pixel K (R X + t). "
@@ -194,9 +201,15 @@ Result<void> ViewsGeometryCommand::check_outputs() const {
       return fail("--draw", "there are no pictures to draw on", "add --pair");
     files.push_back(*page_);
   }
-  if (!pair_output_.first.empty()) {
-    for (const std::string& path : {pair_output_.first, pair_output_.second}) {
-      if (const auto legal = check_image_path(path); !legal) return legal;
+  if (!rectified_output_.first.empty() && !scene_.scene && !files_.has_pair()) {
+    return fail("--rectified-out", "there are no pictures to turn", "add --pair");
+  }
+  for (const PairOfNames* names : {&pair_output_, &rectified_output_}) {
+    if (names->first.empty()) continue;
+    for (const std::string& path : {names->first, names->second}) {
+      const auto legal =
+          names == &pair_output_ ? check_image_path(path) : check_extension(path, ".png");
+      if (!legal) return legal;
       files.push_back(path);
     }
   }
@@ -249,9 +262,33 @@ std::string ViewsGeometryCommand::command_line() const {
                      page});
 }
 
-Result<void> ViewsGeometryCommand::write_report(const GeometryInput& input,
-                                                const GeometryReport& report) const {
-  const nlohmann::ordered_json json = geometry_json(input, report);
+// By the pose that was found, whose T is of length 1.
+Result<std::optional<RectifiedPair>> ViewsGeometryCommand::rectified_pair(
+    const GeometryInput& input, const GeometryReport& report) const {
+  if (rectified_output_.first.empty()) return std::nullopt;
+  const auto& pose = report.analysis.pose;
+  if (!pose || !input.intrinsics) {
+    return fail("--rectified-out", "the cameras were not found, and nothing says how to turn them",
+                input.intrinsics ? "leave it out: the report says what the pair is"
+                                 : "give --cameras, or leave it out");
+  }
+  const auto& pictures = *input.pictures;
+  auto pair =
+      rectify(pictures[0], pictures[1], {(*input.intrinsics)[0], (*input.intrinsics)[1], *pose});
+  if (!pair) return tl::unexpected(pair.error());
+  return std::move(*pair);
+}
+
+Result<void> ViewsGeometryCommand::write_report(
+    const GeometryInput& input, const GeometryReport& report,
+    const std::optional<RectifiedPair>& rectified) const {
+  nlohmann::ordered_json json = geometry_json(input, report);
+  if (rectified) {
+    json["rectification"] = rectification_json(rectified->how);
+    if (const auto written = write_rectified(rectified_output_, *rectified); !written) {
+      return written;
+    }
+  }
   if (page_) {
     const Result<std::string> page =
         make_geometry_page(input, json, {"glassbox " GLASSBOX_VERSION, command_line()});
@@ -272,10 +309,15 @@ int ViewsGeometryCommand::run() {
   progress.phase("estimating the cameras");
   const Result<GeometryReport> report = report_geometry(*pair, question_);
   if (!report) return refuse(report.error());
-  if (const auto written = write_report(*pair, *report); !written) return refuse(written.error());
+  const auto rectified = rectified_pair(*pair, *report);
+  if (!rectified) return refuse(rectified.error());
+  if (const auto written = write_report(*pair, *report, *rectified); !written) {
+    return refuse(written.error());
+  }
   progress.done();
   if (json_output_ == "-" || matches_output_ == "-") return kSuccess;
   fmt::print("{}", geometry_text(*pair, *report));
+  if (*rectified) fmt::print("\n{}", rectification_text((*rectified)->how));
   constexpr std::size_t kLongPath = 1000;
   if (page_) fmt::print("\n{}: open it in a browser\n", printable(*page_, kLongPath));
   return kSuccess;

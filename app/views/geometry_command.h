@@ -10,6 +10,7 @@
 #include "app/views/geometry_files.h"
 #include "app/views/geometry_report.h"
 #include "app/views/geometry_scene.h"
+#include "app/views/rectified_pair.h"
 
 #include <glassbox/base/error.h>
 
@@ -30,14 +31,17 @@ private:
   Result<GeometryInput> input(Progress& progress);
   Result<void> write_scene(const SceneGeometry& made) const;
   std::string command_line() const;
-  Result<void> write_report(const GeometryInput& input, const GeometryReport& report) const;
+  Result<std::optional<RectifiedPair>> rectified_pair(const GeometryInput& input,
+                                                      const GeometryReport& report) const;
+  Result<void> write_report(const GeometryInput& input, const GeometryReport& report,
+                            const std::optional<RectifiedPair>& rectified) const;
   int run();
 
   GeometryFiles files_;
   GeometryScene scene_;
   GeometryQuestion question_;
   bool sigma_given_ = false;
-  std::pair<std::string, std::string> pair_output_;
+  std::pair<std::string, std::string> pair_output_, rectified_output_;
   std::optional<std::string> matches_output_, cameras_output_, page_, json_output_;
   std::vector<const CLI::Option*> options_;  // a command line repeats them
 };

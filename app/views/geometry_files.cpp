@@ -65,9 +65,7 @@ Result<std::array<views::PinholeCamera, 2>> two_of(const NamedCameras& cameras,
 }
 
 Result<void> add_cameras(const GeometryFiles& files, GeometryInput& input) {
-  const auto cameras = parsed(*files.cameras, views::parse_cameras);
-  if (!cameras) return tl::unexpected(cameras.error());
-  const auto pair = two_of(*cameras, files);
+  const auto pair = read_pair_cameras(files);
   if (!pair) return tl::unexpected(pair.error());
   const auto& [left, right] = *pair;
   input.intrinsics = {left.intrinsic, right.intrinsic};
@@ -93,6 +91,12 @@ Result<void> add_pictures(const GeometryFiles& files, GeometryInput& input) {
 }
 
 }  // namespace
+
+Result<std::array<views::PinholeCamera, 2>> read_pair_cameras(const GeometryFiles& files) {
+  const auto cameras = parsed(*files.cameras, views::parse_cameras);
+  if (!cameras) return tl::unexpected(cameras.error());
+  return two_of(*cameras, files);
+}
 
 Result<GeometryInput> read_geometry_files(const GeometryFiles& files) {
   GeometryInput input;

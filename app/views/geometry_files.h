@@ -1,6 +1,7 @@
 // Pair, matches and cameras from files.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,6 +18,9 @@ struct GeometryFiles {
 
   bool has_pair() const { return !pair.first.empty(); }
 };
+
+// The cameras of such a pair, from its file: two, or of more the two that are named as the pictures are.
+Result<std::array<views::PinholeCamera, 2>> read_pair_cameras(const GeometryFiles& files);
 
 // Two cameras, or of more the two that are named as the pictures are. Refused: pictures of unequal sizes, and files that the
 // readers of views/files refuse.

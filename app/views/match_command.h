@@ -4,7 +4,10 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include <nlohmann/json_fwd.hpp>
 
 #include "app/options/cli_fwd.h"
 #include "app/views/match_input.h"
@@ -22,21 +25,29 @@ private:
   int run();
   Result<void> check_sources() const;
   Result<void> check_outputs() const;
-  Result<void> write_outputs(const MatchInput& input, const views::DenseMatch& match) const;
+  Result<void> check_rectified() const;
+  Result<void> write_maps(const MatchInput& input, const views::DenseMatch& match) const;
+  Result<std::string> write_surface(const MatchInput& input, const views::DenseMatch& match) const;
+  Result<void> write_page(const MatchInput& input, const views::DenseMatch& match,
+                          const nlohmann::ordered_json& json) const;
+  std::string command_line() const;
   views::MatchSettings settings(const MatchInput& input) const;
 
   MatchSources sources_;
   std::string method_ = "default";
   std::optional<views::MatchingCost> cost_;
-  std::optional<int> window_, adaptive_, paths_, left_right_, speckle_;
+  std::optional<int> window_, adaptive_, paths_, planes_, left_right_, speckle_;
   std::optional<float> confidence_;
   std::optional<views::DisparityRange> range_;
   std::optional<views::Calibration> calibration_;
-  bool no_fill_ = false, no_subpixel_ = false, no_median_ = false, no_check_ = false;
+  bool no_fill_ = false, no_subpixel_ = false, no_median_ = false, no_smooth_ = false,
+       no_check_ = false;
   Target target_ = best_target();
   int threads_ = 0;
   std::uint32_t max_megabytes_ = 4096;
-  std::optional<std::string> output_, depth_output_, json_output_;
+  std::optional<std::string> output_, depth_output_, surface_output_, json_output_, page_;
+  std::pair<std::string, std::string> rectified_output_;
+  std::vector<const CLI::Option*> options_;  // a command line repeats them
 };
 
 }  // namespace glassbox::app

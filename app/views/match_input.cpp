@@ -7,6 +7,8 @@
 
 #include "app/options/scene_input.h"
 #include "app/report/progress.h"
+#include "app/views/geometry_files.h"
+#include "app/views/rectified_pair.h"
 #include "views/matching/rendered.h"
 
 #include <glassbox/images/read.h>
@@ -47,6 +49,31 @@ Result<Image<float>> read_truth(const std::string& path, double scale, const Ima
   return views::known_disparities(std::move(values), float(scale));
 }
 
+// The pictures become those that such cameras with parallel axes would have taken.
+Result<void> rectify_input(const MatchSources& sources, MatchInput& input) {
+  if (input.left.width != input.right.width || input.left.height != input.right.height) {
+    return {};  // the match refuses them
+  }
+  const auto cameras =
+      read_pair_cameras({{*sources.left, *sources.right}, std::nullopt, sources.cameras});
+  if (!cameras) return tl::unexpected(cameras.error());
+  const auto& [left, right] = *cameras;
+  auto pair = rectify(input.left, input.right,
+                      {left.intrinsic, right.intrinsic, views::relative_pose(left, right)});
+  if (!pair) {
+    Error error = pair.error();
+    error.file = *sources.cameras;
+    return tl::unexpected(error);
+  }
+  input.left = std::move(pair->left);
+  input.right = std::move(pair->right);
+  input.rectification = pair->how;
+  const views::Matrix3d& k = pair->how.intrinsic;
+  input.calibration =
+      views::Calibration{k(0, 0), pair->how.baseline, 0, views::Principal{k(0, 2), k(1, 2)}};
+  return {};
+}
+
 Result<MatchInput> read_files(const MatchSources& sources) {
   MatchInput input;
   auto left = read_opaque(*sources.left);
@@ -71,6 +98,11 @@ Result<MatchInput> read_files(const MatchSources& sources) {
   }
   input.left = std::move(*left);
   input.right = std::move(*right);
+  if (sources.cameras) {
+    if (const auto turned = rectify_input(sources, input); !turned) {
+      return tl::unexpected(turned.error());
+    }
+  }
   return input;
 }
 

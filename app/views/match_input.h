@@ -8,6 +8,7 @@
 #include "views/matching/calibration.h"
 #include "views/matching/evaluate.h"
 #include "views/matching/settings.h"
+#include "views/two_view/rectification.h"
 
 #include <glassbox/base/error.h>
 #include <glassbox/images/image.h>
@@ -20,6 +21,7 @@ struct MatchSources {
   std::optional<std::string> left, right;         // files
   std::optional<std::string> truth, truth_right;  // files
   std::optional<double> truth_scale;              // what is stored for a pixel of disparity
+  std::optional<std::string> cameras;             // file: of pictures that are not rectified
   std::optional<std::string> scene;
   PictureOptions picture;  // of the scene
 };
@@ -29,8 +31,9 @@ struct MatchInput {
   Image<Rgba8> left, right;
   std::optional<views::StereoTruth> truth;
   std::optional<Image<std::uint8_t>> is_textured;  // of a rendered pair
-  std::optional<views::Calibration> calibration;   // of a rendered pair
-  std::string visible_by;                          // how the visible pixels were found, in words
+  std::optional<views::Calibration> calibration;   // of a rendered pair, or one that was rectified
+  std::optional<views::Rectification> rectification;  // where the pictures were turned
+  std::string visible_by;                             // how the visible pixels were found, in words
 };
 
 // Either the files or the scene are given, as checked by the command.

@@ -13,8 +13,8 @@ namespace {
 namespace fs = std::filesystem;
 using grading::Sandbox;
 
-// What a student's code is compiled with: the lab's contract and stages, and the framework around them.
-Result<std::vector<SourceFile>> stage_files(const Sources& sources, const std::string& folder) {
+// What a student's code is compiled with: the lab's contract, its stages or what is timed of it, and the framework around them.
+Result<std::vector<SourceFile>> stage_files(const Sources& sources, const StageBuild& request) {
   std::vector<SourceFile> files;
   const auto add = [&](const fs::path& from, const std::string& as) -> Result<void> {
     auto text = read_text_file(from);
@@ -22,8 +22,9 @@ Result<std::vector<SourceFile>> stage_files(const Sources& sources, const std::s
     files.push_back({as, std::move(*text)});
     return {};
   };
-  for (const char* name : {"student.h", "stages.cpp"}) {
-    if (const auto added = add(sources.labs / folder / name, name); !added)
+  const char* part = request.timed ? "timed.cpp" : "stages.cpp";
+  for (const auto& [name, as] : {std::pair{"student.h", "student.h"}, {part, "stages.cpp"}}) {
+    if (const auto added = add(sources.labs / request.folder / name, as); !added)
       return tl::unexpected(added.error());
   }
   for (const char* name : {"stages.h", "stages_main.cpp"}) {
@@ -40,8 +41,9 @@ struct OwnSide {
   std::string key;  // of what it was made from
 };
 
-Result<OwnSide> own_side(const Sources& sources, const std::string& folder, const fs::path& place) {
-  const auto files = stage_files(sources, folder);
+Result<OwnSide> own_side(const Sources& sources, const StageBuild& request) {
+  const fs::path& place = request.kept;
+  const auto files = stage_files(sources, request);
   if (!files) return tl::unexpected(files.error());
   const auto headers = library_headers(sources, *files);
   if (!headers) return tl::unexpected(headers.error());
@@ -80,7 +82,7 @@ Result<OwnSide> own_side(const Sources& sources, const std::string& folder, cons
 
 Result<StageProgram> build_stages(const Sources& sources, const StageBuild& request,
                                   const Sandbox& sandbox) {
-  const auto own = own_side(sources, request.folder, request.kept);
+  const auto own = own_side(sources, request);
   if (!own) return tl::unexpected(own.error());
   const auto text = grading::read_submitted(request.student.parent_path(), "student.cpp");
   if (!text) return tl::unexpected(text.error());
@@ -101,7 +103,10 @@ Result<StageProgram> build_stages(const Sources& sources, const StageBuild& requ
   fs::create_directories(build, error);
   const auto kit = grading::copy_kit(own->kit, readable);
   if (!kit) return tl::unexpected(kit.error());
-  const grading::Compiled compiled = grading::compile_submission(*text, sandbox, *kit, build);
+  grading::CompileWords words;
+  words.timed = request.timed;
+  const grading::Compiled compiled =
+      grading::compile_submission(*text, sandbox, *kit, build, words);
   made.messages = compiled.said;
   const fs::path linked =
       compiled.trouble.empty()

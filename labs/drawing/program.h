@@ -21,7 +21,8 @@ struct StageBuild {
   std::filesystem::path student;  // the student's student.cpp
   std::filesystem::path kept;     // where what was made is kept for the next time; the caller's own
   std::filesystem::path
-      scratch;  // a directory that every user may pass through, and its owner alone write to
+      scratch;         // a directory that every user may pass through, and its owner alone write to
+  bool timed = false;  // of the lab's timed.cpp in place of its stages.cpp
 };
 
 // Compiles what has changed: the lab's own side as it is, the student's in the sandbox. An error is what kept it from being tried.
@@ -38,13 +39,18 @@ public:
   Result<std::vector<Numbers>> ask(const DrawnStage& stage,
                                    std::span<const Question> questions) override;
 
+  // How long what the question asks for takes, `rounds` times, by the stage's `prepare`: the processor's and the wall's nanoseconds
+  // in turn.
+  Result<Numbers> time(const DrawnStage& stage, const Question& question, int rounds);
+
   const std::optional<std::string>& broke() const { return broke_; }
   const std::string& said() const { return said_; }  // what the student's code printed
   double seconds() const { return seconds_; }        // that its processes took
 
 private:
-  RunOutcome run(const DrawnStage& stage, const BatchFile& file);
-  Result<std::vector<Numbers>> ask_batch(const DrawnStage& stage, std::span<const Question> batch);
+  RunOutcome run(const DrawnStage& stage, int rounds, const BatchFile& file);
+  Result<std::vector<Numbers>> ask_batch(const DrawnStage& stage, int rounds,
+                                         std::span<const Question> batch);
 
   const grading::Sandbox& sandbox_;
   std::filesystem::path program_;

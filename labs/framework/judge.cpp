@@ -51,6 +51,7 @@ CheckResult nothing_judged(const Check& check, std::size_t cases, double points)
           .task = check.task,
           .stage = check.stage,
           .hidden = check.hidden,
+          .whole = check.whole,
           .max_score = points * double(cases)};
 }
 
@@ -93,7 +94,9 @@ CheckResult judge_check(const Check& check, const std::vector<Case>& cases,
     result.verdict = result.first->verdict = Verdict::kMalformed;
   }
   // All cases right is full marks to the last bit.
-  result.score = result.right == cases.size() ? result.max_score : points * double(result.right);
+  result.score = result.right == cases.size() ? result.max_score
+                 : check.whole                ? 0
+                                              : points * double(result.right);
   if (result.first) result.slips = find_slips(cases, answers.cases);
   return result;
 }

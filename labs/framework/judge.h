@@ -44,6 +44,7 @@ struct FirstFailure {
 struct CheckResult {
   std::string name, task, stage;
   bool hidden = false;
+  bool whole = false;  // as Check has it
   double score = 0, max_score = 0;
   Verdict verdict = Verdict::kRight;  // of the first case that is not right
   std::vector<Verdict> cases = {};
@@ -54,6 +55,11 @@ struct CheckResult {
   std::string said = {};  // what the student's code printed
   double seconds = 0;
 };
+
+// What is said behind "13 of 14 cases right".
+inline const char* note_of_whole(const CheckResult& check) {
+  return check.whole && check.right < check.cases.size() ? "; the check counts as a whole" : "";
+}
 
 struct TaskResult {
   std::string id, title;

@@ -97,7 +97,8 @@ struct Check {
   std::string stage;
   bool hidden = false;  // not part of what a student is given
   std::function<std::vector<Case>()> cases;
-  double weight = 1;  // of its task's points (points.h)
+  double weight = 1;   // of its task's points (points.h)
+  bool whole = false;  // it gives its points only where every case is right
 };
 
 // A check that expects of each of `inputs` what `expect` says.

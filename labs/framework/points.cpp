@@ -24,7 +24,7 @@ bool is_weight(const OrderedJson& json) {
   return json.is_number() && json.get<double>() >= 0 && json.get<double>() <= 1e6;
 }
 
-// Whether `json` has nothing but the four entries, of their kinds.
+// Whether `json` has nothing but the five entries, of their kinds.
 bool has_shape(const OrderedJson& json) {
   if (!json.is_object()) return false;
   for (const auto& [name, value] : json.items()) {
@@ -32,6 +32,9 @@ bool has_shape(const OrderedJson& json) {
       if (!is_weight(value)) return false;
     } else if (name == "tasks" || name == "checks" || name == "hidden") {
       if (!value.is_object() || !std::all_of(value.begin(), value.end(), is_weight)) return false;
+    } else if (name == "whole") {
+      const auto is_name = [](const OrderedJson& each) { return each.is_string(); };
+      if (!value.is_array() || !std::all_of(value.begin(), value.end(), is_name)) return false;
     } else {
       return false;
     }
@@ -62,17 +65,24 @@ void set_tasks(const OrderedJson& json, Shares& shares) {
   }
 }
 
+// The visible check of that name; null, and a warning, where there is none.
+Check* check_called(Shares& shares, const std::string& name) {
+  for (Check& check : shares.lab.checks) {
+    if (check.name == name && !check.hidden) return &check;
+  }
+  shares.warnings.push_back(fmt::format("points.json: the lab has no visible check \"{}\"", name));
+  return nullptr;
+}
+
 void set_checks(const OrderedJson& json, Shares& shares) {
-  if (!json.contains("checks")) return;
-  for (const auto& [name, weight] : json["checks"].items()) {
-    const auto found = std::find_if(
-        shares.lab.checks.begin(), shares.lab.checks.end(),
-        [&, &wanted = name](const Check& check) { return check.name == wanted && !check.hidden; });
-    if (found == shares.lab.checks.end()) {
-      shares.warnings.push_back(
-          fmt::format("points.json: the lab has no visible check \"{}\"", name));
-    } else {
-      found->weight = weight.get<double>();
+  if (json.contains("checks")) {
+    for (const auto& [name, weight] : json["checks"].items()) {
+      if (Check* check = check_called(shares, name)) check->weight = weight.get<double>();
+    }
+  }
+  if (json.contains("whole")) {
+    for (const OrderedJson& name : json["whole"]) {
+      if (Check* check = check_called(shares, name.get<std::string>())) check->whole = true;
     }
   }
 }
@@ -122,7 +132,7 @@ Result<Shares> read_shares(const Lab& lab, const fs::path& file) {
   const OrderedJson json = OrderedJson::parse(*text, nullptr, false);
   if (json.is_discarded()) return refused(file, "is no JSON");
   if (!has_shape(json))
-    return refused(file, "has other entries than points, tasks, checks and hidden");
+    return refused(file, "has other entries than points, tasks, checks, hidden and whole");
   set_tasks(json, shares);
   set_checks(json, shares);
   set_hidden(json, shares);

@@ -3,9 +3,11 @@
 //   {"points": 100,                            what the tasks should sum to
 //    "tasks": {"5.1": 15, "5.2": 20},          points of each task
 //    "checks": {"triangles around a point": 2},  weights of visible checks in their task; of others: 1
-//    "hidden": {"5.1": 3}}                     weight of a task's hidden checks together; else 1 for each of them
+//    "hidden": {"5.1": 3},                     weight of a task's hidden checks together; else 1 for each of them
+//    "whole": ["triangles around a point"]}    visible checks that give their points only where every case is right
 //
-// A task's points are shared by its checks according to their weights, and a check's points equally by its cases. There is no name
+// A task's points are shared by its checks according to their weights, and a check's points, unless it counts as a whole, equally by
+// its cases. There is no name
 // of a hidden check in the file: students have it too. All of it may be left out.
 #pragma once
 

@@ -225,6 +225,16 @@ const std::vector<Slip>& known_slips() {
        "your triangles own all their edges (>=): a centre on an edge belongs to the triangle whose "
        "top or left edge it is"},
       {"depth-or-equal", "your depth test is <=: of equally near fragments the first stays"},
+      {"shift-for-centre",
+       "your T is the other textbooks' t: with P_r = R P_l + t the camera stands at -R^T t"},
+      {"not-denormalised",
+       "your matrix is that of the normalised points: carry it back to the points as they came"},
+      {"rank-first",
+       "your singular values are made equal before the matrix is carried back, which undoes it"},
+      {"left-right",
+       "your pictures are exchanged: a pixel of the left one is sought in the right one"},
+      {"disparity-sign",
+       "your disparities count the other way: pixel x of the left picture is x - d of the right"},
   };
   return all;
 }

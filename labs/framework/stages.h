@@ -63,9 +63,11 @@ void append_matrix(Numbers& out, const M& m) {
 struct StageFunction {
   std::string name;
   std::function<void(RecordReader& in, Numbers& out)> run;
+  // Of timed.cpp (glassbox lab measure): reads what is asked, and gives what does all of it once. That alone is timed.
+  std::function<std::function<void()>(RecordReader& in)> prepare = {};
 };
 
-// Defined by the lab's stages.cpp.
+// Defined by the lab's stages.cpp, and by its timed.cpp for a program of its own.
 std::vector<StageFunction> stage_functions();
 
 }  // namespace glassbox::labs

@@ -327,6 +327,7 @@ std::vector<std::string> assembly_command(const Kit& kit, const CompileWords& op
   append(words, flags());
   append(words, of_clang(kit.compiler));
   if (options.debugger) append(words, {"-O0", "-g"});
+  if (options.timed) words.push_back("-O2");
   if (options.sanitize) append(words, sanitizers());
   if (!options.stands_for.empty())
     append(words,

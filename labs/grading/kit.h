@@ -50,6 +50,7 @@ Result<void> compile_own(const std::string& compiler, const std::filesystem::pat
 struct CompileWords {
   bool warnings = false;
   bool debugger = false;  // with what a debugger reads, and every variable in its place (-O0 -g)
+  bool timed = false;     // as fast as the library (-O2); the numbers are the same
   bool sanitize =
       false;  // with AddressSanitizer and UndefinedBehaviorSanitizer, which end the program with a report
   std::string

@@ -30,7 +30,8 @@ constexpr const char* kNeeded[] = {"handout.md", "student.h",  "student.cpp",
 bool is_of_judge(const fs::path& file) {
   const std::string name = file.filename().string();
   return file.extension() == ".cpp" && name != "student.cpp" && name != "runner.cpp" &&
-         name != "stages.cpp" && name != "drawing.cpp";
+         name != "stages.cpp" && name != "drawing.cpp" && name != "timed.cpp" &&
+         name != "measured.cpp";
 }
 
 // Its sources, and every header that they may include, in an order that is the same everywhere.
@@ -151,7 +152,7 @@ Result<fs::path> find_outside_lab(const std::string& folder) {
   if (error || !fs::is_directory(place, error))
     return fail(folder, "is no folder", "name the folder of a lab, NN-name");
   if (!is_of_a_lab(fs::path("labs") / place.filename()))
-    return fail(folder, "is not called as a lab is", "call it NN-name, such as 10-fog");
+    return fail(folder, "is not called as a lab is", "call it NN-name, such as 40-fog");
   for (const char* name : kNeeded) {
     if (!fs::is_regular_file(place / name, error))
       return fail((fs::path(folder) / name).string(), "is not there",

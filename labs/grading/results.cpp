@@ -81,8 +81,8 @@ Json test_json(const CheckResult& check, const std::string& name, const std::str
 
 // The first case that is not right, and what may be the reason.
 std::string failure_text(const CheckResult& check, const std::string& name) {
-  std::string text =
-      fmt::format("{}: {} of {} cases are right.\n", name, check.right, check.cases.size());
+  std::string text = fmt::format("{}: {} of {} cases are right{}.\n", name, check.right,
+                                 check.cases.size(), note_of_whole(check));
   if (const auto& first = check.first) {
     text += fmt::format("The first that is not: case {}", first->index);
     if (!first->where.empty()) text += fmt::format(" ({})", first->where);

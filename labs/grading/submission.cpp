@@ -156,6 +156,11 @@ Result<ClassFolder> list_submissions(const fs::path& folder) {
   }
   ClassFolder found;
   const auto add = [&](const std::string& name, const fs::path& path) {
+    if (name == kTableOfClass || name == kPageOfClass) {
+      found.skipped.push_back(
+          fmt::format("{}: a result of the class has this name", path.filename().string()));
+      return;
+    }
     const auto same = std::find_if(found.submissions.begin(), found.submissions.end(),
                                    [&](const Submission& each) { return each.name == name; });
     if (same == found.submissions.end()) {

@@ -31,6 +31,10 @@ tl::unexpected<Error> missing(const std::string& name, std::vector<std::filesyst
 // The name of a submission in a class: that of its folder, or of its file without what says what kind it is.
 std::string submission_name(const std::filesystem::path& path);
 
+// What stands beside the folders of results, so that no submission may be called so.
+inline constexpr const char* kTableOfClass = "class.csv";
+inline constexpr const char* kPageOfClass = "index.html";
+
 // One submission of a class.
 struct Submission {
   std::string name;  // as the student is to be named

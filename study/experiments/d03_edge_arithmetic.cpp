@@ -12,14 +12,6 @@ namespace {
 
 // ---- errors ----
 
-// 128 bits, from the corners as they are.
-bool right_decision(const EdgeSample& s) {
-  __extension__ using Wide = __int128;
-  const Wide e = (Wide(s.to.x) - s.from.x) * (Wide(s.y) - s.from.y) -
-                 (Wide(s.to.y) - s.from.y) * (Wide(s.x) - s.from.x);
-  return covers(e, s);
-}
-
 bool is_wrong(EdgeArithmetic arithmetic, const EdgeSample& s) {
   return covers_centre(arithmetic, s) != right_decision(s);
 }
@@ -98,28 +90,6 @@ constexpr Series kSeries[] = {
     {EdgeArithmetic::kInt32Tile, "int32, relative to the tile", of_exact, of_exact},
     {EdgeArithmetic::kInt64, "int64", of_exact, of_exact},
 };
-
-// Triangles with a corner in a tile somewhere on a screen that wide.
-std::vector<TileEdges> timed_triangles(int width, int count) {
-  Random random(4);
-  std::vector<TileEdges> triangles;
-  const std::int64_t far = std::int64_t(width) * kSubpixels / 2;
-  for (int i = 0; i < count; ++i) {
-    TileEdges t;
-    std::array<std::int32_t, 3> x, y;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::int64_t reach = k == 0 ? kEdgeTile * kSubpixels / 2 : far;
-      x[k] = std::int32_t(random.integer(-reach, reach));
-      y[k] = std::int32_t(random.integer(-reach, reach));
-    }
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t next = (k + 1) % 3;
-      t.x0[k] = x[k], t.y0[k] = y[k], t.dx[k] = x[next] - x[k], t.dy[k] = y[next] - y[k];
-    }
-    triangles.push_back(t);
-  }
-  return triangles;
-}
 
 void add_series(std::vector<Configuration>& all, const Series& series, int width, Effort effort) {
   const int samples = effort == Effort::kFull ? 15'000'000 : 2'000'000;

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <vector>
 
 #include <glassbox/base/random.h>
 #include <glassbox/raster/stages.h>
@@ -51,16 +53,25 @@ inline EdgeSample random_edge_sample(Random& random, int width) {
   }
 }
 
+// Whether the pixel belongs to the triangle on the right of the edge, whose function has this value.
+template <class T>
+bool covers(T edge, const EdgeSample& s) {
+  return edge > 0 || (edge == 0 && s.owns_zero());
+}
+
+// 128 bits, from the corners as they are.
+inline bool right_decision(const EdgeSample& s) {
+  __extension__ using Wide = __int128;
+  const Wide e = (Wide(s.to.x) - s.from.x) * (Wide(s.y) - s.from.y) -
+                 (Wide(s.to.y) - s.from.y) * (Wide(s.x) - s.from.x);
+  return covers(e, s);
+}
+
 // ---- the ways ----
 
 // E = dx (y - y0) - dy (x - x0), exact: the factors have 24 bits.
 inline std::int64_t exact_edge(const EdgeSample& s) {
   return s.dx() * (s.y - s.from.y) - s.dy() * (s.x - s.from.x);
-}
-
-template <class T>
-bool covers(T edge, const EdgeSample& s) {
-  return edge > 0 || (edge == 0 && s.owns_zero());
 }
 
 // All coordinates and their differences are floats exactly.
@@ -106,6 +117,30 @@ inline bool covers_centre(EdgeArithmetic arithmetic, const EdgeSample& s) {
       break;
   }
   return covers(exact_edge(s), s);
+}
+
+// ---- what is timed ----
+
+// Triangles with a corner in a tile somewhere on a screen that wide.
+inline std::vector<TileEdges> timed_triangles(int width, int count) {
+  Random random(4);
+  std::vector<TileEdges> triangles;
+  const std::int64_t far = std::int64_t(width) * kSubpixels / 2;
+  for (int i = 0; i < count; ++i) {
+    TileEdges t;
+    std::array<std::int32_t, 3> x, y;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int64_t reach = k == 0 ? kEdgeTile * kSubpixels / 2 : far;
+      x[k] = std::int32_t(random.integer(-reach, reach));
+      y[k] = std::int32_t(random.integer(-reach, reach));
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t next = (k + 1) % 3;
+      t.x0[k] = x[k], t.y0[k] = y[k], t.dx[k] = x[next] - x[k], t.dy[k] = y[next] - y[k];
+    }
+    triangles.push_back(t);
+  }
+  return triangles;
 }
 
 }  // namespace glassbox::study

@@ -19,6 +19,12 @@ namespace glassbox::study::d04 {
 
 using Lines = std::vector<PerspectiveLine>;
 
+// u at a place along the line, 0 .. 1. In double, whose own error is 2^-29 of float's.
+inline double exact_coordinate(const PerspectiveLine& line, double far) {
+  const double q0 = line.inverse_w0, q1 = line.inverse_w1;
+  return ((1 - far) * (line.u0 * q0) + far * (line.u1 * q1)) / ((1 - far) * q0 + far * q1);
+}
+
 // w at the far end over w at the near end.
 inline double ratio_of(const PerspectiveLine& line) {
   const double ratio = double(line.inverse_w0) / double(line.inverse_w1);
@@ -41,6 +47,14 @@ inline Lines wall(double ratio, int count) {
         {0, float(kLinePixels - random.unit()), float(1 / near), float(1 / (near * ratio))});
   }
   return lines;
+}
+
+// Every n-th of them, so that `most` are left.
+inline Lines some(const Lines& lines, std::size_t most) {
+  const std::size_t step = (lines.size() + most - 1) / most;
+  Lines kept;
+  for (std::size_t i = 0; i < lines.size(); i += step) kept.push_back(lines[i]);
+  return kept;
 }
 
 // ---- lines of scenes, whose texels are those of the level that is nearest to a texel for a pixel ----

@@ -72,12 +72,6 @@ float coordinate(Perspective method, const PerspectiveLine& line, int x) {
 
 // ---- the error ----
 
-// In double, whose own error is 2^-29 of float's.
-double exact_coordinate(const PerspectiveLine& line, double far) {
-  const double q0 = line.inverse_w0, q1 = line.inverse_w1;
-  return ((1 - far) * (line.u0 * q0) + far * (line.u1 * q1)) / ((1 - far) * q0 + far * q1);
-}
-
 struct Errors {
   double largest = 0, rms = 0;  // texels
 };
@@ -207,14 +201,6 @@ constexpr Series kSeries[] = {
     {Perspective::kEvery32, "a division every 32 pixels"},
     {Perspective::kAffine, "none: affine"},
 };
-
-// Every n-th of them, so that `most` are left.
-Lines some(const Lines& lines, std::size_t most) {
-  const std::size_t step = (lines.size() + most - 1) / most;
-  Lines kept;
-  for (std::size_t i = 0; i < lines.size(); i += step) kept.push_back(lines[i]);
-  return kept;
-}
 
 std::function<void(int)> work_of(Perspective method, const Lines& lines, int rounds) {
   std::vector<std::int32_t> texture(kLinePixels);

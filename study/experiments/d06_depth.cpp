@@ -15,6 +15,7 @@
 #include "study/experiment/experiment.h"
 #include "study/experiments/consume.h"
 #include "study/experiments/d06_formats.h"
+#include "study/experiments/d06_ladder.h"
 
 namespace glassbox::study {
 
@@ -22,59 +23,19 @@ namespace {
 
 using namespace d06;
 
-// ---- the ladder: points on the axis, one float after the other ----
+// ---- the ladder ----
 
-struct Rung {
-  double z;
-  std::uint32_t code;
-};
-
-std::vector<Rung> rungs(const Format& format, double z, double window, int count) {
+double error_on_ladder(const Format& format, double z, int count) {
   const Placement place(format, {});
-  std::vector<Rung> all;
-  for (int i = 0; i < count; ++i) {
-    const auto distance = float(z * (1 + window * i / count));
-    if (!all.empty() && double(distance) == all.back().z) continue;
-    if (double(distance) > kFar) break;
-    const ScreenVertex placed = place(Point<Eye>(0, 0, -distance));
-    all.push_back({double(distance), code_of(format, placed.position.z, distance)});
-  }
-  return all;
-}
-
-// The largest relative distance of two of them that are told apart the wrong way or not at all, the nearer of which is in the
-// first quarter.
-double largest_confusion(const std::vector<Rung>& rungs) {
-  std::vector<std::uint32_t> least(rungs.size());  // from here on
-  std::uint32_t running = std::numeric_limits<std::uint32_t>::max();
-  for (std::size_t i = rungs.size(); i-- > 0;)
-    least[i] = running = std::min(running, rungs[i].code);
-  double largest = 0;
-  // Up to here: an earlier rung with a smaller code has nothing that a later one lacks.
-  std::uint32_t greatest = 0;
-  std::size_t j = 0;
-  for (std::size_t i = 0; i < rungs.size() / 4 + 1; ++i) {
-    if (i > 0 && rungs[i].code <= greatest) continue;
-    greatest = rungs[i].code;
-    j = std::max(j, i);
-    while (j + 1 < rungs.size() && least[j + 1] <= rungs[i].code) ++j;
-    largest = std::max(largest, (rungs[j].z - rungs[i].z) / rungs[i].z);
-  }
-  return largest;
-}
-
-// In the smallest window from z on, of powers of two, that has room for the largest confusion many times, or four where it is so
-// large that the law changes within.
-double ladder_error(const Format& format, double z, int count) {
-  for (double window = 0x1p-18;; window *= 2) {
-    const std::vector<Rung> all = rungs(format, z, window, count);
-    const double largest = largest_confusion(all);
-    const bool at_far = z * (1 + window) > kFar;
-    if (at_far || largest * (window < 0x1p-6 ? 64 : 4) < window) {
-      // Neighbours that are told apart are one rung away: that is what a format can do at most.
-      return std::max(largest, (all[1].z - all[0].z) / z);
+  const auto codes = [&](const std::vector<float>& distances) {
+    std::vector<std::uint32_t> all;
+    for (const float distance : distances) {
+      const ScreenVertex placed = place(Point<Eye>(0, 0, -distance));
+      all.push_back(code_of(format, placed.position.z, distance));
     }
-  }
+    return all;
+  };
+  return d06::ladder_error(codes, z, count);
 }
 
 // ---- pictures ----
@@ -181,20 +142,8 @@ std::vector<EyeTriangle> city() {
 
 // ---- what is timed: the depth test of many fragments, each against a stored code ----
 
-constexpr std::size_t kFragments = 1u << 17;
-
-struct Fragments {
-  std::vector<float> depth, w;
-};
-
 std::shared_ptr<const Fragments> timed_fragments() {
-  auto made = std::make_shared<Fragments>();
-  for (std::size_t i = 0; i < kFragments; ++i) {
-    const double z = kNear * std::exp2(16 * random_unit(60, i));
-    made->w.push_back(float(z));
-    made->depth.push_back(float((1 / kNear - 1 / z) / (1 / kNear - 1 / kFar)));
-  }
-  return made;
+  return std::make_shared<const Fragments>(make_fragments(kFragments));
 }
 
 template <class Stored>
@@ -233,7 +182,7 @@ std::vector<Configuration> configurations(Effort effort) {
     };
     for (const double z : distances)
       add(
-          "ladder", z, [=] { return ladder_error(format, z, count); }, predicted_at(format, z),
+          "ladder", z, [=] { return error_on_ladder(format, z, count); }, predicted_at(format, z),
           finding_on_ladder(format));
     for (const double z : {1.0, 100.0, 1000.0})
       add(

@@ -6,58 +6,13 @@
 
 #include "study/experiment/experiment.h"
 #include "study/experiments/consume.h"
-#include "study/experiments/d01_shots.h"
+#include "study/experiments/d07_field.h"
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study {
 namespace {
 
-// ---- the scene ----
-
-constexpr double kNear = 0.1, kDistance = 10;
-
-// The vertices' coordinates in the world are floats exactly (multiples of 1/8 below 2^21), and so is the eye: all errors are
-// the arithmetic's.
-struct Field {
-  exact::PythagoreanRotation eye_from_world;
-  Vector<World, double> eye;
-  std::vector<Point<World>> points;  // 10 units along the gaze, give or take rounding to eighths
-};
-
-double in_eighths(double x) {
-  return std::floor(x * 8 + 0.5) / 8;
-}
-
-Field make_field(std::uint64_t seed, double offset, int points) {
-  Random random(seed);
-  Field field;
-  field.eye_from_world = exact::pythagorean_rotation(random);
-  const Vector<World, double> eye = random_direction<World>(random) * offset;
-  field.eye = {in_eighths(eye.x), in_eighths(eye.y), in_eighths(eye.z)};
-  const glm::dmat3 world_from_eye = glm::transpose(rounded(field.eye_from_world));
-  for (int i = 0; i < points; ++i) {
-    const double x = random.between(-5, 5), y = random.between(-5, 5);
-    const glm::dvec3 p = world_from_eye * glm::dvec3(x, y, -kDistance);
-    field.points.emplace_back(float(in_eighths(p.x) + field.eye.x),
-                              float(in_eighths(p.y) + field.eye.y),
-                              float(in_eighths(p.z) + field.eye.z));
-  }
-  return field;
-}
-
-enum class Depth { kStandard, kReversedInfinite };
-
-DepthPlanes planes(Depth depth) {
-  if (depth == Depth::kStandard) return {kNear, 1000};
-  return {kNear, std::numeric_limits<double>::infinity(), DepthRange::kReversed};
-}
-Transform<Clip, Eye> projection(Depth depth) {
-  return *perspective_degrees(90, 1, planes(depth));
-}
-Transform<Eye, World> view_of(const Field& field) {
-  const glm::dvec3 moved = rounded(field.eye_from_world) * to_glm(field.eye);
-  return placed<Eye, World>(field.eye_from_world, Vector<Eye, double>(-moved));
-}
+using namespace d07;
 
 // ---- the ways ----
 
@@ -108,31 +63,16 @@ private:
 
 // ---- the error ----
 
-constexpr int kPointsOfField = 64;
-
-// The depth's error as a distance along the gaze: z^2 (f - n)/(f n) for each unit of depth.
-double distance_of(Depth depth) {
-  return square(kDistance) / kNear * (depth == Depth::kStandard ? 1 - kNear / 1000 : 1);
-}
-
 template <class Way>
 double rms_error(Depth depth, double offset, int fields) {
-  using exact::Decimal;
   double sum = 0;
   for (int i = 0; i < fields; ++i) {
     const Field field = make_field(std::uint64_t(i) + 1, offset, kPointsOfField);
     const Way way(field, depth);
-    const auto rotation = exact::exactly<Decimal>(field.eye_from_world);
-    const auto clip_from_eye = exact::exactly<Decimal>(projection(depth));
-    for (const Point<World>& p : field.points) {
-      const exact::Vector4<Decimal> from_eye{
-          Decimal(double(p.x)) - Decimal(field.eye.x), Decimal(double(p.y)) - Decimal(field.eye.y),
-          Decimal(double(p.z)) - Decimal(field.eye.z), Decimal(1)};
-      const auto right = clip_from_eye * (rotation * from_eye);
-      sum += square(exact::error_of(divide(way(p)).position.z, right[2] / right[3]));
-    }
+    add_squared_errors(
+        field, depth, [&](std::size_t k) { return divide(way(field.points[k])).position.z; }, sum);
   }
-  return std::sqrt(sum / (fields * kPointsOfField)) * distance_of(depth);
+  return rms_of(sum, depth, fields);
 }
 
 // ---- the theory, all as root mean squares ----
@@ -190,8 +130,7 @@ void add_series(std::vector<Configuration>& all, const std::string& series, Theo
       const Field field = make_field(1, offset, kTimedPoints);
       all.push_back({.series = series,
                      .parameter = offset,
-                     .scene = depth == Depth::kStandard ? "depth 0..1, planes at 0.1 and 1000"
-                                                        : "depth reversed, infinite far plane",
+                     .scene = name_of(depth),
                      .error = [=] { return rms_error<Way>(depth, offset, fields); },
                      .predicted_error = theory(depth, offset),
                      .work = rounds_of(kRounds, field.points, Way(field, depth)),

@@ -13,6 +13,7 @@
 #include <glassbox/render/tile/tile_engine.h>
 
 #include "study/experiment/experiment.h"
+#include "study/experiments/d10_lost.h"
 #include "study/experiments/d10_ways.h"
 
 namespace glassbox::study {
@@ -22,55 +23,6 @@ namespace {
 using namespace d10;
 
 // ---- what is lost ----
-
-// The scene of those triangles that are kept, each draw with a mesh of its own.
-Scene subset(const Eyes& eyes, const std::vector<KeptOfDraw>& kept, bool left) {
-  Scene scene = eyes.scene;
-  scene.meshes.clear();
-  scene.instances.clear();
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    const Draw& draw = eyes.list.draws[i];
-    const Kept& mine = left || kept[i].right.empty() ? kept[i].left : kept[i].right;
-    Mesh mesh = *draw.mesh;
-    mesh.faces.clear();
-    mesh.corners.clear();
-    for (std::size_t t = 0; t < mine.size(); ++t) {
-      if (!mine[t]) continue;
-      mesh.faces.push_back({std::uint32_t(mesh.corners.size()), 3});
-      for (const std::uint32_t corner : draw.triangulation->triangles[t].corners)
-        mesh.corners.push_back(draw.mesh->corners[corner]);
-    }
-    if (mesh.faces.empty()) continue;
-    scene.instances.push_back(
-        {std::uint32_t(scene.meshes.size()), eyes.scene.instances[draw.instance].node});
-    scene.meshes.push_back(std::move(mesh));
-  }
-  return scene;
-}
-
-RenderSettings distances_only() {
-  RenderSettings settings;
-  settings.mask = {false, false, false, false};
-  settings.want_distance = settings.want_id = true;
-  return settings;
-}
-
-Framebuffer draw(const Scene& scene, const View& view) {
-  return render_tiled(scene, view, distances_only(), {.threads = 1}).buffers;
-}
-
-// Per row and eye.
-double lost_columns(const Eyes& eyes, const Way& way) {
-  const std::vector<KeptOfDraw> kept = cull(eyes, way);
-  double lost = 0;
-  for (const bool left : {true, false}) {
-    const View& view = left ? eyes.left : eyes.right;
-    const Image<float> all = draw(eyes.scene, view).distance,
-                       drawn = draw(subset(eyes, kept, left), view).distance;
-    for (std::size_t i = 0; i < all.pixels.size(); ++i) lost += all.pixels[i] != drawn.pixels[i];
-  }
-  return lost / (2 * kHeight);
-}
 
 // One rectangle each: ground and sky, which are never wholly outside.
 bool is_backdrop(const Eyes& eyes, std::uint32_t id) {
@@ -100,29 +52,7 @@ double strip_columns(const Eyes& eyes) {
   return beside / (2 * kHeight);
 }
 
-// ---- scenes ----
-
-constexpr double kWindow = 12;
-
-View centre_view() {
-  Camera camera;
-  camera.lens = PerspectiveLens{0.785398163397448309616, 0.5, 200.0};
-  return make_view(camera, kWidth, kHeight).value();
-}
-
-// Thin upright strips, a quarter of a pixel wide, across more than the picture, `distance` away.
-Scene strips(double distance) {
-  Scene scene;
-  add_material(scene, "flat", {1, 1, 1, 1});
-  scene.materials.front().unlit = true;
-  const double height = distance * tan_half_degrees(45), pixel = 2 * height / kHeight;
-  Mesh mesh;
-  for (int i = -4 * 220; i < 4 * 220; ++i)
-    add_rectangle(mesh, {i * pixel / 4, -2 * height, -distance}, {pixel / 4, 0, 0},
-                  {0, 4 * height, 0});
-  add_object(scene, std::move(mesh));
-  return scene;
-}
+// ---- the table ----
 
 void add_scene(const std::string& name, const std::shared_ptr<const Eyes>& eyes, double share,
                double predicted, const std::optional<Finding>& finding,
@@ -135,7 +65,7 @@ void add_scene(const std::string& name, const std::shared_ptr<const Eyes>& eyes,
     all.push_back({.series = way.name,
                    .parameter = 100 * share,
                    .scene = name,
-                   .error = [=] { return lost_columns(*eyes, way); },
+                   .error = [=] { return lost_columns(*eyes, cull(*eyes, way)); },
                    .predicted_error = loses ? predicted : 0,
                    .finding = loses ? finding : std::nullopt,
                    .work = [=](int) { cull(*eyes, way); },

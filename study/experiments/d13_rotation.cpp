@@ -5,6 +5,7 @@
 
 #include "study/experiment/experiment.h"
 #include "study/experiments/consume.h"
+#include "study/experiments/d13_defect.h"
 #include "study/experiments/d13_ways.h"
 #include "study/experiments/rounding_model.h"
 
@@ -12,41 +13,6 @@ namespace glassbox::study {
 namespace {
 
 // ---- the error ----
-
-// R R^T - I, in twice the digits: of doubles, every product is split into its rounded value and the rest (fma).
-double exact_dot(const std::array<double, 3>& a, const std::array<double, 3>& b, double minus) {
-  double sum = -minus, rest = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double product = a[k] * b[k];
-    rest += std::fma(a[k], b[k], -product);
-    const double next = sum + product;
-    // Knuth's sum: what the addition lost.
-    const double shown = next - sum;
-    rest += (sum - (next - shown)) + (product - shown);
-    sum = next;
-  }
-  return sum + rest;
-}
-
-template <class T>
-RotationMatrix<double> defect(const RotationMatrix<T>& r) {
-  RotationMatrix<double> d, e;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) d[i][j] = double(r[i][j]);
-  }
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) e[i][j] = exact_dot(d[i], d[j], i == j ? 1 : 0);
-  }
-  return e;
-}
-
-double frobenius(const RotationMatrix<double>& m) {
-  double sum = 0;
-  for (const auto& row : m) {
-    for (const double x : row) sum += square(x);
-  }
-  return std::sqrt(sum);
-}
 
 // The largest of all moments, looked at a thousand times and just before renormalisations.
 template <class Way>

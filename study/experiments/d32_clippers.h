@@ -177,6 +177,15 @@ void clip(const Space& space, const EyeTriangle& triangle, Outline& outline) {
     outline.vertices[i] = space.leave(polygon.vertices[i]);
 }
 
+// ---- the error ----
+
+// How far a vertex lies from the edge of the picture that cut it, px.
+inline double off_the_edge(const Point<Clip>& p, int plane) {
+  const double along = double(plane < 2 ? p.x : p.y) / double(p.w);
+  const double half_side = (plane < 2 ? kWidth : kHeight) / 2;
+  return std::abs(std::abs(along) - 1) * half_side;
+}
+
 // ---- triangles ----
 
 Lens course_lens();

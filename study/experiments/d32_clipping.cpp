@@ -43,13 +43,6 @@ namespace {
 
 using namespace d32;
 
-// How far a vertex lies from the edge of the picture that cut it, px.
-double off_the_edge(const Point<Clip>& p, int plane) {
-  const double along = double(plane < 2 ? p.x : p.y) / double(p.w);
-  const double half_side = (plane < 2 ? kWidth : kHeight) / 2;
-  return std::abs(std::abs(along) - 1) * half_side;
-}
-
 template <class Space>
 double farthest_off(double size, std::size_t count) {
   const Space space{course_lens()};

@@ -21,9 +21,6 @@ const std::vector<LeftOut>& left_out_cases() {
        "footprints, thresholds and sweeps through voxels: nothing is reconstructed from pictures"},
       {"C-95 to C-98", "Polygon colouring",
        "marching cubes and view-dependent textures of a reconstruction: there is none"},
-      {"C-99 to C-114", "Two-view geometry and stereo matching",
-       "estimates of cameras and disparities from pictures: pairs are drawn, and their cameras "
-       "known"},
       {"C-115", "Karhunen-Loeve clouds", "an analysis of multi-band images, which is not built"},
       {"C-116", "No numbers in pixels and vertices",
        "loaders refuse them with the place (tests/mesh, tests/images); no stage after them is "

@@ -35,7 +35,7 @@ const std::vector<Lines> kRunElsewhere{
     {"docs/trace.md", "glassbox trace", "tests/app/trace_test.cpp, with what NumPy makes of it"},
     {"docs/grading.md", "", "compiles submissions; tests/labs/grading"},
     {"docs/labs.md", "glassbox lab check", "compiles a lab; tests/labs/framework"},
-    {"docs/labs.md", "glassbox lab start ~/lab10", "tests/labs/framework/outside_test.cpp"},
+    {"docs/labs.md", "glassbox lab start ~/lab40", "tests/labs/framework/outside_test.cpp"},
     {"docs/labs.md", "glassbox lab grade", "tests/labs/framework/outside_test.cpp"},
     {"docs/labs.md", "glassbox lab watch", "does not end; tests/labs/framework"},
     {"docs/labs.md", "glassbox lab render",

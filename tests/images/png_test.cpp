@@ -1,6 +1,9 @@
 #include "tests/support/catch.h"
 
 #include <cstring>
+#include <utility>
+
+#include <oneapi/tbb/task_arena.h>
 
 #include <glassbox/images/atomic_file.h>
 #include <glassbox/images/decode.h>
@@ -55,6 +58,25 @@ TEST_CASE("a PNG gives back the pixels it was made of, at every size from 1 x 1"
         REQUIRE(*back == image);
       }
     }
+  }
+}
+
+TEST_CASE("rows are compressed in bands, which any number of threads makes the same") {
+  Random random(8);
+  // Of many rows to a band, and of few; the last one is shorter.
+  for (const auto& [width, height] : {std::pair{300, 1000}, std::pair{16384, 10}}) {
+    const auto image = random_image(width, height, Alpha::kVaried, random);
+    std::vector<std::vector<std::byte>> all;
+    for (const int threads : {1, 4}) {
+      tbb::task_arena arena(threads);
+      const auto png = arena.execute([&] { return encode_png(image); });
+      REQUIRE(png);
+      all.push_back(*png);
+    }
+    CHECK(all[0] == all[1]);
+    const auto back = decode_image(all[0]);
+    REQUIRE(back);
+    CHECK(*back == image);
   }
 }
 

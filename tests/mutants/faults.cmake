@@ -95,3 +95,14 @@ plant(render/tile/slots.cpp [[draw.mirrored == other.mirrored]] [[true]] C-17 "a
 plant(render/tile/slots.cpp [[method.divide == method_of_other.divide]] [[true]] C-42 "a draw that is spared the divide spares it for the one behind it")
 plant(render/plan/group_place.cpp [[distances.greatest >= 0]] [[distances.least >= 0]] C-42 "a group of instances that is partly outside is left out")
 plant(render/plan/group_place.cpp [[inside && distances.least >= 0]] [[inside]] C-42 "a group of instances that is partly inside is taken whole")
+
+# ---- slack for what rounding may be off by ----
+plant(pipeline/clip.cpp [[dot(error_, sizes_of(middle) + half) + error_offset_]] [[0.0]] C-42 "boxes have no slack for the rounding of what is in them")
+plant(render/plan/box_bounds.cpp [[gamma<float>(5) * size + 4 * 0x1p-149]] [[0.0]] C-57 "depths of a box have no slack for the rounding of the transform")
+
+# ---- normals, and the range of depth ----
+plant(pipeline/normal_transform.cpp [[determinant < 0 ? -1 : 1]] [[1]] C-16 "a mirror leaves normals where they were")
+plant(pipeline/normal_transform.cpp [=[m[c1][r1] * m[c2][r2] - m[c2][r1] * m[c1][r2]]=] [=[m[c][r]]=] C-16 "normals are carried by the matrix of positions")
+plant(raster/lanes/vertices-inl.h [[transform_normal_row(m, 2, n)]] [[transform_normal_row(m, 1, n)]] C-16 "a normal's z is its y, in the lanes")
+plant(pipeline/projection.cpp [[scale * n]] [[scale * f]] C-64 "depth 0 lies at the far plane, and is not reversed for it")
+plant(pipeline/projection.cpp [[n / (f - n)]] [[n / f]] C-10 "the slope of reversed depth leaves out the near plane")

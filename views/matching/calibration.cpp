@@ -9,7 +9,8 @@
 namespace glassbox::views {
 
 Result<void> check_calibration(const Calibration& calibration) {
-  const auto& [focal, baseline, offset] = calibration;
+  const double focal = calibration.focal_px, baseline = calibration.baseline,
+               offset = calibration.offset_px;
   if (!(focal > 0 && std::isfinite(focal))) {
     return fail("--calibration", fmt::format("{:g} px is no focal length", focal),
                 "give F,B,OFFSET, F above 0");
@@ -23,6 +24,10 @@ Result<void> check_calibration(const Calibration& calibration) {
     return fail("--calibration", "the offset is not finite", "give F,B,OFFSET, 0 for none");
   }
   return {};
+}
+
+Principal principal_of(const Calibration& calibration, int width, int height) {
+  return calibration.principal.value_or(Principal{width / 2.0, height / 2.0});
 }
 
 Image<float> depths_of(const Image<float>& disparity, const Calibration& calibration) {

@@ -34,13 +34,13 @@ void for_matches(const CostVolume& volume, const One& one) {
 }
 
 MatchKernels::Mix mix_of(MatchingCost cost) {
-  if (cost == MatchingCost::kCensus) return {16, 62, 0, 0};
+  if (cost == MatchingCost::kCensus) return {16, 32, 0, 0};
   if (cost == MatchingCost::kSad) return {0, 0, 2, 765};
-  return {16, 40, 4, 60};
+  return {16, 30, 4, 60};
 }
 
-void mixed_row(const Planes& left, const Planes& right, const LineVector<std::uint64_t>& left_words,
-               const LineVector<std::uint64_t>& right_words, const MatchSettings& settings, int y,
+void mixed_row(const Planes& left, const Planes& right, const LineVector<std::uint32_t>& left_words,
+               const LineVector<std::uint32_t>& right_words, const MatchSettings& settings, int y,
                CostVolume& volume, int to_row) {
   const bool color = settings.cost == MatchingCost::kAdCensus;
   const auto width = std::size_t(left.width), start = std::size_t(y) * width;

@@ -22,7 +22,7 @@ public:
 private:
   const Planes &left_, &right_;
   const MatchSettings& settings_;
-  LineVector<std::uint64_t> left_words_, right_words_;
+  LineVector<std::uint32_t> left_words_, right_words_;
 };
 
 CostVolume pixel_costs(const Planes& left, const Planes& right, const MatchSettings& settings);

@@ -10,6 +10,9 @@ namespace glassbox::views {
 namespace {
 
 constexpr float kSame = 1;  // px
+constexpr double kGood = kBadAt[1];
+constexpr float kJump = 2;    // px
+constexpr int kNearJump = 4;  // px
 
 double percent(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? 0 : 100 * double(part) / double(whole);
@@ -61,11 +64,37 @@ Image<std::uint8_t> visible_by_right_truth(const Image<float>& left, const Image
   return visible;
 }
 
+Image<std::uint8_t> near_discontinuity(const Image<float>& disparity) {
+  const int width = disparity.width, height = disparity.height;
+  Image<std::uint8_t> near(width, height, 0);
+  const auto mark_around = [&](int x, int y) {
+    for (int row = std::max(y - kNearJump, 0); row <= std::min(y + kNearJump, height - 1); ++row) {
+      const int from = std::max(x - kNearJump, 0), to = std::min(x + kNearJump, width - 1);
+      std::fill(&near.at(from, row), &near.at(from, row) + (to - from + 1), std::uint8_t(1));
+    }
+  };
+  // Unknown ones are infinite: their difference is no jump.
+  const auto jumps = [&](std::size_t a, std::size_t b) {
+    const float step = std::abs(disparity.pixels[a] - disparity.pixels[b]);
+    return std::isfinite(step) && step > kJump;
+  };
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const std::size_t at = disparity.index(x, y);
+      if (x + 1 < width && jumps(at, at + 1)) mark_around(x, y), mark_around(x + 1, y);
+      if (y + 1 < height && jumps(at, disparity.index(x, y + 1))) {
+        mark_around(x, y), mark_around(x, y + 1);
+      }
+    }
+  }
+  return near;
+}
+
 DisparityErrors evaluate(const Image<float>& disparity, const Image<float>& truth,
                          const Image<std::uint8_t>* mask) {
   DisparityErrors errors;
   std::array<std::uint64_t, kBadAt.size()> bad{};
-  double squares = 0;
+  double squares = 0, good_squares = 0;
   for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
     if (!std::isfinite(truth.pixels[i]) || (mask && mask->pixels[i] == 0)) continue;
     ++errors.known;
@@ -73,6 +102,7 @@ DisparityErrors evaluate(const Image<float>& disparity, const Image<float>& trut
     ++errors.answered;
     const double off = std::abs(double(disparity.pixels[i]) - double(truth.pixels[i]));
     squares += off * off;
+    if (off <= kGood) good_squares += off * off;
     for (std::size_t k = 0; k < bad.size(); ++k) bad[k] += off > kBadAt[k];
   }
   const std::uint64_t silent = errors.known - errors.answered;
@@ -81,6 +111,8 @@ DisparityErrors evaluate(const Image<float>& disparity, const Image<float>& trut
     errors.bad_of_answered[k] = percent(bad[k], errors.answered);
   }
   errors.rms = errors.answered == 0 ? 0 : std::sqrt(squares / double(errors.answered));
+  const std::uint64_t good = errors.answered - bad[1];
+  errors.rms_good = good == 0 ? 0 : std::sqrt(good_squares / double(good));
   errors.density_percent = percent(errors.answered, errors.known);
   return errors;
 }

@@ -25,6 +25,10 @@ Image<std::uint8_t> visible_by_reprojection(const Image<float>& disparity);
 // The same by the right picture's own truth: the two agree to a pixel (Scharstein and Szeliski 2002).
 Image<std::uint8_t> visible_by_right_truth(const Image<float>& left, const Image<float>& right);
 
+// Pixels near a jump of depth, where windows see two surfaces: within 4 px, across and down, of two neighbours that differ by more than
+// 2 px (Scharstein and Szeliski 2002).
+Image<std::uint8_t> near_discontinuity(const Image<float>& disparity);
+
 inline constexpr std::array<double, 4> kBadAt{0.5, 1, 2, 4};  // px
 
 struct DisparityErrors {
@@ -34,6 +38,7 @@ struct DisparityErrors {
       bad_percent{};  // further off than kBadAt, of the known; without a disparity counts as bad
   std::array<double, 4> bad_of_answered{};  // the same, of the answered
   double rms = 0;                           // px, of the answered
+  double rms_good = 0;                      // px, of those that are off by 1 px at most
   double density_percent = 0;               // answered, of the known
 };
 

@@ -7,6 +7,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include "views/matching/kernels.h"
 #include "views/matching/winner.h"
 
 namespace glassbox::views {
@@ -14,6 +15,7 @@ namespace glassbox::views {
 namespace {
 
 constexpr float kConnected = 1;  // px
+constexpr int kSmoothReach = 2;  // px
 
 int nearest_column(int x, float disparity) {
   return int(std::floor(float(x) - disparity + 0.5f));
@@ -129,6 +131,33 @@ void doubt_speckles(const Image<float>& disparity, int least, Image<Doubt>& doub
     if (piece.size() >= std::size_t(least)) continue;
     for (const std::size_t at : piece) doubts.pixels[at] = Doubt::kSpeckle;
   }
+}
+
+Image<float> smooth_parts(const Image<float>& disparity, Target target) {
+  Image<float> result = disparity;
+  const MatchKernels& kernels = match_kernels(target);
+  const int width = disparity.width, height = disparity.height;
+  tbb::parallel_for(0, height, [&](int y) {
+    thread_local std::vector<float> sums, counts;
+    sums.assign(std::size_t(width), 0);
+    counts.assign(std::size_t(width), 0);
+    const float* own = &disparity.at(0, y);
+    const int top = std::max(y - kSmoothReach, 0), bottom = std::min(y + kSmoothReach, height - 1);
+    for (int row = top; row <= bottom; ++row) {
+      const float* values = &disparity.at(0, row);
+      for (int beside = -kSmoothReach; beside <= kSmoothReach; ++beside) {
+        const int begin = std::max(0, -beside), end = std::min(width, width - beside);
+        if (begin >= end) continue;
+        kernels.add_near(own + begin, values + begin + beside, end - begin, kSmoothed,
+                         sums.data() + begin, counts.data() + begin);
+      }
+    }
+    for (int x = 0; x < width; ++x) {
+      const float count = counts[std::size_t(x)];
+      if (count > 0) result.at(x, y) = own[x] + sums[std::size_t(x)] / count;
+    }
+  });
+  return result;
 }
 
 Image<float> median_of(const Image<float>& disparity) {

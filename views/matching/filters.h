@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include <glassbox/images/image.h>
+#include <glassbox/raster/lanes/target.h>
 
 namespace glassbox::views {
 
@@ -26,5 +27,10 @@ void doubt_speckles(const Image<float>& disparity, int least, Image<Doubt>& doub
 
 // The median of the finite ones of each pixel's 3 x 3; of an even number the lesser middle one. Pixels without disparity keep none.
 Image<float> median_of(const Image<float>& disparity);
+
+// The mean of those of each pixel's 5 x 5 that differ from its own by less than kSmoothed px: parts of a pixel are each of them off by their
+// own, and the surface is not. Pixels without disparity keep none.
+inline constexpr float kSmoothed = 0.5f;
+Image<float> smooth_parts(const Image<float>& disparity, Target target);
 
 }  // namespace glassbox::views

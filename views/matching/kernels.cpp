@@ -1,6 +1,7 @@
 #include "views/matching/kernels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include <glassbox/raster/lanes/compiled_targets.h>
@@ -18,14 +19,13 @@ namespace glassbox::views::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // Bits of a word, without an instruction that older processors lack: sums in fields of 2, 4, 8 bits.
-inline std::uint32_t bits_of(std::uint64_t word) {
-  word -= (word >> 1) & 0x5555555555555555u;
-  word = (word & 0x3333333333333333u) + ((word >> 2) & 0x3333333333333333u);
-  word = (word + (word >> 4)) & 0x0f0f0f0f0f0f0f0fu;
+inline std::uint32_t bits_of(std::uint32_t word) {
+  word -= (word >> 1) & 0x55555555u;
+  word = (word & 0x33333333u) + ((word >> 2) & 0x33333333u);
+  word = (word + (word >> 4)) & 0x0f0f0f0fu;
   word += word >> 8;
   word += word >> 16;
-  word += word >> 32;
-  return std::uint32_t(word & 127);
+  return word & 63u;
 }
 
 void mixed_costs(const MatchKernels::Pixel& left, const MatchKernels::PixelRow& right, int count,
@@ -116,7 +116,28 @@ void keep_less(const std::uint16_t* HWY_RESTRICT values, int count,
   }
 }
 
-const MatchKernels kKernels{mixed_costs, running_sum, mean, path_row, add, least, keep_less};
+void add_near(const float* own, const float* values, int count, float near,
+              float* HWY_RESTRICT sums, float* HWY_RESTRICT counts) {
+  const hn::CappedTag<float, 16> d;
+  const int lanes = int(hn::Lanes(d));
+  const auto limit = hn::Set(d, near), one = hn::Set(d, 1.0f);
+  int i = 0;
+  for (; i + lanes <= count; i += lanes) {
+    const auto off = hn::Sub(hn::LoadU(d, values + i), hn::LoadU(d, own + i));
+    const auto is_near = hn::Lt(hn::Abs(off), limit);
+    hn::StoreU(hn::Add(hn::LoadU(d, sums + i), hn::IfThenElseZero(is_near, off)), d, sums + i);
+    hn::StoreU(hn::Add(hn::LoadU(d, counts + i), hn::IfThenElseZero(is_near, one)), d, counts + i);
+  }
+  for (; i < count; ++i) {
+    const float off = values[i] - own[i];
+    const bool is_near = std::abs(off) < near;
+    sums[i] += is_near ? off : 0.0f;
+    counts[i] += is_near ? 1.0f : 0.0f;
+  }
+}
+
+const MatchKernels kKernels{mixed_costs, running_sum, mean,      path_row,
+                            add,         least,       keep_less, add_near};
 
 }  // namespace glassbox::views::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

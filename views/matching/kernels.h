@@ -13,11 +13,11 @@ struct MatchKernels {
   // out[i] = census_weight * min(bits that differ, most) + color_weight * min(sum of the channels' differences, most), of left and
   // right[count - 1 - i]: the right pixels of growing disparity go to the left.
   struct Pixel {
-    std::uint64_t census;
+    std::uint32_t census;
     std::uint8_t r, g, b;
   };
   struct PixelRow {
-    const std::uint64_t* census;
+    const std::uint32_t* census;
     const std::uint8_t *r, *g, *b;
   };
   struct Mix {
@@ -60,6 +60,10 @@ struct MatchKernels {
   // Where values[i] < best[i]: best[i] = values[i], which[i] = i.
   void (*keep_less)(const std::uint16_t* values, int count, std::uint16_t* best,
                     std::uint16_t* which, int first_which);
+  // Where values[i] is less than `near` off own[i]: sums[i] += values[i] - own[i], counts[i] += 1. Of two infinite ones the difference is
+  // no number, and does not count.
+  void (*add_near)(const float* own, const float* values, int count, float near, float* sums,
+                   float* counts);
 };
 
 const MatchKernels& match_kernels(Target target);

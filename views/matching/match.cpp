@@ -11,6 +11,7 @@
 #include "views/matching/costs.h"
 #include "views/matching/fill.h"
 #include "views/matching/paths.h"
+#include "views/matching/planes.h"
 #include "views/matching/support.h"
 #include "views/matching/winner.h"
 
@@ -45,7 +46,7 @@ void average(CostVolume& costs, const Image<Arms>& arms, const MatchSettings& se
 }
 
 Winners winners_of_volume(const Planes& left, const Planes& right, const Image<Arms>& arms,
-                          const MatchSettings& settings, Clock& clock) {
+                          const MatchSettings& settings, Clock& clock, DenseMatch& match) {
   CostVolume costs = pixel_costs(left, right, settings);
   clock.done("costs");
   average(costs, arms, settings);
@@ -53,12 +54,18 @@ Winners winners_of_volume(const Planes& left, const Planes& right, const Image<A
   if (settings.paths == 0) {
     Winners winners = find_winners(costs, nullptr, settings.subpixel, settings.target);
     clock.done("winners");
+    if (settings.keep_sums) match.sums = std::move(costs);
     return winners;
   }
-  const PathSums sums = sum_paths(costs, left, settings.paths, Penalties{}, settings.target);
+  PathSums sums = sum_paths(costs, left, settings.paths, Penalties{}, settings.target);
   clock.done("paths");
   Winners winners = find_winners(sums.down, &sums.up, settings.subpixel, settings.target);
   clock.done("winners");
+  if (settings.keep_sums) {
+    std::ranges::transform(sums.down.costs, sums.up.costs, sums.down.costs.begin(),
+                           [](std::uint16_t a, std::uint16_t b) { return std::uint16_t(a + b); });
+    match.sums = std::move(sums.down);
+  }
   return winners;
 }
 
@@ -77,6 +84,26 @@ Image<Doubt> doubts_of(const Winners& winners, const MatchSettings& settings) {
   return doubts;
 }
 
+// Where a picture shows nothing, as one does that was turned, its colour is no colour.
+void doubt_empty(const Image<Rgba8>& left, const Image<Rgba8>& right, const Image<float>& disparity,
+                 Image<Doubt>& doubts) {
+  for (int y = 0; y < left.height; ++y) {
+    for (int x = 0; x < left.width; ++x) {
+      if (!std::isfinite(disparity.at(x, y))) continue;
+      // A part of a pixel leads to the edge at most.
+      const int column =
+          std::clamp(int(std::floor(float(x) - disparity.at(x, y) + 0.5f)), 0, right.width - 1);
+      if (left.at(x, y).a == 0 || right.at(column, y).a == 0) doubts.at(x, y) = Doubt::kOutside;
+    }
+  }
+}
+
+void leave_empty(const Image<Rgba8>& left, Image<float>& disparity) {
+  for (std::size_t i = 0; i < left.pixels.size(); ++i) {
+    if (left.pixels[i].a == 0) disparity.pixels[i] = kNoDisparity;
+  }
+}
+
 void run(const Image<Rgba8>& left, const Image<Rgba8>& right, const MatchSettings& settings,
          DenseMatch& match) {
   Clock clock(match.steps);
@@ -89,15 +116,23 @@ void run(const Image<Rgba8>& left, const Image<Rgba8>& right, const MatchSetting
   clock.done("crosses");
   Winners winners;
   if (sweeps_once(settings)) {
-    winners = sweep_once({left_planes, right_planes, settings}, left_planes, settings, {});
+    const PixelCosts costs(left_planes, right_planes, settings);
+    if (settings.keep_sums) match.sums = costs.volume_of(left.height);
+    winners =
+        sweep_once(costs, left_planes, settings, {}, settings.keep_sums ? &match.sums : nullptr);
     clock.done("sweep");
   } else {
-    winners = winners_of_volume(left_planes, right_planes, arms, settings, clock);
+    winners = winners_of_volume(left_planes, right_planes, arms, settings, clock, match);
   }
   match.doubts = doubts_of(winners, settings);
+  doubt_empty(left, right, winners.left, match.doubts);
   match.disparity = winners.left;
   match.confidence = winners.confidence;
   clock.done("checks");
+  if (settings.planes > 0) {
+    fit_planes(left_planes, right_planes, match.doubts, settings.planes, match.disparity);
+    clock.done("planes");
+  }
   Image<Doubt> doubts = match.doubts;
   if (settings.fill) {
     if (votes) vote(arms, settings.range.first, settings.range.count(), 2, match.disparity, doubts);
@@ -107,9 +142,14 @@ void run(const Image<Rgba8>& left, const Image<Rgba8>& right, const MatchSetting
       if (doubts.pixels[i] != Doubt::kNone) match.disparity.pixels[i] = kNoDisparity;
     }
   }
+  leave_empty(left, match.disparity);
   clock.done("holes");
   if (settings.median) match.disparity = median_of(match.disparity);
   clock.done("median");
+  if (settings.subpixel && settings.smooth) {
+    match.disparity = smooth_parts(match.disparity, settings.target);
+    clock.done("parts");
+  }
 }
 
 }  // namespace
@@ -123,7 +163,8 @@ std::uint64_t bytes_of_match(int width, int height, const MatchSettings& setting
   // Of a band a row of costs and one of sums, and three of each path's; of a whole picture the rows of paths are next to nothing.
   if (sweeps_once(settings)) {
     const auto paths = std::uint64_t(settings.paths / 2 + 1);
-    return row * bands_of(height) * (2 + 3 * paths);
+    return row *
+           (bands_of(height) * (2 + 3 * paths) + (settings.keep_sums ? std::uint64_t(height) : 0));
   }
   return row * std::uint64_t(height) * (settings.paths > 0 ? 3 : 1);
 }

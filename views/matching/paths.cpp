@@ -150,7 +150,7 @@ std::uint64_t bands_of(int height) {
 }
 
 Winners sweep_once(const PixelCosts& costs, const Planes& picture, const MatchSettings& settings,
-                   const Penalties& penalties) {
+                   const Penalties& penalties, CostVolume* kept) {
   const auto jumps = jump_penalties(penalties);
   std::vector<Step> steps(kSteps.begin(), kSteps.begin() + settings.paths / 2);
   steps.push_back({-1, 0});
@@ -166,6 +166,7 @@ Winners sweep_once(const PixelCosts& costs, const Planes& picture, const MatchSe
       sweeper.row(y, first, end, one.at(0, 0), sums.at(0, 0));
       if (y < begin) continue;
       winners_of_row(sums, nullptr, 0, y, settings.subpixel, settings.target, winners);
+      if (kept) std::ranges::copy(sums.costs, kept->at(0, y));
     }
   });
   return winners;

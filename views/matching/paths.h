@@ -15,9 +15,9 @@ namespace glassbox::views {
 
 // Of a step of one disparity, and of any other: the latter is less where the grey changes, because depth is likelier to.
 struct Penalties {
-  std::uint16_t p1 = 80;
-  std::uint16_t p2 = 800;        // of no change
-  std::uint16_t p2_least = 160;  // of any
+  std::uint16_t p1 = 100;
+  std::uint16_t p2 = 1000;       // of no change
+  std::uint16_t p2_least = 200;  // of any
   int half_at = 10;              // codes of grey at which the penalty has halved
 };
 std::array<std::uint16_t, 256> jump_penalties(const Penalties& penalties);
@@ -31,9 +31,10 @@ PathSums sum_paths(const CostVolume& costs, const Planes& picture, int paths,
 
 // The winners of those paths that do not come from below: 2, 3, 5 or 9 of 2, 4, 8 or 16. Bands of rows are summed apart, each from
 // some
-// rows above it on, so that several can be at the same time; where they begin does not depend on how many threads there are.
+// rows above it on, so that several can be at the same time; where they begin does not depend on how many threads there are. `kept`, of the pictures'
+// size, takes the sums.
 std::uint64_t bands_of(int height);
 Winners sweep_once(const PixelCosts& costs, const Planes& picture, const MatchSettings& settings,
-                   const Penalties& penalties);
+                   const Penalties& penalties, CostVolume* kept = nullptr);
 
 }  // namespace glassbox::views

@@ -1,6 +1,7 @@
 #include "views/matching/pictures.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <vector>
 
 #include <tbb/parallel_for.h>
@@ -22,12 +23,12 @@ Planes planes_of(const Image<Rgba8>& image) {
   return planes;
 }
 
-LineVector<std::uint64_t> census_words(const Planes& picture) {
-  constexpr int kAcross = 4, kDown = 3;
+LineVector<std::uint32_t> census_words(const Planes& picture) {
+  constexpr int kAcross = 3, kDown = 2;
   const int width = picture.width, height = picture.height;
-  LineVector<std::uint64_t> words(picture.grey.size());
+  LineVector<std::uint32_t> words(picture.grey.size());
   tbb::parallel_for(0, height, [&](int y) {
-    std::uint64_t* out = words.data() + std::size_t(y) * std::size_t(width);
+    std::uint32_t* out = words.data() + std::size_t(y) * std::size_t(width);
     const std::uint8_t* centre = picture.grey.data() + std::size_t(y) * std::size_t(width);
     std::vector<std::uint8_t> row(std::size_t(width + 2 * kAcross));
     for (int dy = -kDown; dy <= kDown; ++dy) {
@@ -37,10 +38,10 @@ LineVector<std::uint64_t> census_words(const Planes& picture) {
       std::copy_n(grey, width, row.begin() + kAcross);
       std::fill_n(row.begin() + kAcross + width, kAcross, grey[width - 1]);
       for (int dx = -kAcross; dx <= kAcross; ++dx) {
-        if (dx == 0 && dy == 0) continue;
+        if (dy == 0 && (dx == 0 || std::abs(dx) == kAcross)) continue;
         const std::uint8_t* neighbour = row.data() + kAcross + dx;
         for (int x = 0; x < width; ++x) {
-          out[x] = out[x] << 1 | std::uint64_t(neighbour[x] < centre[x]);
+          out[x] = out[x] << 1 | std::uint32_t(neighbour[x] < centre[x]);
         }
       }
     }

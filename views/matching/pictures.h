@@ -16,9 +16,9 @@ struct Planes {
 };
 Planes planes_of(const Image<Rgba8>& image);
 
-// One bit for each of the 62 neighbours in a window of 9 by 7: whether it is darker than the centre. Beyond the edge the picture's
+// One bit for each of 32 neighbours, those of a window of 7 by 5 but for the two at the ends of its own row: whether it is darker than the centre. Beyond the edge the picture's
 // last
 // row and column go on. Gain and offset of the grey do not change a word (C-110), but where they clip.
-LineVector<std::uint64_t> census_words(const Planes& picture);
+LineVector<std::uint32_t> census_words(const Planes& picture);
 
 }  // namespace glassbox::views

@@ -13,7 +13,7 @@ namespace glassbox::views {
 
 namespace {
 
-constexpr int kAcross = 4, kDown = 3;  // px, of the census window
+constexpr int kAcross = 4, kDown = 3;  // px, of the window
 constexpr float kSameSurface = 1;      // px of disparity
 constexpr int kContrast = 8;           // codes of grey
 
@@ -71,7 +71,9 @@ Result<RenderedPair> rendered_pair(const Scene& scene, const View& centre, const
   RenderedPair pair;
   pair.truth = truth_of(*left, *right);
   const double focal = left->camera.intrinsic(0, 0), baseline = 2 * eyes.half_separation;
-  pair.calibration = {focal, baseline, focal * baseline / eyes.window};
+  const auto& intrinsic = left->camera.intrinsic;
+  pair.calibration = {focal, baseline, focal * baseline / eyes.window,
+                      Principal{intrinsic(0, 2), intrinsic(1, 2)}};
   pair.is_textured = has_texture(left->color, pair.truth.disparity);
   pair.left = std::move(left->color);
   pair.right = std::move(right->color);

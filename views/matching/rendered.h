@@ -17,7 +17,7 @@ struct RenderedPair {
   Calibration calibration;
 };
 
-// Pixels with contrast of their own: of those pixels in the window of 9 x 7, which the census looks at, whose disparity is within a
+// Pixels with contrast of their own: of those pixels in a window of 9 x 7 whose disparity is within a
 // pixel of
 // the centre's, two in one row differ by at least 8 codes of grey. Elsewhere two pictures say nothing about the surface's disparity
 // (C-111);

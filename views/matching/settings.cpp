@@ -74,6 +74,10 @@ Result<void> check_settings(const MatchSettings& settings) {
     return fail("--confidence", fmt::format("{} is no peak ratio", settings.confidence),
                 "give 0 to 1");
   }
+  if (settings.planes < 0 || settings.planes > 8) {
+    return fail("--planes", fmt::format("{} rounds are not possible", settings.planes),
+                "give 0 to 8");
+  }
   if (settings.speckle < 0) {
     return fail("--speckle", fmt::format("{} is no size", settings.speckle),
                 "give pixels, 0 or more");

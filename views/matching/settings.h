@@ -44,10 +44,13 @@ struct MatchSettings {
   std::optional<int> left_right = 1;
   // Peak ratio: (second - best) / second of the costs, the neighbours of the best apart. Below it a pixel is invalid.
   float confidence = 0;
+  int planes = 0;      // rounds of planes that slant, fitted to what the paths found: 0 to 8
   int speckle = 0;     // connected pieces of fewer pixels are invalid
   bool median = true;  // 3x3
+  bool smooth = true;  // parts of a pixel are averaged where they differ by little
   bool vote = true;  // of the pixels of like colour around an invalid one, before holes are filled
   bool fill = true;  // invalid pixels take what stands behind them
+  bool keep_sums = false;  // of every pixel and disparity, for whoever wants to look at them
   Target target = best_target();
   int threads = 0;  // at most; 0: as many as the machine has
 };

@@ -31,7 +31,8 @@ Outcome judge_drawn(const Drawer& by) {
     std::vector<Specimen> all;
     for (const double squash : {0.5, 1e-2, 1e-4, 1e-6}) {
       const auto upright = scale<World, Object>(1, 1, squash);
-      for (const auto& map : {upright, shear<World>(Axis::kX, Axis::kY, 0.75) * upright}) {
+      for (const auto& map : {upright, shear<World>(Axis::kX, Axis::kY, 0.75) * upright,
+                              scale<World>(-1, 1, 1) * upright}) {
         for (const Normal<Object>& n : {Normal<Object>(0.6f, 0, 0.8f), Normal<Object>(0, 1, 0),
                                         Normal<Object>(0, -0.8f, 0.6f)}) {
           all.push_back(specimen(triangle_with_normal(n), map, exact_normal(map, n)));

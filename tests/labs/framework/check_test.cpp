@@ -137,3 +137,44 @@ TEST_CASE("the debugger sees the variables of the failing case") {
   CHECK(outcome.out.find("Located in " + (folder.path() / "student.cpp").string()) !=
         std::string::npos);
 }
+
+TEST_CASE("lab check leaves nothing hidden in a student's folder, with --hidden either") {
+  const Folder folder;
+  folder.check("", "", {"--hidden"});
+  folder.check("return false;", "", {"--hidden"});
+  folder.check("return false;", "");
+  std::size_t looked_at = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder.path())) {
+    if (!entry.is_regular_file()) continue;
+    ++looked_at;
+    INFO(entry.path());
+    const std::string text = labs::read_text_file(entry.path()).value();
+    CHECK(text.find("an eye in the face's plane") == std::string::npos);
+  }
+  CHECK(looked_at > 10);
+  CHECK(fs::exists(folder.path() / "build/check/runner"));
+}
+
+TEST_CASE("lab check writes nothing through a link in a student's folder") {
+  const Folder folder;
+  const fs::path others = folder.path().string() + "-others";
+  fs::remove_all(others);
+  for (const char* link : {"build", "build/check", "build/check/runner"}) {
+    INFO(link);
+    const fs::path target = others / "check";
+    fs::create_directories(target / "kit");
+    std::ofstream(target / "kit/lab") << "precious";
+    std::ofstream(target / "file") << "precious";
+    fs::remove_all(folder.path() / "build");
+    fs::create_directories((folder.path() / link).parent_path());
+    const bool is_file = fs::path(link).filename() == "runner";
+    const fs::path to = is_file ? target / "file" : link == std::string("build") ? others : target;
+    fs::create_symlink(to, folder.path() / link);
+    CHECK(folder.check("return false;", "").at("score") < 1);
+    CHECK(labs::read_text_file(target / "kit/lab").value() == "precious");
+    CHECK(labs::read_text_file(target / "file").value() == "precious");
+    CHECK(std::distance(fs::recursive_directory_iterator(others),
+                        fs::recursive_directory_iterator()) == 4);
+  }
+  fs::remove_all(others);
+}

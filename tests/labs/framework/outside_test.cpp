@@ -17,10 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A directory of its own, removed at the end, with the page's lab in 10-fog.
+// A directory of its own, removed at the end, with the page's lab in 40-fog.
 struct Desk {
   fs::path path = fs::temp_directory_path() / fmt::format("glassbox-outside-{}", getpid());
-  fs::path lab = path / "10-fog";
+  fs::path lab = path / "40-fog";
   Desk() {
     fs::remove_all(path);
     fs::create_directories(lab);
@@ -63,7 +63,7 @@ TEST_CASE("a lab of the page's small files, outside of the source tree, is grade
   unclamped.replace(unclamped.find(", 0.0, 1.0"), 10, ", -9.0, 9.0");
   Desk::write(desk.path / "class/unclamped/student.cpp", unclamped);
 
-  const auto graded = desk.run({"lab", "grade", "class", "--lab-dir", "10-fog", "-o", "results"});
+  const auto graded = desk.run({"lab", "grade", "class", "--lab-dir", "40-fog", "-o", "results"});
   INFO(graded.err);
   REQUIRE(graded.exit_code == 0);
   CHECK(desk.total("right") == 100);
@@ -73,7 +73,7 @@ TEST_CASE("a lab of the page's small files, outside of the source tree, is grade
 
   SECTION("again only where the judge is another") {
     const std::vector<std::string> again{"lab",    "grade", "class",   "--lab-dir",
-                                         "10-fog", "-o",    "results", "--resume"};
+                                         "40-fog", "-o",    "results", "--resume"};
     CHECK(desk.run(again).err.find("3 of 3 have their results already") != std::string::npos);
     std::string judge = read_text_file(desk.lab / "checks.cpp").value();
     judge.replace(judge.find(", 0.0, 1.0"), 10, ", -9.0, 9.0");
@@ -84,7 +84,7 @@ TEST_CASE("a lab of the page's small files, outside of the source tree, is grade
   }
   SECTION("one by one, with a kit and a judge that are kept") {
     for (int i = 0; i < 2; ++i) {
-      const auto one = desk.run({"lab", "grade", "class/right", "--one", "--lab-dir", "10-fog",
+      const auto one = desk.run({"lab", "grade", "class/right", "--one", "--lab-dir", "40-fog",
                                  "--kit", "kit", "-o", "results/right/results.json"});
       INFO(one.err);
       CHECK(one.exit_code == 0);
@@ -96,20 +96,20 @@ TEST_CASE("a lab of the page's small files, outside of the source tree, is grade
 
 TEST_CASE("a lab outside of the source tree is started and checked (--lab-dir)") {
   const Desk desk;
-  const auto started = desk.run({"lab", "start", "mine", "--lab-dir", "10-fog"});
+  const auto started = desk.run({"lab", "start", "mine", "--lab-dir", "40-fog"});
   INFO(started.err);
   REQUIRE(started.exit_code == 0);
-  CHECK(started.out.find("lab check mine --lab-dir 10-fog") != std::string::npos);
+  CHECK(started.out.find("lab check mine --lab-dir 40-fog") != std::string::npos);
   const std::string handed_out = read_text_file(desk.path / "mine/cases.h").value();
   CHECK(handed_out.find("hidden") == std::string::npos);
-  const auto fresh = desk.run({"lab", "check", "mine", "--lab-dir", "10-fog", "--json", "-"});
+  const auto fresh = desk.run({"lab", "check", "mine", "--lab-dir", "40-fog", "--json", "-"});
   INFO(fresh.err);
   CHECK(fresh.exit_code == 1);
   CHECK(nlohmann::json::parse(fresh.out).at("score") == 0);
-  const auto whole = desk.run({"lab", "check", "10-fog", "--lab-dir", "10-fog", "--hidden"});
+  const auto whole = desk.run({"lab", "check", "40-fog", "--lab-dir", "40-fog", "--hidden"});
   CHECK(whole.exit_code == 0);
   CHECK(whole.out.find("100 of 100") != std::string::npos);
-  CHECK(desk.run({"lab", "start", "3", "other", "--lab-dir", "10-fog"}).exit_code == 2);
+  CHECK(desk.run({"lab", "start", "3", "other", "--lab-dir", "40-fog"}).exit_code == 2);
   CHECK(desk.run({"lab", "start", "3"}).exit_code == 2);
 }
 
@@ -131,20 +131,20 @@ TEST_CASE("what is wrong with a lab's folder is said, with exit code 2 (--lab-di
     changed.replace(changed.find(find), find.size(), replace);
     Desk::write(desk.lab / "checks.cpp", changed);
   };
-  with("Lab lab_10()", "Lab lab_11()");
-  refused("10-fog", "lab_10");
+  with("Lab lab_40()", "Lab lab_41()");
+  refused("40-fog", "lab_40");
   with("expect(const FogCase& input) {", "expect(const FogCase& input) { oh");
-  refused("10-fog", "checks.cpp:");
-  with("\"10-fog\"", "\"10-mist\"");
-  refused("10-fog", "calls its folder \"10-mist\"");
-  with(".number = 10", ".number = 11");
-  refused("10-fog", "number is 11");
-  with("{{\"10.1\"", "{{\"10.2\"");
-  refused("10-fog", "is of task 10.1");
+  refused("40-fog", "checks.cpp:");
+  with("\"40-fog\"", "\"40-mist\"");
+  refused("40-fog", "calls its folder \"40-mist\"");
+  with(".number = 40", ".number = 41");
+  refused("40-fog", "number is 41");
+  with("{{\"40.1\"", "{{\"40.2\"");
+  refused("40-fog", "is of task 40.1");
   for (const char* name : {"runner.cpp", "checks.cpp", "student.h", "handout.md"}) {
     const std::string text = read_text_file(desk.lab / name).value();
     fs::remove(desk.lab / name);
-    refused("10-fog", std::string("10-fog/") + name);
+    refused("40-fog", std::string("40-fog/") + name);
     Desk::write(desk.lab / name, text);
   }
 }

@@ -3,10 +3,12 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <tuple>
 
+#include "labs/framework/judge.h"
 #include "labs/framework/sources.h"
 #include "tests/support/catch.h"
 
@@ -57,6 +59,58 @@ TEST_CASE(
 }
 
 TEST_CASE(
+    "a check that counts as a whole gives its points where every case is right, and none "
+    "elsewhere") {
+  const auto shares = shares_of(R"({"whole": ["b"]})");
+  REQUIRE(shares);
+  CHECK(shares->warnings.empty());
+  const Lab& lab = shares->lab;
+  CHECK_FALSE(lab.checks[0].whole);
+  CHECK(lab.checks[1].whole);
+  const std::vector<Case> cases{{.expected = {numbers("y", {1})}},
+                                {.expected = {numbers("y", {2})}}};
+  CheckAnswers answers;
+  answers.cases.resize(2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    answers.cases[i].state = CaseAnswer::State::kAnswered;
+    answers.cases[i].answer.emit("y", {double(i) + 1});
+  }
+  CHECK(judge_check(lab.checks[1], cases, answers, 3).score == 6);
+  answers.cases[1].answer = {};
+  answers.cases[1].answer.emit("y", {3});
+  const CheckResult whole = judge_check(lab.checks[1], cases, answers, 3);
+  CHECK(whole.right == 1);
+  CHECK(whole.score == 0);
+  CHECK(judge_check(lab.checks[0], cases, answers, 3).score == 3);
+}
+
+TEST_CASE("a far plane that is forgotten costs more than the one case that shows it") {
+  const Sources sources = find_sources().value();
+  const Lab& lab = *std::find_if(all_labs().begin(), all_labs().end(),
+                                 [](const Lab& l) { return l.number == 5; });
+  const Lab shared = read_shares(lab, sources.folder_of(lab.folder) / "points.json").value().lab;
+  for (const Check& check : shared.checks) {
+    if (check.name != "which planes a point is outside of") continue;
+    const std::vector<Case> cases = check.cases();
+    CheckAnswers answers;
+    answers.cases.resize(cases.size());
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      constexpr int kFar = 2;  // lab_05::kFar
+      answers.cases[i].state = CaseAnswer::State::kAnswered;
+      answers.cases[i].answer.emit("outcode",
+                                   {double(int(cases[i].expected[0].values[0]) & ~kFar)});
+    }
+    const double points = points_of_case(shared, check, cases.size());
+    const CheckResult result = judge_check(check, cases, answers, points);
+    CHECK(result.right >= cases.size() / 2);
+    CHECK(result.score == 0);
+    CHECK(result.max_score == 5);
+    return;
+  }
+  FAIL("the check has another name");
+}
+
+TEST_CASE(
     "points.json is warned of where it does not sum to what it says, or names what is not there") {
   CHECK(shares_of("{}")->warnings.empty());
   CHECK(read_shares(two_tasks(), "/nowhere/points.json")->warnings.empty());
@@ -64,14 +118,15 @@ TEST_CASE(
        {R"({"points": 100})", R"({"points": 10, "tasks": {"1.1": 7, "1.2": 4}})",
         R"({"tasks": {"1.1": 6}})", R"({"tasks": {"1.1": 6, "1.2": 4, "1.3": 1}})",
         R"({"checks": {"d": 1}})", R"({"checks": {"secret": 1}})", R"({"hidden": {"1.2": 1}})",
-        R"({"checks": {"c": 0}})"}) {
+        R"({"checks": {"c": 0}})", R"({"whole": ["d"]})", R"({"whole": ["secret"]})"}) {
     INFO(text);
     const auto shares = shares_of(text);
     REQUIRE(shares);
     CHECK(shares->warnings.size() == 1);
   }
-  for (const char* text : {"[]", "{", R"({"point": 1})", R"({"tasks": {"1.1": "6"}})",
-                           R"({"checks": {"a": -1}})", R"({"checks": 1})"}) {
+  for (const char* text :
+       {"[]", "{", R"({"point": 1})", R"({"tasks": {"1.1": "6"}})", R"({"checks": {"a": -1}})",
+        R"({"checks": 1})", R"({"whole": "a"})", R"({"whole": [1]})"}) {
     INFO(text);
     CHECK_FALSE(shares_of(text));
   }

@@ -93,6 +93,25 @@ TEST_CASE("there are at least 15 kinds of hostile submission") {
   CHECK(hostile_runs().size() + hostile_sources(TINY_SOLUTION).size() >= 15);
 }
 
+TEST_CASE("bubblewrap that is asked for and not permitted is named as the reason") {
+  const Place place;
+  write(place.path / "one/student.cpp", solution());
+  // A user namespace in which nobody may make another namespace, as in many containers.
+  const std::string shut =
+      "for f in /proc/sys/user/max_*_namespaces; do echo 0 > $f || exit 9; done; ";
+  const auto in_container = [&](const std::string& command) {
+    return run_program("/bin/sh", {"-c", "unshare -Ur sh -c '" + shut + command + "'"},
+                       place.path.string());
+  };
+  if (in_container("true").exit_code != 0) SKIP_TEST("no user namespaces on this machine");
+  const Outcome outcome = in_container(
+      TINY_GRADER " lab grade one --one --lab 99 -o results.json --sandbox bubblewrap");
+  INFO(outcome.err);
+  CHECK(outcome.exit_code == 2);
+  CHECK(outcome.err.find("the sandbox: bubblewrap: ") != std::string::npos);
+  CHECK(outcome.err.find("refused by libseccomp") == std::string::npos);
+}
+
 TEST_CASE("hostile submissions are contained and named in bubblewrap") {
   grade_where_there_is("bubblewrap");
 }

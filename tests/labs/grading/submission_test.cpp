@@ -69,11 +69,15 @@ TEST_CASE("folders, archives and single files are submissions; the rest is skipp
   write_archive(folder / "gus/lab5.zip", {{"student.cpp", solution()}});
   write(folder / "hal/main.cpp", "int main() {}");
   write(folder / "grades.xlsx", "x");
+  write_archive(folder / "class.csv.zip", {{"student.cpp", solution()}});
+  write(folder / "index.html/student.cpp", solution());
   const Outcome outcome = grader({"grade", "class", "--lab", "99", "-o", "results"}, place.path);
   INFO(outcome.err);
   REQUIRE(outcome.exit_code == 0);
   CHECK(is_in(outcome.err, "grades.xlsx: is no folder, no archive and no .cpp file"));
   CHECK(is_in(outcome.err, "ann.zip: ann is of the same name"));
+  CHECK(is_in(outcome.err, "class.csv.zip: a result of the class has this name"));
+  CHECK(is_in(outcome.err, "index.html: a result of the class has this name"));
   const auto result = [&](const std::string& name) {
     return read_json(place.path / "results" / name / "results.json");
   };

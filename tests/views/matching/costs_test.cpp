@@ -32,8 +32,9 @@ int color_difference(const NoisePair& pair, int x, int right_x, int y) {
 
 int bits_that_differ(const NoisePair& pair, int x, int right_x, int y) {
   int bits = 0;
-  for (int dy = -3; dy <= 3; ++dy) {
-    for (int dx = -4; dx <= 4; ++dx) {
+  for (int dy = -2; dy <= 2; ++dy) {
+    for (int dx = -3; dx <= 3; ++dx) {
+      if (dy == 0 && std::abs(dx) == 3) continue;
       const bool left = grey(pair.left, x + dx, y + dy) < grey(pair.left, x, y);
       const bool right = grey(pair.right, right_x + dx, y + dy) < grey(pair.right, right_x, y);
       bits += left != right;
@@ -76,7 +77,7 @@ double defined(const NoisePair& pair, const MatchSettings& settings, int x, int 
     case MatchingCost::kAdCensus:
       break;
   }
-  return 16 * std::min(bits_that_differ(pair, x, right_x, y), 40) +
+  return 16 * std::min(bits_that_differ(pair, x, right_x, y), 30) +
          4 * std::min(color_difference(pair, x, right_x, y), 60);
 }
 

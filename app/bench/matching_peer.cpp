@@ -1,0 +1,133 @@
+#include "app/bench/matching_peer.h"
+
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "labs/framework/process.h"
+#include "views/matching/winner.h"
+
+#include <glassbox/images/atomic_file.h>
+#include <glassbox/images/write.h>
+
+namespace glassbox::app {
+
+namespace {
+
+// The interpreter that Debian's package is made for; another one in PATH has modules of its own.
+constexpr const char* kPython = "/usr/bin/python3";
+constexpr int kMissing = 3;  // exit code
+constexpr labs::ProcessLimits kLimits{.seconds = 600};
+
+// Says "version V", then of each time "CPU WALL" in milliseconds; 16ths of a pixel go to the file.
+constexpr const char* kScript = R"py(
+import sys, time
+try:
+    import cv2
+except ImportError:
+    sys.exit(3)
+left, right, first, count, mode, threads, frames, out = sys.argv[1:]
+cv2.setNumThreads(int(threads))
+matcher = cv2.StereoSGBM_create(minDisparity=int(first), numDisparities=int(count), blockSize=3, P1=216, P2=864,
+                                disp12MaxDiff=1, mode=int(mode))
+a, b = cv2.imread(left), cv2.imread(right)
+print("version", cv2.__version__)
+for frame in range(int(frames) + 1):
+    cpu, wall = time.process_time(), time.perf_counter()
+    disparity = matcher.compute(a, b)
+    if frame > 0:
+        print((time.process_time() - cpu) * 1e3, (time.perf_counter() - wall) * 1e3)
+disparity.astype("<i2").tofile(out)
+)py";
+
+Result<std::string> run_script(const std::vector<std::string>& words) {
+  std::vector<std::string> argv{kPython, "-c", kScript};
+  argv.insert(argv.end(), words.begin(), words.end());
+  const labs::ProcessOutcome outcome = labs::run_process(argv, kLimits);
+  if (!outcome.started || (WIFEXITED(outcome.status) && WEXITSTATUS(outcome.status) == kMissing)) {
+    return fail("OpenCV", "it is not installed for " + std::string(kPython),
+                "apt install python3-opencv, or leave --against out");
+  }
+  if (outcome.status != 0) {
+    return fail("OpenCV", outcome.timed_out ? "it was not done in time" : "it could not match",
+                "leave --against out");
+  }
+  return outcome.said;
+}
+
+// Sixteenths of a pixel; below the range where there is none.
+Result<Image<float>> read_disparity(const std::filesystem::path& path, int width, int height,
+                                    int first) {
+  std::ifstream in(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  Image<float> disparity(width, height);
+  if (bytes.size() != 2 * disparity.pixels.size()) {
+    return fail("OpenCV", "its disparities are of another size", "leave --against out");
+  }
+  for (std::size_t i = 0; i < disparity.pixels.size(); ++i) {
+    const auto low = std::uint8_t(bytes[2 * i]), high = std::uint8_t(bytes[2 * i + 1]);
+    const float value = float(std::int16_t(low | high << 8)) / 16;
+    disparity.pixels[i] = value < float(first) ? views::kNoDisparity : value;
+  }
+  return disparity;
+}
+
+void fill_from_smaller_side(Image<float>& disparity) {
+  for (int y = 0; y < disparity.height; ++y) {
+    for (int x = 0; x < disparity.width;) {
+      if (std::isfinite(disparity.at(x, y))) {
+        ++x;
+        continue;
+      }
+      int end = x;
+      while (end < disparity.width && !std::isfinite(disparity.at(end, y))) ++end;
+      const float before = x > 0 ? disparity.at(x - 1, y) : views::kNoDisparity;
+      const float behind = end < disparity.width ? disparity.at(end, y) : views::kNoDisparity;
+      for (; x < end; ++x) disparity.at(x, y) = std::min(before, behind);
+    }
+  }
+}
+
+}  // namespace
+
+Result<PeerMatch> match_with_opencv(const Image<Rgba8>& left, const Image<Rgba8>& right,
+                                    const views::DisparityRange& range, PeerPaths paths,
+                                    int threads, int frames, const std::filesystem::path& scratch) {
+  const std::string left_file = scratch / "left.ppm", right_file = scratch / "right.ppm",
+                    out = scratch / "disparity";
+  for (const auto& [file, image] : {std::pair{&left_file, &left}, std::pair{&right_file, &right}}) {
+    if (const auto written = write_file(*file, encode_ppm(*image)); !written) {
+      return tl::unexpected(written.error());
+    }
+  }
+  // Its number of disparities is a multiple of 16; its modes are 1 (8 paths) and 2 (3 of them).
+  const auto said = run_script({left_file, right_file, std::to_string(range.first),
+                                std::to_string((range.count() + 15) / 16 * 16),
+                                paths == PeerPaths::kThree ? "2" : "1", std::to_string(threads),
+                                std::to_string(frames), out});
+  if (!said) return tl::unexpected(said.error());
+  PeerMatch match;
+  std::istringstream lines(*said);
+  std::string word;
+  lines >> word >> match.version;
+  for (double cpu = 0, wall = 0; lines >> cpu >> wall;) {
+    match.cpu_ms.push_back(cpu);
+    match.wall_ms.push_back(wall);
+  }
+  if (word != "version" || int(match.cpu_ms.size()) != frames) {
+    return fail("OpenCV", "it did not say how long it took", "leave --against out");
+  }
+  auto disparity = read_disparity(out, left.width, left.height, range.first);
+  if (!disparity) return tl::unexpected(disparity.error());
+  match.disparity = std::move(*disparity);
+  fill_from_smaller_side(match.disparity);
+  return match;
+}
+
+}  // namespace glassbox::app

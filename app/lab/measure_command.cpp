@@ -1,0 +1,146 @@
+#include "app/lab/measure_command.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/lab/find_lab.h"
+#include "app/lab/measure_report.h"
+#include "app/lab/student_stages.h"
+#include "app/options/output_options.h"
+#include "app/report/exit_codes.h"
+#include "app/report/output.h"
+#include "app/report/progress.h"
+#include "app/report/shell_line.h"
+#include "app/study/build_id.h"
+#include "app/study/page.h"
+#include "labs/framework/digest.h"
+#include "labs/grading/submission.h"
+#include "labs/measuring/claim.h"
+#include "study/experiment/runner.h"
+
+#include <glassbox/base/counted.h>
+#include <glassbox/base/printable.h>
+
+namespace glassbox::app {
+
+namespace {
+
+using study::ExperimentResult;
+
+std::vector<std::string> series_of(const std::vector<study::ConfigurationResult>& yours) {
+  std::vector<std::string> series;
+  for (const auto& each : yours) {
+    if (std::find(series.begin(), series.end(), each.series) == series.end())
+      series.push_back(each.series);
+  }
+  return series;
+}
+
+Result<labs::Claim> claim_in(const std::string& path) {
+  const auto text = labs::grading::read_source(path);
+  if (!text) return tl::unexpected(text.error());
+  return labs::read_claim(path, *text);
+}
+
+// Whether the claim holds, and where not.
+int judge(const std::string& path, const labs::Claim& claimed, const labs::Claim& measured) {
+  const auto found = labs::contradictions(claimed, measured);
+  if (found.empty()) {
+    fmt::print("{}: as measured here: {}, and no order of times the other way\n", printable(path),
+               counted(measured.points.size(), "error"));
+    return kSuccess;
+  }
+  for (const std::string& each : found) fmt::print("{}: {}\n", printable(path), printable(each));
+  return kFailure;
+}
+
+}  // namespace
+
+void LabMeasureCommand::add_to(CLI::App& lab, int& exit_code) {
+  CLI::App& command = *lab.add_subcommand(
+      "measure", "error and time of your functions, as points in an experiment's chart");
+  command.footer(
+      "Examples:\n"
+      "  glassbox lab measure ~/lab6 --html chart.html\n"
+      "  glassbox lab measure ~/lab6 --json measured.json       # to be handed in\n"
+      "  glassbox lab measure class/ann --lab 6 --against class/ann/measured.json\n\n"
+      "The experiment that the handout names is run as study run --quick runs it, and your\n"
+      "functions in a process of their own. Exit code 1: the code does not compile or end, or\n"
+      "--against names what is not so.");
+  command.add_option("FOLDER", folder_, "made by glassbox lab start, or with a student.cpp in it")
+      ->required();
+  command.add_option("--lab", lab_, "which lab a folder without lab.json is of");
+  add_json_output(command, json_output_, "your points, small, to be handed in");
+  add_html_output(command, html_output_, "the experiment's charts, with your points");
+  command.add_option("--against", against_, "compare with what was handed in")->type_name("FILE");
+  command.add_option("--time-limit", seconds_, "seconds that a process of your functions may take")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->capture_default_str();
+  command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+int LabMeasureCommand::run() const {
+  if (const auto good = check_report_outputs(html_output_, json_output_); !good)
+    return refuse(good.error());
+  const auto folder = lab_.empty() ? open_lab_folder(folder_) : open_submission(folder_, lab_);
+  if (!folder) return refuse(folder.error());
+  const auto measured = labs::measure_of(folder->lab->number);
+  if (!measured)
+    return refuse({folder_, "", fmt::format("lab {} has no measurement", folder->lab->number),
+                   "name the folder of another lab"});
+  std::optional<labs::Claim> claimed;
+  if (against_) {
+    auto claim = claim_in(*against_);
+    if (!claim) return refuse(claim.error());
+    claimed = std::move(*claim);
+  }
+  const auto sources = labs::find_sources();
+  if (!sources) return refuse(sources.error());
+  Progress progress;
+  StudentStages stages;
+  if (const auto built = stages.build(*sources, *folder, progress, true); !built)
+    return refuse(built.error());
+  if (stages.program().program.empty()) {
+    progress.done();
+    fmt::print("{}", stages.program().messages);
+    return kFailure;
+  }
+  labs::StudentAnswers student(stages.sandbox(), stages.program().program, seconds_);
+  const auto tell = [&](const std::string& what) { progress.phase(what); };
+  const auto yours = labs::measure_places(*measured, student, study::kLeastRepetitions, tell);
+  if (!yours && student.broke()) {
+    progress.done();
+    fmt::print("{}: {}\n", folder->student.string(), *student.broke());
+    return kFailure;
+  }
+  if (!yours) return refuse(yours.error());
+
+  study::RunOptions options;
+  options.phase = tell;
+  ExperimentResult result = study::run_experiment(
+      *study::find_experiment(study::experiments(), measured->experiment), options);
+  result.configurations.insert(result.configurations.end(), yours->begin(), yours->end());
+  progress.done();
+  const study::Origin origin = study::origin_here(version_and_build(), study::Effort::kQuick, 1);
+  const std::vector<std::string> series = series_of(*yours);
+  const auto text = labs::grading::read_source(folder->student);
+  if (!text) return refuse(text.error());
+  const labs::Claim claim =
+      labs::claim_of(folder->lab->folder, labs::Digest().add(*text).text(), origin, result, series);
+  if (json_output_) {
+    if (const auto made = write_json(*json_output_, labs::claim_json(claim)); !made)
+      return refuse(made.error());
+  }
+  if (html_output_) {
+    const std::string command = shell_line({{"lab", "measure", folder_, "--html", *html_output_}});
+    const auto made = write_text(*html_output_, study_page({origin, {result}}, command));
+    if (!made) return refuse(made.error());
+  }
+  if (json_output_ != "-") fmt::print("{}", measure_text(*folder->lab, *measured, result, series));
+  return claimed ? judge(*against_, *claimed, claim) : kSuccess;
+}
+
+}  // namespace glassbox::app

@@ -1,0 +1,23 @@
+// glassbox lab measure: a student's functions as one more way of an experiment.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/options/cli_fwd.h"
+
+namespace glassbox::app {
+
+class LabMeasureCommand {
+public:
+  void add_to(CLI::App& lab, int& exit_code);
+
+private:
+  int run() const;
+
+  std::string folder_, lab_;
+  std::optional<std::string> json_output_, html_output_, against_;
+  double seconds_ = 60;
+};
+
+}  // namespace glassbox::app

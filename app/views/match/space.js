@@ -1,0 +1,95 @@
+// The points in space, drawn one by one with a depth buffer, as the rasterizer's pixels are.
+
+const space = byId("space");
+const turn = {yaw: 0, pitch: 0, near: 1};
+const cloud = {}; // x, y, z: floats, the camera at 0, looking along +z; count, pixels, middle
+
+// Without a calibration nobody knows depths: a pixel's disparity lifts it off the picture.
+function placePoints(colours) {
+  const count = width * height, {focal_px: f, baseline, offset_px: offset, centre} = manifest.calibration ?? {focal_px: width, centre: [width / 2, height / 2]};
+  Object.assign(cloud, {focal: f, x: new Float32Array(count), y: new Float32Array(count), z: new Float32Array(count), of: new Int32Array(count), count: 0, colours});
+  const depths = [];
+  const depthOf = (disparity) => manifest.calibration ? f * baseline / (disparity + offset) : 1 - .5 * (disparity - data.ends[0]) / (data.ends[1] - data.ends[0]);
+  for (let i = 0; i < count; i++) {
+    const depth = depthOf(data.disparity[i]);
+    if (!Number.isFinite(data.disparity[i]) || !(depth > 0 && Number.isFinite(depth))) continue;
+    const at = cloud.count++, column = i % width + .5, row = Math.floor(i / width) + .5;
+    const share = manifest.calibration ? depth / f : 1 / f;
+    cloud.x[at] = (column - centre[0]) * share;
+    cloud.y[at] = (row - centre[1]) * share;
+    cloud.z[at] = depth;
+    cloud.of[at] = i;
+    depths.push(depth);
+  }
+  depths.sort((a, b) => a - b);
+  cloud.middle = depths.length ? depths[Math.floor(depths.length / 2)] : 1;
+}
+
+// The camera turns about the middle of what it sees.
+function drawSpace() {
+  if (!cloud.x || !space.clientWidth) return;
+  const across = space.width = Math.min(Math.round(space.clientWidth * devicePixelRatio), 1400), down = space.height = Math.round(across / 1.5);
+  const image = new ImageData(across, down), words = new Uint32Array(image.data.buffer), depths = new Float32Array(across * down).fill(Infinity);
+  words.fill(0xff1c1714);
+  const {yaw, pitch, near} = turn, cy = Math.cos(yaw), sy = Math.sin(yaw), cp = Math.cos(pitch), sp = Math.sin(pitch);
+  const fit = Math.min(across / width, down / height) * near, scale = cloud.focal * fit, size = Math.max(1, Math.ceil(1.15 * fit)), before = Math.floor(size / 2);
+  const chosen = cursor.y * width + cursor.x;
+  let ring = null;
+  for (let k = 0; k < cloud.count; k++) {
+    const x = cloud.x[k], y = cloud.y[k], z = cloud.z[k] - cloud.middle;
+    const xt = cy * x + sy * z, zt = cy * z - sy * x, yt = cp * y + sp * zt, depth = cp * zt - sp * y + cloud.middle;
+    if (depth < .02 * cloud.middle) continue;
+    const px = Math.round(across / 2 + scale * xt / depth), py = Math.round(down / 2 + scale * yt / depth);
+    if (cloud.of[k] === chosen) ring = [px, py];
+    for (let v = Math.max(py - before, 0); v < Math.min(py - before + size, down); v++) {
+      for (let u = Math.max(px - before, 0); u < Math.min(px - before + size, across); u++) {
+        const at = v * across + u;
+        if (depth < depths[at]) depths[at] = depth, words[at] = cloud.colours[cloud.of[k]];
+      }
+    }
+  }
+  const context = space.getContext("2d");
+  context.putImageData(image, 0, 0);
+  if (!ring) return;
+  for (const [colour, line] of [["#000b", 4.5], ["#3df5ff", 2]]) {
+    context.beginPath();
+    context.arc(...ring, 7 * devicePixelRatio, 0, 2 * Math.PI);
+    Object.assign(context, {strokeStyle: colour, lineWidth: line * devicePixelRatio});
+    context.stroke();
+  }
+}
+
+function turnBy(yaw, pitch) {
+  Object.assign(turn, {yaw: turn.yaw + yaw, pitch: clamp(turn.pitch + pitch, -1.5, 1.5)});
+  drawSpace();
+}
+function comeNearer(factor) {
+  turn.near = clamp(turn.near * factor, .25, 16);
+  drawSpace();
+}
+
+function setUpSpace() {
+  const picture = byId("left").querySelector("img"), canvas = newCanvas(width, height);
+  const context = canvas.getContext("2d");
+  context.drawImage(picture, 0, 0);
+  placePoints(new Uint32Array(context.getImageData(0, 0, width, height).data.buffer));
+  space.addEventListener("pointerdown", (event) => space.setPointerCapture(event.pointerId));
+  space.addEventListener("pointermove", (event) => {
+    if (space.hasPointerCapture(event.pointerId)) turnBy(event.movementX * -.006, event.movementY * .006);
+  });
+  space.addEventListener("keydown", (event) => {
+    const turns = {ArrowLeft: [-.1, 0], ArrowRight: [.1, 0], ArrowUp: [0, -.1], ArrowDown: [0, .1]}[event.key], factor = {"+": 1.2, "=": 1.2, "-": 1 / 1.2}[event.key];
+    if (event.ctrlKey || event.altKey || event.metaKey || !(turns || factor)) return;
+    event.preventDefault();
+    if (turns) turnBy(...turns);
+    else comeNearer(factor);
+  });
+  byId("nearer").addEventListener("click", () => comeNearer(1.2));
+  byId("farther").addEventListener("click", () => comeNearer(1 / 1.2));
+  byId("straight").addEventListener("click", () => {
+    Object.assign(turn, {yaw: 0, pitch: 0, near: 1});
+    drawSpace();
+  });
+  byId("space-note").textContent = `${count(cloud.count, "point")}. Drag, or turn them with the arrow keys. ${manifest.calibration ? "What the left camera does not see is empty." : "Without --calibration there is no depth: points stand off the picture by their disparity."}`;
+  new ResizeObserver(drawSpace).observe(space);
+}

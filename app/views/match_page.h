@@ -1,0 +1,30 @@
+// The page of `glassbox views match --html`: pictures, maps, the costs of the pixel under the cursor, and the points in space.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "app/views/match_input.h"
+#include "views/matching/match.h"
+
+#include <glassbox/base/error.h>
+
+namespace glassbox::app {
+
+struct MatchPageOrigin {
+  std::string program, command;  // "glassbox 1.0.0", what makes the page again
+};
+
+// Whether a page has room for the sums of every pixel and disparity.
+bool has_room_for_sums(const MatchInput& input, const views::DisparityRange& range);
+
+// An error where pictures of this size would be too much for a browser.
+Result<void> check_match_page(const MatchInput& input);
+
+// `report` is that of match_json.
+Result<std::string> make_match_page(const MatchInput& input, const views::DenseMatch& match,
+                                    const nlohmann::ordered_json& report,
+                                    const MatchPageOrigin& origin);
+
+}  // namespace glassbox::app

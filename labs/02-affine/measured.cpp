@@ -1,0 +1,58 @@
+// Lab 2 in the chart of D-13: a rotation that is turned a little further in double, and repaired by the student's function.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "labs/measuring/measuring.h"
+#include "study/experiments/d13_defect.h"
+
+namespace glassbox::labs {
+
+namespace {
+
+constexpr int kTimedSteps = 100'000;  // as in the experiment
+
+Numbers question(int steps, int every) {
+  Numbers numbers{double(steps), double(every)};
+  for (const auto& row : study::step_matrix<double>())
+    numbers.insert(numbers.end(), row.begin(), row.end());
+  return numbers;
+}
+
+// Of all the matrices that were looked at; no number where one has none.
+Result<double> largest_defect(const Ask& ask, int steps, int every) {
+  const auto answers = ask({question(steps, every)});
+  if (!answers) return tl::unexpected(answers.error());
+  const Numbers& entries = answers->front();
+  double largest = entries.size() < 9 ? number_of({}, 0) : 0;
+  for (std::size_t at = 0; at + 9 <= entries.size(); at += 9) {
+    study::RotationMatrix<double> m;
+    for (std::size_t i = 0; i < 9; ++i) m[i / 3][i % 3] = entries[at + i];
+    const double defect = study::frobenius(study::defect(m));
+    if (!(defect <= largest)) largest = defect;
+    if (largest != largest) break;
+  }
+  return largest;
+}
+
+std::vector<MeasuredPlace> places() {
+  std::vector<MeasuredPlace> all;
+  for (const int every : {1, 10, 100, 1000}) {
+    const std::string series =
+        every == 1 ? "yours, every step" : fmt::format("yours, every {} steps", every);
+    for (const int steps : {1000, 10'000, 100'000}) {
+      all.push_back({series, double(steps), "", "",
+                     [=](const Ask& ask) { return largest_defect(ask, steps, every); },
+                     question(kTimedSteps, every), double(kTimedSteps)});
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+LabMeasure measured_02() {
+  return {"D-13", "repaired", places};
+}
+
+}  // namespace glassbox::labs

@@ -1,0 +1,56 @@
+// Carries vertices through your view matrix, for glassbox lab measure.
+#include "labs/framework/stages.h"
+#include "student.h"
+
+namespace lab_03 {
+namespace {
+
+using glassbox::labs::Numbers;
+using glassbox::labs::RecordReader;
+
+struct Asked {
+  bool by_rotations = false;
+  Camera camera;
+  Transform<Clip, Eye> clip_from_eye;
+  std::vector<Point<World, double>> points;
+};
+
+// 0 for U, V, N and 1 for two rotations; eye, target and up; a projection, row by row; then vertices.
+Asked read(RecordReader& in) {
+  Asked asked;
+  asked.by_rotations = in.number() != 0;
+  asked.camera.eye = in.place<Point<World, double>>();
+  asked.camera.target = in.place<Point<World, double>>();
+  asked.camera.up = in.place<Vector<World, double>>();
+  asked.clip_from_eye = in.matrix<Transform<Clip, Eye>>();
+  while (in.more()) asked.points.push_back(in.place<Point<World, double>>());
+  return asked;
+}
+
+// The depth of each vertex; nothing where there is no view.
+void depths(const Asked& asked, Numbers& out) {
+  const auto view = asked.by_rotations ? axis_angle_view(asked.camera) : uvn_view(asked.camera);
+  if (!view) return;
+  for (const auto& p : asked.points) {
+    const Point<Clip, double> clip = asked.clip_from_eye * (*view * p);
+    out.push_back(clip.z / clip.w);
+  }
+}
+
+void answer(RecordReader& in, Numbers& out) {
+  depths(read(in), out);
+}
+
+std::function<void()> prepare(RecordReader& in) {
+  return [asked = read(in), out = Numbers()]() mutable {
+    out.clear();
+    depths(asked, out);
+  };
+}
+
+}  // namespace
+}  // namespace lab_03
+
+std::vector<glassbox::labs::StageFunction> glassbox::labs::stage_functions() {
+  return {{"measured", lab_03::answer, lab_03::prepare}};
+}

@@ -1,0 +1,56 @@
+// Lab 4 in the chart of D-7: vertices before a camera far from the origin, by the student's projection and divide, in double.
+#include "labs/measuring/measuring.h"
+#include "study/experiments/d07_field.h"
+
+#include <glassbox/base/trig.h>
+
+namespace glassbox::labs {
+
+namespace {
+
+using namespace study::d07;
+
+constexpr int kFields = 32, kTimed = 1 << 9;  // as in a quick run
+
+Numbers question(const Field& field, Depth depth) {
+  Numbers numbers{depth == Depth::kReversedInfinite ? 1.0 : 0.0, kPi / 2, 1, kNear,
+                  planes(depth).far};
+  append_matrix(numbers, view_of(field));
+  for (const Point<World>& p : field.points) append_place(numbers, p);
+  return numbers;
+}
+
+Result<double> rms_error(const Ask& ask, Depth depth, double offset) {
+  std::vector<Field> fields;
+  std::vector<Numbers> questions;
+  for (int i = 0; i < kFields; ++i) {
+    fields.push_back(make_field(std::uint64_t(i) + 1, offset, kPointsOfField));
+    questions.push_back(question(fields.back(), depth));
+  }
+  const auto answers = ask(questions);
+  if (!answers) return tl::unexpected(answers.error());
+  double sum = 0;
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    add_squared_errors(
+        fields[i], depth, [&](std::size_t k) { return number_of((*answers)[i], k); }, sum);
+  return rms_of(sum, depth, kFields);
+}
+
+std::vector<MeasuredPlace> places() {
+  std::vector<MeasuredPlace> all;
+  for (const Depth depth : {Depth::kStandard, Depth::kReversedInfinite}) {
+    for (const double offset : {1e2, 1e3, 1e4, 1e5, 1e6})
+      all.push_back({"yours", offset, name_of(depth), "",
+                     [=](const Ask& ask) { return rms_error(ask, depth, offset); },
+                     question(make_field(1, offset, kTimed), depth), double(kTimed)});
+  }
+  return all;
+}
+
+}  // namespace
+
+LabMeasure measured_04() {
+  return {"D-7", "perspective, in_dialect, divide", places};
+}
+
+}  // namespace glassbox::labs

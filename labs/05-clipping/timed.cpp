@@ -1,0 +1,52 @@
+// Puts triangles to your clipper, for glassbox lab measure.
+#include "labs/framework/stages.h"
+#include "student.h"
+
+namespace lab_05 {
+namespace {
+
+using glassbox::labs::append_place;
+using glassbox::labs::Numbers;
+using glassbox::labs::RecordReader;
+using Triangle = std::array<Point<Clip>, 3>;
+
+// Corners in clip space.
+std::vector<Triangle> triangles(RecordReader& in) {
+  std::vector<Triangle> all;
+  while (in.more()) {
+    for (Point<Clip>& p : all.emplace_back()) p = in.place<Point<Clip>>();
+  }
+  return all;
+}
+
+// Outcodes first: most triangles are inside of all planes, or outside of one.
+Polygon left_of(const Triangle& triangle) {
+  std::vector<std::uint32_t> codes;
+  for (const Point<Clip>& p : triangle) codes.push_back(outcode(p));
+  const Verdict verdict = trivial_verdict(codes);
+  if (verdict == Verdict::kReject) return {};
+  if (verdict == Verdict::kAccept) return {triangle.begin(), triangle.end()};
+  return clip_to_frustum(triangle);
+}
+
+// Of each triangle how many vertices are left, and these.
+void answer(RecordReader& in, Numbers& out) {
+  for (const Triangle& triangle : triangles(in)) {
+    const Polygon left = left_of(triangle);
+    out.push_back(double(left.size()));
+    for (const Point<Clip>& p : left) append_place(out, p);
+  }
+}
+
+std::function<void()> prepare(RecordReader& in) {
+  return [all = triangles(in)] {
+    for (const Triangle& triangle : all) left_of(triangle);
+  };
+}
+
+}  // namespace
+}  // namespace lab_05
+
+std::vector<glassbox::labs::StageFunction> glassbox::labs::stage_functions() {
+  return {{"measured", lab_05::answer, lab_05::prepare}};
+}

@@ -1,0 +1,82 @@
+// Lab 6 in the chart of D-3: how often the student's edge function gives a pixel to the wrong triangle, and what a pixel costs.
+#include <memory>
+
+#include "labs/measuring/measuring.h"
+#include "study/experiments/d03_edges.h"
+
+namespace glassbox::labs {
+
+namespace {
+
+using study::EdgeSample;
+
+constexpr int kSamples = 2'000'000, kTimed = 500;  // as in a quick run
+constexpr int kAtOnce = 500'000;
+
+struct Rates {
+  double wrong = 0, leaks = 0;
+};
+
+Result<Rates> rates(const Ask& ask, int width) {
+  Random random(3);
+  double wrong = 0, leaks = 0;
+  for (int done = 0; done < kSamples; done += kAtOnce) {
+    std::vector<std::uint8_t> right;
+    Numbers question;
+    question.reserve(6 * std::size_t(kAtOnce));
+    for (int i = 0; i < kAtOnce; ++i) {
+      const EdgeSample s = study::random_edge_sample(random, width);
+      right.push_back(study::right_decision(s));
+      for (const int number : {s.from.x, s.from.y, s.to.x, s.to.y, s.x, s.y})
+        question.push_back(number);
+    }
+    const auto answers = ask({question});
+    if (!answers) return tl::unexpected(answers.error());
+    for (std::size_t i = 0; i < right.size(); ++i) {
+      const double here = number_of(answers->front(), 2 * i),
+                   there = number_of(answers->front(), 2 * i + 1);
+      wrong += here != double(right[i]);
+      leaks += here == there;
+    }
+  }
+  return Rates{wrong / kSamples, leaks / kSamples};
+}
+
+Numbers timed_triangles(int width) {
+  Numbers question{double(study::kEdgeTile)};
+  for (const study::TileEdges& t : study::timed_triangles(width, kTimed)) {
+    for (std::size_t k = 0; k < 3; ++k)
+      question.insert(question.end(), {double(t.x0[k]), double(t.y0[k])});
+  }
+  return question;
+}
+
+std::vector<MeasuredPlace> places() {
+  std::vector<MeasuredPlace> all;
+  for (const int width : {1920, 7680, 32768}) {
+    const auto kept = std::make_shared<std::optional<Rates>>();
+    const auto add = [&](const char* scene, double Rates::*rate) {
+      all.push_back({"yours", double(width), scene, "",
+                     [=](const Ask& ask) -> Result<double> {
+                       if (!*kept) {
+                         const auto found = rates(ask, width);
+                         if (!found) return tl::unexpected(found.error());
+                         *kept = *found;
+                       }
+                       return (**kept).*rate;
+                     },
+                     timed_triangles(width), double(kTimed) * study::kEdgeTile* study::kEdgeTile});
+    };
+    add("wrong decisions", &Rates::wrong);
+    add("gaps and doubles", &Rates::leaks);
+  }
+  return all;
+}
+
+}  // namespace
+
+LabMeasure measured_06() {
+  return {"D-3", "edge, owns_edge, covered_pixels", places};
+}
+
+}  // namespace glassbox::labs

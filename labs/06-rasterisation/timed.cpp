@@ -1,0 +1,48 @@
+// Puts edges and triangles to your functions, for glassbox lab measure.
+#include "labs/framework/stages.h"
+#include "student.h"
+
+namespace lab_06 {
+namespace {
+
+using glassbox::labs::Numbers;
+using glassbox::labs::RecordReader;
+
+SnappedVertex vertex(RecordReader& in) {
+  const int x = in.integer();
+  return {x, in.integer()};
+}
+
+bool is_inside(const SnappedVertex& from, const SnappedVertex& to, const SnappedVertex& centre) {
+  const std::int64_t e = edge(from, to, centre);
+  return e > 0 || (e == 0 && owns_edge(from, to));
+}
+
+// Edges, each with the centre of a pixel near it. Whether the pixel belongs to the triangle on the edge's right, and whether it
+// belongs to the other one.
+void answer(RecordReader& in, Numbers& out) {
+  while (in.more()) {
+    const SnappedVertex from = vertex(in), to = vertex(in), centre = vertex(in);
+    out.push_back(is_inside(from, to, centre) ? 1 : 0);
+    out.push_back(is_inside(to, from, centre) ? 1 : 0);
+  }
+}
+
+// The width of a tile at the origin, then triangles.
+std::function<void()> prepare(RecordReader& in) {
+  const int width = in.integer();
+  std::vector<Triangle> triangles;
+  while (in.more()) {
+    for (SnappedVertex& v : triangles.emplace_back()) v = vertex(in);
+  }
+  return [triangles, tile = PixelRect{0, 0, width, width}] {
+    for (const Triangle& triangle : triangles) covered_pixels(triangle, tile);
+  };
+}
+
+}  // namespace
+}  // namespace lab_06
+
+std::vector<glassbox::labs::StageFunction> glassbox::labs::stage_functions() {
+  return {{"measured", lab_06::answer, lab_06::prepare}};
+}

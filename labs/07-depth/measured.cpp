@@ -1,0 +1,76 @@
+// Lab 7 in the chart of D-6: how far apart two surfaces must be for the student's codes to tell which is in front.
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "labs/measuring/measuring.h"
+#include "study/experiments/d06_ladder.h"
+
+namespace glassbox::labs {
+
+namespace {
+
+using namespace study::d06;
+
+constexpr int kRungs = 2048;  // as in a quick run
+
+struct LabFormat {
+  int number;  // in lab_07::Format
+  const char* name;
+};
+constexpr LabFormat kLabFormats[] = {{0, "u16"}, {1, "u24"}, {2, "float"}, {3, "float, reversed"}};
+
+// The windows of the ladder, one after the other, as far as one reaches the far plane.
+std::vector<Numbers> questions(int format, double z) {
+  std::vector<Numbers> all;
+  for (double window = 0x1p-18;; window *= 2) {
+    Numbers& question = all.emplace_back(Numbers{double(format), kNear, kFar});
+    for (const float distance : rungs(z, window, kRungs)) question.push_back(double(distance));
+    if (z * (1 + window) > kFar) return all;
+  }
+}
+
+Result<double> error_on_ladder(const Ask& ask, int format, double z) {
+  const auto answers = ask(questions(format, z));
+  if (!answers) return tl::unexpected(answers.error());
+  std::size_t window = 0;
+  bool complete = true;
+  const auto codes = [&](const std::vector<float>& distances) {
+    const Numbers& answer = (*answers)[window++];
+    std::vector<std::uint32_t> all;
+    for (std::size_t i = 0; i < distances.size(); ++i) {
+      const double code = number_of(answer, i);
+      complete = complete && code >= 0 && code < 0x1p32;
+      all.push_back(complete ? std::uint32_t(code) : 0);
+    }
+    return all;
+  };
+  const double error = ladder_error(codes, z, kRungs);
+  return complete ? error : number_of({}, 0);
+}
+
+Numbers timed_fragments(int format) {
+  Numbers question{double(format)};
+  for (const float depth : make_fragments(kFragments).depth) question.push_back(double(depth));
+  return question;
+}
+
+std::vector<MeasuredPlace> places() {
+  std::vector<MeasuredPlace> all;
+  for (const LabFormat& format : kLabFormats) {
+    const Numbers timed = timed_fragments(format.number);
+    for (const double z : {0.2, 1.0, 10.0, 100.0, 1000.0, 9000.0})
+      all.push_back({fmt::format("yours, {}", format.name), z, "ladder", "",
+                     [=](const Ask& ask) { return error_on_ladder(ask, format.number, z); }, timed,
+                     double(kFragments)});
+  }
+  return all;
+}
+
+}  // namespace
+
+LabMeasure measured_07() {
+  return {"D-6", "depth_row, depth_code, visible", places};
+}
+
+}  // namespace glassbox::labs

@@ -1,0 +1,54 @@
+// Puts rows of pixels to your span_coordinates, for glassbox lab measure.
+#include <algorithm>
+
+#include "labs/framework/stages.h"
+#include "student.h"
+
+namespace lab_08 {
+namespace {
+
+using glassbox::labs::Numbers;
+using glassbox::labs::RecordReader;
+
+struct Asked {
+  int every = 1;
+  std::vector<Line> lines;
+};
+
+// From how many pixels to how many a division is done; then rows: u and 1/w at both ends, and how many pixels.
+Asked read(RecordReader& in) {
+  Asked asked;
+  asked.every = in.integer();
+  while (in.more()) {
+    Line& line = asked.lines.emplace_back();
+    line.u0 = in.number();
+    line.u1 = in.number();
+    line.inverse_w0 = in.number();
+    line.inverse_w1 = in.number();
+    line.pixels = in.integer();
+  }
+  return asked;
+}
+
+// The coordinates of all pixels, row after row; a row of another length ends them.
+void answer(RecordReader& in, Numbers& out) {
+  const Asked asked = read(in);
+  for (const Line& line : asked.lines) {
+    const std::vector<double> u = span_coordinates(line, std::min(asked.every, line.pixels));
+    if (u.size() != std::size_t(line.pixels)) return;
+    out.insert(out.end(), u.begin(), u.end());
+  }
+}
+
+std::function<void()> prepare(RecordReader& in) {
+  return [asked = read(in)] {
+    for (const Line& line : asked.lines) span_coordinates(line, std::min(asked.every, line.pixels));
+  };
+}
+
+}  // namespace
+}  // namespace lab_08
+
+std::vector<glassbox::labs::StageFunction> glassbox::labs::stage_functions() {
+  return {{"measured", lab_08::answer, lab_08::prepare}};
+}

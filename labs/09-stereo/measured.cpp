@@ -1,0 +1,76 @@
+// Lab 9 in the chart of D-10: what both eyes' pictures lose where the student's function culls.
+#include <memory>
+
+#include "labs/measuring/measuring.h"
+#include "study/experiments/d10_lost.h"
+
+#include <glassbox/mesh/builtin/forest.h>
+
+namespace glassbox::labs {
+
+namespace {
+
+using namespace study::d10;
+
+constexpr double kCull = 2;  // lab_09::Verdict
+
+// All triangles, draw after draw.
+Numbers question(const Eyes& eyes) {
+  Numbers numbers;
+  for (std::size_t draw = 0; draw < eyes.list.draws.size(); ++draw) {
+    const Draw& d = eyes.list.draws[draw];
+    for (const Triangle& triangle : d.triangulation->triangles) {
+      for (const std::uint32_t corner : triangle.corners) {
+        const std::uint32_t position = d.mesh->corners[corner].position;
+        const Point<Clip>&left = eyes.left_clip[draw].positions[position],
+              &right = eyes.right_clip[draw].positions[position];
+        numbers.insert(numbers.end(), {double(left.x), double(right.x), double(left.y),
+                                       double(left.z), double(left.w)});
+      }
+    }
+  }
+  return numbers;
+}
+
+Result<double> lost(const Ask& ask, const Eyes& eyes) {
+  const auto answers = ask({question(eyes)});
+  if (!answers) return tl::unexpected(answers.error());
+  std::vector<KeptOfDraw> kept(eyes.list.draws.size());
+  std::size_t at = 0;
+  for (std::size_t draw = 0; draw < kept.size(); ++draw) {
+    for (std::size_t i = 0; i < eyes.list.draws[draw].triangulation->triangles.size(); ++i) {
+      const double verdict = number_of(answers->front(), at++);
+      if (verdict != verdict) return verdict;
+      kept[draw].left.push_back(verdict != kCull);
+    }
+  }
+  return lost_columns(eyes, kept);
+}
+
+std::vector<MeasuredPlace> places() {
+  std::vector<MeasuredPlace> all;
+  const auto add = [&](const char* scene, std::shared_ptr<const Eyes> eyes, double share) {
+    const Numbers timed = question(*eyes);
+    all.push_back({"yours", 100 * share, scene, "",
+                   [eyes](const Ask& ask) { return lost(ask, *eyes); }, timed,
+                   double(timed.size() / 15)});
+  };
+  const View view = centre_view();
+  for (const double share : {0.01, 0.03, 0.1}) {
+    const StereoPair pair{share * kWindow, kWindow};
+    add("strips in front of the window", make_eyes(strips(6), view, pair), share);
+    add("strips behind the window", make_eyes(strips(60), view, pair), share);
+    Scene forest = make_forest();
+    const View standing = make_view(forest.cameras.front(), kWidth, kHeight).value();
+    add("forest", make_eyes(std::move(forest), standing, pair), share);
+  }
+  return all;
+}
+
+}  // namespace
+
+LabMeasure measured_09() {
+  return {"D-10", "cull", places};
+}
+
+}  // namespace glassbox::labs

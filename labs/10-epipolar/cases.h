@@ -1,0 +1,304 @@
+// The inputs of lab 10, the same on both sides.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <glassbox/base/random.h>
+
+#include "labs/framework/vary.h"
+#include "student.h"
+
+namespace lab_10 {
+
+// The rotation of the quaternion (w, x, y, z), of any length.
+inline Matrix turned_by(double w, double x, double y, double z) {
+  const double n = w * w + x * x + y * y + z * z;
+  return {
+      {{(w * w + x * x - y * y - z * z) / n, 2 * (x * y - w * z) / n, 2 * (x * z + w * y) / n},
+       {2 * (x * y + w * z) / n, (w * w - x * x + y * y - z * z) / n, 2 * (y * z - w * x) / n},
+       {2 * (x * z - w * y) / n, 2 * (y * z + w * x) / n, (w * w - x * x - y * y + z * z) / n}}};
+}
+inline Matrix not_turned() {
+  return turned_by(1, 0, 0, 0);
+}
+
+// The three scenarios of the slides.
+inline Pose parallel_pose() {
+  return {not_turned(), {0.5, 0, 0}};
+}
+inline Pose converging_pose() {
+  return {turned_by(15, 0, 1, 0), {1, 0, 0.125}};  // both look at what is some 8 away
+}
+inline Pose arbitrary_pose() {
+  return {turned_by(12, 1, -2, 1.5), {0.8, -0.3, 0.4}};
+}
+inline Pose random_pose(glassbox::Random& random) {
+  const double x = random.between(-0.15, 0.15), y = random.between(-0.15, 0.15);
+  const Matrix rotation = turned_by(1, x, y, random.between(-0.15, 0.15));
+  const double right = random.between(0.4, 1), down = random.between(-0.4, 0.4);
+  return {rotation, {right, down, random.between(-0.4, 0.4)}};
+}
+
+// ---- essential matrices (task 10.1) ----
+
+struct PoseCase {
+  const char* what;
+  Pose pose;
+};
+inline std::vector<PoseCase> poses() {
+  return {{"parallel axes", parallel_pose()},
+          {"converging axes", converging_pose()},
+          {"any two cameras", arbitrary_pose()}};
+}
+// BEGIN HIDDEN
+inline std::vector<PoseCase> hidden_poses() {
+  return glassbox::labs::with_varied(
+      std::vector<PoseCase>{{"one camera ahead of the other", {not_turned(), {0, 0, 2}}},
+                            {"a quarter turn", {turned_by(1, 0, 0, 1), {0.3, 0.7, -1.1}}},
+                            {"one point of view", {turned_by(9, 1, 2, -1), {0, 0, 0}}},
+                            {"far apart", {turned_by(3, -1, 2, 1), {700, -300, 90}}}},
+      101, 3, [](glassbox::Random& random) {
+        return PoseCase{"any two cameras", random_pose(random)};
+      });
+}
+// END HIDDEN
+
+// ---- epipolar lines (task 10.2) ----
+
+struct LineCase {
+  const char* what;
+  Matrix essential;
+  Camera left, right;
+  Pixel pixel;
+};
+
+// R S, for the inputs: a student's own is asked for elsewhere.
+inline Matrix given_essential(const Pose& pose) {
+  Matrix e{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector& r = pose.rotation[i];
+    const Vector& t = pose.translation;
+    e[i] = {r[1] * t[2] - r[2] * t[1], r[2] * t[0] - r[0] * t[2], r[0] * t[1] - r[1] * t[0]};
+  }
+  return e;
+}
+
+inline std::vector<LineCase> lines() {
+  const Camera same{800, 320, 240}, wide{500, 310, 250};
+  return {{"parallel axes: the pixel's own row",
+           given_essential(parallel_pose()),
+           same,
+           same,
+           {100, 77}},
+          {"converging axes", given_essential(converging_pose()), same, same, {500, 100}},
+          {"any two cameras, unlike ones",
+           given_essential(arbitrary_pose()),
+           same,
+           wide,
+           {220.5, 400.5}}};
+}
+// BEGIN HIDDEN
+inline std::vector<LineCase> hidden_lines() {
+  const Camera same{800, 320, 240}, long_lens{2400, 960, 540};
+  return glassbox::labs::with_varied(
+      std::vector<LineCase>{
+          {"a column: the right camera stands above the left one",
+           given_essential({not_turned(), {0, -0.5, 0}}),
+           same,
+           same,
+           {100, 77}},
+          {"the epipole itself: there is no line",
+           given_essential({not_turned(), {0, 0, 2}}),
+           same,
+           same,
+           {320, 240}},
+          {"a row, of a matrix with the other sign",
+           given_essential({not_turned(), {-0.5, 0, 0}}),
+           same,
+           same,
+           {100, 77}},
+          {"a long lens to the left",
+           given_essential(arbitrary_pose()),
+           long_lens,
+           same,
+           {1700, 12}},
+          {"beside the picture", given_essential(converging_pose()), same, same, {-4000, 2500}}},
+      102, 3, [](glassbox::Random& random) {
+        const Matrix e = given_essential(random_pose(random));
+        const Camera left{random.between(300, 900), random.between(200, 400), 240};
+        const Camera right{random.between(300, 900), random.between(200, 400), 240};
+        return LineCase{
+            "any two cameras", e, left, right, {random.between(0, 640), random.between(0, 480)}};
+      });
+}
+// END HIDDEN
+
+// ---- points (task 10.3) ----
+
+struct PointsCase {
+  const char* what;
+  std::vector<Pixel> points;
+};
+inline std::vector<PointsCase> points() {
+  return {{"two points", {{0, 0}, {2, 0}}},
+          {"a square beside the origin", {{10, 20}, {14, 20}, {14, 24}, {10, 24}}},
+          {"five points", {{0.1, -0.2}, {0.4, 0.3}, {-0.25, 0.15}, {0.05, 0.6}, {-0.3, -0.45}}}};
+}
+// BEGIN HIDDEN
+inline std::vector<PointsCase> hidden_points() {
+  glassbox::Random random = glassbox::labs::varied(103);
+  PointsCase pixels{"forty pixels", {}};
+  for (int i = 0; i < 40; ++i) {
+    const double x = random.between(0, 640);
+    pixels.points.push_back({x, random.between(0, 480)});
+  }
+  return {pixels,
+          {"a column", {{7, 1}, {7, 2}, {7, 5}}},
+          {"far away", {{1e6, 1e6}, {1e6 + 1, 1e6 - 3}}}};
+}
+// END HIDDEN
+
+// ---- matches (tasks 10.4 and 10.5) ----
+
+struct MatchesCase {
+  std::string what;
+  Pose pose;  // of the cameras; of the matches no more than the noise lets through
+  std::vector<Match> matches;
+};
+
+// Points up to `farthest` away that both cameras have before them, their calibrated coordinates off by up to `noise`.
+inline MatchesCase seen_by(const std::string& what, const Pose& pose, int count, double noise,
+                           std::uint64_t seed, double farthest = 9) {
+  glassbox::Random random(seed);
+  const auto off = [&] { return random.between(-noise, noise); };
+  MatchesCase made{what, pose, {}};
+  while (int(made.matches.size()) < count) {
+    const double x = random.between(-0.5, 0.5), y = random.between(-0.4, 0.4);
+    const double z = random.between(2, farthest);
+    const Vector from_right = plus({x * z, y * z, z}, times(-1, pose.translation));
+    const Vector p = times(pose.rotation, from_right);
+    if (!(p[2] > 0.5)) continue;
+    const double left_x = x + off(), left_y = y + off();
+    const double right_x = p[0] / p[2] + off();
+    made.matches.push_back({{left_x, left_y}, {right_x, p[1] / p[2] + off()}});
+  }
+  return made;
+}
+
+inline std::vector<MatchesCase> matches() {
+  return {seen_by("eight exact matches", arbitrary_pose(), 8, 0, 1),
+          seen_by("thirty exact matches of converging cameras", converging_pose(), 30, 0, 2),
+          seen_by("thirty matches with noise", arbitrary_pose(), 30, 2e-3, 3),
+          seen_by("twelve with more of it", converging_pose(), 12, 5e-3, 4)};
+}
+// BEGIN HIDDEN
+inline std::vector<MatchesCase> hidden_matches() {
+  return glassbox::labs::with_varied(
+      std::vector<MatchesCase>{
+          seen_by("a camera ahead of the other", {turned_by(20, 1, 0.5, 1), {0.2, 0.1, 0.9}}, 40,
+                  1e-3, 5),
+          seen_by("a quarter turn about the gaze", {turned_by(1, 0, 0, 1), {0.7, 0.2, 0.1}}, 20,
+                  1e-3, 6),
+          seen_by("a hundred matches, much noise", arbitrary_pose(), 100, 1e-2, 7)},
+      104, 3, [](glassbox::Random& random) {
+        const Pose pose = random_pose(random);
+        return seen_by("any two cameras", pose, 40, 1e-3, random.bits());
+      });
+}
+// END HIDDEN
+
+struct ChoiceCase {
+  std::string what;
+  Matrix essential;
+  std::vector<Match> matches;
+};
+inline ChoiceCase choice(const std::string& what, const Pose& pose, double sign, int count,
+                         std::uint64_t seed) {
+  const Matrix e = given_essential(pose);
+  return {what,
+          {times(sign, e[0]), times(sign, e[1]), times(sign, e[2])},
+          seen_by(what, pose, count, 0, seed).matches};
+}
+inline std::vector<ChoiceCase> choices() {
+  return {choice("converging cameras", converging_pose(), 1, 10, 11),
+          choice("the same with the other sign of E", converging_pose(), -1, 10, 11),
+          choice("any two cameras", arbitrary_pose(), 1, 10, 12),
+          choice("the right camera stands to the left",
+                 {turned_by(15, 0, -1, 0.5), {-0.6, 0.1, 0.1}}, -1, 10, 13)};
+}
+// BEGIN HIDDEN
+inline std::vector<ChoiceCase> hidden_choices() {
+  std::vector<ChoiceCase> all{
+      choice("a quarter turn", {turned_by(1, 0, 0, 1), {0.3, 0.7, -0.2}}, 1, 9, 14),
+      choice("behind the other, E of any size", {turned_by(30, 1, 0, 1), {1, 5, -30}}, -1, 9, 15),
+      choice("one match", arbitrary_pose(), 1, 1, 16)};
+  // In every direction, so that the other poses have the points behind the left camera, and behind the right one.
+  const std::vector<Vector> directions{{0.1, 0.9, 0.1},  {0.1, -0.9, 0.1}, {0.2, 0.1, -1},
+                                       {-0.9, 0.3, 0.2}, {0.1, 0.2, 1},    {0.6, 0.6, -0.5}};
+  for (std::size_t i = 0; i < directions.size(); ++i)
+    all.push_back(
+        choice("to all sides", {turned_by(10, 1, -0.5, 0.7), directions[i]}, 1, 9, 20 + i));
+  ChoiceCase wrong = choice("one wrong match of nine", arbitrary_pose(), 1, 9, 17);
+  wrong.matches[0].right.x = wrong.matches[0].right.x + 0.9;
+  all.push_back(wrong);
+  return glassbox::labs::with_varied(all, 105, 3, [](glassbox::Random& random) {
+    const Pose pose = random_pose(random);
+    return choice("any two cameras", pose, random.unit() < 0.5 ? 1 : -1, 12, random.bits());
+  });
+}
+// END HIDDEN
+
+// ---- lines of sight (task 10.6) ----
+
+struct RaysCase {
+  const char* what;
+  Pixel left, right;
+  Pose pose;
+};
+inline Pixel seen_from_right(const Pose& pose, const Vector& point) {
+  const Vector p = times(pose.rotation, plus(point, times(-1, pose.translation)));
+  return {p[0] / p[2], p[1] / p[2]};
+}
+inline std::vector<RaysCase> rays() {
+  const Vector point{0.5, -0.25, 4};
+  return {{"lines that meet",
+           {0.125, -0.0625},
+           seen_from_right(arbitrary_pose(), point),
+           arbitrary_pose()},
+          {"lines that pass each other", {0.125, -0.0625}, {0.02, 0.05}, converging_pose()},
+          {"parallel axes, another row", {0.25, 0.125}, {0.125, 0.25}, parallel_pose()},
+          {"parallel lines (C-107)", {0.25, 0.125}, {0.25, 0.125}, parallel_pose()},
+          {"a point behind both cameras", {0.125, 0}, {0.25, 0}, parallel_pose()}};
+}
+// BEGIN HIDDEN
+// Both cameras look at what is infinitely far; rounding leaves them a little apart.
+inline RaysCase parallel_rays(const char* what, const Pose& pose) {
+  const Vector p = times(pose.rotation, Vector{0.3, -0.2, 1});
+  return {what, {0.3, -0.2}, {p[0] / p[2], p[1] / p[2]}, pose};
+}
+inline std::vector<RaysCase> hidden_rays() {
+  return glassbox::labs::with_varied(
+      std::vector<RaysCase>{
+          {"a short baseline (C-109)", {0.3, 0.2}, {0.2999, 0.2001}, {not_turned(), {1e-3, 0, 0}}},
+          {"along the baseline (C-108)", {0.01, 0.02}, {0.0125, 0.024}, {not_turned(), {0, 0, 1}}},
+          {"nearly perpendicular", {0.5, 0.1}, {-0.5, 0.2}, {turned_by(2, 0, 1, 0), {3, 0, 1}}},
+          {"cameras that look at each other",
+           {0.1, 0.05},
+           {0.12, -0.04},
+           {turned_by(0, 0, 1, 0), {0, 0, 9}}},
+          parallel_rays("parallel lines of turned cameras", arbitrary_pose()),
+          parallel_rays("the same, turned further", {turned_by(3, -1, 2, 1), {0.5, 0.5, 0}}),
+          parallel_rays("the same, to the other side", {turned_by(7, 2, -1, -1), {1, 0, 0.5}})},
+      106, 3, [](glassbox::Random& random) {
+        const Pose pose = random_pose(random);
+        const double x = random.between(-0.4, 0.4), y = random.between(-0.4, 0.4);
+        const double z = random.between(2, 9);
+        Pixel right = seen_from_right(pose, {x * z, y * z, z});
+        right.y += random.between(-0.01, 0.01);
+        return RaysCase{"any lines of sight", {x, y}, right, pose};
+      });
+}
+// END HIDDEN
+
+}  // namespace lab_10

@@ -1,0 +1,130 @@
+#include "labs/10-epipolar/reference.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <glassbox/base/rounding.h>
+
+#include "views/two_view/linear_fit.h"
+
+namespace glassbox::labs::epipolar {
+
+using views::Matrix3d;
+using views::Vector3d;
+
+namespace {
+
+constexpr double u = unit_roundoff<double>;
+
+Matrix3d calibration_of(const lab_10::Camera& camera) {
+  Matrix3d k;
+  k << camera.f, 0, camera.x, 0, camera.f, camera.y, 0, 0, 1;
+  return k;
+}
+
+Vector3d seen_at(const lab_10::Camera& camera, const lab_10::Pixel& pixel) {
+  return {(pixel.x - camera.x) / camera.f, (pixel.y - camera.y) / camera.f, 1};
+}
+
+}  // namespace
+
+Matrix3d matrix_of(const lab_10::Matrix& m) {
+  Matrix3d made;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column)
+      made(row, column) = m[std::size_t(row)][std::size_t(column)];
+  }
+  return made;
+}
+
+Vector3d vector_of(const lab_10::Vector& v) {
+  return {v[0], v[1], v[2]};
+}
+
+views::RelativePose pose_of(const lab_10::Pose& pose) {
+  return {matrix_of(pose.rotation), vector_of(pose.translation)};
+}
+
+views::Matches matches_of(const std::vector<lab_10::Match>& matches) {
+  views::Matches made;
+  for (const lab_10::Match& m : matches)
+    made.push_back({{m.left.x, m.left.y}, {m.right.x, m.right.y}});
+  return made;
+}
+
+std::vector<double> entries_of(const Matrix3d& m) {
+  std::vector<double> entries;
+  for (int i = 0; i < 9; ++i) entries.push_back(m(i / 3, i % 3));
+  return entries;
+}
+
+Matrix3d told(const Matrix3d& m) {
+  double largest = 0;
+  for (const double x : entries_of(m)) {
+    if (std::abs(x) > std::abs(largest)) largest = x;
+  }
+  return m / (largest < 0 ? -m.norm() : m.norm());
+}
+
+// The solution of the system turns by the system's rounding, some 20 u of sigma_1 with either solver, over the gap of its last two
+// singular values. Carried back, |T_r| |T_l| times that, of a matrix of the size that comes out; the nearest essential matrix turns
+// by no more than four times what its argument does while that is near one, and telling doubles it.
+LinearSolution solve(const views::Matches& calibrated) {
+  const auto normal = views::normalised(calibrated);
+  if (!normal) return {};
+  const auto fit = views::linear_fit(normal->matches);
+  if (!fit) return {};
+  const auto carried_back = [&](const Matrix3d& m) {
+    return Matrix3d(normal->right.transpose() * m * normal->left);
+  };
+  const Matrix3d carried = carried_back(fit->matrix);
+  LinearSolution solution;
+  solution.essential = told(views::nearest_essential(carried));
+  solution.not_carried_back = told(views::nearest_essential(fit->matrix));
+  solution.made_rank_two_first = told(carried_back(views::nearest_essential(fit->matrix)));
+  const auto& sigma = fit->singular_values;
+  solution.condition = sigma[0] / (sigma[7] - sigma[8]);
+  const double larger = std::max(1.0, normal->right.norm() * normal->left.norm() / carried.norm());
+  solution.bound = 20 * u * solution.condition * larger * 4 * 2;
+  return solution;
+}
+
+// u = E p takes 5 u |E| |p| of rounding, c three products with the camera's numbers of as much, and all are divided by |(u_x, u_y)|.
+double bound_of_line(const lab_10::Matrix& essential, const lab_10::Camera& left,
+                     const lab_10::Camera& right, const lab_10::Pixel& pixel) {
+  const Matrix3d e = matrix_of(essential);
+  const Vector3d seen = seen_at(left, pixel), line = e * seen;
+  const double size = line.head<2>().norm();
+  if (size == 0) return 0;
+  const double largest = std::max({right.f, std::abs(right.x), std::abs(right.y)});
+  return 64 * u * (1 + largest) * e.norm() * seen.norm() / size;
+}
+
+lab_10::Line line_of(const lab_10::Matrix& essential, const lab_10::Camera& left,
+                     const lab_10::Camera& right, const lab_10::Pixel& pixel) {
+  const Vector3d seen = matrix_of(essential) * seen_at(left, pixel);
+  Vector3d line = calibration_of(right).inverse().transpose() * seen;
+  const double size = line.head<2>().norm();
+  if (size == 0) return {};
+  line /= line.y() < 0 || (line.y() == 0 && line.x() < 0) ? -size : size;
+  return {line.x(), line.y(), line.z()};
+}
+
+views::Triangulated point_of(const views::Rays& rays, const views::RelativePose& pose) {
+  return views::midpoint(rays, pose);
+}
+
+// Both factors along the lines are quotients of sums of products by |d x e|^2, whose terms cancel by the sine squared.
+double bound_of_point(const views::Rays& rays, const views::RelativePose& pose,
+                      const views::Triangulated& point) {
+  if (!point.is_finite()) return 0;
+  const Vector3d d = rays.left.normalized();
+  const Vector3d e = (pose.rotation.transpose() * rays.right).normalized();
+  const double size = point.point.head<3>().norm() + pose.translation.norm();
+  return 64 * u * size / d.cross(e).squaredNorm();
+}
+
+}  // namespace glassbox::labs::epipolar

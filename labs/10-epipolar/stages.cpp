@@ -1,0 +1,81 @@
+// Puts the matches and pixels of a pair of pictures to your functions.
+#include "labs/framework/stages.h"
+#include "student.h"
+
+namespace lab_10 {
+namespace {
+
+using glassbox::labs::Numbers;
+using glassbox::labs::RecordReader;
+
+Vector vector(RecordReader& in) {
+  const double x = in.number(), y = in.number();
+  return {x, y, in.number()};
+}
+Matrix matrix(RecordReader& in) {
+  const Vector first = vector(in), second = vector(in);
+  return {first, second, vector(in)};
+}
+Pixel pixel(RecordReader& in) {
+  const double x = in.number();
+  return {x, in.number()};
+}
+std::vector<Match> matches(RecordReader& in) {
+  std::vector<Match> all;
+  while (in.more()) {
+    const Pixel left = pixel(in);
+    all.push_back({left, pixel(in)});
+  }
+  return all;
+}
+void append(Numbers& out, const Vector& v) {
+  out.insert(out.end(), v.begin(), v.end());
+}
+void append(Numbers& out, const Matrix& m) {
+  for (const Vector& row : m) append(out, row);
+}
+
+// Calibrated matches: left x, y, right x, y of each. E, of length 1.
+void matrix_stage(RecordReader& in, Numbers& out) {
+  append(out, told(eight_point(matches(in))));
+}
+
+// E and calibrated matches. R and T.
+void pose_stage(RecordReader& in, Numbers& out) {
+  const Matrix e = matrix(in);
+  const Pose pose = relative_pose(e, matches(in));
+  append(out, pose.rotation);
+  append(out, pose.translation);
+}
+
+// E, f, x, y of both cameras, pixels. a, b, c of each.
+void lines_stage(RecordReader& in, Numbers& out) {
+  const Matrix e = matrix(in);
+  const Vector left = vector(in), right = vector(in);
+  while (in.more()) {
+    const Line l =
+        epipolar_line(e, {left[0], left[1], left[2]}, {right[0], right[1], right[2]}, pixel(in));
+    append(out, Vector{l.a, l.b, l.c});
+  }
+}
+
+// R, T, calibrated matches. x, y, z, w of each.
+void points_stage(RecordReader& in, Numbers& out) {
+  const Matrix rotation = matrix(in);
+  const Pose pose{rotation, vector(in)};
+  for (const Match& match : matches(in)) {
+    const Point p = triangulate(match.left, match.right, pose);
+    out.insert(out.end(), {p.x, p.y, p.z, p.w});
+  }
+}
+
+}  // namespace
+}  // namespace lab_10
+
+std::vector<glassbox::labs::StageFunction> glassbox::labs::stage_functions() {
+  using namespace lab_10;
+  return {{"matrix", matrix_stage},
+          {"pose", pose_stage},
+          {"lines", lines_stage},
+          {"points", points_stage}};
+}

@@ -1,0 +1,168 @@
+// What is expected of lab 11: definitions written out (reference.h), of whole numbers but for parts of a pixel and depths.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "labs/11-matching/cases.h"
+#include "labs/11-matching/reference.h"
+#include "labs/framework/lab.h"
+
+namespace glassbox::labs {
+
+namespace {
+
+using namespace lab_11;
+
+std::vector<double> doubles(const std::vector<int>& values) {
+  return {values.begin(), values.end()};
+}
+
+// Some numbers of a list, for a report.
+template <class T>
+std::string text_of(const std::vector<T>& values) {
+  constexpr std::size_t kMost = 24;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(values.size(), kMost); ++i)
+    text += fmt::format("{}{}", i == 0 ? "" : ", ", values[i]);
+  return text + (values.size() > kMost ? ", ..." : "");
+}
+
+std::string text_of(const std::vector<Place>& places) {
+  std::string text;
+  for (const Place& p : places) {
+    if (text.size() > 200) return text + ", ...";
+    text += fmt::format("{}({}, {}) d {}", text.empty() ? "" : ", ", p.x, p.y, p.d);
+  }
+  return text;
+}
+
+// What a case's text says of an extreme case with three digits, "... (C-107)", as the line that shows it (command_for of lab.h).
+std::string command_of(const std::string& what) {
+  const std::size_t id = what.find("(C-");
+  if (id == std::string::npos) return "";
+  return "\nglassbox study extremes --case " + what.substr(id + 1, what.find(')', id) - id - 1);
+}
+
+std::string restated(const std::string& what, std::string text) {
+  return std::move(text) + command_of(what);
+}
+
+Case expect_square(const SadCase& input) {
+  const auto expected = [&](const matching::Sides& sides) {
+    std::vector<double> sums;
+    for (const Place& p : input.places)
+      sums.push_back(matching::sad(sides, p.x, p.y, p.d, input.radius));
+    return std::vector{numbers("sums", sums)};
+  };
+  return {.where = input.what,
+          .restated = fmt::format("pictures of {} x {}, radius {}, at {}", input.left.width,
+                                  input.left.height, input.radius, text_of(input.places)),
+          .expected = expected({&input.left, &input.right, -1}),
+          .slipped = {{"left-right", expected({&input.right, &input.left, -1})},
+                      {"disparity-sign", expected({&input.left, &input.right, 1})}}};
+}
+
+Case expect_word(const CensusCase& input) {
+  std::vector<double> words;
+  for (const Place& p : input.places) words.push_back(matching::census(input.picture, p.x, p.y));
+  std::string text = fmt::format("a picture of {} x {}", input.picture.width, input.picture.height);
+  const Place& first = input.places.front();
+  text += fmt::format("; around ({}, {}), row by row:", first.x, first.y);
+  for (int j = -2; j <= 2; ++j) {
+    text += "\n ";
+    for (int i = -2; i <= 2; ++i)
+      text += fmt::format(" {:3}", input.picture.at(first.x + i, first.y + j));
+  }
+  return {input.what, text, {numbers("words", words)}};
+}
+
+Case expect_bits(const HammingCase& input) {
+  return {input.what,
+          fmt::format("{:#026b} and {:#026b}", input.a, input.b),
+          {numbers("bits", {double(matching::hamming(input.a, input.b))})}};
+}
+
+Case expect_path(const PathCase& input) {
+  const auto sums = matching::along_path(input.costs, input.disparities, input.p1, input.p2);
+  return {input.what,
+          fmt::format("{} disparities, P1 {}, P2 {}; costs {}", input.disparities, input.p1,
+                      input.p2, text_of(input.costs)),
+          {matrix("sums", input.disparities, doubles(sums))}};
+}
+
+// The quotient is of whole numbers, at most 1/2, and is added to d: two roundings on either side.
+Case expect_best(const WinnerCase& input) {
+  const double d = matching::winner(input.costs);
+  return {input.what,
+          restated(input.what, "costs " + text_of(input.costs)),
+          {numbers("disparity", {d}, std::isinf(d) ? 0 : matching::kWinnerBound * (1 + d), "px")}};
+}
+
+Case expect_row(const RowCase& input) {
+  const auto expected = [&](int step) {
+    return std::vector{numbers(
+        "disparities", matching::right_winners(input.costs, input.width, input.disparities, step))};
+  };
+  return {.where = input.what,
+          .restated = fmt::format("{} pixels, {} disparities; costs {}", input.width,
+                                  input.disparities, text_of(input.costs)),
+          .expected = expected(-1),
+          .slipped = {{"disparity-sign", expected(1)}}};
+}
+
+Case expect_confirmed(const CheckCase& input) {
+  const auto expected = [&](int step) {
+    return std::vector{numbers(
+        "disparities", matching::left_right_check(input.left, input.right, input.tolerance, step))};
+  };
+  return {.where = input.what,
+          .restated = restated(input.what,
+                               fmt::format("left {}; right {}; tolerance {}", text_of(input.left),
+                                           text_of(input.right), input.tolerance)),
+          .expected = expected(-1),
+          .slipped = {{"disparity-sign", expected(1)}}};
+}
+
+// A sum, a product and a quotient round.
+Case expect_depth(const DepthCase& input) {
+  const double z = matching::depth(input.disparity, input.calibration);
+  return {input.what,
+          restated(input.what, fmt::format("d = {}, f = {}, B = {}, offset {}", input.disparity,
+                                           input.calibration.focal, input.calibration.baseline,
+                                           input.calibration.offset)),
+          {numbers("depth", {z}, std::isinf(z) ? 0 : matching::kDepthBound * z, "world units")}};
+}
+
+}  // namespace
+
+Lab lab_11() {
+  return {11,
+          "11-matching",
+          "Two pictures: dense matching",
+          {{"11.1", "How unlike two squares are", 15},
+           {"11.2", "What a change of brightness leaves alone", 15},
+           {"11.3", "Smoothness along a path", 25},
+           {"11.4", "The disparity that costs least", 15},
+           {"11.5", "What both pictures agree on", 15},
+           {"11.6", "How far away it is", 15}},
+          {check("how unlike two squares are", "11.1", "screen", squares, expect_square),
+           hidden_check("other squares", "11.1", "screen", hidden_squares, expect_square),
+           check("census words", "11.2", "screen", words, expect_word),
+           check("bits that differ", "11.2", "screen", pairs_of_words, expect_bits),
+           hidden_check("other census words", "11.2", "screen", hidden_words, expect_word),
+           hidden_check("other bits", "11.2", "screen", hidden_pairs_of_words, expect_bits),
+           check("costs along a path", "11.3", "screen", paths, expect_path),
+           hidden_check("other paths", "11.3", "screen", hidden_paths, expect_path),
+           check("the disparity that costs least", "11.4", "screen", winners, expect_best),
+           hidden_check("other costs", "11.4", "screen", hidden_winners, expect_best),
+           check("what the right pixels win", "11.5", "screen", rows, expect_row),
+           check("what both pictures agree on", "11.5", "screen", pairs_of_rows, expect_confirmed),
+           hidden_check("other right pixels", "11.5", "screen", hidden_rows, expect_row),
+           hidden_check("other rows", "11.5", "screen", hidden_pairs_of_rows, expect_confirmed),
+           check("how far away it is", "11.6", "eye", depths, expect_depth),
+           hidden_check("other disparities", "11.6", "eye", hidden_depths, expect_depth)}};
+}
+
+}  // namespace glassbox::labs

@@ -1,0 +1,350 @@
+// Lab 11 in a picture: how far away things are, matched by the student's functions from two pictures that the rasterizer draws. The
+// pair is small, so that every cost of it can go to the student's process and back; each of its pixels becomes a square.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "labs/11-matching/reference.h"
+#include "labs/drawing/drawing.h"
+#include "views/matching/pictures.h"
+#include "views/matching/rendered.h"
+
+namespace glassbox::labs {
+
+namespace {
+
+using lab_11::kNever;
+using lab_11::kNone;
+using lab_11::Picture;
+
+constexpr int kLargestSide = 128;  // px, of the pair
+constexpr int kMostDisparities = 48;
+constexpr int kReach = 2;                   // rows above and below that a cost looks at
+constexpr double kStep = 120, kJump = 700;  // P1 and P2
+constexpr double kTolerance = 1;            // px
+
+// ---- the reference: questions as stages.cpp reads them ----
+
+Picture picture(RecordReader& in, int width, int height) {
+  Picture made{width, height, {}};
+  for (int i = 0; i < width * height; ++i) made.grey.push_back(in.integer());
+  return made;
+}
+
+Numbers costs_stage(RecordReader& in) {
+  const int disparities = in.integer(), width = in.integer(), height = in.integer();
+  const int y = in.integer();
+  const Picture left = picture(in, width, height), right = picture(in, width, height);
+  const matching::Sides sides{&left, &right, -1};
+  std::vector<std::uint32_t> words;
+  for (int x = 0; x < width; ++x) words.push_back(matching::census(right, x, y));
+  Numbers out;
+  for (int x = 0; x < width; ++x) {
+    const std::uint32_t word = matching::census(left, x, y);
+    for (int d = 0; d < disparities; ++d) {
+      const int cost = matching::sad(sides, x, y, d, 1);
+      out.push_back(
+          cost >= kNever ? kNever : cost + 32 * matching::hamming(word, words[std::size_t(x - d)]));
+    }
+  }
+  return out;
+}
+
+std::vector<int> integers(RecordReader& in) {
+  std::vector<int> all;
+  while (in.more()) all.push_back(in.integer());
+  return all;
+}
+
+Numbers paths_stage(RecordReader& in) {
+  const int disparities = in.integer(), p1 = in.integer(), p2 = in.integer();
+  const auto sums = matching::along_path(integers(in), disparities, p1, p2);
+  return {sums.begin(), sums.end()};
+}
+
+Numbers left_stage(RecordReader& in) {
+  const int disparities = in.integer();
+  Numbers out;
+  while (in.more()) {
+    std::vector<int> costs;
+    for (int d = 0; d < disparities; ++d) costs.push_back(in.integer());
+    out.push_back(matching::winner(costs));
+  }
+  return out;
+}
+
+Numbers right_stage(RecordReader& in) {
+  const int disparities = in.integer();
+  const std::vector<int> costs = integers(in);
+  return matching::right_winners(costs, int(costs.size()) / disparities, disparities);
+}
+
+Numbers check_stage(RecordReader& in) {
+  const double tolerance = in.number();
+  const int width = in.integer();
+  Numbers left, right;
+  for (int x = 0; x < width; ++x) left.push_back(in.number());
+  for (int x = 0; x < width; ++x) right.push_back(in.number());
+  return matching::left_right_check(left, right, tolerance);
+}
+
+Numbers depth_stage(RecordReader& in) {
+  const double focal = in.number(), baseline = in.number();
+  const lab_11::Calibration calibration{focal, baseline, in.number()};
+  Numbers out;
+  while (in.more()) out.push_back(matching::depth(in.number(), calibration));
+  return out;
+}
+
+// ---- judgement ----
+
+// Numbers of pixels and disparities, exact.
+std::optional<WrongNumber> judge_costs(const Numbers& in, const Numbers& yours,
+                                       const Numbers& reference) {
+  const auto disparities = std::size_t(in[0]);
+  return first_wrong(
+      yours, reference, [](std::size_t) { return 0; }, "",
+      [&](std::size_t i) {
+        return fmt::format("pixel {}, disparity {}", i / disparities, i % disparities);
+      });
+}
+
+std::string pixel_name(std::size_t i) {
+  return fmt::format("pixel {}", i);
+}
+
+std::optional<WrongNumber> judge_left(const Numbers&, const Numbers& yours,
+                                      const Numbers& reference) {
+  return first_wrong(
+      yours, reference,
+      [&](std::size_t i) {
+        return std::isinf(reference[i]) ? 0 : matching::kWinnerBound * (1 + reference[i]);
+      },
+      "px", pixel_name);
+}
+
+std::optional<WrongNumber> judge_exactly(const Numbers&, const Numbers& yours,
+                                         const Numbers& reference) {
+  return first_wrong(
+      yours, reference, [](std::size_t) { return 0; }, "px", pixel_name);
+}
+
+std::optional<WrongNumber> judge_depth(const Numbers&, const Numbers& yours,
+                                       const Numbers& reference) {
+  return first_wrong(
+      yours, reference,
+      [&](std::size_t i) {
+        return std::isinf(reference[i]) ? 0 : matching::kDepthBound * reference[i];
+      },
+      "world units", pixel_name);
+}
+
+enum Stage : std::size_t { kCosts, kPaths, kLeft, kRight, kCheck, kDepth };
+const std::vector<DrawnStage>& stages() {
+  static const std::vector<DrawnStage> all{
+      {"costs", "screen", "sad, census, hamming", costs_stage, judge_costs},
+      {"paths", "screen", "along_path", paths_stage, judge_costs},
+      {"left", "screen", "winner", left_stage, judge_left},
+      {"right", "screen", "right_winners", right_stage, judge_exactly},
+      {"check", "screen", "left_right_check", check_stage, judge_exactly},
+      {"depths", "depth", "depth", depth_stage, judge_depth}};
+  return all;
+}
+
+// ---- the pair ----
+
+struct Pair {
+  Picture left, right;
+  int disparities = 1;
+  lab_11::Calibration calibration;
+  int square = 1;  // px of the picture for each of the pair's
+};
+
+Picture grey_of(const Image<Rgba8>& image) {
+  const views::Planes planes = views::planes_of(image);
+  return {image.width, image.height, {planes.grey.begin(), planes.grey.end()}};
+}
+
+// Eyes without skew, so that disparities begin at 0.
+Result<Pair> rendered(const Drawn& drawn) {
+  View view = drawn.view;
+  const int width = int(view.viewport.width()), height = int(view.viewport.height());
+  Pair pair;
+  pair.square = (std::max(width, height) + kLargestSide - 1) / kLargestSide;
+  view.viewport = {0, 0, float(std::max(1, width / pair.square)),
+                   float(std::max(1, height / pair.square))};
+  const StereoPair eyes{drawn.pair.half_separation};
+  const auto made = views::rendered_pair(drawn.scene, view, eyes, drawn.settings);
+  if (!made) return tl::unexpected(made.error());
+  pair.left = grey_of(made->left);
+  pair.right = grey_of(made->right);
+  pair.calibration = {made->calibration.focal_px, made->calibration.baseline, 0};
+  double nearest = 0;
+  for (const float d : made->truth.disparity.pixels) {
+    if (std::isfinite(d)) nearest = std::max(nearest, double(d));
+  }
+  pair.disparities = std::min(int(nearest) + 3, kMostDisparities);
+  return pair;
+}
+
+// ---- whole pictures of answers ----
+
+// So many numbers of each answer that what comes behind can be computed with.
+std::vector<Numbers> usable(std::vector<Numbers> answers, std::size_t count, double least,
+                            double most) {
+  for (Numbers& answer : answers) {
+    answer.resize(count);
+    for (double& x : answer) x = std::isnan(x) ? least : std::clamp(x, least, most);
+  }
+  return answers;
+}
+
+class Matching {
+public:
+  Matching(const Pair& pair, Answering& answering)
+      : pair_(pair),
+        answering_(answering),
+        width_(std::size_t(pair.left.width)),
+        height_(std::size_t(pair.left.height)),
+        count_(std::size_t(pair.disparities)) {}
+
+  Result<std::vector<Numbers>> depths() {
+    const auto costs = ask(kCosts, rows_of_pictures(), width_ * count_, 0, kNever);
+    if (!costs) return costs;
+    const auto sums = sums_of_paths(*costs);
+    if (!sums) return sums;
+    std::vector<Question> questions;
+    for (const Numbers& row : *sums) questions.push_back({with({double(count_)}, row)});
+    const auto left = ask(kLeft, questions, width_, 0, kNone);
+    if (!left) return left;
+    const auto right = ask(kRight, questions, width_, 0, kNone);
+    if (!right) return right;
+    for (std::size_t y = 0; y < height_; ++y)
+      questions[y].numbers = with(with({kTolerance, double(width_)}, (*left)[y]), (*right)[y]);
+    const auto checked = ask(kCheck, questions, width_, 0, kNone);
+    if (!checked) return checked;
+    const auto& c = pair_.calibration;
+    for (std::size_t y = 0; y < height_; ++y)
+      questions[y].numbers = with({c.focal, c.baseline, c.offset}, (*checked)[y]);
+    return ask(kDepth, questions, width_, 0, kNone);
+  }
+
+private:
+  static Numbers with(Numbers head, const Numbers& more) {
+    head.insert(head.end(), more.begin(), more.end());
+    return head;
+  }
+
+  Result<std::vector<Numbers>> ask(Stage stage, const std::vector<Question>& questions,
+                                   std::size_t count, double least, double most) {
+    auto answers = answering_.ask(stages()[stage], questions);
+    if (!answers) return answers;
+    return usable(std::move(*answers), count, least, most);
+  }
+
+  // Each with the rows around it that it looks at.
+  std::vector<Question> rows_of_pictures() const {
+    std::vector<Question> questions;
+    const int height = pair_.left.height;
+    for (int y = 0; y < height; ++y) {
+      const int top = std::max(0, y - kReach), end = std::min(height, y + kReach + 1);
+      Question question{{double(count_), double(width_), double(end - top), double(y - top)}};
+      for (const Picture* picture : {&pair_.left, &pair_.right}) {
+        const auto row = [&](int at) { return picture->grey.begin() + at * picture->width; };
+        question.numbers.insert(question.numbers.end(), row(top), row(end));
+      }
+      questions.push_back(std::move(question));
+    }
+    return questions;
+  }
+
+  // Along the rows both ways and along the columns both ways.
+  Result<std::vector<Numbers>> sums_of_paths(const std::vector<Numbers>& costs) {
+    std::vector<Numbers> sums(height_, Numbers(width_ * count_, 0));
+    for (const bool along_rows : {true, false}) {
+      for (const bool backwards : {false, true}) {
+        const std::size_t paths = along_rows ? height_ : width_;
+        const std::size_t length = along_rows ? width_ : height_;
+        // The costs of a path's pixel, in rows[y].
+        const auto cell = [&](auto& rows, std::size_t path, std::size_t step) {
+          const std::size_t at = backwards ? length - 1 - step : step;
+          const std::size_t x = along_rows ? at : path, y = along_rows ? path : at;
+          return rows[y].begin() + std::ptrdiff_t(x * count_);
+        };
+        std::vector<Question> questions;
+        for (std::size_t path = 0; path < paths; ++path) {
+          Question question{{double(count_), kStep, kJump}};
+          for (std::size_t step = 0; step < length; ++step) {
+            const auto from = cell(costs, path, step);
+            question.numbers.insert(question.numbers.end(), from, from + std::ptrdiff_t(count_));
+          }
+          questions.push_back(std::move(question));
+        }
+        const auto answers = ask(kPaths, questions, length * count_, 0, 1e9);
+        if (!answers) return answers;
+        for (std::size_t path = 0; path < paths; ++path) {
+          for (std::size_t step = 0; step < length; ++step) {
+            const auto to = cell(sums, path, step);
+            const auto from = (*answers)[path].begin() + std::ptrdiff_t(step * count_);
+            for (std::size_t d = 0; d < count_; ++d)
+              to[std::ptrdiff_t(d)] += from[std::ptrdiff_t(d)];
+          }
+        }
+      }
+    }
+    // Matches that cannot be have not become ones that can.
+    for (std::size_t y = 0; y < height_; ++y) {
+      for (std::size_t i = 0; i < sums[y].size(); ++i)
+        sums[y][i] = costs[y][i] >= kNever ? kNever : std::min<double>(sums[y][i], kNever - 1);
+    }
+    return sums;
+  }
+
+  const Pair& pair_;
+  Answering& answering_;
+  std::size_t width_, height_, count_;
+};
+
+// White at the largest disparity that is sought, black infinitely far, blue where nothing is known.
+Rgba8 shade_of(double depth, const Pair& pair) {
+  if (!std::isfinite(depth)) return {30, 40, 90, 255};
+  const double d = pair.calibration.focal * pair.calibration.baseline / depth;
+  const auto code = std::uint8_t(std::floor(std::clamp(255 * d / pair.disparities, 0.0, 255.0)));
+  return {code, code, code, 255};
+}
+
+Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
+  if (drawn.pair.half_separation == 0)
+    return fail("--eye-separation", "0: both eyes see the same, and no depth",
+                "give a separation above 0");
+  const auto pair = rendered(drawn);
+  if (!pair) return tl::unexpected(pair.error());
+  const auto depths = Matching(*pair, answering).depths();
+  if (!depths) return tl::unexpected(depths.error());
+
+  StandIn made{drawn.scene,
+               eye_view(drawn.view, {drawn.pair.half_separation}, Side::kLeft),
+               drawn.settings,
+               nullptr,
+               {}};
+  made.finish = [depths = *depths, pair = *pair](Framebuffer& picture) {
+    for (int y = 0; y < picture.color.height; ++y) {
+      const auto row = std::min(std::size_t(y / pair.square), depths.size() - 1);
+      for (int x = 0; x < picture.color.width; ++x) {
+        const auto column = std::min(std::size_t(x / pair.square), depths[row].size() - 1);
+        picture.color.at(x, y) = shade_of(depths[row][column], pair);
+      }
+    }
+  };
+  return made;
+}
+
+}  // namespace
+
+LabDrawing drawing_11() {
+  return {stages(), draw, ""};
+}
+
+}  // namespace glassbox::labs

@@ -1,0 +1,154 @@
+#include "labs/measuring/claim.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "study/experiment/pareto.h"
+#include "study/experiment/results_json.h"
+
+namespace glassbox::labs {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+bool is_one_of(const std::string& name, const std::vector<std::string>& all) {
+  return std::find(all.begin(), all.end(), name) != all.end();
+}
+
+// As results_json.h writes it.
+double number_in(const Json& value) {
+  if (value.is_number()) return value.get<double>();
+  const double infinity = std::numeric_limits<double>::infinity();
+  if (value == "infinity") return infinity;
+  return value == "-infinity" ? -infinity : std::numeric_limits<double>::quiet_NaN();
+}
+
+bool same_number(double a, double b) {
+  return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+std::string name_of(const ClaimedPoint& point) {
+  std::string name = fmt::format("{} at {:g}", point.series, point.parameter);
+  for (const std::string& more : {point.scene, point.measure}) {
+    if (!more.empty()) name += ", " + more;
+  }
+  return name;
+}
+
+ClaimedPoint point_of(const Json& json) {
+  ClaimedPoint point;
+  point.series = json.at("series").get<std::string>();
+  point.measure = json.value("measure", "");
+  point.scene = json.value("scene", "");
+  point.parameter = json.at("parameter").get<double>();
+  point.error = number_in(json.at("error"));
+  const Json& ns = json.at("ns_quartiles");
+  point.ns = {number_in(ns.at(0)), number_in(json.at("ns")), number_in(ns.at(1))};
+  point.faster_than = json.at("faster_than").get<std::vector<std::string>>();
+  point.slower_than = json.at("slower_than").get<std::vector<std::string>>();
+  return point;
+}
+
+void compare(const ClaimedPoint& claimed, const ClaimedPoint& measured,
+             std::vector<std::string>& found) {
+  const std::string name = name_of(claimed);
+  if (!same_number(claimed.error, measured.error))
+    found.push_back(
+        fmt::format("{}: the error is {:.6g}, not {:.6g}", name, measured.error, claimed.error));
+  for (const std::string& way : claimed.faster_than) {
+    if (is_one_of(way, measured.slower_than))
+      found.push_back(fmt::format("{}: slower than \"{}\", not faster", name, way));
+  }
+  for (const std::string& way : claimed.slower_than) {
+    if (is_one_of(way, measured.faster_than))
+      found.push_back(fmt::format("{}: faster than \"{}\", not slower", name, way));
+  }
+}
+
+}  // namespace
+
+Claim claim_of(const std::string& lab, const std::string& code, const study::Origin& origin,
+               const study::ExperimentResult& result, const std::vector<std::string>& series) {
+  Claim claim{lab, code, result.id, origin.machine, origin.version, {}};
+  for (const auto& each : result.configurations) {
+    const study::Timing* const mine = study::timing_of(each, 1);
+    if (!is_one_of(each.series, series) || mine == nullptr) continue;
+    ClaimedPoint point{each.series, each.measure, each.scene, each.parameter,
+                       each.error,  mine->ns,     {},         {}};
+    for (const auto& other : result.configurations) {
+      const study::Timing* const theirs = study::timing_of(other, 1);
+      if (is_one_of(other.series, series) || theirs == nullptr ||
+          !study::compete(result, each, other))
+        continue;
+      if (mine->ns.upper < theirs->ns.lower) point.faster_than.push_back(other.series);
+      if (theirs->ns.upper < mine->ns.lower) point.slower_than.push_back(other.series);
+    }
+    claim.points.push_back(std::move(point));
+  }
+  return claim;
+}
+
+Json claim_json(const Claim& claim) {
+  Json points = Json::array();
+  for (const ClaimedPoint& each : claim.points) {
+    Json point{{"series", each.series}};
+    if (!each.measure.empty()) point["measure"] = each.measure;
+    if (!each.scene.empty()) point["scene"] = each.scene;
+    point["parameter"] = each.parameter;
+    point["error"] = study::number_json(each.error);
+    point["ns"] = study::number_json(each.ns.median);
+    point["ns_quartiles"] = {study::number_json(each.ns.lower), study::number_json(each.ns.upper)};
+    point["faster_than"] = each.faster_than;
+    point["slower_than"] = each.slower_than;
+    points.push_back(std::move(point));
+  }
+  return {{"lab", claim.lab},         {"code", claim.code},       {"experiment", claim.experiment},
+          {"machine", claim.machine}, {"version", claim.version}, {"points", std::move(points)}};
+}
+
+Result<Claim> read_claim(const std::string& path, const std::string& text) {
+  try {
+    const Json json = Json::parse(text);
+    Claim claim{json.at("lab").get<std::string>(),
+                json.at("code").get<std::string>(),
+                json.at("experiment").get<std::string>(),
+                json.value("machine", ""),
+                json.value("version", ""),
+                {}};
+    for (const Json& each : json.at("points")) claim.points.push_back(point_of(each));
+    return claim;
+  } catch (const nlohmann::json::exception& error) {
+    return fail(path, fmt::format("is no measurement of a lab: {}", error.what()),
+                "glassbox lab measure FOLDER --json FILE writes one");
+  }
+}
+
+std::vector<std::string> contradictions(const Claim& claimed, const Claim& measured) {
+  std::vector<std::string> found;
+  if (claimed.lab != measured.lab)
+    found.push_back(fmt::format("it is of lab {}, not {}", claimed.lab, measured.lab));
+  if (claimed.experiment != measured.experiment)
+    found.push_back(
+        fmt::format("it is of {}, and {} was measured", claimed.experiment, measured.experiment));
+  if (!found.empty()) return found;
+  if (claimed.code != measured.code)
+    found.push_back("it is of another student.cpp than the one that was measured");
+  for (const ClaimedPoint& each : measured.points) {
+    const auto same =
+        std::find_if(claimed.points.begin(), claimed.points.end(),
+                     [&](const ClaimedPoint& other) { return name_of(other) == name_of(each); });
+    if (same == claimed.points.end()) {
+      found.push_back(fmt::format("{}: is missing", name_of(each)));
+    } else {
+      compare(*same, each, found);
+    }
+  }
+  return found;
+}
+
+}  // namespace glassbox::labs

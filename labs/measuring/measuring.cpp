@@ -1,0 +1,118 @@
+#include "labs/measuring/measuring.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace glassbox::labs {
+
+#define ENTRY(number) LabMeasure measured_##number();
+#include <measured.inc>  // ENTRY(01) and so on, for each lab that is measured (CMakeLists.txt)
+#undef ENTRY
+
+namespace {
+
+struct Entry {
+  const char* lab;
+  LabMeasure (*make)();
+};
+
+const std::vector<Entry>& entries() {
+  static const std::vector<Entry> all{
+#define ENTRY(number) {#number, measured_##number},
+#include <measured.inc>
+#undef ENTRY
+  };
+  return all;
+}
+
+// Both as timed.cpp has them.
+DrawnStage stage_of(const LabMeasure& lab) {
+  return {"measured", "", lab.functions, {}, {}};
+}
+
+// As the experiments' own times are judged (study/experiment/timing.h): one thread's time is the processor's, and a round in which the
+// thread had to wait for more than a twentieth of it is disturbed.
+Result<study::Timing> timing_of(const Numbers& taken, double items) {
+  constexpr double kMostWaiting = 0.05;
+  study::Timing timing;
+  timing.repetitions = int(taken.size() / 2);
+  std::vector<double> ns;
+  for (std::size_t i = 0; i + 1 < taken.size(); i += 2) {
+    const double processor = taken[i], wall = taken[i + 1];
+    if (!(processor >= 0 && processor < 1e18 && wall >= 0))
+      return fail("student.cpp", "something that is no time was written among the times", "");
+    ns.push_back(processor / items);
+    timing.disturbed += wall > (1 + kMostWaiting) * processor;
+  }
+  timing.ns = study::quartiles(std::move(ns));
+  return timing;
+}
+
+// What was not timed by itself has the times of its series at its place.
+void share_times(std::vector<study::ConfigurationResult>& all) {
+  const auto timed = all;
+  for (study::ConfigurationResult& each : all) {
+    if (!each.timings.empty()) continue;
+    const auto same = std::find_if(timed.begin(), timed.end(), [&](const auto& other) {
+      return !other.timings.empty() && other.series == each.series && other.scene == each.scene &&
+             other.parameter == each.parameter;
+    });
+    if (same != timed.end()) each.timings = same->timings;
+  }
+}
+
+}  // namespace
+
+std::optional<LabMeasure> measure_of(int lab) {
+  for (const Entry& entry : entries()) {
+    if (fmt::format("{:02}", lab) == entry.lab) return entry.make();
+  }
+  return std::nullopt;
+}
+
+Result<std::vector<study::ConfigurationResult>> measure_places(
+    const LabMeasure& lab, StudentAnswers& student, int rounds,
+    const std::function<void(const std::string&)>& phase) {
+  const DrawnStage stage = stage_of(lab);
+  const Ask ask = [&](const std::vector<Numbers>& questions) {
+    std::vector<Question> asked;
+    asked.reserve(questions.size());
+    for (const Numbers& each : questions) asked.push_back({each});
+    return student.ask(stage, asked);
+  };
+  const std::vector<MeasuredPlace> places = lab.places();
+  std::vector<study::ConfigurationResult> all;
+  for (const MeasuredPlace& place : places) {
+    phase(
+        fmt::format("{}: error {} of {} of yours", lab.experiment, all.size() + 1, places.size()));
+    study::ConfigurationResult result;
+    result.series = place.series;
+    result.parameter = place.parameter;
+    result.scene = place.scene;
+    result.measure = place.measure;
+    const auto error = place.error(ask);
+    if (!error) return tl::unexpected(error.error());
+    result.error = *error;
+    all.push_back(std::move(result));
+  }
+  for (std::size_t i = 0; i < places.size() && rounds > 0; ++i) {
+    if (places[i].timed.empty()) continue;
+    phase(fmt::format("{}: time {} of {} of yours", lab.experiment, i + 1, places.size()));
+    const auto taken = student.time(stage, {places[i].timed}, rounds);
+    if (!taken) return tl::unexpected(taken.error());
+    const auto timing = timing_of(*taken, places[i].items);
+    if (!timing) return tl::unexpected(timing.error());
+    all[i].timings.push_back(*timing);
+  }
+  share_times(all);
+  return all;
+}
+
+double number_of(const Numbers& answer, std::size_t index) {
+  return index < answer.size() ? answer[index] : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace glassbox::labs

@@ -1,0 +1,174 @@
+// D-20: what the epipolar constraint saves: a point of the other picture, sought along its row and in the whole picture.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include <glassbox/base/random.h>
+#include "study/experiment/experiment.h"
+#include "study/experiments/consume.h"
+
+namespace glassbox::study {
+namespace {
+
+constexpr int kBits = 8;  // of a pixel's word
+
+// Words at random: the left picture's pixel (x, y) is the right one's (x - d, y), d one number for each row, below a quarter of the
+// width.
+struct WordPair {
+  int width = 0, height = 0, disparities = 0;
+  std::vector<std::uint8_t> left, right;
+  std::vector<int> of_row;
+
+  explicit WordPair(int width_)
+      : width(width_),
+        height(width_ * 3 / 4),
+        disparities(width_ / 4),
+        left(std::size_t(width * height)),
+        right(left.size()) {
+    Random random(20);
+    const auto word = [&] { return std::uint8_t(random.integer(0, (1 << kBits) - 1)); };
+    for (int y = 0; y < height; ++y) {
+      of_row.push_back(int(random.integer(0, disparities - 1)));
+      for (int x = 0; x < width; ++x) right[index(x, y)] = word();
+      for (int x = 0; x < width; ++x)
+        left[index(x, y)] = x >= of_row.back() ? right[index(x - of_row.back(), y)] : word();
+    }
+  }
+  std::size_t index(int x, int y) const { return std::size_t(y * width + x); }
+};
+
+struct Sought {
+  std::size_t at = 0;  // in the right picture
+  std::int64_t compared = 0;
+};
+
+// The word that differs in fewest bits, of equal ones the first.
+template <class Next>
+Sought least_of(const WordPair& pair, std::uint8_t word, std::size_t first, std::size_t count,
+                Next next) {
+  Sought sought{first};
+  int least = kBits + 1;
+  for (std::size_t i = 0, at = first; i < count; ++i, at = next(at)) {
+    const int cost = std::popcount(unsigned(word ^ pair.right[at]));
+    ++sought.compared;
+    if (cost < least) {
+      least = cost;
+      sought.at = at;
+    }
+  }
+  return sought;
+}
+
+using Search = Sought (*)(const WordPair& pair, int x, int y);
+
+Sought along_row(const WordPair& pair, int x, int y) {
+  const std::size_t here = pair.index(x, y);
+  return least_of(pair, pair.left[here], here, std::size_t(std::min(pair.disparities, x + 1)),
+                  [](std::size_t at) { return at - 1; });
+}
+Sought in_whole_picture(const WordPair& pair, int x, int y) {
+  return least_of(pair, pair.left[pair.index(x, y)], 0, pair.right.size(),
+                  [](std::size_t at) { return at + 1; });
+}
+
+// Left pixels that have all disparities, `most` of them at most or somewhat more.
+template <class Ask>
+int for_some(const WordPair& pair, int most, Ask ask) {
+  const int step =
+      std::max(1, pair.width * pair.height / most) | 1;  // odd: all columns take their turn
+  int asked = 0;
+  for (int i = step / 2; i < pair.width * pair.height; i += step) {
+    if (i % pair.width < pair.disparities) continue;
+    ask(i % pair.width, i / pair.width);
+    ++asked;
+  }
+  return asked;
+}
+
+double share_wrong(int width, Search search) {
+  const WordPair pair(width);
+  int wrong = 0;
+  const int asked = for_some(pair, 4000, [&](int x, int y) {
+    wrong += search(pair, x, y).at != pair.index(x - pair.of_row[std::size_t(y)], y);
+  });
+  return double(wrong) / asked;
+}
+
+double comparisons(int width, Search search) {
+  const WordPair pair(width);
+  std::int64_t compared = 0;
+  for (int y = 0; y < pair.height; ++y) {
+    for (int x = 0; x < width; ++x) compared += search(pair, x, y).compared;
+  }
+  return double(compared);
+}
+
+// The right one is the i-th of C candidates, each i as likely; an equal word before it, of probability 2^-b, is taken for it.
+double predicted_wrong(double candidates) {
+  const double same = std::exp2(-kBits);
+  return 1 - (1 - std::pow(1 - same, candidates)) / (candidates * same);
+}
+
+std::vector<Configuration> configurations(Effort effort) {
+  std::vector<int> widths{32, 48, 64, 96};
+  if (effort == Effort::kFull) widths.insert(widths.end(), {128, 160});
+  std::vector<Configuration> all;
+  for (const int width : widths) {
+    const double pixels = width * width * 3 / 4, disparities = width / 4;
+    struct Way {
+      const char* name;
+      Search search;
+      double candidates;
+    };
+    for (const Way& way : {Way{"along the row", along_row, disparities},
+                           Way{"in the whole picture", in_whole_picture, pixels}}) {
+      // A million comparisons a call, or a picture's.
+      const int timed = int(std::clamp(1e6 / way.candidates, 16.0, pixels));
+      const WordPair pair(width);
+      const int items = for_some(pair, timed, [](int, int) {});
+      all.push_back({.series = way.name,
+                     .parameter = double(width),
+                     .error = [=] { return share_wrong(width, way.search); },
+                     .predicted_error = predicted_wrong(way.candidates),
+                     .work =
+                         [pair, way, timed](int) {
+                           for_some(pair, timed,
+                                    [&](int x, int y) { consume(way.search(pair, x, y).at); });
+                         },
+                     .items = double(items)});
+      all.push_back({.series = way.name,
+                     .parameter = double(width),
+                     .measure = "comparisons",
+                     .error = [=] { return comparisons(width, way.search); },
+                     .predicted_error = pixels * way.candidates});
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+Experiment d20_search() {
+  return {
+      .id = "D-20",
+      .name = "Along the row or anywhere",
+      .question =
+          "What does it save to know on which line the other picture has a point, in time and in "
+          "mistakes?",
+      .axis = "width of the picture",
+      .axis_unit = "px",
+      .error = "share of pixels that are given to a wrong one",
+      .reference = "the disparity that the pair was made with, below a quarter of the width",
+      .theory =
+          "each of C candidates has the same 8 bits with probability p = 1/256, and the first is "
+          "taken: 1 - (1 - (1 - p)^C)/(C p), C = D along the row and W H anywhere (S2-11); "
+          "comparisons W H D and W^2 H^2, so that time for a pixel goes with W and with W^2",
+      .item = "pixel",
+      .measures = {{.name = "comparisons",
+                    .error = "comparisons for all pixels of the left picture",
+                    .error_unit = ""}},
+      .configurations = configurations};
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,165 @@
+// D-21: how far apart two cameras should stand.
+#include <algorithm>
+#include <cmath>
+
+#include <glassbox/base/random.h>
+#include "study/experiment/experiment.h"
+#include "study/experiments/consume.h"
+#include "views/matching/match.h"
+
+namespace glassbox::study {
+namespace {
+
+constexpr int kWidth = 160, kHeight = 96;
+constexpr double kFocal = 160;              // px
+constexpr double kDepth = 5;                // of the wall's middle
+constexpr double kSlope = 0.5;              // of the wall
+constexpr double kPillars = 0.75 * kDepth;  // in front of it
+
+// A smooth random number in [0, 255] for each place of a surface: four to a unit.
+double texture(double x, double y, std::uint64_t seed) {
+  const double column = std::floor(8 * x), row = std::floor(8 * y);
+  const auto code = [&](double i, double j) {
+    const auto at = std::uint64_t(std::int64_t(i) * 7919 + std::int64_t(j) * 104729);
+    return Random(seed ^ (at * 0x9e3779b97f4a7c15u)).between(0, 255);
+  };
+  const auto smooth = [](double t) { return t * t * (3 - 2 * t); };
+  const double s = smooth(8 * x - column), t = smooth(8 * y - row);
+  return (1 - t) * ((1 - s) * code(column, row) + s * code(column + 1, row)) +
+         t * ((1 - s) * code(column, row + 1) + s * code(column + 1, row + 1));
+}
+
+struct Seen {
+  double code = 0, depth = 0;
+};
+
+// From a camera at (eye, 0, 0), along (x, y, 1): pillars half a unit wide, one unit apart, or the wall Z = 5 + X/2.
+Seen look(double eye, double x, double y) {
+  const double at = eye + kPillars * x;
+  if (at - 2 * std::floor(at / 2) < 0.5) return {texture(at, kPillars * y, 1), kPillars};
+  const double z = (kDepth + kSlope * eye) / (1 - kSlope * x);
+  return {texture(eye + z * x, z * y, 2), z};
+}
+
+struct Pair {
+  Image<Rgba8> left{kWidth, kHeight}, right{kWidth, kHeight};
+  Image<double> depth{kWidth, kHeight};  // of the left picture
+  double baseline = 0,
+         shift =
+             0;  // shift: px that the right picture is moved by, so that the wall's middle stays
+};
+
+// Four samples a pixel; noise of up to 3 codes.
+Pair pictures(double baseline) {
+  Pair pair;
+  pair.baseline = baseline;
+  pair.shift = std::round(kFocal * baseline / kDepth);
+  Random random(21);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const auto draw = [&](double eye, double shift) {
+        double sum = 0;
+        for (const double dx : {0.25, 0.75}) {
+          for (const double dy : {0.25, 0.75})
+            sum +=
+                look(eye, (x + dx - kWidth / 2 - shift) / kFocal, (y + dy - kHeight / 2) / kFocal)
+                    .code;
+        }
+        const auto code = std::uint8_t(std::clamp(sum / 4 + random.between(-3, 3), 0.0, 255.0));
+        return Rgba8{code, code, code, 255};
+      };
+      pair.left.at(x, y) = draw(0, 0);
+      pair.right.at(x, y) = draw(baseline, pair.shift);
+      pair.depth.at(x, y) =
+          look(0, (x + 0.5 - kWidth / 2) / kFocal, (y + 0.5 - kHeight / 2) / kFocal).depth;
+    }
+  }
+  return pair;
+}
+
+// Whatever the pair's disparities are, and a little more.
+views::MatchSettings settings_for(const Pair& pair) {
+  const double product = kFocal * pair.baseline;
+  double least = 0, most = 0;
+  for (const double z : pair.depth.pixels) {
+    least = std::min(least, product / z - pair.shift);
+    most = std::max(most, product / z - pair.shift);
+  }
+  views::MatchSettings settings;
+  settings.range = {int(std::floor(least)) - 2, int(std::ceil(most)) + 2};
+  settings.threads = 1;
+  return settings;
+}
+
+// RMS of Z/Z_true - 1 over all pixels, at most 1 each: also of those that the right camera does not see, because a picture of
+// distances has to have them.
+double depth_error(double baseline_over_depth) {
+  const Pair pair = pictures(baseline_over_depth * kDepth);
+  const auto match = views::match_pictures(pair.left, pair.right, settings_for(pair));
+  if (!match) return INFINITY;
+  double squares = 0;
+  for (std::size_t i = 0; i < pair.depth.pixels.size(); ++i) {
+    const double d = double(match->disparity.pixels[i]) + pair.shift;
+    const double off = d > 0 ? kFocal * pair.baseline / d / pair.depth.pixels[i] - 1 : 1;
+    squares += std::pow(std::min(std::abs(off), 1.0), 2);
+  }
+  return std::sqrt(squares / double(pair.depth.pixels.size()));
+}
+
+// Of a disparity of the matcher, where nothing but noise and the parts of a pixel is in its way: px.
+constexpr double kDisparityError = 0.25;
+
+double predicted(double baseline_over_depth) {
+  return kDisparityError / (kFocal * baseline_over_depth);
+}
+
+// The pillars stand two units apart from each other and hide B (Z/Z_pillars - 1) of the wall from one camera each. What is hidden is
+// guessed, at worst wrong by all of it.
+std::optional<Finding> finding(double baseline_over_depth) {
+  if (baseline_over_depth < 0.1) return std::nullopt;
+  const double hidden = baseline_over_depth * kDepth * (kDepth / kPillars - 1) / 2;
+  return Finding{
+      "what one camera does not see is guessed, and a leaning wall looks less and less alike", 0.5,
+      std::sqrt(hidden) / predicted(baseline_over_depth)};
+}
+
+std::vector<Configuration> configurations(Effort effort) {
+  std::vector<double> ratios{0.0125, 0.025, 0.05, 0.1, 0.2, 0.4};
+  if (effort == Effort::kFull)
+    ratios = {0.00625, 0.0125, 0.025, 0.0375, 0.05, 0.075, 0.1, 0.15, 0.2, 0.3, 0.4, 0.6};
+  std::vector<Configuration> all;
+  for (const double ratio : ratios) {
+    const Pair pair = pictures(ratio * kDepth);
+    all.push_back(
+        {.series = "the default matcher",
+         .parameter = ratio,
+         .error = [=] { return depth_error(ratio); },
+         .predicted_error = predicted(ratio),
+         .finding = finding(ratio),
+         .work = [pair, settings = settings_for(pair)](
+                     int) { consume(views::match_pictures(pair.left, pair.right, settings)); },
+         .items = kWidth * kHeight});
+  }
+  return all;
+}
+
+}  // namespace
+
+Experiment d21_baseline() {
+  return {
+      .id = "D-21",
+      .name = "How far apart the cameras stand",
+      .question =
+          "A longer baseline makes depth more exact and matching harder: where is the best one?",
+      .axis = "baseline over distance",
+      .error = "RMS relative error of the depth, of all pixels",
+      .reference = "the depth of a leaning, textured wall behind pillars, from its formula",
+      .theory =
+          "sigma_Z/Z = sigma_d Z/(f B) with a disparity right to sigma_d = 1/4 px (S2-13), while "
+          "all is matched",
+      .item = "pixel",
+      .axis_is_chosen = true,
+      .configurations = configurations};
+}
+
+}  // namespace glassbox::study

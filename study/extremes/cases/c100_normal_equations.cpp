@@ -1,0 +1,66 @@
+#include <glassbox/base/rounding.h>
+
+#include "study/extremes/kit/extreme_case.h"
+#include "study/naive/two_view.h"
+#include "study/scenes/two_cameras.h"
+
+namespace glassbox::study {
+namespace c100 {
+
+using Solver = views::Matrix3d (*)(const views::Matches& pixels);
+
+views::Matrix3d by_singular_values(const views::Matches& pixels) {
+  return views::fit_fundamental(pixels, views::Conditioning::kNormalised)->matrix;
+}
+template <class T>
+views::Matrix3d normalised_by_normal_equations(const views::Matches& pixels) {
+  const auto normal = views::normalised(pixels);
+  const views::Matrix3d m = naive::matrix_by_normal_equations<T>(normal->matches);
+  return normal->right.transpose() * m * normal->left;
+}
+
+// Matches without noise: what is wrong is rounding. As an essential matrix, because the entries of F are of very different sizes.
+Outcome judge(Solver solver) {
+  Random random(100);
+  Worst worst;
+  for (int i = 0; i < 60; ++i) {
+    const views::StereoRig rig = random_rig(random);
+    const views::Matches pixels = matches_of(random, rig, 20, 0);
+    const auto as_essential = [&](const views::Matrix3d& f) {
+      return views::Matrix3d(rig.right_intrinsic.transpose() * f * rig.left_intrinsic);
+    };
+    const double error =
+        apart(as_essential(solver(pixels)), as_essential(views::fundamental_of(rig)));
+    const auto fit = views::fit_fundamental(pixels, views::Conditioning::kNormalised);
+    const double condition = fit->system.condition();
+    worst.see(error, 64 * unit_roundoff<double> * condition, fmt::format("pair {}", i), condition);
+  }
+  return worst.outcome();
+}
+
+}  // namespace c100
+
+ExtremeCase c100_normal_equations() {
+  using namespace c100;
+  return {
+      .id = "C-100",
+      .name = "Eight points by normal equations",
+      .construction = "60 pairs of cameras, 20 matches without noise, in pixels",
+      .stage = "two views",
+      .right =
+          "64 u times the condition of the normalised system: A^T A has its square, some 10^10 for "
+          "raw pixels, and float has 10^7",
+      .unit = "of |E|",
+      .oracle = Oracle::kAnalytic,
+      .ours = {"singular values of normalised points", [] { return judge(by_singular_values); }},
+      .naive = {"normal equations of pixels in float",
+                [] { return judge(naive::matrix_by_normal_equations<float>); }},
+      .mutants = {{"normal equations of normalised points in float",
+                   [] { return judge(normalised_by_normal_equations<float>); }},
+                  {"normal equations of pixels in double",
+                   [] { return judge(naive::matrix_by_normal_equations<double>); }}},
+      .not_drawn = "an estimate from matches, which no engine draws",
+  };
+}
+
+}  // namespace glassbox::study

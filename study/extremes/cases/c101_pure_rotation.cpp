@@ -1,0 +1,64 @@
+#include "study/extremes/kit/extreme_case.h"
+#include "study/naive/two_view.h"
+#include "study/scenes/two_cameras.h"
+
+namespace glassbox::study {
+namespace c101 {
+
+using Decision = views::PairKind (*)(const views::PairJudgement&);
+
+views::PairKind by_criterion(const views::PairJudgement& judged) {
+  return judged.kind;
+}
+// F has more freedom than a rotation, and so always fits better: nothing is ever turned.
+views::PairKind by_fit_alone(const views::PairJudgement& judged) {
+  const double freedom = 0.5 * judged.cost_of_fundamental;
+  return judged.cost_of_rotation < judged.cost_of_fundamental - freedom ? views::PairKind::kTurned
+                                                                        : views::PairKind::kGeneral;
+}
+
+Outcome judge(Decision decision) {
+  Random random(101);
+  constexpr double kSigma = 0.5;
+  int wrong = 0, tried = 0;
+  const auto ask = [&](const views::StereoRig& rig, const views::Matches& pixels,
+                       views::PairKind right) {
+    const auto judged = views::judge_pair(pixels, rig.left_intrinsic, rig.right_intrinsic, kSigma);
+    wrong += !judged || decision(*judged) != right;
+    ++tried;
+  };
+  for (int i = 0; i < 20; ++i) {
+    views::StereoRig rig = random_rig(random);
+    ask(rig, matches_of(random, rig, 60, kSigma), views::PairKind::kGeneral);
+    rig.pose.translation.setZero();
+    ask(rig, matches_of(random, rig, 60, kSigma), views::PairKind::kTurned);
+  }
+  return wrong_of(wrong, tried, "pairs");
+}
+
+}  // namespace c101
+
+ExtremeCase c101_pure_rotation() {
+  using namespace c101;
+  return {
+      .id = "C-101",
+      .name = "A camera that only turns",
+      .construction =
+          "20 pairs of cameras that moved and turned, 20 that only turned; 60 matches with a noise "
+          "of 1/2 "
+          "px",
+      .stage = "two views",
+      .right =
+          "E is 0, and any direction of T fits: the pair is named and not estimated, by residuals "
+          "and what a model's freedom costs (Torr 2002)",
+      .unit = "pairs",
+      .oracle = Oracle::kProperty,
+      .ours = {"three models compared", [] { return judge(by_criterion); }},
+      .naive = {"whatever eight points allow", [] { return judge(naive::always_general); }},
+      .mutants = {{"freedom costs nothing", [] { return judge(by_fit_alone); }},
+                  {"a homography is a plane", [] { return judge(naive::turned_is_a_plane); }}},
+      .not_drawn = "an estimate from matches, which no engine draws",
+  };
+}
+
+}  // namespace glassbox::study

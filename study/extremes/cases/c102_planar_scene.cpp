@@ -1,0 +1,90 @@
+#include "study/extremes/kit/extreme_case.h"
+#include "study/naive/two_view.h"
+#include "study/scenes/two_cameras.h"
+#include "views/two_view/constraint.h"
+#include "views/two_view/minimal.h"
+
+namespace glassbox::study {
+namespace c102 {
+
+// The rank of the system of eight-point equations, and candidates for E.
+struct Subject102 {
+  int (*rank)(const views::Matches& calibrated);
+  std::vector<views::Matrix3d> (*essentials)(const views::Matches& calibrated);
+};
+
+int by_singular_values(const views::Matches& matches) {
+  return views::linear_fit(views::normalised(matches)->matches)->rank();
+}
+int of_equations(const views::Matches& matches) {
+  return std::min(int(matches.size()), 8);
+}
+int of_zeros(const views::Matches& matches) {
+  const auto fit = views::linear_fit(views::normalised(matches)->matches);
+  return int((fit->singular_values.array() != 0).count());
+}
+std::vector<views::Matrix3d> five_points(const views::Matches& matches) {
+  const views::Matches sample(matches.begin(), matches.begin() + 5);
+  const auto found = views::five_point(sample);
+  return found ? *found : std::vector<views::Matrix3d>();
+}
+std::vector<views::Matrix3d> eight_points(const views::Matches& matches) {
+  return {views::fit_essential(matches, views::Conditioning::kNormalised)->matrix};
+}
+
+Outcome judge(const Subject102& subject) {
+  Random random(102);
+  int wrong = 0, tried = 0;
+  for (int i = 0; i < 30; ++i) {
+    const views::StereoRig rig = random_rig(random);
+    const views::Matrix3d right = views::essential<double>(rig.pose.rotation, rig.pose.translation);
+    for (const bool flat : {true, false}) {
+      const views::Matches pixels =
+          flat ? matches_of_plane(random, rig, 20, 0) : matches_of(random, rig, 20, 0);
+      const views::Matches matches = calibrated(pixels, rig);
+      wrong += subject.rank(matches) != (flat ? 6 : 8);
+      double nearest = 1;
+      for (const views::Matrix3d& e : subject.essentials(matches))
+        nearest = std::min(nearest, apart(e, right));
+      wrong += nearest > 1e-6;
+      tried += 2;
+    }
+  }
+  return wrong_of(wrong, tried, "answers");
+}
+
+}  // namespace c102
+
+ExtremeCase c102_planar_scene() {
+  using namespace c102;
+  return {
+      .id = "C-102",
+      .name = "All points on a plane",
+      .construction = "30 pairs of cameras, 20 matches of a plane without noise, and of any points",
+      .stage = "two views",
+      .right =
+          "the system's rank is 6, of any points 8; five calibrated points have the right E among "
+          "their solutions all the same, to 1e-6 (roots of degree 10 lose half the digits)",
+      .unit = "answers",
+      .oracle = Oracle::kAnalytic,
+      .ours = {"rank by singular values, five points",
+               [] {
+                 return judge({by_singular_values, five_points});
+               }},
+      .naive = {"as many equations as matches, eight points",
+                [] {
+                  return judge({of_equations, eight_points});
+                }},
+      .mutants = {{"only an exact 0 is nothing",
+                   [] {
+                     return judge({of_zeros, five_points});
+                   }},
+                  {"eight points for five",
+                   [] {
+                     return judge({by_singular_values, eight_points});
+                   }}},
+      .not_drawn = "an estimate from matches, which no engine draws",
+  };
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,86 @@
+#include "study/extremes/kit/extreme_case.h"
+#include "study/naive/two_view.h"
+#include "study/scenes/two_cameras.h"
+
+namespace glassbox::study {
+namespace c103 {
+
+// The quadric x^2 - x + y z = 0 is ruled, and holds both centres, (0, 0, 0) and (1, 0, 0).
+views::Matches on_quadric(Random& random, const views::StereoRig& rig, double sigma) {
+  views::Matches pixels;
+  while (pixels.size() < 60) {
+    const double x = random.between(-1.5, 2.5), z = random.between(4, 8);
+    pixels.push_back(seen(rig, {x, (x - x * x) / z, z}, sigma, random));
+  }
+  return pixels;
+}
+
+struct Asked {
+  views::PairJudgement judged;
+  int rank = 0;
+};
+using Decision = views::PairKind (*)(const Asked&);
+
+views::PairKind by_gap(const Asked& asked) {
+  return asked.judged.kind;
+}
+views::PairKind eight_points_do(const Asked& asked) {
+  return naive::always_general(asked.judged);
+}
+// With noise the rank is full.
+views::PairKind by_rank(const Asked& asked) {
+  return asked.rank < 8 ? views::PairKind::kCritical : views::PairKind::kGeneral;
+}
+// A plane is no critical surface, so what no homography explains is general.
+views::PairKind by_homography(const Asked& asked) {
+  return asked.judged.kind == views::PairKind::kCritical ? views::PairKind::kGeneral
+                                                         : asked.judged.kind;
+}
+
+Outcome judge(Decision decision) {
+  Random random(103);
+  int wrong = 0, tried = 0;
+  const views::StereoRig rig = rig_at({1, 0, 0});
+  for (int i = 0; i < 10; ++i) {
+    for (const double sigma : {0.0, 0.1}) {
+      for (const bool critical : {true, false}) {
+        const views::Matches pixels =
+            critical ? on_quadric(random, rig, sigma) : matches_of(random, rig, 60, sigma, 3, 8);
+        const auto judged = views::judge_pair(pixels, rig.left_intrinsic, rig.right_intrinsic,
+                                              sigma > 0 ? sigma : 0.1);
+        const int rank = views::linear_fit(views::normalised(pixels)->matches)->rank();
+        const auto right = critical ? views::PairKind::kCritical : views::PairKind::kGeneral;
+        wrong += !judged || decision({*judged, rank}) != right;
+        ++tried;
+      }
+    }
+  }
+  return wrong_of(wrong, tried, "pairs");
+}
+
+}  // namespace c103
+
+ExtremeCase c103_critical_surface() {
+  using namespace c103;
+  return {
+      .id = "C-103",
+      .name = "Points on a ruled quadric",
+      .construction =
+          "60 points and both centres on x^2 - x + y z = 0, without noise and with 0.1 px; the "
+          "same "
+          "cameras before any points",
+      .stage = "two views",
+      .right =
+          "a second matrix fulfils all equations: the eighth singular value is as small as the "
+          "ninth, or nearly, and no homography fits",
+      .unit = "pairs",
+      .oracle = Oracle::kAnalytic,
+      .ours = {"the gap of the last singular values", [] { return judge(by_gap); }},
+      .naive = {"whatever eight points allow", [] { return judge(eight_points_do); }},
+      .mutants = {{"the rank alone", [] { return judge(by_rank); }},
+                  {"planes alone are degenerate", [] { return judge(by_homography); }}},
+      .not_drawn = "an estimate from matches, which no engine draws",
+  };
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,84 @@
+#include <cfenv>
+#include <set>
+
+#include "study/extremes/kit/extreme_case.h"
+#include "study/naive/two_view.h"
+#include "study/scenes/two_cameras.h"
+
+namespace glassbox::study {
+namespace c104 {
+
+// Whether F of these matches may be believed.
+using Accepts = bool (*)(const views::Matches& pixels);
+
+bool of_rank_eight(const views::Matches& pixels) {
+  const auto fit = views::fit_fundamental(pixels, views::Conditioning::kNormalised);
+  return fit && fit->system.rank() == 8;
+}
+bool eight_are_there(const views::Matches& pixels) {
+  return pixels.size() >= 8;
+}
+bool is_solved(const views::Matches& pixels) {
+  return views::fit_fundamental(pixels, views::Conditioning::kNormalised).has_value();
+}
+bool left_points_differ(const views::Matches& pixels) {
+  std::set<double> columns;
+  for (const views::Match& m : pixels) columns.insert(m.left.x());
+  return is_solved(pixels) && columns.size() >= 8;
+}
+
+Outcome judge(Accepts accepts) {
+  Random random(104);
+  int wrong = 0, tried = 0;
+  const auto ask = [&](const views::Matches& pixels, bool right) {
+    wrong += accepts(pixels) != right;
+    ++tried;
+  };
+  for (int i = 0; i < 10; ++i) {
+    const views::StereoRig rig = random_rig(random);
+    const views::Matches good = matches_of(random, rig, 8, 0);
+    ask(good, true);
+    ask(views::Matches(good.begin(), good.begin() + 7), false);
+    ask(views::Matches(8, good[0]), false);
+    views::Matches twice = good;
+    twice[7] = twice[2];
+    ask(twice, false);
+    // Nine points, but two lines of sight of the left camera only: all others on them.
+    views::Matches behind = good;
+    for (std::size_t k = 1; k < behind.size(); ++k) {
+      const double far = 2.5 + double(k);
+      behind[k] =
+          seen(rig, far * views::ray_through(rig.left_intrinsic, {100 + double(k) * 1e-3, 200}));
+    }
+    ask(behind, false);
+    views::Matches infinite = good;
+    infinite[3].right.x() = std::numeric_limits<double>::infinity();
+    ask(infinite, false);
+  }
+  return wrong_of(wrong, tried, "lists of matches");
+}
+
+}  // namespace c104
+
+ExtremeCase c104_too_few_points() {
+  using namespace c104;
+  return {
+      .id = "C-104",
+      .name = "Seven matches, or eight that are fewer",
+      .construction =
+          "eight good matches; seven; one eight times; two that are the same; seven on nearly one "
+          "line of sight; an infinite pixel; 10 pairs of cameras",
+      .stage = "two views",
+      .right = "the good ones are accepted, nothing else: the system has to have rank 8",
+      .unit = "lists",
+      .oracle = Oracle::kProperty,
+      .ours = {"eight, finite, of rank 8", [] { return judge(of_rank_eight); }},
+      .naive = {"eight are there", [] { return judge(eight_are_there); }},
+      .mutants = {{"the rank is not asked", [] { return judge(is_solved); }},
+                  {"left points that differ will do", [] { return judge(left_points_differ); }}},
+      .not_drawn = "an estimate from matches, which no engine draws",
+      .exceptions_of_ours = FE_INVALID,
+  };
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,55 @@
+#include <glassbox/base/rounding.h>
+
+#include "study/extremes/kit/extreme_case.h"
+#include "study/naive/two_view.h"
+#include "study/scenes/two_cameras.h"
+#include "views/two_view/constraint.h"
+
+namespace glassbox::study {
+namespace c105 {
+
+using Choice = views::RelativePose (*)(const views::Matrix3d& essential,
+                                       const views::Matches& calibrated);
+
+views::RelativePose in_front(const views::Matrix3d& essential, const views::Matches& calibrated) {
+  const auto chosen = views::pose_in_front(essential, calibrated);
+  return chosen ? chosen->pose : views::RelativePose{};
+}
+
+// A rotation and a direction are each made of a few products of orthogonal matrices that are right to some 50 u.
+Outcome judge(Choice choice) {
+  Random random(105);
+  ErrorsBeyond errors(512 * unit_roundoff<double>);
+  for (int i = 0; i < 200; ++i) {
+    const views::StereoRig rig = random_rig(random);
+    const views::Matches matches = calibrated(matches_of(random, rig, 20, 0), rig);
+    const double sign = random.unit() < 0.5 ? -1 : 1;
+    const views::RelativePose found =
+        choice(sign * views::essential<double>(rig.pose.rotation, rig.pose.translation), matches);
+    errors.see(std::max(views::rotation_error(found.rotation, rig.pose.rotation),
+                        views::direction_error(found.translation, rig.pose.translation)));
+  }
+  return errors.outcome("poses");
+}
+
+}  // namespace c105
+
+ExtremeCase c105_four_poses() {
+  using namespace c105;
+  return {
+      .id = "C-105",
+      .name = "Four poses of one matrix",
+      .construction = "E of 200 pairs of cameras, with either sign, and 20 matches of each",
+      .stage = "two views",
+      .right = "exactly one of four has all points in front of both cameras; 512 u",
+      .unit = "radian",
+      .oracle = Oracle::kAnalytic,
+      .ours = {"the one in front of both cameras", [] { return judge(in_front); }},
+      .naive = {"the first", [] { return judge(naive::first_of_four); }},
+      .mutants = {{"one rotation, both signs of T", [] { return judge(naive::one_rotation); }},
+                  {"in front of the left camera", [] { return judge(naive::in_front_of_left); }}},
+      .not_drawn = "an estimate from matches, which no engine draws",
+  };
+}
+
+}  // namespace glassbox::study

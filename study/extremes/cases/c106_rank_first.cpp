@@ -1,0 +1,53 @@
+#include <glassbox/base/rounding.h>
+
+#include "study/extremes/kit/extreme_case.h"
+#include "study/naive/two_view.h"
+#include "study/scenes/two_cameras.h"
+#include "views/two_view/constraint.h"
+
+namespace glassbox::study {
+namespace c106 {
+
+using Estimator = views::Matrix3d (*)(const views::Matches& calibrated);
+
+views::Matrix3d after(const views::Matches& calibrated) {
+  const auto fit = views::fit_essential(calibrated, views::Conditioning::kNormalised);
+  return fit ? fit->matrix : views::Matrix3d::Zero();
+}
+
+// Demazure's sum has three products of three factors of norm 1, each entry 9 products: some 60 u with what E itself is off.
+Outcome judge(Estimator estimator) {
+  Random random(106);
+  ErrorsBeyond errors(64 * unit_roundoff<double>);
+  for (int i = 0; i < 60; ++i) {
+    const views::StereoRig rig = random_rig(random);
+    const views::Matches matches = calibrated(matches_of(random, rig, 20, 0.5), rig);
+    errors.see(views::demazure<double>(estimator(matches).normalized()).norm());
+  }
+  return errors.outcome("matrices");
+}
+
+}  // namespace c106
+
+ExtremeCase c106_rank_first() {
+  using namespace c106;
+  return {
+      .id = "C-106",
+      .name = "Rank before carrying back",
+      .construction = "60 pairs of cameras, 20 calibrated matches with the noise of 1/2 px",
+      .stage = "two views",
+      .right =
+          "2 E E^T E = tr(E E^T) E for |E| = 1, to 64 u: two equal singular values and a 0, which "
+          "a "
+          "similarity does not keep",
+      .unit = "of |E|^3",
+      .oracle = Oracle::kAnalytic,
+      .ours = {"carried back, then made essential", [] { return judge(after); }},
+      .naive = {"made essential, then carried back",
+                [] { return judge(naive::essential_made_before_carrying_back); }},
+      .mutants = {{"rank 2 alone", [] { return judge(naive::essential_of_rank_two); }}},
+      .not_drawn = "an estimate from matches, which no engine draws",
+  };
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,86 @@
+#include "study/extremes/kit/extreme_case.h"
+#include "study/naive/two_view.h"
+#include "study/scenes/two_cameras.h"
+
+namespace glassbox::study {
+namespace c107 {
+
+using Triangulation = views::Triangulated (*)(const views::Match&, const views::StereoRig&);
+
+// What is behind the cameras, infinitely far or in front has to be told.
+bool is_right(const views::Triangulated& found, double disparity) {
+  if (!found.point.allFinite()) return false;
+  if (disparity == 0) return !found.is_finite() && found.in_front_of_both;
+  if (disparity < 0) return found.is_finite() && !found.in_front_of_both;
+  const double depth = 800 * 0.1 / disparity;
+  // Calibrated points are right to 4 u; the disparity is their difference, of some 100 px less 100 px.
+  const double bound = 64 * 0x1p-53 * depth * (1 + 100 / disparity);
+  return found.in_front_of_both && std::abs(found.point.z() - depth) <= bound;
+}
+
+Outcome judge(Triangulation triangulation) {
+  int wrong = 0, tried = 0;
+  for (const double disparity : {40.0, 1.0, 0.015625, 0.0, -0.015625, -1.0, -40.0}) {
+    for (const double x : {320.0, 400.0, 37.5}) {
+      const views::Match pixels{{x, 100}, {x - disparity, 100}};
+      wrong += !is_right(triangulation(pixels, rig_at({0.1, 0, 0})), disparity);
+      ++tried;
+    }
+  }
+  // Of cameras that are turned, parallel directions differ by their rounding.
+  Random random(107);
+  for (int i = 0; i < 20; ++i) {
+    views::StereoRig rig = random_rig(random);
+    const views::Vector3d far = 1e3 * point_before(random, rig, 2, 10);
+    const views::Vector3d centre = rig.pose.translation;
+    rig.pose.translation.setZero();
+    const views::Match pixels = seen(rig, far);
+    rig.pose.translation = centre;
+    wrong += !is_right(triangulation(pixels, rig), 0);
+    ++tried;
+  }
+  return wrong_of(wrong, tried, "points");
+}
+
+views::Triangulated flagged(const views::Match& pixels, const views::StereoRig& rig) {
+  return views::triangulate(views::Triangulator::kMidpoint, pixels, rig);
+}
+views::Triangulated never_at_infinity(const views::Match& pixels, const views::StereoRig& rig) {
+  const views::Triangulated found = flagged(pixels, rig);
+  return found.is_finite() ? found : naive::by_division(pixels, rig);
+}
+views::Triangulated at_infinity_too_soon(const views::Match& pixels, const views::StereoRig& rig) {
+  views::Triangulated found = flagged(pixels, rig);
+  if (found.point.head<3>().norm() > 1e3) {
+    found.point.w() = 0;
+    found.in_front_of_both = true;
+  }
+  return found;
+}
+
+}  // namespace c107
+
+ExtremeCase c107_parallel_rays() {
+  using namespace c107;
+  return {
+      .id = "C-107",
+      .name = "Parallel lines of sight",
+      .construction =
+          "disparities from 40 px to -40 px with a 0 in between, focal length 800 px, baseline "
+          "0.1; "
+          "20 pairs of turned cameras before what is infinitely far",
+      .stage = "two views",
+      .right =
+          "f B/d in front, a direction with w = 0 at 0, a point behind the cameras that says so "
+          "below; lines are parallel where the sine between them is below 8 u",
+      .unit = "points",
+      .oracle = Oracle::kAnalytic,
+      .ours = {"midpoint with a flag", [] { return judge(flagged); }},
+      .naive = {"a quotient", [] { return judge(naive::by_division); }},
+      .mutants = {{"parallel lines are divided by 0", [] { return judge(never_at_infinity); }},
+                  {"beyond 1000 is infinitely far", [] { return judge(at_infinity_too_soon); }}},
+      .not_drawn = "an estimate from matches, which no engine draws",
+  };
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,80 @@
+#include "study/extremes/kit/extreme_case.h"
+#include "study/scenes/two_cameras.h"
+
+namespace glassbox::study {
+namespace c108 {
+
+// The standard deviation of the depth that noise of `sigma` px leaves, as it is foretold.
+using Foretold = double (*)(const views::Vector3d& point, const views::StereoRig& rig,
+                            double sigma);
+
+double by_covariance(const views::Vector3d& point, const views::StereoRig& rig, double sigma) {
+  return std::sqrt(views::covariance_of(point, rig, sigma)(2, 2));
+}
+// The law of parallel cameras, whatever the direction of the baseline.
+double by_parallel_law(const views::Vector3d& point, const views::StereoRig& rig, double sigma) {
+  return views::depth_error_of_parallel(point.z(), sigma, 800, rig.pose.translation.norm());
+}
+double one_picture_alone(const views::Vector3d& point, const views::StereoRig& rig, double sigma) {
+  return by_covariance(point, rig, sigma) / std::sqrt(2.0);
+}
+// The sine of the angle at the camera for that at the point.
+double by_sine_at_camera(const views::Vector3d& point, const views::StereoRig& rig, double sigma) {
+  const double sine = point.head<2>().norm() / point.norm();
+  return by_parallel_law(point, rig, sigma) / std::sqrt(sine);
+}
+
+constexpr int kSamples = 4000;
+
+// What 4000 noisy pairs of pixels come to. Their deviation is uncertain by 1/sqrt(2 n), of which four are allowed; the noise is so
+// small that the depth is linear in it.
+Outcome judge(Foretold foretold) {
+  Random random(108);
+  constexpr double kSigma = 0.01, kBound = 0.0447;  // 4/sqrt(8000)
+  const views::StereoRig rig = rig_at({0, 0, 1});
+  Worst worst;
+  for (const double aside : {0.02, 0.05, 0.1, 0.3}) {
+    const views::Vector3d point(5 * aside, 2 * aside, 5);
+    double sum = 0, squares = 0;
+    for (int i = 0; i < kSamples; ++i) {
+      const views::Match pixels = seen(rig, point, kSigma, random);
+      const double off =
+          views::triangulate(views::Triangulator::kLindstrom, pixels, rig).point.z() - point.z();
+      sum += off;
+      squares += off * off;
+    }
+    const double measured = std::sqrt((squares - sum * sum / kSamples) / (kSamples - 1));
+    const double said = foretold(point, rig, kSigma);
+    worst.see(std::abs(said / measured - 1), kBound,
+              fmt::format("{:.2g} of the distance beside the epipole: {:.3g} measured, {:.3g} said",
+                          aside, measured, said));
+  }
+  return worst.outcome();
+}
+
+}  // namespace c108
+
+ExtremeCase c108_near_epipole() {
+  using namespace c108;
+  return {
+      .id = "C-108",
+      .name = "Beside the epipole",
+      .construction =
+          "a camera that moves 1 ahead, points 5 away and 0.02 to 0.3 of that aside; 4000 pairs of "
+          "pixels each, with a noise of 1/100 px",
+      .stage = "two views",
+      .right =
+          "the depth's deviation is what (J^T J)^-1 says, J the pixels' derivatives by the point, "
+          "to "
+          "4/sqrt(8000): it grows without bound towards the epipole",
+      .unit = "relative",
+      .oracle = Oracle::kAnalytic,
+      .ours = {"covariance of the point", [] { return judge(by_covariance); }},
+      .naive = {"Z^2 sqrt(2) sigma/(f B)", [] { return judge(by_parallel_law); }},
+      .mutants = {{"noise in one picture alone", [] { return judge(one_picture_alone); }},
+                  {"by the sine at the camera", [] { return judge(by_sine_at_camera); }}},
+      .not_drawn = "an estimate from matches, which no engine draws",
+  };
+}
+
+}  // namespace glassbox::study

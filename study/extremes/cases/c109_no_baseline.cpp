@@ -1,0 +1,67 @@
+#include <glassbox/base/rounding.h>
+
+#include "study/extremes/kit/extreme_case.h"
+#include "study/scenes/two_cameras.h"
+
+namespace glassbox::study {
+namespace c109 {
+
+constexpr double kSigma = 0.5, kDepth = 5;
+
+// What the depth's deviation is said to be.
+using Foretold = double (*)(const views::StereoRig& rig);
+
+double by_covariance(const views::StereoRig& rig) {
+  const double variance = views::covariance_of({0, 0, kDepth}, rig, kSigma)(2, 2);
+  return std::isinf(variance) ? variance : std::sqrt(variance);
+}
+// The pixels that a point comes back to differ little from those it was made of: so it must be right.
+double by_reprojection(const views::StereoRig&) {
+  return kDepth * kSigma / 800;
+}
+double with_root_of_baseline(const views::StereoRig& rig) {
+  return kDepth * kDepth * std::sqrt(2.0) * kSigma / 800 / std::sqrt(rig.pose.translation.norm());
+}
+double never_infinite(const views::StereoRig& rig) {
+  const double said = by_covariance(rig);
+  return std::isinf(said) ? 0 : said;
+}
+
+// The law is that of a small angle, right to (B/Z)^2; the matrix that is inverted has a condition of (Z/B)^2.
+Outcome judge(Foretold foretold) {
+  Worst worst;
+  for (const double baseline : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
+    const double law = views::depth_error_of_parallel(kDepth, kSigma, 800, baseline);
+    const double ratio = baseline / kDepth, condition = 1 / (ratio * ratio);
+    worst.see(std::abs(foretold(rig_at({baseline, 0, 0})) / law - 1),
+              4 * ratio * ratio + 16 * unit_roundoff<double> * condition,
+              fmt::format("baseline {}", baseline), condition);
+  }
+  const bool said = std::isinf(foretold(rig_at({0, 0, 0})));
+  worst.see(said ? 0 : 1, 0, "no baseline: nothing says that there is no depth");
+  return worst.outcome();
+}
+
+}  // namespace c109
+
+ExtremeCase c109_no_baseline() {
+  using namespace c109;
+  return {
+      .id = "C-109",
+      .name = "A baseline that goes to nothing",
+      .construction = "a point 5 away, a noise of 1/2 px, baselines from 0.1 to 1e-6, and none",
+      .stage = "two views",
+      .right =
+          "the depth's deviation is Z^2 sqrt(2) sigma/(f B), to 4 (B/Z)^2 for the angle and 16 u "
+          "(Z/B)^2 for the inverse; without baseline it is infinite",
+      .unit = "relative",
+      .oracle = Oracle::kAnalytic,
+      .ours = {"covariance of the point", [] { return judge(by_covariance); }},
+      .naive = {"the reprojection is near, so is the point", [] { return judge(by_reprojection); }},
+      .mutants = {{"the baseline's root", [] { return judge(with_root_of_baseline); }},
+                  {"without baseline nothing is off", [] { return judge(never_infinite); }}},
+      .not_drawn = "an estimate from matches, which no engine draws",
+  };
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,110 @@
+#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/matching_pair.h"
+
+namespace glassbox::study {
+namespace c112 {
+
+constexpr int kWidth = 160, kHeight = 60;
+
+double disparity_at(double x, double y) {
+  return 4 + 0.1 * x + 0.05 * y;
+}
+
+// Smooth noise on the right picture's plane: a random code every five pixels, cosine between them.
+class Texture {
+public:
+  Texture() : codes_(grey_noise(kWidth, kHeight, 112)) {}
+  double at(double x, double y) const {
+    const double column = std::max(x, 0.0) / 5, row = y / 5;
+    const int i = std::min(int(column), kWidth - 2), j = std::min(int(row), kHeight - 2);
+    const double s = smooth(column - i), t = smooth(row - j);
+    const auto code = [&](int a, int b) { return double(codes_.at(a, b).g); };
+    return (1 - t) * ((1 - s) * code(i, j) + s * code(i + 1, j)) +
+           t * ((1 - s) * code(i, j + 1) + s * code(i + 1, j + 1));
+  }
+
+private:
+  static double smooth(double x) { return x * x * (3 - 2 * x); }
+  Image<Rgba8> codes_;
+};
+
+struct Pictures {
+  Image<Rgba8> left{kWidth, kHeight}, right{kWidth, kHeight};
+};
+Pictures pictures() {
+  const Texture texture;
+  Pictures made;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const auto grey = [](double code) {
+        const auto value = std::uint8_t(code + 0.5);
+        return Rgba8{value, value, value, 255};
+      };
+      made.right.at(x, y) = grey(texture.at(x, y));
+      made.left.at(x, y) = grey(texture.at(x - disparity_at(x, y), y));
+    }
+  }
+  return made;
+}
+
+// What becomes of a disparity with part of a pixel, and of the whole one.
+using Answer = double (*)(double refined, double whole);
+
+// RMS over what is answered of pixels that the right picture has.
+Outcome judge(Answer answer) {
+  const Pictures pair = pictures();
+  views::MatchSettings settings = plain_settings("default", {0, 47});
+  const views::DenseMatch refined = matched(pair.left, pair.right, settings);
+  settings.subpixel = false;
+  const views::DenseMatch whole = matched(pair.left, pair.right, settings);
+  double squares = 0;
+  int answered = 0, all = 0;
+  for (int y = 4; y < kHeight - 4; ++y) {
+    for (int x = 20; x < kWidth - 8; ++x, ++all) {
+      const double a = double(refined.disparity.at(x, y)), b = double(whole.disparity.at(x, y));
+      if (!std::isfinite(a) || !std::isfinite(b)) continue;
+      squares += std::pow(answer(a, b) - disparity_at(x, y), 2);
+      ++answered;
+    }
+  }
+  const double rms = std::sqrt(squares / std::max(answered, 1));
+  return {rms, 0.25, {}, fmt::format("{} of {} pixels answered", answered, all)};
+}
+
+double part_of_pixel(double refined, double) {
+  return refined;
+}
+double whole_pixels(double, double whole) {
+  return whole;
+}
+double other_way(double refined, double whole) {
+  return whole - (refined - whole);
+}
+double cut_off(double refined, double) {
+  return std::floor(refined);
+}
+
+}  // namespace c112
+
+ExtremeCase c112_slanted_plane() {
+  using namespace c112;
+  return {
+      .id = "C-112",
+      .name = "A slanted plane",
+      .construction = "disparities 4 + x/10 + y/20 of smooth noise, 160 x 60 px",
+      .stage = "matching",
+      .right =
+          "RMS of at most 1/4 px: whole pixels cannot have less than 1/sqrt(12) = 0.289, which is "
+          "a "
+          "staircase's",
+      .unit = "px",
+      .oracle = Oracle::kAnalytic,
+      .ours = {"part of a pixel", [] { return judge(part_of_pixel); }},
+      .naive = {"whole pixels", [] { return judge(whole_pixels); }},
+      .mutants = {{"the part with the other sign", [] { return judge(other_way); }},
+                  {"the part cut off", [] { return judge(cut_off); }}},
+      .not_drawn = "pictures are only what it starts from: no engine draws what is matched",
+  };
+}
+
+}  // namespace glassbox::study

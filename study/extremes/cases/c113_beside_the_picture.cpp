@@ -1,0 +1,72 @@
+#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/matching_pair.h"
+#include "study/naive/matching.h"
+#include "views/matching/winner.h"
+
+namespace glassbox::study {
+namespace c113 {
+
+using Matcher = Image<float> (*)(const Image<Rgba8>& left, const Image<Rgba8>& right,
+                                 const views::DisparityRange& range);
+
+Image<float> ours(const Image<Rgba8>& left, const Image<Rgba8>& right,
+                  const views::DisparityRange& range) {
+  return matched(left, right, plain_settings("default", range)).disparity;
+}
+Image<float> filled(const Image<Rgba8>& left, const Image<Rgba8>& right,
+                    const views::DisparityRange& range) {
+  views::MatchSettings settings = plain_settings("default", range);
+  settings.fill = true;
+  return matched(left, right, settings).disparity;
+}
+Image<float> of_positive_ones(const Image<Rgba8>& left, const Image<Rgba8>& right,
+                              const views::DisparityRange& range) {
+  return ours(left, right, {std::max(0, range.first), range.last});
+}
+
+// Pixels that have no match of the range in the right picture and answer all the same, or answer beyond the range by more than the
+// half pixel of its refinement; and pixels of a wall at -4 that do not find it.
+Outcome judge(Matcher matcher) {
+  constexpr int kWidth = 60, kHeight = 30;
+  const Image<Rgba8> left = grey_noise(kWidth, kHeight, 113);
+  int wrong = 0;
+  const views::DisparityRange far{10, 20}, around{-8, 8};
+  const Image<float> beside = matcher(left, moved_left(left, 12, 1), far);
+  const Image<float> behind = matcher(left, moved_left(left, -4, 2), around);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const float d = beside.at(x, y);
+      const bool none = d == views::kNoDisparity;
+      wrong += x < far.first ? !none : !none && !(d >= 9.5f && d <= 20.5f && float(x) - d > -1);
+      if (y >= 4 && y < kHeight - 4 && x >= 12 && x < kWidth - 12)
+        wrong += !(std::abs(behind.at(x, y) + 4) <= 0.5f);
+    }
+  }
+  return wrong_of(wrong, kWidth * kHeight, "pixels");
+}
+
+}  // namespace c113
+
+ExtremeCase c113_beside_the_picture() {
+  using namespace c113;
+  return {
+      .id = "C-113",
+      .name = "No match in the range or in the picture",
+      .construction =
+          "a wall at disparity 12, sought from 10 to 20; one at -4, sought from -8 to 8",
+      .stage = "matching",
+      .right =
+          "pixels of the first ten columns, whose matches lie beside the right picture, are "
+          "without "
+          "disparity; negative ones are found",
+      .unit = "pixels",
+      .oracle = Oracle::kProperty,
+      .ours = {"invalid where nothing can be", [] { return judge(ours); }},
+      .naive = {"clamped into the picture", [] { return judge(naive::match_clamped); }},
+      .mutants = {{"holes are filled", [] { return judge(filled); }},
+                  {"from 0 on", [] { return judge(of_positive_ones); }}},
+      .not_drawn = "pictures are only what it starts from: no engine draws what is matched",
+  };
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,98 @@
+#include "study/extremes/kit/extreme_case.h"
+#include "study/naive/matching.h"
+#include "views/matching/evaluate.h"
+#include "views/matching/winner.h"
+
+namespace glassbox::study {
+namespace c114 {
+
+// The numbers of the data set's motorcycle, in px and mm.
+const views::Calibration kMotorcycle{994.978, 193.001, 31.086};
+
+struct Subject114 {
+  double (*rms)(const Image<float>& disparity, const Image<float>& truth);
+  double (*depth)(double disparity, const views::Calibration& calibration);
+};
+
+double of_known(const Image<float>& disparity, const Image<float>& truth) {
+  return views::evaluate(disparity, views::known_disparities(truth, 1)).rms;
+}
+// Its documentation says that what is unknown is NaN.
+double nan_is_unknown(const Image<float>& disparity, const Image<float>& truth) {
+  Image<float> known = truth, answer = disparity;
+  for (std::size_t i = 0; i < known.pixels.size(); ++i) {
+    if (std::isnan(known.pixels[i])) known.pixels[i] = answer.pixels[i] = 0;
+  }
+  return naive::rms_of_all(answer, known);
+}
+// 0 px is far away, and no answer is right.
+double zero_is_far(const Image<float>& disparity, const Image<float>& truth) {
+  double sum = 0, count = 0;
+  for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+    if (!std::isfinite(truth.pixels[i])) continue;
+    sum += std::pow(double(disparity.pixels[i]) - double(truth.pixels[i]), 2);
+    ++count;
+  }
+  return std::sqrt(sum / count);
+}
+double with_offset(double disparity, const views::Calibration& calibration) {
+  Image<float> one(1, 1, float(disparity));
+  return double(views::depths_of(one, calibration).pixels[0]);
+}
+
+// Three of seven pixels are known, one of them is 3 px off. Depths are floats: a sum, a product, a quotient and a rounding.
+Outcome judge(const Subject114& subject) {
+  Image<float> truth(7, 1), disparity(7, 1);
+  truth.pixels = {10, 0, INFINITY, NAN, 20, 2, INFINITY};
+  disparity.pixels = {10, 50, 50, 50, 20, 5, 40};
+  Worst worst;
+  const double right = std::sqrt(9.0 / 3), rms = subject.rms(disparity, truth);
+  worst.see(std::abs(rms / right - 1), 0x1p-22,
+            fmt::format("RMS {:.4g} px for {:.4g}", rms, right));
+  for (const double d : {100.0, 40.0, 8.0}) {
+    const double z = 994.978 * 193.001 / (d + 31.086), said = subject.depth(d, kMotorcycle);
+    worst.see(std::abs(said / z - 1), 0x1p-22, fmt::format("{:.5g} mm for {:.5g} mm", said, z));
+  }
+  return worst.outcome();
+}
+
+}  // namespace c114
+
+ExtremeCase c114_unknown_truth() {
+  using namespace c114;
+  return {
+      .id = "C-114",
+      .name = "Unknown truth and an offset",
+      .construction =
+          "a truth of 10, 0, +inf, NaN, 20, 2, +inf px, where 0 and what is not finite is unknown; "
+          "the "
+          "motorcycle's calibration: f 994.978 px, B 193.001 mm, offset 31.086 px",
+      .stage = "matching",
+      .right = "the error of the three known pixels; Z = f B/(d + 31.086); four roundings of float",
+      .unit = "relative",
+      .oracle = Oracle::kAnalytic,
+      .ours = {"what is known, with the offset",
+               [] {
+                 return judge({of_known, with_offset});
+               }},
+      .naive = {"all pixels, f B/d",
+                [] {
+                  return judge({naive::rms_of_all, naive::depth_without_offset});
+                }},
+      .mutants = {{"only NaN is unknown",
+                   [] {
+                     return judge({nan_is_unknown, with_offset});
+                   }},
+                  {"0 is a disparity",
+                   [] {
+                     return judge({zero_is_far, with_offset});
+                   }},
+                  {"the offset is forgotten",
+                   [] {
+                     return judge({of_known, naive::depth_without_offset});
+                   }}},
+      .not_drawn = "pictures are only what it starts from: no engine draws what is matched",
+  };
+}
+
+}  // namespace glassbox::study

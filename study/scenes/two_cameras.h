@@ -1,0 +1,124 @@
+// Pairs of cameras and what they see, made at random: the same on every machine.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <glassbox/base/random.h>
+
+#include "views/two_view/estimate.h"
+#include "views/two_view/match.h"
+#include "views/two_view/triangulation.h"
+
+namespace glassbox::study {
+
+// 640 x 480 pixels, focal length 800 (SPEC B.8).
+inline views::Matrix3d sample_intrinsic() {
+  views::Matrix3d k;
+  k << 800, 0, 320, 0, 800, 240, 0, 0, 1;
+  return k;
+}
+
+// The rotation of the quaternion (1, x, y, z).
+inline views::Matrix3d turned_by(double x, double y, double z) {
+  return Eigen::Quaterniond(1, x, y, z).normalized().toRotationMatrix();
+}
+
+// Two such cameras, the right one at `centre`, turned so.
+inline views::StereoRig rig_at(const views::Vector3d& centre,
+                               const views::Matrix3d& rotation = views::Matrix3d::Identity()) {
+  views::StereoRig rig;
+  rig.left_intrinsic = rig.right_intrinsic = sample_intrinsic();
+  rig.pose = {rotation, centre};
+  return rig;
+}
+
+// In a ball of radius 1, but not near its middle.
+inline views::Vector3d anywhere(Random& random) {
+  for (;;) {
+    const double x = random.between(-1, 1), y = random.between(-1, 1);
+    const views::Vector3d v(x, y, random.between(-1, 1));
+    if (v.norm() <= 1 && v.norm() >= 0.3) return v;
+  }
+}
+
+// The right camera 0.3 to 1 away in any direction, turned by up to half a radian.
+inline views::StereoRig random_rig(Random& random) {
+  const views::Vector3d centre = anywhere(random), axis = anywhere(random) / 8;
+  return rig_at(centre, turned_by(axis.x(), axis.y(), axis.z()));
+}
+
+// Normal but for its tails: twelve uniform numbers.
+inline double gaussian(Random& random) {
+  double sum = -6;
+  for (int i = 0; i < 12; ++i) sum += random.unit();
+  return sum;
+}
+
+inline views::Vector2d pixel_noise(Random& random, double sigma) {
+  const double x = gaussian(random);
+  return sigma * views::Vector2d(x, gaussian(random));
+}
+
+inline views::Match seen(const views::StereoRig& rig, const views::Vector3d& point) {
+  const views::Vector3d left = rig.left_intrinsic * point;
+  const views::Vector3d right =
+      rig.right_intrinsic * rig.pose.rotation * (point - rig.pose.translation);
+  return {left.hnormalized(), right.hnormalized()};
+}
+
+inline views::Match seen(const views::StereoRig& rig, const views::Vector3d& point, double sigma,
+                         Random& random) {
+  views::Match match = seen(rig, point);
+  match.left += pixel_noise(random, sigma);
+  match.right += pixel_noise(random, sigma);
+  return match;
+}
+
+// In the left picture, between two distances along the gaze, and in front of the right camera.
+inline views::Vector3d point_before(Random& random, const views::StereoRig& rig, double nearest,
+                                    double farthest) {
+  for (;;) {
+    const double x = random.between(0, 640), y = random.between(0, 480);
+    const views::Vector3d point =
+        random.between(nearest, farthest) * views::ray_through(rig.left_intrinsic, {x, y});
+    if ((rig.pose.rotation * (point - rig.pose.translation)).z() > 1) return point;
+  }
+}
+
+inline views::Matches matches_of(Random& random, const views::StereoRig& rig, int count,
+                                 double sigma, double nearest = 2, double farthest = 10) {
+  views::Matches matches;
+  while (int(matches.size()) < count)
+    matches.push_back(seen(rig, point_before(random, rig, nearest, farthest), sigma, random));
+  return matches;
+}
+
+// The same of points on a plane some six away, which leans by up to half a radian.
+inline views::Matches matches_of_plane(Random& random, const views::StereoRig& rig, int count,
+                                       double sigma) {
+  const double lean = random.between(-0.5, 0.5);
+  const views::Vector3d normal = views::Vector3d(lean, random.between(-0.5, 0.5), -1).normalized();
+  views::Matches matches;
+  while (int(matches.size()) < count) {
+    const views::Vector3d ray = point_before(random, rig, 2, 10);
+    matches.push_back(seen(rig, ray * (-6 / ray.dot(normal)), sigma, random));
+  }
+  return matches;
+}
+
+// On the planes at distance 1.
+inline views::Matches calibrated(const views::Matches& pixels, const views::StereoRig& rig) {
+  return views::calibrated(pixels, rig.left_intrinsic, rig.right_intrinsic);
+}
+
+// Of two matrices scaled to norm 1, the distance up to sign.
+inline double apart(const views::Matrix3d& a, const views::Matrix3d& b) {
+  const views::Matrix3d p = a.normalized(), q = b.normalized();
+  return std::min((p - q).norm(), (p + q).norm());
+}
+
+}  // namespace glassbox::study

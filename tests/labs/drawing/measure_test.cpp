@@ -1,0 +1,315 @@
+// A student's functions as points in an experiment's chart: every lab's solution, functions that are less exact, crash or never end,
+// and what is handed in of a measurement.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "labs/framework/lab.h"
+#include "labs/measuring/claim.h"
+#include "labs/measuring/measuring.h"
+#include "study/experiment/runner.h"
+#include "tests/support/catch.h"
+#include "tests/support/run_program.h"
+
+using namespace glassbox;
+using namespace glassbox::labs;
+
+namespace {
+
+namespace fs = std::filesystem;
+using study::ConfigurationResult;
+
+const Lab& lab_numbered(int number) {
+  const auto& all = all_labs();
+  return *std::find_if(all.begin(), all.end(), [&](const Lab& l) { return l.number == number; });
+}
+
+// A lab's solution, but for what is replaced, as a program that is asked and timed.
+class Bench {
+public:
+  Bench(int lab, const std::string& find, const std::string& replace)
+      : place_(made_place()), sandbox_(grading::Sandbox::choose(place_).value()) {
+    const Sources sources = find_sources().value();
+    const std::string& folder = lab_numbered(lab).folder;
+    std::string text = solution_text(sources, folder).value();
+    const std::size_t at = text.find(find);
+    REQUIRE(at != std::string::npos);
+    text.replace(at, find.size(), replace);
+    std::ofstream(place_ / "student.cpp") << text;
+    const fs::path kept = fs::path(KEPT) / (folder + "-measured");
+    fs::create_directories(kept);
+    const auto made =
+        build_stages(sources, {folder, place_ / "student.cpp", kept, place_, true}, sandbox_);
+    REQUIRE(made);
+    INFO(made->messages);
+    REQUIRE_FALSE(made->program.empty());
+    program_ = made->program;
+  }
+  ~Bench() {
+    std::error_code error;
+    fs::remove_all(place_, error);
+  }
+  Bench(const Bench&) = delete;
+  Bench& operator=(const Bench&) = delete;
+
+  StudentAnswers student(double seconds = 60) const { return {sandbox_, program_, seconds}; }
+
+private:
+  static fs::path made_place() {
+    std::string name = (fs::temp_directory_path() / "glassbox-measure-XXXXXX").string();
+    REQUIRE(::mkdtemp(name.data()) != nullptr);
+    fs::permissions(name, fs::perms(0711));
+    return name;
+  }
+
+  fs::path place_;
+  grading::Sandbox sandbox_;
+  fs::path program_;
+};
+
+void say_nothing(const std::string&) {}
+
+// Which of the experiment's ways each series does as well as.
+struct Peer {
+  int lab;
+  std::map<std::string, std::string> ways;
+};
+const std::vector<Peer>& peers() {
+  static const std::vector<Peer> all{
+      {1, {{"yours", "Newell, from the first corner"}}},
+      {2,
+       {{"yours, every step", "float, renormalised every step"},
+        {"yours, every 10 steps", "float, renormalised every 10 steps"},
+        {"yours, every 100 steps", "float, renormalised every 100 steps"},
+        {"yours, every 1000 steps", "float, renormalised every 1000 steps"}}},
+      {3,
+       {{"yours, U V N", "minus the eye, rotation, projection"},
+        {"yours, two rotations", "minus the eye, rotation, projection"}}},
+      {4, {{"yours", "minus the eye, rotation, projection"}}},
+      {5, {{"yours", "clip space, the box"}}},
+      {6, {{"yours", "int64"}}},
+      {7,
+       {{"yours, u16", "u16"},
+        {"yours, u24", "u24"},
+        {"yours, float", "float"},
+        {"yours, float, reversed", "float, reversed"}}},
+      {8,
+       {{"yours, every 8 pixels", "a division every 8 pixels"},
+        {"yours, every 16 pixels", "a division every 16 pixels"},
+        {"yours, every 32 pixels", "a division every 32 pixels"}}},
+      {9, {{"yours", "union, eight planes"}}},
+  };
+  return all;
+}
+
+const study::Experiment& experiment_of(const LabMeasure& measure) {
+  return *study::find_experiment(study::experiments(), measure.experiment);
+}
+
+// The theory of one of the experiment's ways where `mine` is; none if it is not there.
+std::optional<double> theory_at(const std::vector<study::Configuration>& all,
+                                const std::string& way, const ConfigurationResult& mine) {
+  for (const study::Configuration& each : all) {
+    if (each.series == way && each.scene == mine.scene && each.measure == mine.measure &&
+        each.parameter == mine.parameter)
+      return each.predicted_error;
+  }
+  return std::nullopt;
+}
+
+study::ConfigurationResult timed(const std::string& series, double error, double ns) {
+  ConfigurationResult result;
+  result.series = series;
+  result.parameter = 8;
+  result.scene = "wall";
+  result.error = error;
+  result.timings = {{1, 11, {ns * 0.9, ns, ns * 1.1}, 0}};
+  return result;
+}
+
+Claim small_claim(double yours, double ns) {
+  study::ExperimentResult result;
+  result.id = "D-4";
+  result.configurations = {timed("slow", 0, 100), timed("quick", 1, 10), timed("yours", yours, ns)};
+  return claim_of("08-attributes", "c0de", {}, result, {"yours"});
+}
+
+}  // namespace
+
+TEST_CASE(
+    "every lab's solution is measured where its experiment measures, and as exact as its theory") {
+  const Peer& peer = GENERATE(from_range(peers()));
+  CAPTURE(peer.lab);
+  const auto measure = measure_of(peer.lab);
+  REQUIRE(measure);
+  const Bench bench(peer.lab, "#include", "#include");
+  StudentAnswers student = bench.student();
+  const auto points = measure_places(*measure, student, 0, say_nothing);
+  INFO(student.broke().value_or(""));
+  REQUIRE(points);
+  const auto ways = experiment_of(*measure).configurations(study::Effort::kQuick);
+  for (const ConfigurationResult& mine : *points) {
+    CAPTURE(mine.series, mine.scene, mine.measure, mine.parameter, mine.error);
+    REQUIRE(peer.ways.contains(mine.series));
+    const auto theory = theory_at(ways, peer.ways.at(mine.series), mine);
+    REQUIRE(theory);
+    // A factor of two is what a theory is held to (study/experiment/theory.h).
+    CHECK(mine.error <= 2 * *theory);
+  }
+}
+
+TEST_CASE("a lab without a part of an experiment has no measurement") {
+  CHECK_FALSE(measure_of(99));
+}
+
+TEST_CASE(
+    "a student's less exact variant has its error in the chart, by the theory of its arithmetic") {
+  const Bench bench(6, "std::int64_t edge(", R"(std::int64_t exact_edge(
+    const SnappedVertex& a, const SnappedVertex& b, const SnappedVertex& p);
+std::int64_t edge(const SnappedVertex& a, const SnappedVertex& b, const SnappedVertex& p) {
+  return std::int64_t(float(b.x - a.x) * float(p.y - a.y) - float(b.y - a.y) * float(p.x - a.x));
+}
+std::int64_t exact_edge()");
+  const LabMeasure measure = measure_of(6).value();
+  StudentAnswers student = bench.student();
+  const auto points = measure_places(measure, student, 0, say_nothing);
+  REQUIRE(points);
+  const auto ways = experiment_of(measure).configurations(study::Effort::kQuick);
+  for (const ConfigurationResult& mine : *points) {
+    if (mine.parameter < 32768) continue;  // few of two million decisions are wrong there
+    CAPTURE(mine.scene, mine.error);
+    const double theory = theory_at(ways, "float, difference form", mine).value();
+    CHECK(mine.error >= theory / 2);
+    CHECK(mine.error <= theory * 2);
+  }
+}
+
+TEST_CASE(
+    "what is measured is timed in rounds, and a crash, an exception or a loop ends it with a "
+    "message") {
+  const LabMeasure measure = measure_of(8).value();
+  const MeasuredPlace place = measure.places().front();
+  const LabMeasure one{measure.experiment, measure.functions, [&] { return std::vector{place}; }};
+  {
+    const Bench bench(8, "#include", "#include");
+    StudentAnswers student = bench.student();
+    const auto points = measure_places(one, student, 11, say_nothing);
+    REQUIRE(points);
+    const study::Timing& time = points->front().timings.at(0);
+    CHECK(time.repetitions == 11);
+    CHECK(time.ns.lower > 0);
+    CHECK(time.ns.lower <= time.ns.median);
+    CHECK(time.ns.median <= time.ns.upper);
+  }
+  const std::string start = "  std::vector<double> u;\n";
+  for (const auto& [replace, said] :
+       {std::pair{"  *static_cast<volatile int*>(nullptr) = 1;\n", "SIGSEGV"},
+        {"  throw 5;\n", "threw something"},
+        {"  for (volatile int i = 0;;) i = 1;\n", "still running after 0.5 seconds"}}) {
+    const Bench bench(8, start, start + replace);
+    StudentAnswers student = bench.student(0.5);
+    CHECK_FALSE(measure_places(one, student, 11, say_nothing));
+    REQUIRE(student.broke());
+    CAPTURE(*student.broke());
+    CHECK(student.broke()->find(said) != std::string::npos);
+    CHECK(student.broke()->find("span_coordinates") != std::string::npos);
+  }
+}
+
+TEST_CASE("a claim is borne out by the same errors and orders, whatever the times are") {
+  const Claim here = small_claim(0.5, 50);
+  REQUIRE(here.points.size() == 1);
+  CHECK(here.points[0].faster_than == std::vector<std::string>{"slow"});
+  CHECK(here.points[0].slower_than == std::vector<std::string>{"quick"});
+  const Claim read = read_claim("measured.json", claim_json(here).dump()).value();
+  CHECK(contradictions(read, here).empty());
+  // Another machine: other times, the same orders; and one on which nobody can tell.
+  CHECK(contradictions(read, small_claim(0.5, 70)).empty());
+  CHECK(contradictions(read, small_claim(0.5, 100)).empty());
+
+  const auto differs = [&](const Claim& claimed, const Claim& measured) {
+    const auto found = contradictions(claimed, measured);
+    REQUIRE(found.size() == 1);
+    return found[0];
+  };
+  CHECK(differs(read, small_claim(0.25, 50)) == "yours at 8, wall: the error is 0.25, not 0.5");
+  CHECK(differs(small_claim(0.5, 2), here) ==
+        "yours at 8, wall: slower than \"quick\", not faster");
+  CHECK(differs(small_claim(0.5, 300), here) ==
+        "yours at 8, wall: faster than \"slow\", not slower");
+  Claim other = here;
+  other.code = "another";
+  CHECK(differs(other, here) == "it is of another student.cpp than the one that was measured");
+  other = here;
+  other.points.clear();
+  CHECK(differs(other, here) == "yours at 8, wall: is missing");
+  other.lab = "06-rasterisation";
+  CHECK(differs(other, here) == "it is of lab 06-rasterisation, not 08-attributes");
+  // What is no number is kept as what it is.
+  const Claim infinite = small_claim(HUGE_VAL, 50), none = small_claim(std::nan(""), 50);
+  CHECK(contradictions(read_claim("", claim_json(infinite).dump()).value(), infinite).empty());
+  CHECK(contradictions(read_claim("", claim_json(none).dump()).value(), none).empty());
+  CHECK(contradictions(none, infinite).size() == 1);
+}
+
+TEST_CASE("a file that is no claim is refused with a line") {
+  for (const char* text : {"", "[]", "{\"lab\": 5}", "{\"lab\": \"a\", \"code\": \"b\"}",
+                           R"({"lab": "a", "code": "b", "experiment": "D-4", "points": [{}]})",
+                           R"({"lab": "a", "code": "b", "experiment": "D-4", "points": 3})"}) {
+    CAPTURE(text);
+    const auto read = read_claim("measured.json", text);
+    REQUIRE_FALSE(read);
+    const std::string message = read.error().message();
+    CHECK(message.find("measured.json") != std::string::npos);
+    CHECK(message.find('\n') == std::string::npos);
+  }
+}
+
+TEST_CASE(
+    "lab measure writes a chart and a claim, and tells a claim that holds from one that does not") {
+  const fs::path folder =
+      fs::temp_directory_path() / fmt::format("glassbox-lab-measure-{}", getpid());
+  fs::remove_all(folder);
+  fs::create_directories(folder / "ann");
+  const Sources sources = find_sources().value();
+  std::ofstream(folder / "ann/student.cpp") << solution_text(sources, "05-clipping").value();
+  const auto run = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"lab", "measure", "ann", "--lab", "5"});
+    return test::run_program(GLASSBOX_PROGRAM, words, folder.string());
+  };
+  const auto made = run({"--json", "measured.json", "--html", "chart.html"});
+  CAPTURE(made.out, made.err);
+  CHECK(made.exit_code == 0);
+  CHECK(made.out.find("Lab 5 in D-32") != std::string::npos);
+  CHECK(made.out.find("yours") != std::string::npos);
+  const std::string page = read_text_file(folder / "chart.html").value();
+  CHECK(page.find("\"yours\"") != std::string::npos);
+  CHECK(page.find("clip space, the box") != std::string::npos);
+  const std::string claim = read_text_file(folder / "measured.json").value();
+  CHECK(claim.size() < 4096);
+  CHECK_FALSE(fs::exists(folder / "ann/build"));
+
+  std::string text = claim;
+  const std::string error = "\"error\": 0.0";
+  REQUIRE(text.find(error) != std::string::npos);
+  text.replace(text.find(error), error.size(), "\"error\": 0.5");
+  std::ofstream(folder / "better.json") << text;
+  const auto wrong = run({"--against", "better.json"});
+  CAPTURE(wrong.out, wrong.err);
+  CHECK(wrong.exit_code == 1);
+  CHECK(wrong.out.find("the error is 0, not 0.5") != std::string::npos);
+
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"--against", "nowhere.json"}, {"--html", "chart.txt"}}) {
+    const auto refused = run(words);
+    CHECK(refused.exit_code == 2);
+    CHECK(std::count(refused.err.begin(), refused.err.end(), '\n') == 1);
+  }
+  fs::remove_all(folder);
+}

@@ -1,0 +1,80 @@
+// D-20 to D-23: the laws of two pictures, beside those that every experiment is held against.
+#include <cmath>
+
+#include "study/bench/statistics.h"
+#include "tests/study/experiments/laws.h"
+
+namespace glassbox::test {
+namespace {
+
+using namespace study;
+
+std::vector<Sample> series_of(const std::vector<Measured>& all, const std::string& series,
+                              const std::string& measure) {
+  std::vector<Sample> samples;
+  for (const Measured& m : all) {
+    if (m.configuration.series == series && m.configuration.measure == measure)
+      samples.push_back({m.configuration.parameter, m.error});
+  }
+  return samples;
+}
+
+// Width, height and disparities all go with the axis. Along the row the first columns have fewer disparities, by terms of the second
+// power: 1/3 of a width's share at 32 px, less than 0.03 in the exponent.
+TEST_CASE("matching along rows goes with W H D, in the whole picture with W^2 H^2 (D-20)") {
+  const auto all = measure(d20_search());
+  const auto row = fit_power_law(series_of(all, "along the row", "comparisons"));
+  const auto whole = fit_power_law(series_of(all, "in the whole picture", "comparisons"));
+  CHECK(std::abs(row.exponent - 3) < 0.03);
+  CHECK(std::abs(whole.exponent - 4) < 1e-9);
+}
+
+TEST_CASE("the best baseline is neither the shortest nor the longest (D-21)") {
+  const auto errors = series_of(measure(d21_baseline()), "the default matcher", "");
+  const auto best = std::ranges::min_element(errors, {}, &Sample::y);
+  REQUIRE(errors.size() >= 5);
+  CHECK(errors.front().y > 2 * best->y);
+  CHECK(errors.back().y > 2 * best->y);
+  CHECK(best->x >= 0.05);
+  CHECK(best->x <= 0.2);
+}
+
+// 1177 and 145 samples: eight times. Medians of five runs, each of which ends with its own share of inliers.
+TEST_CASE(
+    "with half of the matches wrong, eight points take eight times the samples of five (D-22)") {
+  const auto all = measure(d22_samples());
+  const double five = error_at(all, "five points", "", 0.5);
+  const double eight = error_at(all, "eight points", "", 0.5);
+  CHECK(eight / five > 4);
+  CHECK(eight / five < 16);
+  for (const double matches : {8.0, 20.0, 50.0}) {
+    const double gain = error_at(all, "pixels", "", matches, "condition") /
+                        error_at(all, "normalised points", "", matches, "condition");
+    CHECK(std::log10(gain) > 3);
+    CHECK(std::log10(gain) < 3.7);
+  }
+}
+
+TEST_CASE(
+    "all ways to triangulate agree where both cameras are as far away; where one is nearer, those "
+    "that weigh pixels are better at high convergence (D-23)") {
+  const auto all = measure(d23_triangulation());
+  for (const double degrees : {1.0, 5.0, 20.0, 60.0, 90.0, 120.0}) {
+    const auto at = [&](const char* series, const char* scene) {
+      return error_at(all, series, scene, degrees);
+    };
+    const double best = at("Hartley-Sturm", "both as far away");
+    for (const char* series : {"midpoint", "linear", "linear, normalised", "Lindstrom"}) {
+      INFO(series << " at " << degrees);
+      CHECK(std::abs(at(series, "both as far away") / best - 1) < 0.03);
+    }
+    const double nearer = at("Hartley-Sturm", "one six times nearer");
+    CHECK(std::abs(at("Lindstrom", "one six times nearer") / nearer - 1) < 1e-3);
+    if (degrees >= 60) {
+      CHECK(at("midpoint", "one six times nearer") > 1.05 * nearer);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace glassbox::test
