@@ -22,7 +22,8 @@ const std::vector<LeftOut>& left_out_cases() {
       {"C-80 to C-86", "Layered depth images",
        "warps, splats and merges of layers: the pipeline draws no layered depth images"},
       {"C-87 to C-94", "Voxel colouring",
-       "footprints, thresholds and sweeps through voxels: nothing is reconstructed from pictures"},
+       "footprints, thresholds and sweeps through voxels, which the pipeline has none of: "
+       "tests/views/voxels holds them"},
       {"C-95 to C-98", "Polygon colouring",
        "marching cubes and view-dependent textures of a reconstruction: there is none"},
       {"C-99 to C-114", "Two-view geometry and stereo matching",
