@@ -99,5 +99,5 @@ function setUpShape(pick) {
   });
   byId("shades").addEventListener("change", redrawShape);
   addEventListener("resize", redrawShape);
-  redrawShape();
+  drawShape(); // at once: a click may come before the next frame
 }
