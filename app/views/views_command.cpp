@@ -10,13 +10,17 @@ void ViewsCommand::add_to(CLI::App& app, int& exit_code) {
       "Examples:\n"
       "  glassbox views geometry --scene room --eye-separation 0.3\n"
       "  glassbox views match --scene room --eye-separation 0.2 -o disparity.pfm\n"
-      "  glassbox views layers build room -o room.ldi\n\n"
+      "  glassbox views layers build room -o room.ldi\n"
+      "  glassbox views ring teapot -o ring\n"
+      "  glassbox views voxels ring -o teapot.ply\n\n"
       "docs/views.md goes from two pictures to the cameras, docs/matching.md to a disparity map,\n"
-      "docs/layers.md from layers to new pictures.");
+      "docs/layers.md from layers to new pictures, docs/voxels.md from many pictures to a shape.");
   command.require_subcommand(1);
   geometry_.add_to(command, exit_code);
   match_.add_to(command, exit_code);
   layers_.add_to(command, exit_code);
+  ring_.add_to(command, exit_code);
+  voxels_.add_to(command, exit_code);
 }
 
 }  // namespace glassbox::app

@@ -5,6 +5,8 @@
 #include "app/views/geometry_command.h"
 #include "app/views/layers_command.h"
 #include "app/views/match_command.h"
+#include "app/views/ring_command.h"
+#include "app/views/voxels_command.h"
 
 namespace glassbox::app {
 
@@ -16,6 +18,8 @@ private:
   ViewsGeometryCommand geometry_;
   ViewsMatchCommand match_;
   ViewsLayersCommand layers_;
+  ViewsRingCommand ring_;
+  ViewsVoxelsCommand voxels_;
 };
 
 }  // namespace glassbox::app

@@ -1,6 +1,6 @@
 // The pages of `glassbox bench --html`, `glassbox diff --html`, `glassbox inspect`, `glassbox stereo --html`, `glassbox study extremes
-// --html`, `glassbox study report`, `glassbox study scene --html`, `glassbox study stiffness`, `glassbox views geometry --draw` and
-// `glassbox views match --html` in a browser.
+// --html`, `glassbox study report`, `glassbox study scene --html`, `glassbox study stiffness`, `glassbox views geometry --draw`,
+// `glassbox views match --html` and `glassbox views voxels --html` in a browser.
 //
 //     node run.mjs PROGRAM DIRECTORY [WORDS]
 //
@@ -20,6 +20,7 @@ import "./stereo_tests.mjs";
 import "./stiffness_tests.mjs";
 import "./study_tests.mjs";
 import "./using_tests.mjs";
+import "./voxels_tests.mjs";
 
 let failed = 0;
 const chosen = tests.filter(({name}) => name.includes(process.argv[4] ?? ""));

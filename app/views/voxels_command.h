@@ -1,0 +1,50 @@
+// glassbox views voxels: the shape that calibrated pictures show.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/options/cli_fwd.h"
+#include "app/views/voxels_report.h"
+#include "views/rings/picture_set.h"
+#include "views/voxels/coloring.h"
+#include "views/voxels/voxel_file.h"
+
+namespace glassbox::app {
+
+class Progress;
+
+class ViewsVoxelsCommand {
+public:
+  void add_to(CLI::App& views, int& exit_code);
+
+private:
+  void add_input_options(CLI::App& command);
+  void add_coloring_options(CLI::App& command);
+  void add_output_options(CLI::App& command);
+  int run();
+  Result<void> check_asked() const;
+  Result<void> check_outputs() const;
+  Result<VoxelsInput> read(Progress& progress) const;
+  Result<void> complete_request(const views::PictureSet& set);
+  Result<void> write_outputs(const VoxelsInput& input, const VoxelsReport& report) const;
+  std::string command_line() const;
+
+  std::string pictures_;
+  std::vector<std::size_t> chosen_;  // from 0
+  std::optional<int> leave_out_;     // from 1
+  std::optional<std::string> truth_;
+  std::optional<std::array<double, 6>> box_;
+  std::optional<double> voxel_size_, total_;
+  std::optional<int> resolution_, matte_above_;
+  bool no_mattes_ = false, against_full_ = false;
+  views::ColoringRequest request_;
+  std::uint32_t max_megabytes_ = 4096;
+  std::optional<std::string> output_, left_out_output_, json_output_, page_;
+  views::VoxelShape shape_ = views::VoxelShape::kCubes;
+  std::vector<const CLI::Option*> options_;
+};
+
+}  // namespace glassbox::app

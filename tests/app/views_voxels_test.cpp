@@ -1,0 +1,102 @@
+// glassbox views ring and voxels: pictures of a scene, its shape from them again, and what is refused.
+#include "tests/support/catch.h"
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/run.h"
+
+namespace glassbox::test {
+namespace {
+
+using Json = nlohmann::json;
+
+Json voxels_answer(const Workplace& here, const std::string& words) {
+  const Outcome outcome = here.run("views " + words + " --json -");
+  INFO(words << ": " << outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  return Json::parse(outcome.out);
+}
+
+}  // namespace
+
+TEST_CASE("a ring of a scene gives its shape again, and a picture that was left out") {
+  const Workplace here;
+  const Json ring = voxels_answer(here, "ring cube -o ring --views 9 --elevation 40 --size 96x96");
+  CHECK(ring["pictures"] == 9);
+  CHECK(ring["unlit"] == true);
+  const Json found = voxels_answer(here,
+                                   "voxels ring --resolution 40 --leave-out 3 --left-out-output "
+                                   "left.png --truth cube -o cube.ply "
+                                   "--html cube.html --threads 2");
+  CHECK(found["pictures"] == 8);
+  CHECK(found["traversal"] == "half-space");
+  CHECK(found["coloured"] > 2000);
+  CHECK(found["left_out"]["picture"] == "view002.png");
+  CHECK(found["left_out"]["covered"] > 0.8);
+  // A face has one colour, and no voxel at an edge has: there faces lie open to what is behind them.
+  CHECK(found["left_out"]["rms"] < 60);
+  CHECK(found["truth"]["iou"] > 0.6);
+  CHECK(here.read("cube.html").find("id=\"verdicts\"") != std::string::npos);
+  // The cubes are a scene like any other.
+  CHECK(here.run("render cube.ply --shade unlit --size 64x64 -o again.png").exit_code == 0);
+  CHECK(here.run("views voxels ring --resolution 20 -o points.ply --shape points").exit_code == 0);
+  CHECK(here.read("points.ply").find("element face") == std::string::npos);
+}
+
+TEST_CASE("carving, coarse to fine and the other tests of consistency are asked for by options") {
+  const Workplace here;
+  voxels_answer(here, "ring cube -o ring --views 8 --elevation 35 --size 64x64 --matte alpha");
+  const std::string voxels = "voxels ring --resolution 32 ";
+  CHECK(voxels_answer(here, voxels + "--order carve")["order"] == "carve");
+  const Json coarse = voxels_answer(here, voxels + "--levels 2 --against-full");
+  CHECK(coarse["judged_coarse"] > 0);
+  CHECK(coarse["against_full"]["iou"] > 0.8);
+  for (const char* test : {"--test ratio", "--test adaptive --edges 30", "--space lab",
+                           "--footprint hull --hides hull", "--footprint box --update voxel",
+                           "--alone keep", "--no-mattes", "--matte-above 5", "--direction -y"}) {
+    CHECK(voxels_answer(here, voxels + test)["coloured"] > 100);
+  }
+  CHECK(voxels_answer(here, voxels + "--threshold 0")["coloured"] == 0);
+  CHECK(voxels_answer(here, "voxels ring --total 20000")["judged"] > 15000);
+  CHECK(voxels_answer(here, "voxels ring --pictures 1-3,7 --voxel 0.1")["pictures"] == 4);
+}
+
+TEST_CASE("rings and voxels that cannot be made are refused in a line, and no file is left") {
+  const Workplace here;
+  REQUIRE(here.run("views ring cube -o ring --views 3 --size 16x16").exit_code == 0);
+  for (const char* words : {"ring cube -o no --views 0",
+                            "ring cube -o no --arc 400",
+                            "ring cube -o no --elevation 90",
+                            "ring cube -o no --distance -1",
+                            "ring cube -o no --pairs 0",
+                            "ring nothing.glb -o no",
+                            "ring cube -o no --fov 180",
+                            "voxels nowhere -o a.ply",
+                            "voxels ring -o a.obj",
+                            "voxels ring --threshold -1 -o a.ply",
+                            "voxels ring --voxel 0 -o a.ply",
+                            "voxels ring --voxel 1e-9 -o a.ply",
+                            "voxels ring --voxel 1 --resolution 9 -o a.ply",
+                            "voxels ring --pictures 4 -o a.ply",
+                            "voxels ring --pictures 0 -o a.ply",
+                            "voxels ring --leave-out 9 -o a.ply",
+                            "voxels ring --box 0,0,0,0,1,1 -o a.ply",
+                            "voxels ring --left-out-output a.png",
+                            "voxels ring --against-full",
+                            "voxels ring --significance 1 -o a.ply",
+                            "voxels ring --order carve --resolution 4000 --max-mb 64",
+                            "voxels ring --direction w",
+                            "voxels ring --html a.txt"}) {
+    const Outcome outcome = here.run(std::string("views ") + words);
+    INFO(words << ": " << outcome.err);
+    CHECK(outcome.exit_code == 2);
+    CHECK(std::ranges::count(outcome.err, '\n') == 1);
+    CHECK_FALSE(std::ifstream(here.file("a.ply")).good());
+  }
+}
+
+}  // namespace glassbox::test

@@ -1,0 +1,78 @@
+// Cameras, pictures and scenes for voxel colouring, whose answers are known.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include <glassbox/base/random.h>
+#include <glassbox/mesh/builtin/scenes.h>
+
+#include "views/rings/draw_ring.h"
+#include "views/voxels/coloring.h"
+#include "views/voxels/draw.h"
+
+namespace glassbox::views::test {
+
+// Looks along z from `centre`; f px to the unit at distance 1.
+inline PinholeCamera camera_along_z(const Vector3d& centre, double focal, int width, int height) {
+  PinholeCamera camera;
+  camera.intrinsic << focal, 0, width / 2.0, 0, focal, height / 2.0, 0, 0, 1;
+  camera.centre = centre;
+  return camera;
+}
+
+// A sphere of radius 1 whose corners have colours of their own, which light does not change: textured, convex, closed.
+inline Scene speckled_sphere(int level, std::uint64_t seed) {
+  Scene scene = *make_builtin("sphere:" + std::to_string(level));
+  Random random(seed);
+  for (Mesh& mesh : scene.meshes) {
+    mesh.colors.clear();
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+      const auto light = [&] { return float(random.between(0.02, 0.9)); };
+      mesh.colors.push_back({light(), light(), light(), 1});
+    }
+    for (Corner& corner : mesh.corners) corner.color = corner.position;
+  }
+  for (Material& material : scene.materials) {
+    material.unlit = true;
+    material.base_color = {1, 1, 1, 1};
+  }
+  return scene;
+}
+
+inline PictureSet ring_of(const Scene& scene, const RingOptions& options) {
+  RenderSettings settings;
+  settings.shading = Shading::kUnlit;
+  settings.background = {0, 0, 0, 255};
+  return draw_ring(scene, ring_views(scene, options).value(), settings, Matte::kDepth);
+}
+
+// The size of a voxel that is one pixel wide where it is nearest to the cameras of a ring.
+inline double pixel_size(const PictureSet& set) {
+  const Vector3d middle = (set.box->low + set.box->high) / 2;
+  double size = INFINITY;
+  for (const CalibratedPicture& picture : set.pictures) {
+    const double distance =
+        (picture.camera.centre - middle).norm() - (set.box->high - set.box->low).maxCoeff() / 2;
+    size = std::min(size, distance / picture.camera.intrinsic(0, 0));
+  }
+  return size;
+}
+
+// Pictures of coloured voxels, pixel for pixel what they are.
+inline PictureSet pictures_of(const VoxelGrid& grid, const std::vector<ColoredVoxel>& voxels,
+                              const std::vector<PinholeCamera>& cameras, int width, int height) {
+  PictureSet set;
+  for (const PinholeCamera& camera : cameras) {
+    const VoxelPicture drawn = draw_voxels(grid, voxels, camera, width, height, {0, 0, 0, 255});
+    CalibratedPicture picture{"", camera, drawn.color, {width, height, 0}};
+    for (std::size_t i = 0; i < picture.matte.pixels.size(); ++i)
+      picture.matte.pixels[i] = std::isfinite(drawn.distance.pixels[i]) ? 255 : 0;
+    set.pictures.push_back(std::move(picture));
+  }
+  return set;
+}
+
+}  // namespace glassbox::views::test

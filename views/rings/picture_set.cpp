@@ -1,0 +1,273 @@
+#include "views/rings/picture_set.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <span>
+
+#include <fmt/format.h>
+
+#include <glassbox/base/printable.h>
+#include <glassbox/images/atomic_file.h>
+#include <glassbox/images/read.h>
+#include <glassbox/images/write.h>
+#include <glassbox/mesh/input/directory.h>
+
+#include "views/files/colmap_file.h"
+#include "views/files/number_rows.h"
+
+namespace glassbox::views {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kMostText = std::uint64_t(1) << 28;
+constexpr std::string_view kMiddlebury = "_par.txt";
+
+Result<std::string> text_of(const fs::path& path) {
+  return read_file(path.string(), kMostText).map([](const std::vector<std::byte>& bytes) {
+    return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  });
+}
+
+template <class T>
+Result<T> with_file(Result<T> result, const std::string& file) {
+  if (!result) result.error().file = file;
+  return result;
+}
+
+bool is_file(const fs::path& path) {
+  std::error_code error;
+  return fs::is_regular_file(path, error);
+}
+
+// The camera file of a folder.
+Result<fs::path> camera_file_in(const fs::path& folder) {
+  std::vector<fs::path> found;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    if (entry.path().filename().string().ends_with(kMiddlebury)) found.push_back(entry.path());
+  }
+  if (found.size() == 1) return found.front();
+  if (found.size() > 1) {
+    return tl::unexpected(Error{folder.string(), "",
+                                fmt::format("has {} files *_par.txt", found.size()),
+                                "name the one to read"});
+  }
+  if (is_file(folder / "cameras.txt") && is_file(folder / "images.txt"))
+    return folder / "cameras.txt";
+  return tl::unexpected(Error{folder.string(), "",
+                              "has no cameras: neither *_par.txt nor cameras.txt and images.txt",
+                              "make a folder with: glassbox views ring SCENE -o DIR"});
+}
+
+Result<std::vector<NamedCamera>> cameras_of(const fs::path& file) {
+  const auto text = text_of(file);
+  if (!text) return tl::unexpected(text.error());
+  if (file.filename() != "cameras.txt" && file.filename() != "images.txt")
+    return with_file(parse_cameras(*text), file.string());
+  const auto cameras = text_of(file.parent_path() / "cameras.txt");
+  if (!cameras) return tl::unexpected(cameras.error());
+  const auto images = text_of(file.parent_path() / "images.txt");
+  if (!images) return tl::unexpected(images.error());
+  return with_file(parse_colmap(*cameras, *images), file.parent_path().string());
+}
+
+Result<std::vector<NamedCamera>> choose(std::vector<NamedCamera> all, const std::string& file,
+                                        const std::vector<std::size_t>& chosen) {
+  if (chosen.empty()) return all;
+  std::vector<NamedCamera> some;
+  for (const std::size_t index : chosen) {
+    if (index >= all.size()) {
+      return tl::unexpected(
+          Error{file, "",
+                fmt::format("has {} cameras, and number {} is asked for", all.size(), index + 1),
+                "count from 1"});
+    }
+    some.push_back(all[index]);
+  }
+  return some;
+}
+
+std::uint8_t brightest(const Rgba8& pixel) {
+  return std::max({pixel.r, pixel.g, pixel.b});
+}
+
+Image<std::uint8_t> matte_by(const Image<Rgba8>& color, auto is_object) {
+  Image<std::uint8_t> matte(color.width, color.height, 0);
+  for (std::size_t i = 0; i < matte.pixels.size(); ++i)
+    matte.pixels[i] = is_object(color.pixels[i]) ? 255 : 0;
+  return matte;
+}
+
+class Reader {
+public:
+  Reader(const fs::path& file, const PictureSetOptions& options)
+      : options_(options),
+        directory_(file, "camera", options.most_bytes),
+        folder_(file.parent_path()),
+        bytes_left_(options.most_bytes) {}
+
+  Result<CalibratedPicture> read(const NamedCamera& named) {
+    CalibratedPicture picture{named.picture, named.camera, {}, {}};
+    auto path = directory_.find(named.picture);
+    if (!path) path = directory_.find("images/" + named.picture);
+    if (!path) return tl::unexpected(path.error());
+    auto color = decode(*path);
+    if (!color) return tl::unexpected(color.error());
+    picture.color = std::move(*color);
+    if (options_.wants_mattes) {
+      if (const auto added = add_matte(picture); !added) return tl::unexpected(added.error());
+    }
+    return picture;
+  }
+
+private:
+  // What the pixels take is counted before they are decoded.
+  Result<Image<Rgba8>> decode(const fs::path& path) {
+    DecodeLimits limits;
+    limits.max_pixels = std::min<std::uint64_t>(limits.max_pixels, bytes_left_ / sizeof(Rgba8));
+    auto image = read_image(path.string(), limits);
+    if (image) bytes_left_ -= sizeof(Rgba8) * image->pixels.size();
+    return image;
+  }
+
+  Result<void> add_matte(CalibratedPicture& picture) {
+    if (options_.matte_above) {
+      picture.matte = matte_by(picture.color, [&](const Rgba8& pixel) {
+        return brightest(pixel) > *options_.matte_above;
+      });
+      return {};
+    }
+    // COLMAP calls the mask of a.jpg a.jpg.png.
+    for (const std::string& name : {"masks/" + picture.name, "masks/" + picture.name + ".png"}) {
+      if (!is_file(folder_ / name)) continue;
+      const auto path = directory_.find(name);
+      if (!path) return tl::unexpected(path.error());
+      const auto mask = decode(*path);
+      if (!mask) return tl::unexpected(mask.error());
+      if (mask->width != picture.color.width || mask->height != picture.color.height) {
+        return tl::unexpected(
+            Error{path->string(), "",
+                  fmt::format("is {} x {}, and its picture is {} x {}", mask->width, mask->height,
+                              picture.color.width, picture.color.height),
+                  "make the mask of the picture's size"});
+      }
+      picture.matte = matte_by(*mask, [](const Rgba8& pixel) { return brightest(pixel) >= 128; });
+      return {};
+    }
+    const bool has_alpha = std::ranges::any_of(picture.color.pixels,
+                                               [](const Rgba8& pixel) { return pixel.a != 255; });
+    if (has_alpha)
+      picture.matte = matte_by(picture.color, [](const Rgba8& pixel) { return pixel.a >= 128; });
+    return {};
+  }
+
+  const PictureSetOptions& options_;
+  obj::Directory directory_;
+  fs::path folder_;
+  std::uint64_t bytes_left_;
+};
+
+Image<Rgba8> grey_of(const Image<std::uint8_t>& matte) {
+  Image<Rgba8> picture(matte.width, matte.height);
+  for (std::size_t i = 0; i < matte.pixels.size(); ++i) {
+    const std::uint8_t value = matte.pixels[i];
+    picture.pixels[i] = {value, value, value, 255};
+  }
+  return picture;
+}
+
+Result<void> write_text(const fs::path& path, const std::string& text) {
+  return write_file(path.string(), std::as_bytes(std::span(text)));
+}
+
+}  // namespace
+
+Result<WorldBox> parse_box(std::string_view text) {
+  const auto rows = number_rows(text);
+  if (!rows) return tl::unexpected(rows.error());
+  const bool has_form = rows->size() == 2 && (*rows)[0].numbers.size() == 3 &&
+                        (*rows)[1].numbers.size() == 3 && (*rows)[0].name.empty() &&
+                        (*rows)[1].name.empty();
+  if (!has_form) {
+    return fail("", "a box is two lines of three numbers",
+                "write its corners of least and of greatest coordinates");
+  }
+  WorldBox box;
+  for (int axis = 0; axis < 3; ++axis) {
+    box.low[axis] = (*rows)[0].numbers[std::size_t(axis)];
+    box.high[axis] = (*rows)[1].numbers[std::size_t(axis)];
+  }
+  if (!((box.high - box.low).minCoeff() > 0)) {
+    return fail("", "the box is empty: a least coordinate is not below the greatest",
+                "write the corner of least coordinates first");
+  }
+  return box;
+}
+
+Result<PictureSet> read_picture_set(const std::string& path, const PictureSetOptions& options) {
+  std::error_code error;
+  fs::path file = path;
+  if (fs::is_directory(file, error)) {
+    const auto found = camera_file_in(file);
+    if (!found) return tl::unexpected(found.error());
+    file = *found;
+  }
+  auto all = cameras_of(file);
+  if (!all) return tl::unexpected(all.error());
+  const auto cameras = choose(std::move(*all), file.string(), options.chosen);
+  if (!cameras) return tl::unexpected(cameras.error());
+  if (cameras->empty() || cameras->size() > std::size_t(kMostRingViews)) {
+    return tl::unexpected(Error{
+        file.string(), "",
+        fmt::format("has {} cameras of 1 to {}", cameras->size(), kMostRingViews), "choose some"});
+  }
+  PictureSet set{file.string(), {}, {}};
+  Reader reader(file, options);
+  for (const NamedCamera& camera : *cameras) {
+    auto picture = reader.read(camera);
+    if (!picture) return tl::unexpected(picture.error());
+    set.pictures.push_back(std::move(*picture));
+  }
+  const fs::path box = file.parent_path() / "box.txt";
+  if (is_file(box)) {
+    const auto text = text_of(box);
+    if (!text) return tl::unexpected(text.error());
+    const auto parsed = with_file(parse_box(*text), box.string());
+    if (!parsed) return tl::unexpected(parsed.error());
+    set.box = *parsed;
+  }
+  return set;
+}
+
+Result<void> write_picture_set(const std::string& folder, const PictureSet& set) {
+  std::error_code error;
+  fs::create_directories(fs::path(folder) / "masks", error);
+  if (error) {
+    return tl::unexpected(Error{folder, "", "cannot be made: " + error.message(),
+                                "name a folder that may be written"});
+  }
+  std::vector<NamedCamera> cameras;
+  for (const CalibratedPicture& picture : set.pictures) {
+    const fs::path path = fs::path(folder) / picture.name;
+    if (const auto written = write_image(path.string(), picture.color); !written) return written;
+    if (!picture.matte.pixels.empty()) {
+      const fs::path mask = fs::path(folder) / "masks" / picture.name;
+      const auto written = write_image(mask.string(), grey_of(picture.matte));
+      if (!written) return written;
+    }
+    cameras.push_back({picture.name, picture.camera});
+  }
+  if (set.box) {
+    const auto& [low, high] = *set.box;
+    const auto written = write_text(fs::path(folder) / "box.txt",
+                                    fmt::format("{} {} {}\n{} {} {}\n", low.x(), low.y(), low.z(),
+                                                high.x(), high.y(), high.z()));
+    if (!written) return written;
+  }
+  // The cameras last: a folder that has them is whole.
+  return write_text(fs::path(folder) / "ring_par.txt", cameras_text(cameras));
+}
+
+}  // namespace glassbox::views

@@ -1,0 +1,51 @@
+#include "views/voxels/grid.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace glassbox::views {
+
+Result<VoxelGrid> grid_of(const WorldBox& box, double size, const Matrix3d& axes) {
+  if (!(size > 0) || !std::isfinite(size))
+    return fail("--voxel", "a voxel's edge must be positive", "give one in world units");
+  if (!((box.high - box.low).minCoeff() > 0) || !box.low.allFinite() || !box.high.allFinite()) {
+    return fail("--box", "the box is empty", "give its corners of least and greatest coordinates");
+  }
+  Vector3d low = Vector3d::Constant(INFINITY), high = Vector3d::Constant(-INFINITY);
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vector3d p((corner & 1) != 0 ? box.high.x() : box.low.x(),
+                     (corner & 2) != 0 ? box.high.y() : box.low.y(),
+                     (corner & 4) != 0 ? box.high.z() : box.low.z());
+    const Vector3d along = axes.transpose() * p;
+    low = low.cwiseMin(along);
+    high = high.cwiseMax(along);
+  }
+  VoxelGrid grid;
+  grid.axes = axes;
+  grid.size = size;
+  grid.corner = axes * low;
+  for (int axis = 0; axis < 3; ++axis) {
+    // What sticks out of the last voxel by rounding alone needs no voxel of its own.
+    constexpr double kRounding = 1e-9;
+    const double along = std::ceil((high[axis] - low[axis]) / size - kRounding);
+    if (!(along <= kMostVoxelsAlong)) {
+      return fail("--voxel",
+                  fmt::format("the box would have {:.4g} voxels along an axis, and {} is the most",
+                              along, kMostVoxelsAlong),
+                  "take larger voxels or a smaller box");
+    }
+    grid.count[std::size_t(axis)] = std::max(1, int(along));
+  }
+  return grid;
+}
+
+double size_for(const WorldBox& box, int voxels_along) {
+  return (box.high - box.low).maxCoeff() / voxels_along;
+}
+
+double size_for_total(const WorldBox& box, double voxels) {
+  return std::cbrt((box.high - box.low).prod() / voxels);
+}
+
+}  // namespace glassbox::views

@@ -1,0 +1,48 @@
+// Where voxels are: cubes in rows, columns and layers of a box, whose axes need not be the world's.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include <glassbox/base/error.h>
+
+#include "views/rings/ring.h"
+
+namespace glassbox::views {
+
+struct VoxelAt {
+  int x = 0, y = 0, z = 0;
+  friend bool operator==(const VoxelAt&, const VoxelAt&) = default;
+};
+
+struct VoxelGrid {
+  Vector3d corner = Vector3d::Zero();    // of voxel (0, 0, 0), world
+  Matrix3d axes = Matrix3d::Identity();  // columns: unit vectors along which x, y and z count
+  double size = 1;                       // world units: a voxel's edge
+  std::array<int, 3> count{1, 1, 1};     // voxels along x, y, z
+
+  std::int64_t voxels() const { return std::int64_t(count[0]) * count[1] * count[2]; }
+  // The world's place of grid coordinates: voxel (x, y, z) is the cube from (x, y, z) to (x + 1, y + 1, z + 1).
+  Vector3d world(double x, double y, double z) const {
+    return corner + axes * (size * Vector3d(x, y, z));
+  }
+  Vector3d centre(const VoxelAt& at) const { return world(at.x + 0.5, at.y + 0.5, at.z + 0.5); }
+  // Grid coordinates of a place in the world.
+  Vector3d coordinates(const Vector3d& place) const {
+    return axes.transpose() * (place - corner) / size;
+  }
+};
+
+inline constexpr int kMostVoxelsAlong = 4096;
+
+// Of voxels of this size that cover the box, along the axes given. Refused: sizes that are not positive, and more than
+// kMostVoxelsAlong voxels along an axis.
+Result<VoxelGrid> grid_of(const WorldBox& box, double size, const Matrix3d& axes);
+
+// The edge at which a grid along the world's axes has this many voxels along the box's longest side.
+double size_for(const WorldBox& box, int voxels_along);
+
+// The edge at which it has about this many voxels in all.
+double size_for_total(const WorldBox& box, double voxels);
+
+}  // namespace glassbox::views

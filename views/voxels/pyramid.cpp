@@ -1,0 +1,80 @@
+#include "views/voxels/pyramid.h"
+
+#include <algorithm>
+
+namespace glassbox::views {
+
+namespace {
+
+// The places of a pixel's four, of which a picture of odd size has fewer at its end.
+struct Four {
+  std::size_t at[4];
+  int count = 0;
+};
+
+Four four_of(const PackedPicture& picture, int x, int y) {
+  Four four;
+  for (int row = 2 * y; row <= std::min(2 * y + 1, picture.height - 1); ++row) {
+    for (int column = 2 * x; column <= std::min(2 * x + 1, picture.width - 1); ++column) {
+      const std::size_t at = std::size_t(row) * std::size_t(picture.width) + std::size_t(column);
+      if ((picture.words[at] & kBackground) == 0) four.at[four.count++] = at;
+    }
+  }
+  return four;
+}
+
+std::uint32_t mean_word(const PackedPicture& picture, const Four& four) {
+  if (four.count == 0) return kBackground;
+  std::uint32_t sums[3] = {0, 0, 0};
+  for (int i = 0; i < four.count; ++i) {
+    const std::uint32_t word = picture.words[four.at[i]];
+    for (int k = 0; k < 3; ++k) sums[k] += word >> (kChannelBits * k) & kChannelMask;
+  }
+  std::uint32_t mean = 0;
+  const auto count = std::uint32_t(four.count);
+  for (int k = 0; k < 3; ++k) mean |= (sums[k] + count / 2) / count << (kChannelBits * k);
+  return mean;
+}
+
+// The deviation around a pixel of the coarser picture is taken for that around its pixels.
+std::uint32_t mean_spread(const PackedPicture& picture, const Four& four) {
+  std::uint32_t sum = 0;
+  for (int i = 0; i < four.count; ++i) sum += picture.spread[four.at[i]];
+  return four.count == 0 ? 0 : sum / std::uint32_t(four.count);
+}
+
+Rgba8 mean_rgb(const PackedPicture& picture, const Four& four) {
+  int r = 0, g = 0, b = 0;
+  for (int i = 0; i < four.count; ++i) {
+    const Rgba8& pixel = picture.rgb[four.at[i]];
+    r += pixel.r;
+    g += pixel.g;
+    b += pixel.b;
+  }
+  const int count = std::max(four.count, 1);
+  return {std::uint8_t(r / count), std::uint8_t(g / count), std::uint8_t(b / count), 255};
+}
+
+}  // namespace
+
+PackedPicture half_size(const PackedPicture& picture) {
+  PackedPicture half;
+  half.pixel_from_world = picture.pixel_from_world;
+  half.pixel_from_world.topRows<2>() /= 2;
+  half.eye = picture.eye;
+  half.has_whole = picture.has_whole;
+  half.width = (picture.width + 1) / 2;
+  half.height = (picture.height + 1) / 2;
+  half.words.reserve(std::size_t(half.width) * std::size_t(half.height));
+  for (int y = 0; y < half.height; ++y) {
+    for (int x = 0; x < half.width; ++x) {
+      const Four four = four_of(picture, x, y);
+      half.words.push_back(mean_word(picture, four));
+      if (!picture.spread.empty()) half.spread.push_back(mean_spread(picture, four));
+      if (!picture.rgb.empty()) half.rgb.push_back(mean_rgb(picture, four));
+    }
+  }
+  return half;
+}
+
+}  // namespace glassbox::views

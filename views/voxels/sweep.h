@@ -1,0 +1,97 @@
+// Layers of voxels, nearest to the cameras first: what all pictures say of each voxel, and what it then hides (S1-18, S1-21, S1-31).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "views/voxels/footprint.h"
+#include "views/voxels/grid.h"
+#include "views/voxels/kernels.h"
+#include "views/voxels/packed_picture.h"
+#include "views/voxels/statistics.h"
+
+namespace glassbox::views {
+
+enum class Verdict : std::uint8_t {
+  kBackground,  // a picture shows background there, or has the whole object in its frame and not this
+  kHidden,      // no picture sees it: coloured voxels are before it, or it is in no frame
+  kAlone,       // fewer than two pictures see it, which cannot say anything
+  kInconsistent,  // their colours differ
+  kColored,
+};
+inline constexpr int kVerdicts = 5;
+std::string_view name_of(Verdict verdict);
+using VerdictCounts = std::array<std::int64_t, kVerdicts>;
+
+// `count` voxels from `first` on, along an axis of the grid.
+struct VoxelRun {
+  VoxelAt first;
+  int axis = 0;
+  int count = 0;
+
+  // The first voxel's coordinate along the axis.
+  int begin() const { return axis == 0 ? first.x : axis == 1 ? first.y : first.z; }
+  VoxelAt at(int i) const {
+    VoxelAt voxel = first;
+    (axis == 0 ? voxel.x : axis == 1 ? voxel.y : voxel.z) += i;
+    return voxel;
+  }
+};
+
+struct ColoredVoxel {
+  VoxelAt at;
+  Rgba8 color;              // the mean
+  std::uint16_t views = 0;  // pictures that see it
+  float deviation = 0;      // pooled over the channels, levels
+  friend bool operator==(const ColoredVoxel&, const ColoredVoxel&) = default;
+};
+
+// Which verdicts hide what is behind: those that are coloured (voxel colouring), or all but what is proved empty (space carving).
+enum class Occluders { kColored, kNotCarved };
+
+class Sweep {
+public:
+  // Both must outlive it; the pictures' hidden bits are the sweep's.
+  Sweep(const VoxelGrid& grid, std::vector<PackedPicture>& pictures,
+        const ColoringSettings& settings);
+
+  // Judges the voxels of one layer and hides behind them. The verdicts are in the order of the runs. Pictures that are not `active`
+  // (one flag each; empty: all are) are neither asked nor hidden from.
+  void layer(std::span<const VoxelRun> runs, std::span<const std::uint8_t> active,
+             Occluders occluders);
+
+  std::span<const Verdict> verdicts() const { return verdicts_; }  // of the last layer
+  const std::vector<Seen>& seen() const { return seen_; }          // of its coloured voxels
+  const std::vector<VoxelAt>& colored() const { return colored_; }
+
+private:
+  struct Block;
+  Verdict judge(const Seen& seen) const;
+  double limit(std::int64_t pixels) const;
+  Seen look_up(const VoxelRun& run, int i) const;
+  void judge_row(const VoxelRun& run, std::size_t at, Block& block);
+  void judge_voxels(const VoxelRun& run, std::size_t at, Block& block, Occluders occluders);
+  void keep(const VoxelRun& run, int i, const Seen& seen, Block& block) const;
+  Rgba8 mean_color(const VoxelRun& run, int i, const Seen& seen) const;
+  void judge_layer(std::span<const VoxelRun> runs, Occluders occluders);
+  void hide_layer(std::span<const VoxelRun> runs, Occluders occluders);
+  void hide(std::size_t picture, const VoxelRun& run, int i);
+
+  const VoxelGrid& grid_;
+  std::vector<PackedPicture>& pictures_;
+  const ColoringSettings& settings_;
+  std::vector<GridPicture> lenses_;
+  std::vector<std::size_t> order_;  // of the pictures: those that look from elsewhere come soon
+  std::vector<std::size_t> asked_;  // those of order_ that are active
+  std::vector<double> limits_;      // T^2 by K, codes
+  float most_deviations_ = 0;
+  std::vector<Verdict> verdicts_;
+  std::vector<std::size_t> first_of_run_;
+  std::vector<VoxelAt> colored_;
+  std::vector<Seen> seen_;
+};
+
+}  // namespace glassbox::views

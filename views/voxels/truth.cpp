@@ -1,0 +1,291 @@
+#include "views/voxels/truth.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glassbox/render/renderer.h>
+
+namespace glassbox::views {
+
+namespace {
+
+struct Crossing {
+  double z;
+  int winding;
+};
+
+// Calls each(a, b, c) with the corners of every triangle, in grid coordinates.
+template <class Each>
+void for_each_triangle(const Scene& scene, const VoxelGrid& grid, const Each& each) {
+  for (const Instance& instance : scene.instances) {
+    const Mesh& mesh = scene.meshes[instance.mesh];
+    const auto& world_from_object = scene.nodes[instance.node].world_from_node;
+    std::vector<Vector3d> places;
+    for (const Point<Object>& p : mesh.positions) {
+      const auto world =
+          world_from_object * Point<Object, double>(double(p.x), double(p.y), double(p.z));
+      places.push_back(grid.coordinates({world.x, world.y, world.z}));
+    }
+    for (const Face& face : mesh.faces) {
+      for (std::uint32_t i = 2; i < face.count; ++i) {
+        const auto at = [&](std::uint32_t corner) {
+          return places[mesh.corners[face.first + corner].position];
+        };
+        each(at(0), at(i - 1), at(i));
+      }
+    }
+  }
+}
+
+// The lines stand a little beside the centres, by numbers that no scene's corners have in common, so that none goes through an edge.
+constexpr double kBesideX = 0x1.6a09e6p-22, kBesideY = 0x1.bb67aep-23;
+
+class Lines {
+public:
+  explicit Lines(const VoxelGrid& grid)
+      : count_(grid.count), crossings_(std::size_t(count_[0]) * std::size_t(count_[1])) {}
+
+  void cut(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+    const double area = (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+    if (area == 0) return;
+    const int x0 = first(std::min({a.x(), b.x(), c.x()}), 0),
+              x1 = last(std::max({a.x(), b.x(), c.x()}), 0);
+    const int y0 = first(std::min({a.y(), b.y(), c.y()}), 1),
+              y1 = last(std::max({a.y(), b.y(), c.y()}), 1);
+    for (int y = y0; y <= y1; ++y) {
+      for (int x = x0; x <= x1; ++x) {
+        const double px = x + 0.5 + kBesideX, py = y + 0.5 + kBesideY;
+        const auto edge = [&](const Vector3d& p, const Vector3d& q) {
+          return ((q.x() - p.x()) * (py - p.y()) - (q.y() - p.y()) * (px - p.x())) / area;
+        };
+        const double u = edge(b, c), v = edge(c, a), w = edge(a, b);
+        if (u < 0 || v < 0 || w < 0) continue;
+        const double z = (u * a.z() + v * b.z() + w * c.z()) / (u + v + w);
+        at(x, y).push_back({z, area > 0 ? 1 : -1});
+      }
+    }
+  }
+
+  std::vector<Crossing>& at(int x, int y) {
+    return crossings_[std::size_t(y) * std::size_t(count_[0]) + std::size_t(x)];
+  }
+
+private:
+  int first(double low, std::size_t axis) const {
+    return int(std::clamp(std::floor(low - 0.5), 0.0, double(count_[axis])));
+  }
+  int last(double high, std::size_t axis) const {
+    return int(std::clamp(std::ceil(high), -1.0, double(count_[axis] - 1)));
+  }
+  std::array<int, 3> count_;
+  std::vector<std::vector<Crossing>> crossings_;
+};
+
+// Points in cells of a few voxels, for nearest neighbours.
+class Places {
+public:
+  explicit Places(const std::vector<Vector3d>& points) : points_(points) {
+    low_ = Vector3d::Constant(INFINITY);
+    Vector3d high = -low_;
+    for (const Vector3d& p : points) {
+      low_ = low_.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    if (points.empty()) return;
+    // About a point in a cell: few points far apart are not looked for in many empty ones.
+    const Vector3d room = high - low_ + Vector3d::Constant(1);
+    cell_ = std::max(cell_, std::cbrt(room.prod() / double(points.size())));
+    for (int axis = 0; axis < 3; ++axis)
+      count_[std::size_t(axis)] = int((high[axis] - low_[axis]) / cell_) + 1;
+    begin_.assign(std::size_t(count_[0]) * std::size_t(count_[1]) * std::size_t(count_[2]) + 1, 0);
+    for (const Vector3d& p : points) ++begin_[index(cell(p)) + 1];
+    for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
+    order_.resize(points.size());
+    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      order_[next[index(cell(points[i]))]++] = std::uint32_t(i);
+  }
+
+  // Cubes of cells of growing radius, until none that is left can be nearer.
+  double distance(const Vector3d& p) const {
+    if (points_.empty()) return INFINITY;
+    const std::array<int, 3> middle = cell(p);
+    // From outside of all cells it is at least as far as to their box.
+    double nearest = INFINITY;
+    const int most = std::max({count_[0], count_[1], count_[2]});
+    for (int radius = 0; radius <= most; ++radius) {
+      visit_shell(middle, radius, [&](std::size_t c) {
+        for (std::uint32_t i = begin_[c]; i < begin_[c + 1]; ++i)
+          nearest = std::min(nearest, (points_[order_[i]] - p).squaredNorm());
+      });
+      const double certain = radius * cell_ - outside(p);
+      if (certain > 0 && nearest <= certain * certain) break;
+    }
+    return std::sqrt(nearest);
+  }
+
+private:
+  double cell_ = 3;  // voxels
+
+  std::array<int, 3> cell(const Vector3d& p) const {
+    std::array<int, 3> at;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double along = (p[int(axis)] - low_[int(axis)]) / cell_;
+      at[axis] = int(std::clamp(std::floor(along), 0.0, double(count_[axis] - 1)));
+    }
+    return at;
+  }
+  // How far p is from the cell that stands for it.
+  double outside(const Vector3d& p) const {
+    double most = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double high = low_[axis] + cell_ * count_[std::size_t(axis)];
+      most = std::max({most, low_[axis] - p[axis], p[axis] - high});
+    }
+    return most;
+  }
+  std::size_t index(const std::array<int, 3>& at) const {
+    return (std::size_t(at[2]) * std::size_t(count_[1]) + std::size_t(at[1])) *
+               std::size_t(count_[0]) +
+           std::size_t(at[0]);
+  }
+  template <class Visit>
+  void visit_shell(const std::array<int, 3>& middle, int radius, const Visit& visit) const {
+    const auto from = [&](std::size_t axis) { return std::max(middle[axis] - radius, 0); };
+    const auto to = [&](std::size_t axis) {
+      return std::min(middle[axis] + radius, count_[axis] - 1);
+    };
+    for (int z = from(2); z <= to(2); ++z) {
+      for (int y = from(1); y <= to(1); ++y) {
+        const bool is_face = std::abs(z - middle[2]) == radius || std::abs(y - middle[1]) == radius;
+        for (int x = from(0); x <= to(0); ++x) {
+          if (is_face || std::abs(x - middle[0]) == radius) visit(index({x, y, z}));
+        }
+      }
+    }
+  }
+
+  const std::vector<Vector3d>& points_;
+  Vector3d low_;
+  std::array<int, 3> count_{0, 0, 0};
+  std::vector<std::uint32_t> begin_, order_;
+};
+
+}  // namespace
+
+TrueVolume::TrueVolume(const Scene& scene, const VoxelGrid& grid)
+    : count_(grid.count), bits_(std::size_t(grid.voxels() + 63) / 64, 0) {
+  Lines lines(grid);
+  for_each_triangle(scene, grid, [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+    lines.cut(a, b, c);
+  });
+  for (int y = 0; y < count_[1]; ++y) {
+    for (int x = 0; x < count_[0]; ++x) {
+      std::vector<Crossing>& crossings = lines.at(x, y);
+      std::ranges::sort(crossings, {}, &Crossing::z);
+      int winding = 0;
+      for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
+        winding += crossings[i].winding;
+        if (winding == 0) continue;
+        const int from = int(std::clamp(std::ceil(crossings[i].z - 0.5), 0.0, double(count_[2])));
+        const int to = int(std::clamp(std::ceil(crossings[i + 1].z - 0.5), 0.0, double(count_[2])));
+        for (int z = from; z < to; ++z) {
+          const std::size_t at = index(x, y, z);
+          bits_[at / 64] |= std::uint64_t(1) << (at % 64);
+          ++voxels_;
+        }
+      }
+    }
+  }
+}
+
+void Overlap::add(const VoxelRun& run) {
+  for (int i = 0; i < run.count; ++i) add(run.at(i));
+}
+
+void Overlap::add(std::span<const VoxelRun> runs, std::span<const Verdict> verdicts) {
+  std::size_t at = 0;
+  for (const VoxelRun& run : runs) {
+    for (int i = 0; i < run.count; ++i, ++at) {
+      const Verdict verdict = verdicts[at];
+      if (verdict == Verdict::kColored || verdict == Verdict::kHidden) add(run.at(i));
+    }
+  }
+}
+
+SeenSurface seen_surface(const PictureSet& set, const std::vector<Image<float>>& distances,
+                         const VoxelGrid& grid) {
+  SeenSurface surface;
+  const double diagonal = grid.size * std::sqrt(3.0);
+  for (std::size_t p = 0; p < set.pictures.size(); ++p) {
+    const PinholeCamera& camera = set.pictures[p].camera;
+    for (int y = 0; y < distances[p].height; ++y) {
+      for (int x = 0; x < distances[p].width; ++x) {
+        const double distance = double(distances[p].at(x, y));
+        if (!std::isfinite(distance)) continue;
+        const Vector3d ray = ray_through(camera.intrinsic, {x + 0.5, y + 0.5});
+        const Vector3d world =
+            camera.centre + camera.camera_from_world.transpose() * (distance * ray);
+        const Vector3d point = grid.coordinates(world);
+        bool is_in = true;
+        for (int axis = 0; axis < 3; ++axis)
+          is_in = is_in && point[axis] >= 0 && point[axis] <= grid.count[std::size_t(axis)];
+        if (!is_in) continue;
+        surface.once.push_back(point);
+        for (std::size_t q = 0; q < set.pictures.size(); ++q) {
+          if (q == p) continue;
+          const Vector3d there = project(set.pictures[q].camera, world);
+          const auto column = std::floor(there.x()), row = std::floor(there.y());
+          if (!(there.z() > 0) || !(column >= 0 && column < distances[q].width) ||
+              !(row >= 0 && row < distances[q].height))
+            continue;
+          const double seen = double(distances[q].at(int(column), int(row)));
+          if (std::abs(seen - there.z()) > diagonal) continue;
+          surface.twice.push_back(point);
+          break;
+        }
+      }
+    }
+  }
+  return surface;
+}
+
+Result<std::vector<Image<float>>> true_distances(const Scene& scene, const PictureSet& set) {
+  std::vector<Image<float>> distances;
+  RenderSettings settings;
+  settings.want_distance = true;
+  settings.shading = Shading::kUnlit;
+  Renderer renderer(scene, settings.transfer);
+  const WorldBox box = box_of(scene);
+  for (const CalibratedPicture& picture : set.pictures) {
+    const auto view = view_of(picture.camera, picture.color.width, picture.color.height, box);
+    if (!view) return tl::unexpected(view.error());
+    distances.push_back(renderer.render(*view, settings).buffers.distance);
+  }
+  return distances;
+}
+
+SurfaceErrors surface_errors(const std::vector<ColoredVoxel>& voxels, const SeenSurface& surface) {
+  SurfaceErrors errors;
+  std::vector<Vector3d> centres;
+  for (const ColoredVoxel& voxel : voxels)
+    centres.emplace_back(voxel.at.x + 0.5, voxel.at.y + 0.5, voxel.at.z + 0.5);
+  const auto measure = [](const std::vector<Vector3d>& from, const std::vector<Vector3d>& to,
+                          double& mean, double& most) {
+    if (from.empty() || to.empty()) {
+      mean = most = INFINITY;
+      return;
+    }
+    const Places places(to);
+    for (const Vector3d& p : from) {
+      const double distance = places.distance(p);
+      mean += distance / double(from.size());
+      most = std::max(most, distance);
+    }
+  };
+  measure(centres, surface.once, errors.to_truth_mean, errors.to_truth_most);
+  measure(surface.twice, centres, errors.from_truth_mean, errors.from_truth_most);
+  return errors;
+}
+
+}  // namespace glassbox::views
