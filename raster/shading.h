@@ -10,6 +10,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include <glassbox/base/spaces.h>
@@ -39,10 +40,10 @@ struct Lighting {
 };
 
 // Light that leaves a surface, before the surface's colours are multiplied in.
-template <class F>
+template <class F, std::size_t kChannels = 3>
 struct ReflectionOf {
-  std::array<F, 3> diffuse{};
-  std::array<F, 3> specular{};
+  std::array<F, kChannels> diffuse{};
+  std::array<F, kChannels> specular{};
 };
 using Reflection = ReflectionOf<float>;
 

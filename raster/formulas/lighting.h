@@ -41,18 +41,22 @@ inline Arrival<F> arrive(const EyeLight& light, const std::array<F, 3>& at) {
   return {zero_unless(apart, towards), select(apart, fraction, F(0.0f))};
 }
 
-// `normal` need not be of unit length. Without `highlights` the specular part is not computed, and is 0.
-template <Number F>
-inline ReflectionOf<F> reflected_light(const Lighting& lighting, const std::array<F, 3>& position,
-                                       const std::array<F, 3>& normal, int shininess,
-                                       bool highlights) {
+// `normal` need not be of unit length. Without `highlights` the specular part is not computed, and is 0. Of the channels, kChannels from
+// `first` on.
+template <std::size_t kChannels = 3, Number F>
+inline ReflectionOf<F, kChannels> reflected_light(const Lighting& lighting,
+                                                  const std::array<F, 3>& position,
+                                                  const std::array<F, 3>& normal, int shininess,
+                                                  bool highlights, std::size_t first = 0) {
   const F zero = 0.0f, ambient = lighting.ambient;
   const std::array<F, 3> n = unit(normal);
   std::array<F, 3> viewer{zero, zero, F(1.0f)};
   if (highlights && lighting.perspective) {
     viewer = unit(difference({zero, zero, zero}, position));
   }
-  ReflectionOf<F> reflection{{ambient, ambient, ambient}, {zero, zero, zero}};
+  ReflectionOf<F, kChannels> reflection;
+  reflection.diffuse.fill(ambient);
+  reflection.specular.fill(zero);
   for (const EyeLight& light : lighting.lights) {
     const Arrival<F> arrival = arrive(light, position);
     const F facing = dot(n, arrival.towards);
@@ -63,8 +67,8 @@ inline ReflectionOf<F> reflected_light(const Lighting& lighting, const std::arra
       const F cosine = dot(n, unit(sum(arrival.towards, viewer)));
       highlight = power(least(F(1.0f), greatest(zero, cosine)), shininess);
     }
-    for (std::size_t i = 0; i < 3; ++i) {
-      const F incoming = light.radiance[i] * arrival.fraction;
+    for (std::size_t i = 0; i < kChannels; ++i) {
+      const F incoming = light.radiance[first + i] * arrival.fraction;
       const F diffuse = reflection.diffuse[i], specular = reflection.specular[i];
       reflection.diffuse[i] = select(lit, diffuse + incoming * facing, diffuse);
       if (highlights) {
@@ -77,13 +81,14 @@ inline ReflectionOf<F> reflected_light(const Lighting& lighting, const std::arra
 
 // What a surface sends out of the light that falls on it. One without a normal shines by itself (glTF 2.0, 3.7.2.1). Without
 // `highlights` the specular part is left out.
-template <Number F>
-inline std::array<F, 3> lit(const std::array<F, 3>& base, const std::array<F, 3>& normal,
-                            const ReflectionOf<F>& light, const std::array<float, 3>& specular,
-                            bool highlights) {
+template <Number F, std::size_t kChannels>
+inline std::array<F, kChannels> lit(const std::array<F, kChannels>& base,
+                                    const std::array<F, 3>& normal,
+                                    const ReflectionOf<F, kChannels>& light,
+                                    const std::array<float, kChannels>& specular, bool highlights) {
   const auto has_normal = normal[0] != 0.0f || normal[1] != 0.0f || normal[2] != 0.0f;
-  std::array<F, 3> color;
-  for (std::size_t i = 0; i < 3; ++i) {
+  std::array<F, kChannels> color;
+  for (std::size_t i = 0; i < kChannels; ++i) {
     F reflected = base[i] * light.diffuse[i];
     if (highlights) reflected = reflected + specular[i] * light.specular[i];
     color[i] = select(has_normal, reflected, base[i]);

@@ -56,8 +56,9 @@ private:
     const ShadeDraw& draw = *test_.draw;
     DrawTextures textures;
     if (draw.texture != nullptr) textures.color = &draw.texture->get();
-    const Floats alpha =
-        surface_color(draw, textures, source, TexelsOfSource<Source>{draw, textures, source}).alpha;
+    const AllChannels channels{};
+    const TexelsOfSource<AllChannels, Source> texels{channels, draw, textures, source};
+    const Floats alpha = surface_color(channels, draw, textures, source, texels).alpha;
     return lanes && int_mask(alpha >= test_.draw->material->alpha_cutoff);
   }
 
@@ -126,7 +127,7 @@ private:
   HWY_INLINE void blend_colors(IntMask lanes, int x, int y, std::size_t k,
                                const Source& source) const {
     const DrawTextures textures(*job_.draw);
-    const SurfaceColor surface = shining(*job_.draw, textures, *job_.resolve, source);
+    const auto surface = shining<AllChannels>(*job_.draw, textures, *job_.resolve, source);
     const Floats alpha = clamped(surface.alpha, Floats(0.0f), Floats(1.0f));
     replace(lanes, x, y, k,
             [&](Ints before) HWY_ATTR { return laid_over_bytes(surface.color, alpha, before); });

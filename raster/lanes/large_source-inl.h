@@ -41,13 +41,16 @@ public:
   HWY_INLINE Rgb color() const { return attribute<3>(&Varyings::color); }
   HWY_INLINE Floats alpha() const { return attribute<4>(&Varyings::color)[3]; }
   HWY_INLINE Float2 texcoord() const { return attribute<2>(&Varyings::texcoord); }
-  HWY_INLINE ReflectionOf<Floats> reflection(const ShadeDraw& draw, const ResolveJob& job,
-                                             const Float3& normal) const {
+  template <class Channels>
+  HWY_INLINE LightOf<Channels> reflection(const ShadeDraw& draw, const ResolveJob& job,
+                                          const Float3& normal) const {
     if (draw.light == LightAt::kVertices) {
-      return {attribute<3>(&Varyings::diffuse), attribute<3>(&Varyings::specular)};
+      return light_of(Channels(job),
+                      {attribute<3>(&Varyings::diffuse), attribute<3>(&Varyings::specular)});
     }
-    return reflected_light(*job.lighting, attribute<3>(&Varyings::position), normal,
-                           draw.material->shininess, draw.highlights);
+    return reflected_light<Channels::kCount>(*job.lighting, attribute<3>(&Varyings::position),
+                                             normal, draw.material->shininess, draw.highlights,
+                                             Channels(job).first());
   }
   Ints id() const { return std::int32_t(self().triangle->number + 1); }
 

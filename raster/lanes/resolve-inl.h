@@ -26,6 +26,7 @@ struct QuadPixels {
   HWY_ALIGN std::int32_t id[kQuadPixels];
 };
 
+template <class Channels>
 class TileResolver {
 public:
   TileResolver(const ResolveJob& job, std::span<TileBuffer> tiles)
@@ -34,17 +35,21 @@ public:
         tile_(tiles.front()),
         mask_(bytes_of(job.mask)),
         has_other_planes_(job.picture != nullptr || job.distance != nullptr || job.id != nullptr),
-        plain_blocks_(job.distance == nullptr && job.id == nullptr && !job.keep_picture &&
-                      job.samples == nullptr),
+        plain_blocks_(job.distance == nullptr && job.id == nullptr && job.samples == nullptr &&
+                      (!job.keep_picture || job.points.empty())),
         shades_blocks_(job.picture != nullptr && job.distance == nullptr && job.id == nullptr &&
                        job.points.empty() && job.samples == nullptr),
-        streams_color_(job.picture != nullptr && !job.keep_picture && !job.drawn_over &&
-                       job.samples == nullptr),
+        streams_color_(job.picture != nullptr && job.samples == nullptr && !job.drawn_over &&
+                       (!job.keep_picture || job.tile_colors != nullptr)),
         color_{tile_.color_rows(), tile_.side(), tile_.window().x0, tile_.window().y0},
         depth_{tile_.depth_rows(), tile_.side(), tile_.window().x0, tile_.window().y0},
         shader_(job),
-        samples_(job, tiles, shader_) {
-    if (job.picture != nullptr && !streams_color_) color_ = rows_of(*job.picture);
+        samples_(job, tiles) {
+    if (job.tile_colors != nullptr) {
+      color_.first = job.tile_colors;
+    } else if (job.picture != nullptr && !streams_color_) {
+      color_ = rows_of(*job.picture);
+    }
   }
 
   void resolve() {
@@ -61,7 +66,7 @@ private:
   // One colour and one depth everywhere: nothing is seen, or one large triangle.
   bool is_one_block() const {
     const TileBlock& first = tile_.block(0);
-    if (job_.drawn_over || !is_plain(0) || is_shaded(first)) return false;
+    if (job_.drawn_over || job_.keep_picture || !is_plain(0) || is_shaded(first)) return false;
     if (job_.depth != nullptr && first.triangle != nullptr) return false;
     return std::ranges::all_of(tiles_, [&](const TileBuffer& tile) {
       return std::all_of(&tile.block(0), &tile.block(0) + tile.block_count(),
@@ -80,14 +85,16 @@ private:
 
   // Rows of the tile that are complete leave for the picture.
   void stream(const PixelRect& rows, std::ptrdiff_t pitch) {
-    if (streams_color_) stream_rows(tile_.color_rows(), pitch, rows, *job_.picture);
+    if (streams_color_) {
+      stream_rows(color_.at(rows.x0, rows.y0), pitch, rows, *job_.picture);
+    }
     if (job_.depth != nullptr) stream_rows(tile_.depth_rows(), pitch, rows, *job_.depth);
   }
 
   void resolve_blocks() {
     const PixelRect& window = tile_.window();
     for (int y = window.y0; y < window.y1; y += kBlockSide) {
-      if (streams_color_) color_.y0 = y;
+      if (streams_color_ && job_.tile_colors == nullptr) color_.y0 = y;
       depth_.y0 = y;
       for (int x = window.x0; x < window.x1; x += kBlockSide) {
         const std::size_t block =
@@ -118,20 +125,23 @@ private:
   // One thing is seen in the block, or nothing, and all of its pixels are to be stored.
   bool is_plain(std::size_t block) const {
     const TileBlock& first = tile_.block(block);
-    return first.plain && plain_blocks_ && (first.reference == kNothing || mask_ == -1) &&
+    return first.plain && plain_blocks_ &&
            std::ranges::all_of(tiles_.subspan(1), [&](const TileBuffer& tile) {
              return tile.block(block).plain && tile.block(block).reference == first.reference;
            });
   }
+  static bool shows_triangle(const TileBlock& b) {
+    return b.reference != kNothing && b.reference != kInPicture;
+  }
   // Whether the pixels of a plain block differ in colour.
   bool is_shaded(const TileBlock& b) const {
-    return job_.picture != nullptr && b.reference != kNothing &&
+    return job_.picture != nullptr && shows_triangle(b) &&
            !job_.large[b.reference & ~kLargeReference]->one_color;
   }
   // The one colour of a plain block at (x, y) whose pixels do not differ: shaded for one of them, and kept for the blocks to come.
   std::uint32_t color_of(const TileBlock& b, int x, int y) {
     if (job_.picture == nullptr) return 0;
-    if (b.reference == kNothing) return std::bit_cast<std::uint32_t>(job_.background);
+    if (!shows_triangle(b)) return std::bit_cast<std::uint32_t>(job_.background);
     if (b.reference != one_color_reference_) {
       one_color_reference_ = b.reference;
       one_color_ = color_at(b.reference, x, y);
@@ -142,29 +152,52 @@ private:
     const LargeShape& shape = shader_.shape_of(reference);
     const LargeSource source(shape, x, y, 0, AtCentre());
     HWY_ALIGN std::int32_t colors[kLanes];
-    store(encoded(shining_by_call(job_.draws[shape.triangle->draw], DrawTextures(), job_, source),
-                  job_),
-          colors);
+    const Ints shaded = encoded(
+        shining_by_call<Channels>(job_.draws[shape.triangle->draw], DrawTextures(), job_, source),
+        job_);
+    store(over(shaded, std::bit_cast<std::int32_t>(job_.background)), colors);
     return std::uint32_t(colors[0]);
   }
   // The depth code of a plain block whose pixels all have the same depth.
   static std::uint32_t code_of(const TileBlock& b) { return stored_code(b.nearest); }
 
   // (What covers all samples of a pixel covers its centre, which lies between them.)
-  HWY_NOINLINE void resolve_plain_block(std::size_t block, int x, int y) {
+  HWY_INLINE void resolve_plain_block(std::size_t block, int x, int y) {
     const TileBlock& b = tile_.block(block);
     if (job_.depth != nullptr) store_plain_depths(block, x, y);
     if (job_.picture == nullptr) return;
-    if (!is_shaded(b)) return fill_block_rows(color_, x, y, color_of(b, x, y));
+    if (is_shaded(b)) {
+      shade_plain_block(b, x, y);
+    } else if (!job_.keep_picture) {
+      fill_block_rows(color_, x, y, color_of(b, x, y));
+    } else if (shows_triangle(b)) {
+      Ints colors[kBlockVectors];
+      std::fill_n(colors, kBlockVectors, Ints(std::int32_t(color_of(b, x, y))));
+      lay_over(colors, x, y);
+      store_colors(colors, x, y);
+    }
+  }
+  HWY_NOINLINE void shade_plain_block(const TileBlock& b, int x, int y) {
     const LargeTriangle& triangle = *job_.large[b.reference & ~kLargeReference];
     const ShadeDraw& draw = job_.draws[triangle.draw];
     const DrawTextures textures(draw);
     Ints colors[kBlockVectors];
     const LargeShape& shape = shader_.shape_of(b.reference);
-    shade_vectors<LargeSource>(
+    shade_vectors<Channels, LargeSource>(
         draw, textures, job_, kBlockVectors,
-        [&](std::size_t i) HWY_ATTR { return SeenShader::large_source(shape, x, y, i); }, colors);
+        [&](std::size_t i) HWY_ATTR { return SeenShader<Channels>::large_source(shape, x, y, i); },
+        colors);
+    if (mask_ != -1) lay_over(colors, x, y);
     store_colors(colors, x, y);
+  }
+  // The channels that are written, and what the pixel had of the others.
+  HWY_INLINE Ints over(Ints color, Ints before) const {
+    return (color & mask_) | (before & ~mask_);
+  }
+  HWY_NOINLINE void lay_over(Ints* colors, int x, int y) const {
+    Ints before[kBlockVectors];
+    take_colors(before, x, y);
+    for (std::size_t i = 0; i < kBlockVectors; ++i) colors[i] = over(colors[i], before[i]);
   }
   HWY_INLINE void store_colors(const Ints* colors, int x, int y) {
     for (int quad = 0; quad < kBlockQuads; ++quad) {
@@ -186,7 +219,7 @@ private:
     }
   }
 
-  HWY_INLINE void store_plain_depths(std::size_t block, int x, int y) {
+  HWY_NOINLINE void store_plain_depths(std::size_t block, int x, int y) {
     const TileBlock& b = tile_.block(block);
     if (b.triangle == nullptr) {
       fill_block_rows(depth_, x, y, code_of(b));
@@ -213,21 +246,25 @@ private:
     if (b.plain && is_in_picture && job_.keep_picture) return;
     Ints colors[kBlockVectors], seen[kBlockVectors];
     IntMask pending[kBlockVectors];
+    take_colors(colors, x, y);
     for (std::size_t i = 0; i < kBlockVectors; ++i) {
-      colors[i] = std::bit_cast<std::int32_t>(job_.background);
       seen[i] = seen_in(tile_, block, int(i / kQuadVectors), i % kQuadVectors * kLanes);
       pending[i] = is_to_be_shaded(seen[i]);
     }
-    if (job_.keep_picture) take_colors(colors, x, y);
     shader_.shade_block(BlockOfTile(tile_, block, x, y), seen, pending, colors);
     store_colors(colors, x, y);
   }
 
+  // What the block's pixels have before they are drawn.
   HWY_INLINE void take_colors(Ints* colors, int x, int y) const {
+    if (!job_.keep_picture) {
+      std::fill_n(colors, kBlockVectors, Ints(std::bit_cast<std::int32_t>(job_.background)));
+      return;
+    }
     for (int quad = 0; quad < kBlockQuads; ++quad) {
       HWY_ALIGN std::int32_t of_quad[kQuadPixels];
-      load_quad(reinterpret_cast<Rgba8*>(of_quad), *job_.picture, tile_.window(),
-                x + (quad % 2) * kQuadSide, y + (quad / 2) * kQuadSide);
+      load_quad(of_quad, color_, tile_.window(), x + (quad % 2) * kQuadSide,
+                y + (quad / 2) * kQuadSide);
       for (std::size_t k = 0; k < kQuadVectors; ++k) {
         colors[std::size_t(quad) * kQuadVectors + k] = load(of_quad + k * kLanes);
       }
@@ -282,9 +319,9 @@ private:
 
   HWY_INLINE void take_from_picture(QuadPixels& pixels, int x, int y) const {
     const PixelRect& window = tile_.window();
-    if (job_.picture != nullptr) load_quad(pixels.color, *job_.picture, window, x, y);
-    if (job_.distance != nullptr) load_quad(pixels.distance, *job_.distance, window, x, y);
-    if (job_.id != nullptr) load_quad(pixels.id, *job_.id, window, x, y);
+    if (job_.picture != nullptr) load_quad(pixels.color, color_, window, x, y);
+    if (job_.distance != nullptr) load_quad(pixels.distance, rows_of(*job_.distance), window, x, y);
+    if (job_.id != nullptr) load_quad(pixels.id, rows_of(*job_.id), window, x, y);
   }
 
   // Where in its pixel a fragment is shaded, and what becomes of it.
@@ -304,7 +341,7 @@ private:
                          IntMask lanes, std::size_t k, QuadPixels& pixels) {
     if (job_.picture != nullptr) {
       const Ints before = load(pixels.color + k);
-      const Ints color = (shade(draw, textures, job_, source) & mask_) | (before & ~mask_);
+      const Ints color = over(shade<Channels>(draw, textures, job_, source), before);
       store(select(lanes, color, before), pixels.color + k);
     }
     if (job_.distance != nullptr) {
@@ -325,14 +362,18 @@ private:
   bool shades_blocks_;  // whole, where their vectors have something in common
   bool streams_color_;
   Rows color_, depth_;
-  SeenShader shader_;
+  SeenShader<Channels> shader_;
   SampleResolver samples_;
   Reference one_color_reference_ = kNothing;
   std::uint32_t one_color_ = 0;
 };
 
 inline void resolve_tile(const ResolveJob& job, std::span<TileBuffer> tiles) {
-  TileResolver(job, tiles).resolve();
+  if (job.points.empty() && TwoChannels::have_all_of(job)) {
+    TileResolver<TwoChannels>(job, tiles).resolve();
+  } else {
+    TileResolver<AllChannels>(job, tiles).resolve();
+  }
 }
 
 }  // namespace HWY_NAMESPACE

@@ -19,14 +19,14 @@ namespace HWY_NAMESPACE {
 
 class SampleResolver {
 public:
-  SampleResolver(const ResolveJob& job, std::span<TileBuffer> tiles, SeenShader& shader)
-      : job_(job), tiles_(tiles), shader_(shader), mask_(bytes_of(job.mask)) {}
+  SampleResolver(const ResolveJob& job, std::span<TileBuffer> tiles)
+      : job_(job), tiles_(tiles), shader_(job), mask_(bytes_of(job.mask)) {}
 
   // A quad's samples: each triangle that is seen at some of a pixel's is shaded once there.
   HWY_NOINLINE void resolve(std::size_t block, int quad, int x, int y, const Rows& rows) {
     HWY_ALIGN std::int32_t means[kQuadPixels];
     if (job_.keep_picture && job_.samples == nullptr) {
-      load_quad(reinterpret_cast<Rgba8*>(means), *job_.picture, tiles_.front().window(), x, y);
+      load_quad(means, rows, tiles_.front().window(), x, y);
     } else {
       std::fill_n(means, kQuadPixels, std::bit_cast<std::int32_t>(job_.background));
     }
@@ -52,7 +52,7 @@ private:
     template <class Source>
     HWY_INLINE void take(const ShadeDraw& draw, const DrawTextures& textures, const Source& source,
                          IntMask lanes) const {
-      const Ints shaded = encoded(shining_by_call(draw, textures, job, source), job);
+      const Ints shaded = encoded(shining_by_call<AllChannels>(draw, textures, job, source), job);
       color = select(lanes, shaded, color);
     }
     const ResolveJob& job;
@@ -115,7 +115,7 @@ private:
 
   const ResolveJob& job_;
   std::span<TileBuffer> tiles_;  // one for each sample
-  SeenShader& shader_;
+  SeenShader<AllChannels> shader_;
   std::int32_t mask_;
 };
 

@@ -84,14 +84,12 @@ HWY_INLINE void stream_rows(const std::uint32_t* from, std::ptrdiff_t pitch,
   }
 }
 
-template <class To, class From>
-HWY_INLINE void load_quad(From* to, const Image<To>& image, const PixelRect& window, int x, int y) {
-  static_assert(sizeof(To) == sizeof(From));
-  const To* from = image.pixels.data() + image.index(x, y);
+template <class To>
+HWY_INLINE void load_quad(To* to, const Rows& rows, const PixelRect& window, int x, int y) {
+  static_assert(sizeof(To) == sizeof(std::uint32_t));
+  const std::uint32_t* from = rows.at(x, y);
   for_each_row(window, x, y, [&](int row, auto columns) HWY_ATTR {
-    std::memcpy(to + row * kQuadSide,
-                static_cast<const void*>(from + std::size_t(row) * std::size_t(image.width)),
-                columns * sizeof(To));
+    std::memcpy(to + row * kQuadSide, from + row * rows.pitch, columns * sizeof(To));
   });
 }
 

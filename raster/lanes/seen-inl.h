@@ -65,6 +65,7 @@ struct BlockOfTile {
   int x, y;
 };
 
+template <class Channels>
 class SeenShader {
 public:
   explicit SeenShader(const ResolveJob& job) : job_(job), mask_(bytes_of(job.mask)) {}
@@ -193,8 +194,9 @@ public:
         const Ints reference = select(same, seen, std::int32_t(first));
         const SmallSource source(draw, reference - begin, pixel_x, pixel_y,
                                  AtSamples{job_.points, same});
-        color = select(same, encoded(shining_by_call(draw, textures_of(draw), job_, source), job_),
-                       color);
+        color = select(
+            same, encoded(shining_by_call<Channels>(draw, textures_of(draw), job_, source), job_),
+            color);
         pending = pending && !same;
       }
       HWY_ALIGN std::int32_t shaded[kLanes];
@@ -239,7 +241,7 @@ private:
           seen, pending, begin, [&](Ints s) HWY_ATTR { return s == std::int32_t(first); }, group);
       const LargeShape& shape = shape_of(first);
       const ShadeDraw& draw = job_.draws[shape.triangle->draw];
-      shade_vectors<LargeSource>(
+      shade_vectors<Channels, LargeSource>(
           draw, DrawTextures(draw), job_, group.count,
           [&](std::size_t i)
               HWY_ATTR { return large_source(shape, block.x, block.y, group.vector[i]); },
@@ -254,7 +256,7 @@ private:
       if (block.shows_few() && SharedTriangles::can_have(draw)) {
         shade_shared(draw, block, seen, group, shaded);
       } else {
-        shade_vectors<SmallSource>(
+        shade_vectors<Channels, SmallSource>(
             draw, DrawTextures(draw), job_, group.count,
             [&](std::size_t i) HWY_ATTR {
               const std::size_t vector = group.vector[i];
@@ -304,10 +306,11 @@ private:
     const DrawTextures textures(draw);
     // (Of shorter vectors a block has more than registers hold from one step to the next.)
     if (kLanes == 16 || textures.color != nullptr || textures.emission != nullptr) {
-      return shade_in_steps<SharedSource>(draw, textures, job_, group.count, source_of, colors);
+      return shade_in_steps<Channels, SharedSource>(draw, textures, job_, group.count, source_of,
+                                                    colors);
     }
     for (std::size_t i = 0; i < group.count; ++i) {
-      colors[i] = shade(draw, DrawTextures(), job_, source_of(i));
+      colors[i] = shade<Channels>(draw, DrawTextures(), job_, source_of(i));
     }
   }
 

@@ -58,89 +58,103 @@ HWY_INLINE TexturePoint texture_point(const MipChain& texture, const Sampler& sa
   return point;
 }
 
-HWY_INLINE Shorts sampled(const MipChain& texture, const Sampler& sampler,
-                          const TexturePoint& point) {
-  const TextureInLanes texels(texture);
+template <class Channels>
+HWY_INLINE typename Channels::Texels sampled(const Channels& channels, const MipChain& texture,
+                                             const Sampler& sampler, const TexturePoint& point) {
+  const TextureInLanes<Channels> texels(texture, channels);
   if (HWY_LIKELY(samples_base_only(sampler))) return sample_base(texels, sampler, point.texcoord);
   return sample_texture(texels, sampler, point.texcoord, point.level_of_detail);
 }
 
 // Texels of a source, which are looked up when they are asked for.
-template <class Source>
+template <class Channels, class Source>
 struct TexelsOfSource {
-  HWY_INLINE Shorts color() const {
-    return sampled(*textures.color, *draw.sampler,
+  HWY_INLINE typename Channels::Texels color() const {
+    return sampled(channels, *textures.color, *draw.sampler,
                    texture_point(*textures.color, *draw.sampler, source));
   }
-  HWY_INLINE Shorts emission() const {
-    return sampled(*textures.emission, *draw.emission_sampler,
+  HWY_INLINE typename Channels::Texels emission() const {
+    return sampled(channels, *textures.emission, *draw.emission_sampler,
                    texture_point(*textures.emission, *draw.emission_sampler, source));
   }
+  const Channels& channels;
   const ShadeDraw& draw;
   const DrawTextures& textures;
   const Source& source;
 };
 
 // Material times vertex colour times texture, and the alpha of the same factors. Whoever has no use for one of them computes none.
+template <class Channels>
 struct SurfaceColor {
-  Rgb color;
-  Floats alpha;
+  ColorOf<Channels> color;
+  Floats alpha;  // of opaque surfaces nobody asks
 };
 
-template <class Attributes, class Texels>
-HWY_INLINE SurfaceColor surface_color(const ShadeDraw& draw, const DrawTextures& textures,
-                                      const Attributes& attributes, const Texels& texels) {
+template <class Channels, class Attributes, class Texels>
+HWY_INLINE SurfaceColor<Channels> surface_color(const Channels& channels, const ShadeDraw& draw,
+                                                const DrawTextures& textures,
+                                                const Attributes& attributes,
+                                                const Texels& texels) {
   const Rgba& base = draw.material->base_color;
-  SurfaceColor surface{{Floats(base.r), Floats(base.g), Floats(base.b)}, Floats(base.a)};
+  SurfaceColor<Channels> surface{channels.of(Rgb{Floats(base.r), Floats(base.g), Floats(base.b)}),
+                                 Floats(base.a)};
   if (draw.color_indices != nullptr) {
-    surface = {product(surface.color, attributes.color()), surface.alpha * attributes.alpha()};
+    surface = {product(surface.color, channels.of(attributes.color())),
+               surface.alpha * attributes.alpha()};
   }
   if (textures.color != nullptr) {
-    const Shorts color = texels.color();
-    surface = {product(surface.color, color_of(color)), surface.alpha * alpha_of(color)};
+    const auto color = texels.color();
+    surface.color = product(surface.color, color_of(color));
+    if constexpr (Channels::kHasAlpha) surface.alpha = surface.alpha * alpha_of(color);
   }
   return surface;
 }
 
-template <class Attributes>
-HWY_INLINE Rgb lit(const ShadeDraw& draw, const ResolveJob& job, const Attributes& attributes,
-                   const Rgb& base) {
+template <class Channels, class Attributes>
+HWY_INLINE ColorOf<Channels> lit(const Channels& channels, const ShadeDraw& draw,
+                                 const ResolveJob& job, const Attributes& attributes,
+                                 const ColorOf<Channels>& base) {
   if (draw.light == LightAt::kNowhere) return base;
   const Float3 normal = attributes.normal();
-  const ReflectionOf<Floats> light = attributes.reflection(draw, job, normal);
-  return lit(base, normal, light, draw.material->specular, draw.highlights);
+  const LightOf<Channels> light = attributes.template reflection<Channels>(draw, job, normal);
+  return lit(base, normal, light, channels.of(draw.material->specular), draw.highlights);
 }
 
-template <class Texels>
-HWY_INLINE Rgb emission(const ShadeDraw& draw, const DrawTextures& textures, const Texels& texels) {
-  const Rgb own{Floats(draw.emission[0]), Floats(draw.emission[1]), Floats(draw.emission[2])};
+template <class Channels, class Texels>
+HWY_INLINE ColorOf<Channels> emission(const Channels& channels, const ShadeDraw& draw,
+                                      const DrawTextures& textures, const Texels& texels) {
+  const ColorOf<Channels> own = channels.of(
+      Rgb{Floats(draw.emission[0]), Floats(draw.emission[1]), Floats(draw.emission[2])});
   if (textures.emission == nullptr) return own;
   return product(own, color_of(texels.emission()));
 }
 
 // The surface in the light, and its own light with it.
-template <class Attributes, class Texels>
-HWY_INLINE SurfaceColor shining(const ShadeDraw& draw, const DrawTextures& textures,
-                                const ResolveJob& job, const Attributes& attributes,
-                                const Texels& texels) {
-  SurfaceColor surface = surface_color(draw, textures, attributes, texels);
-  surface.color = lit(draw, job, attributes, surface.color);
+template <class Channels, class Attributes, class Texels>
+HWY_INLINE SurfaceColor<Channels> shining(const ShadeDraw& draw, const DrawTextures& textures,
+                                          const ResolveJob& job, const Attributes& attributes,
+                                          const Texels& texels) {
+  const Channels channels(job);
+  SurfaceColor<Channels> surface = surface_color(channels, draw, textures, attributes, texels);
+  surface.color = lit(channels, draw, job, attributes, surface.color);
   if (HWY_UNLIKELY(draw.emits)) {
-    surface.color = sum(surface.color, emission(draw, textures, texels));
+    surface.color = sum(surface.color, emission(channels, draw, textures, texels));
   }
   return surface;
 }
-template <class Source>
-HWY_INLINE SurfaceColor shining(const ShadeDraw& draw, const DrawTextures& textures,
-                                const ResolveJob& job, const Source& source) {
-  return shining(draw, textures, job, source, TexelsOfSource<Source>{draw, textures, source});
+template <class Channels, class Source>
+HWY_INLINE SurfaceColor<Channels> shining(const ShadeDraw& draw, const DrawTextures& textures,
+                                          const ResolveJob& job, const Source& source) {
+  const Channels channels(job);
+  return shining<Channels>(draw, textures, job, source,
+                           TexelsOfSource<Channels, Source>{channels, draw, textures, source});
 }
 
 // The colour alone, for whoever shades fewer pixels than resolving does: compiled once.
-template <class Source>
-HWY_NOINLINE Rgb shining_by_call(const ShadeDraw& draw, const DrawTextures& textures,
-                                 const ResolveJob& job, const Source& source) {
-  return shining(draw, textures, job, source).color;
+template <class Channels, class Source>
+HWY_NOINLINE ColorOf<Channels> shining_by_call(const ShadeDraw& draw, const DrawTextures& textures,
+                                               const ResolveJob& job, const Source& source) {
+  return shining<Channels>(draw, textures, job, source).color;
 }
 
 // A colour's bytes as one integer, opaque; those that are not wanted are 0.
@@ -150,6 +164,15 @@ HWY_INLINE Ints encoded(const Rgb& color, const ResolveJob& job) {
   return byte(job.channels.r, color[0]) | shifted_left<8>(byte(job.channels.g, color[1])) |
          (shifted_left<16>(byte(job.channels.b, color[2])) | std::int32_t(0xff000000u));
 }
+HWY_INLINE Ints encoded(const std::array<Floats, 2>& color, const ResolveJob& job) {
+  const bool from_red = TwoChannels(job).first() == 0;
+  Ints bytes = 0;
+  if (from_red ? job.channels.r : job.channels.g) bytes = encode(job.transfer, color[0]);
+  if (from_red ? job.channels.g : job.channels.b) {
+    bytes = bytes | shifted_left<8>(encode(job.transfer, color[1]));
+  }
+  return (from_red ? bytes : shifted_left<8>(bytes)) | std::int32_t(0xff000000u);
+}
 
 // ---- several vectors of one draw ----
 
@@ -157,10 +180,11 @@ HWY_INLINE Ints encoded(const Rgb& color, const ResolveJob& job) {
 struct TexturePoints {
   TexturePoint color, emission;
 };
+template <class Channels>
 struct FoundTexels {
-  Shorts color() const { return of_color; }
-  Shorts emission() const { return of_emission; }
-  Shorts of_color, of_emission;
+  typename Channels::Texels color() const { return of_color; }
+  typename Channels::Texels emission() const { return of_emission; }
+  typename Channels::Texels of_color, of_emission;
 };
 
 template <class Source>
@@ -173,13 +197,16 @@ HWY_INLINE void find_points(const ShadeDraw& draw, const DrawTextures& textures,
     points.emission = texture_point(*textures.emission, *draw.emission_sampler, source);
   }
 }
-HWY_INLINE void find_texels(const ShadeDraw& draw, const DrawTextures& textures,
-                            const TexturePoints& points, FoundTexels& texels) {
+template <class Channels>
+HWY_INLINE void find_texels(const Channels& channels, const ShadeDraw& draw,
+                            const DrawTextures& textures, const TexturePoints& points,
+                            FoundTexels<Channels>& texels) {
   if (textures.color != nullptr) {
-    texels.of_color = sampled(*textures.color, *draw.sampler, points.color);
+    texels.of_color = sampled(channels, *textures.color, *draw.sampler, points.color);
   }
   if (HWY_UNLIKELY(textures.emission != nullptr)) {
-    texels.of_emission = sampled(*textures.emission, *draw.emission_sampler, points.emission);
+    texels.of_emission =
+        sampled(channels, *textures.emission, *draw.emission_sampler, points.emission);
   }
 }
 
@@ -195,48 +222,53 @@ inline bool shows_texels(const ShadeDraw& draw, const DrawTextures& textures,
 // What a vector of textured pixels waits for, gathers and divisions one after the other, takes as long as all the rest of the work for
 // it, and its instructions are more than the processor looks ahead. So each step is done for some vectors in turn: while one waits, the
 // next are under way.
-template <class Source, class SourceOf>
+template <class Channels, class Source, class SourceOf>
 HWY_INLINE void shade_in_steps(const ShadeDraw& draw, const DrawTextures& textures,
                                const ResolveJob& job, std::size_t count, const SourceOf& source_of,
                                Ints* colors) {
   typename Source::Fragments fragments[kBlockVectors];
   TexturePoints points[kBlockVectors];
-  FoundTexels texels[kBlockVectors];
+  FoundTexels<Channels> texels[kBlockVectors];
+  const Channels channels(job);
   for (std::size_t i = 0; i < count; ++i) {
     const Source source = source_of(i);
     fragments[i] = source.fragments();
     find_points(draw, textures, source, points[i]);
   }
-  for (std::size_t i = 0; i < count; ++i) find_texels(draw, textures, points[i], texels[i]);
-  if (shows_texels(draw, textures, job)) {
-    for (std::size_t i = 0; i < count; ++i) {
-      colors[i] = linear_bytes_of(texels[i].color()) | std::int32_t(0xff000000u);
+  for (std::size_t i = 0; i < count; ++i) {
+    find_texels(channels, draw, textures, points[i], texels[i]);
+  }
+  if constexpr (Channels::kHasAlpha) {
+    if (shows_texels(draw, textures, job)) {
+      for (std::size_t i = 0; i < count; ++i) {
+        colors[i] = linear_bytes_of(texels[i].color()) | std::int32_t(0xff000000u);
+      }
+      return;
     }
-    return;
   }
   for (std::size_t i = 0; i < count; ++i) {
-    colors[i] = encoded(shining(draw, textures, job, fragments[i], texels[i]).color, job);
+    colors[i] = encoded(shining<Channels>(draw, textures, job, fragments[i], texels[i]).color, job);
   }
 }
 
 // The colours of `count` vectors, at most kBlockVectors, whose sources source_of(i) makes. Without textures there is less to wait for
 // than steps cost.
-template <class Source, class SourceOf>
+template <class Channels, class Source, class SourceOf>
 HWY_INLINE void shade_vectors(const ShadeDraw& draw, const DrawTextures& textures,
                               const ResolveJob& job, std::size_t count, const SourceOf& source_of,
                               Ints* colors) {
   if (textures.color != nullptr || textures.emission != nullptr) {
-    return shade_in_steps<Source>(draw, textures, job, count, source_of, colors);
+    return shade_in_steps<Channels, Source>(draw, textures, job, count, source_of, colors);
   }
   for (std::size_t i = 0; i < count; ++i) {
-    colors[i] = encoded(shining_by_call(draw, textures, job, source_of(i)), job);
+    colors[i] = encoded(shining_by_call<Channels>(draw, textures, job, source_of(i)), job);
   }
 }
 
-template <class Source>
+template <class Channels, class Source>
 HWY_INLINE Ints shade(const ShadeDraw& draw, const DrawTextures& textures, const ResolveJob& job,
                       const Source& source) {
-  return encoded(shining(draw, textures, job, source).color, job);
+  return encoded(shining<Channels>(draw, textures, job, source).color, job);
 }
 
 }  // namespace HWY_NAMESPACE

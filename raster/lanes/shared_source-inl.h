@@ -88,11 +88,13 @@ public:
   HWY_INLINE Rgb color() const { return here(self().triangles->color); }
   HWY_INLINE Floats alpha() const { return here(self().triangles->alpha)[0]; }
   HWY_INLINE Float2 texcoord() const { return here(self().triangles->texcoord); }
-  HWY_INLINE ReflectionOf<Floats> reflection(const ShadeDraw& draw, const ResolveJob& job,
-                                             const Float3& normal) const {
+  template <class Channels>
+  HWY_INLINE LightOf<Channels> reflection(const ShadeDraw& draw, const ResolveJob& job,
+                                          const Float3& normal) const {
     const Floats zero = 0.0f;
     const Float3 where = draw.eye_positions != nullptr ? position() : Float3{zero, zero, zero};
-    return reflected_light(*job.lighting, where, normal, draw.material->shininess, draw.highlights);
+    return reflected_light<Channels::kCount>(*job.lighting, where, normal, draw.material->shininess,
+                                             draw.highlights, Channels(job).first());
   }
 
 protected:

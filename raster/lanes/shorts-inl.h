@@ -159,6 +159,71 @@ HWY_INLINE Ints short_of(const Shorts& shorts) {
 }
 #endif
 
+// ---- two of the four ----
+
+// Two integers of 16 bits in each lane, the first in the lower half.
+struct ShortPairs {
+  Ints two;
+};
+#if HWY_TARGET == HWY_SCALAR
+HWY_INLINE ShortPairs operator+(ShortPairs a, ShortPairs b) {
+  return {
+      pair_of(first_short(a.two) + first_short(b.two), second_short(a.two) + second_short(b.two))};
+}
+HWY_INLINE ShortPairs operator-(ShortPairs a, ShortPairs b) {
+  return {
+      pair_of(first_short(a.two) - first_short(b.two), second_short(a.two) - second_short(b.two))};
+}
+HWY_INLINE ShortPairs times_fraction(ShortPairs i, ShortPairs f) {
+  const auto times = [](Ints x, Ints y) HWY_ATTR { return shifted_right<15>(x * y + 0x4000); };
+  return {pair_of(times(first_short(i.two), first_short(f.two)),
+                  times(second_short(i.two), second_short(f.two)))};
+}
+#else
+HWY_INLINE hn::Vec<DS> shorts_in(ShortPairs a) {
+  return hn::BitCast(kS, a.two.v);
+}
+HWY_INLINE ShortPairs operator+(ShortPairs a, ShortPairs b) {
+  return {hn::BitCast(kI, hn::Add(shorts_in(a), shorts_in(b)))};
+}
+HWY_INLINE ShortPairs operator-(ShortPairs a, ShortPairs b) {
+  return {hn::BitCast(kI, hn::Sub(shorts_in(a), shorts_in(b)))};
+}
+HWY_INLINE ShortPairs times_fraction(ShortPairs i, ShortPairs f) {
+  return {hn::BitCast(kI, hn::MulFixedPoint15(shorts_in(i), shorts_in(f)))};
+}
+#endif
+HWY_INLINE ShortPairs select(FloatMask condition, ShortPairs yes, ShortPairs no) {
+  return {select(int_mask(condition), yes.two, no.two)};
+}
+// The lane's integer, which is in [0, 2^15), twice.
+HWY_INLINE ShortPairs two_times(Ints i) {
+  return {i | shifted_left<16>(i)};
+}
+// They are not negative.
+HWY_INLINE Ints first_of(ShortPairs a) {
+  return a.two & 0xffff;
+}
+HWY_INLINE Ints second_of(ShortPairs a) {
+  return shifted_right<16>(a.two);
+}
+// Of entry `at` of a table of four each, those from `first` on, which is 0 or 1.
+HWY_INLINE ShortPairs gather_short_pairs(const std::int64_t* table, Ints at, std::size_t first) {
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX2
+  const auto* const from =
+      reinterpret_cast<const int*>(reinterpret_cast<const std::int16_t*>(table) + first);
+#endif
+#if HWY_TARGET == HWY_AVX3
+  return {hn::Vec<DI>{_mm512_i32gather_epi32(at.v.raw, from, 8)}};
+#elif HWY_TARGET == HWY_AVX2
+  return {hn::Vec<DI>{_mm256_i32gather_epi32(from, at.v.raw, 8)}};
+#else
+  const Shorts four = gather_shorts(table, at);
+  return {first == 0 ? pair_of(short_of<0>(four), short_of<1>(four))
+                     : pair_of(short_of<1>(four), short_of<2>(four))};
+#endif
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace glassbox
 HWY_AFTER_NAMESPACE();

@@ -51,12 +51,16 @@ public:
   HWY_INLINE Floats alpha() const { return here<1>(alphas())[0]; }
   HWY_INLINE Float2 texcoord() const { return here<2>(texcoords()); }
 
-  HWY_INLINE ReflectionOf<Floats> reflection(const ShadeDraw& draw, const ResolveJob& job,
-                                             const Float3& normal) const {
-    if (HWY_UNLIKELY(draw.light == LightAt::kVertices)) return reflection_of_vertices(draw, job);
+  template <class Channels>
+  HWY_INLINE LightOf<Channels> reflection(const ShadeDraw& draw, const ResolveJob& job,
+                                          const Float3& normal) const {
+    if (HWY_UNLIKELY(draw.light == LightAt::kVertices)) {
+      return light_of(Channels(job), reflection_of_vertices(draw, job));
+    }
     const Floats zero = 0.0f;
     const Float3 where = draw.eye_positions != nullptr ? position() : Float3{zero, zero, zero};
-    return reflected_light(*job.lighting, where, normal, draw.material->shininess, draw.highlights);
+    return reflected_light<Channels::kCount>(*job.lighting, where, normal, draw.material->shininess,
+                                             draw.highlights, Channels(job).first());
   }
   // 1 + the triangle's number in the scene.
   HWY_INLINE Ints id() const {

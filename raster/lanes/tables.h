@@ -209,6 +209,8 @@ struct ResolveJob {
   bool keep_picture = false;
   // The other eye draws over the tile's colours next: they had better stay in the cache.
   bool drawn_over = false;
+  // Then they may be here, row by row of the tile's side, until the second eye's leave for the picture; null: they are in the picture.
+  std::uint32_t* tile_colors = nullptr;
 
   // Of several samples to a pixel: where they are in it, as the buffers have them. Empty: pixel centres alone.
   std::span<const SampleOffset> points;

@@ -9,6 +9,7 @@
 
 #include <bit>
 
+#include <glassbox/raster/lanes/channels-inl.h>
 #include <glassbox/raster/lanes/transfer-inl.h>
 #include <glassbox/raster/texture.h>
 
@@ -35,14 +36,8 @@ HWY_INLINE Floats decoded_alpha(Ints stored) {
 HWY_INLINE Shorts mix(const Shorts& a, const Shorts& b, Ints f) {
   return mix_whole(a, b, four_times(f));
 }
-
-// What texels stand for.
-HWY_INLINE Rgb color_of(const Shorts& texels) {
-  return {light_of_texel(short_of<0>(texels)), light_of_texel(short_of<1>(texels)),
-          light_of_texel(short_of<2>(texels))};
-}
-HWY_INLINE Floats alpha_of(const Shorts& texels) {
-  return alpha_of_texel(short_of<3>(texels));
+HWY_INLINE ShortPairs mix(const ShortPairs& a, const ShortPairs& b, Ints f) {
+  return mix_whole(a, b, two_times(f));
 }
 
 // The bytes of texels whose light is stored linearly, as encode_unorm8() of color_of() has them: a byte is 128 of kFullTexel, and what light
@@ -52,10 +47,12 @@ HWY_INLINE Ints linear_bytes_of(const Shorts& texels) {
 }
 
 // A chain as the formulas ask it.
+template <class Channels>
 class TextureInLanes {
 public:
-  HWY_INLINE explicit TextureInLanes(const MipChain& chain)
-      : texels_(reinterpret_cast<const std::int64_t*>(chain.texels.data())),
+  HWY_INLINE TextureInLanes(const MipChain& chain, const Channels& channels)
+      : channels_(channels),
+        texels_(reinterpret_cast<const std::int64_t*>(chain.texels.data())),
         first_(chain.first.data()),
         width_(chain.width),
         height_(chain.height),
@@ -69,8 +66,9 @@ public:
     return {side_of_level(width_, k), side_of_level(height_, k), first_of(k)};
   }
   template <class Size>
-  HWY_INLINE Shorts texel(const TextureLevelOf<Size>& level, Ints x, Ints y) const {
-    return gather_shorts(texels_, y * level.width + x + level.first);
+  HWY_INLINE typename Channels::Texels texel(const TextureLevelOf<Size>& level, Ints x,
+                                             Ints y) const {
+    return channels_.texels(texels_, y * level.width + x + level.first);
   }
 
 private:
@@ -86,14 +84,17 @@ private:
     return hn::GatherIndex(kI, first_, level.v);
   }
 
+  [[no_unique_address]] Channels channels_;
   const std::int64_t* texels_;
   const std::int32_t* first_;  // by level
   std::int32_t width_, height_, last_level_;
 };
 
 // sample_texture() for samplers that look at the base level alone.
-HWY_INLINE Shorts sample_base(const TextureInLanes& texels, const Sampler& sampler,
-                              const std::array<Floats, 2>& texcoord) {
+template <class Channels>
+HWY_INLINE typename Channels::Texels sample_base(const TextureInLanes<Channels>& texels,
+                                                 const Sampler& sampler,
+                                                 const std::array<Floats, 2>& texcoord) {
   return sample_level(texels, sampler, sampler.magnify, texels.base(),
                       wrap_coordinate(sampler.wrap_u, texcoord[0]),
                       wrap_coordinate(sampler.wrap_v, texcoord[1]));

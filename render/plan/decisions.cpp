@@ -189,20 +189,6 @@ Decision eye_positions(const Subject& s) {
       numbers);
 }
 
-Decision depth_test(const Subject& s) {
-  constexpr const char* kStage = "depth test";
-  if (s.method.staged_because != nullptr) return needed(kStage, "for every fragment");
-  if (s.draw.material->alpha_mode != AlphaMode::kOpaque) {
-    return needed(
-        kStage,
-        "for pixels; hidden blocks are given up, and none is taken whole, since alpha has a "
-        "say");
-  }
-  return needed(kStage,
-                "for pixels; blocks that one triangle covers in front of all else are taken whole, "
-                "and hidden ones are given up");
-}
-
 bool is_textured(const Draw& draw) {
   return draw.texture != nullptr || draw.emission_texture != nullptr;
 }
@@ -278,13 +264,19 @@ Decision blending(const Subject& s) {
 std::vector<Decision> decisions(const Plan& plan, const PlannedEye& eye, std::size_t draw) {
   const Subject s{plan, eye, eye.list.draws[draw], plan.methods[draw]};
   if (!s.method.drawn) return {whole_object(s)};
-  std::vector<Decision> all{whole_object(s),  duplicate_vertices(s),
-                            plane_tests(s),   side_clipping(s),
-                            divide(s),        eye_normals(s),
-                            eye_positions(s), depth_test(s),
-                            perspective(s),   texture_coordinates(s),
-                            mip_selection(s), light(s),
-                            highlights(s),    emission(s),
+  std::vector<Decision> all{whole_object(s),
+                            duplicate_vertices(s),
+                            plane_tests(s),
+                            side_clipping(s),
+                            divide(s),
+                            eye_normals(s),
+                            eye_positions(s),
+                            perspective(s),
+                            texture_coordinates(s),
+                            mip_selection(s),
+                            light(s),
+                            highlights(s),
+                            emission(s),
                             blending(s)};
   if (!s.draw.prepared->clusters.clusters.empty()) all.insert(all.begin() + 1, clusters(s));
   if (!s.draw.prepared->joined.positions.empty()) all.insert(all.begin() + 1, alone(s));
@@ -323,6 +315,27 @@ Decision masked_channels(const Plan& plan, const RenderSettings& settings) {
   return left_out(kStage, "those that the mask keeps from being written are not encoded",
                   fmt::format("written: {}{}{}", mask.r ? "red " : "", mask.g ? "green " : "",
                               mask.b ? "blue" : ""));
+}
+
+// Where all are written it goes without saying that all are shaded.
+void add_shaded_channels(const Plan& plan, const RenderSettings& settings,
+                         std::vector<Decision>& decisions) {
+  constexpr const char* kStage = "texture and light of channels";
+  const ColorMask& mask = settings.mask;
+  if ((mask.r && mask.g && mask.b) || !plan.colors) return;
+  if (!plan.leaves_out) {
+    decisions.push_back(needed(kStage, kNoPlan));
+  } else if (mask.r && mask.b) {
+    decisions.push_back(needed(kStage, "red and blue, the ends of a texel, are both written"));
+  } else if (samples_drawn(settings) > 1) {
+    decisions.push_back(needed(kStage, "samples are shaded in all three"));
+  } else {
+    decisions.push_back(left_out(
+        kStage,
+        fmt::format("{} of opaque pixels is neither filtered nor lit: no channel has a part in "
+                    "another",
+                    mask.r ? "blue" : "red")));
+  }
 }
 
 // One sample to a pixel goes without saying.
@@ -369,6 +382,7 @@ Decision file_order(const Plan& plan) {
 std::vector<Decision> decisions(const Plan& plan, const PlannedEye& eye) {
   std::vector<Decision> all{file_order(plan), colors(plan, eye),
                             masked_channels(plan, eye.settings), depth_plane(plan)};
+  add_shaded_channels(plan, eye.settings, all);
   add_samples(eye.settings, all);
   return all;
 }

@@ -294,14 +294,29 @@ void TileEngine::State::fill_chunks(const Pictures& pictures) {
   }
 }
 
+namespace {
+
+// The second eye draws over the first one's colours, and nothing but what is seen in a tile at the end reads or writes them.
+bool share_colors(std::span<const TilePass> passes) {
+  return passes.size() > 1 && passes.front().resolve.drawn_over &&
+         !passes.front().resolve.keep_picture && passes.back().resolve.picture != nullptr &&
+         samples_drawn(passes.front().run.settings) == 1;
+}
+
+}  // namespace
+
 // A tile of the one eye, then the same tile of the other, which may draw into the same picture.
 void TileEngine::State::draw_tiles(const Pictures& pictures, std::span<const TilePass> passes) {
   const TileRun& run = pictures.front().run();
   const int across = run.tiles_across();
+  const bool shared = share_colors(passes);
+  const auto tile_pixels = std::size_t(run.tile_side) * std::size_t(run.tile_side);
   tbb::enumerable_thread_specific<std::array<Statistics, kMostEyes>> counts;
   for_each(&TileReport::Thread::fragment_ms, run.tile_count(), [&](std::size_t i) {
+    TileMemory& memory = memories.local();
+    std::uint32_t* const both_eyes = shared ? at_least(memory.colors, tile_pixels) : nullptr;
     for (std::size_t eye = 0; eye < passes.size(); ++eye) {
-      draw_tile(passes[eye], int(i) % across, int(i) / across, memories.local(),
+      draw_tile(passes[eye], int(i) % across, int(i) / across, memory, both_eyes,
                 counts.local()[eye]);
     }
   });

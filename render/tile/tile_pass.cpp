@@ -46,7 +46,7 @@ class TileDrawing {
 public:
   // `overwrite`: the planes' pixels, instead of adding to what they hold.
   TileDrawing(const TilePass& pass, const PixelRect& window, bool overwrite, TileMemory& memory,
-              Statistics& statistics)
+              std::uint32_t* both_eyes, Statistics& statistics)
       : pass_(pass),
         window_(window),
         buffers_(begin_buffers(pass, window, memory)),
@@ -56,6 +56,7 @@ public:
         statistics_(statistics) {
     if (overwrite) centre_planes_.keep_picture = sample_colors_.keep_picture = false;
     if (is_sampled()) centre_planes_.picture = nullptr;
+    centre_planes_.tile_colors = both_eyes;
     sample_colors_.distance = nullptr;
     sample_colors_.id = nullptr;
     sample_colors_.points = sample_offsets(pass.run.settings.samples);
@@ -262,13 +263,14 @@ bool draws_into_framebuffer(const TilePass& pass, std::span<const std::uint32_t>
 
 }  // namespace
 
-void draw_tile(const TilePass& pass, int x, int y, TileMemory& memory, Statistics& statistics) {
+void draw_tile(const TilePass& pass, int x, int y, TileMemory& memory, std::uint32_t* both_eyes,
+               Statistics& statistics) {
   const int side = pass.run.tile_side;
   const PixelRect window{x * side, y * side, std::min((x + 1) * side, pass.run.window.x1),
                          std::min((y + 1) * side, pass.run.window.y1)};
   const std::span chunks(pass.round.chunks_of_tile[pass.run.tile_index(x, y)]);
   const bool overwrite = pass.overwrite_untouched && !draws_into_framebuffer(pass, chunks);
-  TileDrawing drawing(pass, window, overwrite, memory, statistics);
+  TileDrawing drawing(pass, window, overwrite, memory, both_eyes, statistics);
   for (const std::uint32_t i : chunks)
     drawing.draw(pass.round.chunks[i], pass.round.chunks[i].bin(x, y));
   drawing.finish();

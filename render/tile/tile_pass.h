@@ -29,11 +29,14 @@ struct TilePass {
 struct TileMemory {
   explicit TileMemory(int side) : centres(side) {}
   TileBuffer centres;
-  std::vector<TileBuffer> samples;  // where a pixel has several: a buffer for each
-  SamplePlanes planes;              // and where staged draws come among the others
+  std::vector<TileBuffer> samples;   // where a pixel has several: a buffer for each
+  SamplePlanes planes;               // and where staged draws come among the others
+  LineVector<std::uint32_t> colors;  // of a pair's first eye, which the second one draws over
 };
 
-// Draws tile (x, y). `statistics` counts fragments.
-void draw_tile(const TilePass& pass, int x, int y, TileMemory& memory, Statistics& statistics);
+// Draws tile (x, y). `statistics` counts fragments. `both_eyes`: where the tile's colours are until the second eye of a pair has drawn, or
+// null.
+void draw_tile(const TilePass& pass, int x, int y, TileMemory& memory, std::uint32_t* both_eyes,
+               Statistics& statistics);
 
 }  // namespace glassbox

@@ -52,7 +52,7 @@ TEST_CASE("explain says of every stage whether it is needed, and why, and writes
   const Workplace here;
   const Outcome outcome = here.run("explain teapot --size 96x64");
   REQUIRE(outcome.exit_code == 0);
-  for (const char* part : {"left out", "needed", "clip test of vertices", "depth test", "light"}) {
+  for (const char* part : {"left out", "needed", "clip test of vertices", "divide by w", "light"}) {
     CAPTURE(part);
     CHECK(contains(outcome.out, part));
   }
@@ -64,7 +64,7 @@ TEST_CASE("explain says of every stage whether it is needed, and why, and writes
   const Json& draw = plan.at("draws")[0];
   CHECK(draw.at("instances") == Json::array({0}));
   CHECK(decision(draw.at("decisions"), "clip test of vertices").at("needed") == false);
-  CHECK(decision(draw.at("decisions"), "depth test").at("needed") == true);
+  CHECK(decision(draw.at("decisions"), "depth test").is_null());  // which nothing decides
   CHECK(decision(plan.at("picture"), "plane of depths").at("needed") == false);
   CHECK_FALSE(json.contains("written"));  // nothing was drawn
 }
@@ -181,6 +181,13 @@ TEST_CASE(
   };
   CHECK(channels("left").at("numbers") == "written: red ");
   CHECK(channels("right").at("numbers") == "written: green blue");
+  const auto shaded = [&](const char* eye) {
+    return decision(json.at(eye).at("plan").at("picture"), "texture and light of channels")
+        .at("because")
+        .get<std::string>();
+  };
+  CHECK(shaded("left").starts_with("blue of opaque pixels"));
+  CHECK(shaded("right").starts_with("red of opaque pixels"));
   CHECK(json.at("left").at("vertices").get<int>() > 0);
   CHECK(json.at("right").at("vertices") == 0);  // the left eye's are moved in x
   CHECK(json.at("left").at("written").get<int>() > 0);

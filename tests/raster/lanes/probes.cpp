@@ -81,7 +81,7 @@ HWY_INLINE void store_components(const std::array<Floats, 3>& v, float (&to)[3][
 
 inline void sample_all(const MipChain& texture, const Sampler& sampler,
                        std::span<const TexCoord> at, std::span<const float> levels, Rgba* colors) {
-  const TextureInLanes texels(texture);
+  const TextureInLanes<AllChannels> texels(texture, AllChannels());
   for (std::size_t i = 0; i < at.size(); i += kLanes) {
     HWY_ALIGN float u[kLanes], v[kLanes];
     for (std::size_t k = 0; k < kLanes; ++k) u[k] = entry(at, i + k).u, v[k] = entry(at, i + k).v;

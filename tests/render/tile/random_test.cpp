@@ -1,5 +1,9 @@
 // The tile engine against the staged reference on scenes that nobody would model, and on the edges of what it does.
 #include <algorithm>
+#include <optional>
+
+#include <glassbox/pipeline/stereo/stereo_pair.h>
+#include <glassbox/render/stereo/render_pair.h>
 
 #include "tests/render/tile/any_case.h"
 #include "tests/render/tile/same_picture.h"
@@ -29,6 +33,101 @@ TEST_CASE("the tile engine draws any triangles as the staged reference does", "[
     check_case(seed, c);
   }
   CHECK(triangles > 100000 / kShare);
+}
+
+// ---- with a plan and without, one eye and two ----
+
+// Where the picture differs from the staged reference's: the tile engine's with a plan, or without.
+std::string difference_of_plans(const AnyCase& c) {
+  const Rendering staged = render_staged(c.scene, c.view, c.settings);
+  std::string text;
+  for (const bool plan : {true, false}) {
+    TileOptions options = c.options;
+    options.plan = plan;
+    const Rendering tiled = render_tiled(c.scene, c.view, c.settings, options);
+    const std::string planes =
+        test::planes_differ(staged.buffers, tiled.buffers, c.settings.want_depth);
+    if (!planes.empty()) text += std::string(plan ? "with a plan: " : "without: ") + planes;
+  }
+  return text;
+}
+
+// Two eyes into one picture, of which each writes its own channels.
+struct EyesOfCase {
+  StereoPair pair;
+  AnaglyphMasks masks;
+};
+std::optional<EyesOfCase> eyes_of(const AnyCase& c, Random& random) {
+  EyesOfCase eyes;
+  eyes.pair.window = c.view.near + random.unit() * 10;
+  eyes.pair.half_separation = eyes.pair.window * random.unit() / 10;
+  if (!check_pair(c.view, eyes.pair)) return {};
+  const ColorMask red{true, false, false, false}, green{false, true, false, false},
+      blue{false, false, true, false}, all;
+  const auto but = [](const ColorMask& m) { return ColorMask{!m.r, !m.g, !m.b, true}; };
+  const ColorMask left[] = {red, green, blue, but(blue), but(red), all};
+  const ColorMask& mask = left[random.integer(0, 5)];
+  eyes.masks = {mask, but(mask)};
+  return eyes;
+}
+std::string difference_of_pairs(const AnyCase& c, const EyesOfCase& eyes) {
+  const StereoSettings settings{c.settings};
+  const StereoRendering staged =
+      render_masked_anaglyph(c.scene, c.view, eyes.pair, settings, eyes.masks);
+  TileEngine engine(c.options);
+  StereoRendering tiled;
+  render_masked_anaglyph(engine, c.scene, prepare(c.scene, c.settings.transfer), c.view, eyes.pair,
+                         settings, eyes.masks, tiled);
+  const bool depth = c.settings.want_depth;
+  return test::planes_differ(staged.left, tiled.left, depth) +
+         test::planes_differ(staged.right, tiled.right, depth);
+}
+
+// A mesh's own axes at an angle.
+void shear(Scene& scene, Random& random) {
+  Transform<Object, Object> sheared;
+  sheared.at(0, 1) = random.unit() * 4 - 2;
+  sheared.at(2, 0) = random.unit() * 2 - 1;
+  for (Node& node : scene.nodes) node.world_from_node = node.world_from_node * sheared;
+}
+
+// In a picture of numbers lines and points, which have none, show their colours: blended ones those of what is behind, which nobody
+// computes there.
+void blend_no_numbers(AnyCase& c) {
+  if (c.settings.show != Show::kId) return;
+  for (Material& material : c.scene.materials) {
+    if (material.alpha_mode == AlphaMode::kBlend) material.alpha_mode = AlphaMode::kOpaque;
+  }
+}
+
+// Masks, blends, ties, mirrored, sheared and far-off meshes, samples: small pictures, so that there can be many. How many were of pairs.
+std::size_t check_small_cases(std::uint64_t count) {
+  constexpr int kMostFaces = 24, kLargestSide = 40;
+  std::size_t pairs = 0;
+  for (std::uint64_t seed = 0; seed < count; ++seed) {
+    Random random(0x5ca1ab1e + seed);
+    AnyCase c = test::any_case(random, kMostFaces, kLargestSide);
+    if (random.integer(0, 3) == 0) shear(c.scene, random);
+    blend_no_numbers(c);
+    test::check_no_difference(seed, c, difference_of_plans);
+    if (const auto eyes = eyes_of(c, random)) {
+      ++pairs;
+      c.settings.background.a = 255;  // of a pair alpha is 1 in any case (render_pair.h)
+      test::check_no_difference(
+          seed, c, [&](const AnyCase& smaller) { return difference_of_pairs(smaller, *eyes); });
+    }
+  }
+  return pairs;
+}
+
+TEST_CASE("any small scene has the same bytes by the stages, with a plan, without, and in a pair",
+          "[tile]") {
+  CHECK(check_small_cases(2000 / kShare) > 500 / kShare);
+}
+// test_render "[.small-scenes]": some minutes.
+TEST_CASE("100,000 small scenes have the same bytes by the stages, with a plan and without",
+          "[.small-scenes]") {
+  CHECK(check_small_cases(100000) > 25000);
 }
 
 TEST_CASE("the tile engine draws wide, high and large pictures as the staged reference does",

@@ -1,0 +1,96 @@
+// Which channels of light pixels are shaded in: all three, or those that an eye of an anaglyph keeps.
+
+#if defined(GLASSBOX_CHANNELS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLASSBOX_CHANNELS_INL_H_
+#undef GLASSBOX_CHANNELS_INL_H_
+#else
+#define GLASSBOX_CHANNELS_INL_H_
+#endif
+
+#include <array>
+
+#include <glassbox/raster/lanes/formulas-inl.h>
+#include <glassbox/raster/lanes/tables.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace glassbox {
+namespace HWY_NAMESPACE {
+
+// Each is computed by itself, so leaving one out changes none of the others. Texels are four words of 16 bits: two neighbours of them are
+// one vector where all four are two.
+struct AllChannels {
+  static constexpr std::size_t kCount = 3;
+  static constexpr bool kHasAlpha = true;
+  using Texels = Shorts;
+
+  AllChannels() = default;
+  HWY_INLINE explicit AllChannels(const ResolveJob&) {}
+  static constexpr std::size_t first() { return 0; }
+  template <class T>
+  HWY_INLINE const std::array<T, 3>& of(const std::array<T, 3>& three) const {
+    return three;
+  }
+  HWY_INLINE Texels texels(const std::int64_t* table, Ints at) const {
+    return gather_shorts(table, at);
+  }
+};
+
+// Red and green, or green and blue.
+class TwoChannels {
+public:
+  static constexpr std::size_t kCount = 2;
+  static constexpr bool kHasAlpha = false;
+  using Texels = ShortPairs;
+
+  static bool have_all_of(const ResolveJob& job) { return !(job.channels.r && job.channels.b); }
+  HWY_INLINE explicit TwoChannels(const ResolveJob& job) : first_(job.channels.r ? 0 : 1) {}
+  std::size_t first() const { return first_; }
+  template <class T>
+  HWY_INLINE std::array<T, 2> of(const std::array<T, 3>& three) const {
+    return {three[first_], three[first_ + 1]};
+  }
+  HWY_INLINE Texels texels(const std::int64_t* table, Ints at) const {
+    return gather_short_pairs(table, at, first_);
+  }
+
+private:
+  std::size_t first_;
+};
+
+template <class Channels>
+using ColorOf = std::array<Floats, Channels::kCount>;
+template <class Channels>
+using LightOf = ReflectionOf<Floats, Channels::kCount>;
+
+template <class Channels>
+HWY_INLINE LightOf<Channels> light_of(const Channels& channels,
+                                      const ReflectionOf<Floats>& reflection) {
+  return {channels.of(reflection.diffuse), channels.of(reflection.specular)};
+}
+
+HWY_INLINE std::array<Floats, 2> sum(const std::array<Floats, 2>& a,
+                                     const std::array<Floats, 2>& b) {
+  return {a[0] + b[0], a[1] + b[1]};
+}
+HWY_INLINE std::array<Floats, 2> product(const std::array<Floats, 2>& a,
+                                         const std::array<Floats, 2>& b) {
+  return {a[0] * b[0], a[1] * b[1]};
+}
+
+// What texels stand for.
+HWY_INLINE std::array<Floats, 3> color_of(const Shorts& texels) {
+  return {light_of_texel(short_of<0>(texels)), light_of_texel(short_of<1>(texels)),
+          light_of_texel(short_of<2>(texels))};
+}
+HWY_INLINE Floats alpha_of(const Shorts& texels) {
+  return alpha_of_texel(short_of<3>(texels));
+}
+HWY_INLINE std::array<Floats, 2> color_of(const ShortPairs& texels) {
+  return {light_of_texel(first_of(texels)), light_of_texel(second_of(texels))};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glassbox
+HWY_AFTER_NAMESPACE();
+
+#endif
