@@ -49,8 +49,9 @@ function commandHere() {
   const column = (k, by = 1) => [0, 1, 2].map((i) => world[4 * i + k] * by);
   const eye = column(3), gaze = column(2, -manifest.pivot), target = eye.map((value, i) => value + gaze[i]);
   const text = (values) => values.map(digits).join(",");
-  const splat = document.querySelector("#splats :checked").value;
-  return `glassbox views layers draw ${manifest.file} --eye ${text(eye)} --look-at ${text(target)} --up ${text(column(1))}` +
+  const splat = document.querySelector("#splats :checked").value, tall = height / Math.abs(screenFromEye[5]);
+  const lens = screenFromEye[14] === 0 ? `--ortho ${digits(tall)}` : `--fov ${digits(2 * Math.atan(tall / 2) * 180 / Math.PI)}`;
+  return `glassbox views layers draw ${manifest.file} --eye ${text(eye)} --look-at ${text(target)} --up ${text(column(1))} ${lens}` +
     `${splat === "projected" ? "" : ` --splat ${splat}`}${shown.holes ? " --holes 1,0,1" : ""} -o view.png`;
 }
 
