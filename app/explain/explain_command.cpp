@@ -45,6 +45,10 @@ Result<Answer> ExplainCommand::answer(const Scene& scene) const {
   if (const auto legal = check_stereo_picture(question_.picture(), stereo_); !legal) {
     return tl::unexpected(legal.error());
   }
+  if (stereo_.second_eye) {
+    return fail("--second-eye", "an eye that is warped has no stages",
+                "leave it out, or see render --report");
+  }
   if (stereo_.form.wanted) return explain_pair(scene);
   const Result<ChosenView> chosen = choose_view(scene, question_.picture());
   if (!chosen) return tl::unexpected(chosen.error());
@@ -95,7 +99,8 @@ Result<Answer> ExplainCommand::explain_pair(const Scene& scene) const {
     engine = make_engine(EngineKind::kStaged);
   }
   Renderer renderer(scene, settings.transfer, std::move(engine));
-  const Result<StereoPicture> drawn = render_stereo_picture(renderer, *chosen, settings, stereo_);
+  const Result<StereoPicture> drawn =
+      render_stereo_picture(renderer, scene, *chosen, settings, stereo_);
   if (!drawn) return tl::unexpected(drawn.error());
 
   const StereoRendering& both = drawn->rendering;

@@ -35,25 +35,46 @@ double parse_at_least_zero(const std::string& name, const std::string& text) {
   throw CLI::ValidationError(name, fmt::format("needs a number from 0, not '{}'", text));
 }
 
+constexpr const char* kFramesGroup = "Frames";
+
+void add_frames_option(CLI::App& command, const std::string& name, const std::string& type,
+                       const std::string& help,
+                       const std::function<void(const std::string&)>& take) {
+  command.add_option_function<std::string>(name, take, help)->type_name(type)->group(kFramesGroup);
+}
+
+// Those that were added since there were `before`.
+void note_frames_options(const CLI::App& command, std::size_t before, FramesOptions& frames) {
+  const auto all = command.get_options();
+  frames.options.assign(all.begin() + std::ptrdiff_t(before), all.end());
+}
+
 }  // namespace
 
-void add_frames_options(CLI::App& command, FramesOptions& frames) {
+void add_sequence_options(CLI::App& command, FramesOptions& frames) {
   const std::size_t before = command.get_options().size();
-  const std::string group = "Frames";
-  const auto add = [&](const std::string& name, const std::string& type, const std::string& help,
-                       const std::function<void(const std::string&)>& take) {
-    command.add_option_function<std::string>(name, take, help)->type_name(type)->group(group);
-  };
-  add("--frames", "N|FIRST-LAST/N",
+  add_frames_option(
+      command, "--frames", "N|FIRST-LAST/N",
       "as many pictures, FILE-0001.png and so on; or -o with %04d for the number, or a directory; "
       "or FIRST to LAST of them only",
       [&frames](const std::string& text) { frames.range = parse_frames(text); });
-  add("--path", "FILE.json", "the camera's path: keyframes (docs/stereo.md has the format)",
-      [&frames](const std::string& text) { frames.path = text; });
+  add_frames_option(command, "--path", "FILE.json",
+                    "the camera's path: keyframes (docs/stereo.md has the format)",
+                    [&frames](const std::string& text) { frames.path = text; });
   command
       .add_flag("--turntable", frames.turntable,
                 "once around --up through --look-at or the scene's centre, all of it in view")
-      ->group(group);
+      ->group(kFramesGroup);
+  note_frames_options(command, before, frames);
+}
+
+void add_frames_options(CLI::App& command, FramesOptions& frames) {
+  const std::size_t before = command.get_options().size();
+  add_sequence_options(command, frames);
+  const auto add = [&](const std::string& name, const std::string& type, const std::string& help,
+                       const std::function<void(const std::string&)>& take) {
+    add_frames_option(command, name, type, help, take);
+  };
   add("--parallax-budget", "PERCENT[,PERCENT]",
       "the most parallax in front of the window and behind it, of the width [3]",
       [&frames](const std::string& text) { frames.budget_percent = parse_budget(text); });
@@ -72,8 +93,7 @@ void add_frames_options(CLI::App& command, FramesOptions& frames) {
       });
   add("--plot", "FILE.svg", "separation and parallax over the frames [named after the pictures]",
       [&frames](const std::string& text) { frames.plot = text; });
-  const auto all = command.get_options();
-  frames.options.assign(all.begin() + std::ptrdiff_t(before), all.end());
+  note_frames_options(command, before, frames);
 }
 
 namespace {

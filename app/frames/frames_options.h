@@ -33,6 +33,9 @@ struct FramesOptions {
 
 void add_frames_options(CLI::App& command, FramesOptions& frames);
 
+// --frames, --path and --turntable alone, of pictures for one eye.
+void add_sequence_options(CLI::App& command, FramesOptions& frames);
+
 // Options that contradict each other or make no sense together.
 Result<void> check_frames_options(const PictureOptions& picture, const StereoPictureOptions& stereo,
                                   const FramesOptions& frames);

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/info/info_contents.h"
+#include "app/info/info_layers.h"
 #include "app/info/info_stiffness.h"
 #include "app/options/builtin_help.h"
 #include "app/options/output_options.h"
@@ -255,7 +256,10 @@ void InfoCommand::add_to(CLI::App& app, int& exit_code) {
       "Examples:\n"
       "  glassbox info duck.glb\n"
       "  glassbox info part.obj --json - | jq '.meshes[0].open_edges'\n"
-      "  glassbox info teapot --write teapot.glb\n\n" +
+      "  glassbox info teapot --write teapot.glb\n"
+      "  glassbox info room.ldi\n\n"
+      "Of a layered depth image (docs/layers.md) it says how many samples there are, and from "
+      "where.\n\n" +
       builtin_help());
   command.add_option("SCENE", scene_, kSceneHelp)->required();
   add_json_output(command, json_output_);
@@ -263,11 +267,25 @@ void InfoCommand::add_to(CLI::App& app, int& exit_code) {
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 
+int InfoCommand::tell_of_layers() const {
+  if (glb_output_)
+    return refuse({scene_, "--write", "a layered depth image is no scene", "leave it out"});
+  const Result<LayersInfo> info = layers_info(scene_);
+  if (!info) return refuse(info.error());
+  if (json_output_) {
+    if (const auto written = write_json(*json_output_, info->json); !written)
+      return refuse(written.error());
+  }
+  if (json_output_ != "-") fmt::print("{}", info->text);
+  return kSuccess;
+}
+
 int InfoCommand::run() {
   if (glb_output_) {
     if (const auto legal = check_extension(*glb_output_, ".glb"); !legal)
       return refuse(legal.error());
   }
+  if (is_layer_file(scene_)) return tell_of_layers();
   const Result<SceneAndBytes> loaded = load_scene_and_bytes(scene_);
   if (!loaded) return refuse(loaded.error());
   const auto contents = contents_of(*loaded);

@@ -14,6 +14,7 @@ public:
 
 private:
   int run();
+  int tell_of_layers() const;  // a layered depth image's file
 
   std::string scene_;
   std::optional<std::string> json_output_;

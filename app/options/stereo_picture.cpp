@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -40,6 +41,20 @@ void add_strength(CLI::App& command, const std::string& name, double& value,
           name, [&value, name](const std::string& text) { value = parse_number(name, text); }, help)
       ->type_name("0..1")
       ->group("Eyes (stereo)");
+}
+
+// None: drawn.
+std::optional<views::SecondEyeSettings> parse_second_eye(const std::string& text) {
+  const std::string word = CLI::detail::to_lower(text);
+  if (word == "drawn") return std::nullopt;
+  if (word == "warp") return views::SecondEyeSettings{};
+  constexpr std::string_view kWarp = "warp:";
+  if (word.size() == kWarp.size() + 1 && word.starts_with(kWarp) && word.back() >= '1' &&
+      word.back() <= '8') {
+    return views::SecondEyeSettings{.layers = word.back() - '0'};
+  }
+  throw CLI::ValidationError(
+      "--second-eye", "needs drawn, warp, or warp:LAYERS with 1 to 8 of them, not '" + text + "'");
 }
 
 bool is_recoloured(const StereoPictureOptions& stereo) {
@@ -112,9 +127,32 @@ Result<StereoPicture> draw_and_crop(Renderer& renderer, const ChosenEyes& chosen
   return picture;
 }
 
-Result<StereoPicture> draw_eyes(Renderer& renderer, const ChosenEyes& chosen,
+// The left eye drawn, and the right one warped from it.
+Result<StereoPicture> draw_and_warp(Renderer& renderer, const Scene& scene,
+                                    const ChosenEyes& chosen, const RenderSettings& settings,
+                                    const StereoPictureOptions& stereo) {
+  const views::SecondEyeSettings& by = *stereo.second_eye;
+  if (const auto legal = views::check_second_eye(scene, settings, by.layers); !legal)
+    return tl::unexpected(legal.error());
+  views::SecondEye second;
+  views::PairByWarp pair;
+  views::render_pair_by_warp(renderer, scene, chosen.centre, chosen.eyes.pair, settings, by, second,
+                             pair);
+  StereoPicture picture;
+  picture.rendering = std::move(pair.rendering);
+  Result<Image<Rgba8>> image = recoloured_and_put_together(picture.rendering.left.color,
+                                                           picture.rendering.right.color, stereo);
+  if (!image) return tl::unexpected(image.error());
+  picture.image = std::move(*image);
+  const std::size_t pixels = picture.rendering.right.color.pixels.size();
+  picture.warped = {by.layers, pixels, pair.holes, pair.left_ms, pair.layers_ms, pair.warp_ms};
+  return picture;
+}
+
+Result<StereoPicture> draw_eyes(Renderer& renderer, const Scene& scene, const ChosenEyes& chosen,
                                 const RenderSettings& settings,
                                 const StereoPictureOptions& stereo) {
+  if (stereo.second_eye) return draw_and_warp(renderer, scene, chosen, settings, stereo);
   if (stereo.eyes_by == EyesBy::kCrop) return draw_and_crop(renderer, chosen, settings, stereo);
   const StereoSettings both{settings, stereo.culling};
   const StereoPair& pair = chosen.eyes.pair;
@@ -173,6 +211,14 @@ void add_stereo_picture_options(CLI::App& command, StereoPictureOptions& stereo)
              "how each eye sees the window: by a skewed frustum, or by a wider one that is not, "
              "whose picture is aligned and cropped [skew]")
       ->group("Eyes (stereo)");
+  command
+      .add_option_function<std::string>(
+          "--second-eye",
+          [&stereo](const std::string& text) { stereo.second_eye = parse_second_eye(text); },
+          "drawn, or warped from what the left eye sees, of 1 .. 8 layers: an approximation "
+          "[drawn]")
+      ->type_name("drawn|warp[:LAYERS]")
+      ->group("Eyes (stereo)");
   add_strength(command, "--desaturate", stereo.recolour.desaturate,
                "how far colours are moved to grey before they become an anaglyph, 0 .. 1 [0]");
   add_strength(command, "--brighten", stereo.recolour.brighten, "and to white, 0 .. 1 [0]");
@@ -208,6 +254,14 @@ Result<void> check_stereo_picture(const PictureOptions& picture,
     return fail("--stereo-cull centre", "each eye that is cropped is drawn by itself",
                 "leave it out, or leave out --eyes-by crop");
   }
+  if (stereo.second_eye && stereo.eyes_by == EyesBy::kCrop) {
+    return fail("--eyes-by crop", "an eye that is warped sees through a skewed frustum",
+                "leave it out, or leave out --second-eye");
+  }
+  if (stereo.second_eye && stereo.culling == StereoCulling::kCentre) {
+    return fail("--stereo-cull centre", "an eye that is warped has no triangles to leave out",
+                "leave it out, or leave out --second-eye");
+  }
   if (const auto legal = check_recolour(stereo.recolour); !legal) return legal;
   if (stereo.form.layout == StereoLayout::kInterlaced && picture.size.height == 1) {
     return fail("--stereo interlaced", "of one row, the right eye would get nothing",
@@ -221,10 +275,11 @@ Result<void> check_stereo_picture(const PictureOptions& picture,
   return {};
 }
 
-Result<StereoPicture> render_stereo_picture(Renderer& renderer, const ChosenEyes& chosen,
+Result<StereoPicture> render_stereo_picture(Renderer& renderer, const Scene& scene,
+                                            const ChosenEyes& chosen,
                                             const RenderSettings& settings,
                                             const StereoPictureOptions& stereo) {
-  Result<StereoPicture> picture = draw_eyes(renderer, chosen, settings, stereo);
+  Result<StereoPicture> picture = draw_eyes(renderer, scene, chosen, settings, stereo);
   if (!picture || !stereo.cable) return picture;
   return send(picture->image, *stereo.cable).map([&](Image<Rgba8> arrived) {
     picture->image = std::move(arrived);
@@ -234,7 +289,8 @@ Result<StereoPicture> render_stereo_picture(Renderer& renderer, const ChosenEyes
 
 std::string eyes_text(const ChosenEyes& chosen, const StereoRendering& rendering) {
   const StereoPair& pair = chosen.eyes.pair;
-  if (rendering.passes == 1) return "stereo: the eyes stand in one place; one pass served both\n";
+  if (pair.half_separation == 0)
+    return "stereo: the eyes stand in one place; one pass served both\n";
   std::string text = fmt::format("stereo: eyes {:.6g} apart, window at {:.6g} ({})\n",
                                  2 * pair.half_separation, pair.window, chosen.eyes.window_is_at);
   text += fmt::format("  {:<10}{:>12}{:>16}{:>14}\n", "", "distance", "parallax", "of the width");
@@ -261,6 +317,28 @@ std::string cropped_text(const StereoPicture& picture) {
       "  cropped from pictures {} columns wider; infinity is shifted by {:.4f} px, so each eye's "
       "picture\n  is {:.4f} px beside that of a skewed frustum\n",
       cut.shift, cut.shift_px, std::abs(cut.shift_px - cut.shift) / 2);
+}
+
+std::string warped_text(const StereoPicture& picture) {
+  if (!picture.warped) return "";
+  const WarpedRightEye& eye = *picture.warped;
+  const std::string layers = eye.layers == 1 ? "what the left one sees"
+                                             : fmt::format("{} layers of the left one", eye.layers);
+  std::string text = fmt::format(
+      "  the right eye is warped from {}: {:.2f} % of it filled from behind;\n  {:.1f} ms beside "
+      "{:.1f} ms of the left one",
+      layers, 100 * double(eye.holes) / double(eye.pixels), eye.warp_ms, eye.left_ms);
+  if (eye.layers > 1)
+    text += fmt::format(", and {:.0f} ms for the layers behind it", eye.layers_ms);
+  return text + "\n";
+}
+
+nlohmann::ordered_json warped_json(const WarpedRightEye& warped) {
+  return {{"layers", warped.layers},
+          {"holes", warped.holes},
+          {"left_ms", warped.left_ms},
+          {"layers_ms", warped.layers_ms},
+          {"warp_ms", warped.warp_ms}};
 }
 
 nlohmann::ordered_json eyes_json(const ChosenEyes& chosen, const StereoRendering& rendering) {

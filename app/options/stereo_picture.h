@@ -18,6 +18,8 @@
 #include <glassbox/pipeline/stereo/align_and_crop.h>
 #include <glassbox/render/renderer.h>
 
+#include "views/layers/second_eye.h"
+
 namespace glassbox::app {
 
 struct AnaglyphOptions {
@@ -44,6 +46,7 @@ struct StereoPictureOptions {
   std::optional<Cable> cable;
   StereoCulling culling = StereoCulling::kUnion;
   EyesBy eyes_by = EyesBy::kSkew;
+  std::optional<views::SecondEyeSettings> second_eye;  // absent: drawn as the first one is
   std::vector<const CLI::Option*> options;  // those that add_stereo_picture_options has added
 };
 
@@ -53,14 +56,23 @@ void add_stereo_picture_options(CLI::App& command, StereoPictureOptions& stereo)
 Result<void> check_stereo_picture(const PictureOptions& picture,
                                   const StereoPictureOptions& stereo);
 
+// A right eye's picture that was not drawn.
+struct WarpedRightEye {
+  int layers = 1;                     // that were asked for
+  std::size_t pixels = 0, holes = 0;  // of its picture, and that no layer reached
+  double left_ms = 0, layers_ms = 0, warp_ms = 0;
+};
+
 struct StereoPicture {
   Image<Rgba8> image;
-  StereoRendering rendering;            // its colours may be spent on the image
-  std::optional<AlignAndCrop> cropped;  // how, where the eyes were cropped
+  StereoRendering rendering;             // its colours may be spent on the image
+  std::optional<AlignAndCrop> cropped;   // how, where the eyes were cropped
+  std::optional<WarpedRightEye> warped;  // how, where the right eye was
 };
 
 // The options count as checked.
-Result<StereoPicture> render_stereo_picture(Renderer& renderer, const ChosenEyes& chosen,
+Result<StereoPicture> render_stereo_picture(Renderer& renderer, const Scene& scene,
+                                            const ChosenEyes& chosen,
                                             const RenderSettings& settings,
                                             const StereoPictureOptions& stereo);
 
@@ -70,5 +82,9 @@ nlohmann::ordered_json eyes_json(const ChosenEyes& chosen, const StereoRendering
 
 // How far the eyes' pictures are from the skewed ones; empty where they were not cropped.
 std::string cropped_text(const StereoPicture& picture);
+
+// What the right eye was warped from, and how long that took; empty where it was drawn.
+std::string warped_text(const StereoPicture& picture);
+nlohmann::ordered_json warped_json(const WarpedRightEye& warped);
 
 }  // namespace glassbox::app

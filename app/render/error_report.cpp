@@ -1,5 +1,6 @@
 #include "app/render/error_report.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -199,7 +200,45 @@ std::string left_out_text(const ErrorReport& report) {
   return text;
 }
 
+std::string second_eye_text(const ErrorReport& report) {
+  if (!report.second_eye) return "";
+  const views::SecondEyeError& eye = *report.second_eye;
+  const auto percent = [&](std::size_t count) {
+    return 100 * double(count) / double(std::max<std::size_t>(eye.pixels, 1));
+  };
+  return fmt::format(
+      "the right eye, warped from {} of the left one, against drawing it\n"
+      "  {:<40}{:>9.2f} %  (the left picture in its place: {:.2f} %)\n"
+      "  {:<40}{:>9.2f}    ({:.2f})\n"
+      "  {:<40}{:>9}    ({})\n"
+      "  {:<40}{:>9.2f} %\n"
+      "  {:<40}{:>9.2f} ms\n"
+      "  {:<40}{:>9.2f} ms, {:.2f} times one\n"
+      "  {:<40}{:>9.2f} ms, {:.2f} times one\n",
+      counted(std::uint64_t(eye.layers), "layer"), "pixels that differ by more than 8/255",
+      percent(eye.warped.wrong), percent(eye.left.wrong), "root mean square, 1/255", eye.warped.rms,
+      eye.left.rms, "largest, 1/255", eye.warped.largest, eye.left.largest, "filled from behind",
+      percent(eye.holes), "one eye", eye.one_eye_ms, "both eyes drawn", eye.both_drawn_ms,
+      eye.both_drawn_ms / eye.one_eye_ms, "the right one warped", eye.both_warped_ms,
+      eye.both_warped_ms / eye.one_eye_ms);
+}
+
 // ---- JSON ----
+
+Json error_json(const views::EyeError& error) {
+  return {{"wrong_pixels", error.wrong}, {"rms", error.rms}, {"largest", error.largest}};
+}
+
+Json second_eye_json(const views::SecondEyeError& eye) {
+  return {{"layers", eye.layers},
+          {"pixels", eye.pixels},
+          {"holes", eye.holes},
+          {"warped", error_json(eye.warped)},
+          {"left_in_its_place", error_json(eye.left)},
+          {"one_eye_ms", eye.one_eye_ms},
+          {"both_drawn_ms", eye.both_drawn_ms},
+          {"both_warped_ms", eye.both_warped_ms}};
+}
 
 Json finite(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
@@ -227,7 +266,7 @@ std::string error_report_text(const ErrorReport& report) {
                      printable(report.scene, kLongPath), report.width, report.height,
                      report.engine) +
          parts_text(report) + doubts_text(report.errors) + left_out_text(report) +
-         commands_text(report);
+         second_eye_text(report) + commands_text(report);
 }
 
 Json error_report_json(const ErrorReport& report) {
@@ -239,16 +278,18 @@ Json error_report_json(const ErrorReport& report) {
   }
   Json doubts = Json::object();
   for (const Doubt& doubt : doubts_of(report.errors)) doubts[doubt.key] = doubt.count;
-  return {{"schema", "glassbox-report/1"},
-          {"scene", report.scene},
-          {"width", report.width},
-          {"height", report.height},
-          {"engine", report.engine},
-          {"parts", std::move(parts)},
-          {"might_be_otherwise", std::move(doubts)},
-          {"fragments_of_lines_and_points", report.errors.fragments_of_lines_and_points},
-          {"pixels_unknown", report.errors.pixels_unbounded},
-          {"left_out", left_out(report)}};
+  Json json{{"schema", "glassbox-report/1"},
+            {"scene", report.scene},
+            {"width", report.width},
+            {"height", report.height},
+            {"engine", report.engine},
+            {"parts", std::move(parts)},
+            {"might_be_otherwise", std::move(doubts)},
+            {"fragments_of_lines_and_points", report.errors.fragments_of_lines_and_points},
+            {"pixels_unknown", report.errors.pixels_unbounded},
+            {"left_out", left_out(report)}};
+  if (report.second_eye) json["second_eye"] = second_eye_json(*report.second_eye);
+  return json;
 }
 
 }  // namespace glassbox::app

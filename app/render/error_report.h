@@ -1,10 +1,13 @@
 // render --report: of each stage, how far its numbers may be off, and how long it took.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
+
+#include "views/layers/second_eye_error.h"
 
 #include <glassbox/pipeline/view.h>
 #include <glassbox/render/engine/settings.h>
@@ -22,6 +25,7 @@ struct ErrorReport {
   std::string engine;     // what drew the picture: "the tile engine, 2 threads, avx512"
   Statistics statistics;  // of that engine
   PictureErrors errors;
+  std::optional<views::SecondEyeError> second_eye;  // of a pair whose right eye was warped
 };
 
 std::string error_report_text(const ErrorReport& report);

@@ -42,6 +42,8 @@ struct DrawnPicture {
   std::vector<std::pair<std::string, Statistics>> stages;
   std::string eyes_text;
   nlohmann::ordered_json eyes_json;
+  std::optional<ChosenEyes> eyes;
+  std::optional<WarpedRightEye> warped;
 };
 
 namespace {
@@ -113,6 +115,7 @@ void RenderCommand::add_to(CLI::App& app, int& exit_code) {
       "  glassbox render room --depth-out room.pfm --id-out ids.pfm --json -\n"
       "  glassbox render room --report -\n"
       "  glassbox render forest --stereo anaglyph --eye-separation 0.3 --window 12\n"
+      "  glassbox render forest --stereo pair --second-eye warp --report -\n"
       "  glassbox render forest --stereo anaglyph --frames 60 --path walk.json -o walk.png\n"
       "  glassbox render duck.glb --frames 36 --turntable -o turn/\n"
       "  glassbox render - -o - < duck.glb > duck.png\n\n"
@@ -164,7 +167,7 @@ Result<void> RenderCommand::check_other_outputs(const std::string& image) const 
     if (const auto legal = check_extension(*plane, ".pfm"); !legal) return legal;
     paths.push_back(*plane);
   }
-  if (stereo_.form.wanted && report_output_) {
+  if (stereo_.form.wanted && report_output_ && !stereo_.second_eye) {
     return fail("--report", "each eye has its own",
                 "render one eye at a time, with --seen-by left and --seen-by right");
   }
@@ -210,27 +213,34 @@ Result<DrawnPicture> RenderCommand::draw(const Scene& scene, Renderer& renderer)
                           std::move(rendering.buffers),
                           {{"", rendering.statistics}},
                           {},
+                          {},
+                          {},
                           {}};
     });
   }
   const Result<ChosenEyes> chosen = choose_eyes(scene, picture_);
   if (!chosen) return tl::unexpected(chosen.error());
-  return render_stereo_picture(renderer, *chosen, settings, stereo_).map([&](StereoPicture drawn) {
-    const StereoRendering& both = drawn.rendering;
-    DrawnPicture picture{chosen->camera,
-                         chosen->centre,
-                         std::move(drawn.image),
-                         {},
-                         {{"left", both.left_statistics}},
-                         eyes_text(*chosen, both) + cropped_text(drawn),
-                         eyes_json(*chosen, both)};
-    if (drawn.cropped) {
-      picture.eyes_json["cropped"] = {{"shift_px", drawn.cropped->shift_px},
-                                      {"columns", drawn.cropped->shift}};
-    }
-    if (both.passes == 2) picture.stages.emplace_back("right", both.right_statistics);
-    return picture;
-  });
+  return render_stereo_picture(renderer, scene, *chosen, settings, stereo_)
+      .map([&](StereoPicture drawn) {
+        const StereoRendering& both = drawn.rendering;
+        DrawnPicture picture{chosen->camera,
+                             chosen->centre,
+                             std::move(drawn.image),
+                             {},
+                             {{"left", both.left_statistics}},
+                             eyes_text(*chosen, both) + cropped_text(drawn) + warped_text(drawn),
+                             eyes_json(*chosen, both),
+                             *chosen,
+                             {}};
+        if (drawn.warped) picture.eyes_json["warped"] = warped_json(*drawn.warped);
+        picture.warped = std::move(drawn.warped);
+        if (drawn.cropped) {
+          picture.eyes_json["cropped"] = {{"shift_px", drawn.cropped->shift_px},
+                                          {"columns", drawn.cropped->shift}};
+        }
+        if (both.passes == 2) picture.stages.emplace_back("right", both.right_statistics);
+        return picture;
+      });
 }
 
 int RenderCommand::run_frames(const std::string& usual_output) {
@@ -265,6 +275,11 @@ int RenderCommand::run() {
   }
   if (const auto legal = check_engine_options(engine_); !legal) return refuse(legal.error());
   tell_of_ignored(picture_);
+  if (stereo_.second_eye) {
+    stereo_.second_eye->threads =
+        engine_.tile.threads > 0 ? engine_.tile.threads : default_threads();
+    stereo_.second_eye->target = engine_.tile.target;
+  }
   const std::string usual = scene_stem(scene_) + ".png";
   if (frames_.wanted()) return run_frames(usual);
   const std::string output = output_.empty() ? usual : output_;
@@ -307,7 +322,7 @@ int RenderCommand::run() {
   const RunTimes times{load_ms, elapsed_ms(start)};
   if (report_output_) {
     progress.phase("finding how exact the picture is");
-    const auto written = write_error_report(*scene, *drawn);
+    const auto written = write_error_report(*scene, renderer, *drawn);
     progress.done();
     if (!written) return refuse(written.error());
   }
@@ -315,17 +330,27 @@ int RenderCommand::run() {
 }
 
 // A run of its own: what draws the picture stays as it is, and is timed without being watched.
-Result<void> RenderCommand::write_error_report(const Scene& scene,
+Result<void> RenderCommand::write_error_report(const Scene& scene, Renderer& renderer,
                                                const DrawnPicture& drawn) const {
-  const ErrorReport found{scene_,
-                          words_given(picture_),
-                          picture_.size.width,
-                          picture_.size.height,
-                          drawn.view,
-                          picture_.settings,
-                          engine_text(engine_),
-                          drawn.stages.front().second,
-                          picture_errors(scene, drawn.view, picture_.settings)};
+  // Of a pair, the left eye is what was drawn.
+  const bool is_pair = drawn.eyes.has_value();
+  std::vector<std::string> words = words_given(picture_);
+  if (is_pair) words.insert(words.end(), {"--seen-by", "left"});
+  const View view = is_pair ? eye_view(drawn.view, drawn.eyes->eyes.pair, Side::kLeft) : drawn.view;
+  ErrorReport found{scene_,
+                    words,
+                    picture_.size.width,
+                    picture_.size.height,
+                    view,
+                    picture_.settings,
+                    engine_text(engine_),
+                    drawn.stages.front().second,
+                    picture_errors(scene, view, picture_.settings),
+                    {}};
+  if (is_pair && drawn.warped) {
+    found.second_eye = views::second_eye_error(renderer, scene, drawn.view, drawn.eyes->eyes.pair,
+                                               picture_.settings, *stereo_.second_eye);
+  }
   const std::string& target = *report_output_;
   return target != "-" && check_extension(target, ".json")
              ? write_json(target, error_report_json(found))

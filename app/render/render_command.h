@@ -39,7 +39,8 @@ private:
   Result<DrawnPicture> draw(const Scene& scene, Renderer& renderer) const;
   std::vector<TextEntry> recipe_text() const;
   Result<void> write_pictures(const std::string& image, const DrawnPicture& drawn) const;
-  Result<void> write_error_report(const Scene& scene, const DrawnPicture& drawn) const;
+  Result<void> write_error_report(const Scene& scene, Renderer& renderer,
+                                  const DrawnPicture& drawn) const;
   std::string stats_text(const DrawnPicture& drawn, const RunTimes& times) const;
   // What there is to say when all is written; the exit code.
   int report(const std::string& image, const DrawnPicture& drawn, const RunTimes& times) const;

@@ -22,6 +22,7 @@
 #include "study/bench/memory.h"
 #include "study/experiment/runner.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/mesh/builtin/scenes.h>
 
@@ -122,6 +123,35 @@ std::string StudySceneCommand::command() const {
   return shell_line({{"study", "scene", scene_}, words_given(picture_), own});
 }
 
+SecondEyes StudySceneCommand::measure_second_eyes(const Scene& scene, Progress& progress) const {
+  SecondEyes eyes;
+  if (picture_.eyes.seen_by) {
+    eyes.left_out = "--seen-by asks for one";
+    return eyes;
+  }
+  const auto chosen = choose_eyes(scene, picture_);
+  if (!chosen || chosen->eyes.pair.half_separation == 0) {
+    eyes.left_out = chosen ? "the eyes stand in one place" : chosen.error().message();
+    return eyes;
+  }
+  eyes.pair = chosen->eyes.pair;
+  const RenderSettings& settings = picture_.settings;
+  constexpr int kThreads = 1;  // as the ways above
+  Renderer renderer(scene, settings.transfer, EngineKind::kTile, {.threads = kThreads});
+  for (const int layers : {1, 2}) {
+    const auto legal = views::check_second_eye(scene, settings, layers);
+    if (!legal) {
+      if (eyes.warped.empty()) eyes.left_out = legal.error().message();
+      break;
+    }
+    progress.phase(fmt::format("warping a second eye from {}", counted(layers, "layer")));
+    eyes.warped.push_back(views::second_eye_error(renderer, scene, chosen->centre, eyes.pair,
+                                                  settings,
+                                                  {.layers = layers, .threads = kThreads}));
+  }
+  return eyes;
+}
+
 Result<CurveReport> StudySceneCommand::measure(const Scene& scene, Progress& progress) const {
   const auto chosen = choose_view(scene, picture_);
   if (!chosen) return tl::unexpected(chosen.error());
@@ -158,7 +188,8 @@ Result<CurveReport> StudySceneCommand::measure(const Scene& scene, Progress& pro
                        pin ? pinned_words(picture_, picture) : words_given(picture_),
                        study::origin_here(version_and_build(), effort, threads),
                        command(),
-                       std::move(curve)};
+                       std::move(curve),
+                       measure_second_eyes(scene, progress)};
   });
 }
 

@@ -19,6 +19,7 @@ public:
 private:
   Result<void> check_options() const;
   Result<CurveReport> measure(const Scene& scene, Progress& progress) const;
+  SecondEyes measure_second_eyes(const Scene& scene, Progress& progress) const;
   Result<void> write_outputs(const CurveReport& report) const;
   std::string command() const;
   int run() const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -13,9 +14,11 @@
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
 #include "app/report/progress.h"
+#include "views/layers/depth_peeling.h"
 #include "views/layers/layer_builder.h"
-#include "views/layers/layer_file.h"
+#include "views/layers/layer_sources.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/images/atomic_file.h>
 
@@ -24,28 +27,74 @@ namespace glassbox::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr int kMostLayers = 255;
+constexpr int kMostLayers = 255, kUsualLayers = 10;
+
+struct NearAndFar {
+  double near = 0;
+  std::optional<double> far;
+};
+NearAndFar planes_of(const View& view) {
+  return {view.near, std::isinf(view.far) ? std::nullopt : std::optional(view.far)};
+}
 
 }  // namespace
 
 void LayersBuildCommand::add_to(CLI::App& layers, int& exit_code) {
-  CLI::App& command =
-      *layers.add_subcommand("build", "peel a scene's surfaces from one view into a file");
+  CLI::App& command = *layers.add_subcommand(
+      "build", "peel a scene's surfaces, or take pictures with distances, into a file");
   command.footer(
       "Examples:\n"
       "  glassbox views layers build room --size 300x300 -o room.ldi\n"
-      "  glassbox views layers build forest --layers 4 -o forest.ldi --json -\n\n"
+      "  glassbox views layers build forest --layers 4 -o forest.ldi --json -\n"
+      "  glassbox views layers build room --views cameras.txt --layers 1 -o room.ldi\n"
+      "  glassbox views layers build --pictures cameras.txt -o photos.ldi\n\n"
       "Each pass draws what the passes before have not shown, with the staged engine. Colours are "
-      "those\nof the view that is peeled: a highlight stays where it is seen from there.\n\n" +
+      "those\nof the view that is peeled: a highlight stays where it is seen from there. A file of "
+      "cameras has\nthe form of the Middlebury multi-view pictures: their number, then for each a "
+      "name, K, R and t.\n--pictures reads each line's picture and, beside it, its distances along "
+      "the gaze, NAME.pfm; the\nfirst one's camera is that of the layers.\n\n" +
       builtin_help());
-  command.add_option("SCENE", scene_, kSceneHelp)->required();
+  command.add_option("SCENE", scene_, kSceneHelp);
   command.add_option("-o,--output", output_, "the layers, .ldi")->type_name("FILE")->required();
-  command.add_option("--layers", layers_, fmt::format("passes, 1 .. {} at most [10]", kMostLayers))
+  command
+      .add_option("--layers", layers_,
+                  fmt::format("passes, 1 .. {} at most [{}]", kMostLayers, kUsualLayers))
       ->type_name("N")
       ->check(CLI::Range(1, kMostLayers));
+  command
+      .add_option("--views", views_,
+                  "cameras to peel the scene from as well; their pixels are those of --size")
+      ->type_name("FILE");
+  command.add_option("--pictures", pictures_, "cameras whose pictures and distances are files")
+      ->type_name("FILE");
+  command
+      .add_option(
+          "--epsilon", epsilon_,
+          "samples of several views whose depths differ by less, relative, are one [1/1024]")
+      ->type_name("E")
+      ->check(CLI::Range(0.0, 0.5));
   add_picture_options(command, picture_);
   add_json_output(command, json_output_);
   command.callback([this, &exit_code] { exit_code = run(); });
+}
+
+Result<void> LayersBuildCommand::check_sources() const {
+  if (!scene_ && !pictures_)
+    return fail("SCENE", "there is nothing to make layers of", "name a scene, or give --pictures");
+  if (scene_ && pictures_)
+    return fail("--pictures", "the layers are those of a scene", "leave one of them out");
+  if (!pictures_) {
+    if (epsilon_ && !views_)
+      return fail("--epsilon", "the surfaces of one view are not merged",
+                  "give --views, or leave it out");
+    return {};
+  }
+  if (views_)
+    return fail("--views", "these cameras look at a scene", "name a scene, or leave it out");
+  if (layers_) return fail("--layers", "a picture has one distance for each pixel", "leave it out");
+  if (const auto words = words_given(picture_); !words.empty())
+    return fail(words.front(), "it is about a scene that is drawn", "leave it out");
+  return {};
 }
 
 Result<void> LayersBuildCommand::check_asked(const Scene& scene) const {
@@ -60,57 +109,136 @@ Result<void> LayersBuildCommand::check_asked(const Scene& scene) const {
     const Material& material = scene.materials[mesh.material];
     if (material.alpha_mode == AlphaMode::kBlend)
       return fail(
-          printable(scene_), "material \"" + printable(material.name) + "\" is seen through",
+          printable(*scene_), "material \"" + printable(material.name) + "\" is seen through",
           "make its surfaces opaque or masked: a sample of a layer hides what is behind it");
   }
   return {};
 }
 
+double LayersBuildCommand::epsilon() const {
+  return epsilon_.value_or(views::kMergedDepths);
+}
+
+Result<LayersBuildCommand::Built> LayersBuildCommand::build_from_scene(Progress& progress) const {
+  const auto scene = load_asked_scene(*scene_, picture_, progress);
+  if (!scene) return tl::unexpected(scene.error());
+  if (const auto good = check_asked(*scene); !good) return tl::unexpected(good.error());
+  const auto chosen = choose_view(*scene, picture_);
+  if (!chosen) return tl::unexpected(chosen.error());
+  const Size& size = picture_.size;
+  std::vector<View> others;
+  if (views_) {
+    const auto cameras = views::read_cameras(*views_);
+    if (!cameras) return tl::unexpected(cameras.error());
+    const NearAndFar planes = planes_of(chosen->view);
+    if (!(planes.near > 0))
+      return fail("--views",
+                  "their planes are those of the camera, whose near one is not before it",
+                  "give --near");
+    for (const views::NamedCamera& named : *cameras) {
+      const auto view =
+          views::camera_of_pinhole(named.camera, size.width, size.height, planes.near, planes.far)
+              .and_then(
+                  [&](const Camera& camera) { return make_view(camera, size.width, size.height); });
+      if (!view)
+        return tl::unexpected(
+            Error{*views_, printable(named.picture), view.error().cause, view.error().remedy});
+      others.push_back(*view);
+    }
+  }
+  RenderSettings settings = picture_.settings;
+  settings.want_distance = true;
+  const int layers = layers_.value_or(kUsualLayers);
+  views::LayerBuilder builder(views::layer_camera(chosen->view), others.empty() ? 0 : epsilon());
+  Built built;
+  built.views = 1 + others.size();
+  std::uint32_t rank = 0;
+  const auto add = [&](const View& view) {
+    progress.phase(others.empty() ? "peeling " + scene_title(*scene_)
+                                  : fmt::format("peeling {}, view {} of {}", scene_title(*scene_),
+                                                rank + 1, built.views));
+    for (const views::Layer& layer : views::peel(*scene, view, settings, layers)) {
+      built.beside += builder.add_picture(view, layer.color, layer.distance, rank);
+    }
+    ++rank;
+  };
+  add(chosen->view);
+  for (const View& view : others) add(view);
+  built.layers = {chosen->camera, settings.background, builder.pack()};
+  if (views::count_layers(built.layers.image).most == std::size_t(layers) && others.empty())
+    built.left_out.push_back(
+        fmt::format("what lies behind {} surfaces, if anything (--layers)", layers));
+  return built;
+}
+
+Result<LayersBuildCommand::Built> LayersBuildCommand::build_from_pictures() const {
+  const auto pictures = views::read_source_pictures(*pictures_);
+  if (!pictures) return tl::unexpected(pictures.error());
+  const views::SourcePicture& first = pictures->front();
+  views::LayerBuilder builder(views::layer_camera(first.view),
+                              pictures->size() == 1 ? 0 : epsilon());
+  Built built;
+  built.views = pictures->size();
+  std::uint32_t rank = 0;
+  for (const views::SourcePicture& picture : *pictures) {
+    built.beside += builder.add_picture(picture.view, picture.color, picture.distance, rank++);
+  }
+  built.layers = {first.camera, picture_.settings.background, builder.pack()};
+  built.left_out.emplace_back("pixels without a distance");
+  return built;
+}
+
+Result<LayersBuildCommand::Built> LayersBuildCommand::build(Progress& progress) const {
+  auto built = pictures_ ? build_from_pictures() : build_from_scene(progress);
+  if (!built || built->views == 1) return built;
+  built->left_out.emplace_back(
+      "where in a pixel the other views' samples lie, up to half a pixel, and the second of two "
+      "that\n    share a pixel and a depth (--epsilon)");
+  return built;
+}
+
 int LayersBuildCommand::run() {
+  if (const auto good = check_sources(); !good) return refuse(good.error());
   if (const auto good = check_extension(output_, ".ldi"); !good) return refuse(good.error());
   std::vector<std::string> outputs{output_};
   if (json_output_ && *json_output_ != "-") outputs.push_back(*json_output_);
   if (const auto good = check_outputs(outputs); !good) return refuse(good.error());
   Progress progress;
-  const auto scene = load_asked_scene(scene_, picture_, progress);
-  if (!scene) return refuse(scene.error());
-  if (const auto good = check_asked(*scene); !good) return refuse(good.error());
-  const auto chosen = choose_view(*scene, picture_);
-  if (!chosen) return refuse(chosen.error());
-
-  progress.phase("peeling " + scene_title(scene_));
   const Clock::time_point start = Clock::now();
-  const views::StoredLayers layers{
-      chosen->camera, picture_.settings.background,
-      views::build_layers(*scene, chosen->view, picture_.settings, layers_)};
+  const auto built = build(progress);
+  if (!built) return refuse(built.error());
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  const std::vector<std::byte> bytes = views::encode_layers(layers);
+  const std::vector<std::byte> bytes = views::encode_layers(built->layers);
   if (const auto written = write_file(output_, bytes); !written) return refuse(written.error());
   progress.done();
 
-  const views::LayerCounts counts = views::count_layers(layers.image);
-  const views::LayerCamera& camera = layers.image.camera;
+  const views::LayeredImage& image = built->layers.image;
+  const views::LayerCounts counts = views::count_layers(image);
   if (json_output_) {
     const nlohmann::ordered_json json{{"layers", output_},
-                                      {"width", camera.width},
-                                      {"height", camera.height},
+                                      {"width", image.camera.width},
+                                      {"height", image.camera.height},
+                                      {"views", built->views},
                                       {"samples", counts.samples},
                                       {"covered_pixels", counts.covered},
                                       {"most_samples_of_a_pixel", counts.most},
                                       {"depth_complexity", counts.complexity()},
+                                      {"beside", built->beside},
                                       {"bytes", bytes.size()},
+                                      {"left_out", built->left_out},
                                       {"seconds", seconds}};
     if (const auto written = write_json(*json_output_, json); !written)
       return refuse(written.error());
   }
-  if (json_output_ != "-") {
-    fmt::print("{}: {} x {} pixels, {} samples, {} bytes\n", printable(output_, kLongestMessage),
-               camera.width, camera.height, counts.samples, bytes.size());
-    fmt::print("  depth complexity {:.2f} over {} covered pixels, at most {}; peeled in {:.2f} s\n",
-               counts.complexity(), counts.covered, counts.most, seconds);
-    if (counts.most == std::size_t(layers_))
-      fmt::print("  Left out: what lies behind {} surfaces, if anything (--layers).\n", layers_);
-  }
+  if (json_output_ == "-") return kSuccess;
+  fmt::print("{}: {} x {} pixels, {} samples, {} bytes\n", printable(output_, kLongestMessage),
+             image.camera.width, image.camera.height, counts.samples, bytes.size());
+  fmt::print("  depth complexity {:.2f} over {} covered pixels, at most {}; made in {:.2f} s\n",
+             counts.complexity(), counts.covered, counts.most, seconds);
+  if (built->views > 1)
+    fmt::print("  of {} views; {} lie beside this one's picture\n", built->views,
+               counted(built->beside, "sample"));
+  for (const std::string& what : built->left_out) fmt::print("  Left out: {}.\n", what);
   return kSuccess;
 }
 

@@ -1,11 +1,13 @@
-// glassbox views layers build: a scene's surfaces from one view, one behind the other, as a file.
+// glassbox views layers build: surfaces as one camera sees them, one behind the other, as a file.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/options/cli_fwd.h"
 #include "app/options/picture_options.h"
+#include "views/layers/layer_file.h"
 
 namespace glassbox::app {
 
@@ -14,11 +16,26 @@ public:
   void add_to(CLI::App& layers, int& exit_code);
 
 private:
-  int run();
-  Result<void> check_asked(const Scene& scene) const;
+  // The layers, and what is to be said of them.
+  struct Built {
+    views::StoredLayers layers;
+    std::size_t views = 1;
+    std::size_t beside = 0;  // samples of other views that this camera does not see
+    std::vector<std::string> left_out;
+  };
 
-  std::string scene_, output_;
-  int layers_ = 10;
+  int run();
+  Result<void> check_sources() const;
+  Result<void> check_asked(const Scene& scene) const;
+  Result<Built> build(Progress& progress) const;
+  Result<Built> build_from_scene(Progress& progress) const;
+  Result<Built> build_from_pictures() const;
+  double epsilon() const;
+
+  std::optional<std::string> scene_, views_, pictures_;
+  std::string output_;
+  std::optional<int> layers_;
+  std::optional<double> epsilon_;
   PictureOptions picture_;
   std::optional<std::string> json_output_;
 };

@@ -6,8 +6,6 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <nlohmann/json.hpp>
 
 #include "app/options/choices.h"
@@ -18,51 +16,20 @@
 #include "app/report/output.h"
 #include "app/report/picture_output.h"
 #include "app/report/progress.h"
+#include "app/views/layers_page.h"
+#include "app/views/layers_shots.h"
 
 #include <glassbox/base/printable.h>
 #include <glassbox/images/read.h>
-#include <glassbox/render/renderer.h>
 
 namespace glassbox::app {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr int kVisibleDifference = 8;  // of 255
 
 double ms_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-// The places of all samples in the world as a scene of points with the camera of the layers, for what asks scenes where they are.
-Scene scene_of(const views::StoredLayers& layers) {
-  const views::LayeredImage& image = layers.image;
-  const Eigen::Matrix4d world_from_screen = image.camera.screen_from_world.inverse();
-  Mesh mesh;
-  for (int y = 0; y < image.camera.height; ++y) {
-    for (int x = 0; x < image.camera.width; ++x) {
-      const std::size_t place = image.place(x, y);
-      for (std::uint32_t i = image.first[place]; i < image.first[place + 1]; ++i) {
-        const Eigen::Vector4d at =
-            world_from_screen * Eigen::Vector4d(x + 0.5, y + 0.5, double(image.depth[i]), 1);
-        const Eigen::Vector3d p = at.hnormalized();
-        mesh.points.push_back({.position = std::uint32_t(mesh.positions.size())});
-        mesh.positions.emplace_back(float(p.x()), float(p.y()), float(p.z()));
-      }
-    }
-  }
-  Scene scene;
-  scene.cameras = {layers.camera};
-  if (mesh.points.empty()) return scene;
-  scene.materials.emplace_back();
-  scene.nodes.push_back({"", kNone, {}, {}});
-  scene.meshes.push_back(std::move(mesh));
-  scene.instances.push_back({0, 0});
-  return scene;
-}
-
-int largest_difference(const Rgba8& a, const Rgba8& b) {
-  return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
 }
 
 }  // namespace
@@ -74,14 +41,17 @@ void LayersDrawCommand::add_to(CLI::App& layers, int& exit_code) {
       "  glassbox views layers draw room.ldi --eye 3,2.6,3 --look-at 0,1,0 -o beside.png\n"
       "  glassbox views layers draw room.ldi --eye 3,2.6,3 --look-at 0,1,0 -o beside.png --against "
       "room\n"
-      "  glassbox views layers draw room.ldi -o same.png --splat point --order occlusion\n\n"
+      "  glassbox views layers draw room.ldi -o same.png --splat point --order occlusion\n"
+      "  glassbox views layers draw room.ldi --frames 30 --path walk.json -o walk.png\n"
+      "  glassbox views layers draw room.ldi --html room.html\n\n"
       "Without camera options it is the view that the layers were made from, whose picture they "
       "are\nbyte for byte.");
   command.add_option("FILE", file_, "layers, as glassbox views layers build writes them")
       ->required();
   command.add_option("-o,--output", output_, "image file, .png or .ppm; - is standard output")
-      ->type_name("FILE|-")
-      ->required();
+      ->type_name("FILE|-");
+  add_html_output(command, page_,
+                  "the layers, and the view from wherever they are looked at, as one page");
   command
       .add_option_function<std::string>(
           "--size", [this](const std::string& text) { size_ = parse_size(text); },
@@ -93,8 +63,10 @@ void LayersDrawCommand::add_to(CLI::App& layers, int& exit_code) {
   add_choice(command, "--splat", drawing_.splat,
              {{"point", views::Splat::kPoint},
               {"three", views::Splat::kThree},
-              {"projected", views::Splat::kProjected}},
-             "how large a sample is: a pixel, 3 x 3, or what its pixel is from here [projected]");
+              {"projected", views::Splat::kProjected},
+              {"soft", views::Splat::kSoft}},
+             "how large a sample is: a pixel, 3 x 3, what its pixel is from here, or the same with "
+             "a rim that is seen through [projected]");
   command
       .add_option_function<std::string>(
           "--holes", [this](const std::string& text) { holes_ = parse_background(text); },
@@ -105,98 +77,163 @@ void LayersDrawCommand::add_to(CLI::App& layers, int& exit_code) {
                   fmt::format("1 .. {}; same bytes [1]", kMostThreads))
       ->type_name("N")
       ->check(CLI::Range(1, kMostThreads));
+  add_target_option(command, drawing_.target);
+  constexpr int kMostRepeats = 100000;
+  command.add_option("--repeat", repeat_, "draw it so often, and tell the median of the times")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostRepeats));
   command.add_option("--against", against_, "the scene, drawn from there: how far off it is")
       ->type_name("SCENE");
+  add_sequence_options(command, frames_);
   add_camera_options(command, camera_);
   add_json_output(command, json_output_);
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 
-Result<View> LayersDrawCommand::choose_view(const views::StoredLayers& layers) const {
-  const Size size = size_.value_or(Size{layers.image.camera.width, layers.image.camera.height});
-  const double aspect = double(size.width) / double(size.height);
-  const auto camera = choose_camera(scene_of(layers), camera_, aspect);
-  if (!camera) return tl::unexpected(camera.error());
-  return make_view(*camera, size.width, size.height);
+Result<void> LayersDrawCommand::check_options() const {
+  if (!output_ && !page_)
+    return fail("-o", "there is nowhere to draw to", "name a picture, or give --html");
+  if (drawing_.splat == views::Splat::kSoft && drawing_.order == views::LayerOrder::kDepth)
+    return fail("--splat soft", "what is seen through is laid over what is behind it",
+                "give --order occlusion as well");
+  if (frames_.wanted()) {
+    PictureOptions picture;
+    picture.camera = camera_;
+    if (const auto legal = check_frames_options(picture, {}, frames_); !legal) return legal;
+    for (const auto& [name, given] : {std::pair("--against", against_.has_value()),
+                                      std::pair("--repeat", repeat_.has_value())}) {
+      if (given) return fail(name, "each frame has its own", "leave it out");
+    }
+    if (!output_ || *output_ == "-")
+      return fail("-o", "frames are many pictures", "name a file or a directory");
+  } else if (output_) {
+    if (const auto good = check_picture_output(*output_, {}, "layers.png"); !good) return good;
+  }
+  if (output_ == "-" && json_output_ == "-")
+    return fail("--json -", "the picture goes to standard output", "name a file for one of them");
+  if (page_) {
+    if (const auto legal = check_extension(*page_, ".html"); !legal) return legal;
+  }
+  if (!output_ && (against_ || repeat_))
+    return fail(against_ ? "--against" : "--repeat", "no picture is drawn", "give -o");
+  std::vector<std::string> outputs;
+  for (const auto& output : {output_, page_, json_output_}) {
+    const bool is_frames = output == output_ && frames_.wanted();
+    if (output && *output != "-" && !is_frames) outputs.push_back(*output);
+  }
+  return check_outputs(outputs);
 }
 
-Result<LayersDrawCommand::Against> LayersDrawCommand::compare(
-    const views::LayerPicture& picture, const View& view, const views::StoredLayers& layers) const {
+Result<LayersDrawCommand::Drawn> LayersDrawCommand::draw(const views::StoredLayers& layers,
+                                                         Progress& progress) {
+  const LayersShots shots(layers, camera_, size_);
+  const auto view = shots.view();
+  if (!view) return tl::unexpected(view.error());
+  Drawn drawn;
+  views::LayerDrawer drawer(layers.image);
+  std::vector<double> times;
+  progress.phase("drawing " + file_);
+  for (int i = 0; i < repeat_.value_or(1); ++i) {
+    const Clock::time_point start = Clock::now();
+    drawer.draw(views::layer_camera(*view), drawing_, drawn.picture);
+    times.push_back(ms_since(start));
+  }
+  std::ranges::sort(times);
+  drawn.times = {times[times.size() / 2], times[times.size() / 4], int(times.size())};
+  if (!against_) return drawn;
+  progress.phase("drawing " + scene_title(*against_));
   const auto scene = load_asked_scene(*against_);
   if (!scene) return tl::unexpected(scene.error());
-  RenderSettings settings;
-  settings.background = layers.background;
-  settings.want_distance = true;
-  Renderer renderer(*scene, settings.transfer);
-  renderer.render(view, settings);  // what is made once is not part of a picture's time
-  const Clock::time_point start = Clock::now();
-  const Framebuffer truth = renderer.render(view, settings).buffers;
-  Against against;
-  against.render_ms = ms_since(start);
-  double squares = 0;
-  for (std::size_t i = 0; i < truth.color.pixels.size(); ++i) {
-    const Rgba8 &right = truth.color.pixels[i], &found = picture.color.pixels[i];
-    against.wrong += largest_difference(right, found) > kVisibleDifference;
-    against.missing += picture.depth.pixels[i] == 0 && std::isfinite(truth.distance.pixels[i]);
-    for (const int d : {right.r - found.r, right.g - found.g, right.b - found.b}) {
-      squares += double(d * d);
+  drawn.against = against_scene(drawn.picture, *view, *scene, layers);
+  return drawn;
+}
+
+int LayersDrawCommand::run_frames(const views::StoredLayers& layers, Progress& progress) {
+  LayersFrames frames{file_, *output_, camera_, size_, frames_, drawing_};
+  const auto written = draw_layer_frames(frames, layers, progress);
+  if (!written) return refuse(written.error());
+  progress.done();
+  if (json_output_) {
+    nlohmann::ordered_json json{{"layers", file_}, {"frames", nlohmann::ordered_json::array()}};
+    for (const LayersFrame& frame : *written) {
+      json["frames"].push_back({{"picture", frame.picture},
+                                {"frame", frame.number},
+                                {"pixels_without_sample", frame.holes},
+                                {"warp_ms", frame.warp_ms}});
     }
+    if (const auto told = write_json(*json_output_, json); !told) return refuse(told.error());
   }
-  const double mean = squares / (3 * double(truth.color.pixels.size()));
-  against.psnr = 10 * std::log10(255.0 * 255.0 / mean);
-  return against;
+  if (json_output_ == "-") return kSuccess;
+  double total = 0;
+  for (const LayersFrame& frame : *written) total += frame.warp_ms;
+  fmt::print("{} to {}: {} frames, {:.2f} ms each\n",
+             printable(written->front().picture, kLongestMessage),
+             printable(written->back().picture, kLongestMessage), written->size(),
+             total / double(written->size()));
+  return kSuccess;
+}
+
+Result<void> LayersDrawCommand::write_page(const views::StoredLayers& layers) const {
+  const auto page = make_layers_page(layers, file_);
+  return page ? write_text(*page_, *page) : tl::unexpected(page.error());
 }
 
 int LayersDrawCommand::run() {
-  if (const auto good = check_picture_output(output_, {}, "layers.png"); !good)
-    return refuse(good.error());
-  std::vector<std::string> outputs;
-  for (const auto& output : {std::optional(output_), json_output_}) {
-    if (output && *output != "-") outputs.push_back(*output);
-  }
-  if (const auto good = check_outputs(outputs); !good) return refuse(good.error());
+  if (const auto good = check_options(); !good) return refuse(good.error());
   Progress progress;
   progress.phase("reading " + file_);
   const auto bytes = read_file(file_);
   if (!bytes) return refuse(bytes.error());
   const auto layers = views::decode_layers(*bytes, file_);
   if (!layers) return refuse(layers.error());
-  const auto view = choose_view(*layers);
-  if (!view) return refuse(view.error());
-
   drawing_.background = holes_.value_or(layers->background);
-  const Clock::time_point start = Clock::now();
-  const views::LayerPicture picture =
-      views::draw_layers(layers->image, views::layer_camera(*view), drawing_);
-  const double warp_ms = ms_since(start);
-  std::optional<Against> against;
-  if (against_) {
-    progress.phase("drawing " + scene_title(*against_));
-    const auto compared = compare(picture, *view, *layers);
-    if (!compared) return refuse(compared.error());
-    against = *compared;
+  if (page_) {
+    progress.phase("writing " + *page_);
+    if (const auto written = write_page(*layers); !written) return refuse(written.error());
   }
-  if (const auto written = write_picture(output_, {}, picture.color, {}); !written)
-    return refuse(written.error());
+  if (frames_.wanted()) return run_frames(*layers, progress);
+  int exit_code = kSuccess;
+  if (output_) {
+    const auto drawn = draw(*layers, progress);
+    if (!drawn) return refuse(drawn.error());
+    const auto written = write_picture(*output_, {}, drawn->picture.color, {});
+    if (!written) return refuse(written.error());
+    progress.done();
+    exit_code = report(*drawn);
+  }
   progress.done();
+  if (page_ && exit_code == kSuccess && json_output_ != "-" && output_ != "-")
+    fmt::print("{}: open it in a browser\n", printable(*page_, kLongestMessage));
+  return exit_code;
+}
 
+int LayersDrawCommand::report(const Drawn& drawn) const {
+  const views::LayerPicture& picture = drawn.picture;
+  const Times& times = drawn.times;
   const std::size_t pixels = picture.depth.pixels.size();
   const auto holes = std::size_t(std::ranges::count(picture.depth.pixels, 0.0f));
   const views::WarpCounts& counts = picture.counts;
   if (json_output_) {
-    nlohmann::ordered_json json{{"picture", output_},
+    nlohmann::ordered_json json{{"picture", *output_},
                                 {"samples_drawn", counts.drawn},
                                 {"samples_behind", counts.behind},
                                 {"samples_beside", counts.beside},
                                 {"splats_cut", counts.cut},
                                 {"pixels", pixels},
                                 {"pixels_without_sample", holes},
-                                {"warp_ms", warp_ms}};
-    if (against) {
+                                {"target", name_of(drawing_.target)},
+                                {"threads", drawing_.threads},
+                                {"warp_ms", times.median_ms},
+                                {"warp_ms_lower_quartile", times.lower_ms},
+                                {"times", times.count}};
+    if (const auto& against = drawn.against) {
+      nlohmann::ordered_json psnr;  // null of the same picture
+      if (std::isfinite(against->psnr)) psnr = against->psnr;
       json["against"] = {{"scene", *against_},
-                         {"psnr_db", against->psnr},
+                         {"psnr_db", psnr},
                          {"wrong_pixels", against->wrong},
                          {"holes", against->missing},
+                         {"interior_holes", against->interior},
                          {"render_ms", against->render_ms}};
     }
     if (const auto written = write_json(*json_output_, json); !written)
@@ -205,18 +242,24 @@ int LayersDrawCommand::run() {
   if (json_output_ == "-" || output_ == "-") return kSuccess;
   const auto percent = [&](std::size_t count) { return 100 * double(count) / double(pixels); };
   fmt::print("{}: {} samples drawn, {} beside the picture, {} behind the eye; {:.2f} ms\n",
-             printable(output_, kLongestMessage), counts.drawn, counts.beside, counts.behind,
-             warp_ms);
+             printable(*output_, kLongestMessage), counts.drawn, counts.beside, counts.behind,
+             times.median_ms);
+  if (times.count > 1)
+    fmt::print("  {} times: {:.0f} a second in the median, {:.0f} in the quickest quarter\n",
+               times.count, 1000 / times.median_ms, 1000 / times.lower_ms);
   if (counts.cut > 0)
     fmt::print("  {} samples are larger than {:g} px from here, and are drawn so large.\n",
-               counts.cut, views::kLargestSplat);
+               counts.cut,
+               drawing_.splat == views::Splat::kSoft ? 7.0 : double(views::kLargestSplat));
   fmt::print("  {:.2f} % of the pixels have no sample.\n", percent(holes));
-  if (against)
+  if (const auto& against = drawn.against)
     fmt::print(
         "  Against {}: PSNR {:.1f} dB, {:.2f} % of the pixels differ by more than {}/255, {:.2f} % "
-        "are\n  holes where it shows something; drawing it took {:.2f} ms\n",
+        "are\n  holes where it shows something, {:.3f} % such between samples of one surface; "
+        "drawing it took {:.2f} ms\n",
         printable(*against_, kLongestMessage), against->psnr, percent(against->wrong),
-        kVisibleDifference, percent(against->missing), against->render_ms);
+        kVisibleDifference, percent(against->missing), percent(against->interior),
+        against->render_ms);
   return kSuccess;
 }
 

@@ -1,12 +1,14 @@
-// glassbox views layers draw: a layered depth image from another view, and how far off the truth it is.
+// glassbox views layers draw: a layered depth image from another view, or from many, and how far off the truth it is.
 #pragma once
 
 #include <optional>
 #include <string>
 
+#include "app/frames/frames_options.h"
 #include "app/options/arguments.h"
 #include "app/options/camera_options.h"
 #include "app/options/cli_fwd.h"
+#include "app/views/layers_against.h"
 #include "views/layers/draw_layers.h"
 #include "views/layers/layer_file.h"
 
@@ -17,24 +19,31 @@ public:
   void add_to(CLI::App& layers, int& exit_code);
 
 private:
-  // Beside what the scene itself looks like from there.
-  struct Against {
-    double psnr = 0;          // dB
-    std::size_t wrong = 0;    // pixels that differ by more than 8/255 in a channel
-    std::size_t missing = 0;  // holes where the scene shows something
-    double render_ms = 0;
+  struct Times {
+    double median_ms = 0, lower_ms = 0;  // of so many pictures, and the quarter that took least
+    int count = 1;
+  };
+  struct Drawn {
+    views::LayerPicture picture;
+    Times times;
+    std::optional<LayersAgainst> against;
   };
 
   int run();
-  Result<View> choose_view(const views::StoredLayers& layers) const;
-  Result<Against> compare(const views::LayerPicture& picture, const View& view,
-                          const views::StoredLayers& layers) const;
+  Result<void> check_options() const;
+  Result<void> write_page(const views::StoredLayers& layers) const;
+  Result<Drawn> draw(const views::StoredLayers& layers, Progress& progress);
+  int run_frames(const views::StoredLayers& layers, Progress& progress);
+  int report(const Drawn& drawn) const;
 
-  std::string file_, output_;
+  std::string file_;
+  std::optional<std::string> output_, page_;
   std::optional<Size> size_;
   CameraOptions camera_;
+  FramesOptions frames_;
   views::LayerDrawing drawing_;
   std::optional<Rgba8> holes_;
+  std::optional<int> repeat_;
   std::optional<std::string> against_, json_output_;
 };
 

@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <glassbox/images/read.h>
+
 #include "tests/app/run.h"
 
 namespace glassbox::test {
@@ -63,19 +65,186 @@ TEST_CASE(
   CHECK(here.run("diff one.png many.png").exit_code == 0);
 }
 
+TEST_CASE("info says what a layered depth image has, and from where") {
+  const Workplace here;
+  const Json built = answer(here, "build room --size 48x32 -o room.ldi --layers 3");
+  const Outcome text = here.run("info room.ldi");
+  CHECK(text.exit_code == 0);
+  CHECK(text.out.find("a layered depth image of 48 x 32 pixels") != std::string::npos);
+  CHECK(text.out.find("camera: perspective, at (") != std::string::npos);
+  const Outcome json = here.run("info room.ldi --json -");
+  REQUIRE(json.exit_code == 0);
+  const Json info = Json::parse(json.out);
+  for (const char* same : {"samples", "covered_pixels", "most_samples_of_a_pixel", "bytes"})
+    CHECK(info[same] == built[same]);
+  std::size_t samples = 0, number = 0;
+  for (const auto& pixels : info["pixels_by_samples"])
+    samples += ++number * pixels.get<std::size_t>();
+  CHECK(samples == built["samples"]);
+  CHECK(info["nearest"] < info["farthest"]);
+  CHECK(here.run("info room.ldi --write a.glb").exit_code == 2);
+  std::ofstream(here.file("cut.ldi")) << "glassbox-layers 1\nand no more";
+  const Outcome cut = here.run("info cut.ldi");
+  CHECK(cut.exit_code == 2);
+  CHECK(cut.err.find("cut.ldi") != std::string::npos);
+}
+
+TEST_CASE("other views of a scene add what the camera's own does not see (S1-02)") {
+  const Workplace here;
+  // Cameras beside the room's, which geometry tells in the format.
+  REQUIRE(here.run("views geometry --scene room --size 96x64 --eye-separation 0.8 --cameras-out "
+                   "cameras.txt")
+              .exit_code == 0);
+  const Json one = answer(here, "build room --size 96x64 --layers 1 -o one.ldi");
+  const Json many =
+      answer(here, "build room --size 96x64 --layers 1 --views cameras.txt -o many.ldi");
+  CHECK(many["views"] == 3);
+  CHECK(many["samples"] > one["samples"]);
+  // A surface that three views see is one surface.
+  CHECK(many["samples"] < 2 * one["samples"].get<std::size_t>());
+  const auto holes = [&](const char* file) {
+    return answer(here, std::string("draw ") + file + " -o a.png --against room" +
+                            kBeside)["against"]["holes"]
+        .get<std::size_t>();
+  };
+  CHECK(holes("many.ldi") < holes("one.ldi"));
+}
+
+TEST_CASE("a picture and its distances as files are layers") {
+  const Workplace here;
+  REQUIRE(here.run("views geometry --scene room --size 96x64 --eye-separation 0.8 --cameras-out "
+                   "cameras.txt")
+              .exit_code == 0);
+  std::ifstream in(here.file("cameras.txt"));
+  std::string line;
+  std::getline(in, line);
+  std::getline(in, line);
+  std::ofstream(here.file("left.txt")) << "1\nleft.png" << line.substr(line.find(' ')) << '\n';
+  REQUIRE(here.run("render room --size 96x64 --seen-by left --eye-separation 0.8 -o left.png "
+                   "--depth-out left.pfm")
+              .exit_code == 0);
+  const Json built = answer(here, "build --pictures left.txt -o left.ldi");
+  CHECK(built["samples"] == 96 * 64);
+  answer(here, "draw left.ldi -o same.png");
+  CHECK(here.run("diff left.png same.png").exit_code == 0);
+}
+
+TEST_CASE("frames of layers along a path are the pictures of their cameras") {
+  const Workplace here;
+  answer(here, "build room --size 48x32 -o room.ldi");
+  std::ofstream(here.file("walk.json")) << R"({"camera_path": 1, "keyframes": [
+    {"time": 0, "eye": [1.75, 1.62, -0.3], "look_at": [0.68, 1.39, -2.46]},
+    {"time": 1, "eye": [1.5, 1.62, -0.3], "look_at": [0.68, 1.39, -2.46]}]})";
+  const Json frames = answer(here, "draw room.ldi --frames 3 --path walk.json -o walk.png");
+  CHECK(frames["frames"].size() == 3);
+  answer(here, "draw room.ldi -o alone.png" + kBeside);
+  CHECK(here.run("diff walk-0001.png alone.png").exit_code == 0);
+  CHECK(here.run("diff walk-0003.png alone.png").exit_code == 1);
+  CHECK(answer(here, "draw room.ldi --frames 2-2/4 --turntable -o turn.png")["frames"].size() == 1);
+}
+
+TEST_CASE("a page has the layers, and says when there is nowhere to write") {
+  const Workplace here;
+  answer(here, "build room --size 48x32 -o room.ldi");
+  REQUIRE(here.run("views layers draw room.ldi --html room.html").exit_code == 0);
+  std::ifstream in(here.file("room.html"));
+  const std::string page{std::istreambuf_iterator<char>(in), {}};
+  for (const char* part : {"\"manifest\"", "\"counts\"", "\"depths\"", "\"colours\""})
+    CHECK(page.find(part) != std::string::npos);
+}
+
+TEST_CASE("repeated drawing tells the time of a picture, whatever draws it") {
+  const Workplace here;
+  answer(here, "build room --size 48x32 -o room.ldi");
+  const Json drawn = answer(here, "draw room.ldi -o a.png --repeat 5 --target scalar" + kBeside);
+  CHECK(drawn["times"] == 5);
+  CHECK(drawn["warp_ms_lower_quartile"] <= drawn["warp_ms"]);
+  answer(here, "draw room.ldi -o b.png --threads 2" + kBeside);
+  CHECK(here.run("diff a.png b.png").exit_code == 0);
+}
+
+TEST_CASE(
+    "--second-eye warps the right eye's picture, and the report says how far off it is (S0-06)") {
+  const Workplace here;
+  const std::string pair =
+      "render room --size 192x108 --stereo pair --eye-separation 0.12 --window 3 ";
+  REQUIRE(here.run(pair + "-o drawn.png").exit_code == 0);
+  const Outcome one =
+      here.run(pair + "--second-eye warp -o one.png --report report.json --json one.json");
+  INFO(one.err);
+  REQUIRE(one.exit_code == 0);
+  CHECK(one.out.find("the right eye is warped") != std::string::npos);
+  const Json told = Json::parse(std::ifstream(here.file("one.json")));
+  CHECK(told["stereo"]["warped"]["layers"] == 1);
+  const Json report = Json::parse(std::ifstream(here.file("report.json")))["second_eye"];
+  CHECK(report["pixels"] == 192 * 108);
+  CHECK(report["warped"]["wrong_pixels"] < report["left_in_its_place"]["wrong_pixels"]);
+  CHECK(report["holes"] == told["stereo"]["warped"]["holes"]);
+  // The left half is what it was.
+  const auto drawn = read_image(here.file("drawn.png")), warped = read_image(here.file("one.png"));
+  REQUIRE(drawn);
+  REQUIRE(warped);
+  std::size_t differ = 0;
+  for (int y = 0; y < 108; ++y) {
+    for (int x = 0; x < 192; ++x) {
+      REQUIRE(drawn->at(x, y) == warped->at(x, y));
+      differ += drawn->at(192 + x, y) != warped->at(192 + x, y);
+    }
+  }
+  CHECK(differ > 0);
+  // Off unless it is asked for.
+  REQUIRE(here.run(pair + "--second-eye drawn -o same.png").exit_code == 0);
+  CHECK(here.run("diff drawn.png same.png").exit_code == 0);
+  for (const char* words :
+       {"--second-eye warp:0", "--second-eye warp:9", "--second-eye warped",
+        "--second-eye warp --eyes-by crop", "--second-eye warp --stereo-cull centre",
+        "--second-eye warp --show id", "--second-eye warp:2 --samples 4"}) {
+    const Outcome refused = here.run(pair + words + " -o no.png");
+    INFO(words << ": " << refused.err);
+    CHECK(refused.exit_code == 2);
+    CHECK(std::ranges::count(refused.err, '\n') == 1);
+  }
+  CHECK(here.run("render room --second-eye warp -o no.png").exit_code == 2);
+  CHECK(here.run("explain room --stereo pair --second-eye warp").exit_code == 2);
+}
+
 TEST_CASE("what cannot be built or drawn is refused in a line, and no file is left") {
   const Workplace here;
   REQUIRE(here.run("views layers build cube --size 24x16 -o cube.ldi").exit_code == 0);
   std::ofstream(here.file("text.ldi")) << "glassbox-layers 1\nand no more";
-  for (const char* words :
-       {"build room -o room.png", "build room -o room.ldi --layers 0",
-        "build room -o room.ldi --layers 256", "build room -o room.ldi --wireframe",
-        "build room -o room.ldi --samples 4", "build room -o room.ldi --show depth",
-        "build nothing.glb -o room.ldi", "draw none.ldi -o a.png", "draw text.ldi -o a.png",
-        "draw cube.ldi -o a.gif", "draw cube.ldi -o a.png --size 0x3",
-        "draw cube.ldi -o a.png --threads 0", "draw cube.ldi -o a.png --against nothing.glb",
-        "draw cube.ldi -o a.png --splat round",
-        "draw cube.ldi -o a.png --eye 0,0,0 --look-at 0,0,0"}) {
+  for (const char* words : {"build room -o room.png",
+                            "build room -o room.ldi --layers 0",
+                            "build room -o room.ldi --layers 256",
+                            "build room -o room.ldi --wireframe",
+                            "build room -o room.ldi --samples 4",
+                            "build room -o room.ldi --show depth",
+                            "build nothing.glb -o room.ldi",
+                            "draw none.ldi -o a.png",
+                            "draw text.ldi -o a.png",
+                            "draw cube.ldi -o a.gif",
+                            "draw cube.ldi -o a.png --size 0x3",
+                            "draw cube.ldi -o a.png --threads 0",
+                            "draw cube.ldi -o a.png --against nothing.glb",
+                            "draw cube.ldi -o a.png --splat round",
+                            "draw cube.ldi -o a.png --splat soft",
+                            "draw cube.ldi",
+                            "draw cube.ldi --html a.png",
+                            "draw cube.ldi --html a.html --repeat 3",
+                            "draw cube.ldi -o a.png --repeat 0",
+                            "draw cube.ldi -o a.png --frames 3",
+                            "draw cube.ldi -o a.png --frames 3 --path none.json",
+                            "draw cube.ldi -o - --frames 3 --turntable",
+                            "draw cube.ldi -o a.png --frames 3 --turntable --against cube",
+                            "build -o room.ldi",
+                            "build room --pictures text.ldi -o room.ldi",
+                            "build --pictures none.txt -o room.ldi",
+                            "build --pictures text.ldi -o room.ldi",
+                            "build room --views none.txt -o room.ldi",
+                            "build room --views text.ldi -o room.ldi",
+                            "build room --epsilon 0.1 -o room.ldi",
+                            "build --pictures text.ldi --layers 2 -o room.ldi",
+                            "build --pictures text.ldi --size 4x4 -o room.ldi",
+                            "draw cube.ldi -o a.png --eye 0,0,0 --look-at 0,0,0"}) {
     const Outcome outcome = here.run(std::string("views layers ") + words);
     INFO(words << ": " << outcome.err);
     CHECK(outcome.exit_code == 2);

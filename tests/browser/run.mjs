@@ -1,6 +1,6 @@
 // The pages of `glassbox bench --html`, `glassbox diff --html`, `glassbox inspect`, `glassbox stereo --html`, `glassbox study extremes
 // --html`, `glassbox study report`, `glassbox study scene --html`, `glassbox study stiffness`, `glassbox views geometry --draw`,
-// `glassbox views match --html` and `glassbox views voxels --html` in a browser.
+// `glassbox views layers draw --html`, `glassbox views match --html` and `glassbox views voxels --html` in a browser.
 //
 //     node run.mjs PROGRAM DIRECTORY [WORDS]
 //
@@ -15,6 +15,7 @@ import "./drawing_tests.mjs";
 import "./geometry_tests.mjs";
 import "./inspect_tests.mjs";
 import "./inspect_ways_tests.mjs";
+import "./layers_tests.mjs";
 import "./match_tests.mjs";
 import "./stereo_tests.mjs";
 import "./stiffness_tests.mjs";

@@ -1,12 +1,18 @@
 #include "views/layers/draw_layers.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <numeric>
+#include <optional>
+#include <utility>
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
-#include <Eigen/Geometry>
+#include <Eigen/Core>
+
+#include "views/layers/footprints.h"
+#include "views/layers/warp_kernels.h"
 
 namespace glassbox::views {
 
@@ -15,154 +21,299 @@ namespace {
 // Along a row the warp is (column in pixels) * right + start; start is computed anew, in double, every so many pixels, so that a
 // float's rounding is that of 64 steps wherever in the row it is (C-80).
 constexpr int kAnchorPixels = 64;
+// Two samples of neighbouring pixels are one surface's if their depths differ by less, relative.
+constexpr float kSteepest = 1.0f / 16;
+constexpr int kRowsOfTask = 8;
+constexpr std::size_t kPadding =
+    64;  // numbers beyond the last one that whole vectors may read or write
 
-struct Warped {
-  float x, y, z, w;  // times w
-};
-Warped operator+(const Warped& a, const Warped& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w};
-}
-Warped operator*(float s, const Warped& a) {
-  return {s * a.x, s * a.y, s * a.z, s * a.w};
-}
-Warped rounded(const Eigen::Vector4d& v) {
+WarpedPoint rounded(const Eigen::Vector4d& v) {
   return {float(v.x()), float(v.y()), float(v.z()), float(v.w())};
 }
 
-// Pixels for each unit of length at distance 1; of a parallel camera, at any: the geometric mean of both axes.
-double focal_length(const LayerCamera& camera) {
-  const auto row = [&](int i) -> Eigen::Vector3d {
-    return camera.screen_from_world.row(i).head<3>();
-  };
-  const Eigen::Vector3d gaze = row(3);  // of length 1, or 0 for a parallel camera
-  const auto across = [&](int i) { return (row(i) - row(i).dot(gaze) * gaze).norm(); };
-  return std::sqrt(across(0) * across(1));
-}
-
-// The picture, or one thread's part of its samples.
-class Canvas {
-public:
-  Canvas(const LayerCamera& camera, const LayerDrawing& drawing, double focal_from)
-      : drawing_(drawing),
-        magnification_(float(focal_length(camera) / focal_from)),
-        color_(camera.width, camera.height, drawing.background),
-        depth_(camera.width, camera.height, 0.0f) {}
-
-  void draw(const Warped& at, Rgba8 color) {
-    if (!(at.w > 0)) {
-      ++counts_.behind;
-      return;
+// The samples as the kernels read them.
+struct Samples {
+  explicit Samples(const LayeredImage& of)
+      : image(of),
+        depth(of.samples() + kPadding),
+        color(of.samples() + kPadding),
+        column(of.samples() + kPadding),
+        slope_x(of.samples() + kPadding),
+        slope_y(of.samples() + kPadding) {
+    std::ranges::copy(of.depth, depth.begin());
+    for (std::size_t i = 0; i < of.samples(); ++i)
+      color[i] = std::bit_cast<std::uint32_t>(of.color[i]);
+    const auto width = std::size_t(of.camera.width);
+    for (std::size_t place = 0; place + 1 < of.first.size(); ++place) {
+      std::fill(column.begin() + of.first[place], column.begin() + of.first[place + 1],
+                std::uint16_t(place % width));
     }
-    const float inverse = 1 / at.w;
-    const float x = at.x * inverse, y = at.y * inverse, z = at.z * inverse;
-    const float half = half_side(inverse);
-    // As floats, so that no number is too large for an integer.
-    const float left = std::max(std::floor(x - half + 0.5f), 0.0f);
-    const float top = std::max(std::floor(y - half + 0.5f), 0.0f);
-    const float right = std::min(std::floor(x + half + 0.5f), float(color_.width));
-    const float bottom = std::min(std::floor(y + half + 0.5f), float(color_.height));
-    if (!(left < right) || !(top < bottom) || !(z <= 1)) {
-      ++counts_.beside;
-      return;
+    find_slopes();
+  }
+
+  const LayeredImage& image;
+  std::vector<float> depth;
+  std::vector<std::uint32_t> color;
+  std::vector<std::uint16_t> column;
+  std::vector<float> slope_x, slope_y;
+
+private:
+  // The samples of a pixel beside (x, y), or none.
+  std::pair<std::uint32_t, std::uint32_t> samples_at(int x, int y) const {
+    if (x < 0 || y < 0 || x >= image.camera.width || y >= image.camera.height) return {0, 0};
+    const std::size_t place = image.place(x, y);
+    return {image.first[place], image.first[place + 1]};
+  }
+
+  // From a depth to the nearest one of a pixel beside it, if that may be the same surface's.
+  std::optional<float> gain(float from, int x, int y) const {
+    const auto [begin, end] = samples_at(x, y);
+    std::optional<float> least;
+    for (std::uint32_t i = begin; i < end; ++i) {
+      const float step = image.depth[i] - from;
+      if (std::abs(step) > from * kSteepest) continue;
+      if (!least || std::abs(step) < std::abs(*least)) least = step;
     }
-    ++counts_.drawn;
-    const bool compared = drawing_.order == LayerOrder::kDepth;
-    for (int row = int(top); row < int(bottom); ++row) {
-      for (int column = int(left); column < int(right); ++column) {
-        const std::size_t i = depth_.index(column, row);
-        if (compared && !(z > depth_.pixels[i])) continue;
-        depth_.pixels[i] = z;
-        color_.pixels[i] = color;
+    return least;
+  }
+
+  // Depths are linear along a plane: the flatter of both sides, which an edge does not make steep.
+  static float slope(const std::optional<float>& before, const std::optional<float>& after) {
+    if (!before || !after) return after.value_or(-before.value_or(0));
+    return std::abs(*before) < std::abs(*after) ? -*before : *after;
+  }
+
+  void find_slopes() {
+    for (int y = 0; y < image.camera.height; ++y) {
+      for (int x = 0; x < image.camera.width; ++x) {
+        const auto [begin, end] = samples_at(x, y);
+        for (std::uint32_t i = begin; i < end; ++i) {
+          const float z = image.depth[i];
+          slope_x[i] = slope(gain(z, x - 1, y), gain(z, x + 1, y));
+          slope_y[i] = slope(gain(z, x, y - 1), gain(z, x, y + 1));
+        }
       }
     }
   }
-
-  // `later` was drawn behind this.
-  void take(const Canvas& later) {
-    for (std::size_t i = 0; i < depth_.pixels.size(); ++i) {
-      if (!(later.depth_.pixels[i] > depth_.pixels[i])) continue;
-      depth_.pixels[i] = later.depth_.pixels[i];
-      color_.pixels[i] = later.color_.pixels[i];
-    }
-    counts_.drawn += later.counts_.drawn;
-    counts_.behind += later.counts_.behind;
-    counts_.beside += later.counts_.beside;
-    counts_.cut += later.counts_.cut;
-  }
-
-  LayerPicture finish() { return {std::move(color_), std::move(depth_), counts_}; }
-
-private:
-  float half_side(float inverse_w) {
-    if (drawing_.splat == Splat::kPoint) return 0.5f;
-    if (drawing_.splat == Splat::kThree) return 1.5f;
-    const float side = magnification_ * inverse_w;
-    counts_.cut += side > kLargestSplat;
-    return std::clamp(side, 1.0f, kLargestSplat) / 2;
-  }
-
-  const LayerDrawing& drawing_;
-  float magnification_;
-  Image<Rgba8> color_;
-  Image<float> depth_;
-  WarpCounts counts_;
 };
 
-// The samples of pixel (x, y), from back to front.
+// The samples of one view seen from another, block by block.
 class Warp {
 public:
-  Warp(const LayeredImage& image, const LayerCamera& to)
-      : image_(image),
-        matrix_(warp_matrix(to, image.camera)),
+  Warp(const Samples& samples, const LayerCamera& to)
+      : samples_(samples),
+        matrix_(warp_matrix(to, samples.image.camera)),
         right_(rounded(matrix_.col(0))),
-        depth_(rounded(matrix_.col(2))) {}
+        depth_step_(rounded(matrix_.col(2))) {}
 
-  // Of a row, from its first pixel or from an anchor.
-  Warped start(int x, int y) const {
-    const int anchor = x / kAnchorPixels * kAnchorPixels;
-    const Eigen::Vector4d at(anchor + 0.5, y + 0.5, 0, 1);
-    return rounded(matrix_ * at) + float(x - anchor) * right_;
-  }
+  WarpedPoint down() const { return rounded(matrix_.col(1)); }
 
-  void draw_pixel(int x, int y, const Warped& start, Canvas& canvas) const {
-    const std::size_t place = image_.place(x, y);
-    for (std::uint32_t i = image_.first[place]; i < image_.first[place + 1]; ++i) {
-      canvas.draw(start + image_.depth[i] * depth_, image_.color[i]);
+  // The blocks of row y, from left to right; blocks without samples are left out.
+  template <class Visit>
+  void for_each_block(int y, const Visit& visit) const {
+    const LayeredImage& image = samples_.image;
+    const int width = image.camera.width;
+    const std::size_t row = image.place(0, y);
+    for (int anchor = 0; anchor < width; anchor += kAnchorPixels) {
+      const std::uint32_t
+          begin = image.first[row + std::size_t(anchor)],
+          end = image.first[row + std::size_t(std::min(anchor + kAnchorPixels, width))];
+      if (begin == end) continue;
+      const Eigen::Vector4d at(anchor + 0.5, y + 0.5, 0, 1);
+      visit(begin,
+            WarpBlock{&samples_.depth[begin], &samples_.color[begin], &samples_.column[begin],
+                      &samples_.slope_x[begin], &samples_.slope_y[begin], int(end - begin), anchor,
+                      rounded(matrix_ * at), right_, depth_step_});
     }
   }
 
-  // Rows of the packed order, begin .. end - 1.
-  void draw_rows(int begin, int end, Canvas& canvas) const {
-    const int width = image_.camera.width;
-    for (int row = begin; row < end; ++row) {
-      const int y = image_.camera.height - 1 - row;
-      for (int anchor = 0; anchor < width; anchor += kAnchorPixels) {
-        const Warped begin_at = start(anchor, y);
-        for (int x = anchor; x < std::min(anchor + kAnchorPixels, width); ++x) {
-          draw_pixel(x, y, begin_at + float(x - anchor) * right_, canvas);
+private:
+  const Samples& samples_;
+  Eigen::Matrix4d matrix_;
+  WarpedPoint right_, depth_step_;
+};
+
+// The boxes of one row's samples.
+struct RowBoxes {
+  // Of samples from `begin` on, that many after those that are there.
+  SampleBoxes of(std::size_t count) {
+    const std::size_t size = count + kPadding;
+    for (auto* edge : {&left, &top, &right, &bottom}) {
+      if (edge->size() < size) edge->resize(size);
+    }
+    if (depth.size() < size) depth.resize(size);
+    if (side.size() < size) side.resize(size);
+    return {left.data(), top.data(), right.data(), bottom.data(), depth.data(), side.data()};
+  }
+
+  std::vector<std::int32_t> left, top, right, bottom;
+  std::vector<std::uint32_t> depth;
+  std::vector<std::uint8_t> side;
+};
+
+SampleBoxes beyond(const SampleBoxes& boxes, std::size_t i) {
+  return {boxes.left + i,   boxes.top + i,   boxes.right + i,
+          boxes.bottom + i, boxes.depth + i, boxes.side + i};
+}
+
+// What one thread draws into.
+struct Canvas {
+  void clear(int width, int height) {
+    keys.assign(std::size_t(width + 2) * std::size_t(height + 2) + 1, 0);
+    counts = {};
+  }
+
+  std::vector<SampleKey> keys;
+  RowBoxes boxes;
+  BlockCounts counts;
+  std::vector<SampleKey> scratch;
+};
+
+}  // namespace
+
+struct LayerDrawer::State {
+  explicit State(const LayeredImage& image) : samples(image) {}
+
+  Samples samples;
+  std::vector<Canvas> canvases;
+  int threads = 0;
+  std::unique_ptr<tbb::task_arena> arena;  // of that many
+};
+
+namespace {
+
+// One picture being made.
+class Picture {
+public:
+  Picture(const Samples& samples, const LayerCamera& to, const LayerDrawing& drawing)
+      : samples_(samples),
+        drawing_(drawing),
+        to_(to),
+        kernels_(warp_kernels(drawing.target)),
+        warp_(samples, to),
+        sides_(sides_of(drawing.splat, warp_.down())) {}
+
+  // Row y of the layers, by depth.
+  void draw_row(int y, Canvas& canvas) const {
+    const KeyCanvas view = view_of(canvas);
+    if (drawing_.splat == Splat::kPoint || drawing_.splat == Splat::kThree) {
+      const int margin = drawing_.splat == Splat::kThree;
+      warp_.for_each_block(y, [&](std::uint32_t, const WarpBlock& block) {
+        kernels_.points(block, margin, view, canvas.counts);
+      });
+      return;
+    }
+    warp_.for_each_block(y, [&](std::uint32_t, const WarpBlock& block) {
+      const SampleBoxes boxes = canvas.boxes.of(std::size_t(block.count));
+      kernels_.boxes(block, sides_, to_.width, to_.height, boxes, canvas.counts);
+      for (int i = 0; i < block.count; ++i) {
+        const SampleKey key = SampleKey(boxes.depth[i]) << 32 | block.color[i];
+        for (int row = boxes.top[i]; row < boxes.bottom[i]; ++row) {
+          SampleKey* const pixels = row_of(view, row);
+          for (int x = boxes.left[i]; x < boxes.right[i]; ++x) pixels[x] = std::max(pixels[x], key);
+        }
+      }
+    });
+  }
+
+  // All samples in the order of kOcclusion.
+  void draw_ordered(Canvas& canvas) const {
+    const KeyCanvas view = view_of(canvas);
+    const LayeredImage& image = samples_.image;
+    const Eigen::Vector4d epipole = image.camera.screen_from_world * eye_of(to_);
+    const auto columns = visiting_order(epipole.x(), epipole.w(), image.camera.width);
+    for (const int y : visiting_order(epipole.y(), epipole.w(), image.camera.height)) {
+      const std::size_t row = image.place(0, y);
+      const std::uint32_t begin = image.first[row];
+      const std::size_t count = image.first[row + std::size_t(image.camera.width)] - begin;
+      const SampleBoxes boxes = canvas.boxes.of(count);
+      warp_.for_each_block(y, [&](std::uint32_t first, const WarpBlock& block) {
+        kernels_.boxes(block, sides_, to_.width, to_.height, beyond(boxes, first - begin),
+                       canvas.counts);
+      });
+      for (const int x : columns) {
+        const std::size_t place = row + std::size_t(x);
+        for (std::uint32_t i = image.first[place]; i < image.first[place + 1]; ++i) {
+          paint(boxes, i - begin, samples_.color[i], view);
         }
       }
     }
   }
 
+  // Row y of the picture.
+  void finish_row(int y, std::span<Canvas> canvases, std::vector<SampleKey>& scratch,
+                  LayerPicture& into) const {
+    const bool widened = drawing_.splat == Splat::kThree && drawing_.order == LayerOrder::kDepth;
+    std::vector<const SampleKey*> rows;
+    for (Canvas& canvas : canvases) {
+      const KeyCanvas view = view_of(canvas);
+      for (int beside = widened ? -1 : 0; beside <= (widened ? 1 : 0); ++beside) {
+        rows.push_back(row_of(view, y + beside) - 1);
+      }
+    }
+    scratch.resize(std::size_t(to_.width) + 2);
+    kernels_.finish_row(rows, widened, to_.width, std::bit_cast<std::uint32_t>(drawing_.background),
+                        scratch.data(), &into.color.at(0, y), &into.depth.at(0, y));
+  }
+
 private:
-  const LayeredImage& image_;
-  Eigen::Matrix4d matrix_;
-  Warped right_, depth_;
+  static SplatSides sides_of(Splat splat, const WarpedPoint& down) {
+    switch (splat) {
+      case Splat::kPoint:
+        return {0, 1, 1, 1, down};
+      case Splat::kThree:
+        return {0, 3, 3, 3, down};
+      case Splat::kProjected:
+        return {1, 1, kLargestSplat, kLargestSplat, down};
+      case Splat::kSoft:  // the pixel in the middle
+        break;
+    }
+    return {1, 1, 1, float(kLargestFootprint), down};
+  }
+
+  KeyCanvas view_of(Canvas& canvas) const { return {canvas.keys.data(), to_.width, to_.height}; }
+  // Pixel 0 of it.
+  static SampleKey* row_of(const KeyCanvas& view, int y) {
+    return view.keys + std::ptrdiff_t(y + 1) * view.stride() + 1;
+  }
+
+  void paint(const SampleBoxes& boxes, std::size_t i, std::uint32_t color,
+             const KeyCanvas& view) const {
+    const SampleKey key = SampleKey(boxes.depth[i]) << 32 | color;
+    if (drawing_.splat == Splat::kSoft) {
+      if (boxes.left[i] < boxes.right[i])
+        paint_footprint(boxes.left[i], boxes.top[i], boxes.side[i], key, drawing_.background, view);
+      return;
+    }
+    for (int row = boxes.top[i]; row < boxes.bottom[i]; ++row) {
+      SampleKey* const pixels = row_of(view, row);
+      std::fill(pixels + boxes.left[i], pixels + boxes.right[i], key);
+    }
+  }
+
+  const Samples& samples_;
+  const LayerDrawing& drawing_;
+  const LayerCamera& to_;
+  const WarpKernels& kernels_;
+  Warp warp_;
+  SplatSides sides_;
 };
 
-// Rows of the packed order, so that all parts have about as many samples.
-std::vector<int> shared_rows(const LayeredImage& image, int parts) {
-  std::vector<int> begins{0};
-  const auto width = std::size_t(image.camera.width);
-  int row = 0;
-  for (int part = 1; part < parts; ++part) {
-    const std::size_t wanted = image.samples() * std::size_t(part) / std::size_t(parts);
-    while (row < image.camera.height && image.first[std::size_t(row) * width] < wanted) ++row;
-    begins.push_back(row);
+WarpCounts sum_of(std::span<const Canvas> canvases, std::size_t samples) {
+  WarpCounts sum;
+  for (const Canvas& canvas : canvases) {
+    sum.behind += canvas.counts.behind;
+    sum.beside += canvas.counts.beside;
+    sum.cut += canvas.counts.cut;
   }
-  begins.push_back(image.camera.height);
-  return begins;
+  sum.drawn = samples - sum.behind - sum.beside;
+  return sum;
+}
+
+template <class Pixel>
+void fit(Image<Pixel>& image, const LayerCamera& to) {
+  if (image.width != to.width || image.height != to.height)
+    image = Image<Pixel>(to.width, to.height);
 }
 
 }  // namespace
@@ -179,31 +330,56 @@ std::vector<int> visiting_order(double epipole, double w, int count) {
   return order;
 }
 
+LayerDrawer::LayerDrawer(const LayeredImage& image) : state_(std::make_unique<State>(image)) {}
+LayerDrawer::~LayerDrawer() = default;
+
+void LayerDrawer::draw(const LayerCamera& to, const LayerDrawing& drawing, LayerPicture& into) {
+  State& state = *state_;
+  const Picture picture(state.samples, to, drawing);
+  const LayerCamera& from = state.samples.image.camera;
+  fit(into.color, to);
+  fit(into.depth, to);
+  const int threads =
+      drawing.order == LayerOrder::kOcclusion ? 1 : std::clamp(drawing.threads, 1, from.height);
+  state.canvases.resize(std::size_t(threads));
+  if (threads == 1) {
+    Canvas& canvas = state.canvases[0];
+    canvas.clear(to.width, to.height);
+    if (drawing.order == LayerOrder::kOcclusion) {
+      picture.draw_ordered(canvas);
+    } else {
+      for (int y = from.height; y-- > 0;) picture.draw_row(y, canvas);
+    }
+    for (int y = 0; y < to.height; ++y) picture.finish_row(y, state.canvases, canvas.scratch, into);
+  } else {
+    if (state.threads != threads) {
+      state.arena = std::make_unique<tbb::task_arena>(threads);
+      state.threads = threads;
+    }
+    const auto rows = [](int height) { return tbb::blocked_range<int>(0, height, kRowsOfTask); };
+    const auto mine = [&]() -> Canvas& {
+      return state.canvases[std::size_t(tbb::this_task_arena::current_thread_index())];
+    };
+    state.arena->execute([&] {
+      tbb::parallel_for(0, threads,
+                        [&](int i) { state.canvases[std::size_t(i)].clear(to.width, to.height); });
+      tbb::parallel_for(rows(from.height), [&](const tbb::blocked_range<int>& some) {
+        for (int y = some.begin(); y < some.end(); ++y) picture.draw_row(y, mine());
+      });
+      tbb::parallel_for(rows(to.height), [&](const tbb::blocked_range<int>& some) {
+        for (int y = some.begin(); y < some.end(); ++y)
+          picture.finish_row(y, state.canvases, mine().scratch, into);
+      });
+    });
+  }
+  into.counts = sum_of(state.canvases, state.samples.image.samples());
+}
+
 LayerPicture draw_layers(const LayeredImage& image, const LayerCamera& to,
                          const LayerDrawing& drawing) {
-  const Warp warp(image, to);
-  const double focal_from = focal_length(image.camera);
-  if (drawing.order == LayerOrder::kOcclusion) {
-    Canvas canvas(to, drawing, focal_from);
-    const Eigen::Vector4d epipole = image.camera.screen_from_world * eye_of(to);
-    const auto columns = visiting_order(epipole.x(), epipole.w(), image.camera.width);
-    for (const int y : visiting_order(epipole.y(), epipole.w(), image.camera.height)) {
-      for (const int x : columns) warp.draw_pixel(x, y, warp.start(x, y), canvas);
-    }
-    return canvas.finish();
-  }
-  const int parts = std::clamp(drawing.threads, 1, image.camera.height);
-  const std::vector<int> begins = shared_rows(image, parts);
-  std::vector<Canvas> canvases(std::size_t(parts), Canvas(to, drawing, focal_from));
-  tbb::task_arena arena(parts);
-  arena.execute([&] {
-    tbb::parallel_for(0, parts, [&](int part) {
-      const auto k = std::size_t(part);
-      warp.draw_rows(begins[k], begins[k + 1], canvases[k]);
-    });
-  });
-  for (int part = 1; part < parts; ++part) canvases[0].take(canvases[std::size_t(part)]);
-  return canvases[0].finish();
+  LayerPicture picture;
+  LayerDrawer(image).draw(to, drawing, picture);
+  return picture;
 }
 
 }  // namespace glassbox::views

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+
+#include <glassbox/raster/lanes/target.h>
 
 #include "views/layers/layered_image.h"
 
@@ -16,7 +19,8 @@ enum class LayerOrder {
 enum class Splat {
   kPoint,      // the pixel that it is in
   kThree,      // and those around it
-  kProjected,  // a square with sides l = (F2 / F1) (d1 / d2): as large as its own pixel is from there, if that faces it (S1-10)
+  kProjected,  // the box around what its own pixel is from there: (F2 / F1) (d1 / d2) wide, and as its surface is tilted (S1-10)
+  kSoft,  // 1, 3, 5 or 7 pixels, which of them l says, the outer ones seen through: with kOcclusion
 };
 inline constexpr float kLargestSplat =
     64;  // px; larger ones are drawn so large, and counted (C-86)
@@ -25,14 +29,17 @@ struct LayerDrawing {
   LayerOrder order = LayerOrder::kDepth;
   Splat splat = Splat::kProjected;
   Rgba8 background{};
-  int threads = 1;  // of kDepth; the picture does not depend on it
+  // The picture depends on neither.
+  int threads = 1;  // of kDepth
+  Target target = best_target();
 };
 
 struct WarpCounts {
   std::size_t drawn = 0;   // samples of which a pixel was asked
   std::size_t behind = 0;  // not before the eye (C-83)
-  std::size_t beside = 0;  // outside the picture, or nearer than the near plane
-  std::size_t cut = 0;     // larger than kLargestSplat
+  std::size_t beside =
+      0;  // outside the picture, nearer than the near plane or beyond a parallel view's far plane
+  std::size_t cut = 0;  // before the eye, and larger than kLargestSplat
   friend bool operator==(const WarpCounts&, const WarpCounts&) = default;
 };
 
@@ -42,7 +49,24 @@ struct LayerPicture {
   WarpCounts counts;
 };
 
-// Where two samples have one depth at a pixel, kDepth keeps the one that is first in the packed order.
+// Draws one layered image again and again: what all pictures of it need is made once, and memory is used again.
+class LayerDrawer {
+public:
+  explicit LayerDrawer(const LayeredImage& image);  // which must outlive it, and counts as checked
+  ~LayerDrawer();
+  LayerDrawer(const LayerDrawer&) = delete;
+  LayerDrawer& operator=(const LayerDrawer&) = delete;
+
+  // Where two samples have one depth at a pixel, kDepth keeps the one whose colour is the greater number (warp_kernels.h), so
+  // that nothing depends on the order of the samples.
+  void draw(const LayerCamera& to, const LayerDrawing& drawing, LayerPicture& into);
+
+private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+// One picture, with everything made for it alone.
 LayerPicture draw_layers(const LayeredImage& image, const LayerCamera& to,
                          const LayerDrawing& drawing);
 

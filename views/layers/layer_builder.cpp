@@ -13,16 +13,16 @@ LayerBuilder::LayerBuilder(const LayerCamera& camera, double epsilon)
       epsilon_(epsilon),
       last_added_(std::size_t(camera.width) * std::size_t(camera.height), kNone) {}
 
-void LayerBuilder::add(int x, int y, float depth, Rgba8 color) {
+void LayerBuilder::add(int x, int y, float depth, Rgba8 color, std::uint32_t rank) {
   if (!(depth > 0) || !std::isfinite(depth)) return;
   const std::size_t place =
       std::size_t(camera_.height - 1 - y) * std::size_t(camera_.width) + std::size_t(x);
-  samples_.push_back({depth, color, last_added_[place]});
+  samples_.push_back({depth, color, rank, last_added_[place]});
   last_added_[place] = std::uint32_t(samples_.size() - 1);
 }
 
 std::size_t LayerBuilder::add_picture(const View& from, const Image<Rgba8>& color,
-                                      const Image<float>& distance) {
+                                      const Image<float>& distance, std::uint32_t rank) {
   const Eigen::Matrix4d warp = warp_matrix(camera_, layer_camera(from));
   std::size_t beside = 0;
   for (int y = 0; y < distance.height; ++y) {
@@ -38,7 +38,7 @@ std::size_t LayerBuilder::add_picture(const View& from, const Image<Rgba8>& colo
         ++beside;
         continue;
       }
-      add(int(column), int(row), float(there.z() / there.w()), color.at(x, y));
+      add(int(column), int(row), float(there.z() / there.w()), color.at(x, y), rank);
     }
   }
   return beside;
@@ -47,7 +47,7 @@ std::size_t LayerBuilder::add_picture(const View& from, const Image<Rgba8>& colo
 // A total order of what samples say, so that equal ones are the same.
 bool LayerBuilder::is_behind(const Sample& a, const Sample& b) {
   const auto key = [](const Sample& s) {
-    return std::tuple(s.depth, s.color.r, s.color.g, s.color.b, s.color.a);
+    return std::tuple(s.depth, ~s.rank, s.color.r, s.color.g, s.color.b, s.color.a);
   };
   return key(a) < key(b);
 }
@@ -63,10 +63,15 @@ LayeredImage LayerBuilder::pack() const {
     for (std::uint32_t i = last; i != kNone; i = samples_[i].next) here.push_back(samples_[i]);
     std::ranges::sort(here, [](const Sample& a, const Sample& b) { return is_behind(b, a); });
     std::size_t kept = 0;  // from the front
+    double front = 0;      // of those that are one sample
     for (const Sample& sample : here) {
-      const bool is_new = kept == 0 || double(here[kept - 1].depth) - double(sample.depth) >
-                                           epsilon_ * double(here[kept - 1].depth);
-      if (is_new) here[kept++] = sample;
+      const bool is_new = kept == 0 || front - double(sample.depth) > epsilon_ * front;
+      if (is_new) {
+        front = double(sample.depth);
+        here[kept++] = sample;
+      } else if (sample.rank < here[kept - 1].rank) {
+        here[kept - 1] = sample;
+      }
     }
     for (std::size_t i = kept; i-- > 0;) {
       image.depth.push_back(here[i].depth);

@@ -14,17 +14,19 @@ namespace glassbox::views {
 // A list for each pixel, which is packed at the end.
 class LayerBuilder {
 public:
-  // Samples of a pixel whose depths differ by at most epsilon of the nearer one's are one sample: the nearer. Which ones those are is
-  // decided from the front: the first that is left takes in all that are near to it, and none of what is near only to those (C-84).
+  // Samples of a pixel whose depths differ by at most epsilon of the nearer one's are one sample: the one of the lowest rank, and of
+  // those the nearest. Which ones are one is decided from the front: the first that is left takes in all that are near to it, and
+  // none of what is near only to those (C-84).
   LayerBuilder(const LayerCamera& camera, double epsilon);
 
   // The pixel must be in the picture. A depth that is not positive and finite is left out.
-  void add(int x, int y, float depth, Rgba8 color);
+  // `rank`: 0 of what the camera itself sees.
+  void add(int x, int y, float depth, Rgba8 color, std::uint32_t rank = 0);
 
   // Colours and distances along the gaze (infinite: nothing there) of a picture from any view, each where it is in this camera. How
   // many lie beside the picture or not before the camera.
-  std::size_t add_picture(const View& from, const Image<Rgba8>& color,
-                          const Image<float>& distance);
+  std::size_t add_picture(const View& from, const Image<Rgba8>& color, const Image<float>& distance,
+                          std::uint32_t rank = 0);
 
   // Does not depend on the order of what was added.
   LayeredImage pack() const;
@@ -33,6 +35,7 @@ private:
   struct Sample {
     float depth;
     Rgba8 color;
+    std::uint32_t rank;
     std::uint32_t next;  // of the pixel; kNone: it is the last
   };
   static bool is_behind(const Sample& a, const Sample& b);

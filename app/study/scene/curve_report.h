@@ -9,10 +9,18 @@
 #include "app/options/arguments.h"
 #include "study/curve/curve.h"
 #include "study/experiment/results.h"
+#include "views/layers/second_eye_error.h"
 
 #include <glassbox/base/error.h>
 
 namespace glassbox::app {
+
+// For two eyes, as glassbox render --stereo places them: the right one drawn, or warped from the left one's layers.
+struct SecondEyes {
+  StereoPair pair;
+  std::vector<views::SecondEyeError> warped;  // of 1 layer, then of 2
+  std::string left_out;                       // why there are none; empty where there are
+};
 
 struct CurveReport {
   std::string scene;  // as it was given
@@ -21,6 +29,7 @@ struct CurveReport {
   study::Origin origin;
   std::string command;  // measures it again
   study::Curve curve;
+  SecondEyes second_eyes;
 };
 
 // Draws the point's picture, in the time that was measured.

@@ -35,6 +35,30 @@ Json point_json(const CurveReport& report, const CurvePoint& point) {
   return json;
 }
 
+Json error_json(const views::EyeError& error) {
+  return {{"wrong_pixels", error.wrong}, {"rms", error.rms}, {"largest", error.largest}};
+}
+
+Json second_eyes_json(const SecondEyes& eyes) {
+  if (!eyes.left_out.empty()) return {{"left_out", eyes.left_out}};
+  const views::SecondEyeError& one = eyes.warped.front();
+  Json json{{"separation", 2 * eyes.pair.half_separation},
+            {"window", study::number_json(eyes.pair.window)},
+            {"pixels", one.pixels},
+            {"one_eye_ms", one.one_eye_ms},
+            {"both_drawn_ms", one.both_drawn_ms},
+            {"left_in_its_place", error_json(one.left)},
+            {"warped", Json::array()}};
+  for (const views::SecondEyeError& eye : eyes.warped) {
+    Json each = error_json(eye.warped);
+    each["layers"] = eye.layers;
+    each["holes"] = eye.holes;
+    each["both_ms"] = eye.both_warped_ms;
+    json["warped"].push_back(std::move(each));
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string command_of(const CurveReport& report, const CurvePoint& point) {
@@ -66,6 +90,7 @@ Json curve_json(const CurveReport& report) {
   for (const study::NotTurned& each : curve.left_out)
     json["left_out"].push_back({{"knob", name_of(each.knob)}, {"why", each.why}});
   for (const CurvePoint& point : curve.points) json["points"].push_back(point_json(report, point));
+  json["second_eye"] = second_eyes_json(report.second_eyes);
   return json;
 }
 

@@ -65,6 +65,33 @@ std::vector<const CurvePoint*> front(const study::Curve& curve) {
   return found;
 }
 
+std::string second_eyes_text(const SecondEyes& eyes) {
+  std::string text = "\nA second eye (render --stereo ... --second-eye)\n";
+  if (!eyes.left_out.empty()) return text + wrapped("  ", "left out: " + eyes.left_out);
+  const views::SecondEyeError& one = eyes.warped.front();
+  const auto percent = [&](std::size_t count) {
+    return fmt::format("{:.3g} %", 100 * double(count) / double(one.pixels));
+  };
+  const auto times = [&](double ms) { return fmt::format("{:.2f}", ms / one.one_eye_ms); };
+  std::vector<Row> rows{{"", "RMS/255", "largest", "wrong", "filled", "ms/pair", "times one eye"}};
+  rows.push_back({"drawn", "0", "0", "0 %", "0 %", fmt::format("{:.3g}", one.both_drawn_ms),
+                  times(one.both_drawn_ms)});
+  for (const views::SecondEyeError& eye : eyes.warped) {
+    rows.push_back({fmt::format("warp:{}", eye.layers), fmt::format("{:.3g}", eye.warped.rms),
+                    fmt::to_string(eye.warped.largest), percent(eye.warped.wrong),
+                    percent(eye.holes), fmt::format("{:.3g}", eye.both_warped_ms),
+                    times(eye.both_warped_ms)});
+  }
+  rows.push_back({"the left one twice", fmt::format("{:.3g}", one.left.rms),
+                  fmt::to_string(one.left.largest), percent(one.left.wrong), "",
+                  fmt::format("{:.3g}", one.one_eye_ms), "1.00"});
+  text += table(rows, 1);
+  return text +
+         wrapped("  ", fmt::format("eyes {:.4g} apart, window at {:.4g}; errors against the "
+                                   "right eye drawn, of its {} pixels",
+                                   2 * eyes.pair.half_separation, eyes.pair.window, one.pixels));
+}
+
 }  // namespace
 
 std::string curve_text(const CurveReport& report) {
@@ -85,6 +112,7 @@ std::string curve_text(const CurveReport& report) {
                           curve.points, [](const CurvePoint& p) { return p.standing.has_value(); }),
                       curve.different);
   text += table_of(best, unit);
+  text += second_eyes_text(report.second_eyes);
   if (!curve.left_out.empty()) text += "\nLeft out\n";
   for (const study::NotTurned& each : curve.left_out)
     text += wrapped(fmt::format("  {}: ", name_of(each.knob)), each.why);

@@ -3,6 +3,9 @@
 #include <array>
 #include <cmath>
 
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
 #include <glassbox/base/random.h>
 #include <glassbox/mesh/builtin/scenes.h>
 #include <glassbox/pipeline/framing.h>
@@ -153,6 +156,94 @@ TEST_CASE(
   }
 }
 
+TEST_CASE(
+    "the picture does not depend on what it is drawn with: every target makes the same bytes") {
+  const Scene scene = make_builtin("room").value();
+  const View view = make_view(scene.cameras.at(0), 101, 67).value();
+  const LayeredImage image = build_layers(scene, view, plain(), 4);
+  View beside = view;
+  beside.eye_from_world.at(0, 3) -= 0.3;
+  beside.eye_from_world.at(2, 3) += 0.7;  // nearer: some samples are behind, some large
+  for (const LayerOrder order : {LayerOrder::kDepth, LayerOrder::kOcclusion}) {
+    for (const Splat splat : {Splat::kPoint, Splat::kThree, Splat::kProjected, Splat::kSoft}) {
+      LayerDrawing drawing;
+      drawing.order = order;
+      drawing.splat = splat;
+      drawing.target = Target::kScalar;
+      const LayerPicture plainly = draw_layers(image, layer_camera(beside), drawing);
+      for (const Target target : available_targets()) {
+        drawing.target = target;
+        const LayerPicture drawn = draw_layers(image, layer_camera(beside), drawing);
+        INFO(name_of(target) << ", splat " << int(splat));
+        CHECK(drawn.color.pixels == plainly.color.pixels);
+        CHECK(drawn.depth.pixels == plainly.depth.pixels);
+        CHECK(drawn.counts == plainly.counts);
+      }
+    }
+  }
+}
+
+TEST_CASE("3 x 3 pixels of each sample: a pixel shows the nearest of those around it") {
+  const Scene scene = make_builtin("room").value();
+  const View view = make_view(scene.cameras.at(0), 96, 64).value();
+  const LayeredImage image = build_layers(scene, view, plain(), 3);
+  View beside = view;
+  beside.eye_from_world.at(0, 3) -= 0.2;
+  LayerDrawing drawing;
+  drawing.splat = Splat::kPoint;
+  const LayerPicture points = draw_layers(image, layer_camera(beside), drawing);
+  drawing.splat = Splat::kThree;
+  const LayerPicture threes = draw_layers(image, layer_camera(beside), drawing);
+  for (int y = 1; y + 1 < 64; ++y) {
+    for (int x = 1; x + 1 < 96; ++x) {
+      float nearest = 0;
+      for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx)
+          nearest = std::max(nearest, points.depth.at(x + dx, y + dy));
+      }
+      REQUIRE(threes.depth.at(x, y) == nearest);
+    }
+  }
+  // Those whose centre is a pixel beside the picture are drawn as well.
+  CHECK(threes.counts.drawn > points.counts.drawn);
+}
+
+TEST_CASE("S1-10: soft splats are opaque in the middle, half and a quarter of it at the rim") {
+  // One white sample on black, from so near that it is 3 pixels large.
+  const View from = view_at({0, 0, 9}, {0, 0, 0}, 9, 9);
+  LayerBuilder builder(layer_camera(from), 0);
+  builder.add(4, 4, float(depth_of(from, 9)), {255, 255, 255});
+  const LayeredImage image = builder.pack();
+  LayerDrawing drawing;
+  drawing.order = LayerOrder::kOcclusion;
+  drawing.splat = Splat::kSoft;
+  drawing.background = {0, 0, 0};
+  const LayerPicture picture =
+      draw_layers(image, layer_camera(view_at({0, 0, 3}, {0, 0, 0}, 9, 9)), drawing);
+  const auto grey = [&](int x, int y) { return int(picture.color.at(x, y).r); };
+  CHECK(grey(4, 4) == 255);
+  for (const int step : {-1, 1}) {
+    CHECK(grey(4 + step, 4) == 128);
+    CHECK(grey(4, 4 + step) == 128);
+    CHECK(grey(4 + step, 4 + step) == 64);
+    CHECK(grey(4 + step, 4 - step) == 64);
+  }
+  CHECK(grey(2, 4) == 0);
+  CHECK(picture.depth.at(2, 4) == 0);
+}
+
+TEST_CASE("S1-02: of samples that are one, that of the lowest rank stays: the camera's own") {
+  LayerBuilder builder(small_camera(), 0x1p-6);
+  builder.add(1, 1, 0.5f, {1, 0, 0}, 1);
+  builder.add(1, 1, 0.4999f, {2, 0, 0}, 0);
+  builder.add(1, 1, 0.4998f, {3, 0, 0}, 0);
+  builder.add(1, 1, 0.4f, {4, 0, 0}, 2);
+  const LayeredImage image = builder.pack();
+  REQUIRE(check(image, "ranks"));
+  CHECK(image.depth == std::vector<float>{0.4f, 0.4999f});
+  CHECK(image.color[1].r == 2);
+}
+
 TEST_CASE("the picture does not depend on how many threads draw it") {
   const Scene scene = make_builtin("room").value();
   const View view = make_view(scene.cameras.at(0), 96, 64).value();
@@ -189,6 +280,45 @@ TEST_CASE(
     CHECK(holes() == Approx(1 - 1.0 / (m * m)));
     drawing.splat = Splat::kProjected;
     CHECK(holes() == 0);
+  }
+}
+
+TEST_CASE("S1-10: a plane that is seen at a slant has no hole inside, from 10 degrees beside") {
+  const View from = view_at({0, 0, 8}, {0, 0, 0}, 64, 64);
+  const LayerCamera c1 = layer_camera(from);
+  // Where the line from an eye through a pixel meets the plane z = -k x.
+  const auto on_plane = [](const LayerCamera& camera, int x, int y, double k) {
+    const Eigen::Vector4d at_near =
+        camera.screen_from_world.inverse() * Eigen::Vector4d(x + 0.5, y + 0.5, 1, 1);
+    const Eigen::Vector3d eye = eye_of(camera).hnormalized(), near = at_near.hnormalized();
+    const Eigen::Vector3d normal(k, 0, 1), along = near - eye;
+    return Eigen::Vector3d(eye - along * (normal.dot(eye) / normal.dot(along)));
+  };
+  for (const double slant : {0.0, 1.0, -1.7}) {  // up to 60 degrees
+    LayerBuilder builder(c1, 0);
+    Image<float> distance(64, 64);
+    for (int y = 0; y < 64; ++y) {
+      for (int x = 0; x < 64; ++x) distance.at(x, y) = float(8 - on_plane(c1, x, y, slant).z());
+    }
+    builder.add_picture(from, Image<Rgba8>(64, 64, {9, 9, 9}), distance);
+    const LayeredImage image = builder.pack();
+    for (const double side : {-1.0, 1.0}) {
+      const double turn = side * 10 * 3.14159265358979 / 180;
+      const LayerCamera c2 =
+          layer_camera(view_at({8 * std::sin(turn), 0, 8 * std::cos(turn)}, {0, 0, 0}, 64, 64));
+      const LayerPicture picture = draw_layers(image, c2, {});
+      std::size_t inside = 0;
+      for (int y = 0; y < 64; ++y) {
+        for (int x = 0; x < 64; ++x) {
+          const Eigen::Vector3d there = on_plane(c2, x, y, slant);
+          const Eigen::Vector3d seen = (c1.screen_from_world * there.homogeneous()).hnormalized();
+          const bool in_first = seen.x() > 1 && seen.x() < 63 && seen.y() > 1 && seen.y() < 63;
+          inside += in_first;
+          if (in_first) CHECK(picture.depth.at(x, y) != 0);
+        }
+      }
+      CHECK(inside > 1000);
+    }
   }
 }
 

@@ -1,0 +1,114 @@
+// The layers as typed arrays, and the warp (views/layers/draw_layers.cpp): a sample goes to C2 C1^-1 (x, y, z, 1), and of two in a pixel
+// the nearer stays. Matrices are 16 numbers, row by row.
+
+const {width, height} = manifest;
+const largestSplat = 64;
+
+async function readLayers() {
+  const bytes = async (id) => (await inflate(bytesOfBase64(byId(id).textContent))).buffer;
+  const counts = new Uint16Array(await bytes("counts")), first = new Uint32Array(counts.length + 1);
+  for (let i = 0; i < counts.length; i++) first[i + 1] = first[i] + counts[i];
+  const layers = {counts, first, depth: new Float32Array(await bytes("depths")), colour: new Uint32Array(await bytes("colours"))};
+  return Object.assign(layers, slopesOf(layers));
+}
+
+// How much a sample's surface gains in depth, a pixel to the right and a pixel down: to the nearest depth of a pixel beside it, of both
+// sides the flatter.
+function slopesOf({first, depth}) {
+  const across = new Float32Array(depth.length), down = new Float32Array(depth.length);
+  const gain = (from, x, y) => {
+    let least = NaN;
+    if (x < 0 || y < 0 || x >= width || y >= height) return least;
+    const place = (height - 1 - y) * width + x;
+    for (let i = first[place]; i < first[place + 1]; i++) {
+      const step = Math.fround(depth[i] - from);
+      if (Math.abs(step) <= from / 16 && !(Math.abs(step) >= Math.abs(least))) least = step;
+    }
+    return least;
+  };
+  const slope = (before, after) => {
+    if (Number.isNaN(before) || Number.isNaN(after)) return Number.isNaN(after) ? -before || 0 : after;
+    return Math.abs(before) < Math.abs(after) ? -before : after;
+  };
+  for (let place = 0, y = height - 1; y >= 0; y--) {
+    for (let x = 0; x < width; x++, place++) {
+      for (let i = first[place]; i < first[place + 1]; i++) {
+        across[i] = slope(gain(depth[i], x - 1, y), gain(depth[i], x + 1, y));
+        down[i] = slope(gain(depth[i], x, y - 1), gain(depth[i], x, y + 1));
+      }
+    }
+  }
+  return {across, down};
+}
+
+function product(a, b) {
+  const made = new Float64Array(16);
+  for (let i = 0; i < 4; i++) {
+    for (let k = 0; k < 4; k++) {
+      for (let j = 0; j < 4; j++) made[4 * i + k] += a[4 * i + j] * b[4 * j + k];
+    }
+  }
+  return made;
+}
+
+// By Gauss and Jordan, with the largest pivot.
+function inverse(matrix) {
+  const a = Float64Array.from(matrix), b = identity();
+  const swap = (m, i, k) => { for (let j = 0; j < 4; j++) [m[4 * i + j], m[4 * k + j]] = [m[4 * k + j], m[4 * i + j]]; };
+  for (let column = 0; column < 4; column++) {
+    let pivot = column;
+    for (let i = column + 1; i < 4; i++) if (Math.abs(a[4 * i + column]) > Math.abs(a[4 * pivot + column])) pivot = i;
+    swap(a, pivot, column);
+    swap(b, pivot, column);
+    const scale = 1 / a[5 * column];
+    for (let j = 0; j < 4; j++) { a[4 * column + j] *= scale; b[4 * column + j] *= scale; }
+    for (let i = 0; i < 4; i++) {
+      const factor = a[4 * i + column];
+      if (i === column) continue;
+      for (let j = 0; j < 4; j++) { a[4 * i + j] -= factor * a[4 * column + j]; b[4 * i + j] -= factor * b[4 * column + j]; }
+    }
+  }
+  return b;
+}
+
+const identity = () => Float64Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
+
+// `only`: the surface that is drawn, from 1 in front; 0: all of them. Fills the pixels, whose holes have the colour `background`, and says
+// what became of the samples.
+function warpLayers(layers, matrix, {splat, only, background}, pixels, depths) {
+  const {first, depth, colour, across, down} = layers, m = matrix;
+  const counts = {drawn: 0, beside: 0, behind: 0};
+  pixels.fill(background);
+  depths.fill(0);
+  const fixed = {point: 1, three: 3, projected: 0}[splat];
+  for (let place = 0, y = height - 1; y >= 0; y--) {
+    for (let x = 0; x < width; x++, place++) {
+      const u = x + .5, v = y + .5, end = first[place + 1];
+      const startX = m[0] * u + m[1] * v + m[3], startY = m[4] * u + m[5] * v + m[7];
+      const startZ = m[8] * u + m[9] * v + m[11], startW = m[12] * u + m[13] * v + m[15];
+      for (let i = first[place]; i < end; i++) {
+        if (only && end - i !== only) continue;
+        const z = depth[i], w = startW + z * m[14];
+        if (!(w > 0)) { counts.behind++; continue; }
+        const over = 1 / w, atX = (startX + z * m[2]) * over, atY = (startY + z * m[6]) * over, atZ = (startZ + z * m[10]) * over;
+        const s = across[i], t = down[i], wRight = m[12] + s * m[14], wDown = m[13] + t * m[14];
+        const side = (at, row) => (Math.abs(m[row] + s * m[row + 2] - at * wRight) + Math.abs(m[row + 1] + t * m[row + 2] - at * wDown)) * over;
+        const halfOf = (at, row) => (fixed || Math.min(Math.max(side(at, row), 1), largestSplat)) / 2;
+        const halfX = halfOf(atX, 0), halfY = halfOf(atY, 4);
+        const left = Math.max(Math.floor(atX - halfX + .5), 0), right = Math.min(Math.floor(atX + halfX + .5), width);
+        const top = Math.max(Math.floor(atY - halfY + .5), 0), bottom = Math.min(Math.floor(atY + halfY + .5), height);
+        if (!(left < right && top < bottom && atZ > 0 && atZ <= 1 + 1e-6)) { counts.beside++; continue; }
+        counts.drawn++;
+        for (let row = top; row < bottom; row++) {
+          for (let to = row * width + left; to < row * width + right; to++) {
+            if (atZ <= depths[to]) continue;
+            depths[to] = atZ;
+            pixels[to] = colour[i];
+          }
+        }
+      }
+    }
+  }
+  counts.holes = depths.reduce((sum, one) => sum + (one === 0), 0);
+  return counts;
+}

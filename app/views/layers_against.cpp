@@ -1,0 +1,78 @@
+#include "app/views/layers_against.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+
+#include <glassbox/render/renderer.h>
+
+namespace glassbox::app {
+
+namespace {
+
+int largest_difference(const Rgba8& a, const Rgba8& b) {
+  return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+}
+
+// Whether a sample of the point's pixel or of one beside it is as deep as the point: their depths are those of pixels' centres, and
+// on a surface at 45 degrees to the gaze differ by a pixel's width over the distance, which is below a sixty-fourth in any picture of
+// more than a hundred pixels.
+bool is_in_layers(const views::LayeredImage& image, const Eigen::Vector4d& there) {
+  constexpr double kNear = 1.0 / 64;
+  if (!(there.w() > 0)) return false;
+  const double x = std::floor(there.x() / there.w()), y = std::floor(there.y() / there.w());
+  const double depth = there.z() / there.w();
+  const auto in_picture = [&](double column, double row) {
+    return column >= 0 && row >= 0 && column < image.camera.width && row < image.camera.height;
+  };
+  if (!in_picture(x, y)) return false;
+  for (double row = y - 1; row <= y + 1; ++row) {
+    for (double column = x - 1; column <= x + 1; ++column) {
+      if (!in_picture(column, row)) continue;
+      const std::size_t place = image.place(int(column), int(row));
+      for (std::uint32_t i = image.first[place]; i < image.first[place + 1]; ++i) {
+        if (std::abs(double(image.depth[i]) - depth) <= kNear * depth) return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+LayersAgainst against_scene(const views::LayerPicture& picture, const View& view,
+                            const Scene& scene, const views::StoredLayers& layers) {
+  RenderSettings settings;
+  settings.background = layers.background;
+  settings.want_distance = true;
+  Renderer renderer(scene, settings.transfer);
+  renderer.render(view, settings);  // what is made once is not part of a picture's time
+  const auto start = std::chrono::steady_clock::now();
+  const Framebuffer truth = renderer.render(view, settings).buffers;
+  LayersAgainst against;
+  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+  against.render_ms = took.count();
+  const Eigen::Matrix4d to_layers =
+      views::warp_matrix(layers.image.camera, views::layer_camera(view));
+  double squares = 0;
+  for (int y = 0; y < truth.color.height; ++y) {
+    for (int x = 0; x < truth.color.width; ++x) {
+      const Rgba8 &right = truth.color.at(x, y), &found = picture.color.at(x, y);
+      against.wrong += largest_difference(right, found) > kVisibleDifference;
+      for (const int d : {right.r - found.r, right.g - found.g, right.b - found.b}) {
+        squares += double(d * d);
+      }
+      const float distance = truth.distance.at(x, y);
+      if (picture.depth.at(x, y) != 0 || !std::isfinite(distance)) continue;
+      ++against.missing;
+      const Eigen::Vector4d here(x + 0.5, y + 0.5, views::depth_of(view, double(distance)), 1);
+      against.interior += is_in_layers(layers.image, to_layers * here);
+    }
+  }
+  const double mean = squares / (3 * double(truth.color.pixels.size()));
+  against.psnr = 10 * std::log10(255.0 * 255.0 / mean);
+  return against;
+}
+
+}  // namespace glassbox::app

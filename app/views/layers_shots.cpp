@@ -1,0 +1,121 @@
+#include "app/views/layers_shots.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include <fmt/format.h>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include "app/frames/frame_names.h"
+#include "app/frames/path_file.h"
+#include "app/frames/shots.h"
+#include "app/frames/stop_request.h"
+#include "app/report/output.h"
+#include "app/report/progress.h"
+
+#include <glassbox/images/write.h>
+
+namespace glassbox::app {
+
+namespace {
+
+// The places of all samples in the world as a scene of points with the camera of the layers, for what asks scenes where they are.
+Scene scene_of(const views::StoredLayers& layers) {
+  const views::LayeredImage& image = layers.image;
+  const Eigen::Matrix4d world_from_screen = image.camera.screen_from_world.inverse();
+  Mesh mesh;
+  for (int y = 0; y < image.camera.height; ++y) {
+    for (int x = 0; x < image.camera.width; ++x) {
+      const std::size_t place = image.place(x, y);
+      for (std::uint32_t i = image.first[place]; i < image.first[place + 1]; ++i) {
+        const Eigen::Vector4d at =
+            world_from_screen * Eigen::Vector4d(x + 0.5, y + 0.5, double(image.depth[i]), 1);
+        const Eigen::Vector3d p = at.hnormalized();
+        mesh.points.push_back({.position = std::uint32_t(mesh.positions.size())});
+        mesh.positions.emplace_back(float(p.x()), float(p.y()), float(p.z()));
+      }
+    }
+  }
+  Scene scene;
+  scene.cameras = {layers.camera};
+  if (mesh.points.empty()) return scene;
+  scene.materials.emplace_back();
+  scene.nodes.push_back({"", kNone, {}, {}});
+  scene.meshes.push_back(std::move(mesh));
+  scene.instances.push_back({0, 0});
+  return scene;
+}
+
+Result<std::vector<Shot>> shots_of(const LayersFrames& asked, const LayersShots& shots) {
+  PictureOptions picture;
+  picture.camera = asked.camera;
+  picture.size = shots.size();
+  const FrameRange& range = *asked.frames.range;
+  if (asked.frames.turntable) {
+    const double aspect = double(picture.size.width) / double(picture.size.height);
+    const auto turntable = make_turntable(shots.scene(), asked.camera, aspect);
+    if (!turntable) return tl::unexpected(turntable.error());
+    return make_shots(shots.scene(), picture, {}, *turntable, range, false);
+  }
+  const auto path = read_camera_path(*asked.frames.path);
+  if (!path) return tl::unexpected(path.error());
+  if (const auto legal = check_path_options(picture, *path); !legal)
+    return tl::unexpected(legal.error());
+  return make_shots(shots.scene(), picture, *path, {}, range, false);
+}
+
+}  // namespace
+
+LayersShots::LayersShots(const views::StoredLayers& layers, const CameraOptions& camera,
+                         std::optional<Size> size)
+    : scene_(scene_of(layers)),
+      camera_(camera),
+      size_(size.value_or(Size{layers.image.camera.width, layers.image.camera.height})) {}
+
+Result<View> LayersShots::view() const {
+  const double aspect = double(size_.width) / double(size_.height);
+  return choose_camera(scene_, camera_, aspect).and_then([&](const Camera& camera) {
+    return make_view(camera, size_.width, size_.height);
+  });
+}
+
+Result<std::vector<LayersFrame>> draw_layer_frames(const LayersFrames& asked,
+                                                   const views::StoredLayers& layers,
+                                                   Progress& progress) {
+  const FrameRange& range = *asked.frames.range;
+  const auto names = FrameNames::of(asked.output, "layers.png", range.count);
+  if (!names) return tl::unexpected(names.error());
+  if (const auto legal = check_image_path(names->name(1)); !legal)
+    return tl::unexpected(legal.error());
+  std::vector<std::string> paths;
+  for (int number = range.first; number <= range.last; ++number) {
+    paths.push_back(names->name(number));
+  }
+  if (const auto legal = check_outputs(paths); !legal) return tl::unexpected(legal.error());
+  const auto shots = shots_of(asked, LayersShots(layers, asked.camera, asked.size));
+  if (!shots) return tl::unexpected(shots.error());
+
+  const StopRequest stop;
+  views::LayerDrawer drawer(layers.image);
+  views::LayerPicture picture;
+  std::vector<LayersFrame> frames;
+  for (const Shot& shot : *shots) {
+    if (stop.asked()) {
+      return fail("stopped",
+                  fmt::format("{} of {} frames are written", frames.size(), shots->size()), "");
+    }
+    progress.phase(fmt::format("drawing frame {} of {}", shot.number, range.count));
+    const auto start = std::chrono::steady_clock::now();
+    drawer.draw(views::layer_camera(shot.centre), asked.drawing, picture);
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+    const std::string name = names->name(shot.number);
+    if (const auto written = write_image(name, picture.color, {}); !written)
+      return tl::unexpected(written.error());
+    frames.push_back({shot.number, name,
+                      std::size_t(std::ranges::count(picture.depth.pixels, 0.0f)), took.count()});
+  }
+  return frames;
+}
+
+}  // namespace glassbox::app

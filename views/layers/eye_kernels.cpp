@@ -1,0 +1,281 @@
+#include "views/layers/eye_kernels.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include <glassbox/raster/lanes/compiled_targets.h>
+
+// This file is compiled once for each instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "views/layers/eye_kernels.cpp"
+#include <hwy/foreach_target.h>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace glassbox::views::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using EyeF = hn::CappedTag<float, 16>;
+using EyeI = hn::RebindToSigned<EyeF>;
+using EyeU = hn::RebindToUnsigned<EyeF>;
+constexpr int kMostEyeLanes = 16;
+
+// Two neighbours are one surface if they move less than half a pixel apart or together.
+constexpr float kLeastStep = 0.5f, kMostStep = 1.5f;
+constexpr float kSteepStep = 4;  // px
+
+constexpr std::uint32_t kFields = 0x00ff00ff, kHalves = 0x00800080;
+
+HWY_INLINE std::uint32_t mixed(std::uint32_t a, std::uint32_t b, std::uint32_t of_b) {
+  const std::uint32_t of_a = 256 - of_b;
+  const std::uint32_t even = (a & kFields) * of_a + (b & kFields) * of_b + kHalves;
+  const std::uint32_t odd = (a >> 8 & kFields) * of_a + (b >> 8 & kFields) * of_b + kHalves;
+  return (even >> 8 & kFields) | (odd & ~kFields);
+}
+
+// The nearness of depth codes.
+class Nearness {
+public:
+  explicit Nearness(const EyeShift& shift)
+      : format_(shift.format),
+        offset_(shift.offset),
+        slope_(format_ == DepthFormat::kUnorm24 || format_ == DepthFormat::kUnorm16
+                   ? shift.slope / float(unorm_depth_steps(format_))
+                   : shift.slope) {}
+
+  template <class Codes>
+  HWY_INLINE auto of(Codes codes) const {
+    const EyeF f;
+    const EyeU u;
+    const auto linear = hn::Add(hn::Set(f, offset_), hn::Mul(hn::Set(f, slope_), depth_of(codes)));
+    const auto empty = hn::RebindMask(f, hn::Eq(codes, hn::Set(u, kEmptyDepth)));
+    return hn::IfThenElse(empty, hn::Zero(f), hn::Max(linear, hn::Zero(f)));
+  }
+
+private:
+  template <class Codes>
+  HWY_INLINE hn::Vec<EyeF> depth_of(Codes codes) const {
+    const EyeF f;
+    const EyeI d;
+    const EyeU u;
+    constexpr std::uint32_t kOne = 0x3f800000;  // the bits of 1
+    if (format_ == DepthFormat::kFloat32) return hn::BitCast(f, codes);
+    if (format_ == DepthFormat::kFloat32Reversed)
+      return hn::BitCast(f, hn::Sub(hn::Set(u, kOne), codes));
+    return hn::ConvertTo(f, hn::BitCast(d, codes));
+  }
+
+  DepthFormat format_;
+  float offset_, slope_;
+};
+
+// One row on its way. Pixel i's centre goes to place[i].
+struct Carried {
+  const float* place;
+  const float* nearness;
+  const Rgba8* color;
+  int width;
+  bool is_first;
+  EyeTarget to;
+
+  std::uint32_t color_of(int i) const { return std::bit_cast<std::uint32_t>(color[i]); }
+  bool is_there(int i) const { return is_first || nearness[i] > 0; }
+  bool both_there(int i) const {  // i and i + 1
+    return i >= 0 && i + 1 < width && is_there(i) && is_there(i + 1);
+  }
+  float step(int i) const { return place[i + 1] - place[i]; }
+  // i and i + 1 are one surface: they stay beside each other; or they part as neighbours of theirs do, on a surface that is steep.
+  bool joined(int i) const {
+    if (!both_there(i)) return false;
+    const float own = step(i);
+    if (own > kLeastStep && own < kMostStep) return true;
+    if (!(own > kLeastStep && own < kSteepStep)) return false;
+    const auto as_steep = [&](int k) {
+      return both_there(k) && std::abs(step(k) - own) * 4 <= own;
+    };
+    return as_steep(i - 1) || as_steep(i + 1);
+  }
+  void put(float x, int from, std::uint32_t shown) const {
+    if (!(x >= 0) || !(x < float(width))) return;
+    const std::uint32_t near = std::bit_cast<std::uint32_t>(nearness[from]) + 1;
+    const auto at = int(x);
+    if (near <= to.nearness[at]) return;
+    to.nearness[at] = near;
+    to.color[at] = shown;
+  }
+  // What lies between centres is a mixture of both, where they are one surface; elsewhere a pixel goes on for half of its width.
+  void carry(int i) const {
+    if (!is_there(i)) return;
+    const float at = place[i];
+    const float nearest = std::floor(at);
+    if (!joined(i - 1) && nearest + 0.5f < at) put(nearest, i, color_of(i));
+    if (!joined(i)) {
+      if (nearest + 0.5f >= at) put(nearest, i, color_of(i));
+      return;
+    }
+    const float next = place[i + 1];
+    for (float x = std::ceil(at - 0.5f); x + 0.5f < next; x += 1) {
+      const float share = (x + 0.5f - at) / (next - at);
+      const auto of_next = std::uint32_t(int(share * 256 + 0.5f));
+      put(x, i, mixed(color_of(i), color_of(i + 1), of_next));
+    }
+  }
+};
+
+void carry(const EyeShift& shift, const EyeRow& row, float* HWY_RESTRICT scratch,
+           const EyeTarget& target) {
+  const EyeF f;
+  const EyeI d;
+  const EyeU u;
+  const int lanes = int(hn::Lanes(f));
+  float* const place = scratch;
+  float* const nearness = scratch + row.width + 64;
+  const Nearness nearness_of(shift);
+  const auto half = hn::Set(f, 0.5f), one = hn::Set(f, 1.0f), zero = hn::Zero(f);
+  for (int i = 0; i < row.width; i += lanes) {
+    HWY_ALIGN std::uint32_t rest[kMostEyeLanes] = {};
+    const std::uint32_t* from = row.depth + i;
+    if (i + lanes > row.width) {
+      std::copy(from, row.depth + row.width, rest);
+      from = rest;
+    }
+    const auto near = nearness_of.of(hn::LoadU(u, from));
+    const auto moved =
+        hn::Sub(hn::Set(f, shift.at_infinity), hn::Mul(hn::Set(f, shift.by_nearness), near));
+    hn::StoreU(near, f, nearness + i);
+    hn::StoreU(hn::Add(hn::Add(hn::Iota(f, float(i)), half), moved), f, place + i);
+  }
+
+  const Carried carried{place, nearness, row.color, row.width, row.is_first, target};
+  carried.carry(0);
+  int i = 1;
+  const auto least = hn::Set(f, kLeastStep), most = hn::Set(f, kMostStep);
+  const auto* const colors = reinterpret_cast<const std::uint32_t*>(row.color);
+  HWY_ALIGN std::int32_t to[kMostEyeLanes];
+  HWY_ALIGN std::uint32_t color[kMostEyeLanes];
+  HWY_ALIGN std::uint32_t depth[kMostEyeLanes];
+  for (; i + lanes < row.width; i += lanes) {
+    const auto before = hn::LoadU(f, place + i - 1), at = hn::LoadU(f, place + i),
+               next = hn::LoadU(f, place + i + 1), near = hn::LoadU(f, nearness + i);
+    const auto step = hn::Sub(next, at), step_before = hn::Sub(at, before);
+    const auto x = hn::Ceil(hn::Sub(at, half)), center = hn::Add(x, half);
+    auto plain = hn::And(hn::And(hn::Gt(step, least), hn::Lt(step, most)),
+                         hn::And(hn::Gt(step_before, least), hn::Lt(step_before, most)));
+    plain = hn::And(plain, hn::Ge(hn::Add(center, one), next));  // one centre at most
+    if (!row.is_first) {
+      plain =
+          hn::And(plain, hn::And(hn::Gt(near, zero), hn::Gt(hn::LoadU(f, nearness + i + 1), zero)));
+      plain = hn::And(plain, hn::Gt(hn::LoadU(f, nearness + i - 1), zero));
+    }
+    if (!hn::AllTrue(f, plain)) {
+      for (int k = 0; k < lanes; ++k) carried.carry(i + k);
+      continue;
+    }
+    const auto shows = hn::Lt(center, next);
+    const auto inside =
+        hn::And(hn::And(hn::Ge(x, zero), hn::Lt(x, hn::Set(f, float(row.width)))), shows);
+    const auto share = hn::Div(hn::Sub(center, at), step);
+    const auto of_next =
+        hn::BitCast(u, hn::ConvertTo(d, hn::Add(hn::Mul(share, hn::Set(f, 256.0f)), half)));
+    const auto of_own = hn::Sub(hn::Set(u, 256), of_next);
+    const auto fields = hn::Set(u, kFields), halves = hn::Set(u, kHalves);
+    const auto a = hn::LoadU(u, colors + i), b = hn::LoadU(u, colors + i + 1);
+    // Two channels at once, of 16 bits each: 255 * 256 + 128 is the most that there is.
+    const auto mix = [&](auto of_a, auto of_b) {
+      return hn::Add(hn::Add(hn::Mul(of_a, of_own), hn::Mul(of_b, of_next)), halves);
+    };
+    const auto even = mix(hn::And(a, fields), hn::And(b, fields));
+    const auto odd =
+        mix(hn::And(hn::ShiftRight<8>(a), fields), hn::And(hn::ShiftRight<8>(b), fields));
+    const auto shown = hn::Or(hn::And(hn::ShiftRight<8>(even), fields), hn::AndNot(fields, odd));
+    const auto how_near = hn::Add(hn::BitCast(u, near), hn::Set(u, 1));
+    // On most surfaces neighbours go to neighbours.
+    const float first = hn::GetLane(x);
+    const auto in_line = hn::Eq(x, hn::Add(hn::Set(f, first), hn::Iota(f, 0.0f)));
+    if (hn::AllTrue(f, hn::And(in_line, inside))) {
+      const int column = int(first);
+      const auto there = hn::LoadU(u, target.nearness + column);
+      const auto wins = hn::Gt(how_near, there);
+      hn::StoreU(hn::IfThenElse(wins, how_near, there), u, target.nearness + column);
+      hn::StoreU(hn::IfThenElse(wins, shown, hn::LoadU(u, target.color + column)), u,
+                 target.color + column);
+      continue;
+    }
+    hn::Store(shown, u, color);
+    hn::Store(how_near, u, depth);
+    hn::Store(hn::ConvertTo(d, hn::IfThenElse(inside, x, hn::Set(f, float(row.width)))), d, to);
+    for (int k = 0; k < lanes; ++k) {
+      if (depth[k] <= target.nearness[to[k]]) continue;
+      target.nearness[to[k]] = depth[k];
+      target.color[to[k]] = color[k];
+    }
+  }
+  for (; i < row.width; ++i) carried.carry(i);
+}
+
+int fill(const EyeTarget& row, int width) {
+  const EyeU u;
+  const int lanes = int(hn::Lanes(u));
+  int holes = 0;
+  for (int x = 0; x < width; ++x) {
+    if (x + lanes <= width && hn::AllTrue(u, hn::Gt(hn::LoadU(u, row.nearness + x), hn::Zero(u)))) {
+      x += lanes - 1;
+      continue;
+    }
+    if (row.nearness[x] != 0) continue;
+    int end = x;
+    while (end < width && row.nearness[end] == 0) ++end;
+    holes += end - x;
+    const bool from_right = x == 0 || (end < width && row.nearness[end] < row.nearness[x - 1]);
+    const int from = from_right ? end : x - 1;
+    if (from < width) {
+      std::fill(row.color + x, row.color + end, row.color[from]);
+      std::fill(row.nearness + x, row.nearness + end, row.nearness[from]);
+    }
+    x = end;
+  }
+  return holes;
+}
+
+const EyeKernels kEyeKernels{carry, fill};
+
+}  // namespace glassbox::views::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace glassbox::views {
+
+const EyeKernels& eye_kernels(Target target) {
+  switch (target) {
+#if (HWY_TARGETS & HWY_AVX3) != 0
+    case Target::kAvx512:
+      return N_AVX3::kEyeKernels;
+#endif
+#if (HWY_TARGETS & HWY_AVX2) != 0
+    case Target::kAvx2:
+      return N_AVX2::kEyeKernels;
+#endif
+#if (HWY_TARGETS & HWY_SSE4) != 0
+    case Target::kSse4:
+      return N_SSE4::kEyeKernels;
+#endif
+#if (HWY_TARGETS & HWY_NEON) != 0
+    case Target::kNeon:
+      return N_NEON::kEyeKernels;
+#endif
+    default:
+#if (HWY_TARGETS & HWY_EMU128) != 0
+      return N_EMU128::kEyeKernels;
+#else
+      return N_SCALAR::kEyeKernels;
+#endif
+  }
+}
+
+}  // namespace glassbox::views
+
+#endif  // HWY_ONCE
