@@ -62,10 +62,17 @@ std::vector<Part> parts_of(const ErrorReport& report) {
 
 // ---- where ----
 
+// Of an edge the triangle.
+const char* kind_of(const BoundPlace& place) {
+  if (!place.line || *place.line == LineKind::kEdge) return "triangle";
+  return *place.line == LineKind::kLine ? "line" : "point";
+}
+
 std::string place_text(const BoundPlace& place) {
   if (place.x >= 0) return fmt::format("pixel {},{}", place.x, place.y);
-  if (!place.corner) return fmt::format("triangle {}", place.triangle);
-  return fmt::format("triangle {}, corner {}", place.triangle, *place.corner);
+  const std::string whose = fmt::format("{} {}", kind_of(place), place.number);
+  if (!place.corner || (place.line && *place.line == LineKind::kPoint)) return whose;
+  return fmt::format("{}, {} {}", whose, place.line ? "end" : "corner", *place.corner);
 }
 
 // What shows the place stage by stage.
@@ -76,13 +83,14 @@ std::string command_for(const ErrorReport& report, const BoundPlace& place) {
                        report.picture,
                        {"--at", fmt::format("{},{}", place.x, place.y)}});
   }
+  if (place.line && *place.line != LineKind::kEdge) return {};  // step follows triangles
   return shell_line(
-      {{"step", report.scene}, report.picture, {"--triangle", fmt::format("{}", place.triangle)}});
+      {{"step", report.scene}, report.picture, {"--triangle", fmt::format("{}", place.number)}});
 }
 
 Json place_json(const ErrorReport& report, const BoundPlace& place) {
-  Json json{{"triangle", place.triangle}};
-  if (place.corner) json["corner"] = *place.corner;
+  Json json{{kind_of(place), place.number}};
+  if (place.corner) json[place.line ? "end" : "corner"] = *place.corner;
   if (place.x >= 0) json["pixel"] = {place.x, place.y};
   json["command"] = command_for(report, place);
   return json;
@@ -119,14 +127,7 @@ std::vector<Doubt> doubts_of(const PictureErrors& e) {
 }
 
 std::vector<std::string> left_out(const ErrorReport& report) {
-  const PictureErrors& e = report.errors;
   std::vector<std::string> notes;
-  if (e.fragments_of_lines_and_points > 0) {
-    notes.push_back(fmt::format(
-        "{} of lines and points, which have no bounds, and {} of the picture that show them",
-        counted(e.fragments_of_lines_and_points, "fragment"),
-        counted(e.pixels_unbounded, "pixel")));
-  }
   if (samples_drawn(report.settings) > 1) {
     notes.push_back(
         fmt::format("the {} samples of a pixel: all numbers are those of pixel centres, as "

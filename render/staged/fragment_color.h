@@ -16,9 +16,6 @@ namespace glassbox {
 
 // ---- the surface's own colour ----
 
-// Where a fragment does not come from a triangle.
-inline constexpr FragmentSource kLineOrPoint{0, 0, false};
-
 // What a primitive brings for each of its fragments.
 struct Surface {
   std::array<Varyings, 3> vertices;      // interpolated with Fragment::weights

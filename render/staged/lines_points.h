@@ -35,13 +35,13 @@ inline ScreenVertex moved(const ScreenVertex& vertex, double x, double y) {
 template <class Watch>
 void rasterise_quad(const FragmentStage& stage, const Watch& watch,
                     const std::array<ScreenVertex, 4>& corners,
-                    const std::array<const Varyings*, 4>& varyings) {
+                    const std::array<const Varyings*, 4>& varyings, const FragmentSource& source) {
   for (const std::array<std::size_t, 3>& half :
        {std::array<std::size_t, 3>{0, 1, 2}, std::array<std::size_t, 3>{0, 2, 3}}) {
     const auto setup = setup_triangle({corners[half[0]], corners[half[1]], corners[half[2]]});
     if (!setup) continue;
     Surface surface;
-    surface.source = kLineOrPoint;
+    surface.source = source;
     for (std::size_t k = 0; k < 3; ++k) {
       surface.vertices[k] = *varyings[half[std::size_t(setup->order[k])]];
     }
@@ -60,7 +60,7 @@ void rasterise_samples(const FragmentStage& stage, const Watch& watch, const Rea
   const double x = -dy / length / 2, y = dx / length / 2;  // half a pixel across
   const Varyings &at_a = line.vertices[0], &at_b = line.vertices[1];
   rasterise_quad(stage, watch, {moved(a, x, y), moved(a, -x, -y), moved(b, -x, -y), moved(b, x, y)},
-                 {&at_a, &at_a, &at_b, &at_b});
+                 {&at_a, &at_a, &at_b, &at_b}, line.source);
 }
 
 template <class Watch>
@@ -70,7 +70,7 @@ void rasterise_samples(const FragmentStage& stage, const Watch& watch, const Rea
   rasterise_quad(
       stage, watch,
       {moved(p, -0.5, -0.5), moved(p, 0.5, -0.5), moved(p, 0.5, 0.5), moved(p, -0.5, 0.5)},
-      {&at, &at, &at, &at});
+      {&at, &at, &at, &at}, point.source);
 }
 
 // ---- lines and points ----
@@ -79,7 +79,7 @@ template <class Watch>
 void rasterise(const FragmentStage& stage, const Watch& watch, const ReadyLine& line) {
   Surface surface;
   surface.vertices = {line.vertices[0], line.vertices[0], line.vertices[1]};
-  surface.source = kLineOrPoint;
+  surface.source = line.source;
   surface.id = line.id;
   for_each_line_pixel(snap(line.ends[0]), snap(line.ends[1]), stage.window,
                       [&](const LinePixel& pixel) {
@@ -102,7 +102,7 @@ void rasterise(const FragmentStage& stage, const Watch& watch, const ReadyPoint&
   place.inverse_w = point.position.inverse_w;
   Surface surface;
   surface.vertices = {point.vertex, point.vertex, point.vertex};
-  surface.source = kLineOrPoint;
+  surface.source = point.source;
   draw_centre(stage, watch, surface, place);
 }
 

@@ -9,6 +9,7 @@
 #include <glassbox/render/engine/draw_list.h>
 #include <glassbox/render/engine/framebuffer.h>
 #include <glassbox/render/engine/object_cull.h>
+#include <glassbox/render/engine/observer.h>
 #include <glassbox/render/staged/vertex_stage.h>
 
 namespace glassbox {
@@ -24,11 +25,13 @@ struct ReadyLine {
   std::array<ScreenVertex, 2> ends;
   std::array<Varyings, 2> vertices;
   std::uint32_t id = 0;  // what Framebuffer::id gets
+  FragmentSource source;
 };
 
 struct ReadyPoint {
   ScreenVertex position;
   Varyings vertex;
+  FragmentSource source;
 };
 
 // The attributes of a triangle's corners, front and back, gathered when the first visible piece asks for them: lit once,

@@ -6,6 +6,7 @@
 #include <glassbox/pipeline/divide.h>
 #include <glassbox/pipeline/viewport.h>
 #include <glassbox/render/staged/corners.h>
+#include <glassbox/render/staged/line_source.h>
 #include <glassbox/render/staged/ready.h>
 
 namespace glassbox {
@@ -22,30 +23,33 @@ ScreenVertex on_screen(const PrimitiveStage& stage, const Watch& watch, const Cl
 template <class Watch>
 void ready_segment(const PrimitiveStage& stage, const Watch& watch,
                    const std::array<ClipVertex, 2>& ends, const std::array<Varyings, 3>& corners,
-                   std::uint32_t id, std::vector<ReadyLine>& lines) {
+                   std::uint32_t id, const FragmentSource& source, std::vector<ReadyLine>& lines) {
   const std::optional<std::array<ClipVertex, 2>> kept = clip_segment(ends, stage.planes);
   if (!kept) return;
   const auto& [first, second] = *kept;
   const ScreenVertex begin = on_screen(stage, watch, first), end = on_screen(stage, watch, second);
   lines.push_back({{begin, end},
                    {attributes_at(corners, first.weights), attributes_at(corners, second.weights)},
-                   id});
+                   id,
+                   source});
 }
 
 // Those of a triangle, clipped one by one: a clipped triangle has edges that are not its own.
 template <class Watch>
 void ready_edges(const PrimitiveStage& stage, const Watch& watch,
                  const std::array<ClipVertex, 3>& corners,
-                 const std::array<Varyings, 3>& attributes, std::uint32_t id,
+                 const std::array<Varyings, 3>& attributes, std::uint32_t number,
                  std::vector<ReadyLine>& lines) {
   for (std::size_t k = 0; k < 3; ++k) {
-    ready_segment(stage, watch, {corners[k], corners[(k + 1) % 3]}, attributes, id, lines);
+    ready_segment(stage, watch, {corners[k], corners[(k + 1) % 3]}, attributes, number + 1,
+                  source_of_line(LineKind::kEdge, number, std::uint32_t(k)), lines);
   }
 }
 
 template <class Watch>
-void ready_line(const PrimitiveStage& stage, const Watch& watch, const std::array<Corner, 2>& line,
+void ready_line(const PrimitiveStage& stage, const Watch& watch, std::uint32_t number,
                 std::vector<ReadyLine>& lines) {
+  const std::array<Corner, 2>& line = stage.draw.mesh->lines[number];
   std::array<ClipVertex, 2> ends;
   std::array<Varyings, 3> vertices;
   for (std::size_t k = 0; k < 2; ++k) {
@@ -53,16 +57,18 @@ void ready_line(const PrimitiveStage& stage, const Watch& watch, const std::arra
     ends[k].weights[k] = 1.0;
     vertices[k] = corner_attributes(stage, line[k]);
   }
-  ready_segment(stage, watch, ends, vertices, 0, lines);
+  ready_segment(stage, watch, ends, vertices, 0, source_of_line(LineKind::kLine, number), lines);
 }
 
 template <class Watch>
-void ready_point(const PrimitiveStage& stage, const Watch& watch, const Corner& point,
+void ready_point(const PrimitiveStage& stage, const Watch& watch, std::uint32_t number,
                  std::vector<ReadyPoint>& points) {
+  const Corner& point = stage.draw.mesh->points[number];
   ClipVertex vertex;
   vertex.position = clip_position(stage, point.position);
   if (!clip_point(vertex.position, stage.planes)) return;
-  points.push_back({on_screen(stage, watch, vertex), corner_attributes(stage, point)});
+  points.push_back({on_screen(stage, watch, vertex), corner_attributes(stage, point),
+                    source_of_line(LineKind::kPoint, number)});
 }
 
 }  // namespace glassbox

@@ -65,7 +65,7 @@ void ready_triangle(const PrimitiveStage& stage, const Watch& watch, const Trian
     triangles.push_back(ready);
   }
   if (stage.settings.wireframe && visible != nullptr) {
-    ready_edges(stage, watch, corners, *visible, number + 1, lines);
+    ready_edges(stage, watch, corners, *visible, number, lines);
   }
   watch.prepared(triangle);
 }

@@ -148,9 +148,11 @@ void draw_primitives(std::vector<EyeStages<Watch>>& eyes, std::span<const Triang
     rasterise_ready(eyes);
   }
   for (EyeStages<Watch>& eye : eyes) {
-    for (const auto& line : mesh.lines) ready_line(eye.primitives, eye.watch, line, eye.lines);
-    for (const Corner& point : mesh.points) {
-      ready_point(eye.primitives, eye.watch, point, eye.points);
+    for (std::uint32_t i = 0; i < mesh.lines.size(); ++i) {
+      ready_line(eye.primitives, eye.watch, i, eye.lines);
+    }
+    for (std::uint32_t i = 0; i < mesh.points.size(); ++i) {
+      ready_point(eye.primitives, eye.watch, i, eye.points);
     }
   }
   rasterise_ready(eyes);

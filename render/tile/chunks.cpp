@@ -241,8 +241,12 @@ const Unsorted& fill_staged(const TileRun& run, const DrawSlot& slot, Chunk& chu
   const PrimitiveStage stage = primitive_stage(run, slot);
   const Counting watch(chunk.statistics);
   if (chunk.kind == Chunk::Kind::kLinesAndPoints) {
-    for (const auto& line : draw.mesh->lines) ready_line(stage, watch, line, chunk.lines);
-    for (const Corner& point : draw.mesh->points) ready_point(stage, watch, point, chunk.points);
+    for (std::uint32_t i = 0; i < draw.mesh->lines.size(); ++i) {
+      ready_line(stage, watch, i, chunk.lines);
+    }
+    for (std::uint32_t i = 0; i < draw.mesh->points.size(); ++i) {
+      ready_point(stage, watch, i, chunk.points);
+    }
   }
   for (std::uint32_t i = 0; i < chunk.count; ++i) {
     TriangleAttributes attributes;

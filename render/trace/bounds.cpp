@@ -8,6 +8,7 @@
 #include <glassbox/pipeline/affine.h>
 #include <glassbox/raster/snap.h>
 #include <glassbox/render/staged/staged.h>
+#include <glassbox/render/trace/vertex_bounds.h>
 
 namespace glassbox {
 namespace {
@@ -38,17 +39,16 @@ glm::dvec3 affine_bound(const glm::dmat4& m, const glm::dvec3& point,
   return bound;
 }
 
-glm::vec4 anchored(const TracedCorner& corner, const TracedDraw& draw) {
-  return {corner.object.x - draw.anchor.x, corner.object.y - draw.anchor.y,
-          corner.object.z - draw.anchor.z, 1.0f};
+glm::vec4 anchored(const Point<Object>& object, const TracedDraw& draw) {
+  return {object.x - draw.anchor.x, object.y - draw.anchor.y, object.z - draw.anchor.z, 1.0f};
 }
 
 // What the subtraction of the anchor lost: nothing, if the anchor is well chosen.
-glm::dvec4 anchoring_bound(const TracedCorner& corner, const TracedDraw& draw) {
-  const glm::vec4 rounded = anchored(corner, draw);
-  return {std::abs(double(corner.object.x) - double(draw.anchor.x) - double(rounded.x)),
-          std::abs(double(corner.object.y) - double(draw.anchor.y) - double(rounded.y)),
-          std::abs(double(corner.object.z) - double(draw.anchor.z) - double(rounded.z)), 0};
+glm::dvec4 anchoring_bound(const Point<Object>& object, const TracedDraw& draw) {
+  const glm::vec4 rounded = anchored(object, draw);
+  return {std::abs(double(object.x) - double(draw.anchor.x) - double(rounded.x)),
+          std::abs(double(object.y) - double(draw.anchor.y) - double(rounded.y)),
+          std::abs(double(object.z) - double(draw.anchor.z) - double(rounded.z)), 0};
 }
 
 CornerBounds corner_bounds(const Trace& trace, const TracedCorner& corner, const TracedDraw& draw,
@@ -59,9 +59,8 @@ CornerBounds corner_bounds(const Trace& trace, const TracedCorner& corner, const
   bounds.world = affine_bound(world, glm::dvec3(to_glm(corner.object)), glm::dvec3(0));
   bounds.eye = affine_bound(eye, to_glm(corner.world), bounds.world);
   const glm::mat4 clip = draw.clip_from_anchored.columns;
-  const glm::vec4 x = anchored(corner, draw);
-  bounds.clip =
-      transform_bound(clip, x, anchoring_bound(corner, draw), draw_bounds.clip_from_anchored);
+  const glm::vec4 x = anchored(corner.object, draw);
+  bounds.clip = clip_bound(corner.object, draw, draw_bounds);
   bounds.clip_magnitude = magnitude(clip, x);
   bounds.round_trip =
       round_trip(corner.object, corner.clip, bounds.clip, draw_bounds.way, trace.view.viewport);
@@ -121,17 +120,6 @@ std::vector<ClipVertexBound> polygon_in_clip(const Trace& trace, const TracedTri
 
 // ---- on the screen ----
 
-VertexBounds vertex_bounds(const Trace& trace, const TracedVertex& vertex,
-                           const ClipVertexBound& clip) {
-  VertexBounds bounds;
-  bounds.clip = clip;
-  bounds.ndc = divide_bound(vertex.clip.position, clip.position);
-  bounds.screen = screen_bound(vertex.ndc.position, bounds.ndc.position, trace.view.viewport);
-  bounds.snap_x = snap_stability(vertex.screen.position.x, bounds.screen.x);
-  bounds.snap_y = snap_stability(vertex.screen.position.y, bounds.screen.y);
-  return bounds;
-}
-
 double largest_displacement(const TracedPiece& piece, const std::vector<VertexBounds>& polygon) {
   constexpr double kSnap = 0.5 / kSubpixels;
   double largest = 0;
@@ -153,6 +141,23 @@ void add_conditions(const TracedTriangle& triangle, TriangleBounds& bounds) {
 }
 
 }  // namespace
+
+glm::dvec4 clip_bound(const Point<Object>& object, const TracedDraw& draw,
+                      const DrawBounds& bounds) {
+  return transform_bound(draw.clip_from_anchored.columns, anchored(object, draw),
+                         anchoring_bound(object, draw), bounds.clip_from_anchored);
+}
+
+VertexBounds vertex_bounds(const Trace& trace, const TracedVertex& vertex,
+                           const ClipVertexBound& clip) {
+  VertexBounds bounds;
+  bounds.clip = clip;
+  bounds.ndc = divide_bound(vertex.clip.position, clip.position);
+  bounds.screen = screen_bound(vertex.ndc.position, bounds.ndc.position, trace.view.viewport);
+  bounds.snap_x = snap_stability(vertex.screen.position.x, bounds.screen.x);
+  bounds.snap_y = snap_stability(vertex.screen.position.y, bounds.screen.y);
+  return bounds;
+}
 
 DrawBounds bounds_of(const TracedDraw& draw, const View& view) {
   // The products of make_draw (draw_list.cpp), in its order.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include <glassbox/mesh/normals.h>
 #include <glassbox/raster/color_bounds.h>
 #include <glassbox/raster/interpolate.h>
 #include <glassbox/raster/light_formulas.h>
@@ -18,170 +17,7 @@ using bounded::BoundedOf;
 using bounded::standing_for;
 using Bounded3 = std::array<Bounded, 3>;
 
-// ---- at the corners ----
-
-template <class Columns, class Bounds>
-struct BoundedMatrix {
-  const Columns& columns;
-  const Bounds& bounds;
-  Bounded at(int row, int column) const { return {columns[column][row], bounds[column][row]}; }
-};
-template <class Columns, class Bounds>
-BoundedMatrix(const Columns&, const Bounds&) -> BoundedMatrix<Columns, Bounds>;
-
-Bounded3 eye_position(const Draw& draw, const DrawBounds& bounds, const Point<Object>& object) {
-  const BoundedMatrix matrix{draw.eye_from_anchored.columns, bounds.eye_from_anchored};
-  const Bounded x = Bounded(object.x) - draw.anchor.x, y = Bounded(object.y) - draw.anchor.y,
-                z = Bounded(object.z) - draw.anchor.z;
-  Bounded3 eye;
-  for (int row = 0; row < 3; ++row) {
-    eye[std::size_t(row)] = bounded::transform_row(matrix, row, x, y, z);
-  }
-  return eye;
-}
-
-double largest_entry(const glm::dmat3& m) {
-  double largest = 0;
-  for (int column = 0; column < 3; ++column) {
-    for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(m[column][row]));
-  }
-  return largest;
-}
-
-// Of the entries of Draw::eye_normal_from_object. eye_from_object is a product of doubles, one of them a rotation: its entries
-// are right to 12 * 2^-53 of the largest one. A cofactor is a difference of two products of such entries, 51 * 2^-53 of the
-// square of the largest; the scale makes the largest cofactor at most 1, and the rest is one rounding to float.
-glm::dmat3 normal_matrix_bound(const Draw& draw) {
-  const glm::dmat3 linear(draw.eye_from_object.columns);
-  const double largest = largest_entry(linear);
-  double cofactor = 0;
-  for (int c = 0; c < 3; ++c) {
-    for (int r = 0; r < 3; ++r) {
-      const int c1 = (c + 1) % 3, c2 = (c + 2) % 3, r1 = (r + 1) % 3, r2 = (r + 2) % 3;
-      cofactor =
-          std::max(cofactor, std::abs(linear[c1][r1] / largest * (linear[c2][r2] / largest) -
-                                      linear[c2][r1] / largest * (linear[c1][r2] / largest)));
-    }
-  }
-  glm::dmat3 bound;
-  for (int c = 0; c < 3; ++c) {
-    for (int r = 0; r < 3; ++r) {
-      bound[c][r] = std::abs(double(draw.eye_normal_from_object.columns[c][r])) * 0x1p-24 +
-                    0x1p-47 / cofactor + 0x1p-150;
-    }
-  }
-  return bound;
-}
-
-Bounded3 eye_normal(const Draw& draw, const Bounded3& object) {
-  const glm::dmat3 bounds = normal_matrix_bound(draw);
-  const BoundedMatrix matrix{draw.eye_normal_from_object.columns, bounds};
-  Bounded3 eye;
-  for (int row = 0; row < 3; ++row) {
-    eye[std::size_t(row)] = bounded::transform_normal_row(matrix, row, object);
-  }
-  return bounded::unit_normal(eye);
-}
-
-// Newell's vector is a sum of products of differences, in double: gamma_(N+3) of what it adds up.
-Bounded3 eye_normal_of_face(const Draw& draw, const Face& face) {
-  const std::optional<Normal<Object>> normal = face_normal(*draw.mesh, face);
-  if (!normal) return {};
-  std::vector<Point<Object, BoundedOf<double>>> corners;
-  for (std::uint32_t i = 0; i < face.count; ++i) {
-    const Point<Object>& p = draw.mesh->positions[draw.mesh->corners[face.first + i].position];
-    corners.emplace_back(double(p.x), double(p.y), double(p.z));
-  }
-  const auto newell = newell_vector<BoundedOf<double>>(corners);
-  const BoundedOf<double> length =
-      bounded::sqrt(newell.x * newell.x + newell.y * newell.y + newell.z * newell.z);
-  return eye_normal(draw, {standing_for(normal->x, bounded::rounded(newell.x / length)),
-                           standing_for(normal->y, bounded::rounded(newell.y / length)),
-                           standing_for(normal->z, bounded::rounded(newell.z / length))});
-}
-
-Bounded3 eye_centre(const Draw& draw, const DrawBounds& bounds, const Face& face) {
-  Bounded3 sum{};
-  for (std::uint32_t i = 0; i < face.count; ++i) {
-    const Corner& corner = draw.mesh->corners[face.first + i];
-    sum = bounded::sum(sum, eye_position(draw, bounds, draw.mesh->positions[corner.position]));
-  }
-  const Bounded share = Bounded(1.0f) / float(face.count);
-  return {sum[0] * share, sum[1] * share, sum[2] * share};
-}
-
-void light(const Draw& draw, const Lighting& lighting, const Bounded3& position,
-           BoundedVaryings& vertex) {
-  constexpr bool kHighlights = true;
-  const auto reflection = bounded::reflected_light(lighting, position, vertex.normal,
-                                                   draw.material->shininess, kHighlights);
-  vertex.diffuse = reflection.diffuse;
-  vertex.specular = reflection.specular;
-}
-
-struct Stage {
-  const Draw& draw;
-  const DrawBounds& bounds;
-  const Lighting& lighting;
-  const RenderSettings& settings;
-};
-
-BoundedVaryings corner_varyings(const Stage& stage, const Face& face, const Corner& corner,
-                                bool front) {
-  const Mesh& mesh = *stage.draw.mesh;
-  BoundedVaryings at;
-  if (corner.texcoord != kNone) {
-    at.texcoord = {mesh.texcoords[corner.texcoord].u, mesh.texcoords[corner.texcoord].v};
-  }
-  if (corner.color != kNone) {
-    const Rgba& color = mesh.colors[corner.color];
-    at.color = {color.r, color.g, color.b, color.a};
-  }
-  if (!needs_normals(stage.draw, stage.settings)) return at;
-  const bool flat = stage.settings.shading == Shading::kFlat;
-  at.position = eye_position(stage.draw, stage.bounds, mesh.positions[corner.position]);
-  if (flat || corner.normal == kNone) {
-    at.normal = eye_normal_of_face(stage.draw, face);
-  } else {
-    const Normal<Object>& normal = mesh.normals[corner.normal];
-    at.normal = eye_normal(stage.draw, {normal.x, normal.y, normal.z});
-  }
-  if (!front) at.normal = {-at.normal[0], -at.normal[1], -at.normal[2]};
-  if (flat) {
-    light(stage.draw, stage.lighting, eye_centre(stage.draw, stage.bounds, face), at);
-  }
-  if (stage.settings.shading == Shading::kGouraud) {
-    light(stage.draw, stage.lighting, at.position, at);
-  }
-  return at;
-}
-
-// ---- at vertices and fragments ----
-
-template <std::size_t N>
-std::array<Bounded, N> weigh(const std::array<Bounded, N>& a, const std::array<Bounded, N>& b,
-                             const std::array<Bounded, N>& c,
-                             const std::array<BoundedOf<double>, 3>& weights) {
-  std::array<Bounded, N> result;
-  for (std::size_t i = 0; i < N; ++i) {
-    result[i] =
-        bounded::rounded(weights[0] * bounded::widened(a[i]) + weights[1] * bounded::widened(b[i]) +
-                         weights[2] * bounded::widened(c[i]));
-  }
-  return result;
-}
-
-BoundedVaryings at_vertex(const std::array<BoundedVaryings, 3>& corners, const ClipVertex& vertex,
-                          const ClipVertexBound& bound) {
-  std::array<BoundedOf<double>, 3> weights;
-  for (std::size_t k = 0; k < 3; ++k) {
-    weights[k] = {vertex.weights[k], bound.weights[int(k)]};
-    if (vertex.weights[k] == 1 && bound.weights == glm::dvec3(0)) return corners[k];
-  }
-  return combine(corners, [&](const auto& a, const auto& b, const auto& c) {
-    return weigh(a, b, c, weights);
-  });
-}
+// ---- at fragments ----
 
 // Of weights 1 and 2. Bounds 5 charge every weight with the worst of the three 1/w; a corner next to the eye has a bad one and
 // hardly any weight elsewhere. With w_k the weights by the 1/w as given, and exact ones (1 + e_k) times these, |e_k| <= r_k:
@@ -245,12 +81,12 @@ PieceColors::PieceColors(const Draw& draw, const DrawBounds& draw_bounds, const 
       setup_(*known.triangle->pieces[piece].setup),
       setup_bounds_(setup_bounds(known.triangle->pieces[piece], known.bounds)) {
   const TracedTriangle& triangle = *known.triangle;
-  const Stage stage{draw, draw_bounds, lighting, settings};
+  const CornerStage stage{draw, draw_bounds, lighting, settings};
   std::array<BoundedVaryings, 3> corners;
   for (std::size_t k = 0; k < 3; ++k) {
-    corners[k] = corner_varyings(stage, draw.mesh->faces[triangle.face],
-                                 draw.mesh->corners[triangle.corners[k].corner],
-                                 triangle.pieces[piece].front);
+    corners[k] = corner_of_face(stage, draw.mesh->faces[triangle.face],
+                                draw.mesh->corners[triangle.corners[k].corner],
+                                triangle.pieces[piece].front);
   }
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t at = triangle.pieces[piece].polygon[std::size_t(setup_.order[k])];
@@ -259,7 +95,18 @@ PieceColors::PieceColors(const Draw& draw, const DrawBounds& draw_bounds, const 
   if (draw.texture != nullptr || draw.emission_texture != nullptr) make_planes();
 }
 
+PieceColors::PieceColors(const Draw& draw, const Lighting& lighting, const RenderSettings& settings,
+                         const TriangleSetup& setup, const SetupBounds& setup_bounds,
+                         const std::array<BoundedVaryings, 3>& vertices)
+    : draw_(draw),
+      lighting_(lighting),
+      settings_(settings),
+      setup_(setup),
+      setup_bounds_(setup_bounds),
+      vertices_(vertices) {}
+
 void PieceColors::make_planes() {
+  has_slopes_ = true;
   std::array<std::array<Bounded, 2>, 3> texcoords;
   std::array<std::array<float, 2>, 3> values;
   std::array<Bounded3, 2> slopes;
@@ -289,16 +136,20 @@ std::array<Bounded, 4> PieceColors::sample(const MipChain& texture, const Sample
                                            const TracedFragment& fragment,
                                            const BoundedVaryings& at,
                                            const Bounded& inverse_w) const {
-  const float level =
-      level_of_detail(texture_gradient(planes_, fragment.at.texcoord, fragment.fragment.inverse_w),
-                      texture.width, texture.height);
-  const auto gradient = bounded::gradient_at(bounded_planes_, at.texcoord, inverse_w);
-  const Bounded squared =
-      bounded::greatest(bounded::squared_texels(gradient.along_x, texture.width, texture.height),
-                        bounded::squared_texels(gradient.along_y, texture.width, texture.height));
+  float level = 0;
+  LevelBounds levels;
+  if (has_slopes_) {
+    level = level_of_detail(
+        texture_gradient(planes_, fragment.at.texcoord, fragment.fragment.inverse_w), texture.width,
+        texture.height);
+    const auto gradient = bounded::gradient_at(bounded_planes_, at.texcoord, inverse_w);
+    levels = level_bounds(
+        level, bounded::greatest(
+                   bounded::squared_texels(gradient.along_x, texture.width, texture.height),
+                   bounded::squared_texels(gradient.along_y, texture.width, texture.height)));
+  }
   const Rgba texel = glassbox::sample(texture, sampler, fragment.at.texcoord, level);
-  const double bound =
-      sample_bound(texture, sampler, settings_.transfer, at.texcoord, level_bounds(level, squared));
+  const double bound = sample_bound(texture, sampler, settings_.transfer, at.texcoord, levels);
   return {Bounded(texel.r, bound), Bounded(texel.g, bound), Bounded(texel.b, bound),
           Bounded(texel.a, bound)};
 }

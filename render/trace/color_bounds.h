@@ -1,4 +1,4 @@
-// Running error bounds of what a triangle's fragments are coloured with: attributes, texture samples, light (SPEC C, generic bound 5
+// Running error bounds of what fragments are coloured with: attributes, texture samples, light (SPEC C, generic bound 5
 // and beyond). The stages' own formulas, with numbers that know how far they may be off (base/bounded.h).
 //
 // Besides what bounds.h takes for exact, so are here: normals, colours and texture coordinates as modelled, materials, the bytes
@@ -12,14 +12,9 @@
 #include <glassbox/raster/bounded_formulas.h>
 #include <glassbox/render/engine/draw_list.h>
 #include <glassbox/render/trace/bounds.h>
+#include <glassbox/render/trace/corner_bounds.h>
 
 namespace glassbox {
-
-struct BoundedVaryings {
-  std::array<bounded::Bounded, 3> normal{}, position{}, diffuse{}, specular{};
-  std::array<bounded::Bounded, 4> color{1.0f, 1.0f, 1.0f, 1.0f};
-  std::array<bounded::Bounded, 2> texcoord{};
-};
 
 // The run's numbers, with bounds.
 struct ColorBounds {
@@ -30,12 +25,17 @@ struct ColorBounds {
   std::array<bounded::Bounded, 3> light;    // linear
 };
 
-// One piece of a triangle.
+// One piece of a triangle, or a line or point.
 class PieceColors {
 public:
   // Pointers lead into the draw, the lighting and what is `known`, which must stay.
   PieceColors(const Draw& draw, const DrawBounds& draw_bounds, const Lighting& lighting,
               const RenderSettings& settings, const BoundsOfRun::Known& known, std::uint32_t piece);
+
+  // Of a line or point: a triangle whose vertex 0 has no weight (raster/interpolate.h), without slopes, at level 0 of its textures.
+  PieceColors(const Draw& draw, const Lighting& lighting, const RenderSettings& settings,
+              const TriangleSetup& setup, const SetupBounds& setup_bounds,
+              const std::array<BoundedVaryings, 3>& vertices);
 
   // Of a fragment of the piece that passed the depth test.
   ColorBounds at(const TracedFragment& fragment, const FragmentBounds& bounds) const;
@@ -49,9 +49,10 @@ private:
   const Draw& draw_;
   const Lighting& lighting_;
   const RenderSettings& settings_;
-  const TriangleSetup& setup_;
+  TriangleSetup setup_;
   SetupBounds setup_bounds_;
   std::array<BoundedVaryings, 3> vertices_;  // in the order of the setup
+  bool has_slopes_ = false;
   TexturePlanes planes_;
   TexturePlanesOf<bounded::Bounded> bounded_planes_;
 };

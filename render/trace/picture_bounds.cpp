@@ -45,6 +45,13 @@ std::array<double, 2> snap_bound(const TracedVertex& vertex, const VertexBounds&
           (std::abs(y - double(vertex.screen.position.y)) + bounds.screen.y) * kRoundUp};
 }
 
+BoundPlace place_of(const TracedFragment& fragment) {
+  const FragmentSource& source = fragment.source;
+  BoundPlace place{source.number, {}, fragment.fragment.x, fragment.fragment.y};
+  if (!source.is_triangle) place.line = line_kind(source);
+  return place;
+}
+
 // What the buffer's format makes of a depth adds to its error.
 double rounding_of_format(DepthFormat format, float depth, std::uint32_t code) {
   switch (format) {
@@ -118,6 +125,7 @@ PictureBounds::PictureBounds(const Scene& scene, const View& view, const RenderS
 
 void PictureBounds::draw(const TracedDraw& draw) {
   draw_bounds_[draw.instance] = bounds_.draw(draw);
+  traced_draws_[draw.instance] = draw;
 }
 
 void PictureBounds::triangle(const TracedTriangle& triangle) {
@@ -128,7 +136,7 @@ void PictureBounds::triangle(const TracedTriangle& triangle) {
   for (std::size_t i = 0; i < triangle.polygon.size(); ++i) {
     const TracedVertex& vertex = triangle.polygon[i];
     const VertexBounds& bounds = known.bounds.polygon[i];
-    const BoundPlace place{triangle.number, corner_of(vertex), -1, -1};
+    const BoundPlace place{triangle.number, corner_of(vertex), -1, -1, {}};
     const double snapped = largest_of(snap_bound(vertex, bounds));
     if (place.corner) {
       errors_.screen.see(largest_of({bounds.screen.x, bounds.screen.y}), place);
@@ -140,28 +148,18 @@ void PictureBounds::triangle(const TracedTriangle& triangle) {
   }
 }
 
-void PictureBounds::fragment(const TracedFragment& fragment) {
-  const int x = fragment.fragment.x, y = fragment.fragment.y;
-  Pixel& pixel = pixels_.at(x, y);
-  const BoundsOfRun::Known* const known = bounds_.of(fragment);
-  if (known == nullptr) {
-    ++errors_.fragments_of_lines_and_points;
-    if (fragment.fate != Fate::kWritten && fragment.fate != Fate::kBlended) return;
-    const float unknown = std::numeric_limits<float>::infinity();
-    pixel = {
-        {unknown, unknown, unknown, unknown}, fragment.fragment.depth, unknown, 0, true, false};
-    return;
-  }
-  const FragmentBounds bounds = bounds_of(*known, fragment);
+template <class MayMiss, class Colors>
+void PictureBounds::follow(const TracedFragment& fragment, const FragmentBounds& bounds,
+                           Pixel& pixel, const MayMiss& may_miss, const Colors& colors_of) {
   const bool as_deep = see_depth(fragment, bounds, pixel);
   if (fragment.fate == Fate::kHidden) return;
-  const bool near_edge = is_near_edge(fragment, *known);
+  const bool near_edge = may_miss();
   errors_.fragments_near_edge += near_edge;
   // What is certainly in front, and certainly there, makes an end of all doubts before it.
   if (fragment.fate == Fate::kWritten) pixel.is_undecided = as_deep;
   pixel.is_undecided |= near_edge;
   if (settings_.show != Show::kColor) return;
-  const ColorBounds colors = piece_of(fragment, *known).at(fragment, bounds);
+  const ColorBounds colors = colors_of();
   see_attributes(fragment, colors);
   const Material& material = *draws_.at(fragment.instance)->material;
   if (material.alpha_mode == AlphaMode::kMask) {
@@ -174,10 +172,72 @@ void PictureBounds::fragment(const TracedFragment& fragment) {
   if (fragment.fate != Fate::kDiscarded) store(fragment, colors, pixel);
 }
 
+void PictureBounds::fragment(const TracedFragment& fragment) {
+  Pixel& pixel = pixels_.at(fragment.fragment.x, fragment.fragment.y);
+  const BoundsOfRun::Known* const known = bounds_.of(fragment);
+  if (known == nullptr) return see_line(fragment, pixel);
+  const FragmentBounds bounds = bounds_of(*known, fragment);
+  follow(
+      fragment, bounds, pixel, [&] { return is_near_edge(fragment, *known); },
+      [&] { return piece_of(fragment, *known).at(fragment, bounds); });
+}
+
+void PictureBounds::see_line(const TracedFragment& fragment, Pixel& pixel) {
+  ++errors_.fragments_of_lines_and_points;
+  const LineBounds& line = line_of(fragment);
+  double moved = 0;
+  for (const LineBounds::End& end : line.ends()) {
+    moved = std::max(moved, largest_of(snap_bound(end.vertex, end.bounds)));
+  }
+  const FragmentBounds bounds = line.of(fragment.fragment);
+  follow(
+      fragment, bounds, pixel, [&] { return line.may_miss(fragment.fragment, moved); },
+      [&] { return line.colors(fragment, bounds); });
+}
+
+// Its ends are seen when its first fragment comes. (Those of an edge are corners of its triangle, which has come before, or cut.)
+const LineBounds& PictureBounds::line_of(const TracedFragment& fragment) {
+  const FragmentSource& source = fragment.source;
+  const bool is_the_same = line_ && line_instance_ == fragment.instance &&
+                           line_source_.number == source.number &&
+                           line_source_.piece == source.piece;
+  if (is_the_same) return *line_;
+  const CornerStage stage{*draws_.at(fragment.instance), draw_bounds_.at(fragment.instance),
+                          list_.lighting, settings_};
+  line_.emplace(stage, bounds_.trace(), traced_draws_.at(fragment.instance), source,
+                triangle_of_edge(source));
+  line_source_ = source;
+  line_instance_ = fragment.instance;
+  for (std::uint32_t k = 0; k < line_->ends().size(); ++k) {
+    const auto& [vertex, bounds] = line_->ends()[k];
+    const bool is_cut = !corner_of(vertex);
+    const BoundPlace place{source.number, is_cut ? std::nullopt : std::optional(k), -1, -1,
+                           line_kind(source)};
+    const double snapped = largest_of(snap_bound(vertex, bounds));
+    if (is_cut) {
+      errors_.cut.see(snapped, place);
+    } else if (line_kind(source) != LineKind::kEdge) {
+      errors_.screen.see(largest_of({bounds.screen.x, bounds.screen.y}), place);
+      errors_.snapped.see(snapped, place);
+    } else {
+      continue;
+    }
+    errors_.vertices_snapped_elsewhere += !bounds.snap_x.stable || !bounds.snap_y.stable;
+  }
+  return *line_;
+}
+
+const BoundsOfRun::Known* PictureBounds::triangle_of_edge(const FragmentSource& source) {
+  if (line_kind(source) != LineKind::kEdge) return nullptr;
+  TracedFragment of_triangle;
+  of_triangle.source = {source.number, 0, true};
+  return bounds_.of(of_triangle);
+}
+
 bool PictureBounds::see_depth(const TracedFragment& fragment, const FragmentBounds& bounds,
                               Pixel& pixel) {
   const Fragment& place = fragment.fragment;
-  const BoundPlace where{fragment.source.number, {}, place.x, place.y};
+  const BoundPlace where = place_of(fragment);
   const double stored =
       bounds.depth + rounding_of_format(settings_.depth, place.depth, fragment.code);
   errors_.depth.see(stored, where);
@@ -236,7 +296,7 @@ const PieceColors& PictureBounds::piece_of(const TracedFragment& fragment,
 
 void PictureBounds::see_attributes(const TracedFragment& fragment, const ColorBounds& colors) {
   const Draw& draw = *draws_.at(fragment.instance);
-  const BoundPlace where{fragment.source.number, {}, fragment.fragment.x, fragment.fragment.y};
+  const BoundPlace where = place_of(fragment);
   if (draw.texture != nullptr) {
     const MipChain& texture = draw.texture->get();
     errors_.texcoord.see(largest_of({colors.at.texcoord[0].bound * texture.width,
@@ -272,9 +332,10 @@ void PictureBounds::store(const TracedFragment& fragment, const ColorBounds& col
         light.is_bounded() ? as_float(bound) : std::numeric_limits<float>::infinity();
     largest = std::max(largest, double(pixel.bytes_off[i]));
   }
-  errors_.stored.see(largest,
-                     {fragment.source.number, {}, fragment.fragment.x, fragment.fragment.y});
-  pixel.triangle = fragment.source.number;
+  const BoundPlace where = place_of(fragment);
+  errors_.stored.see(largest, where);
+  pixel.number = where.number;
+  pixel.line = where.line;
   pixel.is_drawn = true;
 }
 
@@ -286,7 +347,7 @@ PictureErrors PictureBounds::finish() {
       if (!pixel.is_drawn) continue;
       const double largest = *std::ranges::max_element(pixel.bytes_off);
       errors_.pixels_unbounded += !std::isfinite(largest);
-      errors_.picture.see(largest, {pixel.triangle, {}, x, y});
+      errors_.picture.see(largest, {pixel.number, {}, x, y, pixel.line});
     }
   }
   return std::move(errors_);

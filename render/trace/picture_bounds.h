@@ -13,15 +13,17 @@
 #include <glassbox/render/engine/draw_list.h>
 #include <glassbox/render/trace/bounds.h>
 #include <glassbox/render/trace/color_bounds.h>
+#include <glassbox/render/trace/line_bounds.h>
 #include <glassbox/render/trace/tracer.h>
 
 namespace glassbox {
 
-// Where a bound is: a vertex of what clipping left of a triangle, or a pixel.
+// Where a bound is: a vertex of what clipping left of a triangle, line or point, or a pixel.
 struct BoundPlace {
-  std::uint32_t triangle = 0;           // number in the whole scene
-  std::optional<std::uint32_t> corner;  // of the triangle, 0 to 2, where clipping left it alone
+  std::uint32_t number = 0;  // of the triangle in the whole scene; of a line or point in its mesh
+  std::optional<std::uint32_t> corner;  // of the triangle or line, where clipping left it alone
   int x = -1, y = -1;                   // of fragments and pixels
+  std::optional<LineKind> line = {};    // what it is of, where that is no triangle
 };
 
 // Bounds of one kind of number.
@@ -67,9 +69,8 @@ struct PictureErrors {
   std::uint64_t fragments_at_cutoff = 0;  // the alpha mask may
   std::uint64_t pixels_undecided = 0;     // that show the outcome of one of the last three
 
-  // ---- what no bound is said of ----
   std::uint64_t fragments_of_lines_and_points = 0;
-  // That show them. What is blended over them has a bound: the byte below is one of 256.
+  // Whose bytes nothing can be said of: what they show passes all bounds.
   std::uint64_t pixels_unbounded = 0;
 };
 
@@ -91,7 +92,8 @@ private:
   struct Pixel {
     std::array<float, 4> bytes_off{};  // bound of each stored channel
     float depth = 2, depth_bound = 0;  // behind everything
-    std::uint32_t triangle = 0;
+    std::uint32_t number = 0;
+    std::optional<LineKind> line = {};
     bool is_drawn = false, is_undecided = false;
   };
 
@@ -99,6 +101,13 @@ private:
   bool see_depth(const TracedFragment& fragment, const FragmentBounds& bounds, Pixel& pixel);
   void see_attributes(const TracedFragment& fragment, const ColorBounds& colors);
   void store(const TracedFragment& fragment, const ColorBounds& colors, Pixel& pixel);
+  void see_line(const TracedFragment& fragment, Pixel& pixel);
+  const LineBounds& line_of(const TracedFragment& fragment);
+  const BoundsOfRun::Known* triangle_of_edge(const FragmentSource& source);
+  // What is the same for triangles and lines, from the depth test on: `may_miss` only where it has passed.
+  template <class MayMiss, class Colors>
+  void follow(const TracedFragment& fragment, const FragmentBounds& bounds, Pixel& pixel,
+              const MayMiss& may_miss, const Colors& colors);
   const PieceColors& piece_of(const TracedFragment& fragment, const BoundsOfRun::Known& known);
   bool is_near_edge(const TracedFragment& fragment, const BoundsOfRun::Known& known) const;
 
@@ -108,12 +117,17 @@ private:
   DrawList list_;
   std::map<std::uint32_t, const Draw*> draws_;  // by instance
   std::map<std::uint32_t, DrawBounds> draw_bounds_;
+  std::map<std::uint32_t, TracedDraw> traced_draws_;
   BoundsOfRun bounds_;
   PictureErrors errors_;
   Image<Pixel> pixels_;
   // Of the piece whose fragments are coming.
   std::optional<PieceColors> piece_;
   std::uint32_t piece_triangle_ = 0, piece_number_ = 0;
+  // Of the line or point whose fragments are coming.
+  std::optional<LineBounds> line_;
+  FragmentSource line_source_;
+  std::uint32_t line_instance_ = 0;
 };
 
 // The bounds of a picture, by a run of the staged reference. Pixel centres are looked at, whatever the samples.

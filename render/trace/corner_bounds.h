@@ -1,0 +1,37 @@
+// What the corners of a mesh bring to their triangles, lines and points, with bounds of their errors: places and normals in eye space,
+// light at the vertices, and what clipping makes of them.
+#pragma once
+
+#include <array>
+
+#include <glassbox/mesh/mesh.h>
+#include <glassbox/pipeline/clip_bounds.h>
+#include <glassbox/raster/bounded_formulas.h>
+#include <glassbox/render/engine/draw_list.h>
+#include <glassbox/render/trace/bounds.h>
+
+namespace glassbox {
+
+struct BoundedVaryings {
+  std::array<bounded::Bounded, 3> normal{}, position{}, diffuse{}, specular{};
+  std::array<bounded::Bounded, 4> color{1.0f, 1.0f, 1.0f, 1.0f};
+  std::array<bounded::Bounded, 2> texcoord{};
+};
+
+struct CornerStage {
+  const Draw& draw;
+  const DrawBounds& bounds;
+  const Lighting& lighting;
+  const RenderSettings& settings;
+};
+
+// `front`: of the side that is seen.
+BoundedVaryings corner_of_face(const CornerStage& stage, const Face& face, const Corner& corner,
+                               bool front);
+BoundedVaryings corner_of_line(const CornerStage& stage, const Corner& corner);
+
+// A vertex of what clipping has left of three corners.
+BoundedVaryings at_vertex(const std::array<BoundedVaryings, 3>& corners, const ClipVertex& vertex,
+                          const ClipVertexBound& bound);
+
+}  // namespace glassbox
