@@ -34,10 +34,10 @@ async function drawnByProgram(page) {
   const words = (await page.textContent("#command")).split(" ").slice(1).map((word) => word.replace("view.png", "view.ppm"));
   run(...words);
   const bytes = fs.readFileSync(path.join(folder(), "view.ppm"));
-  const {width, height} = await page.evaluate(() => ({width: manifest.width, height: manifest.height}));
+  const {width, height} = await page.evaluate(() => ({width: document.getElementById("picture").width, height: document.getElementById("picture").height}));
   return [...bytes.subarray(bytes.length - 3 * width * height)];
 }
-const shareThatDiffers = (a, b) => a.filter((value, i) => Math.abs(value - b[i]) > 0).length / a.length;
+const shareThatDiffers = (a, b) => a.filter((value, i) => value !== b[i]).length / a.length;
 
 const room = ["room", "room", "--size", "96x64", "--layers", "4"];
 
