@@ -289,6 +289,10 @@ namespace {
 Decision colors(const Plan& plan, const PlannedEye& eye) {
   constexpr const char* kStage = "colours";
   if (!plan.leaves_out) return needed(kStage, kNoPlan);
+  if (plan.colors && eye.settings.show == Show::kId) {
+    return needed(kStage,
+                  "lines and points, which have no number, are blended with those behind them");
+  }
   if (plan.colors && samples_drawn(eye.settings) > 1) {
     return needed(kStage,
                   "the picture shows them; once for each pixel and triangle that is seen at one of "

@@ -105,7 +105,8 @@ DrawMethod choose_method(const Draw& draw, const BoxPlace& place, const MethodQu
   method.keep_back = !is_culled(draw, settings.cull, false);
   method.no_clusters_because = why_no_clusters(draw, method, leave_out);
 
-  const bool painted = colors && settings.show == Show::kColor;
+  // A picture of numbers shows colours where lines and points are blended.
+  const bool painted = colors && (settings.show == Show::kColor || settings.show == Show::kId);
   const bool masked = draw.material->alpha_mode == AlphaMode::kMask;
   method.texture = (painted || masked) && draw.texture != nullptr;
   method.vertex_colors = (painted || masked) && draw.prepared->indices.has_colors;

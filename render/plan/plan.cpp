@@ -15,9 +15,16 @@ bool is_empty(const ColorMask& mask) {
   return !mask.r && !mask.g && !mask.b && !mask.a;
 }
 
+// Lines and points have no number: where one is seen a picture of numbers keeps its colour, and if it is blended those behind it.
+bool keeps_colors(const Draw& draw) {
+  return draw.material->alpha_mode == AlphaMode::kBlend &&
+         !(draw.mesh->lines.empty() && draw.mesh->points.empty());
+}
+
 // Pictures of depth and of numbers are painted from other planes, after the run.
-bool sees_colors(const RenderSettings& settings) {
-  return settings.show != Show::kDepth && settings.show != Show::kId && !is_empty(settings.mask);
+bool sees_colors(const PlannedEye& eye) {
+  if (is_empty(eye.settings.mask) || eye.settings.show == Show::kDepth) return false;
+  return eye.settings.show != Show::kId || std::ranges::any_of(eye.list.draws, keeps_colors);
 }
 
 // What holds for all draws of a group, once it is known.
@@ -79,7 +86,7 @@ Plan plan_draws(const PlannedEye& eye, bool leave_out) {
   PlannedGroups groups(eye);
   Plan plan;
   plan.leaves_out = leave_out;
-  plan.colors = !leave_out || sees_colors(eye.settings);
+  plan.colors = !leave_out || sees_colors(eye);
   if (leave_out) plan.channels = eye.settings.mask;
   plan.read_back = !leave_out;
   plan.keep_depth = !leave_out || eye.settings.want_depth;

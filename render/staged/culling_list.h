@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <glassbox/mesh/scene.h>
+#include <glassbox/pipeline/stereo/culling.h>
 #include <glassbox/render/engine/engine.h>
 #include <glassbox/render/staged/vertex_stage.h>
 
@@ -12,8 +13,9 @@ namespace glassbox {
 
 class CullingList {
 public:
-  // `left_draws` are those of the left eye.
-  CullingList(StereoCulling how, const View& centre, const std::vector<Draw>& left_draws);
+  // `left_draws` are those of the left eye. `as_lines`: of triangles the edges are drawn, which reach beyond them.
+  CullingList(StereoCulling how, const View& centre, const std::vector<Draw>& left_draws,
+              bool as_lines);
 
   // Of a draw that was transformed for both eyes. The span holds until the next call.
   std::span<const Triangle> triangles_of(std::size_t draw, const DrawTables& tables);
@@ -21,12 +23,15 @@ public:
   NotSubmitted left_out() const { return left_out_; }
 
 private:
+  // Whether the point is seen in a picture with a margin for lines, if there is one.
+  Outcode outcode_within(StereoClipPoint point) const;
   std::vector<Outcode> outcodes_of_pair(const DrawTables& tables) const;
   std::vector<Outcode> outcodes_of_centre(const Draw& centre_draw) const;
 
   const View& centre_;
   const std::vector<Draw>& draws_;
-  std::vector<Draw> centre_draws_;  // empty with kUnion
+  double share_x_ = 1, share_y_ = 1;  // of the picture, up to which a point counts as seen
+  std::vector<Draw> centre_draws_;    // empty with kUnion
   std::vector<Triangle> kept_;
   NotSubmitted left_out_;
 };

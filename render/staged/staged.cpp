@@ -184,7 +184,7 @@ NotSubmitted draw_watched(const PictureJob& job, const std::vector<Watch>& watch
   if (job.eyes.size() > 1) eyes.push_back({job.eyes[1], of_second, watches[1]});
   std::optional<CullingList> pair;
   if (job.culling != nullptr) {
-    pair.emplace(job.culling->how, job.culling->centre, list.draws);
+    pair.emplace(job.culling->how, job.culling->centre, list.draws, first.settings.wireframe);
   }
 
   for (std::size_t i = 0; i < list.draws.size(); ++i) {

@@ -20,6 +20,11 @@ RenderSettings with_mask(RenderSettings settings, const ColorMask& mask) {
   return settings;
 }
 
+// Of channels that both masks have, the picture has the right eye's: what the left one wrote there would be blended under it.
+ColorMask without(const ColorMask& mask, const ColorMask& others) {
+  return {mask.r && !others.r, mask.g && !others.g, mask.b && !others.b, mask.a && !others.a};
+}
+
 // Puts the channels of the right eye's mask into the left eye's picture.
 void merge_channels(const ColorMask& mask, StereoRendering& both) {
   for (std::size_t i = 0; i < both.left.color.pixels.size(); ++i) {
@@ -103,10 +108,11 @@ void render_pair(Engine& engine, const Scene& scene, const PreparedScene& prepar
 
 void render_masked_anaglyph(Engine& engine, const Scene& scene, const PreparedScene& prepared,
                             const View& centre, const StereoPair& pair,
-                            const StereoSettings& settings, const AnaglyphMasks& masks,
+                            const StereoSettings& settings, const AnaglyphMasks& wanted,
                             StereoRendering& into, const StereoObservers& observers) {
   Pair eyes(engine, scene, prepared, centre, pair, settings.culling, observers);
   const RenderSettings& render = settings.render;
+  const AnaglyphMasks masks{without(wanted.left, wanted.right), wanted.right};
   if (pair.half_separation == 0) {
     eyes.draw_once(with_mask(render, {}), into);
   } else if (painted_by_fragments(render.show)) {

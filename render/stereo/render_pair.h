@@ -35,7 +35,8 @@ struct StereoRendering {
   std::uint64_t lost = 0;    // of these, triangles in the frustum of an eye: 0 with kUnion
 };
 
-// The channels that each eye may write into the one picture. Alpha is written by the right eye, and is 1 in any case.
+// The channels that each eye may write into the one picture. One that both may write is the right eye's, and so is alpha: 1, but for a
+// translucent background, which is seen through what is blended as that eye sees it.
 struct AnaglyphMasks {
   ColorMask left{true, false, false, false};
   ColorMask right{false, true, true, true};

@@ -53,6 +53,35 @@ TEST_CASE("a picture without colours needs no light, no normals and no texture")
   CHECK(is_caught(room, view, {}, changed<[](Plan& plan) { plan.colors = false; }>));
 }
 
+TEST_CASE(
+    "a picture of numbers has the colours behind blended lines and points, with a plan or not") {
+  Material wall, glass;
+  wall.base_color = {0.2f, 0.9f, 0.4f, 1};
+  glass.base_color = {1, 0, 0, 0.5f};
+  glass.alpha_mode = AlphaMode::kBlend;
+  Mesh quad, marks;
+  quad.positions = {{-1, -1, -3}, {1, -1, -3}, {1, 1, -3}, {-1, 1, -3}};
+  add_face(quad, {0, 1, 2, 3});
+  marks.positions = {{-0.5f, 0, -2}, {0.5f, 0.1f, -2}, {0, 0.5f, -2}};
+  marks.lines = {{Corner{0}, Corner{1}}};
+  marks.points = {Corner{2}};
+  Scene scene;
+  add_object(scene, quad, wall);
+  add_object(scene, quad, wall);  // ties, so that a draw that is hidden is among them
+  RenderSettings settings;
+  settings.show = Show::kId;
+  const View view = planned_view();
+  CHECK_FALSE(plan_of(scene, view, settings).plan.colors);
+  add_object(scene, marks, glass);
+  check_planned(scene, view, settings);
+  CHECK(plan_of(scene, view, settings).plan.colors);
+  CHECK(is_caught(scene, view, settings, changed<[](Plan& plan) { plan.colors = false; }>));
+  // What is opaque is behind them all the same, and its colour does not matter.
+  scene.materials.back().alpha_mode = AlphaMode::kOpaque;
+  check_planned(scene, view, settings);
+  CHECK_FALSE(plan_of(scene, view, settings).plan.colors);
+}
+
 TEST_CASE("highlights are left out where the material has none") {
   Material shiny;
   shiny.specular = {0, 0.5f, 0};

@@ -139,6 +139,65 @@ TEST_CASE("the anaglyph of two masks is the two pictures put together by channel
   }
 }
 
+// A triangle that an orthographic view of 16 x 16 pixels has to the left of its picture, `beside_px` away.
+Scene beside_the_picture(float beside_px, const Material& material) {
+  Scene scene;
+  scene.name = "beside";
+  scene.nodes = {Node{"root", kNone, {}, {}}};
+  scene.materials = {material};
+  scene.instances = {Instance{0, 0}};
+  Mesh mesh;
+  const float edge = -8 - beside_px;
+  mesh.positions = {{edge, -4, -5}, {edge, 4, -5}, {edge - 4, 0, -5}};
+  mesh.faces = {{0, 3}};
+  mesh.corners = {Corner{0}, Corner{1}, Corner{2}};
+  scene.meshes = {mesh};
+  return scene;
+}
+
+TEST_CASE("the lines of a wireframe reach into both eyes' pictures from beside them") {
+  RenderSettings settings;
+  settings.wireframe = true;
+  settings.samples = 8;
+  settings.cull = Cull::kNone;
+  PairCase c{"beside", beside_the_picture(0.25f, {}), {}, {}, 16, 16};
+  c.centre = *make_view({"front", OrthographicLens{8, 0.1, 100}, {}}, c.width, c.height);
+  c.pair = {0.1, 5};  // the window is where the triangle is: both eyes have it in one place
+  REQUIRE(check_pair(c.centre, c.pair));
+  const Image<Rgba8> left =
+      render_staged(c.scene, eye_view(c.centre, c.pair, Side::kLeft), settings).buffers.color;
+  CHECK(differing_pixels(left, Image<Rgba8>(c.width, c.height, settings.background)) > 0);
+  for (Renderer& renderer : many_renderers(c.scene)) {
+    CHECK(renderer.render_pair(c.centre, c.pair, {settings}).left.color == left);
+    CHECK(renderer.render_pair(c.centre, c.pair, {settings}).lost == 0);
+  }
+  const Scene farther = beside_the_picture(2, {});
+  CHECK(render_pair(farther, c.centre, c.pair, {settings}).culled == 1);
+}
+
+TEST_CASE("channels that both eyes may write are the right one's, alpha before a background too") {
+  PairCase c = pair_case("cube", 0.03);
+  for (Material& material : c.scene.materials) {
+    material.alpha_mode = AlphaMode::kBlend;
+    material.base_color.a = 0.3f;
+  }
+  c.scene.instances.push_back(c.scene.instances.front());  // blended once more
+  RenderSettings settings;
+  settings.background = {26, 31, 38, 60};
+  settings.cull = Cull::kNone;
+  const AnaglyphMasks masks{{true, true, true, true}, {false, true, true, true}};
+  for (const int samples : {1, 4}) {
+    settings.samples = samples;
+    INFO("samples " << samples);
+    const StereoRendering both = render_pair(c.scene, c.centre, c.pair, {settings});
+    const Image<Rgba8> expected = red_cyan(both.left.color, both.right.color);
+    for (Renderer& renderer : many_renderers(c.scene)) {
+      CHECK(renderer.render_masked_anaglyph(c.centre, c.pair, {settings}, masks).left.color ==
+            expected);
+    }
+  }
+}
+
 TEST_CASE("a depth buffer that is not cleared between the eyes shows in the right eye (C-76)") {
   const PairCase c = pair_cases().front();
   const StereoRendering right_way = render_masked_anaglyph(c.scene, c.centre, c.pair, {}, {});

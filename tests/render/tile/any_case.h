@@ -432,6 +432,12 @@ private:
       const Vector<Eye, double> offset{magnitude(1, 1e5), magnitude(1, 1e5), magnitude(1, 1e5)};
       eye_from_object = translate<Eye, Eye>(offset) * eye_from_object;
     }
+    if (one_in(4)) {  // its own axes at an angle
+      Transform<Object, Object> shear;
+      shear.at(0, 1) = between(-2, 2);
+      shear.at(2, 0) = between(-1, 1);
+      eye_from_object = eye_from_object * shear;
+    }
     object_from_eye_ = inverse_affine(eye_from_object).value();
     return world_from_eye_ * eye_from_object;
   }
