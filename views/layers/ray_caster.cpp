@@ -136,9 +136,10 @@ private:
       }
     }
     if (best_axis < 0) return begin + (end - begin) / 2;
-    const auto second = std::ranges::partition(
-        range, [&](std::uint32_t i) { return bin_of(middles_[i], middles, best_axis) < best_bin; });
-    return end - std::uint32_t(second.size());
+    const auto second = std::partition(range.begin(), range.end(), [&](std::uint32_t i) {
+      return bin_of(middles_[i], middles, best_axis) < best_bin;
+    });
+    return begin + std::uint32_t(second - range.begin());
   }
 
   static constexpr int kBins = 16;
