@@ -1,6 +1,7 @@
 #include "app/views/layers_build_command.h"
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 
@@ -8,7 +9,9 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/options/arguments.h"
 #include "app/options/builtin_help.h"
+#include "app/options/engine_options.h"
 #include "app/options/output_options.h"
 #include "app/options/scene_input.h"
 #include "app/report/exit_codes.h"
@@ -37,6 +40,27 @@ NearAndFar planes_of(const View& view) {
   return {view.near, std::isinf(view.far) ? std::nullopt : std::optional(view.far)};
 }
 
+// "32,16", or "32". Throws CLI::ValidationError where that is no number of rays, or too many.
+views::RaySampling parse_rays(const std::string& text) {
+  constexpr int kMostStrata = 90;  // whose fourth power is the last below kMostRays
+  views::RaySampling sampling;
+  const auto read = [&](const std::string& part, int most, int& number) {
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), number);
+    if (error != std::errc() || end != part.data() + part.size() || number < 1 || number > most)
+      throw CLI::ValidationError("--rays",
+                                 fmt::format("\"{}\" is not N or N,M: N from 1 to {}, M from 1",
+                                             printable(text, kLongestMessage), kMostStrata));
+  };
+  const std::vector<std::string> parts = split(text, ',');
+  read(parts.size() > 2 ? text : parts[0], kMostStrata, sampling.strata);
+  if (parts.size() > 1) read(parts[1], int(views::kMostRays), sampling.rays);
+  if (sampling.count() > views::kMostRays)
+    throw CLI::ValidationError(
+        "--rays", fmt::format("{} rays are more than {}, N^4 M: ask for fewer", sampling.count(),
+                              views::kMostRays));
+  return sampling;
+}
+
 }  // namespace
 
 void LayersBuildCommand::add_to(CLI::App& layers, int& exit_code) {
@@ -47,7 +71,8 @@ void LayersBuildCommand::add_to(CLI::App& layers, int& exit_code) {
       "  glassbox views layers build room --size 300x300 -o room.ldi\n"
       "  glassbox views layers build forest --layers 4 -o forest.ldi --json -\n"
       "  glassbox views layers build room --views cameras.txt --layers 1 -o room.ldi\n"
-      "  glassbox views layers build --pictures cameras.txt -o photos.ldi\n\n"
+      "  glassbox views layers build --pictures cameras.txt -o photos.ldi\n"
+      "  glassbox views layers build room --size 300x300 --rays 16 --threads 2 -o rays.ldi\n\n"
       "Each pass draws what the passes before have not shown, with the staged engine. Colours are "
       "those\nof the view that is peeled: a highlight stays where it is seen from there. A file of "
       "cameras has\nthe form of the Middlebury multi-view pictures: their number, then for each a "
@@ -73,6 +98,20 @@ void LayersBuildCommand::add_to(CLI::App& layers, int& exit_code) {
           "samples of several views whose depths differ by less, relative, are one [1/1024]")
       ->type_name("E")
       ->check(CLI::Range(0.0, 0.5));
+  command
+      .add_option_function<std::string>(
+          "--rays", [this](const std::string& text) { rays_ = parse_rays(text); },
+          "cast M rays [16] in each of N x N x N x N strata")
+      ->type_name("N[,M]");
+  command
+      .add_option("--cube", cube_,
+                  "how wide the cube is that they start from, in world units [twice --near]")
+      ->type_name("SIDE");
+  command
+      .add_option("--threads", threads_,
+                  fmt::format("of --rays, 1 .. {}; same bytes [1]", kMostThreads))
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
   add_picture_options(command, picture_);
   add_json_output(command, json_output_);
   command.callback([this, &exit_code] { exit_code = run(); });
@@ -83,8 +122,9 @@ Result<void> LayersBuildCommand::check_sources() const {
     return fail("SCENE", "there is nothing to make layers of", "name a scene, or give --pictures");
   if (scene_ && pictures_)
     return fail("--pictures", "the layers are those of a scene", "leave one of them out");
+  if (const auto good = check_rays(); !good) return good;
   if (!pictures_) {
-    if (epsilon_ && !views_)
+    if (epsilon_ && !views_ && !rays_)
       return fail("--epsilon", "the surfaces of one view are not merged",
                   "give --views, or leave it out");
     return {};
@@ -94,6 +134,25 @@ Result<void> LayersBuildCommand::check_sources() const {
   if (layers_) return fail("--layers", "a picture has one distance for each pixel", "leave it out");
   if (const auto words = words_given(picture_); !words.empty())
     return fail(words.front(), "it is about a scene that is drawn", "leave it out");
+  return {};
+}
+
+Result<void> LayersBuildCommand::check_rays() const {
+  if (!rays_) {
+    if (cube_ || threads_)
+      return fail(cube_ ? "--cube" : "--threads", "no rays are cast",
+                  "give --rays, or leave it out");
+    return {};
+  }
+  if (pictures_) return fail("--rays", "they meet a scene's surfaces", "name a scene");
+  if (views_ || layers_)
+    return fail(views_ ? "--views" : "--layers", "rays are cast, and nothing is peeled",
+                "leave it or --rays out");
+  if (cube_ && !(*cube_ > 0 && std::isfinite(*cube_)))
+    return fail("--cube", fmt::format("{:g} is no width", *cube_), "give one above 0");
+  if (const Shading shading = picture_.settings.shading;
+      shading == Shading::kFlat || shading == Shading::kGouraud)
+    return fail("--shade", "where a ray hits is lit by itself", "give phong or unlit");
   return {};
 }
 
@@ -125,6 +184,13 @@ Result<LayersBuildCommand::Built> LayersBuildCommand::build_from_scene(Progress&
   if (const auto good = check_asked(*scene); !good) return tl::unexpected(good.error());
   const auto chosen = choose_view(*scene, picture_);
   if (!chosen) return tl::unexpected(chosen.error());
+  if (rays_) {
+    if (!chosen->view.perspective)
+      return fail("--rays", "a parallel view has no eye to put a cube around",
+                  "choose a perspective one, or leave it out");
+    progress.phase("casting rays into " + scene_title(*scene_));
+    return build_by_rays(*scene, chosen->camera, chosen->view);
+  }
   const Size& size = picture_.size;
   std::vector<View> others;
   if (views_) {
@@ -168,6 +234,26 @@ Result<LayersBuildCommand::Built> LayersBuildCommand::build_from_scene(Progress&
   if (views::count_layers(built.layers.image).most == std::size_t(layers) && others.empty())
     built.left_out.push_back(
         fmt::format("what lies behind {} surfaces, if anything (--layers)", layers));
+  return built;
+}
+
+LayersBuildCommand::Built LayersBuildCommand::build_by_rays(const Scene& scene,
+                                                            const Camera& camera,
+                                                            const View& view) const {
+  views::RaySampling sampling = *rays_;
+  sampling.half_side = cube_ ? *cube_ / 2 : view.near;
+  sampling.threads = threads_.value_or(1);
+  Built built;
+  built.rays.emplace();
+  built.layers = {camera, picture_.settings.background,
+                  views::build_layers_by_rays(scene, view, picture_.settings, sampling,
+                                              epsilon_.value_or(views::kMergedHits), *built.rays)};
+  built.left_out.emplace_back(
+      "where in a pixel a ray has hit, up to half a pixel, and all but one of the hits that "
+      "share a\n    pixel and a depth (--epsilon)");
+  built.left_out.emplace_back("what no ray has met, and lines and points, which none can");
+  if (sampling.half_side > view.near)
+    built.left_out.emplace_back("what lies before the cube's front face (--cube)");
   return built;
 }
 
@@ -215,18 +301,24 @@ int LayersBuildCommand::run() {
   const views::LayeredImage& image = built->layers.image;
   const views::LayerCounts counts = views::count_layers(image);
   if (json_output_) {
-    const nlohmann::ordered_json json{{"layers", output_},
-                                      {"width", image.camera.width},
-                                      {"height", image.camera.height},
-                                      {"views", built->views},
-                                      {"samples", counts.samples},
-                                      {"covered_pixels", counts.covered},
-                                      {"most_samples_of_a_pixel", counts.most},
-                                      {"depth_complexity", counts.complexity()},
-                                      {"beside", built->beside},
-                                      {"bytes", bytes.size()},
-                                      {"left_out", built->left_out},
-                                      {"seconds", seconds}};
+    nlohmann::ordered_json json{{"layers", output_},
+                                {"width", image.camera.width},
+                                {"height", image.camera.height},
+                                {"views", built->views},
+                                {"samples", counts.samples},
+                                {"covered_pixels", counts.covered},
+                                {"most_samples_of_a_pixel", counts.most},
+                                {"depth_complexity", counts.complexity()},
+                                {"beside", built->beside},
+                                {"bytes", bytes.size()},
+                                {"left_out", built->left_out},
+                                {"seconds", seconds}};
+    if (built->rays)
+      json["rays"] = {{"cast", rays_->count()},
+                      {"strata", rays_->strata},
+                      {"rays_of_stratum", rays_->rays},
+                      {"followed", built->rays->followed},
+                      {"hits", built->rays->hits}};
     if (const auto written = write_json(*json_output_, json); !written)
       return refuse(written.error());
   }
@@ -238,6 +330,9 @@ int LayersBuildCommand::run() {
   if (built->views > 1)
     fmt::print("  of {} views; {} lie beside this one's picture\n", built->views,
                counted(built->beside, "sample"));
+  if (built->rays)
+    fmt::print("  {} rays: {} through what the picture shows, {} of these meet a surface there\n",
+               rays_->count(), built->rays->followed, built->rays->hits);
   for (const std::string& what : built->left_out) fmt::print("  Left out: {}.\n", what);
   return kSuccess;
 }

@@ -8,6 +8,7 @@
 #include "app/options/cli_fwd.h"
 #include "app/options/picture_options.h"
 #include "views/layers/layer_file.h"
+#include "views/layers/ray_layers.h"
 
 namespace glassbox::app {
 
@@ -22,6 +23,7 @@ private:
     std::size_t views = 1;
     std::size_t beside = 0;  // samples of other views that this camera does not see
     std::vector<std::string> left_out;
+    std::optional<views::RayCounts> rays;
   };
 
   int run();
@@ -30,12 +32,17 @@ private:
   Result<Built> build(Progress& progress) const;
   Result<Built> build_from_scene(Progress& progress) const;
   Result<Built> build_from_pictures() const;
+  Result<void> check_rays() const;
+  Built build_by_rays(const Scene& scene, const Camera& camera, const View& view) const;
   double epsilon() const;
 
   std::optional<std::string> scene_, views_, pictures_;
   std::string output_;
   std::optional<int> layers_;
   std::optional<double> epsilon_;
+  std::optional<views::RaySampling> rays_;
+  std::optional<double> cube_;
+  std::optional<int> threads_;
   PictureOptions picture_;
   std::optional<std::string> json_output_;
 };

@@ -129,6 +129,27 @@ TEST_CASE("a picture and its distances as files are layers") {
   CHECK(here.run("diff left.png same.png").exit_code == 0);
 }
 
+TEST_CASE("rays from around the eye find what one view does not see (S1-03)") {
+  const Workplace here;
+  const Json one = answer(here, "build room --size 96x64 --layers 1 -o one.ldi");
+  const Json rays =
+      answer(here, "build room --size 96x64 --rays 14,8 --cube 0.6 --threads 2 -o rays.ldi");
+  CHECK(rays["rays"]["cast"] == 14 * 14 * 14 * 14 * 8);
+  CHECK(rays["rays"]["hits"] <= rays["rays"]["followed"]);
+  CHECK(rays["rays"]["followed"] < rays["rays"]["cast"]);
+  CHECK(rays["depth_complexity"] > 1);
+  answer(here, "build room --size 96x64 --rays 14,8 --cube 0.6 -o same.ldi");
+  std::ifstream a(here.file("rays.ldi"), std::ios::binary),
+      b(here.file("same.ldi"), std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(a), {}};
+  CHECK(bytes == std::string{std::istreambuf_iterator<char>(b), {}});
+  const auto against = [&](const char* file) {
+    return answer(here,
+                  std::string("draw ") + file + " -o a.png --against room" + kBeside)["against"];
+  };
+  CHECK(against("rays.ldi")["holes"] < against("one.ldi")["holes"]);
+}
+
 TEST_CASE("frames of layers along a path are the pictures of their cameras") {
   const Workplace here;
   answer(here, "build room --size 48x32 -o room.ldi");
@@ -242,6 +263,22 @@ TEST_CASE("what cannot be built or drawn is refused in a line, and no file is le
                             "build room --views none.txt -o room.ldi",
                             "build room --views text.ldi -o room.ldi",
                             "build room --epsilon 0.1 -o room.ldi",
+                            "build room --rays 0 -o room.ldi",
+                            "build room --rays 91 -o room.ldi",
+                            "build room --rays 90,2 -o room.ldi",
+                            "build room --rays 4,0 -o room.ldi",
+                            "build room --rays 4,2,1 -o room.ldi",
+                            "build room --rays many -o room.ldi",
+                            "build room --rays 4,99999999999 -o room.ldi",
+                            "build room --rays 4 --cube 0 -o room.ldi",
+                            "build room --rays 4 --cube inf -o room.ldi",
+                            "build room --rays 4 --layers 2 -o room.ldi",
+                            "build room --rays 4 --views none.txt -o room.ldi",
+                            "build room --rays 4 --shade flat -o room.ldi",
+                            "build room --rays 4 --ortho 3 -o room.ldi",
+                            "build room --cube 1 -o room.ldi",
+                            "build room --threads 2 -o room.ldi",
+                            "build --pictures none.txt --rays 4 -o room.ldi",
                             "build --pictures text.ldi --layers 2 -o room.ldi",
                             "build --pictures text.ldi --size 4x4 -o room.ldi",
                             "draw cube.ldi -o a.png --eye 0,0,0 --look-at 0,0,0"}) {

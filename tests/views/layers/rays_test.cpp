@@ -1,0 +1,249 @@
+// Layers made of rays: the caster against trying every triangle, the rays' law, and what they find (S1-03).
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include <glassbox/mesh/builtin/scenes.h>
+#include <glassbox/render/renderer.h>
+
+#include "tests/support/catch.h"
+#include "views/layers/draw_layers.h"
+#include "views/layers/layer_builder.h"
+#include "views/layers/ray_layers.h"
+#include "views/layers/ray_surfaces.h"
+
+using namespace glassbox;
+using namespace glassbox::views;
+
+namespace {
+
+constexpr double kRounding = 0x1p-53;
+const auto kAll = [](const RayHit&) { return true; };
+
+Eigen::Vector3d random_point(Random& random, double reach) {
+  return {random.between(-reach, reach), random.between(-reach, reach),
+          random.between(-reach, reach)};
+}
+
+// In a cube of 20, small and large, some of them slivers.
+std::vector<TriangleCorners> random_triangles(Random& random, int count) {
+  std::vector<TriangleCorners> triangles;
+  for (int i = 0; i < count; ++i) {
+    const Eigen::Vector3d at = random_point(random, 10);
+    const double size = std::exp2(random.between(-6, 3));
+    triangles.push_back(
+        {at, at + random_point(random, size), at + random_point(random, size * random.unit())});
+  }
+  return triangles;
+}
+
+Ray random_ray(Random& random) {
+  return {random_point(random, 12).cast<float>(), random_point(random, 1)};
+}
+
+}  // namespace
+
+TEST_CASE("the tree of boxes finds the hit that trying every triangle finds, bit for bit") {
+  Random random(1);
+  for (const int count : {0, 1, 4, 5, 300, 3000}) {
+    const std::vector<TriangleCorners> triangles = random_triangles(random, count);
+    const RayCaster caster(triangles);
+    int hits = 0;
+    for (int i = 0; i < 400; ++i) {
+      Ray ray = random_ray(random);
+      if (i % 4 == 0) ray.direction[int(random.integer(0, 2))] = 0;
+      RayHit nearest;
+      bool found = false;
+      for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+        auto hit = ShearedRay(ray).meet(triangles[t]);
+        if (!hit || hit->distance >= nearest.distance) continue;
+        nearest = *hit;
+        nearest.triangle = t;
+        found = true;
+      }
+      const auto cast = caster.cast(ray, kAll);
+      REQUIRE(cast.has_value() == found);
+      if (!found) continue;
+      ++hits;
+      CHECK(cast->triangle == nearest.triangle);
+      CHECK(cast->distance == nearest.distance);
+      CHECK(cast->front == nearest.front);
+    }
+    if (count >= 300) CHECK(hits > 40);
+  }
+}
+
+TEST_CASE("a hit is where the ray meets the triangle's plane, and inside") {
+  Random random(2);
+  int compared = 0;
+  for (const TriangleCorners& corners : random_triangles(random, 4000)) {
+    // Towards a point of the plane near the triangle.
+    const double s = random.between(-0.5, 1.5), t = random.between(-0.5, 1.5);
+    const Eigen::Vector3d a = corners[1] - corners[0], b = corners[2] - corners[0];
+    Ray ray{random_point(random, 12).cast<float>(), {}};
+    const Eigen::Vector3d to = corners[0] + s * a + t * b;
+    ray.direction = to - ray.origin.cast<double>();
+    // As seen from the origin the triangle is not edge on, and the place is not at its edge: then double sums cannot mistake it.
+    const double facing = std::abs(a.cross(b).normalized().dot(ray.direction.normalized()));
+    const double edge = std::min({std::abs(s), std::abs(t), std::abs(1 - s - t)});
+    if (facing < 1e-2 || edge < 1e-3 || a.cross(b).norm() < 1e-4) continue;
+    ++compared;
+    const bool inside = s > 0 && t > 0 && s + t < 1;
+    const RayCaster caster({corners});
+    const auto hit = caster.cast(ray, kAll);
+    REQUIRE(hit.has_value() == inside);
+    if (!inside) continue;
+    CHECK(hit->front == (a.cross(b).dot(ray.direction) < 0));
+    // The mean of corners is on the plane but for the rounding of three products and two sums: 8 u of the largest coordinate, here 18,
+    // along each axis, and the check's own of as much.
+    const Eigen::Vector3d at = caster.place(*hit), normal = a.cross(b).normalized();
+    CHECK(std::abs(normal.dot(at - corners[0])) < 2 * 8 * kRounding * 18 * std::sqrt(3.0));
+    // Sheared, coordinates have an error of 4 u M, M the largest seen from the origin, and an edge function of two products 48 u M^2: a
+    // place of weights that are shares of the area A is off the ray by 3 * 48 u M^2 * 2 M / A and 4 u M. The shear lengthens by at most
+    // sqrt(3), and `to` and the direction were rounded too, M u each.
+    double reach = 0;
+    for (const Eigen::Vector3d& corner : corners)
+      reach = std::max(reach, (corner - ray.origin.cast<double>()).cwiseAbs().maxCoeff());
+    const double area =
+        std::abs(a.cross(b).dot(ray.direction)) / ray.direction.cwiseAbs().maxCoeff();
+    const double bound =
+        std::sqrt(3.0) * kRounding * (288 * reach * reach * reach / area + 8 * reach);
+    const Eigen::Vector3d off = at - ray.origin.cast<double>();
+    CHECK(off.cross(ray.direction.normalized()).norm() < bound);
+  }
+  CHECK(compared > 2000);
+}
+
+TEST_CASE("no ray slips through the edges of a closed surface") {
+  // A fan of sheets around the axis, whose edges and apex are aimed at.
+  Random random(3);
+  std::vector<TriangleCorners> fan;
+  std::vector<Eigen::Vector3d> rim;
+  for (int i = 0; i < 24; ++i)
+    rim.emplace_back(std::cos(i * 0.2617993877991494), std::sin(i * 0.2617993877991494),
+                     random.between(2, 4));
+  const Eigen::Vector3d apex(0.1, 0.05, 3);
+  for (std::size_t i = 0; i < rim.size(); ++i)
+    fan.push_back({apex, rim[i], rim[(i + 1) % rim.size()]});
+  const RayCaster caster(fan);
+  for (int i = 0; i < 4000; ++i) {
+    const Eigen::Vector3d& edge = rim[std::size_t(i) % rim.size()];
+    const double along = i < 24 ? 0 : random.between(0, 0.99);
+    Ray ray{{float(random.between(-0.1, 0.1)), float(random.between(-0.1, 0.1)), -1}, {}};
+    ray.direction = apex + along * (edge - apex) - ray.origin.cast<double>();
+    CHECK(caster.cast(ray, kAll));
+  }
+}
+
+TEST_CASE("rays are spread as the cosine law asks, and each in its stratum") {
+  constexpr int kStrata = 6, kRays = 4;
+  double cosines = 0, squares = 0;
+  std::size_t count = 0, aside = 0;
+  std::array<int, 10> by_height{};
+  for (int number = 0; number < kStrata * kStrata * kStrata * kStrata; ++number) {
+    const std::array<int, 4> stratum{number / (kStrata * kStrata * kStrata),
+                                     number / (kStrata * kStrata) % kStrata,
+                                     number / kStrata % kStrata, number % kStrata};
+    Random random = random_of(stratum, kStrata);
+    for (int i = 0; i < kRays; ++i) {
+      const auto numbers = numbers_in(stratum, kStrata, random);
+      for (std::size_t k = 0; k < 4; ++k) REQUIRE(int(numbers[k] * kStrata) == stratum[k]);
+      const Ray ray = ray_of(numbers, 0.5);
+      CHECK(ray.origin.z() == -0.5f);
+      aside += ray.origin.cwiseAbs().maxCoeff() > 0.5f;
+      CHECK(std::abs(ray.direction.norm() - 1) < 8 * kRounding);
+      const double cosine = -ray.direction.z();
+      cosines += cosine;
+      squares += cosine * cosine;
+      ++by_height[std::size_t(std::min(9.0, 10 * cosine * cosine))];
+      ++count;
+    }
+  }
+  CHECK(aside == 0);
+  // Density 2 c of the cosine c: the mean is 2/3, that of the square 1/2. Unstratified means of n would be within 4 sigma = 4 sqrt(1/18 / n)
+  // and 4 sqrt(1/12 / n); strata only lessen that.
+  const auto n = double(count);
+  CHECK(std::abs(cosines / n - 2.0 / 3) < 4 * std::sqrt(1.0 / 18 / n));
+  CHECK(std::abs(squares / n - 0.5) < 4 * std::sqrt(1.0 / 12 / n));
+  // The square is uniform: chi squared of 10 classes, below the quantile 0.9999 of 9 degrees of freedom.
+  double chi = 0;
+  for (const int here : by_height) chi += (here - n / 10) * (here - n / 10) / (n / 10);
+  CHECK(chi < 33.7);
+}
+
+TEST_CASE(
+    "layers of rays have the same bytes for every number of threads, and look like the scene") {
+  const Scene scene = make_builtin("room").value();
+  const View view = make_view(scene.cameras.at(0), 48, 32).value();
+  RaySampling sampling{.strata = 10, .rays = 12, .half_side = 0.1};
+  RayCounts counts, again;
+  const LayeredImage one = build_layers_by_rays(scene, view, {}, sampling, kMergedHits, counts);
+  sampling.threads = 2;
+  const LayeredImage two = build_layers_by_rays(scene, view, {}, sampling, kMergedHits, again);
+  CHECK(one.first == two.first);
+  CHECK(one.depth == two.depth);
+  CHECK(one.color == two.color);
+  CHECK(counts.hits == again.hits);
+  CHECK(counts.followed == again.followed);
+  REQUIRE(check(one, "rays"));
+  CHECK(counts.followed <= sampling.count());
+  CHECK(counts.hits <= counts.followed);
+  CHECK(one.samples() <= counts.hits);
+
+  // A pixel in the middle of a surface, all around which one triangle's neighbours are as deep, shows what the rasterizer has there: the
+  // distance within what half a pixel's step changes, and the colour as far as texels allow.
+  RenderSettings settings;
+  settings.want_distance = true;
+  const Framebuffer drawn = Renderer(scene, settings.transfer).render(view, settings).buffers;
+  const LayerPicture picture = draw_layers(one, one.camera, {.splat = Splat::kPoint});
+  int compared = 0, alike = 0;
+  for (int y = 1; y < 31; ++y) {
+    for (int x = 1; x < 47; ++x) {
+      double nearest = 1e9, farthest = 0;
+      for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+          nearest = std::min(nearest, double(drawn.distance.at(x + dx, y + dy)));
+          farthest = std::max(farthest, double(drawn.distance.at(x + dx, y + dy)));
+        }
+      }
+      if (farthest > 1.1 * nearest || picture.depth.at(x, y) == 0) continue;
+      ++compared;
+      const double distance = view.near / double(picture.depth.at(x, y));
+      alike += distance > 0.98 * nearest && distance < 1.02 * farthest;
+    }
+  }
+  CHECK(compared > 500);
+  CHECK(alike > 0.97 * compared);
+}
+
+TEST_CASE("a hit has the colour that the rasterizer gives the same point") {
+  for (const char* name : {"room", "forest", "checker"}) {
+    INFO(name);
+    const Scene scene = make_builtin(name).value();
+    if (scene.cameras.empty()) continue;
+    const View view = make_view(scene.cameras.at(0), 64, 48).value();
+    const RenderSettings settings;
+    const Image<Rgba8> drawn =
+        Renderer(scene, settings.transfer).render(view, settings).buffers.color;
+    const RaySurfaces surfaces(scene, view, settings);
+    int hits = 0, alike = 0;
+    for (int y = 0; y < 48; ++y) {
+      for (int x = 0; x < 64; ++x) {
+        Ray ray{{0, 0, 0}, {}};
+        ray.direction = {(2 * (x + 0.5) / 64 - 1) / view.clip_from_eye.at(0, 0),
+                         (1 - 2 * (y + 0.5) / 48) / view.clip_from_eye.at(1, 1), -1};
+        const auto hit = surfaces.caster().cast(
+            ray, [&](const RayHit& candidate) { return surfaces.shows(candidate); });
+        if (!hit) continue;
+        ++hits;
+        const Rgba8 there = surfaces.color(*hit), here = drawn.at(x, y);
+        alike += std::abs(there.r - here.r) <= 2 && std::abs(there.g - here.g) <= 2 &&
+                 std::abs(there.b - here.b) <= 2;
+      }
+    }
+    CHECK(hits > 500);
+    // Vertices are snapped to 1/256 px, which moves edges across a few centres and shifts texels a little.
+    CHECK(alike > 0.97 * hits);
+  }
+}

@@ -1,0 +1,143 @@
+// Rays against triangles: a tree of boxes, and a test that lets no ray through between triangles that share an edge.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace glassbox::views {
+
+struct Ray {
+  Eigen::Vector3f origin;     // floats, so that the test of the boxes has it as it is
+  Eigen::Vector3d direction;  // of any length but 0
+};
+
+struct RayHit {
+  double distance = std::numeric_limits<double>::infinity();  // in lengths of the direction
+  std::uint32_t triangle = 0;
+  std::array<double, 3> weights{};  // of the corners, none below 0
+  bool front = true;                // the corners run counter-clockwise as the ray sees them
+};
+
+using TriangleCorners = std::array<Eigen::Vector3d, 3>;
+
+// A ray as the test of triangles wants it: sheared so that it runs along its longest axis (Woop, Benthin and Wald, "Watertight
+// Ray/Triangle Intersection", JCGT 2013). The edge functions of an edge that two triangles share are the same products there, so one
+// of the two has the ray; on the edge itself both have.
+class ShearedRay {
+public:
+  explicit ShearedRay(const Ray& ray);
+  // In front of the origin; edges count as inside.
+  std::optional<RayHit> meet(const TriangleCorners& corners) const;
+
+private:
+  Eigen::Vector3d origin_;
+  int x_, y_, z_;  // axes, the longest last
+  double shear_x_, shear_y_, shear_z_;
+};
+
+class RayCaster {
+public:
+  // Finite ones.
+  explicit RayCaster(std::vector<TriangleCorners> triangles);
+
+  const TriangleCorners& corners(std::uint32_t triangle) const { return triangles_[triangle]; }
+  // On the triangle within 8 u of the largest coordinate: a mean of its corners.
+  Eigen::Vector3d place(const RayHit& hit) const;
+
+  // The nearest hit that `accepts(hit)`, not beyond the distance `within`; of several at one distance, that of the lowest triangle.
+  template <class Accepts>
+  std::optional<RayHit> cast(const Ray& ray, const Accepts& accepts,
+                             double within = std::numeric_limits<double>::infinity()) const;
+
+private:
+  // Two boxes, and what they hold: `count` triangles of order_ from `first` on, or with 0 the node `first`.
+  struct Node {
+    std::array<std::array<float, 3>, 2> low, high;
+    std::array<std::uint32_t, 2> first, count;
+  };
+  // What is left to visit, and from which distance on it may hold a hit.
+  struct Visit {
+    std::uint32_t first, count;
+    float from;
+  };
+  // Of each axis the reciprocal of the direction. One below 2^-60 counts as 2^-60: over any distance that moves the ray by less than
+  // the boxes are wider than what they hold.
+  struct BoxRay {
+    explicit BoxRay(const Ray& ray);
+    std::array<float, 3> origin, inverse;
+  };
+  friend class RayTree;
+
+  static constexpr int kDeepest = 96;  // ray_caster.cpp
+
+  // From where on the ray is in the box, or infinity. A distance is a difference and a product of floats, each within 2^-24, with a
+  // reciprocal that is as near: 3 * 2^-24 off in all, so both ends are widened by 2^-21 (Ize, "Robust BVH Ray Traversal", JCGT 2013).
+  static float enters(const Node& node, std::size_t side, const BoxRay& ray) {
+    constexpr float kWider = 1 + 0x1p-21f, kNarrower = 1 - 0x1p-21f;
+    float from = 0, to = std::numeric_limits<float>::infinity();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const float a = (node.low[side][axis] - ray.origin[axis]) * ray.inverse[axis];
+      const float b = (node.high[side][axis] - ray.origin[axis]) * ray.inverse[axis];
+      const float less = a < b ? a : b, more = a < b ? b : a;
+      from = less > from ? less : from;
+      to = more < to ? more : to;
+    }
+    return from * kNarrower <= to * kWider ? from * kNarrower
+                                           : std::numeric_limits<float>::infinity();
+  }
+
+  std::vector<TriangleCorners> triangles_;
+  std::vector<std::uint32_t> order_;
+  std::vector<Node>
+      nodes_;  // from the root on; none where there are so few triangles that all of them are tried
+};
+
+template <class Accepts>
+std::optional<RayHit> RayCaster::cast(const Ray& ray, const Accepts& accepts, double within) const {
+  const BoxRay box_ray(ray);
+  const ShearedRay sheared(ray);
+  RayHit nearest;
+  nearest.distance = within;
+  bool found = false;
+  std::array<Visit, kDeepest> left;
+  std::size_t count = 0;
+  if (nodes_.empty()) {
+    if (!order_.empty()) left[count++] = {0, std::uint32_t(order_.size()), 0};
+  } else {
+    left[count++] = {0, 0, 0};
+  }
+  while (count > 0) {
+    const Visit visit = left[--count];
+    if (double(visit.from) > nearest.distance) continue;
+    if (visit.count > 0) {
+      for (std::uint32_t i = visit.first; i < visit.first + visit.count; ++i) {
+        auto hit = sheared.meet(triangles_[order_[i]]);
+        if (!hit || hit->distance > nearest.distance) continue;
+        hit->triangle = order_[i];
+        if (found && hit->distance == nearest.distance && hit->triangle > nearest.triangle)
+          continue;
+        if (!accepts(*hit)) continue;
+        nearest = *hit;
+        found = true;
+      }
+      continue;
+    }
+    const Node& node = nodes_[visit.first];
+    const std::array<float, 2> from{enters(node, 0, box_ray), enters(node, 1, box_ray)};
+    const std::size_t far = from[0] > from[1] ? 0 : 1;
+    for (const std::size_t side : {far, 1 - far}) {  // the nearer one is visited first
+      if (from[side] < std::numeric_limits<float>::infinity() &&
+          double(from[side]) <= nearest.distance)
+        left[count++] = {node.first[side], node.count[side], from[side]};
+    }
+  }
+  if (!found) return std::nullopt;
+  return nearest;
+}
+
+}  // namespace glassbox::views

@@ -1,0 +1,176 @@
+#include "views/layers/ray_surfaces.h"
+
+#include <Eigen/Geometry>
+
+#include <glassbox/raster/light_formulas.h>
+
+namespace glassbox::views {
+
+namespace {
+
+// The mean of what the corners have. `of`: what a corner has, as an array.
+template <std::size_t N, class Of>
+std::array<float, N> mean_of(const RayHit& hit, const Draw& draw, const Triangle& triangle,
+                             const Of& of) {
+  std::array<double, N> sum{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::array<float, N> here = of(draw.mesh->corners[triangle.corners[k]]);
+    for (std::size_t i = 0; i < N; ++i) sum[i] += hit.weights[k] * double(here[i]);
+  }
+  std::array<float, N> mean;
+  for (std::size_t i = 0; i < N; ++i) mean[i] = float(sum[i]);
+  return mean;
+}
+
+std::array<float, 2> texcoord_of(const Mesh& mesh, const Corner& corner) {
+  if (corner.texcoord == kNone) return {0, 0};
+  return {mesh.texcoords[corner.texcoord].u, mesh.texcoords[corner.texcoord].v};
+}
+
+std::array<float, 2> texcoord_at(const RayHit& hit, const Draw& draw, const Triangle& triangle) {
+  return mean_of<2>(hit, draw, triangle,
+                    [&](const Corner& corner) { return texcoord_of(*draw.mesh, corner); });
+}
+
+}  // namespace
+
+std::vector<TriangleCorners> RaySurfaces::corners_of(const DrawList& list,
+                                                     std::vector<Place>& places) {
+  std::vector<TriangleCorners> all;
+  for (std::uint32_t d = 0; d < list.draws.size(); ++d) {
+    const Draw& draw = list.draws[d];
+    const std::vector<Triangle>& triangles = draw.triangulation->triangles;
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+      TriangleCorners corners;
+      bool finite = true;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Point<Object>& p =
+            draw.mesh->positions[draw.mesh->corners[triangles[i].corners[k]].position];
+        const Point<Eye, double> eye = draw.eye_from_object * Point<Object, double>(p.x, p.y, p.z);
+        corners[k] = {eye.x, eye.y, eye.z};
+        // What a float cannot hold is left out, as a rasterizer would not draw it either.
+        finite = finite && corners[k].cwiseAbs().maxCoeff() < 1e30;
+      }
+      if (!finite) continue;
+      all.push_back(corners);
+      places.push_back({d, i});
+    }
+  }
+  return all;
+}
+
+RaySurfaces::RaySurfaces(const Scene& scene, const View& view, const RenderSettings& settings)
+    : view_(view),
+      settings_(settings),
+      prepared_(prepare(scene, settings.transfer)),
+      list_(make_draw_list(scene, prepared_, view)),
+      caster_(corners_of(list_, places_)) {
+  for (const Draw& draw : list_.draws) tables_.push_back(make_eye_space_tables(draw, settings_));
+}
+
+// The level at which a texel is as large as the view's pixel is on the surface there. A pixel's step in the picture moves the point of
+// the surface, P = r c / (n . r) on the ray r with c = n . P, by the derivative of that; the corners' weights follow, and with them the
+// texture's coordinates.
+float RaySurfaces::detail_at(const MipChain& texture, const RayHit& hit, const Draw& draw,
+                             const Triangle& triangle) const {
+  const TriangleCorners& corners = caster_.corners(hit.triangle);
+  const Eigen::Vector3d a = corners[1] - corners[0], b = corners[2] - corners[0];
+  const Eigen::Vector3d normal = a.cross(b), at = caster_.place(hit);
+  std::array<std::array<float, 2>, 3> uv;
+  for (std::size_t k = 0; k < 3; ++k)
+    uv[k] = texcoord_of(*draw.mesh, draw.mesh->corners[triangle.corners[k]]);
+  // Of points at distance 1, along x and y.
+  const std::array<double, 2> pixel{
+      2 / (double(view_.viewport.width()) * view_.clip_from_eye.at(0, 0)),
+      2 / (double(view_.viewport.height()) * view_.clip_from_eye.at(1, 1))};
+  TextureGradient gradient;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double step = -at.z() * pixel[std::size_t(axis)];
+    const Eigen::Vector3d moved =
+        step * (Eigen::Vector3d::Unit(axis) - at * (normal[axis] / normal.dot(at)));
+    const double second = normal.dot(moved.cross(b)) / normal.squaredNorm(),
+                 third = normal.dot(a.cross(moved)) / normal.squaredNorm();
+    auto& along = axis == 0 ? gradient.along_x : gradient.along_y;
+    for (std::size_t i = 0; i < 2; ++i) {
+      along[i] = float(second * (double(uv[1][i]) - double(uv[0][i])) +
+                       third * (double(uv[2][i]) - double(uv[0][i])));
+    }
+  }
+  return level_of_detail(gradient, texture.width, texture.height);
+}
+
+Rgba RaySurfaces::texel_at(const LazyMipChain& texture, const Sampler& sampler,
+                           const RayHit& hit) const {
+  const Draw& draw = list_.draws[places_[hit.triangle].draw];
+  const Triangle& triangle = draw.triangulation->triangles[places_[hit.triangle].triangle];
+  const MipChain& chain = texture.get();
+  const float detail = samples_base_only(sampler) ? 0 : detail_at(chain, hit, draw, triangle);
+  return sample(chain, sampler, texcoord_at(hit, draw, triangle), detail);
+}
+
+Rgba RaySurfaces::base_color(const RayHit& hit) const {
+  const Draw& draw = list_.draws[places_[hit.triangle].draw];
+  const Triangle& triangle = draw.triangulation->triangles[places_[hit.triangle].triangle];
+  Rgba color = draw.material->base_color;
+  const auto times = [&](const Rgba& c) {
+    color = {color.r * c.r, color.g * c.g, color.b * c.b, color.a * c.a};
+  };
+  if (!draw.mesh->colors.empty()) {
+    const auto [r, g, b, a] = mean_of<4>(hit, draw, triangle, [&](const Corner& corner) {
+      const Rgba c = corner.color == kNone ? Rgba() : draw.mesh->colors[corner.color];
+      return std::array<float, 4>{c.r, c.g, c.b, c.a};
+    });
+    times({r, g, b, a});
+  }
+  if (draw.texture != nullptr) times(texel_at(*draw.texture, *draw.sampler, hit));
+  return color;
+}
+
+// In eye space, towards where the ray came from.
+std::array<float, 3> RaySurfaces::normal_at(const RayHit& hit) const {
+  const Place& place = places_[hit.triangle];
+  const Draw& draw = list_.draws[place.draw];
+  const EyeSpaceTables& tables = tables_[place.draw];
+  const Triangle& triangle = draw.triangulation->triangles[place.triangle];
+  const float sign = hit.front == draw.mirrored ? -1.0f : 1.0f;
+  return mean_of<3>(hit, draw, triangle, [&](const Corner& corner) {
+    const Normal<Eye>& n =
+        corner.normal == kNone ? tables.face_normals[triangle.face] : tables.normals[corner.normal];
+    return std::array<float, 3>{sign * n.x, sign * n.y, sign * n.z};
+  });
+}
+
+bool RaySurfaces::shows(const RayHit& hit) const {
+  const Draw& draw = list_.draws[places_[hit.triangle].draw];
+  // A mirroring matrix turns the winding round, and the outside with it.
+  if (is_culled(draw, settings_.cull, hit.front != draw.mirrored)) return false;
+  const Material& material = *draw.material;
+  return material.alpha_mode != AlphaMode::kMask || base_color(hit).a >= material.alpha_cutoff;
+}
+
+Rgba8 RaySurfaces::color(const RayHit& hit) const {
+  const Draw& draw = list_.draws[places_[hit.triangle].draw];
+  const Rgba base = base_color(hit);
+  std::array<float, 3> light{base.r, base.g, base.b};
+  if (needs_normals(draw, settings_)) {
+    const Eigen::Vector3f at = caster_.place(hit).cast<float>();
+    const std::array<float, 3> normal = normal_at(hit);
+    const Material& material = *draw.material;
+    const Reflection reflected =
+        illuminate(list_.lighting, {at.x(), at.y(), at.z()}, normal, material.shininess);
+    light = lit<float>(light, normal, reflected, material.specular, true);
+  }
+  if (draw.emits() && shows_light(draw, settings_)) {
+    const Rgba own = draw.emission_texture == nullptr
+                         ? Rgba()
+                         : texel_at(*draw.emission_texture, *draw.emission_sampler, hit);
+    light = {light[0] + draw.emission[0] * own.r, light[1] + draw.emission[1] * own.g,
+             light[2] + draw.emission[2] * own.b};
+  }
+  Rgba8 stored = settings_.background;
+  write_masked(settings_.mask, encode(settings_.transfer, Rgba{light[0], light[1], light[2], 1}),
+               stored);
+  return stored;
+}
+
+}  // namespace glassbox::views
