@@ -74,20 +74,85 @@ HWY_INLINE ByteVector step(const Step& step, ByteVector cost, ByteVector less, B
   return hn::SaturatedAdd(cost, hn::SaturatedSub(best, step.base));
 }
 
-void census(const std::array<const std::uint8_t*, 5>& rows, int width,
-            const CensusPointers<std::uint8_t>& out) {
+// Calls one(row, column) for each neighbour, column counted from three pixels to the left, which says of each lane 0 or 255; x is the first lane's pixel.
+template <class One>
+HWY_INLINE void neighbours_of(int x, const CensusPointers<std::uint8_t>& out, const One& one) {
+  const Bytes d;
+  auto byte = hn::Zero(d);
+  int bit = 0;
+  for (std::size_t row = 0; row < 5; ++row) {
+    for (int column = 0; column < 7; ++column) {
+      if (row == 2 && (column == 0 || column == 3 || column == 6)) continue;
+      byte = hn::Sub(hn::Add(byte, byte), one(row, column));
+      if (++bit % 8 == 0) hn::StoreU(byte, d, out[std::size_t(bit / 8 - 1)] + x);
+    }
+  }
+}
+
+HWY_INLINE ByteVector difference(ByteVector a, ByteVector b) {
+  return hn::Or(hn::SaturatedSub(a, b), hn::SaturatedSub(b, a));
+}
+
+void darker(const CensusRows& grey, int width, const CensusPointers<std::uint8_t>& out) {
+  const Bytes d;
+  for (int x = 0; x < width; x += int(hn::Lanes(d))) {
+    const auto centre = hn::LoadU(d, grey[2] + x + 3);
+    neighbours_of(x, out, [&](std::size_t row, int column) HWY_ATTR {
+      return hn::VecFromMask(d, hn::Lt(hn::LoadU(d, grey[row] + x + column), centre));
+    });
+  }
+}
+
+void alike(const std::array<CensusRows, 3>& channels, std::uint8_t limit, std::uint8_t least,
+           int width, const CensusPointers<std::uint8_t>& out) {
+  const Bytes d;
+  const auto most = hn::Set(d, limit);
+  for (int x = 0; x < width; x += int(hn::Lanes(d))) {
+    const auto r = hn::LoadU(d, channels[0][2] + x + 3), g = hn::LoadU(d, channels[1][2] + x + 3),
+               b = hn::LoadU(d, channels[2][2] + x + 3);
+    neighbours_of(x, out, [&](std::size_t row, int column) HWY_ATTR {
+      const auto off = [&](const CensusRows& rows, ByteVector centre) HWY_ATTR {
+        return difference(hn::LoadU(d, rows[row] + x + column), centre);
+      };
+      const auto farthest =
+          hn::Max(hn::Max(off(channels[0], r), off(channels[1], g)), off(channels[2], b));
+      return hn::VecFromMask(d, hn::Eq(hn::Max(farthest, most), most));
+    });
+    auto count = hn::Zero(d);
+    for (std::uint8_t* bytes : out) count = hn::Add(count, bits_of(hn::LoadU(d, bytes + x)));
+    const auto too_few = hn::VecFromMask(d, hn::Lt(count, hn::Set(d, least)));
+    for (std::uint8_t* bytes : out) {
+      hn::StoreU(hn::Or(hn::LoadU(d, bytes + x), too_few), d, bytes + x);
+    }
+  }
+}
+
+void color_costs(const ColorRow& row) {
   const Bytes d;
   const int lanes = int(hn::Lanes(d));
-  for (int x = 0; x < width; x += lanes) {
-    const auto centre = hn::LoadU(d, rows[2] + x + 3);
-    auto byte = hn::Zero(d);
-    int bit = 0;
-    for (int row = 0; row < 5; ++row) {
-      for (int column = 0; column < 7; ++column) {
-        if (row == 2 && (column == 0 || column == 3 || column == 6)) continue;
-        const auto neighbour = hn::LoadU(d, rows[std::size_t(row)] + x + column);
-        byte = hn::Sub(hn::Add(byte, byte), hn::VecFromMask(d, hn::Lt(neighbour, centre)));
-        if (++bit % 8 == 0) hn::StoreU(byte, d, out[std::size_t(bit / 8 - 1)] + x);
+  const auto most_bits = hn::Set(d, row.most_bits), most_color = hn::Set(d, row.most_color);
+  for (int x = 0; x < row.width; ++x) {
+    const auto place = std::ptrdiff_t(row.width - 1 - x);
+    std::uint16_t* costs = row.costs + std::ptrdiff_t(x) * row.stride;
+    alignas(64) std::uint8_t bits_out[kByteLanes], color_out[kByteLanes];
+    for (int i = 0; i < row.stride; i += lanes) {
+      auto bits = hn::Zero(d), color = hn::Zero(d);
+      for (std::size_t k = 0; k < kCensusBytes; ++k) {
+        const auto differ =
+            hn::Xor(hn::Set(d, row.left[k][x]), hn::LoadU(d, row.right[k] + place + i));
+        const auto both =
+            hn::And(hn::Set(d, row.left_alike[k][x]), hn::LoadU(d, row.right_alike[k] + place + i));
+        bits = hn::Add(bits, bits_of(hn::And(differ, both)));
+      }
+      for (std::size_t k = 0; k < 3; ++k) {
+        color = hn::SaturatedAdd(color, difference(hn::Set(d, row.left_color[k][x]),
+                                                   hn::LoadU(d, row.right_color[k] + place + i)));
+      }
+      hn::Store(hn::Min(bits, most_bits), d, bits_out);
+      hn::Store(hn::Min(color, most_color), d, color_out);
+      for (int lane = 0; lane < lanes; ++lane) {
+        costs[i + lane] =
+            std::uint16_t(row.census_weight * bits_out[lane] + row.color_weight * color_out[lane]);
       }
     }
   }
@@ -212,7 +277,7 @@ void winners(const ByteRow& row, const ByteWinners& out) {
   }
 }
 
-const ByteKernels kKernels{census, sweep_right, sweep_left, winners};
+const ByteKernels kKernels{darker, alike, color_costs, sweep_right, sweep_left, winners};
 
 }  // namespace glassbox::views::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

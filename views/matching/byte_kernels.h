@@ -10,6 +10,7 @@ namespace glassbox::views {
 
 // A census word's four bytes, each in a plane of its own, so that the bits of 32 words are counted at a time.
 inline constexpr int kCensusBytes = 4;
+inline constexpr int kByteLanes = 32;  // of the widest instruction set that is used
 template <class Byte>
 using CensusPointers = std::array<Byte*, kCensusBytes>;
 
@@ -45,10 +46,26 @@ struct ByteWinners {
   std::uint8_t *right_low, *right_high;  // its number's bytes
 };
 
+// One row of costs of census and colour, in 16 bits: census_weight * min(bits that differ, of neighbours that are alike their centres in both pictures, most)
+// + color_weight * min(sum of the channels' differences, most). Again the right picture's pixels are from the last one on.
+struct ColorRow {
+  int width, stride;
+  CensusPointers<const std::uint8_t> left, left_alike, right, right_alike;
+  std::array<const std::uint8_t*, 3> left_color, right_color;
+  std::uint8_t census_weight, most_bits, color_weight, most_color;
+  std::uint16_t* costs;
+};
+
+// The rows of the census window, with three pixels more before and behind, and kByteLanes behind those.
+using CensusRows = std::array<const std::uint8_t*, 5>;
+
 struct ByteKernels {
-  // Census words of a row: rows[0] to rows[4] are those of the window, with three pixels more before and behind, and 32 behind those.
-  void (*census)(const std::array<const std::uint8_t*, 5>& rows, int width,
-                 const CensusPointers<std::uint8_t>& out);
+  // For each neighbour whether it is darker than the centre.
+  void (*darker)(const CensusRows& grey, int width, const CensusPointers<std::uint8_t>& out);
+  // For each neighbour whether no channel is further off than `limit`; where fewer than `least` are so, all are said to be.
+  void (*alike)(const std::array<CensusRows, 3>& channels, std::uint8_t limit, std::uint8_t least,
+                int width, const CensusPointers<std::uint8_t>& out);
+  void (*color_costs)(const ColorRow& row);
   // Costs, the paths from the left and from above, and their sum.
   void (*sweep_right)(const ByteRow& row);
   // The path from the right, which is added.

@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 
 #include "views/matching/byte_kernels.h"
+#include "views/matching/census.h"
 #include "views/matching/paths.h"
 
 namespace glassbox::views {
@@ -18,46 +19,12 @@ namespace {
 constexpr int kMostBits = 24;
 constexpr Penalties kPenalties{.p1 = 6, .p2 = 60, .p2_least = 12, .half_at = 10};
 constexpr int kPaths = 3;
+static_assert(kDisparityLanes % kByteLanes == 0);
 static_assert(kPaths * (kMostBits + kPenalties.p2) < kBeside);
 
-constexpr int kAcross = 3, kDown = 2;  // px, of the census window
-constexpr int kLanes = kDisparityLanes;
+constexpr int kLanes = kByteLanes;
 
 using Line = LineVector<std::uint8_t>;
-
-// A picture's census words as planes of bytes, `pitch` from row to row.
-struct CensusPlanes {
-  std::size_t pitch;
-  std::array<Line, kCensusBytes> bytes;
-};
-
-CensusPlanes census_planes(const Planes& picture, const ByteKernels& kernels) {
-  const auto width = std::size_t(picture.width), padded = width + 2 * kAcross + kLanes;
-  CensusPlanes planes{(width + kLanes - 1) / kLanes * kLanes, {}};
-  for (Line& bytes : planes.bytes) bytes.resize(planes.pitch * std::size_t(picture.height));
-  Line grey(padded * std::size_t(picture.height));
-  // Beyond the edge the last column and row go on.
-  for (int y = 0; y < picture.height; ++y) {
-    const std::uint8_t* from = picture.grey.data() + std::size_t(y) * width;
-    std::uint8_t* to = grey.data() + std::size_t(y) * padded;
-    std::fill_n(to, kAcross, from[0]);
-    std::copy_n(from, width, to + kAcross);
-    std::fill_n(to + kAcross + width, kAcross + kLanes, from[width - 1]);
-  }
-  tbb::parallel_for(0, picture.height, [&](int y) {
-    std::array<const std::uint8_t*, 2 * kDown + 1> rows;
-    for (int dy = -kDown; dy <= kDown; ++dy) {
-      const int row = std::clamp(y + dy, 0, picture.height - 1);
-      rows[std::size_t(dy + kDown)] = grey.data() + std::size_t(row) * padded;
-    }
-    CensusPointers<std::uint8_t> out;
-    for (std::size_t k = 0; k < kCensusBytes; ++k) {
-      out[k] = planes.bytes[k].data() + std::size_t(y) * planes.pitch;
-    }
-    kernels.census(rows, picture.width, out);
-  });
-  return planes;
-}
 
 // What a band of rows is swept with, one row after the other.
 class Band {
@@ -139,7 +106,7 @@ public:
 private:
   void take_right_row(int y) {
     for (std::size_t k = 0; k < kCensusBytes; ++k) {
-      const std::uint8_t* from = right_words_.bytes[k].data() + std::size_t(y) * right_words_.pitch;
+      const std::uint8_t* from = right_words_.row(y)[k];
       std::reverse_copy(from, from + width_, right_[k].begin() + (origin_ - settings_.range.first));
     }
   }
@@ -150,7 +117,7 @@ private:
     const std::uint8_t* grey = picture_.grey.data() + std::size_t(y) * width_;
     ByteRow row{.width = picture_.width,
                 .stride = stride_,
-                .left = {},
+                .left = left_words_.row(y),
                 .right = {},
                 .beside = beside_.data() + origin_,
                 .beyond = beyond_.data(),
@@ -166,7 +133,6 @@ private:
                 .along = along_.data() + kLanes,
                 .sums = sums_.data()};
     for (std::size_t k = 0; k < kCensusBytes; ++k) {
-      row.left[k] = left_words_.bytes[k].data() + std::size_t(y) * left_words_.pitch;
       row.right[k] = right_[k].data() + origin_;
     }
     return row;
@@ -199,9 +165,8 @@ std::uint64_t bytes_of_byte_band(int width, int stride) {
 
 Winners sweep_in_bytes(const Planes& left, const Planes& right, const MatchSettings& settings,
                        CostVolume* kept) {
-  const ByteKernels& kernels = byte_kernels(settings.target);
-  const CensusPlanes left_words = census_planes(left, kernels),
-                     right_words = census_planes(right, kernels);
+  const CensusPlanes left_words = darker_neighbours(left, settings.target),
+                     right_words = darker_neighbours(right, settings.target);
   Winners winners = no_winners(left.width, left.height);
   tbb::parallel_for(0, int(bands_of(left.height)), [&](int number) {
     const BandRows rows = band_rows(number, left.height);
