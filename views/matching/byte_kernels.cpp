@@ -181,7 +181,7 @@ void sweep_right(const ByteRow& row) {
     least_along = hn::Set(d, kBeside);
     auto least_above = least_along;
     for (int i = 0; i < row.stride; i += lanes) {
-      const auto bits_of_block = [&](int byte, ByteVector own) {
+      const auto bits_of_block = [&](int byte, ByteVector own) HWY_ATTR {
         return bits_of(hn::Xor(own, hn::LoadU(d, row.right[std::size_t(byte)] + place + i)));
       };
       const auto bits = hn::Add(hn::Add(bits_of_block(0, a), bits_of_block(1, b)),
