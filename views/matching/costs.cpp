@@ -35,14 +35,27 @@ void for_matches(const CostVolume& volume, const One& one) {
 
 MatchKernels::Mix mix_of(MatchingCost cost) {
   if (cost == MatchingCost::kCensus) return {16, 32, 0, 0};
-  if (cost == MatchingCost::kSad) return {0, 0, 2, 765};
-  return {16, 30, 4, 60};
+  return {0, 0, 2, 765};
 }
 
+LineVector<std::uint32_t> words_of(const CensusPlanes& planes, int width, int height) {
+  LineVector<std::uint32_t> words(std::size_t(width) * std::size_t(height));
+  tbb::parallel_for(0, height, [&](int y) {
+    const auto bytes = planes.row(y);
+    std::uint32_t* out = words.data() + std::size_t(y) * std::size_t(width);
+    for (int x = 0; x < width; ++x) {
+      out[x] = std::uint32_t(bytes[0][x]) << 24 | std::uint32_t(bytes[1][x]) << 16 |
+               std::uint32_t(bytes[2][x]) << 8 | std::uint32_t(bytes[3][x]);
+    }
+  });
+  return words;
+}
+
+// Census, or grey alone.
 void mixed_row(const Planes& left, const Planes& right, const LineVector<std::uint32_t>& left_words,
                const LineVector<std::uint32_t>& right_words, const MatchSettings& settings, int y,
                CostVolume& volume, int to_row) {
-  const bool color = settings.cost == MatchingCost::kAdCensus;
+  const bool census = settings.cost == MatchingCost::kCensus;
   const auto width = std::size_t(left.width), start = std::size_t(y) * width;
   const auto reversed = [&](const auto& values) {
     auto row = std::vector(values.begin() + std::ptrdiff_t(start),
@@ -50,21 +63,57 @@ void mixed_row(const Planes& left, const Planes& right, const LineVector<std::ui
     std::ranges::reverse(row);
     return row;
   };
-  const auto words = reversed(right_words);
-  const auto r = reversed(color ? right.r : right.grey), g = reversed(color ? right.g : right.grey),
-             b = reversed(color ? right.b : right.grey);
-  const auto& left_r = color ? left.r : left.grey;
-  const auto& left_g = color ? left.g : left.grey;
-  const auto& left_b = color ? left.b : left.grey;
+  const auto words = census ? reversed(right_words) : std::vector<std::uint32_t>(width);
+  const auto grey = reversed(right.grey);
   const MatchKernels& kernels = match_kernels(settings.target);
   const MatchKernels::Mix mix = mix_of(settings.cost);
   for_matches(volume, [&](int x, int from, int to, int first_right) {
     const auto at = start + std::size_t(x);
     const int skip = left.width - 1 - first_right;
-    kernels.mixed_costs({left_words[at], left_r[at], left_g[at], left_b[at]},
-                        {words.data() + skip, r.data() + skip, g.data() + skip, b.data() + skip},
-                        to - from, mix, volume.at(x, to_row) + from);
+    const std::uint8_t* others = grey.data() + skip;
+    kernels.mixed_costs({census ? left_words[at] : 0, left.grey[at], left.grey[at], left.grey[at]},
+                        {words.data() + skip, others, others, others}, to - from, mix,
+                        volume.at(x, to_row) + from);
   });
+}
+
+// What lies beside the picture has costs, too, and is overwritten.
+void color_row(const Planes& left, const Planes& right, const CensusPlanes& left_bytes,
+               const CensusPlanes& left_alike, const CensusPlanes& right_bytes,
+               const CensusPlanes& right_alike, const MatchSettings& settings, int y,
+               CostVolume& volume, int to_row) {
+  const int first = settings.range.first;
+  const auto width = std::size_t(left.width), start = std::size_t(y) * width;
+  const auto before = std::size_t(std::max(0, -first));
+  const auto length = width + std::size_t(std::abs(first)) + std::size_t(volume.stride);
+  constexpr std::size_t kChannels = 3;
+  thread_local LineVector<std::uint8_t> lines;
+  lines.assign((2 * kCensusBytes + kChannels) * length, 0);
+  std::size_t used = 0;
+  const auto reversed = [&](const std::uint8_t* from) {
+    std::uint8_t* line = lines.data() + used++ * length;
+    std::reverse_copy(from, from + width, line + before);
+    return line + std::max(0, first);
+  };
+  ColorRow row{.width = left.width,
+               .stride = volume.stride,
+               .left = left_bytes.row(y),
+               .left_alike = left_alike.row(y),
+               .right = {},
+               .right_alike = {},
+               .left_color = {left.r.data() + start, left.g.data() + start, left.b.data() + start},
+               .right_color = {reversed(right.r.data() + start), reversed(right.g.data() + start),
+                               reversed(right.b.data() + start)},
+               .census_weight = 16,
+               .most_bits = 30,
+               .color_weight = 4,
+               .most_color = 60,
+               .costs = volume.at(0, to_row)};
+  for (std::size_t k = 0; k < kCensusBytes; ++k) {
+    row.right[k] = reversed(right_bytes.row(y)[k]);
+    row.right_alike[k] = reversed(right_alike.row(y)[k]);
+  }
+  byte_kernels(settings.target).color_costs(row);
 }
 
 // Squares of grey differences reach 65025: a 32nd of it stays below kHighestCost.
@@ -142,18 +191,32 @@ void correlation_row(const Planes& left, const Planes& right, const MatchSetting
 }  // namespace
 
 PixelCosts::PixelCosts(const Planes& left, const Planes& right, const MatchSettings& settings)
-    : left_(left),
-      right_(right),
-      settings_(settings),
-      left_words_(census_words(left)),
-      right_words_(census_words(right)) {}
+    : left_(left), right_(right), settings_(settings) {
+  if (settings.cost == MatchingCost::kCensus) {
+    const auto words = [&](const Planes& picture) {
+      return words_of(darker_neighbours(picture, settings.target), picture.width, picture.height);
+    };
+    left_words_ = words(left), right_words_ = words(right);
+  }
+  if (settings.cost == MatchingCost::kAdCensus) {
+    left_bytes_ = darker_neighbours(left, settings.target);
+    right_bytes_ = darker_neighbours(right, settings.target);
+    left_alike_ = alike_neighbours(left, settings.target);
+    right_alike_ = alike_neighbours(right, settings.target);
+  }
+}
 
 CostVolume PixelCosts::volume_of(int rows) const {
   return {left_.width, rows, settings_.range.first, settings_.range.count()};
 }
 
 void PixelCosts::row(int y, CostVolume& volume, int to_row) const {
+  if (settings_.cost == MatchingCost::kAdCensus) {
+    color_row(left_, right_, left_bytes_, left_alike_, right_bytes_, right_alike_, settings_, y,
+              volume, to_row);
+  }
   fill_row(volume, to_row);
+  if (settings_.cost == MatchingCost::kAdCensus) return;
   if (is_correlation(settings_.cost)) {
     correlation_row(left_, right_, settings_, y, volume, to_row);
   } else if (settings_.cost == MatchingCost::kSsd) {

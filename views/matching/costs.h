@@ -1,6 +1,7 @@
 // The first step of a dense match: how unlike the pixels of a pair are, for every disparity (SPEC S2-04).
 #pragma once
 
+#include "views/matching/census.h"
 #include "views/matching/cost_volume.h"
 #include "views/matching/pictures.h"
 #include "views/matching/settings.h"
@@ -22,7 +23,8 @@ public:
 private:
   const Planes &left_, &right_;
   const MatchSettings& settings_;
-  LineVector<std::uint32_t> left_words_, right_words_;
+  LineVector<std::uint32_t> left_words_, right_words_;                // of census costs
+  CensusPlanes left_bytes_, right_bytes_, left_alike_, right_alike_;  // of census and colour
 };
 
 CostVolume pixel_costs(const Planes& left, const Planes& right, const MatchSettings& settings);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <tbb/task_arena.h>
 
+#include "views/matching/byte_sweep.h"
 #include "views/matching/costs.h"
 #include "views/matching/fill.h"
 #include "views/matching/paths.h"
@@ -115,7 +116,14 @@ void run(const Image<Rgba8>& left, const Image<Rgba8>& right, const MatchSetting
   }
   clock.done("crosses");
   Winners winners;
-  if (sweeps_once(settings)) {
+  if (fits_bytes(settings)) {
+    if (settings.keep_sums)
+      match.sums =
+          CostVolume(left.width, left.height, settings.range.first, settings.range.count());
+    winners = sweep_in_bytes(left_planes, right_planes, settings,
+                             settings.keep_sums ? &match.sums : nullptr);
+    clock.done("sweep");
+  } else if (sweeps_once(settings)) {
     const PixelCosts costs(left_planes, right_planes, settings);
     if (settings.keep_sums) match.sums = costs.volume_of(left.height);
     winners =
@@ -161,10 +169,11 @@ std::uint64_t bytes_of_match(int width, int height, const MatchSettings& setting
       lanes * lanes;
   const std::uint64_t row = std::uint64_t(width) * stride * sizeof(std::uint16_t);
   // Of a band a row of costs and one of sums, and three of each path's; of a whole picture the rows of paths are next to nothing.
+  const std::uint64_t kept = settings.keep_sums ? row * std::uint64_t(height) : 0;
+  if (fits_bytes(settings)) return bands_of(height) * bytes_of_byte_band(width, int(stride)) + kept;
   if (sweeps_once(settings)) {
     const auto paths = std::uint64_t(settings.paths / 2 + 1);
-    return row *
-           (bands_of(height) * (2 + 3 * paths) + (settings.keep_sums ? std::uint64_t(height) : 0));
+    return row * bands_of(height) * (2 + 3 * paths) + kept;
   }
   return row * std::uint64_t(height) * (settings.paths > 0 ? 3 : 1);
 }

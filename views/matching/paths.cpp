@@ -149,6 +149,11 @@ std::uint64_t bands_of(int height) {
   return std::uint64_t((height + kBandRows - 1) / kBandRows);
 }
 
+BandRows band_rows(int band, int height) {
+  const int begin = band * kBandRows;
+  return {std::max(0, begin - kWarmUp), begin, std::min(height, begin + kBandRows)};
+}
+
 Winners sweep_once(const PixelCosts& costs, const Planes& picture, const MatchSettings& settings,
                    const Penalties& penalties, CostVolume* kept) {
   const auto jumps = jump_penalties(penalties);
@@ -157,8 +162,7 @@ Winners sweep_once(const PixelCosts& costs, const Planes& picture, const MatchSe
   const Sweep sweep{picture, steps, jumps, penalties.p1, match_kernels(settings.target)};
   Winners winners = no_winners(picture.width, picture.height);
   tbb::parallel_for(0, int(bands_of(picture.height)), [&](int band) {
-    const int begin = band * kBandRows, end = std::min(picture.height, begin + kBandRows);
-    const int first = std::max(0, begin - kWarmUp);
+    const auto [first, begin, end] = band_rows(band, picture.height);
     CostVolume one = costs.volume_of(1), sums = costs.volume_of(1);
     Sweeper sweeper(sweep, one.stride);
     for (int y = first; y < end; ++y) {

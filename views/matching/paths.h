@@ -34,6 +34,11 @@ PathSums sum_paths(const CostVolume& costs, const Planes& picture, int paths,
 // rows above it on, so that several can be at the same time; where they begin does not depend on how many threads there are. `kept`, of the pictures'
 // size, takes the sums.
 std::uint64_t bands_of(int height);
+struct BandRows {
+  int warm_up, begin,
+      end;  // the first row that is summed; the first and the last but one whose winners are sought
+};
+BandRows band_rows(int band, int height);
 Winners sweep_once(const PixelCosts& costs, const Planes& picture, const MatchSettings& settings,
                    const Penalties& penalties, CostVolume* kept = nullptr);
 

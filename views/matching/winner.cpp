@@ -10,14 +10,6 @@ namespace glassbox::views {
 
 namespace {
 
-// Where two lines of opposite slope through the costs of three neighbours meet: in [-1/2, 1/2]. Costs that are sums of absolute
-// differences
-// have such a corner, not a parabola's round bottom.
-float corner(int before, int least, int behind) {
-  const int steep = std::max(before, behind) - least;
-  return steep == 0 ? 0.0f : float(before - behind) / float(2 * steep);
-}
-
 struct Row {
   LineVector<std::uint16_t> costs;  // of one pixel
   LineVector<std::uint16_t> right,

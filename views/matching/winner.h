@@ -1,6 +1,7 @@
 // The disparity that costs least, of every pixel of either picture.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -19,6 +20,13 @@ struct Winners {
   Image<float> right;       // px, whole
   Image<float> confidence;  // (second - best) / second, in [0, 1]
 };
+
+// Where two lines of opposite slope through the costs of three neighbours meet: in [-1/2, 1/2]. Costs that are sums of absolute
+// differences have such a corner, not a parabola's round bottom.
+inline float corner(int before, int least, int behind) {
+  const int steep = std::max(before, behind) - least;
+  return steep == 0 ? 0.0f : float(before - behind) / float(2 * steep);
+}
 
 // Of one volume, or of the sum of two. Disparities whose right pixel lies beside the picture are never sought: a pixel that has no
 // other is

@@ -14,8 +14,20 @@ namespace {
 
 constexpr int kAcross = 37, kRows = 11;
 
+// Of a sixth of the contrast in the left half, so that some neighbours are alike and some are not.
+Planes half_faint(Image<Rgba8> image) {
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width / 2; ++x) {
+      Rgba8& pixel = image.at(x, y);
+      for (std::uint8_t* channel : {&pixel.r, &pixel.g, &pixel.b})
+        *channel = std::uint8_t(100 + *channel / 6);
+    }
+  }
+  return planes_of(image);
+}
+
 struct NoisePair {
-  Planes left = planes_of(noise(kAcross, kRows, 3)), right = planes_of(noise(kAcross, kRows, 4));
+  Planes left = half_faint(noise(kAcross, kRows, 3)), right = half_faint(noise(kAcross, kRows, 4));
 };
 
 int grey(const Planes& planes, int x, int y) {
@@ -30,16 +42,45 @@ int color_difference(const NoisePair& pair, int x, int right_x, int y) {
          std::abs(pair.left.b[a] - pair.right.b[b]);
 }
 
-int bits_that_differ(const NoisePair& pair, int x, int right_x, int y) {
-  int bits = 0;
+bool is_alike(const Planes& planes, int x, int y, int dx, int dy) {
+  const auto at = [&](const LineVector<std::uint8_t>& plane, int column, int row) {
+    column = std::clamp(column, 0, kAcross - 1), row = std::clamp(row, 0, kRows - 1);
+    return int(plane[std::size_t(row * kAcross + column)]);
+  };
+  const auto is_near = [&](const LineVector<std::uint8_t>& plane) {
+    return std::abs(at(plane, x + dx, y + dy) - at(plane, x, y)) <= 30;
+  };
+  return is_near(planes.r) && is_near(planes.g) && is_near(planes.b);
+}
+
+// Calls one(dx, dy) for each of the 32.
+template <class One>
+void for_neighbours(const One& one) {
   for (int dy = -2; dy <= 2; ++dy) {
     for (int dx = -3; dx <= 3; ++dx) {
-      if (dy == 0 && std::abs(dx) == 3) continue;
-      const bool left = grey(pair.left, x + dx, y + dy) < grey(pair.left, x, y);
-      const bool right = grey(pair.right, right_x + dx, y + dy) < grey(pair.right, right_x, y);
-      bits += left != right;
+      if (dy != 0 || (dx != 0 && std::abs(dx) != 3)) one(dx, dy);
     }
   }
+}
+
+int count_alike(const Planes& planes, int x, int y) {
+  int count = 0;
+  for_neighbours([&](int dx, int dy) { count += is_alike(planes, x, y, dx, dy); });
+  return count;
+}
+
+// Of all neighbours, or of those that are alike their centres in both pictures; a centre with fewer than 12 of them has all.
+int bits_that_differ(const NoisePair& pair, int x, int right_x, int y, bool of_alike = false) {
+  int bits = 0;
+  const bool all_left = !of_alike || count_alike(pair.left, x, y) < 12,
+             all_right = !of_alike || count_alike(pair.right, right_x, y) < 12;
+  for_neighbours([&](int dx, int dy) {
+    const bool left = grey(pair.left, x + dx, y + dy) < grey(pair.left, x, y);
+    const bool right = grey(pair.right, right_x + dx, y + dy) < grey(pair.right, right_x, y);
+    const bool counts = (all_left || is_alike(pair.left, x, y, dx, dy)) &&
+                        (all_right || is_alike(pair.right, right_x, y, dx, dy));
+    bits += counts && left != right;
+  });
   return bits;
 }
 
@@ -77,7 +118,7 @@ double defined(const NoisePair& pair, const MatchSettings& settings, int x, int 
     case MatchingCost::kAdCensus:
       break;
   }
-  return 16 * std::min(bits_that_differ(pair, x, right_x, y), 30) +
+  return 16 * std::min(bits_that_differ(pair, x, right_x, y, true), 30) +
          4 * std::min(color_difference(pair, x, right_x, y), 60);
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tests/views/matching/sample.h"
+#include "views/matching/byte_sweep.h"
 #include "views/matching/costs.h"
 #include "views/matching/paths.h"
 
@@ -15,8 +16,9 @@ constexpr int kPathColumns = 13, kPathRows = 9, kCount = 20;
 
 using Table = std::vector<int>;  // of each pixel, its disparities
 
-void add_direction(const CostVolume& costs, const Planes& picture, int dx, int dy, Table& sums) {
-  const Penalties penalties;
+// Nothing is more than `highest`.
+void add_direction(const CostVolume& costs, const Planes& picture, int dx, int dy, Table& sums,
+                   const Penalties& penalties = {}, int highest = 65535) {
   const auto jumps = jump_penalties(penalties);
   Table values(sums.size());
   const auto at = [](int x, int y) { return std::size_t((y * kPathColumns + x) * kCount); };
@@ -40,11 +42,11 @@ void add_direction(const CostVolume& costs, const Planes& picture, int dx, int d
           if (d + 1 < kCount) best = std::min(best, before[d + 1] + penalties.p1);
           value += best - least;
         }
-        values[at(x, y) + std::size_t(d)] = value;
+        values[at(x, y) + std::size_t(d)] = std::min(value, highest);
       }
     }
   }
-  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += values[i];
+  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] = std::min(sums[i] + values[i], highest);
 }
 
 TEST_CASE("D-20: sums along 2, 4, 8 and 16 paths are the recursion's, on every instruction set") {
@@ -83,6 +85,64 @@ TEST_CASE("16 paths of the greatest cost and penalty fit 16 bits") {
   const auto jumps = jump_penalties({});
   CHECK(jumps[0] <= kHighestPenalty);
   CHECK(std::is_sorted(jumps.rbegin(), jumps.rend()));
+}
+
+MatchSettings fast(DisparityRange range) {
+  MatchSettings settings = *settings_named("fast");
+  settings.range = range;
+  return settings;
+}
+
+CostVolume volume_of(const Planes& picture, const DisparityRange& range) {
+  return {picture.width, picture.height, range.first, range.count()};
+}
+
+TEST_CASE("D-20: sums in bytes are the recursion's, of at most 24 bits, on every instruction set") {
+  const Planes left = planes_of(noise(kPathColumns, kPathRows, 1)),
+               right = planes_of(noise(kPathColumns, kPathRows, 2));
+  // Some of the range lies beside the picture, on either side.
+  MatchSettings settings = fast({-4, kCount - 5});
+  REQUIRE(fits_bytes(settings));
+  CostVolume costs = pixel_costs(left, right, settings);
+  for (std::uint16_t& cost : costs.costs) {
+    cost = cost >= kHighestCost ? std::uint16_t(255)
+                                : std::min(std::uint16_t(cost / 16), std::uint16_t(24));
+  }
+  Table expected(std::size_t(kPathColumns * kPathRows * kCount));
+  for (const auto& [dx, dy] : {std::pair{1, 0}, {0, 1}, {-1, 0}}) {
+    add_direction(costs, left, dx, dy, expected, {.p1 = 6, .p2 = 60, .p2_least = 12, .half_at = 10},
+                  255);
+  }
+  for (const Target target : available_targets()) {
+    settings.target = target;
+    CostVolume sums = volume_of(left, settings.range);
+    sweep_in_bytes(left, right, settings, &sums);
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      const int x = int(i) / kCount % kPathColumns, y = int(i) / kCount / kPathColumns;
+      INFO(name_of(target) << ": pixel " << x << ", " << y << ", " << i % kCount);
+      REQUIRE(sums.at(x, y)[i % kCount] == expected[i]);
+    }
+  }
+}
+
+TEST_CASE("D-20: winners of sums in bytes are those of the same sums in a volume") {
+  // One range whose numbers are more than a byte.
+  for (const DisparityRange range :
+       {DisparityRange{-4, 15}, DisparityRange{0, 63}, DisparityRange{-20, 290}}) {
+    const Planes left = planes_of(noise(310, 3, 1)),
+                 right = planes_of(moved_left(noise(310, 3, 1), 9, 2));
+    for (const Target target : available_targets()) {
+      MatchSettings settings = fast(range);
+      settings.target = target;
+      CostVolume sums = volume_of(left, range);
+      const Winners winners = sweep_in_bytes(left, right, settings, &sums);
+      const Winners expected = find_winners(sums, nullptr, true, target);
+      INFO(name_of(target) << ", to " << range.last);
+      CHECK(winners.left == expected.left);
+      CHECK(winners.right == expected.right);
+      CHECK(winners.confidence == expected.confidence);
+    }
+  }
 }
 
 }  // namespace
