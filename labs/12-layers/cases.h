@@ -178,7 +178,7 @@ inline std::vector<RowCase> rows() {
 // BEGIN HIDDEN
 inline std::vector<RowCase> hidden_rows() {
   const auto seed = glassbox::labs::varied_seed(124);
-  return {{"no pixels", row_matrix(64), 0, {}},
+  return {{"one sample, behind empty pixels", row_matrix(64), 0, {{}, {}, {0.5f}}},
           {"a row of 1000 px", row_matrix(1024), 719, some_depths(1000, 3, seed)},
           {"a row of 16384 px (C-80)", row_matrix(16384), 2, some_depths(16384, 1, seed + 1)}};
 }
