@@ -98,6 +98,7 @@ void LayersBuildCommand::add_to(CLI::App& layers, int& exit_code) {
           "samples of several views whose depths differ by less, relative, are one [1/1024]")
       ->type_name("E")
       ->check(CLI::Range(0.0, 0.5));
+  command.add_flag("--ends", ends_, "keep two samples of a pixel: the nearest and the farthest");
   command
       .add_option_function<std::string>(
           "--rays", [this](const std::string& text) { rays_ = parse_rays(text); },
@@ -276,6 +277,13 @@ Result<LayersBuildCommand::Built> LayersBuildCommand::build_from_pictures() cons
 
 Result<LayersBuildCommand::Built> LayersBuildCommand::build(Progress& progress) const {
   auto built = pictures_ ? build_from_pictures() : build_from_scene(progress);
+  if (built && ends_) {
+    const std::size_t before = built->layers.image.samples();
+    built->layers.image = views::ends_of(built->layers.image);
+    built->left_out.push_back(
+        fmt::format("{} between the nearest and the farthest of their pixels (--ends)",
+                    counted(before - built->layers.image.samples(), "sample")));
+  }
   if (!built || built->views == 1) return built;
   built->left_out.emplace_back(
       "where in a pixel the other views' samples lie, up to half a pixel, and the second of two "

@@ -43,6 +43,7 @@ private:
   std::optional<views::RaySampling> rays_;
   std::optional<double> cube_;
   std::optional<int> threads_;
+  bool ends_ = false;
   PictureOptions picture_;
   std::optional<std::string> json_output_;
 };

@@ -129,6 +129,22 @@ TEST_CASE("a picture and its distances as files are layers") {
   CHECK(here.run("diff left.png same.png").exit_code == 0);
 }
 
+TEST_CASE(
+    "of two samples of a pixel, the nearest and the farthest leave fewer holes than the first "
+    "two") {
+  const Workplace here;
+  const Json first = answer(here, "build room --size 150x150 --layers 2 -o first.ldi");
+  const Json ends = answer(here, "build room --size 150x150 --ends -o ends.ldi");
+  CHECK(ends["most_samples_of_a_pixel"] == 2);
+  CHECK(ends["samples"] == first["samples"]);
+  const auto holes = [&](const char* file) {
+    return answer(here, std::string("draw ") + file + " -o a.png --against room" +
+                            kBeside)["against"]["holes"]
+        .get<int>();
+  };
+  CHECK(holes("ends.ldi") < holes("first.ldi"));
+}
+
 TEST_CASE("rays from around the eye find what one view does not see (S1-03)") {
   const Workplace here;
   const Json one = answer(here, "build room --size 96x64 --layers 1 -o one.ldi");

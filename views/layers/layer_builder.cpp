@@ -82,6 +82,22 @@ LayeredImage LayerBuilder::pack() const {
   return image;
 }
 
+LayeredImage ends_of(const LayeredImage& image) {
+  LayeredImage ends;
+  ends.camera = image.camera;
+  ends.first.push_back(0);
+  for (std::size_t place = 0; place + 1 < image.first.size(); ++place) {
+    const std::uint32_t farthest = image.first[place], end = image.first[place + 1];
+    for (std::uint32_t i = farthest; i < end; ++i) {
+      if (i != farthest && i + 1 != end) continue;
+      ends.depth.push_back(image.depth[i]);
+      ends.color.push_back(image.color[i]);
+    }
+    ends.first.push_back(std::uint32_t(ends.depth.size()));
+  }
+  return ends;
+}
+
 LayeredImage build_layers(const Scene& scene, const View& view, const RenderSettings& settings,
                           int layers) {
   RenderSettings with_distance = settings;

@@ -46,6 +46,9 @@ private:
   std::vector<Sample> samples_;
 };
 
+// Of each pixel the nearest sample and the farthest, which parallax uncovers first and most.
+LayeredImage ends_of(const LayeredImage& image);
+
 // Two pictures that are one surface's differ in depth by rounding, and by the slope of the surface over a pixel; 1/1024 takes in both on
 // all but grazing surfaces.
 inline constexpr double kMergedDepths = 0x1p-10;
