@@ -64,10 +64,10 @@ std::vector<glassbox::labs::RunnerCheck> glassbox::labs::runner_checks() {
       // BEGIN HIDDEN
       check("other squares", hidden_squares(), square),
       check("other census words", hidden_words(), word),
-      check("other bits", hidden_pairs_of_words(), bits),
+      check("bits of other words", hidden_pairs_of_words(), bits),
       check("other paths", hidden_paths(), path), check("other costs", hidden_winners(), best),
       check("other right pixels", hidden_rows(), row),
-      check("other rows", hidden_pairs_of_rows(), confirmed),
+      check("rows of another pair", hidden_pairs_of_rows(), confirmed),
       check("other disparities", hidden_depths(), distance),
       // END HIDDEN
   };

@@ -311,7 +311,7 @@ Lab lab_12() {
            check("the matrix from picture to picture", "12.2", "clip", matrices, expect_matrix),
            hidden_check("the matrix of other eyes", "12.2", "clip", hidden_matrices, expect_matrix),
            check("rows are warped step by step", "12.3", "screen", rows, expect_row),
-           hidden_check("other rows", "12.3", "screen", hidden_rows, expect_row),
+           hidden_check("rows of other samples", "12.3", "screen", hidden_rows, expect_row),
            check("how large a sample is", "12.4", "coverage", sizes, expect_size),
            hidden_check("other sizes", "12.4", "coverage", hidden_sizes, expect_size),
            check("the order of visits", "12.5", "depth", orders, expect_order),

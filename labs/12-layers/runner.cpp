@@ -78,8 +78,8 @@ std::vector<glassbox::labs::RunnerCheck> glassbox::labs::runner_checks() {
       // BEGIN HIDDEN
       check("other samples are packed", hidden_packs(), packed),
       check("the matrix of other eyes", hidden_matrices(), matrix),
-      check("other rows", hidden_rows(), row), check("other sizes", hidden_sizes(), size),
-      check("other orders", hidden_orders(), order),
+      check("rows of other samples", hidden_rows(), row),
+      check("other sizes", hidden_sizes(), size), check("other orders", hidden_orders(), order),
       check("other pictures", hidden_pictures(), picture),
       // END HIDDEN
   };
