@@ -287,30 +287,7 @@ HWY_AFTER_NAMESPACE();
 namespace glassbox::views {
 
 const ByteKernels& byte_kernels(Target target) {
-  switch (target) {
-#if (HWY_TARGETS & HWY_AVX3) != 0
-    case Target::kAvx512:
-      return N_AVX3::kKernels;
-#endif
-#if (HWY_TARGETS & HWY_AVX2) != 0
-    case Target::kAvx2:
-      return N_AVX2::kKernels;
-#endif
-#if (HWY_TARGETS & HWY_SSE4) != 0
-    case Target::kSse4:
-      return N_SSE4::kKernels;
-#endif
-#if (HWY_TARGETS & HWY_NEON) != 0
-    case Target::kNeon:
-      return N_NEON::kKernels;
-#endif
-    default:
-#if (HWY_TARGETS & HWY_EMU128) != 0
-      return N_EMU128::kKernels;
-#else
-      return N_SCALAR::kKernels;
-#endif
-  }
+#include <glassbox/raster/lanes/kernels_of_target-inl.h>
 }
 
 }  // namespace glassbox::views

@@ -135,16 +135,22 @@ void doubt_speckles(const Image<float>& disparity, int least, Image<Doubt>& doub
 
 Image<float> smooth_parts(const Image<float>& disparity, Target target) {
   Image<float> result = disparity;
+  // The difference of two infinite numbers is none. In the loop what has no disparity is far from all that has.
+  constexpr float kFarFromAll = 1e30f;
+  Image<float> comparable = disparity;
+  for (float& value : comparable.pixels) {
+    if (value == kNoDisparity) value = kFarFromAll;
+  }
   const MatchKernels& kernels = match_kernels(target);
   const int width = disparity.width, height = disparity.height;
   tbb::parallel_for(0, height, [&](int y) {
     thread_local std::vector<float> sums, counts;
     sums.assign(std::size_t(width), 0);
     counts.assign(std::size_t(width), 0);
-    const float* own = &disparity.at(0, y);
+    const float* own = &comparable.at(0, y);
     const int top = std::max(y - kSmoothReach, 0), bottom = std::min(y + kSmoothReach, height - 1);
     for (int row = top; row <= bottom; ++row) {
-      const float* values = &disparity.at(0, row);
+      const float* values = &comparable.at(0, row);
       for (int beside = -kSmoothReach; beside <= kSmoothReach; ++beside) {
         const int begin = std::max(0, -beside), end = std::min(width, width - beside);
         if (begin >= end) continue;
@@ -153,8 +159,10 @@ Image<float> smooth_parts(const Image<float>& disparity, Target target) {
       }
     }
     for (int x = 0; x < width; ++x) {
-      const float count = counts[std::size_t(x)];
-      if (count > 0) result.at(x, y) = own[x] + sums[std::size_t(x)] / count;
+      const float count = counts[std::size_t(x)];  // never 0: each is near itself
+      if (disparity.at(x, y) != kNoDisparity) {
+        result.at(x, y) = own[x] + sums[std::size_t(x)] / count;
+      }
     }
   });
   return result;
