@@ -44,7 +44,9 @@ views::DisparityRange parse_range(const std::string& text) {
   constexpr double kFarthest = 1e6;
   if (!(first == double(std::int64_t(std::clamp(first, -kFarthest, kFarthest))) &&
         last == double(std::int64_t(std::clamp(last, -kFarthest, kFarthest))))) {
-    throw CLI::ValidationError("--range", "needs two whole numbers of pixels, not '" + text + "'");
+    throw CLI::ValidationError(
+        "--range",
+        "needs two whole numbers of pixels from -1000000 to 1000000, not '" + text + "'");
   }
   return {int(first), int(last)};
 }

@@ -17,7 +17,7 @@ Result<void> check_options(const RingOptions& options) {
   if (options.views < 1 || options.elevations.empty() ||
       std::int64_t(options.views) * std::int64_t(options.elevations.size()) > kMostRingViews) {
     return fail("--views", fmt::format("a ring has 1 to {} pictures", kMostRingViews),
-                "ask for fewer");
+                "ask for a number of them in that range");
   }
   if (!(options.fov_degrees > 0 && options.fov_degrees < 180))
     return fail("--fov", "the angle of view must be between 0 and 180 degrees", "give 30");
