@@ -92,7 +92,8 @@ Json place_json(const ErrorReport& report, const BoundPlace& place) {
   Json json{{kind_of(place), place.number}};
   if (place.corner) json[place.line ? "end" : "corner"] = *place.corner;
   if (place.x >= 0) json["pixel"] = {place.x, place.y};
-  json["command"] = command_for(report, place);
+  const std::string command = command_for(report, place);
+  if (!command.empty()) json["command"] = command;
   return json;
 }
 
