@@ -87,6 +87,27 @@ test("match: the points in space turn by keys, mouse and buttons", async () => {
   return opened;
 });
 
+test("match: the cursor's ring moves over the points, which are not drawn again", async () => {
+  const opened = await open(match("room", ...room)), {page} = opened, before = await spaceBytes(page);
+  await page.evaluate(() => { globalThis.drawn = cloud.image; });
+  await page.locator("#left").focus();
+  for (let i = 0; i < 3; i++) await page.keyboard.press("Shift+ArrowLeft");
+  assert.notEqual(await spaceBytes(page), before);
+  assert.ok(await page.evaluate(() => cloud.image === drawn));
+  for (let i = 0; i < 3; i++) await page.keyboard.press("Shift+ArrowRight");
+  assert.equal(await spaceBytes(page), before);
+  return opened;
+});
+
+test("match: the table has the same columns as the report", async () => {
+  const opened = await open(match("room", ...room)), {page} = opened;
+  const cells = (selector) => page.locator(`#errors ${selector}`).allTextContents();
+  assert.deepEqual((await cells("th")).slice(-3), ["RMS px", "of good px", "density %"]);
+  const ofGood = await page.evaluate(() => manifest.errors.visible_and_textured.rms_good_px.toFixed(3));
+  assert.equal((await cells("tr:has(td:text-is('visible and textured')) td")).at(-2), ofGood);
+  return opened;
+});
+
 test("match: every control has a name, and nothing is wider than the screen, with and without a truth", async () => {
   run("render", "cube", "--size", "32x24", "-o", "cube.png");
   for (const [name, words] of [["room", room], ["files", ["cube.png", "cube.png", "--range", "0,9"]]]) {
