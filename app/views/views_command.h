@@ -3,6 +3,7 @@
 
 #include "app/options/cli_fwd.h"
 #include "app/views/geometry_command.h"
+#include "app/views/klt_command.h"
 #include "app/views/layers_command.h"
 #include "app/views/match_command.h"
 #include "app/views/ring_command.h"
@@ -20,6 +21,7 @@ private:
   ViewsLayersCommand layers_;
   ViewsRingCommand ring_;
   ViewsVoxelsCommand voxels_;
+  ViewsKltCommand klt_;
 };
 
 }  // namespace glassbox::app
