@@ -40,10 +40,12 @@ struct KeptBound {
   double oracle = kInFull;
   double ratio = 0;
   int count = 0;
+  std::vector<double> bounds = {};
 
   void see(double value, const Big& exact, double bound) {
     if (!std::isfinite(bound)) return;
     ++count;
+    bounds.push_back(bound);
     const double error = double(abs(Big(value) - exact));
     CAPTURE(name, value, double(exact), bound);
     REQUIRE(error <= bound + oracle);
@@ -53,6 +55,13 @@ struct KeptBound {
     CAPTURE(name, count, ratio);
     CHECK(count > 1000);
     CHECK(ratio > least_ratio);
+  }
+  // A bound of another number stands for the run's all the same, but is as large as they differ.
+  void check_half_below(double limit) {
+    const auto middle = bounds.begin() + std::ptrdiff_t(bounds.size() / 2);
+    std::nth_element(bounds.begin(), middle, bounds.end());
+    CAPTURE(name, *middle);
+    CHECK(*middle < limit);
   }
 };
 
@@ -347,6 +356,10 @@ TEST_CASE("every fragment of lines, points and edges is within its bound") {
        {&all.surface, &all.texcoord, &all.normal, &all.light, &all.stored}) {
     kept->check(0.02);
   }
+  // Some dozens of roundings of numbers up to 1, 2^-24 each, and of light up to 12 times as much.
+  all.normal.check_half_below(32 * 0x1p-24);
+  all.texcoord.check_half_below(64 * 0x1p-24);
+  all.light.check_half_below(12 * 64 * 0x1p-24);
   CHECK(all.without_normal > 100);
   CHECK(all.cut > 500);
   for (const LineKind kind : {LineKind::kEdge, LineKind::kLine, LineKind::kPoint}) {
