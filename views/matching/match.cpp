@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <tbb/task_arena.h>
 
+#include <glassbox/render/engine/threads.h>
+
 #include "views/matching/byte_sweep.h"
 #include "views/matching/costs.h"
 #include "views/matching/fill.h"
@@ -196,6 +198,7 @@ Result<DenseMatch> match_pictures(const Image<Rgba8>& left, const Image<Rgba8>& 
   if (settings.threads == 0) {
     run(left, right, settings, match);
   } else {
+    allow_threads(settings.threads);
     tbb::task_arena arena(settings.threads);
     arena.execute([&] { run(left, right, settings, match); });
   }

@@ -72,4 +72,5 @@ byId("origin").append(...terms([["Reference", `the picture ${manifest.reference}
   ["Times", `medians of ${manifest.repetitions} frames in turn; one thread's are the processor's`],
   ["Machine", manifest.machine], ["Compiler", manifest.compiler], ["Flags", manifest.flags], ["Glassbox", manifest.version]]));
 byId("command").textContent = manifest.command;
+setUpEyes();
 choose(chosen);
