@@ -5,7 +5,9 @@
 #include "app/views/geometry_command.h"
 #include "app/views/layers_command.h"
 #include "app/views/match_command.h"
+#include "app/views/polygons_command.h"
 #include "app/views/ring_command.h"
+#include "app/views/texture_command.h"
 #include "app/views/voxels_command.h"
 
 namespace glassbox::app {
@@ -20,6 +22,8 @@ private:
   ViewsLayersCommand layers_;
   ViewsRingCommand ring_;
   ViewsVoxelsCommand voxels_;
+  ViewsPolygonsCommand polygons_;
+  ViewsTextureCommand texture_;
 };
 
 }  // namespace glassbox::app
