@@ -6,7 +6,9 @@
 #include "app/views/klt_command.h"
 #include "app/views/layers_command.h"
 #include "app/views/match_command.h"
+#include "app/views/polygons_command.h"
 #include "app/views/ring_command.h"
+#include "app/views/texture_command.h"
 #include "app/views/voxels_command.h"
 
 namespace glassbox::app {
@@ -21,6 +23,8 @@ private:
   ViewsLayersCommand layers_;
   ViewsRingCommand ring_;
   ViewsVoxelsCommand voxels_;
+  ViewsPolygonsCommand polygons_;
+  ViewsTextureCommand texture_;
   ViewsKltCommand klt_;
 };
 
