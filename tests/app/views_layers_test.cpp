@@ -263,7 +263,7 @@ TEST_CASE("more threads than processors say nothing, wherever they draw, match o
         "views layers draw cube.ldi --threads 64 -o a.png",
         "render cube --size 48x32 --stereo pair --second-eye warp --threads 64 -o a.png",
         "views match --scene cube --size 48x32 --eye-separation 0.1 --range 0,8 --threads 64 -o "
-        "a.png"}) {
+        "a.pfm"}) {
     const Outcome outcome = here.run(words);
     INFO(words << ": " << outcome.err);
     CHECK(outcome.exit_code == 0);
