@@ -18,15 +18,33 @@ namespace {
 namespace fs = std::filesystem;
 using namespace labs::grading;
 
-// One for all folders of a lab. It has hidden checks in it, and so is not in a folder.
+// Kits of this lab that were made a month ago, by programs that are no more.
+void remove_old_kits(const fs::path& kits, const std::string& lab, const fs::path& but) {
+  constexpr auto kMonth = std::chrono::hours(24 * 30);
+  const auto now = fs::file_time_type::clock::now();
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(kits, error)) {
+    std::error_code ignored;
+    const bool is_old = entry.last_write_time(ignored) + kMonth < now && !ignored;
+    if (is_old && entry.path() != but && entry.path().filename().string().starts_with(lab + "-"))
+      fs::remove_all(entry.path(), ignored);
+  }
+}
+
+// One for all folders of a lab. It has hidden checks in it, and so is not in a folder. What stands in its place and is none, because
+// something changed it or left it half, is made again: the place is the program's own.
 Result<Kit> kit_of(const labs::Sources& sources, const LabFolder& folder) {
   const auto fingerprint = kit_fingerprint(sources, folder.lab->folder);
   if (!fingerprint) return tl::unexpected(fingerprint.error());
   std::error_code error;
   fs::create_directories(folder.kits, error);
   fs::permissions(folder.kits, fs::perms::owner_all, error);
-  return make_kit(sources, folder.lab->folder,
-                  folder.kits / fmt::format("{}-{}", folder.lab->folder, *fingerprint));
+  const fs::path place = folder.kits / fmt::format("{}-{}", folder.lab->folder, *fingerprint);
+  remove_old_kits(folder.kits, folder.lab->folder, place);
+  auto kit = make_kit(sources, folder.lab->folder, place);
+  if (kit || !fs::exists(place, error)) return kit;
+  fs::remove_all(place, error);
+  return make_kit(sources, folder.lab->folder, place);
 }
 
 }  // namespace

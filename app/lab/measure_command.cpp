@@ -1,6 +1,7 @@
 #include "app/lab/measure_command.h"
 
 #include <algorithm>
+#include <cstdio>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -24,6 +25,7 @@
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
+#include <glassbox/images/read.h>
 
 namespace glassbox::app {
 
@@ -41,20 +43,24 @@ std::vector<std::string> series_of(const std::vector<study::ConfigurationResult>
 }
 
 Result<labs::Claim> claim_in(const std::string& path) {
-  const auto text = labs::grading::read_source(path);
-  if (!text) return tl::unexpected(text.error());
-  return labs::read_claim(path, *text);
+  constexpr std::uint64_t kMostBytes = std::uint64_t(1) << 20;  // of a thousand points or two
+  const auto bytes = read_file(path, kMostBytes);
+  if (!bytes) return tl::unexpected(bytes.error());
+  return labs::read_claim(path,
+                          std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()));
 }
 
-// Whether the claim holds, and where not.
-int judge(const std::string& path, const labs::Claim& claimed, const labs::Claim& measured) {
+// Whether the claim holds, and where not: to `out`.
+int judge(const std::string& path, const labs::Claim& claimed, const labs::Claim& measured,
+          std::FILE* out) {
   const auto found = labs::contradictions(claimed, measured);
   if (found.empty()) {
-    fmt::print("{}: as measured here: {}, and no order of times the other way\n", printable(path),
-               counted(measured.points.size(), "error"));
+    fmt::print(out, "{}: as measured here: {}, and no order of times the other way\n",
+               printable(path), counted(measured.points.size(), "error"));
     return kSuccess;
   }
-  for (const std::string& each : found) fmt::print("{}: {}\n", printable(path), printable(each));
+  for (const std::string& each : found)
+    fmt::print(out, "{}: {}\n", printable(path), printable(each));
   return kFailure;
 }
 
@@ -141,7 +147,9 @@ int LabMeasureCommand::run() const {
     if (!made) return refuse(made.error());
   }
   if (json_output_ != "-") fmt::print("{}", measure_text(*folder->lab, *measured, result, series));
-  return claimed ? judge(*against_, *claimed, claim) : kSuccess;
+  // Where JSON goes to standard output nothing else does.
+  return claimed ? judge(*against_, *claimed, claim, json_output_ == "-" ? stderr : stdout)
+                 : kSuccess;
 }
 
 }  // namespace glassbox::app

@@ -127,36 +127,39 @@ int ViewsRingCommand::run() {
   settings.shading = shading_.value_or(is_unlit ? Shading::kUnlit : Shading::kPhong);
   settings.samples = samples_;
   settings.background = background_;
-  const views::PictureSet set =
-      views::draw_ring(*scene, *ring, settings, matte_,
-                       [&](const std::string& name) { progress.phase("drawing " + name); });
-  progress.phase("writing " + output_);
-  if (const auto written = views::write_picture_set(output_, set); !written)
-    return refuse(written.error());
+  auto writer = views::PictureSetWriter::open(output_);
+  if (!writer) return refuse(writer.error());
+  const auto drawn = views::draw_each(
+      *scene, *ring, settings, matte_,
+      [&](const views::CalibratedPicture& picture) { return writer->add(picture); },
+      [&](const std::string& name) { progress.phase("drawing " + name); });
+  if (!drawn) return refuse(drawn.error());
+  const views::WorldBox box = views::box_of(*scene);
+  if (const auto written = writer->close(box); !written) return refuse(written.error());
   progress.done();
 
-  const views::PinholeCamera& first = set.pictures.front().camera;
-  const views::Vector3d target = ring_.target.value_or((set.box->low + set.box->high) / 2);
+  const views::PinholeCamera& first = ring->front().named.camera;
+  const views::Vector3d target = ring_.target.value_or((box.low + box.high) / 2);
   const double distance = (first.centre - target).norm();
   if (json_output_) {
     const auto numbers = [](const views::Vector3d& v) { return Json{v.x(), v.y(), v.z()}; };
     const Json json{{"folder", output_},
                     {"scene", scene_},
-                    {"pictures", set.pictures.size()},
+                    {"pictures", ring->size()},
                     {"width", size_.width},
                     {"height", size_.height},
                     {"target", numbers(target)},
                     {"distance", distance},
                     {"focal_px", first.intrinsic(0, 0)},
-                    {"box", {numbers(set.box->low), numbers(set.box->high)}},
+                    {"box", {numbers(box.low), numbers(box.high)}},
                     {"unlit", settings.shading == Shading::kUnlit}};
     if (const auto written = write_json(*json_output_, json); !written)
       return refuse(written.error());
   }
   if (json_output_ == "-") return kSuccess;
   fmt::print("{}: {} pictures of {} x {}, {:.6g} from the target, f = {:.6g} px\n",
-             printable(output_, kLongestMessage), set.pictures.size(), size_.width, size_.height,
-             distance, first.intrinsic(0, 0));
+             printable(output_, kLongestMessage), ring->size(), size_.width, size_.height, distance,
+             first.intrinsic(0, 0));
   if (is_unlit)
     fmt::print(
         "  Left out: light. The scene has none of its own, and a lamp at the camera would "

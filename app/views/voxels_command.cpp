@@ -187,6 +187,7 @@ void ViewsVoxelsCommand::add_coloring_options(CLI::App& command) {
       .add_option("--max-mb", max_megabytes_,
                   fmt::format("refuse what takes more megabytes [{}]", max_megabytes_))
       ->type_name("N")
+      ->check(CLI::Range(1u, 1u << 20))
       ->group("Engine");
 }
 
@@ -239,13 +240,19 @@ Result<void> ViewsVoxelsCommand::check_asked() const {
                 "give one of --resolution, --voxel and --total");
   if (total_ && !(*total_ >= 1 && std::isfinite(*total_)))
     return fail("--total", "there must be at least one voxel", "give 7e6");
-  const auto is_level = [](double value) { return value >= 0; };
-  if (!is_level(settings.threshold) || !is_level(settings.k1) || !is_level(settings.k2) ||
-      !is_level(settings.edge) || !(request_.slack >= 1))
-    return fail("--threshold", "a threshold is at least 0, and --slack at least 1",
-                "give levels of 0 .. 255");
+  const std::pair<const char*, double> levels[] = {{"--threshold", settings.threshold},
+                                                   {"--k1", settings.k1},
+                                                   {"--k2", settings.k2},
+                                                   {"--edges", settings.edge}};
+  for (const auto& [option, value] : levels) {
+    if (!(value >= 0))
+      return fail(option, "must be at least 0", "give levels of 0 .. 255; of --k1 a factor");
+  }
+  if (!(request_.slack >= 1))
+    return fail("--slack", "must be at least 1", "give 2: coarse voxels mix more colours");
   if (!(settings.noise > 0 && std::isfinite(settings.noise)))
-    return fail("--noise", "noise must be positive", "give its standard deviation, levels");
+    return fail("--noise", "noise must be more than 0 and finite",
+                "give its standard deviation, levels");
   if (!(settings.significance > 0 && settings.significance < 1))
     return fail("--significance", "must be between 0 and 1", "give 0.001");
   if (!(settings.lightness >= 0 && settings.lightness <= 2))
@@ -287,22 +294,28 @@ Result<VoxelsInput> ViewsVoxelsCommand::read(Progress& progress) const {
   options.most_bytes = std::uint64_t(max_megabytes_) << 20;
   VoxelsInput input;
   options.chosen = chosen_;
-  if (leave_out_) {
+  // Read with the others; of those that are chosen it comes last.
+  if (leave_out_ && !chosen_.empty()) {
     const auto index = std::size_t(*leave_out_ - 1);
     std::erase(options.chosen, index);
-    if (!chosen_.empty() && options.chosen.empty())
-      return fail("--leave-out", "it is the only picture", "choose others with --pictures");
-    views::PictureSetOptions alone = options;
-    alone.chosen = {index};
-    auto left_out = views::read_picture_set(pictures_, alone);
-    if (!left_out) return tl::unexpected(left_out.error());
-    input.left_out = std::move(left_out->pictures.front());
+    options.chosen.push_back(index);
   }
   auto set = views::read_picture_set(pictures_, options);
   if (!set) return tl::unexpected(set.error());
-  if (leave_out_ && chosen_.empty()) set->pictures.erase(set->pictures.begin() + (*leave_out_ - 1));
-  if (set->pictures.empty())
-    return fail("--leave-out", "it is the only picture", "take a set of more");
+  if (leave_out_) {
+    const std::size_t index =
+        chosen_.empty() ? std::size_t(*leave_out_ - 1) : set->pictures.size() - 1;
+    if (index >= set->pictures.size()) {
+      return fail("--leave-out",
+                  fmt::format("there are {} pictures, and number {} is asked for",
+                              set->pictures.size(), *leave_out_),
+                  "count from 1");
+    }
+    if (set->pictures.size() == 1)
+      return fail("--leave-out", "it is the only picture", "take a set of more");
+    input.left_out = std::move(set->pictures[index]);
+    set->pictures.erase(set->pictures.begin() + std::ptrdiff_t(index));
+  }
   input.set = std::move(*set);
   if (truth_) {
     auto scene = load_asked_scene(*truth_, progress);

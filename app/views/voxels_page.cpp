@@ -1,6 +1,7 @@
 #include "app/views/voxels_page.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include <fmt/format.h>
@@ -64,42 +65,24 @@ std::vector<std::uint8_t> voxel_bytes(const std::vector<views::ColoredVoxel>& vo
   return bytes;
 }
 
-// Which layer a voxel belongs to, as the sweep counts them.
-class LayerOf {
-public:
-  explicit LayerOf(const views::Coloring& coloring)
-      : axis_(std::size_t(coloring.direction[0])),
-        last_(coloring.direction[1] > 0 ? -1 : coloring.grid.count[axis_] - 1) {}
-  int operator()(const views::VoxelAt& at) const {
-    const int place = axis_ == 0 ? at.x : axis_ == 1 ? at.y : at.z;
-    return last_ < 0 ? place : last_ - place;
-  }
-
-private:
-  std::size_t axis_;
-  int last_;
-};
-
 // Of each pixel the first layer that hides what is behind it, and 65535 where none does: what a voxel of layer k was shown is what
 // had no number below k.
 std::vector<std::uint8_t> hidden_bytes(const views::CalibratedPicture& picture,
                                        const views::ColoringRequest& request,
                                        const views::Coloring& coloring) {
-  views::PackedPicture frame;
-  frame.pixel_from_world = views::projection_of(picture.camera);
-  frame.width = picture.color.width;
-  frame.height = picture.color.height;
-  const views::GridPicture lens = views::grid_picture(coloring.grid, frame);
+  const int width = picture.color.width;
+  const views::GridPicture lens = views::grid_picture(
+      coloring.grid, views::projection_of(picture.camera), width, picture.color.height);
   constexpr int kNever = 65535;
   std::vector<int> first(picture.color.pixels.size(), kNever);
-  const LayerOf layer_of(coloring);
+  const views::PlaneLayers planes(coloring.grid, coloring.direction);
   for (const views::ColoredVoxel& voxel : coloring.voxels) {
-    const int layer = layer_of(voxel.at);
-    const auto centre = views::projected(views::row_of(lens, frame, voxel.at, 0), voxel.at.x);
-    views::for_each_pixel(lens, centre, request.settings.hidden, [&](int x, int y) {
-      int& here = first[std::size_t(y) * std::size_t(frame.width) + std::size_t(x)];
+    const int layer = planes.layer_of(voxel.at);
+    const auto hide = [&](int x, int y) {
+      int& here = first[std::size_t(y) * std::size_t(width) + std::size_t(x)];
       here = std::min(here, layer);
-    });
+    };
+    views::for_each_pixel(lens, views::centre_of(lens, voxel.at), request.settings.hidden, hide);
   }
   std::vector<std::uint8_t> bytes;
   for (const int layer : first) add_short(bytes, layer);
@@ -114,9 +97,8 @@ Result<Json> picture_json(const views::CalibratedPicture& picture, const views::
   }
   const auto uri = voxels_picture_uri(shown);
   if (!uri) return tl::unexpected(uri.error());
-  views::PackedPicture frame;
-  frame.pixel_from_world = views::projection_of(picture.camera);
-  const views::GridPicture lens = views::grid_picture(grid, frame);
+  const views::GridPicture lens = views::grid_picture(grid, views::projection_of(picture.camera),
+                                                      picture.color.width, picture.color.height);
   Json matrix = Json::array();
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 4; ++column) matrix.push_back(lens.pixel_from_grid(row, column));
@@ -146,12 +128,17 @@ Result<std::string> make_voxels_page(const VoxelsInput& input,
   manifest["program"] = origin.program;
   manifest["command"] = origin.command;
   manifest["direction"] = {coloring.direction[0], coloring.direction[1]};
-  // Only planes leave a number at each pixel from which any voxel's verdict can be worked out again.
-  const bool has_layers = coloring.order == views::Order::kSweep &&
-                          coloring.traversal != views::TraversalKind::kEmbedded &&
-                          settings.update == views::Update::kLayer;
+  // Only planes leave a number at each pixel from which any voxel's verdict can be worked out again, and the page looks at one pixel of
+  // each picture, the centre's.
+  const bool has_layers = coloring.order == views::Order::kSweep && !coloring.in_shells &&
+                          settings.update == views::Update::kLayer &&
+                          settings.sampled == views::Footprint::kCentre;
   manifest["has_layers"] = has_layers;
-  manifest["settings"] = {{"threshold", settings.threshold},
+  // JSON has no infinity: null is one.
+  const Json threshold =
+      std::isfinite(settings.threshold) ? Json(settings.threshold) : Json(nullptr);
+  manifest["settings"] = {{"threshold", threshold},
+                          {"edge", settings.edge},
                           {"k1", settings.k1},
                           {"k2", settings.k2},
                           {"noise", settings.noise},

@@ -17,10 +17,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using views::Verdict;
 
-std::uint64_t key_of(const views::VoxelAt& at) {
-  return std::uint64_t(at.z) << 40 | std::uint64_t(at.y) << 20 | std::uint64_t(at.x);
-}
-
 Result<VoxelsReport::AgainstFull> compare_full(const VoxelsInput& input,
                                                views::ColoringRequest request,
                                                const views::Coloring& coarse) {
@@ -28,11 +24,12 @@ Result<VoxelsReport::AgainstFull> compare_full(const VoxelsInput& input,
   const auto full = views::color_voxels(input.set, request);
   if (!full) return tl::unexpected(full.error());
   std::unordered_set<std::uint64_t> all;
-  for (const views::ColoredVoxel& voxel : full->voxels) all.insert(key_of(voxel.at));
+  for (const views::ColoredVoxel& voxel : full->voxels) all.insert(views::key_of(voxel.at));
   VoxelsReport::AgainstFull against;
   against.full = std::int64_t(full->voxels.size());
   std::int64_t both = 0;
-  for (const views::ColoredVoxel& voxel : coarse.voxels) both += all.contains(key_of(voxel.at));
+  for (const views::ColoredVoxel& voxel : coarse.voxels)
+    both += all.contains(views::key_of(voxel.at));
   against.lost = against.full - both;
   against.added = std::int64_t(coarse.voxels.size()) - both;
   against.milliseconds = full->milliseconds;
@@ -67,16 +64,19 @@ std::string test_text(const views::ColoringSettings& settings) {
   return text;
 }
 
+// The way of the layers; empty of carving.
+std::string along_text(const views::Coloring& coloring) {
+  if (coloring.order == views::Order::kCarve) return "";
+  if (coloring.in_shells) return "shells";
+  if (!coloring.grid.axes.isIdentity()) return "the oblique direction";
+  return (coloring.direction[1] > 0 ? "" : "-") + std::string(1, char('x' + coloring.direction[0]));
+}
+
 std::string order_text(const views::Coloring& coloring) {
   if (coloring.order == views::Order::kCarve)
     return fmt::format("carved in {} passes of six sweeps", coloring.passes);
-  if (coloring.traversal == views::TraversalKind::kEmbedded)
-    return fmt::format("swept outwards in {} shells", coloring.layers);
-  return fmt::format("swept in {} layers along {}{}", coloring.layers,
-                     coloring.direction[1] > 0 ? "" : "-",
-                     coloring.traversal == views::TraversalKind::kOblique
-                         ? "the oblique direction"
-                         : std::string(1, char('x' + coloring.direction[0])));
+  if (coloring.in_shells) return fmt::format("swept outwards in {} shells", coloring.layers);
+  return fmt::format("swept in {} layers along {}", coloring.layers, along_text(coloring));
 }
 
 }  // namespace
@@ -84,10 +84,12 @@ std::string order_text(const views::Coloring& coloring) {
 Result<VoxelsReport> report_voxels(const VoxelsInput& input, const views::ColoringRequest& request,
                                    const VoxelsQuestion& question, Progress& progress) {
   VoxelsReport report;
-  const auto grid = views::grid_for(input.set, request);
-  if (!grid) return tl::unexpected(grid.error());
+  const auto plan = views::plan_coloring(input.set, request);
+  if (!plan) return tl::unexpected(plan.error());
+  const views::VoxelGrid* const grid = &plan->grid;
   const double voxels = double(grid->voxels());
-  const double more = (question.wants_verdicts ? voxels : 0) + (input.truth ? voxels / 8 : 0);
+  const double more = (question.wants_verdicts ? voxels : 0) +
+                      (input.truth ? voxels / 8 + views::TrueVolume::bytes_while_made(*grid) : 0);
   if (more > double(request.most_bytes)) {
     return fail("--voxel",
                 fmt::format("the truth and the page of {:.3g} voxels would take {:.0f} MB", voxels,
@@ -111,19 +113,13 @@ Result<VoxelsReport> report_voxels(const VoxelsInput& input, const views::Colori
       std::size_t next = 0;
       for (const views::VoxelRun& run : runs) {
         for (int i = 0; i < run.count; ++i) {
-          const views::VoxelAt at = run.at(i);
-          const auto index = (std::size_t(at.z) * std::size_t(grid->count[1]) + std::size_t(at.y)) *
-                                 std::size_t(grid->count[0]) +
-                             std::size_t(at.x);
-          report.verdicts[index] = verdicts[next++];
+          report.verdicts[grid->index(run.at(i))] = verdicts[next++];
         }
       }
     };
   }
   progress.phase("colouring voxels");
-  auto coloring = views::color_voxels(input.set, request, watch);
-  if (!coloring) return tl::unexpected(coloring.error());
-  report.coloring = std::move(*coloring);
+  report.coloring = views::color_voxels(input.set, request, *plan, watch);
   if (overlap) {
     for (const views::VoxelRun& run : report.coloring.solid) overlap->add(run);
     progress.phase("measuring the surface");
@@ -207,6 +203,12 @@ std::string voxels_text(const VoxelsInput& input, const views::ColoringRequest& 
   if (alone > 0) {
     text += fmt::format("Left out: {} voxels that one picture alone sees (--alone keep).\n", alone);
   }
+  if (!coloring.is_finished) {
+    text += fmt::format(
+        "Left out: passes after {}, though the last one carved voxels: some may be left that more "
+        "would carve.\n",
+        coloring.passes);
+  }
   if (std::ranges::any_of(input.set.pictures,
                           [](const auto& picture) { return picture.matte.pixels.empty(); })) {
     text +=
@@ -225,8 +227,10 @@ Json voxels_json(const VoxelsInput& input, const views::ColoringRequest& request
             {"pictures", input.set.pictures.size()},
             {"traversal", views::name_of(coloring.traversal)},
             {"order", views::name_of(coloring.order)},
+            {"along", along_text(coloring)},
             {"layers", coloring.layers},
             {"passes", coloring.passes},
+            {"finished", coloring.is_finished},
             {"count", {coloring.grid.count[0], coloring.grid.count[1], coloring.grid.count[2]}},
             {"voxel", coloring.grid.size},
             {"test", views::name_of(settings.consistency)},

@@ -29,6 +29,8 @@ Result<double> rms_angle(const Ask& ask, MakeCase make, double parameter) {
   for (int i = 0; i < kPolygons; ++i) {
     const auto at = [&](int k) { return number_of(answers->front(), std::size_t(3 * i + k)); };
     const study::ExactVector normal = make(std::uint64_t(i) + 1, parameter).normal;
+    // A vector without a direction is no normal.
+    if (at(0) == 0 && at(1) == 0 && at(2) == 0) return number_of({}, 0);
     const double angle = angle_between(study::ExactVector(at(0), at(1), at(2)), normal);
     sum += angle * angle;
   }

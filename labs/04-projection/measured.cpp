@@ -1,5 +1,5 @@
 // Lab 4 in the chart of D-7: vertices before a camera far from the origin, by the student's projection and divide, in double.
-#include "labs/measuring/measuring.h"
+#include "labs/measuring/field_errors.h"
 #include "study/experiments/d07_field.h"
 
 #include <glassbox/base/trig.h>
@@ -10,7 +10,7 @@ namespace {
 
 using namespace study::d07;
 
-constexpr int kFields = 32, kTimed = 1 << 9;  // as in a quick run
+constexpr int kTimed = 1 << 9;  // as in a quick run
 
 Numbers question(const Field& field, Depth depth) {
   Numbers numbers{depth == Depth::kReversedInfinite ? 1.0 : 0.0, kPi / 2, 1, kNear,
@@ -21,19 +21,8 @@ Numbers question(const Field& field, Depth depth) {
 }
 
 Result<double> rms_error(const Ask& ask, Depth depth, double offset) {
-  std::vector<Field> fields;
-  std::vector<Numbers> questions;
-  for (int i = 0; i < kFields; ++i) {
-    fields.push_back(make_field(std::uint64_t(i) + 1, offset, kPointsOfField));
-    questions.push_back(question(fields.back(), depth));
-  }
-  const auto answers = ask(questions);
-  if (!answers) return tl::unexpected(answers.error());
-  double sum = 0;
-  for (std::size_t i = 0; i < fields.size(); ++i)
-    add_squared_errors(
-        fields[i], depth, [&](std::size_t k) { return number_of((*answers)[i], k); }, sum);
-  return rms_of(sum, depth, kFields);
+  return rms_field_error(
+      ask, [&](const Field& field) { return question(field, depth); }, depth, offset);
 }
 
 std::vector<MeasuredPlace> places() {

@@ -18,9 +18,22 @@ bool is_inside(const SnappedVertex& from, const SnappedVertex& to, const Snapped
   return e > 0 || (e == 0 && owns_edge(from, to));
 }
 
-// Edges, each with the centre of a pixel near it. Whether the pixel belongs to the triangle on the edge's right, and whether it
-// belongs to the other one.
+std::vector<Triangle> triangles_of(RecordReader& in) {
+  std::vector<Triangle> triangles;
+  while (in.more()) {
+    for (SnappedVertex& v : triangles.emplace_back()) v = vertex(in);
+  }
+  return triangles;
+}
+
+// Of 0 and edges, each with the centre of a pixel near it: whether the pixel belongs to the triangle on the edge's right, and whether it
+// belongs to the other one. Of what is timed: how many pixels each triangle covers.
 void answer(RecordReader& in, Numbers& out) {
+  if (const int width = in.integer(); width > 0) {
+    for (const Triangle& triangle : triangles_of(in))
+      out.push_back(double(covered_pixels(triangle, {0, 0, width, width}).size()));
+    return;
+  }
   while (in.more()) {
     const SnappedVertex from = vertex(in), to = vertex(in), centre = vertex(in);
     out.push_back(is_inside(from, to, centre) ? 1 : 0);
@@ -31,11 +44,7 @@ void answer(RecordReader& in, Numbers& out) {
 // The width of a tile at the origin, then triangles.
 std::function<void()> prepare(RecordReader& in) {
   const int width = in.integer();
-  std::vector<Triangle> triangles;
-  while (in.more()) {
-    for (SnappedVertex& v : triangles.emplace_back()) v = vertex(in);
-  }
-  return [triangles, tile = PixelRect{0, 0, width, width}] {
+  return [triangles = triangles_of(in), tile = PixelRect{0, 0, width, width}] {
     for (const Triangle& triangle : triangles) covered_pixels(triangle, tile);
   };
 }

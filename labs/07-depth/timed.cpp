@@ -8,9 +8,24 @@ namespace {
 using glassbox::labs::Numbers;
 using glassbox::labs::RecordReader;
 
-// A format, near and far, then distances. The code of each distance.
+std::vector<Fragment> fragments_of(RecordReader& in) {
+  std::vector<Fragment> fragments;
+  for (int pixel = 0; in.more(); ++pixel) fragments.push_back({pixel, in.real()});
+  return fragments;
+}
+
+constexpr int kWhatIsTimed = 1;
+
+// Of 0, a format, near and far, then distances: the code of each distance. Of what is timed: the fragment of each pixel.
 void answer(RecordReader& in, Numbers& out) {
+  const bool is_timed = in.integer() == kWhatIsTimed;
   const auto format = Format(in.integer());
+  if (is_timed) {
+    const std::vector<Fragment> fragments = fragments_of(in);
+    for (const int seen : visible(fragments, int(fragments.size()), format))
+      out.push_back(double(seen));
+    return;
+  }
   const double near = in.number(), far = in.number();
   const Range range = format == Format::kFloat32Reversed ? Range::kReversed : Range::kStandard;
   const DepthRow row = depth_row(near, far, range);
@@ -20,12 +35,12 @@ void answer(RecordReader& in, Numbers& out) {
   }
 }
 
-// A format, then depths: a fragment for each pixel.
+// 1, a format, then depths: a fragment for each pixel.
 std::function<void()> prepare(RecordReader& in) {
+  in.integer();
   const auto format = Format(in.integer());
-  std::vector<Fragment> fragments;
-  for (int pixel = 0; in.more(); ++pixel) fragments.push_back({pixel, in.real()});
-  return [format, fragments] { visible(fragments, int(fragments.size()), format); };
+  return
+      [format, fragments = fragments_of(in)] { visible(fragments, int(fragments.size()), format); };
 }
 
 }  // namespace

@@ -138,6 +138,13 @@ std::vector<std::string> contradictions(const Claim& claimed, const Claim& measu
   if (!found.empty()) return found;
   if (claimed.code != measured.code)
     found.push_back("it is of another student.cpp than the one that was measured");
+  for (const ClaimedPoint& each : claimed.points) {
+    const auto is_it = [&](const ClaimedPoint& other) { return name_of(other) == name_of(each); };
+    if (std::ranges::none_of(measured.points, is_it))
+      found.push_back(fmt::format("{}: is no point of this lab", name_of(each)));
+    if (&*std::ranges::find_if(claimed.points, is_it) != &each)
+      found.push_back(fmt::format("{}: is there twice", name_of(each)));
+  }
   for (const ClaimedPoint& each : measured.points) {
     const auto same =
         std::find_if(claimed.points.begin(), claimed.points.end(),

@@ -17,9 +17,6 @@ const std::vector<ExtremeCase>& extreme_cases() {
 
 const std::vector<LeftOut>& left_out_cases() {
   static const std::vector<LeftOut> all{
-      {"C-87 to C-94", "Voxel colouring",
-       "footprints, thresholds and sweeps through voxels, which the pipeline has none of: "
-       "tests/views/voxels holds them"},
       {"C-95 to C-98", "Polygon colouring",
        "marching cubes and view-dependent textures of a reconstruction: there is none"},
       {"C-116", "No numbers in pixels and vertices",

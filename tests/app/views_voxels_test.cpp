@@ -61,12 +61,27 @@ TEST_CASE("carving, coarse to fine and the other tests of consistency are asked 
     CHECK(voxels_answer(here, voxels + test)["coloured"] > 100);
   }
   CHECK(voxels_answer(here, voxels + "--threshold 0")["coloured"] == 0);
+  CHECK(voxels_answer(here, voxels)["along"] == "-y");
+  CHECK(voxels_answer(here, voxels + "--direction x")["along"] == "x");
+  // A picture that is left out of some that are chosen.
+  CHECK(voxels_answer(here, voxels + "--pictures 1-4 --leave-out 2")["left_out"]["picture"] ==
+        "view001.png");
+  CHECK(voxels_answer(here, voxels + "--pictures 1-4 --leave-out 2")["pictures"] == 3);
   CHECK(voxels_answer(here, "voxels ring --total 20000")["judged"] > 15000);
   CHECK(voxels_answer(here, "voxels ring --pictures 1-3,7 --voxel 0.1")["pictures"] == 4);
 }
 
 TEST_CASE("rings and voxels that cannot be made are refused in a line, and no file is left") {
   const Workplace here;
+  REQUIRE(here.run("views ring cube -o ring --views 3 --size 16x16").exit_code == 0);
+  // A camera that is finite, and whose pixels no float has.
+  for (const char* k : {"100 0 40 0 100 40 0 0 1 1 0 0 0 1 0 0 0 1 0 0 1e300",
+                        "1e300 0 40 0 100 40 0 0 1 1 0 0 0 1 0 0 0 1 0 0 1"}) {
+    std::ofstream(here.file("ring/ring_par.txt")) << "1\nview000.png " << k << "\n";
+    const Outcome outcome = here.run("views voxels ring --resolution 8 --no-mattes --order carve");
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.err.find("view000.png") != std::string::npos);
+  }
   REQUIRE(here.run("views ring cube -o ring --views 3 --size 16x16").exit_code == 0);
   for (const char* words : {"ring cube -o no --views 0",
                             "ring cube -o no --arc 400",
@@ -90,6 +105,14 @@ TEST_CASE("rings and voxels that cannot be made are refused in a line, and no fi
                             "voxels ring --significance 1 -o a.ply",
                             "voxels ring --order carve --resolution 4000 --max-mb 64",
                             "voxels ring --direction w",
+                            "voxels ring --order carve --levels 1 --against-full",
+                            "voxels ring --order carve --direction x",
+                            "voxels ring --max-mb 0",
+                            "voxels ring --k1 nan",
+                            "voxels ring --noise inf",
+                            "voxels ring --pictures 1-2 --leave-out 7",
+                            "ring cube -o no --start nan",
+                            "ring cube -o no --up 1e200,0,0",
                             "voxels ring --html a.txt"}) {
     const Outcome outcome = here.run(std::string("views ") + words);
     INFO(words << ": " << outcome.err);

@@ -22,11 +22,23 @@ async function open(made, options) {
   await opened.page.waitForSelector("body[data-ready]");
   return opened;
 }
+
+// A click on a voxel: in the middle of the pixels of the canvas that have one.
+async function clickOnShape(page) {
+  const position = await page.evaluate(() => {
+    const canvas = document.getElementById("shape"), {width, height} = canvas;
+    const {data} = canvas.getContext("2d").getImageData(0, 0, width, height), filled = [];
+    for (let at = 0; at < width * height; at++) if (data[4 * at + 3] !== 0) filled.push(at);
+    const at = filled[filled.length >> 1], scale = canvas.clientWidth / width;
+    return {x: (at % width + .5) * scale, y: (Math.floor(at / width) + .5) * scale};
+  });
+  await page.locator("#shape").click({position});
+}
 const readout = (page) => page.textContent("#readout");
 
 test("voxels: a click on the shape picks a coloured voxel, whose pictures agree with the verdict", async () => {
   const opened = await open(voxels("sweep")), {page} = opened;
-  await page.locator("#shape").click();
+  await clickOnShape(page);
   await page.waitForSelector("#projections figure");
   assert.match(await readout(page), /: coloured\. [2-9]\d* pictures see it: mean \([\d.]+, [\d.]+, [\d.]+\), sigma [\d.]+, below T = 18\./);
   assert.equal(await page.locator("#projections figure").count(), 6);
@@ -38,12 +50,40 @@ test("voxels: arrow keys go through a slice, and the verdict of each voxel is sa
   await page.locator("#layer").fill("10");
   await page.locator("#slice").focus();
   for (const key of Array(12).fill("ArrowRight")) {
+    const last = await readout(page);
     await page.keyboard.press(key);
-    await page.waitForFunction((last) => document.getElementById("readout").textContent !== last, await readout(page), {timeout: 5000}).catch(() => {});
+    await page.waitForFunction((text) => document.getElementById("readout").textContent !== text, last, {timeout: 5000});
     verdicts.add((await readout(page)).match(/layer 11: ([^.]+)\./)?.[1]);
   }
   assert.ok(verdicts.size >= 2 && !verdicts.has(undefined), [...verdicts].join());
   return opened;
+});
+
+test("voxels: what the page says of a voxel's numbers never contradicts the command's verdict", async () => {
+  for (const [name, words, says] of [
+    ["box", ["--footprint", "box"], /the test compares all pixels of the footprint \(box\)/],
+    ["infinite", ["--threshold", "inf"], /below T = infinity/],
+    ["edges", ["--threshold", "1", "--edges", "1"], /below T = 1/]]) {
+    const opened = await open(voxels(name, ...words)), {page} = opened;
+    const texts = [];
+    for (const layer of ["0", "1", "6", "12"]) {
+      await page.locator("#layer").fill(layer);
+      await page.locator("#slice").focus();
+      for (const key of Array(6).fill("ArrowRight")) {
+        const last = await readout(page);
+        await page.keyboard.press(key);
+        await page.waitForFunction((text) => document.getElementById("readout").textContent !== text, last, {timeout: 5000});
+        texts.push(await readout(page));
+      }
+    }
+    assert.ok(texts.some((text) => says.test(text)), `${name}: ${texts[0]}`);
+    // Coloured all the same: only an edge excuses a sigma that is not below T.
+    for (const text of texts) {
+      if (/: coloured\./.test(text) && /not below T/.test(text)) assert.match(text, /an edge of 1 in every picture excuses/);
+    }
+    assert.deepEqual(opened.problems, []);
+    await opened.close();
+  }
 });
 
 test("voxels: the picture that was left out changes places with the drawn one", async () => {
@@ -63,7 +103,7 @@ test("voxels: every control has a name, and nothing is wider than the screen", a
     for (const width of [360, 800, 1920]) {
       for (const colorScheme of ["light", "dark"]) {
         const opened = await open(made, {viewport: {width, height: 900}, colorScheme}), {page} = opened;
-        await page.locator("#shape").click();
+        await clickOnShape(page);
         await page.waitForSelector("#projections figure");
         assert.deepEqual(await namelessControls(page), []);
         assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${name} at ${width}`);

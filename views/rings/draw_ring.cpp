@@ -6,22 +6,12 @@
 
 namespace glassbox::views {
 
-namespace {
-
-Image<std::uint8_t> matte_where(int width, int height, auto is_object) {
-  Image<std::uint8_t> matte(width, height, 0);
-  for (std::size_t i = 0; i < matte.pixels.size(); ++i) matte.pixels[i] = is_object(i) ? 255 : 0;
-  return matte;
-}
-
-}  // namespace
-
-PictureSet draw_ring(const Scene& scene, const std::vector<RingView>& ring, RenderSettings settings,
-                     Matte matte, const std::function<void(const std::string&)>& tell) {
+Result<void> draw_each(const Scene& scene, const std::vector<RingView>& ring,
+                       RenderSettings settings, Matte matte,
+                       const std::function<Result<void>(CalibratedPicture)>& take,
+                       const std::function<void(const std::string&)>& tell) {
   settings.want_distance = matte == Matte::kDepth;
   if (matte == Matte::kAlpha) settings.background.a = 0;
-  PictureSet set;
-  set.box = box_of(scene);
   Renderer renderer(scene, settings.transfer);
   for (const RingView& one : ring) {
     if (tell) tell(one.named.picture);
@@ -37,8 +27,20 @@ PictureSet draw_ring(const Scene& scene, const std::vector<RingView>& ring, Rend
                                   [&](std::size_t i) { return pixels[i].a >= 128; });
     }
     for (Rgba8& pixel : picture.color.pixels) pixel.a = 255;
-    set.pictures.push_back(std::move(picture));
+    if (const auto taken = take(std::move(picture)); !taken) return taken;
   }
+  return {};
+}
+
+PictureSet draw_ring(const Scene& scene, const std::vector<RingView>& ring,
+                     const RenderSettings& settings, Matte matte) {
+  PictureSet set;
+  set.box = box_of(scene);
+  const auto keep = [&](CalibratedPicture picture) -> Result<void> {
+    set.pictures.push_back(std::move(picture));
+    return {};
+  };
+  (void)draw_each(scene, ring, settings, matte, keep);  // nothing of it fails
   return set;
 }
 

@@ -23,6 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMostText = std::uint64_t(1) << 28;
 constexpr std::string_view kMiddlebury = "_par.txt";
+constexpr const char *kRingFile = "ring_par.txt", *kBoxFile = "box.txt";
 
 Result<std::string> text_of(const fs::path& path) {
   return read_file(path.string(), kMostText).map([](const std::vector<std::byte>& bytes) {
@@ -94,10 +95,15 @@ std::uint8_t brightest(const Rgba8& pixel) {
 }
 
 Image<std::uint8_t> matte_by(const Image<Rgba8>& color, auto is_object) {
-  Image<std::uint8_t> matte(color.width, color.height, 0);
-  for (std::size_t i = 0; i < matte.pixels.size(); ++i)
-    matte.pixels[i] = is_object(color.pixels[i]) ? 255 : 0;
-  return matte;
+  return matte_where(color.width, color.height,
+                     [&](std::size_t i) { return is_object(color.pixels[i]); });
+}
+
+// As the file says; 0 where it says nothing.
+std::uint64_t pixels_in(const fs::path& path) {
+  const auto bytes = read_file(path.string());
+  const auto size = bytes ? find_image_size(*bytes) : std::nullopt;
+  return size ? std::uint64_t(size->width) * size->height : 0;
 }
 
 class Reader {
@@ -128,7 +134,15 @@ private:
     DecodeLimits limits;
     limits.max_pixels = std::min<std::uint64_t>(limits.max_pixels, bytes_left_ / sizeof(Rgba8));
     auto image = read_image(path.string(), limits);
-    if (image) bytes_left_ -= sizeof(Rgba8) * image->pixels.size();
+    if (image) {
+      bytes_left_ -= sizeof(Rgba8) * image->pixels.size();
+    } else if (pixels_in(path) > bytes_left_ / sizeof(Rgba8)) {
+      return tl::unexpected(
+          Error{path.string(), "",
+                fmt::format("the pictures would take more than the {} MB that are allowed",
+                            options_.most_bytes >> 20),
+                "allow more with --max-mb, or choose fewer pictures"});
+    }
     return image;
   }
 
@@ -230,7 +244,7 @@ Result<PictureSet> read_picture_set(const std::string& path, const PictureSetOpt
     if (!picture) return tl::unexpected(picture.error());
     set.pictures.push_back(std::move(*picture));
   }
-  const fs::path box = file.parent_path() / "box.txt";
+  const fs::path box = file.parent_path() / kBoxFile;
   if (is_file(box)) {
     const auto text = text_of(box);
     if (!text) return tl::unexpected(text.error());
@@ -241,33 +255,55 @@ Result<PictureSet> read_picture_set(const std::string& path, const PictureSetOpt
   return set;
 }
 
-Result<void> write_picture_set(const std::string& folder, const PictureSet& set) {
+Result<PictureSetWriter> PictureSetWriter::open(const std::string& folder) {
   std::error_code error;
   fs::create_directories(fs::path(folder) / "masks", error);
+  if (!error) fs::remove(fs::path(folder) / kRingFile, error);
+  if (!error) fs::remove(fs::path(folder) / kBoxFile, error);
   if (error) {
-    return tl::unexpected(Error{folder, "", "cannot be made: " + error.message(),
+    return tl::unexpected(Error{folder, "", "cannot be written to: " + error.message(),
                                 "name a folder that may be written"});
   }
-  std::vector<NamedCamera> cameras;
-  for (const CalibratedPicture& picture : set.pictures) {
-    const fs::path path = fs::path(folder) / picture.name;
-    if (const auto written = write_image(path.string(), picture.color); !written) return written;
-    if (!picture.matte.pixels.empty()) {
-      const fs::path mask = fs::path(folder) / "masks" / picture.name;
-      const auto written = write_image(mask.string(), grey_of(picture.matte));
-      if (!written) return written;
-    }
-    cameras.push_back({picture.name, picture.camera});
+  return PictureSetWriter(folder);
+}
+
+Result<void> PictureSetWriter::add(const CalibratedPicture& picture) {
+  const fs::path path = fs::path(folder_) / picture.name;
+  const fs::path mask = fs::path(folder_) / "masks" / picture.name;
+  // Of another picture by this name.
+  for (const std::string& stale : {mask.string(), mask.string() + ".png"}) {
+    std::error_code error;
+    fs::remove(stale, error);
+    if (error)
+      return tl::unexpected(Error{stale, "", "cannot be removed: " + error.message(), "remove it"});
   }
-  if (set.box) {
-    const auto& [low, high] = *set.box;
-    const auto written = write_text(fs::path(folder) / "box.txt",
+  if (const auto written = write_image(path.string(), picture.color); !written) return written;
+  if (!picture.matte.pixels.empty()) {
+    const auto written = write_image(mask.string(), grey_of(picture.matte));
+    if (!written) return written;
+  }
+  cameras_.push_back({picture.name, picture.camera});
+  return {};
+}
+
+Result<void> PictureSetWriter::close(const std::optional<WorldBox>& box) {
+  if (box) {
+    const auto& [low, high] = *box;
+    const auto written = write_text(fs::path(folder_) / kBoxFile,
                                     fmt::format("{} {} {}\n{} {} {}\n", low.x(), low.y(), low.z(),
                                                 high.x(), high.y(), high.z()));
     if (!written) return written;
   }
-  // The cameras last: a folder that has them is whole.
-  return write_text(fs::path(folder) / "ring_par.txt", cameras_text(cameras));
+  return write_text(fs::path(folder_) / kRingFile, cameras_text(cameras_));
+}
+
+Result<void> write_picture_set(const std::string& folder, const PictureSet& set) {
+  auto writer = PictureSetWriter::open(folder);
+  if (!writer) return tl::unexpected(writer.error());
+  for (const CalibratedPicture& picture : set.pictures) {
+    if (const auto added = writer->add(picture); !added) return added;
+  }
+  return writer->close(set.box);
 }
 
 }  // namespace glassbox::views

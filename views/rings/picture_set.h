@@ -43,7 +43,27 @@ struct PictureSetOptions {
 // camera or more than kMostRingViews, and pictures that would take more than `most_bytes`, before they are decoded.
 Result<PictureSet> read_picture_set(const std::string& path, const PictureSetOptions& options);
 
-// The files of a ring: NAME.png, masks/NAME.png, ring_par.txt and box.txt, in a folder that is made if need be.
+// A matte that has the object where is_object(i) says so of pixel i.
+template <class IsObject>
+Image<std::uint8_t> matte_where(int width, int height, const IsObject& is_object) {
+  Image<std::uint8_t> matte(width, height, 0);
+  for (std::size_t i = 0; i < matte.pixels.size(); ++i) matte.pixels[i] = is_object(i) ? 255 : 0;
+  return matte;
+}
+
+// Writes the files of a ring, a picture at a time: NAME.png, masks/NAME.png, box.txt and last ring_par.txt, in a folder that is made if
+// need be. What an earlier ring of the same names left there goes: its cameras at once, so that a folder that has cameras is whole.
+class PictureSetWriter {
+public:
+  static Result<PictureSetWriter> open(const std::string& folder);
+  Result<void> add(const CalibratedPicture& picture);
+  Result<void> close(const std::optional<WorldBox>& box);
+
+private:
+  explicit PictureSetWriter(const std::string& folder) : folder_(folder) {}
+  std::string folder_;
+  std::vector<NamedCamera> cameras_;
+};
 Result<void> write_picture_set(const std::string& folder, const PictureSet& set);
 
 // "x0 y0 z0" and "x1 y1 z1", a line each.

@@ -13,6 +13,8 @@ namespace glassbox::views {
 
 namespace {
 
+constexpr int kMostDegrees = 3600;
+
 Result<void> check_options(const RingOptions& options) {
   if (options.views < 1 || options.elevations.empty() ||
       std::int64_t(options.views) * std::int64_t(options.elevations.size()) > kMostRingViews) {
@@ -34,8 +36,14 @@ Result<void> check_options(const RingOptions& options) {
   if (options.pair_separation &&
       !(*options.pair_separation > 0 && std::isfinite(*options.pair_separation)))
     return fail("--pairs", "two cameras of a pair are apart", "give a positive separation");
-  if (!(options.up.norm() > 0) || !options.up.allFinite())
-    return fail("--up", "up must be a direction", "give 0,1,0");
+  if (!std::isfinite(options.start_degrees) || std::abs(options.start_degrees) > kMostDegrees)
+    return fail("--start",
+                fmt::format("the first camera's angle is at most {} degrees", kMostDegrees),
+                "give 0 for the front");
+  if (!(options.up.norm() > 0) || !std::isfinite(options.up.norm()))
+    return fail("--up", "up must be a direction, with a length that is a number", "give 0,1,0");
+  if (options.target && !options.target->allFinite())
+    return fail("--look-at", "the target must be three numbers", "leave it out");
   return {};
 }
 
@@ -64,10 +72,7 @@ struct Planes {
 // The planes that hold a box, with a 64th of room; a camera inside it takes a near plane of a 1024th of the box.
 Planes planes_of(const WorldBox& box, const Vector3d& centre, const Vector3d& gaze) {
   double near = INFINITY, far = -INFINITY;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vector3d p((corner & 1) != 0 ? box.high.x() : box.low.x(),
-                     (corner & 2) != 0 ? box.high.y() : box.low.y(),
-                     (corner & 4) != 0 ? box.high.z() : box.low.z());
+  for (const Vector3d& p : corners_of(box)) {
     const double along = gaze.dot(p - centre);
     near = std::min(near, along);
     far = std::max(far, along);
@@ -82,6 +87,16 @@ WorldBox box_of(const Scene& scene) {
   const Box<World> box = bounds(scene);
   const auto &low = box.low, &high = box.high;
   return {{low.x, low.y, low.z}, {high.x, high.y, high.z}};
+}
+
+std::array<Vector3d, 8> corners_of(const WorldBox& box) {
+  std::array<Vector3d, 8> corners;
+  for (std::size_t i = 0; i < 8; ++i) {
+    corners[i] = {(i & 1) != 0 ? box.high.x() : box.low.x(),
+                  (i & 2) != 0 ? box.high.y() : box.low.y(),
+                  (i & 4) != 0 ? box.high.z() : box.low.z()};
+  }
+  return corners;
 }
 
 Result<View> view_of(const PinholeCamera& camera, int width, int height, double near, double far) {

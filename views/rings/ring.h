@@ -1,6 +1,7 @@
 // Where the pictures of a ring are taken from: cameras on circles around an axis through a target, all looking at it (S1-29).
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -37,6 +38,7 @@ struct WorldBox {
   Vector3d low = Vector3d::Zero(), high = Vector3d::Zero();
 };
 WorldBox box_of(const Scene& scene);
+std::array<Vector3d, 8> corners_of(const WorldBox& box);
 
 inline constexpr int kMostRingViews = 512;
 

@@ -48,11 +48,7 @@ public:
   }
 
 private:
-  std::size_t index(const VoxelAt& at) const {
-    return (std::size_t(at.z) * std::size_t(count_[1]) + std::size_t(at.y)) *
-               std::size_t(count_[0]) +
-           std::size_t(at.x);
-  }
+  std::size_t index(const VoxelAt& at) const { return voxel_index(count_, at); }
   std::array<int, 3> count_;
   std::vector<std::uint64_t> bits_;
 };
@@ -63,11 +59,11 @@ bool is_carved(Verdict verdict) {
 
 // One direction's sweep: how many voxels it carves.
 std::int64_t sweep_once(const VoxelGrid& grid, std::vector<PackedPicture>& pictures,
-                        const ColoringRequest& request, std::array<int, 2> direction, Solid& solid,
-                        std::int64_t& judged) {
+                        const ColoringRequest& request, const std::vector<double>& ratios,
+                        std::array<int, 2> direction, Solid& solid, std::int64_t& judged) {
   for_blocks(pictures.size(), request.settings.threads,
              [&](std::size_t i) { uncover(pictures[i]); });
-  Sweep sweep(grid, pictures, request.settings);
+  Sweep sweep(grid, pictures, request.settings, ratios);
   const PlaneLayers planes(grid, direction);
   std::vector<double> along;  // of the eyes, in voxels
   for (const PackedPicture& picture : pictures)
@@ -94,6 +90,12 @@ std::int64_t sweep_once(const VoxelGrid& grid, std::vector<PackedPicture>& pictu
   return carved;
 }
 
+// What the pictures say of a voxel at the surface.
+struct SurfaceSum {
+  ColorSums sums;
+  double rgb[3] = {0, 0, 0};
+};
+
 std::vector<VoxelAt> boundary_of(const VoxelGrid& grid, const Solid& solid) {
   std::vector<VoxelAt> boundary;
   const PlaneLayers planes(grid, {2, 1});
@@ -112,7 +114,7 @@ std::vector<float> depths_of(const VoxelGrid& grid, const PackedPicture& picture
   const GridPicture lens = grid_picture(grid, picture);
   std::vector<float> depths(picture.words.size(), INFINITY);
   for (const VoxelAt& at : voxels) {
-    const Projected centre = projected(row_of(lens, picture, at, 0), at.x);
+    const Projected centre = centre_of(lens, at);
     for_each_pixel(lens, centre, Footprint::kBox, [&](int x, int y) {
       float& depth = depths[std::size_t(y) * std::size_t(picture.width) + std::size_t(x)];
       depth = std::min(depth, centre.w);
@@ -126,13 +128,8 @@ void color_boundary(std::vector<PackedPicture>& pictures, const ColoringRequest&
                     const Solid& solid, Coloring& result) {
   const VoxelGrid& grid = result.grid;
   const std::vector<VoxelAt> boundary = boundary_of(grid, solid);
-  struct Sum {
-    ColorSums sums;
-    double rgb[3] = {0, 0, 0};
-  };
-  std::vector<Sum> all(boundary.size());
+  std::vector<SurfaceSum> all(boundary.size());
   const float diagonal = float(grid.size * std::sqrt(3.0));
-  // A few at a time, which are then added in order: sums of whole numbers do not depend on it.
   for (const PackedPicture& picture : pictures) {
     const std::vector<float> depths = depths_of(grid, picture, boundary);
     const GridPicture lens = grid_picture(grid, picture);
@@ -142,7 +139,7 @@ void color_boundary(std::vector<PackedPicture>& pictures, const ColoringRequest&
                  for (std::size_t i = block * kOfBlock;
                       i < std::min((block + 1) * kOfBlock, boundary.size()); ++i) {
                    const VoxelAt& at = boundary[i];
-                   const Projected centre = projected(row_of(lens, picture, at, 0), at.x);
+                   const Projected centre = centre_of(lens, at);
                    const PixelOf pixel = centre_pixel(centre, lens.width, lens.height);
                    if (pixel.column < 0) continue;
                    const std::size_t index = std::size_t(pixel.row) * std::size_t(picture.width) +
@@ -150,10 +147,8 @@ void color_boundary(std::vector<PackedPicture>& pictures, const ColoringRequest&
                    if (centre.w > depths[index] + diagonal) continue;
                    const std::uint32_t word = picture.words[index];
                    if ((word & kBackground) != 0) continue;
-                   const std::uint32_t a = word & kChannelMask,
-                                       b = word >> kChannelBits & kChannelMask,
-                                       c = word >> (2 * kChannelBits) & kChannelMask;
-                   all[i].sums.add(a, b, c);
+                   add_word(all[i].sums, word);
+                   const auto [a, b, c] = channels_of(word);
                    const bool is_rgb = picture.rgb.empty();
                    all[i].rgb[0] += is_rgb ? double(a) / kCodesPerLevel : picture.rgb[index].r;
                    all[i].rgb[1] += is_rgb ? double(b) / kCodesPerLevel : picture.rgb[index].g;
@@ -180,17 +175,25 @@ void color_boundary(std::vector<PackedPicture>& pictures, const ColoringRequest&
 
 }  // namespace
 
+double carving_bytes(const VoxelGrid& grid, double surface) {
+  // A bit for each voxel, a run or more for each row of them, and what the surface takes.
+  return double(grid.voxels()) / 8 + double(grid.count[1]) * grid.count[2] * sizeof(VoxelRun) +
+         surface * double(sizeof(VoxelAt) + sizeof(SurfaceSum));
+}
+
 void carve(std::vector<PackedPicture>& pictures, const ColoringRequest& request, Coloring& result) {
   constexpr std::array<std::array<int, 2>, 6> kDirections{
       {{0, 1}, {0, -1}, {1, 1}, {1, -1}, {2, 1}, {2, -1}}};
   Solid solid(result.grid);
-  for (std::int64_t carved = 1; carved > 0 && result.passes < request.most_passes;
-       ++result.passes) {
-    carved = 0;
+  const std::vector<double> ratios = likelihood_ratios(request.settings);
+  result.is_finished = false;
+  for (; !result.is_finished && result.passes < request.most_passes; ++result.passes) {
+    std::int64_t carved = 0;
     for (const std::array<int, 2>& direction : kDirections) {
-      carved += sweep_once(result.grid, pictures, request, direction, solid, result.judged);
+      carved += sweep_once(result.grid, pictures, request, ratios, direction, solid, result.judged);
       result.layers += result.grid.count[std::size_t(direction[0])];
     }
+    result.is_finished = carved == 0;
   }
   color_boundary(pictures, request, solid, result);
   const PlaneLayers planes(result.grid, {2, 1});

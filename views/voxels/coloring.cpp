@@ -23,61 +23,95 @@ std::vector<Vector3d> eyes_of(const PictureSet& set) {
   return eyes;
 }
 
-// What the request leaves open, decided.
-struct Plan {
-  Traversal traversal;
-  Order order;
-  std::array<int, 2> direction{2, 1};
+// The order, and the axes that the grid needs for it.
+struct Visit {
+  ColoringPlan plan;
   Matrix3d axes = Matrix3d::Identity();
 };
 
-Plan plan_of(const PictureSet& set, const ColoringRequest& request) {
-  Plan plan{classify(eyes_of(set), request.box.low, request.box.high), request.order};
-  const bool has_order = plan.traversal.kind != TraversalKind::kSurrounded;
+Visit visit_of(const PictureSet& set, const ColoringRequest& request) {
+  const Traversal traversal = classify(eyes_of(set), request.box.low, request.box.high);
+  Visit visit;
+  ColoringPlan& plan = visit.plan;
+  plan.traversal = traversal.kind;
+  plan.order = request.order;
+  const bool has_order = traversal.kind != TraversalKind::kSurrounded;
   if (plan.order == Order::kAuto) plan.order = has_order ? Order::kSweep : Order::kCarve;
+  if (plan.order == Order::kCarve) return visit;
+  plan.in_shells = traversal.kind == TraversalKind::kEmbedded && !request.direction;
   if (request.direction) {
     plan.direction = *request.direction;
-  } else if (plan.order == Order::kSweep && plan.traversal.kind == TraversalKind::kOblique) {
-    plan.axes = axes_along(*plan.traversal.direction);
-  } else if (plan.traversal.direction && plan.traversal.kind != TraversalKind::kOblique) {
+  } else if (traversal.kind == TraversalKind::kOblique) {
+    visit.axes = axes_along(*traversal.direction);
+  } else if (traversal.direction) {
     int axis = 0;
-    plan.traversal.direction->cwiseAbs().maxCoeff(&axis);
-    plan.direction = {axis, plan.traversal.away[std::size_t(axis)]};
+    traversal.direction->cwiseAbs().maxCoeff(&axis);
+    plan.direction = {axis, traversal.away[std::size_t(axis)]};
   }
-  return plan;
+  return visit;
 }
 
-// What grows: words, deviations and RGB of pictures, smaller ones of coarser levels, the verdicts and sums of one layer, the bits of
-// carving and the depths that its surface is found with, the bytes of coarser cells.
-double bytes_needed(const PictureSet& set, const ColoringRequest& request, const VoxelGrid& grid,
-                    Order order) {
-  double pixels = 0;
-  for (const CalibratedPicture& picture : set.pictures)
-    pixels += double(picture.color.pixels.size());
-  double of_pixel = 4;
-  if (wants_spread(request.settings)) of_pixel += 4;
-  if (request.settings.space != ColorSpace::kRgb) of_pixel += 4;
-  if (request.levels > 0) of_pixel *= 4.0 / 3;
+double layer_voxels(const VoxelGrid& grid) {
   const auto [nx, ny, nz] = grid.count;
-  const double layer = std::max({double(nx) * ny, double(ny) * nz, double(nz) * nx});
-  double bytes = of_pixel * pixels + layer;
-  if (order == Order::kCarve) bytes += double(grid.voxels()) / 8 + 4 * pixels;
+  return std::max({double(nx) * ny, double(ny) * nz, double(nz) * nx});
+}
+
+// A pixel as it was read has its colour and its matte; as it is swept a word, and where they are asked for a deviation and RGB; smaller
+// pictures of coarser levels have a third of that.
+double picture_bytes(const PictureSet& set, const ColoringRequest& request, Order order) {
+  double pixels = 0, read = 0;
+  for (const CalibratedPicture& picture : set.pictures) {
+    pixels += double(picture.color.pixels.size());
+    read += double(sizeof(Rgba8) * picture.color.pixels.size() + picture.matte.pixels.size());
+  }
+  double of_pixel = sizeof(std::uint32_t);
+  if (wants_spread(request.settings)) of_pixel += sizeof(std::uint32_t);
+  if (request.settings.space != ColorSpace::kRgb) of_pixel += sizeof(Rgba8);
+  if (request.levels > 0) of_pixel *= 4.0 / 3;
+  if (order == Order::kCarve)
+    of_pixel += sizeof(float);  // the depths that its surface is found with
+  return read + of_pixel * pixels;
+}
+
+double bytes_needed(const PictureSet& set, const ColoringRequest& request,
+                    const ColoringPlan& plan) {
+  const VoxelGrid& grid = plan.grid;
+  const auto [nx, ny, nz] = grid.count;
+  const double surface = 2 * (double(nx) * ny + double(ny) * nz + double(nz) * nx);
+  double bytes = picture_bytes(set, request, plan.order) + surface * double(sizeof(ColoredVoxel)) +
+                 layer_voxels(grid) * double(sizeof(Verdict) + sizeof(Seen) + sizeof(VoxelAt));
+  if (plan.order == Order::kCarve) bytes += carving_bytes(grid, surface);
+  // A byte for each cell of the level before, and the copy that it is grown in.
   if (request.levels > 0) bytes += double(grid.voxels()) / 8 * 2;
   return bytes;
 }
 
 Result<void> check_request(const PictureSet& set, const ColoringRequest& request,
-                           const VoxelGrid& grid, Order order) {
+                           const ColoringPlan& plan) {
   constexpr int kMostLevels = 6;
   if (request.levels < 0 || request.levels > kMostLevels)
     return fail("--levels", fmt::format("coarser levels are 0 to {}", kMostLevels), "give 2");
-  const double bytes = bytes_needed(set, request, grid, order);
+  if (plan.order == Order::kCarve && (request.levels > 0 || request.direction)) {
+    return fail(request.levels > 0 ? "--levels" : "--direction",
+                request.order == Order::kCarve
+                    ? "is of one sweep, and carving goes along all six directions"
+                    : "is of one sweep, and cameras all around the box need carving",
+                "leave it out, or ask for --order sweep");
+  }
+  for (const CalibratedPicture& picture : set.pictures) {
+    const GridPicture lens = grid_picture(plan.grid, projection_of(picture.camera),
+                                          picture.color.width, picture.color.height);
+    if (is_finite(lens)) continue;
+    return fail(picture.name, "its camera's numbers are too large to place voxels with",
+                "give K, R and t in the units of the box");
+  }
+  const double bytes = double(plan.bytes);
   if (bytes <= double(request.most_bytes)) return {};
   return fail("--voxel",
               fmt::format("{} x {} x {} voxels and {} pictures would take {:.0f} MB, and {} MB are "
                           "allowed",
-                          grid.count[0], grid.count[1], grid.count[2], set.pictures.size(),
-                          bytes / 1048576, request.most_bytes >> 20),
+                          plan.grid.count[0], plan.grid.count[1], plan.grid.count[2],
+                          set.pictures.size(), bytes / 1048576, request.most_bytes >> 20),
               "take larger voxels, or allow more with --max-mb");
 }
 
@@ -99,16 +133,15 @@ std::vector<PackedPicture> packed(const std::vector<CalibratedPicture>& pictures
 
 // One sweep over a grid: of all its voxels, or of those that `cells` of the coarser level leave.
 void run_sweep(const VoxelGrid& grid, std::vector<PackedPicture>& pictures,
-               const ColoringSettings& settings, const ColoringRequest& request, const Plan& plan,
-               const std::vector<Vector3d>& eyes, const Cells* cells, const LayerWatcher& watch,
-               Coloring& result) {
-  Sweep sweep(grid, pictures, settings);
-  const bool in_shells = plan.traversal.kind == TraversalKind::kEmbedded && !request.direction;
-  const PlaneLayers planes(grid, plan.direction);
+               const ColoringSettings& settings, const std::vector<double>& ratios,
+               const ColoringRequest& request, const std::vector<Vector3d>& eyes,
+               const Cells* cells, const LayerWatcher& watch, Coloring& result) {
+  Sweep sweep(grid, pictures, settings, ratios);
+  const PlaneLayers planes(grid, result.direction);
   const ShellLayers shells(grid, eyes);
-  result.layers = in_shells ? shells.count() : planes.count();
+  result.layers = result.in_shells ? shells.count() : planes.count();
   for (int k = 0; k < result.layers; ++k) {
-    std::vector<VoxelRun> runs = in_shells ? shells.runs(k) : planes.runs(k, request.box);
+    std::vector<VoxelRun> runs = result.in_shells ? shells.runs(k) : planes.runs(k, request.box);
     if (cells != nullptr) runs = cells->finer(runs);
     sweep.layer(runs, {}, Occluders::kColored);
     for (const Verdict verdict : sweep.verdicts()) ++result.counts[std::size_t(verdict)];
@@ -127,9 +160,10 @@ VoxelGrid coarser(const VoxelGrid& grid) {
 
 // Prock and Dyer (1998): coarse voxels are coloured from pictures of their own size, and only those that were, and what is around
 // them, are looked at again. A threshold of `slack` times leaves room for what a coarse voxel mixes.
-void run_levels(const PictureSet& set, const ColoringRequest& request, const Plan& plan,
-                const LayerWatcher& watch, Coloring& result) {
+void run_levels(const PictureSet& set, const ColoringRequest& request, const LayerWatcher& watch,
+                Coloring& result) {
   const std::vector<Vector3d> eyes = eyes_of(set);
+  const std::vector<double> ratios = likelihood_ratios(request.settings);
   std::vector<VoxelGrid> grids{result.grid};
   std::vector<std::vector<PackedPicture>> pictures(1);
   pictures[0] = packed(set.pictures, request.settings);
@@ -148,15 +182,17 @@ void run_levels(const PictureSet& set, const ColoringRequest& request, const Pla
   settings.alone = Alone::kKeep;
   for (int level = request.levels; level > 0; --level) {
     Coloring coarse;
+    coarse.in_shells = result.in_shells;
+    coarse.direction = result.direction;
     const auto at = std::size_t(level);
-    run_sweep(grids[at], pictures[at], settings, request, plan, eyes, cells ? &*cells : nullptr, {},
-              coarse);
+    run_sweep(grids[at], pictures[at], settings, ratios, request, eyes, cells ? &*cells : nullptr,
+              {}, coarse);
     result.judged_coarse += coarse.judged;
     cells.emplace(grids[at]);
     for (const ColoredVoxel& voxel : coarse.voxels) cells->set(voxel.at);
     cells->grow();
   }
-  run_sweep(result.grid, pictures[0], request.settings, request, plan, eyes,
+  run_sweep(result.grid, pictures[0], request.settings, ratios, request, eyes,
             cells ? &*cells : nullptr, watch, result);
 }
 
@@ -184,34 +220,39 @@ std::string_view name_of(Alone alone) {
   return alone == Alone::kReject ? "reject" : "keep";
 }
 
-Result<VoxelGrid> grid_for(const PictureSet& set, const ColoringRequest& request) {
+Result<ColoringPlan> plan_coloring(const PictureSet& set, const ColoringRequest& request) {
   if (set.pictures.empty()) return fail("the pictures", "there are none", "give some");
-  return grid_of(request.box, request.voxel_size, plan_of(set, request).axes);
+  Visit visit = visit_of(set, request);
+  const auto grid = grid_of(request.box, request.voxel_size, visit.axes);
+  if (!grid) return tl::unexpected(grid.error());
+  visit.plan.grid = *grid;
+  visit.plan.bytes = std::uint64_t(bytes_needed(set, request, visit.plan));
+  if (const auto legal = check_request(set, request, visit.plan); !legal)
+    return tl::unexpected(legal.error());
+  return visit.plan;
 }
 
-Result<Coloring> color_voxels(const PictureSet& set, const ColoringRequest& request,
-                              const LayerWatcher& watch) {
+Coloring color_voxels(const PictureSet& set, const ColoringRequest& request,
+                      const ColoringPlan& plan, const LayerWatcher& watch) {
   const Clock::time_point start = Clock::now();
-  const auto grid = grid_for(set, request);
-  if (!grid) return tl::unexpected(grid.error());
-  const Plan plan = plan_of(set, request);
-  if (const auto legal = check_request(set, request, *grid, plan.order); !legal)
-    return tl::unexpected(legal.error());
   Coloring result;
-  result.grid = *grid;
-  result.traversal = plan.traversal.kind;
-  result.order = plan.order;
-  result.direction = plan.direction;
-  result.bytes = std::uint64_t(bytes_needed(set, request, *grid, plan.order));
+  static_cast<ColoringPlan&>(result) = plan;
   if (plan.order == Order::kCarve) {
     std::vector<PackedPicture> pictures = packed(set.pictures, request.settings);
     carve(pictures, request, result);
   } else {
-    run_levels(set, request, plan, watch, result);
+    run_levels(set, request, watch, result);
     result.passes = 1;
   }
   result.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
   return result;
+}
+
+Result<Coloring> color_voxels(const PictureSet& set, const ColoringRequest& request,
+                              const LayerWatcher& watch) {
+  return plan_coloring(set, request).map([&](const ColoringPlan& plan) {
+    return color_voxels(set, request, plan, watch);
+  });
 }
 
 }  // namespace glassbox::views

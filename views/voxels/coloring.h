@@ -44,26 +44,38 @@ struct ColoringRequest {
 using LayerWatcher = std::function<void(int layer, std::span<const VoxelRun> runs,
                                         std::span<const Verdict> verdicts)>;
 
-struct Coloring {
+// A request with what it leaves open decided: how its voxels are visited.
+struct ColoringPlan {
   VoxelGrid grid;
   TraversalKind traversal = TraversalKind::kHalfSpace;
-  Order order = Order::kSweep;
-  std::array<int, 2> direction{2, 1};  // of a sweep by planes
+  Order order = Order::kSweep;         // kSweep or kCarve
+  bool in_shells = false;              // of a sweep: outwards around the cameras, not by planes
+  std::array<int, 2> direction{2, 1};  // of a sweep by planes: an axis of the grid, and 1 or -1
+  std::uint64_t bytes = 0;             // of all that grows with pictures and voxels
+};
+
+struct Coloring : ColoringPlan {
   int layers = 0, passes = 0;
+  bool is_finished = true;         // of carving: the last pass carved nothing
   std::int64_t judged = 0;         // voxels of the finest level
   std::int64_t judged_coarse = 0;  // of the levels before it
   VerdictCounts counts{};  // of the finest level; of carving, those of the surface that remains
   std::vector<ColoredVoxel> voxels;
   std::vector<VoxelRun> solid;  // what carving leaves, its inside too
   double milliseconds = 0;      // of the whole, packing of the pictures included
-  std::uint64_t bytes = 0;      // of all that grows with pictures and voxels
 };
 
-// The grid that a request is answered on.
-Result<VoxelGrid> grid_for(const PictureSet& set, const ColoringRequest& request);
+// Refused: what grid_of refuses, fewer than one picture, cameras whose numbers leave the range of floats, a direction or coarser levels
+// where voxels are carved, and what would take more than `most_bytes`, computed before anything of it is taken. Counted are the pictures
+// as they were read and as they are swept, a layer, and as many coloured voxels as the box has at its six sides; how many there will
+// be, nobody knows before.
+Result<ColoringPlan> plan_coloring(const PictureSet& set, const ColoringRequest& request);
 
-// Refused: what grid_of refuses, fewer than one picture, and what would take more than `most_bytes`, computed before anything of it is
-// taken. `watch` is called for each layer of the finest level; carving has no layers that could be watched.
+// `watch` is called for each layer of the finest level; carving has no layers that could be watched.
+Coloring color_voxels(const PictureSet& set, const ColoringRequest& request,
+                      const ColoringPlan& plan, const LayerWatcher& watch = {});
+
+// Both.
 Result<Coloring> color_voxels(const PictureSet& set, const ColoringRequest& request,
                               const LayerWatcher& watch = {});
 

@@ -6,14 +6,10 @@ namespace glassbox::views {
 
 VoxelPicture draw_voxels(const VoxelGrid& grid, const std::vector<ColoredVoxel>& voxels,
                          const PinholeCamera& camera, int width, int height, Rgba8 background) {
-  PackedPicture frame;
-  frame.pixel_from_world = projection_of(camera);
-  frame.width = width;
-  frame.height = height;
-  const GridPicture lens = grid_picture(grid, frame);
+  const GridPicture lens = grid_picture(grid, projection_of(camera), width, height);
   VoxelPicture drawn{{width, height, background}, {width, height, INFINITY}};
   for (const ColoredVoxel& voxel : voxels) {
-    const Projected centre = projected(row_of(lens, frame, voxel.at, 0), voxel.at.x);
+    const Projected centre = centre_of(lens, voxel.at);
     if (!(centre.w > 0)) continue;
     for_each_pixel(lens, centre, Footprint::kHull, [&](int x, int y) {
       float& nearest = drawn.distance.at(x, y);

@@ -22,11 +22,17 @@ struct GridPicture {
   float width = 0, height = 0;
   std::int32_t stride = 0;
 };
+GridPicture grid_picture(const VoxelGrid& grid, const ProjectionMatrix& pixel_from_world, int width,
+                         int height);
 GridPicture grid_picture(const VoxelGrid& grid, const PackedPicture& picture);
+// Whether all its numbers are finite as floats, as those of every look-up are.
+bool is_finite(const GridPicture& lens);
 
 // The row of voxels along `axis` through `at`, whose voxel 0 is that with coordinate 0.
 RowPicture row_of(const GridPicture& lens, const PackedPicture& picture, const VoxelAt& at,
                   int axis);
+// The same without pixels.
+RowPicture row_of(const GridPicture& lens, const VoxelAt& at, int axis);
 
 // Homogeneous, of voxel i of a row.
 struct Projected {
@@ -36,6 +42,8 @@ inline Projected projected(const RowPicture& row, int i) {
   const float place = float(i);
   return {row.x + place * row.dx, row.y + place * row.dy, row.w + place * row.dw};
 }
+// Of one voxel's centre, as in its row along x.
+Projected centre_of(const GridPicture& lens, const VoxelAt& at);
 
 // The pixel of a voxel's centre; column < 0 where it is beside the picture or behind the camera.
 struct PixelOf {
@@ -47,8 +55,8 @@ inline PixelOf centre_pixel(const Projected& p, float width, float height) {
   return inside ? PixelOf{int(u), int(v)} : PixelOf{};
 }
 
-// Calls visit(column, row) for each pixel of the footprint that is in the picture. A voxel of which a corner is not before the camera
-// has its centre's pixel alone.
+// Calls visit(column, row) for each pixel of the footprint that is in the picture. A voxel of which a corner is not before the camera,
+// or falls on no finite place of the picture, has its centre's pixel alone.
 template <class Visit>
 void for_each_pixel(const GridPicture& lens, const Projected& centre, Footprint footprint,
                     const Visit& visit);
@@ -113,6 +121,13 @@ void for_each_pixel(const GridPicture& lens, const Projected& centre, Footprint 
   for (std::size_t i = 0; i < 8; ++i) {
     u[i] = (centre.x + lens.corner_x[i]) / w[i];
     v[i] = (centre.y + lens.corner_y[i]) / w[i];
+  }
+  // A sum with an infinite number or with none in it is not finite.
+  float all = 0;
+  for (std::size_t i = 0; i < 8; ++i) all += std::abs(u[i]) + std::abs(v[i]);
+  if (!std::isfinite(all)) {
+    if (middle.column >= 0) visit(middle.column, middle.row);
+    return;
   }
   float left = u[0], right = u[0], top = v[0], bottom = v[0];
   for (std::size_t i = 1; i < 8; ++i) {

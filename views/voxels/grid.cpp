@@ -13,10 +13,7 @@ Result<VoxelGrid> grid_of(const WorldBox& box, double size, const Matrix3d& axes
     return fail("--box", "the box is empty", "give its corners of least and greatest coordinates");
   }
   Vector3d low = Vector3d::Constant(INFINITY), high = Vector3d::Constant(-INFINITY);
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vector3d p((corner & 1) != 0 ? box.high.x() : box.low.x(),
-                     (corner & 2) != 0 ? box.high.y() : box.low.y(),
-                     (corner & 4) != 0 ? box.high.z() : box.low.z());
+  for (const Vector3d& p : corners_of(box)) {
     const Vector3d along = axes.transpose() * p;
     low = low.cwiseMin(along);
     high = high.cwiseMax(along);

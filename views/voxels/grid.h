@@ -15,6 +15,17 @@ struct VoxelAt {
   friend bool operator==(const VoxelAt&, const VoxelAt&) = default;
 };
 
+// Where a voxel stands among all of a box of so many, x first.
+inline std::size_t voxel_index(const std::array<int, 3>& count, const VoxelAt& at) {
+  return (std::size_t(at.z) * std::size_t(count[1]) + std::size_t(at.y)) * std::size_t(count[0]) +
+         std::size_t(at.x);
+}
+
+// One number for each voxel of any grid, and for those beside it.
+inline std::uint64_t key_of(const VoxelAt& at) {
+  return std::uint64_t(at.z + 1) << 42 | std::uint64_t(at.y + 1) << 21 | std::uint64_t(at.x + 1);
+}
+
 struct VoxelGrid {
   Vector3d corner = Vector3d::Zero();    // of voxel (0, 0, 0), world
   Matrix3d axes = Matrix3d::Identity();  // columns: unit vectors along which x, y and z count
@@ -22,6 +33,7 @@ struct VoxelGrid {
   std::array<int, 3> count{1, 1, 1};     // voxels along x, y, z
 
   std::int64_t voxels() const { return std::int64_t(count[0]) * count[1] * count[2]; }
+  std::size_t index(const VoxelAt& at) const { return voxel_index(count, at); }
   // The world's place of grid coordinates: voxel (x, y, z) is the cube from (x, y, z) to (x + 1, y + 1, z + 1).
   Vector3d world(double x, double y, double z) const {
     return corner + axes * (size * Vector3d(x, y, z));

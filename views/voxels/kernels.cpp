@@ -65,7 +65,7 @@ HWY_INLINE void sum_lanes(const RowPicture* pictures, int picture_count, int fir
       spread = hn::Add(spread, hn::IfThenElseZero(is_open, here));
       least = hn::IfThenElse(is_open, hn::Min(least, here), least);
     }
-    if (p % kPicturesBetweenTrials == kPicturesBetweenTrials - 1) {
+    if (picture.is_trial) {
       const auto k = hn::ConvertTo(d, count), fa = hn::ConvertTo(d, a), fb = hn::ConvertTo(d, b),
                  fc = hn::ConvertTo(d, c);
       const auto of_means = hn::Add(hn::Add(hn::Mul(fa, fa), hn::Mul(fb, fb)), hn::Mul(fc, fc));

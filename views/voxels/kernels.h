@@ -14,6 +14,7 @@ struct RowPicture {
   float width, height;  // px
   std::int32_t stride;
   std::int32_t beside;         // -1: what is beside the picture is background; else 0
+  bool is_trial;               // after it, voxels whose colours differ too much are given up
   const std::int32_t* words;   // packed_picture.h
   const std::int32_t* spread;  // null where it is not asked for
 };
@@ -29,7 +30,7 @@ inline constexpr int kMostLanes = 16;
 
 struct VoxelKernels {
   // Voxels first .. first + count - 1. Of a voxel that is background in one of the pictures, no more is asked, nor of one whose sum of
-  // squared deviations (K times it, in codes) is beyond K `most_deviations`: it only grows. That is tried after every fourth picture.
+  // squared deviations (K times it, in codes) is beyond K `most_deviations`: it only grows. That is tried after some of the pictures.
   void (*sum_row)(const RowPicture* pictures, int picture_count, int first, int count,
                   float most_deviations, const RowSums& out);
 };
@@ -39,6 +40,7 @@ const VoxelKernels& voxel_kernels(Target target);
 // The early end of sum_row, for the single voxels of other ways: K squares - |sums|^2 > K most. `share` takes off what the products
 // may have been rounded up by.
 inline constexpr float kShareKept = 1 - 0x1p-20f;
-inline constexpr int kPicturesBetweenTrials = 4;
+inline constexpr int kPicturesBetweenTrials =
+    4;  // of those that are asked: is_trial of every fourth
 
 }  // namespace glassbox::views

@@ -16,8 +16,11 @@ public:
   int count() const { return grid_.count[std::size_t(axis_)]; }
   // The coordinate of layer k.
   int place(int k) const { return forward_ ? k : count() - 1 - k; }
-  int axis() const { return axis_; }
-  int row_axis() const { return row_; }
+  // The layer that a voxel is of.
+  int layer_of(const VoxelAt& at) const {
+    const int place = axis_ == 0 ? at.x : axis_ == 1 ? at.y : at.z;
+    return forward_ ? place : count() - 1 - place;
+  }
   // All of its voxels whose centres are in the box.
   std::vector<VoxelRun> runs(int k, const WorldBox& box) const;
 
@@ -53,11 +56,7 @@ public:
   std::vector<VoxelRun> finer(const std::vector<VoxelRun>& runs) const;
 
 private:
-  std::size_t index(const VoxelAt& at) const {
-    return (std::size_t(at.z) * std::size_t(count_[1]) + std::size_t(at.y)) *
-               std::size_t(count_[0]) +
-           std::size_t(at.x);
-  }
+  std::size_t index(const VoxelAt& at) const { return voxel_index(count_, at); }
   std::array<int, 3> count_;
   std::vector<std::uint8_t> bytes_;
 };

@@ -6,8 +6,6 @@
 #include <glassbox/images/colour/ciede2000.h>
 #include <glassbox/images/srgb.h>
 
-#include "views/voxels/statistics.h"
-
 namespace glassbox::views {
 
 namespace {
@@ -33,8 +31,7 @@ std::vector<std::uint32_t> spread_of(const PackedPicture& picture) {
           const std::uint32_t word =
               picture.words[std::size_t(row) * std::size_t(picture.width) + std::size_t(column)];
           if ((word & kBackground) != 0) continue;
-          sums.add(word & kChannelMask, word >> kChannelBits & kChannelMask,
-                   word >> (2 * kChannelBits) & kChannelMask);
+          add_word(sums, word);
         }
       }
       spread[std::size_t(y) * std::size_t(picture.width) + std::size_t(x)] =

@@ -1,11 +1,13 @@
 // A picture as the sweep reads it: one word for each pixel, which has its colour and what it may not be used for.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "views/rings/picture_set.h"
 #include "views/voxels/settings.h"
+#include "views/voxels/statistics.h"
 
 namespace glassbox::views {
 
@@ -14,6 +16,15 @@ namespace glassbox::views {
 inline constexpr std::uint32_t kHidden = 0x80000000u, kBackground = 0x40000000u;
 inline constexpr int kCodesPerLevel = 4, kChannelBits = 10;
 inline constexpr std::uint32_t kChannelMask = 1023;
+
+inline std::array<std::uint32_t, 3> channels_of(std::uint32_t word) {
+  return {word & kChannelMask, word >> kChannelBits & kChannelMask,
+          word >> (2 * kChannelBits) & kChannelMask};
+}
+inline void add_word(ColorSums& sums, std::uint32_t word) {
+  const auto [a, b, c] = channels_of(word);
+  sums.add(a, b, c);
+}
 
 using ProjectionMatrix = Eigen::Matrix<double, 3, 4>;
 

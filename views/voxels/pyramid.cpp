@@ -27,8 +27,8 @@ std::uint32_t mean_word(const PackedPicture& picture, const Four& four) {
   if (four.count == 0) return kBackground;
   std::uint32_t sums[3] = {0, 0, 0};
   for (int i = 0; i < four.count; ++i) {
-    const std::uint32_t word = picture.words[four.at[i]];
-    for (int k = 0; k < 3; ++k) sums[k] += word >> (kChannelBits * k) & kChannelMask;
+    const auto channels = channels_of(picture.words[four.at[i]]);
+    for (std::size_t k = 0; k < 3; ++k) sums[k] += channels[k];
   }
   std::uint32_t mean = 0;
   const auto count = std::uint32_t(four.count);

@@ -11,22 +11,6 @@ namespace glassbox::views {
 
 namespace {
 
-constexpr std::size_t kExactLimits = 256;
-
-// T^2 by K in codes (packed_picture.h). K = 0 and 1 decide nothing.
-std::vector<double> limits_of(const ColoringSettings& settings) {
-  std::vector<double> limits(kExactLimits + 1);
-  const double threshold = settings.threshold * kCodesPerLevel;
-  const double noise = settings.noise * kCodesPerLevel;
-  for (std::size_t k = 2; k <= kExactLimits; ++k) {
-    const double degrees = 3 * double(k - 1);
-    limits[k] = settings.consistency == Consistency::kLikelihood
-                    ? noise * noise * chi_squared_quantile(degrees, settings.significance) / degrees
-                    : threshold * threshold;
-  }
-  return limits;
-}
-
 // Steps of about the golden section, so that the first few pictures look from all around.
 std::vector<std::size_t> scattered(std::size_t count) {
   std::vector<std::size_t> order(count);
@@ -35,6 +19,8 @@ std::vector<std::size_t> scattered(std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) order[i] = i * step % count;
   return order;
 }
+
+constexpr int kPart = 16;  // voxels of a block that are known together
 
 bool is_occluder(Verdict verdict, Occluders occluders) {
   if (verdict == Verdict::kColored) return true;
@@ -50,43 +36,71 @@ std::string_view name_of(Verdict verdict) {
   return kNames[std::size_t(verdict)];
 }
 
+std::vector<double> likelihood_ratios(const ColoringSettings& settings) {
+  if (settings.consistency != Consistency::kLikelihood) return {};
+  std::vector<double> ratios(kExactRatios + 1, 0);
+  for (std::size_t k = 2; k <= kExactRatios; ++k) {
+    const double degrees = 3 * double(k - 1);
+    ratios[k] = chi_squared_quantile(degrees, settings.significance) / degrees;
+  }
+  return ratios;
+}
+
 // What one thread finds in a few runs.
 struct Sweep::Block {
   std::vector<VoxelAt> colored;
   std::vector<Seen> seen;
-  std::vector<RowPicture> rows;
+  std::vector<std::size_t> places;  // of the coloured ones among the layer's verdicts
+  std::vector<RowPicture> rows, asked;
   std::vector<std::int32_t> sums[7];
+  std::vector<std::size_t>
+      open;  // indices of asked_: pictures in which something of the part may be seen
+};
+
+// Voxels from .. from + count - 1 of a run, whose verdicts begin at `at`, and the run's rows in the pictures of asked_.
+struct Sweep::Part {
+  const VoxelRun& run;
+  int from, count;
+  std::size_t at;
+  const RowPicture* rows;
 };
 
 Sweep::Sweep(const VoxelGrid& grid, std::vector<PackedPicture>& pictures,
-             const ColoringSettings& settings)
+             const ColoringSettings& settings, const std::vector<double>& ratios)
     : grid_(grid),
       pictures_(pictures),
       settings_(settings),
       order_(scattered(pictures.size())),
-      limits_(limits_of(settings)) {
-  for (const PackedPicture& picture : pictures_) lenses_.push_back(grid_picture(grid_, picture));
-  // Deviations may only be given up early where nothing that comes later can excuse them.
+      ratios_(ratios) {
+  for (const PackedPicture& picture : pictures_) {
+    lenses_.push_back(grid_picture(grid_, picture));
+    tiles_.emplace_back(picture);
+  }
+  // Deviations may only be given up early where nothing that comes later can excuse them: beyond what as many pixels as there are
+  // pictures may have, at most.
   double most = 0;
-  for (std::size_t k = 2; k <= kExactLimits; ++k)
-    most = std::max(most, 3 * double(k - 1) * limits_[k]);
+  for (std::size_t k = 2; k <= std::min(kExactRatios, pictures_.size()); ++k)
+    most = std::max(most, 3 * double(k - 1) * limit(std::int64_t(k)));
   const bool may_end_early = settings_.consistency != Consistency::kAdaptive &&
                              settings_.edge == 0 && settings_.sampled == Footprint::kCentre &&
-                             pictures_.size() <= kExactLimits;
+                             pictures_.size() <= kExactRatios;
   most_deviations_ = may_end_early && most < double(std::numeric_limits<float>::max())
                          ? float(most) * (1 + 0x1p-20f)
                          : std::numeric_limits<float>::infinity();
 }
 
-// Beyond 256 pixels the cube root of the quantile is normal (Wilson and Hilferty 1931), with the quantile of 256 for its own.
+// T^2 of so many pixels in codes (packed_picture.h). Beyond 256 the cube root of the quantile is normal (Wilson and Hilferty 1931), with
+// the quantile of 256 for its own.
 double Sweep::limit(std::int64_t pixels) const {
-  if (pixels <= std::int64_t(kExactLimits)) return limits_[std::size_t(pixels)];
-  if (settings_.consistency != Consistency::kLikelihood) return limits_.back();
+  if (settings_.consistency != Consistency::kLikelihood) {
+    const double threshold = settings_.threshold * kCodesPerLevel;
+    return threshold * threshold;
+  }
   const double noise = settings_.noise * kCodesPerLevel, variance = noise * noise;
+  if (pixels <= std::int64_t(kExactRatios)) return variance * ratios_[std::size_t(pixels)];
   const auto spread = [](double degrees) { return 2 / (9 * degrees); };
-  const double known = 3 * double(kExactLimits - 1), degrees = 3 * double(pixels - 1);
-  const double normal =
-      (std::cbrt(limits_.back() / variance) - 1 + spread(known)) / std::sqrt(spread(known));
+  const double known = 3 * double(kExactRatios - 1), degrees = 3 * double(pixels - 1);
+  const double normal = (std::cbrt(ratios_.back()) - 1 + spread(known)) / std::sqrt(spread(known));
   const double root = 1 - spread(degrees) + normal * std::sqrt(spread(degrees));
   return variance * root * root * root;
 }
@@ -143,20 +157,141 @@ Rgba8 Sweep::mean_color(const VoxelRun& run, int i, const Seen& seen) const {
   return {mean(sums[0]), mean(sums[1]), mean(sums[2]), 255};
 }
 
-void Sweep::judge_row(const VoxelRun& run, std::size_t at, Block& block) {
+// All of a box is background for one of the pictures that are asked before colours are compared, where it counts first.
+bool Sweep::is_background(const VoxelBox& box) const {
+  const bool has_trials = most_deviations_ < std::numeric_limits<float>::infinity();
+  const std::size_t first = has_trials ? std::size_t(kPicturesBetweenTrials) : asked_.size();
+  for (std::size_t i = 0; i < std::min(first, asked_.size()); ++i) {
+    const std::size_t p = asked_[i];
+    const auto rect = rect_of(lenses_[p], box);
+    if (rect && tiles_[p].is_background(*rect)) return true;
+  }
+  return false;
+}
+
+void Sweep::find_open(const VoxelBox& box, std::vector<std::size_t>& open) const {
+  open.clear();
+  for (std::size_t i = 0; i < asked_.size(); ++i) {
+    const std::size_t p = asked_[i];
+    const auto rect = rect_of(lenses_[p], box);
+    if (!rect || !tiles_[p].is_hidden(*rect)) open.push_back(i);
+  }
+}
+
+namespace {
+
+VoxelBox box_of_runs(std::span<const VoxelRun> runs) {
+  VoxelBox box{runs.front().first, runs.front().first};
+  for (const VoxelRun& run : runs) {
+    const VoxelAt last = run.at(run.count - 1);
+    box.low = {std::min(box.low.x, run.first.x), std::min(box.low.y, run.first.y),
+               std::min(box.low.z, run.first.z)};
+    box.high = {std::max(box.high.x, last.x), std::max(box.high.y, last.y),
+                std::max(box.high.z, last.z)};
+  }
+  return box;
+}
+
+std::int64_t voxels_of(const VoxelBox& box) {
+  return std::int64_t(box.high.x - box.low.x + 1) * (box.high.y - box.low.y + 1) *
+         (box.high.z - box.low.z + 1);
+}
+
+}  // namespace
+
+// Part by part of kPart voxels along the runs: neighbouring voxels fall on neighbouring pixels, which are still near the processor, and
+// what is known of all of them needs no look at each.
+void Sweep::judge_runs(std::span<const VoxelRun> runs, std::size_t first_run, Block& block) {
   block.rows.clear();
-  for (const std::size_t p : asked_)
-    block.rows.push_back(row_of(lenses_[p], pictures_[p], run.first, run.axis));
-  for (auto& sums : block.sums) sums.resize(std::size_t(run.count + kMostLanes));
+  std::int64_t voxels = 0;
+  bool is_one_axis = true;
+  for (const VoxelRun& run : runs) {
+    for (const std::size_t p : asked_)
+      block.rows.push_back(row_of(lenses_[p], pictures_[p], run.first, run.axis));
+    voxels += run.count;
+    is_one_axis = is_one_axis && run.axis == runs.front().axis;
+  }
+  const auto part_of = [&](std::size_t r, int from, int count) {
+    return Part{runs[r], from, count, first_of_run_[first_run + r],
+                block.rows.data() + r * asked_.size()};
+  };
+  const VoxelBox box = box_of_runs(runs);
+  // Of runs that lie far apart, or are short, little could be known together: those of a coarser level's cells are judged whole.
+  constexpr std::int64_t kMostEmpty = 2, kLeastParts = 4;
+  if (!is_one_axis || voxels_of(box) > kMostEmpty * voxels ||
+      voxels < kLeastParts * kPart * std::int64_t(runs.size())) {
+    block.open.resize(asked_.size());
+    std::iota(block.open.begin(), block.open.end(), std::size_t(0));
+    for (std::size_t r = 0; r < runs.size(); ++r) judge_part(part_of(r, 0, runs[r].count), block);
+    return;
+  }
+  const int axis = runs.front().axis;
+  const int begin = VoxelRun{box.low, axis, 0}.begin(), end = VoxelRun{box.high, axis, 0}.begin();
+  for (int from = begin; from <= end; from += kPart) {
+    const int last = std::min(from + kPart - 1, end);
+    const auto along = [&](VoxelAt at, int place) {
+      (axis == 0 ? at.x : axis == 1 ? at.y : at.z) = place;
+      return at;
+    };
+    const VoxelBox part{along(box.low, from), along(box.high, last)};
+    const bool all_background = is_background(part);
+    if (!all_background) find_open(part, block.open);
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+      const int low = std::max(from, runs[r].begin()) - runs[r].begin();
+      const int high = std::min(last, runs[r].begin() + runs[r].count - 1) - runs[r].begin();
+      if (high < low) continue;
+      if (all_background) {
+        std::fill_n(verdicts_.begin() + std::ptrdiff_t(first_of_run_[first_run + r]) + low,
+                    high - low + 1, Verdict::kBackground);
+      } else if (!block.open.empty()) {  // else hidden, as they begin
+        judge_part(part_of(r, low, high - low + 1), block);
+      }
+    }
+  }
+}
+
+// Coloured voxels were found part by part: back into the order of the runs.
+void Sweep::put_in_order(Block& block) {
+  std::vector<std::size_t> order(block.places.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::ranges::sort(order, {}, [&](std::size_t i) { return block.places[i]; });
+  std::vector<VoxelAt> colored;
+  std::vector<Seen> seen;
+  for (const std::size_t i : order) {
+    colored.push_back(block.colored[i]);
+    seen.push_back(block.seen[i]);
+  }
+  block.colored = std::move(colored);
+  block.seen = std::move(seen);
+}
+
+void Sweep::judge_part(const Part& part, Block& block) {
+  // Pictures that nothing can be seen in say nothing; the trials stay where they are without them.
+  block.asked.clear();
+  std::size_t trial = 0;
+  for (const std::size_t i : block.open) {
+    const std::size_t its_trial = i / std::size_t(kPicturesBetweenTrials);
+    if (!block.asked.empty()) block.asked.back().is_trial = its_trial != trial;
+    trial = its_trial;
+    block.asked.push_back(part.rows[i]);
+  }
+  if (!block.asked.empty()) {
+    block.asked.back().is_trial =
+        (trial + 1) * std::size_t(kPicturesBetweenTrials) <= asked_.size();
+  }
+  for (auto& sums : block.sums) {
+    if (sums.size() < std::size_t(part.count + kMostLanes))
+      sums.resize(std::size_t(part.count + kMostLanes));
+  }
   const RowSums out{block.sums[0].data(), block.sums[1].data(), block.sums[2].data(),
                     block.sums[3].data(), block.sums[4].data(), block.sums[5].data(),
                     block.sums[6].data()};
-  const int first = run.begin();
   voxel_kernels(settings_.target)
-      .sum_row(block.rows.data(), int(block.rows.size()), first, run.count, most_deviations_, out);
+      .sum_row(block.asked.data(), int(block.asked.size()), part.run.begin() + part.from,
+               part.count, most_deviations_, out);
   const bool has_spread = wants_spread(settings_);
-  for (int i = 0; i < run.count; ++i) {
-    Verdict& verdict = verdicts_[at + std::size_t(i)];
+  for (int i = 0; i < part.count; ++i) {
+    Verdict& verdict = verdicts_[part.at + std::size_t(part.from + i)];
     if (out.count[i] <= 0) {
       verdict = out.count[i] == kIsBackground     ? Verdict::kBackground
                 : out.count[i] == kIsInconsistent ? Verdict::kInconsistent
@@ -175,7 +310,9 @@ void Sweep::judge_row(const VoxelRun& run, std::size_t at, Block& block) {
       seen.least_spread = out.least_spread[i];
     }
     verdict = judge(seen);
-    if (verdict == Verdict::kColored) keep(run, i, seen, block);
+    if (verdict != Verdict::kColored) continue;
+    block.places.push_back(part.at + std::size_t(part.from + i));
+    keep(part.run, part.from + i, seen, block);
   }
 }
 
@@ -198,8 +335,7 @@ Seen Sweep::look_up(const VoxelRun& run, int i) const {
       if ((word & kBackground) != 0) return;
       has_object = true;
       if ((word & kHidden) != 0) return;
-      here.add(word & kChannelMask, word >> kChannelBits & kChannelMask,
-               word >> (2 * kChannelBits) & kChannelMask);
+      add_word(here, word);
       if (!picture.spread.empty()) spread = picture.spread[pixel];
     });
     if (is_framed ? !has_object : picture.has_whole) {
@@ -224,12 +360,13 @@ Seen Sweep::look_up(const VoxelRun& run, int i) const {
   return seen;
 }
 
-void Sweep::hide(std::size_t p, const VoxelRun& run, int i) {
+void Sweep::hide(std::size_t p, const RowPicture& row, int place) {
   PackedPicture& picture = pictures_[p];
-  const RowPicture row = row_of(lenses_[p], picture, run.first, run.axis);
-  const int first = run.begin();
-  for_each_pixel(lenses_[p], projected(row, first + i), settings_.hidden, [&](int x, int y) {
-    picture.words[std::size_t(y) * std::size_t(picture.width) + std::size_t(x)] |= kHidden;
+  for_each_pixel(lenses_[p], projected(row, place), settings_.hidden, [&](int x, int y) {
+    std::uint32_t& word =
+        picture.words[std::size_t(y) * std::size_t(picture.width) + std::size_t(x)];
+    if ((word & (kHidden | kBackground)) == 0) tiles_[p].hide(x, y);
+    word |= kHidden;
   });
 }
 
@@ -240,7 +377,8 @@ void Sweep::judge_voxels(const VoxelRun& run, std::size_t at, Block& block, Occl
     verdict = judge(seen);
     if (verdict == Verdict::kColored) keep(run, i, seen, block);
     if (settings_.update == Update::kVoxel && is_occluder(verdict, occluders)) {
-      for (const std::size_t p : asked_) hide(p, run, i);
+      for (const std::size_t p : asked_)
+        hide(p, row_of(lenses_[p], run.first, run.axis), run.begin() + i);
     }
   }
 }
@@ -254,13 +392,14 @@ void Sweep::judge_layer(std::span<const VoxelRun> runs, Occluders occluders) {
   const bool by_row = settings_.sampled == Footprint::kCentre && !in_turn;
   for_blocks(blocks.size(), settings_.threads, [&](std::size_t b) {
     Block& block = blocks[b];
-    for (std::size_t r = b * of_block; r < std::min((b + 1) * of_block, runs.size()); ++r) {
-      if (by_row) {
-        judge_row(runs[r], first_of_run_[r], block);
-      } else {
-        judge_voxels(runs[r], first_of_run_[r], block, occluders);
-      }
+    const std::size_t begin = b * of_block, end = std::min(begin + of_block, runs.size());
+    if (by_row) {
+      judge_runs(runs.subspan(begin, end - begin), begin, block);
+      put_in_order(block);
+      return;
     }
+    for (std::size_t r = begin; r < end; ++r)
+      judge_voxels(runs[r], first_of_run_[r], block, occluders);
   });
   colored_.clear();
   seen_.clear();
@@ -285,21 +424,17 @@ void Sweep::hide_layer(std::span<const VoxelRun> runs, Occluders occluders) {
   if (hiders.empty()) return;
   for_blocks(asked_.size(), settings_.threads, [&](std::size_t index) {
     const std::size_t p = asked_[index];
-    PackedPicture& picture = pictures_[p];
     RowPicture row{};
     std::size_t row_is_of = runs.size();
     int first = 0;
     for (const Hider& hider : hiders) {
       const VoxelRun& run = runs[hider.run];
       if (hider.run != row_is_of) {
-        row = row_of(lenses_[p], picture, run.first, run.axis);
+        row = row_of(lenses_[p], run.first, run.axis);
         row_is_of = hider.run;
         first = run.begin();
       }
-      for_each_pixel(
-          lenses_[p], projected(row, first + hider.i), settings_.hidden, [&](int x, int y) {
-            picture.words[std::size_t(y) * std::size_t(picture.width) + std::size_t(x)] |= kHidden;
-          });
+      hide(p, row, first + hider.i);
     }
   });
 }

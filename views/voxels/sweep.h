@@ -12,6 +12,7 @@
 #include "views/voxels/kernels.h"
 #include "views/voxels/packed_picture.h"
 #include "views/voxels/statistics.h"
+#include "views/voxels/tiles.h"
 
 namespace glassbox::views {
 
@@ -52,11 +53,16 @@ struct ColoredVoxel {
 // Which verdicts hide what is behind: those that are coloured (voxel colouring), or all but what is proved empty (space carving).
 enum class Occluders { kColored, kNotCarved };
 
+// Of the likelihood ratio: the chi-squared quantile of K pixels by its degrees of freedom, for K = 0 .. kExactRatios; of other tests
+// nothing. Some milliseconds, so that a request makes it once for all of its sweeps.
+inline constexpr std::size_t kExactRatios = 256;
+std::vector<double> likelihood_ratios(const ColoringSettings& settings);
+
 class Sweep {
 public:
-  // Both must outlive it; the pictures' hidden bits are the sweep's.
+  // All must outlive it; the pictures' hidden bits are the sweep's. `ratios`: likelihood_ratios(settings).
   Sweep(const VoxelGrid& grid, std::vector<PackedPicture>& pictures,
-        const ColoringSettings& settings);
+        const ColoringSettings& settings, const std::vector<double>& ratios);
 
   // Judges the voxels of one layer and hides behind them. The verdicts are in the order of the runs. Pictures that are not `active`
   // (one flag each; empty: all are) are neither asked nor hidden from.
@@ -69,16 +75,21 @@ public:
 
 private:
   struct Block;
+  struct Part;
   Verdict judge(const Seen& seen) const;
   double limit(std::int64_t pixels) const;
   Seen look_up(const VoxelRun& run, int i) const;
-  void judge_row(const VoxelRun& run, std::size_t at, Block& block);
+  bool is_background(const VoxelBox& box) const;
+  void find_open(const VoxelBox& box, std::vector<std::size_t>& open) const;
+  void judge_runs(std::span<const VoxelRun> runs, std::size_t first_run, Block& block);
+  void judge_part(const Part& part, Block& block);
+  static void put_in_order(Block& block);
   void judge_voxels(const VoxelRun& run, std::size_t at, Block& block, Occluders occluders);
   void keep(const VoxelRun& run, int i, const Seen& seen, Block& block) const;
   Rgba8 mean_color(const VoxelRun& run, int i, const Seen& seen) const;
   void judge_layer(std::span<const VoxelRun> runs, Occluders occluders);
   void hide_layer(std::span<const VoxelRun> runs, Occluders occluders);
-  void hide(std::size_t picture, const VoxelRun& run, int i);
+  void hide(std::size_t picture, const RowPicture& row, int place);
 
   const VoxelGrid& grid_;
   std::vector<PackedPicture>& pictures_;
@@ -86,7 +97,8 @@ private:
   std::vector<GridPicture> lenses_;
   std::vector<std::size_t> order_;  // of the pictures: those that look from elsewhere come soon
   std::vector<std::size_t> asked_;  // those of order_ that are active
-  std::vector<double> limits_;      // T^2 by K, codes
+  const std::vector<double>& ratios_;
+  std::vector<PixelTiles> tiles_;
   float most_deviations_ = 0;
   std::vector<Verdict> verdicts_;
   std::vector<std::size_t> first_of_run_;

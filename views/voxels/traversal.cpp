@@ -23,8 +23,7 @@ Vector3d least_along(const Vector3d& direction, const std::vector<Vector3d>& cam
 std::optional<Vector3d> separating_direction(const std::vector<Vector3d>& cameras,
                                              const Vector3d& low, const Vector3d& high) {
   Vector3d nearest = (low + high) / 2 - cameras.front();
-  constexpr int kSteps = 20000;
-  for (int step = 0; step < kSteps; ++step) {
+  for (int step = 0; step < kDirectionSteps; ++step) {
     const Vector3d least = least_along(nearest, cameras, low, high);
     if (nearest.dot(least) > 0) return nearest.normalized();
     const Vector3d way = least - nearest;

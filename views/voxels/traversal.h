@@ -33,7 +33,9 @@ struct Traversal {
 };
 
 // Of cameras and of a box from `low` to `high`, all in the same coordinates. What is called an order is one: the plane is checked
-// against every camera and every corner. A gap of less than a 4096th of the whole may be taken for none (C-90).
+// against every camera and every corner. The search for an oblique one ends after kDirectionSteps steps: a gap that is thin beside the
+// whole may be taken for none, which is an answer on the safe side (C-90).
+inline constexpr int kDirectionSteps = 20000;
 Traversal classify(const std::vector<Vector3d>& cameras, const Vector3d& low, const Vector3d& high);
 
 // Axes for a grid whose layers along z lead along `direction`: of the world's, turned by the shortest way.

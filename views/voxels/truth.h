@@ -17,16 +17,15 @@ class TrueVolume {
 public:
   TrueVolume(const Scene& scene, const VoxelGrid& grid);
   bool has(const VoxelAt& at) const {
-    const std::size_t i = index(at.x, at.y, at.z);
+    const std::size_t i = voxel_index(count_, at);
     return (bits_[i / 64] >> (i % 64) & 1) != 0;
   }
   std::int64_t voxels() const { return voxels_; }
 
+  // What making one takes beside its bits: a list of crossings for each line of voxels.
+  static double bytes_while_made(const VoxelGrid& grid);
+
 private:
-  std::size_t index(int x, int y, int z) const {
-    return (std::size_t(z) * std::size_t(count_[1]) + std::size_t(y)) * std::size_t(count_[0]) +
-           std::size_t(x);
-  }
   std::array<int, 3> count_;
   std::vector<std::uint64_t> bits_;
   std::int64_t voxels_ = 0;

@@ -22,11 +22,6 @@ void add_vertex(std::string& text, const Vector3d& p, const Rgba8& color) {
   text += char(color.b);
 }
 
-std::uint64_t key_of(const VoxelAt& at) {
-  // Beside a voxel at 0 there is one at -1.
-  return std::uint64_t(at.z + 1) << 42 | std::uint64_t(at.y + 1) << 21 | std::uint64_t(at.x + 1);
-}
-
 struct Side {
   VoxelAt beside;
   int corners[4];  // counter-clockwise from outside; bit 0: high x, bit 1: high y, bit 2: high z

@@ -69,10 +69,17 @@ async function figureOf(picture, found) {
   return element("figure", {className: found.color ? "" : "unseen"}, canvas, element("figcaption", {}, swatch, `${picture.name} ${found.says}`));
 }
 
+// What the numbers of the centres' pixels say; the verdict is the command's.
 function testText(sigma) {
   const {test, space, settings} = manifest;
   if (space === "lab") return "the test compares CIELab";
-  if (test === "sigma") return `${sigma < settings.threshold ? "below" : "not below"} T = ${settings.threshold}`;
+  if (manifest.footprint !== "centre") return `the test compares all pixels of the footprint (${manifest.footprint})`;
+  if (test === "sigma") {
+    if (settings.threshold === null) return "below T = infinity";
+    if (sigma < settings.threshold) return `below T = ${settings.threshold}`;
+    const edges = settings.edge > 0 ? `, which an edge of ${settings.edge} in every picture excuses` : "";
+    return `not below T = ${settings.threshold}${edges}`;
+  }
   if (test === "ratio") return `the likelihood ratio is of a noise of ${settings.noise}`;
   return `T = ${settings.k1} M + ${settings.k2}`;
 }

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <map>
 #include <string>
+#include <tuple>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -33,14 +34,22 @@ const Lab& lab_numbered(int number) {
 // A lab's solution, but for what is replaced, as a program that is asked and timed.
 class Bench {
 public:
-  Bench(int lab, const std::string& find, const std::string& replace)
+  enum Change { kReplaced, kEmptied };
+  // kEmptied: the function whose name is found begins with `replace`.
+  Bench(int lab, const std::string& find, const std::string& replace, Change change = kReplaced)
       : place_(made_place()), sandbox_(grading::Sandbox::choose(place_).value()) {
     const Sources sources = find_sources().value();
     const std::string& folder = lab_numbered(lab).folder;
     std::string text = solution_text(sources, folder).value();
-    const std::size_t at = text.find(find);
+    std::size_t at = text.find(find);
     REQUIRE(at != std::string::npos);
-    text.replace(at, find.size(), replace);
+    if (change == kEmptied) {
+      at = text.find(") {\n", at);
+      REQUIRE(at != std::string::npos);
+      text.insert(at + 4, replace);
+    } else {
+      text.replace(at, find.size(), replace);
+    }
     std::ofstream(place_ / "student.cpp") << text;
     const fs::path kept = fs::path(KEPT) / (folder + "-measured");
     fs::create_directories(kept);
@@ -247,6 +256,11 @@ TEST_CASE("a claim is borne out by the same errors and orders, whatever the time
   other.code = "another";
   CHECK(differs(other, here) == "it is of another student.cpp than the one that was measured");
   other = here;
+  other.points.push_back(other.points.front());
+  CHECK(differs(other, here) == "yours at 8, wall: is there twice");
+  other.points.back().parameter = 9;
+  CHECK(differs(other, here) == "yours at 9, wall: is no point of this lab");
+  other = here;
   other.points.clear();
   CHECK(differs(other, here) == "yours at 8, wall: is missing");
   other.lab = "06-rasterisation";
@@ -304,12 +318,45 @@ TEST_CASE(
   CAPTURE(wrong.out, wrong.err);
   CHECK(wrong.exit_code == 1);
   CHECK(wrong.out.find("the error is 0, not 0.5") != std::string::npos);
+  // With JSON on standard output there is nothing else.
+  const auto both = run({"--against", "better.json", "--json", "-"});
+  CHECK(both.exit_code == 1);
+  CHECK(nlohmann::json::accept(both.out));
+  CHECK(both.err.find("the error is 0, not 0.5") != std::string::npos);
 
   for (const std::vector<std::string>& words :
-       {std::vector<std::string>{"--against", "nowhere.json"}, {"--html", "chart.txt"}}) {
+       {std::vector<std::string>{"--against", "nowhere.json"},
+        {"--against", "."},
+        {"--html", "chart.txt"}}) {
     const auto refused = run(words);
     CHECK(refused.exit_code == 2);
     CHECK(std::count(refused.err.begin(), refused.err.end(), '\n') == 1);
+    CHECK(refused.err.find("hand in") == std::string::npos);
   }
   fs::remove_all(folder);
+}
+
+TEST_CASE("a function that does nothing has no small error, and is not in front for being fast") {
+  for (const auto& [lab, find, replace] :
+       {std::tuple<int, const char*, const char*>{1, "Vector<Object> newell_vector(", "return {};"},
+        {2, "World> repaired(", "return {};"},
+        {3, "World>> uvn_view(", "return {};"},
+        {4, "Projection perspective(", "return {};"},
+        {5, "Polygon clip_to_frustum(", "return {};"},
+        {6, "std::vector<Pixel> covered_pixels(", "return {};"},
+        {7, "std::vector<int> visible(", "return {};"},
+        {8, "std::vector<double> span_coordinates(", "return {};"},
+        {9, "Verdict cull(", "return Verdict::kDraw;"}}) {
+    CAPTURE(lab);
+    const Bench bench(lab, find, replace, Bench::kEmptied);
+    const LabMeasure measure = measure_of(lab).value();
+    StudentAnswers student = bench.student();
+    const auto points = measure_places(measure, student, 0, say_nothing);
+    REQUIRE(points);
+    for (const ConfigurationResult& mine : *points) {
+      if (mine.series == "yours, two rotations") continue;  // by another function
+      CAPTURE(mine.series, mine.scene, mine.parameter, mine.error);
+      CHECK_FALSE(mine.error <= 1e-3);
+    }
+  }
 }

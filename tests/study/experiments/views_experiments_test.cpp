@@ -1,4 +1,4 @@
-// D-20 to D-23: the laws of two pictures, beside those that every experiment is held against.
+// D-18 to D-23: the laws of voxels and of two pictures, beside those that every experiment is held against.
 #include <cmath>
 
 #include "study/bench/statistics.h"
@@ -84,6 +84,35 @@ TEST_CASE(
       CHECK(at("midpoint", "one six times nearer") > 1.05 * nearer);
     }
   }
+}
+
+// Voxels and pictures are counted, and not timed.
+TEST_CASE(
+    "voxel colouring looks N^3 m times and asks for memory as N^2, and smaller voxels are nearer "
+    "to "
+    "the surface until they are pixels (D-18)") {
+  const auto all = check_experiment(d18_voxels());
+  const auto looks = fit_power_law(series_of(all, "centre", "looks"));
+  CHECK(std::abs(looks.exponent - 3) < 0.01);
+  const auto memory = fit_power_law(series_of(all, "centre", "memory"));
+  CHECK(std::abs(memory.exponent - 2) < 0.1);
+  // Four times as many voxels across, while each has pixels of its own.
+  const auto surface = series_of(all, "centre", "");
+  CHECK(surface.front().y > 2 * surface.back().y);
+  // More pictures do no harm to a picture that was left out.
+  const auto pictures = series_of(all, "centre", "pictures");
+  CHECK(pictures.back().y < 1.5 * pictures.front().y);
+}
+
+TEST_CASE("coarse to fine looks at a part of the voxels, and loses what is thin (D-19)") {
+  const auto all = check_experiment(d19_coarse_to_fine());
+  const char* twice = "coarse thresholds times 2";
+  CHECK(error_at(all, twice, "ball", 2, "judged") < 0.6);
+  CHECK(error_at(all, twice, "ball", 2) < 0.1);
+  // A level more never brings back what was lost; rods are lost before the ball is.
+  const char* rods = "ball and rods two voxels thick";
+  CHECK(error_at(all, twice, rods, 3) > error_at(all, twice, rods, 1));
+  CHECK(error_at(all, twice, rods, 3) > error_at(all, twice, "ball", 3));
 }
 
 }  // namespace

@@ -61,7 +61,34 @@ TEST_CASE("a ring that is written is read again, picture for picture") {
   CHECK(refusal(read_picture_set(folder, some)).find("number 6 is asked for") != std::string::npos);
   some.chosen = {};
   some.most_bytes = 32 * 32 * 4 * 4;
-  CHECK_FALSE(read_picture_set(folder, some));
+  CHECK(refusal(read_picture_set(folder, some)).find("allow more with --max-mb") !=
+        std::string::npos);
+}
+
+TEST_CASE(
+    "a ring that is written over another has nothing of it, and one that is not whole no cameras") {
+  const TemporaryDirectory directory;
+  const std::string folder = directory.file("ring");
+  const PictureSet set = test::ring_of(test::speckled_sphere(8, 1), small_ring(3));
+  REQUIRE(write_picture_set(folder, set));
+  PictureSet bare = set;
+  bare.pictures.pop_back();
+  bare.pictures[0].matte = {};
+  bare.box.reset();
+  // COLMAP's name for a mask is one as well.
+  std::filesystem::copy(folder + "/masks/view001.png", folder + "/masks/view000.png.png");
+  REQUIRE(write_picture_set(folder, bare));
+  const auto again = read_picture_set(folder, {});
+  REQUIRE(again);
+  CHECK(again->pictures.size() == 2);
+  CHECK(again->pictures[0].matte.pixels.empty());
+  CHECK(again->pictures[1].matte == set.pictures[1].matte);
+  CHECK_FALSE(again->box);
+  // The second picture cannot be written: the first ring's cameras are gone.
+  std::filesystem::remove(folder + "/view001.png");
+  std::filesystem::create_directories(folder + "/view001.png/full");
+  CHECK_FALSE(write_picture_set(folder, set));
+  CHECK(refusal(read_picture_set(folder, {})).find("has no cameras") != std::string::npos);
 }
 
 TEST_CASE(
@@ -98,6 +125,15 @@ TEST_CASE(
   wrong.arc_degrees = 0;
   CHECK_FALSE(ring_views(scene, wrong));
   CHECK_FALSE(ring_views(Scene{}, small_ring(4)));
+  const auto refusal_of = [&](auto change) {
+    RingOptions options = small_ring(4);
+    change(options);
+    return refusal(ring_views(scene, options));
+  };
+  CHECK(refusal_of([](RingOptions& o) { o.start_degrees = NAN; }).starts_with("--start"));
+  CHECK(refusal_of([](RingOptions& o) { o.up = {1e200, 0, 0}; }).starts_with("--up"));
+  CHECK(
+      refusal_of([](RingOptions& o) { o.target = Vector3d(0, NAN, 0); }).starts_with("--look-at"));
 }
 
 TEST_CASE("pictures and masks that do not fit their cameras are refused, with the file's name") {

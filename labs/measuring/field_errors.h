@@ -1,0 +1,32 @@
+// The error of D-7 for the labs that are measured in it: depths of vertices before a camera far from the origin.
+#pragma once
+
+#include <vector>
+
+#include "labs/measuring/measuring.h"
+#include "study/experiments/d07_field.h"
+
+namespace glassbox::labs {
+
+// Of a quick run: over 32 fields `offset` away, of each of which `question_of(field)` asks for the depths of its points.
+template <class QuestionOf>
+Result<double> rms_field_error(const Ask& ask, const QuestionOf& question_of,
+                               study::d07::Depth depth, double offset) {
+  using namespace study::d07;
+  constexpr int kFields = 32;
+  std::vector<Field> fields;
+  std::vector<Numbers> questions;
+  for (int i = 0; i < kFields; ++i) {
+    fields.push_back(make_field(std::uint64_t(i) + 1, offset, kPointsOfField));
+    questions.push_back(question_of(fields.back()));
+  }
+  const auto answers = ask(questions);
+  if (!answers) return tl::unexpected(answers.error());
+  double sum = 0;
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    add_squared_errors(
+        fields[i], depth, [&](std::size_t k) { return number_of((*answers)[i], k); }, sum);
+  return rms_of(sum, depth, kFields);
+}
+
+}  // namespace glassbox::labs

@@ -1,0 +1,169 @@
+// D-18: voxel colouring by the size of its voxels and the number of its pictures.
+#include <cmath>
+#include <memory>
+
+#include "study/experiment/experiment.h"
+#include "study/experiments/consume.h"
+#include "study/experiments/d18_ball.h"
+#include "study/experiments/once.h"
+
+namespace glassbox::study {
+namespace d18 {
+
+using views::ColoringSettings;
+
+constexpr int kSide = 96, kPictures = 12;
+
+struct Way {
+  const char* name;
+  void (*choose)(ColoringSettings&);
+};
+const Way kWays[] = {
+    {"centre", [](ColoringSettings&) {}},
+    {"box", [](ColoringSettings& s) { s.sampled = views::Footprint::kBox; }},
+    {"hull", [](ColoringSettings& s) { s.sampled = s.hidden = views::Footprint::kHull; }},
+    {"centre, adaptive",
+     [](ColoringSettings& s) {
+       s.consistency = views::Consistency::kAdaptive;
+       s.k1 = 1;
+       s.k2 = 12;
+     }},
+    {"centre, CIELab", [](ColoringSettings& s) {
+       s.space = views::ColorSpace::kLab;
+       s.threshold = 12;
+     }}};
+
+struct Found {
+  double surface = 0;   // mean distance, ball radii
+  double left_out = 0;  // RMS, levels
+  double looks = 0;     // voxels times pictures
+};
+
+// The picture that is left out is of a camera between two others.
+Found found_by(const Way& way, int across, int pictures) {
+  Shown shown = pictures_of(pictures, kSide, false);
+  const views::CalibratedPicture left_out = shown.set.pictures.back();
+  shown.set.pictures.pop_back();
+  shown.distances.pop_back();
+  views::ColoringRequest request = request_for(shown, across);
+  way.choose(request.settings);
+  const auto coloring = views::color_voxels(shown.set, request);
+  if (!coloring) return {INFINITY, INFINITY, INFINITY};
+  const views::SeenSurface seen = views::seen_surface(shown.set, shown.distances, coloring->grid);
+  const views::SurfaceErrors errors = views::surface_errors(coloring->voxels, seen);
+  const auto drawn = views::draw_voxels(coloring->grid, coloring->voxels, left_out.camera, kSide,
+                                        kSide, {0, 0, 0, 255});
+  return {errors.from_truth_mean * request.voxel_size, views::compare(drawn, left_out).rms,
+          double(coloring->judged) * double(shown.set.pictures.size())};
+}
+
+// Of a point anywhere in a cube the distance to its centre is 0.480 of an edge in the mean (Robbins 1978): what is left where the voxel
+// of every point is coloured.
+constexpr double kInCube = 0.4803;
+
+// Without a pixel of its own a voxel is judged by its neighbours' colours.
+std::optional<Finding> finding(int across) {
+  const double pixels =
+      2.0 / across * (kSide * 2.6 / 6);  // of a voxel's edge, at the ball's middle
+  if (pixels > 1.5) return std::nullopt;
+  return Finding{
+      "voxels as small as pixels see the same colours as their neighbours, and bulge "
+      "towards the cameras by some of them",
+      0.5, 8};
+}
+
+std::vector<Configuration> configurations(Effort effort) {
+  std::vector<int> sizes{12, 16, 24, 32, 48};
+  if (effort == Effort::kFull) sizes.insert(sizes.end(), {64, 96, 128});
+  std::vector<Configuration> all;
+  for (const int across : sizes) {
+    for (const Way& way : kWays) {
+      const auto found = once([=] { return found_by(way, across, kPictures); });
+      const auto shown = std::make_shared<Shown>(pictures_of(kPictures, kSide, false));
+      shown->set.pictures.pop_back();
+      views::ColoringRequest request = request_for(*shown, across);
+      way.choose(request.settings);
+      const double voxels = std::pow(across, 3.0);
+      all.push_back({.series = way.name,
+                     .parameter = double(across),
+                     .error = [=] { return found().surface; },
+                     .predicted_error = kInCube * 2.0 / across,
+                     .finding = finding(across),
+                     .work = [=](int) { consume(views::color_voxels(shown->set, request)); },
+                     .items = voxels * (kPictures - 1)});
+      all.push_back(
+          {.series = way.name, .parameter = double(across), .measure = "left out", .error = [=] {
+             return found().left_out;
+           }});
+      all.push_back({.series = way.name,
+                     .parameter = double(across),
+                     .measure = "looks",
+                     .error = [=] { return found().looks; },
+                     .predicted_error = voxels * (kPictures - 1)});
+    }
+  }
+  // Pictures of twice as many pixels as the ball has voxels.
+  for (const int across : {16, 32, 64, 128}) {
+    const int side = 2 * across;
+    all.push_back(
+        {.series = "centre",
+         .parameter = double(across),
+         .measure = "memory",
+         .error =
+             [=] {
+               const Shown shown = pictures_of(4, side, false);
+               return double(views::plan_coloring(shown.set, request_for(shown, across))->bytes);
+             },
+         // A colour, a matte and a word for each pixel; six faces of voxels and a layer are a part of it.
+         .predicted_error = 4.0 * side * side * 9,
+         .finding = Finding{"what a layer and the coloured voxels take goes with the same "
+                            "power of the size",
+                            1, 8}});
+  }
+  std::vector<int> counts{4, 6, 8, 12, 18};
+  if (effort == Effort::kFull) counts.insert(counts.end(), {24, 36});
+  for (const int count : counts) {
+    const auto found = once([=] { return found_by(kWays[0], 32, count + 1); });
+    const auto shown = std::make_shared<Shown>(pictures_of(count, kSide, false));
+    all.push_back(
+        {.series = "centre",
+         .parameter = double(count),
+         .measure = "pictures",
+         .error = [=] { return found().left_out; },
+         .work = [=](int) { consume(views::color_voxels(shown->set, request_for(*shown, 32))); },
+         .items = std::pow(32, 3.0)});
+  }
+  return all;
+}
+
+}  // namespace d18
+
+Experiment d18_voxels() {
+  using namespace d18;
+  return {
+      .id = "D-18",
+      .name = "Voxels: how small, how many pictures",
+      .question =
+          "What do smaller voxels, more pictures, larger footprints and better thresholds bring, "
+          "and what do they cost?",
+      .axis = "voxels across the ball",
+      .error = "mean distance from what two pictures see to the nearest coloured voxel",
+      .error_unit = "ball radii",
+      .reference = "the ball's formula",
+      .theory =
+          "0.480 of a voxel's edge, the mean distance from a point of a cube to its centre, while "
+          "the voxel of every point is coloured; look-ups N^3 m, memory N^2 m (S1-22)",
+      .item = "voxel and picture",
+      .measures = {{.name = "left out",
+                    .error = "RMS of a picture that was left out, where voxels cover it",
+                    .error_unit = "levels"},
+                   {.name = "looks", .error = "voxels judged, times pictures", .error_unit = ""},
+                   {.name = "memory", .error = "bytes asked for", .error_unit = "byte"},
+                   {.name = "pictures",
+                    .error = "RMS of a picture that was left out, where voxels cover it",
+                    .error_unit = "levels",
+                    .axis = "pictures"}},
+      .configurations = configurations};
+}
+
+}  // namespace glassbox::study

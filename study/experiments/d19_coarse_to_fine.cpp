@@ -1,0 +1,113 @@
+// D-19: voxel colouring from coarse to fine, what it saves and what it loses.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <set>
+
+#include "study/experiment/experiment.h"
+#include "study/experiments/consume.h"
+#include "study/experiments/d18_ball.h"
+#include "study/experiments/once.h"
+
+namespace glassbox::study {
+namespace d19 {
+
+using namespace d18;
+
+constexpr int kSide = 192, kPictures = 10, kAcross = 64;
+
+std::set<std::uint64_t> keys_of(const views::Coloring& coloring) {
+  std::set<std::uint64_t> keys;
+  for (const views::ColoredVoxel& voxel : coloring.voxels) keys.insert(views::key_of(voxel.at));
+  return keys;
+}
+
+struct Lost {
+  double share = 0;   // of the voxels that a whole sweep colours
+  double judged = 0;  // of all voxels, those of the finest level that are looked at
+};
+
+Lost lost_by(const Shown& shown, views::ColoringRequest request) {
+  const views::Coloring fine = views::color_voxels(shown.set, request).value();
+  request.levels = 0;
+  const views::Coloring whole = views::color_voxels(shown.set, request).value();
+  const auto found = keys_of(fine), all = keys_of(whole);
+  const auto kept =
+      std::ranges::count_if(all, [&](std::uint64_t key) { return found.contains(key); });
+  return {1 - double(kept) / double(all.size()), double(fine.judged) / double(whole.judged)};
+}
+
+// The level before the finest has cells of two voxels. Those of the ball's surface and the ones around each are a shell, three cells
+// thick, of which the cameras above see some two thirds.
+double predicted_judged() {
+  constexpr double kCell = 2, kDeep = 3, kSeen = 2.0 / 3;
+  const double area = kPi * kAcross * kAcross;
+  return kSeen * kDeep * kCell * area / std::pow(kAcross, 3.0);
+}
+
+std::vector<Configuration> configurations(Effort) {
+  std::vector<Configuration> all;
+  for (const bool has_rods : {false, true}) {
+    const auto shown = std::make_shared<Shown>(pictures_of(kPictures, kSide, has_rods));
+    const std::string scene = has_rods ? "ball and rods two voxels thick" : "ball";
+    for (const double slack : {1.0, 2.0, 4.0}) {
+      for (const int levels : {0, 1, 2, 3}) {
+        views::ColoringRequest request = request_for(*shown, kAcross);
+        request.levels = levels;
+        request.slack = slack;
+        const auto lost = once([=] { return lost_by(*shown, request); });
+        const std::string series = "coarse thresholds times " + std::to_string(int(slack));
+        Configuration share{.series = series,
+                            .parameter = double(levels),
+                            .scene = scene,
+                            .error = [=] { return lost().share; },
+                            .work = [=](int) { consume(views::color_voxels(shown->set, request)); },
+                            .items = std::pow(kAcross, 3.0)};
+        Configuration judged{.series = series,
+                             .parameter = double(levels),
+                             .scene = scene,
+                             .measure = "judged",
+                             .error = [=] { return lost().judged; }};
+        if (levels == 0) share.predicted_error = 0;
+        if (levels == 0) judged.predicted_error = 1;
+        if (levels > 0 && !has_rods) {
+          judged.predicted_error = predicted_judged();
+          judged.finding = Finding{
+              "more levels lose parts, and threshold and background decide how "
+              "thick the shell is",
+              0.1, 3};
+        }
+        all.push_back(std::move(share));
+        all.push_back(std::move(judged));
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace d19
+
+Experiment d19_coarse_to_fine() {
+  using namespace d19;
+  return {
+      .id = "D-19",
+      .name = "Voxels from coarse to fine",
+      .question =
+          "Large voxels first, and small ones only where they were coloured: what is saved, and "
+          "what is lost?",
+      .axis = "coarser levels",
+      .logarithmic_axis = false,
+      .error = "share of the coloured voxels that are lost",
+      .reference = "a sweep through all voxels",
+      .theory =
+          "judged: the cells of two voxels around a surface of the ball's area, three deep, of all "
+          "voxels, O(N^2); what is lost has no law: thin parts and corners that coarse pixels blur",
+      .item = "voxel",
+      .axis_is_chosen = true,
+      .measures = {{.name = "judged",
+                    .error = "share of all voxels that are looked at on the finest level",
+                    .error_unit = ""}},
+      .configurations = configurations};
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,68 @@
+#include <glassbox/base/random.h>
+
+#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/flatland.h"
+
+namespace glassbox::study {
+namespace c88 {
+
+constexpr int kWide = 8, kDeep = 5;
+
+FlatScene noisy(bool blank, double threshold) {
+  FlatScene flat = flatland(kWide, kWide, kDeep, {-1, 0, 1});
+  Random random(88);
+  for (views::CalibratedPicture& picture : flat.set.pictures) {
+    picture.matte = {};
+    for (Rgba8& pixel : picture.color.pixels) {
+      const auto level = [&] { return std::uint8_t(blank ? 90 : random.integer(0, 255)); };
+      pixel = {level(), level(), level(), 255};
+    }
+  }
+  flat.request.settings.threshold = threshold;
+  return flat;
+}
+
+// With T infinite the first layer takes all pixels of the middle camera, and each of the others sees nothing behind it but alone.
+Outcome judge(Colorer colored_by) {
+  std::vector<views::VoxelAt> wall;
+  for (int y = 0; y < kWide; ++y)
+    for (int x = 0; x < kWide; ++x) wall.push_back({x, y, 0});
+  const int with_none = int(colored_by(noisy(false, 0)).size() + colored_by(noisy(true, 0)).size());
+  const double infinite = std::numeric_limits<double>::infinity();
+  const int with_all = differing(colored_by(noisy(false, infinite)), keys_of(wall));
+  return must_be_zero(
+      with_none + with_all,
+      fmt::format("{} voxels with T = 0, {} beside the wall with T infinite", with_none, with_all));
+}
+
+template <naive::PlainSweep kWay>
+naive::VoxelKeys plain(const FlatScene& flat) {
+  return naive::colored_by(flat.set, flat.request, kWay);
+}
+
+}  // namespace c88
+
+ExtremeCase c88_threshold_ends() {
+  using namespace c88;
+  return {
+      .id = "C-88",
+      .name = "A threshold of 0, and an infinite one",
+      .construction =
+          "noise and blank pictures of three cameras over 8 x 8 x 5 voxels, without masks",
+      .stage = "voxels",
+      .right =
+          "nothing has a deviation below 0; all have one below infinity: the first layer is a "
+          "wall, and hides the rest",
+      .unit = "voxels",
+      .oracle = Oracle::kProperty,
+      .ours = {"sigma < T", [] { return judge(colored_by_ours); }},
+      .naive = {"sigma <= T", [] { return judge(plain<naive::PlainSweep{.below = false}>); }},
+      .mutants = {{"what is coloured hides nothing",
+                   [] { return judge(plain<naive::PlainSweep{.hides = false}>); }},
+                  {"far layers first",
+                   [] { return judge(plain<naive::PlainSweep{.nearest_first = false}>); }}},
+      .not_drawn = "pictures are only what it starts from: no engine draws what is reconstructed",
+  };
+}
+
+}  // namespace glassbox::study

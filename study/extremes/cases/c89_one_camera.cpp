@@ -1,0 +1,51 @@
+#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/flatland.h"
+
+namespace glassbox::study {
+namespace c89 {
+
+// One camera agrees with itself about everything, and so do two in one place.
+Outcome judge(Colorer colored_by) {
+  FlatScene one = flatland(6, 1, 5, {0});
+  paint(one, {{2, 0, 3}, {4, 0, 1}}, {200, 30, 20, 255});
+  const int alone = int(colored_by(one).size());
+  FlatScene twins = one;
+  twins.set.pictures.push_back(one.set.pictures.front());
+  const int beside = differing(colored_by(twins), keys_of({{2, 0, 0}, {4, 0, 0}}));
+  return must_be_zero(
+      alone + beside,
+      fmt::format("{} voxels of one picture, {} beside the first layer of two", alone, beside));
+}
+
+template <naive::PlainSweep kWay>
+naive::VoxelKeys plain(const FlatScene& flat) {
+  return naive::colored_by(flat.set, flat.request, kWay);
+}
+
+}  // namespace c89
+
+ExtremeCase c89_one_camera() {
+  using namespace c89;
+  return {
+      .id = "C-89",
+      .name = "One camera, and the same one twice",
+      .construction =
+          "two voxels at different depths, under one camera, and under two in one place",
+      .stage = "voxels",
+      .right =
+          "fewer than two pictures say nothing: no voxel; two that are the same have the first "
+          "layer of their object, and nothing behind it",
+      .unit = "voxels",
+      .oracle = Oracle::kProperty,
+      .ours = {"two pictures at least", [] { return judge(colored_by_ours); }},
+      .naive = {"the deviation of one is 0",
+                [] { return judge(plain<naive::PlainSweep{.least_views = 1}>); }},
+      .mutants = {{"three pictures at least",
+                   [] { return judge(plain<naive::PlainSweep{.least_views = 3}>); }},
+                  {"what is coloured hides nothing",
+                   [] { return judge(plain<naive::PlainSweep{.hides = false}>); }}},
+      .not_drawn = "pictures are only what it starts from: no engine draws what is reconstructed",
+  };
+}
+
+}  // namespace glassbox::study

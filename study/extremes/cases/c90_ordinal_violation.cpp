@@ -1,0 +1,117 @@
+#include <glassbox/base/random.h>
+#include <glassbox/base/trig.h>
+
+#include "study/extremes/kit/extreme_case.h"
+#include "views/voxels/traversal.h"
+
+namespace glassbox::study {
+namespace c90 {
+
+using views::Vector3d;
+using Cameras = std::vector<Vector3d>;
+// A direction along which what hides comes first; nothing: there is none.
+using OrderOf = std::optional<Vector3d> (*)(const Cameras& cameras);
+
+const Vector3d kLow(-1, -1, -1), kHigh(1, 1, 1);
+
+Cameras ring(double height) {
+  Cameras cameras;
+  for (int i = 0; i < 16; ++i) {
+    const SinCos turn = sin_cos_degrees(22.5 * i);
+    cameras.emplace_back(4 * turn.cos, height, 4 * turn.sin);
+  }
+  return cameras;
+}
+
+std::optional<Vector3d> by_classes(const Cameras& cameras) {
+  return views::classify(cameras, kLow, kHigh).direction;
+}
+Vector3d away_from_mean(const Cameras& cameras) {
+  Vector3d mean = Vector3d::Zero();
+  for (const Vector3d& camera : cameras) mean += camera / double(cameras.size());
+  return (kLow + kHigh) / 2 - mean;
+}
+// Away from the cameras' middle, whatever they are around.
+std::optional<Vector3d> whatever(const Cameras& cameras) {
+  return away_from_mean(cameras);
+}
+// As far as the cameras are before the box's middle: its near corners are not asked.
+std::optional<Vector3d> before_the_middle(const Cameras& cameras) {
+  const Vector3d direction = away_from_mean(cameras);
+  for (const Vector3d& camera : cameras) {
+    if (!(direction.dot(-camera) > 0)) return std::nullopt;
+  }
+  return direction;
+}
+// One camera is asked for all.
+std::optional<Vector3d> of_the_first(const Cameras& cameras) {
+  return views::classify({cameras.front()}, kLow, kHigh).direction;
+}
+
+Outcome judge(OrderOf order_of) {
+  Random random(90);
+  std::int64_t counterexamples = 0, tried = 0;
+  int missed = 0;
+  const auto anywhere = [&](double far) {
+    return Vector3d(random.between(-far, far), random.between(-far, far),
+                    random.between(-far, far));
+  };
+  std::vector<Cameras> all{ring(0), ring(0.5), ring(3), ring(-3)};
+  // Cameras beyond a plane that leaves a corner of the box on their side, but for the first.
+  for (int i = 0; i < 40; ++i) {
+    const Vector3d beyond = anywhere(1).normalized();
+    const double least = beyond.cwiseAbs().sum() * random.between(0.2, 1.4);
+    Cameras& cameras = all.emplace_back();
+    for (int k = 0; k < 6; ++k) {
+      const Vector3d place = anywhere(5);
+      cameras.push_back(place + (least + random.unit() - beyond.dot(place)) * beyond);
+    }
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Cameras& cameras = all[i];
+    const auto order = order_of(cameras);
+    // Rings above and below the box have an order.
+    missed += !order && (i == 2 || i == 3);
+    if (!order) continue;
+    for (int pair = 0; pair < 400; ++pair) {
+      const Vector3d q = anywhere(1);
+      const Vector3d& camera =
+          cameras[std::size_t(random.integer(0, std::int64_t(cameras.size()) - 1))];
+      const Vector3d p = camera + random.between(0.01, 0.99) * (q - camera);
+      if (p.cwiseAbs().maxCoeff() > 1) continue;
+      counterexamples += !(order->dot(p) < order->dot(q));
+      ++tried;
+    }
+  }
+  return must_be_zero(double(counterexamples + missed),
+                      fmt::format("{} of {} pairs the wrong way round, {} orders missed",
+                                  counterexamples, tried, missed));
+}
+
+}  // namespace c90
+
+ExtremeCase c90_ordinal_violation() {
+  using namespace c90;
+  return {
+      .id = "C-90",
+      .name = "Cameras all around: no order",
+      .construction =
+          "rings of 16 cameras around, above and below a box, and 40 sets of 6 beyond a plane that "
+          "may cut it; points P on the way from a camera to Q, both in the box",
+      .stage = "voxels",
+      .right =
+          "where an order is claimed, P comes before Q: a plane has all cameras on one side and "
+          "the box on the other (S1-15); for a ring around there is none",
+      .unit = "pairs and orders",
+      .oracle = Oracle::kProperty,
+      .ours = {"a plane between, checked at every camera and corner",
+               [] { return judge(by_classes); }},
+      .naive = {"away from the cameras' middle", [] { return judge(whatever); }},
+      .mutants = {{"the middle of the box is asked, and not its corners",
+                   [] { return judge(before_the_middle); }},
+                  {"the first camera is asked for all", [] { return judge(of_the_first); }}},
+      .not_drawn = "pictures are only what it starts from: no engine draws what is reconstructed",
+  };
+}
+
+}  // namespace glassbox::study

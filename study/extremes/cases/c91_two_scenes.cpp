@@ -1,0 +1,70 @@
+#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/flatland.h"
+
+namespace glassbox::study {
+namespace c91 {
+
+constexpr Rgba8 kRed{200, 30, 20, 255};
+
+// Two red voxels side by side look as two behind each other between them.
+Outcome judge(Colorer colored_by) {
+  const std::vector<views::VoxelAt> beside{{3, 0, 2}, {5, 0, 2}}, nearer{{4, 0, 1}, {4, 0, 3}};
+  FlatScene flat = flatland(10, 1, 6, {-1, 1}), other = flat;
+  paint(flat, beside, kRed);
+  paint(other, nearer, kRed);
+  int pixels = 0;
+  const auto differ = [&](const FlatScene& a, const FlatScene& b) {
+    for (std::size_t p = 0; p < 2; ++p) {
+      const auto &one = a.set.pictures[p], &two = b.set.pictures[p];
+      for (std::size_t i = 0; i < one.color.pixels.size(); ++i)
+        pixels += !(one.color.pixels[i] == two.color.pixels[i]) ||
+                  one.matte.pixels[i] != two.matte.pixels[i];
+    }
+  };
+  differ(flat, other);
+  const naive::VoxelKeys found = colored_by(flat);
+  // What is found, seen again.
+  FlatScene again = flatland(10, 1, 6, {-1, 1});
+  for (int z = 0; z < 6; ++z)
+    for (int x = 0; x < 10; ++x)
+      if (found.contains(views::key_of({x, 0, z}))) paint(again, {{x, 0, z}}, kRed);
+  differ(flat, again);
+  const int voxels = differing(found, keys_of(nearer));
+  return must_be_zero(
+      pixels + voxels,
+      fmt::format("{} pixels otherwise, {} voxels beside the nearer scene", pixels, voxels));
+}
+
+template <naive::PlainSweep kWay>
+naive::VoxelKeys plain(const FlatScene& flat) {
+  return naive::colored_by(flat.set, flat.request, kWay);
+}
+
+}  // namespace c91
+
+ExtremeCase c91_two_scenes() {
+  using namespace c91;
+  return {
+      .id = "C-91",
+      .name = "Two scenes that look the same",
+      .construction =
+          "two voxels of one colour side by side, and two behind each other between "
+          "them, under cameras of slopes -1 and 1",
+      .stage = "voxels",
+      .right =
+          "both give the same pictures; found is the one whose voxels are nearest to the "
+          "cameras (S1-17), and it gives these pictures again",
+      .unit = "pixels and voxels",
+      .oracle = Oracle::kInteger,
+      .ours = {"nearest layers first", [] { return judge(colored_by_ours); }},
+      .naive = {"what is coloured hides nothing",
+                [] { return judge(plain<naive::PlainSweep{.hides = false}>); }},
+      .mutants = {{"one picture will do",
+                   [] { return judge(plain<naive::PlainSweep{.least_views = 1}>); }},
+                  {"background is a colour like others",
+                   [] { return judge(plain<naive::PlainSweep{.asks_masks = false}>); }}},
+      .not_drawn = "pictures are only what it starts from: no engine draws what is reconstructed",
+  };
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,88 @@
+#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/flatland.h"
+
+namespace glassbox::study {
+namespace c92 {
+
+constexpr int kSide = 40, kDepth = 30;
+
+FlatScene disc() {
+  FlatScene flat = flatland(kSide, 1, kDepth, {-1, 1});
+  std::vector<views::VoxelAt> voxels;
+  for (int z = 0; z < kDepth; ++z) {
+    for (int x = 0; x < kSide; ++x) {
+      const double dx = x - 19.5, dz = z - 14.5;
+      if (dx * dx + dz * dz < 8 * 8) voxels.push_back({x, 0, z});
+    }
+  }
+  paint(flat, voxels, {20, 40, 220, 255});
+  flat.request.settings.alone = views::Alone::kKeep;
+  return flat;
+}
+
+// Of one colour all agrees: the hull is where both show the object, and its surface is what is nearest on a line of either picture.
+naive::VoxelKeys photo_hull(const FlatScene& flat) {
+  std::set<int> taken[2];
+  naive::VoxelKeys hull;
+  for (int z = 0; z < kDepth; ++z) {
+    std::vector<int> columns[2];
+    for (int x = 0; x < kSide; ++x) {
+      int column[2];
+      bool is_in = true, is_seen = false;
+      for (std::size_t p = 0; p < 2; ++p) {
+        column[p] = flat_pixel(flat, p, {x, 0, z}).column;
+        is_in = is_in && flat.set.pictures[p].matte.at(column[p], 0) != 0;
+        is_seen = is_seen || !taken[p].contains(column[p]);
+      }
+      if (!is_in || !is_seen) continue;
+      hull.insert(views::key_of({x, 0, z}));
+      for (std::size_t p = 0; p < 2; ++p) columns[p].push_back(column[p]);
+    }
+    for (std::size_t p = 0; p < 2; ++p) taken[p].insert(columns[p].begin(), columns[p].end());
+  }
+  return hull;
+}
+
+Outcome judge(Colorer colored_by) {
+  const FlatScene flat = disc();
+  const naive::VoxelKeys hull = photo_hull(flat);
+  return wrong_of(differing(colored_by(flat), hull), int(hull.size()),
+                  "voxels of the hull's surface");
+}
+
+template <naive::PlainSweep kWay>
+naive::VoxelKeys plain(const FlatScene& flat) {
+  return naive::colored_by(flat.set, flat.request, kWay);
+}
+
+}  // namespace c92
+
+ExtremeCase c92_untextured() {
+  using namespace c92;
+  return {
+      .id = "C-92",
+      .name = "An object of one colour",
+      .construction = "a disc of radius 8 voxels under cameras of slopes -1 and 1",
+      .stage = "voxels",
+      .right =
+          "it bulges towards the cameras as far as its photo hull (S1-32): the diamond that both "
+          "outlines leave, and of that what is nearest",
+      .unit = "voxels",
+      .oracle = Oracle::kAnalytic,
+      .ours = {"voxel colouring, one view kept", [] { return judge(colored_by_ours); }},
+      .naive = {"all that both show: the whole hull",
+                [] { return judge(plain<naive::PlainSweep{.hides = false, .least_views = 1}>); }},
+      .mutants = {{"far layers first",
+                   [] {
+                     return judge(
+                         plain<naive::PlainSweep{.nearest_first = false, .least_views = 1}>);
+                   }},
+                  {"background is a colour like others",
+                   [] {
+                     return judge(plain<naive::PlainSweep{.asks_masks = false, .least_views = 1}>);
+                   }}},
+      .not_drawn = "pictures are only what it starts from: no engine draws what is reconstructed",
+  };
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,68 @@
+#include "study/extremes/kit/extreme_case.h"
+#include "study/extremes/kit/flatland.h"
+
+namespace glassbox::study {
+namespace c94 {
+
+// A wall of voxels that are two by two pixels of a checker board each.
+Outcome judge(const views::ColoringSettings& asked) {
+  FlatScene flat = flatland(16, 16, 4, {-2, 0, 2});
+  for (views::CalibratedPicture& picture : flat.set.pictures) {
+    picture.matte = {};
+    for (int y = 0; y < picture.color.height; ++y)
+      for (int x = 0; x < picture.color.width; ++x)
+        picture.color.at(x, y) = (x + y) % 2 == 0 ? Rgba8{255, 255, 255, 255} : Rgba8{0, 0, 0, 255};
+  }
+  flat.request.voxel_size = 2;
+  views::ColoringSettings& settings = flat.request.settings;
+  settings = asked;
+  settings.sampled = settings.hidden = views::Footprint::kBox;
+  settings.threads = 1;
+  std::vector<views::VoxelAt> wall;
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) wall.push_back({x, y, 0});
+  const naive::VoxelKeys first = keys_of(wall);
+  const auto coloring = views::color_voxels(flat.set, flat.request);
+  if (!coloring) return wrong_of(64, 64, "voxels of the wall");
+  naive::VoxelKeys found;
+  for (const views::ColoredVoxel& voxel : coloring->voxels)
+    if (voxel.at.z == 0) found.insert(views::key_of(voxel.at));
+  return wrong_of(differing(found, first), 64, "voxels of the wall");
+}
+
+views::ColoringSettings fixed(double threshold) {
+  views::ColoringSettings settings;
+  settings.threshold = threshold;
+  return settings;
+}
+views::ColoringSettings adaptive(double k1) {
+  views::ColoringSettings settings;
+  settings.consistency = views::Consistency::kAdaptive;
+  settings.k1 = k1;
+  settings.k2 = 10;
+  return settings;
+}
+
+}  // namespace c94
+
+ExtremeCase c94_fine_texture() {
+  using namespace c94;
+  return {
+      .id = "C-94",
+      .name = "A texture as fine as the voxels",
+      .construction =
+          "a wall of 8 x 8 voxels, each two by two pixels of a checker board, under three "
+          "cameras",
+      .stage = "voxels",
+      .right = "the wall: within a picture a voxel deviates as much as between pictures (S1-34)",
+      .unit = "voxels",
+      .oracle = Oracle::kProperty,
+      .ours = {"sigma < M + 10", [] { return judge(adaptive(1)); }},
+      .naive = {"sigma < 40", [] { return judge(fixed(40)); }},
+      .mutants = {{"sigma < 100", [] { return judge(fixed(100)); }},
+                  {"half of M", [] { return judge(adaptive(0.5)); }}},
+      .not_drawn = "pictures are only what it starts from: no engine draws what is reconstructed",
+  };
+}
+
+}  // namespace glassbox::study

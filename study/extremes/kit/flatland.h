@@ -1,0 +1,91 @@
+// Flatland: cameras so far away that voxel (x, y, z) of size 1 is the pixel (x - slope z + beside, y), so that every answer of voxel
+// colouring can be written down.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "study/extremes/kit/outcome.h"
+#include "study/naive/voxels.h"
+#include "views/voxels/coloring.h"
+
+namespace glassbox::study {
+
+inline constexpr double kFlatFar =
+    0x1p20;  // voxels; places are off by 1e-3 px over a thousand of them
+
+struct FlatScene {
+  views::PictureSet set;
+  views::ColoringRequest request;
+};
+
+inline views::PinholeCamera flat_camera(double slope, double beside) {
+  views::PinholeCamera camera;
+  // f X / Z + cx with X = x + f slope, Z = z + f. A centre is half a voxel deep.
+  camera.intrinsic << kFlatFar, 0, beside + slope / 2 - kFlatFar * slope, 0, kFlatFar, 0, 0, 0, 1;
+  camera.centre = {-kFlatFar * slope, 0, -kFlatFar};
+  return camera;
+}
+
+// A box of n x height x depth voxels, seen by cameras of these slopes; all is background until it is painted.
+inline FlatScene flatland(int n, int height, int depth, const std::vector<double>& slopes) {
+  FlatScene flat;
+  for (const double slope : slopes) {
+    const int width = n + 2 * depth + 2;
+    flat.set.pictures.push_back({"", flat_camera(slope, depth + 1), Image<Rgba8>(width, height),
+                                 Image<std::uint8_t>(width, height, 0)});
+  }
+  flat.request.box = {{0, 0, 0}, {double(n), double(height), double(depth)}};
+  flat.request.voxel_size = 1;
+  views::ColoringSettings& settings = flat.request.settings;
+  settings.threshold = 1;
+  settings.sampled = settings.hidden = views::Footprint::kCentre;
+  settings.threads = 1;
+  return flat;
+}
+
+inline views::PixelOf flat_pixel(const FlatScene& flat, std::size_t picture,
+                                 const views::VoxelAt& at) {
+  const views::Vector3d p =
+      views::project(flat.set.pictures[picture].camera, {at.x + 0.5, at.y + 0.5, at.z + 0.5});
+  return {int(std::floor(p.x())), int(std::floor(p.y()))};
+}
+
+// What the cameras see of these voxels of one colour: nearest or not, it looks the same.
+inline void paint(FlatScene& flat, const std::vector<views::VoxelAt>& voxels, Rgba8 color) {
+  for (std::size_t p = 0; p < flat.set.pictures.size(); ++p) {
+    views::CalibratedPicture& picture = flat.set.pictures[p];
+    for (const views::VoxelAt& voxel : voxels) {
+      const views::PixelOf pixel = flat_pixel(flat, p, voxel);
+      picture.color.at(pixel.column, pixel.row) = color;
+      picture.matte.at(pixel.column, pixel.row) = 255;
+    }
+  }
+}
+
+inline naive::VoxelKeys keys_of(const std::vector<views::VoxelAt>& voxels) {
+  naive::VoxelKeys keys;
+  for (const views::VoxelAt& voxel : voxels) keys.insert(views::key_of(voxel));
+  return keys;
+}
+
+// What finds voxels: ours, or a plain sweep.
+using Colorer = naive::VoxelKeys (*)(const FlatScene& flat);
+
+inline naive::VoxelKeys colored_by_ours(const FlatScene& flat) {
+  naive::VoxelKeys keys;
+  const auto coloring = views::color_voxels(flat.set, flat.request);
+  if (!coloring) return keys;
+  for (const views::ColoredVoxel& voxel : coloring->voxels) keys.insert(views::key_of(voxel.at));
+  return keys;
+}
+
+// Voxels of one set that the other has not.
+inline int differing(const naive::VoxelKeys& a, const naive::VoxelKeys& b) {
+  std::vector<std::uint64_t> differ;
+  std::ranges::set_symmetric_difference(a, b, std::back_inserter(differ));
+  return int(differ.size());
+}
+
+}  // namespace glassbox::study

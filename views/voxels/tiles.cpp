@@ -1,0 +1,136 @@
+#include "views/voxels/tiles.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glassbox::views {
+
+namespace {
+
+constexpr int kTile = 4, kTileShift = 2;  // px
+constexpr std::uint32_t kOneBit = 63;
+
+// Calls each(word, mask) for the bits first .. last of a row of tiles.
+template <class Each>
+bool all_words(std::int64_t first, std::int64_t last, const Each& each) {
+  for (std::int64_t word = first / 64; word <= last / 64; ++word) {
+    std::uint64_t mask = ~std::uint64_t(0);
+    if (word == first / 64) mask &= ~std::uint64_t(0) << (first % 64);
+    if (word == last / 64) mask &= ~std::uint64_t(0) >> (63 - last % 64);
+    if (!each(std::size_t(word), mask)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+PixelTiles::PixelTiles(const PackedPicture& picture)
+    : width_((picture.width + kTile - 1) / kTile),
+      height_((picture.height + kTile - 1) / kTile),
+      words_((width_ + 63) / 64),
+      pixels_wide_(picture.width),
+      pixels_high_(picture.height),
+      has_whole_(picture.has_whole),
+      left_(std::size_t(width_) * std::size_t(height_), 0),
+      background_(std::size_t(words_) * std::size_t(height_), 0),
+      hidden_(background_) {
+  std::vector<std::uint8_t> objects(left_.size(), 0);
+  for (int y = 0; y < picture.height; ++y) {
+    const std::uint32_t* words = picture.words.data() + std::size_t(y) * std::size_t(picture.width);
+    const std::size_t row = std::size_t(y >> kTileShift) * std::size_t(width_);
+    for (int x = 0; x < picture.width; ++x) {
+      const std::size_t tile = row + std::size_t(x >> kTileShift);
+      const bool is_background = (words[x] & kBackground) != 0;
+      objects[tile] = std::uint8_t(objects[tile] + !is_background);
+      left_[tile] = std::uint8_t(left_[tile] + (is_background || (words[x] & kHidden) == 0));
+    }
+  }
+  for (int y = 0; y < height_; ++y) {
+    for (int x = 0; x < width_; ++x) {
+      const std::size_t tile = std::size_t(y) * std::size_t(width_) + std::size_t(x);
+      const std::size_t word = std::size_t(y) * std::size_t(words_) + std::size_t(x / 64);
+      const std::uint64_t bit = std::uint64_t(1) << (std::uint32_t(x) & kOneBit);
+      if (objects[tile] == 0) background_[word] |= bit;
+      if (left_[tile] == 0) hidden_[word] |= bit;
+    }
+  }
+}
+
+void PixelTiles::hide(int column, int row) {
+  const int x = column >> kTileShift, y = row >> kTileShift;
+  if (--left_[std::size_t(y) * std::size_t(width_) + std::size_t(x)] != 0) return;
+  hidden_[std::size_t(y) * std::size_t(words_) + std::size_t(x / 64)] |=
+      std::uint64_t(1) << (std::uint32_t(x) & kOneBit);
+}
+
+bool PixelTiles::sticks_out(const PixelRect& rect) const {
+  return rect.left < 0 || rect.top < 0 || rect.right >= pixels_wide_ || rect.bottom >= pixels_high_;
+}
+
+PixelRect PixelTiles::kept_inside(const PixelRect& rect) const {
+  return {std::max<std::int64_t>(rect.left, 0), std::max<std::int64_t>(rect.top, 0),
+          std::min<std::int64_t>(rect.right, pixels_wide_ - 1),
+          std::min<std::int64_t>(rect.bottom, pixels_high_ - 1)};
+}
+
+// Of no pixels at all, too.
+bool PixelTiles::has_all(const std::vector<std::uint64_t>& bits, const PixelRect& inside) const {
+  if (inside.left > inside.right) return true;
+  for (std::int64_t y = inside.top >> kTileShift; y <= inside.bottom >> kTileShift; ++y) {
+    const std::uint64_t* row = bits.data() + std::size_t(y) * std::size_t(words_);
+    const bool all =
+        all_words(inside.left >> kTileShift, inside.right >> kTileShift,
+                  [&](std::size_t word, std::uint64_t mask) { return (row[word] & mask) == mask; });
+    if (!all) return false;
+  }
+  return true;
+}
+
+bool PixelTiles::is_background(const PixelRect& rect) const {
+  if (!has_whole_ && sticks_out(rect)) return false;
+  return has_all(background_, kept_inside(rect));
+}
+
+bool PixelTiles::is_hidden(const PixelRect& rect) const {
+  if (has_whole_ && sticks_out(rect)) return false;
+  return has_all(hidden_, kept_inside(rect));
+}
+
+std::optional<PixelRect> rect_of(const GridPicture& lens, const VoxelBox& box) {
+  const ProjectionMatrix& m = lens.pixel_from_grid;
+  const Vector3d low(box.low.x + 0.5, box.low.y + 0.5, box.low.z + 0.5),
+      high(box.high.x + 0.5, box.high.y + 0.5, box.high.z + 0.5);
+  // A float's start, product and sum are each rounded once, by 2^-24 of at most these; one more for the powers of it.
+  constexpr double kRounding = 4 * 0x1p-24;
+  const Vector3d reach = kRounding * (m.leftCols<3>().cwiseAbs() * high + m.col(3).cwiseAbs());
+  double nearest = INFINITY, left = INFINITY, right = -INFINITY, top = INFINITY, bottom = -INFINITY;
+  const Vector3d start = m.leftCols<3>() * low + m.col(3), way = high - low;
+  for (int corner = 0; corner < 8; ++corner) {
+    Vector3d h = start;
+    bool is_new = true;
+    for (int axis = 0; axis < 3; ++axis) {
+      if ((corner >> axis & 1) == 0) continue;
+      is_new = is_new && way[axis] != 0;
+      h += way[axis] * m.col(axis);
+    }
+    if (!is_new) continue;
+    nearest = std::min(nearest, h.z());
+    const double u = h.x() / h.z(), v = h.y() / h.z();
+    left = std::min(left, u);
+    right = std::max(right, u);
+    top = std::min(top, v);
+    bottom = std::max(bottom, v);
+  }
+  // Half a pixel of the whole one by which the rectangle grows; the other half is for what is done in double here.
+  constexpr double kMostOff = 0.5;
+  const double least = nearest - reach.z();
+  const double farthest =
+      std::max({std::abs(left), std::abs(right), std::abs(top), std::abs(bottom)});
+  const double off =
+      (std::max(reach.x(), reach.y()) + farthest * reach.z()) / least + kRounding * farthest;
+  if (!(least > 0) || !(off <= kMostOff)) return std::nullopt;
+  return PixelRect{std::int64_t(std::floor(left)) - 1, std::int64_t(std::floor(top)) - 1,
+                   std::int64_t(std::floor(right)) + 1, std::int64_t(std::floor(bottom)) + 1};
+}
+
+}  // namespace glassbox::views
