@@ -13,10 +13,11 @@ void ViewsCommand::add_to(CLI::App& app, int& exit_code) {
       "  glassbox views layers build room -o room.ldi\n"
       "  glassbox views ring teapot -o ring\n"
       "  glassbox views voxels ring -o teapot.ply\n"
-      "  glassbox views klt clouds --globe globe.glb\n\n"
+      "  glassbox views klt clouds --globe globe.glb\n"
+      "  glassbox views glyphs sheet -o wall.glb\n\n"
       "docs/views.md goes from two pictures to the cameras, docs/matching.md to a disparity map,\n"
       "docs/layers.md from layers to new pictures, docs/voxels.md from many pictures to a shape,\n"
-      "docs/klt.md from bands to components.");
+      "docs/klt.md from bands to components, docs/glyphs.md from coloured discs to the camera.");
   command.require_subcommand(1);
   geometry_.add_to(command, exit_code);
   match_.add_to(command, exit_code);
@@ -24,6 +25,7 @@ void ViewsCommand::add_to(CLI::App& app, int& exit_code) {
   ring_.add_to(command, exit_code);
   voxels_.add_to(command, exit_code);
   klt_.add_to(command, exit_code);
+  glyphs_.add_to(command, exit_code);
 }
 
 }  // namespace glassbox::app
