@@ -3,6 +3,7 @@
 
 #include "app/options/cli_fwd.h"
 #include "app/views/geometry_command.h"
+#include "app/views/glyphs_command.h"
 #include "app/views/klt_command.h"
 #include "app/views/layers_command.h"
 #include "app/views/match_command.h"
@@ -26,6 +27,7 @@ private:
   ViewsPolygonsCommand polygons_;
   ViewsTextureCommand texture_;
   ViewsKltCommand klt_;
+  ViewsGlyphsCommand glyphs_;
 };
 
 }  // namespace glassbox::app
