@@ -280,13 +280,12 @@ inline Matrix given_vectors(const Pixels& pixels, const std::vector<double>& mea
 }
 
 inline std::vector<BandCase> bands() {
-  return {{"two bands that are one", {{1, 2}, {2, 4}, {3, 6}, {6, 12}}, 1},
-          {"a band that does not change", {{5, 1}, {5, 2}, {5, 4}}, 1},
-          {"a square: no direction is better than another (C-115)",
-           {{1, 1}, {1, -1}, {-1, 1}, {-1, -1}},
-           2},
-          {"four bands", {{9, 8, 1, 0}, {7, 7, 2, 1}, {1, 2, 8, 9}, {0, 1, 9, 9}, {4, 4, 5, 5}}, 2},
-          {"no component at all", {{1, 2, 3}, {3, 2, 0}, {2, 2, 6}}, 0}};
+  return {
+      {"two bands that are one", {{1, 2}, {2, 4}, {3, 6}, {6, 12}}, 1},
+      {"a band that does not change", {{5, 1}, {5, 2}, {5, 4}}, 1},
+      {"a square: no direction is better than another", {{1, 1}, {1, -1}, {-1, 1}, {-1, -1}}, 2},
+      {"four bands", {{9, 8, 1, 0}, {7, 7, 2, 1}, {1, 2, 8, 9}, {0, 1, 9, 9}, {4, 4, 5, 5}}, 2},
+      {"no component at all", {{1, 2, 3}, {3, 2, 0}, {2, 2, 6}}, 0}};
 }
 // BEGIN HIDDEN
 inline BandCase random_bands(glassbox::Random& random) {
