@@ -23,6 +23,7 @@ import "./stereo_tests.mjs";
 import "./stiffness_tests.mjs";
 import "./study_tests.mjs";
 import "./using_tests.mjs";
+import "./surface_tests.mjs";
 import "./voxels_tests.mjs";
 
 let failed = 0;

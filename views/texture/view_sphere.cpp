@@ -15,16 +15,18 @@ namespace {
 __extension__ using Wide = __int128;
 using Place = std::array<std::int64_t, 3>;
 
-// Directions as whole numbers, each a little longer than the last by a share of its own, so that no four are in one plane: which of the
+// Directions as whole numbers, each moved by up to 2^-18 in a way of its own, so that no four are in one plane: which of the
 // triangulations of four views on a circle is taken is decided by that. Differences have 26 bits, the determinant 81.
 Place place_of(const Vector3d& direction, std::uint64_t number, std::uint64_t round) {
   std::uint64_t hash = (number + 1) * 0x9e3779b97f4a7c15u + round * 0xbf58476d1ce4e5b9u;
   hash ^= hash >> 29;
   hash *= 0x94d049bb133111ebu;
   hash ^= hash >> 32;
-  const double length = 0x1p24 + double(hash & 63);
-  return {std::llround(direction.x() * length), std::llround(direction.y() * length),
-          std::llround(direction.z() * length)};
+  Place place{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    place[axis] = std::llround(direction[Eigen::Index(axis)] * 0x1p24) +
+                  std::int64_t(hash >> (6 * axis) & 63) - 32;
+  return place;
 }
 
 // Six times the volume of a, b, c, d: positive if a, b, c are counter-clockwise seen from the side where d is not.

@@ -27,7 +27,7 @@ const viewsColour = (count, most) => { const share = count / most; return [40 + 
 function camera() {
   const [ca, sa, ce, se] = [Math.cos(turn.around), Math.sin(turn.around), Math.cos(turn.above), Math.sin(turn.above)];
   const rows = [[ca, 0, -sa], [-sa * se, ce, -ca * se], [sa * ce, se, ca * ce]];
-  const away = 3.2 * radius / turn.nearer;
+  const away = 2.6 * radius / turn.nearer;
   return {rows, eye: middle.map((x, k) => x + away * rows[2][k])};
 }
 

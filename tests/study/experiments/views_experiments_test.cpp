@@ -116,4 +116,24 @@ TEST_CASE("coarse to fine looks at a part of the voxels, and loses what is thin 
 }
 
 }  // namespace
+TEST_CASE(
+    "three pictures make the one between them better than the nearest, whose weights jump (D-24)") {
+  const auto all = check_experiment(d24_view_blends());
+  for (const double degrees : {4.0, 8.0, 16.0}) {
+    CHECK(error_at(all, "barycentric weights", "shiny teapot", degrees) <
+          error_at(all, "the nearest picture", "shiny teapot", degrees));
+  }
+  CHECK(series_of(all, "the nearest picture", "jump").front().y == 1);
+  CHECK(series_of(all, "barycentric weights", "jump").front().y < 1e-4);
+}
+
+TEST_CASE("only the fifteen cases leave holes; tetrahedra take three times the triangles (D-25)") {
+  const auto all = measure(d25_surfaces());
+  for (const Sample& holes : series_of(all, "fifteen cases", "holes")) CHECK(holes.y > 0);
+  const double cubes = error_at(all, "one rule for each face", "sphere", 6, "triangles");
+  const double tetrahedra = error_at(all, "six tetrahedra", "sphere", 6, "triangles");
+  CHECK(tetrahedra / cubes > 2.7);
+  CHECK(tetrahedra / cubes < 3.2);
+}
+
 }  // namespace glassbox::test

@@ -95,6 +95,17 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("views of which many lie in one plane have triangles all the same (C-98)") {
+  std::vector<Vector3d> directions;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double sign : {1.0, -1.0}) directions.push_back(sign * Vector3d::Unit(axis));
+  }
+  const ViewSphere octahedron(directions);
+  CHECK(octahedron.triangles().size() == 8);
+  CHECK(octahedron.border().empty());
+  for (const Vector3d& d : directions) CHECK(octahedron.weights(d).size() == 1);
+}
+
 TEST_CASE(
     "weights are positive, sum to 1, make the direction, and at a view's own are that view alone "
     "(S1-40, C-98)") {
