@@ -76,7 +76,7 @@ std::vector<MeasuredPlace> places() {
 }  // namespace
 
 LabMeasure measured_06() {
-  return {"D-3", "edge, owns_edge, covered_pixels", places};
+  return {"D-3", "edge, owns_edge, covered_pixels", places, true};
 }
 
 }  // namespace glassbox::labs

@@ -28,21 +28,37 @@ void answer(RecordReader& in, Numbers& out) {
   }
 }
 
-// The width of a tile at the origin, then triangles.
-std::function<void()> prepare(RecordReader& in) {
-  const int width = in.integer();
+struct Tile {
+  PixelRect window;
   std::vector<Triangle> triangles;
+};
+
+// The width of a tile at the origin, then triangles.
+Tile tile(RecordReader& in) {
+  const int width = in.integer();
+  Tile read{{0, 0, width, width}, {}};
   while (in.more()) {
-    for (SnappedVertex& v : triangles.emplace_back()) v = vertex(in);
+    for (SnappedVertex& v : read.triangles.emplace_back()) v = vertex(in);
   }
-  return [triangles, tile = PixelRect{0, 0, width, width}] {
-    for (const Triangle& triangle : triangles) covered_pixels(triangle, tile);
+  return read;
+}
+
+std::function<void()> prepare(RecordReader& in) {
+  return [tile = tile(in)] {
+    for (const Triangle& triangle : tile.triangles) covered_pixels(triangle, tile.window);
   };
+}
+
+// How many pixels of the tile each triangle covers.
+void answer_timed(RecordReader& in, Numbers& out) {
+  const Tile read = tile(in);
+  for (const Triangle& triangle : read.triangles)
+    out.push_back(double(covered_pixels(triangle, read.window).size()));
 }
 
 }  // namespace
 }  // namespace lab_06
 
 std::vector<glassbox::labs::StageFunction> glassbox::labs::stage_functions() {
-  return {{"measured", lab_06::answer, lab_06::prepare}};
+  return {{"measured", lab_06::answer, lab_06::prepare}, {"timed", lab_06::answer_timed}};
 }

@@ -70,7 +70,7 @@ std::vector<MeasuredPlace> places() {
 }  // namespace
 
 LabMeasure measured_07() {
-  return {"D-6", "depth_row, depth_code, visible", places};
+  return {"D-6", "depth_row, depth_code, visible", places, true};
 }
 
 }  // namespace glassbox::labs

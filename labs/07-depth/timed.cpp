@@ -20,17 +20,29 @@ void answer(RecordReader& in, Numbers& out) {
   }
 }
 
-// A format, then depths: a fragment for each pixel.
+// Depths: a fragment for each pixel.
+std::vector<Fragment> fragments(RecordReader& in) {
+  std::vector<Fragment> all;
+  for (int pixel = 0; in.more(); ++pixel) all.push_back({pixel, in.real()});
+  return all;
+}
+
+// A format, then depths.
 std::function<void()> prepare(RecordReader& in) {
   const auto format = Format(in.integer());
-  std::vector<Fragment> fragments;
-  for (int pixel = 0; in.more(); ++pixel) fragments.push_back({pixel, in.real()});
-  return [format, fragments] { visible(fragments, int(fragments.size()), format); };
+  return [format, all = fragments(in)] { visible(all, int(all.size()), format); };
+}
+
+// Which fragment each pixel shows.
+void answer_timed(RecordReader& in, Numbers& out) {
+  const auto format = Format(in.integer());
+  const std::vector<Fragment> all = fragments(in);
+  for (const auto seen : visible(all, int(all.size()), format)) out.push_back(double(seen));
 }
 
 }  // namespace
 }  // namespace lab_07
 
 std::vector<glassbox::labs::StageFunction> glassbox::labs::stage_functions() {
-  return {{"measured", lab_07::answer, lab_07::prepare}};
+  return {{"measured", lab_07::answer, lab_07::prepare}, {"timed", lab_07::answer_timed}};
 }

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include <fmt/format.h>
+
+#include "labs/framework/digest.h"
 
 namespace glassbox::labs {
 
@@ -29,8 +32,34 @@ const std::vector<Entry>& entries() {
 }
 
 // Both as timed.cpp has them.
-DrawnStage stage_of(const LabMeasure& lab) {
-  return {"measured", "", lab.functions, {}, {}};
+DrawnStage stage_of(const LabMeasure& lab, const char* name = "measured") {
+  return {name, "", lab.functions, {}, {}};
+}
+
+Ask asker(const DrawnStage& stage, StudentAnswers& student) {
+  return [&stage, &student](const std::vector<Numbers>& questions) {
+    std::vector<Question> asked;
+    asked.reserve(questions.size());
+    for (const Numbers& each : questions) asked.push_back({each});
+    return student.ask(stage, asked);
+  };
+}
+
+// All that is answered where `measure` asks; nothing where the code breaks.
+std::optional<std::string> answered(const Ask& ask,
+                                    const std::function<void(const Ask& recorded)>& measure) {
+  Digest digest;
+  bool broke = false;
+  measure([&](const std::vector<Numbers>& questions) {
+    auto answers = ask(questions);
+    broke = broke || !answers;
+    if (!answers) return answers;
+    for (const Numbers& each : *answers)
+      digest.add({reinterpret_cast<const char*>(each.data()), each.size() * sizeof(double)});
+    return answers;
+  });
+  if (broke) return std::nullopt;
+  return digest.text();
 }
 
 // As the experiments' own times are judged (study/experiment/timing.h): one thread's time is the processor's, and a round in which the
@@ -77,12 +106,7 @@ Result<std::vector<study::ConfigurationResult>> measure_places(
     const LabMeasure& lab, StudentAnswers& student, int rounds,
     const std::function<void(const std::string&)>& phase) {
   const DrawnStage stage = stage_of(lab);
-  const Ask ask = [&](const std::vector<Numbers>& questions) {
-    std::vector<Question> asked;
-    asked.reserve(questions.size());
-    for (const Numbers& each : questions) asked.push_back({each});
-    return student.ask(stage, asked);
-  };
+  const Ask ask = asker(stage, student);
   const std::vector<MeasuredPlace> places = lab.places();
   std::vector<study::ConfigurationResult> all;
   for (const MeasuredPlace& place : places) {
@@ -109,6 +133,56 @@ Result<std::vector<study::ConfigurationResult>> measure_places(
   }
   share_times(all);
   return all;
+}
+
+Result<std::vector<std::string>> untouched_series(
+    const LabMeasure& lab, StudentAnswers& student, StudentAnswers& starter,
+    const std::function<void(const std::string&)>& phase) {
+  phase(fmt::format("{}: what is written of yours", lab.experiment));
+  const DrawnStage measured = stage_of(lab), timed = stage_of(lab, "timed");
+  struct Written {
+    bool asked = false, timed = false;
+  };
+  std::vector<std::pair<std::string, Written>> all;
+  // A starter may say that it is none by an exception.
+  const auto breaks_alike = [&] { return student.broke() && student.broke() == starter.broke(); };
+  const auto differ = [&](const std::optional<std::string>& mine,
+                          const std::optional<std::string>& starters) {
+    return mine ? mine != starters : !breaks_alike();
+  };
+  const auto errors = [&](const MeasuredPlace& place, StudentAnswers& whose) {
+    return answered(asker(measured, whose),
+                    [&](const Ask& ask) { static_cast<void>(place.error(ask)); });
+  };
+  const auto work = [&](const MeasuredPlace& place, StudentAnswers& whose) {
+    return answered(asker(timed, whose),
+                    [&](const Ask& ask) { static_cast<void>(ask({place.timed})); });
+  };
+  // Places may keep what they were answered, so that each has its own. One answer that is not the starter's is enough.
+  const std::vector<MeasuredPlace> places = lab.places(), starters = lab.places();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const MeasuredPlace& place = places[i];
+    auto found = std::find_if(all.begin(), all.end(),
+                              [&](const auto& each) { return each.first == place.series; });
+    if (found == all.end()) found = all.insert(all.end(), {place.series, {}});
+    Written& written = found->second;
+    if (!written.asked) {
+      const auto mine = errors(place, student);
+      written.asked = differ(mine, errors(starters[i], starter));
+    }
+    if (!lab.timed_apart) {
+      written.timed = true;
+    } else if (!written.timed && !place.timed.empty()) {
+      const auto mine = work(place, student);
+      written.timed = differ(mine, work(place, starter));
+    }
+    if (student.broke() && !breaks_alike()) return fail("student.cpp", *student.broke(), "");
+  }
+  std::vector<std::string> untouched;
+  for (const auto& [series, written] : all) {
+    if (!written.asked || !written.timed) untouched.push_back(series);
+  }
+  return untouched;
 }
 
 double number_of(const Numbers& answer, std::size_t index) {

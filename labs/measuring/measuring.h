@@ -40,6 +40,9 @@ struct LabMeasure {
   std::string functions;   // of student.h: "edge, owns_edge, covered_pixels"
   // Of a quick run of the experiment.
   std::function<std::vector<MeasuredPlace>()> places;
+  // What is timed is done by other functions than what is asked: timed.cpp has a StageFunction "timed" besides, which answers what
+  // they make of a timed question.
+  bool timed_apart = false;
 };
 
 // Nothing for a lab that has no such measurement.
@@ -49,6 +52,12 @@ std::optional<LabMeasure> measure_of(int lab);
 // measured; if it comes from the student's code, `student` knows.
 Result<std::vector<study::ConfigurationResult>> measure_places(
     const LabMeasure& lab, StudentAnswers& student, int rounds,
+    const std::function<void(const std::string&)>& phase);
+
+// The series that nothing is written of yet: at all their places the student's functions answer as the starter's do, or those that are
+// timed do.
+Result<std::vector<std::string>> untouched_series(
+    const LabMeasure& lab, StudentAnswers& student, StudentAnswers& starter,
     const std::function<void(const std::string&)>& phase);
 
 // ---- for the labs' own files ----
