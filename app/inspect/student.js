@@ -23,12 +23,13 @@ function groupedBy(records) {
   return groups;
 }
 
-// What the functions answered of the triangle, and of the scene as a whole.
+// What the functions answered of the triangle, and of the scene as a whole; what is wrong stands first.
 function studentSections(run, triangle) {
   if (!run.recordsOf) return [];
   const records = [...(run.recordsOf.get(null) ?? []), ...(triangle === null ? [] : run.recordsOf.get(triangle) ?? [])];
   if (!records.length) return [step("student", "Yours and the reference's", element("p", {className: "quiet"}, "The page has no record of this triangle."))];
-  return records.map((record) => recordSection(run, record));
+  const ordered = [...records.filter(({wrong}) => wrong), ...records.filter(({wrong}) => !wrong)];
+  return ordered.map((record) => recordSection(run, record));
 }
 
 function recordSection(run, {stage, triangle, record, yours, reference, wrong}) {

@@ -50,6 +50,19 @@ Result<labs::Claim> claim_in(const std::string& path) {
                           std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()));
 }
 
+// The measurement without the series that nothing is written of.
+labs::LabMeasure without(const labs::LabMeasure& whole, const std::vector<std::string>& untouched) {
+  labs::LabMeasure rest = whole;
+  rest.places = [places = whole.places(), untouched] {
+    auto written = places;
+    std::erase_if(written, [&](const labs::MeasuredPlace& each) {
+      return std::find(untouched.begin(), untouched.end(), each.series) != untouched.end();
+    });
+    return written;
+  };
+  return rest;
+}
+
 // Whether the claim holds, and where not: to `out`.
 int judge(const std::string& path, const labs::Claim& claimed, const labs::Claim& measured,
           std::FILE* out) {
@@ -75,8 +88,8 @@ void LabMeasureCommand::add_to(CLI::App& lab, int& exit_code) {
       "  glassbox lab measure ~/lab6 --json measured.json       # to be handed in\n"
       "  glassbox lab measure class/ann --lab 6 --against class/ann/measured.json\n\n"
       "The experiment that the handout names is run as study run --quick runs it, and your\n"
-      "functions in a process of their own. Exit code 1: the code does not compile or end, or\n"
-      "--against names what is not so.");
+      "functions in a process of their own. Exit code 1: nothing is written yet, the code does\n"
+      "not compile or end, or --against names what is not so.");
   command.add_option("FOLDER", folder_, "made by glassbox lab start, or with a student.cpp in it")
       ->required();
   command.add_option("--lab", lab_, "which lab a folder without lab.json is of");
@@ -115,15 +128,28 @@ int LabMeasureCommand::run() const {
     fmt::print("{}", stages.program().messages);
     return kFailure;
   }
-  labs::StudentAnswers student(stages.sandbox(), stages.program().program, seconds_);
+  const auto starter = stages.build_starter(*sources, *folder, true);
+  if (!starter) return refuse(starter.error());
+  labs::StudentAnswers student(stages.sandbox(), stages.program().program, seconds_),
+      untouched(stages.sandbox(), starter->program, seconds_);
   const auto tell = [&](const std::string& what) { progress.phase(what); };
-  const auto yours = labs::measure_places(*measured, student, study::kLeastRepetitions, tell);
-  if (!yours && student.broke()) {
+  // What the student's code does wrong, or what kept it from being tried.
+  const auto broken = [&](const Error& error) {
+    if (!student.broke()) return refuse(error);
     progress.done();
     fmt::print("{}: {}\n", folder->student.string(), *student.broke());
     return kFailure;
+  };
+  const auto not_written = labs::untouched_series(*measured, student, untouched, tell);
+  if (!not_written) return broken(not_written.error());
+  const labs::LabMeasure written = without(*measured, *not_written);
+  if (written.places().empty()) {
+    progress.done();
+    fmt::print("{}", unwritten_text(*folder->lab, *measured));
+    return kFailure;
   }
-  if (!yours) return refuse(yours.error());
+  const auto yours = labs::measure_places(written, student, study::kLeastRepetitions, tell);
+  if (!yours) return broken(yours.error());
 
   study::RunOptions options;
   options.phase = tell;
@@ -146,7 +172,8 @@ int LabMeasureCommand::run() const {
     const auto made = write_text(*html_output_, study_page({origin, {result}}, command));
     if (!made) return refuse(made.error());
   }
-  if (json_output_ != "-") fmt::print("{}", measure_text(*folder->lab, *measured, result, series));
+  if (json_output_ != "-")
+    fmt::print("{}", measure_text(*folder->lab, *measured, result, series, *not_written));
   // Where JSON goes to standard output nothing else does.
   return claimed ? judge(*against_, *claimed, claim, json_output_ == "-" ? stderr : stdout)
                  : kSuccess;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/bench/text.h"
 #include "app/report/table.h"
@@ -74,8 +75,15 @@ std::string table_of(const ExperimentResult& part, const std::vector<std::string
 
 }  // namespace
 
+std::string unwritten_text(const labs::Lab& lab, const labs::LabMeasure& measured) {
+  return fmt::format("Lab {} in {}\n", lab.number, measured.experiment) +
+         wrapped("  Not written yet: ",
+                 measured.functions + "; the answers are the starter's. Nothing was measured.");
+}
+
 std::string measure_text(const labs::Lab& lab, const labs::LabMeasure& measured,
-                         const ExperimentResult& result, const std::vector<std::string>& series) {
+                         const ExperimentResult& result, const std::vector<std::string>& series,
+                         const std::vector<std::string>& untouched) {
   std::string text =
       fmt::format("Lab {} in {}, {}\n", lab.number, result.id, result.name) +
       wrapped("  Measured: ", measured.functions + "; the processor's time of one thread");
@@ -85,6 +93,9 @@ std::string measure_text(const labs::Lab& lab, const labs::LabMeasure& measured,
     text += "\n" + wrapped("  Axis: ", with_unit(part.axis, part.axis_unit)) +
             wrapped("  Error: ", with_unit(part.error, part.error_unit)) + "\n" + rows;
   }
+  if (!untouched.empty())
+    text += "\n" + wrapped("  Not written yet, and not measured: ",
+                           fmt::format("{}", fmt::join(untouched, "; ")));
   return text + "\nfront: nothing in the chart is as exact there and faster.\n";
 }
 

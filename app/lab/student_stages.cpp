@@ -2,6 +2,14 @@
 
 namespace glassbox::app {
 
+namespace {
+
+std::filesystem::path kept_in(const LabFolder& folder, bool timed) {
+  return folder.build_dir / (timed ? "measuring" : "drawing");
+}
+
+}  // namespace
+
 Result<void> StudentStages::build(const labs::Sources& sources, const LabFolder& folder,
                                   Progress& progress, bool timed) {
   const auto place = scratch_.path();
@@ -10,12 +18,21 @@ Result<void> StudentStages::build(const labs::Sources& sources, const LabFolder&
   if (!sandbox) return tl::unexpected(sandbox.error());
   sandbox_ = std::move(*sandbox);
   progress.phase("compiling " + folder.student.string());
-  const std::filesystem::path kept = folder.build_dir / (timed ? "measuring" : "drawing");
   auto program = labs::build_stages(
-      sources, {folder.lab->folder, folder.student, kept, *place, timed}, *sandbox_);
+      sources, {folder.lab->folder, folder.student, kept_in(folder, timed), *place, timed},
+      *sandbox_);
   if (!program) return tl::unexpected(program.error());
   program_ = std::move(*program);
   return {};
+}
+
+Result<labs::StageProgram> StudentStages::build_starter(const labs::Sources& sources,
+                                                        const LabFolder& folder, bool timed) const {
+  const auto place = scratch_.path();
+  if (!place) return tl::unexpected(place.error());
+  return labs::build_stages(
+      sources, {folder.lab->folder, folder.student, kept_in(folder, timed), *place, timed, true},
+      *sandbox_);
 }
 
 }  // namespace glassbox::app

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include <fmt/format.h>
 
+#include "labs/framework/digest.h"
 #include "study/experiment/timing.h"
 
 namespace glassbox::labs {
@@ -33,6 +35,32 @@ const std::vector<Entry>& entries() {
 // Both as timed.cpp has them.
 DrawnStage stage_of(const LabMeasure& lab) {
   return {"measured", "", lab.functions, {}, {}};
+}
+
+Ask asker(const DrawnStage& stage, StudentAnswers& student) {
+  return [&stage, &student](const std::vector<Numbers>& questions) {
+    std::vector<Question> asked;
+    asked.reserve(questions.size());
+    for (const Numbers& each : questions) asked.push_back({each});
+    return student.ask(stage, asked);
+  };
+}
+
+// All that is answered where `measure` asks; nothing where the code breaks.
+std::optional<std::string> answered(const Ask& ask,
+                                    const std::function<void(const Ask& recorded)>& measure) {
+  Digest digest;
+  bool broke = false;
+  measure([&](const std::vector<Numbers>& questions) {
+    auto answers = ask(questions);
+    broke = broke || !answers;
+    if (!answers) return answers;
+    for (const Numbers& each : *answers)
+      digest.add({reinterpret_cast<const char*>(each.data()), each.size() * sizeof(double)});
+    return answers;
+  });
+  if (broke) return std::nullopt;
+  return digest.text();
 }
 
 // As the experiments' own times are judged (study/experiment/timing.h): one thread's time is the processor's, and a round in which the
@@ -78,12 +106,7 @@ Result<std::vector<study::ConfigurationResult>> measure_places(
     const LabMeasure& lab, StudentAnswers& student, int rounds,
     const std::function<void(const std::string&)>& phase) {
   const DrawnStage stage = stage_of(lab);
-  const Ask ask = [&](const std::vector<Numbers>& questions) {
-    std::vector<Question> asked;
-    asked.reserve(questions.size());
-    for (const Numbers& each : questions) asked.push_back({each});
-    return student.ask(stage, asked);
-  };
+  const Ask ask = asker(stage, student);
   const std::vector<MeasuredPlace> places = lab.places();
   std::vector<study::ConfigurationResult> all;
   for (const MeasuredPlace& place : places) {
@@ -119,6 +142,39 @@ Result<std::vector<study::ConfigurationResult>> measure_places(
   }
   share_times(all);
   return all;
+}
+
+Result<std::vector<std::string>> untouched_series(
+    const LabMeasure& lab, StudentAnswers& student, StudentAnswers& starter,
+    const std::function<void(const std::string&)>& phase) {
+  phase(fmt::format("{}: what is written of yours", lab.experiment));
+  const DrawnStage measured = stage_of(lab);
+  std::vector<std::pair<std::string, bool>> all;  // a series, and whether it is written
+  // A starter may say that it is none by an exception.
+  const auto breaks_alike = [&] { return student.broke() && student.broke() == starter.broke(); };
+  const auto answers_of = [&](const MeasuredPlace& place, StudentAnswers& whose) {
+    return answered(asker(measured, whose),
+                    [&](const Ask& ask) { static_cast<void>(place.error(ask)); });
+  };
+  // Places may keep what they were answered, so that each has its own. One answer that is not the starter's is enough.
+  const std::vector<MeasuredPlace> places = lab.places(), starters = lab.places();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const MeasuredPlace& place = places[i];
+    auto found = std::find_if(all.begin(), all.end(),
+                              [&](const auto& each) { return each.first == place.series; });
+    if (found == all.end()) found = all.insert(all.end(), {place.series, false});
+    if (!found->second) {
+      const auto mine = answers_of(place, student);
+      const auto starters_own = answers_of(starters[i], starter);
+      found->second = mine ? mine != starters_own : !breaks_alike();
+    }
+    if (student.broke() && !breaks_alike()) return fail("student.cpp", *student.broke(), "");
+  }
+  std::vector<std::string> untouched;
+  for (const auto& [series, written] : all) {
+    if (!written) untouched.push_back(series);
+  }
+  return untouched;
 }
 
 double number_of(const Numbers& answer, std::size_t index) {

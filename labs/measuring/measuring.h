@@ -51,6 +51,11 @@ Result<std::vector<study::ConfigurationResult>> measure_places(
     const LabMeasure& lab, StudentAnswers& student, int rounds,
     const std::function<void(const std::string&)>& phase);
 
+// The series that nothing is written of yet: at all their places the student's functions answer as the starter's do.
+Result<std::vector<std::string>> untouched_series(
+    const LabMeasure& lab, StudentAnswers& student, StudentAnswers& starter,
+    const std::function<void(const std::string&)>& phase);
+
 // ---- for the labs' own files ----
 
 // The number of an answer; NaN where it has no such number.

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "labs/framework/lab.h"
+#include "labs/framework/strip.h"
 #include "labs/measuring/claim.h"
 #include "labs/measuring/measuring.h"
 #include "study/experiment/runner.h"
@@ -37,10 +38,10 @@ public:
   enum Change { kReplaced, kEmptied };
   // kEmptied: the function whose name is found begins with `replace`.
   Bench(int lab, const std::string& find, const std::string& replace, Change change = kReplaced)
-      : place_(made_place()), sandbox_(grading::Sandbox::choose(place_).value()) {
-    const Sources sources = find_sources().value();
-    const std::string& folder = lab_numbered(lab).folder;
-    std::string text = solution_text(sources, folder).value();
+      : place_(made_place()),
+        sandbox_(grading::Sandbox::choose(place_).value()),
+        folder_(lab_numbered(lab).folder) {
+    std::string text = solution_text(find_sources().value(), folder_).value();
     std::size_t at = text.find(find);
     REQUIRE(at != std::string::npos);
     if (change == kEmptied) {
@@ -51,14 +52,7 @@ public:
       text.replace(at, find.size(), replace);
     }
     std::ofstream(place_ / "student.cpp") << text;
-    const fs::path kept = fs::path(KEPT) / (folder + "-measured");
-    fs::create_directories(kept);
-    const auto made =
-        build_stages(sources, {folder, place_ / "student.cpp", kept, place_, true}, sandbox_);
-    REQUIRE(made);
-    INFO(made->messages);
-    REQUIRE_FALSE(made->program.empty());
-    program_ = made->program;
+    program_ = built(false);
   }
   ~Bench() {
     std::error_code error;
@@ -68,8 +62,20 @@ public:
   Bench& operator=(const Bench&) = delete;
 
   StudentAnswers student(double seconds = 60) const { return {sandbox_, program_, seconds}; }
+  StudentAnswers starter() const { return {sandbox_, built(true), 60}; }
 
 private:
+  fs::path built(bool starter) const {
+    const fs::path kept = fs::path(KEPT) / (folder_ + "-measured");
+    fs::create_directories(kept);
+    const auto made =
+        build_stages(find_sources().value(),
+                     {folder_, place_ / "student.cpp", kept, place_, true, starter}, sandbox_);
+    REQUIRE(made);
+    INFO(made->messages);
+    REQUIRE_FALSE(made->program.empty());
+    return made->program;
+  }
   static fs::path made_place() {
     std::string name = (fs::temp_directory_path() / "glassbox-measure-XXXXXX").string();
     REQUIRE(::mkdtemp(name.data()) != nullptr);
@@ -79,6 +85,7 @@ private:
 
   fs::path place_;
   grading::Sandbox sandbox_;
+  std::string folder_;
   fs::path program_;
 };
 
@@ -152,7 +159,8 @@ Claim small_claim(double yours, double ns) {
 }  // namespace
 
 TEST_CASE(
-    "every lab's solution is measured where its experiment measures, and as exact as its theory") {
+    "every lab's solution is measured where its experiment measures, as exact as its theory, and "
+    "its starter is not written yet") {
   const Peer& peer = GENERATE(from_range(peers()));
   CAPTURE(peer.lab);
   const auto measure = measure_of(peer.lab);
@@ -171,6 +179,15 @@ TEST_CASE(
     // A factor of two is what a theory is held to (study/experiment/theory.h).
     CHECK(mine.error <= 2 * *theory);
   }
+  // The starter is no point of the chart, and the solution has nothing that is not written.
+  StudentAnswers starter = bench.starter(), the_same = bench.starter();
+  const auto of_solution = untouched_series(*measure, student, starter, say_nothing);
+  REQUIRE(of_solution);
+  CHECK(of_solution->empty());
+  const auto of_starter = untouched_series(*measure, the_same, starter, say_nothing);
+  INFO(the_same.broke().value_or(""));
+  REQUIRE(of_starter);
+  CHECK(of_starter->size() == peer.ways.size());
 }
 
 TEST_CASE("a lab without a part of an experiment has no measurement") {
@@ -323,6 +340,15 @@ TEST_CASE(
   CHECK(both.exit_code == 1);
   CHECK(nlohmann::json::accept(both.out));
   CHECK(both.err.find("the error is 0, not 0.5") != std::string::npos);
+
+  std::ofstream(folder / "ann/student.cpp")
+      << strip_solution(solution_text(sources, "05-clipping").value(), "student.cpp").value();
+  const auto none = run({"--json", "none.json", "--html", "none.html"});
+  CAPTURE(none.out, none.err);
+  CHECK(none.exit_code == 1);
+  CHECK(none.out.find("Not written yet: outcode") != std::string::npos);
+  CHECK_FALSE(fs::exists(folder / "none.json"));
+  CHECK_FALSE(fs::exists(folder / "none.html"));
 
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"--against", "nowhere.json"},

@@ -71,27 +71,26 @@ TEST_CASE("a lab of the page's small files, outside of the source tree, is grade
   // Two of the visible check's four distances are not between start and end; the hidden check's three are.
   CHECK(desk.total("unclamped") == 75);
 
-  SECTION("again only where the judge is another") {
-    const std::vector<std::string> again{"lab",    "grade", "class",   "--lab-dir",
-                                         "40-fog", "-o",    "results", "--resume"};
-    CHECK(desk.run(again).err.find("3 of 3 have their results already") != std::string::npos);
-    std::string judge = read_text_file(desk.lab / "checks.cpp").value();
-    judge.replace(judge.find(", 0.0, 1.0"), 10, ", -9.0, 9.0");
-    Desk::write(desk.lab / "checks.cpp", judge);
-    REQUIRE(desk.run(again).exit_code == 0);
-    CHECK(desk.total("right") == 75);
-    CHECK(desk.total("unclamped") == 100);
+  // One by one, with a kit and a judge that are kept.
+  for (int i = 0; i < 2; ++i) {
+    const auto one = desk.run({"lab", "grade", "class/right", "--one", "--lab-dir", "40-fog",
+                               "--kit", "kit", "-o", "one.json"});
+    INFO(one.err);
+    CHECK(one.exit_code == 0);
+    CHECK(read_text_file(desk.path / "one.json").value() ==
+          read_text_file(desk.path / "results/right/results.json").value());
+    CHECK(std::distance(fs::directory_iterator(desk.path / "kit.judge"), {}) == 1);
   }
-  SECTION("one by one, with a kit and a judge that are kept") {
-    for (int i = 0; i < 2; ++i) {
-      const auto one = desk.run({"lab", "grade", "class/right", "--one", "--lab-dir", "40-fog",
-                                 "--kit", "kit", "-o", "results/right/results.json"});
-      INFO(one.err);
-      CHECK(one.exit_code == 0);
-      CHECK(desk.total("right") == 100);
-      CHECK(std::distance(fs::directory_iterator(desk.path / "kit.judge"), {}) == 1);
-    }
-  }
+  // Again only where the judge is another.
+  const std::vector<std::string> again{"lab",    "grade", "class",   "--lab-dir",
+                                       "40-fog", "-o",    "results", "--resume"};
+  CHECK(desk.run(again).err.find("3 of 3 have their results already") != std::string::npos);
+  std::string judge = read_text_file(desk.lab / "checks.cpp").value();
+  judge.replace(judge.find(", 0.0, 1.0"), 10, ", -9.0, 9.0");
+  Desk::write(desk.lab / "checks.cpp", judge);
+  REQUIRE(desk.run(again).exit_code == 0);
+  CHECK(desk.total("right") == 75);
+  CHECK(desk.total("unclamped") == 100);
 }
 
 TEST_CASE("a lab outside of the source tree is started and checked (--lab-dir)") {

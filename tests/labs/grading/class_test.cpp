@@ -57,8 +57,8 @@ TEST_CASE("a class has the same results in two runs and with any number of jobs,
   const Place place;
   write_class(place.path / "class", 21);
   for (const auto& [folder, jobs] : {std::pair{"a", "1"}, {"b", "1"}, {"c", "5"}}) {
-    const Outcome outcome =
-        grader({"grade", "class", "--lab", "99", "-o", folder, "--jobs", jobs}, place.path);
+    const Outcome outcome = grader({"grade", "class", "--lab", "99", "-o", folder, "--jobs", jobs},
+                                   place.path, {}, KitIs::kOwn);
     INFO(outcome.err);
     REQUIRE(outcome.exit_code == 0);
   }
