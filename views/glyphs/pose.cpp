@@ -177,8 +177,11 @@ public:
       }
     }
     if (!best_) return std::nullopt;
-    PinholeCamera camera = with_known(*best_, question_);
-    for (const double limit : {4 * coarse, 2.0, 1.0, 1.0}) {
+    // A principal point that is put in its place moves all points: those that agreed before are what turns the camera after it.
+    const FoundPose rough = judged(*best_, coarse * question_.threshold);
+    PinholeCamera camera =
+        refined(with_known(*best_, question_), some(points_, rough.is_inlier), question_.known);
+    for (const double limit : {coarse, 2.0, 1.0, 1.0}) {
       const FoundPose pose = judged(camera, limit * question_.threshold);
       camera = refined(camera, some(points_, pose.is_inlier), question_.known);
     }

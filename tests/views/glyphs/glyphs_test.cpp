@@ -197,6 +197,25 @@ TEST_CASE("six points of two planes decide the camera and its lens, six of one p
   }
 }
 
+TEST_CASE(
+    "wrong glyphs are found out by those that agree, and the centre of an ellipse is not that of "
+    "its disc") {
+  const Wall wall = *make_wall({});
+  const PinholeCamera camera = camera_before(1.2, 30, 10, 800, 600);
+  std::vector<SeenPoint> points = points_seen(wall, camera, 40, 3);
+  double apart = 0;
+  for (const SeenPoint& point : points)
+    apart = std::max(apart, (project(camera, point.world).head<2>() - point.pixel).norm());
+  CHECK(apart > 0.2);
+  for (std::size_t i = 0; i < 12; ++i) points[i].pixel += Vector2d(30 + double(i), -25);
+  for (const LensKnown known : {LensKnown::kAll, LensKnown::kCentre}) {
+    const auto pose = find_pose(points, {known, camera.intrinsic, 800, 600, 2});
+    REQUIRE(pose);
+    CHECK(pose->inliers == 28);
+    CHECK(pose_error(pose->camera, camera).distance < 1e-6);
+  }
+}
+
 TEST_CASE("cameras that too few glyphs, one plane or disagreement leave open are refused") {
   const Wall wall = *make_wall({});
   const PinholeCamera camera = camera_before(2, 0, 0, 640, 480);
