@@ -137,9 +137,11 @@ BoundedOf<T> product_of(const BoundedOf<T>& x, const BoundedOf<T>& y) {
   const double a = std::abs(double(x.value)), b = std::abs(double(y.value));
   // The product of two floats is a double.
   const double near = double(x.value) * double(y.value);
-  const double own = std::same_as<T, float>
-                         ? rounding(value, near, 0)
-                         : std::abs(near) * kHalfUlp + std::numeric_limits<double>::denorm_min();
+  // That of doubles may be too small for one, but not where a factor is 0: then nothing is rounded.
+  constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
+  const double own = std::same_as<T, float> ? rounding(value, near, 0)
+                     : a == 0 || b == 0     ? 0
+                                            : std::abs(near) * kHalfUlp + kSmallest;
   return {value,
           (times(a, y.bound) + times(b, x.bound) + times(x.bound, y.bound) + own) * kRoundUp};
 }
@@ -149,8 +151,8 @@ BoundedOf<T> quotient_of(const BoundedOf<T>& x, const BoundedOf<T>& y) {
   const double smallest = std::abs(double(y.value)) - y.bound;
   if (!(smallest > 0)) return {value, std::numeric_limits<double>::infinity()};
   const double near = double(x.value) / double(y.value), size = std::abs(near);
-  const double own =
-      is_product(x.value, value, y.value) ? 0 : rounding(value, near, size * kHalfUlp + 0x1p-1074);
+  const bool is_exact = x.value == 0 || is_product(x.value, value, y.value);
+  const double own = is_exact ? 0 : rounding(value, near, size * kHalfUlp + 0x1p-1074);
   return {value, ((x.bound + times(size, y.bound)) / smallest + own) * kRoundUp};
 }
 

@@ -24,7 +24,7 @@ namespace {
 constexpr std::uint8_t kFilterUp = 2;
 constexpr int kCompressionLevel = 2;
 // Rows are compressed in bands of about as many bytes, each by itself and so side by side on whatever threads there are: where
-// they begin depends on the picture alone. (A band finds nothing in the one before it: less than a hundredth of a file's size.)
+// they begin depends on the picture alone. A band finds nothing in the one before it, for which pictures pay little (docs/performance.md).
 constexpr std::size_t kBandBytes = std::size_t{1} << 18;
 
 struct Sink {
@@ -96,30 +96,44 @@ struct Band {
   std::size_t length = 0;
 };
 
+class Deflater {
+public:
+  Deflater() {
+    constexpr int kNoHeader = -15, kMemoryLevel = 8;
+    if (deflateInit2(&z_, kCompressionLevel, Z_DEFLATED, kNoHeader, kMemoryLevel, Z_FILTERED) !=
+        Z_OK) {
+      throw std::bad_alloc();
+    }
+  }
+  Deflater(const Deflater&) = delete;
+  Deflater& operator=(const Deflater&) = delete;
+  ~Deflater() { deflateEnd(&z_); }
+
+  // With Z_FINISH the end of a stream, with Z_SYNC_FLUSH whole bytes. Nobody says how long that is: it comes by and by.
+  std::vector<std::uint8_t> deflate_all(std::span<const std::uint8_t> bytes, int flush) {
+    z_.next_in = const_cast<Bytef*>(bytes.data());
+    z_.avail_in = uInt(bytes.size());
+    std::vector<std::uint8_t> deflated;
+    std::array<std::uint8_t, std::size_t{1} << 16> part;
+    do {
+      z_.next_out = part.data();
+      z_.avail_out = uInt(part.size());
+      if (deflate(&z_, flush) == Z_STREAM_ERROR) throw std::bad_alloc();
+      deflated.insert(deflated.end(), part.begin(), part.end() - z_.avail_out);
+    } while (z_.avail_out == 0);
+    deflated.shrink_to_fit();  // bands wait for each other
+    return deflated;
+  }
+
+private:
+  z_stream z_{};
+};
+
 Band compressed(const std::vector<std::uint8_t>& bytes, bool is_last) {
   if (bytes.size() > std::numeric_limits<uInt>::max()) throw std::bad_alloc();
   Band band{{}, adler32(0, nullptr, 0), bytes.size()};
   band.adler = adler32_z(band.adler, bytes.data(), bytes.size());
-  z_stream z{};
-  constexpr int kNoHeader = -15, kMemoryLevel = 8;
-  if (deflateInit2(&z, kCompressionLevel, Z_DEFLATED, kNoHeader, kMemoryLevel, Z_FILTERED) != Z_OK)
-    throw std::bad_alloc();
-  const auto end = [&](bool failed) {
-    deflateEnd(&z);
-    if (failed) throw std::bad_alloc();
-  };
-  try {
-    band.deflated.resize(deflateBound(&z, uLong(bytes.size())) + 16);  // the mark between bands
-  } catch (const std::bad_alloc&) {
-    end(true);
-  }
-  z.next_in = const_cast<Bytef*>(bytes.data());
-  z.avail_in = uInt(bytes.size());
-  z.next_out = band.deflated.data();
-  z.avail_out = uInt(band.deflated.size());
-  const int outcome = deflate(&z, is_last ? Z_FINISH : Z_SYNC_FLUSH);
-  band.deflated.resize(z.total_out);
-  end(outcome != (is_last ? Z_STREAM_END : Z_OK) || z.avail_in != 0);
+  band.deflated = Deflater().deflate_all(bytes, is_last ? Z_FINISH : Z_SYNC_FLUSH);
   return band;
 }
 

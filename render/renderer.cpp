@@ -27,19 +27,29 @@ void Renderer::count_preparation(Statistics& statistics) {
 
 Rendering Renderer::render(const View& view, const RenderSettings& settings) {
   Rendering rendering;
-  Framebuffer& buffers = rendering.buffers;
-  const EyePicture eye{view, settings, buffers, buffers.color, rendering.statistics};
-  engine_->draw({scene_, prepared_, {&eye, 1}});
-  count_preparation(rendering.statistics);
+  render(view, settings, rendering);
   return rendering;
+}
+
+void Renderer::render(const View& view, const RenderSettings& settings, Rendering& into,
+                      const Image<std::uint32_t>* behind) {
+  Framebuffer& buffers = into.buffers;
+  const EyePicture eye{view, settings, buffers, buffers.color, into.statistics, nullptr, behind};
+  engine_->draw({scene_, prepared_, {&eye, 1}});
+  count_preparation(into.statistics);
 }
 
 StereoRendering Renderer::render_pair(const View& centre, const StereoPair& pair,
                                       const StereoSettings& settings) {
   StereoRendering both;
-  glassbox::render_pair(*engine_, scene_, prepared_, centre, pair, settings, both);
-  count_preparation(both.left_statistics);
+  render_pair(centre, pair, settings, both);
   return both;
+}
+
+void Renderer::render_pair(const View& centre, const StereoPair& pair,
+                           const StereoSettings& settings, StereoRendering& into) {
+  glassbox::render_pair(*engine_, scene_, prepared_, centre, pair, settings, into);
+  count_preparation(into.left_statistics);
 }
 
 StereoRendering Renderer::render_masked_anaglyph(const View& centre, const StereoPair& pair,

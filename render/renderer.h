@@ -33,10 +33,15 @@ public:
 
   // As render_staged; the depth plane only if it is asked for.
   Rendering render(const View& view, const RenderSettings& settings);
+  // The same into memory that has had a picture. `behind`: as EyePicture has it.
+  void render(const View& view, const RenderSettings& settings, Rendering& into,
+              const Image<std::uint32_t>* behind = nullptr);
 
   // As the functions of the same names.
   StereoRendering render_pair(const View& centre, const StereoPair& pair,
                               const StereoSettings& settings);
+  void render_pair(const View& centre, const StereoPair& pair, const StereoSettings& settings,
+                   StereoRendering& into);
   StereoRendering render_masked_anaglyph(const View& centre, const StereoPair& pair,
                                          const StereoSettings& settings,
                                          const AnaglyphMasks& masks);

@@ -73,8 +73,8 @@ void BenchCommand::add_to(CLI::App& app, int& exit_code) {
       "  glassbox bench room forest --against opencv --threads 2\n"
       "  glassbox bench room --stereo anaglyph --json -\n"
       "  glassbox bench --scaling triangles --most 1000000\n\n"
-      "Times are medians after three frames that are not measured; docs/benchmark.md says what is\n"
-      "in them.\n\n" +
+      "Times are medians after three frames that are not measured (of OpenCV's task one);\n"
+      "docs/benchmark.md says what is in them.\n\n" +
       bench_scene_help() + "\n" + builtin_help());
   command.add_option("SCENE", scenes_,
                      "of the benchmark, built-in, or a glTF, GLB, OBJ or PLY file [S1 to R12]");

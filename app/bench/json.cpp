@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/report/eye_error_json.h"
+
 namespace glassbox::app {
 
 namespace {
@@ -63,6 +65,10 @@ Json result_json(const BenchReport& report, const Measurement& result) {
     json["stereo"] = {{"mono_ms", result.stereo->mono_ms},
                       {"shared_ms", result.stereo->shared_ms},
                       {"cost", result.stereo->shared_ms / result.stereo->mono_ms}};
+    if (const auto& eye = result.stereo->warped) {
+      json["stereo"]["warped"] = eye_error_json(eye->warped);
+      json["stereo"]["warped"]["cost"] = eye->both_warped_ms / eye->one_eye_ms;
+    }
   }
   if (result.rejected_ms) json["rejected_ms"] = *result.rejected_ms;
   json["least_bytes_read"] = result.least.read_bytes;

@@ -1,7 +1,6 @@
 #include "app/bench/matching.h"
 
 #include <chrono>
-#include <ctime>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -14,6 +13,7 @@
 #include "app/views/match_input.h"
 #include "study/bench/machine.h"
 #include "study/bench/statistics.h"
+#include "study/experiment/timing.h"
 #include "views/matching/match.h"
 
 #include <glassbox/base/counted.h>
@@ -26,13 +26,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kSeparation = 0.2;  // world units
-
-// Of all threads of this process.
-double process_cpu_ms() {
-  std::timespec now{};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return double(now.tv_sec) * 1e3 + double(now.tv_nsec) * 1e-6;
-}
 
 bool is_directory(const std::string& name) {
   std::error_code ignored;
@@ -66,7 +59,7 @@ Result<Matcher> measure_ours(const MatchInput& input, const char* method,
   matcher.name = fmt::format("glassbox {}", method);
   std::vector<double> cpu, wall;
   for (int frame = 0; frame <= question.frames; ++frame) {
-    const double before = process_cpu_ms();
+    const double before = study::processor_seconds();
     const auto start = std::chrono::steady_clock::now();
     const auto match = views::match_pictures(input.left, input.right, settings);
     if (!match) return tl::unexpected(match.error());
@@ -76,7 +69,7 @@ Result<Matcher> measure_ours(const MatchInput& input, const char* method,
           views::evaluate(match->disparity, input.truth->disparity, &input.truth->is_visible);
       continue;
     }
-    cpu.push_back(process_cpu_ms() - before);
+    cpu.push_back(1e3 * (study::processor_seconds() - before));
     wall.push_back(took.count());
   }
   matcher.cpu_ms = study::median(cpu);
@@ -116,7 +109,7 @@ public:
   MatchingReport& report() { return report_; }
 
 private:
-  // Once it is not there it is not asked again.
+  // Once it is not there it is not asked again; what else goes wrong is this pair's.
   Result<void> add_peer(const MatchInput& input, const views::DisparityRange& range, int threads,
                         MatchedPair& pair) {
     const auto scratch = scratch_.path();
@@ -126,14 +119,16 @@ private:
       auto peer = match_with_opencv(input.left, input.right, range, paths, threads,
                                     question_.frames, *scratch);
       if (!peer) {
-        is_missing_ = true;
-        report_.notes.push_back("OpenCV is left out: " + peer.error().message() + ".");
-        return {};
+        is_missing_ = peer.error().cause == kPeerIsMissing;
+        report_.notes.push_back(
+            is_missing_ ? fmt::format("OpenCV is left out: {}.", peer.error().message())
+                        : fmt::format("{} has nothing of {}, {}: {}.", name_of(paths), pair.about,
+                                      counted(threads, "thread"), peer.error().message()));
+        continue;
       }
       report_.peer = "OpenCV " + peer->version;
       pair.matchers.push_back(
-          {paths == PeerPaths::kThree ? "OpenCV, 3 paths" : "OpenCV, 8 paths",
-           study::median(peer->cpu_ms), study::median(peer->wall_ms),
+          {name_of(paths), study::median(peer->cpu_ms), study::median(peer->wall_ms),
            views::evaluate(peer->disparity, input.truth->disparity, &input.truth->is_visible)});
     }
     return {};
@@ -172,9 +167,10 @@ std::string matching_text(const MatchingReport& report) {
   std::string text = fmt::format("{}; {}; {}; medians of {}\n", report.machine, report.compiler,
                                  report.target, counted(report.frames, "match", "matches"));
   if (!report.peer.empty()) {
-    text += wrapped("peer: ", report.peer +
-                                  " StereoSGBM: blocks of 3, P1 216, P2 864, left-right check, "
-                                  "holes filled from the smaller side");
+    text += wrapped("peer: ",
+                    report.peer + fmt::format(" StereoSGBM: blocks of {}, P1 {}, P2 {}, left-right "
+                                              "check, holes filled from the smaller side",
+                                              kPeerBlock, kPeerP1, kPeerP2));
   }
   for (const MatchedPair& pair : report.pairs) {
     text +=

@@ -32,9 +32,9 @@ try:
     import cv2
 except ImportError:
     sys.exit(3)
-left, right, first, count, mode, threads, frames, out = sys.argv[1:]
+left, right, first, count, block, p1, p2, mode, threads, frames, out = sys.argv[1:]
 cv2.setNumThreads(int(threads))
-matcher = cv2.StereoSGBM_create(minDisparity=int(first), numDisparities=int(count), blockSize=3, P1=216, P2=864,
+matcher = cv2.StereoSGBM_create(minDisparity=int(first), numDisparities=int(count), blockSize=int(block), P1=int(p1), P2=int(p2),
                                 disp12MaxDiff=1, mode=int(mode))
 a, b = cv2.imread(left), cv2.imread(right)
 print("version", cv2.__version__)
@@ -51,8 +51,7 @@ Result<std::string> run_script(const std::vector<std::string>& words) {
   argv.insert(argv.end(), words.begin(), words.end());
   const labs::ProcessOutcome outcome = labs::run_process(argv, kLimits);
   if (!outcome.started || (WIFEXITED(outcome.status) && WEXITSTATUS(outcome.status) == kMissing)) {
-    return fail("OpenCV", "it is not installed for " + std::string(kPython),
-                "apt install python3-opencv, or leave --against out");
+    return fail("OpenCV", kPeerIsMissing, "apt install python3-opencv, or leave --against out");
   }
   if (outcome.status != 0) {
     return fail("OpenCV", outcome.timed_out ? "it was not done in time" : "it could not match",
@@ -109,8 +108,9 @@ Result<PeerMatch> match_with_opencv(const Image<Rgba8>& left, const Image<Rgba8>
   // Its number of disparities is a multiple of 16; its modes are 1 (8 paths) and 2 (3 of them).
   const auto said = run_script({left_file, right_file, std::to_string(range.first),
                                 std::to_string((range.count() + 15) / 16 * 16),
-                                paths == PeerPaths::kThree ? "2" : "1", std::to_string(threads),
-                                std::to_string(frames), out});
+                                std::to_string(kPeerBlock), std::to_string(kPeerP1),
+                                std::to_string(kPeerP2), paths == PeerPaths::kThree ? "2" : "1",
+                                std::to_string(threads), std::to_string(frames), out});
   if (!said) return tl::unexpected(said.error());
   PeerMatch match;
   std::istringstream lines(*said);

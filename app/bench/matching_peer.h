@@ -19,8 +19,16 @@ struct PeerMatch {
 };
 
 enum class PeerPaths { kThree, kEight };
+inline const char* name_of(PeerPaths paths) {
+  return paths == PeerPaths::kThree ? "OpenCV, 3 paths" : "OpenCV, 8 paths";
+}
 
-// StereoSGBM of blocks of 3, P1 = 216, P2 = 864, with its left-right check: `frames` times after one that is not measured. `scratch` is a
+// What StereoSGBM is told: the side of its blocks, px, and its penalties.
+inline constexpr int kPeerBlock = 3, kPeerP1 = 216, kPeerP2 = 864;
+// The cause of the error where there is no OpenCV.
+inline constexpr const char* kPeerIsMissing = "it is not installed for /usr/bin/python3";
+
+// StereoSGBM with its left-right check: `frames` times after one that is not measured. `scratch` is a
 // directory for the files that go to and fro. An error where there is no OpenCV.
 Result<PeerMatch> match_with_opencv(const Image<Rgba8>& left, const Image<Rgba8>& right,
                                     const views::DisparityRange& range, PeerPaths paths,

@@ -56,6 +56,13 @@ std::string remarks(const Measurement& result) {
                         three_digits(result.stereo->shared_ms),
                         three_digits(result.stereo->shared_ms / result.stereo->mono_ms),
                         three_digits(result.stereo->mono_ms));
+    if (const auto& eye = result.stereo->warped) {
+      text += fmt::format(
+          "{}the second one warped from the first, {} times one eye's {} ms of processor time; "
+          "{:.2f} % of it differ by more than {}/255\n",
+          where, three_digits(eye->both_warped_ms / eye->one_eye_ms), three_digits(eye->one_eye_ms),
+          100 * double(eye->warped.wrong) / double(eye->pixels), views::kVisibleDifference);
+    }
   }
   if (result.rejected_ms) {
     text += fmt::format("{}{} ms where whole objects may be rejected\n", where,

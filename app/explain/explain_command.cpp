@@ -99,8 +99,9 @@ Result<Answer> ExplainCommand::explain_pair(const Scene& scene) const {
     engine = make_engine(EngineKind::kStaged);
   }
   Renderer renderer(scene, settings.transfer, std::move(engine));
+  views::SecondEye second;
   const Result<StereoPicture> drawn =
-      render_stereo_picture(renderer, scene, *chosen, settings, stereo_);
+      render_stereo_picture(renderer, scene, *chosen, settings, stereo_, second);
   if (!drawn) return tl::unexpected(drawn.error());
 
   const StereoRendering& both = drawn->rendering;

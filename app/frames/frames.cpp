@@ -172,7 +172,7 @@ private:
     settings.want_distance = true;
     const StereoPair& pair = report_.eyes->pairs[i];
     const ChosenEyes eyes{shot.camera, shot.centre, {pair, "", ""}};
-    return render_stereo_picture(*renderer_, scene_, eyes, settings, request_.stereo)
+    return render_stereo_picture(*renderer_, scene_, eyes, settings, request_.stereo, second_)
         .map([&](StereoPicture drawn) {
           measure(record, shot.centre, pair, depth_seen_in(drawn.rendering));
           return DrawnFrame{std::move(drawn.image), record};
@@ -245,6 +245,7 @@ private:
   FrameNames names_;
   Scene scene_;
   std::optional<Renderer> renderer_;  // of scene_
+  views::SecondEye second_;
   std::vector<Shot> shots_;
   FramesReport report_;
 };

@@ -28,26 +28,6 @@ const char* lens_word(const Lens& lens) {
   return std::holds_alternative<FrustumLens>(lens) ? "frustum" : "perspective";
 }
 
-struct Planes {
-  double near = 0, far = 0;  // far may be infinite
-};
-Planes planes_of(const Lens& lens) {
-  constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  if (const auto* l = std::get_if<PerspectiveLens>(&lens))
-    return {l->near, l->far.value_or(kInfinite)};
-  if (const auto* l = std::get_if<FrustumLens>(&lens)) return {l->near, l->far.value_or(kInfinite)};
-  const auto& parallel = std::get<OrthographicLens>(lens);
-  return {parallel.near, parallel.far};
-}
-
-// Of a depth of layer_camera.h.
-double distance_of(const Lens& lens, double depth) {
-  const Planes planes = planes_of(lens);
-  if (std::holds_alternative<OrthographicLens>(lens))
-    return planes.near + (1 - depth) * (planes.far - planes.near);
-  return planes.near / depth;
-}
-
 // How many pixels have 1, 2, 3 ... samples.
 std::vector<std::size_t> pixels_by_samples(const views::LayeredImage& image) {
   std::vector<std::size_t> counts;
@@ -87,7 +67,8 @@ Result<LayersInfo> layers_info(const std::string& file) {
   const views::LayerCounts counts = views::count_layers(image);
   const std::vector<std::size_t> by_samples = pixels_by_samples(image);
   const Lens& lens = layers->camera.lens;
-  const Planes planes = planes_of(lens);
+  const View view =
+      make_view(layers->camera, image.camera.width, image.camera.height).value();  // decoded by it
   const auto& pose = layers->camera.world_from_eye;
   const std::array<double, 3> eye{pose.at(0, 3), pose.at(1, 3), pose.at(2, 3)};
   const Rgba8& background = layers->background;
@@ -108,23 +89,27 @@ Result<LayersInfo> layers_info(const std::string& file) {
                {"depth_complexity", counts.complexity()},
                {"pixels_by_samples", by_samples},
                {"lens", lens_word(lens)},
-               {"near", planes.near},
-               {"far", std::isinf(planes.far) ? nlohmann::ordered_json("inf")
-                                              : nlohmann::ordered_json(planes.far)},
+               {"near", view.near},
+               {"far", std::isinf(view.far) ? nlohmann::ordered_json("inf")
+                                            : nlohmann::ordered_json(view.far)},
                {"eye", eye},
+               {"normals", !image.normal.empty()},
+               {"triangles", !image.triangle.empty()},
                {"background", {background.r, background.g, background.b, background.a}}};
   if (counts.samples > 0) {
     const auto [least, greatest] = std::ranges::minmax(image.depth);
-    const double nearest = distance_of(lens, double(greatest)),
-                 farthest = distance_of(lens, double(least));
+    const double nearest = views::distance_of(view, double(greatest)),
+                 farthest = views::distance_of(view, double(least));
     info.text += "  pixels: " + depth_text(by_samples) + "\n";
     info.text += fmt::format("  from {:.6g} to {:.6g} along the gaze\n", nearest, farthest);
     info.json["nearest"] = nearest;
     info.json["farthest"] = farthest;
   }
+  if (!image.normal.empty()) info.text += "  normals of the surfaces are stored\n";
+  if (!image.triangle.empty()) info.text += "  numbers of the triangles are stored\n";
   info.text += fmt::format(
       "  camera: {}, at ({:.6g}, {:.6g}, {:.6g}), near plane {:.6g}, far plane {:.6g}\n",
-      lens_word(lens), eye[0], eye[1], eye[2], planes.near, planes.far);
+      lens_word(lens), eye[0], eye[1], eye[2], view.near, view.far);
   return info;
 }
 

@@ -17,6 +17,7 @@
 #include "app/lab/lab_dir.h"
 #include "app/lab/report.h"
 #include "app/options/choices.h"
+#include "app/options/number_range.h"
 #include "app/options/output_options.h"
 #include "app/options/scene_input.h"
 #include "app/report/exit_codes.h"
@@ -67,7 +68,7 @@ void add_options(CLI::App& command, CheckOptions& options, std::string& lab_dir)
       "--sanitize", options.sanitize,
       "with AddressSanitizer and UndefinedBehaviorSanitizer: the line of a bad access");
   command.add_option("--time-limit", options.seconds, "seconds that a check may take")
-      ->check(CLI::Range(0.1, 3600.0))
+      ->check(number_between(0.1, 3600))
       ->capture_default_str();
   command.add_option("--memory-limit", options.memory_mib, "MiB that a check may use")
       ->check(CLI::Range(std::size_t(64), std::size_t(1) << 20))

@@ -14,6 +14,7 @@
 #include "app/lab/lab_dir.h"
 #include "app/options/arguments.h"
 #include "app/options/choices.h"
+#include "app/options/number_range.h"
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
 #include "app/report/scratch.h"
@@ -84,11 +85,11 @@ void LabGradeCommand::add_to(CLI::App& lab, int& exit_code) {
   command.add_option("--jobs", jobs_, "submissions at a time; as many as there are processors")
       ->check(CLI::Range(1, 1024));
   command.add_option("--time-limit", seconds_, "seconds for each check; 10")
-      ->check(CLI::Range(0.1, 3600.0));
+      ->check(number_between(0.1, 3600));
   command
       .add_option("--total-time", total_seconds_,
                   "seconds for all checks of a submission together; 300")
-      ->check(CLI::Range(1.0, 86400.0));
+      ->check(number_between(1, 86400));
   command.add_option("--memory-limit", memory_mib_, "MiB for each check; 512")
       ->check(CLI::Range(std::size_t(64), std::size_t(1) << 20));
   add_choice(command, "--sandbox", confinement_,

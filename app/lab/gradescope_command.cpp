@@ -21,7 +21,7 @@ void LabGradescopeCommand::add_to(CLI::App& lab, int& exit_code) {
   command.add_option("LAB", lab_, "the number of the lab")->required();
   command.add_option("-o,--output", output_, "the archive; autograder.zip")->type_name("FILE");
   command.add_option("--time-limit", seconds_, "seconds for each check; 10")
-      ->check(CLI::Range(0.1, 3600.0));
+      ->check(number_between(0.1, 3600));
   command.add_option("--memory-limit", memory_mib_, "MiB for each check; 512")
       ->check(CLI::Range(std::size_t(64), std::size_t(1) << 20));
   command.callback([this, &exit_code] { exit_code = run(); });

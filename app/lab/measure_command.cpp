@@ -10,6 +10,7 @@
 #include "app/lab/find_lab.h"
 #include "app/lab/measure_report.h"
 #include "app/lab/student_stages.h"
+#include "app/options/number_range.h"
 #include "app/options/output_options.h"
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
@@ -83,7 +84,7 @@ void LabMeasureCommand::add_to(CLI::App& lab, int& exit_code) {
   add_html_output(command, html_output_, "the experiment's charts, with your points");
   command.add_option("--against", against_, "compare with what was handed in")->type_name("FILE");
   command.add_option("--time-limit", seconds_, "seconds that a process of your functions may take")
-      ->check(CLI::Range(0.1, 3600.0))
+      ->check(number_between(0.1, 3600))
       ->capture_default_str();
   command.callback([this, &exit_code] { exit_code = run(); });
 }

@@ -4,6 +4,7 @@
 
 #include "app/lab/draw_picture.h"
 #include "app/options/builtin_help.h"
+#include "app/options/number_range.h"
 #include "app/options/output_options.h"
 #include "app/options/scene_input.h"
 #include "app/report/exit_codes.h"
@@ -33,7 +34,7 @@ void LabRenderCommand::add_to(CLI::App& lab, int& exit_code) {
   add_json_output(command, json_output_, "the report");
   add_html_output(command, html_output_, "the run, with your records beside the reference's");
   command.add_option("--time-limit", seconds_, "seconds that a stage of yours may take")
-      ->check(CLI::Range(0.1, 3600.0))
+      ->check(number_between(0.1, 3600))
       ->capture_default_str();
   command.callback([this, &exit_code] { exit_code = run(); });
 }

@@ -9,6 +9,7 @@
 #include "app/lab/find_lab.h"
 #include "app/lab/stiff_cases.h"
 #include "app/lab/student_stages.h"
+#include "app/options/number_range.h"
 #include "app/options/output_options.h"
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
@@ -90,7 +91,7 @@ void LabStiffCommand::add_to(CLI::App& lab, int& exit_code) {
   command.add_option("FOLDER", folder_, "made by glassbox lab start, or a lab's own")->required();
   add_json_output(command, json_output_, "the report");
   command.add_option("--time-limit", seconds_, "seconds that a stage of yours may take")
-      ->check(CLI::Range(0.1, 3600.0))
+      ->check(number_between(0.1, 3600))
       ->capture_default_str();
   command.callback([this, &exit_code] { exit_code = run(); });
 }

@@ -72,6 +72,7 @@ std::array<double, N> parse_numbers(const std::string& option, const std::string
 template std::array<double, 2> parse_numbers<2>(const std::string&, const std::string&);
 template std::array<double, 3> parse_numbers<3>(const std::string&, const std::string&);
 template std::array<double, 4> parse_numbers<4>(const std::string&, const std::string&);
+template std::array<double, 6> parse_numbers<6>(const std::string&, const std::string&);
 
 Size parse_size(const std::string& text) {
   const auto legal = [](int side) { return side >= 1 && side <= kMaxImageSide; };

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
+#include <oneapi/tbb/global_control.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
@@ -38,6 +40,14 @@ int parse_threads(const std::string& text) {
                                  printable(text, kLongWord)));
   }
   return int(threads);
+}
+
+// Of the whole program: what else works on all threads, as the compression of pictures does, has no more either.
+void set_threads(const std::string& text, EngineOptions& options) {
+  using Control = oneapi::tbb::global_control;
+  static std::optional<Control> most;
+  options.tile.threads = parse_threads(text);
+  most.emplace(Control::max_allowed_parallelism, std::size_t(options.tile.threads));
 }
 
 Target parse_target(const std::string& text) {
@@ -79,9 +89,8 @@ void add_engine_options(CLI::App& command, EngineOptions& options) {
   options.of_tiles = {
       command
           .add_option_function<std::string>(
-              "--threads",
-              [&options](const std::string& text) { options.tile.threads = parse_threads(text); },
-              "threads of the tile engine [all]")
+              "--threads", [&options](const std::string& text) { set_threads(text, options); },
+              "threads of the tile engine, and of all else [all]")
           ->type_name("N")
           ->group(kGroup),
       add_target_option(command, options.tile.target),

@@ -130,14 +130,12 @@ Result<StereoPicture> draw_and_crop(Renderer& renderer, const ChosenEyes& chosen
 // The left eye drawn, and the right one warped from it.
 Result<StereoPicture> draw_and_warp(Renderer& renderer, const Scene& scene,
                                     const ChosenEyes& chosen, const RenderSettings& settings,
-                                    const StereoPictureOptions& stereo) {
+                                    const StereoPictureOptions& stereo, views::SecondEye& second) {
   const views::SecondEyeSettings& by = *stereo.second_eye;
   if (const auto legal = views::check_second_eye(scene, settings, by.layers); !legal)
     return tl::unexpected(legal.error());
-  views::SecondEye second;
   views::PairByWarp pair;
-  views::render_pair_by_warp(renderer, scene, chosen.centre, chosen.eyes.pair, settings, by, second,
-                             pair);
+  views::render_pair_by_warp(renderer, chosen.centre, chosen.eyes.pair, settings, by, second, pair);
   StereoPicture picture;
   picture.rendering = std::move(pair.rendering);
   Result<Image<Rgba8>> image = recoloured_and_put_together(picture.rendering.left.color,
@@ -150,9 +148,9 @@ Result<StereoPicture> draw_and_warp(Renderer& renderer, const Scene& scene,
 }
 
 Result<StereoPicture> draw_eyes(Renderer& renderer, const Scene& scene, const ChosenEyes& chosen,
-                                const RenderSettings& settings,
-                                const StereoPictureOptions& stereo) {
-  if (stereo.second_eye) return draw_and_warp(renderer, scene, chosen, settings, stereo);
+                                const RenderSettings& settings, const StereoPictureOptions& stereo,
+                                views::SecondEye& second) {
+  if (stereo.second_eye) return draw_and_warp(renderer, scene, chosen, settings, stereo, second);
   if (stereo.eyes_by == EyesBy::kCrop) return draw_and_crop(renderer, chosen, settings, stereo);
   const StereoSettings both{settings, stereo.culling};
   const StereoPair& pair = chosen.eyes.pair;
@@ -278,8 +276,9 @@ Result<void> check_stereo_picture(const PictureOptions& picture,
 Result<StereoPicture> render_stereo_picture(Renderer& renderer, const Scene& scene,
                                             const ChosenEyes& chosen,
                                             const RenderSettings& settings,
-                                            const StereoPictureOptions& stereo) {
-  Result<StereoPicture> picture = draw_eyes(renderer, scene, chosen, settings, stereo);
+                                            const StereoPictureOptions& stereo,
+                                            views::SecondEye& second) {
+  Result<StereoPicture> picture = draw_eyes(renderer, scene, chosen, settings, stereo, second);
   if (!picture || !stereo.cable) return picture;
   return send(picture->image, *stereo.cable).map([&](Image<Rgba8> arrived) {
     picture->image = std::move(arrived);

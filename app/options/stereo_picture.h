@@ -70,11 +70,12 @@ struct StereoPicture {
   std::optional<WarpedRightEye> warped;  // how, where the right eye was
 };
 
-// The options count as checked.
+// The options count as checked. `second` is for right eyes that are warped: one for a sequence keeps its threads and memory.
 Result<StereoPicture> render_stereo_picture(Renderer& renderer, const Scene& scene,
                                             const ChosenEyes& chosen,
                                             const RenderSettings& settings,
-                                            const StereoPictureOptions& stereo);
+                                            const StereoPictureOptions& stereo,
+                                            views::SecondEye& second);
 
 // The parallax of near plane, window and far plane, in pixels and per cent of the width, and what was culled.
 std::string eyes_text(const ChosenEyes& chosen, const StereoRendering& rendering);

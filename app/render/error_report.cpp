@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/report/eye_error_json.h"
 #include "app/report/shell_line.h"
 #include "app/report/stage_report.h"
 #include "app/report/text_layout.h"
@@ -92,7 +93,8 @@ Json place_json(const ErrorReport& report, const BoundPlace& place) {
   Json json{{kind_of(place), place.number}};
   if (place.corner) json[place.line ? "end" : "corner"] = *place.corner;
   if (place.x >= 0) json["pixel"] = {place.x, place.y};
-  json["command"] = command_for(report, place);
+  const std::string command = command_for(report, place);
+  if (!command.empty()) json["command"] = command;
   return json;
 }
 
@@ -226,16 +228,12 @@ std::string second_eye_text(const ErrorReport& report) {
 
 // ---- JSON ----
 
-Json error_json(const views::EyeError& error) {
-  return {{"wrong_pixels", error.wrong}, {"rms", error.rms}, {"largest", error.largest}};
-}
-
 Json second_eye_json(const views::SecondEyeError& eye) {
   return {{"layers", eye.layers},
           {"pixels", eye.pixels},
           {"holes", eye.holes},
-          {"warped", error_json(eye.warped)},
-          {"left_in_its_place", error_json(eye.left)},
+          {"warped", eye_error_json(eye.warped)},
+          {"left_in_its_place", eye_error_json(eye.left)},
           {"one_eye_ms", eye.one_eye_ms},
           {"both_drawn_ms", eye.both_drawn_ms},
           {"both_warped_ms", eye.both_warped_ms}};

@@ -220,7 +220,8 @@ Result<DrawnPicture> RenderCommand::draw(const Scene& scene, Renderer& renderer)
   }
   const Result<ChosenEyes> chosen = choose_eyes(scene, picture_);
   if (!chosen) return tl::unexpected(chosen.error());
-  return render_stereo_picture(renderer, scene, *chosen, settings, stereo_)
+  views::SecondEye second;
+  return render_stereo_picture(renderer, scene, *chosen, settings, stereo_, second)
       .map([&](StereoPicture drawn) {
         const StereoRendering& both = drawn.rendering;
         DrawnPicture picture{chosen->camera,
@@ -348,7 +349,7 @@ Result<void> RenderCommand::write_error_report(const Scene& scene, Renderer& ren
                     picture_errors(scene, view, picture_.settings),
                     {}};
   if (is_pair && drawn.warped) {
-    found.second_eye = views::second_eye_error(renderer, scene, drawn.view, drawn.eyes->eyes.pair,
+    found.second_eye = views::second_eye_error(renderer, drawn.view, drawn.eyes->eyes.pair,
                                                picture_.settings, *stereo_.second_eye);
   }
   const std::string& target = *report_output_;

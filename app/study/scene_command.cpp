@@ -145,8 +145,7 @@ SecondEyes StudySceneCommand::measure_second_eyes(const Scene& scene, Progress& 
       break;
     }
     progress.phase(fmt::format("warping a second eye from {}", counted(layers, "layer")));
-    eyes.warped.push_back(views::second_eye_error(renderer, scene, chosen->centre, eyes.pair,
-                                                  settings,
+    eyes.warped.push_back(views::second_eye_error(renderer, chosen->centre, eyes.pair, settings,
                                                   {.layers = layers, .threads = kThreads}));
   }
   return eyes;

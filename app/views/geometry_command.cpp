@@ -308,7 +308,11 @@ int ViewsGeometryCommand::run() {
   if (!pair) return refuse(pair.error());
   progress.phase("estimating the cameras");
   const Result<GeometryReport> report = report_geometry(*pair, question_);
-  if (!report) return refuse(report.error());
+  if (!report) {
+    Error error = report.error();
+    if (files_.matches && error.place == "the matches") error.file = *files_.matches;
+    return refuse(error);
+  }
   const auto rectified = rectified_pair(*pair, *report);
   if (!rectified) return refuse(rectified.error());
   if (const auto written = write_report(*pair, *report, *rectified); !written) {

@@ -1,10 +1,9 @@
 #include "app/views/geometry_json.h"
 
-#include <cmath>
-
 #include <nlohmann/json.hpp>
 
 #include "app/views/geometry_text.h"
+#include "app/views/matrix_report.h"
 
 namespace glassbox::app {
 
@@ -12,23 +11,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// JSON has no infinity.
-Json finite(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
 template <class Vector>
 Json numbers_of(const Vector& vector) {
   Json json = Json::array();
-  for (const double value : vector) json.push_back(finite(value));
+  for (const double value : vector) json.push_back(finite_json(value));
   return json;
-}
-
-Json rows_of(const views::Matrix3d& matrix) {
-  Json rows = Json::array();
-  for (int row = 0; row < 3; ++row)
-    rows.push_back({finite(matrix(row, 0)), finite(matrix(row, 1)), finite(matrix(row, 2))});
-  return rows;
 }
 
 template <class Value, class Write>
@@ -37,7 +24,7 @@ Json optional_json(const std::optional<Value>& value, const Write& write) {
 }
 
 Json pose_json(const views::RelativePose& pose) {
-  return {{"R", rows_of(pose.rotation)}, {"T", numbers_of(pose.translation)}};
+  return {{"R", matrix_json(pose.rotation)}, {"T", numbers_of(pose.translation)}};
 }
 
 Json input_json(const GeometryInput& input) {
@@ -55,7 +42,7 @@ Json input_json(const GeometryInput& input) {
                            {"nothing_drawn", fates->nothing}};
   }
   json["cameras"] = optional_json(input.intrinsics, [](const auto& intrinsics) {
-    return Json{{"K_left", rows_of(intrinsics[0])}, {"K_right", rows_of(intrinsics[1])}};
+    return Json{{"K_left", matrix_json(intrinsics[0])}, {"K_right", matrix_json(intrinsics[1])}};
   });
   return json;
 }
@@ -63,10 +50,10 @@ Json input_json(const GeometryInput& input) {
 Json judgement_json(const views::PairJudgement& judgement) {
   return {{"kind", name_of(judgement.kind)},
           {"sentence", kind_sentence(judgement.kind)},
-          {"cost_of_constraint", finite(judgement.cost_of_fundamental)},
-          {"cost_of_homography", finite(judgement.cost_of_homography)},
-          {"cost_of_rotation", finite(judgement.cost_of_rotation)},
-          {"eighth_over_ninth", finite(judgement.eighth_over_ninth)}};
+          {"cost_of_constraint", finite_json(judgement.cost_of_fundamental)},
+          {"cost_of_homography", finite_json(judgement.cost_of_homography)},
+          {"cost_of_rotation", finite_json(judgement.cost_of_rotation)},
+          {"eighth_over_ninth", finite_json(judgement.eighth_over_ninth)}};
 }
 
 Json estimation_json(const GeometryReport& report) {
@@ -78,21 +65,21 @@ Json estimation_json(const GeometryReport& report) {
           {"confidence", question.ransac.confidence},
           {"seed", question.ransac.seed},
           {"samples", analysis.samples},
-          {"samples_wanted", finite(report.samples_wanted)},
+          {"samples_wanted", finite_json(report.samples_wanted)},
           {"law", law_text(report)},
           {"inliers", analysis.inliers},
           {"system",
            {{"rank", analysis.system.rank},
-            {"condition_raw", finite(analysis.system.condition_raw)},
-            {"condition_normalised", finite(analysis.system.condition_normalised)}}},
+            {"condition_raw", finite_json(analysis.system.condition_raw)},
+            {"condition_normalised", finite_json(analysis.system.condition_normalised)}}},
           {"pair_is", judgement_json(analysis.judgement)}};
 }
 
 Json residuals_json(const GeometryReport& report) {
   const auto write = [](const ResidualFacts& facts) {
-    return Json{{"rms_px", finite(facts.rms)},
-                {"median_px", finite(facts.median)},
-                {"largest_px", finite(facts.largest)}};
+    return Json{{"rms_px", finite_json(facts.rms)},
+                {"median_px", finite_json(facts.median)},
+                {"largest_px", finite_json(facts.largest)}};
   };
   return {{"sampson", write(report.sampson)}, {"epipolar", write(report.epipolar)}};
 }
@@ -129,8 +116,8 @@ Json matches_json(const GeometryInput& input, const GeometryReport& report) {
                {"right", numbers_of(input.matches[i].right)},
                {"inlier", bool(report.analysis.is_inlier[i])}};
     if (report.has_geometry()) {
-      match["sampson_px"] = finite(report.analysis.residuals[i]);
-      match["epipolar_px"] = finite(report.epipolar_distances[i]);
+      match["sampson_px"] = finite_json(report.analysis.residuals[i]);
+      match["epipolar_px"] = finite_json(report.epipolar_distances[i]);
     }
     if (!input.is_outlier.empty()) match["planted_outlier"] = bool(input.is_outlier[i]);
     json.push_back(std::move(match));
@@ -144,9 +131,9 @@ Json geometry_json(const GeometryInput& input, const GeometryReport& report) {
   Json json = input_json(input);
   json.update(estimation_json(report));
   json["residuals"] = report.has_geometry() ? residuals_json(report) : Json(nullptr);
-  json["F"] = optional_json(report.analysis.fundamental, rows_of);
-  json["E"] = optional_json(report.essential, rows_of);
-  json["E_of_shift"] = optional_json(report.essential_of_shift, rows_of);
+  json["F"] = optional_json(report.analysis.fundamental, matrix_json);
+  json["E"] = optional_json(report.essential, matrix_json);
+  json["E_of_shift"] = optional_json(report.essential_of_shift, matrix_json);
   json["pose"] = optional_json(report.analysis.pose, pose_json);
   json["epipoles"] = optional_json(report.epipoles, [](const auto& epipoles) {
     return Json{{"left", numbers_of(epipoles[0])}, {"right", numbers_of(epipoles[1])}};

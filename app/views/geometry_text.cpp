@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "app/report/text_layout.h"
+#include "app/views/matrix_report.h"
 
 #include <glassbox/base/printable.h>
 
@@ -25,26 +26,13 @@ std::string number(double value, int decimals) {
   return fmt::format("{:12.{}f}", std::round(value * unit) / unit + 0.0, decimals);
 }
 
-std::string matrix_lines(const std::string& name, const Matrix3d& matrix, const std::string& what,
-                         int decimals = 6) {
-  std::string text;
-  for (int row = 0; row < 3; ++row) {
-    text += fmt::format("  {:<8}", row == 0 ? name : "");
-    for (int column = 0; column < 3; ++column) text += number(matrix(row, column), decimals);
-    text += row == 0 && !what.empty() ? "   " + what + "\n" : "\n";
-  }
-  return text;
+std::string six_decimals(double value) {
+  return number(value, 6);
 }
 
 // F's entries are of very different sizes.
-std::string fundamental_lines(const Matrix3d& f) {
-  std::string text;
-  for (int row = 0; row < 3; ++row) {
-    text += fmt::format("  {:<8}", row == 0 ? "F" : "");
-    for (int column = 0; column < 3; ++column) text += fmt::format("{:12.3e}", f(row, column));
-    text += row == 0 ? "   p_r^T F p_l = 0 of pixels; Frobenius norm 1\n" : "\n";
-  }
-  return text;
+std::string four_digits(double value) {
+  return fmt::format("{:12.3e}", value);
 }
 
 std::string vector_line(const std::string& name, const Vector3d& vector, const std::string& what) {
@@ -118,12 +106,15 @@ std::string residual_lines(const GeometryReport& report) {
 }
 
 std::string matrices(const GeometryReport& report) {
-  std::string text = "\n" + fundamental_lines(*report.analysis.fundamental);
+  std::string text =
+      "\n" + matrix_lines("F", *report.analysis.fundamental,
+                          "p_r^T F p_l = 0 of pixels; Frobenius norm 1", four_digits);
   if (const auto& pose = report.analysis.pose) {
-    text += matrix_lines("E = R S", *report.essential, "P_r = R (P_l - T), S v = T x v");
+    text +=
+        matrix_lines("E = R S", *report.essential, "P_r = R (P_l - T), S v = T x v", six_decimals);
     text += matrix_lines("[t]x R", *report.essential_of_shift,
-                         "P_r = R P_l + t, t = -R T: the other textbooks'");
-    text += matrix_lines("R", pose->rotation, "");
+                         "P_r = R P_l + t, t = -R T: the other textbooks'", six_decimals);
+    text += matrix_lines("R", pose->rotation, "", six_decimals);
     text += vector_line("T", pose->translation, "the right camera, seen by the left one");
   }
   const auto& [left, right] = *report.epipoles;

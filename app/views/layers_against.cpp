@@ -3,17 +3,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 
 #include <glassbox/render/renderer.h>
+
+#include "views/layers/second_eye_error.h"
 
 namespace glassbox::app {
 
 namespace {
-
-int largest_difference(const Rgba8& a, const Rgba8& b) {
-  return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
-}
 
 // Whether a sample of the point's pixel or of one beside it is as deep as the point: their depths are those of pixels' centres, and
 // on a surface at 45 degrees to the gaze differ by a pixel's width over the distance, which is below a sixty-fourth in any picture of
@@ -55,14 +52,11 @@ LayersAgainst against_scene(const views::LayerPicture& picture, const View& view
   against.render_ms = took.count();
   const Eigen::Matrix4d to_layers =
       views::warp_matrix(layers.image.camera, views::layer_camera(view));
-  double squares = 0;
+  const views::EyeError error = views::eye_error(picture.color, truth.color);
+  against.wrong = error.wrong;
+  against.psnr = 20 * std::log10(255 / error.rms);
   for (int y = 0; y < truth.color.height; ++y) {
     for (int x = 0; x < truth.color.width; ++x) {
-      const Rgba8 &right = truth.color.at(x, y), &found = picture.color.at(x, y);
-      against.wrong += largest_difference(right, found) > kVisibleDifference;
-      for (const int d : {right.r - found.r, right.g - found.g, right.b - found.b}) {
-        squares += double(d * d);
-      }
       const float distance = truth.distance.at(x, y);
       if (picture.depth.at(x, y) != 0 || !std::isfinite(distance)) continue;
       ++against.missing;
@@ -70,8 +64,6 @@ LayersAgainst against_scene(const views::LayerPicture& picture, const View& view
       against.interior += is_in_layers(layers.image, to_layers * here);
     }
   }
-  const double mean = squares / (3 * double(truth.color.pixels.size()));
-  against.psnr = 10 * std::log10(255.0 * 255.0 / mean);
   return against;
 }
 

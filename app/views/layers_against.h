@@ -11,11 +11,9 @@
 
 namespace glassbox::app {
 
-inline constexpr int kVisibleDifference = 8;  // of 255
-
 struct LayersAgainst {
-  double psnr = 0;          // dB
-  std::size_t wrong = 0;    // pixels that differ by more than kVisibleDifference in a channel
+  double psnr = 0;        // dB
+  std::size_t wrong = 0;  // pixels that differ by more than views::kVisibleDifference in a channel
   std::size_t missing = 0;  // holes where the scene shows something
   std::size_t interior =
       0;  // of these, such in a surface that the layers have there: between its samples

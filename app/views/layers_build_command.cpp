@@ -12,6 +12,7 @@
 #include "app/options/arguments.h"
 #include "app/options/builtin_help.h"
 #include "app/options/engine_options.h"
+#include "app/options/number_range.h"
 #include "app/options/output_options.h"
 #include "app/options/scene_input.h"
 #include "app/report/exit_codes.h"
@@ -20,6 +21,8 @@
 #include "views/layers/depth_peeling.h"
 #include "views/layers/layer_builder.h"
 #include "views/layers/layer_sources.h"
+#include "views/layers/ray_surfaces.h"
+#include "views/layers/triangle_normals.h"
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
@@ -32,14 +35,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr int kMostLayers = 255, kUsualLayers = 10;
 
-struct NearAndFar {
-  double near = 0;
-  std::optional<double> far;
-};
-NearAndFar planes_of(const View& view) {
-  return {view.near, std::isinf(view.far) ? std::nullopt : std::optional(view.far)};
-}
-
 // "32,16", or "32". Throws CLI::ValidationError where that is no number of rays, or too many.
 views::RaySampling parse_rays(const std::string& text) {
   constexpr int kMostStrata = 90;  // whose fourth power is the last below kMostRays
@@ -47,9 +42,9 @@ views::RaySampling parse_rays(const std::string& text) {
   const auto read = [&](const std::string& part, int most, int& number) {
     const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), number);
     if (error != std::errc() || end != part.data() + part.size() || number < 1 || number > most)
-      throw CLI::ValidationError("--rays",
-                                 fmt::format("\"{}\" is not N or N,M: N from 1 to {}, M from 1",
-                                             printable(text, kLongestMessage), kMostStrata));
+      throw CLI::ValidationError(
+          "--rays", fmt::format("\"{}\" is not N or N,M: N from 1 to {}, M from 1 to {}",
+                                printable(text, kLongestMessage), kMostStrata, views::kMostRays));
   };
   const std::vector<std::string> parts = split(text, ',');
   read(parts.size() > 2 ? text : parts[0], kMostStrata, sampling.strata);
@@ -73,11 +68,11 @@ void LayersBuildCommand::add_to(CLI::App& layers, int& exit_code) {
       "  glassbox views layers build room --views cameras.txt --layers 1 -o room.ldi\n"
       "  glassbox views layers build --pictures cameras.txt -o photos.ldi\n"
       "  glassbox views layers build room --size 300x300 --rays 16 --threads 2 -o rays.ldi\n\n"
-      "Each pass draws what the passes before have not shown, with the staged engine. Colours are "
-      "those\nof the view that is peeled: a highlight stays where it is seen from there. A file of "
-      "cameras has\nthe form of the Middlebury multi-view pictures: their number, then for each a "
-      "name, K, R and t.\n--pictures reads each line's picture and, beside it, its distances along "
-      "the gaze, NAME.pfm; the\nfirst one's camera is that of the layers.\n\n" +
+      "Each pass draws what is behind what the passes before have shown. Colours are those of the "
+      "view\nthat is peeled: a highlight stays where it is seen from there. A file of cameras has "
+      "the form of the\nMiddlebury multi-view pictures: their number, then for each a name, K, R "
+      "and t. --pictures reads\neach line's picture and, beside it, its distances along the gaze, "
+      "NAME.pfm; the first one's camera\nis that of the layers.\n\n" +
       builtin_help());
   command.add_option("SCENE", scene_, kSceneHelp);
   command.add_option("-o,--output", output_, "the layers, .ldi")->type_name("FILE")->required();
@@ -97,7 +92,10 @@ void LayersBuildCommand::add_to(CLI::App& layers, int& exit_code) {
           "--epsilon", epsilon_,
           "samples of several views whose depths differ by less, relative, are one [1/1024]")
       ->type_name("E")
-      ->check(CLI::Range(0.0, 0.5));
+      ->check(number_between(0, 0.5));
+  command.add_flag("--normals", normals_,
+                   "store surfaces' normals, by which draw knows how large a sample is there");
+  command.add_flag("--ids", ids_, "store the numbers of triangles, as --id-out has them");
   command.add_flag("--ends", ends_, "keep two samples of a pixel: the nearest and the farthest");
   command
       .add_option_function<std::string>(
@@ -133,6 +131,9 @@ Result<void> LayersBuildCommand::check_sources() const {
   if (views_)
     return fail("--views", "these cameras look at a scene", "name a scene, or leave it out");
   if (layers_) return fail("--layers", "a picture has one distance for each pixel", "leave it out");
+  if (normals_ || ids_)
+    return fail(normals_ ? "--normals" : "--ids", "a picture does not say what is in it",
+                "name a scene, or leave it out");
   if (const auto words = words_given(picture_); !words.empty())
     return fail(words.front(), "it is about a scene that is drawn", "leave it out");
   return {};
@@ -165,14 +166,14 @@ Result<void> LayersBuildCommand::check_asked(const Scene& scene) const {
     return fail("--samples", "a sample of a layer has one depth", "leave it out");
   if (settings.show != Show::kColor)
     return fail("--show", "layers are drawn in colours", "leave it out");
-  for (const Mesh& mesh : scene.meshes) {
-    const Material& material = scene.materials[mesh.material];
-    if (material.alpha_mode == AlphaMode::kBlend)
-      return fail(
-          printable(*scene_), "material \"" + printable(material.name) + "\" is seen through",
-          "make its surfaces opaque or masked: a sample of a layer hides what is behind it");
-  }
+  if (const Material* glass = views::seen_through(scene))
+    return fail(printable(*scene_), "material \"" + printable(glass->name) + "\" is seen through",
+                "make its surfaces opaque or masked: a sample of a layer hides what is behind it");
   return {};
+}
+
+double LayersBuildCommand::cube_side(const View& view) const {
+  return cube_.value_or(2 * view.near);
 }
 
 double LayersBuildCommand::epsilon() const {
@@ -189,6 +190,10 @@ Result<LayersBuildCommand::Built> LayersBuildCommand::build_from_scene(Progress&
     if (!chosen->view.perspective)
       return fail("--rays", "a parallel view has no eye to put a cube around",
                   "choose a perspective one, or leave it out");
+    if (const double side = cube_side(chosen->view); !(side / 2 <= views::kFarthest))
+      return fail(cube_ ? "--cube" : "--near",
+                  fmt::format("rays would start {:g} world units from the eye", side / 2),
+                  fmt::format("{:g} is the most", views::kFarthest));
     progress.phase("casting rays into " + scene_title(*scene_));
     return build_by_rays(*scene, chosen->camera, chosen->view);
   }
@@ -197,14 +202,15 @@ Result<LayersBuildCommand::Built> LayersBuildCommand::build_from_scene(Progress&
   if (views_) {
     const auto cameras = views::read_cameras(*views_);
     if (!cameras) return tl::unexpected(cameras.error());
-    const NearAndFar planes = planes_of(chosen->view);
-    if (!(planes.near > 0))
+    const double near = chosen->view.near, far = chosen->view.far;
+    if (!(near > 0))
       return fail("--views",
                   "their planes are those of the camera, whose near one is not before it",
                   "give --near");
     for (const views::NamedCamera& named : *cameras) {
       const auto view =
-          views::camera_of_pinhole(named.camera, size.width, size.height, planes.near, planes.far)
+          views::camera_of_pinhole(named.camera, size.width, size.height, near,
+                                   std::isinf(far) ? std::nullopt : std::optional(far))
               .and_then(
                   [&](const Camera& camera) { return make_view(camera, size.width, size.height); });
       if (!view)
@@ -215,26 +221,32 @@ Result<LayersBuildCommand::Built> LayersBuildCommand::build_from_scene(Progress&
   }
   RenderSettings settings = picture_.settings;
   settings.want_distance = true;
+  settings.want_id = normals_ || ids_;
+  const std::vector<views::SampleNormal> normals =
+      normals_ ? views::triangle_normals(*scene) : std::vector<views::SampleNormal>();
   const int layers = layers_.value_or(kUsualLayers);
-  views::LayerBuilder builder(views::layer_camera(chosen->view), others.empty() ? 0 : epsilon());
+  views::LayerBuilder builder(views::layer_camera(chosen->view), others.empty() ? 0 : epsilon(),
+                              wishes());
   Built built;
   built.views = 1 + others.size();
   std::uint32_t rank = 0;
+  bool is_cut = false;  // the last pass of a view showed something
   const auto add = [&](const View& view) {
     progress.phase(others.empty() ? "peeling " + scene_title(*scene_)
                                   : fmt::format("peeling {}, view {} of {}", scene_title(*scene_),
                                                 rank + 1, built.views));
-    for (const views::Layer& layer : views::peel(*scene, view, settings, layers)) {
-      built.beside += builder.add_picture(view, layer.color, layer.distance, rank);
-    }
+    const std::vector<views::Layer> peeled = views::peel(*scene, view, settings, layers);
+    for (const views::Layer& layer : peeled)
+      built.beside += builder.add_layer(view, layer, normals, rank);
+    is_cut = is_cut || (peeled.size() == std::size_t(layers) && !views::is_empty(peeled.back()));
     ++rank;
   };
   add(chosen->view);
   for (const View& view : others) add(view);
   built.layers = {chosen->camera, settings.background, builder.pack()};
-  if (views::count_layers(built.layers.image).most == std::size_t(layers) && others.empty())
+  if (is_cut)
     built.left_out.push_back(
-        fmt::format("what lies behind {} surfaces, if anything (--layers)", layers));
+        fmt::format("what lies behind {}, if anything (--layers)", counted(layers, "surface")));
   return built;
 }
 
@@ -242,13 +254,14 @@ LayersBuildCommand::Built LayersBuildCommand::build_by_rays(const Scene& scene,
                                                             const Camera& camera,
                                                             const View& view) const {
   views::RaySampling sampling = *rays_;
-  sampling.half_side = cube_ ? *cube_ / 2 : view.near;
+  sampling.half_side = cube_side(view) / 2;
   sampling.threads = threads_.value_or(1);
   Built built;
   built.rays.emplace();
-  built.layers = {camera, picture_.settings.background,
-                  views::build_layers_by_rays(scene, view, picture_.settings, sampling,
-                                              epsilon_.value_or(views::kMergedHits), *built.rays)};
+  built.layers = {
+      camera, picture_.settings.background,
+      views::build_layers_by_rays(scene, view, picture_.settings, sampling,
+                                  epsilon_.value_or(views::kMergedHits), *built.rays, wishes())};
   built.left_out.emplace_back(
       "where in a pixel a ray has hit, up to half a pixel, and all but one of the hits that "
       "share a\n    pixel and a depth (--epsilon)");

@@ -35,6 +35,8 @@ private:
   Result<void> check_rays() const;
   Built build_by_rays(const Scene& scene, const Camera& camera, const View& view) const;
   double epsilon() const;
+  double cube_side(const View& view) const;  // world units
+  views::SampleWishes wishes() const { return {normals_, ids_}; }
 
   std::optional<std::string> scene_, views_, pictures_;
   std::string output_;
@@ -43,7 +45,7 @@ private:
   std::optional<views::RaySampling> rays_;
   std::optional<double> cube_;
   std::optional<int> threads_;
-  bool ends_ = false;
+  bool ends_ = false, normals_ = false, ids_ = false;
   PictureOptions picture_;
   std::optional<std::string> json_output_;
 };

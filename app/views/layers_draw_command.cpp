@@ -18,8 +18,10 @@
 #include "app/report/progress.h"
 #include "app/views/layers_page.h"
 #include "app/views/layers_shots.h"
+#include "views/layers/second_eye_error.h"
 
 #include <glassbox/base/printable.h>
+#include <glassbox/base/processor_time.h>
 #include <glassbox/images/read.h>
 
 namespace glassbox::app {
@@ -36,6 +38,7 @@ double ms_since(Clock::time_point start) {
 
 void LayersDrawCommand::add_to(CLI::App& layers, int& exit_code) {
   CLI::App& command = *layers.add_subcommand("draw", "warp layers to another view");
+  command_ = &command;
   command.footer(
       "Examples:\n"
       "  glassbox views layers draw room.ldi --eye 3,2.6,3 --look-at 0,1,0 -o beside.png\n"
@@ -114,8 +117,13 @@ Result<void> LayersDrawCommand::check_options() const {
   if (page_) {
     if (const auto legal = check_extension(*page_, ".html"); !legal) return legal;
   }
-  if (!output_ && (against_ || repeat_))
-    return fail(against_ ? "--against" : "--repeat", "no picture is drawn", "give -o");
+  if (!output_) {
+    for (const CLI::Option* option : command_->get_options()) {
+      const std::string name = option->get_name();
+      if (option->count() > 0 && name != "FILE" && name != "--html")
+        return fail(name, "no picture is drawn", "give -o");
+    }
+  }
   std::vector<std::string> outputs;
   for (const auto& output : {output_, page_, json_output_}) {
     const bool is_frames = output == output_ && frames_.wanted();
@@ -126,30 +134,37 @@ Result<void> LayersDrawCommand::check_options() const {
 
 Result<LayersDrawCommand::Drawn> LayersDrawCommand::draw(const views::StoredLayers& layers,
                                                          Progress& progress) {
-  const LayersShots shots(layers, camera_, size_);
-  const auto view = shots.view();
+  std::optional<Scene> truth;
+  if (against_) {
+    auto scene = load_asked_scene(*against_);
+    if (!scene) return tl::unexpected(scene.error());
+    truth = std::move(*scene);
+  }
+  const auto view = LayersShots(layers, camera_, size_).view();
   if (!view) return tl::unexpected(view.error());
   Drawn drawn;
   views::LayerDrawer drawer(layers.image);
-  std::vector<double> times;
+  std::vector<double> times, processor;
   progress.phase("drawing " + file_);
   for (int i = 0; i < repeat_.value_or(1); ++i) {
     const Clock::time_point start = Clock::now();
+    const double worked = processor_ms();
     drawer.draw(views::layer_camera(*view), drawing_, drawn.picture);
+    processor.push_back(processor_ms() - worked);
     times.push_back(ms_since(start));
   }
   std::ranges::sort(times);
-  drawn.times = {times[times.size() / 2], times[times.size() / 4], int(times.size())};
-  if (!against_) return drawn;
+  std::ranges::sort(processor);
+  drawn.times = {times[times.size() / 2], times[times.size() / 4], processor[times.size() / 4],
+                 int(times.size())};
+  if (!truth) return drawn;
   progress.phase("drawing " + scene_title(*against_));
-  const auto scene = load_asked_scene(*against_);
-  if (!scene) return tl::unexpected(scene.error());
-  drawn.against = against_scene(drawn.picture, *view, *scene, layers);
+  drawn.against = against_scene(drawn.picture, *view, *truth, layers);
   return drawn;
 }
 
 int LayersDrawCommand::run_frames(const views::StoredLayers& layers, Progress& progress) {
-  LayersFrames frames{file_, *output_, camera_, size_, frames_, drawing_};
+  LayersFrames frames{*output_, camera_, size_, frames_, drawing_};
   const auto written = draw_layer_frames(frames, layers, progress);
   if (!written) return refuse(written.error());
   progress.done();
@@ -173,11 +188,6 @@ int LayersDrawCommand::run_frames(const views::StoredLayers& layers, Progress& p
   return kSuccess;
 }
 
-Result<void> LayersDrawCommand::write_page(const views::StoredLayers& layers) const {
-  const auto page = make_layers_page(layers, file_);
-  return page ? write_text(*page_, *page) : tl::unexpected(page.error());
-}
-
 int LayersDrawCommand::run() {
   if (const auto good = check_options(); !good) return refuse(good.error());
   Progress progress;
@@ -187,13 +197,17 @@ int LayersDrawCommand::run() {
   const auto layers = views::decode_layers(*bytes, file_);
   if (!layers) return refuse(layers.error());
   drawing_.background = holes_.value_or(layers->background);
+  // Nothing is written before all of it is there, but for frames, which are many.
+  Result<std::string> page;
   if (page_) {
-    progress.phase("writing " + *page_);
-    if (const auto written = write_page(*layers); !written) return refuse(written.error());
+    progress.phase("making " + *page_);
+    page = make_layers_page(*layers, file_);
+    if (!page) return refuse(page.error());
   }
-  if (frames_.wanted()) return run_frames(*layers, progress);
   int exit_code = kSuccess;
-  if (output_) {
+  if (frames_.wanted()) {
+    exit_code = run_frames(*layers, progress);
+  } else if (output_) {
     const auto drawn = draw(*layers, progress);
     if (!drawn) return refuse(drawn.error());
     const auto written = write_picture(*output_, {}, drawn->picture.color, {});
@@ -202,7 +216,9 @@ int LayersDrawCommand::run() {
     exit_code = report(*drawn);
   }
   progress.done();
-  if (page_ && exit_code == kSuccess && json_output_ != "-" && output_ != "-")
+  if (!page_ || exit_code != kSuccess) return exit_code;
+  if (const auto written = write_text(*page_, *page); !written) return refuse(written.error());
+  if (json_output_ != "-" && output_ != "-")
     fmt::print("{}: open it in a browser\n", printable(*page_, kLongestMessage));
   return exit_code;
 }
@@ -225,6 +241,7 @@ int LayersDrawCommand::report(const Drawn& drawn) const {
                                 {"threads", drawing_.threads},
                                 {"warp_ms", times.median_ms},
                                 {"warp_ms_lower_quartile", times.lower_ms},
+                                {"processor_ms_lower_quartile", times.processor_ms},
                                 {"times", times.count}};
     if (const auto& against = drawn.against) {
       nlohmann::ordered_json psnr;  // null of the same picture
@@ -245,8 +262,10 @@ int LayersDrawCommand::report(const Drawn& drawn) const {
              printable(*output_, kLongestMessage), counts.drawn, counts.beside, counts.behind,
              times.median_ms);
   if (times.count > 1)
-    fmt::print("  {} times: {:.0f} a second in the median, {:.0f} in the quickest quarter\n",
-               times.count, 1000 / times.median_ms, 1000 / times.lower_ms);
+    fmt::print(
+        "  {} times: {:.0f} a second in the median, {:.0f} in the quickest quarter; {:.3f} ms of "
+        "processor time there\n",
+        times.count, 1000 / times.median_ms, 1000 / times.lower_ms, times.processor_ms);
   if (counts.cut > 0)
     fmt::print("  {} samples are larger than {:g} px from here, and are drawn so large.\n",
                counts.cut,
@@ -258,7 +277,7 @@ int LayersDrawCommand::report(const Drawn& drawn) const {
         "are\n  holes where it shows something, {:.3f} % such between samples of one surface; "
         "drawing it took {:.2f} ms\n",
         printable(*against_, kLongestMessage), against->psnr, percent(against->wrong),
-        kVisibleDifference, percent(against->missing), percent(against->interior),
+        views::kVisibleDifference, percent(against->missing), percent(against->interior),
         against->render_ms);
   return kSuccess;
 }

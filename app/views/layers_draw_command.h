@@ -21,6 +21,7 @@ public:
 private:
   struct Times {
     double median_ms = 0, lower_ms = 0;  // of so many pictures, and the quarter that took least
+    double processor_ms = 0;             // that such a quarter took of all threads' time
     int count = 1;
   };
   struct Drawn {
@@ -31,11 +32,11 @@ private:
 
   int run();
   Result<void> check_options() const;
-  Result<void> write_page(const views::StoredLayers& layers) const;
   Result<Drawn> draw(const views::StoredLayers& layers, Progress& progress);
   int run_frames(const views::StoredLayers& layers, Progress& progress);
   int report(const Drawn& drawn) const;
 
+  const CLI::App* command_ = nullptr;  // with what was given
   std::string file_;
   std::optional<std::string> output_, page_;
   std::optional<Size> size_;

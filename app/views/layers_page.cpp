@@ -12,21 +12,13 @@
 
 #include <glassbox/html/blob.h>
 #include <glassbox/html/page.h>
+#include <glassbox/images/recipe.h>
 
 namespace glassbox::app {
 
 namespace {
 
 constexpr std::size_t kMostSamples = std::size_t(1) << 22;  // 32 MB of them
-
-Eigen::Matrix4d pose_of(const Camera& camera) {
-  Eigen::Matrix4d pose;
-  for (int row = 0; row < 4; ++row) {
-    for (int column = 0; column < 4; ++column)
-      pose(row, column) = camera.world_from_eye.at(row, column);
-  }
-  return pose;
-}
 
 nlohmann::ordered_json rows_of(const Eigen::Matrix4d& matrix) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
@@ -76,14 +68,15 @@ Result<std::string> make_layers_page(const views::StoredLayers& layers, const st
     if (here > kMost)
       return fail("--html",
                   fmt::format("a pixel has {} samples, and a page counts to {}", here, kMost),
-                  "build fewer --layers");
+                  "build them with a larger --epsilon, or fewer --layers");
     per_pixel.push_back(std::uint16_t(here));
   }
-  const Eigen::Matrix4d world_from_eye = pose_of(layers.camera);
+  const Eigen::Matrix4d world_from_eye = views::matrix_of(layers.camera.world_from_eye);
   const Eigen::Matrix4d screen_from_eye = image.camera.screen_from_world * world_from_eye;
   const Rgba8& back = layers.background;
   const nlohmann::ordered_json manifest{
       {"file", file},
+      {"file_as_word", shell_quoted(file).value_or("FILE.ldi")},
       {"program", fmt::format("glassbox {}, views layers draw --html", GLASSBOX_VERSION)},
       {"width", image.camera.width},
       {"height", image.camera.height},
@@ -98,7 +91,8 @@ Result<std::string> make_layers_page(const views::StoredLayers& layers, const st
   std::string blocks = json_block("manifest", manifest);
   for (const auto& [id, bytes] :
        {std::pair("counts", bytes_of(per_pixel)), std::pair("depths", bytes_of(image.depth)),
-        std::pair("colours", bytes_of(image.color))}) {
+        std::pair("colours", bytes_of(image.color)),
+        std::pair("normals", bytes_of(image.normal))}) {
     const auto packed = packed_text(bytes);
     if (!packed) return tl::unexpected(packed.error());
     blocks += data_block(id, *packed);

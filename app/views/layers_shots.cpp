@@ -20,22 +20,41 @@ namespace glassbox::app {
 
 namespace {
 
-// The places of all samples in the world as a scene of points with the camera of the layers, for what asks scenes where they are.
-Scene scene_of(const views::StoredLayers& layers) {
-  const views::LayeredImage& image = layers.image;
+// Calls visit with the place of each sample in the world.
+template <class Visit>
+void for_each_place(const views::LayeredImage& image, const Visit& visit) {
   const Eigen::Matrix4d world_from_screen = image.camera.screen_from_world.inverse();
-  Mesh mesh;
   for (int y = 0; y < image.camera.height; ++y) {
     for (int x = 0; x < image.camera.width; ++x) {
       const std::size_t place = image.place(x, y);
       for (std::uint32_t i = image.first[place]; i < image.first[place + 1]; ++i) {
         const Eigen::Vector4d at =
             world_from_screen * Eigen::Vector4d(x + 0.5, y + 0.5, double(image.depth[i]), 1);
-        const Eigen::Vector3d p = at.hnormalized();
-        mesh.points.push_back({.position = std::uint32_t(mesh.positions.size())});
-        mesh.positions.emplace_back(float(p.x()), float(p.y()), float(p.z()));
+        visit(Eigen::Vector3f(at.hnormalized().cast<float>()));
       }
     }
+  }
+}
+
+bool has_to_be_framed(const CameraOptions& camera) {
+  return !camera.eye && (camera.look_at || camera.up || camera.camera == "none");
+}
+
+// The samples as a scene of points with the camera of the layers, for what asks scenes where they are: all of them, or the two corners
+// of the box around them.
+Scene scene_of(const views::StoredLayers& layers, bool all) {
+  Mesh mesh;
+  const auto add = [&](const Eigen::Vector3f& p) {
+    mesh.points.push_back({.position = std::uint32_t(mesh.positions.size())});
+    mesh.positions.emplace_back(p.x(), p.y(), p.z());
+  };
+  if (all) {
+    for_each_place(layers.image, add);
+  } else if (layers.image.samples() > 0) {
+    Eigen::AlignedBox3f box;
+    for_each_place(layers.image, [&](const Eigen::Vector3f& p) { box.extend(p); });
+    add(box.min());
+    add(box.max());
   }
   Scene scene;
   scene.cameras = {layers.camera};
@@ -68,8 +87,8 @@ Result<std::vector<Shot>> shots_of(const LayersFrames& asked, const LayersShots&
 }  // namespace
 
 LayersShots::LayersShots(const views::StoredLayers& layers, const CameraOptions& camera,
-                         std::optional<Size> size)
-    : scene_(scene_of(layers)),
+                         std::optional<Size> size, bool turntable)
+    : scene_(scene_of(layers, turntable || has_to_be_framed(camera))),
       camera_(camera),
       size_(size.value_or(Size{layers.image.camera.width, layers.image.camera.height})) {}
 
@@ -93,7 +112,8 @@ Result<std::vector<LayersFrame>> draw_layer_frames(const LayersFrames& asked,
     paths.push_back(names->name(number));
   }
   if (const auto legal = check_outputs(paths); !legal) return tl::unexpected(legal.error());
-  const auto shots = shots_of(asked, LayersShots(layers, asked.camera, asked.size));
+  const auto shots =
+      shots_of(asked, LayersShots(layers, asked.camera, asked.size, asked.frames.turntable));
   if (!shots) return tl::unexpected(shots.error());
 
   const StopRequest stop;

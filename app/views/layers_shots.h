@@ -18,24 +18,24 @@ namespace glassbox::app {
 
 class Progress;
 
-// What a camera's options mean among these layers: their samples are the scene that is framed, and their camera is its own.
+// What a camera's options mean among these layers: their samples are the scene, and their camera is its own.
 class LayersShots {
 public:
   LayersShots(const views::StoredLayers& layers, const CameraOptions& camera,
-              std::optional<Size> size);
+              std::optional<Size> size, bool turntable = false);
 
   Result<View> view() const;
   const Scene& scene() const { return scene_; }
   Size size() const { return size_; }
 
 private:
-  Scene scene_;  // of points
+  Scene
+      scene_;  // of points: all samples where a camera has to be framed, otherwise corners of the box around them
   CameraOptions camera_;
   Size size_;
 };
 
 struct LayersFrames {
-  const std::string& file;
   const std::string& output;
   const CameraOptions& camera;
   std::optional<Size> size;

@@ -268,6 +268,12 @@ Result<void> ViewsMatchCommand::check_outputs() const {
   return app::check_outputs(files);
 }
 
+Result<void> ViewsMatchCommand::check_depth(const MatchInput& input) const {
+  if (input.calibration || (!depth_output_ && !surface_output_)) return {};
+  return fail("--eye-separation", "both eyes are in one place, and nothing has a depth",
+              "let them stand apart");
+}
+
 views::MatchSettings ViewsMatchCommand::settings(const MatchInput& input) const {
   views::MatchSettings settings = *views::settings_named(method_);
   if (input.is_textured) settings.range = range_of(*input.truth);
@@ -372,6 +378,7 @@ int ViewsMatchCommand::run() {
   Result<MatchInput> input = read_match_input(sources_, progress);
   if (!input) return refuse(input.error());
   if (calibration_) input->calibration = calibration_;
+  if (const auto legal = check_depth(*input); !legal) return refuse(legal.error());
   if (page_) {
     if (const auto legal = check_match_page(*input); !legal) return refuse(legal.error());
   }

@@ -26,6 +26,7 @@ private:
   Result<void> check_sources() const;
   Result<void> check_outputs() const;
   Result<void> check_rectified() const;
+  Result<void> check_depth(const MatchInput& input) const;
   Result<void> write_maps(const MatchInput& input, const views::DenseMatch& match) const;
   Result<std::string> write_surface(const MatchInput& input, const views::DenseMatch& match) const;
   Result<void> write_page(const MatchInput& input, const views::DenseMatch& match,

@@ -123,7 +123,8 @@ Result<MatchInput> draw_scene(const MatchSources& sources, Progress& progress) {
   input.right = std::move(pair->right);
   input.truth = std::move(pair->truth);
   input.is_textured = std::move(pair->is_textured);
-  input.calibration = pair->calibration;
+  // Eyes in one place see nothing of depth.
+  if (views::check_calibration(pair->calibration)) input.calibration = pair->calibration;
   input.visible_by = "by the right picture's own distances";
   return input;
 }

@@ -28,24 +28,26 @@ struct Judged {
   views::DisparityErrors errors;
 };
 
+Image<std::uint8_t> both_of(Image<std::uint8_t> one, const Image<std::uint8_t>& other) {
+  for (std::size_t i = 0; i < one.pixels.size(); ++i) one.pixels[i] &= other.pixels[i];
+  return one;
+}
+
 std::vector<Judged> judge(const MatchInput& input, const Image<float>& disparity) {
   const views::StereoTruth& truth = *input.truth;
   std::vector<Judged> all;
+  const auto add = [&](const char* where, const char* key, const Image<std::uint8_t>& mask) {
+    all.push_back({where, key, views::evaluate(disparity, truth.disparity, &mask)});
+  };
+  const Image<std::uint8_t> jumps =
+      both_of(views::near_discontinuity(truth.disparity), truth.is_visible);
   if (input.is_textured) {
-    Image<std::uint8_t> both = truth.is_visible;
-    for (std::size_t i = 0; i < both.pixels.size(); ++i)
-      both.pixels[i] &= input.is_textured->pixels[i];
-    all.push_back({"visible and textured", "visible_and_textured",
-                   views::evaluate(disparity, truth.disparity, &both)});
+    add("visible and textured", "visible_and_textured",
+        both_of(*input.is_textured, truth.is_visible));
+    add("textured, at a jump", "textured_at_jumps", both_of(*input.is_textured, jumps));
   }
-  all.push_back({"visible to both", "visible",
-                 views::evaluate(disparity, truth.disparity, &truth.is_visible)});
-  Image<std::uint8_t> jumps = views::near_discontinuity(truth.disparity);
-  for (std::size_t i = 0; i < jumps.pixels.size(); ++i) {
-    jumps.pixels[i] &= truth.is_visible.pixels[i];
-  }
-  all.push_back({"visible, at a jump", "visible_at_jumps",
-                 views::evaluate(disparity, truth.disparity, &jumps)});
+  add("visible to both", "visible", truth.is_visible);
+  add("visible, at a jump", "visible_at_jumps", jumps);
   all.push_back({"all known", "all", views::evaluate(disparity, truth.disparity)});
   return all;
 }
@@ -74,13 +76,18 @@ std::vector<LeftOut> left_out_of(const MatchInput& input, const views::MatchSett
   if (views::sweeps_once(settings)) {
     out.push_back({"paths from below", "one sweep needs no volume: --method default has them"});
   }
+  const bool is_drawn = input.is_textured.has_value();
   if (!input.truth) {
-    out.push_back({"errors", "nobody has said what is right: --truth FILE, or --scene"});
+    out.push_back({"errors", input.rectification
+                                 ? "nobody knows what is right of pictures that were turned"
+                                 : "nobody has said what is right: --truth FILE, or --scene"});
   }
   if (!input.calibration) {
-    out.push_back({"depth",
-                   "disparities have none without a focal length and a baseline: "
-                   "--calibration F,B,OFFSET"});
+    out.push_back({"depth", is_drawn ? "both eyes are in one place: --eye-separation"
+                                     : "disparities have none without a focal length and a "
+                                       "baseline: --calibration F,B,OFFSET"});
+  }
+  if (!is_drawn && !input.rectification) {
     out.push_back({"whether the rows are epipolar lines",
                    "it is believed: --cameras FILE turns pictures until they are"});
   }
@@ -119,7 +126,8 @@ std::optional<DepthFacts> depth_facts(const MatchInput& input, const views::Dens
   const auto middle = depths.begin() + std::ptrdiff_t(depths.size() / 2);
   std::nth_element(depths.begin(), middle, depths.end());
   const double z = double(*middle);
-  return DepthFacts{z, 0.1 * z * z / (input.calibration->focal_px * input.calibration->baseline)};
+  return DepthFacts{
+      z, 0.1 * z * z / (input.calibration->focal_px * std::abs(input.calibration->baseline))};
 }
 
 std::string errors_text(const MatchInput& input, const Image<float>& disparity) {
@@ -128,6 +136,7 @@ std::string errors_text(const MatchInput& input, const Image<float>& disparity) 
                   "1 px", "2 px", "4 px", "RMS px", "of good px", "density %");
   for (const Judged& judged : judge(input, disparity)) {
     const views::DisparityErrors& errors = judged.errors;
+    if (errors.known == 0) continue;  // nothing is wrong of none, and nothing right
     text += fmt::format("{:<22}{:>9.2f}{:>9.2f}{:>9.2f}{:>9.2f}{:>9.2f}{:>11.3f}{:>11.1f}\n",
                         judged.where, errors.bad_percent[0], errors.bad_percent[1],
                         errors.bad_percent[2], errors.bad_percent[3], errors.rms, errors.rms_good,

@@ -1,11 +1,10 @@
 #include "app/views/rectified_pair.h"
 
-#include <cmath>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "app/report/text_layout.h"
+#include "app/views/matrix_report.h"
 
 #include <glassbox/images/write.h>
 
@@ -15,25 +14,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string matrix_rows(const std::string& name, const views::Matrix3d& matrix,
-                        const std::string& what) {
-  std::string text;
-  for (int row = 0; row < 3; ++row) {
-    text += fmt::format("  {:<8}", row == 0 ? name : "");
-    for (int column = 0; column < 3; ++column) {
-      text += fmt::format("{:13.6g}", matrix(row, column) + 0.0);  // adding 0 makes 0 of -0
-    }
-    text += row == 0 ? "   " + what + "\n" : "\n";
-  }
-  return text;
-}
-
-Json matrix_json(const views::Matrix3d& matrix) {
-  Json rows = Json::array();
-  for (int row = 0; row < 3; ++row) {
-    rows.push_back({matrix(row, 0), matrix(row, 1), matrix(row, 2)});
-  }
-  return rows;
+std::string six_digits(double value) {
+  return fmt::format("{:13.6g}", value + 0.0);  // adding 0 makes 0 of -0
 }
 
 }  // namespace
@@ -52,8 +34,9 @@ std::string rectification_text(const views::Rectification& how) {
                              "right one {:.1f} %; {:.1f} and {:.1f} % of the new ones show nothing",
                              100 * how.lost_left, 100 * how.lost_right, 100 * how.empty_left,
                              100 * how.empty_right)) +
-         matrix_rows("H_left", how.left, "new pixel = H (x, y, 1)") +
-         matrix_rows("H_right", how.right, "") + matrix_rows("K", how.intrinsic, "of both") +
+         matrix_lines("H_left", how.left, "new pixel = H (x, y, 1)", six_digits) +
+         matrix_lines("H_right", how.right, "", six_digits) +
+         matrix_lines("K", how.intrinsic, "of both", six_digits) +
          fmt::format("  {:<8}{:13.6g}   along the rows: Z = {:.6g} * {:.6g}/disparity\n",
                      "baseline", how.baseline, how.intrinsic(0, 0), how.baseline);
 }

@@ -3,9 +3,13 @@
 
 #include "app/options/cli_fwd.h"
 #include "app/views/geometry_command.h"
+#include "app/views/glyphs_command.h"
+#include "app/views/klt_command.h"
 #include "app/views/layers_command.h"
 #include "app/views/match_command.h"
+#include "app/views/polygons_command.h"
 #include "app/views/ring_command.h"
+#include "app/views/texture_command.h"
 #include "app/views/voxels_command.h"
 
 namespace glassbox::app {
@@ -20,6 +24,10 @@ private:
   ViewsLayersCommand layers_;
   ViewsRingCommand ring_;
   ViewsVoxelsCommand voxels_;
+  ViewsPolygonsCommand polygons_;
+  ViewsTextureCommand texture_;
+  ViewsKltCommand klt_;
+  ViewsGlyphsCommand glyphs_;
 };
 
 }  // namespace glassbox::app

@@ -50,13 +50,6 @@ std::string text_of(const Matrix& m) {
   return text_of(m[0]) + " " + text_of(m[1]) + " " + text_of(m[2]);
 }
 
-// What a case's text says of an extreme case with three digits, "... (C-107)", as the line that shows it (command_for of lab.h).
-std::string command_of(const std::string& what) {
-  const std::size_t id = what.find("(C-");
-  if (id == std::string::npos) return "";
-  return "\nglassbox study extremes --case " + what.substr(id + 1, what.find(')', id) - id - 1);
-}
-
 // Two products and their difference of each entry, r_i t_j of a row of R: below 3 u |T|.
 Case expect_matrix(const PoseCase& input) {
   const Wide r = wide(input.pose.rotation);
@@ -160,7 +153,7 @@ Case expect_pose(const ChoiceCase& input) {
                   "of any other pose {} at most (C-105)",
                   text_of(input.essential), input.matches.size(), chosen ? chosen->in_front : 0,
                   chosen ? chosen->runner_up : 0) +
-          command_of("(C-105)"),
+          command_for("C-105"),
       {matrix("R", 3, entries_of(pose.rotation), epipolar::kPoseBound),
        point("T", {pose.translation[0], pose.translation[1], pose.translation[2]},
              epipolar::kPoseBound)}};
@@ -177,7 +170,7 @@ Case expect_point(const RaysCase& input) {
                       "each other at {:.3g}",
                       input.left.x, input.left.y, input.right.x, input.right.y,
                       text_of(input.pose.rotation), text_of(input.pose.translation), found.gap) +
-              command_of(input.what),
+              command_for(input.what),
           {point("point", {p[0], p[1], p[2], p[3]}, bound, "world units")}};
 }
 

@@ -38,17 +38,6 @@ std::string text_of(const std::vector<Place>& places) {
   return text;
 }
 
-// What a case's text says of an extreme case with three digits, "... (C-107)", as the line that shows it (command_for of lab.h).
-std::string command_of(const std::string& what) {
-  const std::size_t id = what.find("(C-");
-  if (id == std::string::npos) return "";
-  return "\nglassbox study extremes --case " + what.substr(id + 1, what.find(')', id) - id - 1);
-}
-
-std::string restated(const std::string& what, std::string text) {
-  return std::move(text) + command_of(what);
-}
-
 Case expect_square(const SadCase& input) {
   const auto expected = [&](const matching::Sides& sides) {
     std::vector<double> sums;
@@ -96,7 +85,7 @@ Case expect_path(const PathCase& input) {
 Case expect_best(const WinnerCase& input) {
   const double d = matching::winner(input.costs);
   return {input.what,
-          restated(input.what, "costs " + text_of(input.costs)),
+          "costs " + text_of(input.costs) + command_for(input.what),
           {numbers("disparity", {d}, std::isinf(d) ? 0 : matching::kWinnerBound * (1 + d), "px")}};
 }
 
@@ -118,9 +107,9 @@ Case expect_confirmed(const CheckCase& input) {
         "disparities", matching::left_right_check(input.left, input.right, input.tolerance, step))};
   };
   return {.where = input.what,
-          .restated = restated(input.what,
-                               fmt::format("left {}; right {}; tolerance {}", text_of(input.left),
-                                           text_of(input.right), input.tolerance)),
+          .restated = fmt::format("left {}; right {}; tolerance {}", text_of(input.left),
+                                  text_of(input.right), input.tolerance) +
+                      command_for(input.what),
           .expected = expected(-1),
           .slipped = {{"disparity-sign", expected(1)}}};
 }
@@ -129,9 +118,9 @@ Case expect_confirmed(const CheckCase& input) {
 Case expect_depth(const DepthCase& input) {
   const double z = matching::depth(input.disparity, input.calibration);
   return {input.what,
-          restated(input.what, fmt::format("d = {}, f = {}, B = {}, offset {}", input.disparity,
-                                           input.calibration.focal, input.calibration.baseline,
-                                           input.calibration.offset)),
+          fmt::format("d = {}, f = {}, B = {}, offset {}", input.disparity, input.calibration.focal,
+                      input.calibration.baseline, input.calibration.offset) +
+              command_for(input.what),
           {numbers("depth", {z}, std::isinf(z) ? 0 : matching::kDepthBound * z, "world units")}};
 }
 

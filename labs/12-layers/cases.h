@@ -22,6 +22,11 @@ struct PackCase {
   double epsilon = 0;
 };
 
+// A colour as one number.
+inline double number_of_colour(const Rgba8& c) {
+  return 65536.0 * c.r + 256.0 * c.g + c.b;
+}
+
 // A colour that says which sample it is.
 inline Rgba8 number_colour(int n) {
   return {std::uint8_t(n >> 16), std::uint8_t(n >> 8), std::uint8_t(n), 255};

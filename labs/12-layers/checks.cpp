@@ -21,10 +21,6 @@ using exact::Matrix4;
 using exact::Rational;
 using Screens = Transform<lab_12::Screen, lab_12::Screen>;
 
-double number_of_colour(const Rgba8& c) {
-  return 65536.0 * c.r + 256.0 * c.g + c.b;
-}
-
 // ---- packing ----
 
 // Those of one pixel that stay, from back to front, as numbers of samples.

@@ -5,14 +5,14 @@
 
 #include <fmt/format.h>
 
+#include "labs/12-layers/cases.h"
 #include "labs/drawing/drawing.h"
 #include "views/layers/depth_peeling.h"
+#include "views/layers/draw_layers.h"
 #include "views/layers/layer_camera.h"
 
 #include <glassbox/base/rounding.h>
 #include <glassbox/pipeline/stereo/stereo_pair.h>
-
-#include <glm/matrix.hpp>
 
 namespace glassbox::labs {
 
@@ -58,11 +58,15 @@ Numbers pack(RecordReader& in) {
   return out;
 }
 
+views::LayerCamera camera(RecordReader& in) {
+  return {views::matrix_of(in.matrix<Transform<Screen, World>>()), 0, 0};
+}
+
 Numbers matrix(RecordReader& in) {
-  const auto first = in.matrix<Transform<Screen, World>>();
-  const auto second = in.matrix<Transform<Screen, World>>();
+  const views::LayerCamera first = camera(in), second = camera(in);
+  const Eigen::Matrix4d warp = views::warp_matrix(second, first);
   Numbers out;
-  append_matrix(out, second * Transform<World, Screen>(glm::inverse(first.columns)));
+  for (int i = 0; i < 16; ++i) out.push_back(warp(i / 4, i % 4));
   return out;
 }
 
@@ -101,16 +105,8 @@ Numbers size(RecordReader& in) {
 
 Numbers order(RecordReader& in) {
   const double epipole = in.number(), w = in.number();
-  const int count = in.integer();
-  const auto grows = [&](int i) { return epipole - (i + 0.5) * w > 0; };
-  Numbers out;
-  for (int i = 0; i < count; ++i) {
-    if (grows(i)) out.push_back(i);
-  }
-  for (int i = count; i-- > 0;) {
-    if (!grows(i)) out.push_back(i);
-  }
-  return out;
+  const std::vector<int> visits = views::visiting_order(epipole, w, in.integer());
+  return {visits.begin(), visits.end()};
 }
 
 Numbers draw_samples(RecordReader& in) {
@@ -228,9 +224,6 @@ Result<Numbers> ask_one(Answering& answering, Stage stage, Numbers numbers) {
   });
 }
 
-double packed_colour(const Rgba8& c) {
-  return 65536.0 * c.r + 256.0 * c.g + c.b;
-}
 Rgba8 unpacked_colour(double colour) {
   const auto rgb =
       std::uint32_t(std::clamp(std::isfinite(colour) ? colour : 0, 0.0, double(0xffffff)));
@@ -255,7 +248,7 @@ std::vector<Question> pack_questions(const View& first, const std::vector<views:
           const auto z = double(layer.distance.at(x, top + y));
           if (!std::isfinite(z)) continue;
           const auto depth = double(float(views::depth_of(first, z)));
-          const double colour = packed_colour(layer.color.at(x, top + y));
+          const double colour = lab_12::number_of_colour(layer.color.at(x, top + y));
           numbers.insert(numbers.end(), {double(x), double(y), depth, colour});
         }
       }
@@ -437,9 +430,9 @@ Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
     for (const std::size_t x : columns)
       samples.insert(samples.end(), (*rows)[y][x].begin(), (*rows)[y][x].end());
   }
-  const auto drawn_bands =
-      ask(answering, kDraw,
-          draw_questions(samples, width, height, packed_colour(drawn.settings.background)));
+  const auto drawn_bands = ask(
+      answering, kDraw,
+      draw_questions(samples, width, height, lab_12::number_of_colour(drawn.settings.background)));
   if (!drawn_bands) return tl::unexpected(drawn_bands.error());
   made.finish = [bands = *drawn_bands, width](Framebuffer& picture) {
     const std::size_t of_band = std::size_t(kRows) * std::size_t(width);

@@ -9,16 +9,12 @@ namespace {
 using glassbox::labs::Answer;
 using glassbox::labs::entries;
 
-double number_of(const Rgba8& c) {
-  return 65536.0 * c.r + 256.0 * c.g + c.b;
-}
-
 void packed(const PackCase& input, Answer& answer) {
   const Layers layers = pack(input.width, input.height, input.samples, input.epsilon);
   answer.emit("offsets", {layers.first.begin(), layers.first.end()});
   answer.emit("depths", {layers.depth.begin(), layers.depth.end()});
   std::vector<double> colours;
-  for (const Rgba8& colour : layers.colour) colours.push_back(number_of(colour));
+  for (const Rgba8& colour : layers.colour) colours.push_back(number_of_colour(colour));
   answer.emit("colours", colours);
 }
 
@@ -60,7 +56,7 @@ void order(const OrderCase& input, Answer& answer) {
 
 void picture(const DrawCase& input, Answer& answer) {
   std::vector<double> colours;
-  for (const Rgba8& pixel : draw(input.canvas).pixels) colours.push_back(number_of(pixel));
+  for (const Rgba8& pixel : draw(input.canvas).pixels) colours.push_back(number_of_colour(pixel));
   answer.emit("samples shown", colours);
 }
 

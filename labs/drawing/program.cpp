@@ -2,7 +2,8 @@
 
 #include <system_error>
 
-#include "labs/framework/build.h"
+#include "labs/framework/compiler.h"
+#include "labs/framework/strip.h"
 #include "labs/grading/compile.h"
 #include "labs/grading/submission.h"
 
@@ -78,22 +79,31 @@ Result<OwnSide> own_side(const Sources& sources, const StageBuild& request) {
   return own;
 }
 
+Result<std::string> starter_text(const Sources& sources, const std::string& folder) {
+  const auto solution = solution_text(sources, folder);
+  return solution ? strip_solution(*solution, folder + "/student.cpp") : solution;
+}
+
 }  // namespace
 
 Result<StageProgram> build_stages(const Sources& sources, const StageBuild& request,
                                   const Sandbox& sandbox) {
   const auto own = own_side(sources, request);
   if (!own) return tl::unexpected(own.error());
-  const auto text = grading::read_submitted(request.student.parent_path(), "student.cpp");
+  const auto text = request.starter
+                        ? starter_text(sources, request.folder)
+                        : grading::read_submitted(request.student.parent_path(), "student.cpp");
   if (!text) return tl::unexpected(text.error());
+  const std::string name = request.starter ? "starter" : "stages";
+  const fs::path kept_program = request.kept / name,
+                 kept_key = request.kept / (request.starter ? "starter-key" : "student-key");
   StageProgram made;
-  made.program = request.scratch / "stages";
+  made.program = request.scratch / name;
   const std::string key = own->key + *text;
   std::error_code error;
-  const auto before = read_text_file(request.kept / "student-key");
-  if (before && *before == key && fs::exists(request.kept / "stages", error)) {
-    fs::copy_file(request.kept / "stages", made.program, fs::copy_options::overwrite_existing,
-                  error);
+  const auto before = read_text_file(kept_key);
+  if (before && *before == key && fs::exists(kept_program, error)) {
+    fs::copy_file(kept_program, made.program, fs::copy_options::overwrite_existing, error);
     if (!error) return made;
   }
 
@@ -118,10 +128,9 @@ Result<StageProgram> build_stages(const Sources& sources, const StageBuild& requ
     return made;
   }
   fs::copy_file(linked, made.program, fs::copy_options::overwrite_existing, error);
-  fs::copy_file(linked, request.kept / "stages", fs::copy_options::overwrite_existing, error);
+  fs::copy_file(linked, kept_program, fs::copy_options::overwrite_existing, error);
   fs::permissions(made.program, fs::perms(0755), error);
-  if (const auto kept = write_if_changed(request.kept / "student-key", key); !kept)
-    return tl::unexpected(kept.error());
+  if (const auto kept = write_if_changed(kept_key, key); !kept) return tl::unexpected(kept.error());
   return made;
 }
 

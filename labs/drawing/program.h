@@ -23,6 +23,7 @@ struct StageBuild {
   std::filesystem::path
       scratch;         // a directory that every user may pass through, and its owner alone write to
   bool timed = false;  // of the lab's timed.cpp in place of its stages.cpp
+  bool starter = false;  // the lab's starter in place of the student's file
 };
 
 // Compiles what has changed: the lab's own side as it is, the student's in the sandbox. An error is what kept it from being tried.

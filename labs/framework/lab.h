@@ -87,7 +87,9 @@ struct Case {
 // What a case's text says of an extreme case, "... (C-43)", as the line that shows that one; empty where it names none.
 inline std::string command_for(const std::string& what) {
   const std::size_t id = what.find("C-");
-  return id == std::string::npos ? "" : "\nglassbox study extremes --case " + what.substr(id, 4);
+  if (id == std::string::npos) return "";
+  const std::size_t end = what.find_first_not_of("0123456789", id + 2);
+  return "\nglassbox study extremes --case " + what.substr(id, end - id);
 }
 
 struct Check {

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "labs/framework/build.h"
+#include "labs/framework/compiler.h"
 #include "labs/framework/digest.h"
 #include "labs/framework/in_parallel.h"
 #include "labs/framework/process.h"

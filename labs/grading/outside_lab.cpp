@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "labs/framework/build.h"
+#include "labs/framework/compiler.h"
 #include "labs/framework/digest.h"
 #include "labs/framework/process.h"
 #include "labs/framework/students.h"

@@ -42,6 +42,7 @@ StereoPlanes stereo_planes(const View& centre);
 // Bits 0 and 1: z < 0, z beyond the other end of the depth range; 2 and 3: below, above; 4 and 5: left and right of
 // the left eye's frustum; 6 and 7: of the right eye's. A vertex that is not finite for an eye has bit 8 or 9.
 Outcode stereo_outcode(const StereoClipPoint& point, const View& centre);
+inline constexpr Outcode kStereoSides = 0xfc;  // bits 2 to 7
 
 // Whether neither eye can see anything of the triangle (or segment, or point) with these outcodes.
 bool unseen_by_both(std::span<const Outcode> outcodes);

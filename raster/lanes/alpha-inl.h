@@ -27,13 +27,13 @@ HWY_INLINE Floats in_all_lanes(Floats x, std::size_t lane) {
 
 // The tile keeps all.
 struct Opaque {
-  static constexpr bool kKeepsAll = true;
+  static constexpr bool kKeepsAll = true, kIsBehind = false;
 };
 
 // Those whose alpha reaches the material's cutoff, asked where they are shaded.
 class Masked {
 public:
-  static constexpr bool kKeepsAll = false;
+  static constexpr bool kKeepsAll = false, kIsBehind = false;
   static constexpr std::uint64_t FragmentCounts::*kOthers = &FragmentCounts::discarded;
 
   HWY_INLINE explicit Masked(const AlphaTest& test) : test_(test) {}
@@ -65,6 +65,39 @@ private:
   const AlphaTest& test_;
 };
 
+// Those behind what is given; of a draw that is tested, as Masked has it.
+class Behind {
+public:
+  static constexpr bool kKeepsAll = false, kIsBehind = true;
+  static constexpr std::uint64_t FragmentCounts::*kOthers = Masked::kOthers;
+
+  HWY_INLINE explicit Behind(const BehindTest& test) : codes_(*test.codes), alpha_(test.alpha) {}
+
+  // Of the quad at (x, y) the pixels k .. k + kLanes - 1. (kEmptyDepth, the greatest code, lets nothing through; beyond the picture nothing is
+  // drawn anyway.)
+  HWY_INLINE IntMask behind(Ints code, int x, int y, std::size_t k) const {
+    HWY_ALIGN std::uint32_t given[kLanes];
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const int px = x + int(k + lane) % kQuadSide, py = y + int(k + lane) / kQuadSide;
+      const bool is_there = px < codes_.width && py < codes_.height;
+      given[lane] = is_there ? codes_.pixels[codes_.index(px, py)] : kEmptyDepth;
+    }
+    const Ints there = load(reinterpret_cast<const std::int32_t*>(given));
+    return code > there && there >= 0;
+  }
+
+  template <class Triangle>
+  HWY_INLINE IntMask kept(IntMask lanes, const Triangle& triangle, int x, int y,
+                          std::size_t k) const {
+    if (alpha_.draw == nullptr) return lanes;
+    return Masked(alpha_).kept(lanes, triangle, x, y, k);
+  }
+
+private:
+  const Image<std::uint32_t>& codes_;
+  const AlphaTest& alpha_;
+};
+
 // What a triangle of one colour makes of each byte that it is laid over, in all four channels at once. Worth making once as many
 // vectors have been blended as there are in the table.
 struct BlendedBytes {
@@ -78,7 +111,7 @@ struct BlendedBytes {
 // None: they are blended, in the order in which they come.
 class Blended {
 public:
-  static constexpr bool kKeepsAll = false;
+  static constexpr bool kKeepsAll = false, kIsBehind = false;
   static constexpr std::uint64_t FragmentCounts::*kOthers = &FragmentCounts::blended;
 
   // `bytes`: of a triangle of one colour where nothing but colours is wanted, otherwise null.

@@ -29,6 +29,12 @@ struct Kernels {
                             FragmentCounts& counts);
   void (*draw_large_masked)(const LargeTriangle& triangle, const AlphaTest& test,
                             Reference reference, TileBuffer& tile, FragmentCounts& counts);
+  // Of one that is opaque or tested, behind what is given. The tile's points are centres.
+  void (*draw_small_behind)(const SmallJob& job, const BehindTest& test,
+                            const std::uint32_t* triangles, std::size_t count, TileBuffer& tile,
+                            FragmentCounts& counts);
+  void (*draw_large_behind)(const LargeTriangle& triangle, const BehindTest& test,
+                            Reference reference, TileBuffer& tile, FragmentCounts& counts);
   // Of a draw that is blended: into the picture, where the colours of what was drawn before have to be.
   void (*draw_small_blended)(const SmallJob& job, const BlendJob& blend,
                              const std::uint32_t* triangles, std::size_t count, TileBuffer& tile,

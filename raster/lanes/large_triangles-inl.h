@@ -178,6 +178,7 @@ private:
       const Ints stored = load(depth);
       IntMask passes = covered && code < stored;
       counts_.covered += count_of(covered);
+      if constexpr (Alpha::kIsBehind) passes = passes && alpha_.behind(code, x, y, k * kLanes);
       if constexpr (!Alpha::kKeepsAll) {
         if (none(passes)) continue;
         const IntMask kept = alpha_.kept(passes, *shape_, x, y, k * kLanes);
@@ -224,6 +225,11 @@ inline void draw_large_masked(const LargeTriangle& triangle, const AlphaTest& te
                               Reference reference, TileBuffer& tile, FragmentCounts& counts) {
   const LargeShape shape(triangle);
   draw_large(triangle.setup, &shape, reference, Masked(test), tile, counts);
+}
+inline void draw_large_behind(const LargeTriangle& triangle, const BehindTest& test,
+                              Reference reference, TileBuffer& tile, FragmentCounts& counts) {
+  const LargeShape shape(triangle);
+  draw_large(triangle.setup, &shape, reference, Behind(test), tile, counts);
 }
 inline void draw_large_blended(const LargeTriangle& triangle, const BlendJob& blend,
                                Reference reference, TileBuffer& tile, FragmentCounts& counts) {

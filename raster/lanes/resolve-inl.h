@@ -43,8 +43,7 @@ public:
                        (!job.keep_picture || job.tile_colors != nullptr)),
         color_{tile_.color_rows(), tile_.side(), tile_.window().x0, tile_.window().y0},
         depth_{tile_.depth_rows(), tile_.side(), tile_.window().x0, tile_.window().y0},
-        shader_(job),
-        samples_(job, tiles) {
+        shader_(job) {
     if (job.tile_colors != nullptr) {
       color_.first = job.tile_colors;
     } else if (job.picture != nullptr && !streams_color_) {
@@ -114,7 +113,7 @@ private:
           if (job_.points.empty()) {
             resolve_quad(block, quad, qx, qy);
           } else {
-            samples_.resolve(block, quad, qx, qy, color_);
+            resolve_samples(block, quad, qx, qy);
           }
         }
       }
@@ -295,6 +294,13 @@ private:
     if (job_.id != nullptr) store_quad(pixels.id, rows_of(*job_.id), window, x, y);
   }
 
+  // Of several samples to a pixel, which resolve_tile has shaded in all channels.
+  HWY_INLINE void resolve_samples(std::size_t block, int quad, int x, int y) {
+    if constexpr (std::is_same_v<Channels, AllChannels>) {
+      SampleResolver(job_, tiles_, shader_).resolve(block, quad, x, y, color_);
+    }
+  }
+
   // Plain blocks are filled in where their depths differ.
   HWY_INLINE void store_depths(std::size_t block, int quad, int x, int y) {
     if (tile_.block(block).triangle != nullptr) make_plain_block_full(tile_, block);
@@ -363,7 +369,6 @@ private:
   bool streams_color_;
   Rows color_, depth_;
   SeenShader<Channels> shader_;
-  SampleResolver samples_;
   Reference one_color_reference_ = kNothing;
   std::uint32_t one_color_ = 0;
 };

@@ -19,8 +19,9 @@ namespace HWY_NAMESPACE {
 
 class SampleResolver {
 public:
-  SampleResolver(const ResolveJob& job, std::span<TileBuffer> tiles)
-      : job_(job), tiles_(tiles), shader_(job), mask_(bytes_of(job.mask)) {}
+  SampleResolver(const ResolveJob& job, std::span<TileBuffer> tiles,
+                 SeenShader<AllChannels>& shader)
+      : job_(job), tiles_(tiles), shader_(shader), mask_(bytes_of(job.mask)) {}
 
   // A quad's samples: each triangle that is seen at some of a pixel's is shaded once there.
   HWY_NOINLINE void resolve(std::size_t block, int quad, int x, int y, const Rows& rows) {
@@ -115,7 +116,7 @@ private:
 
   const ResolveJob& job_;
   std::span<TileBuffer> tiles_;  // one for each sample
-  SeenShader<AllChannels> shader_;
+  SeenShader<AllChannels>& shader_;
   std::int32_t mask_;
 };
 

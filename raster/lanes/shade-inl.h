@@ -18,7 +18,7 @@ namespace glassbox {
 namespace HWY_NAMESPACE {
 
 HWY_INLINE Floats distance_of(const ResolveJob& job, Floats depth, Floats inverse_w) {
-  if (job.perspective) return 1.0f / inverse_w;
+  if (job.perspective) return least(1.0f / inverse_w, Floats(std::numeric_limits<float>::max()));
   return parallel_distance(depth, job.reversed, job.near, job.far);
 }
 

@@ -107,6 +107,10 @@ HWY_INLINE void draw_quad(const SmallSetups& setups, std::size_t t, std::size_t 
     const Ints stored = load(depth_at_quad);
     IntMask passes = covered && code < stored;
     counts.covered += count_of(covered);
+    if constexpr (Alpha::kIsBehind) {
+      passes = passes && alpha.behind(code, window.x0 + int(qx) * kQuadSide,
+                                      window.y0 + int(qy) * kQuadSide, k * kLanes);
+    }
     if constexpr (!Alpha::kKeepsAll) {
       if (none(passes)) continue;
       const IntMask kept =
@@ -205,6 +209,11 @@ inline void draw_small_masked(const SmallJob& job, const AlphaTest& test,
                               const std::uint32_t* triangles, std::size_t count, TileBuffer& tile,
                               FragmentCounts& counts) {
   draw_small(job, triangles, count, Masked(test), {&tile, 1}, counts);
+}
+inline void draw_small_behind(const SmallJob& job, const BehindTest& test,
+                              const std::uint32_t* triangles, std::size_t count, TileBuffer& tile,
+                              FragmentCounts& counts) {
+  draw_small(job, triangles, count, Behind(test), {&tile, 1}, counts);
 }
 inline void draw_small_blended(const SmallJob& job, const BlendJob& blend,
                                const std::uint32_t* triangles, std::size_t count, TileBuffer& tile,

@@ -180,6 +180,12 @@ struct AlphaTest {
   std::span<const SampleOffset> points;  // as ResolveJob has them
 };
 
+// What is seen behind depths that are given (EyePicture::behind).
+struct BehindTest {
+  const Image<std::uint32_t>* codes = nullptr;  // by pixel of the picture
+  AlphaTest alpha;                              // without a draw: it keeps all
+};
+
 // Memory of a pixel's samples, which are neighbours in it.
 struct SampleRows {
   PixelRect window;  // whose pixels have samples here, row by row

@@ -28,12 +28,17 @@ enum class Fate : std::uint8_t {
   kBlended,    // it was laid over what was there
 };
 
+// What a fragment comes from that is no triangle's: an edge is that of a triangle, drawn as a line.
+enum class LineKind : std::uint8_t { kEdge, kLine, kPoint };
+
 // Where a fragment comes from.
 struct FragmentSource {
-  // Of the triangle, in the whole scene; of no meaning for lines and points.
+  // Of the triangle, in the whole scene, and so of edges; of lines and points an index into those of their mesh.
   std::uint32_t number = 0;
-  std::uint32_t piece = 0;  // of the fan that clipping left of it
+  std::uint32_t piece = 0;  // of the fan that clipping left of the triangle; 0 of all else
   bool is_triangle = true;
+  LineKind line = LineKind::kEdge;  // where it is no triangle
+  std::uint8_t edge = 0;            // of edges: from this corner of the triangle to the next
 };
 
 // Derive from it and override the stages of interest. What a stage has made comes by reference: whoever changes it has

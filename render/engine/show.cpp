@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace glassbox {
 
@@ -10,18 +11,20 @@ namespace {
 
 void show_depth(Framebuffer& buffers) {
   float nearest = std::numeric_limits<float>::infinity();
-  float farthest = 0;
+  float farthest = -nearest;
   for (const float distance : buffers.distance.pixels) {
     if (!std::isfinite(distance)) continue;
     nearest = std::min(nearest, distance);
     farthest = std::max(farthest, distance);
   }
   constexpr float kDarkest = 40.0f / 255.0f;  // still unlike black
-  const float range = farthest - nearest;
+  // Halves where a parallel view reaches so far before and behind the eye that the range overflows; exact otherwise.
+  const float scale = std::isfinite(farthest - nearest) ? 1.0f : 0.5f;
+  const float range = farthest * scale - nearest * scale;
   for (std::size_t i = 0; i < buffers.color.pixels.size(); ++i) {
     const float distance = buffers.distance.pixels[i];
     if (!std::isfinite(distance)) continue;
-    const float t = range > 0 ? (distance - nearest) / range : 0.0f;
+    const float t = range > 0 ? (distance * scale - nearest * scale) / range : 0.0f;
     const std::uint8_t grey = encode_unorm8(1.0f - t * (1.0f - kDarkest));
     buffers.color.pixels[i] = {grey, grey, grey, 255};
   }

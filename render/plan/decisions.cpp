@@ -324,7 +324,7 @@ Decision masked_channels(const Plan& plan, const RenderSettings& settings) {
 // Where all are written it goes without saying that all are shaded.
 void add_shaded_channels(const Plan& plan, const RenderSettings& settings,
                          std::vector<Decision>& decisions) {
-  constexpr const char* kStage = "texture and light of channels";
+  constexpr const char* kStage = "light of channels";
   const ColorMask& mask = settings.mask;
   if ((mask.r && mask.g && mask.b) || !plan.colors) return;
   if (!plan.leaves_out) {

@@ -146,7 +146,7 @@ void order_draws(Plan& plan) {
 // What one of the eyes sees is drawn for all.
 void leave_out_hidden(std::span<const PlannedEye> eyes, std::span<Plan> plans) {
   for (std::size_t i = 0; i < eyes.size(); ++i) {
-    if (!plans[i].leaves_out) return;
+    if (!plans[i].leaves_out || eyes[i].sees_through) return;
     const std::vector<bool> hidden = find_hidden(eyes[i], plans[i]);
     if (std::ranges::find(hidden, true) == hidden.end()) return;  // this eye sees all that it may
     for (std::size_t draw = 0; draw < hidden.size(); ++draw) {

@@ -22,6 +22,7 @@ struct PlannedEye {
   const DrawList& list;
   const View& view;
   const RenderSettings& settings;
+  bool sees_through = false;  // EyePicture::behind: what is in front hides nothing
 };
 
 struct Plan {

@@ -8,7 +8,8 @@ void plan_picture(const Scene& scene, const PreparedScene& prepared,
   fill_draw_lists(scene, prepared, views_of(eyes), picture.lists);
   picture.eyes.clear();
   for (std::size_t i = 0; i < eyes.size(); ++i) {
-    picture.eyes.push_back({picture.lists[i], eyes[i].view, eyes[i].settings});
+    picture.eyes.push_back(
+        {picture.lists[i], eyes[i].view, eyes[i].settings, eyes[i].behind != nullptr});
   }
   picture.plans = planner(picture.eyes, leave_out);
 }

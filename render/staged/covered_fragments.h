@@ -86,12 +86,17 @@ void for_each_fragment(const FragmentStage& stage, const Watch& watch, const Tri
   }
 }
 
+// What is hidden although nothing is in front of it. (kEmptyDepth is the greatest code.)
+inline bool is_hidden(const FragmentStage& stage, const Fragment& place, std::uint32_t code) {
+  return stage.behind != nullptr && code <= stage.behind->at(place.x, place.y);
+}
+
 // Leaves of the fragment what is in front of what is there.
 template <class Watch>
 void test_depth(const FragmentStage& stage, const Watch& watch, const FragmentSource& source,
                 CoveredFragment& fragment) {
   const auto passes = [&](std::uint32_t code, std::uint32_t stored) {
-    bool nearer = in_front(code, stored);
+    bool nearer = in_front(code, stored) && !is_hidden(stage, fragment.place, code);
     watch.compared(source, fragment.place, code, stored, nearer);
     return nearer;
   };

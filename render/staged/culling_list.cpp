@@ -15,8 +15,13 @@ bool unseen(const Draw& draw, const Triangle& triangle, const std::vector<Outcod
   return unseen_by_both(codes);
 }
 
-// Lines colour samples half a pixel beside them and, where they run between two pixels, those of either; snap, divide and viewport
-// move them by less than 0.01 px.
+// How far beside the picture a line may be and still reach into it: it colours samples at most half a pixel beside it, and these lie in
+// the picture. Half a pixel more is far more than what follows rounds.
+//
+// What is culled has x > s w, say, at all its corners, with w > 0 (outcode_within) and s = 1 + 2 px/W. A crossing has x and w between
+// those of its ends, rounded to float; as all terms are positive, x/w loses 2^-23 of itself at each of at most 7 planes. The divide rounds
+// twice, the viewport a product and a sum, by 2^-24 each, and the snap moves by 1/512 px. With W = 16384 that is at most
+//   17 * 2^-24 * 8193 + 2^-24 * 16385 + 1/512 < 0.012 px.
 constexpr double kLineMarginPx = 1;
 
 // How much farther out than the edge of the picture something ends of which lines are drawn.
@@ -52,9 +57,12 @@ std::span<const Triangle> CullingList::triangles_of(std::size_t draw, const Draw
 }
 
 Outcode CullingList::outcode_within(StereoClipPoint point) const {
+  const bool as_lines = share_x_ != 1;
   for (float* x : {&point.left_x, &point.right_x}) *x = float(double(*x) / share_x_);
   point.y = float(double(point.y) / share_y_);
-  return stereo_outcode(point, centre_);
+  const Outcode code = stereo_outcode(point, centre_);
+  // Behind the eye, sides of the picture say little of where a line is that a plane cuts.
+  return as_lines && !(point.w > 0) ? code & ~kStereoSides : code;
 }
 
 std::vector<Outcode> CullingList::outcodes_of_pair(const DrawTables& tables) const {

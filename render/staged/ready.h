@@ -63,6 +63,7 @@ struct FragmentStage {
   Image<Rgba8>& color;    // the target's own, or that which the eyes of an anaglyph share
   PixelRect window;       // the part of the picture that is drawn
   SamplePlanes* samples;  // null: one sample, at the pixel's centre, straight into `color`
+  const Image<std::uint32_t>* behind = nullptr;  // as EyePicture has it
 };
 
 // Those that are written, and alpha where the material asks for it.

@@ -6,7 +6,6 @@
 #include <glassbox/pipeline/divide.h>
 #include <glassbox/pipeline/viewport.h>
 #include <glassbox/render/staged/corners.h>
-#include <glassbox/render/staged/line_source.h>
 #include <glassbox/render/staged/ready.h>
 
 namespace glassbox {
@@ -42,7 +41,7 @@ void ready_edges(const PrimitiveStage& stage, const Watch& watch,
                  std::vector<ReadyLine>& lines) {
   for (std::size_t k = 0; k < 3; ++k) {
     ready_segment(stage, watch, {corners[k], corners[(k + 1) % 3]}, attributes, number + 1,
-                  source_of_line(LineKind::kEdge, number, std::uint32_t(k)), lines);
+                  {number, 0, false, LineKind::kEdge, std::uint8_t(k)}, lines);
   }
 }
 
@@ -57,7 +56,7 @@ void ready_line(const PrimitiveStage& stage, const Watch& watch, std::uint32_t n
     ends[k].weights[k] = 1.0;
     vertices[k] = corner_attributes(stage, line[k]);
   }
-  ready_segment(stage, watch, ends, vertices, 0, source_of_line(LineKind::kLine, number), lines);
+  ready_segment(stage, watch, ends, vertices, 0, {number, 0, false, LineKind::kLine}, lines);
 }
 
 template <class Watch>
@@ -67,8 +66,9 @@ void ready_point(const PrimitiveStage& stage, const Watch& watch, std::uint32_t 
   ClipVertex vertex;
   vertex.position = clip_position(stage, point.position);
   if (!clip_point(vertex.position, stage.planes)) return;
-  points.push_back({on_screen(stage, watch, vertex), corner_attributes(stage, point),
-                    source_of_line(LineKind::kPoint, number)});
+  points.push_back({on_screen(stage, watch, vertex),
+                    corner_attributes(stage, point),
+                    {number, 0, false, LineKind::kPoint}});
 }
 
 }  // namespace glassbox

@@ -8,8 +8,6 @@
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
@@ -54,13 +52,6 @@ struct VertexTask {
 
 constexpr std::size_t kMostEyes = 2;
 
-// oneTBB keeps to the smallest limit in force, so there is one for the whole program and not one for each engine. It starts no
-// thread by itself.
-void allow_more_threads_than_processors() {
-  constexpr std::size_t kMost = 1024;
-  static const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, kMost);
-}
-
 }  // namespace
 
 struct TileEngine::State {
@@ -73,7 +64,7 @@ struct TileEngine::State {
         threads(o.threads > 0 ? o.threads : default_threads()),
         arena(threads),
         memories([side = o.tile_side] { return TileMemory(side); }) {
-    if (threads > default_threads()) allow_more_threads_than_processors();
+    allow_threads(threads);
   }
 
   using StageTime = double TileReport::Thread::*;
@@ -348,10 +339,6 @@ std::uint64_t plane_bytes(const Framebuffer& f) {
 }
 
 }  // namespace
-
-int default_threads() {
-  return tbb::info::default_concurrency();
-}
 
 TileEngine::TileEngine(const TileOptions& options) : state_(std::make_unique<State>(options)) {}
 TileEngine::~TileEngine() = default;

@@ -13,14 +13,12 @@
 #include <glassbox/pipeline/view.h>
 #include <glassbox/raster/lanes/target.h>
 #include <glassbox/render/engine/engine.h>
+#include <glassbox/render/engine/threads.h>
 #include <glassbox/render/plan/plan.h>
 #include <glassbox/render/staged/staged.h>
 #include <glassbox/render/tile/tile_report.h>
 
 namespace glassbox {
-
-// As many as the machine has for this program.
-int default_threads();
 
 struct TileOptions {
   int threads = 0;     // 0: default_threads()

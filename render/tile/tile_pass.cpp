@@ -23,7 +23,8 @@ void draw_staged_primitives(const TilePass& pass, const Chunk& chunk,
                             .target = pass.target,
                             .color = pass.color,
                             .window = window,
-                            .samples = samples};
+                            .samples = samples,
+                            .behind = pass.behind};
   const Counting watch(statistics);
   for (const std::uint32_t entry : bin) {
     std::size_t i = entry & ~kOfChunk;
@@ -125,6 +126,10 @@ private:
     const Kernels& k = pass_.kernels;
     const std::uint32_t* first = triangles.data();
     const std::size_t count = triangles.size();
+    if (pass_.behind != nullptr) {
+      TileBuffer& tile = *buffers_.centres;
+      return k.draw_small_behind(job, behind_test(slot, tile), first, count, tile, counts_);
+    }
     switch (alpha_mode(slot)) {
       case AlphaMode::kOpaque:
         if (buffers_.centres != nullptr) {
@@ -147,6 +152,8 @@ private:
     const Kernels& k = pass_.kernels;
     const LargeTriangle& triangle = *pass_.round.large[index];
     const Reference reference = kLargeReference | index;
+    if (pass_.behind != nullptr)
+      return k.draw_large_behind(triangle, behind_test(slot, tile), reference, tile, counts_);
     switch (alpha_mode(slot)) {
       case AlphaMode::kOpaque:
         return k.draw_large(triangle.setup, reference, tile, counts_);
@@ -173,6 +180,11 @@ private:
   }
   AlphaTest alpha_test(const DrawSlot& slot, const TileBuffer& tile) const {
     return {&shade_of(slot), points_of(tile)};
+  }
+
+  BehindTest behind_test(const DrawSlot& slot, const TileBuffer& tile) const {
+    return {pass_.behind,
+            alpha_mode(slot) == AlphaMode::kMask ? alpha_test(slot, tile) : AlphaTest()};
   }
 
   BlendJob blend_job(const DrawSlot& slot, const TileBuffer& tile) const {
@@ -261,6 +273,16 @@ bool draws_into_framebuffer(const TilePass& pass, std::span<const std::uint32_t>
   });
 }
 
+bool lets_something_through(const Image<std::uint32_t>& behind, const PixelRect& window) {
+  for (int y = window.y0; y < window.y1; ++y) {
+    const std::uint32_t* const row = &behind.at(0, y);
+    if (std::any_of(row + window.x0, row + window.x1,
+                    [](std::uint32_t code) { return code != kEmptyDepth; }))
+      return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void draw_tile(const TilePass& pass, int x, int y, TileMemory& memory, std::uint32_t* both_eyes,
@@ -271,8 +293,10 @@ void draw_tile(const TilePass& pass, int x, int y, TileMemory& memory, std::uint
   const std::span chunks(pass.round.chunks_of_tile[pass.run.tile_index(x, y)]);
   const bool overwrite = pass.overwrite_untouched && !draws_into_framebuffer(pass, chunks);
   TileDrawing drawing(pass, window, overwrite, memory, both_eyes, statistics);
-  for (const std::uint32_t i : chunks)
-    drawing.draw(pass.round.chunks[i], pass.round.chunks[i].bin(x, y));
+  if (pass.behind == nullptr || lets_something_through(*pass.behind, window)) {
+    for (const std::uint32_t i : chunks)
+      drawing.draw(pass.round.chunks[i], pass.round.chunks[i].bin(x, y));
+  }
   drawing.finish();
 }
 

@@ -23,6 +23,7 @@ struct TilePass {
   bool overwrite_untouched = false;
   // Depth lives in target.depth between rounds, and while staged primitives are drawn.
   bool load_depth = false, store_depth = false;
+  const Image<std::uint32_t>* behind = nullptr;  // as EyePicture has it
 };
 
 // What a thread keeps of the tile that it draws, and uses again for the next one.

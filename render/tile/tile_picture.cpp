@@ -150,7 +150,8 @@ TilePass TilePicture::pass(const Kernels& kernels, const Round& round, bool firs
                 .color = eye_.color,
                 .overwrite_untouched = overwrite_untouched_,
                 .load_depth = !first_round,
-                .store_depth = store_depth_};
+                .store_depth = store_depth_,
+                .behind = eye_.behind};
   ResolveJob& resolve = pass.resolve;
   resolve.draws = shades_;
   resolve.by_reference = by_reference_;

@@ -132,7 +132,7 @@ void fill_fragment(Table& table, const TracedFragment& traced, const FragmentBou
   const Fragment& fragment = traced.fragment;
   const FragmentSource& source = traced.source;
   table("triangle", source.is_triangle ? std::int64_t(source.number) : std::int64_t(-1));
-  table("piece", std::uint8_t(source.is_triangle ? source.piece : 0));
+  table("piece", std::uint8_t(source.piece));
   table("instance", traced.instance);
   table("pixel", std::array{std::uint16_t(fragment.x), std::uint16_t(fragment.y)});
   table("edges", traced.coverage.edges);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <glassbox/base/rounding.h>
@@ -159,6 +160,15 @@ VertexBounds vertex_bounds(const Trace& trace, const TracedVertex& vertex,
   return bounds;
 }
 
+double snapped_bound(const TracedVertex& vertex, const VertexBounds& bounds) {
+  const auto off = [](std::int32_t snapped, float screen, double bound) {
+    return (std::abs(double(snapped) / kSubpixels - double(screen)) + bound) * kRoundUp;
+  };
+  const double x = off(vertex.snapped.x, vertex.screen.position.x, bounds.screen.x);
+  const double y = off(vertex.snapped.y, vertex.screen.position.y, bounds.screen.y);
+  return x <= y || y <= x ? std::max(x, y) : std::numeric_limits<double>::infinity();
+}
+
 DrawBounds bounds_of(const TracedDraw& draw, const View& view) {
   // The products of make_draw (draw_list.cpp), in its order.
   const Transform<Eye, Object> eye_from_object = view.eye_from_world * draw.world_from_object;
@@ -232,9 +242,9 @@ BoundsOfRun::BoundsOfRun(const View& view) {
 }
 
 const DrawBounds& BoundsOfRun::draw(const TracedDraw& draw) {
-  auto& known = draws_[draw.instance];
+  KnownDraw& known = draws_[draw.instance];
   known = {draw, bounds_of(draw, trace_.view)};
-  return known.second;
+  return known.bounds;
 }
 
 const BoundsOfRun::Known& BoundsOfRun::triangle(const TracedTriangle& triangle) {
@@ -244,7 +254,7 @@ const BoundsOfRun::Known& BoundsOfRun::triangle(const TracedTriangle& triangle) 
   }
   // Where no fragments come for long, nothing piles up.
   if (latest_.size() == kTriangleBatch) earlier_ = std::exchange(latest_, {});
-  const auto& [draw, draw_bounds] = draws_.at(triangle.instance);
+  const auto& [draw, draw_bounds] = of_instance(triangle.instance);
   Kept& kept = latest_[triangle.number];
   kept.triangle = triangle;
   kept.known = {&kept.triangle, bounds_of(trace_, triangle, draw, draw_bounds)};
@@ -253,9 +263,13 @@ const BoundsOfRun::Known& BoundsOfRun::triangle(const TracedTriangle& triangle) 
 
 const BoundsOfRun::Known* BoundsOfRun::of(const TracedFragment& fragment) {
   fragments_came_ = true;
-  if (!fragment.source.is_triangle) return nullptr;
+  return fragment.source.is_triangle ? of_triangle(fragment.source.number) : nullptr;
+}
+
+const BoundsOfRun::Known* BoundsOfRun::of_triangle(std::uint32_t number) {
+  fragments_came_ = true;
   for (const auto* triangles : {&latest_, &earlier_}) {
-    const auto found = triangles->find(fragment.source.number);
+    const auto found = triangles->find(number);
     if (found != triangles->end()) return &found->second.known;
   }
   return nullptr;

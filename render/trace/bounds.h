@@ -81,6 +81,10 @@ public:
     const TracedTriangle* triangle = nullptr;
     TriangleBounds bounds;
   };
+  struct KnownDraw {
+    TracedDraw draw;
+    DrawBounds bounds;
+  };
 
   explicit BoundsOfRun(const View& view);
 
@@ -89,6 +93,9 @@ public:
   const Known& triangle(const TracedTriangle& triangle);
   // The fragment's triangle; null where the run's filter has left it out, and for lines and points.
   const Known* of(const TracedFragment& fragment);
+  // The same by the triangle's number, of edges too.
+  const Known* of_triangle(std::uint32_t number);
+  const KnownDraw& of_instance(std::uint32_t instance) const { return draws_.at(instance); }
 
   // The view and the planes; nothing else.
   const Trace& trace() const { return trace_; }
@@ -100,7 +107,7 @@ private:
   };
 
   Trace trace_;
-  std::map<std::uint32_t, std::pair<TracedDraw, DrawBounds>> draws_;  // by instance
+  std::map<std::uint32_t, KnownDraw> draws_;  // by instance
   // By number: the last triangles, whose fragments are still to come, and those before them.
   std::map<std::uint32_t, Kept> latest_, earlier_;
   bool fragments_came_ = false;

@@ -248,8 +248,7 @@ PixelHistory pixel_history(const Scene& scene, const TracedRun& run, int x, int 
       const auto found = std::lower_bound(faces.begin(), faces.end(), std::pair{number, 0u});
       if (found != faces.end() && found->first == number) event.face = found->second;
     }
-    const std::uint32_t piece = traced.source.is_triangle ? traced.source.piece : 0;
-    placed.push_back({{turn[traced.instance], number, piece}, event});
+    placed.push_back({{turn[traced.instance], number, traced.source.piece}, event});
   }
   std::stable_sort(
       history.misses.begin(), history.misses.end(),

@@ -1,8 +1,8 @@
 #include <glassbox/render/trace/line_bounds.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
-#include <limits>
 
 #include <glassbox/pipeline/divide.h>
 #include <glassbox/pipeline/viewport.h>
@@ -35,7 +35,7 @@ Corners corners_of_mesh(const CornerStage& stage, const TracedDraw& draw,
                         const FragmentSource& source) {
   Corners corners;
   const Mesh& mesh = *stage.draw.mesh;
-  if (line_kind(source) == LineKind::kPoint) {
+  if (source.line == LineKind::kPoint) {
     add_corner(stage, draw, mesh.points[source.number], 0, corners);
     return corners;
   }
@@ -71,32 +71,34 @@ void clip(std::span<const ClipPlane> planes, std::array<ClipVertex, 2>& ends,
     const double d0 = signed_distance(plane, ends[0].position);
     const double d1 = signed_distance(plane, ends[1].position);
     if ((d0 >= 0) == (d1 >= 0)) continue;
-    const auto cut = clip_segment(ends, {&plane, 1});
-    if (!cut) continue;
-    const std::size_t outside = d0 < 0 ? 0 : 1;
-    const ClipVertex& crossing = (*cut)[outside];
+    const std::size_t outside = d0 < 0 ? 0 : 1;  // the other is inside: something is left
+    const ClipVertex crossing = clip_segment(ends, {&plane, 1}).value()[outside];
     bounds[outside] =
         crossing_bound(plane, ends[0], bounds[0], d0, ends[1], bounds[1], d1, crossing);
     ends[outside] = crossing;
   }
 }
 
-double pixels(std::int32_t subpixels) {
-  return double(subpixels) / kSubpixels;
+std::int64_t centre_of(int pixel) {
+  return std::int64_t(pixel) * kSubpixels + kPixelCentre;
 }
+
+// A share of bounds that covers the roundings of a sum and a product of theirs.
+constexpr double kRoundUp = 1 + 0x1p-40;
 
 }  // namespace
 
 LineBounds::LineBounds(const CornerStage& stage, const Trace& trace, const TracedDraw& draw,
                        const FragmentSource& source, const BoundsOfRun::Known* triangle)
-    : is_point_(line_kind(source) == LineKind::kPoint), stage_(stage) {
-  const Corners corners = triangle != nullptr
-                              ? corners_of_triangle(stage, *triangle, edge_of(source))
-                              : corners_of_mesh(stage, draw, source);
+    : is_point_(source.line == LineKind::kPoint) {
+  assert((source.line == LineKind::kEdge) == (triangle != nullptr));
+  const Corners corners = triangle != nullptr ? corners_of_triangle(stage, *triangle, source.edge)
+                                              : corners_of_mesh(stage, draw, source);
   const auto [a, b] = is_point_ ? std::array<std::size_t, 2>{0, 0} : corners.ends;
   std::array<ClipVertex, 2> ends{corners.clip[a], corners.clip[b]};
   std::array<ClipVertexBound, 2> bounds{corners.bounds[a], corners.bounds[b]};
   if (!is_point_) clip(trace.planes, ends, bounds);
+  std::array<BoundedVaryings, 3> vertices;
   for (std::size_t k = 0; k < 2; ++k) {
     TracedVertex& vertex = ends_[k].vertex;
     vertex.clip = ends[k];
@@ -104,9 +106,10 @@ LineBounds::LineBounds(const CornerStage& stage, const Trace& trace, const Trace
     vertex.screen = to_screen(vertex.ndc, trace.view.viewport);
     vertex.snapped = snap(vertex.screen);
     ends_[k].bounds = vertex_bounds(trace, vertex, bounds[k]);
-    vertices_[k + 1] = at_vertex(corners.varyings, ends[k], bounds[k]);
+    moved_ = std::max(moved_, snapped_bound(vertex, ends_[k].bounds));
+    vertices[k + 1] = at_vertex(corners.varyings, ends[k], bounds[k]);
   }
-  vertices_[0] = vertices_[1];
+  vertices[0] = vertices[1];
   const auto& [begin, end] = ends_;
   const bool begin_is_nearer = begin.vertex.screen.position.z < end.vertex.screen.position.z;
   const End& nearer = begin_is_nearer ? begin : end;
@@ -118,6 +121,7 @@ LineBounds::LineBounds(const CornerStage& stage, const Trace& trace, const Trace
   setup_bounds_.depth = {nearer.bounds.screen.z, begin.bounds.screen.z, end.bounds.screen.z};
   setup_bounds_.inverse_w = {begin.bounds.ndc.inverse_w, begin.bounds.ndc.inverse_w,
                              end.bounds.ndc.inverse_w};
+  colors_.emplace(stage.draw, stage.lighting, stage.settings, setup_, setup_bounds_, vertices);
 }
 
 FragmentBounds LineBounds::of(const Fragment& fragment) const {
@@ -129,37 +133,43 @@ FragmentBounds LineBounds::of(const Fragment& fragment) const {
 }
 
 ColorBounds LineBounds::colors(const TracedFragment& fragment, const FragmentBounds& bounds) const {
-  return PieceColors(stage_.draw, stage_.lighting, stage_.settings, setup_, setup_bounds_,
-                     vertices_)
-      .at(fragment, bounds);
+  return colors_->at(fragment, bounds);
 }
 
-bool LineBounds::may_miss(const Fragment& fragment, double moved) const {
+bool LineBounds::may_miss(const Fragment& fragment) const {
   const std::array<SnappedVertex, 2> ends{ends_[0].vertex.snapped, ends_[1].vertex.snapped};
-  if (!is_point_) return line_may_miss(ends, fragment, moved);
-  const double x = fragment.x + 0.5, y = fragment.y + 0.5;
-  return 0.5 - std::max(std::abs(pixels(ends[0].x) - x), std::abs(pixels(ends[0].y) - y)) <= moved;
+  return is_point_ ? point_may_miss(ends[0], fragment, moved_)
+                   : line_may_miss(ends, fragment, moved_);
+}
+
+// Both compare integers of 1/256 pixel: only the bound itself is rounded. Coordinates are below 2^24 (SnappedVertex), what is multiplied
+// below 2^50. Less than a bound that is no number is nothing.
+
+bool point_may_miss(const SnappedVertex& point, const Fragment& fragment, double moved) {
+  const double by = moved * kSubpixels * kRoundUp;
+  const std::int64_t dx = std::abs(point.x - centre_of(fragment.x));
+  const std::int64_t dy = std::abs(point.y - centre_of(fragment.y));
+  return !(double(kPixelCentre - std::max(dx, dy)) > by);
 }
 
 bool line_may_miss(const std::array<SnappedVertex, 2>& ends, const Fragment& fragment,
                    double moved) {
-  const double x = fragment.x + 0.5, y = fragment.y + 0.5;
-  const std::array<double, 2> a{pixels(ends[0].x), pixels(ends[0].y)},
-      b{pixels(ends[1].x), pixels(ends[1].y)};
+  const double by = moved * kSubpixels * kRoundUp;
+  const LineSetup line = setup_line(ends[0], ends[1]);
+  const std::int64_t x = centre_of(line.x_major ? fragment.x : fragment.y);
+  const std::int64_t y = centre_of(line.x_major ? fragment.y : fragment.x);
   // An end decides by whether it lies in the pixel's diamond, and on which side of its centre.
-  const bool x_major = std::abs(b[0] - a[0]) >= std::abs(b[1] - a[1]);
-  for (const auto& end : {a, b}) {
-    const double dx = std::abs(end[0] - x), dy = std::abs(end[1] - y);
-    if (std::abs(dx + dy - 0.5) <= 2 * moved || (x_major ? dx : dy) <= moved) return true;
+  for (const SnappedVertex& end : {line.low, line.high}) {
+    const std::int64_t dx = std::abs(end.x - x), dy = std::abs(end.y - y);
+    const std::int64_t from_border = std::abs(dx + dy - kPixelCentre);
+    if (!(double(from_border) > 2 * by && double(dx) > by)) return true;
   }
   // Between them the line passes the pixel's centre less than half a pixel beside it. Its slope is at most 1, so that it moves by no
   // more than both coordinates of an end; and which axis is the longer one must not change.
-  const double run = x_major ? b[0] - a[0] : b[1] - a[1];
-  const double rise = x_major ? b[1] - a[1] : b[0] - a[0];
-  if (std::abs(run) - std::abs(rise) <= 4 * moved) return true;
-  const double along = x_major ? x - a[0] : y - a[1];
-  const double beside = (x_major ? a[1] - y : a[0] - x) + along * rise / run;
-  return 0.5 - std::abs(beside) <= 2 * moved;
+  const std::int64_t run = line.high.x - line.low.x, rise = line.high.y - line.low.y;
+  if (!(double(run - std::abs(rise)) > 4 * by)) return true;
+  const std::int64_t beside_times_run = (line.low.y - y) * run + (x - line.low.x) * rise;
+  return !(double(kPixelCentre * run - std::abs(beside_times_run)) > 2 * by * double(run));
 }
 
 }  // namespace glassbox

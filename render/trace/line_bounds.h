@@ -5,10 +5,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 
 #include <glassbox/raster/bounds.h>
-#include <glassbox/render/staged/line_source.h>
+#include <glassbox/render/engine/observer.h>
 #include <glassbox/render/trace/bounds.h>
 #include <glassbox/render/trace/color_bounds.h>
 #include <glassbox/render/trace/corner_bounds.h>
@@ -19,6 +20,8 @@ namespace glassbox {
 // where they were snapped to, along x and along y each.
 bool line_may_miss(const std::array<SnappedVertex, 2>& ends, const Fragment& fragment,
                    double moved);
+// Whether a point may lie in another pixel than the fragment's.
+bool point_may_miss(const SnappedVertex& point, const Fragment& fragment, double moved);
 
 class LineBounds {
 public:
@@ -27,7 +30,7 @@ public:
     VertexBounds bounds;
   };
 
-  // `triangle`: whose edge it is, of edges. The stage's draw, lighting and settings must stay.
+  // `triangle`: whose edge it is, of edges, which must have one. The stage's draw, lighting and settings must stay.
   LineBounds(const CornerStage& stage, const Trace& trace, const TracedDraw& draw,
              const FragmentSource& source, const BoundsOfRun::Known* triangle);
 
@@ -37,16 +40,16 @@ public:
   FragmentBounds of(const Fragment& fragment) const;
   ColorBounds colors(const TracedFragment& fragment, const FragmentBounds& bounds) const;
 
-  // As line_may_miss; of a point, whether it may lie in another pixel.
-  bool may_miss(const Fragment& fragment, double moved) const;
+  // As line_may_miss, its ends as far away as their bounds say; of a point, whether it may lie in another pixel.
+  bool may_miss(const Fragment& fragment) const;
 
 private:
   bool is_point_ = false;
   std::array<End, 2> ends_;
+  double moved_ = 0;  // how far the snapped ends may be from the exact ones, in pixels
   TriangleSetup setup_;
   SetupBounds setup_bounds_;
-  std::array<BoundedVaryings, 3> vertices_;
-  const CornerStage stage_;
+  std::optional<PieceColors> colors_;
 };
 
 }  // namespace glassbox

@@ -8,6 +8,7 @@
 
 #include <glassbox/raster/color_bounds.h>
 #include <glassbox/render/staged/vertex_stage.h>
+#include <glassbox/render/trace/vertex_bounds.h>
 
 namespace glassbox {
 namespace {
@@ -38,17 +39,10 @@ double largest_of(const std::array<double, 2>& bounds) {
                                                         : std::max(bounds[0], bounds[1]);
 }
 
-// How far the snapped vertex may be from the exact one along x and along y, in pixels.
-std::array<double, 2> snap_bound(const TracedVertex& vertex, const VertexBounds& bounds) {
-  const double x = double(vertex.snapped.x) / kPixel, y = double(vertex.snapped.y) / kPixel;
-  return {(std::abs(x - double(vertex.screen.position.x)) + bounds.screen.x) * kRoundUp,
-          (std::abs(y - double(vertex.screen.position.y)) + bounds.screen.y) * kRoundUp};
-}
-
 BoundPlace place_of(const TracedFragment& fragment) {
   const FragmentSource& source = fragment.source;
   BoundPlace place{source.number, {}, fragment.fragment.x, fragment.fragment.y};
-  if (!source.is_triangle) place.line = line_kind(source);
+  if (!source.is_triangle) place.line = source.line;
   return place;
 }
 
@@ -69,6 +63,11 @@ double largest_bound(std::span<const Bounded> numbers) {
   double largest = 0;
   for (const Bounded& number : numbers) largest = std::max(largest, number.bound);
   return largest;
+}
+
+// Lines and points may have no normals, and are not lit then.
+bool is_there(const std::array<Bounded, 3>& normal) {
+  return std::ranges::any_of(normal, [](const Bounded& n) { return n.value != 0 || n.bound != 0; });
 }
 
 // |error| / |normal|, to first order in neither: the normal may be as short as it is less its error.
@@ -124,8 +123,7 @@ PictureBounds::PictureBounds(const Scene& scene, const View& view, const RenderS
 }
 
 void PictureBounds::draw(const TracedDraw& draw) {
-  draw_bounds_[draw.instance] = bounds_.draw(draw);
-  traced_draws_[draw.instance] = draw;
+  bounds_.draw(draw);
 }
 
 void PictureBounds::triangle(const TracedTriangle& triangle) {
@@ -137,7 +135,7 @@ void PictureBounds::triangle(const TracedTriangle& triangle) {
     const TracedVertex& vertex = triangle.polygon[i];
     const VertexBounds& bounds = known.bounds.polygon[i];
     const BoundPlace place{triangle.number, corner_of(vertex), -1, -1, {}};
-    const double snapped = largest_of(snap_bound(vertex, bounds));
+    const double snapped = snapped_bound(vertex, bounds);
     if (place.corner) {
       errors_.screen.see(largest_of({bounds.screen.x, bounds.screen.y}), place);
       errors_.snapped.see(snapped, place);
@@ -185,53 +183,42 @@ void PictureBounds::fragment(const TracedFragment& fragment) {
 void PictureBounds::see_line(const TracedFragment& fragment, Pixel& pixel) {
   ++errors_.fragments_of_lines_and_points;
   const LineBounds& line = line_of(fragment);
-  double moved = 0;
-  for (const LineBounds::End& end : line.ends()) {
-    moved = std::max(moved, largest_of(snap_bound(end.vertex, end.bounds)));
-  }
   const FragmentBounds bounds = line.of(fragment.fragment);
   follow(
-      fragment, bounds, pixel, [&] { return line.may_miss(fragment.fragment, moved); },
+      fragment, bounds, pixel, [&] { return line.may_miss(fragment.fragment); },
       [&] { return line.colors(fragment, bounds); });
 }
 
-// Its ends are seen when its first fragment comes. (Those of an edge are corners of its triangle, which has come before, or cut.)
+// Its ends are seen when its first fragment comes; those of an edge have come with its triangle.
 const LineBounds& PictureBounds::line_of(const TracedFragment& fragment) {
   const FragmentSource& source = fragment.source;
   const bool is_the_same = line_ && line_instance_ == fragment.instance &&
                            line_source_.number == source.number &&
-                           line_source_.piece == source.piece;
+                           line_source_.line == source.line && line_source_.edge == source.edge;
   if (is_the_same) return *line_;
-  const CornerStage stage{*draws_.at(fragment.instance), draw_bounds_.at(fragment.instance),
-                          list_.lighting, settings_};
-  line_.emplace(stage, bounds_.trace(), traced_draws_.at(fragment.instance), source,
-                triangle_of_edge(source));
+  const bool is_edge = source.line == LineKind::kEdge;
+  const auto& [traced, draw_bounds] = bounds_.of_instance(fragment.instance);
+  const CornerStage stage{*draws_.at(fragment.instance), draw_bounds, list_.lighting, settings_};
+  line_.emplace(stage, bounds_.trace(), traced, source,
+                is_edge ? bounds_.of_triangle(source.number) : nullptr);
   line_source_ = source;
   line_instance_ = fragment.instance;
+  if (is_edge) return *line_;
   for (std::uint32_t k = 0; k < line_->ends().size(); ++k) {
     const auto& [vertex, bounds] = line_->ends()[k];
     const bool is_cut = !corner_of(vertex);
     const BoundPlace place{source.number, is_cut ? std::nullopt : std::optional(k), -1, -1,
-                           line_kind(source)};
-    const double snapped = largest_of(snap_bound(vertex, bounds));
+                           source.line};
+    const double snapped = snapped_bound(vertex, bounds);
     if (is_cut) {
       errors_.cut.see(snapped, place);
-    } else if (line_kind(source) != LineKind::kEdge) {
+    } else {
       errors_.screen.see(largest_of({bounds.screen.x, bounds.screen.y}), place);
       errors_.snapped.see(snapped, place);
-    } else {
-      continue;
     }
     errors_.vertices_snapped_elsewhere += !bounds.snap_x.stable || !bounds.snap_y.stable;
   }
   return *line_;
-}
-
-const BoundsOfRun::Known* PictureBounds::triangle_of_edge(const FragmentSource& source) {
-  if (line_kind(source) != LineKind::kEdge) return nullptr;
-  TracedFragment of_triangle;
-  of_triangle.source = {source.number, 0, true};
-  return bounds_.of(of_triangle);
 }
 
 bool PictureBounds::see_depth(const TracedFragment& fragment, const FragmentBounds& bounds,
@@ -269,8 +256,7 @@ bool PictureBounds::is_near_edge(const TracedFragment& fragment,
   const TracedPiece& piece = known.triangle->pieces[fragment.source.piece];
   double moved = 0;
   for (const std::size_t i : piece.polygon) {
-    moved = std::max(moved,
-                     largest_of(snap_bound(known.triangle->polygon[i], known.bounds.polygon[i])));
+    moved = std::max(moved, snapped_bound(known.triangle->polygon[i], known.bounds.polygon[i]));
   }
   for (std::size_t k = 0; k < 3; ++k) {
     const EdgeFunction& edge = piece.setup->edges[k];
@@ -286,7 +272,7 @@ const PieceColors& PictureBounds::piece_of(const TracedFragment& fragment,
                                            const BoundsOfRun::Known& known) {
   const FragmentSource& source = fragment.source;
   if (!piece_ || source.number != piece_triangle_ || source.piece != piece_number_) {
-    piece_.emplace(*draws_.at(fragment.instance), draw_bounds_.at(fragment.instance),
+    piece_.emplace(*draws_.at(fragment.instance), bounds_.of_instance(fragment.instance).bounds,
                    list_.lighting, settings_, known, source.piece);
     piece_triangle_ = source.number;
     piece_number_ = source.piece;
@@ -304,7 +290,9 @@ void PictureBounds::see_attributes(const TracedFragment& fragment, const ColorBo
                          where);
     errors_.texture.see(*colors.sample, where);
   }
-  if (needs_normals(draw, settings_)) errors_.normal.see(share_of_length(colors.at.normal), where);
+  if (needs_normals(draw, settings_) && is_there(colors.at.normal)) {
+    errors_.normal.see(share_of_length(colors.at.normal), where);
+  }
   if (fragment.fate != Fate::kDiscarded) errors_.light.see(largest_bound(colors.light), where);
 }
 

@@ -54,7 +54,8 @@ struct PictureErrors {
   BoundSummary screen, snapped, cut;
   // Of fragments: NDC depth as the buffer stores it; of perspective views, as a share of the distance along the gaze.
   BoundSummary depth, distance;
-  // Of fragments in front: texels of level 0, the larger of both axes; the length of the normal's error over the normal's.
+  // Of fragments in front: texels of level 0, the larger of both axes; the length of the normal's error over the normal's, where
+  // there is a normal.
   BoundSummary texcoord, normal;
   // The same, linear: the largest of the channels. Of the sample, and of the colour in the light; full light is 1.
   BoundSummary texture, light;
@@ -103,7 +104,6 @@ private:
   void store(const TracedFragment& fragment, const ColorBounds& colors, Pixel& pixel);
   void see_line(const TracedFragment& fragment, Pixel& pixel);
   const LineBounds& line_of(const TracedFragment& fragment);
-  const BoundsOfRun::Known* triangle_of_edge(const FragmentSource& source);
   // What is the same for triangles and lines, from the depth test on: `may_miss` only where it has passed.
   template <class MayMiss, class Colors>
   void follow(const TracedFragment& fragment, const FragmentBounds& bounds, Pixel& pixel,
@@ -116,8 +116,6 @@ private:
   PreparedScene prepared_;
   DrawList list_;
   std::map<std::uint32_t, const Draw*> draws_;  // by instance
-  std::map<std::uint32_t, DrawBounds> draw_bounds_;
-  std::map<std::uint32_t, TracedDraw> traced_draws_;
   BoundsOfRun bounds_;
   PictureErrors errors_;
   Image<Pixel> pixels_;

@@ -13,4 +13,7 @@ glm::dvec4 clip_bound(const Point<Object>& object, const TracedDraw& draw,
 VertexBounds vertex_bounds(const Trace& trace, const TracedVertex& vertex,
                            const ClipVertexBound& clip);
 
+// How far the snapped vertex may be from the exact one, in pixels: the larger of x and y. Infinite where nothing can be said.
+double snapped_bound(const TracedVertex& vertex, const VertexBounds& bounds);
+
 }  // namespace glassbox

@@ -195,7 +195,15 @@ StereoCost stereo_cost(const BenchScene& bench, const EngineOptions& options, in
     mono.push_back(timed(draw_one));
     shared.push_back(timed(draw_both));
   }
-  return {median(std::move(mono)), median(std::move(shared))};
+  StereoCost cost{median(std::move(mono)), median(std::move(shared)), {}};
+  if (views::check_second_eye(bench.scene, bench.settings, 1)) {
+    Renderer renderer(bench.scene, bench.settings.transfer,
+                      make_engine(options.engine, options.tile));
+    const int threads = options.tile.threads > 0 ? options.tile.threads : default_threads();
+    cost.warped = views::second_eye_error(renderer, centre, pair, bench.settings,
+                                          {.threads = threads, .target = options.tile.target});
+  }
+  return cost;
 }
 
 }  // namespace glassbox::study

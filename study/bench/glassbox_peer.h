@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <glassbox/images/image.h>
@@ -10,6 +11,7 @@
 
 #include "study/scenes/picture_match.h"
 #include "study/scenes/scenes.h"
+#include "views/layers/second_eye_error.h"
 
 namespace glassbox::study {
 
@@ -48,6 +50,7 @@ private:
 // engine. Medians of frames drawn by turns.
 struct StereoCost {
   double mono_ms = 0, shared_ms = 0;
+  std::optional<views::SecondEyeError> warped;  // from one layer; absent where it cannot be
 };
 StereoCost stereo_cost(const BenchScene& bench, const EngineOptions& options, int frames);
 

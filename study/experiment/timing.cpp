@@ -16,12 +16,6 @@ struct Seconds {
 };
 
 // Of the whole process: a work of one thread may hand itself to another one and wait.
-double processor_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
-}
-
 Seconds seconds_of(const std::function<void()>& work, int calls) {
   const double processor = processor_seconds();  // takes longer to ask than the wall's
   const auto start = std::chrono::steady_clock::now();
@@ -68,6 +62,12 @@ struct Samples {
 };
 
 }  // namespace
+
+double processor_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+}
 
 double seconds_of_products() {
   volatile float result = 2;

@@ -214,7 +214,7 @@ struct LeftEye {
 
 LeftEye seen_by_left_eye(const Stage& stage) {
   LeftEye seen{peel(stage.scene, stage.left, stage.settings, 5)};
-  const auto& [color, distance, depth] = seen.layers.front();
+  const auto& [color, distance, depth, id] = seen.layers.front();
   double sum = 0, squares = 0, count = 0, near = HUGE_VAL, far = -HUGE_VAL;
   for (int y = 0; y < kHeight; ++y) {
     double before = 0;  // the left border opens as an edge at the window would

@@ -17,9 +17,6 @@ const std::vector<ExtremeCase>& extreme_cases() {
 
 const std::vector<LeftOut>& left_out_cases() {
   static const std::vector<LeftOut> all{
-      {"C-95 to C-98", "Polygon colouring",
-       "marching cubes and view-dependent textures of a reconstruction: there is none"},
-      {"C-115", "Karhunen-Loeve clouds", "an analysis of multi-band images, which is not built"},
       {"C-116", "No numbers in pixels and vertices",
        "loaders refuse them with the place (tests/mesh, tests/images); no stage after them is "
        "strained"},

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <iterator>
 #include <string>
 #include <thread>
 #include <utility>
@@ -75,6 +76,33 @@ TEST_CASE("no target and no number of threads changes a byte") {
       CHECK(files_of(words + options) == staged);
     }
   }
+}
+
+// How many threads a process has at most until it has written `last`, as often as one may look.
+std::size_t most_threads(const Workplace& here, const std::string& words, const char* last) {
+  namespace fs = std::filesystem;
+  std::size_t most = 0;
+  const Outcome outcome = here.run(words, [&](pid_t process) {
+    const fs::path tasks = "/proc/" + std::to_string(process) + "/task";
+    const auto end =
+        std::chrono::steady_clock::now() + std::chrono::seconds(60);  // if it never does
+    std::error_code gone;
+    while (!fs::exists(here.file(last)) && std::chrono::steady_clock::now() < end) {
+      const auto seen =
+          std::distance(fs::directory_iterator(tasks, gone), fs::directory_iterator());
+      most = std::max(most, std::size_t(seen));
+    }
+  });
+  REQUIRE(outcome.exit_code == 0);
+  return most;
+}
+
+TEST_CASE("a picture is drawn and compressed on no more threads than --threads says") {
+  const std::string words = "render room --size 1600x900 -o x.png --json done.json --threads ";
+  const Workplace alone;
+  CHECK(most_threads(alone, words + "1", "done.json") == 1);
+  const Workplace together;
+  CHECK(most_threads(together, words + "4", "done.json") > 1);
 }
 
 TEST_CASE("glassbox stereo finds the same with either engine, but for what it took") {

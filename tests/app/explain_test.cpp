@@ -1,4 +1,8 @@
 // glassbox explain: what a picture needs and what is left out of it, and the numbers of a run, without its picture.
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include <nlohmann/json.hpp>
 
 #include "tests/app/text.h"
@@ -163,6 +167,34 @@ TEST_CASE("explain refuses what render refuses") {
 
 // ---- two eyes ----
 
+std::vector<std::string> stages_in(const Json& json) {
+  std::vector<std::string> stages;
+  if (json.contains("stage")) stages.push_back(json.at("stage"));
+  if (!json.is_structured()) return stages;
+  for (const Json& part : json) {
+    for (const std::string& stage : stages_in(part)) stages.push_back(stage);
+  }
+  return stages;
+}
+
+TEST_CASE("explain leaves a blank between a stage's name and its reason") {
+  constexpr std::size_t kColumn = 24;  // of plan_report.cpp
+  const Workplace here;
+  std::vector<std::string> all;
+  for (const char* words : {"room --stereo anaglyph", "forest --samples 4", "cube --show depth",
+                            "teapot --wireframe", "checker --no-plan"}) {
+    const Outcome explained = here.run(std::string("explain ") + words + " --size 96x64 --json -");
+    REQUIRE(explained.exit_code == 0);
+    for (const std::string& stage : stages_in(Json::parse(explained.out))) {
+      CAPTURE(words, stage);
+      CHECK(stage.size() < kColumn);
+      all.push_back(stage);
+    }
+  }
+  CHECK(std::ranges::count(all, "light of channels") == 2);
+  CHECK(all.size() > 100);
+}
+
 TEST_CASE(
     "explain --stereo says of both eyes what their pictures need, and what their stages did") {
   const Workplace here;
@@ -182,7 +214,7 @@ TEST_CASE(
   CHECK(channels("left").at("numbers") == "written: red ");
   CHECK(channels("right").at("numbers") == "written: green blue");
   const auto shaded = [&](const char* eye) {
-    return decision(json.at(eye).at("plan").at("picture"), "texture and light of channels")
+    return decision(json.at(eye).at("plan").at("picture"), "light of channels")
         .at("because")
         .get<std::string>();
   };

@@ -212,6 +212,17 @@ TEST_CASE("a picture of backs only says how to see them") {
   CHECK(here.run(from_behind).err.empty());  // OBJ faces have two sides
 }
 
+TEST_CASE("no number between two limits is nan") {
+  const Workplace here;
+  for (const char* words :
+       {"lab check 1 --time-limit nan", "views layers build room --epsilon nan -o a.ldi"}) {
+    const Outcome outcome = here.run(words);
+    INFO(words << ": " << outcome.err);
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.err.find("nan not in range [") != std::string::npos);
+  }
+}
+
 TEST_CASE("bad usage exits with 2, says on one line what is wrong, and writes nothing") {
   const std::vector<std::pair<std::string, std::string>> cases{
       {"render", "SCENE"},

@@ -104,6 +104,26 @@ TEST_CASE("a report is a table, and says what it leaves out") {
   CHECK_FALSE(contains(edges.out, "unknown"));
 }
 
+TEST_CASE("a report of lines without normals has no normals, and no command for a line") {
+  const Workplace here;
+  here.write("line.obj", "v -1 0.1 0.9\nv 1 0.2 -0.9\nl 1 2\n");
+  for (const char* near : {"", " --near 3"}) {  // whole, and cut
+    const Json report = report_of(here, std::string("line.obj --size 80x60") + near);
+    CHECK(report["fragments_of_lines_and_points"].get<int>() > 10);
+    CHECK(report["pixels_unknown"] == 0);
+    for (const Json& part : report["parts"]) {
+      for (const Json& one : part["numbers"]) {
+        INFO(near << ": " << one["number"]);
+        CHECK(one["unknown"] == 0);
+        if (one["number"] == "normals") CHECK(one["count"] == 0);
+        if (!one.contains("where")) continue;
+        CHECK(one["where"].contains("pixel") == one["where"].contains("command"));
+      }
+    }
+    CHECK(number(report, "bytes of the picture")["at_most"].get<double>() < 1);
+  }
+}
+
 TEST_CASE("what a report cannot be asked for is refused in one line") {
   const Workplace here;
   check_refused(here.run("render room --stereo anaglyph --report r.json"),

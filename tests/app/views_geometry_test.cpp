@@ -343,9 +343,9 @@ TEST_CASE("what has no geometry, and what contradicts itself, is refused in one 
   for (const auto& [words, cause] : std::vector<Case>{
            {"", "which points"},
            {"--pair a.png b.png", "which points"},
-           {"--matches few.csv", "there are 7, and 8 are needed"},
+           {"--matches few.csv", "few.csv: the matches: there are 7, and 8 are needed"},
            {"--matches same.csv", "only 1 of the 12 are different"},
-           {"--matches line.csv", "no sample of the 12"},
+           {"--matches line.csv", "line.csv: the matches: no sample of the 12"},
            {"--matches one_left.csv", "no sample of the 12"},
            {"--matches inf.csv", "inf.csv: line 13: 'inf' is no finite number"},
            {"--matches empty.csv", "there are 0"},

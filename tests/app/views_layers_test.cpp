@@ -245,6 +245,69 @@ TEST_CASE(
   CHECK(here.run("explain room --stereo pair --second-eye warp").exit_code == 2);
 }
 
+TEST_CASE("a wall on the near plane is drawn from its own view by the program, too") {
+  const Workplace here;
+  std::ofstream(here.file("q.obj"))
+      << "v -9 -9 -0.7\nv 9 -9 -0.7\nv 9 9 -0.7\nv -9 9 -0.7\nf 1 2 3 4\n";
+  const Json built = answer(here,
+                            "build q.obj --eye 0.3,0.1,0.37 --look-at 0.3,0.1,-1 --near 1.07 "
+                            "--fov 60 --size 64x48 -o q.ldi");
+  CHECK(built["samples"] == 64 * 48);
+  CHECK(answer(here, "draw q.ldi -o a.png")["samples_drawn"] == 64 * 48);
+}
+
+TEST_CASE("more threads than processors say nothing, wherever they draw, match or carve") {
+  const Workplace here;
+  for (const char* words :
+       {"views layers build cube --size 48x32 --rays 4 --threads 64 -o cube.ldi",
+        "views layers draw cube.ldi --threads 64 -o a.png",
+        "render cube --size 48x32 --stereo pair --second-eye warp --threads 64 -o a.png",
+        "views match --scene cube --size 48x32 --eye-separation 0.1 --range 0,8 --threads 64 -o "
+        "a.pfm"}) {
+    const Outcome outcome = here.run(words);
+    INFO(words << ": " << outcome.err);
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.err.find("TBB") == std::string::npos);
+  }
+}
+
+TEST_CASE(
+    "what lies behind the last layer is said to be left out, of one surface and of other views") {
+  const Workplace here;
+  REQUIRE(here.run("views geometry --scene room --size 48x32 --eye-separation 0.8 --cameras-out "
+                   "cameras.txt")
+              .exit_code == 0);
+  const auto left_out = [&](const std::string& words) {
+    return here.run("views layers build room --size 48x32 -o room.ldi " + words).out;
+  };
+  CHECK(left_out("--layers 1").find("what lies behind 1 surface, if") != std::string::npos);
+  CHECK(left_out("--layers 2 --views cameras.txt").find("what lies behind 2 surfaces, if") !=
+        std::string::npos);
+  CHECK(left_out("--layers 99 --views cameras.txt").find("what lies behind") == std::string::npos);
+}
+
+TEST_CASE("a page without a picture has no use for what a picture is drawn by, and says so") {
+  const Workplace here;
+  answer(here, "build cube --size 24x16 -o cube.ldi");
+  for (const char* option :
+       {"--json out.json", "--eye 0,0,9", "--size 8x8", "--splat point", "--order occlusion",
+        "--holes 1,0,1", "--threads 2", "--target scalar", "--against cube", "--repeat 2"}) {
+    const Outcome outcome =
+        here.run(std::string("views layers draw cube.ldi --html cube.html ") + option);
+    const std::string name = std::string(option).substr(0, std::string(option).find(' '));
+    INFO(option << ": " << outcome.err);
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.err.find(name + ": no picture is drawn; give -o") != std::string::npos);
+    CHECK_FALSE(std::ifstream(here.file("cube.html")).good());
+    CHECK_FALSE(std::ifstream(here.file("out.json")).good());
+  }
+  REQUIRE(
+      here.run("views layers draw cube.ldi --html cube.html --json out.json -o a.png").exit_code ==
+      0);
+  CHECK(std::ifstream(here.file("cube.html")).good());
+  CHECK(std::ifstream(here.file("out.json")).good());
+}
+
 TEST_CASE("what cannot be built or drawn is refused in a line, and no file is left") {
   const Workplace here;
   REQUIRE(here.run("views layers build cube --size 24x16 -o cube.ldi").exit_code == 0);
@@ -262,6 +325,9 @@ TEST_CASE("what cannot be built or drawn is refused in a line, and no file is le
                             "draw cube.ldi -o a.png --size 0x3",
                             "draw cube.ldi -o a.png --threads 0",
                             "draw cube.ldi -o a.png --against nothing.glb",
+                            "draw cube.ldi -o a.png --html pp.html --against nothing.glb",
+                            "draw cube.ldi -o a.png --html pp.html --eye 0,0,0 --look-at 0,0,0",
+                            "draw cube.ldi -o a.png --html pp.html --frames 3 --path none.json",
                             "draw cube.ldi -o a.png --splat round",
                             "draw cube.ldi -o a.png --splat soft",
                             "draw cube.ldi",
@@ -279,6 +345,7 @@ TEST_CASE("what cannot be built or drawn is refused in a line, and no file is le
                             "build room --views none.txt -o room.ldi",
                             "build room --views text.ldi -o room.ldi",
                             "build room --epsilon 0.1 -o room.ldi",
+                            "build room --views text.ldi --epsilon nan -o room.ldi",
                             "build room --rays 0 -o room.ldi",
                             "build room --rays 91 -o room.ldi",
                             "build room --rays 90,2 -o room.ldi",
@@ -288,6 +355,9 @@ TEST_CASE("what cannot be built or drawn is refused in a line, and no file is le
                             "build room --rays 4,99999999999 -o room.ldi",
                             "build room --rays 4 --cube 0 -o room.ldi",
                             "build room --rays 4 --cube inf -o room.ldi",
+                            "build room --rays 4 --cube nan -o room.ldi",
+                            "build room --rays 4 --cube 1e300 -o room.ldi",
+                            "build room --rays 4 --near 1e35 --far inf -o room.ldi",
                             "build room --rays 4 --layers 2 -o room.ldi",
                             "build room --rays 4 --views none.txt -o room.ldi",
                             "build room --rays 4 --shade flat -o room.ldi",
@@ -304,7 +374,11 @@ TEST_CASE("what cannot be built or drawn is refused in a line, and no file is le
     CHECK(std::ranges::count(outcome.err, '\n') == 1);
     CHECK_FALSE(std::ifstream(here.file("a.png")).good());
     CHECK_FALSE(std::ifstream(here.file("room.ldi")).good());
+    CHECK_FALSE(std::ifstream(here.file("pp.html")).good());
   }
+  const Outcome epsilon =
+      here.run("views layers build room --views text.ldi --epsilon nan -o room.ldi");
+  CHECK(epsilon.err.find("--epsilon") != std::string::npos);
 }
 
 }  // namespace glassbox::test

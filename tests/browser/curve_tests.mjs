@@ -83,6 +83,20 @@ test("curve: a click on a point of the chart chooses its way", async () => {
   return opened;
 });
 
+test("curve: the front only goes down, and the bars of disturbed times are dashed", async () => {
+  const opened = await openPage(curvePage()), {page} = opened;
+  const {stairs, dashed, disturbed, points} = await page.locator("#chart canvas").evaluate((canvas) => {
+    const {datasets} = Chart.getChart(canvas).data, bars = datasets.filter(({borderDash}) => borderDash), {points} = JSON.parse(document.getElementById("manifest").textContent);
+    const barsOf = (dash) => bars.filter(({borderDash}) => borderDash.length > 0 === dash).reduce((sum, {data}) => sum + data.length / 3, 0);
+    return {stairs: datasets.find(({stepped}) => stepped).data.map(({y}) => y), dashed: barsOf(true), points: barsOf(false) + barsOf(true) - points.length,
+      disturbed: points.filter(({disturbed: some}) => some > 0).length};
+  });
+  assert.ok(stairs.length > 1 && stairs.every((y, i) => i === 0 || y < stairs[i - 1]), stairs.join(" "));
+  assert.equal(dashed, disturbed);
+  assert.equal(points, 0);
+  return opened;
+});
+
 test("curve: the page fits narrow and wide screens, light and dark", async () => {
   fs.mkdirSync(file("screenshots"), {recursive: true});
   const made = curvePage();

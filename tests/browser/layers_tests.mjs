@@ -31,8 +31,8 @@ const pixelsOf = (page, id) => page.evaluate((id) => {
 
 // What the program draws by the words that the page shows.
 async function drawnByProgram(page) {
-  const words = (await page.textContent("#command")).split(" ").slice(1).map((word) => word.replace("view.png", "view.ppm"));
-  run(...words);
+  const command = (await page.textContent("#command")).replace(/^glassbox/, `'${program}'`).replace("view.png", "view.ppm");
+  execFileSync("sh", ["-c", command], {stdio: "pipe", cwd: folder()});
   const bytes = fs.readFileSync(path.join(folder(), "view.ppm"));
   const {width, height} = await page.evaluate(() => ({width: document.getElementById("picture").width, height: document.getElementById("picture").height}));
   return [...bytes.subarray(bytes.length - 3 * width * height)];
@@ -61,6 +61,26 @@ test("layers: from elsewhere the page shows what the program draws by the words 
     const off = shareThatDiffers(await pixelsOf(page, "picture"), await drawnByProgram(page));
     assert.ok(off < .02, `${splat}: ${off}`);
   }
+  return opened;
+});
+
+test("layers: a lens that looks aside, and a file's name with a blank, are in the words below it", async () => {
+  const opened = await openLayers("a side", "room", "--size", "120x100", "--frustum=-0.01,0.05,-0.02,0.03", "--near", "0.05");
+  const {page} = opened, off = async () => shareThatDiffers(await pixelsOf(page, "picture"), await drawnByProgram(page));
+  assert.match(await page.textContent("#command"), / 'a side\.ldi' .* --frustum=-0\.01,0\.05,-0\.02,0\.03 --near 0\.05/);
+  assert.ok(await off() < .02);
+  await page.locator("#picture").focus();
+  await press(page, "ArrowLeft", "ArrowDown", "+");
+  assert.ok(await off() < .02);
+  return opened;
+});
+
+test("layers: a parallel view's words have its planes, and stored normals are those that the program draws by", async () => {
+  const opened = await openLayers("parallel", "room", "--size", "96x64", "--ortho", "3", "--normals"), {page} = opened;
+  await page.locator("#picture").focus();
+  await press(page, "ArrowRight", "ArrowUp");
+  assert.match(await page.textContent("#command"), / --ortho 3 --near=/);
+  assert.ok(shareThatDiffers(await pixelsOf(page, "picture"), await drawnByProgram(page)) < .03);
   return opened;
 });
 

@@ -87,6 +87,33 @@ test("match: the points in space turn by keys, mouse and buttons", async () => {
   return opened;
 });
 
+test("match: the cursor's ring moves over the points, which are not drawn again", async () => {
+  const opened = await open(match("room", ...room)), {page} = opened, before = await spaceBytes(page);
+  await page.evaluate(() => {
+    globalThis.made = 0;
+    globalThis.ImageData = class extends ImageData { constructor(...words) { super(...words); made++; } };
+  });
+  await page.locator("#left").focus();
+  for (let i = 0; i < 3; i++) await page.keyboard.press("Shift+ArrowLeft");
+  assert.notEqual(await spaceBytes(page), before);
+  assert.equal(await page.evaluate(() => made), 0);
+  for (let i = 0; i < 3; i++) await page.keyboard.press("Shift+ArrowRight");
+  assert.equal(await spaceBytes(page), before);
+  await page.locator("#space").focus();
+  await page.keyboard.press("ArrowLeft");
+  assert.equal(await page.evaluate(() => made), 1);
+  return opened;
+});
+
+test("match: the table has the same columns as the report", async () => {
+  const opened = await open(match("room", ...room)), {page} = opened;
+  const cells = (selector) => page.locator(`#errors ${selector}`).allTextContents();
+  assert.deepEqual((await cells("th")).slice(-3), ["RMS px", "of good px", "density %"]);
+  const ofGood = await page.evaluate(() => JSON.parse(document.getElementById("manifest").textContent).errors.visible_and_textured.rms_good_px.toFixed(3));
+  assert.equal((await cells("tr:has(td:text-is('visible and textured')) td")).at(-2), ofGood);
+  return opened;
+});
+
 test("match: every control has a name, and nothing is wider than the screen, with and without a truth", async () => {
   run("render", "cube", "--size", "32x24", "-o", "cube.png");
   for (const [name, words] of [["room", room], ["files", ["cube.png", "cube.png", "--range", "0,9"]]]) {

@@ -1,6 +1,7 @@
 // The pages of `glassbox bench --html`, `glassbox diff --html`, `glassbox inspect`, `glassbox stereo --html`, `glassbox study extremes
 // --html`, `glassbox study report`, `glassbox study scene --html`, `glassbox study stiffness`, `glassbox views geometry --draw`,
-// `glassbox views layers draw --html`, `glassbox views match --html` and `glassbox views voxels --html` in a browser.
+// `glassbox views glyphs find --html`, `glassbox views klt --html`, `glassbox views layers draw --html`, `glassbox views match --html` and
+// `glassbox views voxels --html` in a browser.
 //
 //     node run.mjs PROGRAM DIRECTORY [WORDS]
 //
@@ -10,6 +11,7 @@ import assert from "node:assert/strict";
 import {closeBrowser} from "./browser.mjs";
 import {tests} from "./cases.mjs";
 import "./bench_tests.mjs";
+import "./colours_tests.mjs";
 import "./curve_tests.mjs";
 import "./drawing_tests.mjs";
 import "./geometry_tests.mjs";
@@ -21,6 +23,7 @@ import "./stereo_tests.mjs";
 import "./stiffness_tests.mjs";
 import "./study_tests.mjs";
 import "./using_tests.mjs";
+import "./surface_tests.mjs";
 import "./voxels_tests.mjs";
 
 let failed = 0;

@@ -9,8 +9,7 @@
 #include <glassbox/render/engine/draw_list.h>
 #include <glassbox/render/trace/picture_bounds.h>
 
-#include "tests/raster/exact_formulas.h"
-#include "tests/render/exact_polygon.h"
+#include "tests/render/exact_attributes.h"
 #include "tests/render/scenes.h"
 #include "tests/support/catch.h"
 
@@ -19,10 +18,14 @@ namespace {
 
 using bounded::Bounded;
 using in_full::Big;
+using test::affine;
+using test::Big3;
 using test::BigMatrix;
 using test::exactly;
+using test::eye_normal;
+using test::face_normal_of;
+using test::negated;
 using test::operator*;
-using Big3 = std::array<Big, 3>;
 
 // The largest share of a bound that an error takes.
 struct Kept {
@@ -111,34 +114,6 @@ Scene random_scene(Random& random) {
 }
 
 // ---- the exact way ----
-
-Big3 affine(const BigMatrix& m, const Point<Object>& p) {
-  Big3 at;
-  for (std::size_t i = 0; i < 3; ++i) {
-    at[i] = m[i][0] * Big(p.x) + m[i][1] * Big(p.y) + m[i][2] * Big(p.z) + m[i][3];
-  }
-  return at;
-}
-
-Big3 unit_of(const Big3& v) {
-  const Big length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-  return {v[0] / length, v[1] / length, v[2] / length};
-}
-
-Big3 eye_normal(const BigMatrix& eye, const Big3& n) {
-  Big3 normal;
-  Big determinant = 0;
-  for (std::size_t r = 0; r < 3; ++r) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const std::size_t r1 = (r + 1) % 3, r2 = (r + 2) % 3, c1 = (c + 1) % 3, c2 = (c + 2) % 3;
-      const Big cofactor = eye[r1][c1] * eye[r2][c2] - eye[r1][c2] * eye[r2][c1];
-      normal[r] += cofactor * n[c];
-      if (r == 0) determinant += eye[0][c] * cofactor;
-    }
-  }
-  if (determinant < 0) normal = {-normal[0], -normal[1], -normal[2]};
-  return unit_of(normal);
-}
 
 struct ExactCorner {
   Big inverse_w{};
@@ -246,7 +221,7 @@ private:
       const Normal<Object>& n = mesh.normals[corner.normal];
       exact.normal = eye_normal(eye_, {Big(n.x), Big(n.y), Big(n.z)});
     }
-    if (!front) exact.normal = {-exact.normal[0], -exact.normal[1], -exact.normal[2]};
+    if (!front) exact.normal = negated(exact.normal);
     if (settings_.shading == Shading::kPhong) return exact;
     Big3 place = exact.position;
     if (flat) {
@@ -280,17 +255,6 @@ private:
       add(sum.texcoord, corners[k].texcoord);
     }
     return sum;
-  }
-
-  static Big3 face_normal_of(const TracedTriangle& triangle) {
-    std::array<Big3, 3> p;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Point<Object>& at = triangle.corners[k].object;
-      p[k] = {Big(at.x), Big(at.y), Big(at.z)};
-    }
-    const Big3 a{p[1][0] - p[0][0], p[1][1] - p[0][1], p[1][2] - p[0][2]};
-    const Big3 b{p[2][0] - p[0][0], p[2][1] - p[0][1], p[2][2] - p[0][2]};
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
   }
 
   double level(const TriangleSetup& setup, const std::array<ExactCorner, 3>& corners,

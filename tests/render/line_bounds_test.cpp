@@ -1,19 +1,22 @@
-// The bounds of lines, points and edges of triangles against arithmetic of 320 bits, from the matrices on; cut by planes, too.
+// The bounds of lines, points and edges of triangles against arithmetic of 320 bits, from the matrices on: places, normals, textures,
+// light and bytes; cut by planes, too.
 #include <glassbox/render/trace/line_bounds.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include <glassbox/pipeline/affine.h>
 #include <glassbox/pipeline/look_at.h>
+#include <glassbox/raster/color_bounds.h>
 #include <glassbox/raster/line.h>
 #include <glassbox/render/staged/vertex_stage.h>
 #include <glassbox/render/trace/picture_bounds.h>
 #include <glassbox/render/trace/tracer.h>
 
-#include "tests/render/exact_polygon.h"
+#include "tests/render/exact_attributes.h"
 #include "tests/render/scenes.h"
 #include "tests/support/catch.h"
 
@@ -21,6 +24,7 @@ namespace glassbox {
 namespace {
 
 using test::Big;
+using test::Big3;
 using test::BigMatrix;
 using test::BigVector;
 using test::exactly;
@@ -29,16 +33,22 @@ using test::operator*;
 
 // The largest share of a bound that an error takes.
 struct KeptBound {
+  // What the oracle rounds in 320 bits; its textures and bytes are doubles.
+  static constexpr double kInFull = 0x1p-250, kInDouble = 1e-12;
+
   const char* name;
+  double oracle = kInFull;
   double ratio = 0;
   int count = 0;
+  std::vector<double> bounds = {};
 
   void see(double value, const Big& exact, double bound) {
     if (!std::isfinite(bound)) return;
     ++count;
+    bounds.push_back(bound);
     const double error = double(abs(Big(value) - exact));
     CAPTURE(name, value, double(exact), bound);
-    REQUIRE(error <= bound + 0x1p-250);  // what the oracle rounds
+    REQUIRE(error <= bound + oracle);
     if (bound > 0) ratio = std::max(ratio, error / bound);
   }
   void check(double least_ratio) const {
@@ -46,10 +56,17 @@ struct KeptBound {
     CHECK(count > 1000);
     CHECK(ratio > least_ratio);
   }
+  // A bound of another number stands for the run's all the same, but is as large as they differ.
+  void check_half_below(double limit) {
+    const auto middle = bounds.begin() + std::ptrdiff_t(bounds.size() / 2);
+    std::nth_element(bounds.begin(), middle, bounds.end());
+    CAPTURE(name, *middle);
+    CHECK(*middle < limit);
+  }
 };
 
-// Triangles, lines and points, with colours, and normals at some of their corners.
-Scene scene_of_lines(Random& random) {
+// Triangles, lines and points, with colours, and normals at some of their corners. `textured`: of a few texels, with all levels.
+Scene scene_of_lines(Random& random, bool textured) {
   Mesh mesh;
   const auto corner = [&] {
     const auto number = std::uint32_t(mesh.positions.size());
@@ -58,7 +75,8 @@ Scene scene_of_lines(Random& random) {
     const double red = random.unit(), green = random.unit();
     mesh.colors.push_back({float(red), float(green), float(random.unit()), 1});
     mesh.normals.push_back({float(random.between(-1, 1)), 0.5f, 0.7f});
-    return Corner{number, random.unit() < 0.5 ? number : kNone, kNone, number};
+    mesh.texcoords.push_back({float(random.between(-2, 2)), float(random.unit())});
+    return Corner{number, random.unit() < 0.5 ? number : kNone, number, number};
   };
   for (int i = 0; i < 8; ++i) {
     for (int k = 0; k < 3; ++k) mesh.corners.push_back(corner());
@@ -69,7 +87,23 @@ Scene scene_of_lines(Random& random) {
   }
   Material material;
   material.double_sided = true;
+  material.specular = {0.3f, 0.2f, 0.1f};
+  material.shininess = 7;
+  if (textured) material.texture = 0;
   Scene scene = test::scene_of(std::move(mesh), material);
+  if (textured) {
+    scene.textures.push_back({0, Sampler{Wrap::kRepeat, Wrap::kMirroredRepeat, Filter::kLinear,
+                                         Filter::kNearest, MipFilter::kLinear}});
+    for (Rgba8& c : scene.images.emplace_back(16, 8).pixels) {
+      const auto byte = [&] { return std::uint8_t(random.integer(0, 255)); };
+      c = {byte(), byte(), byte(), 255};
+    }
+  }
+  Light light;
+  light.kind = LightKind::kPoint;
+  light.intensity = 12;
+  light.position = {2, 3, 4};
+  scene.lights = {light};
   const auto turn = rotate_degrees<World>(Vector<Object, double>{1, random.between(-1, 1), 0.5},
                                           random.between(-180, 180));
   REQUIRE(turn);
@@ -94,20 +128,50 @@ std::array<ExactVertex, 2> exact_ends(const Trace& trace, std::array<ClipVertex,
 }
 
 struct AllKept {
-  KeptBound depth{"depth"}, inverse_w{"1/w"}, color{"colours"}, screen{"ends on the screen"};
+  KeptBound depth{"depth"}, inverse_w{"1/w"}, screen{"ends on the screen"}, normal{"normals"},
+      texcoord{"texture coordinates"};
+  KeptBound surface{"surface", KeptBound::kInDouble}, light{"light", KeptBound::kInDouble},
+      stored{"stored bytes", KeptBound::kInDouble};
   std::map<LineKind, int> kinds;
-  int cut = 0;
+  int cut = 0, without_normal = 0;
+};
+
+// What a corner has, and what a line has at its ends and between.
+struct ExactAttributes {
+  Big3 position, normal, color;
+  std::array<Big, 2> texcoord;
+
+  template <class Weigh>
+  static ExactAttributes mixed(const Weigh& weigh) {
+    ExactAttributes sum;
+    const auto each = [&](auto member) {
+      for (std::size_t i = 0; i < (sum.*member).size(); ++i) {
+        (sum.*member)[i] = weigh([&](const ExactAttributes& a) { return (a.*member)[i]; });
+      }
+    };
+    each(&ExactAttributes::position);
+    each(&ExactAttributes::normal);
+    each(&ExactAttributes::color);
+    each(&ExactAttributes::texcoord);
+    return sum;
+  }
 };
 
 class LineOracle {
 public:
-  LineOracle(const Scene& scene, const View& view, const Draw& draw)
-      : mesh_(scene.meshes[0]),
+  LineOracle(const Scene& scene, const View& view, const RenderSettings& settings, const Draw& draw,
+             const Lighting& lighting)
+      : scene_(scene),
+        mesh_(scene.meshes[0]),
         view_(view),
+        settings_(settings),
         draw_(draw),
-        clip_(exactly(view.clip_from_eye.columns) *
-              (exactly(view.eye_from_world.columns) *
-               exactly(scene.nodes[0].world_from_node.columns))) {}
+        lighting_(lighting),
+        eye_(exactly(view.eye_from_world.columns) *
+             exactly(scene.nodes[0].world_from_node.columns)),
+        clip_(exactly(view.clip_from_eye.columns) * eye_) {
+    if (!scene.images.empty()) levels_ = in_full::levels_of(scene.images[0], settings.transfer);
+  }
 
   void compare(const Trace& trace, const TracedFragment& traced, const TracedTriangle* triangle,
                const LineBounds& line, AllKept& all) const {
@@ -119,7 +183,7 @@ public:
       ends[k].clip = clip_ * mesh_.positions[corners[k].position];
       ends[k].weights[k] = 1;
     }
-    const bool is_point = line_kind(traced.source) == LineKind::kPoint;
+    const bool is_point = traced.source.line == LineKind::kPoint;
     if (!is_point) ends = exact_ends(trace, run, ends);
     all.cut += ends[0].weights[0] != 1 || ends[1].weights[1] != 1;
     see_ends(line, ends, all);
@@ -131,35 +195,92 @@ public:
                   between(ends[0].clip[2] * q[0], ends[1].clip[2] * q[1]), bounds.depth);
     const Big inverse_w = between(q[0], q[1]);
     all.inverse_w.see(double(traced.fragment.inverse_w), inverse_w, bounds.inverse_w);
-    ++all.kinds[line_kind(traced.source)];
+    ++all.kinds[traced.source.line];
     if (traced.fate != Fate::kWritten) return;
-    const ColorBounds colors = line.colors(traced, bounds);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto value = [&](std::size_t end) {
-        Big sum = 0;
-        for (std::size_t k = 0; k < 2; ++k) {
-          const Rgba& c = mesh_.colors[corners[k].color];
-          sum += ends[end].weights[k] * Big(std::array{c.r, c.g, c.b}[i]);
-        }
-        return sum;
+    const std::array<ExactAttributes, 2> own{attributes_of(corners[0], triangle),
+                                             attributes_of(corners[1], triangle)};
+    const ExactAttributes at = ExactAttributes::mixed([&](const auto& of) {
+      const auto at_end = [&](std::size_t end) {
+        return q[end] * (ends[end].weights[0] * of(own[0]) + ends[end].weights[1] * of(own[1]));
       };
-      const Big exact = between(value(0) * q[0], value(1) * q[1]) / inverse_w;
-      all.color.see(double(colors.surface[i].value), exact, colors.surface[i].bound);
-    }
+      return between(at_end(0), at_end(1)) / inverse_w;
+    });
+    see_colors(traced, at, line.colors(traced, bounds), all);
   }
 
 private:
   std::array<Corner, 2> corners_of(const FragmentSource& source,
                                    const TracedTriangle* triangle) const {
-    if (line_kind(source) == LineKind::kLine) return mesh_.lines[source.number];
-    if (line_kind(source) == LineKind::kPoint) {
+    if (source.line == LineKind::kLine) return mesh_.lines[source.number];
+    if (source.line == LineKind::kPoint) {
       return {mesh_.points[source.number], mesh_.points[source.number]};
     }
     REQUIRE(triangle != nullptr);
     const auto corner = [&](std::size_t k) {
       return mesh_.corners[triangle->corners[k % 3].corner];
     };
-    return {corner(edge_of(source)), corner(edge_of(source) + std::size_t(1))};
+    return {corner(source.edge), corner(source.edge + std::size_t(1))};
+  }
+
+  // Of an edge, the normal of its triangle's face where the corner has none, on the side that is seen.
+  ExactAttributes attributes_of(const Corner& corner, const TracedTriangle* triangle) const {
+    ExactAttributes at;
+    at.position = test::affine(eye_, mesh_.positions[corner.position]);
+    const Rgba& c = mesh_.colors[corner.color];
+    at.color = {Big(c.r), Big(c.g), Big(c.b)};
+    const TexCoord& uv = mesh_.texcoords[corner.texcoord];
+    at.texcoord = {Big(uv.u), Big(uv.v)};
+    if (corner.normal != kNone) {
+      const Normal<Object>& n = mesh_.normals[corner.normal];
+      at.normal = test::eye_normal(eye_, {Big(n.x), Big(n.y), Big(n.z)});
+    } else if (triangle != nullptr) {
+      at.normal = test::eye_normal(eye_, test::face_normal_of(*triangle));
+    }
+    if (triangle != nullptr && shows_back(*triangle)) at.normal = test::negated(at.normal);
+    return at;
+  }
+  static bool shows_back(const TracedTriangle& triangle) {
+    for (const TracedPiece& piece : triangle.pieces) {
+      if (piece.setup && !piece.culled) return !piece.front;
+    }
+    return false;
+  }
+
+  void see_colors(const TracedFragment& traced, const ExactAttributes& at, const ColorBounds& found,
+                  AllKept& all) const {
+    const Material& material = *draw_.material;
+    in_full::Light texel{1, 1, 1, 1};
+    if (!levels_.empty()) {
+      constexpr double kLevel =
+          0;  // a line has no second direction in which its texture could grow
+      texel = in_full::sample(levels_, scene_.textures[0].sampler, double(at.texcoord[0]),
+                              double(at.texcoord[1]), kLevel);
+      for (std::size_t i = 0; i < 2; ++i) {
+        const auto& [value, bound] = found.at.texcoord[i];
+        all.texcoord.see(double(value), at.texcoord[i], bound);
+      }
+    }
+    Big3 light;
+    for (std::size_t i = 0; i < 3; ++i) {
+      light[i] = at.color[i] * Big(texel[i]);
+      all.surface.see(double(found.surface[i].value), light[i], found.surface[i].bound);
+    }
+    if (settings_.shading == Shading::kPhong) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        all.normal.see(double(found.at.normal[i].value), at.normal[i], found.at.normal[i].bound);
+      }
+      all.without_normal += at.normal == Big3{};
+      const auto reflection =
+          in_full::reflected_light(lighting_, at.position, at.normal, material.shininess, true);
+      light = in_full::lit(light, at.normal, reflection, material.specular, true);
+    }
+    const std::uint8_t bytes[] = {traced.after.r, traced.after.g, traced.after.b};
+    for (std::size_t i = 0; i < 3; ++i) {
+      all.light.see(double(found.light[i].value), light[i], found.light[i].bound);
+      all.stored.see(double(bytes[i]),
+                     Big(255 * in_full::encoded(settings_.transfer, double(light[i]))),
+                     stored_bound(settings_.transfer, bytes[i], found.light[i]));
+    }
   }
 
   void see_ends(const LineBounds& line, const std::array<ExactVertex, 2>& exact,
@@ -183,10 +304,14 @@ private:
     return Big(setup.step_at(major)) / Big(setup.steps());
   }
 
+  const Scene& scene_;
   const Mesh& mesh_;
   const View& view_;
+  const RenderSettings& settings_;
   const Draw& draw_;
-  BigMatrix clip_;
+  const Lighting& lighting_;
+  BigMatrix eye_, clip_;
+  std::vector<in_full::Level> levels_;  // of the texture, if there is one
 };
 
 TEST_CASE("every fragment of lines, points and edges is within its bound") {
@@ -194,7 +319,7 @@ TEST_CASE("every fragment of lines, points and edges is within its bound") {
   AllKept all;
   for (int i = 0; i < 60; ++i) {
     CAPTURE(i);
-    const Scene scene = scene_of_lines(random);
+    const Scene scene = scene_of_lines(random, i % 3 == 0);
     const PerspectiveLens lens{random.between(0.7, 1.5), std::pow(10, random.between(-3, -0.5)),
                                8.0};
     const auto eye_from_world =
@@ -211,14 +336,14 @@ TEST_CASE("every fragment of lines, points and edges is within its bound") {
     const TracedRun run = trace(scene, *view, settings, {});
     const DrawBounds draw_bounds = bounds_of(run.trace.draws[0], *view);
     const auto known = bounds_of_all(run.trace);
-    const LineOracle oracle(scene, *view, list.draws[0]);
+    const LineOracle oracle(scene, *view, settings, list.draws[0], list.lighting);
     const CornerStage stage{list.draws[0], draw_bounds, list.lighting, settings};
     int taken = 0;
     for (const TracedFragment& fragment : run.trace.fragments) {
       const FragmentSource& source = fragment.source;
-      const bool is_point = line_kind(source) == LineKind::kPoint;
+      const bool is_point = source.line == LineKind::kPoint;
       if (source.is_triangle || (!is_point && ++taken % 3 != 0)) continue;
-      const bool is_edge = line_kind(source) == LineKind::kEdge;
+      const bool is_edge = source.line == LineKind::kEdge;
       const BoundsOfRun::Known* const triangle = is_edge ? &known.at(source.number) : nullptr;
       const LineBounds line(stage, run.trace, run.trace.draws[0], source, triangle);
       oracle.compare(run.trace, fragment, is_edge ? triangle->triangle : nullptr, line, all);
@@ -226,8 +351,16 @@ TEST_CASE("every fragment of lines, points and edges is within its bound") {
   }
   all.depth.check(0.05);
   all.inverse_w.check(0.05);
-  all.color.check(0.02);
   all.screen.check(0.05);
+  for (const KeptBound* kept :
+       {&all.surface, &all.texcoord, &all.normal, &all.light, &all.stored}) {
+    kept->check(0.02);
+  }
+  // Some dozens of roundings of numbers up to 1, 2^-24 each, and of light up to 12 times as much.
+  all.normal.check_half_below(32 * 0x1p-24);
+  all.texcoord.check_half_below(64 * 0x1p-24);
+  all.light.check_half_below(12 * 64 * 0x1p-24);
+  CHECK(all.without_normal > 100);
   CHECK(all.cut > 500);
   for (const LineKind kind : {LineKind::kEdge, LineKind::kLine, LineKind::kPoint}) {
     CHECK(all.kinds[kind] > 100);
@@ -236,7 +369,7 @@ TEST_CASE("every fragment of lines, points and edges is within its bound") {
 
 TEST_CASE("a line that may miss a pixel is one that does when its ends are moved so far") {
   Random random(47);
-  int doubtful = 0, certain = 0;
+  int doubtful = 0, certain = 0, missed = 0;
   constexpr double kMoved = 0.02;  // px
   for (int i = 0; i < 200; ++i) {
     const auto place = [&] {
@@ -266,9 +399,11 @@ TEST_CASE("a line that may miss a pixel is one that does when its ends are moved
       const bool may_miss = line_may_miss(ends, fragment, kMoved);
       CAPTURE(i, pixel.x, pixel.y);
       if (misses) CHECK(may_miss);
+      missed += misses;
       (may_miss ? doubtful : certain) += 1;
     });
   }
+  CHECK(missed > 50);
   CHECK(doubtful > 50);
   CHECK(certain > 5 * doubtful);
 }
@@ -295,6 +430,58 @@ TEST_CASE("a report's bounds name lines and points where these are worst") {
   CHECK(of_edges.pixels_unbounded == 0);
   CHECK(of_edges.fragments_of_lines_and_points > errors.fragments_of_lines_and_points);
   CHECK(of_edges.snapped.count() == 6);  // no corner twice
+}
+
+TEST_CASE("a line without normals that a plane cuts is as exact as one that none cuts") {
+  Mesh mesh;
+  mesh.positions = {{-1, 0.1f, 0.9f}, {1, 0.2f, -0.9f}};
+  mesh.lines.push_back({Corner{0}, Corner{1}});
+  const Scene scene = test::scene_of(mesh);
+  Camera camera = test::camera_for(scene, 4.0 / 3);
+  const auto whole = make_view(camera, 80, 60);
+  REQUIRE(whole);
+  // Half of the line is nearer than its middle.
+  const Point<Eye, double> middle = whole->eye_from_world * Point<World, double>(0, 0.15, 0);
+  std::get<PerspectiveLens>(camera.lens).near = -middle.z;
+  const auto cutting = make_view(camera, 80, 60);
+  REQUIRE(cutting);
+  const PictureErrors uncut = picture_errors(scene, *whole, {});
+  const PictureErrors cut = picture_errors(scene, *cutting, {});
+  CHECK(uncut.cut.count() == 0);
+  CHECK(cut.cut.count() == 1);
+  for (const PictureErrors* errors : {&uncut, &cut}) {
+    CHECK(errors->picture.count() > 10);
+    CHECK(errors->picture.unbounded() == 0);
+    CHECK(errors->picture.largest() < 1);
+    CHECK(errors->normal.count() == 0);  // it has none
+  }
+}
+
+TEST_CASE("what planes cut off a triangle is counted once, with its edges and without") {
+  Mesh mesh;
+  mesh.positions = {{-1, -1, 0.9f}, {1, -1, -0.9f}, {0, 1, -0.9f}};
+  test::add_face(mesh, {0, 1, 2});
+  const Scene scene = test::scene_of(mesh);
+  Camera camera = test::camera_for(scene, 4.0 / 3);
+  const auto whole = make_view(camera, 80, 60);
+  REQUIRE(whole);
+  std::vector<double> distances;
+  for (const Point<Object>& p : mesh.positions) {
+    distances.push_back(-(whole->eye_from_world * Point<World, double>(p.x, p.y, p.z)).z);
+  }
+  std::ranges::sort(distances);
+  std::get<PerspectiveLens>(camera.lens).near = (distances[0] + distances[1]) / 2;
+  const auto view = make_view(camera, 80, 60);
+  REQUIRE(view);
+  RenderSettings settings;
+  settings.cull = Cull::kNone;
+  const PictureErrors filled = picture_errors(scene, *view, settings);
+  settings.wireframe = true;
+  const PictureErrors edges = picture_errors(scene, *view, settings);
+  CHECK(filled.cut.count() == 2);
+  CHECK(edges.fragments_of_lines_and_points > 0);
+  CHECK(edges.cut.count() == filled.cut.count());
+  CHECK(edges.vertices_snapped_elsewhere == filled.vertices_snapped_elsewhere);
 }
 
 }  // namespace

@@ -75,6 +75,30 @@ TEST_CASE("the JSON of a trace, written and read again, has the records' numbers
   }
 }
 
+TEST_CASE("fragments of lines, points and edges are of no triangle and no piece of one") {
+  Mesh mesh;
+  mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, {-1, 0.5f, 0}, {1, 0.6f, 0}, {0, 0, 0}};
+  test::add_face(mesh, {0, 1, 2});
+  mesh.lines.push_back({Corner{3}, Corner{4}});
+  mesh.points.push_back(Corner{5});
+  const Scene scene = test::scene_of(mesh);
+  const auto view = make_view(test::camera_for(scene, 1.5), 48, 32);
+  REQUIRE(view);
+  RenderSettings settings;
+  settings.wireframe = true;
+  const TracedRun run = trace(scene, *view, settings, {});
+  const Json json = to_json(scene, run.trace);
+  std::set<LineKind> kinds;
+  for (std::size_t i = 0; i < run.trace.fragments.size(); ++i) {
+    const FragmentSource& source = run.trace.fragments[i].source;
+    REQUIRE_FALSE(source.is_triangle);
+    kinds.insert(source.line);
+    CHECK(json.at("fragments")[i].at("triangle").is_null());
+    CHECK(json.at("fragments")[i].at("piece") == 0);
+  }
+  CHECK(kinds.size() == 3);
+}
+
 TEST_CASE("docs/trace.md names every key of the JSON") {
   const auto scene = make_builtin("room");
   REQUIRE(scene);

@@ -1,13 +1,14 @@
 #include "views/files/colmap_file.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <optional>
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
+
+#include "views/files/number_rows.h"
 
 #include <glassbox/base/printable.h>
 
@@ -43,14 +44,6 @@ std::vector<Line> lines_of(std::string_view text) {
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return lines;
-}
-
-std::optional<double> number_of(std::string_view word) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value))
-    return std::nullopt;
-  return value;
 }
 
 Result<std::vector<double>> numbers_of(const Line& line, std::size_t first, std::size_t count,

@@ -24,15 +24,6 @@ std::string_view next_word(std::string_view& line) {
   return word;
 }
 
-std::optional<double> number_of(std::string_view word) {
-  if (word.starts_with('+')) word.remove_prefix(1);
-  double value = 0;
-  const auto parsed = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (parsed.ec != std::errc() || parsed.ptr != word.data() + word.size()) return {};
-  if (!std::isfinite(value)) return {};
-  return value;
-}
-
 Result<NumberRow> row_of(std::string_view line, std::uint64_t number) {
   NumberRow row{number, {}, {}};
   bool is_first = true;
@@ -51,6 +42,15 @@ Result<NumberRow> row_of(std::string_view line, std::uint64_t number) {
 }
 
 }  // namespace
+
+std::optional<double> number_of(std::string_view word) {
+  if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
+  double value = 0;
+  const auto parsed = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (parsed.ec != std::errc() || parsed.ptr != word.data() + word.size()) return {};
+  if (!std::isfinite(value)) return {};
+  return value;
+}
 
 Result<std::vector<NumberRow>> number_rows(std::string_view text) {
   std::vector<NumberRow> rows;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,9 @@ struct NumberRow {
   std::string name;        // the first word, where it is no number
   std::vector<double> numbers;
 };
+
+// The whole word as a decimal number; none where it is not one, or not finite.
+std::optional<double> number_of(std::string_view word);
 
 // A row for each line that is neither blank nor a comment ('#'). Words stand apart by blanks, commas or semicolons. A word that is no
 // finite number is an error that names its line, unless it is the first of its line.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include <glassbox/images/image.h>
@@ -16,18 +15,17 @@ struct Layer {
   Image<Rgba8> color;
   Image<float> distance;            // along the gaze; infinite where there is nothing
   Image<std::uint32_t> depth = {};  // codes
+  Image<std::uint32_t> id = {};     // as Framebuffer::id, if the settings want it
 };
 
-// By depth peeling: each pass of the staged reference hides all fragments that are not behind what the pass before has shown
-// (Everitt 2001). `layers` passes; fewer where a pass shows nothing.
+bool is_empty(const Layer& layer);  // it shows nothing
+
+// What some drawn surface wears that is seen through, if anything: it hides nothing, and has no layer of its own.
+const Material* seen_through(const Scene& scene);
+
+// By depth peeling: each pass draws what is behind what the pass before has shown (Everitt 2001). `layers` passes; fewer where a pass shows
+// nothing. Of a scene in which nothing is seen through.
 std::vector<Layer> peel(const Scene& scene, const View& view, const RenderSettings& settings,
                         int layers);
-
-// The layers behind a picture whose depth codes are `shown`. What counts as behind is for `behind` to say, which gets the codes of
-// what was shown, and makes them those that have to be exceeded.
-std::vector<Layer> peel_behind(
-    const Scene& scene, const View& view, const RenderSettings& settings,
-    Image<std::uint32_t> shown, int layers,
-    const std::function<void(Image<std::uint32_t>& codes)>& behind = [](auto&) {});
 
 }  // namespace glassbox::views

@@ -4,12 +4,16 @@
 #include <bit>
 #include <cmath>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
-#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <glassbox/render/engine/threads.h>
 
 #include "views/layers/footprints.h"
 #include "views/layers/warp_kernels.h"
@@ -83,12 +87,35 @@ private:
     return std::abs(*before) < std::abs(*after) ? -*before : *after;
   }
 
+  // A plane is linear in what a camera makes of it: of p x + q y + r z + s = 0 the depth's slopes are -p / r and -q / r. At most so steep as those that
+  // are found without normals; seen edge on, a sample is a line.
+  std::pair<float, float> slopes_of(const SampleNormal& n, const Eigen::Matrix4d& world_from_screen,
+                                    const Eigen::Vector4d& at) const {
+    const Eigen::Vector3d normal(n.x, n.y, n.z);
+    const Eigen::Vector3d place = (world_from_screen * at).hnormalized();
+    Eigen::RowVector4d plane;
+    plane << normal.transpose(), -normal.dot(place);
+    const Eigen::RowVector4d seen = plane * world_from_screen;
+    const double steepest = double(kSteepest) * at.z();
+    const auto slope = [&](double along) {
+      const double exact = -along / seen.z();
+      return std::isfinite(exact) ? float(std::clamp(exact, -steepest, steepest)) : 0.0f;
+    };
+    return {slope(seen.x()), slope(seen.y())};
+  }
+
   void find_slopes() {
+    const Eigen::Matrix4d world_from_screen = image.camera.screen_from_world.inverse();
     for (int y = 0; y < image.camera.height; ++y) {
       for (int x = 0; x < image.camera.width; ++x) {
         const auto [begin, end] = samples_at(x, y);
         for (std::uint32_t i = begin; i < end; ++i) {
           const float z = image.depth[i];
+          if (!image.normal.empty() && image.normal[i].is_known()) {
+            std::tie(slope_x[i], slope_y[i]) =
+                slopes_of(image.normal[i], world_from_screen, {x + 0.5, y + 0.5, double(z), 1});
+            continue;
+          }
           slope_x[i] = slope(gain(z, x - 1, y), gain(z, x + 1, y));
           slope_y[i] = slope(gain(z, x, y - 1), gain(z, x, y + 1));
         }
@@ -158,8 +185,11 @@ SampleBoxes beyond(const SampleBoxes& boxes, std::size_t i) {
 
 // What one thread draws into.
 struct Canvas {
+  static std::size_t keys_of(int width, int height) {
+    return std::size_t(width + 2) * std::size_t(height + 2) + 1;
+  }
   void clear(int width, int height) {
-    keys.assign(std::size_t(width + 2) * std::size_t(height + 2) + 1, 0);
+    keys.assign(keys_of(width, height), 0);
     counts = {};
   }
 
@@ -330,6 +360,15 @@ std::vector<int> visiting_order(double epipole, double w, int count) {
   return order;
 }
 
+int threads_that_draw(const LayerCamera& from, const LayerCamera& to, const LayerDrawing& drawing) {
+  if (drawing.order == LayerOrder::kOcclusion) return 1;
+  const std::size_t canvases =
+      kMostCanvasBytes / (sizeof(SampleKey) * Canvas::keys_of(to.width, to.height));
+  const int tasks = (from.height + kRowsOfTask - 1) / kRowsOfTask;
+  const int useful = std::min(tasks, int(std::min<std::size_t>(canvases, 1u << 30)));
+  return std::clamp(drawing.threads, 1, std::max(useful, 1));
+}
+
 LayerDrawer::LayerDrawer(const LayeredImage& image) : state_(std::make_unique<State>(image)) {}
 LayerDrawer::~LayerDrawer() = default;
 
@@ -339,8 +378,7 @@ void LayerDrawer::draw(const LayerCamera& to, const LayerDrawing& drawing, Layer
   const LayerCamera& from = state.samples.image.camera;
   fit(into.color, to);
   fit(into.depth, to);
-  const int threads =
-      drawing.order == LayerOrder::kOcclusion ? 1 : std::clamp(drawing.threads, 1, from.height);
+  const int threads = threads_that_draw(from, to, drawing);
   state.canvases.resize(std::size_t(threads));
   if (threads == 1) {
     Canvas& canvas = state.canvases[0];
@@ -353,6 +391,7 @@ void LayerDrawer::draw(const LayerCamera& to, const LayerDrawing& drawing, Layer
     for (int y = 0; y < to.height; ++y) picture.finish_row(y, state.canvases, canvas.scratch, into);
   } else {
     if (state.threads != threads) {
+      allow_threads(threads);
       state.arena = std::make_unique<tbb::task_arena>(threads);
       state.threads = threads;
     }

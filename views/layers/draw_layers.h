@@ -66,6 +66,11 @@ private:
   std::unique_ptr<State> state_;
 };
 
+// As many as are asked for, unless there is less to share out, or their canvases, of 8 bytes for each pixel, would be larger than this
+// together. (One thread always gets its own.)
+inline constexpr std::size_t kMostCanvasBytes = std::size_t(1) << 30;
+int threads_that_draw(const LayerCamera& from, const LayerCamera& to, const LayerDrawing& drawing);
+
 // One picture, with everything made for it alone.
 LayerPicture draw_layers(const LayeredImage& image, const LayerCamera& to,
                          const LayerDrawing& drawing);

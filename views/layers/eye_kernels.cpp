@@ -116,14 +116,36 @@ struct Carried {
       if (nearest + 0.5f >= at) put(nearest, i, color_of(i));
       return;
     }
-    const float next = place[i + 1];
-    for (float x = std::ceil(at - 0.5f); x + 0.5f < next; x += 1) {
+    carry_mixed(i, std::ceil(at - 0.5f));
+  }
+  // The centres from x on that lie between those of i and i + 1.
+  void carry_mixed(int i, float x) const {
+    const float at = place[i], next = place[i + 1];
+    for (; x + 0.5f < next; x += 1) {
       const float share = (x + 0.5f - at) / (next - at);
       const auto of_next = std::uint32_t(int(share * 256 + 0.5f));
       put(x, i, mixed(color_of(i), color_of(i + 1), of_next));
     }
   }
 };
+
+// Pixels [begin, end) show the background where they show nothing else.
+void fill_empty(const EyeTarget& target, int begin, int end, std::uint32_t color) {
+  const EyeU u;
+  const int lanes = int(hn::Lanes(u));
+  for (; begin + lanes <= end; begin += lanes) {
+    const auto there = hn::LoadU(u, target.nearness + begin);
+    const auto is_hole = hn::Eq(there, hn::Zero(u));
+    hn::StoreU(hn::IfThenElse(is_hole, hn::Set(u, 1), there), u, target.nearness + begin);
+    hn::StoreU(hn::IfThenElse(is_hole, hn::Set(u, color), hn::LoadU(u, target.color + begin)), u,
+               target.color + begin);
+  }
+  for (; begin < end; ++begin) {
+    if (target.nearness[begin] != 0) continue;
+    target.nearness[begin] = 1;
+    target.color[begin] = color;
+  }
+}
 
 void carry(const EyeShift& shift, const EyeRow& row, float* HWY_RESTRICT scratch,
            const EyeTarget& target) {
@@ -135,18 +157,37 @@ void carry(const EyeShift& shift, const EyeRow& row, float* HWY_RESTRICT scratch
   float* const nearness = scratch + row.width + 64;
   const Nearness nearness_of(shift);
   const auto half = hn::Set(f, 0.5f), one = hn::Set(f, 1.0f), zero = hn::Zero(f);
-  for (int i = 0; i < row.width; i += lanes) {
-    HWY_ALIGN std::uint32_t rest[kMostEyeLanes] = {};
-    const std::uint32_t* from = row.depth + i;
-    if (i + lanes > row.width) {
-      std::copy(from, row.depth + row.width, rest);
-      from = rest;
+  const auto empty = [&](int from) HWY_ATTR {
+    return hn::AllTrue(u, hn::Eq(hn::LoadU(u, row.depth + from), hn::Set(u, kEmptyDepth)));
+  };
+  // Places and nearnesses of the pixels from `begin` on, up to `end` or the end of its vector.
+  const auto fill_places = [&](int begin, int end) HWY_ATTR {
+    for (int i = begin; i < end; i += lanes) {
+      HWY_ALIGN std::uint32_t rest[kMostEyeLanes] = {};
+      const std::uint32_t* from = row.depth + i;
+      if (i + lanes > row.width) {
+        std::copy(from, row.depth + row.width, rest);
+        from = rest;
+      }
+      const auto near = nearness_of.of(hn::LoadU(u, from));
+      const auto moved =
+          hn::Sub(hn::Set(f, shift.at_infinity), hn::Mul(hn::Set(f, shift.by_nearness), near));
+      hn::StoreU(near, f, nearness + i);
+      hn::StoreU(hn::Add(hn::Add(hn::Iota(f, float(i)), half), moved), f, place + i);
     }
-    const auto near = nearness_of.of(hn::LoadU(u, from));
-    const auto moved =
-        hn::Sub(hn::Set(f, shift.at_infinity), hn::Mul(hn::Set(f, shift.by_nearness), near));
-    hn::StoreU(near, f, nearness + i);
-    hn::StoreU(hn::Add(hn::Add(hn::Iota(f, float(i)), half), moved), f, place + i);
+  };
+  // Far enough within a run of empty pixels nobody asks for them: a vector and two neighbours are as far as a surface looks.
+  const int reach = 3 + lanes;
+  for (int begin = 0; begin < row.width;) {
+    int run = begin;
+    while (run + lanes <= row.width && empty(run)) run += lanes;
+    if (run - begin > 2 * reach) {
+      fill_places(begin, begin + reach);
+      begin = run - reach;
+    }
+    const int end = std::max(run, begin + lanes);
+    fill_places(begin, end);
+    begin = begin + (end - begin + lanes - 1) / lanes * lanes;
   }
 
   const Carried carried{place, nearness, row.color, row.width, row.is_first, target};
@@ -158,13 +199,25 @@ void carry(const EyeShift& shift, const EyeRow& row, float* HWY_RESTRICT scratch
   HWY_ALIGN std::uint32_t color[kMostEyeLanes];
   HWY_ALIGN std::uint32_t depth[kMostEyeLanes];
   for (; i + lanes < row.width; i += lanes) {
+    if (empty(i - 1) && empty(i) && empty(i + 1)) {
+      // Nothing, or the background's one colour: a run of it goes to a run.
+      const int first = i;
+      while (i + 2 * lanes < row.width && empty(i + lanes + 1)) i += lanes;
+      if (row.is_first) {
+        const auto pixel_after = [&](int k) {
+          const float at = float(k) + 0.5f + shift.at_infinity;
+          return int(std::min(std::max(std::ceil(at - 0.5f), 0.0f), float(row.width)));
+        };
+        fill_empty(target, pixel_after(first), pixel_after(i + lanes), colors[first]);
+      }
+      continue;
+    }
     const auto before = hn::LoadU(f, place + i - 1), at = hn::LoadU(f, place + i),
                next = hn::LoadU(f, place + i + 1), near = hn::LoadU(f, nearness + i);
     const auto step = hn::Sub(next, at), step_before = hn::Sub(at, before);
     const auto x = hn::Ceil(hn::Sub(at, half)), center = hn::Add(x, half);
     auto plain = hn::And(hn::And(hn::Gt(step, least), hn::Lt(step, most)),
                          hn::And(hn::Gt(step_before, least), hn::Lt(step_before, most)));
-    plain = hn::And(plain, hn::Ge(hn::Add(center, one), next));  // one centre at most
     if (!row.is_first) {
       plain =
           hn::And(plain, hn::And(hn::Gt(near, zero), hn::Gt(hn::LoadU(f, nearness + i + 1), zero)));
@@ -175,6 +228,11 @@ void carry(const EyeShift& shift, const EyeRow& row, float* HWY_RESTRICT scratch
       continue;
     }
     const auto shows = hn::Lt(center, next);
+    // (Of neighbours that are one surface no two show the same centre: the order is nobody's.)
+    const auto again = hn::Lt(hn::Add(center, one), next);
+    if (!hn::AllFalse(f, again)) {
+      for (int k = i; k < i + lanes; ++k) carried.carry_mixed(k, std::ceil(place[k] - 0.5f) + 1);
+    }
     const auto inside =
         hn::And(hn::And(hn::Ge(x, zero), hn::Lt(x, hn::Set(f, float(row.width)))), shows);
     const auto share = hn::Div(hn::Sub(center, at), step);
@@ -240,7 +298,7 @@ int fill(const EyeTarget& row, int width) {
   return holes;
 }
 
-const EyeKernels kEyeKernels{carry, fill};
+const EyeKernels kKernels{carry, fill};
 
 }  // namespace glassbox::views::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -250,30 +308,7 @@ HWY_AFTER_NAMESPACE();
 namespace glassbox::views {
 
 const EyeKernels& eye_kernels(Target target) {
-  switch (target) {
-#if (HWY_TARGETS & HWY_AVX3) != 0
-    case Target::kAvx512:
-      return N_AVX3::kEyeKernels;
-#endif
-#if (HWY_TARGETS & HWY_AVX2) != 0
-    case Target::kAvx2:
-      return N_AVX2::kEyeKernels;
-#endif
-#if (HWY_TARGETS & HWY_SSE4) != 0
-    case Target::kSse4:
-      return N_SSE4::kEyeKernels;
-#endif
-#if (HWY_TARGETS & HWY_NEON) != 0
-    case Target::kNeon:
-      return N_NEON::kEyeKernels;
-#endif
-    default:
-#if (HWY_TARGETS & HWY_EMU128) != 0
-      return N_EMU128::kEyeKernels;
-#else
-      return N_SCALAR::kEyeKernels;
-#endif
-  }
+#include <glassbox/raster/lanes/kernels_of_target-inl.h>
 }
 
 }  // namespace glassbox::views

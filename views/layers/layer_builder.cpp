@@ -4,25 +4,27 @@
 #include <cmath>
 #include <tuple>
 
-#include "views/layers/depth_peeling.h"
-
 namespace glassbox::views {
 
-LayerBuilder::LayerBuilder(const LayerCamera& camera, double epsilon)
+LayerBuilder::LayerBuilder(const LayerCamera& camera, double epsilon, const SampleWishes& wishes)
     : camera_(camera),
       epsilon_(epsilon),
+      wishes_(wishes),
       last_added_(std::size_t(camera.width) * std::size_t(camera.height), kNone) {}
 
-void LayerBuilder::add(int x, int y, float depth, Rgba8 color, std::uint32_t rank) {
+void LayerBuilder::add(int x, int y, float depth, Rgba8 color, std::uint32_t rank,
+                       const SampleSource& source) {
   if (!(depth > 0) || !std::isfinite(depth)) return;
   const std::size_t place =
       std::size_t(camera_.height - 1 - y) * std::size_t(camera_.width) + std::size_t(x);
-  samples_.push_back({depth, color, rank, last_added_[place]});
+  samples_.push_back({depth, color, rank, last_added_[place], source});
   last_added_[place] = std::uint32_t(samples_.size() - 1);
 }
 
-std::size_t LayerBuilder::add_picture(const View& from, const Image<Rgba8>& color,
-                                      const Image<float>& distance, std::uint32_t rank) {
+template <class SourceOf>
+std::size_t LayerBuilder::add_pixels(const View& from, const Image<Rgba8>& color,
+                                     const Image<float>& distance, std::uint32_t rank,
+                                     const SourceOf& source_of) {
   const Eigen::Matrix4d warp = warp_matrix(camera_, layer_camera(from));
   std::size_t beside = 0;
   for (int y = 0; y < distance.height; ++y) {
@@ -38,16 +40,32 @@ std::size_t LayerBuilder::add_picture(const View& from, const Image<Rgba8>& colo
         ++beside;
         continue;
       }
-      add(int(column), int(row), float(there.z() / there.w()), color.at(x, y), rank);
+      add(int(column), int(row), float(there.z() / there.w()), color.at(x, y), rank,
+          source_of(x, y));
     }
   }
   return beside;
 }
 
+std::size_t LayerBuilder::add_picture(const View& from, const Image<Rgba8>& color,
+                                      const Image<float>& distance, std::uint32_t rank) {
+  return add_pixels(from, color, distance, rank, [](int, int) { return SampleSource(); });
+}
+
+std::size_t LayerBuilder::add_layer(const View& from, const Layer& layer,
+                                    std::span<const SampleNormal> normals, std::uint32_t rank) {
+  if (layer.id.pixels.empty()) return add_picture(from, layer.color, layer.distance, rank);
+  return add_pixels(from, layer.color, layer.distance, rank, [&](int x, int y) {
+    const std::uint32_t triangle = layer.id.at(x, y);
+    return SampleSource{triangle < normals.size() ? normals[triangle] : SampleNormal(), triangle};
+  });
+}
+
 // A total order of what samples say, so that equal ones are the same.
 bool LayerBuilder::is_behind(const Sample& a, const Sample& b) {
   const auto key = [](const Sample& s) {
-    return std::tuple(s.depth, ~s.rank, s.color.r, s.color.g, s.color.b, s.color.a);
+    return std::tuple(s.depth, ~s.rank, s.color.r, s.color.g, s.color.b, s.color.a, s.source.normal,
+                      s.source.triangle);
   };
   return key(a) < key(b);
 }
@@ -76,6 +94,8 @@ LayeredImage LayerBuilder::pack() const {
     for (std::size_t i = kept; i-- > 0;) {
       image.depth.push_back(here[i].depth);
       image.color.push_back(here[i].color);
+      if (wishes_.normals) image.normal.push_back(here[i].source.normal);
+      if (wishes_.triangles) image.triangle.push_back(here[i].source.triangle);
     }
     image.first.push_back(std::uint32_t(image.depth.size()));
   }
@@ -92,6 +112,8 @@ LayeredImage ends_of(const LayeredImage& image) {
       if (i != farthest && i + 1 != end) continue;
       ends.depth.push_back(image.depth[i]);
       ends.color.push_back(image.color[i]);
+      if (!image.normal.empty()) ends.normal.push_back(image.normal[i]);
+      if (!image.triangle.empty()) ends.triangle.push_back(image.triangle[i]);
     }
     ends.first.push_back(std::uint32_t(ends.depth.size()));
   }

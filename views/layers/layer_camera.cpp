@@ -6,15 +6,6 @@ namespace glassbox::views {
 
 namespace {
 
-template <class Target, class Source>
-Eigen::Matrix4d matrix_of(const Transform<Target, Source>& transform) {
-  Eigen::Matrix4d m;
-  for (int row = 0; row < 4; ++row) {
-    for (int column = 0; column < 4; ++column) m(row, column) = transform.at(row, column);
-  }
-  return m;
-}
-
 // The row of clip space that our depth comes from, in eye space.
 Eigen::RowVector4d depth_row(const View& view, const Eigen::Matrix4d& clip_from_eye) {
   if (view.perspective) return {0, 0, 0, view.near};
@@ -43,6 +34,10 @@ double depth_of(const View& view, double distance) {
   const Eigen::Matrix4d clip = matrix_of(view.clip_from_eye);
   const Eigen::Vector4d on_gaze(0, 0, -distance, 1);
   return depth_row(view, clip).dot(on_gaze) / clip.row(3).dot(on_gaze);
+}
+
+double distance_of(const View& view, double depth) {
+  return view.perspective ? view.near / depth : view.near + (1 - depth) * (view.far - view.near);
 }
 
 Eigen::Vector4d eye_of(const LayerCamera& camera) {

@@ -18,8 +18,18 @@ struct LayerCamera {
 
 LayerCamera layer_camera(const View& view);
 
-// The depth of what lies `distance` along the gaze of a view, in world units.
+template <class Target, class Source>
+Eigen::Matrix4d matrix_of(const Transform<Target, Source>& transform) {
+  Eigen::Matrix4d m;
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) m(row, column) = transform.at(row, column);
+  }
+  return m;
+}
+
+// The depth of what lies `distance` along the gaze of a view, in world units, and the other way round.
 double depth_of(const View& view, double distance);
+double distance_of(const View& view, double depth);
 
 // Its place in the world, homogeneous: w = 0 for a parallel view, of which it is the direction towards the eye.
 Eigen::Vector4d eye_of(const LayerCamera& camera);

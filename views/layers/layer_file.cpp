@@ -34,6 +34,9 @@ public:
     const auto in_file = in_order(value);
     bytes.insert(bytes.end(), in_file.begin(), in_file.end());
   }
+  void put(std::string_view word) {
+    for (const char c : word) put(std::uint8_t(c));
+  }
   void put(const Rgba8& c) {
     for (const std::uint8_t channel : {c.r, c.g, c.b, c.a}) put(channel);
   }
@@ -48,6 +51,13 @@ public:
   std::size_t at() const { return at_; }
   std::size_t left() const { return bytes_.size() - at_; }
   void skip(std::size_t count) { at_ += count; }
+  // Whether this word is next; then it is taken.
+  bool take_word(std::string_view word) {
+    if (left() < word.size() || std::memcmp(bytes_.data() + at_, word.data(), word.size()) != 0)
+      return false;
+    skip(word.size());
+    return true;
+  }
   // The bytes must be there.
   template <class T>
   T take() {
@@ -90,13 +100,16 @@ std::optional<Lens> lens_of(std::uint32_t kind, const LensNumbers& n) {
   return std::nullopt;
 }
 
+// What may follow the colours: a word, and four bytes for each sample.
+constexpr std::string_view kNormals = "norm", kTriangles = "tris";
+
 constexpr std::size_t kHeaderBytes = kMagic.size() + 2 * 4 + 4 + 6 * 8 + 16 * 8 + 4 + 4;
 
 }  // namespace
 
 std::vector<std::byte> encode_layers(const StoredLayers& layers) {
   Writer out;
-  for (const char c : kMagic) out.put(std::uint8_t(c));
+  out.put(kMagic);
   const LayeredImage& image = layers.image;
   out.put(std::uint32_t(image.camera.width));
   out.put(std::uint32_t(image.camera.height));
@@ -114,6 +127,16 @@ std::vector<std::byte> encode_layers(const StoredLayers& layers) {
   for (const std::uint32_t offset : image.first) out.put(offset);
   for (const float depth : image.depth) out.put(depth);
   for (const Rgba8& color : image.color) out.put(color);
+  if (!image.normal.empty()) {
+    out.put(kNormals);
+    for (const SampleNormal& n : image.normal) {
+      for (const std::int8_t number : {n.x, n.y, n.z, std::int8_t(0)}) out.put(number);
+    }
+  }
+  if (!image.triangle.empty()) {
+    out.put(kTriangles);
+    for (const std::uint32_t number : image.triangle) out.put(number);
+  }
   return std::move(out.bytes);
 }
 
@@ -152,7 +175,10 @@ Result<StoredLayers> decode_layers(std::span<const std::byte> bytes, const std::
   layers.background = in.take_color();
   const std::size_t samples = in.take<std::uint32_t>();
   const std::size_t offsets = std::size_t(width) * height + 1;
-  if (const std::size_t wanted = 4 * offsets + 8 * samples; in.left() != wanted)
+  const std::size_t wanted = 4 * offsets + 8 * samples, section = 4 + 4 * samples;
+  const bool has_length =
+      in.left() == wanted || in.left() == wanted + section || in.left() == wanted + 2 * section;
+  if (!has_length)
     return bad(in.at(), fmt::format("{} pixels and {} samples take {} bytes more, and {} follow",
                                     offsets - 1, samples, wanted, in.left()));
   LayeredImage& image = layers.image;
@@ -163,6 +189,19 @@ Result<StoredLayers> decode_layers(std::span<const std::byte> bytes, const std::
   for (float& depth : image.depth) depth = in.take<float>();
   image.color.resize(samples);
   for (Rgba8& color : image.color) color = in.take_color();
+  if (in.left() > 0 && in.take_word(kNormals)) {
+    image.normal.resize(samples);
+    for (SampleNormal& n : image.normal) {
+      for (std::int8_t* number : {&n.x, &n.y, &n.z}) *number = in.take<std::int8_t>();
+      if (in.take<std::int8_t>() != 0) return bad(in.at() - 1, "a normal has a fourth number");
+    }
+  }
+  if (in.left() > 0 && in.take_word(kTriangles)) {
+    image.triangle.resize(samples);
+    for (std::uint32_t& number : image.triangle) number = in.take<std::uint32_t>();
+  }
+  if (in.left() > 0)
+    return bad(in.at(), "neither normals follow nor triangles, or in another order");
   if (const auto good = check(image, source); !good) return tl::unexpected(good.error());
   return layers;
 }

@@ -7,6 +7,8 @@
 //   u8[4] background
 //   u32 samples
 //   u32[width * height + 1] offsets; f32[samples] depths; u8[4][samples] colours        as in layered_image.h
+//   "norm" i8[4][samples] normals and a 0                                               if there are any
+//   "tris" u32[samples] triangles                                                       if there are any
 //
 // All numbers are little-endian.
 #pragma once

@@ -8,6 +8,16 @@
 
 namespace glassbox::views {
 
+namespace {
+
+// Not known; or of length 127, but for the rounding of three numbers, half of one each.
+bool is_legal(const SampleNormal& n) {
+  const double length = std::sqrt(double(n.x * n.x + n.y * n.y + n.z * n.z));
+  return !n.is_known() || std::abs(length - 127) <= std::sqrt(0.75);
+}
+
+}  // namespace
+
 Result<void> check(const LayeredImage& image, const std::string& source) {
   const auto bad = [&](const std::string& what) {
     return fail(source, what, "build the layers again");
@@ -22,6 +32,11 @@ Result<void> check(const LayeredImage& image, const std::string& source) {
   if (image.first.size() != pixels + 1 || image.color.size() != image.depth.size())
     return bad(fmt::format("has {} offsets for {} pixels, {} colours for {} depths",
                            image.first.size(), pixels, image.color.size(), image.depth.size()));
+  for (const std::size_t others : {image.normal.size(), image.triangle.size()}) {
+    if (others != 0 && others != image.depth.size())
+      return bad(
+          fmt::format("has {} normals or triangles for {} samples", others, image.depth.size()));
+  }
   if (image.first.front() != 0 || image.first.back() != image.depth.size())
     return bad(fmt::format("has offsets from {} to {} of {} samples", image.first.front(),
                            image.first.back(), image.depth.size()));
@@ -36,6 +51,8 @@ Result<void> check(const LayeredImage& image, const std::string& source) {
         return bad(fmt::format("{} has the depth {}", where, depth));
       if (i > begin && !(image.depth[i - 1] < depth))
         return bad(fmt::format("{} has samples that do not go from back to front", where));
+      if (!image.normal.empty() && !is_legal(image.normal[i]))
+        return bad(fmt::format("{} has a normal whose length is not 1", where));
     }
   }
   return {};

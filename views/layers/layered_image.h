@@ -2,6 +2,7 @@
 // S1-01).
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -14,6 +15,14 @@
 
 namespace glassbox::views {
 
+// A surface's normal in the world, times 127 and to the nearest whole numbers; all 0: not known.
+struct SampleNormal {
+  std::int8_t x = 0, y = 0, z = 0;
+
+  bool is_known() const { return x != 0 || y != 0 || z != 0; }
+  friend auto operator<=>(const SampleNormal&, const SampleNormal&) = default;
+};
+
 // Packed for drawing (S1-06): rows from the bottom to the top, pixels from left to right, samples of a pixel from back to front.
 struct LayeredImage {
   LayerCamera camera;
@@ -22,6 +31,9 @@ struct LayeredImage {
   std::vector<float>
       depth;  // layer_camera.h: positive, and greater in front; in a pixel no two are the same
   std::vector<Rgba8> color;
+  // Of each sample, or empty: where nobody wanted them. A triangle's number as Framebuffer::id has it; 0: none.
+  std::vector<SampleNormal> normal;
+  std::vector<std::uint32_t> triangle;
 
   // Of pixel (x, y), y down.
   std::size_t place(int x, int y) const {
@@ -31,7 +43,7 @@ struct LayeredImage {
 };
 
 // Whether it is what drawing relies on: one offset a pixel and one more, ascending to the number of samples, finite depths above 0
-// that ascend within a pixel, an invertible camera. The error names `source` and the pixel.
+// that ascend within a pixel, normals of a length, an invertible camera. The error names `source` and the pixel.
 Result<void> check(const LayeredImage& image, const std::string& source);
 
 struct LayerCounts {

@@ -179,14 +179,14 @@ private:
     return best;
   }
 
+  // A visit leaves at most one more to do than it takes away, and halving 2^32 triangles takes 32.
+  static_assert(kUnevenSplits + 32 + 2 <= RayCaster::kDeepest);
+
   RayCaster& caster_;
   std::vector<TreeBox> boxes_;
   std::vector<Eigen::Vector3d> middles_;
   double margin_ = 0;
 };
-
-// A visit leaves at most one more to do than it takes away.
-static_assert(kUnevenSplits + 32 + 2 <= 96);
 
 RayCaster::RayCaster(std::vector<TriangleCorners> triangles) : triangles_(std::move(triangles)) {
   RayTree(*this);

@@ -10,29 +10,31 @@
 #include <Eigen/Geometry>
 
 #include <glassbox/base/trig.h>
+#include <glassbox/render/engine/threads.h>
 
-#include "views/layers/layer_builder.h"
 #include "views/layers/ray_surfaces.h"
+#include "views/layers/triangle_normals.h"
 
 namespace glassbox::views {
 
 namespace {
 
-constexpr int kTasksAtATime = 64;
+constexpr std::size_t kPartsAtATime = 64;
 
 struct SeenHit {
   std::uint16_t x, y;
   float depth;
   Rgba8 color;
   std::uint32_t from_centre;  // of the pixel: 2^20 times the distance's square, in pixels
+  std::uint32_t triangle;
 };
 
-struct TaskHits {
+struct PartHits {
   std::vector<SeenHit> seen;
   std::uint64_t followed = 0;
 };
 
-// All rays that start in one of the face's squares.
+// Casts the rays of a part.
 class RayTask {
 public:
   RayTask(const RaySurfaces& surfaces, const View& view, const RaySampling& sampling)
@@ -42,17 +44,15 @@ public:
     camera_ = layer_camera(at_eye);
   }
 
-  void run(int square, TaskHits& into) const {
+  void run(const RayPart& part, PartHits& into) const {
     const int n = sampling_.strata;
     into.seen.clear();
     into.followed = 0;
-    for (int k = 0; k < n; ++k) {
-      for (int l = 0; l < n; ++l) {
-        const std::array<int, 4> stratum{square / n, square % n, k, l};
-        Random random = random_of(stratum, n);
-        for (int i = 0; i < sampling_.rays; ++i)
-          cast(ray_of(numbers_in(stratum, n, random), sampling_.half_side), into);
-      }
+    for (std::uint64_t s = 0; s < part.strata; ++s) {
+      const std::array<int, 4> stratum = stratum_of(part.stratum + s, n);
+      Random random = s == 0 ? part.random : random_of(stratum, n);
+      for (int i = 0; i < part.rays; ++i)
+        cast(ray_of(numbers_in(stratum, n, random), sampling_.half_side), into);
     }
   }
 
@@ -79,7 +79,7 @@ private:
     return from <= to ? to : -1;
   }
 
-  void cast(const Ray& ray, TaskHits& into) const {
+  void cast(const Ray& ray, PartHits& into) const {
     const double last = last_seen(ray);
     if (last < 0) return;
     ++into.followed;
@@ -93,9 +93,9 @@ private:
     const bool in_depth = -at.z() >= view_.near && -at.z() <= view_.far;
     if (!in_picture || !in_depth) return;
     const double right = x - std::floor(x) - 0.5, down = y - std::floor(y) - 0.5;
-    into.seen.push_back({std::uint16_t(x), std::uint16_t(y), float(there.z() / there.w()),
-                         surfaces_.color(*hit),
-                         std::uint32_t(0x1p20 * (right * right + down * down))});
+    into.seen.push_back(
+        {std::uint16_t(x), std::uint16_t(y), float(there.z() / there.w()), surfaces_.color(*hit),
+         std::uint32_t(0x1p20 * (right * right + down * down)), surfaces_.number(*hit)});
   }
 
   const RaySurfaces& surfaces_;
@@ -128,26 +128,80 @@ Random random_of(const std::array<int, 4>& stratum, int strata) {
   return Random(Random(number).bits());
 }
 
+std::array<int, 4> stratum_of(std::uint64_t number, int strata) {
+  std::array<int, 4> stratum{};
+  for (std::size_t i = 4; i-- > 0; number /= std::uint64_t(strata))
+    stratum[i] = int(number % std::uint64_t(strata));
+  return stratum;
+}
+
+RayParts::RayParts(const RaySampling& sampling)
+    : sampling_(sampling),
+      all_(sampling.count() / std::uint64_t(sampling.rays)),
+      random_(random_here()) {}
+
+Random RayParts::random_here() const {
+  return random_of(stratum_of(stratum_, sampling_.strata), sampling_.strata);
+}
+
+std::optional<RayPart> RayParts::next() {
+  if (stratum_ == all_) return std::nullopt;
+  return sampling_.rays <= kRaysOfPart ? whole_strata() : some_of_a_stratum();
+}
+
+RayPart RayParts::whole_strata() {
+  const std::uint64_t some = std::min(std::uint64_t(kRaysOfPart / sampling_.rays), all_ - stratum_);
+  const RayPart part{stratum_, some, sampling_.rays, random_here()};
+  stratum_ += some;
+  return part;
+}
+
+RayPart RayParts::some_of_a_stratum() {
+  const RayPart part{stratum_, 1, std::min(kRaysOfPart, sampling_.rays - done_), random_};
+  const std::array<int, 4> stratum = stratum_of(stratum_, sampling_.strata);
+  for (int i = 0; i < part.rays; ++i) numbers_in(stratum, sampling_.strata, random_);
+  done_ += part.rays;
+  if (done_ == sampling_.rays) {
+    done_ = 0;
+    ++stratum_;
+    random_ = random_here();
+  }
+  return part;
+}
+
 LayeredImage build_layers_by_rays(const Scene& scene, const View& view,
                                   const RenderSettings& settings, const RaySampling& sampling,
-                                  double epsilon, RayCounts& counts) {
+                                  double epsilon, RayCounts& counts, const SampleWishes& wishes) {
   const RaySurfaces surfaces(scene, view, settings);
   const RayTask task(surfaces, view, sampling);
-  LayerBuilder builder(layer_camera(view), epsilon);
+  LayerBuilder builder(layer_camera(view), epsilon, wishes);
+  const std::vector<SampleNormal> normals =
+      wishes.normals ? triangle_normals(scene) : std::vector<SampleNormal>();
+  allow_threads(sampling.threads);
   tbb::task_arena arena(sampling.threads);
-  std::vector<TaskHits> hits(kTasksAtATime);
-  const int squares = sampling.strata * sampling.strata;
-  for (int first = 0; first < squares; first += kTasksAtATime) {
-    const int some = std::min(kTasksAtATime, squares - first);
+  RayParts left(sampling);
+  std::vector<RayPart> parts;
+  std::vector<PartHits> hits(kPartsAtATime);
+  while (true) {
+    parts.clear();
+    while (parts.size() < kPartsAtATime) {
+      const std::optional<RayPart> part = left.next();
+      if (!part) break;
+      parts.push_back(*part);
+    }
+    if (parts.empty()) break;
     arena.execute([&] {
-      tbb::parallel_for(0, some, [&](int i) { task.run(first + i, hits[std::size_t(i)]); });
+      tbb::parallel_for(std::size_t(0), parts.size(),
+                        [&](std::size_t i) { task.run(parts[i], hits[i]); });
     });
-    for (int i = 0; i < some; ++i) {
-      const TaskHits& here = hits[std::size_t(i)];
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const PartHits& here = hits[i];
       counts.followed += here.followed;
       counts.hits += here.seen.size();
       for (const SeenHit& hit : here.seen)
-        builder.add(hit.x, hit.y, hit.depth, hit.color, hit.from_centre);
+        builder.add(
+            hit.x, hit.y, hit.depth, hit.color, hit.from_centre,
+            {hit.triangle < normals.size() ? normals[hit.triangle] : SampleNormal(), hit.triangle});
     }
   }
   return builder.pack();

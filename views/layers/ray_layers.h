@@ -3,18 +3,20 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include <glassbox/base/random.h>
 #include <glassbox/mesh/scene.h>
 #include <glassbox/pipeline/view.h>
 #include <glassbox/render/engine/settings.h>
 
-#include "views/layers/layered_image.h"
+#include "views/layers/layer_builder.h"
 #include "views/layers/ray_caster.h"
 
 namespace glassbox::views {
 
-inline constexpr std::uint64_t kMostRays = std::uint64_t(1) << 26;  // 16 bytes for each that counts
+// A hit takes 24 bytes until all are there: 1.5 GB if each ray has one.
+inline constexpr std::uint64_t kMostRays = std::uint64_t(1) << 26;
 
 // Rays have four numbers in [0, 1]: where on the front face of a cube around the eye they start, and two of their direction, so that
 // equal shares of the numbers are equal shares of the light that a matte face would receive. Each number is cut into `strata` parts,
@@ -37,6 +39,32 @@ Ray ray_of(const std::array<double, 4>& numbers, double half_side);
 std::array<double, 4> numbers_in(const std::array<int, 4>& stratum, int strata, Random& random);
 Random random_of(const std::array<int, 4>& stratum, int strata);
 
+// What one thread casts at a time: all rays of `strata` neighbouring strata, by their numbers, or some of one stratum's.
+struct RayPart {
+  std::uint64_t stratum = 0, strata = 1;
+  int rays = 1;   // of each
+  Random random;  // of the first one, where these rays begin
+};
+std::array<int, 4> stratum_of(std::uint64_t number, int strata);
+
+// All parts of a sampling, one after the other; none has more than kRaysOfPart rays.
+inline constexpr int kRaysOfPart = 1 << 14;
+class RayParts {
+public:
+  explicit RayParts(const RaySampling& sampling);
+  std::optional<RayPart> next();
+
+private:
+  RayPart whole_strata();
+  RayPart some_of_a_stratum();
+  Random random_here() const;
+
+  const RaySampling& sampling_;
+  std::uint64_t all_, stratum_ = 0;
+  int done_ = 0;  // rays of it
+  Random random_;
+};
+
 struct RayCounts {
   // Those of which a part lies in what the picture shows; the others, and what is behind that part, are not asked what they meet.
   std::uint64_t followed = 0;
@@ -46,7 +74,8 @@ struct RayCounts {
 // Samples of a pixel within epsilon are one: that which lies nearest to the pixel's centre. The view must be one of perspective.
 LayeredImage build_layers_by_rays(const Scene& scene, const View& view,
                                   const RenderSettings& settings, const RaySampling& sampling,
-                                  double epsilon, RayCounts& counts);
+                                  double epsilon, RayCounts& counts,
+                                  const SampleWishes& wishes = {});
 
 // Unlike a peeled pixel's, the hits of one pixel lie anywhere in it: on a surface at 75 degrees to the gaze their distances differ by 3.7
 // of a pixel's widths, which are 1/300 of the distance in a picture of 300 pixels that is as wide as it is far.

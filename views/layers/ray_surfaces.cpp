@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 #include <glassbox/raster/light_formulas.h>
+#include <glassbox/render/staged/fragment_color.h>
 
 namespace glassbox::views {
 
@@ -48,8 +49,8 @@ std::vector<TriangleCorners> RaySurfaces::corners_of(const DrawList& list,
             draw.mesh->positions[draw.mesh->corners[triangles[i].corners[k]].position];
         const Point<Eye, double> eye = draw.eye_from_object * Point<Object, double>(p.x, p.y, p.z);
         corners[k] = {eye.x, eye.y, eye.z};
-        // What a float cannot hold is left out, as a rasterizer would not draw it either.
-        finite = finite && corners[k].cwiseAbs().maxCoeff() < 1e30;
+        // As a rasterizer would not draw it either.
+        finite = finite && corners[k].cwiseAbs().maxCoeff() < kFarthest;
       }
       if (!finite) continue;
       all.push_back(corners);
@@ -140,12 +141,18 @@ std::array<float, 3> RaySurfaces::normal_at(const RayHit& hit) const {
   });
 }
 
+std::uint32_t RaySurfaces::number(const RayHit& hit) const {
+  const Place& place = places_[hit.triangle];
+  const Draw& draw = list_.draws[place.draw];
+  return 1 + draw.first_number + draw.triangulation->triangles[place.triangle].number;
+}
+
 bool RaySurfaces::shows(const RayHit& hit) const {
   const Draw& draw = list_.draws[places_[hit.triangle].draw];
   // A mirroring matrix turns the winding round, and the outside with it.
   if (is_culled(draw, settings_.cull, hit.front != draw.mirrored)) return false;
   const Material& material = *draw.material;
-  return material.alpha_mode != AlphaMode::kMask || base_color(hit).a >= material.alpha_cutoff;
+  return material.alpha_mode != AlphaMode::kMask || !is_discarded(material, base_color(hit));
 }
 
 Rgba8 RaySurfaces::color(const RayHit& hit) const {

@@ -10,6 +10,9 @@
 
 namespace glassbox::views {
 
+// World units: a surface with a corner farther from the eye along an axis is left out, for floats end soon after.
+inline constexpr double kFarthest = 1e30;
+
 class RaySurfaces {
 public:
   // Of a perspective view. Shading is unlit or kPhong's. The scene must outlive it.
@@ -19,6 +22,9 @@ public:
 
   // In eye space.
   const RayCaster& caster() const { return caster_; }
+
+  // Of its triangle, as Framebuffer::id has it.
+  std::uint32_t number(const RayHit& hit) const;
 
   // Neither culled nor, by its mask, a hole.
   bool shows(const RayHit& hit) const;

@@ -1,11 +1,11 @@
 #include "views/layers/second_eye.h"
 
 #include <algorithm>
-#include <bit>
 #include <chrono>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numeric>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -13,8 +13,11 @@
 
 #include <glassbox/base/printable.h>
 #include <glassbox/pipeline/stereo/parallax.h>
+#include <glassbox/render/engine/threads.h>
 
+#include "views/layers/depth_peeling.h"
 #include "views/layers/eye_kernels.h"
+#include "views/layers/seen_behind.h"
 
 namespace glassbox::views {
 
@@ -46,79 +49,36 @@ EyeShift eye_shift_of(const View& centre, const StereoPair& pair, DepthFormat fo
   return shift;
 }
 
-// A code's depth.
-double depth_of_code(DepthFormat format, std::uint32_t code) {
-  constexpr std::uint32_t kOne = std::bit_cast<std::uint32_t>(1.0f);
-  switch (format) {
-    case DepthFormat::kFloat32:
-      return double(std::bit_cast<float>(code));
-    case DepthFormat::kFloat32Reversed:
-      return double(std::bit_cast<float>(kOne - code));
-    case DepthFormat::kUnorm24:
-    case DepthFormat::kUnorm16:
-      break;
-  }
-  return code / unorm_depth_steps(format);
-}
-
-// The codes of what has a pixel of parallax more: what is nearer to the surface in front than that cannot come into view beside it by a
-// whole pixel, and would take a layer from what can.
-void push_back_by_a_pixel(const EyeShift& shift, Image<std::uint32_t>& codes) {
-  for (std::uint32_t& code : codes.pixels) {
-    if (code == kEmptyDepth) continue;
-    const double nearness =
-        double(shift.offset) + double(shift.slope) * depth_of_code(shift.format, code);
-    const double behind = nearness - 1 / double(shift.by_nearness);
-    code = behind <= 0 ? kEmptyDepth
-                       : depth_code(shift.format,
-                                    float((behind - double(shift.offset)) / double(shift.slope)));
-  }
-}
-
 // A row of the other eye's picture and room beyond it.
 struct Row {
   EyeTarget cleared(int width) {
     nearness.assign(std::size_t(width) + 1, 0);
     color.resize(std::size_t(width) + 1);
-    return {color.data(), nearness.data()};
+    return target();
   }
+  EyeTarget target() { return {color.data(), nearness.data()}; }
 
   std::vector<std::uint32_t> color, nearness;
 };
 
-// Pixels of parallax that what is seen in a hole may lie behind the farther of its sides: surfaces recede, and others begin. A guess, of
-// which less fills the forest's holes worse and more shows the sky through the room's walls.
-constexpr float kRecedes = 8;
-
-// For each hole that the first layer leaves, the least nearness (bits + 1) of what may be seen in it: the farther of its two sides', less so
-// much parallax. Deeper layers have what lies behind that side, too, which it would hide if it went on
-// in the hole, as a wall does behind a lamp.
-void find_limits(const EyeTarget& front, int width, const EyeShift& shift,
-                 std::vector<std::uint32_t>& limits) {
-  limits.assign(std::size_t(width), 0);
+void take_nearer(const EyeTarget& behind, int width, const EyeTarget& to) {
   for (int x = 0; x < width; ++x) {
-    if (front.nearness[x] != 0) continue;
-    int end = x;
-    while (end < width && front.nearness[end] == 0) ++end;
-    const std::uint32_t left = x > 0 ? front.nearness[x - 1] : 0,
-                        right = end < width ? front.nearness[end] : 0;
-    const std::uint32_t farther = left == 0 ? right : right == 0 ? left : std::min(left, right);
-    if (farther != 0) {
-      const float limit = std::bit_cast<float>(farther - 1) - kRecedes / shift.by_nearness;
-      std::fill(limits.begin() + x, limits.begin() + end,
-                limit > 0 ? std::bit_cast<std::uint32_t>(limit) + 1 : 0);
-    }
-    x = end;
-  }
-}
-
-void take_behind(const EyeTarget& behind, const std::vector<std::uint32_t>& limits,
-                 const EyeTarget& to) {
-  for (std::size_t x = 0; x < limits.size(); ++x) {
-    if (behind.nearness[x] <= to.nearness[x] || behind.nearness[x] < limits[x]) continue;
+    if (behind.nearness[x] <= to.nearness[x]) continue;
     to.nearness[x] = behind.nearness[x];
     to.color[x] = behind.color[x];
   }
+}
+
+// The same with a picture that goes on to the right.
+View widened(const View& view, int width) {
+  View wide = view;
+  const double by = double(view.viewport.width()) / width;
+  for (int i = 0; i < 4; ++i) {
+    wide.clip_from_eye.at(0, i) =
+        by * view.clip_from_eye.at(0, i) + (by - 1) * view.clip_from_eye.at(3, i);
+  }
+  wide.viewport.right = wide.viewport.left + float(width);
+  return wide;
 }
 
 double ms_since(Clock::time_point start) {
@@ -130,9 +90,71 @@ double ms_since(Clock::time_point start) {
 struct SecondEye::State {
   struct Memory {
     std::vector<float> scratch;
-    Row front, behind;
-    std::vector<std::uint32_t> limits;
+    Row row;
+    BehindMemory behind;
   };
+
+  void begin(const Image<Rgba8>& first, const View& centre, const StereoPair& pair,
+             const SecondEyeSettings& settings) {
+    width = first.width;
+    height = first.height;
+    shift = eye_shift_of(centre, pair, settings.format);
+    kernels = &eye_kernels(settings.target);
+    const int wanted = std::clamp(settings.threads, 1, height);
+    if (threads == wanted) return;
+    allow_threads(wanted);
+    arena = std::make_unique<tbb::task_arena>(wanted);
+    threads = wanted;
+    of_thread.resize(std::size_t(threads));
+  }
+
+  // Calls work(y, memory) with all rows; the sum of what it returns.
+  template <class Work>
+  std::size_t for_each_row(const Work& work) {
+    std::vector<int> counts(std::size_t(height), 0);
+    if (threads == 1) {
+      for (int y = 0; y < height; ++y) counts[std::size_t(y)] = work(y, of_thread[0]);
+    } else {
+      arena->execute([&] {
+        tbb::parallel_for(tbb::blocked_range<int>(0, height, kRowsOfTask),
+                          [&](const tbb::blocked_range<int>& some) {
+                            const auto mine =
+                                std::size_t(tbb::this_task_arena::current_thread_index());
+                            for (int y = some.begin(); y < some.end(); ++y)
+                              counts[std::size_t(y)] = work(y, of_thread[mine]);
+                          });
+      });
+    }
+    return std::accumulate(counts.begin(), counts.end(), std::size_t(0));
+  }
+
+  void carry(const LayerView& layer, bool is_first, int y, Memory& memory,
+             const EyeTarget& to) const {
+    const int columns = layer.color.width;
+    memory.scratch.resize(2 * std::size_t(columns) + 256);
+    const EyeRow row{&layer.color.at(0, y), &layer.depth.at(0, y), columns, is_first};
+    kernels->carry(shift, row, memory.scratch.data(), to);
+  }
+
+  int finish_row(const EyeTarget& row, int y, Image<Rgba8>& into) const {
+    const int holes = kernels->fill(row, width);
+    std::memcpy(static_cast<void*>(&into.at(0, y)), row.color, 4 * std::size_t(width));
+    return holes;
+  }
+
+  // The hole at the end of a row: what comes in there lies beside the first eye's picture.
+  int hole_at_end(int y) {
+    const EyeTarget row = rows[std::size_t(y)].target();
+    int end = width;
+    while (end > 0 && row.nearness[end - 1] == 0) --end;
+    return width - end;
+  }
+
+  int width = 0, height = 0;
+  int beside = 0;  // columns that a second layer has beyond the first one's
+  EyeShift shift{};
+  const EyeKernels* kernels = nullptr;
+  std::vector<Row> rows;  // of the other eye, where there is more than one layer
   std::vector<Memory> of_thread;
   int threads = 0;
   std::unique_ptr<tbb::task_arena> arena;  // of that many
@@ -141,51 +163,70 @@ struct SecondEye::State {
 SecondEye::SecondEye() : state_(std::make_unique<State>()) {}
 SecondEye::~SecondEye() = default;
 
-std::size_t SecondEye::warp(std::span<const LayerView> layers, const View& centre,
-                            const StereoPair& pair, const SecondEyeSettings& settings,
-                            Image<Rgba8>& into) {
-  const int width = layers[0].color.width, height = layers[0].color.height;
-  const EyeShift shift = eye_shift_of(centre, pair, settings.format);
-  const EyeKernels& kernels = eye_kernels(settings.target);
-  if (into.width != width || into.height != height) into = Image<Rgba8>(width, height);
-  State& state = *state_;
-  const int threads = std::clamp(settings.threads, 1, height);
-  if (state.threads != threads) {
-    state.arena = std::make_unique<tbb::task_arena>(threads);
-    state.threads = threads;
-    state.of_thread.resize(std::size_t(threads));
+void SecondEye::begin(const LayerView& first, const View& centre, const StereoPair& pair,
+                      const SecondEyeSettings& settings) {
+  State& s = *state_;
+  s.begin(first.color, centre, pair, settings);
+  if (s.rows.size() < std::size_t(s.height)) s.rows.resize(std::size_t(s.height));
+  s.for_each_row([&](int y, State::Memory& memory) {
+    s.carry(first, true, y, memory, s.rows[std::size_t(y)].cleared(s.width));
+    return 0;
+  });
+  // Surfaces that are nearer than those at the edge move by more: twice as many are a guess. (And one, for what lies between two samples is a
+  // mixture of them.)
+  s.beside = 0;
+  for (int y = 0; y < s.height; ++y) {
+    if (const int hole = s.hole_at_end(y); hole > 0) s.beside = std::max(s.beside, 2 * hole + 1);
   }
-  std::vector<int> holes(std::size_t(height), 0);
-  const auto warp_row = [&](int y, State::Memory& memory) {
-    memory.scratch.resize(2 * std::size_t(width) + 256);
-    EyeTarget to = memory.front.cleared(width);
-    for (std::size_t i = 0; i < layers.size(); ++i) {
-      const LayerView& layer = layers[i];
-      const EyeRow row{&layer.color.at(0, y), &layer.depth.at(0, y), width, i == 0};
-      const EyeTarget layer_to = i == 0 ? to : memory.behind.cleared(width);
-      kernels.carry(shift, row, memory.scratch.data(), layer_to);
-      if (i == 0 && layers.size() > 1) find_limits(to, width, shift, memory.limits);
-      if (i > 0) take_behind(layer_to, memory.limits, to);
-    }
-    holes[std::size_t(y)] = kernels.fill(to, width);
-    std::memcpy(static_cast<void*>(&into.at(0, y)), to.color, 4 * std::size_t(width));
-  };
-  if (threads == 1) {
-    for (int y = 0; y < height; ++y) warp_row(y, state.of_thread[0]);
-  } else {
-    state.arena->execute([&] {
-      tbb::parallel_for(tbb::blocked_range<int>(0, height, kRowsOfTask),
-                        [&](const tbb::blocked_range<int>& rows) {
-                          const auto mine =
-                              std::size_t(tbb::this_task_arena::current_thread_index());
-                          for (int y = rows.begin(); y < rows.end(); ++y)
-                            warp_row(y, state.of_thread[mine]);
-                        });
-    });
-  }
-  std::size_t all = 0;
-  for (const int here : holes) all += std::size_t(here);
-  return all;
+  s.beside = std::min(s.beside, kMaxImageSide - s.width);
+}
+
+bool SecondEye::find_behind(const Image<std::uint32_t>& last, Image<std::uint32_t>& behind) {
+  State& s = *state_;
+  const int columns = s.width + s.beside;
+  if (behind.width != columns || behind.height != s.height)
+    behind = Image<std::uint32_t>(columns, s.height);
+  const bool is_second = last.width == s.width;
+  return s.for_each_row([&](int y, State::Memory& memory) {
+    std::uint32_t* const row = &behind.at(0, y);
+    const bool found = find_seen_behind(s.shift, &last.at(0, y), s.width,
+                                        s.rows[std::size_t(y)].target(), memory.behind, row);
+    const int hole = is_second ? s.hole_at_end(y) : 0;
+    const int wanted = hole > 0 ? std::min(2 * hole + 1, s.beside) : 0;
+    std::fill_n(row + s.width, wanted, 0u);
+    std::fill(row + s.width + wanted, row + columns, kEmptyDepth);
+    return int(found || wanted > 0);
+  }) > 0;
+}
+
+void SecondEye::add(const LayerView& layer) {
+  State& s = *state_;
+  s.for_each_row([&](int y, State::Memory& memory) {
+    const EyeTarget row = memory.row.cleared(layer.color.width);
+    s.carry(layer, false, y, memory, row);
+    take_nearer(row, s.width, s.rows[std::size_t(y)].target());
+    return 0;
+  });
+}
+
+std::size_t SecondEye::finish(Image<Rgba8>& into) {
+  State& s = *state_;
+  if (into.width != s.width || into.height != s.height) into = Image<Rgba8>(s.width, s.height);
+  return s.for_each_row([&](int y, State::Memory&) {
+    return s.finish_row(s.rows[std::size_t(y)].target(), y, into);
+  });
+}
+
+std::size_t SecondEye::warp(const LayerView& layer, const View& centre, const StereoPair& pair,
+                            const SecondEyeSettings& settings, Image<Rgba8>& into) {
+  State& s = *state_;
+  s.begin(layer.color, centre, pair, settings);
+  if (into.width != s.width || into.height != s.height) into = Image<Rgba8>(s.width, s.height);
+  return s.for_each_row([&](int y, State::Memory& memory) {
+    const EyeTarget row = memory.row.cleared(s.width);
+    s.carry(layer, true, y, memory, row);
+    return s.finish_row(row, y, into);
+  });
 }
 
 Result<void> check_second_eye(const Scene& scene, const RenderSettings& settings, int layers) {
@@ -196,17 +237,15 @@ Result<void> check_second_eye(const Scene& scene, const RenderSettings& settings
   if (layers == 1) return {};
   if (settings.samples > 1)
     return fail(option, "a sample of a layer has one depth", "leave out --samples, or take warp:1");
-  for (const Material& material : scene.materials) {
-    if (material.alpha_mode == AlphaMode::kBlend)
-      return fail(option, "material \"" + printable(material.name) + "\" is seen through",
-                  "take warp:1, which carries it with what is behind it");
-  }
+  if (const Material* glass = seen_through(scene))
+    return fail(option, "material \"" + printable(glass->name) + "\" is seen through",
+                "take warp:1, which carries it with what is behind it");
   return {};
 }
 
-void render_pair_by_warp(Renderer& renderer, const Scene& scene, const View& centre,
-                         const StereoPair& pair, const RenderSettings& settings,
-                         const SecondEyeSettings& by, SecondEye& second, PairByWarp& into) {
+void render_pair_by_warp(Renderer& renderer, const View& centre, const StereoPair& pair,
+                         const RenderSettings& settings, const SecondEyeSettings& by,
+                         SecondEye& second, PairByWarp& into) {
   StereoRendering& both = into.rendering;
   RenderSettings with_depth = settings;
   with_depth.want_depth = true;
@@ -214,28 +253,43 @@ void render_pair_by_warp(Renderer& renderer, const Scene& scene, const View& cen
   how.format = settings.depth;
   const View left_view = eye_view(centre, pair, Side::kLeft);
   const Clock::time_point start = Clock::now();
-  Rendering left = renderer.render(left_view, with_depth);
+  Rendering& drawn = into.drawn;
+  drawn.buffers = std::move(both.left);
+  renderer.render(left_view, with_depth, drawn);
+  both.left = std::move(drawn.buffers);
+  both.left_statistics = drawn.statistics;
   into.left_ms = ms_since(start);
+  into.layers_ms = into.warp_ms = 0;
   into.holes = 0;
-  both.left = std::move(left.buffers);
-  both.left_statistics = left.statistics;
   both.passes = 1;
   if (pair.half_separation == 0) {
     both.right = both.left;
     return;
   }
-  const Clock::time_point peeling = Clock::now();
-  std::vector<Layer> behind;
-  if (by.layers > 1)
-    behind = peel_behind(scene, left_view, with_depth, both.left.depth, by.layers - 1,
-                         [&, shift = eye_shift_of(centre, pair, settings.depth)](
-                             Image<std::uint32_t>& codes) { push_back_by_a_pixel(shift, codes); });
-  into.layers_ms = ms_since(peeling);
-  std::vector<LayerView> layers{{both.left.color, both.left.depth}};
-  for (const Layer& layer : behind) layers.push_back({layer.color, layer.depth});
-  const Clock::time_point warping = Clock::now();
-  into.holes = second.warp(layers, centre, pair, how, both.right.color);
-  into.warp_ms = ms_since(warping);
+  const LayerView first{both.left.color, both.left.depth};
+  const auto warping = [&](const auto& work) {
+    const Clock::time_point began = Clock::now();
+    work();
+    into.warp_ms += ms_since(began);
+  };
+  if (by.layers == 1) {
+    warping([&] { into.holes = second.warp(first, centre, pair, how, both.right.color); });
+  } else {
+    warping([&] { second.begin(first, centre, pair, how); });
+    const Image<std::uint32_t>* last = &both.left.depth;
+    with_depth.want_distance = false;
+    for (int i = 1; i < by.layers; ++i) {
+      bool any = false;
+      warping([&] { any = second.find_behind(*last, into.behind); });
+      if (!any) break;
+      const Clock::time_point peeling = Clock::now();
+      renderer.render(widened(left_view, into.behind.width), with_depth, into.layer, &into.behind);
+      into.layers_ms += ms_since(peeling);
+      last = &into.layer.buffers.depth;
+      warping([&] { second.add({into.layer.buffers.color, *last}); });
+    }
+    warping([&] { into.holes = second.finish(both.right.color); });
+  }
   both.right.distance = settings.want_distance ? both.left.distance : Image<float>();
 }
 

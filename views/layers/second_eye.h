@@ -2,21 +2,16 @@
 #pragma once
 
 #include <memory>
-#include <span>
-#include <vector>
 
 #include <glassbox/images/image.h>
 #include <glassbox/pipeline/stereo/stereo_pair.h>
 #include <glassbox/raster/lanes/target.h>
 #include <glassbox/render/renderer.h>
 
-#include "views/layers/depth_peeling.h"
-
 namespace glassbox::views {
 
 struct SecondEyeSettings {
-  int layers =
-      1;  // of the left eye; those behind the first are peeled by the staged engine, which takes many times a picture's time
+  int layers = 1;   // of the left eye; each takes another pass of the engine
   int threads = 1;  // of the warp, which depends on neither
   Target target = best_target();
   DepthFormat format = DepthFormat::kFloat32;  // of the layers' depths
@@ -36,11 +31,21 @@ public:
   SecondEye& operator=(const SecondEye&) = delete;
 
   // Eyes that look the same way differ in the rows of their pictures alone: a pixel moves along its row, by the parallax of its
-  // distance, which is linear in its depth. What lies between two pixels of one surface is a mixture of them; the nearest stays; and holes are filled with what is
-  // beside them, of both sides the farther: from behind. Empty pixels of the first layer are background and infinitely far.
-  // How many pixels those holes are.
-  std::size_t warp(std::span<const LayerView> layers, const View& centre, const StereoPair& pair,
+  // distance, which is linear in its depth. What lies between two pixels of one surface is a mixture of them; the nearest stays; and holes
+  // are filled with what is beside them, of both sides the farther: from behind. Empty pixels of the first layer are background and
+  // infinitely far. How many pixels those holes are.
+  std::size_t warp(const LayerView& layer, const View& centre, const StereoPair& pair,
                    const SecondEyeSettings& settings, Image<Rgba8>& into);
+
+  // The same of several layers, one after the other: the first, any others, and the picture.
+  void begin(const LayerView& first, const View& centre, const StereoPair& pair,
+             const SecondEyeSettings& settings);
+  void add(const LayerView& layer);
+  std::size_t finish(Image<Rgba8>& into);
+  // Before another one: which surfaces the picture would show that none of the layers has. `last`: the depth codes of the last of them. Of
+  // each pixel the code behind which the next layer's surface has to be, as EyePicture::behind has it (seen_behind.h); layers after the first go on
+  // to the right by as many columns as are missing there. Whether any pixel has one.
+  bool find_behind(const Image<std::uint32_t>& last, Image<std::uint32_t>& behind);
 
 private:
   struct State;
@@ -56,10 +61,13 @@ Result<void> check_second_eye(const Scene& scene, const RenderSettings& settings
 struct PairByWarp {
   StereoRendering rendering;
   std::size_t holes = 0;
+  // The left eye, the layer behind it, and what that had to be behind of: memory for the next picture.
+  Rendering drawn, layer;
+  Image<std::uint32_t> behind;
   double left_ms = 0, layers_ms = 0, warp_ms = 0;
 };
-void render_pair_by_warp(Renderer& renderer, const Scene& scene, const View& centre,
-                         const StereoPair& pair, const RenderSettings& settings,
-                         const SecondEyeSettings& by, SecondEye& second, PairByWarp& into);
+void render_pair_by_warp(Renderer& renderer, const View& centre, const StereoPair& pair,
+                         const RenderSettings& settings, const SecondEyeSettings& by,
+                         SecondEye& second, PairByWarp& into);
 
 }  // namespace glassbox::views

@@ -54,7 +54,7 @@ HWY_INLINE Places places_of(const WarpBlock& block, int i) {
 // From the eye on to the near plane nothing is seen, and nothing beyond the far one.
 HWY_INLINE hn::Mask<F> is_in_depth(Floats z) {
   const F f;
-  return hn::And(hn::Gt(z, hn::Zero(f)), hn::Le(z, hn::Set(f, 1.0f)));
+  return hn::And(hn::Gt(z, hn::Zero(f)), hn::Le(z, hn::Set(f, kNearestDepth)));
 }
 
 HWY_INLINE void count(const WarpBlock& block, int i, hn::Mask<F> before, hn::Mask<F> drawn,
@@ -157,7 +157,7 @@ void boxes(const WarpBlock& block, const SplatSides& sides, int width, int heigh
 
 using K = hn::ScalableTag<std::int64_t>;
 
-// Keys are below 2^62, for the bits of a depth of 1 are: as numbers with a sign they compare as they do without.
+// Keys are below 2^62, for the bits of a depth below 2 are: as numbers with a sign they compare as they do without.
 HWY_INLINE hn::Vec<K> greater(hn::Vec<K> a, hn::Vec<K> b) {
   return hn::Max(a, b);
 }

@@ -14,6 +14,10 @@ namespace glassbox::views {
 // keys is the nearer sample; of two with one depth, the one whose colour is the greater number. 0: a hole.
 using SampleKey = std::uint64_t;
 
+// The greatest depth that is drawn: 1, the near plane's, and room for rounding. Of a sample there z w and w are up to four roundings off each
+// (a coefficient, a product, two sums), 1/w and the last product one each: 10 u, u = 2^-24, of which this is 16.
+inline constexpr float kNearestDepth = 1 + 0x1p-20f;
+
 struct WarpedPoint {
   float x, y, z, w;  // times w
 };

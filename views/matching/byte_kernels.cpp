@@ -74,7 +74,8 @@ HWY_INLINE ByteVector step(const Step& step, ByteVector cost, ByteVector less, B
   return hn::SaturatedAdd(cost, hn::SaturatedSub(best, step.base));
 }
 
-// Calls one(row, column) for each neighbour, column counted from three pixels to the left, which says of each lane 0 or 255; x is the first lane's pixel.
+// Calls one(row, column) for each neighbour, column counted from three pixels to the left, which says of each lane 0 or 255; x is the
+// first lane's pixel.
 template <class One>
 HWY_INLINE void neighbours_of(int x, const CensusPointers<std::uint8_t>& out, const One& one) {
   const Bytes d;

@@ -17,8 +17,9 @@ using CensusPointers = std::array<Byte*, kCensusBytes>;
 inline constexpr std::uint8_t kBeside =
     255;  // the cost and the sum of what no match is: no other sum is as great
 
-// One row of a picture. What belongs to a pixel and its disparities begins at pixel * stride, but for what belongs to the right picture's pixels: those
-// are from the last one on, because the disparities grow to the left, and those of pixel x begin at width - 1 - x.
+// One row of a picture. What belongs to a pixel and its disparities begins at pixel * stride, but for what belongs to the right
+// picture's pixels: those are from the last one on, because the disparities grow to the left, and those of pixel x begin at
+// width - 1 - x.
 struct ByteRow {
   int width, stride;  // pixels; disparities of a pixel, filled up to whole lanes
   CensusPointers<const std::uint8_t> left, right;
@@ -46,8 +47,9 @@ struct ByteWinners {
   std::uint8_t *right_low, *right_high;  // its number's bytes
 };
 
-// One row of costs of census and colour, in 16 bits: census_weight * min(bits that differ, of neighbours that are alike their centres in both pictures, most)
-// + color_weight * min(sum of the channels' differences, most). Again the right picture's pixels are from the last one on.
+// One row of costs of census and colour, in 16 bits: census_weight * min(bits that differ, of neighbours that are alike their centres
+// in both pictures, most) + color_weight * min(sum of the channels' differences, most). Again the right picture's pixels are from the
+// last one on.
 struct ColorRow {
   int width, stride;
   CensusPointers<const std::uint8_t> left, left_alike, right, right_alike;

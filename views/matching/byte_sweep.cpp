@@ -14,8 +14,8 @@ namespace glassbox::views {
 
 namespace {
 
-// A bit of the census word costs one. Words of unlike pixels differ by 16 bits, give or take three: what is more is no news. Penalties are those of
-// the other sweeps, in bits.
+// A bit of the census word costs one. Words of unlike pixels differ by 16 bits, give or take three: what is more is no news.
+// Penalties are those of the other sweeps, in bits.
 constexpr int kMostBits = 24;
 constexpr Penalties kPenalties{.p1 = 6, .p2 = 60, .p2_least = 12, .half_at = 10};
 constexpr int kPaths = 3;

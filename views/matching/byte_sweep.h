@@ -1,5 +1,5 @@
-// A single sweep over census costs in bytes: of three paths, from the left, from above and from the right, no sum is as great as 255, and 32 disparities
-// are summed at a time.
+// A single sweep over census costs in bytes: of three paths, from the left, from above and from the right, no sum is as great as 255,
+// and 32 disparities are summed at a time.
 #pragma once
 
 #include <cstdint>

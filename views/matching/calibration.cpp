@@ -1,12 +1,21 @@
 #include "views/matching/calibration.h"
 
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
 #include "views/matching/winner.h"
 
 namespace glassbox::views {
+
+namespace {
+
+// Floats with all their digits.
+constexpr double kLeastDepth = std::numeric_limits<float>::min(),
+                 kMostDepth = std::numeric_limits<float>::max();
+
+}  // namespace
 
 Result<void> check_calibration(const Calibration& calibration) {
   const double focal = calibration.focal_px, baseline = calibration.baseline,
@@ -23,6 +32,13 @@ Result<void> check_calibration(const Calibration& calibration) {
   if (!std::isfinite(offset)) {
     return fail("--calibration", "the offset is not finite", "give F,B,OFFSET, 0 for none");
   }
+  // Divided by a parallax of 2^-24 to 2^15 px, the least part of a pixel and the widest picture, it is a float with all its digits.
+  constexpr double kLeast = 1e-30, kMost = 1e30;
+  if (!(focal * baseline >= kLeast && focal * baseline <= kMost)) {
+    return fail("--calibration",
+                fmt::format("depths of F B = {:g} have no room in 32 bits", focal * baseline),
+                "give the baseline in a unit of its size");
+  }
   return {};
 }
 
@@ -35,7 +51,9 @@ Image<float> depths_of(const Image<float>& disparity, const Calibration& calibra
   const double product = calibration.focal_px * calibration.baseline;
   for (std::size_t i = 0; i < depths.pixels.size(); ++i) {
     const double parallax = double(disparity.pixels[i]) + calibration.offset_px;
-    if (std::isfinite(parallax) && parallax > 0) depths.pixels[i] = float(product / parallax);
+    if (!std::isfinite(parallax) || parallax == 0) continue;
+    const double depth = product / parallax;
+    if (depth >= kLeastDepth && depth <= kMostDepth) depths.pixels[i] = float(depth);
   }
   return depths;
 }

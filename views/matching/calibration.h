@@ -14,17 +14,20 @@ struct Principal {
 
 struct Calibration {
   double focal_px = 0;
-  double baseline = 0;  // from camera to camera; depth has its unit
+  double baseline =
+      0;  // from camera to camera, below 0 where the right picture's stands to the left; depth has its unit
   double offset_px =
       0;  // the left principal point's x less the right one's, taken away from disparities: added before depth
   std::optional<Principal> principal = {};  // of the left camera; absent: the picture's centre
 };
 Principal principal_of(const Calibration& calibration, int width, int height);
 
-// An error where a number is not finite, or focal length or baseline is not above 0 (C-109).
+// An error where a number is not finite, focal length or baseline is not above 0 (C-109), or their product is so small or so great that
+// depths are no floats.
 Result<void> check_calibration(const Calibration& calibration);
 
-// Infinite where there is no disparity, or where the rays do not meet before the cameras: d + offset <= 0 (C-107).
+// Infinite where there is no disparity, where the rays do not meet before the cameras: (d + offset) B <= 0 (C-107), or where the depth
+// would be 0 or infinite as a float, as with an enormous offset.
 Image<float> depths_of(const Image<float>& disparity, const Calibration& calibration);
 
 }  // namespace glassbox::views

@@ -12,6 +12,9 @@ namespace glassbox::views {
 
 namespace {
 
+constexpr int kBitCost = 16;  // of a census word's bit
+constexpr int kGreyCost = 6;  // of a code: 1530 at most, three quarters of kHighestCost
+
 // What no match writes: beside the picture, and behind the last disparity.
 void fill_row(CostVolume& volume, int row) {
   for (int x = 0; x < volume.width; ++x) {
@@ -33,11 +36,6 @@ void for_matches(const CostVolume& volume, const One& one) {
   }
 }
 
-MatchKernels::Mix mix_of(MatchingCost cost) {
-  if (cost == MatchingCost::kCensus) return {16, 32, 0, 0};
-  return {0, 0, 2, 765};
-}
-
 LineVector<std::uint32_t> words_of(const CensusPlanes& planes, int width, int height) {
   LineVector<std::uint32_t> words(std::size_t(width) * std::size_t(height));
   tbb::parallel_for(0, height, [&](int y) {
@@ -51,29 +49,16 @@ LineVector<std::uint32_t> words_of(const CensusPlanes& planes, int width, int he
   return words;
 }
 
-// Census, or grey alone.
-void mixed_row(const Planes& left, const Planes& right, const LineVector<std::uint32_t>& left_words,
-               const LineVector<std::uint32_t>& right_words, const MatchSettings& settings, int y,
-               CostVolume& volume, int to_row) {
-  const bool census = settings.cost == MatchingCost::kCensus;
-  const auto width = std::size_t(left.width), start = std::size_t(y) * width;
-  const auto reversed = [&](const auto& values) {
-    auto row = std::vector(values.begin() + std::ptrdiff_t(start),
-                           values.begin() + std::ptrdiff_t(start + width));
-    std::ranges::reverse(row);
-    return row;
-  };
-  const auto words = census ? reversed(right_words) : std::vector<std::uint32_t>(width);
-  const auto grey = reversed(right.grey);
-  const MatchKernels& kernels = match_kernels(settings.target);
-  const MatchKernels::Mix mix = mix_of(settings.cost);
+// Calls one(left pixel, right ones of growing disparity, how many, their costs) for each pixel of a row that has a right one.
+template <class Value, class One>
+void for_rows_of_costs(const LineVector<Value>& left, const LineVector<Value>& right, int y,
+                       CostVolume& volume, int to_row, const One& one) {
+  const auto width = std::ptrdiff_t(volume.width), start = y * width;
+  std::vector<Value> others(right.begin() + start, right.begin() + start + width);
+  std::ranges::reverse(others);
   for_matches(volume, [&](int x, int from, int to, int first_right) {
-    const auto at = start + std::size_t(x);
-    const int skip = left.width - 1 - first_right;
-    const std::uint8_t* others = grey.data() + skip;
-    kernels.mixed_costs({census ? left_words[at] : 0, left.grey[at], left.grey[at], left.grey[at]},
-                        {words.data() + skip, others, others, others}, to - from, mix,
-                        volume.at(x, to_row) + from);
+    one(left[std::size_t(start + x)], others.data() + (width - 1 - first_right), to - from,
+        volume.at(x, to_row) + from);
   });
 }
 
@@ -104,7 +89,7 @@ void color_row(const Planes& left, const Planes& right, const CensusPlanes& left
                .left_color = {left.r.data() + start, left.g.data() + start, left.b.data() + start},
                .right_color = {reversed(right.r.data() + start), reversed(right.g.data() + start),
                                reversed(right.b.data() + start)},
-               .census_weight = 16,
+               .census_weight = kBitCost,
                .most_bits = 30,
                .color_weight = 4,
                .most_color = 60,
@@ -217,12 +202,21 @@ void PixelCosts::row(int y, CostVolume& volume, int to_row) const {
   }
   fill_row(volume, to_row);
   if (settings_.cost == MatchingCost::kAdCensus) return;
+  const MatchKernels& kernels = match_kernels(settings_.target);
   if (is_correlation(settings_.cost)) {
     correlation_row(left_, right_, settings_, y, volume, to_row);
   } else if (settings_.cost == MatchingCost::kSsd) {
     squared_row(left_, right_, y, volume, to_row);
+  } else if (settings_.cost == MatchingCost::kCensus) {
+    for_rows_of_costs(left_words_, right_words_, y, volume, to_row,
+                      [&](std::uint32_t word, const auto* others, int count, std::uint16_t* costs) {
+                        kernels.census_costs(word, others, count, kBitCost, costs);
+                      });
   } else {
-    mixed_row(left_, right_, left_words_, right_words_, settings_, y, volume, to_row);
+    for_rows_of_costs(left_.grey, right_.grey, y, volume, to_row,
+                      [&](std::uint8_t grey, const auto* others, int count, std::uint16_t* costs) {
+                        kernels.grey_costs(grey, others, count, kGreyCost, costs);
+                      });
   }
 }
 

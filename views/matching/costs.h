@@ -9,10 +9,8 @@
 namespace glassbox::views {
 
 // Costs of single pixels, or of the correlation's window; a window of the others is for average_costs. Where the right pixel would
-// lie
-// beside the picture the cost is kHighestCost: nothing speaks for such a match, and the winner is not sought there. The pictures
-// must
-// outlive it.
+// lie beside the picture the cost is kHighestCost: nothing speaks for such a match, and the winner is not sought there. The pictures
+// must outlive it.
 class PixelCosts {
 public:
   PixelCosts(const Planes& left, const Planes& right, const MatchSettings& settings);

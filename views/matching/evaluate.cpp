@@ -73,10 +73,10 @@ Image<std::uint8_t> near_discontinuity(const Image<float>& disparity) {
       std::fill(&near.at(from, row), &near.at(from, row) + (to - from + 1), std::uint8_t(1));
     }
   };
-  // Unknown ones are infinite: their difference is no jump.
+  // Unknown ones are infinite: of them nothing is subtracted, and no jump is known.
   const auto jumps = [&](std::size_t a, std::size_t b) {
-    const float step = std::abs(disparity.pixels[a] - disparity.pixels[b]);
-    return std::isfinite(step) && step > kJump;
+    const float one = disparity.pixels[a], other = disparity.pixels[b];
+    return std::isfinite(one) && std::isfinite(other) && std::abs(one - other) > kJump;
   };
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {

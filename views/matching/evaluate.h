@@ -18,9 +18,8 @@ struct StereoTruth {
 // Stored disparities times 1/scale; 0 and +inf mark what is unknown.
 Image<float> known_disparities(Image<float> stored, float scale);
 
-// Pixels whose point the right picture has, and nothing nearer before it, as far as the left truth knows: of pixels that fall on
-// one right
-// pixel the one of the greatest disparity is seen, and all others within a pixel of it.
+// Pixels whose point the right picture has, and nothing nearer before it, as far as the left truth knows: of pixels that fall on one
+// right pixel the one of the greatest disparity is seen, and all others within a pixel of it.
 Image<std::uint8_t> visible_by_reprojection(const Image<float>& disparity);
 // The same by the right picture's own truth: the two agree to a pixel (Scharstein and Szeliski 2002).
 Image<std::uint8_t> visible_by_right_truth(const Image<float>& left, const Image<float>& right);

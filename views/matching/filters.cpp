@@ -61,9 +61,8 @@ Ordered ordered(float a, float b, float c) {
   return {std::min(low, c), middle, std::max(high, c)};
 }
 
-// The median of nine, of three ordered columns, is the median of: the greatest of their least, the median of their medians, the
-// least of
-// their greatest. Without branches, so that the compiler takes several pixels at a time.
+// The median of nine, of three ordered columns, is the median of: the greatest of their least, the median of their medians, the least
+// of their greatest. Without branches, so that the compiler takes several pixels at a time.
 void inner_medians(const Image<float>& disparity, int y, Image<float>& result) {
   const float *above = &disparity.at(0, y - 1), *own = &disparity.at(0, y),
               *below = &disparity.at(0, y + 1);
@@ -102,6 +101,22 @@ Image<Doubt> left_right_doubts(const Image<float>& left, const Image<float>& rig
     }
   });
   return doubts;
+}
+
+void doubt_empty(const Image<Rgba8>& left, const Image<Rgba8>& right, const Image<float>& disparity,
+                 Image<Doubt>& doubts) {
+  const auto has_empty = [](const Image<Rgba8>& picture) {
+    return std::ranges::any_of(picture.pixels, [](const Rgba8& pixel) { return pixel.a == 0; });
+  };
+  if (!has_empty(left) && !has_empty(right)) return;
+  tbb::parallel_for(0, left.height, [&](int y) {
+    for (int x = 0; x < left.width; ++x) {
+      if (!std::isfinite(disparity.at(x, y))) continue;
+      // A part of a pixel leads to the edge at most.
+      const int column = std::clamp(nearest_column(x, disparity.at(x, y)), 0, right.width - 1);
+      if (left.at(x, y).a == 0 || right.at(column, y).a == 0) doubts.at(x, y) = Doubt::kOutside;
+    }
+  });
 }
 
 void doubt_speckles(const Image<float>& disparity, int least, Image<Doubt>& doubts) {

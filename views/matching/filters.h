@@ -21,6 +21,11 @@ enum class Doubt : std::uint8_t {
 // Left pixels whose right pixel has a disparity that differs by more than `tolerance` (px) are in doubt.
 Image<Doubt> left_right_doubts(const Image<float>& left, const Image<float>& right, int tolerance);
 
+// Pixels of alpha 0 show nothing, as in a picture that was turned: their colour is no colour, and neither they nor what is matched with
+// them has a disparity.
+void doubt_empty(const Image<Rgba8>& left, const Image<Rgba8>& right, const Image<float>& disparity,
+                 Image<Doubt>& doubts);
+
 // Pixels of connected pieces of fewer than `least` pixels, in which neighbours differ by at most one; pixels in doubt belong to
 // none.
 void doubt_speckles(const Image<float>& disparity, int least, Image<Doubt>& doubts);
@@ -28,8 +33,8 @@ void doubt_speckles(const Image<float>& disparity, int least, Image<Doubt>& doub
 // The median of the finite ones of each pixel's 3 x 3; of an even number the lesser middle one. Pixels without disparity keep none.
 Image<float> median_of(const Image<float>& disparity);
 
-// The mean of those of each pixel's 5 x 5 that differ from its own by less than kSmoothed px: parts of a pixel are each of them off by their
-// own, and the surface is not. Pixels without disparity keep none.
+// The mean of those of each pixel's 5 x 5 that differ from its own by less than kSmoothed px: parts of a pixel are each of them off
+// by their own, and the surface is not. Pixels without disparity keep none.
 inline constexpr float kSmoothed = 0.5f;
 Image<float> smooth_parts(const Image<float>& disparity, Target target);
 

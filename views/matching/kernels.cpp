@@ -28,18 +28,17 @@ inline std::uint32_t bits_of(std::uint32_t word) {
   return word & 63u;
 }
 
-void mixed_costs(const MatchKernels::Pixel& left, const MatchKernels::PixelRow& right, int count,
-                 const MatchKernels::Mix& mix, std::uint16_t* HWY_RESTRICT out) {
+void census_costs(std::uint32_t left, const std::uint32_t* HWY_RESTRICT right, int count,
+                  int weight, std::uint16_t* HWY_RESTRICT out) {
   for (int i = 0; i < count; ++i) {
-    const int bits = int(bits_of(left.census ^ right.census[i]));
-    out[i] = std::uint16_t(mix.census_weight * std::min(bits, mix.most_bits));
+    out[i] = std::uint16_t(weight * int(bits_of(left ^ right[i])));
   }
-  if (mix.color_weight == 0) return;
+}
+
+void grey_costs(std::uint8_t left, const std::uint8_t* HWY_RESTRICT right, int count, int weight,
+                std::uint16_t* HWY_RESTRICT out) {
   for (int i = 0; i < count; ++i) {
-    const int color = std::abs(int(left.r) - int(right.r[i])) +
-                      std::abs(int(left.g) - int(right.g[i])) +
-                      std::abs(int(left.b) - int(right.b[i]));
-    out[i] = std::uint16_t(out[i] + mix.color_weight * std::min(color, mix.most_color));
+    out[i] = std::uint16_t(weight * std::abs(int(left) - int(right[i])));
   }
 }
 
@@ -136,8 +135,8 @@ void add_near(const float* own, const float* values, int count, float near,
   }
 }
 
-const MatchKernels kKernels{mixed_costs, running_sum, mean,      path_row,
-                            add,         least,       keep_less, add_near};
+const MatchKernels kKernels{census_costs, grey_costs, running_sum, mean,    path_row,
+                            add,          least,      keep_less,   add_near};
 
 }  // namespace glassbox::views::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -1,6 +1,5 @@
 // The inner loops over disparities, compiled once for each instruction set. All are integer work, or floats in one written order:
-// every
-// target gives the same bytes.
+// every target gives the same bytes.
 #pragma once
 
 #include <cstdint>
@@ -10,21 +9,13 @@
 namespace glassbox::views {
 
 struct MatchKernels {
-  // out[i] = census_weight * min(bits that differ, most) + color_weight * min(sum of the channels' differences, most), of left and
-  // right[count - 1 - i]: the right pixels of growing disparity go to the left.
-  struct Pixel {
-    std::uint32_t census;
-    std::uint8_t r, g, b;
-  };
-  struct PixelRow {
-    const std::uint32_t* census;
-    const std::uint8_t *r, *g, *b;
-  };
-  struct Mix {
-    int census_weight, most_bits, color_weight, most_color;
-  };
-  void (*mixed_costs)(const Pixel& left, const PixelRow& right_reversed, int count, const Mix& mix,
-                      std::uint16_t* out);
+  // out[i] = weight * (bits in which left and right_reversed[i] differ). The right pixels of growing disparity go to the left, and so
+  // the row is given from its last pixel on.
+  void (*census_costs)(std::uint32_t left, const std::uint32_t* right_reversed, int count,
+                       int weight, std::uint16_t* out);
+  // out[i] = weight * |left - right_reversed[i]|
+  void (*grey_costs)(std::uint8_t left, const std::uint8_t* right_reversed, int count, int weight,
+                     std::uint16_t* out);
 
   // sums[i] = before[i] + costs[i]
   void (*running_sum)(const std::uint32_t* before, const std::uint16_t* costs, int count,
@@ -34,8 +25,7 @@ struct MatchKernels {
                std::uint16_t* costs);
 
   // One row of one direction: of each pixel, values = cost + min(before, before of a disparity beside + p1, least before + jump) -
-  // least
-  // before, which are added to the sums, or begin them. Values of a pixel may be read from -1 to stride.
+  // least before, which are added to the sums, or begin them. Values of a pixel may be read from -1 to stride.
   struct PathRow {
     int width, stride,
         cell;        // pixels; disparities of a pixel; from the values of a pixel to the next one's

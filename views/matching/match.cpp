@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <tbb/task_arena.h>
 
+#include <glassbox/render/engine/threads.h>
+
 #include "views/matching/byte_sweep.h"
 #include "views/matching/costs.h"
 #include "views/matching/fill.h"
@@ -70,7 +72,8 @@ Winners winners_of_volume(const Planes& left, const Planes& right, const Image<A
   return winners;
 }
 
-Image<Doubt> doubts_of(const Winners& winners, const MatchSettings& settings) {
+Image<Doubt> doubts_of(const Image<Rgba8>& left, const Image<Rgba8>& right, const Winners& winners,
+                       const MatchSettings& settings) {
   Image<Doubt> doubts(winners.left.width, winners.left.height, Doubt::kNone);
   if (settings.left_right) {
     doubts = left_right_doubts(winners.left, winners.right, *settings.left_right);
@@ -81,22 +84,9 @@ Image<Doubt> doubts_of(const Winners& winners, const MatchSettings& settings) {
       doubts.pixels[i] = Doubt::kUnsure;
     }
   }
+  doubt_empty(left, right, winners.left, doubts);
   if (settings.speckle > 0) doubt_speckles(winners.left, settings.speckle, doubts);
   return doubts;
-}
-
-// Where a picture shows nothing, as one does that was turned, its colour is no colour.
-void doubt_empty(const Image<Rgba8>& left, const Image<Rgba8>& right, const Image<float>& disparity,
-                 Image<Doubt>& doubts) {
-  for (int y = 0; y < left.height; ++y) {
-    for (int x = 0; x < left.width; ++x) {
-      if (!std::isfinite(disparity.at(x, y))) continue;
-      // A part of a pixel leads to the edge at most.
-      const int column =
-          std::clamp(int(std::floor(float(x) - disparity.at(x, y) + 0.5f)), 0, right.width - 1);
-      if (left.at(x, y).a == 0 || right.at(column, y).a == 0) doubts.at(x, y) = Doubt::kOutside;
-    }
-  }
 }
 
 void leave_empty(const Image<Rgba8>& left, Image<float>& disparity) {
@@ -132,8 +122,7 @@ void run(const Image<Rgba8>& left, const Image<Rgba8>& right, const MatchSetting
   } else {
     winners = winners_of_volume(left_planes, right_planes, arms, settings, clock, match);
   }
-  match.doubts = doubts_of(winners, settings);
-  doubt_empty(left, right, winners.left, match.doubts);
+  match.doubts = doubts_of(left, right, winners, settings);
   match.disparity = winners.left;
   match.confidence = winners.confidence;
   clock.done("checks");
@@ -209,6 +198,7 @@ Result<DenseMatch> match_pictures(const Image<Rgba8>& left, const Image<Rgba8>& 
   if (settings.threads == 0) {
     run(left, right, settings, match);
   } else {
+    allow_threads(settings.threads);
     tbb::task_arena arena(settings.threads);
     arena.execute([&] { run(left, right, settings, match); });
   }

@@ -29,13 +29,12 @@ struct DenseMatch {
 };
 
 // What the volumes of such a match take, in bytes: 2 for the cost of each pixel and disparity, and 4 more for the sums along paths,
-// with the
-// disparities filled up to a multiple of 32; of a single sweep some rows of each band.
+// with the disparities filled up to a multiple of 32; of a single sweep some rows of each band.
 std::uint64_t bytes_of_match(int width, int height, const MatchSettings& settings);
 
-// Both pictures are of one size, and rectified: a point is on the same row of both. Pixels of alpha 0 show nothing, and match nothing. An error where they are not of one size, the
-// settings
-// cannot be, or the volumes would take more than `max_bytes`: before anything is allocated.
+// Both pictures are of one size, and rectified: a point is on the same row of both. Pixels of alpha 0 show nothing, and match
+// nothing. An error where they are not of one size, the settings cannot be, or the volumes would take more than `max_bytes`: before
+// anything is allocated.
 Result<DenseMatch> match_pictures(const Image<Rgba8>& left, const Image<Rgba8>& right,
                                   const MatchSettings& settings,
                                   std::uint64_t max_bytes = std::uint64_t(4) << 30);

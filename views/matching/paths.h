@@ -1,6 +1,5 @@
-// Smoothness along paths (Hirschmueller 2008): L(p, d) = C(p, d) + min(L(q, d), L(q, d +- 1) + P1, min L(q) + P2) - min L(q), where
-// q is the
-// pixel before p; the sum over directions is what the winner is sought in.
+// Smoothness along paths (Hirschmueller 2008): L(p, d) = C(p, d) + min(L(q, d), L(q, d +- 1) + P1, min L(q) + P2) - min L(q), where q
+// is the pixel before p; the sum over directions is what the winner is sought in.
 #pragma once
 
 #include <array>
@@ -30,9 +29,8 @@ PathSums sum_paths(const CostVolume& costs, const Planes& picture, int paths,
                    const Penalties& penalties, Target target);
 
 // The winners of those paths that do not come from below: 2, 3, 5 or 9 of 2, 4, 8 or 16. Bands of rows are summed apart, each from
-// some
-// rows above it on, so that several can be at the same time; where they begin does not depend on how many threads there are. `kept`, of the pictures'
-// size, takes the sums.
+// some rows above it on, so that several can be at the same time; where they begin does not depend on how many threads there are.
+// `kept`, of the pictures' size, takes the sums.
 std::uint64_t bands_of(int height);
 struct BandRows {
   int warm_up, begin,

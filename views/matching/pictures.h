@@ -1,7 +1,10 @@
 // What the costs are made of: colours and their grey, as planes.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 
 #include <glassbox/base/line_memory.h>
 #include <glassbox/images/image.h>
@@ -15,5 +18,12 @@ struct Planes {
   LineVector<std::uint8_t> grey;  // (77 r + 150 g + 29 b + 128) / 256
 };
 Planes planes_of(const Image<Rgba8>& image);
+
+// Of two pixels: that of the channel which differs most, in codes.
+inline int channel_difference(const Planes& picture, std::size_t a, std::size_t b) {
+  return std::max({std::abs(int(picture.r[a]) - int(picture.r[b])),
+                   std::abs(int(picture.g[a]) - int(picture.g[b])),
+                   std::abs(int(picture.b[a]) - int(picture.b[b]))});
+}
 
 }  // namespace glassbox::views

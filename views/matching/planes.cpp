@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
+#include <limits>
 #include <utility>
 
 #include <tbb/parallel_for.h>
@@ -23,8 +23,8 @@ using Eigen::Vector3f;
 constexpr int kRadius = 5;          // px
 constexpr float kNearPlane = 1.5f;  // px: as far as a winner may be off a slanted surface's plane
 constexpr int kFewest = 16;         // pixels of a window that decide three numbers and an offset
-constexpr int kAlike = 10;          // codes of a channel at which a pixel counts half
-constexpr int kRefits = 2;          // steps of a fit, each a third or less of the one before
+constexpr int kHalfAlike = 10;      // codes of a channel at which a pixel counts half
+constexpr int kRefits = 2;          // steps of a fit that are tried
 
 // Where there is no contrast nothing moves: noise of two codes against half a pixel of c, and a quarter of a and b.
 constexpr float kNoise = 2, kOffPlace = 0.5f, kOffSlope = 0.25f;
@@ -48,12 +48,6 @@ struct Fit {
   float cost = std::numeric_limits<float>::infinity();  // mean square of what is left, codes
   Vector3f step = Vector3f::Zero();                     // of c, a and b, towards less
 };
-
-int channel_difference(const Planes& picture, std::size_t a, std::size_t b) {
-  return std::max({std::abs(int(picture.r[a]) - int(picture.r[b])),
-                   std::abs(int(picture.g[a]) - int(picture.g[b])),
-                   std::abs(int(picture.b[a]) - int(picture.b[b]))});
-}
 
 class Fitter {
 public:
@@ -82,7 +76,7 @@ public:
     const std::size_t own = found_.index(x, y);
     for_window(x, y, [&](int dx, int dy, std::size_t at) {
       if (std::abs(found_.pixels[at] - plane.at(dx, dy)) > kNearPlane) return;
-      const float unlike = float(channel_difference(left_, own, at)) / float(kAlike);
+      const float unlike = float(channel_difference(left_, own, at)) / float(kHalfAlike);
       support.pixels[std::size_t(support.count++)] = {dx, dy, 1 / (1 + unlike * unlike)};
     });
     return support;

@@ -14,7 +14,7 @@ namespace glassbox::views {
 namespace {
 
 constexpr int kAcross = 4, kDown = 3;  // px, of the window
-constexpr float kSameSurface = 1;      // px of disparity
+constexpr float kWithinSurface = 1;    // px of disparity
 constexpr int kContrast = 8;           // codes of grey
 
 // Within one row of the window and one surface.
@@ -24,7 +24,7 @@ int contrast_at(const Planes& planes, const Image<float>& disparity, int x, int 
     int least = 255, greatest = 0;
     for (int column = std::max(x - kAcross, 0); column <= std::min(x + kAcross, planes.width - 1);
          ++column) {
-      if (!(std::abs(disparity.at(column, row) - disparity.at(x, y)) <= kSameSurface)) continue;
+      if (!(std::abs(disparity.at(column, row) - disparity.at(x, y)) <= kWithinSurface)) continue;
       const int grey = planes.grey[disparity.index(column, row)];
       least = std::min(least, grey);
       greatest = std::max(greatest, grey);

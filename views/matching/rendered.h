@@ -17,11 +17,9 @@ struct RenderedPair {
   Calibration calibration;
 };
 
-// Pixels with contrast of their own: of those pixels in a window of 9 x 7 whose disparity is within a
-// pixel of
-// the centre's, two in one row differ by at least 8 codes of grey. Elsewhere two pictures say nothing about the surface's disparity
-// (C-111);
-// an outline against what is behind does not count, because it is as well the edge of that.
+// Pixels with contrast of their own: of those pixels in a window of 9 x 7 whose disparity is within a pixel of the centre's, two in
+// one row differ by at least 8 codes of grey. Elsewhere two pictures say nothing about the surface's disparity (C-111); an outline
+// against what is behind does not count, because it is as well the edge of that.
 Image<std::uint8_t> has_texture(const Image<Rgba8>& picture, const Image<float>& disparity);
 
 // The truth is d = f B / z - f B / window, of each pixel's centre.

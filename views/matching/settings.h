@@ -18,9 +18,8 @@ struct DisparityRange {
 };
 
 // What makes two pixels alike (SPEC S2-04): absolute and squared differences of grey, their correlation without and with the means
-// taken
-// away, the Hamming distance of census words (Zabih and Woodfill 1994), and absolute difference of colour and census together (Mei
-// et al. 2011), of the census bits those whose neighbours are alike their centres.
+// taken away, the Hamming distance of census words (Zabih and Woodfill 1994), and absolute difference of colour and census together
+// (Mei et al. 2011), of the census bits those whose neighbours are alike their centres.
 enum class MatchingCost : std::uint8_t { kSad, kSsd, kNcc, kZncc, kCensus, kAdCensus };
 std::string_view name_of(MatchingCost cost);
 inline bool is_correlation(MatchingCost cost) {

@@ -1,7 +1,6 @@
 #include "views/matching/support.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include <tbb/parallel_for.h>
 
@@ -14,17 +13,12 @@ namespace {
 constexpr int kLong = 17;               // px
 constexpr int kNear = 20, kNearer = 6;  // codes of a channel
 
-int difference(const Planes& picture, std::size_t a, std::size_t b) {
-  return std::max({std::abs(int(picture.r[a]) - int(picture.r[b])),
-                   std::abs(int(picture.g[a]) - int(picture.g[b])),
-                   std::abs(int(picture.b[a]) - int(picture.b[b]))});
-}
-
 // Pixels from `at` on, `step` apart, of which there are `most`.
 std::uint8_t arm(const Planes& picture, std::size_t at, std::ptrdiff_t step, int most) {
   int length = 0;
   for (auto place = std::ptrdiff_t(at) + step; length < most; place += step, ++length) {
-    if (difference(picture, at, std::size_t(place)) > (length < kLong ? kNear : kNearer)) break;
+    const int difference = channel_difference(picture, at, std::size_t(place));
+    if (difference > (length < kLong ? kNear : kNearer)) break;
   }
   return std::uint8_t(length);
 }

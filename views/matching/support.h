@@ -17,8 +17,7 @@ struct Arms {
 };
 
 // Arms that stop where a channel differs from the centre's by more than 20, or, beyond 17 pixels, by more than 6; at most `longest`
-// long, to 255 (Mei et
-// al. 2011; lengths and thresholds are theirs).
+// long, to 255 (Mei et al. 2011; lengths and thresholds are theirs).
 inline constexpr int kLongestArm = 34;  // px
 Image<Arms> adaptive_arms(const Planes& picture, int longest = kLongestArm);
 

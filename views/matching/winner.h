@@ -29,8 +29,7 @@ inline float corner(int before, int least, int behind) {
 }
 
 // Of one volume, or of the sum of two. Disparities whose right pixel lies beside the picture are never sought: a pixel that has no
-// other is
-// without (C-113).
+// other is without (C-113).
 Winners find_winners(const CostVolume& costs, const CostVolume* more, bool subpixel, Target target);
 
 // Of the pictures' row y alone, whose costs are row `from_row` of the volume, into such winners.

@@ -25,15 +25,30 @@ Svd3 decomposed(const Matrix3d& matrix) {
   return Svd3(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
 }
 
+tl::unexpected<Error> not_finite() {
+  return fail("the matches", "a coordinate is not finite, or too large to be multiplied",
+              "leave that match out");
+}
+
+// Eigen's allFinite() subtracts each number from itself, which of infinite ones is an invalid operation.
+template <class Matrix>
+bool is_finite(const Matrix& matrix) {
+  return matrix.array().isFinite().all();
+}
+
 // Of the points that `point` picks from each match.
 template <class Pick>
 Result<Matrix3d> normalising(const Matches& matches, const char* side, const Pick& point) {
   Vector2d centre = Vector2d::Zero();
-  for (const Match& match : matches) centre += point(match);
+  for (const Match& match : matches) {
+    if (!is_finite(point(match))) return not_finite();  // before two infinite ones are subtracted
+    centre += point(match);
+  }
   centre /= double(matches.size());
   double distance = 0;
   for (const Match& match : matches) distance += (point(match) - centre).norm();
   distance /= double(matches.size());
+  if (!std::isfinite(distance)) return not_finite();  // a sum or a square has overflowed
   // Of equal points the mean may differ from them by its rounding.
   const double rounding = double(matches.size()) * std::numeric_limits<double>::epsilon();
   if (!(distance > rounding * centre.norm())) {
@@ -90,10 +105,7 @@ Result<LinearFit> linear_fit(const Matches& matches, int least) {
                 fmt::format("there are {}, and {} are needed", matches.size(), least), "give more");
   }
   const auto rows = design_matrix(matches);
-  if (!rows.allFinite()) {
-    return fail("the matches", "a coordinate is not finite, or too large to be multiplied",
-                "leave that match out");
-  }
+  if (!is_finite(rows)) return not_finite();
   const Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::FullPivHouseholderQRPreconditioner> svd(
       rows, Eigen::ComputeFullV);
   LinearFit fit;

@@ -6,6 +6,8 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <glassbox/render/engine/threads.h>
+
 namespace glassbox::views {
 
 // each(i) for i = 0 .. count - 1, in any order; `threads` 0: all.
@@ -19,6 +21,7 @@ void for_blocks(std::size_t count, int threads, const Each& each) {
   if (threads == 0) {
     run();
   } else {
+    allow_threads(threads);
     tbb::task_arena(threads).execute(run);
   }
 }

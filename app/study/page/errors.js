@@ -21,6 +21,7 @@ function told(experiment, configuration, threads) {
     const unit = timeUnit(experiment), [lower, upper] = time.ns_quartiles.map((ns) => digits(ns / unit.ns));
     lines.push(`${digits(time.ns / unit.ns)} ${unit.name} (${lower} to ${upper}) a ${experiment.item}, ${count(threads, "thread")}`);
     lines.push({front: "on the Pareto front", dominated: "dominated"}[time.standing]);
+    if (time.disturbed > 0) lines.push("disturbed: the machine did something else meanwhile");
   }
   return lines;
 }
@@ -73,10 +74,13 @@ function timeChart(theme, experiment, threads) {
   for (const group of groups({configurations: timed})) {
     const {series, scene} = group[0], style = styleOf(theme, experiment, series, scene);
     datasets.push({label: series, key: series, style, data: group.map(at), showLine: false, ...pointStyles(theme, style, group, threads)});
-    // A bar from quartile to quartile, with a gap to the next.
+    // A bar from quartile to quartile, with a gap to the next; dashed where the machine was disturbed.
     const bar = (each) => [...quartiles(each).map((ns) => ({x: x.place(ns), y: y.place(error(each))})), {x: NaN, y: NaN}];
-    datasets.push({key: series, data: group.flatMap(bar), showLine: true, spanGaps: false, borderColor: style.colour, borderWidth: 2, pointRadius: 0, pointHitRadius: 0,
-      order: 1});
+    for (const disturbed of [false, true]) {
+      const own = group.filter((each) => timeOf(each, threads).disturbed > 0 === disturbed);
+      datasets.push({key: series, data: own.flatMap(bar), showLine: true, spanGaps: false, borderColor: style.colour, borderWidth: 2, borderDash: disturbed ? [3, 3] : [],
+        pointRadius: 0, pointHitRadius: 0, order: 1});
+    }
   }
   const fronts = new Map(); // of those that compete with each other
   for (const each of timed.filter((one) => timeOf(one, threads).standing === "front")) {

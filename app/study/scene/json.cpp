@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "app/report/eye_error_json.h"
 #include "app/report/shell_line.h"
 #include "app/study/scene/curve_report.h"
 #include "study/experiment/results_json.h"
@@ -35,10 +36,6 @@ Json point_json(const CurveReport& report, const CurvePoint& point) {
   return json;
 }
 
-Json error_json(const views::EyeError& error) {
-  return {{"wrong_pixels", error.wrong}, {"rms", error.rms}, {"largest", error.largest}};
-}
-
 Json second_eyes_json(const SecondEyes& eyes) {
   if (!eyes.left_out.empty()) return {{"left_out", eyes.left_out}};
   const views::SecondEyeError& one = eyes.warped.front();
@@ -47,10 +44,10 @@ Json second_eyes_json(const SecondEyes& eyes) {
             {"pixels", one.pixels},
             {"one_eye_ms", one.one_eye_ms},
             {"both_drawn_ms", one.both_drawn_ms},
-            {"left_in_its_place", error_json(one.left)},
+            {"left_in_its_place", eye_error_json(one.left)},
             {"warped", Json::array()}};
   for (const views::SecondEyeError& eye : eyes.warped) {
-    Json each = error_json(eye.warped);
+    Json each = eye_error_json(eye.warped);
     each["layers"] = eye.layers;
     each["holes"] = eye.holes;
     each["both_ms"] = eye.both_warped_ms;

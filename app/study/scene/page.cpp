@@ -124,6 +124,15 @@ Result<std::string> curve_page(const CurveReport& report) {
     blocks.add(fmt::format("difference{}", i), difference_planes(picture, from));
     blocks.add(fmt::format("flip{}", i), flip_levels(picture, curve.reference));
   }
+  if (!report.second_eyes.warped.empty()) {
+    const std::vector<views::SecondEyeError>& warped = report.second_eyes.warped;
+    const Picture& drawn = warped.front().drawn;
+    blocks.add("right-eye", planes_of(drawn));
+    for (const views::SecondEyeError& eye : warped)
+      blocks.add(fmt::format("right-eye-warp:{}", eye.layers),
+                 difference_planes(eye.picture, drawn));
+    blocks.add("right-eye-left", difference_planes(warped.front().left_picture, drawn));
+  }
   return std::move(blocks).text().map([&](const std::string& text) {
     return assemble_page(kCurvePage, "glassbox study scene",
                          json_block("manifest", manifest) + text);

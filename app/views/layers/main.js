@@ -43,15 +43,25 @@ function showSoon() {
   waiting = true;
 }
 
+// The camera's lens. Its planes are asked for too, for the program would choose them around what there is.
+function lensHere() {
+  const m = screenFromEye, digits = (value) => Number(value.toPrecision(9)).toString(), same = (a, b) => Math.abs(a - b) <= 1e-9 * Math.abs(a);
+  const wide = width / m[0], tall = -height / m[5];
+  if (m[14] === 0) return `--ortho ${digits(tall)} --near=${digits((m[11] - 1) / m[10])} --far=${digits(m[11] / m[10])}`;
+  const near = m[11], left = near * m[2] / m[0], top = near * m[6] / m[5];
+  const right = left + near * wide, bottom = top - near * tall;
+  const upright = same(left, -right) && same(bottom, -top) && same(wide * height, tall * width);
+  return `${upright ? `--fov ${digits(2 * Math.atan(tall / 2) * 180 / Math.PI)}` : `--frustum=${[left, right, bottom, top].map(digits)}`} --near ${digits(near)}`;
+}
+
 // What draws the same by the program.
 function commandHere() {
   const world = product(worldFromEye, eyeFromReader()), digits = (value) => Number(value.toPrecision(7)).toString();
   const column = (k, by = 1) => [0, 1, 2].map((i) => world[4 * i + k] * by);
   const eye = column(3), gaze = column(2, -manifest.pivot), target = eye.map((value, i) => value + gaze[i]);
   const text = (values) => values.map(digits).join(",");
-  const splat = document.querySelector("#splats :checked").value, tall = height / Math.abs(screenFromEye[5]);
-  const lens = screenFromEye[14] === 0 ? `--ortho ${digits(tall)}` : `--fov ${digits(2 * Math.atan(tall / 2) * 180 / Math.PI)}`;
-  return `glassbox views layers draw ${manifest.file} --eye ${text(eye)} --look-at ${text(target)} --up ${text(column(1))} ${lens}` +
+  const splat = document.querySelector("#splats :checked").value;
+  return `glassbox views layers draw ${manifest.file_as_word} --eye=${text(eye)} --look-at=${text(target)} --up=${text(column(1))} ${lensHere()}` +
     `${splat === "projected" ? "" : ` --splat ${splat}`}${shown.holes ? " --holes 1,0,1" : ""} -o view.png`;
 }
 

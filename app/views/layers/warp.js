@@ -2,19 +2,20 @@
 // the nearer stays. Matrices are 16 numbers, row by row.
 
 const {width, height} = manifest;
-const largestSplat = 64;
+const largestSplat = 64, nearestDepth = 1 + 2 ** -20;
 
 async function readLayers() {
   const bytes = async (id) => (await inflate(bytesOfBase64(byId(id).textContent))).buffer;
   const counts = new Uint16Array(await bytes("counts")), first = new Uint32Array(counts.length + 1);
   for (let i = 0; i < counts.length; i++) first[i + 1] = first[i] + counts[i];
-  const layers = {counts, first, depth: new Float32Array(await bytes("depths")), colour: new Uint32Array(await bytes("colours"))};
+  const layers = {counts, first, depth: new Float32Array(await bytes("depths")), colour: new Uint32Array(await bytes("colours")),
+    normal: new Int8Array(await bytes("normals"))};
   return Object.assign(layers, slopesOf(layers));
 }
 
 // How much a sample's surface gains in depth, a pixel to the right and a pixel down: to the nearest depth of a pixel beside it, of both
-// sides the flatter.
-function slopesOf({first, depth}) {
+// sides the flatter. A plane whose normal is stored has its own: of p x + q y + r z + s = 0 in the picture, -p / r and -q / r.
+function slopesOf({first, depth, normal}) {
   const across = new Float32Array(depth.length), down = new Float32Array(depth.length);
   const gain = (from, x, y) => {
     let least = NaN;
@@ -26,6 +27,18 @@ function slopesOf({first, depth}) {
     }
     return least;
   };
+  const worldFromScreen = product(Float64Array.from(manifest.world_from_eye), inverse(Float64Array.from(manifest.screen_from_eye)));
+  const setByNormal = (i, x, y) => {
+    const [a, b, c] = normal.subarray(3 * i, 3 * i + 3), m = worldFromScreen, z = depth[i];
+    if (!(a || b || c)) return false;
+    const at = [0, 4, 8, 12].map((row) => m[row] * (x + .5) + m[row + 1] * (y + .5) + m[row + 2] * z + m[row + 3]);
+    const d = -(a * at[0] + b * at[1] + c * at[2]) / at[3];
+    const [p, q, r] = [0, 1, 2].map((column) => a * m[column] + b * m[4 + column] + c * m[8 + column] + d * m[12 + column]);
+    const limited = (exact) => Number.isFinite(exact) ? clamp(exact, -z / 16, z / 16) : 0;
+    across[i] = limited(-p / r);
+    down[i] = limited(-q / r);
+    return true;
+  };
   const slope = (before, after) => {
     if (Number.isNaN(before) || Number.isNaN(after)) return Number.isNaN(after) ? -before || 0 : after;
     return Math.abs(before) < Math.abs(after) ? -before : after;
@@ -33,6 +46,7 @@ function slopesOf({first, depth}) {
   for (let place = 0, y = height - 1; y >= 0; y--) {
     for (let x = 0; x < width; x++, place++) {
       for (let i = first[place]; i < first[place + 1]; i++) {
+        if (normal.length && setByNormal(i, x, y)) continue;
         across[i] = slope(gain(depth[i], x - 1, y), gain(depth[i], x + 1, y));
         down[i] = slope(gain(depth[i], x, y - 1), gain(depth[i], x, y + 1));
       }
@@ -97,7 +111,7 @@ function warpLayers(layers, matrix, {splat, only, background}, pixels, depths) {
         const halfX = halfOf(atX, 0), halfY = halfOf(atY, 4);
         const left = Math.max(Math.floor(atX - halfX + .5), 0), right = Math.min(Math.floor(atX + halfX + .5), width);
         const top = Math.max(Math.floor(atY - halfY + .5), 0), bottom = Math.min(Math.floor(atY + halfY + .5), height);
-        if (!(left < right && top < bottom && atZ > 0 && atZ <= 1 + 1e-6)) { counts.beside++; continue; }
+        if (!(left < right && top < bottom && atZ > 0 && atZ <= nearestDepth)) { counts.beside++; continue; }
         counts.drawn++;
         for (let row = top; row < bottom; row++) {
           for (let to = row * width + left; to < row * width + right; to++) {

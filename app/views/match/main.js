@@ -14,11 +14,11 @@ function foundTerms() {
   ]);
 }
 
-const errorNames = {visible_and_textured: "visible and textured", visible: "visible to both", visible_at_jumps: "visible, at a jump", all: "all known"};
+const errorNames = {visible_and_textured: "visible and textured", textured_at_jumps: "textured, at a jump", visible: "visible to both", visible_at_jumps: "visible, at a jump", all: "all known"};
 function errorsTable() {
-  const rows = Object.entries(manifest.errors).map(([key, one]) => [errorNames[key] ?? key, one.pixels.toLocaleString("en"),
-    ...["0.5", "1", "2", "4"].map((at) => one.bad_percent[at].toFixed(2)), one.rms_px.toFixed(2), one.density_percent.toFixed(1)]);
-  return table(["pixels", "", "0.5 px, %", "1 px", "2 px", "4 px", "RMS px", "density %"], ["", ...Array(7).fill("number")], rows);
+  const rows = Object.entries(manifest.errors).filter(([, one]) => one.pixels).map(([key, one]) => [errorNames[key] ?? key, one.pixels.toLocaleString("en"),
+    ...["0.5", "1", "2", "4"].map((at) => one.bad_percent[at].toFixed(2)), one.rms_px.toFixed(2), one.rms_good_px.toFixed(3), one.density_percent.toFixed(1)]);
+  return table(["pixels", "", "0.5 px, %", "1 px", "2 px", "4 px", "RMS px", "of good px", "density %"], ["", ...Array(8).fill("number")], rows);
 }
 
 async function setUp() {
@@ -41,7 +41,7 @@ byId("title").textContent = manifest.pair;
 byId("summary").textContent = manifest.errors ? `${manifest.errors.visible.bad_percent["1"].toFixed(2)} % of what both pictures show is off by more than a pixel` : `disparities ${range[0]} to ${range[1]}`;
 if (manifest.errors) {
   byId("errors").append(errorsTable());
-  byId("visible-by").textContent = `Per cent of the pixels that are off by more. Visible: ${manifest.visible_by}. A pixel without disparity counts as off.`;
+  byId("visible-by").textContent = `Per cent of the pixels that are off by more. Visible: ${manifest.visible_by}. A pixel without disparity counts as off. Good: those off by 1 px at most.`;
 } else {
   byId("errors-section").hidden = true;
 }

@@ -97,7 +97,7 @@ function showCursor() {
   overlays.right.replaceChildren(...(Number.isFinite(disparity) ? mark("right", x + .5 - disparity, y + .5) : []));
   byId("readout").textContent = told(i);
   drawCurve(i);
-  drawSpace();
+  showSpace();
 }
 
 function told(i) {
@@ -111,7 +111,8 @@ function told(i) {
   }
   if (manifest.calibration && Number.isFinite(disparity)) {
     const {focal_px: f, baseline, offset_px: offset} = manifest.calibration;
-    if (disparity + offset > 0) parts.push(`Depth ${shortNumber(f * baseline / (disparity + offset))}.`);
+    const depth = f * baseline / (disparity + offset);
+    if (depth > 0 && Number.isFinite(depth)) parts.push(`Depth ${shortNumber(depth)}.`);
   }
   parts.push(doubt ? `It was in doubt: ${doubt}.` : `Peak ratio ${(data.confidence[i] / 255).toFixed(2)}.`);
   return parts.join(" ");

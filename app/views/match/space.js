@@ -2,12 +2,12 @@
 
 const space = byId("space");
 const turn = {yaw: 0, pitch: 0, near: 1};
-const cloud = {}; // x, y, z: floats, the camera at 0, looking along +z; count, pixels, middle
+const cloud = {}; // x, y, z: floats, the camera at 0, looking along +z; of: each one's pixel; at: each pixel's point, or -1; image: as drawn last
 
 // Without a calibration nobody knows depths: a pixel's disparity lifts it off the picture.
 function placePoints(colours) {
   const count = width * height, {focal_px: f, baseline, offset_px: offset, centre} = manifest.calibration ?? {focal_px: width, centre: [width / 2, height / 2]};
-  Object.assign(cloud, {focal: f, x: new Float32Array(count), y: new Float32Array(count), z: new Float32Array(count), of: new Int32Array(count), count: 0, colours});
+  Object.assign(cloud, {focal: f, x: new Float32Array(count), y: new Float32Array(count), z: new Float32Array(count), of: new Int32Array(count), at: new Int32Array(count).fill(-1), count: 0, colours});
   const depths = [];
   const depthOf = (disparity) => manifest.calibration ? f * baseline / (disparity + offset) : 1 - .5 * (disparity - data.ends[0]) / (data.ends[1] - data.ends[0]);
   for (let i = 0; i < count; i++) {
@@ -19,44 +19,69 @@ function placePoints(colours) {
     cloud.y[at] = (row - centre[1]) * share;
     cloud.z[at] = depth;
     cloud.of[at] = i;
+    cloud.at[i] = at;
     depths.push(depth);
   }
   depths.sort((a, b) => a - b);
   cloud.middle = depths.length ? depths[Math.floor(depths.length / 2)] : 1;
 }
 
-// The camera turns about the middle of what it sees.
-function drawSpace() {
-  if (!cloud.x || !space.clientWidth) return;
-  const across = space.width = Math.min(Math.round(space.clientWidth * devicePixelRatio), 1400), down = space.height = Math.round(across / 1.5);
+// Where a point is seen: into place.x and place.y, px, and place.depth. The camera turns about the middle of what it sees.
+function eyeOf(across, down) {
+  const {yaw, pitch, near} = turn, cy = Math.cos(yaw), sy = Math.sin(yaw), cp = Math.cos(pitch), sp = Math.sin(pitch);
+  const fit = Math.min(across / width, down / height) * near, scale = cloud.focal * fit;
+  const see = (k, place) => {
+    const x = cloud.x[k], y = cloud.y[k], z = cloud.z[k] - cloud.middle;
+    const xt = cy * x + sy * z, zt = cy * z - sy * x, yt = cp * y + sp * zt;
+    place.depth = cp * zt - sp * y + cloud.middle;
+    place.x = Math.round(across / 2 + scale * xt / place.depth);
+    place.y = Math.round(down / 2 + scale * yt / place.depth);
+    return place.depth >= .02 * cloud.middle;
+  };
+  return {see, fit};
+}
+
+function drawCloud(across, down) {
   const image = new ImageData(across, down), words = new Uint32Array(image.data.buffer), depths = new Float32Array(across * down).fill(Infinity);
   words.fill(0xff1c1714);
-  const {yaw, pitch, near} = turn, cy = Math.cos(yaw), sy = Math.sin(yaw), cp = Math.cos(pitch), sp = Math.sin(pitch);
-  const fit = Math.min(across / width, down / height) * near, scale = cloud.focal * fit, size = Math.max(1, Math.ceil(1.15 * fit)), before = Math.floor(size / 2);
-  const chosen = cursor.y * width + cursor.x;
-  let ring = null;
+  const {see, fit} = eyeOf(across, down), size = Math.max(1, Math.ceil(1.15 * fit)), before = Math.floor(size / 2), place = {};
   for (let k = 0; k < cloud.count; k++) {
-    const x = cloud.x[k], y = cloud.y[k], z = cloud.z[k] - cloud.middle;
-    const xt = cy * x + sy * z, zt = cy * z - sy * x, yt = cp * y + sp * zt, depth = cp * zt - sp * y + cloud.middle;
-    if (depth < .02 * cloud.middle) continue;
-    const px = Math.round(across / 2 + scale * xt / depth), py = Math.round(down / 2 + scale * yt / depth);
-    if (cloud.of[k] === chosen) ring = [px, py];
-    for (let v = Math.max(py - before, 0); v < Math.min(py - before + size, down); v++) {
-      for (let u = Math.max(px - before, 0); u < Math.min(px - before + size, across); u++) {
+    if (!see(k, place)) continue;
+    const {x, y, depth} = place;
+    for (let v = Math.max(y - before, 0); v < Math.min(y - before + size, down); v++) {
+      for (let u = Math.max(x - before, 0); u < Math.min(x - before + size, across); u++) {
         const at = v * across + u;
         if (depth < depths[at]) depths[at] = depth, words[at] = cloud.colours[cloud.of[k]];
       }
     }
   }
-  const context = space.getContext("2d");
-  context.putImageData(image, 0, 0);
-  if (!ring) return;
+  return image;
+}
+
+function drawRing(context) {
+  const chosen = cloud.at[cursor.y * width + cursor.x], place = {};
+  if (chosen < 0 || !eyeOf(space.width, space.height).see(chosen, place)) return;
   for (const [colour, line] of [["#000b", 4.5], ["#3df5ff", 2]]) {
     context.beginPath();
-    context.arc(...ring, 7 * devicePixelRatio, 0, 2 * Math.PI);
+    context.arc(place.x, place.y, 7 * devicePixelRatio, 0, 2 * Math.PI);
     Object.assign(context, {strokeStyle: colour, lineWidth: line * devicePixelRatio});
     context.stroke();
   }
+}
+
+// The points as they were drawn last, and the cursor's.
+function showSpace() {
+  if (!cloud.image) return;
+  const context = space.getContext("2d");
+  context.putImageData(cloud.image, 0, 0);
+  drawRing(context);
+}
+
+function drawSpace() {
+  if (!cloud.x || !space.clientWidth) return;
+  const across = space.width = Math.min(Math.round(space.clientWidth * devicePixelRatio), 1400), down = space.height = Math.round(across / 1.5);
+  cloud.image = drawCloud(across, down);
+  showSpace();
 }
 
 function turnBy(yaw, pitch) {

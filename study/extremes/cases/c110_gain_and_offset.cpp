@@ -41,8 +41,7 @@ Outcome judge(views::MatchingCost cost, int window) {
   settings.window = window;
   settings.left_right.reset();
   const double before = wrong_percent(settings, false), after = wrong_percent(settings, true);
-  return {
-      after - before, 0.5, {}, fmt::format("{:.3g} % wrong, and {:.3g} % before", after, before)};
+  return {after, 0.5, {}, fmt::format("{:.3g} % wrong, and {:.3g} % before", after, before)};
 }
 
 }  // namespace c110
@@ -57,7 +56,7 @@ ExtremeCase c110_gain_and_offset() {
           "noise of 0 to 127 at disparity 9; the right picture times 1.3, plus 40, and a tenth "
           "darker at its sides",
       .stage = "matching",
-      .right = "at most 0.5 % of the pixels become wrong by it: what is darker stays darker",
+      .right = "at most 0.5 % of the pixels are wrong: what is darker stays darker",
       .unit = "per cent",
       .oracle = Oracle::kProperty,
       .ours = {"census", [] { return judge(MatchingCost::kCensus, 3); }},

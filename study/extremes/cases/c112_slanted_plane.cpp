@@ -50,7 +50,7 @@ Pictures pictures() {
 // What becomes of a disparity with part of a pixel, and of the whole one.
 using Answer = double (*)(double refined, double whole);
 
-// RMS over what is answered of pixels that the right picture has.
+// RMS over the pixels that the right picture has; one that is not answered counts as a pixel off.
 Outcome judge(Answer answer) {
   const Pictures pair = pictures();
   views::MatchSettings settings = plain_settings("default", {0, 47});
@@ -62,12 +62,12 @@ Outcome judge(Answer answer) {
   for (int y = 4; y < kHeight - 4; ++y) {
     for (int x = 20; x < kWidth - 8; ++x, ++all) {
       const double a = double(refined.disparity.at(x, y)), b = double(whole.disparity.at(x, y));
-      if (!std::isfinite(a) || !std::isfinite(b)) continue;
-      squares += std::pow(answer(a, b) - disparity_at(x, y), 2);
-      ++answered;
+      const bool is_answered = std::isfinite(a) && std::isfinite(b);
+      squares += is_answered ? std::pow(answer(a, b) - disparity_at(x, y), 2) : 1;
+      answered += is_answered;
     }
   }
-  const double rms = std::sqrt(squares / std::max(answered, 1));
+  const double rms = std::sqrt(squares / all);
   return {rms, 0.25, {}, fmt::format("{} of {} pixels answered", answered, all)};
 }
 

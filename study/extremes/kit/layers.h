@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "study/experiments/layer_samples.h"
 #include "views/layers/draw_layers.h"
 #include "views/layers/layer_builder.h"
 
@@ -25,12 +26,8 @@ inline views::LayerCamera layer_camera_of(const LayerEye& eye) {
   eye_from_world.topLeftCorner<3, 3>() << c, 0, -s, 0, 1, 0, s, 0, c;
   const Eigen::Vector3d at(eye.at[0], eye.at[1], eye.at[2]);
   eye_from_world.topRightCorner<3, 1>() = -eye_from_world.topLeftCorner<3, 3>() * at;
-  Eigen::Matrix4d screen_from_eye;
-  screen_from_eye << eye.focal, 0, -eye.width / 2.0, 0,  //
-      0, -eye.focal, -eye.height / 2.0, 0,               //
-      0, 0, 0, eye.near,                                 //
-      0, 0, -1, 0;
-  return {screen_from_eye * eye_from_world, eye.width, eye.height};
+  return perspective_camera(eye.width, eye.height, eye.focal, eye.near,
+                            Eigen::Isometry3d(eye_from_world));
 }
 
 // Numbers from 1 on; 0 is the background.

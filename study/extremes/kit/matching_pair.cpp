@@ -28,8 +28,7 @@ views::DenseMatch matched(const Image<Rgba8>& left, const Image<Rgba8>& right,
                           const views::MatchSettings& settings) {
   views::MatchSettings single = settings;
   single.threads = 1;
-  auto match = views::match_pictures(left, right, single);
-  return match ? *std::move(match) : views::DenseMatch{};
+  return views::match_pictures(left, right, single).value();
 }
 
 views::MatchSettings plain_settings(const char* name, views::DisparityRange range) {

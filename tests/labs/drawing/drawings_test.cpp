@@ -115,6 +115,13 @@ const std::vector<Trial>& trials() {
        "statistics(all).deviation < (trial::wrong() ? 0 : most)",
        "sweep",
        "sweep"},
+      {14,
+       "teapot:2",
+       {},
+       "(level - from) / (to - from)",
+       "(level - from) / ((trial::wrong() ? 2 : 1) * (to - from))",
+       "shares",
+       "crossing"},
   };
   return all;
 }

@@ -31,11 +31,10 @@ TEST_CASE("every lab's solution has full marks, its starter none, and faults in 
   REQUIRE_FALSE(all_labs().empty());
   for (const Lab& lab : all_labs()) {
     INFO("lab " << lab.folder);
-    const Bench bench(lab);
-    const auto solution = solution_text(bench.sources(), lab.folder);
-    REQUIRE(solution);
+    Bench& bench = Bench::of(lab);
+    const std::string& solution = bench.solution();
     {
-      const LabResult result = bench.check(*solution);
+      const LabResult result = bench.check(solution);
       INFO(failures(result));
       CHECK(result.score == result.max_score);
       CHECK(result.max_score > 0);
@@ -44,11 +43,11 @@ TEST_CASE("every lab's solution has full marks, its starter none, and faults in 
       for (const Task& task : lab.tasks) points += task.points;
       CHECK(result.max_score == Approx(points));
     }
-    const auto starter = strip_solution(*solution, lab.folder);
+    const auto starter = strip_solution(solution, lab.folder);
     REQUIRE(starter);
-    CHECK(find_leaks(*solution, *starter).empty());
+    CHECK(find_leaks(solution, *starter).empty());
     for (const bool hidden : {true, false}) {
-      const LabResult result = bench.check(*starter, hidden);
+      const LabResult result = bench.check(bench.starter(hidden));
       INFO(failures(result));
       CHECK(result.score == 0);
     }
@@ -57,7 +56,7 @@ TEST_CASE("every lab's solution has full marks, its starter none, and faults in 
     for (const Fault& fault : faults_of(bench.sources(), lab)) {
       if (fault.stage.empty()) continue;
       INFO("fault: " << fault.name);
-      const LabResult result = bench.check(with_fault(*solution, fault));
+      const LabResult result = bench.check(with_fault(solution, fault));
       INFO(failures(result));
       expect_found(result, fault);
       ++whole;

@@ -53,6 +53,12 @@ std::vector<std::byte> bytes_of(const fs::path& path) {
 
 }  // namespace
 
+TEST_CASE("a case's text names an extreme case of two or of three digits") {
+  CHECK(command_for("two planes (C-08), one eye") == "\nglassbox study extremes --case C-08");
+  CHECK(command_for("in front of both (C-105)") == "\nglassbox study extremes --case C-105");
+  CHECK(command_for("a point") == "");
+}
+
 TEST_CASE("lab list names every lab and its tasks") {
   const Desk desk;
   const auto outcome = desk.run({"lab", "list", "--json", "-"});

@@ -55,15 +55,13 @@ struct Found {
 // Every fault of a lab, found or complained of.
 Found find_all(const Lab& lab) {
   INFO("lab " << lab.folder);
-  const Bench bench(lab);
+  Bench& bench = Bench::of(lab);
   const auto header = read_text_file(bench.sources().labs / lab.folder / "student.h");
-  const auto solution = solution_text(bench.sources(), lab.folder);
   REQUIRE(header);
-  REQUIRE(solution);
   const std::vector<Fault> faults = faults_of(bench.sources(), lab);
-  const std::string student = all_in_one(*header, *solution, faults);
+  const BenchProgram program = bench.program(all_in_one(*header, bench.solution(), faults));
   {
-    const LabResult result = bench.check(student);
+    const LabResult result = bench.check(program);
     INFO(failures(result));
     CHECK(result.score == result.max_score);
   }
@@ -72,7 +70,7 @@ Found find_all(const Lab& lab) {
   for (std::size_t i = 0; i < faults.size(); ++i) {
     const Fault& fault = faults[i];
     const Chosen chosen(i + 1);
-    const LabResult result = bench.check(student);
+    const LabResult result = bench.check(program);
     INFO("fault " << i + 1 << ": " << fault.name << ", task " << fault.task);
     INFO(failures(result));
     const CheckResult* check = found_by(result, fault);

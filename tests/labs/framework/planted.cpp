@@ -57,6 +57,102 @@ std::string members_of(const std::string& source) {
   return replaced(replaced(body, "\nnamespace \\{|\n\\}  // namespace\n", "\n"), "\nstatic ", "\n");
 }
 
+std::size_t after_comment(const std::string& text, std::size_t at) {
+  return std::min(text.find('\n', at), text.size());
+}
+
+// `at` is the quote that opens a string or a character.
+std::size_t after_quoted(const std::string& text, std::size_t at) {
+  const char quote = text[at++];
+  while (at < text.size() && text[at] != quote) at += text[at] == '\\' ? 2u : 1u;
+  return at + 1;
+}
+
+// Members one by one, each with the comment before it.
+std::vector<std::string> single_members(const std::string& text) {
+  std::vector<std::string> all;
+  std::size_t start = 0;
+  int depth = 0;
+  const auto letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
+  for (std::size_t at = 0; at < text.size();) {
+    const char c = text[at];
+    if (text.compare(at, 2, "//") == 0) {
+      at = after_comment(text, at);
+      continue;
+    }
+    // The quote in 10'000 opens nothing.
+    if (c == '"' || (c == '\'' && (at == 0 || !letter(text[at - 1])))) {
+      at = after_quoted(text, at);
+      continue;
+    }
+    if (c == '(' || c == '{' || c == '[') ++depth;
+    if (c == ')' || c == '}' || c == ']') --depth;
+    ++at;
+    const std::size_t next = text.find_first_not_of(" \n", at);
+    const bool goes_on = next != std::string::npos && text.find_first_of(";,(", next) == next;
+    if (depth > 0 || !(c == ';' || (c == '}' && !goes_on))) continue;
+    all.push_back(text.substr(start, at - start));
+    start = at;
+  }
+  if (start < text.size()) all.push_back(text.substr(start));
+  return all;
+}
+
+struct Member {
+  std::string comment, code;
+  // Of a function that a class may override: all before its body; else empty.
+  std::string head;
+};
+
+Member member_of(const std::string& text) {
+  static const std::regex comments("^(\\s|//[^\n]*\n)*");
+  static const std::regex no_function(
+      "^(struct|class|enum|union|using|template|constexpr|auto)\\b");
+  std::smatch found;
+  std::regex_search(text, found, comments);
+  Member member{found.str(), found.suffix(), {}};
+  const std::string head = member.code.substr(0, member.code.find('{'));
+  const bool function = member.code.ends_with('}') && head.find('(') != std::string::npos &&
+                        head.find('=') == std::string::npos &&
+                        !std::regex_search(member.code, no_function);
+  if (function) member.head = head;
+  return member;
+}
+
+std::vector<Member> all_members(const std::string& source) {
+  std::vector<Member> all;
+  for (const std::string& text : single_members(members_of(source))) all.push_back(member_of(text));
+  return all;
+}
+
+// The whole class. Where a function is overridden, every other that calls it calls that one.
+std::string class_of(const std::string& name, const std::vector<Member>& members) {
+  std::string text = fmt::format("struct {} : Student {{", name);
+  for (const Member& each : members)
+    text += each.comment + (each.head.empty() ? "" : "virtual ") + each.code;
+  return text + "\n};\n";
+}
+
+// Only the functions in which it differs from the solution; the whole where something else differs.
+std::string class_with_fault(const std::string& name, const std::vector<Member>& solution,
+                             const std::vector<Member>& faulty) {
+  std::string overridden, names;
+  bool functions = solution.size() == faulty.size();
+  for (std::size_t i = 0; i < faulty.size() && functions; ++i) {
+    if (faulty[i].code == solution[i].code) continue;
+    functions = !faulty[i].head.empty() && faulty[i].head == solution[i].head;
+    std::smatch called;
+    const std::regex before("(\\w+)\\(");
+    if (!functions || !std::regex_search(faulty[i].head, called, before))
+      return class_of(name, faulty);
+    // Others of that name stay in sight.
+    names += fmt::format("  using Solution::{};\n", called[1].str());
+    overridden += faulty[i].code + "\n";
+  }
+  if (!functions) return class_of(name, faulty);
+  return fmt::format("struct {} : Solution {{\n{}{}}};\n", name, names, overridden);
+}
+
 }  // namespace
 
 std::vector<Fault> faults_of(const Sources& sources, const Lab& lab) {
@@ -94,11 +190,18 @@ std::string all_in_one(const std::string& header, const std::string& solution,
                          each.arguments);
   }
   REQUIRE_FALSE(virtuals.empty());
+  const std::vector<Member> right = all_members(solution);
   for (std::size_t i = 0; i <= faults.size(); ++i) {
-    const std::string source = i == 0 ? solution : with_fault(solution, faults[i - 1]);
-    classes += fmt::format("// {}\nstruct Planted{} : Student {{{}}};\n",
-                           i == 0 ? "the solution" : faults[i - 1].name, i, members_of(source));
-    chosen += fmt::format("    case {0}: return std::make_unique<Planted{0}>();\n", i);
+    const std::string name = i == 0 ? "Solution" : fmt::format("Planted{}", i);
+    if (i == 0) {
+      classes += class_of(name, right);
+    } else {
+      const Fault& fault = faults[i - 1];
+      classes +=
+          fmt::format("// {}\n{}", fault.name,
+                      class_with_fault(name, right, all_members(with_fault(solution, fault))));
+    }
+    chosen += fmt::format("    case {}: return std::make_unique<{}>();\n", i, name);
   }
   const std::size_t open = solution.find("namespace lab_");
   return fmt::format(

@@ -24,8 +24,8 @@ std::vector<Fault> faults_of(const Sources& sources, const Lab& lab);
 
 std::string with_fault(const std::string& solution, const Fault& fault);
 
-// One student.cpp for all of them, which costs one compilation: the solution and each faulty copy of it are classes with the
-// functions of student.h, and the environment variable kPlanted says whose are called; 0 or nothing: the solution's.
+// One student.cpp for all of them, which costs one compilation: the solution is a class with the functions of student.h, each fault
+// one that overrides what it changes, and the environment variable kPlanted says whose are called; 0 or nothing: the solution's.
 inline constexpr const char* kPlanted = "GLASSBOX_PLANTED";
 std::string all_in_one(const std::string& header, const std::string& solution,
                        const std::vector<Fault>& faults);

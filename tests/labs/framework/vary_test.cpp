@@ -1,7 +1,6 @@
 // Inputs that differ from student to student: another seed is other inputs, of which the solution answers all.
 #include "labs/framework/vary.h"
 
-#include "labs/framework/check_lab.h"
 #include "labs/framework/lab.h"
 #include "tests/labs/framework/bench.h"
 #include "tests/support/catch.h"
@@ -50,11 +49,11 @@ TEST_CASE("a seed changes what every lab's hidden checks ask, and nothing that s
 
 TEST_CASE("every solution has all points under 50 seeds of its inputs") {
   for (const Lab& lab : all_labs()) {
-    const std::string solution = solution_text(find_sources().value(), lab.folder).value();
-    const Bench bench(lab, Bench::Cases::kAnew);
+    Bench& bench = Bench::of(lab);
+    const BenchProgram program = bench.program(bench.solution());
     for (std::uint64_t seed = 1; seed <= 50; ++seed) {
       const Seeded seeded(seed);
-      const auto result = bench.check(solution);
+      const auto result = bench.check_anew(program);
       INFO(lab.folder << ", seed " << seed << "\n" << failures(result));
       CHECK(result.score == result.max_score);
     }

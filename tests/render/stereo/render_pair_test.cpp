@@ -139,40 +139,100 @@ TEST_CASE("the anaglyph of two masks is the two pictures put together by channel
   }
 }
 
-// A triangle that an orthographic view of 16 x 16 pixels has to the left of its picture, `beside_px` away.
-Scene beside_the_picture(float beside_px, const Material& material) {
+enum class Beside { kLeft, kRight, kAbove, kBelow };
+
+// A triangle that an orthographic view of 16 x 16 pixels would have beside its picture, `beside_px` away, were it not moved to the right.
+Scene beside_the_picture(Beside where, float beside_px, float distance = 5, float moved_px = 0) {
   Scene scene;
   scene.name = "beside";
   scene.nodes = {Node{"root", kNone, {}, {}}};
-  scene.materials = {material};
+  scene.materials = {{}};
   scene.instances = {Instance{0, 0}};
   Mesh mesh;
-  const float edge = -8 - beside_px;
-  mesh.positions = {{edge, -4, -5}, {edge, 4, -5}, {edge - 4, 0, -5}};
+  const float sign = where == Beside::kLeft || where == Beside::kBelow ? -1.0f : 1.0f;
+  const bool along_x = where == Beside::kAbove || where == Beside::kBelow;
+  const float edge = sign * (8 + beside_px);
+  for (const auto& [out, along] : {std::pair{edge, -4.0f}, {edge, 4.0f}, {edge + sign * 4, 0.0f}}) {
+    mesh.positions.push_back(
+        {(along_x ? along : out) + moved_px, along_x ? out : along, -distance});
+  }
   mesh.faces = {{0, 3}};
   mesh.corners = {Corner{0}, Corner{1}, Corner{2}};
   scene.meshes = {mesh};
   return scene;
 }
 
-TEST_CASE("the lines of a wireframe reach into both eyes' pictures from beside them") {
+// 16 x 16 pixels, one to a unit. What is as far as the window, 5, is in one place for both eyes.
+PairCase pair_of_wireframes(Scene scene) {
+  PairCase c{"beside", std::move(scene), {}, {}, 16, 16};
+  c.centre = *make_view({"front", OrthographicLens{8, 0.1, 100}, {}}, c.width, c.height);
+  c.pair = {1, 5};
+  REQUIRE(check_pair(c.centre, c.pair));
+  return c;
+}
+
+RenderSettings wireframe(int samples) {
   RenderSettings settings;
   settings.wireframe = true;
-  settings.samples = 8;
+  settings.samples = samples;
   settings.cull = Cull::kNone;
-  PairCase c{"beside", beside_the_picture(0.25f, {}), {}, {}, 16, 16};
-  c.centre = *make_view({"front", OrthographicLens{8, 0.1, 100}, {}}, c.width, c.height);
-  c.pair = {0.1, 5};  // the window is where the triangle is: both eyes have it in one place
-  REQUIRE(check_pair(c.centre, c.pair));
-  const Image<Rgba8> left =
-      render_staged(c.scene, eye_view(c.centre, c.pair, Side::kLeft), settings).buffers.color;
-  CHECK(differing_pixels(left, Image<Rgba8>(c.width, c.height, settings.background)) > 0);
+  return settings;
+}
+
+// Both eyes' pictures by all renderers; how many pixels are drawn.
+std::size_t check_wireframes(const PairCase& c, const StereoSettings& settings) {
+  const auto own = [&](Side side) {
+    return render_staged(c.scene, eye_view(c.centre, c.pair, side), settings.render).buffers.color;
+  };
+  const Image<Rgba8> left = own(Side::kLeft), right = own(Side::kRight);
   for (Renderer& renderer : many_renderers(c.scene)) {
-    CHECK(renderer.render_pair(c.centre, c.pair, {settings}).left.color == left);
-    CHECK(renderer.render_pair(c.centre, c.pair, {settings}).lost == 0);
+    INFO("renderer for " << c.name);
+    const StereoRendering both = renderer.render_pair(c.centre, c.pair, settings);
+    CHECK(both.left.color == left);
+    CHECK(both.right.color == right);
+    CHECK(both.lost == 0);
   }
-  const Scene farther = beside_the_picture(2, {});
-  CHECK(render_pair(farther, c.centre, c.pair, {settings}).culled == 1);
+  const Image<Rgba8> empty(c.width, c.height, settings.render.background);
+  return differing_pixels(left, empty) + differing_pixels(right, empty);
+}
+
+constexpr std::array kAllSides{Beside::kLeft, Beside::kRight, Beside::kAbove, Beside::kBelow};
+
+TEST_CASE("the lines of a wireframe reach into both eyes' pictures from beside them") {
+  for (const StereoCulling culling : {StereoCulling::kUnion, StereoCulling::kCentre}) {
+    int drawn_at_centres = 0;
+    for (const Beside where : kAllSides) {
+      INFO("culling " << int(culling) << ", side " << int(where));
+      const StereoSettings of_samples{wireframe(8), culling};
+      CHECK(check_wireframes(pair_of_wireframes(beside_the_picture(where, 0.25f)), of_samples) > 0);
+      // Snapped onto the border, where a line is of the pixels at one side of it.
+      const StereoSettings of_centres{wireframe(1), culling};
+      drawn_at_centres +=
+          check_wireframes(pair_of_wireframes(beside_the_picture(where, 0x1p-10f)), of_centres) > 0;
+      const PairCase farther = pair_of_wireframes(beside_the_picture(where, 2));
+      CHECK(render_pair(farther.scene, farther.centre, farther.pair, of_samples).culled == 1);
+    }
+    CHECK(drawn_at_centres >= 2);
+  }
+}
+
+TEST_CASE("a line that reaches into one eye's picture alone is drawn there") {
+  constexpr float kDistance = 10;  // behind the window
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    for (const Beside where : {Beside::kLeft, Beside::kRight}) {
+      INFO("eye " << int(side) << ", side " << int(where));
+      const PairCase any = pair_of_wireframes({});
+      const View eye = eye_view(any.centre, any.pair, side);
+      const Transform<Clip, Eye>& clip = eye.clip_from_eye;
+      const Point<Eye, double> middle =
+          eye.eye_from_world * Point<World, double>(0, 0, -double(kDistance));
+      const double ndc = clip.at(0, 0) * middle.x + clip.at(0, 2) * middle.z + clip.at(0, 3);
+      const auto moved_px = float(-8 * ndc);
+      REQUIRE(std::abs(moved_px) >= 0.9f);  // the other eye has it twice as far aside
+      const PairCase c = pair_of_wireframes(beside_the_picture(where, 0.25f, kDistance, moved_px));
+      CHECK(check_wireframes(c, {wireframe(8), StereoCulling::kUnion}) > 0);
+    }
+  }
 }
 
 TEST_CASE("channels that both eyes may write are the right one's, alpha before a background too") {

@@ -1,5 +1,9 @@
 // The tile engine writes the bytes of the staged reference (DESIGN 3): for every scene, option, target, number of threads and
 // tile size.
+#include <cmath>
+#include <limits>
+#include <utility>
+
 #include <glassbox/mesh/builtin/scenes.h>
 
 #include "tests/render/tile/same_picture.h"
@@ -126,6 +130,54 @@ TEST_CASE("pixels that share their triangles are coloured as the staged referenc
       }
     }
   }
+}
+
+// ---- distances at the end of what float holds ----
+
+// Two triangles in front of each other, as high as `height`.
+Scene two_triangles(float near_z, float far_z, float height) {
+  Mesh mesh;
+  for (const float z : {near_z, far_z}) {
+    const float low = z == near_z ? 0 : -height;
+    for (const auto& [x, y] : {std::pair{-height, low}, {height, low}, {0.0f, low + height}}) {
+      mesh.positions.push_back({x, y, z});
+    }
+  }
+  test::add_face(mesh, {0, 1, 2});
+  test::add_face(mesh, {3, 4, 5});
+  return test::scene_of(mesh);
+}
+
+// Checks the engines against each other, and that the nearer triangle is white and the other one dark.
+void check_depth_picture(const Scene& scene, const Lens& lens) {
+  const auto view = make_view({"front", lens, {}}, 48, 36);
+  REQUIRE(view);
+  RenderSettings settings = all_planes();
+  settings.cull = Cull::kNone;
+  settings.show = Show::kDepth;
+  for (const Target target : available_targets())
+    check_same(scene, *view, settings, {1, 32, target});
+  const Framebuffer drawn = render_staged(scene, *view, settings).buffers;
+  int white = 0, dark = 0;
+  for (std::size_t i = 0; i < drawn.id.pixels.size(); ++i) {
+    const bool is_drawn = drawn.id.pixels[i] != 0;
+    CHECK(std::isfinite(drawn.distance.pixels[i]) == is_drawn);
+    if (!is_drawn) continue;
+    const Rgba8 c = drawn.color.pixels[i];
+    CHECK(c.r == (drawn.id.pixels[i] == 1 ? 255 : 40));
+    (c.r == 255 ? white : dark) += 1;
+  }
+  CHECK(white > 20);
+  CHECK(dark > 20);
+}
+
+TEST_CASE("what is as far away as a float can be is seen, and not where nothing is", "[tile]") {
+  constexpr float kMost = std::numeric_limits<float>::max();
+  check_depth_picture(two_triangles(-1e30f, -kMost, kMost / 4), PerspectiveLens{1.2, 0.1, {}});
+}
+
+TEST_CASE("a picture of depths holds distances whose difference overflows", "[tile]") {
+  check_depth_picture(two_triangles(2e38f, -2e38f, 1), OrthographicLens{2, -2.5e38, 2.5e38});
 }
 
 }  // namespace

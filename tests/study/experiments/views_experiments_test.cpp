@@ -30,7 +30,17 @@ TEST_CASE("matching along rows goes with W H D, in the whole picture with W^2 H^
 }
 
 TEST_CASE("the best baseline is neither the shortest nor the longest (D-21)") {
-  const auto errors = series_of(measure(d21_baseline()), "the default matcher", "");
+  const std::vector<Measured> all = measure(d21_baseline());
+  // What is guessed is bounded from both sides: neither the law alone nor ten times as much would be explained.
+  for (const Measured& each : all) {
+    const auto& [why, least, greatest] = each.configuration.finding.value_or(Finding{});
+    if (why.empty()) continue;
+    const double ratio = each.error / each.configuration.predicted_error.value();
+    INFO(each.configuration.parameter << ": " << ratio << " in " << least << " to " << greatest);
+    CHECK(greatest < 30 * least);
+    CHECK((ratio >= least && ratio <= greatest));
+  }
+  const auto errors = series_of(all, "the default matcher", "");
   const auto best = std::ranges::min_element(errors, {}, &Sample::y);
   REQUIRE(errors.size() >= 5);
   CHECK(errors.front().y > 2 * best->y);
@@ -106,4 +116,24 @@ TEST_CASE("coarse to fine looks at a part of the voxels, and loses what is thin 
 }
 
 }  // namespace
+TEST_CASE(
+    "three pictures make the one between them better than the nearest, whose weights jump (D-24)") {
+  const auto all = check_experiment(d24_view_blends());
+  for (const double degrees : {4.0, 8.0, 16.0}) {
+    CHECK(error_at(all, "barycentric weights", "shiny teapot", degrees) <
+          error_at(all, "the nearest picture", "shiny teapot", degrees));
+  }
+  CHECK(series_of(all, "the nearest picture", "jump").front().y == 1);
+  CHECK(series_of(all, "barycentric weights", "jump").front().y < 1e-4);
+}
+
+TEST_CASE("only the fifteen cases leave holes; tetrahedra take three times the triangles (D-25)") {
+  const auto all = measure(d25_surfaces());
+  for (const Sample& holes : series_of(all, "fifteen cases", "holes")) CHECK(holes.y > 0);
+  const double cubes = error_at(all, "one rule for each face", "sphere", 6, "triangles");
+  const double tetrahedra = error_at(all, "six tetrahedra", "sphere", 6, "triangles");
+  CHECK(tetrahedra / cubes > 2.7);
+  CHECK(tetrahedra / cubes < 3.2);
+}
+
 }  // namespace glassbox::test

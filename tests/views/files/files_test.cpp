@@ -41,6 +41,7 @@ TEST_CASE("lines that are no matches are named") {
   CHECK(message_of(parse_matches("x_left,y_left,x_right,y_right\n1 2 3 nan\n"))
             .starts_with("line 1: 'nan' is no finite number"));
   CHECK(message_of(parse_matches("1 2 3 1e999\n")).starts_with("line 1: '1e999'"));
+  CHECK(message_of(parse_matches("1 2 3 +-4\n")).starts_with("line 1: '+-4'"));
   CHECK(message_of(parse_matches("a 1 2 3 4")).find("after a word") != std::string::npos);
 }
 

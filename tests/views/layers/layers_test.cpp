@@ -16,6 +16,7 @@
 #include "views/layers/draw_layers.h"
 #include "views/layers/layer_builder.h"
 #include "views/layers/layer_file.h"
+#include "views/layers/triangle_normals.h"
 
 using namespace glassbox;
 using namespace glassbox::views;
@@ -322,6 +323,90 @@ TEST_CASE("S1-10: a plane that is seen at a slant has no hole inside, from 10 de
   }
 }
 
+TEST_CASE("S1-10: a plane's stored normal gives every sample its size, at the plane's edge, too") {
+  // A column one pixel wide of a plane z = -2 x: beside its samples there is nothing to tell a slope from.
+  const View from = view_at({0, 0, 8}, {0, 0, 0}, 64, 64);
+  const LayerCamera c1 = layer_camera(from);
+  LayerBuilder with(c1, 0, {.normals = true}), without(c1, 0);
+  LayerBuilder whole(c1, 0);
+  const SampleNormal normal = stored_normal(2, 0, 1);
+  for (int y = 0; y < 64; ++y) {
+    for (int x = 20; x < 44; ++x) {
+      const Eigen::Vector4d on_ray =
+          c1.screen_from_world.inverse() * Eigen::Vector4d(x + 0.5, y + 0.5, 1, 1);
+      const Eigen::Vector3d along = on_ray.hnormalized() - Eigen::Vector3d(0, 0, 8);
+      const double t = -8 / (2 * along.x() + along.z());
+      const float depth = float(depth_of(from, -t * along.z()));
+      whole.add(x, y, depth, {9, 9, 9});
+      if (x != 32) continue;
+      with.add(x, y, depth, {9, 9, 9}, 0, {normal, 7});
+      without.add(x, y, depth, {9, 9, 9});
+    }
+  }
+  const LayerCamera side = layer_camera(view_at({6, 0, 6}, {0, 0, 0}, 64, 64));
+  const auto covered = [&](const LayerBuilder& builder) {
+    const LayerPicture picture = draw_layers(builder.pack(), side, {});
+    std::size_t count = 0;
+    for (int y = 0; y < 64; ++y) {
+      for (int x = 0; x < 64; ++x) count += y >= 8 && y < 56 && picture.depth.at(x, y) != 0;
+    }
+    return count;
+  };
+  // By neighbours of the whole plane, the same column of it; alone it is as wide as if it faced its eye.
+  LayeredImage all = whole.pack();
+  CHECK(2 * covered(with) > 3 * covered(without));
+  const LayeredImage image = with.pack();
+  REQUIRE(check(image, "normals"));
+  CHECK(image.normal.size() == image.samples());
+  CHECK(image.triangle.empty());
+  // Both ways to know a slope agree where both know it.
+  LayeredImage known = all;
+  known.normal.assign(known.samples(), normal);
+  const LayerPicture by_neighbours = draw_layers(all, side, {}),
+                     by_normals = draw_layers(known, side, {});
+  std::size_t differ = 0;
+  for (std::size_t i = 0; i < by_normals.depth.pixels.size(); ++i)
+    differ += (by_normals.depth.pixels[i] != 0) != (by_neighbours.depth.pixels[i] != 0);
+  CHECK(differ <= 2 * 64);  // at the two sides, whose samples are larger by a rounding
+}
+
+TEST_CASE("normals are those of the triangles that samples are of, by their numbers") {
+  const Scene scene = make_builtin("room").value();
+  const View view = make_view(scene.cameras.at(0), 48, 32).value();
+  RenderSettings settings = plain();
+  settings.want_id = true;
+  const std::vector<SampleNormal> normals = triangle_normals(scene);
+  LayerBuilder builder(layer_camera(view), 0, {.normals = true, .triangles = true});
+  const std::vector<Layer> layers = peel(scene, view, settings, 3);
+  for (const Layer& layer : layers) builder.add_layer(view, layer, normals);
+  const LayeredImage image = builder.pack();
+  REQUIRE(check(image, "room"));
+  std::size_t known = 0, facing = 0;
+  const Eigen::Vector3d eye = eye_of(image.camera).hnormalized();
+  const Eigen::Matrix4d world_from_screen = image.camera.screen_from_world.inverse();
+  for (int y = 0; y < 32; ++y) {
+    for (int x = 0; x < 48; ++x) {
+      const std::size_t place = image.place(x, y);
+      for (std::uint32_t i = image.first[place]; i < image.first[place + 1]; ++i) {
+        REQUIRE(image.triangle[i] > 0);
+        CHECK(image.normal[i] == normals.at(image.triangle[i]));
+        known += image.normal[i].is_known();
+        const Eigen::Vector4d at(x + 0.5, y + 0.5, double(image.depth[i]), 1);
+        const Eigen::Vector3d to_eye = eye - (world_from_screen * at).hnormalized();
+        const SampleNormal& n = image.normal[i];
+        facing += to_eye.dot(Eigen::Vector3d(n.x, n.y, n.z)) > 0;
+      }
+    }
+  }
+  CHECK(known == image.samples());
+  CHECK(double(facing) > 0.9 * double(known));  // all but those of two-sided leaves
+  // The nearest and the farthest keep theirs.
+  const LayeredImage ends = ends_of(image);
+  REQUIRE(check(ends, "ends"));
+  CHECK(ends.normal.size() == ends.samples());
+  CHECK(ends.triangle.size() == ends.samples());
+}
+
 TEST_CASE(
     "C-83, C-86: what is behind the eye is left out, and a sample in its face is cut and counted") {
   LayerBuilder builder(layer_camera(view_at({0, 0, 8}, {0, 0, 0}, 64, 64)), 0);
@@ -339,6 +424,50 @@ TEST_CASE(
   // A near plane of 0.001: 3 / 0.01 pixels each.
   const View face = make_view(camera_at({0, 0, 5.01}, {0, 0, 0}, 1e-3, 50), 64, 64).value();
   CHECK(draw_layers(image, layer_camera(face), {}).counts.cut > 0);
+}
+
+TEST_CASE("a wall on the near plane is drawn whole, from wherever its own view looks") {
+  // The warp of floats takes its depth, 1, to a rounding or some beyond.
+  Random random(83);
+  for (int i = 0; i < 60; ++i) {
+    const auto some = [&](double most) { return random.between(-most, most); };
+    const Camera camera = camera_at({some(9), some(9), some(9)}, {some(1), some(1), some(1)},
+                                    random.between(0.01, 3));
+    const LayerCamera own = layer_camera(make_view(camera, 64, 48).value());
+    LayerBuilder builder(own, 0);
+    for (int y = 0; y < 48; ++y) {
+      for (int x = 0; x < 64; ++x) builder.add(x, y, 1.0f, {9, 9, 9});
+    }
+    const LayeredImage wall = builder.pack();
+    for (const Splat splat : {Splat::kPoint, Splat::kProjected}) {
+      LayerDrawing drawing;
+      drawing.splat = splat;
+      CHECK(draw_layers(wall, own, drawing).counts.drawn == 64 * 48);
+    }
+  }
+  // A thousandth nearer than that is between the plane and the eye.
+  LayerBuilder nearer(small_camera(), 0);
+  nearer.add(1, 1, 1.001f, {9, 9, 9});
+  CHECK(draw_layers(nearer.pack(), small_camera(), {}).counts.beside == 1);
+}
+
+TEST_CASE("threads that have nothing to do, or no memory for a picture of their own, draw none") {
+  LayerCamera from = small_camera(), to = small_camera();
+  from.height = 64;
+  LayerDrawing drawing;
+  drawing.threads = 300;
+  CHECK(threads_that_draw(from, to, drawing) == 8);  // of 8 rows each
+  from.height = 16384;
+  CHECK(threads_that_draw(from, to, drawing) == 300);
+  to.width = 3840;
+  to.height = 2160;
+  const int threads = threads_that_draw(from, to, drawing);
+  CHECK(threads > 1);
+  CHECK(std::size_t(threads) * 8 * 3840 * 2160 <= kMostCanvasBytes);
+  to.width = to.height = 16384;
+  CHECK(threads_that_draw(from, to, drawing) == 1);
+  drawing.order = LayerOrder::kOcclusion;
+  CHECK(threads_that_draw(from, small_camera(), drawing) == 1);
 }
 
 TEST_CASE(
@@ -414,10 +543,41 @@ TEST_CASE(
   CHECK(refused(offsets, std::byte{1}));
   const std::size_t depths = bytes.size() - 8 * layers.image.samples();
   CHECK(refused(depths + 3, std::byte{0xbf}));  // negative
+
+  // What may follow the colours.
+  StoredLayers more = layers;
+  more.image.normal.assign(more.image.samples(), stored_normal(1, -2, 3));
+  more.image.triangle.assign(more.image.samples(), 5);
+  const std::vector<std::byte> with_both = encode_layers(more);
+  const auto both = decode_layers(with_both, "a.ldi");
+  REQUIRE(both);
+  CHECK(both->image.normal == more.image.normal);
+  CHECK(both->image.triangle == more.image.triangle);
+  CHECK(encode_layers(*both) == with_both);
+  more.image.normal.clear();
+  const auto triangles = decode_layers(encode_layers(more), "a.ldi");
+  REQUIRE(triangles);
+  CHECK(triangles->image.normal.empty());
+  CHECK(triangles->image.triangle == more.image.triangle);
+  const auto refused_section = [&](std::size_t at, std::byte value) {
+    std::vector<std::byte> other = with_both;
+    other.at(bytes.size() + at) = value;
+    return !decode_layers(other, "bad.ldi");
+  };
+  const std::size_t section = 4 + 4 * layers.image.samples();
+  CHECK(refused_section(0, std::byte{'N'}));        // no word that there is
+  CHECK(refused_section(section, std::byte{'n'}));  // normals twice
+  CHECK(refused_section(4, std::byte{127}));        // too long a normal
+  CHECK(refused_section(7, std::byte{1}));          // a fourth number
+  for (const std::size_t size : {bytes.size() + 1, bytes.size() + section - 1,
+                                 bytes.size() + section + 1, with_both.size() - 1}) {
+    CHECK_FALSE(decode_layers(std::span(with_both).first(size), "cut.ldi"));
+  }
+
   // No byte, whatever it becomes, may do more than that.
   Random random(6);
   for (int i = 0; i < 3000; ++i) {
-    std::vector<std::byte> other = bytes;
+    std::vector<std::byte> other = i % 2 == 0 ? bytes : with_both;
     for (int k = 0; k < 3; ++k) {
       const auto at = random.integer(0, std::int64_t(other.size()) - 1);
       other[std::size_t(at)] = std::byte(random.integer(0, 255));

@@ -43,8 +43,7 @@ double wrong_share(const Image<float>& disparity, int d) {
 
 TEST_CASE("D-20: the same bytes for every instruction set and number of threads") {
   const Image<Rgba8> left = noise(71, 150, 5), right = moved_left(left, 6, 6);
-  for (const char* name : {"default", "fast", "winner"}) {
-    MatchSettings settings = method(name, {-3, 33});
+  for (auto& [name, settings] : every_way({-3, 33})) {
     settings.target = Target::kScalar;
     settings.threads = 1;
     // Three bands of the single sweep.
@@ -67,9 +66,9 @@ TEST_CASE("S2-04: a wall of noise stands where it was put, before the window and
   const Image<Rgba8> left = noise(90, 40, 7);
   for (const int d : {0, 11, -7}) {
     const Image<Rgba8> right = moved_left(left, d, 8);
-    for (const char* name : {"default", "fast", "winner"}) {
+    for (const auto& [name, settings] : every_way({-12, 20})) {
       INFO(name << ", disparity " << d);
-      const DenseMatch match = matched(left, right, method(name, {-12, 20}));
+      const DenseMatch match = matched(left, right, settings);
       CHECK(wrong_share(match.disparity, d) == 0);
     }
   }
@@ -186,6 +185,20 @@ TEST_CASE("C-107, C-109, C-114: depth adds the offset, and needs a baseline") {
   CHECK(check_calibration(motorcycle));
   CHECK_FALSE(check_calibration({994.978, 0, 31.086}));
   CHECK_FALSE(check_calibration({std::nan(""), 1, 0}));
+  // F B is 0 or infinite.
+  for (const double size : {1e-300, 1e300}) {
+    const auto legal = check_calibration({size, size, 0});
+    REQUIRE_FALSE(legal);
+    CHECK(legal.error().cause.find("no room in 32 bits") != std::string::npos);
+  }
+  // Depths that are 0 or infinite as floats are none.
+  for (const Calibration& steep : {Calibration{1e-25, 1, 1e25}, Calibration{1, 1e30, 1e-10}}) {
+    CHECK(std::isinf(depths_of(Image<float>(1, 1, 0), steep).pixels[0]));
+  }
+  // The right picture's camera stands to the left.
+  const Image<float> swapped = depths_of(disparity, {994.978, -193.001, -31.086});
+  CHECK(std::isinf(swapped.pixels[0]));
+  CHECK(std::abs(double(swapped.pixels[2]) - 994.978 * 193.001 / 71.086) < 5e-4);
 }
 
 }  // namespace

@@ -2,9 +2,13 @@
 #pragma once
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include <glassbox/base/random.h>
 #include <glassbox/images/image.h>
+
+#include "views/matching/settings.h"
 
 namespace glassbox::views {
 
@@ -27,6 +31,26 @@ inline Image<Rgba8> moved_left(const Image<Rgba8>& left, int d, std::uint64_t se
     }
   }
   return right;
+}
+
+struct NamedSettings {
+  std::string name;
+  MatchSettings settings;
+};
+
+// One of each way to the winners: by volumes, by the sweep in bytes, each pixel for itself, and by the single sweep in 16 bits of other
+// costs and of more paths than bytes have room for.
+inline std::vector<NamedSettings> every_way(const DisparityRange& range) {
+  std::vector<NamedSettings> all;
+  for (const char* name : {"default", "fast", "winner"})
+    all.push_back({name, *settings_named(name)});
+  const MatchSettings fast = *settings_named("fast");
+  all.push_back({"fast, ad-census", fast});
+  all.back().settings.cost = MatchingCost::kAdCensus;
+  all.push_back({"fast, 8 paths", fast});
+  all.back().settings.paths = 8;
+  for (NamedSettings& one : all) one.settings.range = range;
+  return all;
 }
 
 }  // namespace glassbox::views

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cfenv>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -122,6 +124,25 @@ TEST_CASE(
     CHECK(off <= 2);
     CHECK(own_normalised / normalised >= 0.5);
     CHECK(own_normalised / normalised <= 2);
+  }
+}
+
+TEST_CASE("C-104: a match without a place is refused for what it is, before it is computed with") {
+  std::mt19937 random(8);
+  const Matches good = random_matches(random, random_rig(random), 12);
+  for (const double bad : {std::numeric_limits<double>::infinity(), std::nan(""), 1e200}) {
+    for (const bool left : {true, false}) {
+      Matches matches = good;
+      (left ? matches[3].left : matches[3].right).y() = bad;
+      std::feclearexcept(FE_ALL_EXCEPT);
+      for (const Conditioning how : {Conditioning::kRaw, Conditioning::kNormalised}) {
+        if (how == Conditioning::kRaw && std::isfinite(bad)) continue;  // its products are doubles
+        const auto fit = fit_fundamental(matches, how);
+        CHECK(std::fetestexcept(FE_INVALID) == 0);
+        REQUIRE_FALSE(fit);
+        CHECK(fit.error().cause == "a coordinate is not finite, or too large to be multiplied");
+      }
+    }
   }
 }
 

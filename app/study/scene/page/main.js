@@ -15,12 +15,15 @@ const wayLists = {
   all: {title: "All", has: () => true},
 };
 
+// A way's options, each of which stays on one line.
+const optionsOf = (name) => name.split(/ (?=--)/).flatMap((option, i) => [i > 0 ? " " : "", element("span", {}, option)]);
+
 function wayTable() {
   const points = manifest.points.filter(wayLists[shownWays].has);
   if (shownWays === "front") points.sort((a, b) => a.ns - b.ns);
   const heads = ["way", "RMS [1/255]", "largest", "wrong", "FLIP", "depth error", `${unit.name} a frame`, "quartiles", "threads", ""];
   const rows = points.map((point) => [
-    element("button", {type: "button", className: "way", onclick: () => choose(point)}, point.name),
+    element("button", {type: "button", className: "way", onclick: () => choose(point)}, ...optionsOf(point.name)),
     digits(255 * point.rms), point.largest, `${digits(100 * point.wrong)} %`, digits(point.flip), digits(point.depth_error, 2), digits(point.ns / unit.ns),
     point.ns_quartiles.map((ns) => digits(ns / unit.ns)).join(" to "), point.threads, [point.standing, point.disturbed ? "disturbed" : ""].filter(Boolean).join(", ")]);
   const kinds = heads.map((head, i) => i > 0 && i < heads.length - 1 ? "number" : "");
@@ -69,4 +72,5 @@ byId("origin").append(...terms([["Reference", `the picture ${manifest.reference}
   ["Times", `medians of ${manifest.repetitions} frames in turn; one thread's are the processor's`],
   ["Machine", manifest.machine], ["Compiler", manifest.compiler], ["Flags", manifest.flags], ["Glassbox", manifest.version]]));
 byId("command").textContent = manifest.command;
+setUpEyes();
 choose(chosen);

@@ -18,7 +18,8 @@ const usedKnobs = Object.keys(knobs).filter((knob) => manifest.points.some((poin
 function told(point) {
   const [lower, upper] = point.ns_quartiles;
   return [point.name, `RMS ${digits(255 * point.rms)}/255, FLIP ${digits(point.flip)}, ${digits(100 * point.wrong)} % wrong`,
-    `${timeText(point.ns)} (${timeText(lower)} to ${timeText(upper)}), ${count(point.threads, "thread")}`, point.standing ?? ""].filter(Boolean);
+    `${timeText(point.ns)} (${timeText(lower)} to ${timeText(upper)}), ${count(point.threads, "thread")}`, point.standing ?? "",
+    point.disturbed ? "disturbed: the machine did something else meanwhile" : ""].filter(Boolean);
 }
 
 function styleOf(theme, knob) {
@@ -40,12 +41,16 @@ function errorChart(theme) {
   const datasets = usedKnobs.flatMap((knob) => {
     const own = points.filter((point) => point.knob === knob), style = styleOf(theme, knob);
     return [{label: knobs[knob], data: own.map(at), showLine: false, order: knob === "several" ? 2 : 1, ...style},
-      {data: bars(own, x, y), showLine: true, spanGaps: false, borderColor: style.borderColor, borderWidth: 1.5, pointRadius: 0, pointHitRadius: 0, order: 3}];
+      ...[false, true].map((disturbed) => ({data: bars(own.filter((point) => Boolean(point.disturbed) === disturbed), x, y), showLine: true, spanGaps: false,
+        borderColor: style.borderColor, borderWidth: 1.5, borderDash: disturbed ? [3, 3] : [], pointRadius: 0, pointHitRadius: 0, order: 3}))];
   });
   const line = {showLine: true, pointRadius: 0, pointHitRadius: 0, order: 4};
   if (shownMeasure === "rms") {
-    const front = points.filter(({standing}) => standing === "front").sort((a, b) => a.ns - b.ns);
-    datasets.push({...line, data: front.map(at), stepped: "before", borderColor: theme.quiet, borderWidth: 1.5});
+    // Down alone: among times that are as good as equal the slower one may be the less exact.
+    let least = Infinity;
+    const steps = points.filter(({standing}) => standing === "front").sort((a, b) => a.ns - b.ns)
+      .filter((point) => of(point) < least && (least = of(point), true));
+    datasets.push({...line, data: steps.map(at), stepped: "before", borderColor: theme.quiet, borderWidth: 1.5});
   }
   datasets.push({...line, data: [at(chosen)], showLine: false, pointRadius: 13, pointStyle: "circle", pointBackgroundColor: "transparent",
     pointBorderColor: theme.bad, pointBorderWidth: 2.5});

@@ -1,0 +1,14 @@
+// How far a right eye's picture is off, as reports have it.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "views/layers/second_eye_error.h"
+
+namespace glassbox::app {
+
+inline nlohmann::ordered_json eye_error_json(const views::EyeError& error) {
+  return {{"wrong_pixels", error.wrong}, {"rms", error.rms}, {"largest", error.largest}};
+}
+
+}  // namespace glassbox::app

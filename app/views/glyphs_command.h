@@ -1,0 +1,43 @@
+// glassbox views glyphs: walls of coloured discs, found in pictures, and the camera from them.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/options/cli_fwd.h"
+#include "views/glyphs/find.h"
+#include "views/glyphs/pose.h"
+#include "views/glyphs/sweep.h"
+#include "views/glyphs/wall.h"
+
+#include <glassbox/base/error.h>
+
+namespace glassbox::app {
+
+class Progress;
+
+class ViewsGlyphsCommand {
+public:
+  void add_to(CLI::App& views, int& exit_code);
+
+private:
+  void add_layout(CLI::App& command);
+  void add_rules(CLI::App& command);
+  int sheet();
+  int find();
+  int sweep();
+
+  views::WallLayout layout_;
+  int panel_ = 1;
+  std::optional<double> dpi_, fov_;
+  std::string output_, picture_;
+  std::optional<std::string> against_, page_, json_output_;
+  views::LensKnown known_ = views::LensKnown::kCentre;
+  views::FindSettings settings_;
+  std::vector<views::SweepOf> what_;
+  std::vector<const CLI::Option*> options_;
+};
+
+}  // namespace glassbox::app

@@ -1,0 +1,32 @@
+// glassbox views klt: the directions in which the bands of pictures vary.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/options/cli_fwd.h"
+#include "app/views/klt_report.h"
+
+namespace glassbox::app {
+
+class ViewsKltCommand {
+public:
+  void add_to(CLI::App& views, int& exit_code);
+
+private:
+  int run();
+  Result<void> check_outputs() const;
+  Result<KltInput> read() const;
+  Result<void> write_outputs(const KltInput& input, const KltReport& report) const;
+  Result<void> write_folder(const KltInput& input, const KltReport& report) const;
+
+  std::vector<std::string> bands_;
+  std::optional<int> kept_;
+  std::uint32_t max_megabytes_ = 2048;
+  std::optional<std::string> output_, globe_, json_output_, page_;
+  std::vector<const CLI::Option*> options_;
+};
+
+}  // namespace glassbox::app

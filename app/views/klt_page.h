@@ -1,0 +1,23 @@
+// Bands and their components as one HTML page that needs nothing else: put together again from as many components as one likes.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "app/views/klt_report.h"
+
+#include <glassbox/base/error.h>
+
+namespace glassbox::app {
+
+struct KltPageOrigin {
+  std::string program;  // "glassbox 0.1.0"
+  std::string command;  // the command line that made the page
+};
+
+// `json` is klt_json's. Refused: more samples than a browser likes to open.
+Result<std::string> make_klt_page(const KltInput& input, const KltReport& report,
+                                  const nlohmann::ordered_json& json, const KltPageOrigin& origin);
+
+}  // namespace glassbox::app

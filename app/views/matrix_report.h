@@ -1,0 +1,40 @@
+// A matrix in a report: three lines of text, or rows in JSON.
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "views/two_view/camera.h"
+
+namespace glassbox::app {
+
+// "  H       " and three numbers as `number` writes them, then what it is; two lines more without.
+inline std::string matrix_lines(const std::string& name, const views::Matrix3d& matrix,
+                                const std::string& what, std::string (*number)(double)) {
+  std::string text;
+  for (int row = 0; row < 3; ++row) {
+    text += fmt::format("  {:<8}", row == 0 ? name : "");
+    for (int column = 0; column < 3; ++column) text += number(matrix(row, column));
+    text += row == 0 && !what.empty() ? "   " + what + "\n" : "\n";
+  }
+  return text;
+}
+
+// JSON has no infinity: null.
+inline nlohmann::ordered_json finite_json(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
+inline nlohmann::ordered_json matrix_json(const views::Matrix3d& matrix) {
+  auto rows = nlohmann::ordered_json::array();
+  for (int row = 0; row < 3; ++row) {
+    rows.push_back(
+        {finite_json(matrix(row, 0)), finite_json(matrix(row, 1)), finite_json(matrix(row, 2))});
+  }
+  return rows;
+}
+
+}  // namespace glassbox::app

@@ -1,0 +1,43 @@
+// glassbox views polygons: the surface of the shape that calibrated pictures show.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/options/cli_fwd.h"
+#include "app/views/polygons_report.h"
+
+namespace glassbox::app {
+
+class Progress;
+
+class ViewsPolygonsCommand {
+public:
+  void add_to(CLI::App& views, int& exit_code);
+
+private:
+  void add_input_options(CLI::App& command);
+  void add_surface_options(CLI::App& command);
+  void add_output_options(CLI::App& command);
+  int run();
+  Result<void> check_asked() const;
+  Result<void> check_outputs() const;
+  Result<void> complete_request(const views::PictureSet& set);
+  Result<void> write_outputs(const PolygonsInput& input, const PolygonsReport& report) const;
+  std::string command_line() const;
+
+  std::string pictures_;
+  PictureChoice choice_;
+  std::optional<std::string> truth_;
+  std::optional<std::array<double, 6>> box_;
+  int resolution_ = 64;
+  PolygonsRequest request_;
+  std::uint32_t max_megabytes_ = 4096;
+  std::optional<std::string> output_, left_out_output_, json_output_, page_;
+  std::vector<const CLI::Option*> options_;
+};
+
+}  // namespace glassbox::app

@@ -1,0 +1,172 @@
+#include "app/views/polygons_report.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "app/report/progress.h"
+#include "views/polygons/mesh_scene.h"
+#include "views/voxels/truth.h"
+
+#include <glassbox/base/printable.h>
+#include <glassbox/render/renderer.h>
+
+namespace glassbox::app {
+
+namespace {
+
+using PolygonsJson = nlohmann::ordered_json;
+
+// The share that two solids have in common.
+double iou_of(const views::Occupancy& solid, const views::TrueVolume& truth) {
+  const auto& count = solid.grid().count;
+  std::int64_t both = 0;
+  for (int z = 0; z < count[2]; ++z) {
+    for (int y = 0; y < count[1]; ++y) {
+      for (int x = 0; x < count[0]; ++x) both += solid.has({x, y, z}) && truth.has({x, y, z});
+    }
+  }
+  const std::int64_t either = solid.full() + truth.voxels() - both;
+  return either == 0 ? 1 : double(both) / double(either);
+}
+
+Result<views::TexturedPicture> drawn_for(const Scene& scene,
+                                         const views::CalibratedPicture& picture) {
+  const int width = picture.color.width, height = picture.color.height;
+  const auto view = views::view_of(picture.camera, width, height, views::box_of(scene));
+  if (!view) return tl::unexpected(view.error());
+  RenderSettings settings;
+  settings.shading = Shading::kUnlit;
+  settings.background = {0, 0, 0, 255};
+  settings.want_id = true;
+  Renderer renderer(scene, settings.transfer);
+  Framebuffer buffers = renderer.render(*view, settings).buffers;
+  views::TexturedPicture drawn;
+  drawn.color = std::move(buffers.color);
+  drawn.id = std::move(buffers.id);
+  return drawn;
+}
+
+}  // namespace
+
+Result<PolygonsReport> report_polygons(const PolygonsInput& input, const PolygonsRequest& request,
+                                       Progress& progress) {
+  const views::PictureSet& set = input.pictures.set;
+  const auto grid = views::grid_for(set, request.voxels);
+  if (!grid) return tl::unexpected(grid.error());
+  const double bytes = views::Occupancy::bytes_for(*grid);
+  if (bytes > double(request.voxels.most_bytes)) {
+    return fail(
+        "--resolution",
+        fmt::format("the solid of {} voxels would take {:.0f} MB", grid->voxels(), bytes / 1048576),
+        "take larger voxels, or allow more with --max-mb");
+  }
+  progress.phase("colouring voxels");
+  views::Occupancy solid(*grid);
+  auto voxels = views::color_voxels(
+      set, request.voxels,
+      [&](int, std::span<const views::VoxelRun> runs, std::span<const views::Verdict> verdicts) {
+        solid.fill(runs, verdicts);
+      });
+  if (!voxels) return tl::unexpected(voxels.error());
+  for (const views::VoxelRun& run : voxels->solid) solid.fill(run);
+
+  progress.phase("colouring polygons");
+  auto coloring = views::color_polygons(set, solid, request.polygons);
+  if (!coloring) return tl::unexpected(coloring.error());
+  PolygonsReport report;
+  report.coloring = std::move(*coloring);
+  report.voxel_milliseconds = voxels->milliseconds;
+  report.colored_voxels = voxels->voxels.size();
+  report.check = views::check_mesh(report.coloring.mesh);
+  auto scene = views::scene_of(report.coloring);
+  if (!scene) return tl::unexpected(scene.error());
+  report.scene = std::move(*scene);
+  if (input.pictures.left_out) {
+    auto drawn = drawn_for(report.scene, *input.pictures.left_out);
+    if (!drawn) return tl::unexpected(drawn.error());
+    report.left_out = views::compare(*drawn, *input.pictures.left_out);
+    report.drawn = std::move(*drawn);
+  }
+  if (input.truth) {
+    progress.phase("finding what is inside the scene");
+    const views::TrueVolume truth(*input.truth, *grid);
+    report.iou_before = iou_of(solid, truth);
+    report.iou = iou_of(report.coloring.solid, truth);
+  }
+  return report;
+}
+
+std::string polygons_text(const PolygonsInput& input, const PolygonsReport& report) {
+  const views::PolygonColoring& coloring = report.coloring;
+  const views::MeshCheck& check = report.check;
+  std::string text = fmt::format(
+      "{}: {} pictures\n"
+      "voxels: {} full of {}, {} of them coloured, in {:.1f} ms\n"
+      "polygons: {} with {} corners, {} edges in exactly two of them; Euler {}, {:.6g} voxels "
+      "inside\n"
+      "carved: {} voxels behind polygons of several colours, {} before background; {} polygons "
+      "judged, {:.1f} ms\n"
+      "layered images: {} samples of polygon and distance\n",
+      printable(input.pictures.set.source, kLongestMessage), input.pictures.set.pictures.size(),
+      coloring.full_before, coloring.grid.voxels(), report.colored_voxels,
+      report.voxel_milliseconds, coloring.mesh.polygons.size(), check.corners,
+      check.edges - check.holes - check.crowded, check.euler, check.volume,
+      coloring.carved_by_color, coloring.carved_by_background, coloring.judged,
+      coloring.milliseconds, coloring.samples);
+  if (const auto& errors = report.left_out) {
+    text += fmt::format(
+        "{}, which was left out: PSNR {:.2f} dB, RMS {:.2f}, over the {:.1f} % of its object that "
+        "polygons cover\n",
+        printable(input.pictures.left_out->name, kLongestMessage), errors->psnr, errors->rms,
+        100 * errors->covered);
+  }
+  if (report.iou)
+    text += fmt::format("truth: IoU {:.4f}, of the voxels before they were carved {:.4f}\n",
+                        *report.iou, *report.iou_before);
+  if (coloring.unseen > 0)
+    text += fmt::format(
+        "Left out: colours of {} polygons that no picture shows; they have those of their "
+        "neighbours.\n",
+        coloring.unseen);
+  return text;
+}
+
+nlohmann::ordered_json polygons_json(const PolygonsInput& input, const PolygonsReport& report) {
+  const views::PolygonColoring& coloring = report.coloring;
+  const views::MeshCheck& check = report.check;
+  PolygonsJson json{
+      {"cameras", input.pictures.set.source},
+      {"pictures", input.pictures.set.pictures.size()},
+      {"count", {coloring.grid.count[0], coloring.grid.count[1], coloring.grid.count[2]}},
+      {"voxel", coloring.grid.size},
+      {"full_before", coloring.full_before},
+      {"full", coloring.full},
+      {"carved_by_color", coloring.carved_by_color},
+      {"carved_by_background", coloring.carved_by_background},
+      {"judged", coloring.judged},
+      {"polygons", coloring.mesh.polygons.size()},
+      {"unseen", coloring.unseen},
+      {"corners", check.corners},
+      {"edges", check.edges},
+      {"closed", check.is_closed()},
+      {"degenerate", check.degenerate},
+      {"duplicates", check.duplicates},
+      {"euler", check.euler},
+      {"volume", check.volume},
+      {"samples", coloring.samples},
+      {"voxel_ms", report.voxel_milliseconds},
+      {"ms", coloring.milliseconds}};
+  if (const auto& errors = report.left_out) {
+    json["left_out"] = {{"picture", input.pictures.left_out->name},
+                        {"psnr", errors->psnr},
+                        {"rms", errors->rms},
+                        {"covered", errors->covered},
+                        {"pixels", errors->pixels}};
+  }
+  if (report.iou) json["truth"] = {{"iou", *report.iou}, {"iou_before", *report.iou_before}};
+  return json;
+}
+
+}  // namespace glassbox::app

@@ -1,0 +1,52 @@
+// glassbox views texture: a surface with the colours of pictures, from another eye.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/options/arguments.h"
+#include "app/options/camera_options.h"
+#include "app/options/cli_fwd.h"
+#include "app/views/picture_choice.h"
+#include "views/texture/textured_surface.h"
+
+#include <glassbox/mesh/scene.h>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace glassbox::app {
+
+class Progress;
+
+class ViewsTextureCommand {
+public:
+  void add_to(CLI::App& views, int& exit_code);
+
+private:
+  struct Found;
+  int run();
+  Result<void> check_asked() const;
+  Result<void> check_outputs() const;
+  Result<Found> find(const Scene& scene, const ChosenPictures& pictures, Progress& progress) const;
+  Result<void> write_outputs(const Scene& scene, const ChosenPictures& pictures,
+                             const Found& found) const;
+  std::string text(const ChosenPictures& pictures, const Found& found) const;
+  nlohmann::ordered_json json(const ChosenPictures& pictures, const Found& found) const;
+  std::string command_line() const;
+
+  std::string mesh_, pictures_;
+  PictureChoice choice_;
+  bool each_ = false;
+  views::Blend blend_ = views::Blend::kBarycentric;
+  int neighbours_ = 4, texels_ = 8;
+  CameraOptions camera_;
+  std::optional<Size> size_;
+  Rgba8 background_{26, 31, 38, 255};
+  std::uint32_t max_megabytes_ = 4096;
+  std::optional<std::string> output_, fixed_, left_out_output_, json_output_, page_;
+  std::vector<const CLI::Option*> options_;
+};
+
+}  // namespace glassbox::app

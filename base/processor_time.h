@@ -1,0 +1,15 @@
+// How long the processor has worked for this program: what others do to the machine counts less in it than on the clock.
+#pragma once
+
+#include <ctime>
+
+namespace glassbox {
+
+// Of all threads together, in milliseconds.
+inline double processor_ms() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return 1e3 * double(now.tv_sec) + 1e-6 * double(now.tv_nsec);
+}
+
+}  // namespace glassbox

@@ -1,0 +1,305 @@
+// The inputs of lab 14, the same on both sides.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <glassbox/base/random.h>
+
+#include "labs/framework/vary.h"
+#include "student.h"
+
+namespace lab_14 {
+
+// ---- cells (task 14.1) ----
+
+struct CellCase {
+  std::string what;
+  unsigned inside = 0;
+};
+
+inline std::vector<CellCase> cells() {
+  return {{"one corner", 1},
+          {"an edge's two corners", 0b00000011},
+          {"the lower half", 0b00001111},
+          {"all but one corner", 255 - 16},
+          {"two corners across a face (C-95)", 0b00001001},
+          {"all but two across a face (C-95)", 255 - 0b00001001},
+          {"opposite corners of the cell", 0b10000001}};
+}
+// BEGIN HIDDEN
+// All other cells, sixteen in a case: what is said names the first that is wrong.
+struct CellsCase {
+  std::string what;
+  unsigned first = 0;
+};
+inline std::vector<CellsCase> hidden_cells() {
+  std::vector<CellsCase> all;
+  for (unsigned first = 0; first < 256; first += 16)
+    all.push_back(
+        {"corners " + std::to_string(first) + " to " + std::to_string(first + 15), first});
+  return all;
+}
+// END HIDDEN
+
+// ---- edges (task 14.2) ----
+
+struct EdgeCase {
+  std::string what;
+  double from = 0, to = 0, level = 0;
+};
+
+inline std::vector<EdgeCase> edges() {
+  return {{"half way", -1, 1, 0},
+          {"a third from the inside end", 2, -4, 0},
+          {"another level", 1, 5, 2},
+          {"the outside end nearly at the level", -0.0001, 1, 0},
+          {"the inside end at the level (C-96)", 0, -3, 0},
+          {"the border of the lattice", -INFINITY, 1, 0}};
+}
+// BEGIN HIDDEN
+inline EdgeCase random_edge(glassbox::Random& random) {
+  const double level = random.between(-10, 10), in = level + random.between(0, 5),
+               out = level - random.between(0.001, 5);
+  const bool up = random.integer(0, 1) == 0;
+  return {"any values", up ? out : in, up ? in : out, level};
+}
+inline std::vector<EdgeCase> hidden_edges() {
+  glassbox::Random random = glassbox::labs::varied(141);
+  std::vector<EdgeCase> all{{"the inside end at the level, second (C-96)", -7, 3, 3},
+                            {"the border, second", 4, -INFINITY, 1},
+                            {"large values", 0x1p60, -0x1p58, 0x1p40},
+                            {"one above the level by a rounding", 1 + 0x1p-52, 0.5, 1}};
+  for (int i = 0; i < 6; ++i) all.push_back(random_edge(random));
+  return glassbox::labs::with_varied(std::move(all), 142, 4, random_edge);
+}
+// END HIDDEN
+
+// ---- layered images (task 14.3) ----
+
+struct Edit {
+  bool comes = true;
+  int id = 0;
+  std::vector<Covered> covered;
+};
+
+struct EditCase {
+  std::string what;
+  std::size_t pixels = 1;
+  std::vector<Edit> edits;
+};
+
+inline std::vector<EditCase> edits() {
+  return {
+      {"one polygon", 3, {{true, 5, {{0, 2.0}, {2, 3.0}}}}},
+      {"the second before the first", 2, {{true, 1, {{0, 4.0}, {1, 4.0}}}, {true, 2, {{0, 3.0}}}}},
+      {"what is in front goes",
+       1,
+       {{true, 1, {{0, 4.0}}}, {true, 2, {{0, 3.0}}}, {false, 2, {{0, 3.0}}}}},
+      {"what is behind goes (C-97)",
+       1,
+       {{true, 1, {{0, 4.0}}}, {true, 2, {{0, 3.0}}}, {false, 1, {{0, 4.0}}}}},
+      {"equally near ones",
+       1,
+       {{true, 7, {{0, 2.0}}}, {true, 3, {{0, 2.0}}}, {true, 5, {{0, 2.0}}}}}};
+}
+// BEGIN HIDDEN
+inline EditCase random_edits(glassbox::Random& random) {
+  EditCase made{"any edits (C-97)", 12, {}};
+  std::vector<std::vector<Covered>> there(20);
+  for (int i = 0; i < 200; ++i) {
+    const int id = int(random.integer(0, 19));
+    std::vector<Covered>& mine = there[std::size_t(id)];
+    if (!mine.empty()) {
+      made.edits.push_back({false, id, std::exchange(mine, {})});
+      continue;
+    }
+    for (std::size_t pixel = 0; pixel < made.pixels; ++pixel) {
+      if (random.integer(0, 1) == 0) mine.push_back({pixel, double(random.integer(1, 9))});
+    }
+    if (!mine.empty()) made.edits.push_back({true, id, mine});
+  }
+  return made;
+}
+inline std::vector<EditCase> hidden_edits() {
+  glassbox::Random random = glassbox::labs::varied(143);
+  return glassbox::labs::with_varied(
+      std::vector<EditCase>{
+          random_edits(random),
+          random_edits(random),
+          {"a number that is not there goes", 1, {{true, 1, {{0, 4.0}}}, {false, 9, {{0, 4.0}}}}},
+          {"it comes again, nearer",
+           1,
+           {{true, 1, {{0, 4.0}}},
+            {true, 2, {{0, 3.0}}},
+            {false, 1, {{0, 4.0}}},
+            {true, 1, {{0, 1.0}}}}}},
+      144, 2, random_edits);
+}
+// END HIDDEN
+
+// ---- views (task 14.4) ----
+
+struct ViewCase {
+  std::string what;
+  Vector direction{};
+  std::array<Vector, 3> views{};
+  std::array<bool, 3> sees{true, true, true};
+};
+
+// Unit vectors with short numbers.
+inline Vector along(double x, double y, double z, double length) {
+  return {x / length, y / length, z / length};
+}
+inline std::array<Vector, 3> three_views() {
+  return {along(0, 0, 1, 1), along(3, 0, 4, 5), along(0, 3, 4, 5)};
+}
+
+inline std::vector<ViewCase> views_around() {
+  return {{"at the first view", along(0, 0, 1, 1), three_views()},
+          {"in the middle of the triangle", along(1, 1, 4.24264068711928515, 4.47213595499957939),
+           three_views()},
+          {"on a side", along(3, 0, 9, 9.48683298050513768), three_views()},
+          {"one of three does not see it",
+           along(1, 2, 9, 9.2736184954957037),
+           three_views(),
+           {true, false, true}},
+          {"at a view that does not see it (C-98)",
+           along(3, 0, 4, 5),
+           three_views(),
+           {true, false, true}},
+          {"nobody sees it (C-98)",
+           along(1, 2, 9, 9.2736184954957037),
+           three_views(),
+           {false, false, false}}};
+}
+// BEGIN HIDDEN
+inline Vector random_direction(glassbox::Random& random) {
+  for (;;) {
+    const Vector v{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
+    const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    if (length > 0.2) return along(v[0], v[1], v[2], length);
+  }
+}
+inline double volume_of(const std::array<Vector, 3>& v) {
+  return v[0][0] * (v[1][1] * v[2][2] - v[1][2] * v[2][1]) +
+         v[0][1] * (v[1][2] * v[2][0] - v[1][0] * v[2][2]) +
+         v[0][2] * (v[1][0] * v[2][1] - v[1][1] * v[2][0]);
+}
+inline ViewCase random_views(glassbox::Random& random) {
+  for (;;) {
+    ViewCase made{"any views"};
+    for (Vector& view : made.views) view = random_direction(random);
+    if (std::abs(volume_of(made.views)) < 0.1) continue;
+    // Between them, for the most part.
+    Vector v{};
+    for (const Vector& view : made.views) {
+      const double w = random.between(-0.1, 1);
+      for (std::size_t i = 0; i < 3; ++i) v[i] += w * view[i];
+    }
+    const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    if (length < 0.2) continue;
+    made.direction = along(v[0], v[1], v[2], length);
+    for (bool& sees : made.sees) sees = random.integer(0, 3) > 0;
+    return made;
+  }
+}
+inline std::vector<ViewCase> hidden_views_around() {
+  glassbox::Random random = glassbox::labs::varied(145);
+  std::vector<ViewCase> all{{"clockwise views",
+                             along(1, 2, 9, 9.2736184954957037),
+                             {three_views()[0], three_views()[2], three_views()[1]}},
+                            {"beside the triangle", along(-3, 0, 4, 5), three_views()},
+                            {"beside it, and the nearest does not see it",
+                             along(-3, 0, 4, 5),
+                             three_views(),
+                             {false, true, true}},
+                            {"behind all of them", along(0, 0, -1, 1), three_views()},
+                            {"equally near ones of which none has a weight",
+                             along(-1, -1, 4.24264068711928515, 4.47213595499957939),
+                             three_views(),
+                             {false, true, true}},
+                            {"only the last sees it",
+                             along(1, 2, 9, 9.2736184954957037),
+                             three_views(),
+                             {false, false, true}}};
+  for (int i = 0; i < 8; ++i) all.push_back(random_views(random));
+  return glassbox::labs::with_varied(std::move(all), 146, 4, random_views);
+}
+// END HIDDEN
+
+// ---- bands (tasks 14.5, 14.6) ----
+
+struct BandCase {
+  std::string what;
+  Pixels pixels;
+  std::size_t k = 1;
+};
+
+// Pixels of `bands` bands that follow `sources` hidden ones, with a little of their own.
+inline Pixels mixed_bands(glassbox::Random& random, int count, std::size_t bands,
+                          std::size_t sources, double offset) {
+  Matrix mix(bands, std::vector<double>(sources));
+  for (auto& row : mix) {
+    for (double& each : row) each = random.between(-1, 1);
+  }
+  Pixels pixels;
+  for (int n = 0; n < count; ++n) {
+    std::vector<double> source, pixel;
+    for (std::size_t s = 0; s < sources; ++s)
+      source.push_back(random.between(-8, 8) / double(s + 1));
+    for (std::size_t b = 0; b < bands; ++b) {
+      double value = offset + random.between(-0.01, 0.01);
+      for (std::size_t s = 0; s < sources; ++s) value += mix[b][s] * source[s];
+      pixel.push_back(value);
+    }
+    pixels.push_back(std::move(pixel));
+  }
+  return pixels;
+}
+
+// What task 14.6 is given: not the student's, so that the two tasks do not depend on each other.
+inline std::vector<double> given_mean(const Pixels& pixels) {
+  std::vector<double> mean(pixels.front().size(), 0);
+  for (const auto& x : pixels) {
+    for (std::size_t i = 0; i < x.size(); ++i) mean[i] += x[i] / double(pixels.size());
+  }
+  return mean;
+}
+inline Matrix given_vectors(const Pixels& pixels, const std::vector<double>& mean) {
+  const std::size_t bands = mean.size();
+  Matrix scatter(bands, std::vector<double>(bands, 0));
+  for (const auto& x : pixels) {
+    for (std::size_t i = 0; i < bands; ++i) {
+      for (std::size_t j = 0; j < bands; ++j) scatter[i][j] += (x[i] - mean[i]) * (x[j] - mean[j]);
+    }
+  }
+  return eigen_of(scatter).vectors;
+}
+
+inline std::vector<BandCase> bands() {
+  return {
+      {"two bands that are one", {{1, 2}, {2, 4}, {3, 6}, {6, 12}}, 1},
+      {"a band that does not change", {{5, 1}, {5, 2}, {5, 4}}, 1},
+      {"a square: no direction is better than another", {{1, 1}, {1, -1}, {-1, 1}, {-1, -1}}, 2},
+      {"four bands", {{9, 8, 1, 0}, {7, 7, 2, 1}, {1, 2, 8, 9}, {0, 1, 9, 9}, {4, 4, 5, 5}}, 2},
+      {"no component at all", {{1, 2, 3}, {3, 2, 0}, {2, 2, 6}}, 0}};
+}
+// BEGIN HIDDEN
+inline BandCase random_bands(glassbox::Random& random) {
+  return {"any bands", mixed_bands(random, 60, 6, 3, 0), 3};
+}
+inline std::vector<BandCase> hidden_bands() {
+  glassbox::Random random = glassbox::labs::varied(147);
+  return glassbox::labs::with_varied(
+      std::vector<BandCase>{random_bands(random),
+                            {"values of a million", mixed_bands(random, 40, 4, 2, 1e6), 2},
+                            {"all components", mixed_bands(random, 30, 5, 5, 3), 5},
+                            {"one band of seven", mixed_bands(random, 50, 7, 1, -20), 1}},
+      148, 2, random_bands);
+}
+// END HIDDEN
+
+}  // namespace lab_14

@@ -1,0 +1,316 @@
+// What is expected of lab 14: cells by the table of views/polygons, lists by sorting anew, weights by exact rationals, bands in extended
+// precision.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include <glassbox/base/rounding.h>
+
+#include "exact/number.h"
+#include "labs/14-surfaces/cases.h"
+#include "labs/framework/lab.h"
+#include "views/polygons/cell_table.h"
+
+namespace glassbox::labs {
+
+namespace {
+
+using namespace lab_14;
+using exact::Rational;
+
+// ---- cells ----
+
+// The border of each piece of a cell's surface, from its lowest edge: sides of triangles that no other runs along the other way.
+std::vector<double> listed_polygons(unsigned inside) {
+  std::map<int, int> next;
+  const auto& triangles = views::consistent_table()[inside].triangles;
+  const auto has = [&](int a, int b) {
+    return std::ranges::any_of(triangles, [&](const views::CellTriangle& t) {
+      return (t[0] == a && t[1] == b) || (t[1] == a && t[2] == b) || (t[2] == a && t[0] == b);
+    });
+  };
+  for (const views::CellTriangle& t : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!has(t[(k + 1) % 3], t[k])) next[t[k]] = t[(k + 1) % 3];
+    }
+  }
+  std::vector<double> all;
+  while (!next.empty()) {
+    for (int at = next.begin()->first; next.contains(at);) {
+      all.push_back(at);
+      const int after = next[at];
+      next.erase(at);
+      at = after;
+    }
+    all.push_back(-1);
+  }
+  return all;
+}
+
+std::string corners_text(unsigned inside) {
+  std::string text;
+  for (int corner = 0; corner < 8; ++corner) {
+    if ((inside >> corner & 1) != 0) text += fmt::format(" {}", corner);
+  }
+  return text.empty() ? " none" : text;
+}
+
+Case expect_cell(const CellCase& input) {
+  return {.where = input.what,
+          .restated = "corners inside:" + corners_text(input.inside) +
+                      "; edges of each polygon, then -1" + command_for(input.what),
+          .expected = {numbers("edges of the polygons", listed_polygons(input.inside))}};
+}
+
+// BEGIN HIDDEN
+Case expect_cells(const CellsCase& input) {
+  Case made{.where = input.what,
+            .restated = "edges of each polygon, then -1, of sixteen sets of inside corners"};
+  for (unsigned inside = input.first; inside < input.first + 16; ++inside)
+    made.expected.push_back(
+        numbers(fmt::format("edges for corners {}", inside), listed_polygons(inside)));
+  return made;
+}
+// END HIDDEN
+
+// ---- edges ----
+
+// Two differences and a quotient: 3 u, and the answer is at least 2^-10 from both ends without rounding.
+Case expect_crossing(const EdgeCase& input) {
+  double share = 0.5;
+  if (!std::isinf(input.from) && !std::isinf(input.to)) {
+    const Rational exact = (Rational(input.level) - Rational(input.from)) /
+                           (Rational(input.to) - Rational(input.from));
+    share = std::clamp(double(exact), kLeastStep, 1 - kLeastStep);
+  }
+  return {.where = input.what,
+          .restated = fmt::format("values {} and {} at the ends, level {}", input.from, input.to,
+                                  input.level) +
+                      command_for(input.what),
+          .expected = {numbers("share", {share}, 8 * unit_roundoff<double> * share)}};
+}
+
+// ---- layered images ----
+
+Case expect_edits(const EditCase& input) {
+  std::map<int, std::vector<Covered>> there;
+  Layers layers(input.pixels);
+  const auto rebuild = [&] {
+    layers.assign(input.pixels, {});
+    for (const auto& [id, covered] : there) {
+      for (const Covered& c : covered) layers[c.pixel].push_back({c.distance, id});
+    }
+    for (auto& here : layers) {
+      std::ranges::stable_sort(here, [](const lab_14::Sample& a, const lab_14::Sample& b) {
+        return std::pair(a.distance, a.id) < std::pair(b.distance, b.id);
+      });
+    }
+  };
+  std::vector<double> seen, counts, ids, distances;
+  std::string text = fmt::format("{} pixels", input.pixels);
+  for (const Edit& edit : input.edits) {
+    if (edit.comes)
+      there[edit.id] = edit.covered;
+    else
+      there.erase(edit.id);
+    rebuild();
+    for (const auto& here : layers) seen.push_back(here.empty() ? -1 : here.front().id);
+    if (text.size() > 600) continue;
+    text += fmt::format("\npolygon {} {}:", edit.id, edit.comes ? "comes" : "goes");
+    for (const Covered& c : edit.covered)
+      text += fmt::format(" pixel {} at {}", c.pixel, c.distance);
+  }
+  rebuild();
+  for (const auto& here : layers) {
+    counts.push_back(double(here.size()));
+    for (const lab_14::Sample& s : here) {
+      ids.push_back(s.id);
+      distances.push_back(s.distance);
+    }
+  }
+  return {.where = input.what,
+          .restated = text + command_for(input.what),
+          .expected = {numbers("ids seen", seen), numbers("samples of each pixel", counts),
+                       numbers("ids", ids), numbers("how far", distances)}};
+}
+
+// ---- views ----
+
+using Exact3 = std::array<Rational, 3>;
+
+Exact3 exactly(const lab_14::Vector& v) {
+  return {Rational(v[0]), Rational(v[1]), Rational(v[2])};
+}
+Rational volume_of_exact(const Exact3& a, const Exact3& b, const Exact3& c) {
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+         a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+Rational dot_of_exact(const Exact3& a, const Exact3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+struct ExactWeights {
+  std::array<double, 3> weights{};
+  double bound = 0;
+};
+
+// By Cramer's rule. Each volume is within 5 u of the sum of its terms without signs, which is at most 2 of unit vectors; over |det| that is
+// what a weight is off by, and a share of a sum that is at least as large is off by no more than four times that.
+ExactWeights exact_weights(const ViewCase& input) {
+  const Exact3 v = exactly(input.direction);
+  std::array<Exact3, 3> views;
+  for (std::size_t i = 0; i < 3; ++i) views[i] = exactly(input.views[i]);
+  const Rational volume = volume_of_exact(views[0], views[1], views[2]);
+  std::array<Rational, 3> w;
+  Rational sum(0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    w[i] = volume_of_exact(v, views[(i + 1) % 3], views[(i + 2) % 3]) / volume;
+    if (w[i].sign() < 0 || !input.sees[i]) w[i] = Rational(0);
+    sum += w[i];
+  }
+  ExactWeights exact;
+  exact.bound = 64 * unit_roundoff<double> / std::abs(double(volume));
+  if (sum.sign() > 0) {
+    for (std::size_t i = 0; i < 3; ++i) exact.weights[i] = double(w[i] / sum);
+    return exact;
+  }
+  std::optional<std::size_t> nearest;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!input.sees[i]) continue;
+    const auto near = [&](std::size_t k) { return dot_of_exact(views[k], v); };
+    if (!nearest || (near(i) - near(*nearest)).sign() > 0) nearest = i;
+  }
+  if (nearest) exact.weights[*nearest] = 1;
+  return exact;
+}
+
+Case expect_weights(const ViewCase& input) {
+  const ExactWeights exact = exact_weights(input);
+  std::string text = fmt::format("direction ({}, {}, {})", input.direction[0], input.direction[1],
+                                 input.direction[2]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const lab_14::Vector& view = input.views[i];
+    text += fmt::format("\nview {}: ({}, {}, {}), which {} the polygon", i, view[0], view[1],
+                        view[2], input.sees[i] ? "sees" : "does not see");
+  }
+  return {.where = input.what,
+          .restated = text + command_for(input.what),
+          .expected = {numbers("weights", {exact.weights[0], exact.weights[1], exact.weights[2]},
+                               exact.bound)}};
+}
+
+// ---- bands ----
+
+using Long = long double;
+
+std::vector<Long> long_mean(const Pixels& pixels) {
+  std::vector<Long> mean(pixels.front().size(), 0);
+  for (const auto& x : pixels) {
+    for (std::size_t i = 0; i < x.size(); ++i) mean[i] += Long(x[i]);
+  }
+  for (Long& each : mean) each /= Long(pixels.size());
+  return mean;
+}
+
+double largest_value(const Pixels& pixels) {
+  double most = 0;
+  for (const auto& x : pixels) {
+    for (const double value : x) most = std::max(most, std::abs(value));
+  }
+  return most;
+}
+
+// Sums of n terms round by up to n u of the sum of their sizes, which the diagonal's entries bound (Cauchy-Schwarz); a mean that is off by
+// d, at most n u of the largest value, adds d^2.
+Case expect_statistics(const BandCase& input) {
+  const std::vector<Long> mean = long_mean(input.pixels);
+  const std::size_t bands = mean.size();
+  const auto n = double(input.pixels.size());
+  std::vector<double> means, covariance;
+  double most = 0;
+  for (const Long each : mean) means.push_back(double(each));
+  for (std::size_t i = 0; i < bands; ++i) {
+    for (std::size_t j = 0; j < bands; ++j) {
+      Long sum = 0;
+      for (const auto& x : input.pixels) sum += (Long(x[i]) - mean[i]) * (Long(x[j]) - mean[j]);
+      covariance.push_back(double(sum / Long(input.pixels.size())));
+      if (i == j) most = std::max(most, covariance.back());
+    }
+  }
+  const double u = unit_roundoff<double>, off = n * u * largest_value(input.pixels);
+  return {.where = input.what,
+          .restated = fmt::format("{} pixels of {} bands", input.pixels.size(), bands) +
+                      command_for(input.what),
+          .expected = {numbers("mean", means, 2 * off), matrix("covariance", int(bands), covariance,
+                                                               8 * n * u * most + 4 * off * off)}};
+}
+
+// A product of up to 7 bands and k sums: less than 32 u of |x - m| along each way, and of the mean's own size what adding to it rounds.
+Case expect_reconstruction(const BandCase& input) {
+  const std::vector<double> mean = given_mean(input.pixels);
+  const lab_14::Matrix vectors = given_vectors(input.pixels, mean);
+  std::vector<double> all;
+  Long error = 0, spread = 0, farthest = 0;
+  for (const auto& x : input.pixels) {
+    std::vector<Long> again(mean.begin(), mean.end());
+    for (std::size_t c = 0; c < input.k; ++c) {
+      Long along = 0;
+      for (std::size_t i = 0; i < x.size(); ++i)
+        along += Long(vectors[c][i]) * (Long(x[i]) - Long(mean[i]));
+      for (std::size_t i = 0; i < x.size(); ++i) again[i] += along * Long(vectors[c][i]);
+    }
+    Long from_mean = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      error += (Long(x[i]) - again[i]) * (Long(x[i]) - again[i]);
+      from_mean += (Long(x[i]) - Long(mean[i])) * (Long(x[i]) - Long(mean[i]));
+      all.push_back(double(again[i]));
+    }
+    spread += from_mean;
+    farthest = std::max(farthest, std::sqrt(from_mean));
+  }
+  const auto n = Long(input.pixels.size());
+  const double u = unit_roundoff<double>;
+  const double bound = 64 * u * double(farthest) + 4 * u * largest_value(input.pixels);
+  // Residuals are off by what the pixels are.
+  const double of_error = 256 * u * double(spread / n) + 2 * bound * double(farthest);
+  return {.where = input.what,
+          .restated = fmt::format("{} pixels of {} bands, {} components", input.pixels.size(),
+                                  mean.size(), input.k) +
+                      command_for(input.what),
+          .expected = {matrix("bands again", int(mean.size()), all, bound),
+                       numbers("mean square error", {double(error / n)}, of_error)}};
+}
+
+}  // namespace
+
+Lab lab_14() {
+  return {14,
+          "14-surfaces",
+          "Surfaces, polygons in pictures, views, components",
+          {{"14.1", "The polygons of a cell", 25},
+           {"14.2", "Where the surface crosses an edge", 10},
+           {"14.3", "Polygons come and go", 20},
+           {"14.4", "The three views around an eye", 20},
+           {"14.5", "Mean and covariance", 10},
+           {"14.6", "What k components have", 15}},
+          {check("polygons of a cell", "14.1", "world", cells, expect_cell),
+           hidden_check("cells of every kind", "14.1", "world", hidden_cells, expect_cells),
+           check("where an edge is crossed", "14.2", "world", edges, expect_crossing),
+           hidden_check("edges of other values", "14.2", "world", hidden_edges, expect_crossing),
+           check("polygons come and go", "14.3", "depth", edits, expect_edits),
+           hidden_check("other polygons come and go", "14.3", "depth", hidden_edits, expect_edits),
+           check("weights of three views", "14.4", "shading", views_around, expect_weights),
+           hidden_check("weights of other views", "14.4", "shading", hidden_views_around,
+                        expect_weights),
+           check("mean and covariance", "14.5", "shading", bands, expect_statistics),
+           hidden_check("covariance of other bands", "14.5", "shading", hidden_bands,
+                        expect_statistics),
+           check("what the components have", "14.6", "shading", bands, expect_reconstruction),
+           hidden_check("components of other bands", "14.6", "shading", hidden_bands,
+                        expect_reconstruction)}};
+}
+
+}  // namespace glassbox::labs

@@ -1,0 +1,104 @@
+// Puts the cases of lab 14 to your functions.
+#include "labs/framework/runner.h"
+#include "cases.h"
+#include "student.h"
+
+namespace lab_14 {
+namespace {
+
+using glassbox::labs::Answer;
+
+// Polygons one after the other, -1 between them.
+std::vector<double> listed(const std::vector<std::vector<int>>& polygons) {
+  std::vector<double> all;
+  for (const std::vector<int>& polygon : polygons) {
+    all.insert(all.end(), polygon.begin(), polygon.end());
+    all.push_back(-1);
+  }
+  return all;
+}
+
+void cell(const CellCase& input, Answer& answer) {
+  answer.emit("edges of the polygons", listed(cell_polygons(input.inside)));
+}
+// BEGIN HIDDEN
+void sixteen_cells(const CellsCase& input, Answer& answer) {
+  for (unsigned inside = input.first; inside < input.first + 16; ++inside)
+    answer.emit("edges for corners " + std::to_string(inside), listed(cell_polygons(inside)));
+}
+// END HIDDEN
+
+void edge(const EdgeCase& input, Answer& answer) {
+  answer.emit("share", {crossing(input.from, input.to, input.level)});
+}
+
+// What is seen after each edit, and all samples in the end.
+void edited(const EditCase& input, Answer& answer) {
+  Layers layers(input.pixels);
+  std::vector<double> seen;
+  for (const Edit& edit : input.edits) {
+    if (edit.comes)
+      add(layers, edit.id, edit.covered);
+    else
+      remove(layers, edit.id, edit.covered);
+    for (const std::vector<Sample>& here : layers)
+      seen.push_back(here.empty() ? -1 : here.front().id);
+  }
+  answer.emit("ids seen", seen);
+  std::vector<double> counts, ids, distances;
+  for (const std::vector<Sample>& here : layers) {
+    counts.push_back(double(here.size()));
+    for (const Sample& s : here) {
+      ids.push_back(s.id);
+      distances.push_back(s.distance);
+    }
+  }
+  answer.emit("samples of each pixel", counts);
+  answer.emit("ids", ids);
+  answer.emit("how far", distances);
+}
+
+void weights(const ViewCase& input, Answer& answer) {
+  const auto w = view_weights(input.direction, input.views, input.sees);
+  answer.emit("weights", {w[0], w[1], w[2]});
+}
+
+void moments(const BandCase& input, Answer& answer) {
+  const Statistics found = statistics(input.pixels);
+  answer.emit("mean", found.mean);
+  std::vector<double> all;
+  for (const auto& row : found.covariance) all.insert(all.end(), row.begin(), row.end());
+  answer.emit("covariance", all);
+}
+
+void again(const BandCase& input, Answer& answer) {
+  const auto mean = given_mean(input.pixels);
+  const Reconstruction made =
+      reconstruct(input.pixels, mean, given_vectors(input.pixels, mean), input.k);
+  std::vector<double> all;
+  for (const auto& pixel : made.pixels) all.insert(all.end(), pixel.begin(), pixel.end());
+  answer.emit("bands again", all);
+  answer.emit("mean square error", {made.error});
+}
+
+}  // namespace
+}  // namespace lab_14
+
+std::vector<glassbox::labs::RunnerCheck> glassbox::labs::runner_checks() {
+  using namespace lab_14;
+  return {
+      check("polygons of a cell", cells(), cell), check("where an edge is crossed", edges(), edge),
+      check("polygons come and go", edits(), edited),
+      check("weights of three views", views_around(), weights),
+      check("mean and covariance", bands(), moments),
+      check("what the components have", bands(), again),
+      // BEGIN HIDDEN
+      check("cells of every kind", hidden_cells(), sixteen_cells),
+      check("edges of other values", hidden_edges(), edge),
+      check("other polygons come and go", hidden_edits(), edited),
+      check("weights of other views", hidden_views_around(), weights),
+      check("covariance of other bands", hidden_bands(), moments),
+      check("components of other bands", hidden_bands(), again),
+      // END HIDDEN
+  };
+}

@@ -1,0 +1,37 @@
+// Puts the cells and edges of a solid to your functions.
+#include "labs/framework/stages.h"
+#include "student.h"
+
+namespace lab_14 {
+namespace {
+
+using glassbox::labs::Numbers;
+using glassbox::labs::RecordReader;
+
+// Sets of inside corners. Of each the polygons: how many edges one has, and those; then 0.
+void polygons(RecordReader& in, Numbers& out) {
+  while (in.more()) {
+    for (const std::vector<int>& polygon : cell_polygons(unsigned(in.integer()))) {
+      out.push_back(double(polygon.size()));
+      out.insert(out.end(), polygon.begin(), polygon.end());
+    }
+    out.push_back(0);
+  }
+}
+
+// The level, then pairs of values. The share of each.
+void shares(RecordReader& in, Numbers& out) {
+  const double level = in.number();
+  while (in.more()) {
+    const double from = in.number();
+    out.push_back(crossing(from, in.number(), level));
+  }
+}
+
+}  // namespace
+}  // namespace lab_14
+
+std::vector<glassbox::labs::StageFunction> glassbox::labs::stage_functions() {
+  using namespace lab_14;
+  return {{"polygons", polygons}, {"shares", shares}};
+}

@@ -1,0 +1,145 @@
+// Lab 14: the surface of a solid, its polygons in pictures, the views around an eye, and components of many bands. The contracts of the
+// seven functions that you write in student.cpp. u = 2^-53, the rounding unit of double.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace lab_14 {
+
+// ---- a cell ----
+
+// Corners of a cell: bit 0 of a corner's number is its x, bit 1 its y, bit 2 its z. Its edges, from the corner with fewer bits:
+inline constexpr std::array<std::array<int, 2>, 12> kEdges{{{0, 1},
+                                                            {2, 3},
+                                                            {4, 5},
+                                                            {6, 7},  // along x
+                                                            {0, 2},
+                                                            {1, 3},
+                                                            {4, 6},
+                                                            {5, 7},  // along y
+                                                            {0, 4},
+                                                            {1, 5},
+                                                            {2, 6},
+                                                            {3, 7}}};  // along z
+// Its faces, corners counter-clockwise seen from outside of the cell.
+inline constexpr std::array<std::array<int, 4>, 6> kFaces{
+    {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
+
+// Task 14.1. The polygons of a cell, by the edges on which their corners lie. Bit c of `inside`: corner c is inside. Around a face,
+// counter-clockwise, a stretch of inside corners begins on one edge and ends on another; the surface runs along the face from the edge
+// where a stretch begins to the edge where the same one ends. So inside corners across from each other are cut off one by one, in the
+// cell on either side of the face. The lines on all faces make closed polygons, counter-clockwise seen from the outside of the solid.
+// Each is listed from its edge of lowest number, and the polygons in the order of those. Exact.
+std::vector<std::vector<int>> cell_polygons(unsigned inside);
+
+// Task 14.2. Where on an edge the surface is, as a share of it: `from` and `to` are the values at its ends, of which one is at least the
+// level (inside) and the other below it. Where the value that is linear between them is the level, but at least kLeastStep away from
+// both ends (C-96). A value beyond the lattice is minus infinity; then it is half way. Bound: 8 u of the answer.
+inline constexpr double kLeastStep = 0x1p-10;
+double crossing(double from, double to, double level);
+
+// ---- layered images of ids ----
+
+struct Sample {
+  double distance = 0;
+  int id = 0;
+};
+// Of each pixel the samples, nearest first; of equally near ones the lower id first.
+using Layers = std::vector<std::vector<Sample>>;
+
+// Where a polygon is: a pixel, and how far it is there. At most once in a pixel.
+struct Covered {
+  std::size_t pixel = 0;
+  double distance = 0;
+};
+
+// Task 14.3. A polygon comes, or goes. Nothing else of the layers changes. Who goes covers what he covered when he came; an id that
+// is not there leaves nothing. Exact.
+void add(Layers& layers, int id, const std::vector<Covered>& covered);
+void remove(Layers& layers, int id, const std::vector<Covered>& covered);
+
+// ---- views around an eye ----
+
+using Vector = std::array<double, 3>;
+
+// Task 14.4. How much each of three views has to say from another eye. Solves direction = w0 views[0] + w1 views[1] + w2 views[2]; a
+// negative w, of a direction beside the triangle, is 0, and so is that of a view that does not see the polygon. The rest is divided by its
+// sum. Where the sum is 0, the view that sees the polygon and is nearest by its angle has weight 1, of equally near ones the first; where none sees
+// it, all are 0. Vectors are of unit length up to rounding. Bound: 64 u / |det(views)| for each.
+std::array<double, 3> view_weights(const Vector& direction, const std::array<Vector, 3>& views,
+                                   const std::array<bool, 3>& sees);
+
+// ---- components of many bands (KLT) ----
+
+using Pixels = std::vector<std::vector<double>>;  // of each pixel the values of its bands
+using Matrix = std::vector<std::vector<double>>;  // rows
+
+// Task 14.5. The mean of the pixels, and their covariance: the mean of (x_i - m_i)(x_j - m_j). Values may be large beside their differences.
+// Bound of an entry: 8 n u of the largest entry on the diagonal, and 4 (n u times the largest value)^2, for n pixels.
+struct Statistics {
+  std::vector<double> mean;
+  Matrix covariance;
+};
+Statistics statistics(const Pixels& pixels);
+
+// Task 14.6. The pixels as k components have them: mean + sum over the first k vectors v of (v . (x - mean)) v. The vectors are the
+// eigenvectors of the covariance, of unit length, largest eigenvalue first. `error` is the mean of |x - x'|^2 over the pixels. Bounds:
+// 64 u of the largest |x - mean| of a pixel, plus 4 u of the largest value; of the error, 256 u of the mean of |x - mean|^2 and twice the
+// first bound times the largest |x - mean|.
+struct Reconstruction {
+  Pixels pixels;
+  double error = 0;
+};
+Reconstruction reconstruct(const Pixels& pixels, const std::vector<double>& mean,
+                           const Matrix& vectors, std::size_t k);
+
+// Given, not to be written: eigenvalues and eigenvectors of a symmetric matrix by Jacobi's rotations, largest eigenvalue first.
+struct Eigen {
+  std::vector<double> values;
+  Matrix vectors;
+};
+inline Eigen eigen_of(Matrix a) {
+  const std::size_t n = a.size();
+  Matrix v(n, std::vector<double>(n, 0));
+  for (std::size_t i = 0; i < n; ++i) v[i][i] = 1;  // rows are the vectors
+  for (int sweep = 0; sweep < 30; ++sweep) {
+    for (std::size_t p = 0; p < n; ++p) {
+      for (std::size_t q = p + 1; q < n; ++q) {
+        if (a[p][q] == 0) continue;
+        const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
+        const double t = (theta >= 0 ? 1 : -1) / (std::abs(theta) + std::sqrt(theta * theta + 1));
+        const double c = 1 / std::sqrt(t * t + 1), s = t * c;
+        for (std::size_t k = 0; k < n; ++k) {
+          const double kp = a[k][p], kq = a[k][q];
+          a[k][p] = c * kp - s * kq;
+          a[k][q] = s * kp + c * kq;
+        }
+        for (std::size_t k = 0; k < n; ++k) {
+          const double pk = a[p][k], qk = a[q][k];
+          a[p][k] = c * pk - s * qk;
+          a[q][k] = s * pk + c * qk;
+          const double vp = v[p][k], vq = v[q][k];
+          v[p][k] = c * vp - s * vq;
+          v[q][k] = s * vp + c * vq;
+        }
+      }
+    }
+  }
+  std::vector<std::pair<double, std::vector<double>>> pairs;
+  for (std::size_t i = 0; i < n; ++i) pairs.emplace_back(a[i][i], v[i]);
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const auto& one, const auto& other) { return one.first > other.first; });
+  Eigen eigen;
+  for (auto& [value, vector] : pairs) {
+    eigen.values.push_back(value);
+    eigen.vectors.push_back(std::move(vector));
+  }
+  return eigen;
+}
+
+}  // namespace lab_14

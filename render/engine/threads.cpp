@@ -1,0 +1,29 @@
+#include <glassbox/render/engine/threads.h>
+
+#include <cstddef>
+#include <mutex>
+#include <optional>
+
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
+
+namespace glassbox {
+
+int default_threads() {
+  return tbb::info::default_concurrency();
+}
+
+// oneTBB keeps to the smallest limit in force, so there is one for the whole program and not one for each arena: as many as the
+// largest arena has asked for. More would be used: of many arenas made one after the other, each wakes threads of its own.
+void allow_threads(int threads) {
+  using Control = tbb::global_control;
+  static std::mutex one_at_a_time;
+  static std::optional<Control> limit;
+  static int allowed = default_threads();
+  const std::lock_guard lock(one_at_a_time);
+  if (threads <= allowed) return;
+  allowed = threads;
+  limit.emplace(Control::max_allowed_parallelism, std::size_t(threads));
+}
+
+}  // namespace glassbox

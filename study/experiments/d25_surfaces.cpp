@@ -1,0 +1,215 @@
+// D-25: which table of marching cubes leaves holes, how many triangles each way makes, and how much volume it loses.
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <numbers>
+
+#include <glassbox/base/random.h>
+
+#include "study/experiment/experiment.h"
+#include "study/experiments/consume.h"
+#include "study/experiments/once.h"
+#include "views/polygons/mesh_check.h"
+#include "views/polygons/polygonise.h"
+
+namespace glassbox::study {
+namespace {
+
+using views::Polygoniser;
+using views::ScalarField;
+using views::Vector3d;
+
+constexpr const char *kHoles = "holes", *kTriangles = "triangles";
+constexpr double kPi = std::numbers::pi;
+constexpr Polygoniser kAll[] = {Polygoniser::kNaive, Polygoniser::kConsistent, Polygoniser::kSaddle,
+                                Polygoniser::kTetrahedra};
+
+std::string series_of(Polygoniser polygoniser) {
+  switch (polygoniser) {
+    case Polygoniser::kNaive:
+      return "fifteen cases";
+    case Polygoniser::kConsistent:
+      return "one rule for each face";
+    case Polygoniser::kSaddle:
+      return "the saddle's side of each face";
+    case Polygoniser::kTetrahedra:
+      return "six tetrahedra";
+  }
+  return {};
+}
+
+// ---- solids whose volume is known: distance to the surface, positive inside, lattice units ----
+
+struct Solid {
+  std::string name;
+  double size;          // in units of the axis: half of the lattice's width
+  double volume, area;  // of size 1 of the axis, to its powers 3 and 2
+  double lost;          // 1 - V / V_exact, times the square of the axis
+  std::function<double(const Vector3d& p, double scale)> depth;
+};
+
+const std::vector<Solid>& solids() {
+  // A linear interpolation of f along the lattice is too low by h^2/12 times the sum of f's second derivatives, on average over a cell; of a
+  // distance those sum to the surface's curvatures k1 + k2. So a solid loses h^2/12 times the integral of k1 + k2 over its surface:
+  // 8 pi r of a sphere, 4 pi^2 R of a torus whatever its tube.
+  static const std::vector<Solid> all{
+      {"sphere", 1.0, 4 * kPi / 3, 4 * kPi, 8 * kPi / 12 / (4 * kPi / 3),
+       [](const Vector3d& p, double scale) { return scale - p.norm(); }},
+      // The axis is the tube's radius; the ring's is 2.5 of it.
+      {"torus", 3.5, 2.5 * 2 * kPi * kPi, 2.5 * 4 * kPi * kPi,
+       4 * kPi * kPi * 2.5 / 12 / (2.5 * 2 * kPi * kPi), [](const Vector3d& p, double scale) {
+         return scale - std::hypot(std::hypot(p.x(), p.y()) - 2.5 * scale, p.z());
+       }}};
+  return all;
+}
+
+// Its middle is anywhere in a cell, and it is turned.
+ScalarField field_of(const Solid& solid, double scale, const Vector3d& middle) {
+  const int count = int(std::ceil(2 * solid.size * scale)) + 4;
+  ScalarField field(count, count, count);
+  const Vector3d centre = Vector3d::Constant((count - 1) / 2.0) + middle;
+  // (1, 2, 2)/3, (2, 1, -2)/3, (2, -2, 1)/3: a turn without a rounded digit of its own.
+  views::Matrix3d turn;
+  turn << 1, 2, 2, 2, 1, -2, 2, -2, 1;
+  turn /= 3;
+  for (int z = 0; z < count; ++z) {
+    for (int y = 0; y < count; ++y) {
+      for (int x = 0; x < count; ++x)
+        field.at(x, y, z) = solid.depth(turn * (Vector3d(x, y, z) - centre), scale);
+    }
+  }
+  return field;
+}
+
+struct Surfaces {
+  double
+      lost = 0,
+      triangles =
+          0;  // mean share of the volume; triangles for each square of a lattice unit of the true surface
+};
+
+Surfaces surfaces_of(const Solid& solid, double scale, Polygoniser polygoniser, int places) {
+  Random random(25);
+  Surfaces mean;
+  for (int i = 0; i < places; ++i) {
+    const Vector3d middle(random.between(-0.5, 0.5), random.between(-0.5, 0.5),
+                          random.between(-0.5, 0.5));
+    const views::PolygonMesh mesh =
+        views::polygonise(field_of(solid, scale, middle), 0, polygoniser);
+    mean.lost +=
+        (1 - views::check_mesh(mesh).volume / (solid.volume * std::pow(scale, 3))) / places;
+    mean.triangles += double(mesh.polygons.size()) / (solid.area * scale * scale) / places;
+  }
+  return mean;
+}
+
+// A mesh has as many corners as edges of the lattice are crossed: on a square of area |n . e| for each direction e, whose mean over all n
+// is half of its length; and twice as many triangles as corners. Cubes have three directions of length 1; tetrahedra also three of
+// sqrt(2) and one of sqrt(3).
+double predicted_triangles(Polygoniser polygoniser) {
+  if (polygoniser == Polygoniser::kTetrahedra)
+    return 3 + 3 * std::numbers::sqrt2 + std::numbers::sqrt3;
+  return 3;
+}
+
+void add_solid(const Solid& solid, double scale, Polygoniser polygoniser, int places,
+               std::vector<Configuration>& all) {
+  const auto surfaces =
+      once([=, &solid] { return surfaces_of(solid, scale, polygoniser, places); });
+  const auto field =
+      std::make_shared<const ScalarField>(field_of(solid, scale, Vector3d(0.1, 0.2, 0.3)));
+  all.push_back({.series = series_of(polygoniser),
+                 .parameter = scale,
+                 .scene = solid.name,
+                 .error = [=] { return std::abs(surfaces().lost); },
+                 .predicted_error = solid.lost / (scale * scale),
+                 .work = [=](int) { consume(views::polygonise(*field, 0, polygoniser)); },
+                 .items = double(field->values.size())});
+  all.push_back({.series = series_of(polygoniser),
+                 .parameter = scale,
+                 .scene = solid.name,
+                 .measure = kTriangles,
+                 .error = [=] { return surfaces().triangles; },
+                 .predicted_error = predicted_triangles(polygoniser)});
+}
+
+// ---- fields of which nothing is known ----
+
+constexpr int kSide = 9;  // corners of a random field
+
+// Open edges for each face of the lattice, of fields whose corners are inside with this probability.
+double holes_of(double share, Polygoniser polygoniser, int fields) {
+  Random random(250);
+  double holes = 0;
+  for (int i = 0; i < fields; ++i) {
+    ScalarField field(kSide, kSide, kSide);
+    for (double& value : field.values)
+      value = random.between(0, 1) < share ? random.between(0.1, 1) : random.between(-1, -0.1);
+    const views::MeshCheck check = views::check_mesh(views::polygonise(field, 0, polygoniser));
+    holes += double(check.holes + check.crowded);
+  }
+  return holes / (3.0 * kSide * (kSide - 1) * (kSide - 1) * fields);
+}
+
+// A face is ambiguous with 2 p^2 q^2. A cell that has two corners there has more than four inside if three or four of its other four are; a
+// hole is four edges, where one cell of the two does and the other does not. Cells beyond the lattice never do.
+double predicted_holes(double p, Polygoniser polygoniser) {
+  if (polygoniser != Polygoniser::kNaive) return 0;
+  const double q = 1 - p, more = 4 * p * p * p * q + p * p * p * p;
+  const double within = double(kSide - 2) / kSide, beside = 2.0 / kSide;
+  return 4 * 2 * p * p * q * q * (within * 2 * more * (1 - more) + beside * more);
+}
+
+std::vector<Configuration> configurations(Effort effort) {
+  std::vector<Configuration> all;
+  const bool is_full = effort == Effort::kFull;
+  for (const Polygoniser polygoniser : kAll) {
+    for (const Solid& solid : solids()) {
+      for (const double scale : {2.0, 3.0, 4.0, 6.0})
+        add_solid(solid, scale, polygoniser, is_full ? 24 : 8, all);
+    }
+    if (is_full) {
+      for (const double scale : {8.0, 12.0, 16.0})
+        add_solid(solids()[0], scale, polygoniser, 8, all);
+    }
+    for (const double share : {0.3, 0.5, 0.7, 0.9}) {
+      all.push_back({.series = series_of(polygoniser),
+                     .parameter = share,
+                     .scene = "random fields",
+                     .measure = kHoles,
+                     .error = [=] { return holes_of(share, polygoniser, is_full ? 200 : 40); },
+                     .predicted_error = predicted_holes(share, polygoniser)});
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+Experiment d25_surfaces() {
+  return {
+      .id = "D-25",
+      .name = "Marching cubes: which table",
+      .question = "Which way to lay a surface around a solid closes it, and what does that cost?",
+      .axis = "radius, in cells",
+      .error = "volume that a solid loses, as a share of it",
+      .reference = "the solid's formula; the torus has a ring of 2.5 times its tube's radius",
+      .theory =
+          "linear interpolation of a distance loses h^2/12 times the integral of k1 + k2 over the "
+          "surface (D-25, S1-39): (h/r)^2/2 of a sphere, (h/a)^2/6 of a torus. Triangles are twice "
+          "the crossed edges, 3/2 of them for each square of a cell, (3 + 3 sqrt 2 + sqrt 3)/2 "
+          "with the diagonals of tetrahedra. Fifteen cases leave four edges open on an ambiguous "
+          "face of which one cell has more than four corners inside and the other has not",
+      .item = "corner of the lattice",
+      .measures = {{.name = kTriangles,
+                    .error = "triangles for each square of a cell's side of the true surface",
+                    .error_unit = ""},
+                   {.name = kHoles,
+                    .error = "edges that are not in two triangles, for each face of the lattice",
+                    .error_unit = "",
+                    .axis = "share of the corners that are inside",
+                    .logarithmic_axis = false}},
+      .configurations = configurations};
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,160 @@
+#include <array>
+#include <cstdint>
+
+#include <Eigen/Geometry>
+
+#include <glassbox/base/random.h>
+#include <glassbox/base/rounding.h>
+
+#include "study/extremes/kit/extreme_case.h"
+#include "study/naive/klt.h"
+
+namespace glassbox::study {
+namespace c115 {
+
+struct Subject115 {
+  Eigen::MatrixXd (*covariance)(const views::Bands& bands);
+  double (*angle)(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+};
+
+Eigen::MatrixXd two_passes(const views::Bands& bands) {
+  return views::moments_of(bands).covariance;
+}
+
+constexpr int kSide = 48;
+
+views::Bands empty_bands(int count) {
+  views::Bands bands{kSide, kSide, {}};
+  for (int b = 0; b < count; ++b)
+    bands.bands.push_back({fmt::format("band {}", b + 1), std::vector<double>(bands.pixels())});
+  return bands;
+}
+
+// Samples 10^6 + k/16 of small whole k, whose covariance is a quotient of whole numbers: (N sum kl - sum k sum l)/(16 N)^2.
+void judge_mean(const Subject115& subject, Worst& worst) {
+  Random random(115);
+  views::Bands bands = empty_bands(3);
+  const auto pixels = std::int64_t(bands.pixels());
+  std::array<std::vector<std::int64_t>, 3> wholes;
+  for (std::int64_t i = 0; i < pixels; ++i) {
+    const std::int64_t shared = random.integer(-16, 16);
+    for (std::size_t b = 0; b < 3; ++b) {
+      wholes[b].push_back(shared * std::int64_t(b) + random.integer(-8, 8));
+      bands.bands[b].samples[std::size_t(i)] = 1e6 + double(wholes[b].back()) / 16;
+    }
+  }
+  Eigen::MatrixXd right(3, 3);
+  for (std::size_t a = 0; a < 3; ++a) {
+    for (std::size_t b = 0; b < 3; ++b) {
+      std::int64_t sum_a = 0, sum_b = 0, sum_ab = 0;
+      for (std::size_t i = 0; i < std::size_t(pixels); ++i) {
+        sum_a += wholes[a][i];
+        sum_b += wholes[b][i];
+        sum_ab += wholes[a][i] * wholes[b][i];
+      }
+      right(Eigen::Index(a), Eigen::Index(b)) =
+          double(pixels * sum_ab - sum_a * sum_b) / double(256 * pixels * pixels);
+    }
+  }
+  // The second pass leaves the mean right to u of itself, which shifts the squares by its square; the differences to it are of
+  // numbers near 10^6, right to u 10^6 of a deviation of 1; the sums have 2 kSide roundings.
+  const double u = unit_roundoff<double>, trace = right.trace();
+  const double bound = 2 * kSide * u + 4 * u * 1e6 / std::sqrt(trace);
+  const double error = (subject.covariance(bands) - right).cwiseAbs().maxCoeff() / trace;
+  worst.see(error, bound, fmt::format("covariance off by {:.3g} of the trace", error),
+            1e12 / trace);
+}
+
+// As much along two directions of space as along each other, less along the third; and the same turned. The space of the first two
+// components turns with it, while their vectors are whatever the last digit makes of them.
+void judge_space(const Subject115& subject, Worst& worst) {
+  Random random(116);
+  for (int turn = 0; turn < 20; ++turn) {
+    views::Bands bands = empty_bands(3), turned = bands;
+    const Eigen::Vector3d axis(random.between(-1, 1), random.between(-1, 1),
+                               random.between(0.5, 1));
+    const Eigen::Matrix3d rotation =
+        Eigen::AngleAxisd(random.between(0.2, 1.3), axis.normalized()).matrix();
+    for (std::size_t i = 0; i < bands.pixels(); ++i) {
+      const double side = i % 2 == 0 ? 1 : -1;
+      const Eigen::Vector3d at(i % 4 < 2 ? side : 0, i % 4 < 2 ? 0 : side,
+                               i % 8 < 4 ? 0.25 : -0.25);
+      const Eigen::Vector3d there = rotation * at;
+      for (int b = 0; b < 3; ++b) {
+        bands.bands[std::size_t(b)].samples[i] = at[b];
+        turned.bands[std::size_t(b)].samples[i] = there[b];
+      }
+    }
+    const auto klt = views::klt_of(bands), other = views::klt_of(turned);
+    const double angle =
+        subject.angle(rotation * klt->vectors.leftCols(2), other->vectors.leftCols(2));
+    // Davis and Kahan's theorem: |C' - C|/gap, the covariance right to 2 kSide + 9 roundings of the trace, the solver's to as many
+    // again (transform.h).
+    const double gap = klt->eigenvalues[1] - klt->eigenvalues[2];
+    const double bound = 2 * (2 * kSide + 9) * unit_roundoff<double> * klt->trace() / gap;
+    worst.see(angle, bound, fmt::format("turn {}: {:.3g} radians", turn, angle));
+  }
+}
+
+Outcome judge(const Subject115& subject) {
+  Worst worst;
+  judge_mean(subject, worst);
+  judge_space(subject, worst);
+  return worst.outcome();
+}
+
+}  // namespace c115
+
+ExtremeCase c115_klt() {
+  using namespace c115;
+  return {
+      .id = "C-115",
+      .name = "A large mean, equal eigenvalues",
+      .construction =
+          "three bands of 48 x 48 whose samples are 10^6 + k/16; a cloud that varies alike along "
+          "two "
+          "directions, and the same turned, 20 times",
+      .stage = "components of bands",
+      .right =
+          "covariance: 2 W roundings, and 4 u 10^6 of a deviation from differences to the mean; "
+          "the "
+          "space of two components: what the covariance is off by over the gap of the eigenvalues",
+      .unit = "of the trace, radian",
+      .oracle = Oracle::kInteger,
+      .ours = {"two passes, angles of spaces",
+               [] {
+                 return judge({two_passes, views::angle_between});
+               }},
+      .naive = {"E[xy] - E[x] E[y], angles of vectors",
+                [] {
+                  return judge({naive::covariance_by_moments<double>, naive::angle_of_vectors});
+                }},
+      .mutants = {{"E[xy] - E[x] E[y] in float",
+                   [] {
+                     return judge({naive::covariance_by_moments<float>, views::angle_between});
+                   }},
+                  {"E[xy] - E[x] E[y] in double",
+                   [] {
+                     return judge({naive::covariance_by_moments<double>, views::angle_between});
+                   }},
+                  {"divided by N - 1",
+                   [] {
+                     return judge({naive::covariance_of_a_sample, views::angle_between});
+                   }},
+                  {"the mean stays",
+                   [] {
+                     return judge({naive::covariance_about_zero, views::angle_between});
+                   }},
+                  {"angles of vectors",
+                   [] {
+                     return judge({two_passes, naive::largest_angle_of_vectors});
+                   }},
+                  {"arc cosines",
+                   [] {
+                     return judge({two_passes, naive::angle_by_cosine});
+                   }}},
+      .not_drawn = "numbers of pictures are what it asks for: no engine draws components",
+  };
+}
+
+}  // namespace glassbox::study

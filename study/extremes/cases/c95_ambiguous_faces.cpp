@@ -1,0 +1,82 @@
+#include <functional>
+
+#include <glassbox/base/random.h>
+
+#include "study/extremes/kit/extreme_case.h"
+#include "study/naive/polygons.h"
+#include "views/polygons/mesh_check.h"
+
+namespace glassbox::study {
+namespace c95 {
+
+using views::PolygonMesh;
+using views::ScalarField;
+using Surface = std::function<PolygonMesh(const ScalarField& field)>;
+
+// Two cells with a face of two opposite corners between them: one has those two corners inside, the other all but two.
+ScalarField beside_its_opposite() {
+  ScalarField field(2, 2, 3, -1);
+  field.at(0, 0, 1) = field.at(1, 1, 1) = 1;
+  for (int y = 0; y < 2; ++y) {
+    for (int x = 0; x < 2; ++x) field.at(x, y, 2) = 1;
+  }
+  return field;
+}
+
+Outcome judge(const Surface& surface) {
+  std::int64_t wrong = 0, edges = 0, odd = 0;
+  const auto see = [&](const ScalarField& field) {
+    const views::MeshCheck check = views::check_mesh(surface(field));
+    wrong += check.holes + check.crowded + check.turned;
+    odd += check.euler % 2 != 0;
+    edges += check.edges;
+  };
+  see(beside_its_opposite());
+  Random random(95);
+  for (int i = 0; i < 400; ++i) {
+    ScalarField field(4, 4, 4);
+    for (double& value : field.values) value = random.between(-1, 1);
+    see(field);
+  }
+  return must_be_zero(double(wrong + odd),
+                      fmt::format("{} of {} edges are not in two triangles that go opposite ways; "
+                                  "an odd Euler number {} times",
+                                  wrong, edges, odd));
+}
+
+Outcome judge_table(const views::CellTable& table) {
+  return judge([&](const ScalarField& field) { return views::polygonise_by(table, field, 0); });
+}
+
+}  // namespace c95
+
+ExtremeCase c95_ambiguous_faces() {
+  using namespace c95;
+  return {
+      .id = "C-95",
+      .name = "Faces that can be cut in two ways",
+      .construction =
+          "two cells with a face whose opposite corners are inside between them, two of one's "
+          "corners inside and six of the other's; 400 random fields of 4 x 4 x 4",
+      .stage = "polygons",
+      .right = "closed: each edge is in exactly two triangles, and V - E + F is even (S1-39)",
+      .unit = "edges",
+      .oracle = Oracle::kProperty,
+      .ours = {"one rule for each face",
+               [] {
+                 return judge([](const ScalarField& field) {
+                   return views::polygonise(field, 0, views::Polygoniser::kConsistent);
+                 });
+               }},
+      .naive = {"fifteen cases", [] { return judge_table(views::naive_table()); }},
+      .mutants = {{"opposite cases are not turned round",
+                   [] { return judge_table(naive::table_of_opposites_not_turned()); }},
+                  {"a rule for low faces, another for high ones",
+                   [] { return judge_table(naive::table_by_sides()); }},
+                  {"fans, whose diagonals lie on faces",
+                   [] { return judge_table(naive::table_of_fans()); }}},
+      .not_drawn = "surfaces are made by views/polygons; no engine takes part",
+  };
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,96 @@
+#include <map>
+
+#include <glassbox/base/random.h>
+
+#include "study/extremes/kit/extreme_case.h"
+#include "study/naive/polygons.h"
+
+namespace glassbox::study {
+namespace c97 {
+
+using views::Corners3d;
+using views::PolygonFootprint;
+using views::PolygonId;
+using views::Vector3d;
+
+constexpr int kSide = 32, kEdits = 100000, kPolygons = 300;
+
+const views::PinholeCamera& camera() {
+  static const views::PinholeCamera made = [] {
+    views::PinholeCamera c;
+    c.intrinsic << kSide, 0, kSide / 2.0, 0, kSide, kSide / 2.0, 0, 0, 1;
+    c.centre = {0, 0, -4};
+    return c;
+  }();
+  return made;
+}
+
+// Small triangles that the camera sees, a third of them in one plane.
+Corners3d any_triangle(Random& random) {
+  const double x = random.between(-1.5, 1.5), y = random.between(-1.5, 1.5);
+  const double z = random.integer(0, 2) == 0 ? 0.5 : random.between(-1, 1);
+  const double wide = random.between(0.1, 0.9);
+  return {Vector3d(x, y, z), Vector3d(x, y + wide, z), Vector3d(x + wide, y, z)};
+}
+
+// Puts the same edits to `layers`, and counts the pixels that differ from a layered image of what is left.
+template <typename Layers>
+Outcome judge(Layers layers) {
+  Random random(97);
+  std::map<PolygonId, Corners3d> there;
+  for (int edit = 0; edit < kEdits; ++edit) {
+    const auto id = PolygonId(random.integer(0, kPolygons - 1));
+    const auto found = there.find(id);
+    if (found != there.end()) {
+      layers.remove(id, PolygonFootprint(camera(), kSide, kSide, found->second));
+      there.erase(found);
+    } else {
+      const Corners3d corners = any_triangle(random);
+      layers.add(id, PolygonFootprint(camera(), kSide, kSide, corners));
+      there.emplace(id, corners);
+    }
+  }
+  views::IdLayers rebuilt(kSide, kSide);
+  for (const auto& [id, corners] : there)
+    rebuilt.add(id, PolygonFootprint(camera(), kSide, kSide, corners));
+  int wrong = 0;
+  for (int y = 0; y < kSide; ++y) {
+    for (int x = 0; x < kSide; ++x) wrong += layers.samples({x, y}) != rebuilt.samples({x, y});
+  }
+  return wrong_of(wrong, kSide * kSide, "pixels",
+                  fmt::format("; {} samples of {} polygons", rebuilt.sample_count(), there.size()));
+}
+
+Outcome judge_naive(const naive::PixelList& rule) {
+  return judge(naive::NaiveIdLayers(kSide, kSide, rule));
+}
+
+}  // namespace c97
+
+ExtremeCase c97_polygons_come_and_go() {
+  using namespace c97;
+  return {
+      .id = "C-97",
+      .name = "Polygons that come and go",
+      .construction =
+          "100,000 times a polygon of 300 comes into a layered image of 32 x 32 or leaves it, a "
+          "third of them in one plane",
+      .stage = "polygons",
+      .right = "bit for bit what a layered image is that is built of those that are left (S1-39)",
+      .unit = "pixels",
+      .oracle = Oracle::kProperty,
+      .ours = {"lists by distance, then by number",
+               [] { return judge(views::IdLayers(kSide, kSide)); }},
+      .naive = {"the nearest polygon of each pixel",
+                [] { return judge_naive({.keeps_all = false}); }},
+      .mutants = {{"what is hidden is not deleted",
+                   [] { return judge_naive({.deletes_behind = false}); }},
+                  {"of equally far ones the last is in front",
+                   [] { return judge_naive({.breaks_ties_by_id = false}); }},
+                  {"in the order in which they came",
+                   [] { return judge_naive({.sorts = false}); }}},
+      .not_drawn = "polygons are drawn by views/polygons; no engine takes part",
+  };
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,141 @@
+#include <functional>
+
+#include <Eigen/LU>
+
+#include <glassbox/base/random.h>
+
+#include "study/extremes/kit/extreme_case.h"
+#include "views/texture/view_blend.h"
+
+namespace glassbox::study {
+namespace c98 {
+
+using views::Vector3d;
+using views::ViewBlend;
+using views::ViewWeights;
+using Sees = std::function<bool(std::size_t view)>;
+using Weights = std::function<ViewWeights(const Vector3d& direction, const Sees& sees)>;
+
+// The corners of an octahedron and the middles of its faces: directions on the sides of triangles are exact.
+const std::vector<Vector3d>& directions() {
+  static const std::vector<Vector3d> all = [] {
+    std::vector<Vector3d> made;
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const double sign : {1.0, -1.0}) made.push_back(sign * Vector3d::Unit(axis));
+    }
+    for (int corner = 0; corner < 8; ++corner)
+      made.push_back(Vector3d((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1,
+                              (corner & 4) != 0 ? 1 : -1)
+                         .normalized());
+    return made;
+  }();
+  return all;
+}
+
+const ViewBlend& blend() {
+  static const ViewBlend made(views::Blend::kBarycentric, directions());
+  return made;
+}
+
+// Directions in, on and at the triangles.
+std::vector<Vector3d> asked(Random& random) {
+  std::vector<Vector3d> all = directions();
+  for (const auto& t : blend().sphere().triangles()) {
+    const Vector3d &a = directions()[t[0]], &b = directions()[t[1]], &c = directions()[t[2]];
+    for (const double share : {0.5, 0.25, 1e-3, 1e-9}) {
+      all.push_back((share * a + (1 - share) * b).normalized());
+      all.push_back((share * a + share * b + c).normalized());
+    }
+    all.push_back((random.between(0.1, 1) * a + random.between(0.1, 1) * b + c).normalized());
+  }
+  return all;
+}
+
+// Four roundings of each of at most three shares, and their sums.
+constexpr double kBound = 0x1p-50;
+
+Outcome judge(const Weights& weights) {
+  Random random(98);
+  Worst worst;
+  for (const Vector3d& direction : asked(random)) {
+    for (const int share : {1, 2, 4, 8, 1000}) {  // one in so many views sees the polygon
+      std::vector<bool> seen(directions().size());
+      for (std::size_t v = 0; v < seen.size(); ++v) seen[v] = random.integer(0, share - 1) == 0;
+      const bool by_anybody = std::ranges::find(seen, true) != seen.end();
+      const ViewWeights found = weights(direction, [&](std::size_t v) { return bool(seen[v]); });
+      double sum = 0, error = 0;
+      for (const views::ViewWeight& each : found) {
+        sum += each.weight;
+        // Nothing is taken from a view that does not see it, and no weight is below 0.
+        if (!seen[each.view] || !(each.weight >= 0)) error = 1;
+      }
+      error = std::max(error, std::abs(sum - (by_anybody ? 1 : 0)));
+      if (std::isnan(sum)) error = sum;
+      worst.see(error, kBound,
+                fmt::format("weights sum to {:.6g} where {} of {} views see the polygon", sum,
+                            std::ranges::count(seen, true), seen.size()));
+    }
+  }
+  return worst.outcome();
+}
+
+ViewWeights ours(const Vector3d& direction, const Sees& sees) {
+  return blend().from(direction).weights(sees);
+}
+
+// What each step may leave out.
+struct Steps {
+  bool leaves_out_unseen = true, divides = true, falls_back = true, has_empty_sum = false;
+};
+
+ViewWeights by_steps(const Vector3d& direction, const Sees& sees, const Steps& steps) {
+  ViewWeights weights = blend().sphere().weights(direction);
+  double sum = 0;
+  for (views::ViewWeight& each : weights) {
+    if (steps.leaves_out_unseen && !sees(each.view)) each.weight = 0;
+    sum += each.weight;
+  }
+  if (!steps.has_empty_sum && sum == 0)
+    return steps.falls_back ? ours(direction, sees) : ViewWeights();
+  for (views::ViewWeight& each : weights) {
+    if (steps.divides) each.weight /= sum;
+  }
+  std::erase_if(weights, [](const views::ViewWeight& each) { return each.weight == 0; });
+  return weights;
+}
+
+Outcome judge_steps(const Steps& steps) {
+  return judge([steps](const Vector3d& direction, const Sees& sees) {
+    return by_steps(direction, sees, steps);
+  });
+}
+
+}  // namespace c98
+
+ExtremeCase c98_views_that_see_nothing() {
+  using namespace c98;
+  return {
+      .id = "C-98",
+      .name = "Between views, some of which do not see the polygon",
+      .construction =
+          "14 views, directions at them, on the sides of their triangles and between, and polygons "
+          "that all, some or none of the views see",
+      .stage = "texture",
+      .right =
+          "weights of views that see it, none below 0, with the sum 1; none at all where nobody "
+          "sees it (S1-40)",
+      .unit = "weight",
+      .oracle = Oracle::kAnalytic,
+      .ours = {"left out, divided again, and the nearest that sees it", [] { return judge(ours); }},
+      .naive = {"divided by what is left of the weights",
+                [] { return judge_steps({.has_empty_sum = true}); }},
+      .mutants = {{"not divided again", [] { return judge_steps({.divides = false}); }},
+                  {"views that do not see it keep their weights",
+                   [] { return judge_steps({.leaves_out_unseen = false}); }},
+                  {"no other view in place of the three",
+                   [] { return judge_steps({.falls_back = false}); }}},
+      .not_drawn = "weights are made by views/texture; no engine takes part",
+  };
+}
+
+}  // namespace glassbox::study

@@ -1,0 +1,80 @@
+// glassbox views klt: bands in, components and a globe out, and what is refused.
+#include "tests/support/catch.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/run.h"
+
+namespace glassbox::test {
+namespace {
+
+using Json = nlohmann::json;
+
+Json klt_answer(const Workplace& here, const std::string& words) {
+  const Outcome outcome = here.run("views klt " + words + " --json -");
+  INFO(words << ": " << outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  return Json::parse(outcome.out);
+}
+
+}  // namespace
+
+TEST_CASE("the generated planet's bands come back from files, and its clouds go round a globe") {
+  const Workplace here;
+  const Json made =
+      klt_answer(here, "clouds:128 --components 2 -o klt --globe globe.glb --html klt.html");
+  CHECK(made["holds"] == true);
+  CHECK(made["bands"].size() == 5);
+  CHECK(made["kept"] == 2);
+  CHECK(made["clouds"]["component"] > made["clouds"]["best_band"]);
+  CHECK(here.read("klt.html").find("id=\"component4\"") != std::string::npos);
+  CHECK(here.run("render globe.glb --size 64x64 -o globe.png").exit_code == 0);
+  std::string bands;
+  for (int b = 1; b <= 5; ++b) bands += "klt/band" + std::to_string(b) + ".png ";
+  const Json read = klt_answer(here, bands + "--components 2");
+  CHECK(read["components"] == made["components"]);
+  CHECK(read["mse"] == made["mse"]);
+  // Components are uncorrelated: theirs are the axes.
+  const Json again = klt_answer(here, "klt/components.hdr");
+  CHECK(again["components"][0]["vector"][0] == Approx(1));
+  CHECK(again["trace"].get<double>() ==
+        Approx(made["trace"].get<double>() - made["dropped"].get<double>()));
+  // What two components say has two.
+  CHECK(klt_answer(here, "klt/again.hdr --components 2")["dropped"] < 1e-6);
+}
+
+TEST_CASE("components of one eigenvalue are said to be a space") {
+  const Workplace here;
+  // Every pair of 0 and 1 once.
+  here.write("a.pgm", std::string("P5\n4 1\n255\n") + std::string("\0\1\0\1", 4));
+  here.write("b.pgm", std::string("P5\n4 1\n255\n") + std::string("\0\0\1\1", 4));
+  const Outcome outcome = here.run("views klt a.pgm b.pgm");
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.out.find("only the space that they span") != std::string::npos);
+  CHECK(outcome.out.find("the bands come back, but for rounding") != std::string::npos);
+}
+
+TEST_CASE("bands that cannot be taken apart are refused in a line, and no file is left") {
+  const Workplace here;
+  here.write("one.pgm", "P5\n1 1\n255\nx");
+  here.write("two.pgm", "P5\n2 1\n255\nxy");
+  here.write("bad.hdr", "ENVI\nsamples = 2\n");
+  for (const char* words :
+       {"nothing.png", "one.pgm", "one.pgm two.pgm", "bad.hdr", "clouds:15", "clouds:17",
+        "clouds:x", "clouds two.pgm", "clouds:64 --components 0", "clouds:64 --components 6",
+        "two.pgm --components 2", "clouds:64 --globe a.obj", "clouds:64 --html a.txt",
+        "clouds:64 --globe nowhere/a.glb", "two.pgm --max-mb 0"}) {
+    INFO(words);
+    const Outcome outcome = here.run(std::string("views klt ") + words + " -o out");
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.out.empty());
+    CHECK(std::ranges::count(outcome.err, '\n') == 1);
+    CHECK_FALSE(std::filesystem::exists(here.file("out")));
+  }
+}
+
+}  // namespace glassbox::test

@@ -1,0 +1,142 @@
+#include "tests/labs/framework/bench.h"
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "labs/framework/in_parallel.h"
+#include "labs/framework/points.h"
+#include "labs/framework/process.h"
+
+namespace glassbox::labs {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Kits of a lab as it was before are of no more use.
+grading::Kit kept_kit(const Sources& sources, const std::string& lab) {
+  const auto fingerprint = grading::kit_fingerprint(sources, lab);
+  REQUIRE(fingerprint);
+  const fs::path place = fs::path(KEPT) / fmt::format("{}-{}", lab, *fingerprint);
+  std::error_code error;
+  for (fs::directory_iterator entry(KEPT, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const fs::path other = entry->path();
+    std::error_code ignored;
+    if (other != place && other.filename().string().starts_with(lab))
+      fs::remove_all(other, ignored);
+  }
+  const auto kit = grading::make_kit(sources, lab, place);
+  REQUIRE(kit);
+  return *kit;
+}
+
+// Removed with all that was made in it when the tests end.
+const fs::path& scratch() {
+  struct Folder {
+    fs::path path = fs::temp_directory_path() / fmt::format("glassbox-benches-{}", getpid());
+    Folder() { fs::create_directories(path); }
+    ~Folder() {
+      std::error_code error;
+      fs::remove_all(path, error);
+    }
+  };
+  static const Folder folder;
+  return folder.path;
+}
+
+}  // namespace
+
+Bench& Bench::of(const Lab& lab) {
+  static std::map<std::string, std::unique_ptr<Bench>> all;
+  auto& bench = all[lab.folder];
+  if (!bench) bench.reset(new Bench(lab));
+  return *bench;
+}
+
+Bench::Bench(const Lab& lab) : sources_(find_sources().value()) {
+  INFO("lab " << lab.folder);
+  const auto shares = read_shares(lab, sources_.folder_of(lab.folder) / "points.json");
+  REQUIRE(shares);
+  lab_ = shares->lab;
+  solution_ = solution_text(sources_, lab.folder).value();
+  kit_ = kept_kit(sources_, lab.folder);
+  folder_ = scratch() / lab.folder;
+  fs::create_directories(folder_);
+  cases_ = all_cases();
+}
+
+Bench::AllCases Bench::all_cases() const {
+  AllCases cases(lab_.checks.size());
+  in_parallel(cases.size(), [&](std::size_t i) { cases[i] = lab_.checks[i].cases(); });
+  return cases;
+}
+
+BenchProgram Bench::linked(const fs::path& object, bool hidden) {
+  std::vector<std::string> objects{object.string()};
+  for (const fs::path& each :
+       kit_.objects(hidden ? grading::Checks::kAll : grading::Checks::kVisible))
+    objects.push_back(each.string());
+  const BenchProgram made{folder_ / fmt::format("runner-{}", ++programs_), hidden};
+  const auto outcome = run_process(grading::link_command(kit_, objects, made.path.string(), {}),
+                                   {300, 0, std::size_t(1) << 20});
+  INFO(outcome.said);
+  REQUIRE(fs::exists(made.path));
+  return made;
+}
+
+BenchProgram Bench::program(const std::string& student, bool hidden) {
+  fs::path& object = objects_[student];
+  if (object.empty()) {
+    object = folder_ / fmt::format("student-{}.o", objects_.size());
+    const fs::path source = folder_ / "student.cpp";
+    REQUIRE(write_if_changed(source, student));
+    const auto compiled = grading::compile_own(kit_.compiler, source, {kit_.include}, object);
+    INFO((compiled ? "" : compiled.error().message()));
+    REQUIRE(compiled);
+  }
+  return linked(object, hidden);
+}
+
+BenchProgram Bench::starter(bool hidden) {
+  return linked(kit_.starter, hidden);
+}
+
+LabResult Bench::check_anew(const BenchProgram& program) const {
+  return check(program, all_cases());
+}
+
+LabResult Bench::check(const BenchProgram& program, const AllCases& cases) const {
+  std::vector<CheckResult> results(cases.size());
+  in_parallel(cases.size(), [&](std::size_t i) {
+    const Check& check = lab_.checks[i];
+    if (check.hidden && !program.hidden) return;
+    RunLimits limits;
+    limits.seconds = 60;  // of a machine that compiles other things meanwhile
+    LocalRunner runner;
+    const auto answers = run_check(runner, program.path, check.name, cases[i].size(), limits);
+    results[i] =
+        judge_check(check, cases[i], answers, points_of_case(lab_, check, cases[i].size()));
+  });
+  std::erase_if(results, [](const CheckResult& each) { return each.name.empty(); });
+  return sum_up(lab_, std::move(results));
+}
+
+std::string failures(const LabResult& result) {
+  std::string text;
+  for (const CheckResult& check : result.checks) {
+    if (!check.first) continue;
+    text += fmt::format("{} ({}, {}): {} {}", check.name, check.task, check.stage,
+                        verdict_name(check.verdict), check.first->text);
+    if (const auto& found = check.first->divergence)
+      text += fmt::format(" case {} {} {} expected {} actual {} bound {} {}", check.first->index,
+                          found->field, found->element, found->expected, found->actual,
+                          found->bound, found->explanation);
+    for (const std::string& slip : check.slips) text += " slip " + slip;
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace glassbox::labs

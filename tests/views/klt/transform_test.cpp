@@ -1,0 +1,172 @@
+// Components of bands: what they keep, what they lose, and what of them is determined at all.
+#include <tests/support/catch.h>
+
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+
+#include <glassbox/base/random.h>
+#include <glassbox/base/rounding.h>
+
+#include "views/klt/clouds.h"
+#include "views/klt/transform.h"
+
+namespace glassbox::views {
+namespace {
+
+Bands random_bands(Random& random, int count, int width, int height, double mean) {
+  Bands bands{width, height, {}};
+  for (int b = 0; b < count; ++b)
+    bands.bands.push_back({"band", std::vector<double>(bands.pixels())});
+  Eigen::MatrixXd mix(count, count);
+  for (double& entry : mix.reshaped()) entry = random.between(-1, 1);
+  for (std::size_t i = 0; i < bands.pixels(); ++i) {
+    Eigen::VectorXd sources(count);
+    for (int b = 0; b < count; ++b) sources[b] = random.between(-1, 1) * std::pow(0.3, b);
+    const Eigen::VectorXd pixel = mix * sources;
+    for (int b = 0; b < count; ++b) bands.bands[std::size_t(b)].samples[i] = mean + pixel[b];
+  }
+  return bands;
+}
+
+Eigen::MatrixXd as_matrix(const Bands& bands) {
+  Eigen::MatrixXd matrix(Eigen::Index(bands.pixels()), bands.count());
+  for (int b = 0; b < bands.count(); ++b) {
+    for (std::size_t i = 0; i < bands.pixels(); ++i)
+      matrix(Eigen::Index(i), b) = bands.bands[std::size_t(b)].samples[i];
+  }
+  return matrix;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "the mean square error is the sum of the eigenvalues that were dropped, to 1e-10 (S1-14)") {
+  Random random(14);
+  for (int i = 0; i < 200; ++i) {
+    const int count = int(random.integer(1, 8));
+    const double mean = i % 2 == 0 ? 0 : 1000;
+    const Bands bands =
+        random_bands(random, count, int(random.integer(2, 40)), int(random.integer(1, 30)), mean);
+    const auto klt = klt_of(bands);
+    REQUIRE(klt);
+    for (int kept = 0; kept <= count; ++kept) {
+      INFO("run " << i << ", " << count << " bands, " << kept << " kept");
+      const Bands again = reconstructed(components_of(bands, *klt, kept), *klt, bands);
+      const double error = mean_squared_error(bands, again);
+      CHECK(std::abs(error - klt->dropped(kept)) <= identity_bound(bands, *klt, kept));
+      // A check that cannot fail is none: one eigenvalue more or less is another number.
+      if (kept > 0 && klt->eigenvalues[kept - 1] > 1e-6 * klt->trace())
+        CHECK(std::abs(error - klt->dropped(kept - 1)) > identity_bound(bands, *klt, kept));
+    }
+  }
+}
+
+TEST_CASE("components are uncorrelated, and their vectors orthonormal") {
+  Random random(15);
+  for (int i = 0; i < 50; ++i) {
+    const Bands bands = random_bands(random, int(random.integer(1, 8)), 40, 30, 500);
+    const auto klt = klt_of(bands);
+    REQUIRE(klt);
+    CHECK(largest_correlation(components_of(bands, *klt, bands.count())) <= 1e-12);
+    const auto identity = Eigen::MatrixXd::Identity(bands.count(), bands.count());
+    CHECK((klt->vectors.transpose() * klt->vectors - identity).norm() < 1e-14 * bands.count());
+    for (int k = 1; k < bands.count(); ++k) CHECK(klt->eigenvalues[k - 1] >= klt->eigenvalues[k]);
+  }
+}
+
+TEST_CASE("components are the singular vectors of the bands without their mean") {
+  Random random(16);
+  for (int i = 0; i < 20; ++i) {
+    const int count = int(random.integer(2, 6));
+    const Bands bands = random_bands(random, count, 20, 20, 10);
+    const auto klt = klt_of(bands);
+    REQUIRE(klt);
+    Eigen::MatrixXd matrix = as_matrix(bands);
+    matrix.rowwise() -= matrix.colwise().mean();
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(matrix, Eigen::ComputeThinV);
+    const double u = unit_roundoff<double>, trace = klt->trace();
+    for (int k = 0; k < count; ++k) {
+      const double value =
+          svd.singularValues()[k] * svd.singularValues()[k] / double(bands.pixels());
+      // What a covariance of 20 + 20 + 3 B roundings is off by (transform.h), and as much for the other.
+      CHECK(std::abs(value - klt->eigenvalues[k]) <= 2 * (40 + 3 * count) * u * trace);
+      double gap = k > 0 ? klt->eigenvalues[k - 1] - klt->eigenvalues[k] : trace;
+      if (k + 1 < count) gap = std::min(gap, klt->eigenvalues[k] - klt->eigenvalues[k + 1]);
+      const double angle = angle_between(klt->vectors.col(k), svd.matrixV().col(k));
+      CHECK(angle <= 4 * (40 + 3 * count) * u * trace / gap);
+    }
+  }
+}
+
+TEST_CASE("of equal eigenvalues the space is compared, and not the vectors") {
+  // The corners of a cube: all directions alike.
+  Bands bands{8, 1, {}};
+  for (int b = 0; b < 3; ++b) {
+    Band band{"band", {}};
+    for (int i = 0; i < 8; ++i) band.samples.push_back((i >> b & 1) != 0 ? 1 : -1);
+    bands.bands.push_back(band);
+  }
+  const auto klt = klt_of(bands);
+  REQUIRE(klt);
+  CHECK(groups_of(klt->eigenvalues, 1e-12) == std::vector<int>{0, 0, 0});
+  const Eigen::Matrix3d turned =
+      Eigen::AngleAxisd(0.5, Eigen::Vector3d(1, 1, 1).normalized()) * klt->vectors;
+  CHECK(angle_between(klt->vectors, turned) < 1e-15);
+  CHECK(angle_between(klt->vectors.leftCols(1), turned.leftCols(1)) > 0.1);
+  // Small angles are told from none, which their cosine is not.
+  const Eigen::Matrix3d nearly = Eigen::AngleAxisd(1e-10, Eigen::Vector3d::UnitX()).matrix();
+  const Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  CHECK(std::abs(angle_between(axes.leftCols(2), nearly.leftCols(2)) - 1e-10) < 1e-20);
+  CHECK(groups_of(Eigen::Vector3d(3, 2, 2), 0) == std::vector<int>{0, 1, 1});
+}
+
+TEST_CASE("bands that do not vary have components of nothing") {
+  Bands bands{3, 2, {{"a", std::vector<double>(6, 7)}, {"b", std::vector<double>(6, 1e6)}}};
+  const auto klt = klt_of(bands);
+  REQUIRE(klt);
+  CHECK(klt->trace() == 0);
+  const Bands again = reconstructed(components_of(bands, *klt, 1), *klt, bands);
+  CHECK(again.bands[1].samples == bands.bands[1].samples);
+  CHECK(largest_correlation(components_of(bands, *klt, 2)) == 0);
+}
+
+TEST_CASE("bands that are none, of other sizes, or of numbers that are none are refused") {
+  CHECK_FALSE(klt_of({}));
+  CHECK_FALSE(klt_of({1, 1, {{"a", {1}}}}));
+  CHECK_FALSE(klt_of({2, 2, {{"a", {1, 2, 3}}}}));
+  const auto nan = klt_of({2, 1, {{"a", {1, 2}}, {"infra", {1, std::nan("")}}}});
+  REQUIRE_FALSE(nan);
+  CHECK(nan.error().message().find("infra: the sample of column 1, row 0") != std::string::npos);
+  CHECK_FALSE(klt_of({2, 1, {{"a", {1, INFINITY}}}}));
+  CHECK_FALSE(klt_of({2, 1, {{"a", {0, 1e200}}}}));
+  CHECK(klt_of({2, 1, {{"a", {0, 1e150}}}}));
+}
+
+TEST_CASE("the generated planet is the same everywhere, and has no seam") {
+  const CloudScene scene = make_clouds(256);
+  REQUIRE(scene.bands.count() == 5);
+  double sum = 0;
+  bool is_count = true;
+  for (const Band& band : scene.bands.bands) {
+    for (const double sample : band.samples) {
+      is_count = is_count && sample >= 0 && sample <= 1023 && sample == std::floor(sample);
+      sum += sample;
+    }
+  }
+  CHECK(is_count);
+  // Of whole numbers, and therefore exact.
+  CHECK(sum == 84969586.0);
+  // Across the seam as between any two columns, on average.
+  double across = 0, beside = 0;
+  for (int y = 0; y < 128; ++y) {
+    const double* row = &scene.opacity[std::size_t(256 * y)];
+    across += std::abs(row[255] - row[0]);
+    beside += std::abs(row[128] - row[127]) + std::abs(row[64] - row[63]);
+  }
+  CHECK(across < beside);
+}
+
+}  // namespace glassbox::views

@@ -1,0 +1,287 @@
+// Layered images of polygon ids, and the surface that is kept up to date in them.
+#include <tests/support/catch.h>
+
+#include <algorithm>
+#include <map>
+
+#include <glassbox/base/random.h>
+#include <glassbox/render/renderer.h>
+
+#include "tests/views/voxels/rig.h"
+#include "views/polygons/coloring.h"
+#include "views/polygons/live_surface.h"
+#include "views/polygons/mesh_check.h"
+#include "views/polygons/mesh_scene.h"
+#include "views/voxels/truth.h"
+
+namespace glassbox::views {
+namespace {
+
+PinholeCamera looking_along_z(int size) {
+  return test::camera_along_z({0, 0, -4}, size, size, size);
+}
+
+Vector3d any_place(Random& random) {
+  return {random.between(-1.5, 1.5), random.between(-1.5, 1.5), random.between(-1.5, 1.5)};
+}
+
+Corners3d any_triangle(Random& random) {
+  return {any_place(random), any_place(random), any_place(random)};
+}
+
+// Pictures of nothing, from cameras around a box.
+PictureSet empty_ring(const VoxelGrid& grid, int views, int size) {
+  PictureSet set;
+  const Vector3d middle = grid.world(grid.count[0] / 2.0, grid.count[1] / 2.0, grid.count[2] / 2.0);
+  const double away = 3 * grid.size * grid.count[0];
+  for (int i = 0; i < views; ++i) {
+    const double angle = 2 * 3.14159265358979 * i / views;
+    const Vector3d out = Vector3d(std::cos(angle), 0.4, std::sin(angle)).normalized();
+    PinholeCamera camera;
+    camera.intrinsic << 2 * size, 0, size / 2.0, 0, 2 * size, size / 2.0, 0, 0, 1;
+    camera.centre = middle + away * out;
+    const Vector3d right = Vector3d::UnitY().cross(out).normalized();
+    camera.camera_from_world.row(0) = right.transpose();
+    camera.camera_from_world.row(1) = -out.cross(right).transpose();
+    camera.camera_from_world.row(2) = -out.transpose();
+    set.pictures.push_back({"", camera, Image<Rgba8>(size, size), {}});
+  }
+  return set;
+}
+
+Occupancy random_solid(const VoxelGrid& grid, Random& random) {
+  Occupancy solid(grid);
+  for (int z = 0; z < grid.count[2]; ++z) {
+    for (int y = 0; y < grid.count[1]; ++y) {
+      for (int x = 0; x < grid.count[0]; ++x) solid.set({x, y, z}, random.integer(0, 2) > 0);
+    }
+  }
+  return solid;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "layered images after 100,000 random edits are those that are built anew, bit for bit (C-97)") {
+  Random random(97);
+  const PinholeCamera camera = looking_along_z(24);
+  IdLayers layers(24, 24);
+  std::map<PolygonId, Corners3d> there;
+  const auto rebuilt = [&] {
+    IdLayers anew(24, 24);
+    // In another order than they came in.
+    for (auto it = there.rbegin(); it != there.rend(); ++it)
+      anew.add(it->first, {camera, 24, 24, it->second});
+    return anew;
+  };
+  std::int64_t most = 0;
+  for (int edit = 0; edit < 100000; ++edit) {
+    const auto id = PolygonId(random.integer(0, 199));
+    const auto found = there.find(id);
+    if (found != there.end()) {
+      layers.remove(id, {camera, 24, 24, found->second});
+      there.erase(found);
+    } else {
+      // Some lie in each other's planes: who is in front of equally far ones does not depend on the order.
+      Corners3d corners = any_triangle(random);
+      if (id % 3 == 0) {
+        for (Vector3d& p : corners) p.z() = 0.5;
+      }
+      layers.add(id, {camera, 24, 24, corners});
+      there.emplace(id, corners);
+    }
+    most = std::max(most, layers.sample_count());
+    if (edit % 5000 == 0) REQUIRE(layers == rebuilt());
+  }
+  CHECK(layers == rebuilt());
+  CHECK(most > 1000);
+  while (!there.empty()) {
+    layers.remove(there.begin()->first, {camera, 24, 24, there.begin()->second});
+    there.erase(there.begin());
+  }
+  CHECK(layers.sample_count() == 0);
+}
+
+TEST_CASE("centres of pixels on a side that two polygons share belong to one of them") {
+  Random random(11);
+  const PinholeCamera camera = looking_along_z(32);
+  std::int64_t drawn = 0;
+  for (int i = 0; i < 300; ++i) {
+    // Around a point that is a centre of a pixel, four triangles of a quadrilateral: no gap, nothing twice.
+    const auto at = [&](double x, double y) { return Vector3d(x / 8, y / 8, 0); };
+    const auto coordinate = [&](int low, int high) {
+      return double(random.integer(low, high)) + 0.5;
+    };
+    const Vector3d middle = at(coordinate(-2, 2), coordinate(-2, 2));
+    const Vector3d corners[] = {at(-9, -9), at(coordinate(5, 9), coordinate(-9, -5)), at(9, 9),
+                                at(coordinate(-9, -5), coordinate(5, 9))};
+    IdLayers layers(32, 32);
+    for (std::size_t k = 0; k < 4; ++k)
+      layers.add(PolygonId(k), {camera, 32, 32, {middle, corners[(k + 1) % 4], corners[k]}});
+    IdLayers two(32, 32);
+    two.add(0, {camera, 32, 32, {corners[0], corners[2], corners[1]}});
+    two.add(1, {camera, 32, 32, {corners[0], corners[3], corners[2]}});
+    for (int y = 0; y < 32; ++y) {
+      for (int x = 0; x < 32; ++x) {
+        REQUIRE(layers.samples({x, y}).size() <= 1);
+        REQUIRE(layers.samples({x, y}).size() == two.samples({x, y}).size());
+      }
+    }
+    drawn += layers.sample_count();
+  }
+  CHECK(drawn > 30000);
+}
+
+TEST_CASE(
+    "a polygon's distance is that of its plane, and what is turned away or behind is not there") {
+  Random random(5);
+  const PinholeCamera camera = looking_along_z(40);
+  int seen = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Corners3d c = any_triangle(random);
+    const Vector3d normal = (c[1] - c[0]).cross(c[2] - c[0]);
+    const bool faces = normal.dot(camera.centre - c[0]) > 0;
+    const PolygonFootprint footprint(camera, 40, 40, c);
+    footprint.for_each_pixel([&](IdPixel at, float distance) {
+      ++seen;
+      CHECK(faces);
+      const Vector3d ray = ray_through(camera.intrinsic, {at.x + 0.5, at.y + 0.5});
+      const double right = normal.dot(c[0] - camera.centre) / normal.dot(ray);
+      // Snapping moves corners by 1/512 px along each axis; what that does to a distance is the slope there.
+      const double slope = normal.head<2>().norm() / 40 * right / std::abs(normal.dot(ray));
+      CHECK(std::abs(double(distance) - right) <= 0x1p-8 * slope * right + 1e-6 * right);
+    });
+  }
+  CHECK(seen > 1000);
+  const Corners3d behind{Vector3d(-1, -1, -5), Vector3d(0, 1, 0), Vector3d(1, -1, 0)};
+  IdLayers layers(40, 40);
+  for (const Corners3d& each : {behind, Corners3d{behind[0], behind[2], behind[1]}})
+    layers.add(1, {camera, 40, 40, each});
+  CHECK(layers.sample_count() == 0);
+}
+
+TEST_CASE(
+    "a surface that voxels are taken from and given to is that of the solid that is left (S1-39)") {
+  Random random(23);
+  const VoxelGrid grid = grid_of({{0, 0, 0}, {6, 6, 6}}, 1, Matrix3d::Identity()).value();
+  const PictureSet set = empty_ring(grid, 5, 40);
+  LiveSurface surface(set, random_solid(grid, random), 1);
+  for (int edit = 0; edit < 600; ++edit) {
+    const auto any = [&] { return int(random.integer(0, 5)); };
+    const VoxelAt voxel{any(), any(), any()};
+    const bool full = surface.occupancy().has(voxel);
+    const auto changed = surface.edit(voxel, !full);
+    for (const PolygonId id : changed) REQUIRE(surface.has(id));
+    if (edit % 40 != 39) continue;
+    const LiveSurface anew(set, surface.occupancy(), edit % 3);
+    REQUIRE(surface.layers() == anew.layers());
+    REQUIRE(surface.polygons() == anew.polygons());
+  }
+  // The polygons of the cells are those of the mesh, one by one.
+  const PolygonMesh mesh = polygonise(surface.occupancy().field(), 0.5, Polygoniser::kConsistent);
+  const auto ids = surface.polygons();
+  REQUIRE(ids.size() == mesh.polygons.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k)
+      CHECK(surface.polygon(ids[i]).corners[k] ==
+            world_of_lattice(grid, mesh.positions[mesh.polygons[i][k]]));
+  }
+  CHECK(check_mesh(mesh).is_closed());
+  // Neighbourhoods move the corners and leave the polygons.
+  const PolygonMesh smooth =
+      polygonise(surface.occupancy().smooth_field(), 0.5, Polygoniser::kConsistent);
+  CHECK(smooth.polygons == mesh.polygons);
+  CHECK(smooth.positions != mesh.positions);
+}
+
+TEST_CASE("polygons have the colours that pictures show, and voxels that are too many are carved") {
+  const Scene scene = test::speckled_sphere(5, 8);
+  RingOptions options;
+  options.views = 10;
+  options.elevations = {-35, 20, 55};
+  options.width = options.height = 64;
+  const PictureSet set = test::ring_of(scene, options);
+  const VoxelGrid grid = grid_of(*set.box, 2 / 24.0, Matrix3d::Identity()).value();
+  const TrueVolume truth(scene, grid);
+  // The ball, and a slab before it that is not there.
+  Occupancy solid(grid);
+  std::int64_t slab = 0;
+  for (int z = 0; z < grid.count[2]; ++z) {
+    for (int y = 0; y < grid.count[1]; ++y) {
+      for (int x = 0; x < grid.count[0]; ++x) {
+        const bool is_slab = z >= 21 && std::abs(x - 12) < 5 && std::abs(y - 12) < 5;
+        solid.set({x, y, z}, truth.has({x, y, z}) || is_slab);
+        slab += is_slab && !truth.has({x, y, z});
+      }
+    }
+  }
+  REQUIRE(slab > 50);
+  PolygonColoringSettings settings;
+  settings.threads = 1;
+  settings.threshold = INFINITY;  // colours apart: background alone carves
+  settings.carves = false;
+  const auto as_it_is = color_polygons(set, solid, settings);
+  REQUIRE(as_it_is);
+  settings.carves = true;
+  const auto carved = color_polygons(set, solid, settings);
+  REQUIRE(carved);
+  CHECK(as_it_is->full == solid.full());
+  CHECK(carved->carved_by_background > 0);
+  CHECK(carved->carved_by_color + carved->carved_by_background == solid.full() - carved->full);
+  CHECK(check_mesh(carved->mesh).is_closed());
+  CHECK(carved->colors.size() == carved->mesh.polygons.size());
+  // Most of the slab is gone, most of the ball is there.
+  CHECK(carved->full < truth.voxels() + slab / 3);
+  CHECK(20 * carved->full > 17 * truth.voxels());
+  settings.threads = 3;
+  const auto again = color_polygons(set, solid, settings);
+  CHECK(again->mesh.polygons == carved->mesh.polygons);
+  CHECK(again->mesh.positions == carved->mesh.positions);
+  const auto ply = polygons_ply(*carved);
+  REQUIRE(ply);
+  CHECK(*ply == *polygons_ply(*again));
+  // Drawn by the engine it shows less beside the object than with the slab.
+  const auto beside = [&](const PolygonColoring& coloring) {
+    const Scene drawn = scene_of(coloring).value();
+    RenderSettings engine;
+    engine.shading = Shading::kUnlit;
+    engine.want_id = true;
+    Renderer renderer(drawn, engine.transfer);
+    std::int64_t pixels = 0;
+    for (const CalibratedPicture& picture : set.pictures) {
+      const auto view = view_of(picture.camera, 64, 64, *set.box);
+      const auto ids = renderer.render(*view, engine).buffers.id;
+      for (std::size_t i = 0; i < ids.pixels.size(); ++i)
+        pixels += ids.pixels[i] != 0 && picture.matte.pixels[i] == 0;
+    }
+    return pixels;
+  };
+  CHECK(3 * beside(*carved) < beside(*as_it_is));
+  // Polygons of several colours carve too, if they are asked: the ball is speckled.
+  settings.threshold = 30;
+  const auto by_color = color_polygons(set, solid, settings);
+  CHECK(by_color->carved_by_color > 0);
+  CHECK(by_color->full < carved->full);
+}
+
+TEST_CASE("surfaces that cannot be made are refused with a reason") {
+  const VoxelGrid grid = grid_of({{0, 0, 0}, {4, 4, 4}}, 1, Matrix3d::Identity()).value();
+  const PictureSet set = empty_ring(grid, 2, 8);
+  CHECK_FALSE(color_polygons(set, Occupancy(grid), {}));
+  VoxelGrid large = grid;
+  large.count = {1000, 1000, 1000};
+  CHECK(LiveSurface::is_too_large(large));
+  // Voxels of a hundredth, a million units away.
+  const WorldBox far_box{{1e6, 0, 0}, {1e6 + 0.04, 0.04, 0.04}};
+  const VoxelGrid far_grid = grid_of(far_box, 0.01, Matrix3d::Identity()).value();
+  Occupancy one(far_grid);
+  one.set({1, 1, 1}, true);
+  PolygonColoring coloring;
+  coloring.grid = far_grid;
+  coloring.mesh = polygonise(one.field(), 0.5, Polygoniser::kConsistent);
+  coloring.colors.resize(coloring.mesh.polygons.size());
+  CHECK_FALSE(scene_of(coloring));
+  CHECK_FALSE(polygons_ply(coloring));
+}
+
+}  // namespace glassbox::views

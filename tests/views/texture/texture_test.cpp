@@ -1,0 +1,264 @@
+// Weights of views, and surfaces that are coloured by them.
+#include <tests/support/catch.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include <glassbox/render/renderer.h>
+
+#include "tests/views/voxels/rig.h"
+#include "views/texture/static_texture.h"
+#include "views/texture/textured_surface.h"
+
+namespace glassbox::views {
+namespace {
+
+Vector3d any_direction(Random& random) {
+  for (;;) {
+    const Vector3d d(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+    if (d.norm() > 0.1 && d.norm() < 1) return d.normalized();
+  }
+}
+
+std::vector<Vector3d> any_directions(Random& random, int count) {
+  std::vector<Vector3d> all;
+  for (int i = 0; i < count; ++i) all.push_back(any_direction(random));
+  return all;
+}
+
+// Around a circle `degrees` above the horizon.
+std::vector<Vector3d> ring_of_directions(int count, double degrees) {
+  const double up = degrees * std::numbers::pi / 180;
+  std::vector<Vector3d> all;
+  for (int i = 0; i < count; ++i) {
+    const double around = 2 * std::numbers::pi * i / count;
+    all.emplace_back(std::cos(up) * std::sin(around), std::sin(up),
+                     std::cos(up) * std::cos(around));
+  }
+  return all;
+}
+
+double sum_of(const ViewWeights& weights) {
+  double sum = 0;
+  for (const ViewWeight& each : weights) {
+    CHECK(each.weight > 0);
+    sum += each.weight;
+  }
+  return sum;
+}
+
+// The most that a view's weight differs by.
+double difference(const ViewWeights& a, const ViewWeights& b) {
+  std::map<std::size_t, double> all;
+  for (const ViewWeight& each : a) all[each.view] += each.weight;
+  for (const ViewWeight& each : b) all[each.view] -= each.weight;
+  double most = 0;
+  for (const auto& [view, weight] : all) most = std::max(most, std::abs(weight));
+  return most;
+}
+
+const auto kAll = [](std::size_t) { return true; };
+
+// Cameras around a shiny ball whose highlights move with the eye.
+PictureSet shiny_ring(const Scene& scene, int views, int size) {
+  RingOptions options;
+  options.views = views;
+  options.elevations = {-25, 10, 45};
+  options.width = options.height = size;
+  RenderSettings settings;
+  settings.background = {0, 0, 0, 255};
+  return draw_ring(scene, ring_views(scene, options).value(), settings, Matte::kDepth);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "triangles of views are Delaunay's: no other view is within the circle through three of them "
+    "(S1-40)") {
+  Random random(40);
+  for (const int count : {4, 7, 20, 60}) {
+    const auto directions = any_directions(random, count);
+    const ViewSphere sphere(directions);
+    for (const auto& [a, b, c] : sphere.triangles()) {
+      const Vector3d normal = (directions[b] - directions[a]).cross(directions[c] - directions[a]);
+      for (const Vector3d& d : directions) {
+        // Directions are rounded to 2^-24 and lengthened by up to 2^-18, and the normal is no longer than the two sides' product.
+        CHECK(normal.dot(d - directions[a]) <= 0x1p-16);
+      }
+    }
+    // Of a closed triangulation: 2 n - 4 triangles and no border.
+    if (sphere.border().empty()) CHECK(sphere.triangles().size() == std::size_t(2 * count - 4));
+  }
+}
+
+TEST_CASE("views of which many lie in one plane have triangles all the same (C-98)") {
+  std::vector<Vector3d> directions;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double sign : {1.0, -1.0}) directions.push_back(sign * Vector3d::Unit(axis));
+  }
+  const ViewSphere octahedron(directions);
+  CHECK(octahedron.triangles().size() == 8);
+  CHECK(octahedron.border().empty());
+  for (const Vector3d& d : directions) CHECK(octahedron.weights(d).size() == 1);
+}
+
+TEST_CASE(
+    "weights are positive, sum to 1, make the direction, and at a view's own are that view alone "
+    "(S1-40, C-98)") {
+  Random random(41);
+  int inside = 0;
+  for (const int count : {1, 2, 3, 4, 12, 50}) {
+    const auto directions = any_directions(random, count);
+    const ViewSphere sphere(directions);
+    for (int i = 0; i < 500; ++i) {
+      const Vector3d direction = any_direction(random);
+      const ViewWeights weights = sphere.weights(direction);
+      REQUIRE(weights.size() >= 1);
+      REQUIRE(weights.size() <= 3);
+      CHECK(sum_of(weights) == Approx(1).epsilon(1e-12));
+      Vector3d made = Vector3d::Zero();
+      for (const ViewWeight& each : weights) made += each.weight * directions[each.view];
+      if (weights.size() < 3) continue;
+      ++inside;
+      CHECK((made.normalized() - direction).norm() < 1e-9);
+    }
+    for (std::size_t view = 0; view < directions.size(); ++view)
+      CHECK(difference(sphere.weights(directions[view]), {{view, 1}}) < 1e-9);
+  }
+  CHECK(inside > 500);
+}
+
+TEST_CASE(
+    "the example of the slides: three views, .49, .27 and .24 of a direction between them "
+    "(S1-40)") {
+  const std::vector<Vector3d> directions{Vector3d(0, 0, 1), Vector3d(0.6, 0, 0.8),
+                                         Vector3d(0, 0.6, 0.8)};
+  const Vector3d between =
+      (0.49 * directions[0] + 0.27 * directions[1] + 0.24 * directions[2]).normalized();
+  const ViewWeights weights = ViewSphere(directions).weights(between);
+  CHECK(difference(weights, {{0, 0.49}, {1, 0.27}, {2, 0.24}}) < 1e-12);
+}
+
+TEST_CASE(
+    "barycentric weights change as little as the direction does, across edges and off the border; "
+    "nearest jumps") {
+  Random random(42);
+  for (const auto& directions : {any_directions(random, 30), ring_of_directions(16, 20),
+                                 ring_of_directions(9, 0), any_directions(random, 3)}) {
+    const ViewSphere sphere(directions);
+    double most = 0, across = 0;
+    for (int i = 0; i < 4000; ++i) {
+      const Vector3d from = any_direction(random), step = 1e-7 * any_direction(random);
+      // Further than 90 degrees from every view the nearest one stands alone.
+      const bool is_near =
+          std::ranges::any_of(directions, [&](const Vector3d& d) { return d.dot(from) > 0.05; });
+      if (!is_near) continue;
+      most = std::max(most,
+                      difference(sphere.weights(from), sphere.weights((from + step).normalized())));
+      across = i;
+    }
+    CHECK(across > 0);
+    // Weights change by at most one over a triangle's height; none of these is flatter than a hundred thousandth.
+    CHECK(most < 1e-2);
+  }
+  // Half way between two views, from one side of the middle to the other.
+  const auto ring = ring_of_directions(8, 0);
+  const Vector3d middle = (ring[0] + ring[1]).normalized(), aside = 1e-9 * (ring[1] - ring[0]);
+  const auto jump = [&](Blend blend) {
+    const ViewBlend views(blend, ring);
+    return difference(views.from((middle - aside).normalized()).weights(kAll),
+                      views.from((middle + aside).normalized()).weights(kAll));
+  };
+  CHECK(jump(Blend::kNearest) == 1);
+  CHECK(jump(Blend::kBarycentric) < 1e-8);
+  CHECK(jump(Blend::kNeighbours) < 1e-7);
+}
+
+TEST_CASE(
+    "views that do not see a polygon have no weight, and where none of the three does the nearest "
+    "that sees it has all (C-98)") {
+  Random random(43);
+  const auto directions = any_directions(random, 25);
+  for (const Blend blend : {Blend::kNearest, Blend::kBarycentric, Blend::kNeighbours}) {
+    const ViewBlend views(blend, directions, 5);
+    for (int i = 0; i < 400; ++i) {
+      std::vector<bool> sees(directions.size());
+      for (std::size_t v = 0; v < sees.size(); ++v) sees[v] = random.integer(0, 3) == 0;
+      const Vector3d direction = any_direction(random);
+      const auto weights =
+          views.from(direction).weights([&](std::size_t v) { return bool(sees[v]); });
+      if (std::ranges::none_of(sees, [](bool b) { return b; })) {
+        CHECK(weights.empty());
+        continue;
+      }
+      CHECK(sum_of(weights) == Approx(1).epsilon(1e-12));
+      for (const ViewWeight& each : weights) CHECK(sees[each.view]);
+      CHECK(weights.size() <= (blend == Blend::kNearest       ? 1
+                               : blend == Blend::kBarycentric ? 3
+                                                              : 5));
+    }
+    CHECK(views.from(directions[0]).weights([](std::size_t) { return false; }).empty());
+    // At a view's own direction that view alone, if it sees the polygon.
+    CHECK(difference(views.from(directions[7]).weights(kAll), {{7, 1}}) < 1e-9);
+  }
+}
+
+TEST_CASE("at the place of a picture a textured surface is that picture, byte for byte (S1-40)") {
+  // A coarse ball in place of the fine one: the surface is wrong, the pictures are right.
+  const Scene real = test::speckled_sphere(8, 4), coarse = *make_builtin("sphere:3");
+  const PictureSet set = shiny_ring(real, 6, 72);
+  for (const Blend blend : {Blend::kNearest, Blend::kBarycentric, Blend::kNeighbours}) {
+    const auto surface = TexturedSurface::of(coarse, set, blend);
+    REQUIRE(surface);
+    for (const CalibratedPicture& picture : set.pictures) {
+      const auto drawn = surface->draw(picture.camera, 72, 72, {0, 0, 0, 255});
+      REQUIRE(drawn);
+      int wrong = 0, compared = 0;
+      for (std::size_t i = 0; i < drawn->id.pixels.size(); ++i) {
+        if (drawn->id.pixels[i] == 0 || picture.matte.pixels[i] == 0) continue;
+        ++compared;
+        wrong += !(drawn->color.pixels[i] == picture.color.pixels[i]);
+      }
+      INFO(name_of(blend) << ", " << picture.name);
+      CHECK(wrong == 0);
+      CHECK(compared > 1000);
+    }
+  }
+}
+
+TEST_CASE(
+    "a picture that was left out is better made of three views than of the nearest, and a static "
+    "texture draws what all eyes share") {
+  const Scene scene = test::speckled_sphere(8, 4);
+  PictureSet set = shiny_ring(scene, 9, 72);
+  const CalibratedPicture left_out = set.pictures[13];
+  set.pictures.erase(set.pictures.begin() + 13);
+  std::map<Blend, double> psnr;
+  for (const Blend blend : {Blend::kNearest, Blend::kBarycentric, Blend::kNeighbours}) {
+    const auto surface = TexturedSurface::of(scene, set, blend);
+    const auto drawn = surface->draw(left_out.camera, 72, 72, {0, 0, 0, 255});
+    REQUIRE(drawn);
+    const TextureErrors errors = compare(*drawn, left_out);
+    CHECK(errors.covered > 0.99);
+    psnr[blend] = errors.psnr;
+    if (blend != Blend::kBarycentric) continue;
+    const auto fixed = with_static_texture(scene, set, *surface, 8);
+    REQUIRE(fixed);
+    RenderSettings settings;
+    settings.shading = Shading::kUnlit;
+    settings.background = {0, 0, 0, 255};
+    Renderer renderer(*fixed, settings.transfer);
+    TexturedPicture again = *drawn;
+    again.color =
+        renderer.render(*view_of(left_out.camera, 72, 72, box_of(scene)), settings).buffers.color;
+    CHECK(compare(again, left_out).psnr > errors.psnr - 6);
+  }
+  CHECK(psnr[Blend::kBarycentric] > psnr[Blend::kNearest]);
+  CHECK(psnr[Blend::kBarycentric] > 25);
+}
+
+}  // namespace glassbox::views

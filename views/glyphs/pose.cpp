@@ -1,0 +1,395 @@
+#include "views/glyphs/pose.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <unsupported/Eigen/NonLinearOptimization>
+#include <unsupported/Eigen/NumericalDiff>
+
+#include <glassbox/base/random.h>
+
+#include "views/two_view/polynomial.h"
+
+namespace glassbox::views {
+
+namespace {
+
+constexpr double kDegrees = 57.295779513082320877;
+
+// ---- three points ----
+
+// Axes that three points span: the first along an edge, the third on their plane. None for points of a line.
+std::optional<Matrix3d> axes_of(const std::array<Vector3d, 3>& p) {
+  const Vector3d along = p[1] - p[0], across = along.cross(p[2] - p[0]);
+  const double size = along.norm() * (p[2] - p[0]).norm();
+  if (!(across.norm() > 1e-12 * size)) return std::nullopt;
+  Matrix3d axes;
+  axes.col(0) = along.normalized();
+  axes.col(2) = across.normalized();
+  axes.col(1) = axes.col(2).cross(axes.col(0));
+  return axes;
+}
+
+Matrix3d turned_by(const Vector3d& rotation_vector) {
+  const double angle = rotation_vector.norm();
+  if (angle == 0) return Matrix3d::Identity();
+  return Eigen::AngleAxisd(angle, rotation_vector / angle).matrix();
+}
+
+// ---- six points ----
+
+// Moved and scaled to the centroid 0 and a mean distance of sqrt(dimension).
+template <int N>
+Eigen::Matrix<double, N + 1, N + 1> normaliser(
+    const std::vector<Eigen::Matrix<double, N, 1>>& points) {
+  Eigen::Matrix<double, N, 1> mean = Eigen::Matrix<double, N, 1>::Zero();
+  for (const auto& point : points) mean += point / double(points.size());
+  double distance = 0;
+  for (const auto& point : points) distance += (point - mean).norm() / double(points.size());
+  const double scale = distance > 0 ? std::sqrt(double(N)) / distance : 1;
+  Eigen::Matrix<double, N + 1, N + 1> matrix = Eigen::Matrix<double, N + 1, N + 1>::Identity();
+  matrix.template topLeftCorner<N, N>() *= scale;
+  matrix.template topRightCorner<N, 1>() = -scale * mean;
+  return matrix;
+}
+
+// M = K R, K upper triangular with a positive diagonal: the QR decomposition of M's inverse.
+void take_apart(const Matrix3d& matrix, Matrix3d& intrinsic, Matrix3d& rotation) {
+  const Eigen::HouseholderQR<Matrix3d> qr(matrix.inverse());
+  const Matrix3d q = qr.householderQ();
+  Matrix3d upper = qr.matrixQR().triangularView<Eigen::Upper>();
+  Matrix3d signs = Matrix3d::Identity();
+  for (int i = 0; i < 3; ++i) signs(i, i) = upper(i, i) < 0 ? -1 : 1;
+  upper = signs * upper;
+  rotation = (q * signs).transpose();
+  intrinsic = upper.inverse();
+  intrinsic /= intrinsic(2, 2);
+}
+
+// ---- least squares ----
+
+// A camera near another one: a turn, a step, and of its lens what is not known.
+PinholeCamera moved(const PinholeCamera& from, const Eigen::VectorXd& by, LensKnown known) {
+  PinholeCamera camera = from;
+  camera.camera_from_world = turned_by(by.head<3>()) * from.camera_from_world;
+  camera.centre += by.segment<3>(3);
+  if (known != LensKnown::kAll) {
+    camera.intrinsic(0, 0) *= 1 + by[6];
+    camera.intrinsic(1, 1) = camera.intrinsic(0, 0);
+    camera.intrinsic(0, 1) = 0;
+  }
+  if (known == LensKnown::kSquare) {
+    camera.intrinsic(0, 2) += by[7] * from.intrinsic(0, 0);
+    camera.intrinsic(1, 2) += by[8] * from.intrinsic(0, 0);
+  }
+  return camera;
+}
+
+int unknowns_of(LensKnown known) {
+  return known == LensKnown::kAll ? 6 : known == LensKnown::kCentre ? 7 : 9;
+}
+
+struct Residuals {
+  using Scalar = double;
+  using InputType = Eigen::VectorXd;
+  using ValueType = Eigen::VectorXd;
+  using JacobianType = Eigen::MatrixXd;
+  static constexpr int InputsAtCompileTime = Eigen::Dynamic;
+  static constexpr int ValuesAtCompileTime = Eigen::Dynamic;
+
+  const PinholeCamera& from;
+  const std::vector<SeenPoint>& points;
+  LensKnown known;
+
+  int inputs() const { return unknowns_of(known); }
+  int values() const { return 2 * int(points.size()); }
+  int operator()(const Eigen::VectorXd& by, Eigen::VectorXd& off) const {
+    const PinholeCamera camera = moved(from, by, known);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      off.segment<2>(Eigen::Index(2 * i)) = centre_seen(camera, points[i]) - points[i].pixel;
+    return 0;
+  }
+};
+
+PinholeCamera refined(const PinholeCamera& from, const std::vector<SeenPoint>& points,
+                      LensKnown known) {
+  if (2 * int(points.size()) < unknowns_of(known)) return from;
+  Eigen::VectorXd by = Eigen::VectorXd::Zero(unknowns_of(known));
+  using Function = Eigen::NumericalDiff<Residuals, Eigen::Central>;
+  Function function(Residuals{from, points, known});
+  Eigen::LevenbergMarquardt<Function> method(function);
+  method.minimize(by);
+  return by.allFinite() ? moved(from, by, known) : from;
+}
+
+double distance_of(const PinholeCamera& camera, const SeenPoint& point) {
+  if (!(project(camera, point.world).z() > 0)) return INFINITY;
+  const double distance = (centre_seen(camera, point) - point.pixel).norm();
+  return std::isnan(distance) ? INFINITY : distance;
+}
+
+// ---- random samples ----
+
+// K with what is known put in place of what six points say.
+PinholeCamera with_known(PinholeCamera camera, const PoseQuestion& question) {
+  const double focal = std::sqrt(std::abs(camera.intrinsic(0, 0) * camera.intrinsic(1, 1)));
+  if (question.known == LensKnown::kAll) return camera;
+  const Vector2d centre = question.known == LensKnown::kCentre
+                              ? Vector2d(question.width / 2.0, question.height / 2.0)
+                              : Vector2d(camera.intrinsic(0, 2), camera.intrinsic(1, 2));
+  camera.intrinsic << focal, 0, centre.x(), 0, focal, centre.y(), 0, 0, 1;
+  return camera;
+}
+
+std::vector<SeenPoint> some(const std::vector<SeenPoint>& points, const std::vector<bool>& chosen) {
+  std::vector<SeenPoint> result;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (chosen[i]) result.push_back(points[i]);
+  }
+  return result;
+}
+
+class Search {
+public:
+  Search(const std::vector<SeenPoint>& points, const PoseQuestion& question)
+      : points_(points), question_(question) {}
+
+  std::optional<FoundPose> run() {
+    constexpr int kSamples = 300;
+    // Six points and their noise are a rough camera: they have to agree with the others less exactly than all together do.
+    const double coarse = question_.known == LensKnown::kAll ? 2 : 8;
+    Random random(25);
+    const std::size_t size = question_.known == LensKnown::kAll ? 3 : 6;
+    double least = INFINITY;
+    for (int i = 0; i < kSamples; ++i) {
+      // Of an unknown lens first all points: where none is wrong, nothing is better.
+      const bool asks_all = i == 0 && size == 6;
+      for (const PinholeCamera& camera : cameras_of(asks_all ? points_ : sample(random, size))) {
+        const double cost = cost_of(camera, coarse * question_.threshold);
+        if (!(cost < least)) continue;
+        least = cost;
+        best_ = camera;
+      }
+    }
+    if (!best_) return std::nullopt;
+    PinholeCamera camera = with_known(*best_, question_);
+    for (const double limit : {4 * coarse, 2.0, 1.0, 1.0}) {
+      const FoundPose pose = judged(camera, limit * question_.threshold);
+      camera = refined(camera, some(points_, pose.is_inlier), question_.known);
+    }
+    return judged(camera, question_.threshold);
+  }
+
+private:
+  std::vector<SeenPoint> sample(Random& random, std::size_t size) const {
+    std::vector<std::size_t> chosen;
+    while (chosen.size() < size) {
+      const auto i = std::size_t(random.integer(0, std::int64_t(points_.size()) - 1));
+      if (std::ranges::find(chosen, i) == chosen.end()) chosen.push_back(i);
+    }
+    std::vector<SeenPoint> result;
+    for (const std::size_t i : chosen) result.push_back(points_[i]);
+    return result;
+  }
+  std::vector<PinholeCamera> cameras_of(const std::vector<SeenPoint>& sample) const {
+    if (question_.known == LensKnown::kAll)
+      return cameras_of_three(question_.intrinsic, {sample[0], sample[1], sample[2]});
+    const auto camera = camera_by_dlt(sample);
+    if (!camera) return {};
+    return {*camera};
+  }
+  double cost_of(const PinholeCamera& camera, double limit) const {
+    double sum = 0;
+    for (const SeenPoint& point : points_) {
+      const double distance = std::min(distance_of(camera, point), limit);
+      sum += distance * distance;
+    }
+    return sum;
+  }
+  FoundPose judged(const PinholeCamera& camera, double limit) const {
+    FoundPose pose{camera, {}, 0, 0};
+    double squares = 0;
+    for (const SeenPoint& point : points_) {
+      const double distance = distance_of(camera, point);
+      pose.is_inlier.push_back(distance <= limit);
+      if (distance > limit) continue;
+      ++pose.inliers;
+      squares += distance * distance;
+    }
+    pose.rms = pose.inliers > 0 ? std::sqrt(squares / pose.inliers) : 0;
+    return pose;
+  }
+
+  const std::vector<SeenPoint>& points_;
+  const PoseQuestion& question_;
+  std::optional<PinholeCamera> best_;
+};
+
+// The least singular value of the points about their mean, over the largest: 0 for points of a plane.
+double flatness(const std::vector<SeenPoint>& points) {
+  Eigen::MatrixXd rows(Eigen::Index(points.size()), 3);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    rows.row(Eigen::Index(i)) = points[i].world.transpose();
+  rows.rowwise() -= rows.colwise().mean();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows);
+  return svd.singularValues()[2] / svd.singularValues()[0];
+}
+
+}  // namespace
+
+Vector2d centre_seen(const PinholeCamera& camera, const SeenPoint& point) {
+  if (point.right.isZero() && point.down.isZero()) return project(camera, point.world).head<2>();
+  Matrix3d h;
+  h << point.right, point.down, point.world - camera.centre;
+  h = camera.intrinsic * camera.camera_from_world * h;
+  const Vector3d third = h.row(2).transpose().cwiseProduct(Vector3d(1, 1, -1));
+  const Vector3d centre = h * third;
+  return centre.head<2>() / centre.z();
+}
+
+// s1 to s3 are the distances to the points; u = s2/s1, v = s3/s1. Two of the three laws of cosines give u as a quotient of polynomials in
+// v, the third then a quartic in v.
+std::vector<PinholeCamera> cameras_of_three(const Matrix3d& intrinsic,
+                                            const std::array<SeenPoint, 3>& points) {
+  std::array<Vector3d, 3> world, ray;
+  for (std::size_t i = 0; i < 3; ++i) {
+    world[i] = points[i].world;
+    ray[i] = ray_through(intrinsic, points[i].pixel).normalized();
+  }
+  const auto world_axes = axes_of(world);
+  if (!world_axes) return {};
+  const double aa = (world[1] - world[2]).squaredNorm(), bb = (world[0] - world[2]).squaredNorm(),
+               cc = (world[0] - world[1]).squaredNorm();
+  const double ca = ray[1].dot(ray[2]), cb = ray[0].dot(ray[2]), cg = ray[0].dot(ray[1]);
+  const double minus = (aa - cc) / bb, plus = (aa + cc) / bb, c_over_b = cc / bb,
+               a_over_b = aa / bb;
+  Eigen::VectorXd quartic(5);
+  quartic << (1 + minus) * (1 + minus) - 4 * a_over_b * cg * cg,
+      4 * (-minus * (1 + minus) * cb + 2 * a_over_b * cg * cg * cb - (1 - plus) * ca * cg),
+      2 * (minus * minus - 1 + 2 * minus * minus * cb * cb + 2 * (1 - c_over_b) * ca * ca -
+           4 * plus * ca * cb * cg + 2 * (1 - a_over_b) * cg * cg),
+      4 * (minus * (1 - minus) * cb - (1 - plus) * ca * cg + 2 * c_over_b * ca * ca * cb),
+      (minus - 1) * (minus - 1) - 4 * c_over_b * ca * ca;
+  std::vector<PinholeCamera> cameras;
+  for (const double v : real_roots(quartic)) {
+    const double below = 2 * (cg - v * ca);
+    if (!(v > 0) || below == 0) continue;
+    const double u = ((-1 + minus) * v * v - 2 * minus * cb * v + 1 + minus) / below;
+    const double s1 = std::sqrt(bb / (1 + v * v - 2 * v * cb));
+    if (!(u > 0) || !std::isfinite(s1)) continue;
+    const std::array<Vector3d, 3> seen{s1 * ray[0], u * s1 * ray[1], v * s1 * ray[2]};
+    const auto seen_axes = axes_of(seen);
+    if (!seen_axes) continue;
+    PinholeCamera camera;
+    camera.intrinsic = intrinsic;
+    camera.camera_from_world = *seen_axes * world_axes->transpose();
+    camera.centre = world[0] - camera.camera_from_world.transpose() * seen[0];
+    cameras.push_back(camera);
+  }
+  return cameras;
+}
+
+Result<PinholeCamera> camera_by_dlt(const std::vector<SeenPoint>& points) {
+  if (points.size() < 6)
+    return fail("the points", fmt::format("there are {}, and 6 are needed", points.size()),
+                "give more");
+  std::vector<Vector3d> world;
+  std::vector<Vector2d> pixels;
+  for (const SeenPoint& point : points) {
+    world.push_back(point.world);
+    pixels.push_back(point.pixel);
+  }
+  const Eigen::Matrix4d from_world = normaliser<3>(world);
+  const Matrix3d from_pixels = normaliser<2>(pixels);
+  Eigen::MatrixXd rows(Eigen::Index(2 * points.size()), 12);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::RowVector4d at = (from_world * world[i].homogeneous()).transpose();
+    const Vector3d pixel = from_pixels * pixels[i].homogeneous();
+    rows.row(Eigen::Index(2 * i)) << at, Eigen::RowVector4d::Zero(), -pixel.x() * at;
+    rows.row(Eigen::Index(2 * i + 1)) << Eigen::RowVector4d::Zero(), at, -pixel.y() * at;
+  }
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeFullV);
+  // Points of a plane leave three more directions free than scale.
+  if (!(svd.singularValues()[10] > 1e-10 * svd.singularValues()[0]))
+    return fail("the points", "they lie in a plane, which leaves the lens open",
+                "give points of two planes, or what the lens is");
+  const Eigen::Matrix<double, 12, 1> entries = svd.matrixV().col(11);
+  const Eigen::Matrix<double, 3, 4> there = entries.reshaped<Eigen::RowMajor>(3, 4);
+  Eigen::Matrix<double, 3, 4> projection = from_pixels.inverse() * there * from_world;
+  if (projection.leftCols<3>().determinant() < 0) projection = -projection;
+  if (!(projection.leftCols<3>().determinant() > 0))
+    return fail("the points", "no camera sees them so", "give points in general position");
+  PinholeCamera camera;
+  take_apart(projection.leftCols<3>(), camera.intrinsic, camera.camera_from_world);
+  camera.centre = -projection.leftCols<3>().inverse() * projection.col(3);
+  if (!camera.intrinsic.allFinite() || !camera.centre.allFinite())
+    return fail("the points", "no camera sees them so", "give points in general position");
+  return camera;
+}
+
+std::string_view name_of(LensKnown known) {
+  switch (known) {
+    case LensKnown::kAll:
+      return "known";
+    case LensKnown::kCentre:
+      return "centre";
+    case LensKnown::kSquare:
+      return "square";
+  }
+  return "";
+}
+
+Result<FoundPose> find_pose(const std::vector<SeenPoint>& points, const PoseQuestion& question) {
+  const std::size_t least = question.known == LensKnown::kAll ? 4 : 6;
+  if (points.size() < least) {
+    return fail("the camera",
+                fmt::format("{} glyphs are seen, and {} decide it", points.size(), least),
+                "take a picture of more of them");
+  }
+  // Noise of a thousandth of a wall's size would else be taken for its depth.
+  constexpr double kFlat = 0.02;
+  if (question.known != LensKnown::kAll && flatness(points) < kFlat) {
+    return fail("the camera",
+                "all glyphs that are seen are in one plane, which leaves the lens open",
+                "give the lens (--fov), or take a picture of both panels");
+  }
+  auto pose = Search(points, question).run();
+  const std::size_t enough = std::max(least, points.size() / 2);
+  if (!pose || std::size_t(pose->inliers) < enough) {
+    return fail(
+        "the camera",
+        fmt::format("{} of {} glyphs agree on one", pose ? pose->inliers : 0, points.size()),
+        "check that the wall is the one that was asked for (--grid, --pitch, --first)");
+  }
+  return *pose;
+}
+
+GlyphPoints points_of(const FoundGlyphs& found, const Wall& wall) {
+  GlyphPoints result;
+  for (std::size_t i = 0; i < found.regions.size(); ++i) {
+    const GlyphRegion& region = found.regions[i];
+    if (region.broken) continue;
+    const WallGlyph* glyph = wall.find(region.identity);
+    if (glyph == nullptr) continue;
+    const WallPanel& panel = wall.panels[std::size_t(glyph->panel)];
+    result.points.push_back({glyph->centre, region.ellipse.centre, wall.radius() * panel.right,
+                             wall.radius() * panel.down});
+    result.of.push_back(i);
+  }
+  return result;
+}
+
+PoseError pose_error(const PinholeCamera& camera, const PinholeCamera& truth) {
+  const Matrix3d turn = camera.camera_from_world * truth.camera_from_world.transpose();
+  // The sine from what is antisymmetric: an arc cosine has no small angles.
+  const Vector3d axis(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1));
+  const double degrees = kDegrees * std::atan2(axis.norm() / 2, (turn.trace() - 1) / 2);
+  return {degrees, (camera.centre - truth.centre).norm()};
+}
+
+}  // namespace glassbox::views

@@ -1,0 +1,135 @@
+#include "views/polygons/cell_table.h"
+
+#include <bit>
+#include <optional>
+#include <utility>
+
+namespace glassbox::views {
+
+namespace {
+
+constexpr int kNoEdge = -1;
+
+bool is_inside(unsigned inside, int corner) {
+  return (inside >> corner & 1) != 0;
+}
+
+// Of each edge that the surface crosses, the next one around the polygon. On a face, seen from outside of the cell, the border of an
+// inside stretch of corners runs from the edge at which it begins to the edge at which it ends, the inside to its right: so the
+// polygon is counter-clockwise for whoever sees it from outside of the solid.
+std::array<int, 12> next_edges(unsigned inside, unsigned joined) {
+  std::array<int, 12> next;
+  next.fill(kNoEdge);
+  for (std::size_t face = 0; face < kCellFaces.size(); ++face) {
+    const std::array<int, 4>& corners = kCellFaces[face];
+    std::array<int, 4> crossed{};  // edges around the face that are crossed
+    std::array<bool, 4> enters{};
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const int from = corners[i], to = corners[(i + 1) % 4];
+      if (is_inside(inside, from) == is_inside(inside, to)) continue;
+      crossed[count] = cell_edge_between(from, to);
+      enters[count++] = is_inside(inside, to);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!enters[i]) continue;
+      // Cut off one by one: the stretch that begins here ends at the next edge. Joined: the line goes on where the one before ended.
+      const bool is_joined = count == 4 && (joined >> face & 1) != 0;
+      const std::size_t end = is_joined ? (i + count - 1) % count : (i + 1) % count;
+      next[std::size_t(crossed[i])] = crossed[end];
+    }
+  }
+  return next;
+}
+
+using Loop = std::vector<int>;
+
+std::vector<Loop> loops_of(std::array<int, 12> next) {
+  std::vector<Loop> loops;
+  for (int start = 0; start < 12; ++start) {
+    if (next[std::size_t(start)] == kNoEdge) continue;
+    Loop loop;
+    for (int at = start; next[std::size_t(at)] != kNoEdge;) {
+      loop.push_back(at);
+      at = std::exchange(next[std::size_t(at)], kNoEdge);
+    }
+    loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+using Triangles = std::vector<CellTriangle>;
+
+// The part of a loop from corner i to corner j, cut by diagonals of which none has both ends on one face of the cell; none if there is
+// no such way.
+std::optional<Triangles> cut(const Loop& loop, std::size_t i, std::size_t j) {
+  if (j - i < 2) return Triangles();
+  for (std::size_t k = i + 1; k < j; ++k) {
+    const auto is_allowed = [&](std::size_t a, std::size_t b) {
+      return b - a == 1 || !share_a_face(loop[a], loop[b]);
+    };
+    if (!is_allowed(i, k) || !is_allowed(k, j)) continue;
+    auto first = cut(loop, i, k);
+    if (!first) continue;
+    const auto second = cut(loop, k, j);
+    if (!second) continue;
+    first->insert(first->end(), second->begin(), second->end());
+    first->push_back({std::uint8_t(loop[i]), std::uint8_t(loop[k]), std::uint8_t(loop[j])});
+    return first;
+  }
+  return std::nullopt;
+}
+
+// All around a point inside the cell.
+Triangles fan_around_middle(const Loop& loop) {
+  Triangles triangles;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const int from = loop[i], to = loop[(i + 1) % loop.size()];
+    triangles.push_back({std::uint8_t(from), std::uint8_t(to), std::uint8_t(kCellMiddle)});
+  }
+  return triangles;
+}
+
+CellTable made_table(unsigned (*joined_of)(unsigned inside)) {
+  CellTable table;
+  for (unsigned inside = 0; inside < table.size(); ++inside)
+    table[inside] = cell_surface(inside, joined_of(inside));
+  return table;
+}
+
+}  // namespace
+
+CellSurface cell_surface(unsigned inside, unsigned joined) {
+  CellSurface surface;
+  for (const Loop& loop : loops_of(next_edges(inside, joined))) {
+    std::optional<Triangles> triangles = cut(loop, 0, loop.size() - 1);
+    surface.has_middle = surface.has_middle || !triangles;
+    if (!triangles) triangles = fan_around_middle(loop);
+    surface.triangles.insert(surface.triangles.end(), triangles->begin(), triangles->end());
+  }
+  return surface;
+}
+
+const CellTable& consistent_table() {
+  static const CellTable table = made_table([](unsigned) { return 0u; });
+  return table;
+}
+
+const CellTable& naive_table() {
+  static const CellTable table =
+      made_table([](unsigned inside) { return std::popcount(inside) > 4 ? 63u : 0u; });
+  return table;
+}
+
+unsigned ambiguous_faces(unsigned inside) {
+  unsigned faces = 0;
+  for (std::size_t face = 0; face < kCellFaces.size(); ++face) {
+    const std::array<int, 4>& c = kCellFaces[face];
+    const bool first = is_inside(inside, c[0]), second = is_inside(inside, c[1]);
+    if (first != second && first == is_inside(inside, c[2]) && second == is_inside(inside, c[3]))
+      faces |= 1u << face;
+  }
+  return faces;
+}
+
+}  // namespace glassbox::views

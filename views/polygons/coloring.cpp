@@ -1,0 +1,209 @@
+#include "views/polygons/coloring.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <deque>
+#include <unordered_map>
+#include <unordered_set>
+
+#include <fmt/format.h>
+
+#include "views/polygons/cell_table.h"
+
+namespace glassbox::views {
+
+namespace {
+
+Rgba8 mean_of(const PolygonSeen& seen) {
+  const auto mean = [&](std::size_t c) {
+    return std::uint8_t((2 * seen.sums[c] + seen.pixels) / (2 * seen.pixels));
+  };
+  return {mean(0), mean(1), mean(2), 255};
+}
+
+// Of the full corners of a polygon's cell, that which is nearest to its middle; of equally near ones the first.
+VoxelAt voxel_behind(const LiveSurface& surface, const WorldPolygon& polygon) {
+  const CellAt cell = surface.cell_of(polygon.id);
+  const Vector3d middle = (polygon.corners[0] + polygon.corners[1] + polygon.corners[2]) / 3;
+  VoxelAt nearest;
+  double least = INFINITY;
+  for (int corner = 0; corner < 8; ++corner) {
+    const VoxelAt voxel{cell.x + (corner & 1), cell.y + (corner >> 1 & 1), cell.z + (corner >> 2)};
+    if (!surface.occupancy().has(voxel)) continue;
+    const double distance = (surface.occupancy().grid().centre(voxel) - middle).squaredNorm();
+    if (!(distance < least)) continue;
+    least = distance;
+    nearest = voxel;
+  }
+  return nearest;
+}
+
+class Carving {
+public:
+  Carving(const PictureSet& set, LiveSurface& surface, const PolygonColoringSettings& settings)
+      : set_(set), surface_(surface), settings_(settings) {}
+
+  void run(PolygonColoring& result) {
+    for (const PolygonId id : surface_.polygons()) ask(id);
+    while (!waiting_.empty()) {
+      const PolygonId id = waiting_.front();
+      waiting_.pop_front();
+      is_waiting_.erase(id);
+      if (!surface_.has(id)) continue;
+      ++result.judged;
+      const WorldPolygon polygon = surface_.polygon(id);
+      const PolygonSeen seen = seen_of(set_, surface_, polygon);
+      const bool is_beside = seen.against > 0;
+      // One picture alone says nothing of colours.
+      const bool is_inconsistent = seen.views > 1 && seen.deviation() > settings_.threshold;
+      if (!is_beside && !is_inconsistent) continue;
+      ++(is_beside ? result.carved_by_background : result.carved_by_color);
+      for (const PolygonId changed : surface_.edit(voxel_behind(surface_, polygon), false))
+        ask(changed);
+    }
+  }
+
+private:
+  void ask(PolygonId id) {
+    if (is_waiting_.insert(id).second) waiting_.push_back(id);
+  }
+
+  const PictureSet& set_;
+  LiveSurface& surface_;
+  const PolygonColoringSettings& settings_;
+  std::deque<PolygonId> waiting_;
+  std::unordered_set<PolygonId> is_waiting_;
+};
+
+// Polygons that nobody sees take the mean of their coloured neighbours, those next to them then theirs.
+void color_unseen(const PolygonMesh& mesh, std::vector<PolygonColor>& colors) {
+  std::unordered_map<std::uint64_t, std::array<std::uint32_t, 2>> beside;
+  const auto key = [](std::uint32_t a, std::uint32_t b) {
+    return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b);
+  };
+  for (std::uint32_t i = 0; i < mesh.polygons.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [place, is_first] =
+          beside.try_emplace(key(mesh.polygons[i][k], mesh.polygons[i][(k + 1) % 3]),
+                             std::array<std::uint32_t, 2>{i, i});
+      if (!is_first) place->second[1] = i;
+    }
+  }
+  std::vector<bool> has_color(colors.size());
+  std::vector<std::uint32_t> without;
+  for (std::uint32_t i = 0; i < colors.size(); ++i) {
+    has_color[i] = colors[i].views > 0;
+    if (!has_color[i]) without.push_back(i);
+  }
+  while (!without.empty()) {
+    std::vector<std::pair<std::uint32_t, Rgba8>> found;
+    std::vector<std::uint32_t> left;
+    for (const std::uint32_t i : without) {
+      int sum[3] = {0, 0, 0}, count = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto& pair = beside[key(mesh.polygons[i][k], mesh.polygons[i][(k + 1) % 3])];
+        const std::uint32_t other = pair[0] == i ? pair[1] : pair[0];
+        if (!has_color[other]) continue;
+        const Rgba8& c = colors[other].color;
+        sum[0] += c.r;
+        sum[1] += c.g;
+        sum[2] += c.b;
+        ++count;
+      }
+      if (count == 0) {
+        left.push_back(i);
+        continue;
+      }
+      const auto mean = [&](int c) { return std::uint8_t(sum[c] / count); };
+      found.emplace_back(i, Rgba8{mean(0), mean(1), mean(2), 255});
+    }
+    if (found.empty()) break;  // a piece that nobody sees any of stays grey
+    for (const auto& [i, color] : found) {
+      colors[i].color = color;
+      has_color[i] = true;
+    }
+    without = std::move(left);
+  }
+}
+
+}  // namespace
+
+double PolygonSeen::deviation() const {
+  if (pixels < 2) return 0;
+  double sum = 0;
+  for (std::size_t c = 0; c < 3; ++c)
+    sum += double(squares[c]) - double(sums[c]) * double(sums[c]) / double(pixels);
+  return std::sqrt(std::max(0.0, sum) / (3 * double(pixels - 1)));
+}
+
+PolygonSeen seen_of(const PictureSet& set, const LiveSurface& surface,
+                    const WorldPolygon& polygon) {
+  PolygonSeen seen;
+  for (std::size_t i = 0; i < set.pictures.size(); ++i) {
+    const CalibratedPicture& picture = set.pictures[i];
+    std::int64_t object = 0, background = 0;
+    const PolygonFootprint footprint(picture.camera, picture.color.width, picture.color.height,
+                                     polygon.corners);
+    footprint.for_each_pixel([&](IdPixel at, float) {
+      const IdSample* front = surface.layers()[i].front(at);
+      if (front == nullptr || front->id != polygon.id) return;
+      if (!picture.matte.pixels.empty() && picture.matte.at(at.x, at.y) == 0) {
+        ++background;
+        return;
+      }
+      ++object;
+      const Rgba8& color = picture.color.at(at.x, at.y);
+      const std::array<int, 3> levels{color.r, color.g, color.b};
+      for (std::size_t c = 0; c < 3; ++c) {
+        seen.sums[c] += levels[c];
+        seen.squares[c] += std::int64_t(levels[c]) * levels[c];
+      }
+    });
+    seen.pixels += object;
+    seen.background += background;
+    seen.views += object > 0;
+    seen.against += background > object;
+  }
+  return seen;
+}
+
+Result<PolygonColoring> color_polygons(const PictureSet& set, const Occupancy& occupancy,
+                                       const PolygonColoringSettings& settings) {
+  if (LiveSurface::is_too_large(occupancy.grid())) {
+    return fail("--resolution",
+                fmt::format("{} voxels have more cells than polygons can be numbered",
+                            occupancy.grid().voxels()),
+                "ask for larger voxels");
+  }
+  if (occupancy.full() == 0) {
+    return fail("the voxels", "none is full, so there is no surface",
+                "raise --threshold, or look with `glassbox views voxels` at what is coloured");
+  }
+  const auto start = std::chrono::steady_clock::now();
+  PolygonColoring result;
+  result.grid = occupancy.grid();
+  result.full_before = occupancy.full();
+  LiveSurface surface(set, occupancy, settings.threads);
+  if (settings.carves) Carving(set, surface, settings).run(result);
+  result.full = surface.occupancy().full();
+  for (const IdLayers& layers : surface.layers()) result.samples += layers.sample_count();
+  const Occupancy& solid = surface.occupancy();
+  // The same cells in the same order, so polygon i of the mesh is the i-th of the surface.
+  result.mesh = polygonise(settings.is_smooth ? solid.smooth_field() : solid.field(), 0.5,
+                           Polygoniser::kConsistent);
+  for (const PolygonId id : surface.polygons()) {
+    const PolygonSeen seen = seen_of(set, surface, surface.polygon(id));
+    PolygonColor color{{128, 128, 128, 255}, std::uint16_t(seen.views), float(seen.deviation())};
+    if (seen.views > 0) color.color = mean_of(seen);
+    result.unseen += seen.views == 0;
+    result.colors.push_back(color);
+  }
+  color_unseen(result.mesh, result.colors);
+  result.solid = solid;
+  result.milliseconds =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+}  // namespace glassbox::views

@@ -1,0 +1,58 @@
+// Polygon colouring (S1-39): each polygon of the surface has the mean colour of the pixels that show it, and where those do not have one
+// colour, the voxel behind it goes and the surface with it. As generalized voxel coloring with layered depth images does it for
+// voxels (Culbertson, Malzbender and Slabaugh 1999).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "views/polygons/live_surface.h"
+#include "views/polygons/polygonise.h"
+
+namespace glassbox::views {
+
+// What the pictures show of a polygon.
+struct PolygonSeen {
+  std::int64_t pixels = 0;      // of the object
+  std::int64_t background = 0;  // and beside it
+  int views = 0;                // pictures that have one of the first
+  int against = 0;              // pictures that show more background there than object
+  std::array<std::int64_t, 3> sums{}, squares{};
+
+  double deviation() const;  // pooled over the channels, levels; 0 of fewer than two pixels
+};
+
+PolygonSeen seen_of(const PictureSet& set, const LiveSurface& surface, const WorldPolygon& polygon);
+
+struct PolygonColoringSettings {
+  // Where the deviation is larger, or a picture shows background, the voxel behind the polygon is carved; infinite: nothing is.
+  double threshold = 60;
+  bool carves = true;
+  bool is_smooth = true;  // corners lie where the neighbourhood is half full, in place of half way
+  int threads = 0;
+};
+
+struct PolygonColor {
+  Rgba8 color;
+  std::uint16_t views = 0;  // 0: seen by nobody; the colour is that of its neighbours
+  float deviation = 0;      // levels
+};
+
+struct PolygonColoring {
+  VoxelGrid grid;
+  Occupancy solid{VoxelGrid{}};  // what is left
+  PolygonMesh mesh;              // lattice coordinates of voxels' centres
+  std::vector<PolygonColor> colors;
+  std::int64_t full_before = 0, full = 0;  // voxels
+  std::int64_t carved_by_color = 0, carved_by_background = 0;
+  std::int64_t judged = 0;   // polygons asked about, again and again
+  std::int64_t samples = 0;  // of the layered images, in the end
+  std::int64_t unseen = 0;   // polygons that no picture shows at a pixel's centre
+  double milliseconds = 0;
+};
+
+// Refused: more cells than there are numbers for polygons, and no voxel at all.
+Result<PolygonColoring> color_polygons(const PictureSet& set, const Occupancy& occupancy,
+                                       const PolygonColoringSettings& settings);
+
+}  // namespace glassbox::views

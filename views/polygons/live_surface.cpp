@@ -1,0 +1,143 @@
+#include "views/polygons/live_surface.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include "views/polygons/cell_table.h"
+
+namespace glassbox::views {
+
+namespace {
+
+// Half way along an edge of a cell.
+Vector3d middle_of(const CellAt& cell, int edge) {
+  const CellEdge& e = kCellEdges[std::size_t(edge)];
+  Vector3d at(cell.x + (e.from & 1), cell.y + (e.from >> 1 & 1), cell.z + (e.from >> 2));
+  at[e.axis] += 0.5;
+  return at;
+}
+
+PolygonFootprint footprint_in(const CalibratedPicture& picture, const WorldPolygon& polygon) {
+  return {picture.camera, picture.color.width, picture.color.height, polygon.corners};
+}
+
+}  // namespace
+
+bool LiveSurface::is_too_large(const VoxelGrid& grid) {
+  double cells = 1;
+  for (const int count : grid.count) cells *= count + 1;
+  return cells * kMostOfCell > 0x1p32;
+}
+
+LiveSurface::LiveSurface(const PictureSet& set, const Occupancy& occupancy, int threads)
+    : set_(set), occupancy_(occupancy) {
+  for (const CalibratedPicture& picture : set.pictures)
+    layers_.emplace_back(picture.color.width, picture.color.height);
+  std::vector<WorldPolygon> all;
+  for (const PolygonId id : polygons()) all.push_back(polygon(id));
+  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+  arena.execute([&] {
+    tbb::parallel_for(std::size_t(0), layers_.size(), [&](std::size_t i) {
+      for (const WorldPolygon& one : all)
+        layers_[i].add(one.id, footprint_in(set_.pictures[i], one));
+    });
+  });
+}
+
+unsigned LiveSurface::inside_of(const CellAt& cell) const {
+  unsigned inside = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const VoxelAt voxel{cell.x + (corner & 1), cell.y + (corner >> 1 & 1), cell.z + (corner >> 2)};
+    inside |= unsigned(occupancy_.has(voxel)) << corner;
+  }
+  return inside;
+}
+
+PolygonId LiveSurface::number_of(const CellAt& cell) const {
+  const auto& count = occupancy_.grid().count;
+  const std::int64_t index =
+      (std::int64_t(cell.z + 1) * (count[1] + 1) + cell.y + 1) * (count[0] + 1) + cell.x + 1;
+  return PolygonId(index * kMostOfCell);
+}
+
+CellAt LiveSurface::cell_of(PolygonId id) const {
+  const auto& count = occupancy_.grid().count;
+  const std::int64_t index = id / kMostOfCell, width = count[0] + 1, height = count[1] + 1;
+  return {int(index % width) - 1, int(index / width % height) - 1,
+          int(index / (width * height)) - 1};
+}
+
+std::vector<WorldPolygon> LiveSurface::polygons_of(const CellAt& cell) const {
+  std::vector<WorldPolygon> polygons;
+  PolygonId id = number_of(cell);
+  for (const CellTriangle& triangle : consistent_table()[inside_of(cell)].triangles) {
+    WorldPolygon polygon{id++, {}};
+    for (std::size_t k = 0; k < 3; ++k)
+      polygon.corners[k] = world_of_lattice(occupancy_.grid(), middle_of(cell, triangle[k]));
+    polygons.push_back(polygon);
+  }
+  return polygons;
+}
+
+WorldPolygon LiveSurface::polygon(PolygonId id) const {
+  return polygons_of(cell_of(id))[id % kMostOfCell];
+}
+
+bool LiveSurface::has(PolygonId id) const {
+  return id % kMostOfCell < consistent_table()[inside_of(cell_of(id))].triangles.size();
+}
+
+std::vector<PolygonId> LiveSurface::polygons() const {
+  std::vector<PolygonId> all;
+  const auto& count = occupancy_.grid().count;
+  for (int z = -1; z < count[2]; ++z) {
+    for (int y = -1; y < count[1]; ++y) {
+      for (int x = -1; x < count[0]; ++x) {
+        const unsigned inside = inside_of({x, y, z});
+        const PolygonId first = number_of({x, y, z});
+        for (std::size_t k = 0; k < consistent_table()[inside].triangles.size(); ++k)
+          all.push_back(first + PolygonId(k));
+      }
+    }
+  }
+  return all;
+}
+
+std::array<CellAt, 8> LiveSurface::cells_around(const VoxelAt& voxel) const {
+  std::array<CellAt, 8> cells;
+  for (int corner = 0; corner < 8; ++corner)
+    cells[std::size_t(corner)] = {voxel.x - (corner & 1), voxel.y - (corner >> 1 & 1),
+                                  voxel.z - (corner >> 2)};
+  return cells;
+}
+
+std::vector<PolygonId> LiveSurface::edit(const VoxelAt& voxel, bool full) {
+  std::vector<PolygonId> changed;
+  if (occupancy_.has(voxel) == full) return changed;
+  const std::array<CellAt, 8> cells = cells_around(voxel);
+  std::vector<WorldPolygon> before, after;
+  const auto gather = [&](std::vector<WorldPolygon>& all) {
+    for (const CellAt& cell : cells) {
+      const auto here = polygons_of(cell);
+      all.insert(all.end(), here.begin(), here.end());
+    }
+  };
+  gather(before);
+  occupancy_.set(voxel, full);
+  gather(after);
+  for (const WorldPolygon& polygon : after) changed.push_back(polygon.id);
+  for (std::size_t i = 0; i < layers_.size(); ++i) {
+    for (const WorldPolygon& polygon : before)
+      layers_[i].remove(polygon.id, footprint_in(set_.pictures[i], polygon));
+    for (const WorldPolygon& polygon : after)
+      layers_[i].add(polygon.id, footprint_in(set_.pictures[i], polygon));
+    for (const WorldPolygon& polygon : before) {
+      footprint_in(set_.pictures[i], polygon).for_each_pixel([&](IdPixel at, float) {
+        if (const IdSample* front = layers_[i].front(at)) changed.push_back(front->id);
+      });
+    }
+  }
+  return changed;
+}
+
+}  // namespace glassbox::views

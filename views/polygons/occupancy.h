@@ -1,0 +1,58 @@
+// Which voxels are full: one bit each.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "views/polygons/scalar_field.h"
+#include "views/voxels/coloring.h"
+
+namespace glassbox::views {
+
+class Occupancy {
+public:
+  explicit Occupancy(const VoxelGrid& grid);
+
+  const VoxelGrid& grid() const { return grid_; }
+  // Nothing is full beyond the grid.
+  bool has(const VoxelAt& at) const {
+    if (!is_within(at)) return false;
+    const std::size_t i = index(at);
+    return (bits_[i / 64] >> (i % 64) & 1) != 0;
+  }
+  void set(const VoxelAt& at, bool full);
+  void fill(const VoxelRun& run);
+  // Those voxels of a layer that a sweep did not prove to be empty: coloured ones, and what is hidden behind them.
+  void fill(std::span<const VoxelRun> runs, std::span<const Verdict> verdicts);
+  std::int64_t full() const;
+
+  // 1 and 0 at the voxels' centres: a lattice whose corner (x, y, z) is the centre of that voxel.
+  ScalarField field() const;
+  // The share that is full of the 27 voxels around each, kept on its own side of 1/2: the same polygons at smoother places.
+  ScalarField smooth_field() const;
+
+  // How many bytes the bits and a field take.
+  static double bytes_for(const VoxelGrid& grid) { return double(grid.voxels()) * (8 + 0.125); }
+
+private:
+  bool is_within(const VoxelAt& at) const {
+    return at.x >= 0 && at.y >= 0 && at.z >= 0 && at.x < grid_.count[0] && at.y < grid_.count[1] &&
+           at.z < grid_.count[2];
+  }
+  std::size_t index(const VoxelAt& at) const {
+    return (std::size_t(at.z) * std::size_t(grid_.count[1]) + std::size_t(at.y)) *
+               std::size_t(grid_.count[0]) +
+           std::size_t(at.x);
+  }
+
+  VoxelGrid grid_;
+  std::vector<std::uint64_t> bits_;
+};
+
+// The world's place of a lattice whose corners are the centres of voxels.
+inline Vector3d world_of_lattice(const VoxelGrid& grid, const Vector3d& at) {
+  return grid.world(at.x() + 0.5, at.y() + 0.5, at.z() + 0.5);
+}
+
+}  // namespace glassbox::views

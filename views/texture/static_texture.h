@@ -1,0 +1,16 @@
+// One texture for all eyes: each triangle has a patch of it, in which every texel has what the views show of it, blended for an eye
+// straight before the triangle.
+#pragma once
+
+#include "views/texture/textured_surface.h"
+
+namespace glassbox::views {
+
+inline constexpr int kLeastTexels = 4, kMostTexels = 64;
+
+// A copy of the scene, unlit, whose triangles have texture coordinates. `texels`: the side of a square that two triangles share. Refused:
+// textures of more than 16384 texels to a side.
+Result<Scene> with_static_texture(const Scene& scene, const PictureSet& set,
+                                  const TexturedSurface& surface, int texels);
+
+}  // namespace glassbox::views

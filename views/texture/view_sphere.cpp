@@ -1,0 +1,195 @@
+#include "views/texture/view_sphere.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+namespace glassbox::views {
+
+namespace {
+
+__extension__ using Wide = __int128;
+using Place = std::array<std::int64_t, 3>;
+
+// Directions as whole numbers, each moved by up to 2^-18 in a way of its own, so that no four are in one plane: which of the
+// triangulations of four views on a circle is taken is decided by that. Differences have 26 bits, the determinant 81.
+Place place_of(const Vector3d& direction, std::uint64_t number, std::uint64_t round) {
+  std::uint64_t hash = (number + 1) * 0x9e3779b97f4a7c15u + round * 0xbf58476d1ce4e5b9u;
+  hash ^= hash >> 29;
+  hash *= 0x94d049bb133111ebu;
+  hash ^= hash >> 32;
+  Place place{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    place[axis] = std::llround(direction[Eigen::Index(axis)] * 0x1p24) +
+                  std::int64_t(hash >> (6 * axis) & 63) - 32;
+  return place;
+}
+
+// Six times the volume of a, b, c, d: positive if a, b, c are counter-clockwise seen from the side where d is not.
+int side_of(const Place& a, const Place& b, const Place& c, const Place& d) {
+  const auto less = [&](const Place& p) { return Place{p[0] - d[0], p[1] - d[1], p[2] - d[2]}; };
+  const Place u = less(a), v = less(b), w = less(c);
+  const Wide volume = Wide(u[0]) * (v[1] * w[2] - v[2] * w[1]) +
+                      Wide(u[1]) * (v[2] * w[0] - v[0] * w[2]) +
+                      Wide(u[2]) * (v[0] * w[1] - v[1] * w[0]);
+  return volume > 0 ? 1 : volume < 0 ? -1 : 0;
+}
+
+using Face = std::array<std::size_t, 3>;
+
+// Faces of the convex hull, counter-clockwise seen from outside; none if four places are in one plane where that matters.
+std::optional<std::vector<Face>> hull_of(const std::vector<Place>& places) {
+  std::vector<Face> faces;
+  const int first = side_of(places[0], places[1], places[2], places[3]);
+  if (first == 0) return std::nullopt;
+  Face base{0, 1, 2};
+  if (first < 0) std::swap(base[1], base[2]);
+  faces = {base, {base[1], base[0], 3}, {base[2], base[1], 3}, {base[0], base[2], 3}};
+  for (std::size_t next = 4; next < places.size(); ++next) {
+    std::vector<Face> kept;
+    std::set<std::array<std::size_t, 2>> sides;  // of the faces that see it
+    for (const Face& f : faces) {
+      const int side = side_of(places[f[0]], places[f[1]], places[f[2]], places[next]);
+      if (side == 0) return std::nullopt;
+      if (side > 0) {
+        kept.push_back(f);
+        continue;
+      }
+      for (std::size_t k = 0; k < 3; ++k) sides.insert({f[k], f[(k + 1) % 3]});
+    }
+    for (const auto& [a, b] : sides) {
+      if (!sides.contains({b, a})) kept.push_back({a, b, next});
+    }
+    faces = std::move(kept);
+  }
+  return faces;
+}
+
+std::vector<Face> hull_of_directions(const std::vector<Vector3d>& directions) {
+  // A round in which four places are in one plane is tried again with other lengths.
+  for (std::uint64_t round = 0;; ++round) {
+    std::vector<Place> places;
+    for (std::size_t i = 0; i < directions.size(); ++i)
+      places.push_back(place_of(directions[i], i, round));
+    if (const auto faces = hull_of(places)) return *faces;
+  }
+}
+
+// Whether the middle is on the inner side of a face.
+double outwards(const std::vector<Vector3d>& d, const Face& f) {
+  return d[f[0]].dot(d[f[1]].cross(d[f[2]]));
+}
+
+// What stands on the plane in which all directions lie as well as they can.
+Vector3d normal_of(const std::vector<Vector3d>& directions) {
+  Vector3d normal = Vector3d::Zero();
+  for (const Vector3d& d : directions) {
+    const Vector3d other = directions[0].cross(d);
+    if (other.norm() > normal.norm()) normal = other;
+  }
+  return normal.normalized();
+}
+
+// Whether they are on one great circle. Nearer to one than this, three of them make a cone that is none (kFlat).
+bool is_circle(const std::vector<Vector3d>& directions) {
+  const Vector3d normal = normal_of(directions);
+  return std::ranges::all_of(directions,
+                             [&](const Vector3d& d) { return std::abs(normal.dot(d)) < 0x1p-18; });
+}
+
+// A cone of three directions that is thinner than this is none: its views lie on one great circle, up to the rounding of hull_of.
+constexpr double kFlat = 0x1p-18;
+
+}  // namespace
+
+ViewSphere::ViewSphere(std::span<const Vector3d> directions)
+    : directions_(directions.begin(), directions.end()) {
+  std::vector<std::size_t> number;  // of those that are apart
+  std::vector<Vector3d> apart;
+  for (std::size_t i = 0; i < directions_.size(); ++i) {
+    const bool is_new = std::ranges::none_of(
+        apart, [&](const Vector3d& other) { return (other - directions_[i]).norm() < 0x1p-20; });
+    if (!is_new) continue;
+    number.push_back(i);
+    apart.push_back(directions_[i]);
+  }
+  corners_ = number;
+  std::vector<Face> faces;
+  if (apart.size() == 2) border_.push_back({number[0], number[1]});
+  if (apart.size() > 2 && is_circle(apart)) {
+    join_circle(apart, number);
+  } else if (apart.size() == 3) {
+    faces = {{0, 1, 2}, {0, 2, 1}};
+  } else if (apart.size() > 3) {
+    faces = hull_of_directions(apart);
+  }
+  std::set<std::array<std::size_t, 2>> sides;
+  for (const Face& f : faces) {
+    if (!(outwards(apart, f) > kFlat)) continue;
+    triangles_.push_back({number[f[0]], number[f[1]], number[f[2]]});
+    for (std::size_t k = 0; k < 3; ++k) sides.insert({number[f[k]], number[f[(k + 1) % 3]]});
+  }
+  for (const auto& [a, b] : sides) {
+    if (!sides.contains({b, a})) border_.push_back({a, b});
+  }
+}
+
+void ViewSphere::join_circle(const std::vector<Vector3d>& apart,
+                             const std::vector<std::size_t>& number) {
+  const Vector3d normal = normal_of(apart);
+  const Vector3d beside = normal.cross(apart[0]);
+  std::vector<std::pair<double, std::size_t>> around;
+  for (std::size_t i = 0; i < apart.size(); ++i)
+    around.emplace_back(std::atan2(apart[i].dot(beside), apart[i].dot(apart[0])), i);
+  std::ranges::sort(around);
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    const std::size_t a = around[i].second, b = around[(i + 1) % around.size()].second;
+    // Between views half a turn or more apart there is no cone.
+    if (apart[a].cross(apart[b]).dot(normal) > 0) border_.push_back({number[a], number[b]});
+  }
+}
+
+ViewWeights ViewSphere::weights(const Vector3d& direction) const {
+  for (const auto& t : triangles_) {
+    Matrix3d basis;
+    for (int k = 0; k < 3; ++k) basis.col(k) = directions_[t[std::size_t(k)]];
+    const Vector3d w = basis.inverse() * direction;
+    // What is on a side is in both triangles, and rounding must leave it in neither less than in one.
+    if (!(w.minCoeff() >= -1e-12)) continue;
+    const Vector3d share = w.cwiseMax(0.0) / w.cwiseMax(0.0).sum();
+    ViewWeights weights;
+    for (int k = 0; k < 3; ++k) {
+      if (share[k] > 0) weights.push_back({t[std::size_t(k)], share[k]});
+    }
+    return weights;
+  }
+  // The nearest direction of the cone lies on its border: in the plane of two views, between them, or at one.
+  ViewWeights best;
+  double most = -2;
+  for (const auto& [a, b] : border_) {
+    Eigen::Matrix<double, 3, 2> basis;
+    basis << directions_[a], directions_[b];
+    const Eigen::Matrix2d gram = basis.transpose() * basis;
+    const Vector2d w = gram.inverse() * (basis.transpose() * direction);
+    if (!(w.minCoeff() >= 0) || !(w.sum() > 0)) continue;
+    const Vector3d nearest = (basis * w).normalized();
+    if (!(nearest.dot(direction) > most)) continue;
+    most = nearest.dot(direction);
+    best = {{a, w[0] / w.sum()}, {b, w[1] / w.sum()}};
+    std::erase_if(best, [](const ViewWeight& each) { return !(each.weight > 0); });
+  }
+  for (const std::size_t view : corners_) {
+    const double near = directions_[view].dot(direction);
+    if (near > most) {
+      most = near;
+      best = {{view, 1}};
+    }
+  }
+  return best;
+}
+
+}  // namespace glassbox::views
