@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/report/exit_codes.h"
 #include "app/report/progress.h"
 #include "views/polygons/mesh_scene.h"
 #include "views/voxels/truth.h"
@@ -53,32 +54,32 @@ Result<views::TexturedPicture> drawn_for(const Scene& scene,
 Result<PolygonsReport> report_polygons(const PolygonsInput& input, const PolygonsRequest& request,
                                        Progress& progress) {
   const views::PictureSet& set = input.pictures.set;
-  const auto grid = views::grid_for(set, request.voxels);
-  if (!grid) return tl::unexpected(grid.error());
-  const double bytes = views::Occupancy::bytes_for(*grid);
+  const auto plan = views::plan_coloring(set, request.voxels);
+  if (!plan) return tl::unexpected(plan.error());
+  const views::VoxelGrid& grid = plan->grid;
+  const double bytes = views::Occupancy::bytes_for(grid);
   if (bytes > double(request.voxels.most_bytes)) {
     return fail(
         "--resolution",
-        fmt::format("the solid of {} voxels would take {:.0f} MB", grid->voxels(), bytes / 1048576),
+        fmt::format("the solid of {} voxels would take {:.0f} MB", grid.voxels(), bytes / 1048576),
         "take larger voxels, or allow more with --max-mb");
   }
   progress.phase("colouring voxels");
-  views::Occupancy solid(*grid);
-  auto voxels = views::color_voxels(
-      set, request.voxels,
+  views::Occupancy solid(grid);
+  const views::Coloring voxels = views::color_voxels(
+      set, request.voxels, *plan,
       [&](int, std::span<const views::VoxelRun> runs, std::span<const views::Verdict> verdicts) {
         solid.fill(runs, verdicts);
       });
-  if (!voxels) return tl::unexpected(voxels.error());
-  for (const views::VoxelRun& run : voxels->solid) solid.fill(run);
+  for (const views::VoxelRun& run : voxels.solid) solid.fill(run);
 
   progress.phase("colouring polygons");
   auto coloring = views::color_polygons(set, solid, request.polygons);
   if (!coloring) return tl::unexpected(coloring.error());
   PolygonsReport report;
   report.coloring = std::move(*coloring);
-  report.voxel_milliseconds = voxels->milliseconds;
-  report.colored_voxels = voxels->voxels.size();
+  report.voxel_milliseconds = voxels.milliseconds;
+  report.colored_voxels = voxels.voxels.size();
   report.check = views::check_mesh(report.coloring.mesh);
   auto scene = views::scene_of(report.coloring);
   if (!scene) return tl::unexpected(scene.error());
@@ -91,7 +92,7 @@ Result<PolygonsReport> report_polygons(const PolygonsInput& input, const Polygon
   }
   if (input.truth) {
     progress.phase("finding what is inside the scene");
-    const views::TrueVolume truth(*input.truth, *grid);
+    const views::TrueVolume truth(*input.truth, grid);
     report.iou_before = iou_of(solid, truth);
     report.iou = iou_of(report.coloring.solid, truth);
   }
