@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <Eigen/LU>
 
 #include "labs/12-layers/cases.h"
 #include "labs/drawing/drawing.h"
@@ -146,18 +147,20 @@ std::optional<WrongNumber> judge_pack(const Numbers& in, const Numbers& yours,
   });
 }
 
-// 2^-40 of a row's largest entry: cameras are as good as those of a scene, of which 12 digits of a double's 16 are left.
-std::optional<WrongNumber> judge_matrix(const Numbers&, const Numbers& yours,
+// The bound of student.h, for yours and for the reference's, which is an inverse in double, too.
+std::optional<WrongNumber> judge_matrix(const Numbers& in, const Numbers& yours,
                                         const Numbers& reference) {
-  const auto largest = [&](std::size_t row) {
-    double most = 0;
-    for (std::size_t i = 4 * row; i < 4 * row + 4; ++i)
-      most = std::max(most, std::abs(reference[i]));
-    return most;
-  };
+  using ByRows = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
+  const Eigen::Matrix4d first = Eigen::Map<const ByRows>(in.data()),
+                        second = Eigen::Map<const ByRows>(in.data() + 16);
+  const Eigen::Matrix4d inverse = first.inverse().cwiseAbs();
+  const Eigen::Matrix4d sizes = second.cwiseAbs() * inverse * first.cwiseAbs() * inverse;
   return first_wrong(
-      yours, reference, [&](std::size_t i) { return 0x1p-40 * largest(i / 4); }, "",
-      [](std::size_t i) { return fmt::format("row {}, column {}", i / 4, i % 4); });
+      yours, reference,
+      [&](std::size_t i) {
+        return 2 * 256 * unit_roundoff<double> * sizes.row(Eigen::Index(i / 4)).maxCoeff();
+      },
+      "", [](std::size_t i) { return fmt::format("row {}, column {}", i / 4, i % 4); });
 }
 
 // 72 u of the largest coordinate of the row, and ours.

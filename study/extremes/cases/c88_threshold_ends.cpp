@@ -2,6 +2,7 @@
 
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/flatland.h"
+#include "study/naive/voxels.h"
 
 namespace glassbox::study {
 namespace c88 {

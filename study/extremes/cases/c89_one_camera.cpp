@@ -1,5 +1,6 @@
 #include "study/extremes/kit/extreme_case.h"
 #include "study/extremes/kit/flatland.h"
+#include "study/naive/voxels.h"
 
 namespace glassbox::study {
 namespace c89 {

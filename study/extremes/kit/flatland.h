@@ -3,12 +3,15 @@
 #pragma once
 
 #include <algorithm>
-#include <string>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <set>
 #include <vector>
 
 #include "study/extremes/kit/outcome.h"
-#include "study/naive/voxels.h"
 #include "views/voxels/coloring.h"
+#include "views/voxels/footprint.h"
 
 namespace glassbox::study {
 
@@ -64,17 +67,19 @@ inline void paint(FlatScene& flat, const std::vector<views::VoxelAt>& voxels, Rg
   }
 }
 
-inline naive::VoxelKeys keys_of(const std::vector<views::VoxelAt>& voxels) {
-  naive::VoxelKeys keys;
+using VoxelKeys = std::set<std::uint64_t>;  // key_of each voxel
+
+inline VoxelKeys keys_of(const std::vector<views::VoxelAt>& voxels) {
+  VoxelKeys keys;
   for (const views::VoxelAt& voxel : voxels) keys.insert(views::key_of(voxel));
   return keys;
 }
 
 // What finds voxels: ours, or a plain sweep.
-using Colorer = naive::VoxelKeys (*)(const FlatScene& flat);
+using Colorer = VoxelKeys (*)(const FlatScene& flat);
 
-inline naive::VoxelKeys colored_by_ours(const FlatScene& flat) {
-  naive::VoxelKeys keys;
+inline VoxelKeys colored_by_ours(const FlatScene& flat) {
+  VoxelKeys keys;
   const auto coloring = views::color_voxels(flat.set, flat.request);
   if (!coloring) return keys;
   for (const views::ColoredVoxel& voxel : coloring->voxels) keys.insert(views::key_of(voxel.at));
@@ -82,7 +87,7 @@ inline naive::VoxelKeys colored_by_ours(const FlatScene& flat) {
 }
 
 // Voxels of one set that the other has not.
-inline int differing(const naive::VoxelKeys& a, const naive::VoxelKeys& b) {
+inline int differing(const VoxelKeys& a, const VoxelKeys& b) {
   std::vector<std::uint64_t> differ;
   std::ranges::set_symmetric_difference(a, b, std::back_inserter(differ));
   return int(differ.size());
