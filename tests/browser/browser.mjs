@@ -137,3 +137,15 @@ export const coloured = (page, canvas, colour) => page.locator(canvas).evaluate(
   for (let i = 0; i < data.length; i += 4) found += data[i + 3] > 200 && Math.abs(data[i] - r) + Math.abs(data[i + 1] - g) + Math.abs(data[i + 2] - b) < 24;
   return found;
 }, colour);
+
+// A click on what the canvas #shape shows: in the middle of its pixels that are not empty.
+export async function clickOnShape(page) {
+  const position = await page.evaluate(() => {
+    const canvas = document.getElementById("shape"), {width, height} = canvas;
+    const {data} = canvas.getContext("2d").getImageData(0, 0, width, height), filled = [];
+    for (let at = 0; at < width * height; at++) if (data[4 * at + 3] !== 0) filled.push(at);
+    const at = filled[filled.length >> 1], scale = canvas.clientWidth / width;
+    return {x: (at % width + .5) * scale, y: (Math.floor(at / width) + .5) * scale};
+  });
+  await page.locator("#shape").click({position});
+}

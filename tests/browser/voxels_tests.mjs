@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import {execFileSync} from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
-import {namelessControls, openPage} from "./browser.mjs";
+import {clickOnShape, namelessControls, openPage} from "./browser.mjs";
 import {file, test} from "./cases.mjs";
 
 const program = path.resolve(process.argv[2]);
@@ -23,17 +23,6 @@ async function open(made, options) {
   return opened;
 }
 
-// A click on a voxel: in the middle of the pixels of the canvas that have one.
-async function clickOnShape(page) {
-  const position = await page.evaluate(() => {
-    const canvas = document.getElementById("shape"), {width, height} = canvas;
-    const {data} = canvas.getContext("2d").getImageData(0, 0, width, height), filled = [];
-    for (let at = 0; at < width * height; at++) if (data[4 * at + 3] !== 0) filled.push(at);
-    const at = filled[filled.length >> 1], scale = canvas.clientWidth / width;
-    return {x: (at % width + .5) * scale, y: (Math.floor(at / width) + .5) * scale};
-  });
-  await page.locator("#shape").click({position});
-}
 const readout = (page) => page.textContent("#readout");
 
 test("voxels: a click on the shape picks a coloured voxel, whose pictures agree with the verdict", async () => {
