@@ -45,7 +45,8 @@ int parse_threads(const std::string& text) {
 // Of the whole program: what else works on all threads, as the compression of pictures does, has no more either.
 void set_threads(const std::string& text, EngineOptions& options) {
   using Control = oneapi::tbb::global_control;
-  static std::optional<Control> most;
+  // Until the process is gone: a limit that ends at its exit wakes a thread.
+  static auto& most = *new std::optional<Control>;
   options.tile.threads = parse_threads(text);
   most.emplace(Control::max_allowed_parallelism, std::size_t(options.tile.threads));
 }
