@@ -82,10 +82,8 @@ ScalarField field_of(const Solid& solid, double scale, const Vector3d& middle) {
 }
 
 struct Surfaces {
-  double
-      lost = 0,
-      triangles =
-          0;  // mean share of the volume; triangles for each square of a lattice unit of the true surface
+  double lost = 0;       // mean share of the volume
+  double triangles = 0;  // for each square of a lattice unit of the true surface
 };
 
 Surfaces surfaces_of(const Solid& solid, double scale, Polygoniser polygoniser, int places) {
@@ -137,15 +135,21 @@ void add_solid(const Solid& solid, double scale, Polygoniser polygoniser, int pl
 
 constexpr int kSide = 9;  // corners of a random field
 
-// Open edges for each face of the lattice, of fields whose corners are inside with this probability.
+// Its corners are inside with this probability.
+ScalarField random_field(double share, Random& random) {
+  ScalarField field(kSide, kSide, kSide);
+  for (double& value : field.values)
+    value = random.between(0, 1) < share ? random.between(0.1, 1) : random.between(-1, -0.1);
+  return field;
+}
+
+// Open edges for each face of the lattice.
 double holes_of(double share, Polygoniser polygoniser, int fields) {
   Random random(250);
   double holes = 0;
   for (int i = 0; i < fields; ++i) {
-    ScalarField field(kSide, kSide, kSide);
-    for (double& value : field.values)
-      value = random.between(0, 1) < share ? random.between(0.1, 1) : random.between(-1, -0.1);
-    const views::MeshCheck check = views::check_mesh(views::polygonise(field, 0, polygoniser));
+    const views::MeshCheck check =
+        views::check_mesh(views::polygonise(random_field(share, random), 0, polygoniser));
     holes += double(check.holes + check.crowded);
   }
   return holes / (3.0 * kSide * (kSide - 1) * (kSide - 1) * fields);
@@ -173,12 +177,16 @@ std::vector<Configuration> configurations(Effort effort) {
         add_solid(solids()[0], scale, polygoniser, 8, all);
     }
     for (const double share : {0.3, 0.5, 0.7, 0.9}) {
+      Random random(251);
+      const auto field = std::make_shared<const ScalarField>(random_field(share, random));
       all.push_back({.series = series_of(polygoniser),
                      .parameter = share,
                      .scene = "random fields",
                      .measure = kHoles,
                      .error = [=] { return holes_of(share, polygoniser, is_full ? 200 : 40); },
-                     .predicted_error = predicted_holes(share, polygoniser)});
+                     .predicted_error = predicted_holes(share, polygoniser),
+                     .work = [=](int) { consume(views::polygonise(*field, 0, polygoniser)); },
+                     .items = double(field->values.size())});
     }
   }
   return all;
