@@ -13,11 +13,11 @@
 #include "app/views/match_input.h"
 #include "study/bench/machine.h"
 #include "study/bench/statistics.h"
-#include "study/experiment/timing.h"
 #include "views/matching/match.h"
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
+#include <glassbox/base/processor_time.h>
 
 namespace glassbox::app {
 
@@ -59,7 +59,7 @@ Result<Matcher> measure_ours(const MatchInput& input, const char* method,
   matcher.name = fmt::format("glassbox {}", method);
   std::vector<double> cpu, wall;
   for (int frame = 0; frame <= question.frames; ++frame) {
-    const double before = study::processor_seconds();
+    const double before = processor_ms();
     const auto start = std::chrono::steady_clock::now();
     const auto match = views::match_pictures(input.left, input.right, settings);
     if (!match) return tl::unexpected(match.error());
@@ -69,7 +69,7 @@ Result<Matcher> measure_ours(const MatchInput& input, const char* method,
           views::evaluate(match->disparity, input.truth->disparity, &input.truth->is_visible);
       continue;
     }
-    cpu.push_back(1e3 * (study::processor_seconds() - before));
+    cpu.push_back(processor_ms() - before);
     wall.push_back(took.count());
   }
   matcher.cpu_ms = study::median(cpu);

@@ -4,8 +4,9 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
-#include <ctime>
 #include <limits>
+
+#include <glassbox/base/processor_time.h>
 
 namespace glassbox::study {
 
@@ -17,11 +18,11 @@ struct Seconds {
 
 // Of the whole process: a work of one thread may hand itself to another one and wait.
 Seconds seconds_of(const std::function<void()>& work, int calls) {
-  const double processor = processor_seconds();  // takes longer to ask than the wall's
+  const double processor = processor_ms();  // takes longer to ask than the wall's
   const auto start = std::chrono::steady_clock::now();
   for (int i = 0; i < calls; ++i) work();
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  return {taken.count(), processor_seconds() - processor};
+  return {taken.count(), 1e-3 * (processor_ms() - processor)};
 }
 
 // After a first call, which pays for caches and pages.
@@ -62,12 +63,6 @@ struct Samples {
 };
 
 }  // namespace
-
-double processor_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
-}
 
 double seconds_of_products() {
   volatile float result = 2;

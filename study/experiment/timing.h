@@ -9,9 +9,6 @@
 
 namespace glassbox::study {
 
-// The processor's, of all threads of the process together.
-double processor_seconds();
-
 struct TimedWork {
   std::function<void()> work;
   double items = 1;
