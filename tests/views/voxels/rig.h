@@ -12,6 +12,7 @@
 #include "views/rings/draw_ring.h"
 #include "views/voxels/coloring.h"
 #include "views/voxels/draw.h"
+#include "views/voxels/truth.h"
 
 namespace glassbox::views::test {
 
@@ -73,6 +74,37 @@ inline PictureSet pictures_of(const VoxelGrid& grid, const std::vector<ColoredVo
     set.pictures.push_back(std::move(picture));
   }
   return set;
+}
+
+inline ColoringRequest request_for(const PictureSet& set, double size) {
+  ColoringRequest request;
+  request.box = *set.box;
+  request.voxel_size = size;
+  request.settings.threads = 1;
+  // Within a pixel the speckles change by some ten levels.
+  request.settings.threshold = 30;
+  return request;
+}
+
+inline RingOptions ring_options(int views, std::vector<double> elevations, int size) {
+  RingOptions options;
+  options.views = views;
+  options.elevations = std::move(elevations);
+  options.width = options.height = size;
+  return options;
+}
+
+inline double iou_of(const Scene& scene, const PictureSet& set, const ColoringRequest& request,
+                     Coloring* result = nullptr) {
+  const VoxelGrid grid = plan_coloring(set, request).value().grid;
+  const TrueVolume truth(scene, grid);
+  Overlap overlap(truth);
+  Coloring coloring = color_voxels(set, request, [&](int, auto runs, auto verdicts) {
+                        overlap.add(runs, verdicts);
+                      }).value();
+  for (const VoxelRun& run : coloring.solid) overlap.add(run);
+  if (result != nullptr) *result = std::move(coloring);
+  return overlap.iou();
 }
 
 }  // namespace glassbox::views::test
