@@ -1,9 +1,13 @@
-// Which pictures of a folder a command takes, and which one it leaves out to be judged by.
+// What the commands that read calibrated pictures ask alike: which of a folder they take, which one they leave out to be judged by, and
+// where the object is.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/options/cli_fwd.h"
 #include "views/rings/picture_set.h"
@@ -11,9 +15,14 @@
 namespace glassbox::app {
 
 struct PictureChoice {
-  std::optional<int> leave_out;  // from 1
+  std::string path;
+  std::vector<std::size_t> chosen;  // from 0; none: all
+  std::optional<int> leave_out;     // from 1
   std::optional<int> matte_above;
   bool no_mattes = false;
+  std::uint32_t max_megabytes = 4096;
+
+  std::uint64_t most_bytes() const { return std::uint64_t(max_megabytes) << 20; }
 };
 
 struct ChosenPictures {
@@ -21,13 +30,21 @@ struct ChosenPictures {
   std::optional<views::CalibratedPicture> left_out;
 };
 
-// --leave-out, --matte-above and --no-mattes.
+// PICTURES, --pictures, --leave-out, --matte-above, --no-mattes and --max-mb.
 void add_picture_choice(CLI::App& command, PictureChoice& choice);
 
 // What cannot be asked together.
 Result<void> check_choice(const PictureChoice& choice);
 
-Result<ChosenPictures> read_pictures(const std::string& path, const PictureChoice& choice,
-                                     std::uint64_t most_bytes);
+Result<ChosenPictures> read_pictures(const PictureChoice& choice);
+
+using AskedBox =
+    std::optional<std::array<double, 6>>;  // corners of least and of greatest coordinates
+
+// --box.
+void add_box(CLI::App& command, AskedBox& box);
+
+// The box that is asked for, else the folder's.
+Result<views::WorldBox> box_of(const AskedBox& asked, const views::PictureSet& set);
 
 }  // namespace glassbox::app

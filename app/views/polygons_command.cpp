@@ -28,11 +28,6 @@
 namespace glassbox::app {
 
 void ViewsPolygonsCommand::add_input_options(CLI::App& command) {
-  command
-      .add_option(
-          "PICTURES", pictures_,
-          "a folder, or its file of cameras: *_par.txt, or COLMAP's cameras.txt and images.txt")
-      ->required();
   add_picture_choice(command, choice_);
   command.add_option("--truth", truth_, "the scene that the pictures show: how far off it is")
       ->type_name("SCENE")
@@ -41,12 +36,7 @@ void ViewsPolygonsCommand::add_input_options(CLI::App& command) {
 
 void ViewsPolygonsCommand::add_surface_options(CLI::App& command) {
   std::string group = "Voxels";
-  command
-      .add_option_function<std::string>(
-          "--box", [this](const std::string& text) { box_ = parse_numbers<6>("--box", text); },
-          "what is looked at, world units [the folder's box.txt]")
-      ->type_name("X0,Y0,Z0,X1,Y1,Z1")
-      ->group(group);
+  add_box(command, box_);
   command
       .add_option("--resolution", resolution_,
                   fmt::format("voxels along the box's longest side [{}]", resolution_))
@@ -90,11 +80,6 @@ void ViewsPolygonsCommand::add_surface_options(CLI::App& command) {
           "threads; no byte depends on it [all]")
       ->type_name("N")
       ->check(CLI::Range(1, kMostThreads))
-      ->group("Engine");
-  command
-      .add_option("--max-mb", max_megabytes_,
-                  fmt::format("refuse what takes more megabytes [{}]", max_megabytes_))
-      ->type_name("N")
       ->group("Engine");
 }
 
@@ -165,25 +150,18 @@ Result<void> ViewsPolygonsCommand::check_outputs() const {
 
 Result<void> ViewsPolygonsCommand::complete_request(const views::PictureSet& set) {
   views::ColoringRequest& voxels = request_.voxels;
-  if (box_) {
-    voxels.box = {{(*box_)[0], (*box_)[1], (*box_)[2]}, {(*box_)[3], (*box_)[4], (*box_)[5]}};
-  } else if (set.box) {
-    voxels.box = *set.box;
-  } else {
-    return fail("--box", "the folder has no box.txt that says where the object is",
-                "give the box that it is in: --box X0,Y0,Z0,X1,Y1,Z1");
-  }
-  if (!((voxels.box.high - voxels.box.low).minCoeff() > 0))
-    return fail("--box", "the box is empty", "give its corner of least coordinates first");
+  const auto box = box_of(box_, set);
+  if (!box) return tl::unexpected(box.error());
+  voxels.box = *box;
   voxels.voxel_size = views::size_for(voxels.box, resolution_);
-  voxels.most_bytes = std::uint64_t(max_megabytes_) << 20;
+  voxels.most_bytes = choice_.most_bytes();
   return {};
 }
 
 std::string ViewsPolygonsCommand::command_line() const {
   std::vector<std::string> page;
   if (page_) page = {"--html", *page_};
-  return shell_line({{"views", "polygons", pictures_}, words_of(options_), page});
+  return shell_line({{"views", "polygons", choice_.path}, words_of(options_), page});
 }
 
 Result<void> ViewsPolygonsCommand::write_outputs(const PolygonsInput& input,
@@ -230,7 +208,7 @@ int ViewsPolygonsCommand::run() {
   }
   Progress progress;
   progress.phase("reading the pictures");
-  auto pictures = read_pictures(pictures_, choice_, std::uint64_t(max_megabytes_) << 20);
+  auto pictures = read_pictures(choice_);
   if (!pictures) return refuse(pictures.error());
   PolygonsInput input{std::move(*pictures), {}};
   if (const auto legal = complete_request(input.pictures.set); !legal) return refuse(legal.error());

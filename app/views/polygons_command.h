@@ -29,13 +29,11 @@ private:
   Result<void> write_outputs(const PolygonsInput& input, const PolygonsReport& report) const;
   std::string command_line() const;
 
-  std::string pictures_;
   PictureChoice choice_;
   std::optional<std::string> truth_;
-  std::optional<std::array<double, 6>> box_;
+  AskedBox box_;
   int resolution_ = 64;
   PolygonsRequest request_;
-  std::uint32_t max_megabytes_ = 4096;
   std::optional<std::string> output_, left_out_output_, json_output_, page_;
   std::vector<const CLI::Option*> options_;
 };

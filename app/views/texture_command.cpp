@@ -74,11 +74,6 @@ void ViewsTextureCommand::add_to(CLI::App& views, int& exit_code) {
       "is\n"
       "that picture. docs/polygons.md has more.");
   command.add_option("MESH", mesh_, kSceneHelp)->required();
-  command
-      .add_option(
-          "PICTURES", pictures_,
-          "a folder, or its file of cameras: *_par.txt, or COLMAP's cameras.txt and images.txt")
-      ->required();
   const std::size_t before = command.get_options().size();
   add_picture_choice(command, choice_);
   command
@@ -112,13 +107,8 @@ void ViewsTextureCommand::add_to(CLI::App& views, int& exit_code) {
       ->type_name("N")
       ->check(CLI::Range(views::kLeastTexels, views::kMostTexels))
       ->group(group);
-  command
-      .add_option("--max-mb", max_megabytes_,
-                  fmt::format("refuse pictures that take more megabytes [{}]", max_megabytes_))
-      ->type_name("N")
-      ->group("Engine");
   const auto all = command.get_options();
-  options_.assign(all.begin() + std::ptrdiff_t(before), all.end());
+  options_.assign(all.begin() + std::ptrdiff_t(before) + 1, all.end());
   group = "Outputs";
   command.add_option("-o,--output", output_, "the picture: .png or .ppm")
       ->type_name("FILE")
@@ -294,7 +284,7 @@ nlohmann::ordered_json ViewsTextureCommand::json(const ChosenPictures& pictures,
 std::string ViewsTextureCommand::command_line() const {
   std::vector<std::string> page;
   if (page_) page = {"--html", *page_};
-  return shell_line({{"views", "texture", mesh_, pictures_}, words_of(options_), page});
+  return shell_line({{"views", "texture", mesh_, choice_.path}, words_of(options_), page});
 }
 
 Result<void> ViewsTextureCommand::write_outputs(const Scene& scene, const ChosenPictures& pictures,
@@ -344,7 +334,7 @@ int ViewsTextureCommand::run() {
   const auto scene = load_asked_scene(mesh_, progress);
   if (!scene) return refuse(scene.error());
   progress.phase("reading the pictures");
-  const auto pictures = read_pictures(pictures_, choice_, std::uint64_t(max_megabytes_) << 20);
+  const auto pictures = read_pictures(choice_);
   if (!pictures) return refuse(pictures.error());
   const auto found = find(*scene, *pictures, progress);
   if (!found) return refuse(found.error());

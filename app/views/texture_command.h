@@ -36,7 +36,7 @@ private:
   nlohmann::ordered_json json(const ChosenPictures& pictures, const Found& found) const;
   std::string command_line() const;
 
-  std::string mesh_, pictures_;
+  std::string mesh_;
   PictureChoice choice_;
   bool each_ = false;
   views::Blend blend_ = views::Blend::kBarycentric;
@@ -44,7 +44,6 @@ private:
   CameraOptions camera_;
   std::optional<Size> size_;
   Rgba8 background_{26, 31, 38, 255};
-  std::uint32_t max_megabytes_ = 4096;
   std::optional<std::string> output_, fixed_, left_out_output_, json_output_, page_;
   std::vector<const CLI::Option*> options_;
 };

@@ -31,27 +31,6 @@ namespace {
 using views::Consistency;
 using views::Footprint;
 
-// "1-8,12": numbers of pictures from 1, as indices from 0.
-std::vector<std::size_t> parse_pictures(const std::string& text) {
-  std::vector<std::size_t> chosen;
-  const auto number = [&](const std::string& part) {
-    const double value = parse_number("--pictures", part);
-    if (!(value >= 1 && value <= 1e6) || value != std::floor(value))
-      throw CLI::ValidationError("--pictures",
-                                 "needs numbers from 1, as 1-8,12, not '" + text + "'");
-    return std::size_t(value);
-  };
-  for (const std::string& part : split(text, ',')) {
-    const std::vector<std::string> ends = split(part, '-');
-    const std::size_t first = number(ends.front()), last = number(ends.back());
-    if (ends.size() > 2 || last < first || last - first > std::size_t(views::kMostRingViews))
-      throw CLI::ValidationError("--pictures",
-                                 "needs numbers from 1, as 1-8,12, not '" + text + "'");
-    for (std::size_t i = first; i <= last; ++i) chosen.push_back(i - 1);
-  }
-  return chosen;
-}
-
 std::array<int, 2> parse_direction(const std::string& text) {
   const bool is_back = !text.empty() && text.front() == '-';
   const std::string axis = is_back ? text.substr(1) : text;
@@ -63,51 +42,16 @@ std::array<int, 2> parse_direction(const std::string& text) {
 }  // namespace
 
 void ViewsVoxelsCommand::add_input_options(CLI::App& command) {
-  const std::string group = "Pictures";
-  command
-      .add_option(
-          "PICTURES", pictures_,
-          "a folder, or its file of cameras: *_par.txt, or COLMAP's cameras.txt and images.txt")
-      ->required();
-  command
-      .add_option_function<std::string>(
-          "--pictures", [this](const std::string& text) { chosen_ = parse_pictures(text); },
-          "which, counted from 1 [all]")
-      ->type_name("A-B,C")
-      ->group(group);
-  command
-      .add_option("--leave-out", leave_out_,
-                  "a picture, counted from 1, that shape is not made from, but judged by")
-      ->type_name("N")
-      ->group(group);
-  command
-      .add_option("--matte-above", matte_above_,
-                  "the object is where a channel is brighter, 0 to 255 [masks/, or alpha]")
-      ->type_name("LEVEL")
-      ->check(CLI::Range(0, 255))
-      ->group(group);
-  command.add_flag("--no-mattes", no_mattes_, "every pixel is the object's")->group(group);
+  add_picture_choice(command, choice_);
   command.add_option("--truth", truth_, "the scene that the pictures show: how far off it is")
       ->type_name("SCENE")
-      ->group(group);
+      ->group("Pictures");
 }
 
 void ViewsVoxelsCommand::add_coloring_options(CLI::App& command) {
   views::ColoringSettings& settings = request_.settings;
   std::string group = "Voxels";
-  command
-      .add_option_function<std::string>(
-          "--box",
-          [this](const std::string& text) {
-            const std::vector<std::string> parts = split(text, ',');
-            if (parts.size() != 6)
-              throw CLI::ValidationError("--box", "needs six numbers, not '" + text + "'");
-            box_.emplace();
-            for (std::size_t i = 0; i < 6; ++i) (*box_)[i] = parse_number("--box", parts[i]);
-          },
-          "what is looked at, world units [the folder's box.txt]")
-      ->type_name("X0,Y0,Z0,X1,Y1,Z1")
-      ->group(group);
+  add_box(command, box_);
   command.add_option("--resolution", resolution_, "voxels along the box's longest side [96]")
       ->type_name("N")
       ->check(CLI::Range(1, views::kMostVoxelsAlong))
@@ -183,12 +127,6 @@ void ViewsVoxelsCommand::add_coloring_options(CLI::App& command) {
       ->type_name("N")
       ->check(CLI::Range(1, kMostThreads))
       ->group("Engine");
-  command
-      .add_option("--max-mb", max_megabytes_,
-                  fmt::format("refuse what takes more megabytes [{}]", max_megabytes_))
-      ->type_name("N")
-      ->check(CLI::Range(1u, 1u << 20))
-      ->group("Engine");
 }
 
 void ViewsVoxelsCommand::add_output_options(CLI::App& command) {
@@ -257,15 +195,11 @@ Result<void> ViewsVoxelsCommand::check_asked() const {
     return fail("--significance", "must be between 0 and 1", "give 0.001");
   if (!(settings.lightness >= 0 && settings.lightness <= 2))
     return fail("--lightness", "must be between 0 and 2", "give 0.5");
-  if (no_mattes_ && matte_above_)
-    return fail("--no-mattes", "there is a --matte-above as well", "leave one of them out");
-  if (leave_out_ && *leave_out_ < 1)
-    return fail("--leave-out", "pictures are counted from 1", "give 1 for the first");
-  if (left_out_output_ && !leave_out_)
+  if (left_out_output_ && !choice_.leave_out)
     return fail("--left-out-output", "no picture is left out", "add --leave-out N");
   if (against_full_ && request_.levels == 0)
     return fail("--against-full", "all voxels are looked at anyway", "add --levels 2");
-  return {};
+  return check_choice(choice_);
 }
 
 Result<void> ViewsVoxelsCommand::check_outputs() const {
@@ -288,35 +222,11 @@ Result<void> ViewsVoxelsCommand::check_outputs() const {
 
 Result<VoxelsInput> ViewsVoxelsCommand::read(Progress& progress) const {
   progress.phase("reading the pictures");
-  views::PictureSetOptions options;
-  options.wants_mattes = !no_mattes_;
-  options.matte_above = matte_above_;
-  options.most_bytes = std::uint64_t(max_megabytes_) << 20;
+  auto pictures = read_pictures(choice_);
+  if (!pictures) return tl::unexpected(pictures.error());
   VoxelsInput input;
-  options.chosen = chosen_;
-  // Read with the others; of those that are chosen it comes last.
-  if (leave_out_ && !chosen_.empty()) {
-    const auto index = std::size_t(*leave_out_ - 1);
-    std::erase(options.chosen, index);
-    options.chosen.push_back(index);
-  }
-  auto set = views::read_picture_set(pictures_, options);
-  if (!set) return tl::unexpected(set.error());
-  if (leave_out_) {
-    const std::size_t index =
-        chosen_.empty() ? std::size_t(*leave_out_ - 1) : set->pictures.size() - 1;
-    if (index >= set->pictures.size()) {
-      return fail("--leave-out",
-                  fmt::format("there are {} pictures, and number {} is asked for",
-                              set->pictures.size(), *leave_out_),
-                  "count from 1");
-    }
-    if (set->pictures.size() == 1)
-      return fail("--leave-out", "it is the only picture", "take a set of more");
-    input.left_out = std::move(set->pictures[index]);
-    set->pictures.erase(set->pictures.begin() + std::ptrdiff_t(index));
-  }
-  input.set = std::move(*set);
+  input.set = std::move(pictures->set);
+  input.left_out = std::move(pictures->left_out);
   if (truth_) {
     auto scene = load_asked_scene(*truth_, progress);
     if (!scene) return tl::unexpected(scene.error());
@@ -326,21 +236,14 @@ Result<VoxelsInput> ViewsVoxelsCommand::read(Progress& progress) const {
 }
 
 Result<void> ViewsVoxelsCommand::complete_request(const views::PictureSet& set) {
-  if (box_) {
-    request_.box = {{(*box_)[0], (*box_)[1], (*box_)[2]}, {(*box_)[3], (*box_)[4], (*box_)[5]}};
-  } else if (set.box) {
-    request_.box = *set.box;
-  } else {
-    return fail("--box", "the folder has no box.txt that says where the object is",
-                "give the box that it is in: --box X0,Y0,Z0,X1,Y1,Z1");
-  }
-  if (!((request_.box.high - request_.box.low).minCoeff() > 0))
-    return fail("--box", "the box is empty", "give its corner of least coordinates first");
+  const auto box = box_of(box_, set);
+  if (!box) return tl::unexpected(box.error());
+  request_.box = *box;
   constexpr int kResolution = 96;
   request_.voxel_size = voxel_size_ ? *voxel_size_
                         : total_    ? views::size_for_total(request_.box, *total_)
                                  : views::size_for(request_.box, resolution_.value_or(kResolution));
-  request_.most_bytes = std::uint64_t(max_megabytes_) << 20;
+  request_.most_bytes = choice_.most_bytes();
   return {};
 }
 
@@ -348,7 +251,7 @@ Result<void> ViewsVoxelsCommand::complete_request(const views::PictureSet& set) 
 std::string ViewsVoxelsCommand::command_line() const {
   std::vector<std::string> page;
   if (page_) page = {"--html", *page_};
-  return shell_line({{"views", "voxels", pictures_}, words_of(options_), page});
+  return shell_line({{"views", "voxels", choice_.path}, words_of(options_), page});
 }
 
 Result<void> ViewsVoxelsCommand::write_outputs(const VoxelsInput& input,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/options/cli_fwd.h"
+#include "app/views/picture_choice.h"
 #include "app/views/voxels_report.h"
 #include "views/rings/picture_set.h"
 #include "views/voxels/coloring.h"
@@ -32,16 +33,13 @@ private:
   Result<void> write_outputs(const VoxelsInput& input, const VoxelsReport& report) const;
   std::string command_line() const;
 
-  std::string pictures_;
-  std::vector<std::size_t> chosen_;  // from 0
-  std::optional<int> leave_out_;     // from 1
+  PictureChoice choice_;
   std::optional<std::string> truth_;
-  std::optional<std::array<double, 6>> box_;
+  AskedBox box_;
   std::optional<double> voxel_size_, total_;
-  std::optional<int> resolution_, matte_above_;
-  bool no_mattes_ = false, against_full_ = false;
+  std::optional<int> resolution_;
+  bool against_full_ = false;
   views::ColoringRequest request_;
-  std::uint32_t max_megabytes_ = 4096;
   std::optional<std::string> output_, left_out_output_, json_output_, page_;
   views::VoxelShape shape_ = views::VoxelShape::kCubes;
   std::vector<const CLI::Option*> options_;

@@ -2,29 +2,6 @@
 
 const unpack = async (id) => inflate(bytesOfBase64(byId(id).textContent));
 
-function setUpLeftOut() {
-  const part = byId("left-out-part"), {flicker} = manifest;
-  part.hidden = !flicker;
-  if (!flicker) return;
-  const image = byId("held"), button = byId("flicker");
-  let isDrawn = false, timer = 0;
-  const show = () => {
-    image.src = isDrawn ? flicker.drawn : flicker.picture;
-    image.alt = isDrawn ? "made from the surface" : "the picture itself";
-    byId("which").textContent = `${flicker.name}: ${isDrawn ? "made from the surface, which did not have it" : "the picture itself"}`;
-  };
-  const change = () => { isDrawn = !isDrawn; show(); };
-  byId("other").addEventListener("click", change);
-  button.addEventListener("click", () => {
-    button.setAttribute("aria-pressed", String(!timer));
-    button.textContent = timer ? "Flicker" : "Hold";
-    if (timer) clearInterval(timer);
-    // Twice a second: slow enough for everybody's eyes.
-    timer = timer ? 0 : setInterval(change, 500);
-  });
-  show();
-}
-
 // The pixels of a picture, as the page can read them.
 async function pixelsOf(view) {
   const image = new Image();
@@ -47,7 +24,7 @@ async function main() {
   byId("program").textContent = manifest.program;
   byId("command").textContent = manifest.command;
   byId("weights-part").hidden = byId("textured-choice").hidden = !textures;
-  setUpLeftOut();
+  setUpLeftOut(manifest.flicker, "the surface");
   const bytes = await Promise.all(["places", "colors", "views", "seen"].map(unpack));
   places = new Float32Array(bytes[0].buffer, bytes[0].byteOffset, bytes[0].length / 4);
   [, colors, views, seen] = bytes;

@@ -1,7 +1,5 @@
 // The surface from any side: triangles into a picture with a depth and a polygon for each pixel, then its colours.
 
-const shape = byId("shape"), shapeContext = shape.getContext("2d");
-const turn = {around: .6, above: .35, nearer: 1};
 let places = new Float32Array(0), colors = new Uint8Array(0), views = new Uint8Array(0), seen = new Uint8Array(0);
 let middle = [0, 0, 0], radius = 1, pictures = [], idAt = new Int32Array(0), picked = -1;
 
@@ -25,9 +23,7 @@ const viewsColour = (count, most) => { const share = count / most; return [40 + 
 
 // Where the eye is, and its rows: to the right, up, towards it.
 function camera() {
-  const [ca, sa, ce, se] = [Math.cos(turn.around), Math.sin(turn.around), Math.cos(turn.above), Math.sin(turn.above)];
-  const rows = [[ca, 0, -sa], [-sa * se, ce, -ca * se], [sa * ce, se, ca * ce]];
-  const away = 2.6 * radius / turn.nearer;
+  const rows = turnedWorld(), away = 2.6 * radius / turn.nearer;
   return {rows, eye: middle.map((x, k) => x + away * rows[2][k])};
 }
 
@@ -122,23 +118,6 @@ function colour({width, height, depth, rows, eye, focal}) {
   if (textures) showWeights(direction);
 }
 
-let isWaiting = false;
-function redrawShape() {
-  if (isWaiting) return;
-  isWaiting = true;
-  requestAnimationFrame(() => { isWaiting = false; drawShape(); });
-}
-
-function turnBy(around, above) {
-  turn.around += around;
-  turn.above = clamp(turn.above + above, -1.57, 1.57);
-  redrawShape();
-}
-function comeNearer(factor) {
-  turn.nearer = clamp(turn.nearer * factor, .25, 3);
-  redrawShape();
-}
-
 function explain(polygon) {
   picked = polygon;
   const corner = (k) => `(${[0, 1, 2].map((axis) => places[9 * polygon + 3 * k + axis].toFixed(3)).join(", ")})`;
@@ -151,35 +130,8 @@ function explain(polygon) {
   redrawShape();
 }
 
+let redrawShape = () => {};
 function setUpShape() {
-  let last = null, moved = 0;
-  shape.addEventListener("pointerdown", (event) => { last = event; moved = 0; shape.setPointerCapture(event.pointerId); });
-  shape.addEventListener("pointermove", (event) => {
-    if (!last) return;
-    const dx = event.clientX - last.clientX, dy = event.clientY - last.clientY;
-    moved += Math.abs(dx) + Math.abs(dy);
-    last = event;
-    turnBy(-dx / 150, dy / 150);
-  });
-  shape.addEventListener("pointerup", (event) => {
-    if (last && moved < 4) {
-      const box = shape.getBoundingClientRect();
-      const x = Math.floor((event.clientX - box.left) * shape.width / box.width), y = Math.floor((event.clientY - box.top) * shape.height / box.height);
-      const found = idAt[y * shape.width + x];
-      if (found >= 0) explain(found);
-    }
-    last = null;
-  });
-  shape.addEventListener("wheel", (event) => { event.preventDefault(); comeNearer(Math.exp(-event.deltaY / 500)); }, {passive: false});
-  shape.addEventListener("keydown", (event) => {
-    const step = {ArrowLeft: [.15, 0], ArrowRight: [-.15, 0], ArrowUp: [0, .15], ArrowDown: [0, -.15]}[event.key];
-    if (step) turnBy(...step);
-    else if (event.key === "+" || event.key === "=") comeNearer(1.2);
-    else if (event.key === "-") comeNearer(1 / 1.2);
-    else return;
-    event.preventDefault();
-  });
+  redrawShape = setUpTurning({draw: drawShape, mostNear: 3, pickAt: (at) => { if (idAt[at] >= 0) explain(idAt[at]); }});
   byId("shades").addEventListener("change", redrawShape);
-  addEventListener("resize", redrawShape);
-  drawShape(); // at once: a click may come before the next frame
 }

@@ -1,8 +1,6 @@
 // The coloured voxels from any side: squares into a picture with a depth for each pixel.
 
 const [nx, ny, nz] = manifest.count, kVoxelBytes = 10;
-const shape = byId("shape"), shapeContext = shape.getContext("2d");
-const turn = {around: .6, above: .35, nearer: 1};
 let voxels = new Uint8Array(0), nearestAt = new Int32Array(0);
 
 const voxelCount = () => voxels.length / kVoxelBytes;
@@ -19,8 +17,7 @@ const viewsColour = (views) => {
 
 // The rows of the turn of the world: to the right, up, towards the eye.
 function turnRows() {
-  const [ca, sa, ce, se] = [Math.cos(turn.around), Math.sin(turn.around), Math.cos(turn.above), Math.sin(turn.above)];
-  const world = [[ca, 0, -sa], [-sa * se, ce, -ca * se], [sa * ce, se, ca * ce]];
+  const world = turnedWorld();
   const axes = [0, 1, 2].map((k) => manifest.axes.slice(3 * k, 3 * k + 3));
   return world.map((row) => axes.map((axis) => row[0] * axis[0] + row[1] * axis[1] + row[2] * axis[2]));
 }
@@ -52,52 +49,7 @@ function drawShape() {
   shapeContext.putImageData(picture, 0, 0);
 }
 
-let isWaiting = false;
-function redrawShape() {
-  if (isWaiting) return;
-  isWaiting = true;
-  requestAnimationFrame(() => { isWaiting = false; drawShape(); });
-}
-
-function turnBy(around, above) {
-  turn.around += around;
-  turn.above = clamp(turn.above + above, -1.57, 1.57);
-  redrawShape();
-}
-function comeNearer(factor) {
-  turn.nearer = clamp(turn.nearer * factor, .25, 40);
-  redrawShape();
-}
-
 function setUpShape(pick) {
-  let last = null, moved = 0;
-  shape.addEventListener("pointerdown", (event) => { last = event; moved = 0; shape.setPointerCapture(event.pointerId); });
-  shape.addEventListener("pointermove", (event) => {
-    if (!last) return;
-    const dx = event.clientX - last.clientX, dy = event.clientY - last.clientY;
-    moved += Math.abs(dx) + Math.abs(dy);
-    last = event;
-    turnBy(-dx / 150, dy / 150);
-  });
-  shape.addEventListener("pointerup", (event) => {
-    if (last && moved < 4) {
-      const box = shape.getBoundingClientRect();
-      const x = Math.floor((event.clientX - box.left) * shape.width / box.width), y = Math.floor((event.clientY - box.top) * shape.height / box.height);
-      const found = nearestAt[y * shape.width + x];
-      if (found >= 0) pick(voxelAt(found));
-    }
-    last = null;
-  });
-  shape.addEventListener("wheel", (event) => { event.preventDefault(); comeNearer(Math.exp(-event.deltaY / 500)); }, {passive: false});
-  shape.addEventListener("keydown", (event) => {
-    const step = {ArrowLeft: [.15, 0], ArrowRight: [-.15, 0], ArrowUp: [0, .15], ArrowDown: [0, -.15]}[event.key];
-    if (step) turnBy(...step);
-    else if (event.key === "+" || event.key === "=") comeNearer(1.2);
-    else if (event.key === "-") comeNearer(1 / 1.2);
-    else return;
-    event.preventDefault();
-  });
-  byId("shades").addEventListener("change", redrawShape);
-  addEventListener("resize", redrawShape);
-  drawShape(); // at once: a click may come before the next frame
+  const redraw = setUpTurning({draw: drawShape, mostNear: 40, pickAt: (at) => { if (nearestAt[at] >= 0) pick(voxelAt(nearestAt[at])); }});
+  byId("shades").addEventListener("change", redraw);
 }
