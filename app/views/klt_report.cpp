@@ -59,10 +59,8 @@ Result<KltReport> report_klt(const KltInput& input, int kept) {
   report.error = views::mean_squared_error(input.bands, report.again);
   report.bound = views::identity_bound(input.bands, report.klt, kept);
   report.correlation = views::largest_correlation(report.components);
-  // What an eigenvalue may be off by (identity_bound), but for the factor of all of them.
-  const double off =
-      views::identity_bound(input.bands, report.klt, input.bands.count()) / input.bands.count();
-  report.groups = views::groups_of(report.klt.eigenvalues, 2 * off);
+  report.groups = views::groups_of(report.klt.eigenvalues,
+                                   2 * views::eigenvalue_bound(input.bands, report.klt));
   if (!input.opacity.empty()) {
     report.truth = correlation_with(report.components.bands.front().samples, input.opacity);
     report.truth_of_band = 0;

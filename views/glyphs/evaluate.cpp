@@ -37,7 +37,6 @@ std::vector<VisibleGlyph> visible_glyphs(const Wall& wall, const PinholeCamera& 
     if (!is_whole) continue;
     for (std::size_t i = 0; i < kPoints / 2; ++i)
       shortest = std::min(shortest, (border[i] - border[i + kPoints / 2]).norm());
-    constexpr double kPi = 3.14159265358979323846;
     const double diameter = 2 * std::sqrt(std::abs(area) / kPi);
     if (!covered.pixels.empty()) {
       int all = 0, hidden = 0;

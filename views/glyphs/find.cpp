@@ -7,6 +7,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include <glassbox/base/trig.h>
 #include <glassbox/images/srgb.h>
 
 #include "views/glyphs/colors.h"
@@ -145,6 +146,10 @@ public:
     };
     breaks(GlyphRule::kWhole, is_whole);
     breaks(GlyphRule::kSize, region.ellipse.shorter_diameter() >= 0.75 * settings_.least_diameter);
+    // A thin ring has few pixels of an ellipse of that size, whose area is 4 pi sqrt(det); what it does not cover has no colour of a glyph.
+    const double area = 4 * kPi * std::sqrt(region.ellipse.moments.determinant());
+    breaks(GlyphRule::kPrototypes,
+           double(component.pixels.size()) >= settings_.least_prototypes * area);
     // What cannot be a glyph may be as large as the picture.
     if (region.broken) return region;
     const Light paper = paper_around(region.ellipse);

@@ -59,8 +59,12 @@ void judge(SweepRow& row, const Wall& wall, const Shot& shot, const FindSettings
   question.intrinsic = shot.camera.intrinsic;
   const auto pose = find_pose(points_of(found, wall).points, question);
   const PoseError error = pose ? pose_error(pose->camera, shot.camera) : PoseError{kNan, kNan};
-  if (!(error.degrees <= row.degrees)) row.degrees = error.degrees;
-  if (!(1000 * error.distance <= row.millimetres)) row.millimetres = 1000 * error.distance;
+  // A shot without a camera stays the worst of all.
+  const auto keep_worst = [](double& worst, double one) {
+    if (!std::isnan(worst) && !(one <= worst)) worst = one;
+  };
+  keep_worst(row.degrees, error.degrees);
+  keep_worst(row.millimetres, 1000 * error.distance);
 }
 
 std::vector<SweepRow> without_rules(const FindSettings& settings) {

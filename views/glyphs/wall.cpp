@@ -1,6 +1,7 @@
 #include "views/glyphs/wall.h"
 
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -68,16 +69,20 @@ Result<Wall> make_wall(const WallLayout& layout) {
   if (layout.panels != 1 && layout.panels != 2)
     return fail("--panels", "a wall has 1 or 2", "give 1 or 2");
   if (layout.columns < 1 || layout.rows < 1 || layout.columns > kGlyphs || layout.rows > kGlyphs)
-    return fail("--grid", "a panel has rows and columns", "give 6x10");
+    return fail("--grid", fmt::format("a panel has 1 to {} columns and rows", kGlyphs),
+                "give 6x10");
   const int glyphs = layout.panels * layout.columns * layout.rows;
-  if (layout.first < 0 || layout.first + glyphs > kGlyphs) {
+  if (layout.first < 0 || layout.first > kGlyphs - glyphs) {
     return fail("--grid",
                 fmt::format("{} glyphs from number {} on, and the codes are {}", glyphs,
                             layout.first, kGlyphs),
                 "ask for fewer, or a smaller --first");
   }
-  if (!(layout.pitch > 0 && layout.pitch <= 100) || !(layout.diameter > 0))
-    return fail("--pitch", "sizes must be positive, and at most 100 m", "give millimetres");
+  for (const auto& [option, size] :
+       {std::pair{"--pitch", layout.pitch}, {"--diameter", layout.diameter}}) {
+    if (!(size > 0 && size <= 100))
+      return fail(option, "a size is more than 0, and at most 100 m", "give millimetres");
+  }
   if (!(layout.diameter <= 0.875 * layout.pitch)) {
     return fail("--diameter", "there must be paper of an eighth of the pitch between glyphs",
                 fmt::format("give at most {:.6g} mm", 875 * layout.pitch));

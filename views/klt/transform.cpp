@@ -149,10 +149,20 @@ double mean_squared_error(const Bands& a, const Bands& b) {
   return sum / double(a.pixels());
 }
 
-double identity_bound(const Bands& bands, const Klt& klt, int kept) {
+double eigenvalue_bound(const Bands& bands, const Klt& klt) {
   const double roundings = bands.width + bands.height + 3 * bands.count();
-  return 1e-10 * klt.dropped(kept) +
-         bands.count() * roundings * unit_roundoff<double> * klt.trace();
+  return roundings * unit_roundoff<double> * klt.trace();
+}
+
+double identity_bound(const Bands& bands, const Klt& klt, int kept) {
+  double largest = 0;
+  for (const Band& band : bands.bands) {
+    for (const double sample : band.samples) largest = std::max(largest, std::abs(sample));
+  }
+  const double root = std::sqrt(double(bands.count()));
+  const double added = unit_roundoff<double> * root * (1 + 2 * root) * largest;
+  return 1e-10 * klt.dropped(kept) + bands.count() * eigenvalue_bound(bands, klt) +
+         2 * std::sqrt(klt.dropped(kept)) * added + added * added;
 }
 
 std::vector<int> groups_of(const Eigen::VectorXd& eigenvalues, double resolution) {

@@ -50,8 +50,13 @@ double mean_squared_error(const Bands& a, const Bands& b);
 
 // The largest difference that rounding makes between an error that was measured and dropped(): 1e-10 of it as SPEC S1-14 asks, and
 // where nearly all is kept, what the eigenvalues themselves are off by. By Weyl's inequality that is |C' - C| <= (W + H + 3 B) u trace,
-// W + H roundings from the sums, 3 B from the products with V; B eigenvalues of them.
+// W + H roundings from the sums, 3 B from the products with V; B eigenvalues of them. And what comes back is rounded where the mean is added:
+// of samples of at most M by r = u sqrt(B) (1 + 2 sqrt(B)) M together, as |m| <= M and |x - m| <= 2 sqrt(B) M; which makes the mean square
+// 2 sqrt(dropped) r + r^2 another (Cauchy and Schwarz).
 double identity_bound(const Bands& bands, const Klt& klt, int kept);
+
+// What one eigenvalue is off by, by the same inequality.
+double eigenvalue_bound(const Bands& bands, const Klt& klt);
 
 // Eigenvalues that rounding alone could exchange, as groups of neighbours: of a group only the space that its vectors span is determined.
 // The first index of the group of each.

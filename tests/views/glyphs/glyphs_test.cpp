@@ -2,6 +2,7 @@
 #include <tests/support/catch.h>
 
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include <glassbox/base/random.h>
@@ -235,6 +236,8 @@ TEST_CASE("walls of too many glyphs, or of glyphs that touch, are refused") {
   WallLayout layout;
   CHECK(make_wall(layout)->glyphs.size() == 120);
   layout.first = 1;
+  CHECK_FALSE(make_wall(layout));
+  layout.first = std::numeric_limits<int>::max();
   CHECK_FALSE(make_wall(layout));
   layout = {};
   layout.diameter = 0.11;

@@ -2,6 +2,7 @@
 #include <tests/support/catch.h>
 
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -60,6 +61,30 @@ TEST_CASE(
       // A check that cannot fail is none: one eigenvalue more or less is another number.
       if (kept > 0 && klt->eigenvalues[kept - 1] > 1e-6 * klt->trace())
         CHECK(std::abs(error - klt->dropped(kept - 1)) > identity_bound(bands, *klt, kept));
+    }
+  }
+}
+
+TEST_CASE(
+    "the dropped eigenvalues are the error where the mean is large beside what varies, too "
+    "(C-115)") {
+  Random random(17);
+  for (const auto& [mean, spread] : {std::pair{1e6, 1e-3}, {1e12, 1.0}, {-3e9, 1e-2}}) {
+    Bands bands{8, 8, {{"a", {}}, {"b", {}}}};
+    for (int i = 0; i < 64; ++i) {
+      const double shared = random.between(-1, 1);
+      bands.bands[0].samples.push_back(mean + spread * shared);
+      bands.bands[1].samples.push_back(mean + spread * (0.3 * shared + random.between(-1, 1)));
+    }
+    const auto klt = klt_of(bands);
+    REQUIRE(klt);
+    for (int kept = 0; kept <= 2; ++kept) {
+      INFO(mean << ", " << kept << " kept");
+      const Bands again = reconstructed(components_of(bands, *klt, kept), *klt, bands);
+      const double error = mean_squared_error(bands, again),
+                   bound = identity_bound(bands, *klt, kept);
+      CHECK(std::abs(error - klt->dropped(kept)) <= bound);
+      CHECK(bound < klt->eigenvalues[1] / 10);  // or one eigenvalue more or less would pass
     }
   }
 }
