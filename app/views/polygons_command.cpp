@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -121,8 +122,12 @@ void ViewsPolygonsCommand::add_to(CLI::App& views, int& exit_code) {
 }
 
 Result<void> ViewsPolygonsCommand::check_asked() const {
-  if (!(request_.voxels.settings.threshold >= 0) || !(request_.polygons.threshold >= 0))
-    return fail("--threshold", "a threshold is at least 0", "give levels of 0 .. 255");
+  for (const auto& [option, threshold] :
+       {std::pair{"--threshold", request_.voxels.settings.threshold},
+        {"--polygon-threshold", request_.polygons.threshold}}) {
+    if (!(threshold >= 0))
+      return fail(option, "a threshold is at least 0", "give levels of 0 .. 255, or inf");
+  }
   if (left_out_output_ && !choice_.leave_out)
     return fail("--left-out-output", "no picture is left out", "add --leave-out N");
   return check_choice(choice_);
@@ -166,19 +171,9 @@ std::string ViewsPolygonsCommand::command_line() const {
 
 Result<void> ViewsPolygonsCommand::write_outputs(const PolygonsInput& input,
                                                  const PolygonsReport& report) const {
-  if (output_ && check_extension(*output_, ".glb")) {
-    if (const auto written = write_glb(report.scene, *output_); !written) return written;
-  } else if (output_) {
-    const auto ply = views::polygons_ply(report.coloring);
-    if (!ply) return tl::unexpected(ply.error());
-    if (const auto written = write_file(*output_, std::as_bytes(std::span(*ply))); !written)
-      return written;
-  }
-  if (left_out_output_) {
-    if (const auto written = write_image(*left_out_output_, report.drawn->color); !written)
-      return written;
-  }
+  // All is made before the first is written.
   const nlohmann::ordered_json json = polygons_json(input, report);
+  Result<std::string> text;
   if (page_) {
     SurfacePage page;
     page.verb = "polygons";
@@ -194,8 +189,22 @@ Result<void> ViewsPolygonsCommand::write_outputs(const PolygonsInput& input,
       page.left_out = &*input.pictures.left_out;
       page.drawn = &report.drawn->color;
     }
-    const Result<std::string> text = make_surface_page(page);
+    text = make_surface_page(page);
     if (!text) return tl::unexpected(text.error());
+  }
+  if (output_ && check_extension(*output_, ".glb")) {
+    if (const auto written = write_glb(report.scene, *output_); !written) return written;
+  } else if (output_) {
+    const auto ply = views::polygons_ply(report.coloring);
+    if (!ply) return tl::unexpected(ply.error());
+    if (const auto written = write_file(*output_, std::as_bytes(std::span(*ply))); !written)
+      return written;
+  }
+  if (left_out_output_) {
+    if (const auto written = write_image(*left_out_output_, report.drawn->color); !written)
+      return written;
+  }
+  if (page_) {
     if (const auto written = write_file(*page_, std::as_bytes(std::span(*text))); !written)
       return written;
   }

@@ -7,6 +7,7 @@
 
 #include "app/report/exit_codes.h"
 #include "app/report/progress.h"
+#include "app/views/left_out_report.h"
 #include "views/polygons/mesh_scene.h"
 #include "views/voxels/truth.h"
 
@@ -116,13 +117,7 @@ std::string polygons_text(const PolygonsInput& input, const PolygonsReport& repo
       check.edges - check.holes - check.crowded, check.euler, check.volume,
       coloring.carved_by_color, coloring.carved_by_background, coloring.judged,
       coloring.milliseconds, coloring.samples);
-  if (const auto& errors = report.left_out) {
-    text += fmt::format(
-        "{}, which was left out: PSNR {:.2f} dB, RMS {:.2f}, over the {:.1f} % of its object that "
-        "polygons cover\n",
-        printable(input.pictures.left_out->name, kLongestMessage), errors->psnr, errors->rms,
-        100 * errors->covered);
-  }
+  if (report.left_out) text += left_out_text(input.pictures.left_out->name, *report.left_out);
   if (report.iou)
     text += fmt::format("truth: IoU {:.4f}, of the voxels before they were carved {:.4f}\n",
                         *report.iou, *report.iou_before);
@@ -159,13 +154,8 @@ nlohmann::ordered_json polygons_json(const PolygonsInput& input, const PolygonsR
       {"samples", coloring.samples},
       {"voxel_ms", report.voxel_milliseconds},
       {"ms", coloring.milliseconds}};
-  if (const auto& errors = report.left_out) {
-    json["left_out"] = {{"picture", input.pictures.left_out->name},
-                        {"psnr", errors->psnr},
-                        {"rms", errors->rms},
-                        {"covered", errors->covered},
-                        {"pixels", errors->pixels}};
-  }
+  if (report.left_out)
+    json["left_out"] = left_out_json(input.pictures.left_out->name, *report.left_out);
   if (report.iou) json["truth"] = {{"iou", *report.iou}, {"iou_before", *report.iou_before}};
   return json;
 }

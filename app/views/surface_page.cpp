@@ -73,7 +73,7 @@ Result<SurfaceBytes> surface_bytes(const Scene& scene) {
     return fail("--html",
                 fmt::format("a page of {} triangles would be too large for a browser",
                             bytes.colors.size() / 3),
-                fmt::format("ask for at most {}, with --resolution", kMostTriangles));
+                fmt::format("take a surface of at most {}", kMostTriangles));
   }
   return bytes;
 }
@@ -100,9 +100,15 @@ Result<SurfaceJson> textures_json(const SurfacePage& page) {
                    {"triangles", SurfaceJson::array()},
                    {"border", SurfaceJson::array()}};
   std::size_t pixels = 0;
+  for (const views::CalibratedPicture& picture : page.pictures->pictures)
+    pixels += picture.color.pixels.size();
+  constexpr std::size_t kMostPixels = std::size_t(1) << 24;
+  if (pixels > kMostPixels)
+    return fail("--html",
+                fmt::format("a page of {} pixels would be too large for a browser", pixels),
+                "take fewer or smaller pictures");
   for (const views::CalibratedPicture& picture : page.pictures->pictures) {
     Image<Rgba8> shown = picture.color;
-    pixels += shown.pixels.size();
     for (std::size_t i = 0; i < shown.pixels.size(); ++i) {
       const bool is_object = picture.matte.pixels.empty() || picture.matte.pixels[i] != 0;
       shown.pixels[i].a = is_object ? 255 : 0;
@@ -116,11 +122,6 @@ Result<SurfaceJson> textures_json(const SurfacePage& page) {
                              {"direction", numbers_of(direction)},
                              {"pixel_from_world", projection_json(picture.camera)}});
   }
-  constexpr std::size_t kMostPixels = std::size_t(1) << 24;
-  if (pixels > kMostPixels)
-    return fail("--html",
-                fmt::format("a page of {} pixels would be too large for a browser", pixels),
-                "take fewer or smaller pictures");
   for (const auto& triangle : page.textured->blend().sphere().triangles())
     json["triangles"].push_back(triangle);
   for (const auto& edge : page.textured->blend().sphere().border()) json["border"].push_back(edge);

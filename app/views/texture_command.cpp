@@ -15,6 +15,7 @@
 #include "app/report/output.h"
 #include "app/report/progress.h"
 #include "app/report/shell_line.h"
+#include "app/views/left_out_report.h"
 #include "app/views/surface_page.h"
 #include "views/texture/static_texture.h"
 
@@ -25,11 +26,7 @@
 
 namespace glassbox::app {
 
-namespace {
-
 using views::Blend;
-
-}  // namespace
 
 struct ViewsTextureCommand::Found {
   // One picture made of the others by one way to blend them.
@@ -38,13 +35,13 @@ struct ViewsTextureCommand::Found {
     Blend blend = Blend::kBarycentric;
     views::TextureErrors errors;
   };
-  // Over all pictures, as if they were one.
+  // Over all pictures, as if they were one; NaN where no pixel is covered.
   double psnr_of_all(Blend way) const {
     double squares = 0, pixels = 0;
     for (const LeftOutAlone& one : each) {
       if (one.blend != way) continue;
       const double covered = one.errors.covered * double(one.errors.pixels);
-      squares += one.errors.rms * one.errors.rms * covered;
+      if (covered > 0) squares += one.errors.rms * one.errors.rms * covered;
       pixels += covered;
     }
     return 10 * std::log10(255 * 255 * pixels / squares);
@@ -193,7 +190,7 @@ Result<ViewsTextureCommand::Found> ViewsTextureCommand::find(const Scene& scene,
     found.errors = views::compare(*drawn, *left_out);
     found.left_out = std::move(*drawn);
   }
-  for (std::size_t i = 0; each_ && set.pictures.size() > 1 && i < set.pictures.size(); ++i) {
+  for (std::size_t i = 0; each_ && i < set.pictures.size(); ++i) {
     progress.phase("leaving out " + set.pictures[i].name);
     views::PictureSet others = set;
     others.pictures.erase(others.pictures.begin() + std::ptrdiff_t(i));
@@ -225,16 +222,14 @@ std::string ViewsTextureCommand::text(const ChosenPictures& pictures, const Foun
     text +=
         fmt::format("{}: {} pixels of the surface, by {} blend\n",
                     printable(*output_, kLongestMessage), drawn->surface, views::name_of(blend_));
-  if (found.errors)
-    text += fmt::format(
-        "{}, which was left out: PSNR {:.2f} dB, RMS {:.2f}, over the {:.1f} % of its object that "
-        "polygons cover\n",
-        printable(pictures.left_out->name, kLongestMessage), found.errors->psnr, found.errors->rms,
-        100 * found.errors->covered);
+  if (found.errors) text += left_out_text(pictures.left_out->name, *found.errors);
   if (!found.each.empty()) {
     text += "each picture made of the others, PSNR over all of them:\n";
-    for (const Blend blend : {Blend::kNearest, Blend::kBarycentric, Blend::kNeighbours})
-      text += fmt::format("  {:<12}{:.2f} dB\n", views::name_of(blend), found.psnr_of_all(blend));
+    for (const Blend blend : {Blend::kNearest, Blend::kBarycentric, Blend::kNeighbours}) {
+      const double psnr = found.psnr_of_all(blend);
+      text += fmt::format("  {:<12}{}\n", views::name_of(blend),
+                          std::isnan(psnr) ? "covers no pixel" : fmt::format("{:.2f} dB", psnr));
+    }
   }
   if (found.fixed) {
     const Image<Rgba8>& image = found.fixed->images.front();
@@ -258,19 +253,12 @@ nlohmann::ordered_json ViewsTextureCommand::json(const ChosenPictures& pictures,
                               {"unseen", found.unseen},
                               {"view_triangles", found.triangles},
                               {"blend", views::name_of(blend_)}};
-  const auto errors_json = [](const std::string& name, const views::TextureErrors& errors) {
-    return nlohmann::ordered_json{{"picture", name},
-                                  {"psnr", errors.psnr},
-                                  {"rms", errors.rms},
-                                  {"covered", errors.covered},
-                                  {"pixels", errors.pixels}};
-  };
   if (found.drawn)
     json["drawn"] = {{"surface", found.drawn->surface},
                      {"without_view", found.drawn->without_view}};
-  if (found.errors) json["left_out"] = errors_json(pictures.left_out->name, *found.errors);
+  if (found.errors) json["left_out"] = left_out_json(pictures.left_out->name, *found.errors);
   for (const Found::LeftOutAlone& one : found.each) {
-    nlohmann::ordered_json entry = errors_json(one.picture, one.errors);
+    nlohmann::ordered_json entry = left_out_json(one.picture, one.errors);
     entry["blend"] = views::name_of(one.blend);
     json["each"].push_back(entry);
   }
@@ -289,16 +277,8 @@ std::string ViewsTextureCommand::command_line() const {
 
 Result<void> ViewsTextureCommand::write_outputs(const Scene& scene, const ChosenPictures& pictures,
                                                 const Found& found) const {
-  if (output_) {
-    if (const auto written = write_image(*output_, found.drawn->color); !written) return written;
-  }
-  if (left_out_output_) {
-    if (const auto written = write_image(*left_out_output_, found.left_out->color); !written)
-      return written;
-  }
-  if (fixed_) {
-    if (const auto written = write_glb(*found.fixed, *fixed_); !written) return written;
-  }
+  // All is made before the first is written.
+  Result<std::string> made;
   if (page_) {
     const auto surface =
         views::TexturedSurface::of(scene, pictures.set, Blend::kBarycentric, neighbours_);
@@ -318,8 +298,20 @@ Result<void> ViewsTextureCommand::write_outputs(const Scene& scene, const Chosen
       page.left_out = &*pictures.left_out;
       page.drawn = &found.left_out->color;
     }
-    const Result<std::string> made = make_surface_page(page);
+    made = make_surface_page(page);
     if (!made) return tl::unexpected(made.error());
+  }
+  if (output_) {
+    if (const auto written = write_image(*output_, found.drawn->color); !written) return written;
+  }
+  if (left_out_output_) {
+    if (const auto written = write_image(*left_out_output_, found.left_out->color); !written)
+      return written;
+  }
+  if (fixed_) {
+    if (const auto written = write_glb(*found.fixed, *fixed_); !written) return written;
+  }
+  if (page_) {
     if (const auto written = write_file(*page_, std::as_bytes(std::span(*made))); !written)
       return written;
   }
@@ -336,6 +328,8 @@ int ViewsTextureCommand::run() {
   progress.phase("reading the pictures");
   const auto pictures = read_pictures(choice_);
   if (!pictures) return refuse(pictures.error());
+  if (each_ && pictures->set.pictures.size() == 1)
+    return refuse(fail("--each", "it is the only picture", "take a set of more").value());
   const auto found = find(*scene, *pictures, progress);
   if (!found) return refuse(found.error());
   progress.phase("writing");

@@ -75,6 +75,7 @@ TEST_CASE("from a picture's own place a textured surface is that picture") {
   const SurfaceJson made = surface_answer(here, "texture ball.glb ring --leave-out 8");
   CHECK(made["left_out"]["psnr"].is_null());  // infinite
   CHECK(made["left_out"]["rms"] == 0);
+  CHECK(made["left_out"]["covered"] > 0.5);
 }
 
 TEST_CASE("surfaces and textures that cannot be made are refused in a line, and no file is left") {
@@ -102,6 +103,7 @@ TEST_CASE("surfaces and textures that cannot be made are refused in a line, and 
                             "texture cube ring --each --leave-out 1",
                             "texture cube ring --left-out-output a.png",
                             "texture cube ring --ortho 3 -o a.png",
+                            "texture cube ring --pictures 1 --each",
                             "texture cube ring --html a.txt"}) {
     const Outcome outcome = here.run(std::string("views ") + words);
     INFO(words << ": " << outcome.err);

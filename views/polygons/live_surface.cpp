@@ -1,9 +1,7 @@
 #include "views/polygons/live_surface.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include "views/polygons/cell_table.h"
+#include "views/voxels/blocks.h"
 
 namespace glassbox::views {
 
@@ -35,12 +33,8 @@ LiveSurface::LiveSurface(const PictureSet& set, const Occupancy& occupancy, int 
     layers_.emplace_back(picture.color.width, picture.color.height);
   std::vector<WorldPolygon> all;
   for (const PolygonId id : polygons()) all.push_back(polygon(id));
-  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
-  arena.execute([&] {
-    tbb::parallel_for(std::size_t(0), layers_.size(), [&](std::size_t i) {
-      for (const WorldPolygon& one : all)
-        layers_[i].add(one.id, footprint_in(set_.pictures[i], one));
-    });
+  for_blocks(layers_.size(), threads, [&](std::size_t i) {
+    for (const WorldPolygon& one : all) layers_[i].add(one.id, footprint_in(set_.pictures[i], one));
   });
 }
 

@@ -149,7 +149,6 @@ private:
       const std::array<int, 4> corners{0, 1 << first, 1 << first | 1 << second, 7};
       // The first three orders are turns of x, y, z: tetrahedra of positive volume.
       add_tetrahedron(cell, values, inside, corners, k < 3);
-      static_cast<void>(third);
     }
   }
 

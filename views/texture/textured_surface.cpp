@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <glassbox/render/renderer.h>
 
@@ -159,7 +160,8 @@ TextureErrors compare(const TexturedPicture& drawn, const CalibratedPicture& pic
     for (const int d : {found.r - right.r, found.g - right.g, found.b - right.b})
       squares += double(d * d);
   }
-  if (covered > 0) errors.rms = std::sqrt(squares / (3 * double(covered)));
+  errors.rms = covered > 0 ? std::sqrt(squares / (3 * double(covered)))
+                           : std::numeric_limits<double>::quiet_NaN();
   errors.psnr = 20 * std::log10(255 / errors.rms);
   if (errors.pixels > 0) errors.covered = double(covered) / double(errors.pixels);
   return errors;

@@ -80,9 +80,9 @@ private:
 
 // Against a picture that was left out.
 struct TextureErrors {
-  double rms = 0;           // levels, over the object's pixels that show a polygon
-  double psnr = 0;          // dB, of 255; infinite where nothing differs
-  double covered = 0;       // share of the object's pixels
+  double rms = 0;      // levels, over the object's pixels that show a polygon; NaN where none does
+  double psnr = 0;     // dB, of 255; infinite where nothing differs, NaN where no pixel is covered
+  double covered = 0;  // share of the object's pixels
   std::int64_t pixels = 0;  // the object's
 };
 TextureErrors compare(const TexturedPicture& drawn, const CalibratedPicture& picture);

@@ -90,8 +90,11 @@ TEST_CASE(
         CHECK(normal.dot(d - directions[a]) <= 0x1p-16);
       }
     }
-    // Of a closed triangulation: 2 n - 4 triangles and no border.
-    if (sphere.border().empty()) CHECK(sphere.triangles().size() == std::size_t(2 * count - 4));
+    // Euler: of n corners and a border of b sides there are 2 n - 2 - b triangles, without a border two less than 2 n - 2. Twenty
+    // directions that are anywhere surround the middle.
+    const std::size_t border = sphere.border().size();
+    if (count >= 20) REQUIRE(border == 0);
+    CHECK(sphere.triangles().size() == 2 * std::size_t(count) - 2 - (border == 0 ? 2 : border));
   }
 }
 
@@ -150,7 +153,8 @@ TEST_CASE(
   for (const auto& directions : {any_directions(random, 30), ring_of_directions(16, 20),
                                  ring_of_directions(9, 0), any_directions(random, 3)}) {
     const ViewSphere sphere(directions);
-    double most = 0, across = 0;
+    double most = 0;
+    int asked = 0;
     for (int i = 0; i < 4000; ++i) {
       const Vector3d from = any_direction(random), step = 1e-7 * any_direction(random);
       // Further than 90 degrees from every view the nearest one stands alone.
@@ -159,9 +163,9 @@ TEST_CASE(
       if (!is_near) continue;
       most = std::max(most,
                       difference(sphere.weights(from), sphere.weights((from + step).normalized())));
-      across = i;
+      ++asked;
     }
-    CHECK(across > 0);
+    CHECK(asked > 400);  // at least a tenth of the sphere is near
     // Weights change by at most one over a triangle's height; none of these is flatter than a hundred thousandth.
     CHECK(most < 1e-2);
   }

@@ -1,0 +1,18 @@
+// How well a picture that was left out is made from a surface.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "views/texture/textured_surface.h"
+
+namespace glassbox::app {
+
+std::string left_out_text(const std::string& picture, const views::TextureErrors& errors);
+
+// psnr is null where it is infinite, and, as rms, where no pixel is covered.
+nlohmann::ordered_json left_out_json(const std::string& picture,
+                                     const views::TextureErrors& errors);
+
+}  // namespace glassbox::app
