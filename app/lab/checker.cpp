@@ -18,16 +18,18 @@ namespace {
 namespace fs = std::filesystem;
 using namespace labs::grading;
 
-// Kits of this lab that were made a month ago, by programs that are no more.
+// Kits of this lab that were made a month ago or longer, but for the one that is used now.
 void remove_old_kits(const fs::path& kits, const std::string& lab, const fs::path& but) {
   constexpr auto kMonth = std::chrono::hours(24 * 30);
   const auto now = fs::file_time_type::clock::now();
   std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(kits, error)) {
+  // Another program may take them away at the same time.
+  for (fs::directory_iterator entry(kits, error), end; !error && entry != end;
+       entry.increment(error)) {
     std::error_code ignored;
-    const bool is_old = entry.last_write_time(ignored) + kMonth < now && !ignored;
-    if (is_old && entry.path() != but && entry.path().filename().string().starts_with(lab + "-"))
-      fs::remove_all(entry.path(), ignored);
+    const bool is_old = entry->last_write_time(ignored) + kMonth < now && !ignored;
+    if (is_old && entry->path() != but && entry->path().filename().string().starts_with(lab + "-"))
+      fs::remove_all(entry->path(), ignored);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "app/options/number_range.h"
 #include "app/report/exit_codes.h"
 #include "labs/grading/autograder.h"
 

@@ -197,7 +197,7 @@ int LayersDrawCommand::run() {
   const auto layers = views::decode_layers(*bytes, file_);
   if (!layers) return refuse(layers.error());
   drawing_.background = holes_.value_or(layers->background);
-  // Nothing is written before all of it is there, but for frames, which are many.
+  // Nothing is written before all of it is made, but for frames, which are many.
   Result<std::string> page;
   if (page_) {
     progress.phase("making " + *page_);

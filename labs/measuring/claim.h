@@ -39,8 +39,7 @@ nlohmann::ordered_json claim_json(const Claim& claim);
 Result<Claim> read_claim(const std::string& path, const std::string& text);
 
 // Where a claim is not what was measured, a line each: another code, points that are missing, too many or there twice, an error that is
-// another number, a way that is faster in
-// the one and slower in the other. Times themselves are another machine's, and are not compared.
+// another number, a way that is faster in the one and slower in the other. Times themselves are another machine's, and are not compared.
 std::vector<std::string> contradictions(const Claim& claimed, const Claim& measured);
 
 }  // namespace glassbox::labs

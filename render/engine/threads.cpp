@@ -18,7 +18,8 @@ int default_threads() {
 void allow_threads(int threads) {
   using Control = tbb::global_control;
   static std::mutex one_at_a_time;
-  static std::optional<Control> limit;
+  // Until the process is gone: a limit that ends at its exit wakes a thread.
+  static auto& limit = *new std::optional<Control>;
   static int allowed = default_threads();
   const std::lock_guard lock(one_at_a_time);
   if (threads <= allowed) return;

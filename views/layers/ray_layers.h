@@ -59,7 +59,7 @@ private:
   RayPart some_of_a_stratum();
   Random random_here() const;
 
-  const RaySampling& sampling_;
+  RaySampling sampling_;
   std::uint64_t all_, stratum_ = 0;
   int done_ = 0;  // rays of it
   Random random_;

@@ -102,17 +102,21 @@ Result<void> check_request(const PictureSet& set, const ColoringRequest& request
     const GridPicture lens = grid_picture(plan.grid, projection_of(picture.camera),
                                           picture.color.width, picture.color.height);
     if (is_finite(lens)) continue;
+    if (projection_of(picture.camera).cast<float>().allFinite())
+      return fail("--box", "the box is too large for the cameras' numbers",
+                  "give it in the units that the cameras are in");
     return fail(picture.name, "its camera's numbers are too large to place voxels with",
                 "give K, R and t in the units of the box");
   }
   const double bytes = double(plan.bytes);
   if (bytes <= double(request.most_bytes)) return {};
-  return fail("--voxel",
-              fmt::format("{} x {} x {} voxels and {} pictures would take {:.0f} MB, and {} MB are "
-                          "allowed",
-                          plan.grid.count[0], plan.grid.count[1], plan.grid.count[2],
-                          set.pictures.size(), bytes / 1048576, request.most_bytes >> 20),
-              "take larger voxels, or allow more with --max-mb");
+  return fail(
+      "--voxel",
+      fmt::format("{} x {} x {} voxels and {} pictures would take {:.0f} MB, and {} MB are "
+                  "allowed",
+                  plan.grid.count[0], plan.grid.count[1], plan.grid.count[2], set.pictures.size(),
+                  std::ceil(bytes / 1048576), request.most_bytes >> 20),
+      "take larger voxels, or allow more with --max-mb");
 }
 
 void add_voxels(const Sweep& sweep, std::vector<ColoredVoxel>& voxels) {
