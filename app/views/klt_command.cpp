@@ -187,6 +187,9 @@ int ViewsKltCommand::run() {
   progress.phase("reading the bands");
   const auto input = read();
   if (!input) return refuse(input.error());
+  if (page_) {
+    if (const auto good = check_klt_page(input->bands); !good) return refuse(good.error());
+  }
   const int count = input->bands.count(), kept = kept_.value_or(std::min(2, count));
   if (kept < 1 || kept > count) {
     return refuse({{},

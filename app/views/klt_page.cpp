@@ -50,15 +50,19 @@ Result<Json> add_planes(const std::string& name, const views::Bands& planes, std
 
 }  // namespace
 
-Result<std::string> make_klt_page(const KltInput& input, const KltReport& report, const Json& json,
-                                  const KltPageOrigin& origin) {
+Result<void> check_klt_page(const views::Bands& bands) {
   constexpr std::size_t kMostSamples = std::size_t(1) << 23;
-  const std::size_t samples = 2 * input.bands.pixels() * std::size_t(input.bands.count());
+  const std::size_t samples = 2 * bands.pixels() * std::size_t(bands.count());
   if (samples > kMostSamples) {
     return fail("--html",
                 fmt::format("a page of {} samples would be too large for a browser", samples),
                 "give smaller or fewer bands");
   }
+  return {};
+}
+
+Result<std::string> make_klt_page(const KltInput& input, const KltReport& report, const Json& json,
+                                  const KltPageOrigin& origin) {
   Json manifest = json;
   manifest["text"] = klt_text(input, report);
   manifest["program"] = origin.program;

@@ -16,7 +16,10 @@ struct KltPageOrigin {
   std::string command;  // the command line that made the page
 };
 
-// `json` is klt_json's. Refused: more samples than a browser likes to open.
+// Refused: more samples than a browser likes to open.
+Result<void> check_klt_page(const views::Bands& bands);
+
+// `json` is klt_json's.
 Result<std::string> make_klt_page(const KltInput& input, const KltReport& report,
                                   const nlohmann::ordered_json& json, const KltPageOrigin& origin);
 

@@ -70,13 +70,7 @@ std::vector<Configuration> configurations(Effort) {
                              .error = [=] { return lost().judged; }};
         if (levels == 0) share.predicted_error = 0;
         if (levels == 0) judged.predicted_error = 1;
-        if (levels > 0 && !has_rods) {
-          judged.predicted_error = predicted_judged();
-          judged.finding = Finding{
-              "more levels lose parts, and threshold and background decide how "
-              "thick the shell is",
-              0.1, 3};
-        }
+        if (levels > 0 && !has_rods) judged.predicted_error = predicted_judged();
         all.push_back(std::move(share));
         all.push_back(std::move(judged));
       }

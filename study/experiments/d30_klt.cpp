@@ -59,15 +59,12 @@ double variance_without(const views::Klt& klt, int kept) {
   return sum;
 }
 
-// Bytes add what rounding to them adds. Within a tenth where their steps are small beside what they store; no component has the
-// spread that would use all of them, and clouds have long tails that are cut off at three deviations: up to four times as much.
+// Bytes add what rounding to them adds, within a tenth where their steps are small beside what they store.
 std::optional<Finding> finding_of_bytes(const views::Klt& klt, int kept) {
   const double added = rounding_of(klt, kept) / klt.dropped(kept);
   if (added < 0.5) return std::nullopt;
-  return Finding{
-      "components in bytes are rounded, and cut off at three deviations: that is more "
-      "than what was dropped",
-      1 + 0.9 * added, 1 + 4 * added};
+  return Finding{"components in bytes are rounded: that is more than what was dropped",
+                 1 + 0.9 * added, 1 + 1.1 * added};
 }
 
 std::vector<Configuration> configurations(Effort effort) {

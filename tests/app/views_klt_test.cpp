@@ -67,7 +67,7 @@ TEST_CASE("bands that cannot be taken apart are refused in a line, and no file i
        {"nothing.png", "one.pgm", "one.pgm two.pgm", "bad.hdr", "clouds:15", "clouds:17",
         "clouds:x", "clouds two.pgm", "clouds:64 --components 0", "clouds:64 --components 6",
         "two.pgm --components 2", "clouds:64 --globe a.obj", "clouds:64 --html a.txt",
-        "clouds:64 --globe nowhere/a.glb", "two.pgm --max-mb 0"}) {
+        "clouds:64 --globe nowhere/a.glb", "two.pgm --max-mb 0", "clouds:2048 --html a.html"}) {
     INFO(words);
     const Outcome outcome = here.run(std::string("views klt ") + words + " -o out");
     CHECK(outcome.exit_code == 2);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <glassbox/base/random.h>
 #include <glassbox/images/srgb.h>
@@ -125,6 +126,10 @@ DecoyPicture draw_decoys() {
   return result;
 }
 
+int DecoyScore::all_taken() const {
+  return std::accumulate(taken.begin(), taken.end(), 0);
+}
+
 DecoyScore score_decoys(const DecoyPicture& picture, const FindSettings& settings) {
   const FoundGlyphs found = find_glyphs(picture.picture, settings, picture.is_on_sheet);
   DecoyScore score;
@@ -135,7 +140,7 @@ DecoyScore score_decoys(const DecoyPicture& picture, const FindSettings& setting
           std::hypot(region.ellipse.centre.x() - decoy.x, region.ellipse.centre.y() - decoy.y);
       if (region.broken || off > kCell / 4.0) continue;
       if (decoy.breaks)
-        ++score.taken;
+        ++score.taken[std::size_t(*decoy.breaks)];
       else if (region.identity == decoy.identity)
         ++score.found;
     }

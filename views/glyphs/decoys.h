@@ -16,7 +16,7 @@ struct Decoy {
   double x = 0, y = 0;              // its centre, px
 };
 
-// Twelve glyphs and twelve things for each rule, by rows, on white paper. Codes from 60 on are not on the sheet (kSheet).
+// Twelve glyphs and twelve things for each rule (two of them cut off by the border), by rows, on white paper. Codes from 60 on are not on the sheet (kSheet).
 struct DecoyPicture {
   Image<Rgba8> picture;
   std::vector<Decoy> decoys;
@@ -26,7 +26,10 @@ DecoyPicture draw_decoys();
 
 // What is taken for a glyph and is none, and glyphs that are found as what they are.
 struct DecoyScore {
-  int glyphs = 0, found = 0, taken = 0;
+  int glyphs = 0, found = 0;
+  std::array<int, kGlyphRules> taken{};  // by the rule that they break
+
+  int all_taken() const;
 };
 DecoyScore score_decoys(const DecoyPicture& picture, const FindSettings& settings);
 

@@ -72,7 +72,7 @@ std::vector<SweepRow> without_rules(const FindSettings& settings) {
   std::vector<SweepRow> rows;
   const auto add = [&](const std::string& level, const FindSettings& asked) {
     const DecoyScore score = score_decoys(picture, asked);
-    rows.push_back({level, {score.glyphs, score.found, score.taken, 0}, kNan, kNan});
+    rows.push_back({level, {score.glyphs, score.found, score.all_taken(), 0}, kNan, kNan});
   };
   add("all", settings);
   for (int rule = 0; rule < kGlyphRules; ++rule) {

@@ -19,7 +19,7 @@ struct ViewWeight {
   double weight = 0;
 };
 
-// At most three views, whose weights are positive and add up to 1.
+// Some views (at most three of a sphere's triangles), whose weights are positive and add up to 1.
 using ViewWeights = std::vector<ViewWeight>;
 
 class ViewSphere {
