@@ -74,12 +74,12 @@ template std::array<double, 3> parse_numbers<3>(const std::string&, const std::s
 template std::array<double, 4> parse_numbers<4>(const std::string&, const std::string&);
 template std::array<double, 6> parse_numbers<6>(const std::string&, const std::string&);
 
-Size parse_size(const std::string& text) {
+Size parse_size(const std::string& text, const std::string& option) {
   const auto legal = [](int side) { return side >= 1 && side <= kMaxImageSide; };
   const auto sides = read_whole_numbers<2>(text, 'x');
   if (!sides || !legal((*sides)[0]) || !legal((*sides)[1])) {
     throw CLI::ValidationError(
-        "--size",
+        option,
         fmt::format("needs WxH with whole numbers from 1 to {}, not '{}'", kMaxImageSide, text));
   }
   return {(*sides)[0], (*sides)[1]};

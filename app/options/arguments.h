@@ -31,7 +31,7 @@ template <std::size_t N>
 std::array<double, N> parse_numbers(const std::string& option, const std::string& text);
 
 // "1280x720", each side 1 .. 16384.
-Size parse_size(const std::string& text);
+Size parse_size(const std::string& text, const std::string& option = "--size");
 
 // "12,34": a pixel, by its column and row from the top left.
 PixelAt parse_pixel(const std::string& option, const std::string& text);

@@ -17,6 +17,7 @@
 #include "app/report/progress.h"
 #include "app/report/shell_line.h"
 #include "app/views/glyphs_report.h"
+#include "views/layers/layer_sources.h"
 
 #include <glassbox/base/printable.h>
 #include <glassbox/base/trig.h>
@@ -35,16 +36,8 @@ using views::SweepOf;
 
 Result<std::optional<views::PinholeCamera>> camera_in(const std::string& path,
                                                       const std::string& picture) {
-  constexpr std::uint64_t kMostBytes = 1 << 24;
-  const auto bytes = read_file(path, kMostBytes);
-  if (!bytes) return tl::unexpected(bytes.error());
-  const auto cameras =
-      views::parse_cameras({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
-  if (!cameras) {
-    Error error = cameras.error();
-    error.file = path;
-    return tl::unexpected(error);
-  }
+  const auto cameras = views::read_cameras(path);
+  if (!cameras) return tl::unexpected(cameras.error());
   const std::string name = std::filesystem::path(picture).filename().string();
   for (const views::NamedCamera& camera : *cameras) {
     if (camera.picture == name) return camera.camera;
@@ -81,7 +74,7 @@ void ViewsGlyphsCommand::add_layout(CLI::App& command) {
       .add_option_function<std::string>(
           "--grid",
           [this](const std::string& text) {
-            const Size size = parse_size(text);
+            const Size size = parse_size(text, "--grid");
             layout_.columns = size.width;
             layout_.rows = size.height;
           },
@@ -261,7 +254,9 @@ int ViewsGlyphsCommand::sheet() {
   if (json_output_ == "-") return kSuccess;
   const views::WallPanel& panel = wall->panels.front();
   fmt::print("{}: {} glyphs of {:.6g} mm, {} of {:.6g} x {:.6g} mm, {:.6g} px to an inch\n",
-             printable(output_, kLongestMessage), wall->glyphs.size(), 1000 * layout_.diameter,
+             printable(output_, kLongestMessage),
+             is_scene ? wall->glyphs.size() : std::size_t(layout_.columns * layout_.rows),
+             1000 * layout_.diameter,
              is_scene ? fmt::format("{} panels", layout_.panels) : fmt::format("panel {}", panel_),
              1000 * panel.width, 1000 * panel.height, dpi);
   return kSuccess;

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/report/exit_codes.h"
+#include "app/views/matrix_report.h"
 #include "viewsglyphs_page.h"  // made by html/embed.cmake
 
 #include <glassbox/base/printable.h>
@@ -22,12 +23,6 @@ using Json = nlohmann::ordered_json;
 
 Json vector_json(const views::Vector3d& v) {
   return {v.x(), v.y(), v.z()};
-}
-
-Json matrix_json(const views::Matrix3d& m) {
-  Json rows = Json::array();
-  for (int row = 0; row < 3; ++row) rows.push_back({m(row, 0), m(row, 1), m(row, 2)});
-  return rows;
 }
 
 constexpr const char* kColorNames[] = {"red", "green", "blue", "cyan", "magenta", "yellow"};

@@ -41,6 +41,10 @@ float at_share(std::vector<float>& values, double share) {
 
 }  // namespace
 
+Light light_of(const Rgba8& color) {
+  return {decode_srgb(color.r), decode_srgb(color.g), decode_srgb(color.b)};
+}
+
 int prototype_of(const Eigen::Array3f& codes, float threshold) {
   int nearest = kNoPrototype;
   float least = std::numeric_limits<float>::infinity();

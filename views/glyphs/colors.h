@@ -12,6 +12,8 @@ namespace glassbox::views {
 // Light, 1 for white paper, in red, green and blue.
 using Light = Eigen::Array3f;
 
+Light light_of(const Rgba8& color);
+
 inline constexpr int kNoPrototype = -1;
 
 // The nearest prototype of a colour as displayed (codes, 0 .. 255), if its distance is less than `threshold` times the prototype's own

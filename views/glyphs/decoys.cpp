@@ -15,11 +15,8 @@ namespace {
 
 constexpr int kColumns = 12, kCell = 84;
 
-Light light_of_color(const Rgba8& color) {
-  return {decode_srgb(color.r), decode_srgb(color.g), decode_srgb(color.b)};
-}
 Light light_of_prototype(int color) {
-  return light_of_color(kPrototypeColors[std::size_t(color)]);
+  return light_of(kPrototypeColors[std::size_t(color)]);
 }
 
 // The colours that are none of the code's.
@@ -44,7 +41,7 @@ std::optional<Light> light_at_decoy(const Decoy& decoy, double x, double y) {
   switch (*decoy.breaks) {
     // Brown around three small discs.
     case GlyphRule::kPrototypes: {
-      if (radius >= 0.5) return light_of_color({120, 100, 84, 255});
+      if (radius >= 0.5) return light_of({120, 100, 84, 255});
       return within(1.0 / 6, 1.0 / 3);
     }
     // Six wedges of the three other colours in the outer band.

@@ -26,10 +26,6 @@ float cover_of(const Light& light, const Light& paper) {
   return share < kNoise ? 0 : std::min(share, 1.0f);
 }
 
-Light light_of(const Rgba8& pixel) {
-  return {decode_srgb(pixel.r), decode_srgb(pixel.g), decode_srgb(pixel.b)};
-}
-
 struct PixelBox {
   int left, top, right, bottom;  // both ends included
 };

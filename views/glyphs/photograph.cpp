@@ -121,8 +121,7 @@ Image<Rgba8> blurred(const Image<Rgba8>& picture, double deviation) {
   for (int k = 0; k <= reach; ++k)
     weights.push_back(float(std::exp(-k * k / (2 * deviation * deviation)) / all));
   Lights lights;
-  for (const Rgba8& pixel : picture.pixels)
-    lights.emplace_back(decode_srgb(pixel.r), decode_srgb(pixel.g), decode_srgb(pixel.b));
+  for (const Rgba8& pixel : picture.pixels) lights.emplace_back(light_of(pixel));
   lights = blurred_along(lights, picture.width, picture.height, true, weights);
   lights = blurred_along(lights, picture.width, picture.height, false, weights);
   Image<Rgba8> result = picture;
