@@ -6,8 +6,6 @@
 #include <cstddef>
 #include <limits>
 
-#include <glassbox/base/processor_time.h>
-
 namespace glassbox::study {
 
 namespace {
@@ -77,22 +75,24 @@ double seconds_of_products() {
 }
 
 std::vector<Timed> time_in_turn(const std::vector<TimedWork>& works, int repetitions,
-                                const std::function<double()>& reference_seconds) {
+                                const Probes& probes) {
   std::vector<int> calls;
   for (const TimedWork& each : works) calls.push_back(calls_a_sample(each.work));
   const auto wanted = std::size_t(repetitions);
   std::vector<Samples> samples(works.size());
   const auto is_done = [&](const Samples& of) { return of.steady.size() >= wanted; };
-  Reference reference(reference_seconds);
+  Reference reference(probes.reference_seconds);
   for (std::size_t round = 0; round < 2 * wanted; ++round) {
     if (std::ranges::all_of(samples, is_done)) break;
     const bool slower = reference.is_slower();
     for (std::size_t turn = 0; turn < works.size(); ++turn) {
       const std::size_t i = (round + turn) % works.size();
       if (is_done(samples[i])) continue;
+      const long switches = probes.switches();
       const Seconds taken = seconds_of(works[i].work, calls[i]);
       const bool alone = works[i].threads == 1;
-      const bool waited = alone && taken.wall > (1 + kMostWaiting) * taken.processor;
+      const bool waited =
+          alone ? taken.wall > (1 + kMostWaiting) * taken.processor : probes.switches() != switches;
       const double seconds = alone ? taken.processor : taken.wall;
       (slower || waited ? samples[i].disturbed : samples[i].steady)
           .push_back(1e9 * seconds / (calls[i] * works[i].items));

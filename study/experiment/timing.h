@@ -5,6 +5,8 @@
 #include <functional>
 #include <vector>
 
+#include <glassbox/base/processor_time.h>
+
 #include "study/bench/statistics.h"
 
 namespace glassbox::study {
@@ -21,21 +23,25 @@ struct Timed {
   int disturbed = 0;
 };
 
-// The reference: the processor's seconds for 100,000 products, each of which waits for the one before.
+// The processor's seconds for 100,000 products, each of which waits for the one before.
 double seconds_of_products();
+
+// What tells whether the machine did something else.
+struct Probes {
+  std::function<double()> reference_seconds = seconds_of_products;
+  std::function<long()> switches = involuntary_switches;
+};
 
 // Each once without a clock, then `repetitions` rounds over all of them, each round beginning one further on, so that
 // nobody always runs behind the same neighbour. A work shorter than kLeastSample is called several times a sample.
 //
 // One thread's time is the processor's: what others take meanwhile is not in it. Where the clock on the wall went on for more
-// than kMostWaiting beyond it, the thread had to wait, and finds its caches changed: the sample is disturbed. So is a round
-// in which the reference takes kMostSlower of its least time: the processor itself was slower. Up to
-// as many rounds again replace disturbed samples. Several threads' time is the wall's, which only the reference can judge.
+// than kMostWaiting beyond it, the thread had to wait, and finds its caches changed: the sample is disturbed. Several
+// threads' time is the wall's; a sample in which one of them had to give way is disturbed, as the others may have waited for
+// it. So is, for both, a round in which the reference takes kMostSlower of its least time: the processor itself was
+// slower. Up to as many rounds again replace disturbed samples.
 std::vector<Timed> time_in_turn(const std::vector<TimedWork>& works, int repetitions,
-                                const std::function<double()>& reference_seconds);
-inline std::vector<Timed> time_in_turn(const std::vector<TimedWork>& works, int repetitions) {
-  return time_in_turn(works, repetitions, seconds_of_products);
-}
+                                const Probes& probes = {});
 
 inline constexpr double kLeastSample = 2e-4;  // seconds; a clock's reading takes some 5e-8
 inline constexpr double kMostWaiting = 0.05;  // of the sample

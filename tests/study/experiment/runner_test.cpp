@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include <sched.h>
+
 #include <glassbox/base/processor_time.h>
 
 #include "study/experiment/runner.h"
@@ -112,6 +114,11 @@ TEST_CASE("one thread's time is the processor's, and a sample that had to wait i
   CHECK(timed[1].ns.lower >= 2e6);
 }
 
+void spin() {
+  volatile double sum = 0;
+  for (int i = 0; i < 400000; ++i) sum = sum + i;
+}
+
 // A reference that takes one second, but kMostSlower and a bit in the rounds that are named.
 std::function<double()> reference_slow_in(const std::set<int>& rounds) {
   return
@@ -119,18 +126,15 @@ std::function<double()> reference_slow_in(const std::set<int>& rounds) {
 }
 
 TEST_CASE("a round in which the reference was slower is measured again, or flagged") {
-  // Of two threads, so that only the reference judges it.
-  const auto spin = [] {
-    volatile double sum = 0;
-    for (int i = 0; i < 400000; ++i) sum = sum + i;
-  };
+  // Of two threads that are said never to give way, so that only the reference judges it.
   const auto rounds_and_disturbed = [&](const std::set<int>& slow) {
     int calls = 0;
     const auto counted = [&] {
       ++calls;
       spin();
     };
-    const Timed timed = time_in_turn({{counted, 1, 2}}, 4, reference_slow_in(slow)).front();
+    const Probes probes{reference_slow_in(slow), [] { return 0L; }};
+    const Timed timed = time_in_turn({{counted, 1, 2}}, 4, probes).front();
     return std::pair{calls - 2, timed.disturbed};
   };
   CHECK(rounds_and_disturbed({}) == std::pair{4, 0});
@@ -138,6 +142,47 @@ TEST_CASE("a round in which the reference was slower is measured again, or flagg
   CHECK(rounds_and_disturbed({1, 2, 3, 4, 5, 6}) == std::pair{8, 2});
   // The first round is what the others are compared with.
   CHECK(rounds_and_disturbed({0}) == std::pair{4, 0});
+}
+
+TEST_CASE(
+    "a sample of several threads one of which had to give way is measured again, or flagged") {
+  // Asked before and after each sample.
+  const auto disturbed_samples = [](const std::set<int>& samples) {
+    int readings = 0;
+    long switches = 0;
+    const auto read = [&] {
+      const int sample = readings / 2;
+      if (readings++ % 2 == 1 && samples.contains(sample)) ++switches;
+      return switches;
+    };
+    const Probes probes{[] { return 1.0; }, read};
+    const Timed timed = time_in_turn({{spin, 1, 2}}, 3, probes).front();
+    return std::pair{readings / 2, timed.disturbed};
+  };
+  CHECK(disturbed_samples({}) == std::pair{3, 0});
+  CHECK(disturbed_samples({1}) == std::pair{4, 0});
+  CHECK(disturbed_samples({1, 3, 4, 5}) == std::pair{6, 1});
+}
+
+TEST_CASE("two busy threads on one processor have to give way") {
+  cpu_set_t before, one;
+  REQUIRE(sched_getaffinity(0, sizeof before, &before) == 0);
+  CPU_ZERO(&one);
+  for (std::size_t cpu = 0; cpu < CPU_SETSIZE && CPU_COUNT(&one) == 0; ++cpu)
+    if (CPU_ISSET(cpu, &before)) CPU_SET(cpu, &one);
+  REQUIRE(sched_setaffinity(0, sizeof one, &one) == 0);
+  const long switches = involuntary_switches();
+  {
+    // A thread inherits where it may run. Each takes many time slices, which are milliseconds.
+    const auto busy = [] {
+      const double start = processor_ms();
+      while (processor_ms() - start < 200) spin();
+    };
+    std::jthread other(busy);
+    busy();
+  }
+  CHECK(involuntary_switches() > switches);
+  REQUIRE(sched_setaffinity(0, sizeof before, &before) == 0);
 }
 
 TEST_CASE("a configuration without work has an error and no time") {
@@ -177,10 +222,6 @@ TEST_CASE("times are for one item, and a short work is called often enough to be
   const auto times = time_in_turn({{[&calls] { ++calls; }, 1}}, 11);
   REQUIRE(times.size() == 1);
   CHECK(calls > 11 * 100);  // a call takes some nanoseconds of kLeastSample's 200 us
-  const auto spin = [] {
-    volatile double sum = 0;
-    for (int i = 0; i < 400000; ++i) sum = sum + i;
-  };
   const auto pair = time_in_turn({{spin, 1}, {spin, 1000}}, 11);
   // The same work, so that only the machine's disturbance is between a thousand and the ratio.
   CHECK(pair[0].ns.median / pair[1].ns.median > 100);
