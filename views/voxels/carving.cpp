@@ -163,8 +163,8 @@ void color_boundary(std::vector<PackedPicture>& pictures, const ColoringRequest&
       continue;
     }
     ++result.counts[std::size_t(Verdict::kColored)];
-    const auto mean = [&](double sum) {
-      return std::uint8_t(std::floor(sum / double(sums.count) + 0.5));
+    const auto mean = [count = double(sums.count)](double sum) {
+      return std::uint8_t(std::floor(sum / count + 0.5));
     };
     result.voxels.push_back({boundary[i],
                              {mean(rgb[0]), mean(rgb[1]), mean(rgb[2]), 255},
