@@ -19,7 +19,7 @@ void StudyAgreeCommand::add_to(CLI::App& study, int& exit_code) {
       "  glassbox study run --quick --json one.json\n"
       "  glassbox study run --quick --json other.json\n"
       "  glassbox study agree one.json other.json\n\n"
-      "A run states an order where the quartiles of two times do not overlap.\n"
+      "A run states an order where the middle three quarters of two times do not overlap.\n"
       "Exit code 1: one run states the opposite of what the other states.");
   command.add_option("ONE", one_, "results of study run")->required();
   command.add_option("OTHER", other_, "results of another run")->required();

@@ -19,7 +19,8 @@ double quantile(const std::vector<double>& sorted, double share) {
 
 Quartiles quartiles(std::vector<double> values) {
   std::ranges::sort(values);
-  return {quantile(values, 0.25), quantile(values, 0.5), quantile(values, 0.75)};
+  return {quantile(values, 0.25), quantile(values, 0.5), quantile(values, 0.75),
+          quantile(values, 0.125), quantile(values, 0.875)};
 }
 
 PowerLaw fit_power_law(std::span<const Sample> samples) {

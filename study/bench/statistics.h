@@ -11,8 +11,19 @@ namespace glassbox::study {
 // Of one value or more; between two neighbours where the count asks for it (linear, Hyndman and Fan's type 7).
 struct Quartiles {
   double lower = 0, median = 0, upper = 0;
+  double first_octile = 0,
+         last_octile = 0;  // an eighth of the values is less, and an eighth is more
 };
 Quartiles quartiles(std::vector<double> values);
+
+// Whether three quarters of the times of one lie apart from three quarters of the other's. The processor may have two speeds, as
+// whoever runs beside this program comes and goes: 21 rounds meet it fast in 16 of them, and another work's slow in 16,
+// in one of 6000 cases (each with 0.013), so that quartiles alone would order hundreds of equal works now and then. With 19 of 21
+// it is one in 10^8.
+inline bool is_faster(const Quartiles& a, const Quartiles& b) {
+  return a.last_octile < b.first_octile;
+}
+
 inline double median(std::vector<double> values) {
   return quartiles(std::move(values)).median;
 }

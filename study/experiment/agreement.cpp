@@ -19,8 +19,8 @@ bool are_the_same(const ConfigurationResult& a, const ConfigurationResult& b) {
 
 // -1: the first is faster, 1: the second is, 0: nobody can tell.
 int order(const Timing& first, const Timing& second) {
-  if (first.ns.upper < second.ns.lower) return -1;
-  return second.ns.upper < first.ns.lower ? 1 : 0;
+  if (is_faster(first.ns, second.ns)) return -1;
+  return is_faster(second.ns, first.ns) ? 1 : 0;
 }
 
 std::string name_of(const ConfigurationResult& result) {

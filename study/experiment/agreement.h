@@ -13,8 +13,7 @@ namespace glassbox::study {
 
 struct Agreement {
   std::size_t compared = 0;  // pairs of competitors that both runs have timed with as many threads
-  std::size_t by_both =
-      0;  // of these, in how many both state an order: their quartiles do not overlap
+  std::size_t by_both = 0;   // of these, in how many both state an order: is_faster()
   std::size_t by_one = 0;
   std::vector<std::string>
       contradictions;  // of those of both: "D-4, 1 thread: a before b in the one, b before a in the other"

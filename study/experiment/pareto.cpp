@@ -8,14 +8,10 @@ namespace glassbox::study {
 
 namespace {
 
-bool is_faster(const Price& a, const Price& b) {
-  return a.ns.upper < b.ns.lower;
-}
-
 bool dominates(const Price& a, const Price& b, bool more_is_better = false) {
   if (std::isnan(a.error)) return false;
-  if (std::isnan(b.error)) return !is_faster(b, a);  // no answer, and no time won
-  return (more_is_better ? a.error >= b.error : a.error <= b.error) && is_faster(a, b);
+  if (std::isnan(b.error)) return !is_faster(b.ns, a.ns);  // no answer, and no time won
+  return (more_is_better ? a.error >= b.error : a.error <= b.error) && is_faster(a.ns, b.ns);
 }
 
 Price price_of(const ConfigurationResult& result, int threads) {

@@ -28,8 +28,8 @@ std::vector<Standing> standings(const std::vector<Price>& competitors);
 bool compete(const ExperimentResult& experiment, const ConfigurationResult& a,
              const ConfigurationResult& b);
 
-// The standing of each configuration, by its times with that many threads. Times count as different where their interquartile ranges
-// do not overlap, so that another run on a busy machine states the same; errors are exact. An error that is no number is dominated
+// The standing of each configuration, by its times with that many threads. Times are ordered by is_faster(), so that another
+// run on a busy machine states the same; errors are exact. An error that is no number is dominated
 // by every number that takes no longer.
 std::vector<Standing> standings(const ExperimentResult& experiment, int threads = 1);
 

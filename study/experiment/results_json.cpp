@@ -52,6 +52,7 @@ Json configuration_json(const ConfigurationResult& result, const std::vector<Sta
                              {"repetitions", timing.repetitions},
                              {"ns", timing.ns.median},
                              {"ns_quartiles", {timing.ns.lower, timing.ns.upper}},
+                             {"ns_octiles", {timing.ns.first_octile, timing.ns.last_octile}},
                              {"disturbed", timing.disturbed},
                              {"standing", name_of(standing[i])}});
   }
@@ -84,10 +85,12 @@ double number_of(const Json& json) {
 }
 
 Timing timing_of(const Json& json) {
-  const Json& range = json.at("ns_quartiles");
+  const Json& quartiles = json.at("ns_quartiles");
+  const Json& octiles = json.at("ns_octiles");
   return {json.at("threads"),
           json.at("repetitions"),
-          {number_of(range.at(0)), number_of(json.at("ns")), number_of(range.at(1))},
+          {number_of(quartiles.at(0)), number_of(json.at("ns")), number_of(quartiles.at(1)),
+           number_of(octiles.at(0)), number_of(octiles.at(1))},
           json.at("disturbed")};
 }
 

@@ -188,7 +188,9 @@ Experiment d14_layer_warp() {
           "each rounding is within half a unit of the last place, evenly: ulp/sqrt 12. Adding the "
           "same step again to a sum of the same power of two is rounded by the same amount again, "
           "so that n additions are off by n ulp/sqrt 12; w's error counts x times. At most W u W "
-          "px, of which a sum over the powers of two is left",
+          "px, of which a sum over the powers of two is left. A coordinate with the error e comes "
+          "to "
+          "another pixel with the probability E min(1, |e|)",
       .item = "sample",
       .measures = {{kMoved, "samples whose row or column is another pixel's, a share of all", ""}},
       .configurations = configurations};

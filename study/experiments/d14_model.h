@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/Core>
 
@@ -164,8 +165,14 @@ struct Predicted {
   double moved = 0;        // share of the samples that come to another pixel
 };
 
-// Over rows `every` apart of one warp. An error (dX - x dW)/w of a coordinate moves a sample over a pixel's border with the probability
-// E|error|, whose distribution is taken as normal.
+// How likely a coordinate comes to another pixel, if it lies anywhere in its own and its error e is normal: E min(1, |e|).
+inline double share_moved(double deviation) {
+  const double pixel = 1 / deviation;
+  return std::erfc(pixel / std::numbers::sqrt2) +
+         kMeanOfNormal * deviation * -std::expm1(-pixel * pixel / 2);
+}
+
+// Over rows `every` apart of one warp; the error of a coordinate is (dX - x dW)/w.
 template <class Way>
 Predicted predict(const views::LayeredImage& image, const Eigen::Matrix4d& m, int every) {
   Predicted sum;
@@ -195,7 +202,7 @@ Predicted predict(const views::LayeredImage& image, const Eigen::Matrix4d& m, in
           // The inverse of w and the product are rounded, too.
           const double after =
               before + rounding_at<T>(place_px) + square(place_px * w) * rounding_at<T>(1 / w);
-          sum.moved += kMeanOfNormal * std::sqrt(after);
+          sum.moved += share_moved(std::sqrt(after));
         }
         ++samples;
       }

@@ -11,7 +11,7 @@ const run = (...words) => execFileSync(program, ["study", ...words], {stdio: "pi
 
 // Results of everything that a chart can have: zeros, infinities, findings, theory, two numbers of threads, any text.
 function results() {
-  const time = (threads, ns, standing) => ({threads, repetitions: 11, ns, ns_quartiles: [ns * .9, ns * 1.1], disturbed: 0, standing});
+  const time = (threads, ns, standing) => ({threads, repetitions: 11, ns, ns_quartiles: [ns * .9, ns * 1.1], ns_octiles: [ns * .85, ns * 1.15], disturbed: 0, standing});
   const configuration = (series, parameter, error, predicted, times, explanation = "") => ({series, parameter, scene: "", measure: "", error, predicted_error: predicted,
     ratio: null, finding: false, explanation, explains: explanation ? [2, 100] : null, times});
   const experiment = (id, name, configurations, rest = {}) => ({id, name, question: "Is it drawn?", axis: "steps", axis_unit: "m", logarithmic_axis: true,

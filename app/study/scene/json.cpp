@@ -30,6 +30,7 @@ Json point_json(const CurveReport& report, const CurvePoint& point) {
             {"threads", point.way.threads()},
             {"ns", point.ns.median},
             {"ns_quartiles", {point.ns.lower, point.ns.upper}},
+            {"ns_octiles", {point.ns.first_octile, point.ns.last_octile}},
             {"disturbed", point.disturbed},
             {"standing", nullptr}};
   if (point.standing) json["standing"] = name_of(*point.standing);

@@ -88,7 +88,12 @@ TEST_CASE(
         std::vector{kFront, kDominated});
 }
 
-TEST_CASE("times whose quartiles overlap order nothing, whatever the errors") {
+TEST_CASE("times whose middle three quarters overlap order nothing, whatever the errors") {
+  // Quartiles lie apart, octiles do not.
+  ConfigurationResult fast = result_of(1, 1, 10, 2), slow = result_of(1, 2, 15, 2);
+  slow.timings.front().ns.first_octile = 11;
+  CHECK(standings_of({fast, slow}, false) == std::vector{kFront, kFront});
+
   CHECK(standings_of({result_of(1, 1, 10), result_of(1, 2, 10)}, false) ==
         std::vector{kFront, kFront});
   CHECK(standings_of({result_of(1, 1, 10, 2), result_of(1, 2, 13, 2)}, false) ==
@@ -142,8 +147,8 @@ TEST_CASE(
 TEST_CASE("each number of threads has a front of its own") {
   ExperimentResult result;
   result.configurations = {result_of(1, 1, 10), result_of(1, 1, 20)};
-  result.configurations[0].timings.push_back({2, 11, {9, 9, 9}, 0});
-  result.configurations[1].timings.push_back({2, 11, {4, 4, 4}, 0});
+  result.configurations[0].timings.push_back({2, 11, {9, 9, 9, 9, 9}, 0});
+  result.configurations[1].timings.push_back({2, 11, {4, 4, 4, 4, 4}, 0});
   CHECK(thread_counts(result) == std::vector{1, 2});
   CHECK(standings(result, 1) == std::vector{kFront, kDominated});
   CHECK(standings(result, 2) == std::vector{kDominated, kFront});

@@ -59,7 +59,7 @@ inline study::ConfigurationResult result_of(double parameter, double error, doub
   result.series = "made by hand";
   result.parameter = parameter;
   result.error = error;
-  result.timings = {{1, 11, {ns - spread, ns, ns + spread}, 0}};
+  result.timings = {{1, 11, {ns - spread, ns, ns + spread, ns - spread, ns + spread}, 0}};
   return result;
 }
 

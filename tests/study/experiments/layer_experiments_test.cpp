@@ -1,7 +1,9 @@
 // The experiments on layered depth images (SPEC D): D-14 to D-17.
 #include <cmath>
+#include <numbers>
 #include <string>
 
+#include "study/experiments/d14_model.h"
 #include "study/experiments/d17_leaves.h"
 #include "tests/study/experiments/laws.h"
 
@@ -32,6 +34,20 @@ TEST_CASE("D-14: sums that are not begun anew drift with the square of the width
   };
   CHECK(std::abs(growth("float, added up, anew each row") - 2) < 0.25);
   CHECK(std::abs(growth("float, multiples of the step, anew every 64 px") - 1) < 0.25);
+}
+
+TEST_CASE("D-14: a coordinate comes to another pixel with the probability E min(1, |error|)") {
+  // The integral of P(|e| > t) over t of 0 .. 1 by the midpoint rule, which is off by h^2/24 of the greatest second derivative,
+  // 0.5 / deviation^2.
+  constexpr int kSteps = 1000;
+  for (const double deviation : {0.2, 0.7, 1.0, 5.0}) {
+    double share = 0;
+    for (int i = 0; i < kSteps; ++i)
+      share += std::erfc((i + 0.5) / kSteps / deviation / std::numbers::sqrt2) / kSteps;
+    CHECK(std::abs(d14::share_moved(deviation) - share) < 0.5 / square(deviation * kSteps) / 24);
+  }
+  CHECK(d14::share_moved(0) == 0);
+  CHECK(d14::share_moved(1e6) <= 1);
 }
 
 TEST_CASE("D-15: facing, 1 - 1/m^2 of a wall are holes with a pixel a sample, none with sides l") {
