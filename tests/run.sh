@@ -19,9 +19,10 @@ Builds the tests with g++, every warning an error, and runs them; then
 the format of the sources, and some tests of each folder under the
 sanitizers. --all adds what needs more tools and time: all tests with
 clang++, without optimisation and under the sanitizers,
-ThreadSanitizer, every planted fault against every extreme case, a
-minute of each fuzzer, the HTML pages in a browser,
-the pages that Doxygen makes of the headers, and clang-tidy.
+ThreadSanitizer, every planted fault against every extreme case,
+100,000 small scenes by each way of drawing, a minute of each fuzzer,
+the HTML pages in a browser, the pages that Doxygen makes of the
+headers, and clang-tidy.
 
 Parts, for one of them again:
   test           all tests, g++ -O3     sanitize-some  a few, sanitized
@@ -31,6 +32,7 @@ Parts, for one of them again:
   mutants        all planted faults     api            Doxygen's pages
   browser        the HTML pages
   long-pages     slow lines of docs     tidy           clang-tidy
+  scenes         100,000 small scenes
 TEXT
 }
 
@@ -181,6 +183,17 @@ run_mutants() {
   count "mutants: the page is what comes of it" "$status"
 }
 
+# All of the small scenes of which the tests have the first.
+run_scenes() {
+  build_preset test test_render || { count "scenes: build" 1; return 0; }
+  say "scenes: drawing ..."
+  directory=$(directory_of test)/tests/render
+  status=0
+  "$directory/test_render" "[.small-scenes]" >"$directory/scenes.log" 2>&1 </dev/null || status=$?
+  if [ "$status" != 0 ]; then tail -n 60 "$directory/scenes.log" >&2; fi
+  count "scenes: 100,000 small ones" "$status"
+}
+
 # The library's pages (docs/api.md): made without a complaint, with the headers' comments in them, and no link to nowhere.
 run_doxygen() {
   have doxygen || { skip "API pages (no doxygen)"; return 0; }
@@ -215,7 +228,7 @@ run_tidy() {
 }
 
 plain="test format sanitize-some"
-all="test format debug clang++ sanitize threads mutants fuzz browser long-pages api tidy"
+all="test format debug clang++ sanitize threads mutants scenes fuzz browser long-pages api tidy"
 
 run_part() {
   case $1 in
@@ -227,6 +240,7 @@ run_part() {
   sanitize) run_suites sanitize "sanitizers" ;;
   threads) run_threads ;;
   mutants) run_mutants ;;
+  scenes) run_scenes ;;
   fuzz) run_fuzzers ;;
   browser) run_browser ;;
   long-pages) run_long_pages ;;

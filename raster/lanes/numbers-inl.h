@@ -15,6 +15,7 @@
 #include <cstdint>
 
 #include <glassbox/base/numbers.h>
+#include <glassbox/raster/lanes/kept_lanes.h>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -243,8 +244,24 @@ HWY_INLINE void store(Ints i, std::int32_t* to) {
   hn::Store(i.v, kI, to);
 }
 
+// AVX2 has an instruction for it, too, but AMD's processors make some 20 of it.
 HWY_INLINE void store_where(IntMask where, Ints i, std::int32_t* to) {
+#if HWY_TARGET == HWY_AVX2
+  store(select(where, i, load(to)), to);
+#else
   hn::BlendedStore(i.v, where.m, kI, to);
+#endif
+}
+// The lanes that are kept, one after the other, and whatever beyond them.
+HWY_INLINE Ints first_kept(Ints i, IntMask keep) {
+#if HWY_TARGET == HWY_AVX2
+  // (Highway 1.0.3 has g++ copy the whole of its table to the stack for each call.)
+  const auto* lanes = reinterpret_cast<const __m128i*>(&kKeptLanes[bits_of(keep)]);
+  const __m256i from = _mm256_cvtepu8_epi32(_mm_loadl_epi64(lanes));
+  return hn::Vec<DI>{_mm256_permutevar8x32_epi32(i.v.raw, from)};
+#else
+  return hn::Compress(i.v, keep.m);
+#endif
 }
 // Integers in [0, 2^16).
 HWY_INLINE void store_shorts(Ints i, std::uint16_t* to) {

@@ -107,14 +107,13 @@ private:
           resolve_block(block, x, y);
           continue;
         }
+        if (!job_.points.empty()) {
+          resolve_samples(block, x, y);
+          continue;
+        }
         for (int quad = 0; quad < kBlockQuads; ++quad) {
           const int qx = x + (quad % 2) * kQuadSide, qy = y + (quad / 2) * kQuadSide;
-          if (qx >= window.x1 || qy >= window.y1) continue;
-          if (job_.points.empty()) {
-            resolve_quad(block, quad, qx, qy);
-          } else {
-            resolve_samples(block, quad, qx, qy);
-          }
+          if (qx < window.x1 && qy < window.y1) resolve_quad(block, quad, qx, qy);
         }
       }
       stream({window.x0, y, window.x1, std::min(y + kBlockSide, window.y1)}, tile_.side());
@@ -295,9 +294,9 @@ private:
   }
 
   // Of several samples to a pixel, which resolve_tile has shaded in all channels.
-  HWY_INLINE void resolve_samples(std::size_t block, int quad, int x, int y) {
+  HWY_INLINE void resolve_samples(std::size_t block, int x, int y) {
     if constexpr (std::is_same_v<Channels, AllChannels>) {
-      SampleResolver(job_, tiles_, shader_).resolve(block, quad, x, y, color_);
+      SampleResolver(job_, tiles_, shader_).resolve(block, x, y, color_);
     }
   }
 

@@ -12,6 +12,7 @@
 
 #include <glassbox/raster/lanes/rows-inl.h>
 #include <glassbox/raster/lanes/seen-inl.h>
+#include <glassbox/raster/lanes/shared_samples-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace glassbox {
@@ -23,28 +24,16 @@ public:
                  SeenShader<AllChannels>& shader)
       : job_(job), tiles_(tiles), shader_(shader), mask_(bytes_of(job.mask)) {}
 
-  // A quad's samples: each triangle that is seen at some of a pixel's is shaded once there.
-  HWY_NOINLINE void resolve(std::size_t block, int quad, int x, int y, const Rows& rows) {
-    HWY_ALIGN std::int32_t means[kQuadPixels];
-    if (job_.keep_picture && job_.samples == nullptr) {
-      load_quad(means, rows, tiles_.front().window(), x, y);
-    } else {
-      std::fill_n(means, kQuadPixels, std::bit_cast<std::int32_t>(job_.background));
+  // A block's samples: each triangle that is seen at some of a pixel's is shaded once there.
+  HWY_NOINLINE void resolve(std::size_t block, int x, int y, const Rows& rows) {
+    const ListedAtSamples listed(tiles_, block);
+    if (listed.count > 0) {
+      const ShadeDraw& draw = shader_.draw_of(Reference(hn::GetLane(listed.references.v)));
+      if (SharedTriangles::can_have(draw)) {
+        return resolve(block, x, y, rows, SharedAtSamples(draw, listed, x, y));
+      }
     }
-    SampleColors colors;
-    FurtherSamples further;
-    for (std::size_t k = 0; k < kQuadPixels; k += kLanes) {
-      shade_samples(block, quad, x, y, k, load(means + k), colors, further);
-    }
-    shader_.shade_further(further, x, y, colors);
-    for (std::size_t k = 0; k < kQuadPixels; k += kLanes)
-      copy_equal_samples(block, quad, k, colors);
-    if (job_.samples != nullptr) return leave_samples(block, quad, x, y, colors);
-    for (std::size_t k = 0; k < kQuadPixels; k += kLanes) {
-      const Ints mean = mean_color(job_.transfer, colors, tiles_.size(), k);
-      store((mean & mask_) | (load(means + k) & ~mask_), means + k);
-    }
-    store_quad(means, rows, tiles_.front().window(), x, y);
+    resolve(block, x, y, rows, NoneShared());
   }
 
 private:
@@ -60,10 +49,53 @@ private:
     Ints& color;
   };
 
+  template <class Shared>
+  HWY_NOINLINE void resolve(std::size_t block, int x, int y, const Rows& rows,
+                            const Shared& shared) {
+    SampleColors colors;
+    FurtherSamples further;
+    HWY_ALIGN std::int32_t means[kBlockPixels];
+    for_each_quad(x, y, [&](int quad, int qx, int qy) HWY_ATTR {
+      std::int32_t* const background = means + quad * kQuadPixels;
+      if (job_.keep_picture && job_.samples == nullptr) {
+        load_quad(background, rows, tiles_.front().window(), qx, qy);
+      } else {
+        std::fill_n(background, kQuadPixels, std::bit_cast<std::int32_t>(job_.background));
+      }
+      for (std::size_t k = 0; k < kQuadPixels; k += kLanes) {
+        shade_samples(block, quad, qx, qy, k, load(background + k), shared, colors, further);
+      }
+    });
+    shade_further(further, x, y, shared, colors);
+    for_each_quad(x, y, [&](int quad, int qx, int qy) HWY_ATTR {
+      for (std::size_t k = 0; k < kQuadPixels; k += kLanes)
+        copy_equal_samples(block, quad, k, colors);
+      if (job_.samples != nullptr) return leave_samples(block, quad, qx, qy, colors);
+      const std::size_t first = std::size_t(quad) * kQuadPixels;
+      for (std::size_t k = first; k < first + kQuadPixels; k += kLanes) {
+        const Ints mean = mean_color(job_.transfer, colors, tiles_.size(), k);
+        store((mean & mask_) | (load(means + k) & ~mask_), means + k);
+      }
+      store_quad(means + first, rows, tiles_.front().window(), qx, qy);
+    });
+  }
+  // Of those that have pixels on the screen.
+  template <class Work>
+  HWY_INLINE void for_each_quad(int x, int y, const Work& work) const {
+    const PixelRect& window = tiles_.front().window();
+    for (int quad = 0; quad < kBlockQuads; ++quad) {
+      const int qx = x + (quad % 2) * kQuadSide, qy = y + (quad / 2) * kQuadSide;
+      if (qx < window.x1 && qy < window.y1) work(quad, qx, qy);
+    }
+  }
+
   // Of a quad's pixels k .. k + kLanes - 1: the first samples, and others of large triangles. Small ones wait in `further`, since few lanes
   // have any. `background`: of samples that show nothing.
+  template <class Shared>
   HWY_INLINE void shade_samples(std::size_t block, int quad, int x, int y, std::size_t k,
-                                Ints background, SampleColors& colors, FurtherSamples& further) {
+                                Ints background, const Shared& shared, SampleColors& colors,
+                                FurtherSamples& further) {
+    const std::size_t pixel = std::size_t(quad) * kQuadPixels + k;
     Ints seen[kMostSamples];
     for (std::size_t s = 0; s < tiles_.size(); ++s) {
       seen[s] = seen_in(tiles_[s], block, quad, k);
@@ -72,24 +104,64 @@ private:
       for (std::size_t t = 0; t < s; ++t) pending = pending && seen[s] != seen[t];
       if (s > 0) {
         const IntMask small = pending && seen[s] >= 0;  // kLargeReference is the sign
-        if (!none(small)) further.add(seen[s], small, s, k);
+        if (!none(small)) further.add(seen[s], small, s, pixel);
         pending = pending && !small;
+      } else {
+        shared.shade(job_, seen[s], block_columns(pixel / kLanes), block_rows(pixel / kLanes),
+                     pending, color);
       }
       shader_.shade_lanes(seen[s], pending, x, y, k, ToSample{job_, color});
-      store(color, colors.at(s) + k);
+      store(color, colors.at(s) + pixel);
+    }
+  }
+  // A vector's lanes may be of any pixels of the block at (x, y): small triangles are found lane by lane.
+  template <class Shared>
+  HWY_NOINLINE void shade_further(const FurtherSamples& further, int x, int y, const Shared& shared,
+                                  SampleColors& colors) {
+    for (std::size_t i = 0; i < further.count; i += kLanes) {
+      const Ints seen = load(further.references + i), place = load(further.places + i);
+      const Ints column = (place & 3) | (shifted_right<2>(place) & 4);
+      const Ints row = (shifted_right<2>(place) & 3) | (shifted_right<3>(place) & 4);
+      IntMask pending = first_lanes(std::min(kLanes, further.count - i));
+      Ints color = 0;
+      shared.shade(job_, seen, column, row, pending, color);
+      while (!none(pending)) {
+        HWY_ALIGN std::int32_t references[kLanes];
+        store(seen, references);
+        const auto first = Reference(references[hn::FindFirstTrue(kI, pending.m)]);
+        const ShadeDraw& draw = shader_.draw_of(first);
+        const Ints begin = std::int32_t(draw.first_reference);
+        const IntMask same = pending && seen >= begin && seen < std::int32_t(draw.end_reference);
+        const Ints reference = select(same, seen, std::int32_t(first));
+        const SmallSource source(draw, reference - begin, column + x, row + y,
+                                 AtSamples{job_.points, same});
+        color = select(
+            same,
+            encoded(shining_by_call<AllChannels>(draw, shader_.textures_of(draw), job_, source),
+                    job_),
+            color);
+        pending = pending && !same;
+      }
+      HWY_ALIGN std::int32_t shaded[kLanes];
+      store(color, shaded);
+      const std::size_t count = std::min(kLanes, further.count - i);
+      for (std::size_t lane = 0; lane < count; ++lane) {
+        colors.colors[further.places[i + lane]] = shaded[lane];
+      }
     }
   }
   // What is seen at several of a pixel's samples was shaded at the first of them.
   HWY_INLINE void copy_equal_samples(std::size_t block, int quad, std::size_t k,
                                      SampleColors& colors) const {
+    const std::size_t pixel = std::size_t(quad) * kQuadPixels + k;
     Ints seen[kMostSamples];
     for (std::size_t s = 0; s < tiles_.size(); ++s) {
       seen[s] = seen_in(tiles_[s], block, quad, k);
-      Ints color = load(colors.at(s) + k);
+      Ints color = load(colors.at(s) + pixel);
       for (std::size_t t = 0; t < s; ++t) {
-        color = select(seen[s] == seen[t], load(colors.at(t) + k), color);
+        color = select(seen[s] == seen[t], load(colors.at(t) + pixel), color);
       }
-      store(color, colors.at(s) + k);
+      store(color, colors.at(s) + pixel);
     }
   }
 
@@ -107,7 +179,8 @@ private:
           job_.samples->depths[to] = stored_code(tile.depth()[first + std::size_t(i)]);
           if (seen == kNothing || seen == kInPicture) continue;
           auto& color = job_.samples->colors[to];
-          color = std::bit_cast<Rgba8>((colors.at(s)[i] & mask_) |
+          const std::int32_t seen_color = colors.at(s)[quad * kQuadPixels + i];
+          color = std::bit_cast<Rgba8>((seen_color & mask_) |
                                        (std::bit_cast<std::int32_t>(color) & ~mask_));
         }
       });

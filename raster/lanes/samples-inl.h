@@ -20,12 +20,12 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
-// Stored colours of a quad's samples.
+// Stored colours of a block's samples.
 struct SampleColors {
-  std::int32_t* at(std::size_t sample) { return colors + sample * kQuadPixels; }
-  const std::int32_t* at(std::size_t sample) const { return colors + sample * kQuadPixels; }
+  std::int32_t* at(std::size_t sample) { return colors + sample * kBlockPixels; }
+  const std::int32_t* at(std::size_t sample) const { return colors + sample * kBlockPixels; }
 
-  HWY_ALIGN std::int32_t colors[std::size_t(kMostSamples) * kQuadPixels];
+  HWY_ALIGN std::int32_t colors[std::size_t(kMostSamples) * kBlockPixels];
 };
 
 template <int kShift>
@@ -33,12 +33,16 @@ HWY_INLINE Ints byte_at(Ints color) {
   return shifted_right<kShift>(color) & 255;
 }
 
-// (2 sum + count) / (2 count), of a power of two.
+// (2 sum + count) / (2 count), of a power of two: of the colours' bytes 0 and 2 after a shift, each in its half of the lane, where 16
+// bytes and a half of them fit.
 template <int kShift>
-HWY_INLINE Ints mean_byte(const SampleColors& colors, std::size_t count, std::size_t k) {
-  Ints sum = 0;
-  for (std::size_t s = 0; s < count; ++s) sum = sum + byte_at<kShift>(load(colors.at(s) + k));
-  return shifted_right(sum + sum + std::int32_t(count), int(std::bit_width(unsigned(count))));
+HWY_INLINE Ints mean_bytes(const SampleColors& colors, std::size_t count, std::size_t k) {
+  constexpr std::int32_t kTwoBytes = 0x00ff00ff;
+  Ints sum = std::int32_t(count / 2) * 0x00010001;
+  for (std::size_t s = 0; s < count; ++s) {
+    sum = sum + (shifted_right<kShift>(load(colors.at(s) + k)) & kTwoBytes);
+  }
+  return shifted_right(sum, int(std::bit_width(unsigned(count)) - 1)) & kTwoBytes;
 }
 
 // The sum is exact in a double, and so is its share.
@@ -58,12 +62,13 @@ HWY_INLINE Ints mean_color(Transfer transfer, const SampleColors& colors, std::s
   IntMask differ = first != first;
   for (std::size_t s = 1; s < count; ++s) differ = differ || load(colors.at(s) + k) != first;
   if (none(differ)) return first;
-  const bool is_light = transfer == Transfer::kSrgb;
-  const Ints r = is_light ? mean_light<0>(colors, count, k) : mean_byte<0>(colors, count, k);
-  const Ints g = is_light ? mean_light<8>(colors, count, k) : mean_byte<8>(colors, count, k);
-  const Ints b = is_light ? mean_light<16>(colors, count, k) : mean_byte<16>(colors, count, k);
-  return r | shifted_left<8>(g) | shifted_left<16>(b) |
-         shifted_left<24>(mean_byte<24>(colors, count, k));
+  const Ints green_alpha = mean_bytes<8>(colors, count, k);
+  if (transfer == Transfer::kNone) {
+    return mean_bytes<0>(colors, count, k) | shifted_left<8>(green_alpha);
+  }
+  return mean_light<0>(colors, count, k) | shifted_left<8>(mean_light<8>(colors, count, k)) |
+         shifted_left<16>(mean_light<16>(colors, count, k)) |
+         shifted_left<8>(green_alpha & 0x00ff0000);
 }
 
 }  // namespace HWY_NAMESPACE

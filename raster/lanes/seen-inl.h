@@ -11,7 +11,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <glassbox/raster/lanes/samples-inl.h>
 #include <glassbox/raster/lanes/shade-inl.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -32,23 +31,6 @@ HWY_INLINE IntMask is_to_be_shaded(Ints seen) {
 inline std::uint32_t stored_code(TileDepth depth) {
   return depth == kEmptyTileDepth ? kEmptyDepth : std::uint32_t(depth);
 }
-
-// Small triangles that are seen at samples of a quad's pixels, one after the other, and whose colours they are: sample * kQuadPixels
-// + pixel.
-struct FurtherSamples {
-  // (Room for what a vector writes beyond them.)
-  static constexpr std::size_t kMost = std::size_t(kMostSamples) * kQuadPixels + kLanes;
-  HWY_INLINE void add(Ints seen, IntMask lanes, std::size_t sample, std::size_t k) {
-    const Ints place = hn::Iota(kI, std::int32_t(sample * kQuadPixels + k));
-    hn::StoreU(hn::Compress(seen.v, lanes.m), kI, references + count);
-    hn::StoreU(hn::Compress(place.v, lanes.m), kI, places + count);
-    count += count_of(lanes);
-  }
-
-  std::size_t count = 0;
-  HWY_ALIGN std::int32_t references[kMost];
-  HWY_ALIGN std::int32_t places[kMost];
-};
 
 // A block, with its first pixel at (x, y).
 struct BlockOfTile {
@@ -174,40 +156,6 @@ public:
     }
   }
 
-  // ---- samples ----
-
-  // A vector's lanes may be of any pixels of the quad at (x, y): small triangles are found lane by lane.
-  HWY_NOINLINE void shade_further(const FurtherSamples& further, int x, int y,
-                                  SampleColors& colors) {
-    for (std::size_t i = 0; i < further.count; i += kLanes) {
-      const Ints seen = load(further.references + i), place = load(further.places + i);
-      const Ints pixel_x = (place & 3) + x, pixel_y = (shifted_right<2>(place) & 3) + y;
-      IntMask pending = first_lanes(std::min(kLanes, further.count - i));
-      Ints color = 0;
-      while (!none(pending)) {
-        HWY_ALIGN std::int32_t references[kLanes];
-        store(seen, references);
-        const auto first = Reference(references[hn::FindFirstTrue(kI, pending.m)]);
-        const ShadeDraw& draw = draw_of(first);
-        const Ints begin = std::int32_t(draw.first_reference);
-        const IntMask same = pending && seen >= begin && seen < std::int32_t(draw.end_reference);
-        const Ints reference = select(same, seen, std::int32_t(first));
-        const SmallSource source(draw, reference - begin, pixel_x, pixel_y,
-                                 AtSamples{job_.points, same});
-        color = select(
-            same, encoded(shining_by_call<Channels>(draw, textures_of(draw), job_, source), job_),
-            color);
-        pending = pending && !same;
-      }
-      HWY_ALIGN std::int32_t shaded[kLanes];
-      store(color, shaded);
-      const std::size_t count = std::min(kLanes, further.count - i);
-      for (std::size_t lane = 0; lane < count; ++lane) {
-        colors.colors[further.places[i + lane]] = shaded[lane];
-      }
-    }
-  }
-
 private:
   // Pixels of a block that show small triangles of one draw, or one large triangle.
   struct Group {
@@ -301,7 +249,8 @@ private:
     const SharedTriangles triangles(draw, load(shared.references), block.x, block.y);
     const auto source_of = [&](std::size_t i) HWY_ATTR {
       const std::size_t vector = group.vector[i];
-      return SharedSource(triangles, shared.lanes[i], block_columns(vector), block_rows(vector));
+      return SharedSource(triangles, shared.lanes[i], block_columns(vector), block_rows(vector),
+                          AtCentre());
     };
     const DrawTextures textures(draw);
     // (Of shorter vectors a block has more than registers hold from one step to the next.)

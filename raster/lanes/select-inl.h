@@ -30,7 +30,7 @@ HWY_INLINE OfVertices<Ints> load_indices(IndexTriples triples, std::uint32_t fir
 
 // The words of the lanes that are kept, one after the other, and whatever beyond them.
 HWY_INLINE void store_kept(Ints words, IntMask keep, std::uint32_t* to) {
-  hn::StoreU(hn::Compress(words.v, keep.m), kI, reinterpret_cast<std::int32_t*>(to));
+  hn::StoreU(first_kept(words, keep).v, kI, reinterpret_cast<std::int32_t*>(to));
 }
 
 // Writes those that may cover a pixel to `selected`, which has room for job.count + kMostLanes, and returns how many there are.
@@ -47,9 +47,8 @@ inline std::size_t select_triangles(const SelectJob& job, const BinColumns& sele
     const OfVertices<Ints> vertices = job.count - i >= kLanes
                                           ? load_indices(job.positions, job.first + i)
                                           : gather_indices(job.positions, triangle);
-    const OfVertices<Ints> entries = entries_of(vertices);
-    OfVertices<Ints> x, y;
-    gather_position(job.screen, entries, x, y);
+    const ScreenColumns columns(job.screen, vertices);
+    const OfVertices<Ints>&x = columns.x, &y = columns.y;
     const Ints left = smallest(x), right = largest(x), top = smallest(y), bottom = largest(y);
 
     // A difference that wraps around is negative: the triangle is not small.

@@ -31,6 +31,16 @@ struct Pair {
 HWY_INLINE Pair gather_pair(const std::int32_t* table, Ints at) {
 #if HWY_TARGET == HWY_SCALAR
   return {gather(table, at), gather(table + 1, at)};
+#elif HWY_TARGET == HWY_AVX2
+  const Places places(at);
+  // Of lanes a and a + 1, and four lanes further those of the vector's other half.
+  const auto four = [&](int a) HWY_ATTR {
+    return _mm256_castsi256_ps(
+        _mm256_set_m128i(two_words<4>(table, places, a + 4), two_words<4>(table, places, a)));
+  };
+  const __m256 even = _mm256_shuffle_ps(four(0), four(2), 0x88);
+  const __m256 odd = _mm256_shuffle_ps(four(0), four(2), 0xdd);
+  return {hn::Vec<DI>{_mm256_castps_si256(even)}, hn::Vec<DI>{_mm256_castps_si256(odd)}};
 #else
   const auto* from = reinterpret_cast<const std::int64_t*>(table);
   const auto low = hn::BitCast(kI, gather_words<4>(from, hn::LowerHalf(kHalfI, at.v)));
@@ -56,19 +66,47 @@ HWY_INLINE auto gather(const T* table, const OfVertices<Ints>& at) {
                                                     gather(table, at[2])};
 }
 
-// Columns of the screen's table, at the vertices. An entry is four words.
-HWY_INLINE OfVertices<Ints> entries_of(const OfVertices<Ints>& vertices) {
-  static_assert(sizeof(SnappedEntry) == 4 * sizeof(std::int32_t));
-  return {shifted_left<2>(vertices[0]), shifted_left<2>(vertices[1]), shifted_left<2>(vertices[2])};
+// Four words from word `at` of a table on, a column each: those that nobody asks for cost nothing.
+struct Four {
+  Ints first, second, third, fourth;
+};
+HWY_INLINE Four gather_four(const std::int32_t* table, Ints at) {
+#if HWY_TARGET == HWY_AVX2
+  const Places places(at);
+  const auto entry = [&](int lane) HWY_ATTR {
+    return _mm_loadu_si128(reinterpret_cast<const __m128i*>(table + places.lane[lane]));
+  };
+  const auto two = [&](int lane)
+                       HWY_ATTR { return _mm256_set_m128i(entry(lane + 4), entry(lane)); };
+  // Turned over within each half, as a matrix of 4 x 4 is.
+  const __m256i a = two(0), b = two(1), c = two(2), d = two(3);
+  const __m256i ab = _mm256_unpacklo_epi32(a, b), cd = _mm256_unpacklo_epi32(c, d);
+  const __m256i more_ab = _mm256_unpackhi_epi32(a, b), more_cd = _mm256_unpackhi_epi32(c, d);
+  return {hn::Vec<DI>{_mm256_unpacklo_epi64(ab, cd)}, hn::Vec<DI>{_mm256_unpackhi_epi64(ab, cd)},
+          hn::Vec<DI>{_mm256_unpacklo_epi64(more_ab, more_cd)},
+          hn::Vec<DI>{_mm256_unpackhi_epi64(more_ab, more_cd)}};
+#else
+  const Pair two = gather_pair(table, at);
+  return {two.first, two.second, gather(table + 2, at), gather(table + 3, at)};
+#endif
 }
-HWY_INLINE void gather_position(const SnappedEntry* screen, const OfVertices<Ints>& entries,
-                                OfVertices<Ints>& x, OfVertices<Ints>& y) {
-  const Pair p0 = gather_pair(&screen->x, entries[0]);
-  const Pair p1 = gather_pair(&screen->x, entries[1]);
-  const Pair p2 = gather_pair(&screen->x, entries[2]);
-  x = {p0.first, p1.first, p2.first};
-  y = {p0.second, p1.second, p2.second};
-}
+
+// Columns of the screen's table, at the vertices.
+struct ScreenColumns {
+  OfVertices<Ints> x, y;
+  OfVertices<Floats> z, inverse_w;
+
+  HWY_INLINE ScreenColumns(const SnappedEntry* screen, const OfVertices<Ints>& vertices) {
+    static_assert(sizeof(SnappedEntry) == 4 * sizeof(std::int32_t));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Four entry = gather_four(&screen->x, shifted_left<2>(vertices[k]));
+      x[k] = entry.first;
+      y[k] = entry.second;
+      z[k] = float_of(entry.third);
+      inverse_w[k] = float_of(entry.fourth);
+    }
+  }
+};
 
 // ---- order ----
 

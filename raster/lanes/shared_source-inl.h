@@ -126,11 +126,17 @@ class SharedSource : public SharedPlace, public SharedAttributes<SharedSource> {
 public:
   using Fragments = SharedFragments;
 
-  HWY_INLINE SharedSource(const SharedTriangles& shared, Ints of_pixels, Ints column, Ints row)
+  template <class Place>
+  HWY_INLINE SharedSource(const SharedTriangles& shared, Ints of_pixels, Ints column, Ints row,
+                          const Place& place)
       : SharedPlace{&shared, of_pixels, {}, {}} {
-    const Ints e1 = own(shared.e1) + own(shared.right1) * column + own(shared.down1) * row;
-    const Ints e2 = own(shared.e2) + own(shared.right2) * column + own(shared.down2) * row;
-    const Ints e0 = own(shared.area) - e1 - e2;
+    const Ints area = own(shared.area);
+    const Ints right1 = own(shared.right1), down1 = own(shared.down1);
+    const Ints right2 = own(shared.right2), down2 = own(shared.down2);
+    Ints e1 = own(shared.e1) + right1 * column + down1 * row;
+    Ints e2 = own(shared.e2) + right2 * column + down2 * row;
+    place.move(edges_of(right1, down1, right2, down2), area, e1, e2);
+    const Ints e0 = area - e1 - e2;
     const Floats inverse_area = own(shared.inverse_area);
     const Float3 lambda{screen_weight(to_float(e0), inverse_area),
                         screen_weight(to_float(e1), inverse_area),
@@ -151,6 +157,15 @@ public:
   }
 
 private:
+  // From what a step of one pixel adds to two of them. (The three add up to nothing.)
+  HWY_INLINE static std::array<EdgeSlopes<Ints>, 3> edges_of(Ints right1, Ints down1, Ints right2,
+                                                             Ints down2) {
+    const EdgeSlopes<Ints> edge1{shifted_right<kSubpixelBits>(right1),
+                                 shifted_right<kSubpixelBits>(down1)};
+    const EdgeSlopes<Ints> edge2{shifted_right<kSubpixelBits>(right2),
+                                 shifted_right<kSubpixelBits>(down2)};
+    return {{{0 - edge1.a - edge2.a, 0 - edge1.b - edge2.b}, edge1, edge2}};
+  }
   HWY_INLINE WeightsInSpace<Floats> in_space(const Float3& lambda) const {
     const OfVertices<Floats>& w = triangles->inverse_w;
     if (triangles->draw->w_is_one) return {lambda[0], lambda[1], lambda[2], own(w[0])};

@@ -8,8 +8,10 @@
 #define GLASSBOX_SMALL_SETUPS_INL_H_
 #endif
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include <glassbox/raster/lanes/quads-inl.h>
 #include <glassbox/raster/lanes/select-inl.h>
@@ -52,11 +54,9 @@ inline constexpr std::int32_t kMaskSide = 4;  // quads
 
 HWY_INLINE void set_up(const SmallJob& job, Ints triangle, const PixelRect& window, SmallSetups& to,
                        std::size_t at) {
-  const OfVertices<Ints> vertices = gather_indices(job.positions, triangle);
-  const OfVertices<Ints> entries = entries_of(vertices);
-  OfVertices<Ints> x, y;
-  gather_position(job.screen, entries, x, y);
-  OfVertices<Floats> z = gather(&job.screen->z, entries);
+  const ScreenColumns columns(job.screen, gather_indices(job.positions, triangle));
+  OfVertices<Ints> x = columns.x, y = columns.y;
+  OfVertices<Floats> z = columns.z;
   const Ints signed_area = double_area(x, y);
   const Order order = order_of(signed_area, z);
   x = put_in_order(order, x);
@@ -90,13 +90,58 @@ HWY_INLINE void set_up(const SmallJob& job, Ints triangle, const PixelRect& wind
   store(z[2] - z[0], to.depth2 + at);
 }
 
+// Where in a pixel a triangle is asked for: at one point, which the edges are at ...
+struct AtOnePoint {
+  SampleOffset point;
+
+  std::int32_t left() const { return point.x; }
+  std::int32_t right() const { return point.x; }
+  std::int32_t top() const { return point.y; }
+  std::int32_t bottom() const { return point.y; }
+  SampleOffset edges_at() const { return point; }
+  // What an edge is greater at most at another point.
+  template <class I>
+  HWY_INLINE I rise(I, I) const {
+    return 0;
+  }
+};
+// ... or at several, of which these are the farthest; the edges are at the centre.
+struct AtSomePoints {
+  explicit AtSomePoints(std::span<const TileBuffer> tiles) {
+    for (const TileBuffer& tile : tiles) {
+      least.x = std::min(least.x, tile.point().x);
+      least.y = std::min(least.y, tile.point().y);
+      most.x = std::max(most.x, tile.point().x);
+      most.y = std::max(most.y, tile.point().y);
+    }
+  }
+
+  std::int32_t left() const { return least.x; }
+  std::int32_t right() const { return most.x; }
+  std::int32_t top() const { return least.y; }
+  std::int32_t bottom() const { return most.y; }
+  SampleOffset edges_at() const { return {}; }
+  HWY_INLINE Ints rise(Ints right_slope, Ints down_slope) const {
+    return greatest(right_slope * least.x, right_slope * most.x) +
+           greatest(down_slope * least.y, down_slope * most.y);
+  }
+  HWY_INLINE std::int32_t rise(std::int32_t right_slope, std::int32_t down_slope) const {
+    return std::max(right_slope * least.x, right_slope * most.x) +
+           std::max(down_slope * least.y, down_slope * most.y);
+  }
+
+  SampleOffset least, most;
+};
+
 // An edge at the pixel of a quad where it is greatest, of kLanes triangles, less what counts as outside.
 struct GreatestInQuad {
-  HWY_INLINE GreatestInQuad(Ints at_first_pixel, Ints right_slope, Ints down_slope, Ints outside)
+  template <class Points>
+  HWY_INLINE GreatestInQuad(const Points& points, Ints at_first_pixel, Ints right_slope,
+                            Ints down_slope, Ints outside)
       : right(shifted_left<kSubpixelBits>(right_slope)),
         down(shifted_left<kSubpixelBits>(down_slope)) {
     const Ints rise = greatest(right, 0) + greatest(down, 0);
-    here = at_first_pixel + (rise + rise + rise) - outside;
+    here = at_first_pixel + (rise + rise + rise) + points.rise(right_slope, down_slope) - outside;
   }
   HWY_INLINE void next_column() { here = here + shifted_left<2>(right); }
   HWY_INLINE void next_row() { here = here + shifted_left<2>(down); }
@@ -105,7 +150,8 @@ struct GreatestInQuad {
 };
 
 // Which quads the `live` ones of kLanes triangles may cover something of: those at no edge of which all pixels are outside.
-HWY_INLINE void find_quads(SmallSetups& s, std::size_t at, IntMask live) {
+template <class Points>
+HWY_INLINE void find_quads(const Points& points, SmallSetups& s, std::size_t at, IntMask live) {
   const Ints across = load(s.x1 + at) - load(s.x0 + at), high = load(s.y1 + at) - load(s.y0 + at);
   const IntMask wide = live && (across > kMaskSide || high > kMaskSide);
   s.wide = (at == 0 ? 0 : s.wide) | bits_of(wide) << at;
@@ -115,9 +161,10 @@ HWY_INLINE void find_quads(SmallSetups& s, std::size_t at, IntMask live) {
   const Ints a1 = first_short(slopes1), a2 = first_short(slopes2);
   const Ints b1 = second_short(slopes1), b2 = second_short(slopes2);
   const Ints e1 = load(s.e1 + at), e2 = load(s.e2 + at);
-  GreatestInQuad row0(load(s.area + at) - e1 - e2, 0 - a1 - a2, 0 - b1 - b2, load(s.above0 + at));
-  GreatestInQuad row1(e1, a1, b1, load(s.above1 + at));
-  GreatestInQuad row2(e2, a2, b2, load(s.above2 + at));
+  GreatestInQuad row0(points, load(s.area + at) - e1 - e2, 0 - a1 - a2, 0 - b1 - b2,
+                      load(s.above0 + at));
+  GreatestInQuad row1(points, e1, a1, b1, load(s.above1 + at));
+  GreatestInQuad row2(points, e2, a2, b2, load(s.above2 + at));
   Ints quads = 0;
   for (std::int32_t y = 0; y < kMaskSide; ++y) {
     const IntMask in_row = live && high > y;
@@ -140,13 +187,14 @@ HWY_INLINE void find_quads(SmallSetups& s, std::size_t at, IntMask live) {
 }
 
 // The same of one triangle, wide or not, and of the 4 x 4 quads of its box that begin in column x, row y: one quad a lane.
-HWY_INLINE std::uint32_t find_quads_from(const SmallSetups& s, std::size_t t, std::int32_t x,
-                                         std::int32_t y) {
+template <class Points>
+HWY_INLINE std::uint32_t find_quads_from(const Points& points, const SmallSetups& s, std::size_t t,
+                                         std::int32_t x, std::int32_t y) {
   const auto slopes1 = std::uint32_t(s.slopes1[t]), slopes2 = std::uint32_t(s.slopes2[t]);
   const std::int32_t a1 = std::int16_t(slopes1), b1 = std::int16_t(slopes1 >> 16);
   const std::int32_t a2 = std::int16_t(slopes2), b2 = std::int16_t(slopes2 >> 16);
-  const auto rise = [](std::int32_t a, std::int32_t b) {
-    return 3 * kSubpixels * (HWY_MAX(a, 0) + HWY_MAX(b, 0));
+  const auto rise = [&](std::int32_t a, std::int32_t b) {
+    return 3 * kSubpixels * (HWY_MAX(a, 0) + HWY_MAX(b, 0)) + points.rise(a, b);
   };
   const Ints rise0 = rise(-a1 - a2, -b1 - b2), rise1 = rise(a1, b1), rise2 = rise(a2, b2);
   std::uint32_t quads = 0;
@@ -164,15 +212,19 @@ HWY_INLINE std::uint32_t find_quads_from(const SmallSetups& s, std::size_t t, st
   return quads;
 }
 
-// Where kLanes triangles, of which some are `live`, begin in the tile. (An edge at the tile's first pixel may not fit 32 bits; at the
-// triangle's own pixels it does, and sums that wrap around arrive there all the same.)
-HWY_INLINE void place(const TileBuffer& tile, SmallSetups& s, std::size_t at, IntMask live) {
-  const PixelRect& window = tile.window();
-  const SampleOffset point = tile.point();
-  const Ints px0 = greatest(first_pixel(load(s.left + at) - point.x), Ints(window.x0)) - window.x0;
-  const Ints py0 = greatest(first_pixel(load(s.top + at) - point.y), Ints(window.y0)) - window.y0;
-  const Ints px1 = least(end_pixel(load(s.right + at) - point.x), Ints(window.x1)) - window.x0;
-  const Ints py1 = least(end_pixel(load(s.bottom + at) - point.y), Ints(window.y1)) - window.y0;
+// Where kLanes triangles, of which some are `live`, begin in the tile whose part of the screen is `window`. (An edge at the tile's first
+// pixel may not fit 32 bits; at the triangle's own pixels it does, and sums that wrap around arrive there all the same.)
+template <class Points>
+HWY_INLINE void place(const PixelRect& window, const Points& points, SmallSetups& s, std::size_t at,
+                      IntMask live) {
+  const Ints px0 =
+      greatest(first_pixel(load(s.left + at) - points.right()), Ints(window.x0)) - window.x0;
+  const Ints py0 =
+      greatest(first_pixel(load(s.top + at) - points.bottom()), Ints(window.y0)) - window.y0;
+  const Ints px1 =
+      least(end_pixel(load(s.right + at) - points.left()), Ints(window.x1)) - window.x0;
+  const Ints py1 =
+      least(end_pixel(load(s.bottom + at) - points.top()), Ints(window.y1)) - window.y0;
   const Ints qx0 = shifted_right<2>(px0), qy0 = shifted_right<2>(py0);
   store(qx0, s.x0 + at);
   store(qy0, s.y0 + at);
@@ -180,14 +232,15 @@ HWY_INLINE void place(const TileBuffer& tile, SmallSetups& s, std::size_t at, In
   store(shifted_right<2>(px1 + 3), s.x1 + at);
   store(shifted_right<2>(py1 + 3), s.y1 + at);
 
-  const Ints dx = shifted_left<2 + kSubpixelBits>(qx0) + point.x;
-  const Ints dy = shifted_left<2 + kSubpixelBits>(qy0) + point.y;
+  const SampleOffset edges_at = points.edges_at();
+  const Ints dx = shifted_left<2 + kSubpixelBits>(qx0) + edges_at.x;
+  const Ints dy = shifted_left<2 + kSubpixelBits>(qy0) + edges_at.y;
   const auto edge_at = [&](const std::int32_t* origin, Ints slopes) HWY_ATTR {
     return load(origin + at) + first_short(slopes) * dx + second_short(slopes) * dy;
   };
   store(edge_at(s.origin1, load(s.slopes1 + at)), s.e1 + at);
   store(edge_at(s.origin2, load(s.slopes2 + at)), s.e2 + at);
-  find_quads(s, at, live);
+  find_quads(points, s, at, live);
 }
 
 }  // namespace HWY_NAMESPACE

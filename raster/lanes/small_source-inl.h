@@ -186,10 +186,9 @@ struct SmallOnScreen {
   template <class Place>
   HWY_INLINE SmallOnScreen(const SnappedEntry* screen, const OfVertices<Ints>& vertices,
                            Ints pixel_x, Ints pixel_y, const Place& place) {
-    const OfVertices<Ints> entries = entries_of(vertices);
-    OfVertices<Ints> x, y;
-    gather_position(screen, entries, x, y);
-    inverse_w = gather(&screen->inverse_w, entries);
+    const ScreenColumns columns(screen, vertices);
+    const OfVertices<Ints>&x = columns.x, &y = columns.y;
+    inverse_w = columns.inverse_w;
     const Ints at_x = shifted_left<kSubpixelBits>(pixel_x) + kPixelCentre;
     const Ints at_y = shifted_left<kSubpixelBits>(pixel_y) + kPixelCentre;
     edges = {edge_of<0>(x, y), edge_of<1>(x, y), edge_of<2>(x, y)};
@@ -249,7 +248,7 @@ public:
   HWY_INLINE Fragments fragments() const { return {{*this}, {}}; }
   const WeightsInSpace<Floats>& at() const { return at_; }
   HWY_INLINE Floats depth() const {
-    const OfVertices<Floats> z = gather(&draw->screen->z, entries_of(vertices));
+    const OfVertices<Floats> z = ScreenColumns(draw->screen, vertices).z;
     return interpolate(z[0], z[1] - z[0], z[2] - z[0], lambda1_, lambda2_);
   }
   HWY_INLINE TexturePlanesOf<Floats> texture_planes() const {

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <numeric>
 
 #include <glassbox/raster/lanes/alpha-inl.h>
 #include <glassbox/raster/lanes/blocks-inl.h>
@@ -39,6 +40,12 @@ struct TilePixels {
   std::size_t blocks_across;
 };
 
+// Before anything of a quad is in registers, which the call would push out.
+HWY_INLINE void come_to_block(TileBuffer& tile, TileBlock& block, std::size_t index) {
+  if (HWY_UNLIKELY(block.plain)) fill_block(tile, index);
+  block.nearest = kNearestTileDepth;
+}
+
 // The block's list gets the triangle, unless it is the last one there.
 HWY_INLINE void list_triangle(TileBlock& block, BlockTriangles& list, Reference reference) {
   const std::uint32_t last = block.listed;
@@ -46,6 +53,16 @@ HWY_INLINE void list_triangle(TileBlock& block, BlockTriangles& list, Reference 
       std::min(last + (list.references[last] != reference ? 1u : 0u), BlockTriangles::kTooMany);
   list.references[at] = reference;
   block.listed = at;
+}
+
+// Triangle t of the batch, unless it is tiny.
+HWY_INLINE void list_triangle(const SmallSetups& setups, std::size_t t, std::size_t block,
+                              const TilePixels& pixels) {
+  if (setups.is_tiny[t] != 0) {
+    pixels.blocks[block].listed = BlockTriangles::kTooMany;
+  } else {
+    list_triangle(pixels.blocks[block], pixels.listed[block], Reference(setups.reference[t]));
+  }
 }
 
 // Triangle t of the batch, in all lanes.
@@ -70,23 +87,42 @@ struct SmallInLanes {
   Floats inverse_area, depth0, depth1, depth2;
 };
 
+// Pixels, counted lane by lane where a mask is a vector. (8192 triangles of 289 quads with 16 samples are below 2^27.)
+struct CountInLanes {
+  HWY_INLINE CountInLanes() : lanes(0) {}
+  HWY_INLINE void add(IntMask pixels) {
+#if HWY_TARGET == HWY_AVX2
+    lanes = lanes - Ints(hn::VecFromMask(kI, pixels.m));
+#else
+    count += count_of(pixels);
+#endif
+  }
+  std::uint64_t all() const {
+    HWY_ALIGN std::int32_t of_lanes[kLanes];
+    store(lanes, of_lanes);
+    return std::accumulate(of_lanes, of_lanes + kLanes, count);
+  }
+
+  std::uint64_t count = 0;
+  Ints lanes;
+};
+struct SmallCounts {
+  HWY_INLINE SmallCounts() {}
+  CountInLanes covered, written;
+  FragmentCounts others;
+};
+
 // Triangle t over the quad in column x, row y of those that its box meets.
 template <bool kRagged, class Code, class Alpha>
 HWY_INLINE void draw_quad(const SmallSetups& setups, std::size_t t, std::size_t x, std::size_t y,
                           const Code& code_of, const Alpha& alpha, const TilePixels& pixels,
-                          FragmentCounts& counts) {
+                          SmallCounts& counts) {
   const PixelRect& window = pixels.tile.window();
   const auto qx = std::size_t(setups.x0[t]) + x, qy = std::size_t(setups.y0[t]) + y;
   const std::size_t block = qy / 2 * pixels.blocks_across + qx / 2;
   const std::size_t quad = block * kBlockPixels + ((qy % 2) * 2 + qx % 2) * kQuadPixels;
-  // (Before anything is in registers, which the call would push out.)
-  if (HWY_UNLIKELY(pixels.blocks[block].plain)) fill_block(pixels.tile, block);
-  pixels.blocks[block].nearest = kNearestTileDepth;
-  if (setups.is_tiny[t] != 0) {
-    pixels.blocks[block].listed = BlockTriangles::kTooMany;
-  } else {
-    list_triangle(pixels.blocks[block], pixels.listed[block], Reference(setups.reference[t]));
-  }
+  come_to_block(pixels.tile, pixels.blocks[block], block);
+  list_triangle(setups, t, block, pixels);
   const auto first_pixel = std::int32_t(x * kQuadSide | y * kQuadSide << 16);
   for (std::size_t k = 0; k < kQuadVectors; ++k) {
     const SmallInLanes s(setups, t);
@@ -106,7 +142,7 @@ HWY_INLINE void draw_quad(const SmallSetups& setups, std::size_t t, std::size_t 
     TileDepth* depth_at_quad = pixels.depth + quad + k * kLanes;
     const Ints stored = load(depth_at_quad);
     IntMask passes = covered && code < stored;
-    counts.covered += count_of(covered);
+    counts.covered.add(covered);
     if constexpr (Alpha::kIsBehind) {
       passes = passes && alpha.behind(code, window.x0 + int(qx) * kQuadSide,
                                       window.y0 + int(qy) * kQuadSide, k * kLanes);
@@ -116,28 +152,94 @@ HWY_INLINE void draw_quad(const SmallSetups& setups, std::size_t t, std::size_t 
       const IntMask kept =
           alpha.kept(passes, Reference(setups.reference[t]), window.x0 + int(qx) * kQuadSide,
                      window.y0 + int(qy) * kQuadSide, k * kLanes);
-      counts.*Alpha::kOthers += count_of(passes) - count_of(kept);
+      counts.others.*Alpha::kOthers += count_of(passes) - count_of(kept);
       passes = kept;
     }
     store(select(passes, code, stored), depth_at_quad);
     store_where(passes, s.reference, pixels.seen + quad + k * kLanes);
-    counts.written += count_of(passes);
+    counts.written.add(passes);
   }
 }
 
-// A triangle after the other, in the order of the batch. How many quads one has, and which, cannot be foreseen: those of some
-// triangles are the bits of one word, and the only branch is for its end.
-template <bool kRagged, class Code, class Alpha>
-HWY_INLINE void draw_batch(const SmallSetups& s, std::size_t live, const Code& code_of,
-                           const Alpha& alpha, const TilePixels& pixels, FragmentCounts& counts) {
+// The samples of a tile's pixels: the first one's blocks list the triangles that come to any of them.
+struct TileSamples {
+  HWY_INLINE explicit TileSamples(std::span<TileBuffer> of) : tiles(of), front(of.front()) {
+    for (std::size_t s = 0; s < tiles.size(); ++s) {
+      TileBuffer& tile = tiles[s];
+      samples[s] = {tile.depth(), reinterpret_cast<std::int32_t*>(tile.reference()), &tile.block(0),
+                    (tile.point().x & 0xffff) | std::int32_t(unsigned(tile.point().y) << 16)};
+    }
+  }
+
+  struct Sample {
+    TileDepth* depth;
+    std::int32_t* seen;
+    TileBlock* blocks;
+    std::int32_t point;  // a pair (pair_of())
+  };
+  std::span<TileBuffer> tiles;
+  TilePixels front;
+  Sample samples[kMostSamples];
+};
+
+// The same at all samples of the quad's pixels. What an edge adds from a pixel's centre to a sample is the same for all pixels.
+template <class Code>
+HWY_INLINE void draw_quad(const SmallSetups& setups, std::size_t t, std::size_t x, std::size_t y,
+                          const Code& code_of, const TileSamples& pixels, SmallCounts& counts) {
+  const PixelRect& window = pixels.front.tile.window();
+  const auto qx = std::size_t(setups.x0[t]) + x, qy = std::size_t(setups.y0[t]) + y;
+  const std::size_t block = qy / 2 * pixels.front.blocks_across + qx / 2;
+  const std::size_t quad = block * kBlockPixels + ((qy % 2) * 2 + qx % 2) * kQuadPixels;
+  const std::size_t count = pixels.tiles.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    come_to_block(pixels.tiles[i], pixels.samples[i].blocks[block], block);
+  }
+  list_triangle(setups, t, block, pixels.front);
+  const auto first_pixel = std::int32_t(x * kQuadSide | y * kQuadSide << 16);
+  const SmallInLanes s(setups, t);
+  Ints centre1[kQuadVectors], centre2[kQuadVectors];
+  IntMask inside[kQuadVectors];
+  for (std::size_t k = 0; k < kQuadVectors; ++k) {
+    const Ints pixel = pair_of(quad_columns(k * kLanes), quad_rows(k * kLanes)) + first_pixel;
+    centre1[k] = s.first1 + shifted_left<kSubpixelBits>(sum_of_products(s.slopes1, pixel));
+    centre2[k] = s.first2 + shifted_left<kSubpixelBits>(sum_of_products(s.slopes2, pixel));
+    inside[k] = on_screen(window, window.x0 + int(qx) * kQuadSide, window.y0 + int(qy) * kQuadSide,
+                          k * kLanes);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const TileSamples::Sample& sample = pixels.samples[i];
+    const Ints more1 = sum_of_products(s.slopes1, sample.point);
+    const Ints more2 = sum_of_products(s.slopes2, sample.point);
+    for (std::size_t k = 0; k < kQuadVectors; ++k) {
+      const Ints e1 = centre1[k] + more1, e2 = centre2[k] + more2;
+      const Ints e0 = s.area - e1 - e2;
+      const IntMask covered = inside[k] && e1 > s.above1 && e2 > s.above2 && e0 > s.above0;
+      const Ints code = code_of(interpolate(s.depth0, s.depth1, s.depth2,
+                                            screen_weight(to_float(e1), s.inverse_area),
+                                            screen_weight(to_float(e2), s.inverse_area)));
+      TileDepth* depth_at_quad = sample.depth + quad + k * kLanes;
+      const Ints stored = load(depth_at_quad);
+      const IntMask passes = code < stored && covered;
+      store(select(passes, code, stored), depth_at_quad);
+      store_where(passes, s.reference, sample.seen + quad + k * kLanes);
+      counts.covered.add(covered);
+      counts.written.add(passes);
+    }
+  }
+}
+
+// Calls draw(t, x, y) for the quads of a triangle after the other, in the order of the batch. How many quads one has, and which, cannot
+// be foreseen: those of some triangles are the bits of one word, and the only branch is for its end.
+template <class Points, class Draw>
+HWY_INLINE void for_each_quad(const SmallSetups& s, std::size_t live, const Points& points,
+                              const Draw& draw) {
   constexpr std::size_t kSide = kMaskSide, kBits = kSide * kSide, kGroup = 64 / kBits;
   static_assert(kSmallBatch % kGroup == 0);
   const auto draw_quads = [&](std::uint64_t quads, std::size_t t, std::int32_t x,
                               std::int32_t y) HWY_ATTR {
     for (; quads != 0; quads &= quads - 1) {
       const auto bit = std::size_t(std::countr_zero(quads));
-      draw_quad<kRagged>(s, t + bit / kBits, std::size_t(x) + bit % kSide,
-                         std::size_t(y) + bit / kSide % kSide, code_of, alpha, pixels, counts);
+      draw(t + bit / kBits, std::size_t(x) + bit % kSide, std::size_t(y) + bit / kSide % kSide);
     }
   };
   for (std::size_t first = 0; first < live; first += kGroup) {
@@ -152,18 +254,17 @@ HWY_INLINE void draw_batch(const SmallSetups& s, std::size_t live, const Code& c
     for (std::size_t t = first; t < end; ++t) {
       for (std::int32_t y = 0; y < s.y1[t] - s.y0[t]; y += kMaskSide) {
         for (std::int32_t x = 0; x < s.x1[t] - s.x0[t]; x += kMaskSide) {
-          draw_quads(find_quads_from(s, t, x, y), t, x, y);
+          draw_quads(find_quads_from(points, s, t, x, y), t, x, y);
         }
       }
     }
   }
 }
 
-template <bool kRagged, class Code, class Alpha>
-HWY_INLINE void draw_all(const SmallJob& job, const std::uint32_t* triangles, std::size_t count,
-                         const Code& code_of, const Alpha& alpha, std::span<TileBuffer> tiles,
-                         FragmentCounts& counts) {
-  FragmentCounts own;
+// The triangles, as many at a time as a batch has, set up and placed; draw(setups, t, x, y) gets their quads.
+template <class Points, class Draw>
+HWY_INLINE void draw_batches(const SmallJob& job, const std::uint32_t* triangles, std::size_t count,
+                             const PixelRect& window, const Points& points, const Draw& draw) {
   SmallSetups setups;
   for (std::size_t i = 0; i < count; i += kSmallBatch) {
     const std::size_t live = HWY_MIN(kSmallBatch, count - i);
@@ -172,33 +273,57 @@ HWY_INLINE void draw_all(const SmallJob& job, const std::uint32_t* triangles, st
       for (std::size_t lane = 0; lane < kLanes; ++lane) {
         lanes[lane] = std::int32_t(triangles[i + HWY_MIN(k + lane, live - 1)]);
       }
-      set_up(job, load(lanes), tiles.front().window(), setups, k);
+      set_up(job, load(lanes), window, setups, k);
     }
-    for (TileBuffer& tile : tiles) {
-      for (std::size_t k = 0; k < live; k += kLanes) place(tile, setups, k, first_lanes(live - k));
-      const TilePixels pixels(tile);
-      draw_batch<kRagged>(setups, live, code_of, alpha, pixels, own);
+    for (std::size_t k = 0; k < live; k += kLanes) {
+      place(window, points, setups, k, first_lanes(live - k));
     }
+    for_each_quad(setups, live, points, [&](std::size_t t, std::size_t x, std::size_t y) HWY_ATTR {
+      draw(setups, t, x, y);
+    });
   }
-  counts.covered += own.covered;
-  counts.written += own.written;
-  counts.discarded += own.discarded;
-  counts.blended += own.blended;
+}
+
+template <bool kRagged, class Code, class Alpha>
+HWY_INLINE void draw_all(const SmallJob& job, const std::uint32_t* triangles, std::size_t count,
+                         const Code& code_of, const Alpha& alpha, TileBuffer& tile,
+                         SmallCounts& counts) {
+  const TilePixels pixels(tile);
+  draw_batches(
+      job, triangles, count, tile.window(), AtOnePoint{tile.point()},
+      [&](const SmallSetups& setups, std::size_t t, std::size_t x, std::size_t y)
+          HWY_ATTR { draw_quad<kRagged>(setups, t, x, y, code_of, alpha, pixels, counts); });
+}
+// At several samples of each pixel.
+template <class Code>
+HWY_INLINE void draw_all(const SmallJob& job, const std::uint32_t* triangles, std::size_t count,
+                         const Code& code_of, std::span<TileBuffer> tiles, SmallCounts& counts) {
+  const TileSamples pixels(tiles);
+  draw_batches(job, triangles, count, tiles.front().window(), AtSomePoints(tiles),
+               [&](const SmallSetups& setups, std::size_t t, std::size_t x, std::size_t y)
+                   HWY_ATTR { draw_quad(setups, t, x, y, code_of, pixels, counts); });
 }
 
 template <class Alpha>
 HWY_INLINE void draw_small(const SmallJob& job, const std::uint32_t* triangles, std::size_t count,
                            const Alpha& alpha, std::span<TileBuffer> tiles,
                            FragmentCounts& counts) {
-  with_code(tiles.front().format(), [&](const auto& code_of) HWY_ATTR {
-    // Alpha costs more than a look at the screen's edge: one loop serves it.
+  SmallCounts own;
+  TileBuffer& tile = tiles.front();
+  with_code(tile.format(), [&](const auto& code_of) HWY_ATTR {
+    // Alpha costs more than a look at the screen's edge, and so do samples: one loop serves it.
     if constexpr (Alpha::kKeepsAll) {
-      if (!tiles.front().is_ragged()) {
-        return draw_all<false>(job, triangles, count, code_of, alpha, tiles, counts);
+      if (tiles.size() > 1) return draw_all(job, triangles, count, code_of, tiles, own);
+      if (!tile.is_ragged()) {
+        return draw_all<false>(job, triangles, count, code_of, alpha, tile, own);
       }
     }
-    draw_all<true>(job, triangles, count, code_of, alpha, tiles, counts);
+    draw_all<true>(job, triangles, count, code_of, alpha, tile, own);
   });
+  counts.covered += own.covered.all();
+  counts.written += own.written.all();
+  counts.discarded += own.others.discarded;
+  counts.blended += own.others.blended;
 }
 
 inline void draw_small(const SmallJob& job, const std::uint32_t* triangles, std::size_t count,

@@ -43,8 +43,8 @@ plant(raster/lanes/select-inl.h [[small >= high]] [[small >= wide]] C-50 "a high
 plant(raster/lanes/small_triangles-inl.h [[e2 > above2 && e0 > above0]] [[e2 > above2]] C-43 "one edge is not asked")
 plant(raster/lanes/small_triangles-inl.h [[covered && code < stored]] [[covered && !(stored < code)]] C-58 "equal depths pass, of small triangles")
 plant(raster/lanes/small_setups-inl.h [[shifted_right<2>(px1 + 3)]] [[shifted_right<2>(px1 + 2)]] C-52 "a quad of which one column is reached is left out")
-plant(raster/lanes/small_setups-inl.h [[first_pixel(load(s.left + at) - point.x)]] [[first_pixel(load(s.left + at) - point.x) + 4]] C-43 "small triangles begin a quad late")
-plant(raster/lanes/small_triangles-inl.h [[kNearestTileDepth]] [[pixels.blocks[block].nearest]] C-56 "a block does not learn that a small triangle came to it")
+plant(raster/lanes/small_setups-inl.h [[first_pixel(load(s.left + at) - points.right())]] [[first_pixel(load(s.left + at) - points.right()) + 4]] C-43 "small triangles begin a quad late")
+plant(raster/lanes/small_triangles-inl.h [[kNearestTileDepth]] [[block.nearest]] C-56 "a block does not learn that a small triangle came to it")
 plant(raster/lanes/small_setups-inl.h [=[z[1] - z[0]]=] [=[z[2] - z[0]]=] C-57 "one vertex has another's depth, of small triangles")
 
 # ---- large triangles: tiles and blocks ----

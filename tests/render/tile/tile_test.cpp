@@ -114,18 +114,23 @@ TEST_CASE("the tile engine takes every option as the staged reference does", "[t
 
 // Triangles of some pixels, of which each block has a few: from none to more than a vector has lanes. Nothing but colours is asked for,
 // since other planes are found pixel by pixel.
-TEST_CASE("pixels that share their triangles are coloured as the staged reference has them",
-          "[tile]") {
+TEST_CASE(
+    "pixels and samples that share their triangles are coloured as the staged reference has them",
+    "[tile]") {
   for (const char* name : {"sphere:6", "sphere:24", "teapot:3", "teapot:8", "checker", "room"}) {
     const Scene scene = built_in(name);
     for (const Target target : available_targets()) {
       for (const Shading shading : {Shading::kPhong, Shading::kGouraud, Shading::kUnlit}) {
         for (const Cull cull : {Cull::kBack, Cull::kNone}) {
-          INFO(name << ", shading " << int(shading) << ", cull " << int(cull));
-          RenderSettings s;
-          s.shading = shading;
-          s.cull = cull;
-          check_same(scene, view_of(scene, 150, 93), s, {1, 32, target, true});
+          for (const int samples : {1, cull == Cull::kBack ? 4 : 16}) {
+            INFO(name << ", shading " << int(shading) << ", cull " << int(cull) << ", " << samples
+                      << " samples");
+            RenderSettings s;
+            s.shading = shading;
+            s.cull = cull;
+            s.samples = samples;
+            check_same(scene, view_of(scene, 150, 93), s, {1, 32, target, true});
+          }
         }
       }
     }

@@ -1,0 +1,20 @@
+// Which of eight lanes are kept, by the bits of a mask: entry m has the numbers of m's bits in its bytes, the first in the lowest.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace glassbox {
+
+inline constexpr std::array<std::uint64_t, 256> kKeptLanes = [] {
+  std::array<std::uint64_t, 256> lanes{};
+  for (unsigned mask = 0; mask < 256; ++mask) {
+    unsigned kept = 0;
+    for (unsigned lane = 0; lane < 8; ++lane) {
+      if ((mask >> lane & 1u) != 0) lanes[mask] |= std::uint64_t{lane} << 8 * kept++;
+    }
+  }
+  return lanes;
+}();
+
+}  // namespace glassbox

@@ -1,0 +1,120 @@
+// Small triangles that are seen at the samples of a block, and what shading needs of them: gathered for each sample, or once for the
+// block where they are few.
+
+#if defined(GLASSBOX_SHARED_SAMPLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLASSBOX_SHARED_SAMPLES_INL_H_
+#undef GLASSBOX_SHARED_SAMPLES_INL_H_
+#else
+#define GLASSBOX_SHARED_SAMPLES_INL_H_
+#endif
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <glassbox/raster/lanes/samples-inl.h>
+#include <glassbox/raster/lanes/shade-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace glassbox {
+namespace HWY_NAMESPACE {
+
+// Small triangles that are seen at samples of a block's pixels, one after the other, and whose colours they are: sample * kBlockPixels
+// + pixel.
+struct FurtherSamples {
+  // (Room for what a vector writes beyond them.)
+  static constexpr std::size_t kMost = std::size_t(kMostSamples) * kBlockPixels + kLanes;
+  HWY_INLINE void add(Ints seen, IntMask lanes, std::size_t sample, std::size_t pixel) {
+    const Ints place = hn::Iota(kI, std::int32_t(sample * kBlockPixels + pixel));
+    hn::StoreU(first_kept(seen, lanes).v, kI, references + count);
+    hn::StoreU(first_kept(place, lanes).v, kI, places + count);
+    count += count_of(lanes);
+  }
+
+  std::size_t count = 0;
+  HWY_ALIGN std::int32_t references[kMost];
+  HWY_ALIGN std::int32_t places[kMost];
+};
+
+// Small triangles that came to a block at one of its samples or at several: none where they are more than there are lanes.
+struct ListedAtSamples {
+  HWY_INLINE ListedAtSamples(std::span<const TileBuffer> tiles, std::size_t block) {
+    for (const TileBuffer& tile : tiles) {
+      const std::uint32_t listed = tile.block(block).listed;
+      bool all = listed <= BlockTriangles::kMost;
+      for (std::uint32_t k = 1; all && k <= listed; ++k) {
+        all = add(std::int32_t(tile.listed(block).references[k]));
+      }
+      if (all) continue;
+      count = 0;
+      return;
+    }
+  }
+
+  std::int32_t count = 0;
+  Ints references = std::int32_t(kNothing);
+
+private:
+  // Whether there is room for it.
+  HWY_INLINE bool add(std::int32_t reference) {
+    if (!none(references == reference)) return true;
+    if (count == std::int32_t(kLanes)) return false;
+    references = select(Ints(hn::Iota(kI, 0)) == count++, reference, references);
+    return true;
+  }
+};
+
+// What the samples of a block show is gathered for each of them ...
+struct NoneShared {
+  HWY_INLINE void shade(const ResolveJob&, Ints, Ints, Ints, IntMask&, Ints&) const {}
+};
+// ... or once for the block, where all of it are a few triangles of one draw.
+struct SharedAtSamples {
+  HWY_INLINE SharedAtSamples(const ShadeDraw& draw, const ListedAtSamples& of_block, int x, int y)
+      : begin(std::int32_t(draw.first_reference)),
+        end(std::int32_t(draw.end_reference)),
+        listed(of_block),
+        triangles(draw, triangles_of(draw, of_block), x, y) {}
+
+  // Colours of the pending lanes that show the draw, which are not pending any more.
+  HWY_INLINE void shade(const ResolveJob& job, Ints seen, Ints column, Ints row, IntMask& pending,
+                        Ints& color) const {
+    const IntMask same = pending && seen >= begin && seen < end;
+    if (none(same)) return;
+    color = select(same, color_of(job, seen, column, row, same), color);
+    pending = pending && !same;
+  }
+
+private:
+  // Less the draw's first; of what is left of the lanes, the draw's first.
+  HWY_INLINE static Ints triangles_of(const ShadeDraw& draw, const ListedAtSamples& listed) {
+    const Ints r = listed.references, first = std::int32_t(draw.first_reference);
+    return select(r >= first && r < std::int32_t(draw.end_reference), r - first, 0);
+  }
+  HWY_NOINLINE Ints color_of(const ResolveJob& job, Ints seen, Ints column, Ints row,
+                             IntMask lanes) const {
+    Ints lane = 0;
+    HWY_ALIGN std::int32_t references[kLanes];
+    store(listed.references, references);
+    for (std::int32_t k = 0; k < listed.count; ++k) {
+      lane = select(seen == references[k], k, lane);
+    }
+    const SharedSource source(triangles, lane, column, row, AtSamples{job.points, lanes});
+    const ShadeDraw& draw = *triangles.draw;
+    const DrawTextures textures(draw);
+    if (textures.color != nullptr || textures.emission != nullptr) {
+      return encoded(shining_by_call<AllChannels>(draw, textures, job, source), job);
+    }
+    return glassbox::HWY_NAMESPACE::shade<AllChannels>(draw, DrawTextures(), job, source);
+  }
+
+  Ints begin, end;
+  ListedAtSamples listed;
+  SharedTriangles triangles;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glassbox
+HWY_AFTER_NAMESPACE();
+
+#endif
