@@ -178,9 +178,9 @@ async function start() {
   readAddress();
   document.body.dataset.ready = "yes";
   // Needed by some overlays only.
-  if (run.reference) run.referencePicture = await unpackPicture(run.reference, run.width, run.height);
+  for (const name of manifest.pictures) run.others[name] = await unpackPicture(byId(name).textContent, run.width, run.height);
   run.normalPicture = await unpackPicture(run.normals, run.width, run.height);
-  if (["normals", "reference", "parts"].includes(state.overlay)) update();
+  if (["normals", "parts", ...manifest.pictures].includes(state.overlay)) update();
 }
 
 start().catch((error) => { byId("message").textContent = `This page cannot be shown: ${error.message}.`; });

@@ -334,6 +334,7 @@ Result<PageFacts> make_inspect_page(const Scene& scene, const Camera& camera, co
     }
   }
   if (!options.student.empty()) manifest["student"] = Json::parse(options.student);
+  if (options.made != nullptr) manifest["opening_overlay"] = "made";
   manifest["columns"] = entries_json(pack);
 
   std::string blobs;
@@ -347,9 +348,14 @@ Result<PageFacts> make_inspect_page(const Scene& scene, const Camera& camera, co
   }
   const auto normals = add_blob("normals", picture_text(normals_of(scene, view, settings)));
   if (!normals) return tl::unexpected(normals.error());
-  if (options.reference != nullptr) {
-    const auto reference = add_blob("reference", picture_text(*options.reference));
-    if (!reference) return tl::unexpected(reference.error());
+  manifest["pictures"] = Json::array();
+  const std::pair<const char*, const Image<Rgba8>*> others[] = {
+      {"reference", options.reference}, {"made", options.made}, {"truth", options.truth}};
+  for (const auto& [name, picture] : others) {
+    if (picture == nullptr) continue;
+    manifest["pictures"].push_back(name);
+    if (const auto added = add_blob(name, picture_text(*picture)); !added)
+      return tl::unexpected(added.error());
   }
   // What other fragments made of the rest of the picture.
   if (options.rectangle) {

@@ -32,6 +32,9 @@ struct InspectOptions {
   Observer* stages = nullptr;
   std::string student;  // JSON of drawing_page.h: their records; empty: nobody's
   const Image<Rgba8>* reference = nullptr;  // the picture as it would be without them
+  // Where they make another picture than the run's: theirs, of which `reference` is then the counterpart, and what is really there.
+  const Image<Rgba8>* made = nullptr;
+  const Image<Rgba8>* truth = nullptr;
 };
 
 struct PageFacts {

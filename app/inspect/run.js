@@ -17,7 +17,7 @@ async function loadRun(page, name) {
   indexFragments(run);
   groupFragments(run);
   run.normals = text("normals");
-  run.reference = text("reference");
+  run.others = {};
   run.start = await startPicture(run, text("picture"));
   return run;
 }

@@ -51,14 +51,18 @@ function wrongText({element: what, yours, reference, bound, unit, explanation}) 
     (explanation ? `: ${explanation}.` : `; at most ${shortNumber(bound)}${unit ? ` ${unit}` : ""} apart is allowed.`);
 }
 
-function paintReference({run}, data) {
-  if (run.referencePicture) data.set(run.referencePicture);
-  return {};
+// One of the pictures that the page has besides the run's.
+function paintOther(name) {
+  return ({run}, data) => {
+    if (run.others[name]) data.set(run.others[name]);
+    return {};
+  };
 }
 
 // Where the finished pictures differ.
 function paintParts({run}, data) {
-  const reference = run.referencePicture, yours = data.slice();
+  const {reference, made} = run.others, yours = made ?? data.slice();
+  if (made) data.set(made);
   let pixels = 0;
   darken(data);
   for (let pixel = 0; reference && pixel < run.width * run.height; pixel++) {

@@ -62,8 +62,8 @@ std::optional<fs::file_time_type> written_at(const fs::path& file) {
   return error ? std::nullopt : std::optional(time);
 }
 
-void add_options(CLI::App& command, CheckOptions& options, std::string& lab_dir) {
-  add_lab_dir(command, lab_dir);
+void add_options(CLI::App& command, CheckOptions& options, AskedLab& asked) {
+  add_lab_dir(command, asked.lab_dir)->excludes(add_lab_name(command, asked.lab));
   command.add_flag(
       "--sanitize", options.sanitize,
       "with AddressSanitizer and UndefinedBehaviorSanitizer: the line of a bad access");
@@ -108,11 +108,12 @@ void LabCheckCommand::add_to(CLI::App& lab, int& exit_code) {
       "  glassbox lab check labs/05-clipping\n\n"
       "The code runs in a sandbox, as a grader runs it. The exit code is 0 for full marks and 1 "
       "for less.");
-  command.add_option("FOLDER", folder_, "made by glassbox lab start, or a lab's own")->required();
+  command.add_option("FOLDER", asked_.folder, "made by glassbox lab start, or a lab's own")
+      ->required();
   add_json_output(command, json_output_, "the report");
   add_html_output(command, html_output_, "the report as a page with pictures");
   if (!kForStudents) command.add_flag("--hidden", options_.hidden, "hidden checks too");
-  add_options(command, options_, lab_dir_);
+  add_options(command, options_, asked_);
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 
@@ -120,7 +121,7 @@ int LabCheckCommand::run() const {
   const Outputs outputs{json_output_, html_output_};
   if (const auto good = check_report_outputs(outputs.html, outputs.json); !good)
     return refuse(good.error());
-  const auto folder = open_lab_folder(folder_, lab_dir_);
+  const auto folder = open_lab_folder(asked_);
   if (!folder) return refuse(folder.error());
   auto checker = LabChecker::open(*folder, options_);
   if (!checker) return refuse(checker.error());
@@ -137,12 +138,13 @@ void LabWatchCommand::add_to(CLI::App& lab, int& exit_code) {
       "  glassbox lab watch ~/lab5 teapot --size 640x360 -o teapot.png --html teapot.html\n\n"
       "With a scene it draws, as glassbox lab render does, and a picture or page is replaced as a\n"
       "whole. Ctrl-C ends it.");
-  command.add_option("FOLDER", folder_, "made by glassbox lab start, or a lab's own")->required();
+  command.add_option("FOLDER", asked_.folder, "made by glassbox lab start, or a lab's own")
+      ->required();
   command.add_option("SCENE", scene_, "draw this in place of the checks");
   command.add_option("-o,--output", output_, "of a scene: the pictures [SCENE.png]")
       ->type_name("FILE");
   add_html_output(command, html_output_, "the last report, or run, as a page");
-  add_options(command, options_, lab_dir_);
+  add_options(command, options_, asked_);
   add_picture_options(command, picture_);
   command.callback([this, &exit_code] { exit_code = run(); });
 }
@@ -152,7 +154,7 @@ int LabWatchCommand::run() const {
   const Outputs outputs{std::nullopt, html_output_};
   if (const auto good = check_report_outputs(outputs.html, outputs.json); !good)
     return refuse(good.error());
-  const auto folder = open_lab_folder(folder_, lab_dir_);
+  const auto folder = open_lab_folder(asked_);
   if (!folder) return refuse(folder.error());
   auto checker = LabChecker::open(*folder, options_);
   if (!checker) return refuse(checker.error());
@@ -163,12 +165,12 @@ int LabWatchCommand::run() const {
 }
 
 int LabWatchCommand::watch_picture() const {
-  if (!lab_dir_.empty())
+  if (!asked_.lab_dir.empty())
     return refuse({"--lab-dir", "", "a lab of your own draws no scene", "leave SCENE out"});
   const std::string output = output_.empty() ? scene_stem(scene_) + ".png" : output_;
-  const LabPicture asked{folder_, scene_, output, picture_, {}, html_output_};
+  const LabPicture asked{asked_, scene_, output, picture_, {}, html_output_};
   if (const auto good = check_lab_picture(asked); !good) return refuse(good.error());
-  const auto folder = open_lab_folder(folder_);
+  const auto folder = open_lab_folder(asked_);
   if (!folder) return refuse(folder.error());
   after_every_save(folder->student, [&] { draw_lab_picture(asked); });
 }

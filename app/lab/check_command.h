@@ -19,7 +19,7 @@ public:
 private:
   int run() const;
 
-  std::string folder_, lab_dir_;
+  AskedLab asked_;
   std::optional<std::string> json_output_, html_output_;
   CheckOptions options_;
 };
@@ -33,7 +33,8 @@ private:
 
   int watch_picture() const;
 
-  std::string folder_, lab_dir_, scene_, output_;
+  AskedLab asked_;
+  std::string scene_, output_;
   PictureOptions picture_;
   std::optional<std::string> html_output_;
   CheckOptions options_;

@@ -8,7 +8,6 @@
 
 #include "app/lab/drawing_page.h"
 #include "app/lab/drawing_report.h"
-#include "app/lab/find_lab.h"
 #include "app/lab/student_stages.h"
 #include "app/options/scene_input.h"
 #include "app/report/exit_codes.h"
@@ -56,11 +55,12 @@ Result<void> check_lab_picture(const LabPicture& asked) {
 }
 
 int draw_lab_picture(const LabPicture& asked) {
-  const auto folder = open_lab_folder(asked.folder);
+  const auto folder = open_lab_folder(asked.lab);
   if (!folder) return refuse(folder.error());
   const auto drawing = labs::drawing_of(folder->lab->number);
   if (!drawing)
-    return refuse({asked.folder, "", "this lab draws nothing", "name the folder of another lab"});
+    return refuse(
+        {asked.lab.folder, "", "this lab draws nothing", "name the folder of another lab"});
   Progress progress;
   const auto scene = load_asked_scene(asked.scene, asked.picture, progress);
   if (!scene) return refuse(scene.error());
@@ -86,7 +86,9 @@ int draw_lab_picture(const LabPicture& asked) {
   if (!both && answers.broke()) {
     progress.done();
     fmt::print("{}: {}\n", folder->student.string(), *answers.broke());
-    fmt::print("There is no picture. glassbox lab check {} says more.\n", asked.folder);
+    const std::string which = asked.lab.lab.empty() ? "" : " --lab " + asked.lab.lab;
+    fmt::print("There is no picture. glassbox lab check {}{} says more.\n", asked.lab.folder,
+               which);
     return kFailure;
   }
   if (!both) return refuse(both.error());

@@ -4,12 +4,13 @@
 #include <optional>
 #include <string>
 
+#include "app/lab/find_lab.h"
 #include "app/options/picture_options.h"
 
 namespace glassbox::app {
 
 struct LabPicture {
-  const std::string& folder;
+  const AskedLab& lab;
   const std::string& scene;
   std::string output;  // an image
   const PictureOptions& picture;

@@ -43,7 +43,11 @@ Result<std::string> lab_drawing_page(const DrawingReport& report, const labs::Dr
                                      const labs::DrawnBoth& both,
                                      const std::vector<std::string>& words) {
   const labs::StandIn yours = as_shown(both.yours), reference = as_shown(both.reference);
-  const Image<Rgba8> reference_picture = std::move(reference.render().buffers.color);
+  // What is done to it afterwards makes another picture, which the page has beside the run's.
+  const bool other = both.yours.finish != nullptr;
+  const labs::DrawingResult& result = both.result;
+  const Image<Rgba8> reference_picture =
+      other ? result.reference : std::move(reference.render().buffers.color);
   Json student = drawing_json(report);
   student["records"] = records_json(both.result);
 
@@ -55,6 +59,8 @@ Result<std::string> lab_drawing_page(const DrawingReport& report, const labs::Dr
   options.stages = yours.stages.get();
   options.student = student.dump(-1, ' ', false, Json::error_handler_t::replace);
   options.reference = &reference_picture;
+  if (other) options.made = &result.yours;
+  if (result.truth) options.truth = &*result.truth;
   const auto page =
       make_inspect_page(yours.scene, drawn.camera, yours.view, yours.settings, options);
   if (!page) return tl::unexpected(page.error());

@@ -93,6 +93,49 @@ Result<fs::path> open_directory(const std::string& folder) {
   return place;
 }
 
+Result<LabFolder> open_started(const std::string& folder) {
+  const auto place = open_directory(folder);
+  if (!place) return tl::unexpected(place.error());
+  const auto named = named_lab(*place);
+  if (!named) return tl::unexpected(named.error());
+  const bool own = named->empty();
+  const auto lab = find_lab(own ? place->filename().string() : *named);
+  if (!lab && own)
+    return fail(folder, "is no lab: there is no lab.json in it",
+                "name the folder that glassbox lab start has made, or say with --lab which lab it "
+                "is of");
+  if (!lab) return tl::unexpected(lab.error());
+  auto found = open_place(folder, *place, own);
+  if (found) found->lab = *lab;
+  return found;
+}
+
+Result<LabFolder> open_outside(const std::string& folder, const std::string& lab_dir) {
+  const auto place = open_directory(folder);
+  if (!place) return tl::unexpected(place.error());
+  const auto sources = with_lab_dir(labs::find_sources(), lab_dir);
+  if (!sources) return tl::unexpected(sources.error());
+  auto found = open_place(folder, *place, *place == sources->outside);
+  if (!found) return found;
+  const auto lab = labs::grading::load_outside_lab(*sources, found->cache / "judge");
+  if (!lab) return tl::unexpected(lab.error());
+  found->lab = *lab;
+  found->outside = sources->outside;
+  return found;
+}
+
+Result<LabFolder> open_submission(const std::string& folder, const std::string& name) {
+  const auto place = open_directory(folder);
+  if (!place) return tl::unexpected(place.error());
+  const auto lab = find_lab(name);
+  if (!lab) return tl::unexpected(lab.error());
+  auto found = open_place(folder, *place, true);
+  if (!found) return found;
+  found->lab = *lab;
+  found->own = false;
+  return found;
+}
+
 }  // namespace
 
 std::string lab_names() {
@@ -117,47 +160,10 @@ Result<const labs::Lab*> find_lab(const std::string& name) {
               fmt::format("the labs are {}", lab_names()));
 }
 
-Result<LabFolder> open_lab_folder(const std::string& folder) {
-  const auto place = open_directory(folder);
-  if (!place) return tl::unexpected(place.error());
-  const auto named = named_lab(*place);
-  if (!named) return tl::unexpected(named.error());
-  const bool own = named->empty();
-  const auto lab = find_lab(own ? place->filename().string() : *named);
-  if (!lab && own)
-    return fail(folder, "is no lab: there is no lab.json in it",
-                "name the folder that glassbox lab start has made, or make one with it");
-  if (!lab) return tl::unexpected(lab.error());
-  auto found = open_place(folder, *place, own);
-  if (found) found->lab = *lab;
-  return found;
-}
-
-Result<LabFolder> open_lab_folder(const std::string& folder, const std::string& lab_dir) {
-  if (lab_dir.empty()) return open_lab_folder(folder);
-  const auto place = open_directory(folder);
-  if (!place) return tl::unexpected(place.error());
-  const auto sources = with_lab_dir(labs::find_sources(), lab_dir);
-  if (!sources) return tl::unexpected(sources.error());
-  auto found = open_place(folder, *place, *place == sources->outside);
-  if (!found) return found;
-  const auto lab = labs::grading::load_outside_lab(*sources, found->cache / "judge");
-  if (!lab) return tl::unexpected(lab.error());
-  found->lab = *lab;
-  found->outside = sources->outside;
-  return found;
-}
-
-Result<LabFolder> open_submission(const std::string& folder, const std::string& name) {
-  const auto place = open_directory(folder);
-  if (!place) return tl::unexpected(place.error());
-  const auto lab = find_lab(name);
-  if (!lab) return tl::unexpected(lab.error());
-  auto found = open_place(folder, *place, true);
-  if (!found) return found;
-  found->lab = *lab;
-  found->own = false;
-  return found;
+Result<LabFolder> open_lab_folder(const AskedLab& asked) {
+  if (!asked.lab_dir.empty()) return open_outside(asked.folder, asked.lab_dir);
+  if (!asked.lab.empty()) return open_submission(asked.folder, asked.lab);
+  return open_started(asked.folder);
 }
 
 }  // namespace glassbox::app

@@ -25,13 +25,16 @@ struct LabFolder {
   bool own = false;                    // the lab's own folder, with the solution
   std::filesystem::path outside = {};  // of a lab that is not the program's, where the lab lies
 };
-Result<LabFolder> open_lab_folder(const std::string& folder);
 
-// The same of the lab in the folder `lab_dir`, which is compiled where `folder` is built; of the program's where that is empty.
-Result<LabFolder> open_lab_folder(const std::string& folder, const std::string& lab_dir);
-
-// A folder with a student.cpp of the lab `name` (find_lab) in it, as it was handed in; nothing is written there.
-Result<LabFolder> open_submission(const std::string& folder, const std::string& name);
+// What a command was given to find it by.
+struct AskedLab {
+  std::string folder;
+  // --lab, which find_lab knows: the folder has a student.cpp of that lab in it, as it was handed in; nothing is written there.
+  std::string lab = {};
+  // --lab-dir: of the lab that lies there, which is compiled where `folder` is built. One of the two at most.
+  std::string lab_dir = {};
+};
+Result<LabFolder> open_lab_folder(const AskedLab& asked);
 
 // "1 to 9", for a message.
 std::string lab_names();

@@ -1,4 +1,4 @@
-// --lab-dir: a lab that lies outside of the source tree, in place of one of the program's.
+// --lab-dir: a lab that lies outside of the source tree, in place of one of the program's. --lab: which of the program's.
 #pragma once
 
 #include <string>
@@ -14,6 +14,10 @@ inline CLI::Option* add_lab_dir(CLI::App& command, std::string& folder) {
   return command
       .add_option("--lab-dir", folder, "a lab of your own: its folder NN-name (docs/labs.md)")
       ->type_name("DIR");
+}
+
+inline CLI::Option* add_lab_name(CLI::App& command, std::string& name) {
+  return command.add_option("--lab", name, "which lab a folder without lab.json is of");
 }
 
 // The sources with that lab in place of the program's, or as they are where no folder is named.

@@ -7,7 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/lab/find_lab.h"
+#include "app/lab/lab_dir.h"
 #include "app/lab/measure_report.h"
 #include "app/lab/student_stages.h"
 #include "app/options/number_range.h"
@@ -90,9 +90,11 @@ void LabMeasureCommand::add_to(CLI::App& lab, int& exit_code) {
       "The experiment that the handout names is run as study run --quick runs it, and your\n"
       "functions in a process of their own. Exit code 1: nothing is written yet, the code does\n"
       "not compile or end, or --against names what is not so.");
-  command.add_option("FOLDER", folder_, "made by glassbox lab start, or with a student.cpp in it")
+  command
+      .add_option("FOLDER", asked_.folder,
+                  "made by glassbox lab start, or with a student.cpp in it")
       ->required();
-  command.add_option("--lab", lab_, "which lab a folder without lab.json is of");
+  add_lab_name(command, asked_.lab);
   add_json_output(command, json_output_, "your points, small, to be handed in");
   add_html_output(command, html_output_, "the experiment's charts, with your points");
   command.add_option("--against", against_, "compare with what was handed in")->type_name("FILE");
@@ -105,12 +107,13 @@ void LabMeasureCommand::add_to(CLI::App& lab, int& exit_code) {
 int LabMeasureCommand::run() const {
   if (const auto good = check_report_outputs(html_output_, json_output_); !good)
     return refuse(good.error());
-  const auto folder = lab_.empty() ? open_lab_folder(folder_) : open_submission(folder_, lab_);
+  const auto folder = open_lab_folder(asked_);
   if (!folder) return refuse(folder.error());
   const auto measured = labs::measure_of(folder->lab->number);
   if (!measured)
-    return refuse({folder_, "", fmt::format("lab {} has no measurement", folder->lab->number),
-                   "name the folder of another lab"});
+    return refuse({asked_.folder, "",
+                   fmt::format("no function of lab {} is measured", folder->lab->number),
+                   "run the experiments that its handout names under \"Error against time\""});
   std::optional<labs::Claim> claimed;
   if (against_) {
     auto claim = claim_in(*against_);
@@ -168,7 +171,8 @@ int LabMeasureCommand::run() const {
       return refuse(made.error());
   }
   if (html_output_) {
-    const std::string command = shell_line({{"lab", "measure", folder_, "--html", *html_output_}});
+    const std::string command =
+        shell_line({{"lab", "measure", asked_.folder, "--html", *html_output_}});
     const auto made = write_text(*html_output_, study_page({origin, {result}}, command));
     if (!made) return refuse(made.error());
   }

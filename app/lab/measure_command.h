@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "app/lab/find_lab.h"
 #include "app/options/cli_fwd.h"
 
 namespace glassbox::app {
@@ -15,7 +16,7 @@ public:
 private:
   int run() const;
 
-  std::string folder_, lab_;
+  AskedLab asked_;
   std::optional<std::string> json_output_, html_output_, against_;
   double seconds_ = 60;
 };

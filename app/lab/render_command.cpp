@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/lab/draw_picture.h"
+#include "app/lab/lab_dir.h"
 #include "app/options/builtin_help.h"
 #include "app/options/number_range.h"
 #include "app/options/output_options.h"
@@ -24,12 +25,14 @@ void LabRenderCommand::add_to(CLI::App& lab, int& exit_code) {
       "every number is within its bound, 1 where one is not, or where the code does not compile\n"
       "or does not end.\n\n" +
       builtin_help());
-  command.add_option("FOLDER", folder_, "made by glassbox lab start, or a lab's own")->required();
+  command.add_option("FOLDER", asked_.folder, "made by glassbox lab start, or a lab's own")
+      ->required();
   command.add_option("SCENE", scene_, kSceneHelp)->required();
   command
       .add_option("-o,--output", output_,
                   "your picture and the reference's, .png or .ppm [SCENE.png]")
       ->type_name("FILE");
+  add_lab_name(command, asked_.lab);
   add_picture_options(command, picture_);
   add_json_output(command, json_output_, "the report");
   add_html_output(command, html_output_, "the run, with your records beside the reference's");
@@ -41,7 +44,7 @@ void LabRenderCommand::add_to(CLI::App& lab, int& exit_code) {
 
 int LabRenderCommand::run() const {
   const std::string output = output_.empty() ? scene_stem(scene_) + ".png" : output_;
-  const LabPicture asked{folder_, scene_, output, picture_, json_output_, html_output_, seconds_};
+  const LabPicture asked{asked_, scene_, output, picture_, json_output_, html_output_, seconds_};
   if (const auto good = check_lab_picture(asked); !good) return refuse(good.error());
   return draw_lab_picture(asked);
 }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "app/lab/find_lab.h"
 #include "app/options/cli_fwd.h"
 #include "app/options/picture_options.h"
 
@@ -16,7 +17,8 @@ public:
 private:
   int run() const;
 
-  std::string folder_, scene_, output_;
+  AskedLab asked_;
+  std::string scene_, output_;
   PictureOptions picture_;
   std::optional<std::string> json_output_, html_output_;
   double seconds_ = 10;

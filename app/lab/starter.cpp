@@ -148,6 +148,8 @@ std::string references(const labs::Sources& sources) {
 std::string rows_of_codes(const std::string& handout, const std::string& references) {
   static const std::regex row(R"(\| ((?:[A-Z]\d?-|E|B\.|SPEC\s)[\d.]+) \|.*)");
   std::istringstream lines(references);
+  // The page that a row may point to is not in the folder.
+  static const std::regex link(R"(\[([^\]]*)\]\([^)]*\))");
   std::string rows;
   for (std::string line; std::getline(lines, line);) {
     std::smatch parts;
@@ -156,7 +158,8 @@ std::string rows_of_codes(const std::string& handout, const std::string& referen
     std::string pattern = R"(\b)" +
                           std::regex_replace(parts[1].str(), std::regex(R"(\.)"), R"(\.)") +
                           R"((?![\w.-]*\d))";
-    if (std::regex_search(handout, std::regex(pattern))) rows += line + "\n";
+    if (std::regex_search(handout, std::regex(pattern)))
+      rows += std::regex_replace(line, link, "$1") + "\n";
   }
   return rows;
 }
@@ -166,10 +169,13 @@ void add_codes(const labs::Sources& sources, std::vector<SourceFile>& files) {
   for (SourceFile& file : files) {
     if (file.path != "handout.md") continue;
     const std::string rows = rows_of_codes(file.text, references(sources));
-    if (!rows.empty())
-      file.text +=
-          "\n## What the codes stand for\n\n| code | what it says | |\n| --- | --- | --- |\n" +
-          rows;
+    if (rows.empty()) continue;
+    static const std::regex three(R"(\|[^|\n]*\|[^|\n]*\|[^|\n]*\|)");  // sources have a third
+    const bool wide = std::regex_search(rows, three);
+    file.text += "\n## What the codes stand for\n\n";
+    file.text += wide ? "| code | what it says | |\n| --- | --- | --- |\n"
+                      : "| code | what it says |\n| --- | --- |\n";
+    file.text += rows;
   }
 }
 

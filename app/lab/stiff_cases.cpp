@@ -88,7 +88,8 @@ Result<std::vector<const study::ExtremeCase*>> cases_of_lab(const labs::Sources&
   for (std::size_t at = section; at != std::string::npos && at < handout->size();) {
     at = handout->find("C-", at);
     if (at == std::string::npos) break;
-    const study::ExtremeCase* found = study::find_case(handout->substr(at, 4));
+    const std::size_t end = handout->find_first_not_of("0123456789", at + 2);
+    const study::ExtremeCase* found = study::find_case(handout->substr(at, end - at));
     if (found != nullptr && std::find(cases.begin(), cases.end(), found) == cases.end())
       cases.push_back(found);
     at += 2;

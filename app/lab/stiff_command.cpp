@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/lab/find_lab.h"
+#include "app/lab/lab_dir.h"
 #include "app/lab/stiff_cases.h"
 #include "app/lab/student_stages.h"
 #include "app/options/number_range.h"
@@ -30,7 +30,7 @@ std::string report_text(const labs::Lab& lab, const std::vector<StiffCase>& case
   for (const StiffCase& each : cases)
     if (each.yours) width = std::max(width, each.what->name.size());
   std::string text =
-      fmt::format("Lab {}: {}\n\n  {:<6}{:<{}}{:>10}{:>12}{:>12}{:>10}  {}\n", lab.number,
+      fmt::format("Lab {}: {}\n\n  {:<6}{:<{}}{:>12}{:>12}{:>12}{:>10}  {}\n", lab.number,
                   lab.title, "case", "", width, "yours", "reference", "naive", "bound", "unit");
   std::string not_put;
   for (const StiffCase& each : cases) {
@@ -39,13 +39,17 @@ std::string report_text(const labs::Lab& lab, const std::vector<StiffCase>& case
       not_put += (not_put.empty() ? "" : ", ") + what.id;
       continue;
     }
-    text += fmt::format("  {:<6}{:<{}}{:>10}{:>12}{:>12}{:>10.3g}  {}\n", what.id, what.name, width,
+    text += fmt::format("  {:<6}{:<{}}{:>12}{:>12}{:>12}{:>10.3g}  {}\n", what.id, what.name, width,
                         each.broke.empty() ? number_text(*each.yours) : "ended !",
                         number_text(*each.reference), number_text(each.naive), each.yours->bound,
                         what.unit);
   }
   text += "\n! is beyond the bound. Naive code is measured by itself, without a picture.\n";
   for (const StiffCase& each : cases) {
+    if (each.out_of_reach())
+      text +=
+          fmt::format("{}: the reference is beyond the bound too: your contracts ask for less.\n",
+                      each.what->id);
     if (!each.gives_up()) continue;
     text +=
         fmt::format("{}: {}\n", each.what->id, each.broke.empty() ? each.yours->seen : each.broke);
@@ -87,8 +91,10 @@ void LabStiffCommand::add_to(CLI::App& lab, int& exit_code) {
       "  glassbox lab stiff ~/lab6\n\n"
       "Each case that the handout names and a picture shows is drawn with your functions in the\n"
       "pipeline, and judged as glassbox study extremes judges it. The exit code is 0 where all "
-      "hold.");
-  command.add_option("FOLDER", folder_, "made by glassbox lab start, or a lab's own")->required();
+      "hold\nthat hold with the reference's.");
+  command.add_option("FOLDER", asked_.folder, "made by glassbox lab start, or a lab's own")
+      ->required();
+  add_lab_name(command, asked_.lab);
   add_json_output(command, json_output_, "the report");
   command.add_option("--time-limit", seconds_, "seconds that a stage of yours may take")
       ->check(number_between(0.1, 3600))
@@ -98,7 +104,7 @@ void LabStiffCommand::add_to(CLI::App& lab, int& exit_code) {
 
 int LabStiffCommand::run() const {
   if (const auto good = check_report_outputs({}, json_output_); !good) return refuse(good.error());
-  const auto folder = open_lab_folder(folder_);
+  const auto folder = open_lab_folder(asked_);
   if (!folder) return refuse(folder.error());
   const auto drawing = labs::drawing_of(folder->lab->number);
   const auto sources = labs::find_sources();
@@ -106,7 +112,8 @@ int LabStiffCommand::run() const {
   const auto cases = cases_of_lab(*sources, *folder->lab);
   if (!cases) return refuse(cases.error());
   if (!drawing || cases->empty())
-    return refuse({folder_, "", "this lab has no stiff cases", "name the folder of another lab"});
+    return refuse(
+        {asked_.folder, "", "this lab has no stiff cases", "name the folder of another lab"});
   Progress progress;
   StudentStages stages;
   if (const auto built = stages.build(*sources, *folder, progress); !built)
@@ -123,6 +130,10 @@ int LabStiffCommand::run() const {
         put_case(*each, *folder->lab, *drawing, stages.sandbox(), stages.program(), seconds_));
   }
   progress.done();
+  if (std::none_of(put.begin(), put.end(), [](const auto& c) { return c.yours.has_value(); }))
+    return refuse({asked_.folder, "", "no picture of this lab shows one of its stiff cases",
+                   fmt::format("look at one by itself: glassbox study extremes --case {}",
+                               put.front().what->id)});
   if (json_output_) {
     if (const auto made = write_json(*json_output_, report_json(*folder->lab, put)); !made)
       return refuse(made.error());

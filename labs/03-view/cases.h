@@ -138,6 +138,8 @@ inline std::vector<OntoCase> hidden_opposite_directions() {
   return {
       {"x to -x", {3, 0, 0}, {-1, 0, 0}},
       {"-y to y", {0, -1, 0}, {0, 7, 0}},
+      {"-x to x", {-2, 0, 0}, {5, 0, 0}},
+      {"-z to z", {0, 0, -3}, {0, 0, 1}},
       {"opposite, all components different", {2, 3, -6}, {-2, -3, 6}},
   };
 }
@@ -182,6 +184,9 @@ inline std::vector<KindCase> hidden_kinds() {
        rows({{0.70710678118654752, -0.70710678118654752, 0},
              {0.70710678118654752, 0.70710678118654752, 0},
              {0, 0, -1}})},
+      {"a scale by a half", rows({{0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}})},
+      {"columns of length 1, further apart than a right angle",
+       rows({{1, -0.6, 0}, {0, 0.8, 0}, {0, 0, 1}})},
       {"axes stretched by a thousandth", rows({{1.001, 0, 0}, {0, 1, 0}, {0, 0, 1}})},
       {"NaN", rows({{std::numeric_limits<double>::quiet_NaN(), 0, 0}, {0, 1, 0}, {0, 0, 1}})},
   };

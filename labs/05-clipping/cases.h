@@ -47,11 +47,11 @@ inline std::vector<std::array<float, 2>> ell(int reflex) {
   return base;
 }
 
-// Triangles as large as they come; the eye lies exactly in the plane of the first of each three, and a step on either side of it
-// for the others.
+// Triangles as large as they come, with 13 bits in each coordinate, so that 26 in a product; the eye lies exactly in the plane of the
+// second of each three, half-way along an edge, and a step on either side of it for the others.
 inline FaceCase large_edge_on(std::uint64_t seed) {
   Random random(seed);
-  const auto coordinate = [&] { return float(random.integer(-2047, 2047)) / 4; };
+  const auto coordinate = [&] { return float(random.integer(-4095, 4095)) / 8; };
   FaceCase questions;
   for (int i = 0; i < 24; ++i) {
     std::array<Point<World>, 3> p;
@@ -59,9 +59,7 @@ inline FaceCase large_edge_on(std::uint64_t seed) {
       const float x = coordinate(), y = coordinate();
       corner = {x, y, coordinate()};
     }
-    const auto inside = [](float a, float b, float c) { return a / 4 + b / 4 + c / 2; };
-    Point<World> eye(inside(p[0].x, p[1].x, p[2].x), inside(p[0].y, p[1].y, p[2].y),
-                     inside(p[0].z, p[1].z, p[2].z));
+    Point<World> eye((p[1].x + p[2].x) / 2, (p[1].y + p[2].y) / 2, (p[1].z + p[2].z) / 2);
     eye.z += float(i % 3 - 1) / 16;
     questions.push_back({{p[0], p[1], p[2]}, eye});
   }

@@ -244,7 +244,14 @@ inline std::vector<PolygonsCase> polygons() {
         {at(0, 4), at(1, 1), at(4, 0), at(0, 0)},
         {at(0, 0), at(0, 4), at(1, 1), at(4, 0)},
         {at(4, 0), at(0, 0), at(0, 4), at(1, 1)},
-        {at(0, 0), at(2, 2), at(2, 0), at(0, 2)}}}};
+        {at(0, 0), at(2, 2), at(2, 0), at(0, 2)}}},
+      // From vertex 0, twice the areas of the first one's triangles are 2^31 and less; from vertex 1, both are less.
+      {"convex ones that are larger than 2^31 steps squared, and one as large as they come, bent "
+       "inwards",
+       {{at(0, 0), at(256, 0), at(192, 128), at(0, 96)},
+        {at(0, 0), at(0, 96), at(192, 128), at(256, 0)},
+        {at(-65535, -65535), at(65535, -65535), at(65535, 65535), at(-65535, 65535)},
+        {at(-65535, 0), at(0, 0.00390625), at(65535, 0), at(0, 65535)}}}};
 }
 
 // BEGIN HIDDEN

@@ -1,5 +1,7 @@
 #include "labs/grading/compile.h"
 
+#include <sstream>
+
 #include <fmt/format.h>
 
 #include "labs/grading/assembly.h"
@@ -49,12 +51,48 @@ std::string foreign_file(const fs::path& build, const Kit& kit) {
   return {};
 }
 
-// Calls one of the compiler's parts and takes what it says, without the places that only the grader knows.
+Compiled foreign(const std::string& file) {
+  return {"compile error",
+          fmt::format("student.cpp includes {}, which is not part of the lab.\n", file)};
+}
+
+// What a part of the compiler says, without the places that only the grader knows.
+std::string shown(const std::string& said, const Kit& kit, const fs::path& build) {
+  return without(without(said, build.string() + "/"), kit.include.string() + "/");
+}
+
+// Calls one of the compiler's parts and takes what it says.
 std::string call(const std::vector<std::string>& command, const Sandbox& sandbox, const Kit& kit,
                  const fs::path& build, std::string& said) {
   const RunOutcome outcome = sandbox.compile(command, build, {kit.include}, compile_limits());
-  said += without(without(outcome.said, build.string() + "/"), kit.include.string() + "/");
+  said += shown(outcome.said, kit, build);
   return trouble_of(outcome, compile_limits(), said);
+}
+
+// Whether the preprocessor does its work with the lab's files alone. Where the sandbox hides none, that is asked before anything is
+// shown that the compiler says: what it says of a file, or of a name in one, has something of the file in it. The preprocessor
+// names a file before it says anything of it.
+Compiled read_includes(const Sandbox& sandbox, const Kit& kit, const fs::path& build,
+                       const CompileWords& words) {
+  const RunOutcome outcome = sandbox.compile(preprocessor_command(kit, words, build), build,
+                                             {kit.include}, compile_limits());
+  std::error_code error;
+  fs::remove(build / kPreprocessed, error);
+  Compiled read;
+  std::istringstream lines(outcome.said);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("Multiple include guards")) break;  // g++'s last words, and a list
+    const std::size_t dots = line.find_first_not_of('.');
+    if (dots == 0 || dots == std::string::npos || line[dots] != ' ') {
+      read.said += line + "\n";
+      continue;
+    }
+    const fs::path file = line.substr(dots + 1);
+    if (!Sandbox::is_compilers(build / file, {kit.include, build})) return foreign(file.string());
+  }
+  read.said = shown(read.said, kit, build);
+  read.trouble = trouble_of(outcome, compile_limits(), read.said);
+  return read;
 }
 
 struct Place {
@@ -93,12 +131,16 @@ Compiled compile_submission(const std::string& text, const Sandbox& sandbox, con
   if (!sandbox.hand_over(build) || !sandbox.hand_over(build / kSource))
     return {"grading did not finish", "the build directory cannot be handed over"};
   Compiled compiled;
-  compiled.trouble = call(assembly_command(kit, words, build), sandbox, kit, build, compiled.said);
+  CompileWords how = words;
+  if (sandbox.confinement() == Confinement::kLimits) {
+    how.quotes = false;
+    const Compiled read = read_includes(sandbox, kit, build, how);
+    if (!read.trouble.empty()) return {read.trouble, own_line_first(read.said, text)};
+  }
+  compiled.trouble = call(assembly_command(kit, how, build), sandbox, kit, build, compiled.said);
   compiled.said = own_line_first(compiled.said, text);
   if (!compiled.trouble.empty()) return compiled;
-  if (const std::string foreign = foreign_file(build, kit); !foreign.empty())
-    return {"compile error",
-            fmt::format("student.cpp includes {}, which is not part of the lab.\n", foreign)};
+  if (const std::string file = foreign_file(build, kit); !file.empty()) return foreign(file);
   const auto assembly = read_text_file(build / kAssembly);
   if (!assembly) return {"grading did not finish", assembly.error().message()};
   if (const auto statement = foreign_statement(*assembly))

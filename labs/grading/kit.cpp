@@ -62,10 +62,15 @@ Result<std::string> path_of(const std::string& program) {
 }
 
 Result<std::string> call(const std::vector<std::string>& words) {
-  const ProcessOutcome outcome = run_process(words, {120, 0, std::size_t(1) << 20});
+  constexpr double kSeconds = 120;
+  const ProcessOutcome outcome = run_process(words, {kSeconds, 0, std::size_t(1) << 20});
   if (outcome.started && !outcome.timed_out && WIFEXITED(outcome.status) &&
       WEXITSTATUS(outcome.status) == 0)
     return outcome.said;
+  if (outcome.timed_out)
+    return fail("the lab's own files",
+                fmt::format("the compiler was still busy after {} seconds", kSeconds),
+                "try again when the machine has less to do");
   return fail(
       "the lab's own files",
       fmt::format("do not compile: {}", outcome.started ? outcome.said : outcome.why_not_started),
@@ -321,8 +326,9 @@ Result<Kit> copy_kit(const Kit& kit, const fs::path& directory) {
   return copy;
 }
 
-std::vector<std::string> assembly_command(const Kit& kit, const CompileWords& options,
-                                          const fs::path& build) {
+// All but what is to be made.
+static std::vector<std::string> compiler_words(const Kit& kit, const CompileWords& options,
+                                               const fs::path& build) {
   std::vector<std::string> words{kit.compiler};
   append(words, flags());
   append(words, of_clang(kit.compiler));
@@ -336,8 +342,25 @@ std::vector<std::string> assembly_command(const Kit& kit, const CompileWords& op
   if (options.warnings) append(words, {"-Wall", "-Wextra", "-Wno-unused-parameter"});
   // A student's own errors come before those that they make elsewhere.
   words.push_back(is_clang(kit.compiler) ? "-ferror-limit=10" : "-fmax-errors=10");
-  append(words, {"-isystem", kit.include.string(), "-MD", "-MF", kFilesRead, "-S", kSource, "-o",
-                 kAssembly});
+  // g++ quotes the file that the last #line has named, whatever file that is.
+  if (!options.quotes)
+    words.push_back(is_clang(kit.compiler) ? "-fno-caret-diagnostics"
+                                           : "-fno-diagnostics-show-caret");
+  append(words, {"-isystem", kit.include.string(), "-MD", "-MF", kFilesRead});
+  return words;
+}
+
+std::vector<std::string> assembly_command(const Kit& kit, const CompileWords& options,
+                                          const fs::path& build) {
+  std::vector<std::string> words = compiler_words(kit, options, build);
+  append(words, {"-S", kSource, "-o", kAssembly});
+  return words;
+}
+
+std::vector<std::string> preprocessor_command(const Kit& kit, const CompileWords& options,
+                                              const fs::path& build) {
+  std::vector<std::string> words = compiler_words(kit, options, build);
+  append(words, {"-E", "-H", kSource, "-o", kPreprocessed});
   return words;
 }
 

@@ -54,14 +54,19 @@ struct CompileWords {
   bool sanitize =
       false;  // with AddressSanitizer and UndefinedBehaviorSanitizer, which end the program with a report
   std::string
-      stands_for;  // the folder that a debugger is to look for student.cpp in; empty for none
+      stands_for;      // the folder that a debugger is to look for student.cpp in; empty for none
+  bool quotes = true;  // what a message is about, from the file that it names
 };
 std::vector<std::string> assembly_command(const Kit& kit, const CompileWords& words,
                                           const std::filesystem::path& build);
+// The preprocessor alone: every file that it opens is named in what it says, in a line of dots, a space and the path.
+std::vector<std::string> preprocessor_command(const Kit& kit, const CompileWords& words,
+                                              const std::filesystem::path& build);
 std::vector<std::string> object_command(const Kit& kit);
 std::vector<std::string> link_command(const Kit& kit, const std::vector<std::string>& objects,
                                       const std::string& program, const CompileWords& words);
 inline constexpr const char* kSource = "student.cpp";
+inline constexpr const char* kPreprocessed = "student.ii";
 inline constexpr const char* kAssembly = "student.s";
 inline constexpr const char* kObject = "student.o";
 inline constexpr const char* kFilesRead = "files-read";

@@ -23,7 +23,7 @@ namespace glassbox::labs {
 // One answer for each question, from the student's process. An answer may be of any length.
 using Ask = std::function<Result<std::vector<Numbers>>(const std::vector<Numbers>& questions)>;
 
-// A point of the chart, where the experiment has others: of the same measure and scene, at the same place of its axis.
+// A point of the chart, where the experiment has others. Its error is NaN for what can be no answer, so that doing nothing is not exact.
 struct MeasuredPlace {
   std::string series;
   double parameter = 0;
@@ -51,7 +51,7 @@ Result<std::vector<study::ConfigurationResult>> measure_places(
     const LabMeasure& lab, StudentAnswers& student, int rounds,
     const std::function<void(const std::string&)>& phase);
 
-// The series that nothing is written of yet: at all their places the student's functions answer as the starter's do.
+// The series that nothing is written of yet: at all their places the student's functions answer as the starter's do (which may throw).
 Result<std::vector<std::string>> untouched_series(
     const LabMeasure& lab, StudentAnswers& student, StudentAnswers& starter,
     const std::function<void(const std::string&)>& phase);

@@ -125,6 +125,40 @@ TEST_CASE("lab render refuses what it cannot draw with a line") {
   CHECK(folder.run({"lab", "render", ".", "cube"}).exit_code == 2);
 }
 
+TEST_CASE("a submission without lab.json is drawn, and checked, as of the lab that --lab names") {
+  const Folder folder;
+  folder.write("+ 0.5)", "+ 0.5)");
+  fs::create_directories(folder.path() / "ann");
+  fs::copy_file(folder.path() / "mine/student.cpp", folder.path() / "ann/student.cpp");
+  const auto unknown = folder.run({"lab", "render", "ann", "cube"});
+  CHECK(unknown.exit_code == 2);
+  CHECK(has(unknown.err, "--lab"));
+  const auto drawn =
+      folder.run({"lab", "render", "ann", "cube", "--lab", "6", "--size", "48x32", "-o", "a.png"});
+  CAPTURE(drawn.out, drawn.err);
+  CHECK(drawn.exit_code == 0);
+  CHECK(fs::exists(folder.path() / "a.png"));
+  // Half of the points, as the hidden checks are not put.
+  const auto checked = folder.run({"lab", "check", "ann", "--lab", "rasterisation"});
+  CHECK(has(checked.out, "50 of 50"));
+  // What is handed in stays as it is.
+  CHECK(std::distance(fs::directory_iterator(folder.path() / "ann"), fs::directory_iterator()) ==
+        1);
+}
+
+TEST_CASE(
+    "the page of a lab that makes a picture of its own opens with it, beside the reference's") {
+  const Folder folder("11", "11-matching");
+  folder.write("#include <", "#include <");
+  const auto drawn = folder.render({"--html", "out.html", "-o", "out.png"});
+  CAPTURE(drawn.out, drawn.err);
+  CHECK(drawn.exit_code == 0);
+  const std::string page = read_text_file(folder.path() / "out.html").value();
+  CHECK(has(page, "\"opening_overlay\":\"made\""));
+  CHECK(has(page, "\"pictures\":[\"reference\",\"made\"]"));
+  for (const std::string id : {"reference", "made"}) CHECK(has(page, "id=\"" + id + "\""));
+}
+
 TEST_CASE("lab watch with a scene draws again when the file is saved") {
   const Folder folder;
   folder.write("+ 0.5)", "+ 0.5)");

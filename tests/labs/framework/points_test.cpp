@@ -88,6 +88,11 @@ TEST_CASE("a far plane that is forgotten costs more than the one case that shows
   const Lab& lab = *std::find_if(all_labs().begin(), all_labs().end(),
                                  [](const Lab& l) { return l.number == 5; });
   const Lab shared = read_shares(lab, sources.folder_of(lab.folder) / "points.json").value().lab;
+  const auto clipper = std::find_if(shared.checks.begin(), shared.checks.end(), [](const Check& c) {
+    return c.name == "a triangle and the frustum";
+  });
+  REQUIRE(clipper != shared.checks.end());
+  CHECK(clipper->whole);
   for (const Check& check : shared.checks) {
     if (check.name != "which planes a point is outside of") continue;
     const std::vector<Case> cases = check.cases();

@@ -140,6 +140,35 @@ TEST_CASE("a file that the assembler would read is refused before it reads it") 
   CHECK(total(graded(place, "#include \"student.h\"\n" + right)) == 10);
 }
 
+TEST_CASE("a compiler's message has nothing of a file that is not the lab's") {
+  const Place place;
+  write(place.path / "secret", "constexpr int kSecret = 90210;\n");
+  const std::string file = "\"" + (place.path / "secret").string() + "\"";
+  const std::vector<std::string> attacks{
+      "#include " + file + "\nint kSecret = 8;\n",            // quoted, as defined before
+      "#line 1 " + file + "\nint f() { return unknown; }\n",  // g++ quotes line 1 of that file
+      "#include " + file + "\ntemplate <int> struct P;\nP<kSecret> p;\n",
+      "#include " + file + "\n#error here\n",
+      "#include " + file + "\n#include \"is-not-there.h\"\n",
+  };
+  for (const std::string sandbox : {"limits", ""}) {
+    for (const std::string& attack : attacks) {
+      const auto options = sandbox.empty() ? std::vector<std::string>{}
+                                           : std::vector<std::string>{"--sandbox", sandbox};
+      const auto results = graded(place, "#include \"student.h\"\n" + attack, options);
+      INFO(attack << results.dump(2));
+      CHECK(results.at("extra_data").at("outcome") == "compile error");
+      CHECK(results.dump().find("90210") == std::string::npos);
+    }
+  }
+  // Of the student's own file it says what is wrong and where.
+  const std::string own = graded(place, "#include \"student.h\"\nint f() { return unknown; }\n",
+                                 {"--sandbox", "limits"})
+                              .at("output");
+  CHECK(own.find("student.cpp:2:18: error: ") != std::string::npos);
+  CHECK(own.find("unknown") != std::string::npos);
+}
+
 TEST_CASE("only what compilers write is assembled") {
   using labs::grading::foreign_statement;
   for (const char* fine :
