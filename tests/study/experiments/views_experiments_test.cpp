@@ -96,6 +96,15 @@ TEST_CASE(
   CHECK(std::abs(looks.exponent - 3) < 0.01);
   const auto memory = fit_power_law(series_of(all, "centre", "memory"));
   CHECK(std::abs(memory.exponent - 2) < 0.1);
+  // Nothing is explained by an interval: the laws hold within a third, and of the memory exactly.
+  for (const Measured& each : all) {
+    CHECK_FALSE(each.configuration.finding);
+    if (!each.configuration.predicted_error) continue;
+    const double ratio = each.error / *each.configuration.predicted_error;
+    INFO(each.configuration.series << " " << each.configuration.parameter << ": " << ratio);
+    CHECK(ratio > 0.95);
+    CHECK(ratio < (each.configuration.measure.empty() ? 4.0 / 3 : 1.001));
+  }
   // Four times as many voxels across, while each has pixels of its own.
   const auto surface = series_of(all, "centre", "");
   CHECK(surface.front().y > 2 * surface.back().y);
