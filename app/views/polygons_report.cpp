@@ -9,10 +9,10 @@
 #include "app/report/progress.h"
 #include "app/views/left_out_report.h"
 #include "views/polygons/mesh_scene.h"
+#include "views/texture/unlit_renderer.h"
 #include "views/voxels/truth.h"
 
 #include <glassbox/base/printable.h>
-#include <glassbox/render/renderer.h>
 
 namespace glassbox::app {
 
@@ -20,34 +20,18 @@ namespace {
 
 using PolygonsJson = nlohmann::ordered_json;
 
-// The share that two solids have in common.
 double iou_of(const views::Occupancy& solid, const views::TrueVolume& truth) {
   const auto& count = solid.grid().count;
-  std::int64_t both = 0;
+  views::Overlap overlap(truth);
   for (int z = 0; z < count[2]; ++z) {
     for (int y = 0; y < count[1]; ++y) {
-      for (int x = 0; x < count[0]; ++x) both += solid.has({x, y, z}) && truth.has({x, y, z});
+      for (int x = 0; x < count[0]; ++x) {
+        const views::VoxelAt at{x, y, z};
+        if (solid.has(at)) overlap.add(at);
+      }
     }
   }
-  const std::int64_t either = solid.full() + truth.voxels() - both;
-  return either == 0 ? 1 : double(both) / double(either);
-}
-
-Result<views::TexturedPicture> drawn_for(const Scene& scene,
-                                         const views::CalibratedPicture& picture) {
-  const int width = picture.color.width, height = picture.color.height;
-  const auto view = views::view_of(picture.camera, width, height, views::box_of(scene));
-  if (!view) return tl::unexpected(view.error());
-  RenderSettings settings;
-  settings.shading = Shading::kUnlit;
-  settings.background = {0, 0, 0, 255};
-  settings.want_id = true;
-  Renderer renderer(scene, settings.transfer);
-  Framebuffer buffers = renderer.render(*view, settings).buffers;
-  views::TexturedPicture drawn;
-  drawn.color = std::move(buffers.color);
-  drawn.id = std::move(buffers.id);
-  return drawn;
+  return overlap.iou();
 }
 
 }  // namespace
@@ -86,10 +70,12 @@ Result<PolygonsReport> report_polygons(const PolygonsInput& input, const Polygon
   if (!scene) return tl::unexpected(scene.error());
   report.scene = std::move(*scene);
   if (input.pictures.left_out) {
-    auto drawn = drawn_for(report.scene, *input.pictures.left_out);
+    const views::CalibratedPicture& left_out = *input.pictures.left_out;
+    auto drawn = views::UnlitRenderer(report.scene)
+                     .draw(left_out.camera, left_out.color.width, left_out.color.height);
     if (!drawn) return tl::unexpected(drawn.error());
-    report.left_out = views::compare(*drawn, *input.pictures.left_out);
-    report.drawn = std::move(*drawn);
+    report.drawn = views::TexturedPicture{std::move(drawn->color), std::move(drawn->id)};
+    report.left_out = views::compare(*report.drawn, left_out);
   }
   if (input.truth) {
     progress.phase("finding what is inside the scene");

@@ -10,9 +10,7 @@
 #include "viewssurface_page.h"  // made by html/embed.cmake
 
 #include <glassbox/html/blob.h>
-#include <glassbox/images/srgb.h>
 #include <glassbox/images/write.h>
-#include <glassbox/mesh/triangulate.h>
 
 namespace glassbox::app {
 
@@ -39,35 +37,18 @@ struct SurfaceBytes {
 
 Result<SurfaceBytes> surface_bytes(const Scene& scene) {
   SurfaceBytes bytes;
-  for (const Instance& instance : scene.instances) {
-    const Mesh& mesh = scene.meshes[instance.mesh];
-    const auto& m = scene.nodes[instance.node].world_from_node;
-    const Rgba& base = scene.materials[mesh.material].base_color;
-    const Triangulation triangulation = triangulate(mesh);
-    std::uint32_t next = 0;
-    const auto fill_up_to = [&](std::uint32_t number) {
-      bytes.places.resize(bytes.places.size() + 36 * std::size_t(number - next), 0);
-      bytes.colors.resize(bytes.colors.size() + 3 * std::size_t(number - next), 0);
-      next = number;
-    };
-    for (const Triangle& triangle : triangulation.triangles) {
-      fill_up_to(triangle.number);
-      std::array<float, 3> light{};
-      for (const std::uint32_t index : triangle.corners) {
-        const Corner& corner = mesh.corners[index];
-        const auto& p = mesh.positions[corner.position];
-        for (int row = 0; row < 3; ++row)
-          add_float(bytes.places, float(m.at(row, 0) * p.x + m.at(row, 1) * p.y +
-                                        m.at(row, 2) * p.z + m.at(row, 3)));
-        const Rgba own = corner.color == kNone ? Rgba{} : mesh.colors[corner.color];
-        light = {light[0] + own.r * base.r / 3, light[1] + own.g * base.g / 3,
-                 light[2] + own.b * base.b / 3};
-      }
-      for (const float channel : light) bytes.colors.push_back(encode_srgb(channel));
-      ++next;
+  const auto fill_up_to = [&](std::size_t number) {
+    bytes.places.resize(36 * number, 0);
+    bytes.colors.resize(3 * number, 0);
+  };
+  for (const views::PlacedTriangle& triangle : views::placed_triangles(scene)) {
+    fill_up_to(triangle.number);
+    for (const views::Vector3d& corner : triangle.corners) {
+      for (int axis = 0; axis < 3; ++axis) add_float(bytes.places, float(corner[axis]));
     }
-    fill_up_to(triangulation.numbered);
+    for (const std::uint8_t channel : triangle.color) bytes.colors.push_back(channel);
   }
+  fill_up_to(views::numbers_of(scene));
   constexpr std::size_t kMostTriangles = 400000;
   if (bytes.colors.size() / 3 > kMostTriangles) {
     return fail("--html",

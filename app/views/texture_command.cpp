@@ -29,6 +29,8 @@ namespace glassbox::app {
 using views::Blend;
 
 struct ViewsTextureCommand::Found {
+  explicit Found(views::TexturedSurface of) : surface(std::move(of)) {}
+
   // One picture made of the others by one way to blend them.
   struct LeftOutAlone {
     std::string picture;
@@ -47,6 +49,7 @@ struct ViewsTextureCommand::Found {
     return 10 * std::log10(255 * 255 * pixels / squares);
   }
 
+  views::TexturedSurface surface;
   std::int64_t polygons = 0, unseen = 0;
   std::size_t triangles = 0;  // of views
   std::optional<views::TexturedPicture> drawn, left_out;
@@ -157,17 +160,25 @@ Result<ViewsTextureCommand::Found> ViewsTextureCommand::find(const Scene& scene,
                                                              const ChosenPictures& pictures,
                                                              Progress& progress) const {
   progress.phase("finding what each picture sees");
-  Found found;
   const views::PictureSet& set = pictures.set;
-  const auto surface = views::TexturedSurface::of(scene, set, blend_, neighbours_);
-  if (!surface) return tl::unexpected(surface.error());
-  found.polygons = std::int64_t(surface->seen().polygons());
-  found.unseen = surface->seen().unseen();
-  found.triangles = surface->blend().sphere().triangles().size();
+  const double bytes = views::SeenPolygons::bytes_for(scene, set);
+  if (bytes > double(choice_.most_bytes())) {
+    return fail(
+        "--max-mb",
+        fmt::format("what each picture sees of the surface would take {:.0f} MB", bytes / 1048576),
+        "take fewer pictures, or allow more");
+  }
+  auto made = views::TexturedSurface::of(scene, set, blend_, neighbours_);
+  if (!made) return tl::unexpected(made.error());
+  Found found(std::move(*made));
+  const views::TexturedSurface& surface = found.surface;
+  found.polygons = std::int64_t(surface.seen().polygons());
+  found.unseen = surface.seen().unseen();
+  found.triangles = surface.blend().sphere().triangles().size();
   for (std::uint32_t i = 0; i < found.polygons; ++i) {
     int seen = 0;
     for (std::size_t view = 0; view < set.pictures.size(); ++view)
-      seen += surface->seen().sees(view, i);
+      seen += surface.seen().sees(view, i);
     found.views.push_back(std::uint8_t(std::min(seen, 255)));
   }
   const Size size = size_.value_or(Size{set.pictures[0].color.width, set.pictures[0].color.height});
@@ -179,34 +190,31 @@ Result<ViewsTextureCommand::Found> ViewsTextureCommand::find(const Scene& scene,
     if (!view) return tl::unexpected(view.error());
     const auto pinhole = views::camera_of(*view);
     if (!pinhole) return tl::unexpected(pinhole.error());
-    auto drawn = surface->draw(*pinhole, size.width, size.height, background_);
+    auto drawn = surface.draw(*pinhole, size.width, size.height, background_);
     if (!drawn) return tl::unexpected(drawn.error());
     found.drawn = std::move(*drawn);
   }
   if (const auto& left_out = pictures.left_out) {
     auto drawn =
-        surface->draw(left_out->camera, left_out->color.width, left_out->color.height, background_);
+        surface.draw(left_out->camera, left_out->color.width, left_out->color.height, background_);
     if (!drawn) return tl::unexpected(drawn.error());
     found.errors = views::compare(*drawn, *left_out);
     found.left_out = std::move(*drawn);
   }
   for (std::size_t i = 0; each_ && i < set.pictures.size(); ++i) {
     progress.phase("leaving out " + set.pictures[i].name);
-    views::PictureSet others = set;
-    others.pictures.erase(others.pictures.begin() + std::ptrdiff_t(i));
     const views::CalibratedPicture& picture = set.pictures[i];
     for (const Blend blend : {Blend::kNearest, Blend::kBarycentric, Blend::kNeighbours}) {
-      const auto without = views::TexturedSurface::of(scene, others, blend, neighbours_);
-      if (!without) return tl::unexpected(without.error());
       const auto drawn =
-          without->draw(picture.camera, picture.color.width, picture.color.height, background_);
+          surface.blended_by(blend, neighbours_, i)
+              .draw(picture.camera, picture.color.width, picture.color.height, background_);
       if (!drawn) return tl::unexpected(drawn.error());
       found.each.push_back({picture.name, blend, views::compare(*drawn, picture)});
     }
   }
   if (fixed_) {
     progress.phase("making the texture");
-    auto fixed = views::with_static_texture(scene, set, *surface, texels_);
+    auto fixed = views::with_static_texture(scene, surface, texels_, double(choice_.most_bytes()));
     if (!fixed) return tl::unexpected(fixed.error());
     found.fixed = std::move(*fixed);
   }
@@ -280,9 +288,6 @@ Result<void> ViewsTextureCommand::write_outputs(const Scene& scene, const Chosen
   // All is made before the first is written.
   Result<std::string> made;
   if (page_) {
-    const auto surface =
-        views::TexturedSurface::of(scene, pictures.set, Blend::kBarycentric, neighbours_);
-    if (!surface) return tl::unexpected(surface.error());
     SurfacePage page;
     page.verb = "texture";
     page.title = mesh_;
@@ -292,7 +297,7 @@ Result<void> ViewsTextureCommand::write_outputs(const Scene& scene, const Chosen
     page.command = command_line();
     page.scene = &scene;
     page.views = found.views;
-    page.textured = &*surface;
+    page.textured = &found.surface;
     page.pictures = &pictures.set;
     if (found.left_out) {
       page.left_out = &*pictures.left_out;

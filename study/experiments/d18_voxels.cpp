@@ -58,18 +58,21 @@ Found found_by(const Way& way, int across, int pictures) {
 }
 
 // Of a point anywhere in a cube the distance to its centre is 0.480 of an edge in the mean (Robbins 1978): what is left where the voxel
-// of every point is coloured.
-constexpr double kInCube = 0.4803;
+// of every point is coloured. A pixel has the colour of its centre, from which a point of it is (sqrt 2 + ln(1 + sqrt 2))/6 = 0.383 px
+// away in the mean: so far off is what a voxel is judged by, however small it is. The two have nothing to do with each other.
+constexpr double kInCube = 0.4803, kInPixel = 0.3826;
 
-// Without a pixel of its own a voxel is judged by its neighbours' colours.
-std::optional<Finding> finding(int across) {
-  const double pixels =
-      2.0 / across * (kSide * 2.6 / 6);  // of a voxel's edge, at the ball's middle
-  if (pixels > 1.5) return std::nullopt;
-  return Finding{
-      "voxels as small as pixels see the same colours as their neighbours, and bulge "
-      "towards the cameras by some of them",
-      0.5, 8};
+double predicted_distance(int across) {
+  const double pixel = 6 / (kSide * 2.6);  // radii, at the ball's middle
+  return std::hypot(kInCube * 2.0 / across, kInPixel * pixel);
+}
+
+// Of a pixel that was read a colour and a matte, and a word that is swept; of the N^2 voxels of each of six faces what is known of a
+// coloured one, and of a layer's of each that is looked at.
+double predicted_bytes(int across, int pictures, int side) {
+  const double pixels = double(side) * side * pictures, face = double(across) * across;
+  return pixels * (sizeof(Rgba8) + 1 + 4) + face * 6 * sizeof(views::ColoredVoxel) +
+         face * (sizeof(views::Verdict) + sizeof(views::Seen) + sizeof(views::VoxelAt));
 }
 
 std::vector<Configuration> configurations(Effort effort) {
@@ -87,8 +90,7 @@ std::vector<Configuration> configurations(Effort effort) {
       all.push_back({.series = way.name,
                      .parameter = double(across),
                      .error = [=] { return found().surface; },
-                     .predicted_error = kInCube * 2.0 / across,
-                     .finding = finding(across),
+                     .predicted_error = predicted_distance(across),
                      .work = [=](int) { consume(views::color_voxels(shown->set, request)); },
                      .items = voxels * (kPictures - 1)});
       all.push_back(
@@ -105,20 +107,16 @@ std::vector<Configuration> configurations(Effort effort) {
   // Pictures of twice as many pixels as the ball has voxels.
   for (const int across : {16, 32, 64, 128}) {
     const int side = 2 * across;
-    all.push_back(
-        {.series = "centre",
-         .parameter = double(across),
-         .measure = "memory",
-         .error =
-             [=] {
-               const Shown shown = pictures_of(4, side, false);
-               return double(views::plan_coloring(shown.set, request_for(shown, across))->bytes);
-             },
-         // A colour, a matte and a word for each pixel; six faces of voxels and a layer are a part of it.
-         .predicted_error = 4.0 * side * side * 9,
-         .finding = Finding{"what a layer and the coloured voxels take goes with the same "
-                            "power of the size",
-                            1, 8}});
+    all.push_back({.series = "centre",
+                   .parameter = double(across),
+                   .measure = "memory",
+                   .error =
+                       [=] {
+                         const Shown shown = pictures_of(4, side, false);
+                         return double(
+                             views::plan_coloring(shown.set, request_for(shown, across))->bytes);
+                       },
+                   .predicted_error = predicted_bytes(across, 4, side)});
   }
   std::vector<int> counts{4, 6, 8, 12, 18};
   if (effort == Effort::kFull) counts.insert(counts.end(), {24, 36});
@@ -151,8 +149,10 @@ Experiment d18_voxels() {
       .error_unit = "ball radii",
       .reference = "the ball's formula",
       .theory =
-          "0.480 of a voxel's edge, the mean distance from a point of a cube to its centre, while "
-          "the voxel of every point is coloured; look-ups N^3 m, memory N^2 m (S1-22)",
+          "0.480 of a voxel's edge, the mean distance from a point of a cube to its centre, and, "
+          "in "
+          "squares, 0.383 of a pixel, that from a point of a square; look-ups N^3 m, memory N^2 m "
+          "(S1-22): 9 bytes of a pixel, and what is known of the voxels of six faces and a layer",
       .item = "voxel and picture",
       .measures = {{.name = "left out",
                     .error = "RMS of a picture that was left out, where voxels cover it",

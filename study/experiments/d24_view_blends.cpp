@@ -9,7 +9,6 @@
 
 #include "study/experiment/experiment.h"
 #include "study/experiments/consume.h"
-#include "study/experiments/once.h"
 #include "views/rings/draw_ring.h"
 #include "views/texture/textured_surface.h"
 
@@ -19,9 +18,10 @@ namespace {
 using views::Blend;
 using views::Vector3d;
 
-constexpr const char* kJump = "jump";
+constexpr const char *kJump = "jump", *kFiner = "finer";
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr int kSize = 96;
+// Pictures are four times finer than the one in between, which leaves little for their resampling.
+constexpr int kSize = 96, kTimesFiner = 4;
 constexpr Blend kAll[] = {Blend::kNearest, Blend::kBarycentric, Blend::kNeighbours};
 
 std::string series_of(Blend blend) {
@@ -36,53 +36,78 @@ std::string series_of(Blend blend) {
   return {};
 }
 
-// The teapot, shiny, under a light that stands still: its highlights go over it as the eye goes round.
-const Scene& shiny_teapot() {
-  static const Scene made = [] {
-    Scene scene = *make_builtin("teapot:6");
-    for (Material& material : scene.materials) {
-      material.specular = {0.5f, 0.5f, 0.5f};
-      material.shininess = 8;
-    }
-    Light light;
-    light.intensity = 3;
-    const Vector3d way = Vector3d(-0.3, -0.8, -0.5).normalized();
-    light.direction = {way.x(), way.y(), way.z()};
-    scene.lights = {light};
-    return scene;
-  }();
-  return made;
+// What is looked at, under a light that stands still. All of them have the same shape.
+enum class Surface {
+  kShiny,  // highlights go over it as the eye goes round
+  kDull,  // a place has the same light for all eyes: all that is left is the resampling of pictures
+  kOneColor,  // nor can resampling change anything: what is left would be pixels of something else
+};
+const char* name_of(Surface surface) {
+  constexpr const char* kNames[] = {"shiny teapot", "dull teapot", "teapot of one colour"};
+  return kNames[std::size_t(surface)];
 }
 
-views::PictureSet pictures_from(double start, double step, int count) {
+Scene make_teapot(Surface surface) {
+  Scene scene = *make_builtin("teapot:6");
+  const float shine = surface == Surface::kShiny ? 0.5f : 0;
+  for (Material& material : scene.materials) {
+    material.specular = {shine, shine, shine};
+    material.shininess = 8;
+    material.unlit = surface == Surface::kOneColor;
+  }
+  Light light;
+  light.intensity = 3;
+  const Vector3d way = Vector3d(-0.3, -0.8, -0.5).normalized();
+  light.direction = {way.x(), way.y(), way.z()};
+  scene.lights = {light};
+  return scene;
+}
+
+const Scene& teapot(Surface surface) {
+  static const Scene all[] = {make_teapot(Surface::kShiny), make_teapot(Surface::kDull),
+                              make_teapot(Surface::kOneColor)};
+  return all[std::size_t(surface)];
+}
+
+views::PictureSet pictures_from(const Scene& scene, double start, double step, int count,
+                                int size) {
   views::RingOptions options;
   options.views = count;
   options.arc_degrees = count > 1 ? step * (count - 1) : 1;
   options.start_degrees = start;
   options.elevations = {0};
-  options.width = options.height = kSize;
+  options.width = options.height = size;
   RenderSettings settings;
   settings.background = {0, 0, 0, 255};
-  return views::draw_ring(shiny_teapot(), views::ring_views(shiny_teapot(), options).value(),
-                          settings, views::Matte::kDepth);
+  return views::draw_ring(scene, views::ring_views(scene, options).value(), settings,
+                          views::Matte::kDepth);
 }
 
 // Eight pictures so many degrees apart, and what is seen in the middle between the fourth and the fifth.
-struct Ring {
-  views::PictureSet known;
-  views::CalibratedPicture between;
+class Ring {
+public:
+  Ring(Surface surface, double degrees, int times_finer = kTimesFiner)
+      : known_(pictures_from(teapot(surface), kStart - 3.5 * degrees, degrees, 8,
+                             times_finer * kSize)),
+        between_(pictures_from(teapot(surface), kStart, 0, 1, kSize).pictures.front()),
+        surface_(views::TexturedSurface::of(teapot(surface), known_, Blend::kNearest).value()) {}
+
+  views::TexturedPicture drawn_by(Blend blend) const {
+    return surface_.blended_by(blend).draw(between_.camera, kSize, kSize, {0, 0, 0, 255}).value();
+  }
+  double rms_of(Blend blend) const { return views::compare(drawn_by(blend), between_).rms; }
+
+private:
+  static constexpr double kStart = 20;
+
+  views::PictureSet known_;
+  views::CalibratedPicture between_;
+  views::TexturedSurface surface_;  // of known_, so a ring stays where it is
 };
 
-std::shared_ptr<const Ring> ring_of(double degrees) {
-  const double start = 20;
-  return std::make_shared<const Ring>(Ring{pictures_from(start - 3.5 * degrees, degrees, 8),
-                                           pictures_from(start, 0, 1).pictures.front()});
-}
-
-double rms_of(const Ring& ring, Blend blend) {
-  const auto surface = views::TexturedSurface::of(shiny_teapot(), ring.known, blend);
-  const auto drawn = surface->draw(ring.between.camera, kSize, kSize, {0, 0, 0, 255});
-  return views::compare(*drawn, ring.between).rms;
+std::shared_ptr<const Ring> ring_of(Surface surface, double degrees,
+                                    int times_finer = kTimesFiner) {
+  return std::make_shared<const Ring>(surface, degrees, times_finer);
 }
 
 // ---- weights over the middle between two views ----
@@ -113,42 +138,69 @@ double predicted_jump(double degrees, Blend blend) {
   return kStep * 4 * 15 / (56 * d);
 }
 
+// What a dull surface leaves is of the pictures' pixels, and that of a shiny one's light is added to it, in squares. The light goes with
+// the angle or its square; the constant is that of the widest spacing, where it is most of the error.
+class Law {
+public:
+  Law(Blend blend, double widest, const Ring& dull, const Ring& shiny)
+      : power_(blend == Blend::kNearest ? 1 : 2),
+        widest_(widest),
+        light_(std::sqrt(square(shiny.rms_of(blend)) - square(dull.rms_of(blend)))) {}
+
+  double at(double degrees, double resampling) const {
+    return std::hypot(resampling, light_ * std::pow(degrees / widest_, power_));
+  }
+
+private:
+  static double square(double x) { return x * x; }
+
+  double power_, widest_, light_;
+};
+
+void add_spacing(Blend blend, double degrees, const Law& law, std::vector<Configuration>& all,
+                 const std::shared_ptr<const Ring>& shiny, const std::shared_ptr<const Ring>& dull,
+                 double resampling_at_widest) {
+  const auto add = [&](Surface surface, const std::shared_ptr<const Ring>& ring, double predicted) {
+    all.push_back({.series = series_of(blend),
+                   .parameter = degrees,
+                   .scene = name_of(surface),
+                   .error = [=] { return ring->rms_of(blend); },
+                   .predicted_error = predicted,
+                   .work = [=](int) { consume(ring->drawn_by(blend)); }});
+  };
+  add(Surface::kShiny, shiny, law.at(degrees, dull->rms_of(blend)));
+  // The angle changes nothing of a dull surface.
+  add(Surface::kDull, dull, resampling_at_widest);
+  add(Surface::kOneColor, ring_of(Surface::kOneColor, degrees), 0);
+  all.push_back({.series = series_of(blend),
+                 .parameter = degrees,
+                 .scene = "views on a circle",
+                 .measure = kJump,
+                 .error = [=] { return jump_of(degrees, blend); },
+                 .predicted_error = predicted_jump(degrees, blend)});
+}
+
 std::vector<Configuration> configurations(Effort effort) {
   std::vector<double> spacings{4, 8, 16, 24};
   if (effort == Effort::kFull) spacings = {3, 4, 6, 8, 12, 16, 24};
   std::vector<Configuration> all;
-  std::map<double, std::shared_ptr<const Ring>> rings;
-  for (const double degrees : spacings) rings[degrees] = ring_of(degrees);
-  const double least = spacings.front();
+  std::map<double, std::shared_ptr<const Ring>> shiny, dull;
+  for (const double degrees : spacings) {
+    shiny[degrees] = ring_of(Surface::kShiny, degrees);
+    dull[degrees] = ring_of(Surface::kDull, degrees);
+  }
+  const double widest = spacings.back();
   for (const Blend blend : kAll) {
-    const auto finest = once([ring = rings[least], blend] { return rms_of(*ring, blend); });
-    for (const double degrees : spacings) {
-      const auto ring = rings[degrees];
-      // The law's constant is that of the finest spacing.
-      const double power = blend == Blend::kNearest ? 1 : 2;
-      all.push_back(
-          {.series = series_of(blend),
-           .parameter = degrees,
-           .scene = "shiny teapot",
-           .error = [=] { return rms_of(*ring, blend); },
-           .predicted_error = finest() * std::pow(degrees / least, power),
-           // At the finest spacings barycentric weights leave the same error whatever the angle.
-           .finding =
-               Finding{"at the finest spacing most of the error is the resampling of pixels, "
-                       "which does not grow with the angle",
-                       blend == Blend::kNearest ? 0.25 : 0.02, 1},
-           .work =
-               [=](int) {
-                 const auto surface =
-                     views::TexturedSurface::of(shiny_teapot(), ring->known, blend);
-                 consume(surface->draw(ring->between.camera, kSize, kSize, {0, 0, 0, 255}));
-               }});
+    const Law law(blend, widest, *dull[widest], *shiny[widest]);
+    for (const double degrees : spacings)
+      add_spacing(blend, degrees, law, all, shiny[degrees], dull[degrees],
+                  dull[widest]->rms_of(blend));
+    for (const int finer : {1, 2, 4, 8}) {
       all.push_back({.series = series_of(blend),
-                     .parameter = degrees,
-                     .scene = "views on a circle",
-                     .measure = kJump,
-                     .error = [=] { return jump_of(degrees, blend); },
-                     .predicted_error = predicted_jump(degrees, blend)});
+                     .parameter = double(finer),
+                     .scene = "dull teapot, 8 degrees apart",
+                     .measure = kFiner,
+                     .error = [=] { return ring_of(Surface::kDull, 8, finer)->rms_of(blend); }});
     }
   }
   return all;
@@ -165,17 +217,28 @@ Experiment d24_view_blends() {
       .axis_unit = "degrees",
       .error = "RMS difference from the picture half way between two, over the object",
       .error_unit = "levels",
-      .reference = "the picture drawn from there: a shiny teapot under a light that stands still",
+      .reference =
+          "the picture drawn from there, 96 px wide, of pictures four times as fine: a teapot "
+          "under "
+          "a light that stands still",
       .theory =
           "the nearest picture is wrong by half the angle times the change of a surface's light "
           "with the eye, and goes with the angle; what is linear between two goes with its square "
-          "(D-24, S1-40), the constant being that of the finest spacing. Over the middle between "
-          "two views the nearest one's weight jumps by 1; barycentric weights change by the step "
-          "over 2 tan(d/2), those of four neighbours by 15/14 of the step over d",
+          "(D-24, S1-40). To it comes, in squares, what the same surface without highlights "
+          "leaves: "
+          "the resampling of pixels, whatever the angle. The constant is that of the widest "
+          "spacing. "
+          "One colour leaves nothing. Over the middle between two views the nearest one's weight "
+          "jumps by 1; barycentric weights change by the step over 2 tan(d/2), those of four "
+          "neighbours by 15/14 of the step over d",
       .item = "picture",
       .measures = {{.name = kJump,
                     .error = "largest change of a weight by a step of 1e-6 over the middle",
-                    .error_unit = ""}},
+                    .error_unit = ""},
+                   {.name = kFiner,
+                    .error = "RMS difference of a dull surface: resampling alone",
+                    .error_unit = "levels",
+                    .axis = "times finer than the picture in between"}},
       .configurations = configurations};
 }
 

@@ -100,6 +100,7 @@ TEST_CASE("surfaces and textures that cannot be made are refused in a line, and 
                             "texture cube ring --neighbours 0 -o a.png",
                             "texture cube ring --texels 3 --fixed a.glb",
                             "texture cube ring --fixed a.ply",
+                            "texture sphere ring --texels 64 --fixed a.glb --max-mb 1",
                             "texture cube ring --each --leave-out 1",
                             "texture cube ring --left-out-output a.png",
                             "texture cube ring --ortho 3 -o a.png",

@@ -6,50 +6,9 @@
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
-#include <glassbox/images/srgb.h>
-#include <glassbox/mesh/triangulate.h>
-
 namespace glassbox::views {
 
 namespace {
-
-struct Placed {
-  std::array<Vector3d, 3> corners;  // world
-  Vector3d color;                   // its own, levels: the mean of its corners'
-  std::uint32_t number = 0;         // of the scene's triangles
-};
-
-// The triangles in the order of the scene, as it is drawn.
-std::vector<Placed> placed_triangles(const Scene& scene) {
-  std::vector<Placed> all;
-  std::uint32_t first = 0;
-  for (const Instance& instance : scene.instances) {
-    const Mesh& mesh = scene.meshes[instance.mesh];
-    const auto& m = scene.nodes[instance.node].world_from_node;
-    const Rgba& base = scene.materials[mesh.material].base_color;
-    const Triangulation triangulation = triangulate(mesh);
-    for (const Triangle& triangle : triangulation.triangles) {
-      Placed placed;
-      placed.number = first + triangle.number;
-      Vector3d light = Vector3d::Zero();
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Corner& corner = mesh.corners[triangle.corners[k]];
-        const auto& p = mesh.positions[corner.position];
-        for (int row = 0; row < 3; ++row)
-          placed.corners[k][row] = double(m.at(row, 0)) * double(p.x) +
-                                   double(m.at(row, 1)) * double(p.y) +
-                                   double(m.at(row, 2)) * double(p.z) + double(m.at(row, 3));
-        const Rgba own = corner.color == kNone ? Rgba{} : mesh.colors[corner.color];
-        light +=
-            Vector3d(double(own.r * base.r), double(own.g * base.g), double(own.b * base.b)) / 3;
-      }
-      for (int c = 0; c < 3; ++c) placed.color[c] = encode_srgb(float(light[c]));
-      all.push_back(placed);
-    }
-    first += triangulation.numbered;
-  }
-  return all;
-}
 
 // Where the corners of a triangle are in its square of texels, at middles of texels: the first three of one triangle and, from the other end, of
 // the next. Between the two lies a diagonal that neither's four texels around a place touch.
@@ -79,41 +38,35 @@ private:
   int texels_, columns_, rows_ = 1;
 };
 
-Vector3d blended(const ViewWeights& weights, const PictureSet& set, const Vector3d& world,
-                 const Vector3d& otherwise) {
-  Vector3d sum = Vector3d::Zero();
-  double all = 0;
-  for (const ViewWeight& each : weights) {
-    const auto color = TexturedSurface::sample(set.pictures[each.view], world);
-    if (!color) continue;
-    sum += each.weight * *color;
-    all += each.weight;
-  }
-  return all > 0 ? Vector3d(sum / all) : otherwise;
-}
-
 }  // namespace
 
-Result<Scene> with_static_texture(const Scene& scene, const PictureSet& set,
-                                  const TexturedSurface& surface, int texels) {
-  const std::vector<Placed> triangles = placed_triangles(scene);
+Result<Scene> with_static_texture(const Scene& scene, const TexturedSurface& surface, int texels,
+                                  double most_bytes) {
+  const std::vector<PlacedTriangle> triangles = placed_triangles(scene);
   const Atlas atlas(triangles.size(), texels);
   constexpr int kMostSide = 16384;
-  if (atlas.width() > kMostSide || atlas.height() > kMostSide) {
+  const auto refused = [&](const std::string& cause, const char* remedy) {
     return fail("--texels",
-                fmt::format("{} triangles of {} texels take a texture of {} x {}", triangles.size(),
-                            texels, atlas.width(), atlas.height()),
-                "ask for fewer texels");
-  }
+                fmt::format("{} triangles of {} texels take a texture of {} x {}{}",
+                            triangles.size(), texels, atlas.width(), atlas.height(), cause),
+                remedy);
+  };
+  if (atlas.width() > kMostSide || atlas.height() > kMostSide)
+    return refused("", "ask for fewer texels");
+  // Texels, and three corners, places and coordinates for each triangle; as much again while they are written.
+  const double bytes = 2 * (4.0 * atlas.width() * atlas.height() +
+                            3.0 * double(triangles.size()) * (sizeof(Corner) + sizeof(float) * 5) +
+                            double(triangles.size() * sizeof(PlacedTriangle)));
+  if (bytes > most_bytes)
+    return refused(fmt::format(", {:.0f} MB in all", bytes / 1048576),
+                   "ask for fewer texels, or allow more with --max-mb");
   Image<Rgba8> image(atlas.width(), atlas.height(), Rgba8{128, 128, 128, 255});
   for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const auto& c = triangles[i].corners;
-    const Vector3d normal = (c[1] - c[0]).cross(c[2] - c[0]);
-    const ViewWeights weights =
-        surface.blend()
-            .from(normal.norm() > 0 ? Vector3d(normal.normalized()) : Vector3d(0, 0, 1))
-            .weights(
-                [&](std::size_t view) { return surface.seen().sees(view, triangles[i].number); });
+    const PlacedTriangle& triangle = triangles[i];
+    const auto& c = triangle.corners;
+    const Vector3d normal = triangle.normal();
+    TexturedSurface::From from(
+        surface, normal.norm() > 0 ? Vector3d(normal.normalized()) : Vector3d(0, 0, 1));
     const auto [left, top] = atlas.corner(i);
     const bool is_first = i % 2 == 0;
     for (int row = 0; row < texels; ++row) {
@@ -124,9 +77,10 @@ Result<Scene> with_static_texture(const Scene& scene, const PictureSet& set,
         // Texels beside the triangle have what is on its side.
         const double leg = texels - 3, s = u / leg, t = v / leg, over = std::max(1.0, s + t);
         const Vector3d world = c[0] + (s / over) * (c[1] - c[0]) + (t / over) * (c[2] - c[0]);
-        const Vector3d color = blended(weights, set, world, triangles[i].color);
+        const auto color = from.color_of(triangle, world);
         const auto byte = [&](int k) {
-          return std::uint8_t(std::floor(std::clamp(color[k], 0.0, 255.0) + 0.5));
+          if (!color) return triangle.color[std::size_t(k)];
+          return std::uint8_t(std::floor(std::clamp((*color)[k], 0.0, 255.0) + 0.5));
         };
         image.at(left + column, top + row) = {byte(0), byte(1), byte(2), 255};
       }

@@ -9,8 +9,8 @@ namespace glassbox::views {
 inline constexpr int kLeastTexels = 4, kMostTexels = 64;
 
 // A copy of the scene, unlit, whose triangles have texture coordinates. `texels`: the side of a square that two triangles share. Refused:
-// textures of more than 16384 texels to a side.
-Result<Scene> with_static_texture(const Scene& scene, const PictureSet& set,
-                                  const TexturedSurface& surface, int texels);
+// textures of more than 16384 texels to a side, and what takes more than `most_bytes`.
+Result<Scene> with_static_texture(const Scene& scene, const TexturedSurface& surface, int texels,
+                                  double most_bytes);
 
 }  // namespace glassbox::views

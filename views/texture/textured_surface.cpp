@@ -3,145 +3,118 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include <glassbox/render/renderer.h>
+#include "views/texture/unlit_renderer.h"
 
 namespace glassbox::views {
 
 namespace {
 
-RenderSettings plain_settings(Rgba8 background) {
-  RenderSettings settings;
-  settings.shading = Shading::kUnlit;
-  settings.background = background;
-  settings.want_id = true;
-  settings.want_distance = true;
-  return settings;
-}
-
-// Triangles are numbered through all instances, in the order in which they are drawn.
-std::size_t triangles_of(const Scene& scene) {
-  std::size_t triangles = 0;
-  for (const Instance& instance : scene.instances) {
-    for (const Face& face : scene.meshes[instance.mesh].faces)
-      triangles += face.count - std::min(face.count, 2u);
-  }
-  return triangles;
-}
-
 std::uint8_t level(double value) {
   return std::uint8_t(std::floor(std::clamp(value, 0.0, 255.0) + 0.5));
 }
 
+std::vector<std::size_t> all_but(std::size_t count, std::optional<std::size_t> left_out) {
+  std::vector<std::size_t> all;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i != left_out) all.push_back(i);
+  }
+  return all;
+}
+
+std::vector<Vector3d> directions_of(const PictureSet& set, const std::vector<std::size_t>& pictures,
+                                    const Vector3d& middle) {
+  std::vector<Vector3d> directions;
+  for (const std::size_t i : pictures)
+    directions.push_back((set.pictures[i].camera.centre - middle).normalized());
+  return directions;
+}
+
 }  // namespace
 
-Result<SeenPolygons> SeenPolygons::of(const Scene& scene, const PictureSet& set) {
-  SeenPolygons seen(set.pictures.size(), triangles_of(scene));
-  const WorldBox box = box_of(scene);
-  const RenderSettings settings = plain_settings({0, 0, 0, 255});
-  Renderer renderer(scene, settings.transfer);
-  for (std::size_t view = 0; view < set.pictures.size(); ++view) {
-    const CalibratedPicture& picture = set.pictures[view];
-    const auto camera = view_of(picture.camera, picture.color.width, picture.color.height, box);
-    if (!camera) return tl::unexpected(camera.error());
-    for (const std::uint32_t id : renderer.render(*camera, settings).buffers.id.pixels) {
-      if (id == 0) continue;
-      const std::size_t i = view * seen.polygons_ + (id - 1);
-      seen.bits_[i / 64] |= std::uint64_t(1) << (i % 64);
-    }
-  }
-  return seen;
-}
-
-std::int64_t SeenPolygons::unseen() const {
-  std::int64_t unseen = 0;
-  for (std::uint32_t polygon = 0; polygon < polygons_; ++polygon) {
-    bool is_seen = false;
-    for (std::size_t view = 0; view < views_ && !is_seen; ++view) is_seen = sees(view, polygon);
-    unseen += !is_seen;
-  }
-  return unseen;
-}
+TexturedSurface::TexturedSurface(std::shared_ptr<const Surface> surface, Blend blend,
+                                 int neighbours, std::optional<std::size_t> left_out)
+    : surface_(std::move(surface)),
+      pictures_(all_but(surface_->set.pictures.size(), left_out)),
+      blend_(blend, directions_of(surface_->set, pictures_, surface_->middle), neighbours) {}
 
 Result<TexturedSurface> TexturedSurface::of(const Scene& scene, const PictureSet& set, Blend blend,
                                             int neighbours) {
-  if (triangles_of(scene) == 0)
+  if (numbers_of(scene) == 0)
     return fail("the mesh", "it has no polygons",
                 "give one with faces, as `glassbox views polygons` writes it");
   auto seen = SeenPolygons::of(scene, set);
   if (!seen) return tl::unexpected(seen.error());
+  // By their numbers: those that no triangle has stay without corners, and no pixel shows them.
+  std::vector<PlacedTriangle> triangles(seen->polygons());
+  for (const PlacedTriangle& placed : placed_triangles(scene)) triangles[placed.number] = placed;
   const WorldBox box = box_of(scene);
-  const Vector3d middle = (box.low + box.high) / 2;
-  std::vector<Vector3d> directions;
-  for (const CalibratedPicture& picture : set.pictures)
-    directions.push_back((picture.camera.centre - middle).normalized());
-  return TexturedSurface(scene, set, std::move(*seen), ViewBlend(blend, directions, neighbours),
-                         middle);
+  auto surface = std::make_shared<const Surface>(
+      Surface{scene, set, std::move(*seen), std::move(triangles), (box.low + box.high) / 2});
+  return TexturedSurface(std::move(surface), blend, neighbours, {});
 }
 
-std::optional<Vector3d> TexturedSurface::sample(const CalibratedPicture& picture,
-                                                const Vector3d& world) {
-  const Vector3d at = project(picture.camera, world);
-  const int width = picture.color.width, height = picture.color.height;
-  if (!(at.z() > 0) || !(at.x() >= 0 && at.x() <= width) || !(at.y() >= 0 && at.y() <= height))
-    return std::nullopt;
-  const double x = at.x() - 0.5, y = at.y() - 0.5, left = std::floor(x), top = std::floor(y);
-  Vector3d sum = Vector3d::Zero();
-  double weights = 0;
-  for (int k = 0; k < 4; ++k) {
-    const int column = int(left) + (k & 1), row = int(top) + (k >> 1);
-    const double weight =
-        ((k & 1) != 0 ? x - left : 1 - (x - left)) * ((k >> 1) != 0 ? y - top : 1 - (y - top));
-    const int u = std::clamp(column, 0, width - 1), v = std::clamp(row, 0, height - 1);
-    if (!picture.matte.pixels.empty() && picture.matte.at(u, v) == 0) continue;
-    const Rgba8& color = picture.color.at(u, v);
-    sum += weight * Vector3d(color.r, color.g, color.b);
-    weights += weight;
+TexturedSurface TexturedSurface::blended_by(Blend blend, int neighbours,
+                                            std::optional<std::size_t> left_out) const {
+  return {surface_, blend, neighbours, left_out};
+}
+
+TexturedSurface::From::From(const TexturedSurface& surface, const Vector3d& direction)
+    : surface_(surface), from_(surface.blend_.from(direction)) {}
+
+std::optional<Vector3d> TexturedSurface::From::sample(std::size_t view,
+                                                      const PlacedTriangle& polygon,
+                                                      const Vector3d& world) const {
+  const std::size_t picture = surface_.pictures_[view];
+  return surface_.seen().sample(picture, surface_.surface_->set.pictures[picture], polygon, world);
+}
+
+std::optional<Vector3d> TexturedSurface::From::color_of(const PlacedTriangle& polygon,
+                                                        const Vector3d& world) {
+  const auto sees_polygon = [&](std::size_t view) {
+    return surface_.seen().sees(surface_.pictures_[view], polygon.number);
+  };
+  if (last_ != polygon.number) {
+    weights_ = from_.weights(sees_polygon);
+    last_ = polygon.number;
   }
-  // A sum of weights that is rounding alone has the object's pixels on the far side of a border.
-  if (!(weights > 0x1p-20)) return std::nullopt;
-  return sum / weights;
+  const auto blended = [&](const ViewWeights& weights) -> std::optional<Vector3d> {
+    Vector3d sum = Vector3d::Zero();
+    for (const ViewWeight& each : weights) {
+      const auto color = sample(each.view, polygon, world);
+      if (!color) return std::nullopt;
+      sum += each.weight * *color;
+    }
+    return weights.empty() ? std::nullopt : std::optional(sum);
+  };
+  if (const auto color = blended(weights_); color || weights_.empty()) return color;
+  return blended(from_.weights([&](std::size_t view) {
+    return sees_polygon(view) && sample(view, polygon, world).has_value();
+  }));
 }
 
 Result<TexturedPicture> TexturedSurface::draw(const PinholeCamera& camera, int width, int height,
                                               Rgba8 background) const {
-  const auto view = view_of(camera, width, height, box_of(scene_));
-  if (!view) return tl::unexpected(view.error());
-  const RenderSettings settings = plain_settings(background);
-  Renderer renderer(scene_, settings.transfer);
-  Framebuffer buffers = renderer.render(*view, settings).buffers;
-  TexturedPicture picture{std::move(buffers.color), std::move(buffers.id)};
-  const Vector3d out = camera.centre - middle_;
-  const ViewBlend::From from =
-      blend_.from(out.norm() > 0 ? Vector3d(out.normalized()) : Vector3d(0, 0, 1));
-  std::uint32_t last = 0;
-  ViewWeights weights;
+  auto buffers = UnlitRenderer(surface_->scene).draw(camera, width, height, background);
+  if (!buffers) return tl::unexpected(buffers.error());
+  TexturedPicture picture{std::move(buffers->color), std::move(buffers->id)};
+  const Vector3d out = camera.centre - middle();
+  From from(*this, out.norm() > 0 ? Vector3d(out.normalized()) : Vector3d(0, 0, 1));
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const std::uint32_t id = picture.id.at(x, y);
       if (id == 0) continue;
       ++picture.surface;
-      if (id != last) {
-        weights = from.weights([&](std::size_t v) { return seen_.sees(v, id - 1); });
-        last = id;
-      }
       const Vector3d ray = ray_through(camera.intrinsic, {x + 0.5, y + 0.5});
       const Vector3d world = camera.centre + camera.camera_from_world.transpose() *
-                                                 (double(buffers.distance.at(x, y)) * ray);
-      Vector3d sum = Vector3d::Zero();
-      double all = 0;
-      for (const ViewWeight& each : weights) {
-        const auto color = sample(set_.pictures[each.view], world);
-        if (!color) continue;
-        sum += each.weight * *color;
-        all += each.weight;
-      }
-      if (!(all > 0)) {
+                                                 (double(buffers->distance.at(x, y)) * ray);
+      const auto color = from.color_of(triangles()[id - 1], world);
+      if (!color) {
         ++picture.without_view;
         continue;
       }
-      const Vector3d color = sum / all;
-      picture.color.at(x, y) = {level(color[0]), level(color[1]), level(color[2]), 255};
+      picture.color.at(x, y) = {level((*color)[0]), level((*color)[1]), level((*color)[2]), 255};
     }
   }
   return picture;

@@ -2,44 +2,24 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include <glassbox/mesh/scene.h>
-#include <glassbox/render/engine/settings.h>
 
 #include "views/rings/picture_set.h"
+#include "views/texture/seen_polygons.h"
 #include "views/texture/view_blend.h"
 
 namespace glassbox::views {
-
-// Which polygons each picture shows at a pixel's centre, as the engine draws them there.
-class SeenPolygons {
-public:
-  // The set's cameras must be before the scene's box.
-  static Result<SeenPolygons> of(const Scene& scene, const PictureSet& set);
-
-  std::size_t polygons() const { return polygons_; }
-  bool sees(std::size_t view, std::uint32_t polygon) const {
-    const std::size_t i = view * polygons_ + polygon;
-    return polygon < polygons_ && (bits_[i / 64] >> (i % 64) & 1) != 0;
-  }
-  std::int64_t unseen() const;
-
-private:
-  SeenPolygons(std::size_t views, std::size_t polygons)
-      : views_(views), polygons_(polygons), bits_((views * polygons + 63) / 64, 0) {}
-
-  std::size_t views_, polygons_;
-  std::vector<std::uint64_t> bits_;
-};
 
 struct TexturedPicture {
   Image<Rgba8> color;
   Image<std::uint32_t> id;   // 1 + the polygon's number; 0: background
   std::int64_t surface = 0;  // pixels that show a polygon
   std::int64_t without_view =
-      0;  // of these, those whose polygon no view sees: they have the surface's own colour
+      0;  // of these, those that no view sees: they have the surface's own colour
 };
 
 class TexturedSurface {
@@ -48,34 +28,53 @@ public:
   static Result<TexturedSurface> of(const Scene& scene, const PictureSet& set, Blend blend,
                                     int neighbours = 4);
 
-  const SeenPolygons& seen() const { return seen_; }
+  // The same surface blended in another way, and without one of its pictures; what each sees is not asked again.
+  TexturedSurface blended_by(Blend blend, int neighbours = 4,
+                             std::optional<std::size_t> left_out = {}) const;
+
+  const SeenPolygons& seen() const { return surface_->seen; }
   const ViewBlend& blend() const { return blend_; }
-  const Vector3d& middle() const {
-    return middle_;
-  }  // from which views are told by their directions
+  // From which views are told by their directions.
+  const Vector3d& middle() const { return surface_->middle; }
+  const std::vector<PlacedTriangle>& triangles() const { return surface_->triangles; }
 
   // At a picture's own camera it is that picture, byte for byte, in all pixels of the object that show a polygon.
   Result<TexturedPicture> draw(const PinholeCamera& camera, int width, int height,
                                Rgba8 background) const;
 
-  // What a place on a polygon has in a picture: from the four pixels around it, without those that are background; none where it is
-  // beside the picture or all are. Levels.
-  static std::optional<Vector3d> sample(const CalibratedPicture& picture, const Vector3d& world);
+  // What the views around a direction show of a place on a polygon. Those that do not see the polygon have no weight (S1-40); if
+  // something hides the place itself from one of the rest, the weights are those without it. None where no view sees it. Levels.
+  class From {
+  public:
+    From(const TexturedSurface& surface, const Vector3d& direction);
+    std::optional<Vector3d> color_of(const PlacedTriangle& polygon, const Vector3d& world);
+
+  private:
+    std::optional<Vector3d> sample(std::size_t view, const PlacedTriangle& polygon,
+                                   const Vector3d& world) const;
+
+    const TexturedSurface& surface_;
+    ViewBlend::From from_;
+    std::optional<std::uint32_t> last_;  // the polygon whose weights these are
+    ViewWeights weights_;
+  };
 
 private:
-  TexturedSurface(const Scene& scene, const PictureSet& set, SeenPolygons seen, ViewBlend blend,
-                  const Vector3d& middle)
-      : scene_(scene),
-        set_(set),
-        seen_(std::move(seen)),
-        blend_(std::move(blend)),
-        middle_(middle) {}
+  // What all ways to blend have in common.
+  struct Surface {
+    const Scene& scene;
+    const PictureSet& set;
+    SeenPolygons seen;
+    std::vector<PlacedTriangle> triangles;
+    Vector3d middle;
+  };
 
-  const Scene& scene_;
-  const PictureSet& set_;
-  SeenPolygons seen_;
+  TexturedSurface(std::shared_ptr<const Surface> surface, Blend blend, int neighbours,
+                  std::optional<std::size_t> left_out);
+
+  std::shared_ptr<const Surface> surface_;
+  std::vector<std::size_t> pictures_;  // of the blend's views
   ViewBlend blend_;
-  Vector3d middle_;
 };
 
 // Against a picture that was left out.

@@ -31,10 +31,14 @@ private:
   std::int64_t voxels_ = 0;
 };
 
-// How much two solids have in common: |A and B| / |A or B|. A solid is fed run by run.
+// How much two solids have in common: |A and B| / |A or B|. A solid is fed voxel by voxel, or run by run.
 class Overlap {
 public:
   explicit Overlap(const TrueVolume& truth) : truth_(truth) {}
+  void add(const VoxelAt& at) {
+    ++found_;
+    both_ += truth_.has(at);
+  }
   void add(const VoxelRun& run);
   // Those voxels of a layer that a sweep did not prove to be empty.
   void add(std::span<const VoxelRun> runs, std::span<const Verdict> verdicts);
@@ -45,10 +49,6 @@ public:
   std::int64_t found() const { return found_; }
 
 private:
-  void add(const VoxelAt& at) {
-    ++found_;
-    both_ += truth_.has(at);
-  }
   const TrueVolume& truth_;
   std::int64_t found_ = 0, both_ = 0;
 };

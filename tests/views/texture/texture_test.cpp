@@ -13,6 +13,7 @@
 #include "tests/views/voxels/rig.h"
 #include "views/texture/static_texture.h"
 #include "views/texture/textured_surface.h"
+#include "views/texture/unlit_renderer.h"
 
 namespace glassbox::views {
 namespace {
@@ -72,6 +73,54 @@ PictureSet shiny_ring(const Scene& scene, int views, int size) {
   RenderSettings settings;
   settings.background = {0, 0, 0, 255};
   return draw_ring(scene, ring_views(scene, options).value(), settings, Matte::kDepth);
+}
+
+// A floor of two triangles, white, below a lid that hides half of each from straight above. One mesh, so that nobody lights it.
+Scene floor_and_lid() {
+  Scene scene;
+  Mesh mesh;
+  const auto quad = [&](float x0, float x1, float z0, float z1, float y, Rgba color) {
+    const auto first = std::uint32_t(mesh.positions.size());
+    for (const auto& [x, z] : {std::pair{x0, z1}, {x1, z1}, {x1, z0}, {x0, z0}})
+      mesh.positions.push_back({x, y, z});
+    mesh.faces.push_back({std::uint32_t(mesh.corners.size()), 4});
+    for (std::uint32_t k = 0; k < 4; ++k)
+      mesh.corners.push_back({first + k, kNone, kNone, std::uint32_t(mesh.colors.size())});
+    mesh.colors.push_back(color);
+  };
+  quad(-1, 1, -1, 1, 0, {1, 1, 1, 1});
+  quad(-1, 1, -0.5f, 0.5f, 0.7f, {1, 0, 0, 1});
+  scene.meshes.push_back(std::move(mesh));
+  Material material;
+  material.unlit = true;
+  scene.materials.push_back(material);
+  scene.nodes.push_back({});
+  scene.instances.push_back({0, 0});
+  return scene;
+}
+
+// Looks at the middle from `degrees` before the vertical, five away.
+PinholeCamera camera_above(double degrees, int size) {
+  const double turn = degrees * std::numbers::pi / 180;
+  const Vector3d out(0, std::cos(turn), std::sin(turn));
+  PinholeCamera camera;
+  camera.intrinsic << 1.5 * size, 0, size / 2.0, 0, 1.5 * size, size / 2.0, 0, 0, 1;
+  camera.centre = 5 * out;
+  camera.camera_from_world.row(0) = Vector3d::UnitX().transpose();
+  camera.camera_from_world.row(1) = -out.cross(Vector3d::UnitX()).transpose();
+  camera.camera_from_world.row(2) = -out.transpose();
+  return camera;
+}
+
+PictureSet pictures_by(const Scene& scene, const std::vector<PinholeCamera>& cameras, int size) {
+  PictureSet set;
+  UnlitRenderer renderer(scene);
+  for (const PinholeCamera& camera : cameras) {
+    Framebuffer buffers = renderer.draw(camera, size, size).value();
+    auto matte = matte_where(size, size, [&](std::size_t i) { return buffers.id.pixels[i] != 0; });
+    set.pictures.push_back({"", camera, std::move(buffers.color), std::move(matte)});
+  }
+  return set;
 }
 
 }  // namespace
@@ -250,7 +299,7 @@ TEST_CASE(
     CHECK(errors.covered > 0.99);
     psnr[blend] = errors.psnr;
     if (blend != Blend::kBarycentric) continue;
-    const auto fixed = with_static_texture(scene, set, *surface, 8);
+    const auto fixed = with_static_texture(scene, *surface, 8, 0x1p30);
     REQUIRE(fixed);
     RenderSettings settings;
     settings.shading = Shading::kUnlit;
@@ -263,6 +312,87 @@ TEST_CASE(
   }
   CHECK(psnr[Blend::kBarycentric] > psnr[Blend::kNearest]);
   CHECK(psnr[Blend::kBarycentric] > 25);
+}
+
+TEST_CASE(
+    "a polygon that is half hidden from a picture has no colour of what hides it: there the others "
+    "have its weight (S1-40)") {
+  const Scene scene = floor_and_lid();
+  constexpr int kSize = 80;
+  // From straight above half of each of the floor's triangles is hidden, from the side another part.
+  const PictureSet set =
+      pictures_by(scene, {camera_above(0, kSize), camera_above(50, kSize)}, kSize);
+  const PinholeCamera eye = camera_above(20, kSize);
+  const PictureSet right = pictures_by(scene, {eye}, kSize);
+  for (const Blend blend : {Blend::kNearest, Blend::kBarycentric, Blend::kNeighbours}) {
+    INFO(name_of(blend));
+    const auto surface = TexturedSurface::of(scene, set, blend);
+    for (std::uint32_t polygon = 0; polygon < 2; ++polygon)
+      REQUIRE(surface->seen().sees(0, polygon));
+    const auto drawn = surface->draw(eye, kSize, kSize, {0, 0, 0, 255});
+    int floor = 0, wrong = 0;
+    for (std::size_t i = 0; i < drawn->id.pixels.size(); ++i) {
+      if (drawn->id.pixels[i] == 0) continue;
+      floor += drawn->id.pixels[i] <= 2;
+      wrong += !(drawn->color.pixels[i] == right.pictures[0].color.pixels[i]);
+    }
+    CHECK(floor > 900);
+    CHECK(wrong == 0);
+    CHECK(drawn->without_view == 0);
+  }
+  // A place under the lid that nobody sees: from above alone.
+  const PictureSet above = pictures_by(scene, {camera_above(0, kSize)}, kSize);
+  const auto surface = TexturedSurface::of(scene, above, Blend::kBarycentric);
+  CHECK(surface->draw(eye, kSize, kSize, {0, 0, 0, 255})->without_view > 50);
+}
+
+TEST_CASE("a mirrored surface has the pictures of its own side, drawn anew and as a texture") {
+  Scene scene = test::speckled_sphere(6, 4);
+  scene.nodes[scene.instances[0].node].world_from_node.at(0, 0) *= -1;
+  const PictureSet set = shiny_ring(scene, 8, 64);
+  const auto surface = TexturedSurface::of(scene, set, Blend::kBarycentric);
+  for (const PlacedTriangle& triangle : placed_triangles(scene))
+    CHECK(triangle.normal().dot(triangle.corners[0]) > 0);  // outwards of a ball around the origin
+  const Scene fixed = with_static_texture(scene, *surface, 8, 0x1p30).value();
+  const CalibratedPicture& picture = set.pictures[3];
+  const Framebuffer drawn = UnlitRenderer(fixed).draw(picture.camera, 64, 64).value();
+  const TexturedPicture again{drawn.color, drawn.id};
+  const TextureErrors errors = compare(again, picture);
+  CHECK(errors.covered > 0.99);
+  // As well as the same ball that is not mirrored has it.
+  const Scene plain = test::speckled_sphere(6, 4);
+  const PictureSet plain_set = shiny_ring(plain, 8, 64);
+  const auto plain_surface = TexturedSurface::of(plain, plain_set, Blend::kBarycentric);
+  const Scene plain_fixed = with_static_texture(plain, *plain_surface, 8, 0x1p30).value();
+  const Framebuffer plain_drawn =
+      UnlitRenderer(plain_fixed).draw(plain_set.pictures[3].camera, 64, 64).value();
+  const double psnr = compare({plain_drawn.color, plain_drawn.id}, plain_set.pictures[3]).psnr;
+  INFO(errors.psnr << " and " << psnr);
+  CHECK(errors.psnr > psnr - 1);
+}
+
+TEST_CASE("a blend that leaves a picture out is that of a set that never had it") {
+  const Scene scene = test::speckled_sphere(6, 4);
+  const PictureSet set = shiny_ring(scene, 5, 48);
+  PictureSet others = set;
+  others.pictures.erase(others.pictures.begin() + 7);
+  const CalibratedPicture& picture = set.pictures[7];
+  const auto all = TexturedSurface::of(scene, set, Blend::kNearest);
+  for (const Blend blend : {Blend::kNearest, Blend::kBarycentric, Blend::kNeighbours}) {
+    const auto anew = TexturedSurface::of(scene, others, blend, 3);
+    CHECK(all->blended_by(blend, 3, 7).draw(picture.camera, 48, 48, {})->color.pixels ==
+          anew->draw(picture.camera, 48, 48, {})->color.pixels);
+  }
+}
+
+TEST_CASE("a static texture that would take too many bytes is refused before it is made") {
+  const Scene scene = test::speckled_sphere(6, 4);
+  const PictureSet set = shiny_ring(scene, 3, 32);
+  const auto surface = TexturedSurface::of(scene, set, Blend::kBarycentric);
+  const auto refused = with_static_texture(scene, *surface, 64, 0x1p20);
+  REQUIRE(!refused);
+  CHECK(refused.error().message().starts_with("--texels: "));
+  CHECK(with_static_texture(scene, *surface, 8, 0x1p22));
 }
 
 }  // namespace glassbox::views
