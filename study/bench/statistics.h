@@ -11,15 +11,15 @@ namespace glassbox::study {
 // Of one value or more; between two neighbours where the count asks for it (linear, Hyndman and Fan's type 7).
 struct Quartiles {
   double lower = 0, median = 0, upper = 0;
-  double first_octile = 0,
-         last_octile = 0;  // an eighth of the values is less, and an eighth is more
+  double first_octile = 0;  // an eighth of the values is less
+  double last_octile = 0;   // an eighth is more
 };
 Quartiles quartiles(std::vector<double> values);
 
-// Whether three quarters of the times of one lie apart from three quarters of the other's. The processor may have two speeds, as
-// whoever runs beside this program comes and goes: 21 rounds meet it fast in 16 of them, and another work's slow in 16,
-// in one of 6000 cases (each with 0.013), so that quartiles alone would order hundreds of equal works now and then. With 19 of 21
-// it is one in 10^8.
+// Whether three quarters of the times of one lie apart from three quarters of the other's. A core that is shared with another program
+// has two speeds. Of two equal works of 21 rounds, the one meets the fast speed in 16 or more and the other the slow one with
+// the probability 0.013^2: quartiles would order one in some thousand such pairs, and a study has as many. With 19 rounds of
+// 21 it is one in 10^8.
 inline bool is_faster(const Quartiles& a, const Quartiles& b) {
   return a.last_octile < b.first_octile;
 }
