@@ -74,8 +74,10 @@ std::string call(const std::vector<std::string>& command, const Sandbox& sandbox
 // names a file before it says anything of it.
 Compiled read_includes(const Sandbox& sandbox, const Kit& kit, const fs::path& build,
                        const CompileWords& words) {
-  const RunOutcome outcome = sandbox.compile(preprocessor_command(kit, words, build), build,
-                                             {kit.include}, compile_limits());
+  Limits limits = compile_limits();
+  limits.kept_bytes = limits.said_bytes;  // every name counts
+  const RunOutcome outcome =
+      sandbox.compile(preprocessor_command(kit, words, build), build, {kit.include}, limits);
   std::error_code error;
   fs::remove(build / kPreprocessed, error);
   Compiled read;
@@ -90,9 +92,11 @@ Compiled read_includes(const Sandbox& sandbox, const Kit& kit, const fs::path& b
     const fs::path file = line.substr(dots + 1);
     if (!Sandbox::is_compilers(build / file, {kit.include, build})) return foreign(file.string());
   }
-  read.said = shown(read.said, kit, build);
-  read.trouble = trouble_of(outcome, compile_limits(), read.said);
-  return read;
+  read.said = outcome.ending == Ending::kTooMuchOutput ? "" : shown(read.said, kit, build);
+  read.trouble = trouble_of(outcome, limits, read.said);
+  if (!read.trouble.empty()) return read;
+  const std::string file = foreign_file(build, kit);
+  return file.empty() ? read : foreign(file);
 }
 
 struct Place {

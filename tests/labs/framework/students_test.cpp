@@ -96,6 +96,7 @@ TEST_CASE("the students' package has no line of a solution, no hidden check and 
   for (const ZipEntry& entry : entries) {
     INFO(entry.path);
     CHECK_FALSE(is_in(entry.path, "faults.json"));
+    CHECK_FALSE(is_in(entry.path, "lab_faults.md"));  // names hidden checks, and what they find
     CHECK_FALSE(is_in(entry.path, "/tests/"));
     if (!is_in(entry.path, "glassbox/labs/")) continue;
     if (is_in(entry.path, "/framework/") || is_in(entry.path, "/grading/")) continue;
