@@ -110,8 +110,10 @@ void ViewsPolygonsCommand::add_to(CLI::App& views, int& exit_code) {
       "  glassbox render teapot.glb -o again.png\n\n"
       "Voxels are coloured as `glassbox views voxels` does it, and a surface is laid around what "
       "is\n"
-      "not empty. Each polygon has the mean colour of the pixels that show it; where they show\n"
-      "several, or background, the voxel behind it is taken away. docs/polygons.md has more.");
+      "not empty. Each polygon has the mean colour of the pixels that show it; the voxel behind it "
+      "is\n"
+      "taken away where they show several, if the pictures are explained better without it, and\n"
+      "where it is beside the object. docs/polygons.md has more.");
   const std::size_t before = command.get_options().size();
   add_input_options(command);
   add_surface_options(command);

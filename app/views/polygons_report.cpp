@@ -94,14 +94,15 @@ std::string polygons_text(const PolygonsInput& input, const PolygonsReport& repo
       "voxels: {} full of {}, {} of them coloured, in {:.1f} ms\n"
       "polygons: {} with {} corners, {} edges in exactly two of them; Euler {}, {:.6g} voxels "
       "inside\n"
-      "carved: {} voxels behind polygons of several colours, {} before background; {} polygons "
-      "judged, {:.1f} ms\n"
+      "carved: {} voxels behind polygons of several colours ({} times it would explain no more), "
+      "{} "
+      "beside the object; {} polygons judged, {:.1f} ms\n"
       "layered images: {} samples of polygon and distance\n",
       printable(input.pictures.set.source, kLongestMessage), input.pictures.set.pictures.size(),
       coloring.full_before, coloring.grid.voxels(), report.colored_voxels,
       report.voxel_milliseconds, coloring.mesh.polygons.size(), check.corners,
       check.edges - check.holes - check.crowded, check.euler, check.volume,
-      coloring.carved_by_color, coloring.carved_by_background, coloring.judged,
+      coloring.carved_by_color, coloring.kept, coloring.carved_by_background, coloring.judged,
       coloring.milliseconds, coloring.samples);
   if (report.left_out) text += left_out_text(input.pictures.left_out->name, *report.left_out);
   if (report.iou)
@@ -126,6 +127,7 @@ nlohmann::ordered_json polygons_json(const PolygonsInput& input, const PolygonsR
       {"full_before", coloring.full_before},
       {"full", coloring.full},
       {"carved_by_color", coloring.carved_by_color},
+      {"kept", coloring.kept},
       {"carved_by_background", coloring.carved_by_background},
       {"judged", coloring.judged},
       {"polygons", coloring.mesh.polygons.size()},

@@ -39,10 +39,110 @@ VoxelAt voxel_behind(const LiveSurface& surface, const WorldPolygon& polygon) {
   return nearest;
 }
 
+// Whether a picture has background at the pixel of a place.
+bool is_beside_object(const PictureSet& set, const Vector3d& world) {
+  return std::ranges::any_of(set.pictures, [&](const CalibratedPicture& picture) {
+    if (picture.matte.pixels.empty()) return false;
+    const Vector3d at = project(picture.camera, world);
+    const double x = std::floor(at.x()), y = std::floor(at.y());
+    if (!(at.z() > 0) || !(x >= 0 && x < picture.matte.width && y >= 0 && y < picture.matte.height))
+      return false;
+    return picture.matte.at(int(x), int(y)) == 0;
+  });
+}
+
+// What a set of polygons leaves unexplained of the pixels that show them: squares of levels.
+struct Unexplained {
+  double squares =
+      0;  // from each polygon's mean; of a pixel that shows a polygon and has background, or the other way round, what two
+          // colours leave that have nothing to do with each other
+  std::int64_t polygons = 0;  // that are seen
+
+  // Each seen polygon has a colour of its own, three numbers more that can be chosen, so that more polygons always leave less. What each
+  // number must save is the law's of the Bayesian information criterion (Schwarz 1978): the logarithm of how many pixels there are, in units of
+  // the variance that one colour may have.
+  double with_cost(double pixels, double variance) const {
+    return squares + 3 * double(polygons) * std::log(std::max(pixels, 1.0)) * variance;
+  }
+};
+// Of two colours that are anywhere between 0 and 255: 2 * 255^2 / 12 for each of three channels.
+constexpr double kMismatch = 3 * 255.0 * 255.0 / 6;
+
+// Whether pictures are explained better without a voxel: by the polygons that come in place of its own, and those behind.
+class Trial {
+public:
+  Trial(const PictureSet& set, LiveSurface& surface, double threshold)
+      : set_(set), surface_(surface), variance_(threshold * threshold) {}
+
+  // The voxel goes, and what has changed is said, or the surface stays as it is and nothing is.
+  std::vector<PolygonId> carve(const VoxelAt& voxel) {
+    const std::vector<WorldPolygon> own = around(voxel);
+    std::vector<PolygonId> changed = surface_.edit(voxel, false), asked = changed;
+    for (const WorldPolygon& polygon : own) asked.push_back(polygon.id);
+    std::ranges::sort(asked);
+    asked.erase(std::ranges::unique(asked).begin(), asked.end());
+    pixels_ = 0;
+    Unexplained without = by(asked);
+    without.squares += kMismatch * double(uncovered_by(own));
+    surface_.edit(voxel, true);
+    const Unexplained with = by(asked);
+    // The same pixels both times, but for what is asked twice: the greater count costs more polygons.
+    if (!(without.with_cost(pixels_, variance_) < with.with_cost(pixels_, variance_))) return {};
+    return surface_.edit(voxel, false);
+  }
+
+private:
+  std::vector<WorldPolygon> around(const VoxelAt& voxel) const {
+    std::vector<WorldPolygon> all;
+    for (const CellAt& cell : surface_.cells_around(voxel)) {
+      const auto here = surface_.polygons_of(cell);
+      all.insert(all.end(), here.begin(), here.end());
+    }
+    return all;
+  }
+
+  Unexplained by(const std::vector<PolygonId>& ids) {
+    Unexplained sum;
+    double pixels = 0;
+    for (const PolygonId id : ids) {
+      if (!surface_.has(id)) continue;
+      const PolygonSeen seen = seen_of(set_, surface_, surface_.polygon(id));
+      sum.squares += seen.unexplained() + kMismatch * double(seen.background);
+      sum.polygons += seen.pixels > 0;
+      pixels += double(seen.pixels + seen.background);
+    }
+    pixels_ = std::max(pixels_, pixels);
+    return sum;
+  }
+
+  // Pixels of the object that show nothing where these polygons were.
+  std::int64_t uncovered_by(const std::vector<WorldPolygon>& polygons) const {
+    std::int64_t uncovered = 0;
+    for (std::size_t i = 0; i < set_.pictures.size(); ++i) {
+      const CalibratedPicture& picture = set_.pictures[i];
+      for (const WorldPolygon& polygon : polygons) {
+        PolygonFootprint(picture.camera, picture.color.width, picture.color.height, polygon.corners)
+            .for_each_pixel([&](IdPixel at, float) {
+              uncovered += surface_.layers()[i].front(at) == nullptr &&
+                           (picture.matte.pixels.empty() || picture.matte.at(at.x, at.y) != 0);
+            });
+      }
+    }
+    return uncovered;
+  }
+
+  const PictureSet& set_;
+  LiveSurface& surface_;
+  double variance_, pixels_ = 0;
+};
+
 class Carving {
 public:
   Carving(const PictureSet& set, LiveSurface& surface, const PolygonColoringSettings& settings)
-      : set_(set), surface_(surface), settings_(settings) {}
+      : set_(set),
+        surface_(surface),
+        settings_(settings),
+        trial_(set, surface, settings.threshold) {}
 
   void run(PolygonColoring& result) {
     for (const PolygonId id : surface_.polygons()) ask(id);
@@ -54,13 +154,21 @@ public:
       ++result.judged;
       const WorldPolygon polygon = surface_.polygon(id);
       const PolygonSeen seen = seen_of(set_, surface_, polygon);
-      const bool is_beside = seen.against > 0;
+      const VoxelAt behind = voxel_behind(surface_, polygon);
+      // A polygon lies half a voxel before the middle of what is behind it: that it is beside the object says nothing of the voxel yet.
+      const bool is_beside =
+          seen.background > 0 && is_beside_object(set_, surface_.occupancy().grid().centre(behind));
       // One picture alone says nothing of colours.
       const bool is_inconsistent = seen.views > 1 && seen.deviation() > settings_.threshold;
       if (!is_beside && !is_inconsistent) continue;
+      const std::vector<PolygonId> changed =
+          is_beside ? surface_.edit(behind, false) : trial_.carve(behind);
+      if (changed.empty()) {
+        ++result.kept;
+        continue;
+      }
       ++(is_beside ? result.carved_by_background : result.carved_by_color);
-      for (const PolygonId changed : surface_.edit(voxel_behind(surface_, polygon), false))
-        ask(changed);
+      for (const PolygonId other : changed) ask(other);
     }
   }
 
@@ -72,6 +180,7 @@ private:
   const PictureSet& set_;
   LiveSurface& surface_;
   const PolygonColoringSettings& settings_;
+  Trial trial_;
   std::deque<PolygonId> waiting_;
   std::unordered_set<PolygonId> is_waiting_;
 };
@@ -129,12 +238,16 @@ void color_unseen(const PolygonMesh& mesh, std::vector<PolygonColor>& colors) {
 
 }  // namespace
 
-double PolygonSeen::deviation() const {
+double PolygonSeen::unexplained() const {
   if (pixels < 2) return 0;
   double sum = 0;
   for (std::size_t c = 0; c < 3; ++c)
     sum += double(squares[c]) - double(sums[c]) * double(sums[c]) / double(pixels);
-  return std::sqrt(std::max(0.0, sum) / (3 * double(pixels - 1)));
+  return std::max(0.0, sum);
+}
+
+double PolygonSeen::deviation() const {
+  return pixels < 2 ? 0 : std::sqrt(unexplained() / (3 * double(pixels - 1)));
 }
 
 PolygonSeen seen_of(const PictureSet& set, const LiveSurface& surface,
@@ -163,7 +276,6 @@ PolygonSeen seen_of(const PictureSet& set, const LiveSurface& surface,
     seen.pixels += object;
     seen.background += background;
     seen.views += object > 0;
-    seen.against += background > object;
   }
   return seen;
 }

@@ -16,16 +16,18 @@ struct PolygonSeen {
   std::int64_t pixels = 0;      // of the object
   std::int64_t background = 0;  // and beside it
   int views = 0;                // pictures that have one of the first
-  int against = 0;              // pictures that show more background there than object
   std::array<std::int64_t, 3> sums{}, squares{};
 
-  double deviation() const;  // pooled over the channels, levels; 0 of fewer than two pixels
+  double unexplained() const;  // squares of the pixels' distances from their mean, levels^2
+  double deviation() const;    // pooled over the channels, levels; 0 of fewer than two pixels
 };
 
 PolygonSeen seen_of(const PictureSet& set, const LiveSurface& surface, const WorldPolygon& polygon);
 
 struct PolygonColoringSettings {
-  // Where the deviation is larger, or a picture shows background, the voxel behind the polygon is carved; infinite: nothing is.
+  // Where the deviation is larger, the voxel behind the polygon is carved if the pictures are explained better without it; infinite:
+  // nothing is. Where a picture shows background it is
+  // carved if its middle is beside the object in one of them.
   double threshold = 60;
   bool carves = true;
   bool is_smooth = true;  // corners lie where the neighbourhood is half full, in place of half way
@@ -45,6 +47,8 @@ struct PolygonColoring {
   std::vector<PolygonColor> colors;
   std::int64_t full_before = 0, full = 0;  // voxels
   std::int64_t carved_by_color = 0, carved_by_background = 0;
+  std::int64_t kept =
+      0;  // times that a voxel stayed, as without it the colours would fit no better
   std::int64_t judged = 0;   // polygons asked about, again and again
   std::int64_t samples = 0;  // of the layered images, in the end
   std::int64_t unseen = 0;   // polygons that no picture shows at a pixel's centre

@@ -94,15 +94,15 @@ Vector3d normal_of(const std::vector<Vector3d>& directions) {
   return normal.normalized();
 }
 
+// A cone of three directions that is thinner than this is none: its views lie on one great circle, up to the rounding of hull_of.
+constexpr double kFlat = 0x1p-18;
+
 // Whether they are on one great circle. Nearer to one than this, three of them make a cone that is none (kFlat).
 bool is_circle(const std::vector<Vector3d>& directions) {
   const Vector3d normal = normal_of(directions);
   return std::ranges::all_of(directions,
-                             [&](const Vector3d& d) { return std::abs(normal.dot(d)) < 0x1p-18; });
+                             [&](const Vector3d& d) { return std::abs(normal.dot(d)) < kFlat; });
 }
-
-// A cone of three directions that is thinner than this is none: its views lie on one great circle, up to the rounding of hull_of.
-constexpr double kFlat = 0x1p-18;
 
 }  // namespace
 
