@@ -80,7 +80,7 @@ public:
     std::vector<PolygonId> changed = surface_.edit(voxel, false), asked = changed;
     for (const WorldPolygon& polygon : own) asked.push_back(polygon.id);
     std::ranges::sort(asked);
-    asked.erase(std::ranges::unique(asked).begin(), asked.end());
+    asked.erase(std::unique(asked.begin(), asked.end()), asked.end());
     pixels_ = 0;
     Unexplained without = by(asked);
     without.squares += kMismatch * double(uncovered_by(own));
