@@ -161,37 +161,15 @@ check_format() {
   count "format" "$status"
 }
 
-# Those command lines of docs/ that take minutes.
-run_long_pages() {
-  build_preset test || { count "docs: build" 1; return 0; }
-  say "docs: running the lines that take long ..."
+# run_long NAME SUITE TAG WHAT: cases that take too long for the tests of every day.
+run_long() {
+  build_preset test "test_$2" || { count "$1: build" 1; return 0; }
+  say "$1: running ..."
+  log=$root/build/$1.log
   status=0
-  "$(directory_of test)/tests/docs/test_docs" "[.long]" >"$root/build/long-pages.log" 2>&1 </dev/null || status=$?
-  if [ "$status" != 0 ]; then tail -n 60 "$root/build/long-pages.log" >&2; fi
-  count "docs: the lines that take long" "$status"
-}
-
-# Each fault of tests/mutants against every extreme case, and whether docs/mutants.md has what comes of it. (The tests have each
-# fault and the case that is named for it.)
-run_mutants() {
-  build_preset test test_mutants || { count "mutants: build" 1; return 0; }
-  say "mutants: drawing ..."
-  directory=$(directory_of test)/tests/mutants
-  status=0
-  "$directory/test_mutants" "[.page]" >"$directory/log" 2>&1 </dev/null || status=$?
-  if [ "$status" != 0 ]; then tail -n 60 "$directory/log" >&2; fi
-  count "mutants: the page is what comes of it" "$status"
-}
-
-# All of the small scenes of which the tests have the first.
-run_scenes() {
-  build_preset test test_render || { count "scenes: build" 1; return 0; }
-  say "scenes: drawing ..."
-  directory=$(directory_of test)/tests/render
-  status=0
-  "$directory/test_render" "[.small-scenes]" >"$directory/scenes.log" 2>&1 </dev/null || status=$?
-  if [ "$status" != 0 ]; then tail -n 60 "$directory/scenes.log" >&2; fi
-  count "scenes: 100,000 small ones" "$status"
+  "$(directory_of test)/tests/$2/test_$2" "$3" >"$log" 2>&1 </dev/null || status=$?
+  if [ "$status" != 0 ]; then tail -n 60 "$log" >&2; fi
+  count "$1: $4" "$status"
 }
 
 # The library's pages (docs/api.md): made without a complaint, with the headers' comments in them, and no link to nowhere.
@@ -239,11 +217,13 @@ run_part() {
   clang++) if have clang++; then run_suites clang "clang++ -O3"; else skip "clang++ -O3 (no clang++)"; fi ;;
   sanitize) run_suites sanitize "sanitizers" ;;
   threads) run_threads ;;
-  mutants) run_mutants ;;
-  scenes) run_scenes ;;
+  # Each fault against every extreme case. (The tests have each fault and the case that is named for it.)
+  mutants) run_long mutants mutants "[.page]" "the page is what comes of it" ;;
+  # All of the small scenes of which the tests have the first.
+  scenes) run_long scenes render "[.small-scenes]" "100,000 small ones" ;;
   fuzz) run_fuzzers ;;
   browser) run_browser ;;
-  long-pages) run_long_pages ;;
+  long-pages) run_long long-pages docs "[.long]" "the lines of docs that take long" ;;
   api) run_doxygen ;;
   tidy) run_tidy ;;
   esac

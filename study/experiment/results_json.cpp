@@ -207,7 +207,7 @@ Json results_json(const StudyResults& results) {
 }
 
 Result<StudyResults> results_of(const Json& json) {
-  constexpr const char* kRemedy = "give a file that glassbox study run has written";
+  constexpr const char* kRemedy = "give a file that this version of glassbox study run has written";
   if (!json.is_object() || json.value("format", Json()) != kFormat) {
     return fail("", "is no result file of the study", kRemedy);
   }

@@ -51,18 +51,18 @@ bool is_beside_object(const PictureSet& set, const Vector3d& world) {
   });
 }
 
-// What a set of polygons leaves unexplained of the pixels that show them: squares of levels.
+// What a set of polygons leaves unexplained of the pixels that show them.
 struct Unexplained {
-  double squares =
-      0;  // from each polygon's mean; of a pixel that shows a polygon and has background, or the other way round, what two
-          // colours leave that have nothing to do with each other
+  // Levels^2: from each polygon's mean, and kMismatch for a pixel that shows a polygon and has background, or the other way round.
+  double squares = 0;
   std::int64_t polygons = 0;  // that are seen
+  std::int64_t pixels = 0;
 
-  // Each seen polygon has a colour of its own, three numbers more that can be chosen, so that more polygons always leave less. What each
-  // number must save is the law's of the Bayesian information criterion (Schwarz 1978): the logarithm of how many pixels there are, in units of
-  // the variance that one colour may have.
-  double with_cost(double pixels, double variance) const {
-    return squares + 3 * double(polygons) * std::log(std::max(pixels, 1.0)) * variance;
+  // Each seen polygon has a colour of its own, three numbers that can be chosen, so that more polygons always leave less. By the
+  // Bayesian information criterion (Schwarz 1978) a number must save the logarithm of how many pixels there are, in units of the variance that
+  // one colour may have.
+  double with_cost(std::int64_t of_pixels, double variance) const {
+    return squares + 3 * double(polygons) * std::log(double(of_pixels)) * variance;
   }
 };
 // Of two colours that are anywhere between 0 and 255: 2 * 255^2 / 12 for each of three channels.
@@ -81,13 +81,13 @@ public:
     for (const WorldPolygon& polygon : own) asked.push_back(polygon.id);
     std::ranges::sort(asked);
     asked.erase(std::unique(asked.begin(), asked.end()), asked.end());
-    pixels_ = 0;
     Unexplained without = by(asked);
     without.squares += kMismatch * double(uncovered_by(own));
     surface_.edit(voxel, true);
     const Unexplained with = by(asked);
-    // The same pixels both times, but for what is asked twice: the greater count costs more polygons.
-    if (!(without.with_cost(pixels_, variance_) < with.with_cost(pixels_, variance_))) return {};
+    // Both explain the same pixels, but for some at edges that two polygons have or none.
+    const std::int64_t pixels = std::max({with.pixels, without.pixels, std::int64_t(1)});
+    if (!(without.with_cost(pixels, variance_) < with.with_cost(pixels, variance_))) return {};
     return surface_.edit(voxel, false);
   }
 
@@ -101,17 +101,15 @@ private:
     return all;
   }
 
-  Unexplained by(const std::vector<PolygonId>& ids) {
+  Unexplained by(const std::vector<PolygonId>& ids) const {
     Unexplained sum;
-    double pixels = 0;
     for (const PolygonId id : ids) {
       if (!surface_.has(id)) continue;
       const PolygonSeen seen = seen_of(set_, surface_, surface_.polygon(id));
       sum.squares += seen.unexplained() + kMismatch * double(seen.background);
       sum.polygons += seen.pixels > 0;
-      pixels += double(seen.pixels + seen.background);
+      sum.pixels += seen.pixels + seen.background;
     }
-    pixels_ = std::max(pixels_, pixels);
     return sum;
   }
 
@@ -133,7 +131,7 @@ private:
 
   const PictureSet& set_;
   LiveSurface& surface_;
-  double variance_, pixels_ = 0;
+  double variance_;
 };
 
 class Carving {

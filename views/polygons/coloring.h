@@ -26,8 +26,7 @@ PolygonSeen seen_of(const PictureSet& set, const LiveSurface& surface, const Wor
 
 struct PolygonColoringSettings {
   // Where the deviation is larger, the voxel behind the polygon is carved if the pictures are explained better without it; infinite:
-  // nothing is. Where a picture shows background it is
-  // carved if its middle is beside the object in one of them.
+  // nothing is. Where a picture shows background it is carved if its middle is beside the object in one of them.
   double threshold = 60;
   bool carves = true;
   bool is_smooth = true;  // corners lie where the neighbourhood is half full, in place of half way
@@ -47,8 +46,7 @@ struct PolygonColoring {
   std::vector<PolygonColor> colors;
   std::int64_t full_before = 0, full = 0;  // voxels
   std::int64_t carved_by_color = 0, carved_by_background = 0;
-  std::int64_t kept =
-      0;  // times that a voxel stayed, as without it the colours would fit no better
+  std::int64_t kept = 0;     // times that a voxel stayed, as the colours fit no better without it
   std::int64_t judged = 0;   // polygons asked about, again and again
   std::int64_t samples = 0;  // of the layered images, in the end
   std::int64_t unseen = 0;   // polygons that no picture shows at a pixel's centre

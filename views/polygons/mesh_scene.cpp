@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <glassbox/images/srgb.h>
+#include <glassbox/mesh/builtin/placement.h>
 
 namespace glassbox::views {
 
@@ -55,12 +56,8 @@ Result<Scene> scene_of(const PolygonColoring& coloring) {
       mesh.corners.push_back({position, kNone, kNone, std::uint32_t(i)});
     mesh.colors.push_back(linear_of(coloring.colors[i].color));
   }
-  scene.meshes.push_back(std::move(mesh));
-  Material material;
-  material.unlit = true;
-  scene.materials.push_back(material);
-  scene.nodes.push_back({});
-  scene.instances.push_back({0, 0});
+  scene.materials[add_material(scene, "polygons", {1, 1, 1, 1})].unlit = true;
+  add_object(scene, std::move(mesh));
   return scene;
 }
 

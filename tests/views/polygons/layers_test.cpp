@@ -5,6 +5,7 @@
 #include <map>
 
 #include <glassbox/base/random.h>
+#include <glassbox/mesh/builtin/placement.h>
 #include <glassbox/render/renderer.h>
 
 #include "tests/views/voxels/rig.h"
@@ -297,12 +298,8 @@ TEST_CASE("where no background tells, colours do: what bulges is carved, and wha
         wall.corners.push_back({at, kNone, kNone, at});
     }
   }
-  scene.meshes.push_back(std::move(wall));
-  Material material;
-  material.unlit = true;
-  scene.materials.push_back(material);
-  scene.nodes.push_back({});
-  scene.instances.push_back({0, 0});
+  scene.materials[add_material(scene, "speckled", {1, 1, 1, 1})].unlit = true;
+  add_object(scene, std::move(wall));
   PictureSet set;
   UnlitRenderer renderer(scene);
   for (const auto& [x, y] :

@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include <glassbox/mesh/builtin/placement.h>
 #include <glassbox/render/renderer.h>
 
 #include "tests/views/voxels/rig.h"
@@ -90,12 +91,8 @@ Scene floor_and_lid() {
   };
   quad(-1, 1, -1, 1, 0, {1, 1, 1, 1});
   quad(-1, 1, -0.5f, 0.5f, 0.7f, {1, 0, 0, 1});
-  scene.meshes.push_back(std::move(mesh));
-  Material material;
-  material.unlit = true;
-  scene.materials.push_back(material);
-  scene.nodes.push_back({});
-  scene.instances.push_back({0, 0});
+  scene.materials[add_material(scene, "unlit", {1, 1, 1, 1})].unlit = true;
+  add_object(scene, std::move(mesh));
   return scene;
 }
 
