@@ -9,7 +9,8 @@ function showStudent(run) {
     element("td", {title: functions}, name), element("td", {}, records.toLocaleString("en")), element("td", {}, wrong.toLocaleString("en"))));
   byId("student-stages").replaceChildren(head, ...rows);
   const pixel = student.first_pixel, record = student.records.find(({wrong, triangle}) => wrong && run.rowOf.has(triangle));
-  byId("student-note").textContent = pixel ? `${count(student.differing_pixels, "pixel")} unlike the reference's.` : "Every pixel is the reference's.";
+  const rounding = student.stages.every(({wrong}) => !wrong) ? " Every record is within its bound: what differs is rounding." : "";
+  byId("student-note").textContent = pixel ? `${count(student.differing_pixels, "pixel")} unlike the reference's.${rounding}` : "Every pixel is the reference's.";
   byId("student-pixel").hidden = !pixel;
   byId("student-pixel").onclick = () => { choosePixel(pixel.x, pixel.y); };
   byId("student-record").hidden = !record;
