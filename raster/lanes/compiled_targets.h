@@ -3,4 +3,9 @@
 #pragma once
 
 #define HWY_COMPILE_ALL_ATTAINABLE
+#ifdef GLASSBOX_FEW_TARGETS  // plain C++ and one other, whose source is that of all
+#define HWY_DISABLED_TARGETS \
+  (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
+#else
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
+#endif

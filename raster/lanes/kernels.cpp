@@ -9,15 +9,20 @@
 
 #include <hwy/highway.h>
 
-#include <glassbox/raster/lanes/large_triangles-inl.h>
-#include <glassbox/raster/lanes/resolve-inl.h>
-#include <glassbox/raster/lanes/select-inl.h>
-#include <glassbox/raster/lanes/small_triangles-inl.h>
-#include <glassbox/raster/lanes/vertices-inl.h>
+#include <glassbox/raster/lanes/channels-inl.h>
+#include <glassbox/raster/lanes/kernel_functions-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
+
+void resolve_tile(const ResolveJob& job, std::span<TileBuffer> tiles) {
+  if (job.points.empty() && TwoChannels::have_all_of(job)) {
+    resolve_two_channels(job, tiles);
+  } else {
+    resolve_all_channels(job, tiles);
+  }
+}
 
 const Kernels kKernels{.transform_vertices = transform_vertices,
                        .transform_normals = transform_normals,

@@ -217,30 +217,6 @@ HWY_INLINE void draw_large(const TriangleSetup& setup, const LargeShape* shape, 
   });
 }
 
-inline void draw_large(const TriangleSetup& setup, Reference reference, TileBuffer& tile,
-                       FragmentCounts& counts) {
-  draw_large(setup, nullptr, reference, Opaque(), tile, counts);
-}
-inline void draw_large_masked(const LargeTriangle& triangle, const AlphaTest& test,
-                              Reference reference, TileBuffer& tile, FragmentCounts& counts) {
-  const LargeShape shape(triangle);
-  draw_large(triangle.setup, &shape, reference, Masked(test), tile, counts);
-}
-inline void draw_large_behind(const LargeTriangle& triangle, const BehindTest& test,
-                              Reference reference, TileBuffer& tile, FragmentCounts& counts) {
-  const LargeShape shape(triangle);
-  draw_large(triangle.setup, &shape, reference, Behind(test), tile, counts);
-}
-inline void draw_large_blended(const LargeTriangle& triangle, const BlendJob& blend,
-                               Reference reference, TileBuffer& tile, FragmentCounts& counts) {
-  const LargeShape shape(triangle);
-  const bool colors_alone =
-      blend.colors != nullptr && blend.resolve->distance == nullptr && blend.resolve->id == nullptr;
-  BlendedBytes bytes;
-  const Blended blended(blend, triangle.one_color && colors_alone ? &bytes : nullptr);
-  draw_large(triangle.setup, &shape, reference, blended, tile, counts);
-}
-
 }  // namespace HWY_NAMESPACE
 }  // namespace glassbox
 HWY_AFTER_NAMESPACE();

@@ -372,14 +372,6 @@ private:
   std::uint32_t one_color_ = 0;
 };
 
-inline void resolve_tile(const ResolveJob& job, std::span<TileBuffer> tiles) {
-  if (job.points.empty() && TwoChannels::have_all_of(job)) {
-    TileResolver<TwoChannels>(job, tiles).resolve();
-  } else {
-    TileResolver<AllChannels>(job, tiles).resolve();
-  }
-}
-
 }  // namespace HWY_NAMESPACE
 }  // namespace glassbox
 HWY_AFTER_NAMESPACE();

@@ -172,6 +172,13 @@ HWY_INLINE Ints value_of(const EdgeSlopes<Ints>& edge, const OfVertices<Ints>& x
   return edge_value(edge, x[from], y[from], at_x, at_y);
 }
 
+HWY_INLINE Ints smallest(const OfVertices<Ints>& v) {
+  return least(v[0], least(v[1], v[2]));
+}
+HWY_INLINE Ints largest(const OfVertices<Ints>& v) {
+  return greatest(v[0], greatest(v[1], v[2]));
+}
+
 // The largest value of an edge function that counts as outside: -1 of a top or left edge, 0 of others.
 HWY_INLINE Ints outside_up_to(const EdgeSlopes<Ints>& edge) {
   return 0 - one_where(owns_its_points(edge));

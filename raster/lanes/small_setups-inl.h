@@ -14,7 +14,6 @@
 #include <span>
 
 #include <glassbox/raster/lanes/quads-inl.h>
-#include <glassbox/raster/lanes/select-inl.h>
 #include <glassbox/raster/lanes/setup-inl.h>
 
 HWY_BEFORE_NAMESPACE();

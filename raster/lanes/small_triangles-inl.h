@@ -326,26 +326,6 @@ HWY_INLINE void draw_small(const SmallJob& job, const std::uint32_t* triangles, 
   counts.blended += own.others.blended;
 }
 
-inline void draw_small(const SmallJob& job, const std::uint32_t* triangles, std::size_t count,
-                       std::span<TileBuffer> tiles, FragmentCounts& counts) {
-  draw_small(job, triangles, count, Opaque(), tiles, counts);
-}
-inline void draw_small_masked(const SmallJob& job, const AlphaTest& test,
-                              const std::uint32_t* triangles, std::size_t count, TileBuffer& tile,
-                              FragmentCounts& counts) {
-  draw_small(job, triangles, count, Masked(test), {&tile, 1}, counts);
-}
-inline void draw_small_behind(const SmallJob& job, const BehindTest& test,
-                              const std::uint32_t* triangles, std::size_t count, TileBuffer& tile,
-                              FragmentCounts& counts) {
-  draw_small(job, triangles, count, Behind(test), {&tile, 1}, counts);
-}
-inline void draw_small_blended(const SmallJob& job, const BlendJob& blend,
-                               const std::uint32_t* triangles, std::size_t count, TileBuffer& tile,
-                               FragmentCounts& counts) {
-  draw_small(job, triangles, count, Blended(blend), {&tile, 1}, counts);
-}
-
 }  // namespace HWY_NAMESPACE
 }  // namespace glassbox
 HWY_AFTER_NAMESPACE();

@@ -30,16 +30,16 @@ plant(pipeline/clip.cpp [[signed_distance(planes[i], position) < 0]] [[signed_di
 plant(pipeline/clip.cpp [[all != 0 || (any & kNotFinite) != 0]] [[any != 0]] C-34 "what is cut is thrown away")
 plant(pipeline/clip.cpp [[std::abs(double(viewport.width()))]] [[std::abs(double(viewport.width())) / 4096.0]] C-40 "the guard band is too wide for the integers behind it")
 plant(pipeline/clip.cpp [[distance + reach]] [[distance - reach]] C-42 "a box that reaches out of a plane counts as outside")
-plant(raster/lanes/vertices-inl.h [[p.z >= 0.0f]] [[p.z >= -1.0f]] C-34 "the lanes do not see what the near plane cuts")
-plant(raster/lanes/vertices-inl.h [[p.z <= p.w * job.far_factor]] [[p.z <= p.w * job.far_factor * 4.0f]] C-34 "the lanes do not see what the far plane cuts")
+plant(raster/lanes/vertex_kernels.cpp [[p.z >= 0.0f]] [[p.z >= -1.0f]] C-34 "the lanes do not see what the near plane cuts")
+plant(raster/lanes/vertex_kernels.cpp [[p.z <= p.w * job.far_factor]] [[p.z <= p.w * job.far_factor * 4.0f]] C-34 "the lanes do not see what the far plane cuts")
 
 # ---- small triangles ----
 plant(raster/lanes/setup-inl.h [[one_where(owns_its_points(edge))]] [[one_where(!owns_its_points(edge))]] C-43 "the lanes turn the top-left rule round")
 plant(raster/lanes/setup-inl.h [=[second < z[0]]=] [[z[0] < second]] C-58 "depth is summed from a vertex that is not the nearest")
-plant(raster/lanes/select-inl.h [[end_pixel(right) + job.margin]] [[end_pixel(right) + job.margin - 1]] C-53 "the last column of a box goes to no tile")
-plant(raster/lanes/select-inl.h [[first_pixel(top) - job.margin]] [[first_pixel(top) - job.margin + 1]] C-53 "the first row of a box goes to no tile")
-plant(raster/lanes/select-inl.h [[job.mirrored ? clockwise : counter]] [[counter]] C-17 "fronts are not turned where a model is mirrored")
-plant(raster/lanes/select-inl.h [[small >= high]] [[small >= wide]] C-50 "a high triangle is taken for a small one, and its edges overflow")
+plant(raster/lanes/select_kernels.cpp [[end_pixel(right) + job.margin]] [[end_pixel(right) + job.margin - 1]] C-53 "the last column of a box goes to no tile")
+plant(raster/lanes/select_kernels.cpp [[first_pixel(top) - job.margin]] [[first_pixel(top) - job.margin + 1]] C-53 "the first row of a box goes to no tile")
+plant(raster/lanes/select_kernels.cpp [[job.mirrored ? clockwise : counter]] [[counter]] C-17 "fronts are not turned where a model is mirrored")
+plant(raster/lanes/select_kernels.cpp [[small >= high]] [[small >= wide]] C-50 "a high triangle is taken for a small one, and its edges overflow")
 plant(raster/lanes/small_triangles-inl.h [[e2 > above2 && e0 > above0]] [[e2 > above2]] C-43 "one edge is not asked")
 plant(raster/lanes/small_triangles-inl.h [[covered && code < stored]] [[covered && !(stored < code)]] C-58 "equal depths pass, of small triangles")
 plant(raster/lanes/small_setups-inl.h [[shifted_right<2>(px1 + 3)]] [[shifted_right<2>(px1 + 2)]] C-52 "a quad of which one column is reached is left out")
@@ -83,7 +83,7 @@ plant(render/plan/draw_order.h [[later.farthest < earlier.nearest]] [[later.near
 plant(render/engine/object_cull.cpp [[8 * s * edge_px + 8 * s * s]] [[0.0]] C-29 "culling before the snap has no margin for it")
 
 # ---- two eyes ----
-plant(raster/lanes/vertices-inl.h [[transform_row(*job.other_clip_from_anchored, 0, p)]] [[clip.x]] C-74 "the other eye has this one's x")
+plant(raster/lanes/vertex_kernels.cpp [[transform_row(*job.other_clip_from_anchored, 0, p)]] [[clip.x]] C-74 "the other eye has this one's x")
 plant(render/stereo/render_pair.cpp [[with_mask(render, masks.left)]] [[with_mask(render, masks.right)]] C-76 "the left eye writes the right one's channels")
 plant(pipeline/stereo/culling.cpp [[left && right]] [[left || right]] C-74 "what one eye does not see is thrown away")
 
@@ -103,6 +103,6 @@ plant(render/plan/box_bounds.cpp [[gamma<float>(5) * size + 4 * 0x1p-149]] [[0.0
 # ---- normals, and the range of depth ----
 plant(pipeline/normal_transform.cpp [[determinant < 0 ? -1 : 1]] [[1]] C-16 "a mirror leaves normals where they were")
 plant(pipeline/normal_transform.cpp [=[m[c1][r1] * m[c2][r2] - m[c2][r1] * m[c1][r2]]=] [=[m[c][r]]=] C-16 "normals are carried by the matrix of positions")
-plant(raster/lanes/vertices-inl.h [[transform_normal_row(m, 2, n)]] [[transform_normal_row(m, 1, n)]] C-16 "a normal's z is its y, in the lanes")
+plant(raster/lanes/vertex_kernels.cpp [[transform_normal_row(m, 2, n)]] [[transform_normal_row(m, 1, n)]] C-16 "a normal's z is its y, in the lanes")
 plant(pipeline/projection.cpp [[scale * n]] [[scale * f]] C-64 "depth 0 lies at the far plane, and is not reversed for it")
 plant(pipeline/projection.cpp [[n / (f - n)]] [[n / f]] C-10 "the slope of reversed depth leaves out the near plane")

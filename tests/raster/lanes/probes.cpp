@@ -16,7 +16,6 @@
 #include <glassbox/raster/lanes/samples-inl.h>
 #include <glassbox/raster/lanes/texture-inl.h>
 #include <glassbox/raster/lanes/transfer-inl.h>
-#include <glassbox/raster/lanes/vertices-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace glassbox {

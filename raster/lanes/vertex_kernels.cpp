@@ -1,17 +1,19 @@
 // Many vertices at a time: object space to the snapped screen, normals and positions to eye space.
 
-#if defined(GLASSBOX_VERTICES_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLASSBOX_VERTICES_INL_H_
-#undef GLASSBOX_VERTICES_INL_H_
-#else
-#define GLASSBOX_VERTICES_INL_H_
-#endif
-
 #include <cstring>
 #include <limits>
 
+#include <glassbox/raster/lanes/compiled_targets.h>
+
+// This file is compiled once for each instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "vertex_kernels.cpp"
+#include <hwy/foreach_target.h>
+
+#include <hwy/highway.h>
+
 #include <glassbox/raster/lanes/formulas-inl.h>
-#include <glassbox/raster/lanes/tables.h>
+#include <glassbox/raster/lanes/kernel_functions-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace glassbox {
@@ -128,7 +130,7 @@ HWY_INLINE void transform_vertices_with(const VertexJob& job) {
   });
 }
 
-inline void transform_vertices(const VertexJob& job) {
+void transform_vertices(const VertexJob& job) {
   if (job.test_planes) {
     job.divide ? transform_vertices_with<true, true>(job)
                : transform_vertices_with<true, false>(job);
@@ -140,7 +142,7 @@ inline void transform_vertices(const VertexJob& job) {
 
 // ---- to eye space ----
 
-inline void transform_normals(const NormalJob& job) {
+void transform_normals(const NormalJob& job) {
   const auto& m = job.eye_from_object;
   in_lanes(job.normals.size(), [&](std::size_t i, std::size_t count) HWY_ATTR {
     const Float3 n = load_triples(&job.normals[i].x, count);
@@ -150,7 +152,7 @@ inline void transform_normals(const NormalJob& job) {
   });
 }
 
-inline void transform_positions(const EyePositionJob& job) {
+void transform_positions(const EyePositionJob& job) {
   const Float3 anchor = broadcast(job.anchor);
   in_lanes(job.positions.size(), [&](std::size_t i, std::size_t count) HWY_ATTR {
     const Float3 p = difference(load_triples(&job.positions[i].x, count), anchor);
@@ -164,5 +166,3 @@ inline void transform_positions(const EyePositionJob& job) {
 }  // namespace HWY_NAMESPACE
 }  // namespace glassbox
 HWY_AFTER_NAMESPACE();
-
-#endif

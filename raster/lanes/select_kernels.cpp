@@ -1,24 +1,20 @@
 // Which triangles may cover a pixel, and in which tiles: many at a time, before any of them is set up.
 
-#if defined(GLASSBOX_SELECT_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLASSBOX_SELECT_INL_H_
-#undef GLASSBOX_SELECT_INL_H_
-#else
-#define GLASSBOX_SELECT_INL_H_
-#endif
+#include <glassbox/raster/lanes/compiled_targets.h>
 
+// This file is compiled once for each instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "select_kernels.cpp"
+#include <hwy/foreach_target.h>
+
+#include <hwy/highway.h>
+
+#include <glassbox/raster/lanes/kernel_functions-inl.h>
 #include <glassbox/raster/lanes/setup-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
-
-HWY_INLINE Ints smallest(const OfVertices<Ints>& v) {
-  return least(v[0], least(v[1], v[2]));
-}
-HWY_INLINE Ints largest(const OfVertices<Ints>& v) {
-  return greatest(v[0], greatest(v[1], v[2]));
-}
 
 // The indices of kLanes triangles from `first` on.
 HWY_INLINE OfVertices<Ints> load_indices(IndexTriples triples, std::uint32_t first) {
@@ -33,9 +29,8 @@ HWY_INLINE void store_kept(Ints words, IntMask keep, std::uint32_t* to) {
   hn::StoreU(first_kept(words, keep).v, kI, reinterpret_cast<std::int32_t*>(to));
 }
 
-// Writes those that may cover a pixel to `selected`, which has room for job.count + kMostLanes, and returns how many there are.
-inline std::size_t select_triangles(const SelectJob& job, const BinColumns& selected,
-                                    SelectCounts& counts) {
+std::size_t select_triangles(const SelectJob& job, const BinColumns& selected,
+                             SelectCounts& counts) {
   std::size_t kept = 0;
   const Ints small = kSmallSide * kSubpixels;
   const IntMask nowhere = small < small;
@@ -93,5 +88,3 @@ inline std::size_t select_triangles(const SelectJob& job, const BinColumns& sele
 }  // namespace HWY_NAMESPACE
 }  // namespace glassbox
 HWY_AFTER_NAMESPACE();
-
-#endif

@@ -1,0 +1,49 @@
+// The functions behind Kernels, for one instruction set. They are compiled in six sources (*_kernels.cpp), several at once: together
+// they take longer than all else that the first picture needs.
+
+#if defined(GLASSBOX_KERNEL_FUNCTIONS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLASSBOX_KERNEL_FUNCTIONS_INL_H_
+#undef GLASSBOX_KERNEL_FUNCTIONS_INL_H_
+#else
+#define GLASSBOX_KERNEL_FUNCTIONS_INL_H_
+#endif
+
+#include <glassbox/raster/lanes/kernels.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace glassbox {
+namespace HWY_NAMESPACE {
+
+void transform_vertices(const VertexJob& job);
+void transform_normals(const NormalJob& job);
+void transform_positions(const EyePositionJob& job);
+std::size_t select_triangles(const SelectJob& job, const BinColumns& selected,
+                             SelectCounts& counts);
+
+void draw_small(const SmallJob& job, const std::uint32_t* triangles, std::size_t count,
+                std::span<TileBuffer> tiles, FragmentCounts& counts);
+void draw_small_masked(const SmallJob& job, const AlphaTest& test, const std::uint32_t* triangles,
+                       std::size_t count, TileBuffer& tile, FragmentCounts& counts);
+void draw_small_behind(const SmallJob& job, const BehindTest& test, const std::uint32_t* triangles,
+                       std::size_t count, TileBuffer& tile, FragmentCounts& counts);
+void draw_small_blended(const SmallJob& job, const BlendJob& blend, const std::uint32_t* triangles,
+                        std::size_t count, TileBuffer& tile, FragmentCounts& counts);
+
+void draw_large(const TriangleSetup& setup, Reference reference, TileBuffer& tile,
+                FragmentCounts& counts);
+void draw_large_masked(const LargeTriangle& triangle, const AlphaTest& test, Reference reference,
+                       TileBuffer& tile, FragmentCounts& counts);
+void draw_large_behind(const LargeTriangle& triangle, const BehindTest& test, Reference reference,
+                       TileBuffer& tile, FragmentCounts& counts);
+void draw_large_blended(const LargeTriangle& triangle, const BlendJob& blend, Reference reference,
+                        TileBuffer& tile, FragmentCounts& counts);
+
+// Those of an anaglyph's eye are resolved at pixel centres only.
+void resolve_all_channels(const ResolveJob& job, std::span<TileBuffer> tiles);
+void resolve_two_channels(const ResolveJob& job, std::span<TileBuffer> tiles);
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glassbox
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,36 @@
+#include <glassbox/raster/lanes/compiled_targets.h>
+
+// This file is compiled once for each instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "small_kernels.cpp"
+#include <hwy/foreach_target.h>
+
+#include <hwy/highway.h>
+
+#include <glassbox/raster/lanes/kernel_functions-inl.h>
+#include <glassbox/raster/lanes/small_triangles-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace glassbox {
+namespace HWY_NAMESPACE {
+
+void draw_small(const SmallJob& job, const std::uint32_t* triangles, std::size_t count,
+                std::span<TileBuffer> tiles, FragmentCounts& counts) {
+  draw_small(job, triangles, count, Opaque(), tiles, counts);
+}
+void draw_small_masked(const SmallJob& job, const AlphaTest& test, const std::uint32_t* triangles,
+                       std::size_t count, TileBuffer& tile, FragmentCounts& counts) {
+  draw_small(job, triangles, count, Masked(test), {&tile, 1}, counts);
+}
+void draw_small_behind(const SmallJob& job, const BehindTest& test, const std::uint32_t* triangles,
+                       std::size_t count, TileBuffer& tile, FragmentCounts& counts) {
+  draw_small(job, triangles, count, Behind(test), {&tile, 1}, counts);
+}
+void draw_small_blended(const SmallJob& job, const BlendJob& blend, const std::uint32_t* triangles,
+                        std::size_t count, TileBuffer& tile, FragmentCounts& counts) {
+  draw_small(job, triangles, count, Blended(blend), {&tile, 1}, counts);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glassbox
+HWY_AFTER_NAMESPACE();
