@@ -21,9 +21,9 @@ if(GLASSBOX_STUDENT)
   set(installed_labs ${PROJECT_BINARY_DIR}/for-students/labs)
 endif()
 install(DIRECTORY ${installed_labs} DESTINATION ${CMAKE_INSTALL_DATADIR}/glassbox FILES_MATCHING
-  REGEX "/[0-9][0-9]-[^/]*/(student\\.cpp|runner\\.cpp|student\\.h|cases\\.h|points\\.json)$"
+  REGEX "/[0-9][0-9]-[^/]*/(student\\.cpp|runner\\.cpp|stages\\.cpp|timed\\.cpp|student\\.h|cases\\.h|points\\.json)$"
   REGEX "/[0-9][0-9]-[^/]*/.*\\.(md|png|svg|jpg|ppm|obj|mtl|gltf|glb)$"
-  REGEX "/framework/([^/]*\\.h|runner_main\\.cpp)$"
+  REGEX "/framework/([^/]*\\.h|(runner|stages)_main\\.cpp)$"
   REGEX "/grading/witness\\.cpp$")
 install(FILES ${PROJECT_SOURCE_DIR}/docs/references.md DESTINATION ${CMAKE_INSTALL_DATADIR}/glassbox/labs)
 install(TARGETS glassbox_program DESTINATION ${CMAKE_INSTALL_BINDIR})

@@ -230,7 +230,7 @@ inline Patch teapot_bottom() {
             {{{1.5, 0.075, 0}, {1.5, 0.075, -0.84}, {0.84, 0.075, -1.5}, {0, 0.075, -1.5}}},
             {{{1.5, 0.15, 0}, {1.5, 0.15, -0.84}, {0.84, 0.15, -1.5}, {0, 0.15, -1.5}}}}}};
 }
-// The body with a first row that comes back to where it began, or begins with one point twice: not a pole.
+// The body with a first row that comes back to where it began, or has some points that are one, but not all: not a pole.
 inline Patch looped_body() {
   Patch p = teapot_body();
   p.rows[0][3] = p.rows[0][0];
@@ -239,6 +239,13 @@ inline Patch looped_body() {
 inline Patch doubled_body() {
   Patch p = teapot_body();
   p.rows[0][1] = p.rows[0][0];
+  return p;
+}
+// Point `i` of the first row is point from[i] of the body's.
+inline Patch body_with_row(const std::array<std::size_t, 4>& from) {
+  const Patch body = teapot_body();
+  Patch p = body;
+  for (std::size_t i = 0; i < 4; ++i) p.rows[0][i] = body.rows[0][from[i]];
   return p;
 }
 // END HIDDEN
@@ -263,6 +270,9 @@ inline std::vector<PatchCase> hidden_patches() {
       {"a flat square", flat_square(), 3},
       {"a first row that begins and ends in one point, but is no pole", looped_body(), 2},
       {"a first row that begins with one point twice", doubled_body(), 2},
+      {"a first row that begins with one point three times", body_with_row({0, 0, 0, 3}), 2},
+      {"a first row that ends with one point three times", body_with_row({0, 3, 3, 3}), 2},
+      {"a first row of two points, each of them twice", body_with_row({0, 0, 3, 3}), 2},
       {"the body, finely", teapot_body(), 16},
   };
 }

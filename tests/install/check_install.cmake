@@ -9,7 +9,7 @@ function(run)
 endfunction()
 
 set(prefix "${work}/a prefix")
-file(REMOVE_RECURSE ${prefix} ${work}/consumer-build)
+file(REMOVE_RECURSE ${prefix} ${work}/consumer-build ${work}/cache)
 run(${CMAKE_COMMAND} --install ${build} --prefix ${prefix})
 run(${prefix}/bin/glassbox --version)
 foreach(file man/man1/glassbox.1 bash-completion/completions/glassbox zsh/site-functions/_glassbox
@@ -24,5 +24,15 @@ run(${CMAKE_COMMAND} -S ${consumer} -B ${work}/consumer-build -G ${generator}
   -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_CXX_FLAGS=${flags})
 run(${CMAKE_COMMAND} --build ${work}/consumer-build)
 run(${work}/consumer-build/consumer ${work}/consumer.png)
+# What students' functions are compiled with is there for every lab, and an installed program finds it.
+foreach(part student.h student.cpp cases.h runner.cpp stages.cpp timed.cpp)
+  file(GLOB of_clone RELATIVE ${clone}/labs ${clone}/labs/[0-9][0-9]-*/${part})
+  file(GLOB installed RELATIVE ${prefix}/share/glassbox/labs ${prefix}/share/glassbox/labs/[0-9][0-9]-*/${part})
+  if(NOT installed OR NOT installed STREQUAL of_clone)
+    message(FATAL_ERROR "${part} is installed of ${installed}, and is there of ${of_clone}")
+  endif()
+endforeach()
+run(${CMAKE_COMMAND} -E env XDG_CACHE_HOME=${work}/cache ${prefix}/bin/glassbox lab render ${prefix}/share/glassbox/labs/05-clipping teapot
+  --size 64x36 -o ${work}/lab.png)
 include(${CMAKE_CURRENT_LIST_DIR}/check_readme.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/check_golden.cmake)

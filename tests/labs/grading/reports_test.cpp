@@ -23,7 +23,7 @@ TEST_CASE("JUnit's XML and Moodle's text have the visible checks and nothing of 
   const Place place;
   write(place.path / "one/student.cpp", submission("return x < 0 ? 0 : 2 * x;", "return 1 / x;"));
   const Outcome outcome = grader({"grade", "one", "--one", "--lab", "99", "-o", "r.json", "--junit",
-                                  "junit.xml", "--vpl", "vpl.txt", "--kit", "kit"},
+                                  "junit.xml", "--vpl", "vpl.txt"},
                                  place.path);
   INFO(outcome.err);
   REQUIRE(outcome.exit_code == 0);
@@ -40,7 +40,7 @@ TEST_CASE("JUnit's XML and Moodle's text have the visible checks and nothing of 
 
   write(place.path / "one/student.cpp", "int x = ;");
   grader({"grade", "one", "--one", "--lab", "99", "-o", "r.json", "--junit", "junit.xml", "--vpl",
-          "vpl.txt", "--kit", "kit"},
+          "vpl.txt"},
          place.path);
   CHECK(is_in(read(place.path / "junit.xml"), "errors=\"1\""));
   CHECK(run_program("/usr/bin/xmllint", {"--noout", (place.path / "junit.xml").string()}, "/")
@@ -91,8 +91,8 @@ TEST_CASE("all checks of a submission have one budget of time together") {
   const Place place;
   write(place.path / "one/student.cpp",
         submission("for (volatile int i = 0;; ++i) {}", "for (volatile int i = 0;; ++i) {}"));
-  REQUIRE(grader({"grade", "one", "--one", "--lab", "99", "-o", "r.json", "--kit", "kit",
-                  "--time-limit", "30", "--total-time", "2"},
+  REQUIRE(grader({"grade", "one", "--one", "--lab", "99", "-o", "r.json", "--time-limit", "30",
+                  "--total-time", "2"},
                  place.path)
               .exit_code == 0);
   const auto results = read_json(place.path / "r.json");
@@ -106,9 +106,8 @@ TEST_CASE("all checks of a submission have one budget of time together") {
 TEST_CASE("a task that answers as the starter does is not written yet") {
   const Place place;
   write(place.path / "one/student.cpp", submission("return 2 * x;", "return 0 * x;"));
-  REQUIRE(
-      grader({"grade", "one", "--one", "--lab", "99", "-o", "r.json", "--kit", "kit"}, place.path)
-          .exit_code == 0);
+  REQUIRE(grader({"grade", "one", "--one", "--lab", "99", "-o", "r.json"}, place.path).exit_code ==
+          0);
   const auto results = read_json(place.path / "r.json");
   CHECK(results.at("tests")[0].at("extra_data").at("outcome") == "passed");
   CHECK(results.at("tests")[1].at("extra_data").at("outcome") == "not written yet");

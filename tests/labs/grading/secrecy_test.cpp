@@ -12,8 +12,8 @@ namespace {
 nlohmann::json graded(const Place& place, const std::string& text,
                       const std::vector<std::string>& options = {}) {
   write(place.path / "one/student.cpp", text);
-  std::vector<std::string> words{"grade",  "one",          "--one", "--lab", "99", "-o",
-                                 "r.json", "--time-limit", "60",    "--kit", "kit"};
+  std::vector<std::string> words{"grade", "one",    "--one",        "--lab", "99",
+                                 "-o",    "r.json", "--time-limit", "60"};
   words.insert(words.end(), options.begin(), options.end());
   const Outcome outcome = grader(words, place.path);
   INFO(outcome.err);
@@ -167,6 +167,35 @@ TEST_CASE("a compiler's message has nothing of a file that is not the lab's") {
                               .at("output");
   CHECK(own.find("student.cpp:2:18: error: ") != std::string::npos);
   CHECK(own.find("unknown") != std::string::npos);
+}
+
+TEST_CASE("a foreign file is found however much is included before it") {
+  const Place place;
+  write(place.path / "secret", "constexpr int kSecret = 90210;\n");
+  std::string many;
+  for (const char* header : {"algorithm", "chrono", "complex", "deque", "filesystem", "fstream",
+                             "functional", "future", "map", "memory", "mutex", "random", "ranges",
+                             "regex", "set", "sstream", "thread", "unordered_map", "valarray"})
+    many += "#include <" + std::string(header) + ">\n";
+  // What the preprocessor lists of it is longer than the 16 KiB that are kept of what other programs say.
+  write(place.path / "many.cpp", many);
+  const Outcome listed =
+      run_program("/usr/bin/env", {"g++", "-std=c++20", "-E", "-H", "-o", "/dev/null", "many.cpp"},
+                  place.path.string());
+  REQUIRE(listed.exit_code == 0);
+  CHECK(listed.err.size() > std::size_t(16) << 10);
+
+  const auto in_limits = [&](const std::string& before) {
+    return graded(place, before + solution(), {"--sandbox", "limits"});
+  };
+  CHECK(total(in_limits(many)) == 10);
+  const auto results =
+      in_limits(many + "#include \"" + (place.path / "secret").string() + "\"\n#error here\n");
+  INFO(results.dump(2));
+  CHECK(results.at("extra_data").at("outcome") == "compile error");
+  const std::string output = results.at("output");
+  CHECK(output.find("secret, which is not part of the lab") != std::string::npos);
+  CHECK(output.find("90210") == std::string::npos);
 }
 
 TEST_CASE("only what compilers write is assembled") {

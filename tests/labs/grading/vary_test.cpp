@@ -55,16 +55,15 @@ TEST_CASE(
   CHECK(visible("one/ann").size() == 2);
   CHECK(visible("one/ann") == visible("plain/bob"));
 
-  SECTION("graded one by one it is the same") {
-    grade({"class/bob/", "--one", "-o", "bob.json", "--lab", "99", "--vary"});
-    CHECK(read_json(place.path / "bob.json") == read_json(place.path / "one/bob/results.json"));
-    grade({"class/bob", "--one", "-o", "ann.json", "--lab", "99", "--vary", "--name", "ann"});
-    CHECK(read_json(place.path / "ann.json").at("tests") == tests_of(place, "one/ann"));
-    grade({"class/eve.cpp", "--one", "-o", "eve.json", "--lab", "99", "--vary"});
-    CHECK(read_json(place.path / "eve.json") == read_json(place.path / "one/eve/results.json"));
-  }
-  SECTION("a result of other inputs is not taken for one of these") {
-    grade({"class", "-o", "plain", "--lab", "99", "--vary", "--resume"});
-    CHECK(read(place.path / "plain/ann/results.json") == read(place.path / "one/ann/results.json"));
-  }
+  // Graded one by one it is the same.
+  grade({"class/bob/", "--one", "-o", "bob.json", "--lab", "99", "--vary"});
+  CHECK(read_json(place.path / "bob.json") == read_json(place.path / "one/bob/results.json"));
+  grade({"class/bob", "--one", "-o", "ann.json", "--lab", "99", "--vary", "--name", "ann"});
+  CHECK(read_json(place.path / "ann.json").at("tests") == tests_of(place, "one/ann"));
+  grade({"class/eve.cpp", "--one", "-o", "eve.json", "--lab", "99", "--vary"});
+  CHECK(read_json(place.path / "eve.json") == read_json(place.path / "one/eve/results.json"));
+
+  // A result of other inputs is not taken for one of these.
+  grade({"class", "-o", "plain", "--lab", "99", "--vary", "--resume"});
+  CHECK(read(place.path / "plain/ann/results.json") == read(place.path / "one/ann/results.json"));
 }
