@@ -34,7 +34,10 @@ Rendering Renderer::render(const View& view, const RenderSettings& settings) {
 void Renderer::render(const View& view, const RenderSettings& settings, Rendering& into,
                       const Image<std::uint32_t>* behind) {
   Framebuffer& buffers = into.buffers;
-  const EyePicture eye{view, settings, buffers, buffers.color, into.statistics, nullptr, behind};
+  // A depth for each pixel says nothing of its samples.
+  RenderSettings used = settings;
+  if (behind != nullptr) used.samples = 1;
+  const EyePicture eye{view, used, buffers, buffers.color, into.statistics, nullptr, behind};
   engine_->draw({scene_, prepared_, {&eye, 1}});
   count_preparation(into.statistics);
 }

@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/report/picture_uri.h"
 #include "app/stereo/maps.h"
 #include "stereo_page.h"  // made by html/embed.cmake
 
 #include <glassbox/html/blob.h>
-#include <glassbox/images/write.h>
 
 namespace glassbox::app {
 
@@ -57,10 +57,9 @@ double ghost_limit(const ColourFindings& colour) {
 class Pictures {
 public:
   Result<void> add(const char* name, const Image<Rgba8>& image) {
-    const auto png = encode_png(image);
-    if (!png) return tl::unexpected(png.error());
-    const auto* first = reinterpret_cast<const std::uint8_t*>(png->data());
-    json_[name] = "data:image/png;base64," + base64(std::span(first, png->size()));
+    const auto uri = picture_uri(image);
+    if (!uri) return tl::unexpected(uri.error());
+    json_[name] = *uri;
     return {};
   }
   const Json& json() const { return json_; }

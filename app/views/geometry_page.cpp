@@ -5,23 +5,16 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/report/picture_uri.h"
 #include "viewsgeometry_page.h"  // made by html/embed.cmake
 
 #include <glassbox/html/blob.h>
-#include <glassbox/images/write.h>
 
 namespace glassbox::app {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Result<std::string> picture_uri(const Image<Rgba8>& image) {
-  return encode_png(image).map([](const std::vector<std::byte>& png) {
-    const auto* first = reinterpret_cast<const std::uint8_t*>(png.data());
-    return "data:image/png;base64," + base64(std::span(first, png.size()));
-  });
-}
 
 Result<void> check_pictures(const GeometryInput& input) {
   if (!input.pictures) {

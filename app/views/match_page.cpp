@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/report/picture_uri.h"
 #include "viewsmatch_page.h"  // made by html/embed.cmake
 
 #include <glassbox/html/blob.h>
-#include <glassbox/images/write.h>
 
 namespace glassbox::app {
 
@@ -22,13 +22,6 @@ using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::int64_t kMostPixels = std::int64_t(1) << 21;  // 1920 x 1080 fits
 constexpr std::int64_t kMostSums = std::int64_t(1) << 24;    // bytes, before they are packed
-
-Result<std::string> match_picture_uri(const Image<Rgba8>& image) {
-  return encode_png(image).map([](const std::vector<std::byte>& png) {
-    const auto* first = reinterpret_cast<const std::uint8_t*>(png.data());
-    return "data:image/png;base64," + base64(std::span(first, png.size()));
-  });
-}
 
 // 32-bit floats, the least significant byte first.
 Bytes float_bytes(const Image<float>& values) {
@@ -116,9 +109,9 @@ Result<void> check_match_page(const MatchInput& input) {
 
 Result<std::string> make_match_page(const MatchInput& input, const views::DenseMatch& match,
                                     const Json& report, const MatchPageOrigin& origin) {
-  const auto left = match_picture_uri(input.left);
+  const auto left = picture_uri(input.left);
   if (!left) return tl::unexpected(left.error());
-  const auto right = match_picture_uri(input.right);
+  const auto right = picture_uri(input.right);
   if (!right) return tl::unexpected(right.error());
   Json manifest = report;
   manifest["program"] = origin.program;

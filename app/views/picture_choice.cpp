@@ -109,6 +109,17 @@ Result<ChosenPictures> read_pictures(const PictureChoice& choice) {
   return all;
 }
 
+Result<void> check_memory(const std::string& place, const std::string& what, double bytes,
+                          std::uint64_t most_bytes) {
+  if (bytes <= double(most_bytes)) return {};
+  constexpr double kMegabyte = 1048576;
+  return fail(place,
+              fmt::format("{} would take {:.0f} MB, and {} MB are allowed", what,
+                          std::ceil(bytes / kMegabyte), most_bytes >> 20),
+              place == "--max-mb" ? "take fewer or smaller pictures, or allow more"
+                                  : "take larger voxels, or allow more with --max-mb");
+}
+
 void add_box(CLI::App& command, AskedBox& box) {
   command
       .add_option_function<std::string>(

@@ -38,6 +38,10 @@ Result<void> check_choice(const PictureChoice& choice);
 
 Result<ChosenPictures> read_pictures(const PictureChoice& choice);
 
+// Refused: what would take more bytes than --max-mb allows. `place` is the option that makes it so large, `what` takes them.
+Result<void> check_memory(const std::string& place, const std::string& what, double bytes,
+                          std::uint64_t most_bytes);
+
 using AskedBox =
     std::optional<std::array<double, 6>>;  // corners of least and of greatest coordinates
 

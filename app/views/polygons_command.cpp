@@ -161,6 +161,8 @@ Result<void> ViewsPolygonsCommand::complete_request(const views::PictureSet& set
   if (!box) return tl::unexpected(box.error());
   voxels.box = *box;
   voxels.voxel_size = views::size_for(voxels.box, resolution_);
+  voxels.size_option = "--resolution";
+  request_.writes_glb = output_ && check_extension(*output_, ".glb");
   voxels.most_bytes = choice_.most_bytes();
   return {};
 }

@@ -1,5 +1,6 @@
 #include "app/views/polygons_report.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 #include "views/voxels/truth.h"
 
 #include <glassbox/base/printable.h>
+#include <glassbox/mesh/gltf/write.h>
 
 namespace glassbox::app {
 
@@ -34,6 +36,27 @@ double iou_of(const views::Occupancy& solid, const views::TrueVolume& truth) {
   return overlap.iou();
 }
 
+// Two for each side of a voxel at the box's six sides: nobody knows before how many there will be.
+double polygons_of_box(const views::VoxelGrid& grid) {
+  const auto [nx, ny, nz] = grid.count;
+  return 4 * (double(nx) * ny + double(ny) * nz + double(nz) * nx);
+}
+
+// Of all that is asked for, beside the voxels' and the polygons' colours: as if each came while the others are there.
+double bytes_beside(const PolygonsInput& input, const PolygonsRequest& request,
+                    const views::VoxelGrid& grid, double polygons) {
+  double bytes =
+      views::Occupancy::bytes_for(grid) +
+      polygons * (views::kBytesOfScenePolygon + (request.writes_glb ? kGlbBytesOfTriangle : 0));
+  if (input.truth) bytes += views::TrueVolume::bytes_for(grid);
+  if (input.pictures.left_out) {
+    bytes += views::bytes_of(*input.pictures.left_out) +
+             views::UnlitRenderer::bytes_for(polygons,
+                                             double(input.pictures.left_out->color.pixels.size()));
+  }
+  return bytes;
+}
+
 }  // namespace
 
 Result<PolygonsReport> report_polygons(const PolygonsInput& input, const PolygonsRequest& request,
@@ -42,29 +65,46 @@ Result<PolygonsReport> report_polygons(const PolygonsInput& input, const Polygon
   const auto plan = views::plan_coloring(set, request.voxels);
   if (!plan) return tl::unexpected(plan.error());
   const views::VoxelGrid& grid = plan->grid;
-  const double bytes = views::Occupancy::bytes_for(grid);
-  if (bytes > double(request.voxels.most_bytes)) {
-    return fail(
-        "--resolution",
-        fmt::format("the solid of {} voxels would take {:.0f} MB", grid.voxels(), bytes / 1048576),
-        "take larger voxels, or allow more with --max-mb");
-  }
+  if (const auto legal = views::check_floats(grid); !legal) return tl::unexpected(legal.error());
+  const double expected = polygons_of_box(grid);
+  PolygonsReport report;
+  report.bytes = std::uint64_t(double(plan->bytes) + bytes_beside(input, request, grid, expected) +
+                               views::polygon_bytes(grid, expected) + views::layer_bytes(set));
+  const auto legal = check_memory(
+      "--resolution",
+      fmt::format("{} x {} x {} voxels, their polygons and the layered images of {} pictures",
+                  grid.count[0], grid.count[1], grid.count[2], set.pictures.size()),
+      double(report.bytes), request.voxels.most_bytes);
+  if (!legal) return tl::unexpected(legal.error());
   progress.phase("colouring voxels");
   views::Occupancy solid(grid);
-  const views::Coloring voxels = views::color_voxels(
-      set, request.voxels, *plan,
-      [&](int, std::span<const views::VoxelRun> runs, std::span<const views::Verdict> verdicts) {
-        solid.fill(runs, verdicts);
-      });
-  for (const views::VoxelRun& run : voxels.solid) solid.fill(run);
+  {
+    const views::Coloring voxels = views::color_voxels(
+        set, request.voxels, *plan,
+        [&](int, std::span<const views::VoxelRun> runs, std::span<const views::Verdict> verdicts) {
+          solid.fill(runs, verdicts);
+        });
+    for (const views::VoxelRun& run : voxels.solid) solid.fill(run);
+    report.voxel_milliseconds = voxels.milliseconds;
+    report.colored_voxels = voxels.voxels.size();
+  }
 
   progress.phase("colouring polygons");
-  auto coloring = views::color_polygons(set, solid, request.polygons);
+  views::PolygonColoringSettings settings = request.polygons;
+  settings.most_bytes =
+      double(request.voxels.most_bytes) - views::bytes_of(set) - views::Occupancy::bytes_for(grid);
+  auto coloring = views::color_polygons(set, solid, settings);
   if (!coloring) return tl::unexpected(coloring.error());
-  PolygonsReport report;
   report.coloring = std::move(*coloring);
-  report.voxel_milliseconds = voxels.milliseconds;
-  report.colored_voxels = voxels.voxels.size();
+  // Now the layered images are gone, and the polygons are known.
+  const auto polygons = double(report.coloring.mesh.polygons.size());
+  const double bytes = views::bytes_of(set) + views::polygon_bytes(grid, polygons) +
+                       bytes_beside(input, request, grid, polygons);
+  const auto fits = check_memory(
+      "--max-mb", fmt::format("a scene of {} polygons", report.coloring.mesh.polygons.size()),
+      bytes, request.voxels.most_bytes);
+  if (!fits) return tl::unexpected(fits.error());
+  report.bytes = std::max(report.bytes, std::uint64_t(bytes));
   report.check = views::check_mesh(report.coloring.mesh);
   auto scene = views::scene_of(report.coloring);
   if (!scene) return tl::unexpected(scene.error());
@@ -97,13 +137,13 @@ std::string polygons_text(const PolygonsInput& input, const PolygonsReport& repo
       "carved: {} voxels behind polygons of several colours ({} times it would explain no more), "
       "{} "
       "beside the object; {} polygons judged, {:.1f} ms\n"
-      "layered images: {} samples of polygon and distance\n",
+      "layered images: {} samples of polygon and distance; {} MB\n",
       printable(input.pictures.set.source, kLongestMessage), input.pictures.set.pictures.size(),
       coloring.full_before, coloring.grid.voxels(), report.colored_voxels,
       report.voxel_milliseconds, coloring.mesh.polygons.size(), check.corners,
       check.edges - check.holes - check.crowded, check.euler, check.volume,
       coloring.carved_by_color, coloring.kept, coloring.carved_by_background, coloring.judged,
-      coloring.milliseconds, coloring.samples);
+      coloring.milliseconds, coloring.samples, (report.bytes + (1u << 20) - 1) >> 20);
   if (report.left_out) text += left_out_text(input.pictures.left_out->name, *report.left_out);
   if (report.iou)
     text += fmt::format("truth: IoU {:.4f}, of the voxels before they were carved {:.4f}\n",
@@ -140,6 +180,7 @@ nlohmann::ordered_json polygons_json(const PolygonsInput& input, const PolygonsR
       {"euler", check.euler},
       {"volume", check.volume},
       {"samples", coloring.samples},
+      {"bytes", report.bytes},
       {"voxel_ms", report.voxel_milliseconds},
       {"ms", coloring.milliseconds}};
   if (report.left_out)

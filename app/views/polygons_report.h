@@ -27,9 +27,11 @@ struct PolygonsInput {
 struct PolygonsRequest {
   views::ColoringRequest voxels;
   views::PolygonColoringSettings polygons;
+  bool writes_glb = false;
 };
 
 struct PolygonsReport {
+  std::uint64_t bytes = 0;  // that all of it was expected to take
   views::PolygonColoring coloring;
   views::MeshCheck check;
   double voxel_milliseconds = 0;

@@ -7,23 +7,16 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/report/picture_uri.h"
 #include "viewssurface_page.h"  // made by html/embed.cmake
 
 #include <glassbox/html/blob.h>
-#include <glassbox/images/write.h>
 
 namespace glassbox::app {
 
 namespace {
 
 using SurfaceJson = nlohmann::ordered_json;
-
-Result<std::string> surface_picture_uri(const Image<Rgba8>& image) {
-  return encode_png(image).map([](const std::vector<std::byte>& png) {
-    const auto* first = reinterpret_cast<const std::uint8_t*>(png.data());
-    return "data:image/png;base64," + base64(std::span(first, png.size()));
-  });
-}
 
 void add_float(std::vector<std::uint8_t>& bytes, float value) {
   const auto bits = std::bit_cast<std::uint32_t>(value);
@@ -94,7 +87,7 @@ Result<SurfaceJson> textures_json(const SurfacePage& page) {
       const bool is_object = picture.matte.pixels.empty() || picture.matte.pixels[i] != 0;
       shown.pixels[i].a = is_object ? 255 : 0;
     }
-    const auto uri = surface_picture_uri(shown);
+    const auto uri = picture_uri(shown);
     if (!uri) return tl::unexpected(uri.error());
     const views::Vector3d direction =
         (picture.camera.centre - page.textured->middle()).normalized();
@@ -136,8 +129,7 @@ Result<std::string> make_surface_page(const SurfacePage& page) {
                        {"program", "glassbox " GLASSBOX_VERSION},
                        {"command", page.command}};
   if (page.left_out != nullptr) {
-    const auto picture = surface_picture_uri(page.left_out->color),
-               drawn = surface_picture_uri(*page.drawn);
+    const auto picture = picture_uri(page.left_out->color), drawn = picture_uri(*page.drawn);
     if (!picture) return tl::unexpected(picture.error());
     if (!drawn) return tl::unexpected(drawn.error());
     manifest["flicker"] = {{"name", page.left_out->name}, {"picture", *picture}, {"drawn", *drawn}};

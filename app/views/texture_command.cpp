@@ -1,5 +1,6 @@
 #include "app/views/texture_command.h"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -18,6 +19,7 @@
 #include "app/views/left_out_report.h"
 #include "app/views/surface_page.h"
 #include "views/texture/static_texture.h"
+#include "views/texture/unlit_renderer.h"
 
 #include <glassbox/base/printable.h>
 #include <glassbox/images/atomic_file.h>
@@ -50,6 +52,7 @@ struct ViewsTextureCommand::Found {
   }
 
   views::TexturedSurface surface;
+  std::uint64_t bytes = 0;  // that all was expected to take
   std::int64_t polygons = 0, unseen = 0;
   std::size_t triangles = 0;  // of views
   std::optional<views::TexturedPicture> drawn, left_out;
@@ -156,21 +159,39 @@ Result<void> ViewsTextureCommand::check_outputs() const {
   return app::check_outputs(files);
 }
 
+// Of all that is asked for: as if each came while the others are there.
+double ViewsTextureCommand::bytes_for(const Scene& scene, const ChosenPictures& pictures) const {
+  const views::PictureSet& set = pictures.set;
+  double largest = 0;
+  const auto draw = [&](double pixels) { largest = std::max(largest, pixels); };
+  for (const views::CalibratedPicture& picture : set.pictures)
+    draw(double(picture.color.pixels.size()));
+  if (size_) draw(double(size_->width) * size_->height);
+  double bytes = views::bytes_of(set) + views::TexturedSurface::bytes_for(scene, set);
+  if (pictures.left_out) {
+    bytes += views::bytes_of(*pictures.left_out);
+    draw(double(pictures.left_out->color.pixels.size()));
+  }
+  if (fixed_) bytes += views::static_texture_bytes(views::numbers_of(scene), texels_);
+  // What is drawn for an output stays, a colour and a number for each pixel.
+  const double outputs = double(output_.has_value()) + double(pictures.left_out.has_value());
+  return bytes + outputs * largest * (sizeof(Rgba8) + sizeof(std::uint32_t)) +
+         views::UnlitRenderer::bytes_for(double(views::numbers_of(scene)), largest);
+}
+
 Result<ViewsTextureCommand::Found> ViewsTextureCommand::find(const Scene& scene,
                                                              const ChosenPictures& pictures,
                                                              Progress& progress) const {
   progress.phase("finding what each picture sees");
   const views::PictureSet& set = pictures.set;
-  const double bytes = views::SeenPolygons::bytes_for(scene, set);
-  if (bytes > double(choice_.most_bytes())) {
-    return fail(
-        "--max-mb",
-        fmt::format("what each picture sees of the surface would take {:.0f} MB", bytes / 1048576),
-        "take fewer pictures, or allow more");
-  }
+  const double bytes = bytes_for(scene, pictures);
+  const auto legal = check_memory("--max-mb", "the surface, and what each picture sees of it,",
+                                  bytes, choice_.most_bytes());
+  if (!legal) return tl::unexpected(legal.error());
   auto made = views::TexturedSurface::of(scene, set, blend_, neighbours_);
   if (!made) return tl::unexpected(made.error());
   Found found(std::move(*made));
+  found.bytes = std::uint64_t(bytes);
   const views::TexturedSurface& surface = found.surface;
   found.polygons = std::int64_t(surface.seen().polygons());
   found.unseen = surface.seen().unseen();
@@ -257,6 +278,7 @@ nlohmann::ordered_json ViewsTextureCommand::json(const ChosenPictures& pictures,
   nlohmann::ordered_json json{{"mesh", mesh_},
                               {"cameras", pictures.set.source},
                               {"pictures", pictures.set.pictures.size()},
+                              {"bytes", found.bytes},
                               {"polygons", found.polygons},
                               {"unseen", found.unseen},
                               {"view_triangles", found.triangles},

@@ -29,6 +29,7 @@ private:
   int run();
   Result<void> check_asked() const;
   Result<void> check_outputs() const;
+  double bytes_for(const Scene& scene, const ChosenPictures& pictures) const;
   Result<Found> find(const Scene& scene, const ChosenPictures& pictures, Progress& progress) const;
   Result<void> write_outputs(const Scene& scene, const ChosenPictures& pictures,
                              const Found& found) const;

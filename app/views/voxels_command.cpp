@@ -243,6 +243,7 @@ Result<void> ViewsVoxelsCommand::complete_request(const views::PictureSet& set) 
   request_.voxel_size = voxel_size_ ? *voxel_size_
                         : total_    ? views::size_for_total(request_.box, *total_)
                                  : views::size_for(request_.box, resolution_.value_or(kResolution));
+  request_.size_option = voxel_size_ ? "--voxel" : total_ ? "--total" : "--resolution";
   request_.most_bytes = choice_.most_bytes();
   return {};
 }

@@ -7,24 +7,17 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/report/picture_uri.h"
 #include "views/voxels/layers_of.h"
 #include "viewsvoxels_page.h"  // made by html/embed.cmake
 
 #include <glassbox/html/blob.h>
-#include <glassbox/images/write.h>
 
 namespace glassbox::app {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Result<std::string> voxels_picture_uri(const Image<Rgba8>& image) {
-  return encode_png(image).map([](const std::vector<std::byte>& png) {
-    const auto* first = reinterpret_cast<const std::uint8_t*>(png.data());
-    return "data:image/png;base64," + base64(std::span(first, png.size()));
-  });
-}
 
 Result<void> check_size(const VoxelsInput& input, const VoxelsReport& report) {
   constexpr std::size_t kMostVoxels = std::size_t(1) << 23, kMostColored = 1000000;
@@ -95,7 +88,7 @@ Result<Json> picture_json(const views::CalibratedPicture& picture, const views::
     const bool is_object = picture.matte.pixels.empty() || picture.matte.pixels[i] != 0;
     shown.pixels[i].a = is_object ? 255 : 0;
   }
-  const auto uri = voxels_picture_uri(shown);
+  const auto uri = picture_uri(shown);
   if (!uri) return tl::unexpected(uri.error());
   const views::GridPicture lens = views::grid_picture(grid, views::projection_of(picture.camera),
                                                       picture.color.width, picture.color.height);
@@ -168,8 +161,8 @@ Result<std::string> make_voxels_page(const VoxelsInput& input,
     if (!added) return tl::unexpected(added.error());
   }
   if (input.left_out) {
-    const auto picture = voxels_picture_uri(input.left_out->color),
-               drawn = voxels_picture_uri(report.drawn->color);
+    const auto picture = picture_uri(input.left_out->color),
+               drawn = picture_uri(report.drawn->color);
     if (!picture) return tl::unexpected(picture.error());
     if (!drawn) return tl::unexpected(drawn.error());
     manifest["flicker"] = {

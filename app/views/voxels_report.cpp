@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/report/progress.h"
+#include "app/views/picture_choice.h"
 
 #include <glassbox/base/printable.h>
 
@@ -16,6 +17,38 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using views::Verdict;
+
+double box_sides(const views::VoxelGrid& grid) {
+  const auto [nx, ny, nz] = grid.count;
+  return 2 * (double(nx) * ny + double(ny) * nz + double(nz) * nx);
+}
+
+// Of all that is asked for, beside the voxels' colouring: as if each came while the others are there.
+double bytes_beside(const VoxelsInput& input, const views::ColoringRequest& request,
+                    const VoxelsQuestion& question, const views::VoxelGrid& grid) {
+  const double coloured = box_sides(grid);
+  double bytes = 0;
+  // A verdict each, and once more as the page has them; of each picture in turn the layers that hide its pixels.
+  if (question.wants_verdicts) {
+    constexpr double kPixel = sizeof(int) + 2, kVoxel = 10;
+    bytes += 2 * double(grid.voxels()) + views::pixels_of(input.set) * kPixel + coloured * kVoxel;
+  }
+  if (input.truth) {
+    bytes += views::TrueVolume::bytes_for(grid) + views::surface_error_bytes(input.set, coloured);
+  }
+  // The others' voxels, and a set of their places: nodes of a number and a pointer, and a bucket for each.
+  if (question.against_full && request.levels > 0) {
+    constexpr double kNode = 4 * sizeof(void*) + sizeof(void*);
+    bytes += coloured * (sizeof(views::ColoredVoxel) + kNode);
+  }
+  // It, and a colour and a distance for each of its pixels.
+  if (input.left_out) {
+    constexpr double kPixel = sizeof(Rgba8) + sizeof(float);
+    bytes +=
+        views::bytes_of(*input.left_out) + double(input.left_out->color.pixels.size()) * kPixel;
+  }
+  return bytes;
+}
 
 Result<VoxelsReport::AgainstFull> compare_full(const VoxelsInput& input,
                                                views::ColoringRequest request,
@@ -87,15 +120,12 @@ Result<VoxelsReport> report_voxels(const VoxelsInput& input, const views::Colori
   const auto plan = views::plan_coloring(input.set, request);
   if (!plan) return tl::unexpected(plan.error());
   const views::VoxelGrid* const grid = &plan->grid;
-  const double voxels = double(grid->voxels());
-  const double more = (question.wants_verdicts ? voxels : 0) +
-                      (input.truth ? voxels / 8 + views::TrueVolume::bytes_while_made(*grid) : 0);
-  if (more > double(request.most_bytes)) {
-    return fail("--voxel",
-                fmt::format("the truth and the page of {:.3g} voxels would take {:.0f} MB", voxels,
-                            more / 1048576),
-                "take larger voxels, or allow more with --max-mb");
-  }
+  report.bytes = std::uint64_t(double(plan->bytes) + bytes_beside(input, request, question, *grid));
+  const auto legal = check_memory(request.size_option,
+                                  fmt::format("{} x {} x {} voxels and what is asked of them",
+                                              grid->count[0], grid->count[1], grid->count[2]),
+                                  double(report.bytes), request.most_bytes);
+  if (!legal) return tl::unexpected(legal.error());
   std::optional<views::TrueVolume> truth;
   std::optional<views::Overlap> overlap;
   if (input.truth) {
@@ -176,7 +206,7 @@ std::string voxels_text(const VoxelsInput& input, const views::ColoringRequest& 
                         request.levels, coloring.judged_coarse);
   }
   text += fmt::format("{:.1f} ms on {}, {} MB\n", coloring.milliseconds,
-                      name_of(request.settings.target), (coloring.bytes + (1u << 20) - 1) >> 20);
+                      name_of(request.settings.target), (report.bytes + (1u << 20) - 1) >> 20);
   if (const auto& full = report.against_full) {
     text += fmt::format(
         "of the {} that all voxels give in {:.1f} ms: {} lost ({:.3f} %), {} added; IoU {:.5f}\n",
@@ -247,7 +277,7 @@ Json voxels_json(const VoxelsInput& input, const views::ColoringRequest& request
     json["verdicts"][std::string(views::name_of(Verdict(i)))] = coloring.counts[std::size_t(i)];
   json["ms"] = coloring.milliseconds;
   json["target"] = name_of(settings.target);
-  json["bytes"] = coloring.bytes;
+  json["bytes"] = report.bytes;
   if (const auto& full = report.against_full) {
     json["against_full"] = {{"coloured", full->full},
                             {"lost", full->lost},

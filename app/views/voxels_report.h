@@ -26,6 +26,7 @@ struct VoxelsInput {
 
 struct VoxelsReport {
   views::Coloring coloring;
+  std::uint64_t bytes = 0;  // that all of it was expected to take
   // Of coarse to fine, against all voxels: those of either that the other has not.
   struct AgainstFull {
     std::int64_t full = 0, lost = 0, added = 0;

@@ -67,11 +67,13 @@ double predicted_distance(int across) {
   return std::hypot(kInCube * 2.0 / across, kInPixel * pixel);
 }
 
-// Of a pixel that was read a colour and a matte, and a word that is swept; of the N^2 voxels of each of six faces what is known of a
-// coloured one, and of a layer's of each that is looked at.
+// Of a pixel that was read a colour and a matte, and a word that is swept; of each 4 x 4 of them a byte, and of up to 64 such tiles of a row two
+// words of bits; of the N^2 voxels of each of six faces what is known of a coloured one, and of a layer's of each that is looked at.
 double predicted_bytes(int across, int pictures, int side) {
   const double pixels = double(side) * side * pictures, face = double(across) * across;
-  return pixels * (sizeof(Rgba8) + 1 + 4) + face * 6 * sizeof(views::ColoredVoxel) +
+  const double tiles = side / 4.0, words = std::ceil(tiles / 64);
+  return pixels * (sizeof(Rgba8) + 1 + 4) + pictures * tiles * (tiles + 16 * words) +
+         face * 6 * sizeof(views::ColoredVoxel) +
          face * (sizeof(views::Verdict) + sizeof(views::Seen) + sizeof(views::VoxelAt));
 }
 

@@ -78,6 +78,38 @@ TEST_CASE("from a picture's own place a textured surface is that picture") {
   CHECK(made["left_out"]["covered"] > 0.5);
 }
 
+TEST_CASE(
+    "surfaces that do not fit into memory are refused, before they are begun if that is known") {
+  const Workplace here;
+  REQUIRE(here.run("views ring cube -o ring --views 3 --size 64x64").exit_code == 0);
+  REQUIRE(here.run("views polygons ring --resolution 96 -o cube.glb --threshold 200").exit_code ==
+          0);
+  const auto refusal = [&](const std::string& words) {
+    const Outcome outcome = here.run("views " + words);
+    INFO(words << ": " << outcome.err);
+    CHECK(outcome.exit_code == 2);
+    CHECK_FALSE(std::ifstream(here.file("a.glb")).good());
+    return outcome.err;
+  };
+  const auto has = [](const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+  };
+  // Voxels alone would fit.
+  CHECK(here.run("views voxels ring --resolution 96 --max-mb 16").exit_code == 0);
+  CHECK(has(refusal("polygons ring --resolution 96 --max-mb 16"),
+            "--resolution: 96 x 96 x 96 voxels, their polygons and the layered images of 3 "
+            "pictures would take"));
+  const SurfaceJson found = surface_answer(here, "polygons ring --resolution 96 --threshold 200");
+  const auto megabytes = std::to_string(found["bytes"].get<std::int64_t>() / 1048576);
+  CHECK(has(refusal("polygons ring --resolution 96 --threshold 200 --max-mb " + megabytes),
+            " would take "));
+  // What pictures see.
+  CHECK(here.run("views texture cube.glb ring -o a.png").exit_code == 0);
+  CHECK(has(refusal("texture cube.glb ring -o b.png --max-mb 3"),
+            "--max-mb: the surface, and what each picture sees of it, would take"));
+  CHECK_FALSE(std::ifstream(here.file("b.png")).good());
+}
+
 TEST_CASE("surfaces and textures that cannot be made are refused in a line, and no file is left") {
   const Workplace here;
   REQUIRE(here.run("views ring cube -o ring --views 3 --size 16x16").exit_code == 0);

@@ -122,4 +122,30 @@ TEST_CASE("rings and voxels that cannot be made are refused in a line, and no fi
   }
 }
 
+TEST_CASE("more voxels than fit into memory are refused by the option that asks for them") {
+  const Workplace here;
+  REQUIRE(here.run("views ring cube -o ring --views 3 --size 64x64").exit_code == 0);
+  const auto refusal = [&](const std::string& words) {
+    const Outcome outcome = here.run("views voxels ring -o a.ply " + words);
+    INFO(words << ": " << outcome.err);
+    CHECK(outcome.exit_code == 2);
+    CHECK_FALSE(std::ifstream(here.file("a.ply")).good());
+    return outcome.err;
+  };
+  const auto has = [](const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+  };
+  CHECK(has(refusal("--total 1e30"), "--total: the box would have"));
+  CHECK(has(refusal("--voxel 1e-9"), "--voxel: the box would have"));
+  CHECK(has(refusal("--resolution 1000 --max-mb 64"), "--resolution: 1000 x 1000 x 1000 voxels"));
+  CHECK(has(refusal("--total 1e9 --max-mb 64"), "--total: 1000 x 1000 x 1000 voxels"));
+  CHECK(has(refusal("--voxel 0.002 --max-mb 64"), "--voxel: 1000 x 1000 x 1000 voxels"));
+  // What is asked of the voxels counts as well.
+  const std::string small = "--resolution 96 --max-mb 3 ";
+  CHECK(here.run("views voxels ring " + small).exit_code == 0);
+  CHECK(
+      has(refusal(small + "--truth cube"), "96 x 96 x 96 voxels and what is asked of them would"));
+  CHECK(has(refusal(small + "--html a.html"), "voxels and what is asked of them would"));
+}
+
 }  // namespace glassbox::test

@@ -103,7 +103,6 @@ CellSurface cell_surface(unsigned inside, unsigned joined) {
   CellSurface surface;
   for (const Loop& loop : loops_of(next_edges(inside, joined))) {
     std::optional<Triangles> triangles = cut(loop, 0, loop.size() - 1);
-    surface.has_middle = surface.has_middle || !triangles;
     if (!triangles) triangles = fan_around_middle(loop);
     surface.triangles.insert(surface.triangles.end(), triangles->begin(), triangles->end());
   }

@@ -21,7 +21,6 @@ using CellTriangle = std::array<std::uint8_t, 3>;
 // along its own border, which the cell beside has as well: what is inside a cell is never an edge of the cell beside it.
 struct CellSurface {
   std::vector<CellTriangle> triangles;
-  bool has_middle = false;
 };
 
 // `inside`: a bit for each corner. `joined`: a bit for each face on which, if it is ambiguous, the inside corners are joined, so that

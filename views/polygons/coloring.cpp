@@ -142,9 +142,11 @@ public:
         settings_(settings),
         trial_(set, surface, settings.threshold) {}
 
-  void run(PolygonColoring& result) {
+  // False: the layered images take more than `most_bytes`.
+  bool run(PolygonColoring& result, double most_bytes) {
     for (const PolygonId id : surface_.polygons()) ask(id);
     while (!waiting_.empty()) {
+      if (surface_.layer_bytes() > most_bytes) return false;
       const PolygonId id = waiting_.front();
       waiting_.pop_front();
       is_waiting_.erase(id);
@@ -168,6 +170,7 @@ public:
       ++(is_beside ? result.carved_by_background : result.carved_by_color);
       for (const PolygonId other : changed) ask(other);
     }
+    return true;
   }
 
 private:
@@ -186,6 +189,7 @@ private:
 // Polygons that nobody sees take the mean of their coloured neighbours, those next to them then theirs.
 void color_unseen(const PolygonMesh& mesh, std::vector<PolygonColor>& colors) {
   std::unordered_map<std::uint64_t, std::array<std::uint32_t, 2>> beside;
+  beside.reserve(3 * mesh.polygons.size() / 2);
   const auto key = [](std::uint32_t a, std::uint32_t b) {
     return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b);
   };
@@ -235,6 +239,27 @@ void color_unseen(const PolygonMesh& mesh, std::vector<PolygonColor>& colors) {
 }
 
 }  // namespace
+
+double polygon_bytes(const VoxelGrid& grid, double polygons) {
+  // Bits of the solid that is carved and of what is left of it, a number for each voxel, and for the corners on the edges of two layers of them.
+  const auto [nx, ny, nz] = grid.count;
+  const double voxels = 2 * Occupancy::bytes_for(grid) + double(grid.voxels()) * sizeof(double) +
+                        double(nx + 2) * (ny + 2) * 2 * 7 * sizeof(std::uint32_t);
+  // A closed surface has half as many corners as polygons. They and the polygons grow as they are found, to at most twice as much; colours;
+  // and three sides for two polygons, each in a table's node of which a bucket points to the first (color_unseen). What waits to be judged
+  // is gone by then and was less.
+  constexpr double kMesh =
+      2 * (sizeof(Vector3d) / 2.0 + sizeof(PolygonCorners)) + sizeof(PolygonColor);
+  constexpr double kSides = 1.5 * (32 + 2 * sizeof(void*));
+  return voxels + polygons * (kMesh + kSides);
+}
+
+double layer_bytes(const PictureSet& set) {
+  double bytes = object_pixels_of(set) * IdLayers::kBytesOfPixel;
+  for (const CalibratedPicture& picture : set.pictures)
+    bytes += IdLayers::empty_bytes(picture.color.width, picture.color.height);
+  return bytes;
+}
 
 double PolygonSeen::unexplained() const {
   if (pixels < 2) return 0;
@@ -290,18 +315,29 @@ Result<PolygonColoring> color_polygons(const PictureSet& set, const Occupancy& o
     return fail("the voxels", "none is full, so there is no surface",
                 "raise --threshold, or look with `glassbox views voxels` at what is coloured");
   }
+  const std::int64_t polygons = LiveSurface::count_polygons(occupancy);
+  const double bytes = polygon_bytes(occupancy.grid(), double(polygons));
+  const auto refused = [&](const std::string& what) {
+    return fail("--max-mb", fmt::format("{} polygons{} take more memory than that", polygons, what),
+                "take larger voxels or smaller pictures, or allow more");
+  };
+  if (bytes > settings.most_bytes) return refused("");
   const auto start = std::chrono::steady_clock::now();
   PolygonColoring result;
   result.grid = occupancy.grid();
   result.full_before = occupancy.full();
-  LiveSurface surface(set, occupancy, settings.threads);
-  if (settings.carves) Carving(set, surface, settings).run(result);
+  const double for_layers = settings.most_bytes - bytes;
+  LiveSurface surface(set, occupancy, settings.threads, for_layers);
+  const bool fits = surface.layer_bytes() <= for_layers &&
+                    (!settings.carves || Carving(set, surface, settings).run(result, for_layers));
+  if (!fits) return refused(" and the layered images of them");
   result.full = surface.occupancy().full();
   for (const IdLayers& layers : surface.layers()) result.samples += layers.sample_count();
   const Occupancy& solid = surface.occupancy();
   // The same cells in the same order, so polygon i of the mesh is the i-th of the surface.
   result.mesh = polygonise(settings.is_smooth ? solid.smooth_field() : solid.field(), 0.5,
                            Polygoniser::kConsistent);
+  result.colors.reserve(result.mesh.polygons.size());
   for (const PolygonId id : surface.polygons()) {
     const PolygonSeen seen = seen_of(set, surface, surface.polygon(id));
     PolygonColor color{{128, 128, 128, 255}, std::uint16_t(seen.views), float(seen.deviation())};

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "views/polygons/live_surface.h"
@@ -31,7 +32,13 @@ struct PolygonColoringSettings {
   bool carves = true;
   bool is_smooth = true;  // corners lie where the neighbourhood is half full, in place of half way
   int threads = 0;
+  double most_bytes = std::numeric_limits<double>::infinity();  // of polygon_bytes and layer_bytes
 };
+
+// What color_polygons takes of a grid's voxels and of so many polygons.
+double polygon_bytes(const VoxelGrid& grid, double polygons);
+// What it takes of the pictures: layered images in which every pixel of the object shows one polygon or two.
+double layer_bytes(const PictureSet& set);
 
 struct PolygonColor {
   Rgba8 color;
@@ -53,7 +60,8 @@ struct PolygonColoring {
   double milliseconds = 0;
 };
 
-// Refused: more cells than there are numbers for polygons, and no voxel at all.
+// Refused: more cells than there are numbers for polygons, no voxel at all, and what takes more than the settings allow: by the polygons
+// that there are, before any is made, and by the samples of the layered images, while they come.
 Result<PolygonColoring> color_polygons(const PictureSet& set, const Occupancy& occupancy,
                                        const PolygonColoringSettings& settings);
 

@@ -29,6 +29,12 @@ bool owns_its_centres(std::int64_t dx, std::int64_t dy) {
   return dy < 0 || (dy == 0 && dx > 0);
 }
 
+double bytes_of(const IdSamples& samples) {
+  constexpr double kAllocators = IdLayers::kBytesOfPixel - 2 * sizeof(IdSample);
+  if (samples.capacity() == 0) return 0;
+  return kAllocators + double(std::max<std::size_t>(samples.capacity(), 2) * sizeof(IdSample));
+}
+
 }  // namespace
 
 PolygonFootprint::PolygonFootprint(const PinholeCamera& camera, int width, int height,
@@ -75,7 +81,9 @@ void IdLayers::add(PolygonId id, const PolygonFootprint& footprint) {
   footprint.for_each_pixel([&](IdPixel at, float distance) {
     IdSamples& here = pixels_[index(at)];
     const IdSample sample{distance, id};
+    const double before = bytes_of(here);
     here.insert(std::ranges::lower_bound(here, sample), sample);
+    bytes_of_samples_ += bytes_of(here) - before;
   });
 }
 

@@ -76,8 +76,18 @@ public:
   }
   const IdSamples& samples(IdPixel at) const { return pixels_[index(at)]; }
   std::int64_t sample_count() const;
+  // What they take, a list for each pixel and the samples of those that have some.
+  double bytes() const { return empty_bytes(width_, height_) + bytes_of_samples_; }
+  static double empty_bytes(int width, int height) {
+    return double(width) * height * double(sizeof(IdSamples));
+  }
+  // The list of a pixel with one or two samples: what the allocator keeps for it, too.
+  static constexpr double kBytesOfPixel = 16 + 2 * sizeof(IdSample);
 
-  friend bool operator==(const IdLayers&, const IdLayers&) = default;
+  // Of the same samples, however much room there is for more.
+  friend bool operator==(const IdLayers& a, const IdLayers& b) {
+    return a.width_ == b.width_ && a.height_ == b.height_ && a.pixels_ == b.pixels_;
+  }
 
 private:
   std::size_t index(IdPixel at) const {
@@ -86,6 +96,7 @@ private:
 
   int width_, height_;
   std::vector<IdSamples> pixels_;
+  double bytes_of_samples_ = 0;
 };
 
 }  // namespace glassbox::views

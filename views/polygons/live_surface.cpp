@@ -1,5 +1,7 @@
 #include "views/polygons/live_surface.h"
 
+#include <algorithm>
+
 #include "views/polygons/cell_table.h"
 #include "views/voxels/blocks.h"
 
@@ -27,22 +29,36 @@ bool LiveSurface::is_too_large(const VoxelGrid& grid) {
   return cells * kMostOfCell > 0x1p32;
 }
 
-LiveSurface::LiveSurface(const PictureSet& set, const Occupancy& occupancy, int threads)
+LiveSurface::LiveSurface(const PictureSet& set, const Occupancy& occupancy, int threads,
+                         double most_bytes)
     : set_(set), occupancy_(occupancy) {
   for (const CalibratedPicture& picture : set.pictures)
     layers_.emplace_back(picture.color.width, picture.color.height);
-  std::vector<WorldPolygon> all;
-  for (const PolygonId id : polygons()) all.push_back(polygon(id));
-  for_blocks(layers_.size(), threads, [&](std::size_t i) {
-    for (const WorldPolygon& one : all) layers_[i].add(one.id, footprint_in(set_.pictures[i], one));
-  });
+  const std::vector<PolygonId> all = polygons();
+  // Some at a time, after which all pictures' layers are counted.
+  constexpr std::size_t kAtOnce = 4096;
+  for (std::size_t first = 0; first < all.size() && layer_bytes() <= most_bytes; first += kAtOnce) {
+    std::vector<WorldPolygon> some;
+    for (std::size_t i = first; i < std::min(first + kAtOnce, all.size()); ++i)
+      some.push_back(polygon(all[i]));
+    for_blocks(layers_.size(), threads, [&](std::size_t i) {
+      for (const WorldPolygon& one : some)
+        layers_[i].add(one.id, footprint_in(set_.pictures[i], one));
+    });
+  }
 }
 
-unsigned LiveSurface::inside_of(const CellAt& cell) const {
+double LiveSurface::layer_bytes() const {
+  double bytes = 0;
+  for (const IdLayers& layers : layers_) bytes += layers.bytes();
+  return bytes;
+}
+
+unsigned LiveSurface::inside_of(const Occupancy& occupancy, const CellAt& cell) {
   unsigned inside = 0;
   for (int corner = 0; corner < 8; ++corner) {
     const VoxelAt voxel{cell.x + (corner & 1), cell.y + (corner >> 1 & 1), cell.z + (corner >> 2)};
-    inside |= unsigned(occupancy_.has(voxel)) << corner;
+    inside |= unsigned(occupancy.has(voxel)) << corner;
   }
   return inside;
 }
@@ -64,7 +80,7 @@ CellAt LiveSurface::cell_of(PolygonId id) const {
 std::vector<WorldPolygon> LiveSurface::polygons_of(const CellAt& cell) const {
   std::vector<WorldPolygon> polygons;
   PolygonId id = number_of(cell);
-  for (const CellTriangle& triangle : consistent_table()[inside_of(cell)].triangles) {
+  for (const CellTriangle& triangle : consistent_table()[inside_of(occupancy_, cell)].triangles) {
     WorldPolygon polygon{id++, {}};
     for (std::size_t k = 0; k < 3; ++k)
       polygon.corners[k] = world_of_lattice(occupancy_.grid(), middle_of(cell, triangle[k]));
@@ -78,23 +94,37 @@ WorldPolygon LiveSurface::polygon(PolygonId id) const {
 }
 
 bool LiveSurface::has(PolygonId id) const {
-  return id % kMostOfCell < consistent_table()[inside_of(cell_of(id))].triangles.size();
+  return id % kMostOfCell < consistent_table()[inside_of(occupancy_, cell_of(id))].triangles.size();
+}
+
+template <class Each>
+void LiveSurface::for_each_cell(const Occupancy& occupancy, const Each& each) {
+  const auto& count = occupancy.grid().count;
+  for (int z = -1; z < count[2]; ++z) {
+    for (int y = -1; y < count[1]; ++y) {
+      for (int x = -1; x < count[0]; ++x) {
+        const CellAt cell{x, y, z};
+        each(cell, consistent_table()[inside_of(occupancy, cell)].triangles.size());
+      }
+    }
+  }
 }
 
 std::vector<PolygonId> LiveSurface::polygons() const {
   std::vector<PolygonId> all;
-  const auto& count = occupancy_.grid().count;
-  for (int z = -1; z < count[2]; ++z) {
-    for (int y = -1; y < count[1]; ++y) {
-      for (int x = -1; x < count[0]; ++x) {
-        const unsigned inside = inside_of({x, y, z});
-        const PolygonId first = number_of({x, y, z});
-        for (std::size_t k = 0; k < consistent_table()[inside].triangles.size(); ++k)
-          all.push_back(first + PolygonId(k));
-      }
-    }
-  }
+  all.reserve(std::size_t(count_polygons(occupancy_)));
+  for_each_cell(occupancy_, [&](const CellAt& cell, std::size_t polygons) {
+    const PolygonId first = number_of(cell);
+    for (std::size_t k = 0; k < polygons; ++k) all.push_back(first + PolygonId(k));
+  });
   return all;
+}
+
+std::int64_t LiveSurface::count_polygons(const Occupancy& occupancy) {
+  std::int64_t count = 0;
+  for_each_cell(occupancy,
+                [&](const CellAt&, std::size_t polygons) { count += std::int64_t(polygons); });
+  return count;
 }
 
 std::array<CellAt, 8> LiveSurface::cells_around(const VoxelAt& voxel) const {

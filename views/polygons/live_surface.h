@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "views/polygons/id_layers.h"
@@ -27,8 +28,12 @@ class LiveSurface {
 public:
   static constexpr int kMostOfCell = 8;
 
-  // The surface lies half way between full and empty voxels. The pictures must outlive it. `threads`: 0: all; nothing depends on it.
-  LiveSurface(const PictureSet& set, const Occupancy& occupancy, int threads = 0);
+  // The surface lies half way between full and empty voxels. The pictures must outlive it. `threads`: 0: all; nothing depends on it. If the
+  // layered images take more than `most_bytes`, no more polygons are put into them, and it may only be destroyed.
+  LiveSurface(const PictureSet& set, const Occupancy& occupancy, int threads = 0,
+              double most_bytes = std::numeric_limits<double>::infinity());
+
+  double layer_bytes() const;
 
   const Occupancy& occupancy() const { return occupancy_; }
   const std::vector<IdLayers>& layers() const { return layers_; }  // of each picture
@@ -45,11 +50,16 @@ public:
   // A voxel becomes full or empty. The polygons that came, and those that came into view, in no order and perhaps more than once.
   std::vector<PolygonId> edit(const VoxelAt& voxel, bool full);
 
+  // How many a solid has.
+  static std::int64_t count_polygons(const Occupancy& occupancy);
   // Whether a grid has more cells than polygons can be numbered.
   static bool is_too_large(const VoxelGrid& grid);
 
 private:
-  unsigned inside_of(const CellAt& cell) const;
+  static unsigned inside_of(const Occupancy& occupancy, const CellAt& cell);
+  // each(cell, how many polygons it has)
+  template <class Each>
+  static void for_each_cell(const Occupancy& occupancy, const Each& each);
   PolygonId number_of(const CellAt& cell) const;
 
   const PictureSet& set_;

@@ -13,6 +13,16 @@ namespace glassbox::views {
 
 namespace {
 
+Rgba linear_of(const Rgba8& color) {
+  return {decode_srgb(color.r), decode_srgb(color.g), decode_srgb(color.b), 1};
+}
+
+void add_number(std::string& text, std::uint32_t value) {
+  for (int k = 0; k < 4; ++k) text += char(value >> (8 * k) & 0xffu);
+}
+
+}  // namespace
+
 // Corners of the surface are kLeastStep of a voxel from the lattice's, so two are at least that apart along an axis where they are next
 // to a corner of it; floats whose steps are a fourth of that keep them apart, whatever way they are rounded.
 Result<void> check_floats(const VoxelGrid& grid) {
@@ -30,22 +40,16 @@ Result<void> check_floats(const VoxelGrid& grid) {
               "take larger voxels, or a world whose origin is near the object");
 }
 
-Rgba linear_of(const Rgba8& color) {
-  return {decode_srgb(color.r), decode_srgb(color.g), decode_srgb(color.b), 1};
-}
-
-void add_number(std::string& text, std::uint32_t value) {
-  for (int k = 0; k < 4; ++k) text += char(value >> (8 * k) & 0xffu);
-}
-
-}  // namespace
-
 Result<Scene> scene_of(const PolygonColoring& coloring) {
   if (const auto legal = check_floats(coloring.grid); !legal) return tl::unexpected(legal.error());
   Scene scene;
   scene.name = "polygons";
   Mesh mesh;
   mesh.name = "polygons";
+  mesh.positions.reserve(coloring.mesh.positions.size());
+  mesh.faces.reserve(coloring.mesh.polygons.size());
+  mesh.corners.reserve(3 * coloring.mesh.polygons.size());
+  mesh.colors.reserve(coloring.mesh.polygons.size());
   for (const Vector3d& p : coloring.mesh.positions) {
     const Vector3d world = world_of_lattice(coloring.grid, p);
     mesh.positions.push_back({float(world.x()), float(world.y()), float(world.z())});

@@ -32,8 +32,7 @@ public:
   // The share that is full of the 27 voxels around each, kept on its own side of 1/2: the same polygons at smoother places.
   ScalarField smooth_field() const;
 
-  // How many bytes the bits and a field take.
-  static double bytes_for(const VoxelGrid& grid) { return double(grid.voxels()) * (8 + 0.125); }
+  static double bytes_for(const VoxelGrid& grid) { return double(grid.voxels()) / 8; }
 
 private:
   bool is_within(const VoxelAt& at) const {

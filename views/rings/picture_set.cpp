@@ -198,6 +198,33 @@ Result<void> write_text(const fs::path& path, const std::string& text) {
 
 }  // namespace
 
+double bytes_of(const CalibratedPicture& picture) {
+  return double(sizeof(Rgba8) * picture.color.pixels.size() + picture.matte.pixels.size());
+}
+
+double bytes_of(const PictureSet& set) {
+  double bytes = 0;
+  for (const CalibratedPicture& picture : set.pictures) bytes += bytes_of(picture);
+  return bytes;
+}
+
+double pixels_of(const PictureSet& set) {
+  double pixels = 0;
+  for (const CalibratedPicture& picture : set.pictures)
+    pixels += double(picture.color.pixels.size());
+  return pixels;
+}
+
+double object_pixels_of(const PictureSet& set) {
+  double pixels = 0;
+  for (const auto& [name, camera, color, matte] : set.pictures) {
+    pixels += double(matte.pixels.empty()
+                         ? color.pixels.size()
+                         : matte.pixels.size() - std::size_t(std::ranges::count(matte.pixels, 0)));
+  }
+  return pixels;
+}
+
 Result<WorldBox> parse_box(std::string_view text) {
   const auto rows = number_rows(text);
   if (!rows) return tl::unexpected(rows.error());

@@ -28,6 +28,13 @@ struct PictureSet {
   std::optional<WorldBox> box;  // of a file box.txt beside the cameras
 };
 
+// What pixels and mattes take.
+double bytes_of(const CalibratedPicture& picture);
+double bytes_of(const PictureSet& set);
+double pixels_of(const PictureSet& set);
+// Pixels that may be the object's: those of the mattes, and all of pictures without one.
+double object_pixels_of(const PictureSet& set);
+
 struct PictureSetOptions {
   bool wants_mattes = true;
   // A pixel brighter than this, 0 .. 255 in its brightest channel, is the object's; absent: as masks or alpha say.

@@ -29,6 +29,7 @@ Vector3d PlacedTriangle::normal() const {
 
 std::vector<PlacedTriangle> placed_triangles(const Scene& scene) {
   std::vector<PlacedTriangle> all;
+  all.reserve(numbers_of(scene));
   std::uint32_t first = 0;
   for (const Instance& instance : scene.instances) {
     const Mesh& mesh = scene.meshes[instance.mesh];
@@ -57,6 +58,15 @@ std::vector<PlacedTriangle> placed_triangles(const Scene& scene) {
     first += triangulation.numbered;
   }
   return all;
+}
+
+double bytes_of(const Scene& scene) {
+  const auto bytes = [](const auto& all) { return double(all.size() * sizeof(all[0])); };
+  double sum = 0;
+  for (const Mesh& mesh : scene.meshes)
+    sum += bytes(mesh.positions) + bytes(mesh.normals) + bytes(mesh.texcoords) +
+           bytes(mesh.colors) + bytes(mesh.corners) + bytes(mesh.faces);
+  return sum;
 }
 
 std::size_t numbers_of(const Scene& scene) {

@@ -23,6 +23,9 @@ struct PlacedTriangle {
 // Those that are drawn, in the order in which they are: numbers ascend, and faces without area leave gaps.
 std::vector<PlacedTriangle> placed_triangles(const Scene& scene);
 
+// What a scene's meshes take.
+double bytes_of(const Scene& scene);
+
 // The numbers taken, gaps included.
 std::size_t numbers_of(const Scene& scene);
 

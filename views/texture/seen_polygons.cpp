@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "views/texture/unlit_renderer.h"
-
 namespace glassbox::views {
 
-Result<SeenPolygons> SeenPolygons::of(const Scene& scene, const PictureSet& set) {
+Result<SeenPolygons> SeenPolygons::of(const Scene& scene, const PictureSet& set,
+                                      UnlitRenderer& renderer) {
   SeenPolygons seen(set.pictures.size(), numbers_of(scene));
-  UnlitRenderer renderer(scene);
   for (std::size_t view = 0; view < set.pictures.size(); ++view) {
     const CalibratedPicture& picture = set.pictures[view];
     auto buffers = renderer.draw(picture.camera, picture.color.width, picture.color.height);

@@ -7,13 +7,15 @@
 
 #include "views/rings/picture_set.h"
 #include "views/texture/placed_triangles.h"
+#include "views/texture/unlit_renderer.h"
 
 namespace glassbox::views {
 
 class SeenPolygons {
 public:
-  // As the engine draws the scene in each picture. The set's cameras must be before the scene's box.
-  static Result<SeenPolygons> of(const Scene& scene, const PictureSet& set);
+  // As the engine draws the scene in each picture, by a renderer of it. The set's cameras must be before the scene's box.
+  static Result<SeenPolygons> of(const Scene& scene, const PictureSet& set,
+                                 UnlitRenderer& renderer);
 
   std::size_t polygons() const { return polygons_; }
   // Whether a picture shows a polygon at a pixel's centre.

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
+#include <glassbox/mesh/gltf/write.h>
+
 namespace glassbox::views {
 
 namespace {
@@ -40,6 +42,14 @@ private:
 
 }  // namespace
 
+double static_texture_bytes(std::size_t triangles, int texels) {
+  // Texels, as they are and twice while they are packed; a face and three corners, places and coordinates for each triangle.
+  constexpr double kTriangle = sizeof(Face) + 3 * (sizeof(Corner) + sizeof(float) * 5);
+  const Atlas atlas(triangles, texels);
+  return 3 * 4.0 * atlas.width() * atlas.height() +
+         double(triangles) * (kTriangle + kGlbBytesOfTriangle);
+}
+
 Result<Scene> with_static_texture(const Scene& scene, const TexturedSurface& surface, int texels,
                                   double most_bytes) {
   const std::vector<PlacedTriangle> triangles = placed_triangles(scene);
@@ -53,10 +63,7 @@ Result<Scene> with_static_texture(const Scene& scene, const TexturedSurface& sur
   };
   if (atlas.width() > kMostSide || atlas.height() > kMostSide)
     return refused("", "ask for fewer texels");
-  // Texels, and three corners, places and coordinates for each triangle; as much again while they are written.
-  const double bytes = 2 * (4.0 * atlas.width() * atlas.height() +
-                            3.0 * double(triangles.size()) * (sizeof(Corner) + sizeof(float) * 5) +
-                            double(triangles.size() * sizeof(PlacedTriangle)));
+  const double bytes = static_texture_bytes(triangles.size(), texels);
   if (bytes > most_bytes)
     return refused(fmt::format(", {:.0f} MB in all", bytes / 1048576),
                    "ask for fewer texels, or allow more with --max-mb");
@@ -92,6 +99,10 @@ Result<Scene> with_static_texture(const Scene& scene, const TexturedSurface& sur
   textured.nodes = {Node{}};
   Mesh mesh;
   mesh.name = "textured";
+  mesh.faces.reserve(triangles.size());
+  mesh.positions.reserve(3 * triangles.size());
+  mesh.texcoords.reserve(3 * triangles.size());
+  mesh.corners.reserve(3 * triangles.size());
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     mesh.faces.push_back({std::uint32_t(mesh.corners.size()), 3});
     const auto patch = patch_of(i, texels);

@@ -5,8 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "views/texture/unlit_renderer.h"
-
 namespace glassbox::views {
 
 namespace {
@@ -39,19 +37,26 @@ TexturedSurface::TexturedSurface(std::shared_ptr<const Surface> surface, Blend b
       pictures_(all_but(surface_->set.pictures.size(), left_out)),
       blend_(blend, directions_of(surface_->set, pictures_, surface_->middle), neighbours) {}
 
+double TexturedSurface::bytes_for(const Scene& scene, const PictureSet& set) {
+  return bytes_of(scene) + SeenPolygons::bytes_for(scene, set) +
+         2 * double(numbers_of(scene)) * sizeof(PlacedTriangle);
+}
+
 Result<TexturedSurface> TexturedSurface::of(const Scene& scene, const PictureSet& set, Blend blend,
                                             int neighbours) {
   if (numbers_of(scene) == 0)
     return fail("the mesh", "it has no polygons",
                 "give one with faces, as `glassbox views polygons` writes it");
-  auto seen = SeenPolygons::of(scene, set);
+  auto renderer = std::make_unique<UnlitRenderer>(scene);
+  auto seen = SeenPolygons::of(scene, set, *renderer);
   if (!seen) return tl::unexpected(seen.error());
   // By their numbers: those that no triangle has stay without corners, and no pixel shows them.
   std::vector<PlacedTriangle> triangles(seen->polygons());
   for (const PlacedTriangle& placed : placed_triangles(scene)) triangles[placed.number] = placed;
   const WorldBox box = box_of(scene);
-  auto surface = std::make_shared<const Surface>(
-      Surface{scene, set, std::move(*seen), std::move(triangles), (box.low + box.high) / 2});
+  auto surface =
+      std::make_shared<const Surface>(Surface{scene, set, std::move(renderer), std::move(*seen),
+                                              std::move(triangles), (box.low + box.high) / 2});
   return TexturedSurface(std::move(surface), blend, neighbours, {});
 }
 
@@ -96,7 +101,7 @@ std::optional<Vector3d> TexturedSurface::From::color_of(const PlacedTriangle& po
 
 Result<TexturedPicture> TexturedSurface::draw(const PinholeCamera& camera, int width, int height,
                                               Rgba8 background) const {
-  auto buffers = UnlitRenderer(surface_->scene).draw(camera, width, height, background);
+  auto buffers = surface_->renderer->draw(camera, width, height, background);
   if (!buffers) return tl::unexpected(buffers.error());
   TexturedPicture picture{std::move(buffers->color), std::move(buffers->id)};
   const Vector3d out = camera.centre - middle();

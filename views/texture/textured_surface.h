@@ -24,6 +24,9 @@ struct TexturedPicture {
 
 class TexturedSurface {
 public:
+  // What it takes with the scene: beside what each picture sees the triangles, and those as they are placed.
+  static double bytes_for(const Scene& scene, const PictureSet& set);
+
   // The scene and the pictures must outlive it. A scene without polygons is refused.
   static Result<TexturedSurface> of(const Scene& scene, const PictureSet& set, Blend blend,
                                     int neighbours = 4);
@@ -38,7 +41,8 @@ public:
   const Vector3d& middle() const { return surface_->middle; }
   const std::vector<PlacedTriangle>& triangles() const { return surface_->triangles; }
 
-  // At a picture's own camera it is that picture, byte for byte, in all pixels of the object that show a polygon.
+  // At a picture's own camera it is that picture, byte for byte, in all pixels of the object that show a polygon. One thread at a time draws,
+  // of all surfaces that were made of this one.
   Result<TexturedPicture> draw(const PinholeCamera& camera, int width, int height,
                                Rgba8 background) const;
 
@@ -64,6 +68,7 @@ private:
   struct Surface {
     const Scene& scene;
     const PictureSet& set;
+    std::unique_ptr<UnlitRenderer> renderer;  // which has prepared the scene for all pictures of it
     SeenPolygons seen;
     std::vector<PlacedTriangle> triangles;
     Vector3d middle;

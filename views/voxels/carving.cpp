@@ -176,8 +176,11 @@ void color_boundary(std::vector<PackedPicture>& pictures, const ColoringRequest&
 }  // namespace
 
 double carving_bytes(const VoxelGrid& grid, double surface) {
-  // A bit for each voxel, a run or more for each row of them, and what the surface takes.
-  return double(grid.voxels()) / 8 + double(grid.count[1]) * grid.count[2] * sizeof(VoxelRun) +
+  // A bit for each voxel, a run or more for each row of them, the places of a layer that hide what is behind, and what the surface takes.
+  const auto [nx, ny, nz] = grid.count;
+  const double layer = std::max({double(nx) * ny, double(ny) * nz, double(nz) * nx});
+  return double(grid.voxels()) / 8 + double(ny) * nz * sizeof(VoxelRun) +
+         layer * double(sizeof(std::size_t) * 2) +
          surface * double(sizeof(VoxelAt) + sizeof(SurfaceSum));
 }
 

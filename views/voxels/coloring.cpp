@@ -57,20 +57,19 @@ double layer_voxels(const VoxelGrid& grid) {
 }
 
 // A pixel as it was read has its colour and its matte; as it is swept a word, and where they are asked for a deviation and RGB; smaller
-// pictures of coarser levels have a third of that.
+// pictures of coarser levels have a third of that. One picture after the other has the depths that a carved surface is found with.
 double picture_bytes(const PictureSet& set, const ColoringRequest& request, Order order) {
-  double pixels = 0, read = 0;
+  double tiles = 0, largest = 0;
   for (const CalibratedPicture& picture : set.pictures) {
-    pixels += double(picture.color.pixels.size());
-    read += double(sizeof(Rgba8) * picture.color.pixels.size() + picture.matte.pixels.size());
+    tiles += PixelTiles::bytes_for(picture.color.width, picture.color.height);
+    largest = std::max(largest, double(picture.color.pixels.size()));
   }
   double of_pixel = sizeof(std::uint32_t);
   if (wants_spread(request.settings)) of_pixel += sizeof(std::uint32_t);
   if (request.settings.space != ColorSpace::kRgb) of_pixel += sizeof(Rgba8);
   if (request.levels > 0) of_pixel *= 4.0 / 3;
-  if (order == Order::kCarve)
-    of_pixel += sizeof(float);  // the depths that its surface is found with
-  return read + of_pixel * pixels;
+  return bytes_of(set) + of_pixel * pixels_of(set) + tiles +
+         (order == Order::kCarve ? largest * double(sizeof(float)) : 0);
 }
 
 double bytes_needed(const PictureSet& set, const ColoringRequest& request,
@@ -111,7 +110,7 @@ Result<void> check_request(const PictureSet& set, const ColoringRequest& request
   const double bytes = double(plan.bytes);
   if (bytes <= double(request.most_bytes)) return {};
   return fail(
-      "--voxel",
+      request.size_option,
       fmt::format("{} x {} x {} voxels and {} pictures would take {:.0f} MB, and {} MB are "
                   "allowed",
                   plan.grid.count[0], plan.grid.count[1], plan.grid.count[2], set.pictures.size(),
@@ -227,8 +226,11 @@ std::string_view name_of(Alone alone) {
 Result<ColoringPlan> plan_coloring(const PictureSet& set, const ColoringRequest& request) {
   if (set.pictures.empty()) return fail("the pictures", "there are none", "give some");
   Visit visit = visit_of(set, request);
-  const auto grid = grid_of(request.box, request.voxel_size, visit.axes);
-  if (!grid) return tl::unexpected(grid.error());
+  auto grid = grid_of(request.box, request.voxel_size, visit.axes);
+  if (!grid) {
+    if (grid.error().place == kVoxelOption) grid.error().place = request.size_option;
+    return tl::unexpected(std::move(grid.error()));
+  }
   visit.plan.grid = *grid;
   visit.plan.bytes = std::uint64_t(bytes_needed(set, request, visit.plan));
   if (const auto legal = check_request(set, request, visit.plan); !legal)

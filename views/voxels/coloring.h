@@ -30,6 +30,7 @@ std::string_view name_of(Order order);
 struct ColoringRequest {
   WorldBox box;
   double voxel_size = 1;
+  std::string size_option = kVoxelOption;  // what asks for that size, which refusals of it name
   Order order = Order::kAuto;
   // Of kSweep: the axis, 0 .. 2, and 1 or -1; absent: as classify() says, along the z axis of the surrounded.
   std::optional<std::array<int, 2>> direction;
@@ -67,7 +68,7 @@ struct Coloring : ColoringPlan {
 
 // Refused: what grid_of refuses, fewer than one picture, cameras whose numbers leave the range of floats, a direction or coarser levels
 // where voxels are carved, and what would take more than `most_bytes`, computed before anything of it is taken. Counted are the pictures
-// as they were read and as they are swept, a layer, and as many coloured voxels as the box has at its six sides; how many there will
+// as they were read and as they are swept with their tiles, a layer, and as many coloured voxels as the box has at its six sides; how many there will
 // be, nobody knows before.
 Result<ColoringPlan> plan_coloring(const PictureSet& set, const ColoringRequest& request);
 

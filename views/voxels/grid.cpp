@@ -8,7 +8,7 @@ namespace glassbox::views {
 
 Result<VoxelGrid> grid_of(const WorldBox& box, double size, const Matrix3d& axes) {
   if (!(size > 0) || !std::isfinite(size))
-    return fail("--voxel", "a voxel's edge must be positive", "give one in world units");
+    return fail(kVoxelOption, "a voxel's edge must be positive", "give one in world units");
   if (!((box.high - box.low).minCoeff() > 0) || !box.low.allFinite() || !box.high.allFinite()) {
     return fail("--box", "the box is empty", "give its corners of least and greatest coordinates");
   }
@@ -27,7 +27,7 @@ Result<VoxelGrid> grid_of(const WorldBox& box, double size, const Matrix3d& axes
     constexpr double kRounding = 1e-9;
     const double along = std::ceil((high[axis] - low[axis]) / size - kRounding);
     if (!(along <= kMostVoxelsAlong)) {
-      return fail("--voxel",
+      return fail(kVoxelOption,
                   fmt::format("the box would have {:.4g} voxels along an axis, and {} is the most",
                               along, kMostVoxelsAlong),
                   "take larger voxels or a smaller box");

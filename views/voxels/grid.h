@@ -46,9 +46,10 @@ struct VoxelGrid {
 };
 
 inline constexpr int kMostVoxelsAlong = 4096;
+inline constexpr const char* kVoxelOption = "--voxel";
 
-// Of voxels of this size that cover the box, along the axes given. Refused: sizes that are not positive, and more than
-// kMostVoxelsAlong voxels along an axis.
+// Of voxels of this size that cover the box, along the axes given. Refused, in the name of kVoxelOption: sizes that are not positive, and
+// more than kMostVoxelsAlong voxels along an axis.
 Result<VoxelGrid> grid_of(const WorldBox& box, double size, const Matrix3d& axes);
 
 // The edge at which a grid along the world's axes has this many voxels along the box's longest side.

@@ -54,7 +54,7 @@ struct ColoredVoxel {
 enum class Occluders { kColored, kNotCarved };
 
 // Of the likelihood ratio: the chi-squared quantile of K pixels by its degrees of freedom, for K = 0 .. kExactRatios; of other tests
-// nothing. Some milliseconds, so that a request makes it once for all of its sweeps.
+// nothing. A request makes it once for all of its sweeps.
 inline constexpr std::size_t kExactRatios = 256;
 std::vector<double> likelihood_ratios(const ColoringSettings& settings);
 

@@ -56,6 +56,11 @@ PixelTiles::PixelTiles(const PackedPicture& picture)
   }
 }
 
+double PixelTiles::bytes_for(int width, int height) {
+  const double across = std::ceil(double(width) / kTile), down = std::ceil(double(height) / kTile);
+  return down * (across + 2 * 8 * std::ceil(across / 64));
+}
+
 void PixelTiles::hide(int column, int row) {
   const int x = column >> kTileShift, y = row >> kTileShift;
   if (--left_[std::size_t(y) * std::size_t(width_) + std::size_t(x)] != 0) return;

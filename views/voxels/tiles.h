@@ -21,6 +21,9 @@ class PixelTiles {
 public:
   explicit PixelTiles(const PackedPicture& picture);
 
+  // What those of such a picture take.
+  static double bytes_for(int width, int height);
+
   // A pixel is hidden that was not, and is no background.
   void hide(int column, int row);
   // Every voxel that falls into the rectangle is background here, or is seen by nobody here and is no background.

@@ -172,10 +172,10 @@ private:
 
 }  // namespace
 
-double TrueVolume::bytes_while_made(const VoxelGrid& grid) {
+double TrueVolume::bytes_for(const VoxelGrid& grid) {
   // Most lines are cut twice.
-  return double(grid.count[0]) * grid.count[1] *
-         (sizeof(std::vector<Crossing>) + 2 * sizeof(Crossing));
+  return double(grid.voxels()) / 8 + double(grid.count[0]) * grid.count[1] *
+                                         (sizeof(std::vector<Crossing>) + 2 * sizeof(Crossing));
 }
 
 TrueVolume::TrueVolume(const Scene& scene, const VoxelGrid& grid)
@@ -222,6 +222,12 @@ SeenSurface seen_surface(const PictureSet& set, const std::vector<Image<float>>&
                          const VoxelGrid& grid) {
   SeenSurface surface;
   const double diagonal = grid.size * std::sqrt(3.0);
+  std::size_t shown = 0;
+  for (const Image<float>& image : distances)
+    shown +=
+        std::size_t(std::ranges::count_if(image.pixels, [](float d) { return std::isfinite(d); }));
+  surface.once.reserve(shown);
+  surface.twice.reserve(shown);
   for (std::size_t p = 0; p < set.pictures.size(); ++p) {
     const PinholeCamera& camera = set.pictures[p].camera;
     for (int y = 0; y < distances[p].height; ++y) {
@@ -270,9 +276,19 @@ Result<std::vector<Image<float>>> true_distances(const Scene& scene, const Pictu
   return distances;
 }
 
+double surface_error_bytes(const PictureSet& set, double voxels) {
+  // A distance for each pixel; the points that are seen once and twice, and the voxels' centres, of one of which at a time three numbers for
+  // each say in which cell it is (Places).
+  constexpr double kPoint = sizeof(Vector3d), kPlace = 3 * sizeof(std::uint32_t);
+  const double points = object_pixels_of(set);
+  return pixels_of(set) * sizeof(float) + 2 * points * kPoint + voxels * kPoint +
+         std::max(points, voxels) * kPlace;
+}
+
 SurfaceErrors surface_errors(const std::vector<ColoredVoxel>& voxels, const SeenSurface& surface) {
   SurfaceErrors errors;
   std::vector<Vector3d> centres;
+  centres.reserve(voxels.size());
   for (const ColoredVoxel& voxel : voxels)
     centres.emplace_back(voxel.at.x + 0.5, voxel.at.y + 0.5, voxel.at.z + 0.5);
   const auto measure = [](const std::vector<Vector3d>& from, const std::vector<Vector3d>& to,

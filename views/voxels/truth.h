@@ -22,8 +22,8 @@ public:
   }
   std::int64_t voxels() const { return voxels_; }
 
-  // What making one takes beside its bits: a list of crossings for each line of voxels.
-  static double bytes_while_made(const VoxelGrid& grid);
+  // Its bits, and while it is made a list of crossings for each line of voxels.
+  static double bytes_for(const VoxelGrid& grid);
 
 private:
   std::array<int, 3> count_;
@@ -72,6 +72,8 @@ struct SurfaceErrors {
   double to_truth_mean = 0, to_truth_most = 0, from_truth_mean = 0, from_truth_most = 0;
   double hausdorff() const { return std::max(to_truth_most, from_truth_most); }
 };
+// What true_distances, seen_surface and surface_errors take together with so many coloured voxels.
+double surface_error_bytes(const PictureSet& set, double voxels);
 // Infinite where there is nothing to measure to.
 SurfaceErrors surface_errors(const std::vector<ColoredVoxel>& voxels, const SeenSurface& surface);
 

@@ -8,6 +8,7 @@
 
 #include <glassbox/base/random.h>
 #include <glassbox/mesh/builtin/scenes.h>
+#include <glassbox/mesh/triangulate.h>
 #include <glassbox/pipeline/framing.h>
 #include <glassbox/pipeline/look_at.h>
 #include <glassbox/render/renderer.h>
@@ -381,7 +382,14 @@ TEST_CASE("normals are those of the triangles that samples are of, by their numb
   for (const Layer& layer : layers) builder.add_layer(view, layer, normals);
   const LayeredImage image = builder.pack();
   REQUIRE(check(image, "room"));
-  std::size_t known = 0, facing = 0;
+  std::vector<bool> has_two_sides{false};  // by numbers from 1
+  for (const Instance& instance : scene.instances) {
+    const Mesh& mesh = scene.meshes[instance.mesh];
+    for (const Face& face : mesh.faces)
+      has_two_sides.insert(has_two_sides.end(), numbers_of(face),
+                           scene.materials[mesh.material].double_sided);
+  }
+  std::size_t known = 0, backs = 0;
   const Eigen::Vector3d eye = eye_of(image.camera).hnormalized();
   const Eigen::Matrix4d world_from_screen = image.camera.screen_from_world.inverse();
   for (int y = 0; y < 32; ++y) {
@@ -394,12 +402,16 @@ TEST_CASE("normals are those of the triangles that samples are of, by their numb
         const Eigen::Vector4d at(x + 0.5, y + 0.5, double(image.depth[i]), 1);
         const Eigen::Vector3d to_eye = eye - (world_from_screen * at).hnormalized();
         const SampleNormal& n = image.normal[i];
-        facing += to_eye.dot(Eigen::Vector3d(n.x, n.y, n.z)) > 0;
+        // A normal is 127 long and each of its numbers off by a half at most; backs are seen of what has two sides alone.
+        const double towards = to_eye.normalized().dot(Eigen::Vector3d(n.x, n.y, n.z));
+        const bool is_back = towards < -0.5 * std::sqrt(3.0);
+        REQUIRE((!is_back || has_two_sides[image.triangle[i]]));
+        backs += is_back;
       }
     }
   }
   CHECK(known == image.samples());
-  CHECK(double(facing) > 0.9 * double(known));  // all but those of two-sided leaves
+  CHECK(backs < known / 2);
   // The nearest and the farthest keep theirs.
   const LayeredImage ends = ends_of(image);
   REQUIRE(check(ends, "ends"));

@@ -56,6 +56,14 @@ TEST_CASE(
       for (int y = 0; y < 61; ++y) std::fill_n(&behind.at((7 * y) % 56, y), 27, kEmptyDepth);
       Rendering expected;
       staged.render(view, settings, expected, &behind);
+      // A pixel has one sample then, whatever is asked for.
+      RenderSettings sampled = settings;
+      sampled.samples = 4;
+      for (const EngineKind kind : {EngineKind::kStaged, EngineKind::kTile}) {
+        Rendering same;
+        Renderer(scene, settings.transfer, kind).render(view, sampled, same, &behind);
+        CHECK(are_same(same.buffers, expected.buffers));
+      }
       int drawn = 0;
       for (std::size_t i = 0; i < behind.pixels.size(); ++i) {
         const std::uint32_t code = expected.buffers.depth.pixels[i];

@@ -196,6 +196,39 @@ TEST_CASE(
   CHECK(smooth.positions != mesh.positions);
 }
 
+TEST_CASE("polygons and layered images that take more memory than is allowed are refused") {
+  Random random(29);
+  const VoxelGrid grid = grid_of({{0, 0, 0}, {12, 12, 12}}, 1, Matrix3d::Identity()).value();
+  const PictureSet set = empty_ring(grid, 4, 120);
+  const Occupancy solid = random_solid(grid, random);
+  const LiveSurface surface(set, solid, 1);
+  CHECK(std::size_t(LiveSurface::count_polygons(solid)) == surface.polygons().size());
+  // A list for each pixel, eight bytes for each sample at least, and no more than three times that and what an allocator adds.
+  const double pixels = 4 * 120 * 120;
+  double samples = 0;
+  std::int64_t covered = 0;
+  for (const IdLayers& layers : surface.layers()) {
+    samples += double(layers.sample_count());
+    for (int i = 0; i < 120 * 120; ++i) covered += layers.front({i % 120, i / 120}) != nullptr;
+  }
+  REQUIRE(covered > 1000);
+  CHECK(surface.layer_bytes() >= 24 * pixels + 8 * samples);
+  CHECK(surface.layer_bytes() <= 24 * pixels + 24 * samples + 32 * double(covered));
+
+  PolygonColoringSettings settings;
+  settings.carves = false;
+  const double polygons = polygon_bytes(grid, double(surface.polygons().size()));
+  const auto message = [&](double most_bytes) {
+    settings.most_bytes = most_bytes;
+    const auto coloring = color_polygons(set, solid, settings);
+    return coloring ? std::string() : coloring.error().message();
+  };
+  CHECK(message(polygons + surface.layer_bytes()).empty());
+  CHECK(message(polygons + surface.layer_bytes() - 1)
+            .find("polygons and the layered images of them take more memory") != std::string::npos);
+  CHECK(message(polygons - 1).find("polygons take more memory") != std::string::npos);
+}
+
 TEST_CASE("polygons have the colours that pictures show, and voxels that are too many are carved") {
   const Scene scene = test::speckled_sphere(5, 8);
   RingOptions options;
