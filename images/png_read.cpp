@@ -179,4 +179,13 @@ Result<StoredImage> decode_png_stored(std::span<const std::byte> bytes,
   return image;
 }
 
+Result<StoredHeader> stored_header_of_png(std::span<const std::byte> bytes,
+                                          const DecodeLimits& limits) {
+  Reader reader(bytes);
+  Rows rows;
+  const auto header = start(reader, Form::kStored, rows, limits);
+  if (!header) return tl::unexpected<Error>(header.error());
+  return StoredHeader{int(header->width), int(header->height), rows.channels};
+}
+
 }  // namespace glassbox

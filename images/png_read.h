@@ -12,5 +12,7 @@ namespace glassbox {
 bool is_png(std::span<const std::byte> bytes);
 Result<Image<Rgba8>> decode_png(std::span<const std::byte> bytes, const DecodeLimits& limits);
 Result<StoredImage> decode_png_stored(std::span<const std::byte> bytes, const DecodeLimits& limits);
+Result<StoredHeader> stored_header_of_png(std::span<const std::byte> bytes,
+                                          const DecodeLimits& limits);
 
 }  // namespace glassbox

@@ -309,4 +309,15 @@ Result<StoredImage> decode_pfm_stored(Bytes bytes, const DecodeLimits& limits) {
   return image;
 }
 
+Result<StoredHeader> stored_header_of_pnm(Bytes bytes, const DecodeLimits& limits) {
+  return open_pnm(bytes, limits).map([](const PnmFile& file) {
+    return StoredHeader{file.width, file.height, file.channels};
+  });
+}
+Result<StoredHeader> stored_header_of_pfm(Bytes bytes, const DecodeLimits& limits) {
+  return open_pfm(bytes, limits).map([](const PfmFile& file) {
+    return StoredHeader{file.width, file.height, file.channels};
+  });
+}
+
 }  // namespace glassbox

@@ -15,4 +15,9 @@ bool is_pfm(std::span<const std::byte> bytes);  // starts with Pf or PF
 Result<StoredImage> decode_pnm_stored(std::span<const std::byte> bytes, const DecodeLimits& limits);
 Result<StoredImage> decode_pfm_stored(std::span<const std::byte> bytes, const DecodeLimits& limits);
 
+Result<StoredHeader> stored_header_of_pnm(std::span<const std::byte> bytes,
+                                          const DecodeLimits& limits);
+Result<StoredHeader> stored_header_of_pfm(std::span<const std::byte> bytes,
+                                          const DecodeLimits& limits);
+
 }  // namespace glassbox

@@ -135,4 +135,12 @@ Result<StoredImage> decode_stored_with_stb(Bytes bytes, const DecodeLimits& limi
   return image;
 }
 
+Result<StoredHeader> stored_header_with_stb(Bytes bytes, const DecodeLimits& limits) {
+  const auto kind = kind_of(bytes);
+  if (!kind) return not_valid("");
+  return check(*kind, bytes, limits).map([](const Pixels& pixels) {
+    return StoredHeader{pixels.width, pixels.height, pixels.channels};
+  });
+}
+
 }  // namespace glassbox

@@ -16,6 +16,8 @@ bool is_stb_format(std::span<const std::byte> bytes);
 Result<Image<Rgba8>> decode_with_stb(std::span<const std::byte> bytes, const DecodeLimits& limits);
 Result<StoredImage> decode_stored_with_stb(std::span<const std::byte> bytes,
                                            const DecodeLimits& limits);
+Result<StoredHeader> stored_header_with_stb(std::span<const std::byte> bytes,
+                                            const DecodeLimits& limits);
 
 // Nothing where stb could not read the file.
 std::optional<ImageSize> find_size_with_stb(std::span<const std::byte> bytes);

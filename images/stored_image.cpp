@@ -12,13 +12,29 @@
 namespace glassbox {
 namespace {
 
+tl::unexpected<Error> is_empty() {
+  return fail("", "the image is empty", "save the image again");
+}
+tl::unexpected<Error> is_none() {
+  return fail("", "not a PNG, JPEG, BMP, TGA, PPM, PGM or PFM image", "convert it to PNG");
+}
+
 Result<StoredImage> decode_any(std::span<const std::byte> bytes, const DecodeLimits& limits) {
-  if (bytes.empty()) return fail("", "the image is empty", "save the image again");
+  if (bytes.empty()) return is_empty();
   if (is_png(bytes)) return decode_png_stored(bytes, limits);
   if (is_pnm(bytes)) return decode_pnm_stored(bytes, limits);
   if (is_pfm(bytes)) return decode_pfm_stored(bytes, limits);
   if (is_stb_format(bytes)) return decode_stored_with_stb(bytes, limits);
-  return fail("", "not a PNG, JPEG, BMP, TGA, PPM, PGM or PFM image", "convert it to PNG");
+  return is_none();
+}
+
+Result<StoredHeader> header_of_any(std::span<const std::byte> bytes, const DecodeLimits& limits) {
+  if (bytes.empty()) return is_empty();
+  if (is_png(bytes)) return stored_header_of_png(bytes, limits);
+  if (is_pnm(bytes)) return stored_header_of_pnm(bytes, limits);
+  if (is_pfm(bytes)) return stored_header_of_pfm(bytes, limits);
+  if (is_stb_format(bytes)) return stored_header_with_stb(bytes, limits);
+  return is_none();
 }
 
 template <class Pixel>
@@ -54,6 +70,10 @@ std::string channel_names(const StoredImage& image) {
 
 Result<StoredImage> decode_stored(std::span<const std::byte> bytes, const DecodeLimits& limits) {
   return unless_out_of_memory([&] { return decode_any(bytes, limits); });
+}
+
+Result<StoredHeader> stored_header(std::span<const std::byte> bytes, const DecodeLimits& limits) {
+  return unless_out_of_memory([&] { return header_of_any(bytes, limits); });
 }
 
 StoredImage as_stored(const Image<Rgba8>& image) {

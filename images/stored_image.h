@@ -30,6 +30,12 @@ std::string format_name(const StoredImage& image);
 // "grey", "grey and alpha", "RGB", "RGBA".
 std::string channel_names(const StoredImage& image);
 
+// What a file's header says of it.
+struct StoredHeader {
+  int width = 0, height = 0;  // px
+  int channels = 0;           // as of a StoredImage
+};
+
 // 2^28 pixels: 16384 x 16384.
 inline constexpr DecodeLimits kCompareLimits{.max_pixels = std::uint64_t(1) << 28};
 
@@ -40,6 +46,10 @@ Result<StoredImage> decode_stored(std::span<const std::byte> bytes,
                                   const DecodeLimits& limits = kCompareLimits);
 Result<StoredImage> read_stored(const std::string& path,
                                 const DecodeLimits& limits = kCompareLimits);
+
+// The same errors, but for those that only decoding finds; nothing is decoded.
+Result<StoredHeader> stored_header(std::span<const std::byte> bytes,
+                                   const DecodeLimits& limits = kCompareLimits);
 
 // The image as encode_png and encode_pfm store it: RGB where every alpha is 255, else RGBA.
 StoredImage as_stored(const Image<Rgba8>& image);

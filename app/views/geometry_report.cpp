@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <set>
 
 #include <fmt/format.h>
@@ -10,6 +9,9 @@
 #include "views/two_view/constraint.h"
 #include "views/two_view/pose.h"
 #include "views/two_view/residual.h"
+#include "views/two_view/rotation.h"
+
+#include <glassbox/base/trig.h>
 
 namespace glassbox::app {
 
@@ -94,15 +96,12 @@ void add_geometry(GeometryReport& report) {
   report.candidates = candidates_of(report);
 }
 
-double degrees(double radians) {
-  return radians * 180 / std::numbers::pi;
-}
-
 PoseErrors errors_of(const views::RelativePose& found, const views::RelativePose& truth) {
-  PoseErrors errors{degrees(views::rotation_error(found.rotation, truth.rotation)), {}};
+  PoseErrors errors{degrees_from_radians(views::rotation_error(found.rotation, truth.rotation)),
+                    {}};
   if (truth.translation.norm() > 0) {
     errors.direction_degrees =
-        degrees(views::direction_error(found.translation, truth.translation));
+        degrees_from_radians(views::direction_error(found.translation, truth.translation));
   }
   return errors;
 }

@@ -63,7 +63,23 @@ Json wall_json(const views::Wall& wall) {
   return json;
 }
 
+std::string rule_names() {
+  std::string names;
+  for (int rule = 0; rule < views::kGlyphRules; ++rule)
+    names += (rule == 0 ? "" : ", ") + std::string(views::name_of(views::GlyphRule(rule)));
+  return names;
+}
+
 }  // namespace
+
+void ViewsGlyphsCommand::leave_out(const std::string& name) {
+  for (int rule = 0; rule < views::kGlyphRules; ++rule) {
+    if (name != views::name_of(views::GlyphRule(rule))) continue;
+    settings_.asks[std::size_t(rule)] = false;
+    return;
+  }
+  throw CLI::ValidationError("--without", "needs one of " + rule_names() + ", not '" + name + "'");
+}
 
 void ViewsGlyphsCommand::add_layout(CLI::App& command) {
   const std::string group = "The wall";
@@ -105,23 +121,9 @@ void ViewsGlyphsCommand::add_rules(CLI::App& command) {
       .add_option_function<std::vector<std::string>>(
           "--without",
           [this](const std::vector<std::string>& names) {
-            for (const std::string& name : names) {
-              bool is_known = false;
-              for (int rule = 0; rule < views::kGlyphRules; ++rule) {
-                if (name != views::name_of(views::GlyphRule(rule))) continue;
-                settings_.asks[std::size_t(rule)] = false;
-                is_known = true;
-              }
-              if (!is_known)
-                throw CLI::ValidationError(
-                    "--without",
-                    "needs whole, size, prototypes, others, areas, centroids, "
-                    "spread, ranks or sheet, not '" +
-                        name + "'");
-            }
+            for (const std::string& name : names) leave_out(name);
           },
-          "rules that are not asked: whole, size, prototypes, others, areas, centroids, spread, "
-          "ranks, sheet")
+          "rules that are not asked: " + rule_names())
       ->delimiter(',')
       ->type_name("RULE[,RULE...]");
   command.add_flag_callback(
@@ -195,26 +197,15 @@ void ViewsGlyphsCommand::add_to(CLI::App& views, int& exit_code) {
       "Examples:\n"
       "  glassbox views glyphs sweep rules\n"
       "  glassbox views glyphs sweep blur\n\n"
-      "size, blur, occlusion, tilt, jpeg, balance, threshold: pictures of the default wall from 2 "
-      "m.\n"
-      "rules: things that each break one rule, with that rule not asked.");
-  sweep
-      .add_option_function<std::string>(
-          "WHAT",
-          [this](const std::string& name) {
-            for (const SweepOf what :
-                 {SweepOf::kSize, SweepOf::kBlur, SweepOf::kOcclusion, SweepOf::kTilt,
-                  SweepOf::kJpeg, SweepOf::kBalance, SweepOf::kThreshold, SweepOf::kRules}) {
-              if (views::name_of(what) == name) what_ = {what};
-            }
-            if (what_.empty())
-              throw CLI::ValidationError(
-                  "WHAT",
-                  "needs size, blur, occlusion, tilt, jpeg, balance, threshold or "
-                  "rules, not '" +
-                      name + "'");
-          },
-          "size, blur, occlusion, tilt, jpeg, balance, threshold or rules")
+      "rules: things that each break one rule, with that rule not asked. All others: pictures of "
+      "the "
+      "default wall\n"
+      "from 2 m; camera: with the noise, the colour filters and the lens of one.");
+  add_choice<SweepOf>(sweep, "WHAT", what_,
+                      choices_of({SweepOf::kSize, SweepOf::kBlur, SweepOf::kOcclusion,
+                                  SweepOf::kTilt, SweepOf::kJpeg, SweepOf::kBalance,
+                                  SweepOf::kCamera, SweepOf::kThreshold, SweepOf::kRules}),
+                      "what gets worse")
       ->required();
   add_rules(sweep);
   add_json_output(sweep, json_output_);
@@ -275,6 +266,9 @@ int ViewsGlyphsCommand::find() {
   progress.phase("reading " + printable(picture_));
   const auto picture = read_image(picture_);
   if (!picture) return refuse(picture.error());
+  if (page_) {
+    if (const auto good = check_glyphs_page(*picture); !good) return refuse(good.error());
+  }
   GlyphsReport report;
   report.picture = picture_;
   report.width = picture->width;
@@ -285,9 +279,7 @@ int ViewsGlyphsCommand::find() {
     report.truth = *truth;
   }
   progress.phase("finding glyphs");
-  std::array<bool, views::kGlyphs> is_on_wall{};
-  for (const views::WallGlyph& glyph : wall->glyphs) is_on_wall[std::size_t(glyph.identity)] = true;
-  report.found = views::find_glyphs(*picture, settings_, is_on_wall);
+  report.found = views::find_glyphs(*picture, settings_, wall->identities());
   report.points = views::points_of(report.found, *wall);
   progress.phase("finding the camera");
   views::PoseQuestion question;
@@ -338,13 +330,12 @@ int ViewsGlyphsCommand::sweep() {
   if (!(settings_.threshold > 0))
     return refuse({{}, "--threshold", "a threshold is positive", "give 0.4"});
   Progress progress;
-  const SweepOf what = what_.front();
-  const auto rows = views::sweep_glyphs(what, settings_,
+  const auto rows = views::sweep_glyphs(what_, settings_,
                                         [&](const std::string& level) { progress.phase(level); });
   progress.done();
-  const bool has_poses = what != SweepOf::kRules;
+  const bool has_poses = what_ != SweepOf::kRules;
   if (json_output_) {
-    Json json{{"sweep", views::name_of(what)}, {"levels", Json::array()}};
+    Json json{{"sweep", views::name_of(what_)}, {"levels", Json::array()}};
     for (const views::SweepRow& row : rows) {
       Json one{{"level", row.level},
                {"visible", row.score.visible},
@@ -362,7 +353,7 @@ int ViewsGlyphsCommand::sweep() {
       return refuse(written.error());
   }
   if (json_output_ == "-") return kSuccess;
-  fmt::print("{:<28}{:>8}{:>7}{:>7}{:>9}{}\n", views::name_of(what), "visible", "right", "wrong",
+  fmt::print("{:<28}{:>8}{:>7}{:>7}{:>9}{}\n", views::name_of(what_), "visible", "right", "wrong",
              "recall", has_poses ? "   degrees        mm" : "");
   for (const views::SweepRow& row : rows) {
     fmt::print("{:<28}{:>8}{:>7}{:>7}{:>7.1f} %", row.level, row.score.visible, row.score.right,

@@ -25,6 +25,8 @@ public:
 private:
   void add_layout(CLI::App& command);
   void add_rules(CLI::App& command);
+  // A rule that is not asked.
+  void leave_out(const std::string& name);
   int sheet();
   int find();
   int sweep();
@@ -36,7 +38,7 @@ private:
   std::optional<std::string> against_, page_, json_output_;
   views::LensKnown known_ = views::LensKnown::kCentre;
   views::FindSettings settings_;
-  std::vector<views::SweepOf> what_;
+  views::SweepOf what_ = views::SweepOf::kSize;
   std::vector<const CLI::Option*> options_;
 };
 

@@ -126,14 +126,18 @@ Json glyphs_json(const GlyphsReport& report, const views::Wall& wall) {
   return json;
 }
 
-Result<std::string> make_glyphs_page(const Image<Rgba8>& picture, const GlyphsReport& report,
-                                     const Json& json, const std::string& command) {
+Result<void> check_glyphs_page(const Image<Rgba8>& picture) {
   constexpr std::size_t kMostPixels = std::size_t(1) << 24;
   if (picture.pixels.size() > kMostPixels)
     return fail(
         "--html",
         fmt::format("a page of {} pixels would be too large for a browser", picture.pixels.size()),
         "give a smaller picture");
+  return {};
+}
+
+Result<std::string> make_glyphs_page(const Image<Rgba8>& picture, const GlyphsReport& report,
+                                     const Json& json, const std::string& command) {
   const auto png = encode_png(picture);
   if (!png) return tl::unexpected(png.error());
   const auto* first = reinterpret_cast<const std::uint8_t*>(png->data());

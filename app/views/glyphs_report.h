@@ -34,6 +34,9 @@ struct GlyphsReport {
 std::string glyphs_text(const GlyphsReport& report);
 nlohmann::ordered_json glyphs_json(const GlyphsReport& report, const views::Wall& wall);
 
+// Refused: more pixels than a browser likes to open.
+Result<void> check_glyphs_page(const Image<Rgba8>& picture);
+
 // The picture with what was found, as one HTML page that needs nothing else.
 Result<std::string> make_glyphs_page(const Image<Rgba8>& picture, const GlyphsReport& report,
                                      const nlohmann::ordered_json& json,

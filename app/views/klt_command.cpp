@@ -89,7 +89,8 @@ void ViewsKltCommand::add_to(CLI::App& views, int& exit_code) {
   add_json_output(command, json_output_);
   command
       .add_option("--max-mb", max_megabytes_,
-                  "refuse bands that take more megabytes [" + std::to_string(max_megabytes_) + "]")
+                  "refuse bands that take more megabytes with their components [" +
+                      std::to_string(max_megabytes_) + "]")
       ->type_name("N")
       ->group("Limits");
   command.callback([this, &exit_code] { exit_code = run(); });
@@ -97,6 +98,10 @@ void ViewsKltCommand::add_to(CLI::App& views, int& exit_code) {
 
 Result<void> ViewsKltCommand::check_outputs() const {
   std::vector<std::string> files;
+  std::error_code ignored;
+  if (output_ && std::filesystem::exists(*output_, ignored) &&
+      !std::filesystem::is_directory(*output_, ignored))
+    return tl::unexpected(Error{*output_, "", "is no folder", "name another one"});
   if (globe_) {
     if (const auto good = check_extension(*globe_, ".glb"); !good) return good;
     files.push_back(*globe_);
@@ -109,24 +114,43 @@ Result<void> ViewsKltCommand::check_outputs() const {
   return app::check_outputs(files);
 }
 
-Result<KltInput> ViewsKltCommand::read() const {
+Result<void> ViewsKltCommand::open() {
   const auto width = cloud_width(bands_.front());
   if (!width) return tl::unexpected(width.error());
+  if (*width == 0) {
+    auto files = views::open_bands(bands_, most_bytes());
+    if (!files) return tl::unexpected(files.error());
+    files_ = std::move(*files);
+  } else if (bands_.size() > 1) {
+    return fail(printable(bands_[1]), "the generated planet has all its bands",
+                "give clouds alone, or files alone");
+  } else {
+    is_planet_ = true;
+    files_ = {*width, *width / 2, views::kCloudBands, {}};
+  }
+  return {};
+}
+
+// What is kept at a time: the bands, their components and what is made of them again, which goes into a file as bytes.
+Result<void> ViewsKltCommand::check_memory(int kept) const {
+  const int planes = 2 * files_.count + kept + (output_ ? files_.count : 0);
+  return views::check_planes(std::uint64_t(files_.width), std::uint64_t(files_.height),
+                             std::uint64_t(planes), most_bytes(),
+                             "the bands, their components and what is made of them again");
+}
+
+Result<KltInput> ViewsKltCommand::read() const {
   KltInput input;
-  if (*width > 0) {
-    if (bands_.size() > 1)
-      return fail(printable(bands_[1]), "the generated planet has all its bands",
-                  "give clouds alone, or files alone");
-    views::CloudScene scene = views::make_clouds(*width);
-    input.source = bands_.front();
+  input.source = bands_.size() == 1 ? bands_.front() : fmt::format("{} files", bands_.size());
+  if (is_planet_) {
+    views::CloudScene scene = views::make_clouds(files_.width);
     input.bands = std::move(scene.bands);
     input.ground = std::move(scene.ground);
     input.opacity = std::move(scene.opacity);
     return input;
   }
-  auto bands = views::read_bands(bands_, std::uint64_t(max_megabytes_) << 20);
+  auto bands = views::decode_bands(files_);
   if (!bands) return tl::unexpected(bands.error());
-  input.source = bands_.size() == 1 ? bands_.front() : fmt::format("{} files", bands_.size());
   input.bands = std::move(*bands);
   return input;
 }
@@ -185,18 +209,22 @@ int ViewsKltCommand::run() {
   if (const auto legal = check_outputs(); !legal) return refuse(legal.error());
   Progress progress;
   progress.phase("reading the bands");
-  const auto input = read();
-  if (!input) return refuse(input.error());
-  if (page_) {
-    if (const auto good = check_klt_page(input->bands); !good) return refuse(good.error());
-  }
-  const int count = input->bands.count(), kept = kept_.value_or(std::min(2, count));
+  if (const auto good = open(); !good) return refuse(good.error());
+  const int count = files_.count, kept = kept_.value_or(std::min(2, count));
   if (kept < 1 || kept > count) {
     return refuse({{},
                    "--components",
                    fmt::format("there are 1 to {} of them", count),
                    "ask for a number of them in that range"});
   }
+  if (const auto good = check_memory(kept); !good) return refuse(good.error());
+  if (page_) {
+    const auto good = check_klt_page(std::uint64_t(files_.width), std::uint64_t(files_.height),
+                                     std::uint64_t(count));
+    if (!good) return refuse(good.error());
+  }
+  const auto input = read();
+  if (!input) return refuse(input.error());
   progress.phase("finding the components");
   const auto report = report_klt(*input, kept);
   if (!report) return refuse(report.error());

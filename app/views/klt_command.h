@@ -8,6 +8,7 @@
 
 #include "app/options/cli_fwd.h"
 #include "app/views/klt_report.h"
+#include "views/klt/band_files.h"
 
 namespace glassbox::app {
 
@@ -18,11 +19,18 @@ public:
 private:
   int run();
   Result<void> check_outputs() const;
+  // The sizes of the bands, into files_.
+  Result<void> open();
+  Result<void> check_memory(int kept) const;
   Result<KltInput> read() const;
   Result<void> write_outputs(const KltInput& input, const KltReport& report) const;
   Result<void> write_folder(const KltInput& input, const KltReport& report) const;
 
+  std::uint64_t most_bytes() const { return std::uint64_t(max_megabytes_) << 20; }
+
   std::vector<std::string> bands_;
+  views::BandFiles files_;  // of the generated planet without files
+  bool is_planet_ = false;
   std::optional<int> kept_;
   std::uint32_t max_megabytes_ = 2048;
   std::optional<std::string> output_, globe_, json_output_, page_;

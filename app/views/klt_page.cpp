@@ -35,24 +35,24 @@ Packed packed(const std::vector<double>& samples) {
   return result;
 }
 
-// Adds the planes as blocks "NAME0" ..., and their ranges.
-Result<Json> add_planes(const std::string& name, const views::Bands& planes, std::string& blocks) {
-  Json ranges = Json::array();
+// Adds the planes as blocks "NAME0" ..., behind those whose ranges are there, and their ranges.
+Result<void> add_planes(const std::string& name, const views::Bands& planes, Json& ranges,
+                        std::string& blocks) {
   for (int i = 0; i < planes.count(); ++i) {
     const Packed plane = packed(planes.bands[std::size_t(i)].samples);
     const auto text = packed_text(plane.bytes);
     if (!text) return tl::unexpected(text.error());
-    blocks += data_block(fmt::format("{}{}", name, i), *text);
+    blocks += data_block(fmt::format("{}{}", name, ranges.size()), *text);
     ranges.push_back({plane.low, plane.high});
   }
-  return ranges;
+  return {};
 }
 
 }  // namespace
 
-Result<void> check_klt_page(const views::Bands& bands) {
-  constexpr std::size_t kMostSamples = std::size_t(1) << 23;
-  const std::size_t samples = 2 * bands.pixels() * std::size_t(bands.count());
+Result<void> check_klt_page(std::uint64_t width, std::uint64_t height, std::uint64_t bands) {
+  constexpr std::uint64_t kMostSamples = std::uint64_t(1) << 23;
+  const std::uint64_t samples = 2 * width * height * bands;
   if (samples > kMostSamples) {
     return fail("--html",
                 fmt::format("a page of {} samples would be too large for a browser", samples),
@@ -68,13 +68,16 @@ Result<std::string> make_klt_page(const KltInput& input, const KltReport& report
   manifest["program"] = origin.program;
   manifest["command"] = origin.command;
   std::string blocks;
-  const auto bands = add_planes("band", input.bands, blocks);
-  if (!bands) return tl::unexpected(bands.error());
-  const auto components = add_planes(
-      "component", views::components_of(input.bands, report.klt, input.bands.count()), blocks);
-  if (!components) return tl::unexpected(components.error());
-  manifest["band_ranges"] = *bands;
-  manifest["component_ranges"] = *components;
+  Json& bands = manifest["band_ranges"] = Json::array();
+  if (const auto added = add_planes("band", input.bands, bands, blocks); !added)
+    return tl::unexpected(added.error());
+  Json& components = manifest["component_ranges"] = Json::array();
+  const views::Bands dropped =
+      views::components_of(input.bands, report.klt, input.bands.count(), report.kept);
+  for (const views::Bands* planes : {&report.components, &dropped}) {
+    if (const auto added = add_planes("component", *planes, components, blocks); !added)
+      return tl::unexpected(added.error());
+  }
   return assemble_page(kViewsKltPage, "glassbox views klt",
                        json_block("manifest", manifest) + blocks);
 }

@@ -1,6 +1,7 @@
 // Bands and their components as one HTML page that needs nothing else: put together again from as many components as one likes.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include <nlohmann/json_fwd.hpp>
@@ -17,7 +18,7 @@ struct KltPageOrigin {
 };
 
 // Refused: more samples than a browser likes to open.
-Result<void> check_klt_page(const views::Bands& bands);
+Result<void> check_klt_page(std::uint64_t width, std::uint64_t height, std::uint64_t bands);
 
 // `json` is klt_json's.
 Result<std::string> make_klt_page(const KltInput& input, const KltReport& report,

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -69,10 +70,20 @@ Json measure_json(const Measure& measure) {
           {"more_is_better", measure.more_is_better}};
 }
 
+// Why a file cannot be read.
+struct Unread {
+  std::string cause;
+};
+
+const Json& field(const Json& json, const char* name) {
+  if (const auto found = json.find(name); found != json.end()) return *found;
+  throw Unread{std::string("has no '") + name + "', and so is an older version's, or damaged"};
+}
+
 Measure measure_of(const Json& json) {
-  return {json.at("name"),          json.at("error"),     json.at("error_unit"),
-          json.at("axis"),          json.at("axis_unit"), json.at("logarithmic_axis"),
-          json.at("more_is_better")};
+  return {field(json, "name"),          field(json, "error"),     field(json, "error_unit"),
+          field(json, "axis"),          field(json, "axis_unit"), field(json, "logarithmic_axis"),
+          field(json, "more_is_better")};
 }
 
 double number_of(const Json& json) {
@@ -81,77 +92,77 @@ double number_of(const Json& json) {
   if (name == "infinity") return kInfinity;
   if (name == "-infinity") return -kInfinity;
   if (name == "nan") return std::numeric_limits<double>::quiet_NaN();
-  throw Json::other_error::create(501, "'" + name + "' is no number", &json);
+  throw Unread{"is damaged: '" + name + "' is no number"};
 }
 
 Timing timing_of(const Json& json) {
-  const Json& quartiles = json.at("ns_quartiles");
-  const Json& octiles = json.at("ns_octiles");
-  return {json.at("threads"),
-          json.at("repetitions"),
-          {number_of(quartiles.at(0)), number_of(json.at("ns")), number_of(quartiles.at(1)),
+  const Json& quartiles = field(json, "ns_quartiles");
+  const Json& octiles = field(json, "ns_octiles");
+  return {field(json, "threads"),
+          field(json, "repetitions"),
+          {number_of(quartiles.at(0)), number_of(field(json, "ns")), number_of(quartiles.at(1)),
            number_of(octiles.at(0)), number_of(octiles.at(1))},
-          json.at("disturbed")};
+          field(json, "disturbed")};
 }
 
 ConfigurationResult configuration_of(const Json& json) {
   ConfigurationResult result;
-  result.series = json.at("series");
-  result.parameter = number_of(json.at("parameter"));
-  result.scene = json.at("scene");
-  result.measure = json.at("measure");
-  result.error = number_of(json.at("error"));
-  if (!json.at("predicted_error").is_null())
+  result.series = field(json, "series");
+  result.parameter = number_of(field(json, "parameter"));
+  result.scene = field(json, "scene");
+  result.measure = field(json, "measure");
+  result.error = number_of(field(json, "error"));
+  if (!field(json, "predicted_error").is_null())
     result.predicted_error = number_of(json["predicted_error"]);
-  if (const Json& range = json.at("explains"); !range.is_null()) {
-    result.explanation = {json.at("explanation"), range.at(0), range.at(1)};
+  if (const Json& range = field(json, "explains"); !range.is_null()) {
+    result.explanation = {field(json, "explanation"), range.at(0), range.at(1)};
   }
-  for (const Json& each : json.at("times")) result.timings.push_back(timing_of(each));
+  for (const Json& each : field(json, "times")) result.timings.push_back(timing_of(each));
   return result;
 }
 
 ExperimentResult experiment_of(const Json& json) {
   ExperimentResult result;
-  result.id = json.at("id");
-  result.name = json.at("name");
-  result.question = json.at("question");
-  result.axis = json.at("axis");
-  result.axis_unit = json.at("axis_unit");
-  result.logarithmic_axis = json.at("logarithmic_axis");
-  result.axis_is_chosen = json.at("axis_is_chosen");
-  result.error = json.at("error");
-  result.error_unit = json.at("error_unit");
-  result.reference = json.at("reference");
-  result.theory = json.at("theory");
-  result.item = json.at("item");
-  result.machine = {number_of(json.at("load")), number_of(json.at("mhz"))};
-  for (const Json& each : json.at("measures")) result.measures.push_back(measure_of(each));
-  for (const Json& each : json.at("configurations"))
+  result.id = field(json, "id");
+  result.name = field(json, "name");
+  result.question = field(json, "question");
+  result.axis = field(json, "axis");
+  result.axis_unit = field(json, "axis_unit");
+  result.logarithmic_axis = field(json, "logarithmic_axis");
+  result.axis_is_chosen = field(json, "axis_is_chosen");
+  result.error = field(json, "error");
+  result.error_unit = field(json, "error_unit");
+  result.reference = field(json, "reference");
+  result.theory = field(json, "theory");
+  result.item = field(json, "item");
+  result.machine = {number_of(field(json, "load")), number_of(field(json, "mhz"))};
+  for (const Json& each : field(json, "measures")) result.measures.push_back(measure_of(each));
+  for (const Json& each : field(json, "configurations"))
     result.configurations.push_back(configuration_of(each));
   return result;
 }
 
 StudyResults unchecked_results_of(const Json& json) {
   StudyResults results;
-  const std::string effort = json.at("effort");
+  const std::string effort = field(json, "effort");
   if (effort != "quick" && effort != "full") {
-    throw Json::other_error::create(501, "'" + effort + "' is no effort", &json);
+    throw Unread{"is damaged: '" + effort + "' is no effort"};
   }
-  results.origin = {json.at("machine"),
-                    json.at("compiler"),
-                    json.at("flags"),
-                    json.at("version"),
+  results.origin = {field(json, "machine"),
+                    field(json, "compiler"),
+                    field(json, "flags"),
+                    field(json, "version"),
                     effort == "quick" ? Effort::kQuick : Effort::kFull,
-                    json.at("threads"),
-                    json.at("part").at(0),
-                    json.at("part").at(1),
-                    json.at("target"),
-                    json.at("caches")};
+                    field(json, "threads"),
+                    field(json, "part").at(0),
+                    field(json, "part").at(1),
+                    field(json, "target"),
+                    field(json, "caches")};
   const Origin& origin = results.origin;
   if (origin.part < 1 || origin.part > origin.parts || origin.parts > kMostParts) {
-    throw Json::other_error::create(501, "there is no such part", &json);
+    throw Unread{"is damaged: there is no such part"};
   }
-  for (const Json& each : json.at("experiments"))
+  for (const Json& each : field(json, "experiments"))
     results.experiments.push_back(experiment_of(each));
   return results;
 }
@@ -213,8 +224,10 @@ Result<StudyResults> results_of(const Json& json) {
   }
   try {
     return unchecked_results_of(json);
-  } catch (const Json::exception& error) {
-    return fail("", std::string("is damaged: ") + error.what(), kRemedy);
+  } catch (const Unread& unread) {
+    return fail("", unread.cause, kRemedy);
+  } catch (const Json::exception&) {
+    return fail("", "is damaged: a value is of another kind than it was written with", kRemedy);
   }
 }
 

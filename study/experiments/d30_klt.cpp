@@ -1,6 +1,8 @@
 // D-30: what a pixel of several bands loses with the components that are dropped.
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include "study/experiment/experiment.h"
 #include "study/experiments/consume.h"
@@ -9,6 +11,17 @@
 
 namespace glassbox::study {
 namespace {
+
+// What all configurations share.
+struct Planet {
+  views::Bands bands;
+  views::Klt klt;
+};
+std::shared_ptr<const Planet> planet_of(int width) {
+  views::Bands bands = views::make_clouds(width).bands;
+  views::Klt klt = *views::klt_of(bands);
+  return std::make_shared<const Planet>(Planet{std::move(bands), std::move(klt)});
+}
 
 // Three standard deviations on both sides in 255 steps.
 double step_of(const views::Klt& klt, int component) {
@@ -31,10 +44,14 @@ double rounding_of(const views::Klt& klt, int kept) {
   return sum;
 }
 
-double error_of(const views::Bands& bands, const views::Klt& klt, int kept, bool in_bytes) {
-  views::Bands components = views::components_of(bands, klt, kept);
-  if (in_bytes) components = as_bytes(std::move(components), klt);
-  return views::mean_squared_error(bands, views::reconstructed(components, klt, bands));
+views::Bands from_components(const Planet& planet, int kept) {
+  return views::reconstructed(views::components_of(planet.bands, planet.klt, kept), planet.klt,
+                              planet.bands);
+}
+views::Bands from_bytes(const Planet& planet, int kept) {
+  return views::reconstructed(
+      as_bytes(views::components_of(planet.bands, planet.klt, kept), planet.klt), planet.klt,
+      planet.bands);
 }
 
 // As they are, those of most variance first; the mean stands for the others.
@@ -44,11 +61,11 @@ std::vector<int> bands_by_variance(const views::Klt& klt) {
   std::ranges::stable_sort(order, std::greater(), [&](int b) { return klt.covariance(b, b); });
   return order;
 }
-views::Bands some_bands(const views::Bands& bands, const views::Klt& klt, int kept) {
-  views::Bands result = bands;
-  const std::vector<int> order = bands_by_variance(klt);
+views::Bands some_bands(const Planet& planet, int kept) {
+  views::Bands result = planet.bands;
+  const std::vector<int> order = bands_by_variance(planet.klt);
   for (std::size_t i = std::size_t(kept); i < order.size(); ++i)
-    std::ranges::fill(result.bands[std::size_t(order[i])].samples, klt.mean[order[i]]);
+    std::ranges::fill(result.bands[std::size_t(order[i])].samples, planet.klt.mean[order[i]]);
   return result;
 }
 double variance_without(const views::Klt& klt, int kept) {
@@ -68,39 +85,25 @@ std::optional<Finding> finding_of_bytes(const views::Klt& klt, int kept) {
 }
 
 std::vector<Configuration> configurations(Effort effort) {
-  const views::Bands bands = views::make_clouds(effort == Effort::kFull ? 256 : 128).bands;
-  const views::Klt klt = *views::klt_of(bands);
+  const auto planet = planet_of(effort == Effort::kFull ? 256 : 128);
+  const views::Klt& klt = planet->klt;
   std::vector<Configuration> all;
   // With all of them nothing but rounding is left, of which the theory says nothing.
-  for (int kept = 1; kept < bands.count(); ++kept) {
-    const double pixels = double(bands.pixels());
-    const auto add = [&](const char* series, auto error, double predicted,
-                         std::optional<Finding> finding, auto work) {
-      all.push_back({.series = series,
-                     .parameter = double(kept),
-                     .error = error,
-                     .predicted_error = predicted,
-                     .finding = std::move(finding),
-                     .work = [=](int) { consume(work()); },
-                     .items = pixels});
+  for (int kept = 1; kept < planet->bands.count(); ++kept) {
+    const auto add = [&](const char* series, auto again, double predicted,
+                         std::optional<Finding> finding) {
+      all.push_back(
+          {.series = series,
+           .parameter = double(kept),
+           .error = [=] { return views::mean_squared_error(planet->bands, again(*planet, kept)); },
+           .predicted_error = predicted,
+           .finding = std::move(finding),
+           .work = [=](int) { consume(again(*planet, kept)); },
+           .items = double(planet->bands.pixels())});
     };
-    const auto transform = [=](bool in_bytes) {
-      return [=] { return error_of(bands, klt, kept, in_bytes); };
-    };
-    const auto again = [=](bool in_bytes) {
-      return [=] {
-        views::Bands components = views::components_of(bands, klt, kept);
-        if (in_bytes) components = as_bytes(std::move(components), klt);
-        return views::reconstructed(components, klt, bands);
-      };
-    };
-    add("components", transform(false), klt.dropped(kept), std::nullopt, again(false));
-    add("components in bytes", transform(true), klt.dropped(kept), finding_of_bytes(klt, kept),
-        again(true));
-    add(
-        "the bands of most variance",
-        [=] { return views::mean_squared_error(bands, some_bands(bands, klt, kept)); },
-        variance_without(klt, kept), std::nullopt, [=] { return some_bands(bands, klt, kept); });
+    add("components", from_components, klt.dropped(kept), std::nullopt);
+    add("components in bytes", from_bytes, klt.dropped(kept), finding_of_bytes(klt, kept));
+    add("the bands of most variance", some_bands, variance_without(klt, kept), std::nullopt);
   }
   return all;
 }

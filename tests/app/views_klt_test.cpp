@@ -63,11 +63,42 @@ TEST_CASE("bands that cannot be taken apart are refused in a line, and no file i
   here.write("one.pgm", "P5\n1 1\n255\nx");
   here.write("two.pgm", "P5\n2 1\n255\nxy");
   here.write("bad.hdr", "ENVI\nsamples = 2\n");
-  for (const char* words :
-       {"nothing.png", "one.pgm", "one.pgm two.pgm", "bad.hdr", "clouds:15", "clouds:17",
-        "clouds:x", "clouds two.pgm", "clouds:64 --components 0", "clouds:64 --components 6",
-        "two.pgm --components 2", "clouds:64 --globe a.obj", "clouds:64 --html a.txt",
-        "clouds:64 --globe nowhere/a.glb", "two.pgm --max-mb 0", "clouds:2048 --html a.html"}) {
+  here.write("short.pgm", "P5\n20 10\n255\nxy");
+  here.write("huge.pgm", "P5\n99999 99999\n255\nxy");
+  here.write("text.png", "no picture");
+  // Two floats, the second of which is none; and a cube that would fill the memory.
+  here.write("nan.hdr", "ENVI\nsamples = 2\nlines = 1\nbands = 1\ndata type = 4\n");
+  here.write("nan.img", std::string("\0\0\x80\x3f\0\0\xc0\x7f", 8));
+  here.write("huge.hdr", "ENVI\nsamples = 16384\nlines = 16384\nbands = 512\ndata type = 5\n");
+  here.write("huge.img", "xy");
+  std::filesystem::create_directory(here.file("folder"));
+  for (const char* words : {"nothing.png",
+                            "one.pgm",
+                            "one.pgm two.pgm",
+                            "bad.hdr",
+                            "clouds:15",
+                            "clouds:17",
+                            "clouds:x",
+                            "clouds two.pgm",
+                            "clouds:64 --components 0",
+                            "clouds:64 --components 6",
+                            "two.pgm --components 2",
+                            "clouds:64 --globe a.obj",
+                            "clouds:64 --html a.txt",
+                            "clouds:64 --globe nowhere/a.glb",
+                            "two.pgm --max-mb 0",
+                            "clouds:2048 --html a.html",
+                            "clouds:4096 --max-mb 100",
+                            "folder",
+                            "short.pgm",
+                            "huge.pgm",
+                            "text.png",
+                            "nan.hdr",
+                            "huge.hdr",
+                            "two.pgm --html nowhere/a.html",
+                            "two.pgm --html folder",
+                            "two.pgm --json folder",
+                            "two.pgm two.pgm --components -1"}) {
     INFO(words);
     const Outcome outcome = here.run(std::string("views klt ") + words + " -o out");
     CHECK(outcome.exit_code == 2);
@@ -75,6 +106,26 @@ TEST_CASE("bands that cannot be taken apart are refused in a line, and no file i
     CHECK(std::ranges::count(outcome.err, '\n') == 1);
     CHECK_FALSE(std::filesystem::exists(here.file("out")));
   }
+  // The folder is no file.
+  const Outcome outcome = here.run("views klt two.pgm -o one.pgm");
+  CHECK(outcome.exit_code == 2);
+  CHECK(outcome.err.find("one.pgm: is no folder") != std::string::npos);
+  // 4096 x 2048 doubles are 64 MB; five bands, two components and five bands again are 768.
+  CHECK(here.run("views klt clouds:4096 --max-mb 767").err.find("--max-mb 769") !=
+        std::string::npos);
+}
+
+TEST_CASE("one band, and bands that do not vary, have components") {
+  const Workplace here;
+  here.write("two.pgm", "P5\n2 1\n255\nxy");
+  here.write("flat.pgm", "P5\n2 1\n255\nxx");
+  const Json one = klt_answer(here, "two.pgm");
+  CHECK(one["kept"] == 1);
+  CHECK(one["components"][0]["eigenvalue"] == 0.25);
+  const Json flat = klt_answer(here, "flat.pgm flat.pgm -o out --globe a.glb --html a.html");
+  CHECK(flat["trace"] == 0);
+  CHECK(flat["holds"] == true);
+  CHECK(flat["components"][0]["share"] == 0);
 }
 
 }  // namespace glassbox::test

@@ -10,6 +10,8 @@
 #include <glassbox/base/trig.h>
 #include <glassbox/images/srgb.h>
 
+#include "views/glyphs/colors.h"
+
 namespace glassbox::views {
 
 namespace {

@@ -8,18 +8,17 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <Eigen/SVD>
-#include <unsupported/Eigen/NonLinearOptimization>
-#include <unsupported/Eigen/NumericalDiff>
 
 #include <glassbox/base/random.h>
+#include <glassbox/base/trig.h>
 
+#include "views/two_view/least_squares.h"
 #include "views/two_view/polynomial.h"
+#include "views/two_view/rotation.h"
 
 namespace glassbox::views {
 
 namespace {
-
-constexpr double kDegrees = 57.295779513082320877;
 
 // ---- three points ----
 
@@ -33,12 +32,6 @@ std::optional<Matrix3d> axes_of(const std::array<Vector3d, 3>& p) {
   axes.col(2) = across.normalized();
   axes.col(1) = axes.col(2).cross(axes.col(0));
   return axes;
-}
-
-Matrix3d turned_by(const Vector3d& rotation_vector) {
-  const double angle = rotation_vector.norm();
-  if (angle == 0) return Matrix3d::Identity();
-  return Eigen::AngleAxisd(angle, rotation_vector / angle).matrix();
 }
 
 // ---- six points ----
@@ -94,36 +87,15 @@ int unknowns_of(LensKnown known) {
   return known == LensKnown::kAll ? 6 : known == LensKnown::kCentre ? 7 : 9;
 }
 
-struct Residuals {
-  using Scalar = double;
-  using InputType = Eigen::VectorXd;
-  using ValueType = Eigen::VectorXd;
-  using JacobianType = Eigen::MatrixXd;
-  static constexpr int InputsAtCompileTime = Eigen::Dynamic;
-  static constexpr int ValuesAtCompileTime = Eigen::Dynamic;
-
-  const PinholeCamera& from;
-  const std::vector<SeenPoint>& points;
-  LensKnown known;
-
-  int inputs() const { return unknowns_of(known); }
-  int values() const { return 2 * int(points.size()); }
-  int operator()(const Eigen::VectorXd& by, Eigen::VectorXd& off) const {
-    const PinholeCamera camera = moved(from, by, known);
-    for (std::size_t i = 0; i < points.size(); ++i)
-      off.segment<2>(Eigen::Index(2 * i)) = centre_seen(camera, points[i]) - points[i].pixel;
-    return 0;
-  }
-};
-
 PinholeCamera refined(const PinholeCamera& from, const std::vector<SeenPoint>& points,
                       LensKnown known) {
-  if (2 * int(points.size()) < unknowns_of(known)) return from;
-  Eigen::VectorXd by = Eigen::VectorXd::Zero(unknowns_of(known));
-  using Function = Eigen::NumericalDiff<Residuals, Eigen::Central>;
-  Function function(Residuals{from, points, known});
-  Eigen::LevenbergMarquardt<Function> method(function);
-  method.minimize(by);
+  const Eigen::VectorXd by = least_squares(unknowns_of(known), 2 * int(points.size()),
+                                           [&](const Eigen::VectorXd& at, Eigen::VectorXd& off) {
+                                             const PinholeCamera camera = moved(from, at, known);
+                                             for (std::size_t i = 0; i < points.size(); ++i)
+                                               off.segment<2>(Eigen::Index(2 * i)) =
+                                                   centre_seen(camera, points[i]) - points[i].pixel;
+                                           });
   return by.allFinite() ? moved(from, by, known) : from;
 }
 
@@ -388,11 +360,8 @@ GlyphPoints points_of(const FoundGlyphs& found, const Wall& wall) {
 }
 
 PoseError pose_error(const PinholeCamera& camera, const PinholeCamera& truth) {
-  const Matrix3d turn = camera.camera_from_world * truth.camera_from_world.transpose();
-  // The sine from what is antisymmetric: an arc cosine has no small angles.
-  const Vector3d axis(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1));
-  const double degrees = kDegrees * std::atan2(axis.norm() / 2, (turn.trace() - 1) / 2);
-  return {degrees, (camera.centre - truth.centre).norm()};
+  return {degrees_from_radians(rotation_error(camera.camera_from_world, truth.camera_from_world)),
+          (camera.centre - truth.centre).norm()};
 }
 
 }  // namespace glassbox::views

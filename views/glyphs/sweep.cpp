@@ -2,15 +2,16 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
 #include <glassbox/base/trig.h>
-#include <glassbox/render/renderer.h>
 
 #include "views/glyphs/decoys.h"
 #include "views/glyphs/photograph.h"
+#include "views/glyphs/sensor.h"
 #include "views/rings/ring.h"
 
 namespace glassbox::views {
@@ -32,21 +33,44 @@ Wall wall_of_panels(int panels) {
   return *make_wall(layout);
 }
 
-Shot shot_of(const Wall& wall, double azimuth, int width) {
+Shot shot_in(Studio& studio, double azimuth, int width) {
   const int height = width * 3 / 4;
   Shot shot{camera_before(kDistance, azimuth, 5, width, height), {}, {}};
-  shot.picture = photograph_of(wall, shot.camera, width, height);
+  shot.picture = studio.photograph(shot.camera, width, height);
   return shot;
+}
+
+constexpr double kDpi = 50;
+
+RenderSettings unlit_on_grey() {
+  RenderSettings settings;
+  settings.shading = Shading::kUnlit;
+  settings.samples = 4;
+  settings.background = {128, 128, 128, 255};
+  return settings;
+}
+
+// One thing at a time.
+std::vector<std::pair<std::string, Sensor>> sensors() {
+  std::vector<std::pair<std::string, Sensor>> all{{"as it is", {}}};
+  for (const double lost : {0.3, 0.6})
+    all.emplace_back(fmt::format("{:.0f} % darker corners", 100 * lost), Sensor{.falloff = lost});
+  all.emplace_back("mosaic", Sensor{.has_mosaic = true});
+  for (const double electrons : {5000.0, 500.0, 50.0})
+    all.emplace_back(fmt::format("noise of {} electrons", electrons),
+                     Sensor{.electrons = electrons});
+  all.emplace_back("mosaic, 500 electrons", Sensor{.has_mosaic = true, .electrons = 500});
+  for (const double bend : {0.002, 0.01, 0.05})
+    all.emplace_back(fmt::format("bent by {}", bend), Sensor{.bend = bend});
+  return all;
 }
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 void judge(SweepRow& row, const Wall& wall, const Shot& shot, const FindSettings& settings,
            double least_across) {
-  std::array<bool, kGlyphs> is_on_wall{};
-  for (const WallGlyph& glyph : wall.glyphs) is_on_wall[std::size_t(glyph.identity)] = true;
   const int width = shot.picture.width, height = shot.picture.height;
-  const FoundGlyphs found = find_glyphs(shot.picture, settings, is_on_wall);
+  const FoundGlyphs found = find_glyphs(shot.picture, settings, wall.identities());
   auto visible = visible_glyphs(wall, shot.camera, width, height, shot.covered);
   std::erase_if(visible, [&](const VisibleGlyph& glyph) { return glyph.shorter < least_across; });
   const GlyphScore score = score_of(found, wall, shot.camera, visible);
@@ -99,6 +123,8 @@ std::string_view name_of(SweepOf what) {
       return "jpeg";
     case SweepOf::kBalance:
       return "balance";
+    case SweepOf::kCamera:
+      return "camera";
     case SweepOf::kThreshold:
       return "threshold";
     case SweepOf::kRules:
@@ -122,17 +148,15 @@ PinholeCamera camera_before(double distance, double azimuth_degrees, double elev
   return camera;
 }
 
-Image<Rgba8> photograph_of(const Wall& wall, const PinholeCamera& camera, int width, int height) {
-  constexpr double kDpi = 50;
-  const Scene scene = wall_scene(wall, kDpi / kMetresOfInch);
-  RenderSettings settings;
-  settings.shading = Shading::kUnlit;
-  settings.samples = 4;
-  settings.background = {128, 128, 128, 255};
-  const auto view = view_of(camera, width, height, box_of(scene));
-  if (!view) return Image<Rgba8>(width, height, settings.background);
-  Renderer renderer(scene, settings.transfer);
-  return renderer.render(*view, settings).buffers.color;
+Studio::Studio(const Wall& wall)
+    : scene_(wall_scene(wall, kDpi / kMetresOfInch)),
+      settings_(unlit_on_grey()),
+      renderer_(scene_, settings_.transfer) {}
+
+Image<Rgba8> Studio::photograph(const PinholeCamera& camera, int width, int height) {
+  const auto view = view_of(camera, width, height, box_of(scene_));
+  if (!view) return Image<Rgba8>(width, height, settings_.background);
+  return renderer_.render(*view, settings_).buffers.color;
 }
 
 std::vector<SweepRow> sweep_glyphs(SweepOf what, const FindSettings& settings,
@@ -148,12 +172,13 @@ std::vector<SweepRow> sweep_glyphs(SweepOf what, const FindSettings& settings,
     rows.push_back(row);
   };
   const Wall corner = wall_of_panels(2);
+  Studio studio(what == SweepOf::kTilt ? wall_of_panels(1) : corner);
   if (what == SweepOf::kSize) {
     // Glyphs are at most this large across, and counted from 0.8 of that.
     for (const int size : {10, 12, 15, 20, 25, 30, 40}) {
       const int width = size * 24 / 4 * 4;
       add(fmt::format("{} px", size), corner,
-          {shot_of(corner, -5, width), shot_of(corner, 5, width)}, settings, 0.8 * size);
+          {shot_in(studio, -5, width), shot_in(studio, 5, width)}, settings, 0.8 * size);
     }
     return rows;
   }
@@ -161,10 +186,10 @@ std::vector<SweepRow> sweep_glyphs(SweepOf what, const FindSettings& settings,
     const Wall flat = wall_of_panels(1);
     for (const int tilt : {0, 30, 45, 60, 70, 75})
       add(fmt::format("{} degrees", tilt), flat,
-          {shot_of(flat, tilt, kWidth), shot_of(flat, -tilt, kWidth)}, settings);
+          {shot_in(studio, tilt, kWidth), shot_in(studio, -tilt, kWidth)}, settings);
     return rows;
   }
-  const std::vector<Shot> shots{shot_of(corner, -5, kWidth), shot_of(corner, 5, kWidth)};
+  const std::vector<Shot> shots{shot_in(studio, -5, kWidth), shot_in(studio, 5, kWidth)};
   const auto changed = [&](auto change) {
     std::vector<Shot> result = shots;
     for (Shot& shot : result) change(shot);
@@ -201,6 +226,19 @@ std::vector<SweepRow> sweep_glyphs(SweepOf what, const FindSettings& settings,
           changed([&](Shot& shot) { shot.picture = through_jpeg(shot.picture, quality); }),
           settings);
     }
+  }
+  if (what == SweepOf::kCamera) {
+    for (const auto& [level, sensor] : sensors()) {
+      add(level, corner, changed([&, &by = sensor](Shot& shot) {
+            shot.picture = through_sensor(shot.picture, by, 11);
+          }),
+          settings);
+    }
+    add("soft, all but bent, JPEG 90", corner, changed([](Shot& shot) {
+          const Sensor usual{.falloff = 0.3, .has_mosaic = true, .electrons = 1000};
+          shot.picture = through_jpeg(through_sensor(blurred(shot.picture, 0.5), usual, 11), 90);
+        }),
+        settings);
   }
   if (what == SweepOf::kBalance) {
     for (const double gain : {1.0, 0.8, 0.6, 0.4}) {

@@ -6,13 +6,26 @@
 #include <string_view>
 #include <vector>
 
+#include <glassbox/mesh/scene.h>
+#include <glassbox/render/renderer.h>
+
 #include "views/glyphs/evaluate.h"
 #include "views/glyphs/find.h"
 #include "views/glyphs/pose.h"
 
 namespace glassbox::views {
 
-enum class SweepOf { kSize, kBlur, kOcclusion, kTilt, kJpeg, kBalance, kThreshold, kRules };
+enum class SweepOf {
+  kSize,
+  kBlur,
+  kOcclusion,
+  kTilt,
+  kJpeg,
+  kBalance,
+  kCamera,
+  kThreshold,
+  kRules
+};
 std::string_view name_of(SweepOf what);
 
 struct SweepRow {
@@ -23,8 +36,8 @@ struct SweepRow {
              0;  // the largest pose error, the lens being known; nan where no pose was found
 };
 
-// Two pictures a level, of the default wall from 2 m, glyphs some 40 px large; of rules the decoys (decoys.h), a row for each rule that
-// is not asked. Without `balances` colours are taken as they are.
+// Two pictures a level from 2 m, of tilt of a plane wall, else of the default one; glyphs some 40 px large, but of size. Of rules the decoys
+// (decoys.h), a row for each rule that is not asked.
 std::vector<SweepRow> sweep_glyphs(SweepOf what, const FindSettings& settings,
                                    const std::function<void(const std::string&)>& tell);
 
@@ -32,7 +45,18 @@ std::vector<SweepRow> sweep_glyphs(SweepOf what, const FindSettings& settings,
 PinholeCamera camera_before(double distance, double azimuth_degrees, double elevation_degrees,
                             int width, int height);
 
-// What it sees of the wall, unlit, four samples a pixel, on grey.
-Image<Rgba8> photograph_of(const Wall& wall, const PinholeCamera& camera, int width, int height);
+// Photographs of a wall, which is drawn once: unlit, four samples a pixel, on grey.
+class Studio {
+public:
+  explicit Studio(const Wall& wall);
+  Studio(const Studio&) = delete;  // what draws keeps a reference to the scene
+  Studio& operator=(const Studio&) = delete;
+  Image<Rgba8> photograph(const PinholeCamera& camera, int width, int height);
+
+private:
+  Scene scene_;
+  RenderSettings settings_;
+  Renderer renderer_;
+};
 
 }  // namespace glassbox::views

@@ -65,6 +65,12 @@ const WallGlyph* Wall::find(int identity) const {
   return at >= 0 && at < int(glyphs.size()) ? &glyphs[std::size_t(at)] : nullptr;
 }
 
+std::array<bool, kGlyphs> Wall::identities() const {
+  std::array<bool, kGlyphs> all{};
+  for (const WallGlyph& glyph : glyphs) all[std::size_t(glyph.identity)] = true;
+  return all;
+}
+
 Result<Wall> make_wall(const WallLayout& layout) {
   if (layout.panels != 1 && layout.panels != 2)
     return fail("--panels", "a wall has 1 or 2", "give 1 or 2");

@@ -1,6 +1,7 @@
 // Walls covered with glyphs: which one is where (the slides' wallpaper table, S1-25, S1-27).
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include <glassbox/base/error.h>
@@ -39,14 +40,15 @@ struct Wall {
   std::vector<WallGlyph> glyphs;
 
   double radius() const { return layout.diameter / 2; }
-  const WallGlyph* find(int identity) const;  // nullptr where it is not on the wall
+  const WallGlyph* find(int identity) const;     // nullptr where it is not on the wall
+  std::array<bool, kGlyphs> identities() const;  // which of all are on it
 };
 
-// Refused: more glyphs than there are codes, glyphs that touch each other (there must be paper of an eighth of their size between
+// Refused: more glyphs than there are codes, glyphs that touch each other (there must be paper of an eighth of the pitch between
 // them), numbers that are none.
 Result<Wall> make_wall(const WallLayout& layout);
 
-// Refused: pictures of more than kMostSheetPixels.
+// Refused: pictures without a pixel, of a side that is longer than 16384 px, or of more than kMostSheetPixels.
 inline constexpr double kMostSheetPixels = 1 << 26;
 Result<void> check_panel_picture(const Wall& wall, double pixels_per_metre);
 

@@ -9,8 +9,6 @@
 #include <glassbox/images/read.h>
 #include <glassbox/images/stored_image.h>
 
-#include "views/klt/cube_header.h"
-
 namespace glassbox::views {
 
 namespace {
@@ -26,11 +24,9 @@ bool is_header(const std::string& path) {
   return path.ends_with(".hdr") || path.ends_with(".HDR");
 }
 
-Result<void> check_memory(std::uint64_t samples, std::uint64_t already, std::uint64_t most_bytes) {
-  constexpr std::uint64_t kBytes = sizeof(double);
-  if (samples <= most_bytes / kBytes && already + samples <= most_bytes / kBytes) return {};
-  return fail("", fmt::format("the bands would take {} MB", ((already + samples) * kBytes) >> 20),
-              "allow for it with --max-mb");
+// Channels that are no alpha.
+int colors_of(int channels) {
+  return channels <= 2 ? 1 : 3;
 }
 
 // One of the files that a header may be of, in its own folder.
@@ -44,36 +40,50 @@ Result<std::string> cube_of(const std::string& header_path) {
               "put " + fs::path(stem).filename().string() + ".img there");
 }
 
-Result<Bands> read_cube(const std::string& path, std::uint64_t already, std::uint64_t most_bytes) {
+// A file, and what its header says.
+struct Opened {
+  BandFiles::File file;
+  int width = 0, height = 0, bands = 0;
+};
+
+Result<Opened> open_cube(const std::string& path) {
   constexpr std::uint64_t kMostHeader = 1 << 20;
   const auto text = read_file(path, kMostHeader);
   if (!text) return tl::unexpected(text.error());
   const auto header =
       parse_cube_header({reinterpret_cast<const char*>(text->data()), text->size()});
   if (!header) return in_file(path, header.error());
-  const auto enough =
-      check_memory(header->width * header->height * header->bands, already, most_bytes);
-  if (!enough) return in_file(path, enough.error());
-  const auto data = cube_of(path);
-  if (!data) return in_file(path, data.error());
-  const auto bytes = read_file(*data, header->bytes() + most_bytes);
-  if (!bytes) return tl::unexpected(bytes.error());
-  auto bands = decode_cube(*header, *bytes);
-  if (!bands) return in_file(*data, bands.error());
-  return bands;
+  const auto numbers = cube_of(path);
+  if (!numbers) return in_file(path, numbers.error());
+  std::error_code error;
+  const std::uintmax_t size = fs::file_size(*numbers, error);
+  if (!error) {
+    const auto enough = check_cube_size(*header, size);
+    if (!enough) return in_file(*numbers, enough.error());
+  }
+  return Opened{
+      {path, {}, *header, *numbers}, int(header->width), int(header->height), int(header->bands)};
 }
 
-Result<Bands> read_picture(const std::string& path, std::uint64_t already,
-                           std::uint64_t most_bytes) {
-  DecodeLimits limits = kCompareLimits;
-  limits.max_pixels = std::min(limits.max_pixels, most_bytes / sizeof(double));
-  const auto image = read_stored(path, limits);
-  if (!image) return tl::unexpected(image.error());
-  const int colors = image->channels <= 2 ? 1 : 3;
-  const auto enough = check_memory(image->pixels() * std::size_t(colors), already, most_bytes);
-  if (!enough) return in_file(path, enough.error());
+// No picture within the limit has as many bytes as its bands have as doubles, but for what a file says beside its pixels.
+Result<Opened> open_picture(const std::string& path, std::uint64_t most_bytes) {
+  constexpr std::uint64_t kMostText = 1 << 20;
+  auto bytes = read_file(path, most_bytes + kMostText);
+  if (!bytes) return tl::unexpected(bytes.error());
+  const auto header = stored_header(*bytes);
+  if (!header) return in_file(path, header.error());
+  return Opened{{path, std::move(*bytes), {}, {}},
+                header->width,
+                header->height,
+                colors_of(header->channels)};
+}
+
+Result<Bands> decode_picture(const BandFiles::File& file) {
+  const auto image = decode_stored(file.bytes);
+  if (!image) return in_file(file.path, image.error());
+  const int colors = colors_of(image->channels);
   Bands bands{image->width, image->height, {}};
-  const std::string name = fs::path(path).stem().string();
+  const std::string name = fs::path(file.path).stem().string();
   constexpr const char* kColors[] = {" red", " green", " blue"};
   for (int c = 0; c < colors; ++c) {
     Band band{colors == 1 ? name : name + kColors[c], std::vector<double>(bands.pixels())};
@@ -88,32 +98,68 @@ Result<Bands> read_picture(const std::string& path, std::uint64_t already,
   return bands;
 }
 
+Result<Bands> decode_file(const BandFiles::File& file) {
+  if (!file.cube) return decode_picture(file);
+  const auto bytes = read_file(file.numbers, file.cube->bytes() + kMostBeyondCube);
+  if (!bytes) return tl::unexpected(bytes.error());
+  auto bands = decode_cube(*file.cube, *bytes);
+  if (!bands) return in_file(file.numbers, bands.error());
+  return bands;
+}
+
 }  // namespace
 
-Result<Bands> read_bands(const std::vector<std::string>& paths, std::uint64_t most_bytes) {
-  Bands all;
+Result<void> check_planes(std::uint64_t width, std::uint64_t height, std::uint64_t planes,
+                          std::uint64_t most_bytes, const std::string& what) {
+  // Sides and planes are small numbers: the product is below 2^47.
+  const std::uint64_t bytes = width * height * planes * sizeof(double);
+  if (bytes <= most_bytes) return {};
+  constexpr double kMegabyte = 1 << 20;
+  return fail("", fmt::format("{} would take {:.3g} MB", what, double(bytes) / kMegabyte),
+              fmt::format("allow for it with --max-mb {}", (bytes >> 20) + 1));
+}
+
+Result<BandFiles> open_bands(const std::vector<std::string>& paths, std::uint64_t most_bytes) {
+  BandFiles all;
   for (const std::string& path : paths) {
-    const std::uint64_t already = all.pixels() * std::uint64_t(all.count());
-    auto some = is_header(path) ? read_cube(path, already, most_bytes)
-                                : read_picture(path, already, most_bytes);
-    if (!some) return some;
-    if (all.bands.empty()) {
-      all.width = some->width;
-      all.height = some->height;
-    } else if (some->width != all.width || some->height != all.height) {
+    auto one = is_header(path) ? open_cube(path) : open_picture(path, most_bytes);
+    if (!one) return tl::unexpected(one.error());
+    if (all.files.empty()) {
+      all.width = one->width;
+      all.height = one->height;
+    } else if (one->width != all.width || one->height != all.height) {
       return in_file(path, {{},
                             {},
-                            fmt::format("is {} x {}, and {} is {} x {}", some->width, some->height,
+                            fmt::format("is {} x {}, and {} is {} x {}", one->width, one->height,
                                         paths.front(), all.width, all.height),
                             "give bands of one size"});
     }
-    for (Band& band : some->bands) all.bands.push_back(std::move(band));
-    if (std::uint64_t(all.count()) > kMostBands)
+    all.count += one->bands;
+    if (all.count > int(kMostBands)) {
       return in_file(
           path,
           {{}, {}, fmt::format("there are more than {} bands", kMostBands), "choose some of them"});
+    }
+    const auto fits = check_planes(std::uint64_t(all.width), std::uint64_t(all.height),
+                                   std::uint64_t(all.count), most_bytes, "the bands");
+    if (!fits) return in_file(path, fits.error());
+    all.files.push_back(std::move(one->file));
   }
   return all;
+}
+
+Result<Bands> decode_bands(const BandFiles& files) {
+  Bands all{files.width, files.height, {}};
+  for (const BandFiles::File& file : files.files) {
+    auto some = decode_file(file);
+    if (!some) return some;
+    for (Band& band : some->bands) all.bands.push_back(std::move(band));
+  }
+  return all;
+}
+
+Result<Bands> read_bands(const std::vector<std::string>& paths, std::uint64_t most_bytes) {
+  return open_bands(paths, most_bytes).and_then(decode_bands);
 }
 
 Result<void> write_cube(const std::string& path, const Bands& bands) {

@@ -68,7 +68,7 @@ Sky sky_at(const Direction& p) {
 }
 
 // Per cent of the light, and kelvins.
-std::array<double, 5> measured(const Sky& sky) {
+std::array<double, kCloudBands> measured(const Sky& sky) {
   const double bare = 6 + sky.land * (9 + 36 * sky.desert);
   const double ground = 262 + 35 * sky.warmth + 5 * sky.land;
   const double top = ground - 25 - 70 * sky.height;
@@ -83,11 +83,11 @@ struct Channel {
   const char* name;
   double low, high, noise;  // what 0 and 1023 stand for; counts
 };
-constexpr std::array<Channel, 5> kChannels{{{"visible 0.65 um", 0, 100, 1},
-                                            {"infrared 3.9 um", 180, 320, 3},
-                                            {"water vapour 6.7 um", 180, 320, 1.5},
-                                            {"infrared 10.7 um", 180, 320, 0.5},
-                                            {"infrared 12 um", 180, 320, 0.5}}};
+constexpr std::array<Channel, kCloudBands> kChannels{{{"visible 0.65 um", 0, 100, 1},
+                                                      {"infrared 3.9 um", 180, 320, 3},
+                                                      {"water vapour 6.7 um", 180, 320, 1.5},
+                                                      {"infrared 10.7 um", 180, 320, 0.5},
+                                                      {"infrared 12 um", 180, 320, 0.5}}};
 
 Rgba8 ground_color(const Sky& sky, double grain) {
   const double cold = between(0.35, 0.1, sky.warmth);
@@ -122,7 +122,7 @@ CloudScene make_clouds(int width) {
       const std::size_t i = scene.ground.index(x, y);
       scene.opacity[i] = sky.opacity;
       scene.ground.pixels[i] = ground_color(sky, fractal(500, p, 12, 3));
-      const std::array<double, 5> values = measured(sky);
+      const std::array<double, kCloudBands> values = measured(sky);
       for (std::size_t b = 0; b < kChannels.size(); ++b) {
         const Channel& channel = kChannels[b];
         const double noise = channel.noise * (2 * random_unit(600 + b, i) - 1);

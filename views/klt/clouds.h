@@ -13,7 +13,7 @@ struct CloudScene {
   std::vector<double> opacity;  // of the clouds, 0 .. 1: what a component of the bands should tell
 };
 
-inline constexpr int kCloudWidth = 512, kMaxCloudWidth = 4096;
+inline constexpr int kCloudWidth = 512, kMaxCloudWidth = 4096, kCloudBands = 5;
 
 // The whole planet, longitude across and latitude down, `width` x `width` / 2 px; without seams. Visible light and four infrared
 // bands (3.9, 6.7, 10.7 and 12 micrometres) from four things that vary on their own: opacity and height of clouds, moisture, and what

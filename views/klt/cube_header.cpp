@@ -222,13 +222,16 @@ std::vector<std::byte> cube_bytes(const Bands& bands) {
   return bytes;
 }
 
+Result<void> check_cube_size(const CubeHeader& header, std::uint64_t bytes) {
+  if (bytes >= header.bytes() && bytes - header.bytes() <= kMostBeyondCube) return {};
+  return fail("the cube",
+              fmt::format("has {} bytes, and its header asks for {}", bytes, header.bytes()),
+              "give the whole file, or a header that is its own");
+}
+
 Result<Bands> decode_cube(const CubeHeader& header, std::span<const std::byte> bytes) {
-  if (bytes.size() < header.bytes()) {
-    return fail(
-        "the cube",
-        fmt::format("has {} bytes, and its header asks for {}", bytes.size(), header.bytes()),
-        "give the whole file, or a header that is its own");
-  }
+  if (const auto enough = check_cube_size(header, bytes.size()); !enough)
+    return tl::unexpected(enough.error());
   const std::uint64_t size = header.bytes_of_sample();
   Bands bands{int(header.width), int(header.height), {}};
   for (std::uint64_t b = 0; b < header.bands; ++b) {

@@ -50,7 +50,11 @@ Result<CubeHeader> parse_cube_header(std::string_view text);
 std::string cube_header_text(const Bands& bands);
 std::vector<std::byte> cube_bytes(const Bands& bands);
 
-// Refused: fewer bytes than the header says. Names that it does not have are "band 1" ...
+// What may follow the numbers.
+inline constexpr std::uint64_t kMostBeyondCube = 1 << 20;
+// Refused: fewer bytes than the header says, or that much more.
+Result<void> check_cube_size(const CubeHeader& header, std::uint64_t bytes);
+// Refused: the same. Names that it does not have are "band 1" ...
 Result<Bands> decode_cube(const CubeHeader& header, std::span<const std::byte> bytes);
 
 }  // namespace glassbox::views

@@ -107,9 +107,9 @@ Result<Klt> klt_of(const Bands& bands) {
   return klt;
 }
 
-Bands components_of(const Bands& bands, const Klt& klt, int kept) {
+Bands components_of(const Bands& bands, const Klt& klt, int end, int first) {
   Bands components{bands.width, bands.height, {}};
-  for (int k = 0; k < kept; ++k) {
+  for (int k = first; k < end; ++k) {
     Band component{fmt::format("component {}", k + 1), std::vector<double>(bands.pixels(), 0.0)};
     for (int b = 0; b < bands.count(); ++b) {
       const auto& samples = samples_of(bands, b);

@@ -39,8 +39,8 @@ Moments moments_of(const Bands& bands);
 // Refused: no band, fewer than two pixels, bands of several sizes, samples that are not finite or so large that their squares are not.
 Result<Klt> klt_of(const Bands& bands);
 
-// The first `kept` components, named "component 1" ...
-Bands components_of(const Bands& bands, const Klt& klt, int kept);
+// The components before `end`, from `first` on, named "component 1" ...
+Bands components_of(const Bands& bands, const Klt& klt, int end, int first = 0);
 
 // The pixels that these components stand for; names of bands are those of `named`.
 Bands reconstructed(const Bands& components, const Klt& klt, const Bands& named);

@@ -53,12 +53,6 @@ std::optional<ChosenPose> pose_in_front(const Matrix3d& essential, const Matches
   return best;
 }
 
-// |A - B| of two rotations is 2 sqrt 2 sin(angle / 2), which small angles keep their digits in, as the trace's cosine does not.
-double rotation_error(const Matrix3d& estimated, const Matrix3d& truth) {
-  const double half = (estimated - truth).norm() / (2 * std::sqrt(2.0));
-  return 2 * std::asin(std::min(1.0, half));
-}
-
 double direction_error(const Vector3d& estimated, const Vector3d& truth) {
   return std::atan2(estimated.cross(truth).norm(), estimated.dot(truth));
 }

@@ -24,8 +24,7 @@ struct ChosenPose {
 };
 std::optional<ChosenPose> pose_in_front(const Matrix3d& essential, const Matches& calibrated);
 
-// Angles between what was estimated and what is: of the rotations, and of the directions of the translations. Radians.
-double rotation_error(const Matrix3d& estimated, const Matrix3d& truth);
+// The angle between the direction that was estimated and what it is, radians.
 double direction_error(const Vector3d& estimated, const Vector3d& truth);
 
 }  // namespace glassbox::views

@@ -4,56 +4,25 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
-#include <unsupported/Eigen/NonLinearOptimization>
-#include <unsupported/Eigen/NumericalDiff>
 
+#include "views/two_view/least_squares.h"
 #include "views/two_view/linear_fit.h"
 #include "views/two_view/residual.h"
+#include "views/two_view/rotation.h"
 
 namespace glassbox::views {
 
 namespace {
 
-// What Eigen's optimiser asks of a function: Sampson distances as a function of a few numbers, zero at the first estimate.
+// Near 0, the numbers for which the Sampson distances of the matrix that they make are least.
 template <class MatrixOf>
-struct Distances {
-  using Scalar = double;
-  using InputType = Eigen::VectorXd;
-  using ValueType = Eigen::VectorXd;
-  using JacobianType = Eigen::MatrixXd;
-  static constexpr int InputsAtCompileTime = Eigen::Dynamic;
-  static constexpr int ValuesAtCompileTime = Eigen::Dynamic;
-
-  MatrixOf matrix_of;
-  const Matches& pixels;
-  int unknowns;
-
-  int inputs() const { return unknowns; }
-  int values() const { return int(pixels.size()); }
-  int operator()(const Eigen::VectorXd& at, Eigen::VectorXd& distances) const {
-    const Matrix3d matrix = matrix_of(at);
-    for (Eigen::Index i = 0; i < distances.size(); ++i) {
-      distances[i] = sampson_distance(matrix, pixels[std::size_t(i)]);
-    }
-    return 0;
-  }
-};
-
-template <class MatrixOf>
-Eigen::VectorXd least_squares(const MatrixOf& matrix_of, const Matches& pixels, int unknowns) {
-  Eigen::VectorXd at = Eigen::VectorXd::Zero(unknowns);
-  if (int(pixels.size()) < unknowns) return at;
-  using Function = Eigen::NumericalDiff<Distances<MatrixOf>, Eigen::Central>;
-  Function function(Distances<MatrixOf>{matrix_of, pixels, unknowns});
-  Eigen::LevenbergMarquardt<Function> method(function);
-  method.minimize(at);
-  return at;
-}
-
-Matrix3d turned_by(const Vector3d& rotation_vector) {
-  const double angle = rotation_vector.norm();
-  if (angle == 0) return Matrix3d::Identity();
-  return Eigen::AngleAxisd(angle, rotation_vector / angle).matrix();
+Eigen::VectorXd nearest_to_matches(const MatrixOf& matrix_of, const Matches& pixels, int unknowns) {
+  return least_squares(unknowns, int(pixels.size()),
+                       [&](const Eigen::VectorXd& at, Eigen::VectorXd& distances) {
+                         const Matrix3d matrix = matrix_of(at);
+                         for (Eigen::Index i = 0; i < distances.size(); ++i)
+                           distances[i] = sampson_distance(matrix, pixels[std::size_t(i)]);
+                       });
 }
 
 }  // namespace
@@ -70,7 +39,7 @@ RelativePose refined_pose(const StereoRig& first, const Matches& pixels) {
     return fundamental_of({first.left_intrinsic, first.right_intrinsic, pose_at(at)});
   };
   constexpr int kUnknowns = 5;
-  return pose_at(least_squares(matrix_at, pixels, kUnknowns));
+  return pose_at(nearest_to_matches(matrix_at, pixels, kUnknowns));
 }
 
 Matrix3d refined_fundamental(const Matrix3d& first, const Matches& pixels) {
@@ -87,7 +56,7 @@ Matrix3d refined_fundamental(const Matrix3d& first, const Matches& pixels) {
     return Matrix3d(from->right.transpose() * matrix * from->left);
   };
   constexpr int kUnknowns = 7;
-  return matrix_at(least_squares(matrix_at, pixels, kUnknowns)).normalized();
+  return matrix_at(nearest_to_matches(matrix_at, pixels, kUnknowns)).normalized();
 }
 
 }  // namespace glassbox::views

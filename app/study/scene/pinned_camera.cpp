@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numbers>
 #include <span>
 #include <variant>
 
@@ -10,14 +9,14 @@
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
+#include <glassbox/base/trig.h>
+
 namespace glassbox::app {
 
 namespace {
 
-constexpr double kDegrees = 180 / std::numbers::pi;
-
 void set_lens(CameraOptions& options, const PerspectiveLens& lens) {
-  options.fov_degrees = lens.fovy_radians * kDegrees;
+  options.fov_degrees = degrees_from_radians(lens.fovy_radians);
   options.near = lens.near;
   options.far = lens.far.value_or(std::numeric_limits<double>::infinity());
 }

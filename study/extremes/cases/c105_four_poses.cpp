@@ -4,6 +4,7 @@
 #include "study/naive/two_view.h"
 #include "study/scenes/two_cameras.h"
 #include "views/two_view/constraint.h"
+#include "views/two_view/rotation.h"
 
 namespace glassbox::study {
 namespace c105 {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -211,6 +212,21 @@ TEST_CASE("two runs agree where neither states the opposite of the other") {
     time["ns_quartiles"] = time["ns_octiles"] = {1e12, 1e12};
   }
   place.write("other.json", turned.dump());
+  // What is no file of this version's is said in words of ours.
+  for (const auto& [damage, says] : std::vector<std::pair<std::function<void(json&)>, std::string>>{
+           {[](json& time) { time.erase("ns_octiles"); },
+            "has no 'ns_octiles', and so is an older"},
+           {[](json& time) { time["threads"] = "two"; }, "is damaged: a value is of another kind"},
+           {[](json& time) { time["ns"] = "much"; }, "is damaged: 'much' is no number"},
+           {[](json& time) { time["ns_octiles"] = json::array(); }, "is damaged"}}) {
+    json damaged = turned;
+    damage(damaged["experiments"][0]["configurations"][0]["times"][0]);
+    place.write("damaged.json", damaged.dump());
+    const Outcome refused = place.run("study agree one.json damaged.json");
+    CHECK(refused.exit_code == 2);
+    CHECK(refused.err.find("damaged.json: " + says) != std::string::npos);
+    CHECK(refused.err.find("json.exception") == std::string::npos);
+  }
   const Outcome run = place.run("study agree one.json other.json");
   CHECK(run.exit_code == 1);
   CHECK(run.out.find(all[fastest]["series"].get<std::string>() + " at ") != std::string::npos);

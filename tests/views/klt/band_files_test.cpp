@@ -1,9 +1,15 @@
 // Bands in files: what is written is read again, in every order of samples, and what is hostile is refused.
 #include <tests/support/catch.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <fstream>
+#include <string_view>
 
 #include <glassbox/base/random.h>
+#include <glassbox/images/atomic_file.h>
+#include <glassbox/images/read.h>
+#include <glassbox/images/stored_image.h>
 #include <glassbox/images/write.h>
 
 #include "tests/images/temporary_directory.h"
@@ -99,6 +105,31 @@ TEST_CASE("cubes of every type, byte order and order of samples are read") {
   }
 }
 
+TEST_CASE("numbers of every type are what their bytes say, in both orders") {
+  const auto sample = [](int type, std::vector<int> little) {
+    const auto read = [&](bool big) {
+      std::vector<std::byte> bytes;
+      for (const int byte : little) bytes.push_back(std::byte(byte));
+      if (big) std::ranges::reverse(bytes);
+      const auto header = parse_cube_header(
+          "ENVI\nsamples = 1\nlines = 1\nbands = 1\ndata type = " + std::to_string(type) +
+          "\nbyte order = " + (big ? "1\n" : "0\n"));
+      REQUIRE(header);
+      REQUIRE(header->bytes() == bytes.size());
+      return decode_cube(*header, bytes)->bands[0].samples[0];
+    };
+    CHECK(read(false) == read(true));
+    return read(false);
+  };
+  CHECK(sample(1, {200}) == 200);
+  CHECK(sample(2, {0xfe, 0xff}) == -2);
+  CHECK(sample(3, {0xfd, 0xff, 0xff, 0xff}) == -3);
+  CHECK(sample(4, {0, 0, 0x20, 0xc0}) == -2.5);
+  CHECK(sample(5, {0, 0, 0, 0, 0, 0, 0x04, 0x40}) == 2.5);
+  CHECK(sample(12, {0xfe, 0xff}) == 65534);
+  CHECK(sample(13, {0xfd, 0xff, 0xff, 0xff}) == 4294967293.0);
+}
+
 TEST_CASE("names over several lines, comments and other fields of a header are read over") {
   const auto header =
       parse_cube_header(header_with("; a comment\ndata type = 4\ndescription = {\n more = lines "
@@ -168,15 +199,105 @@ TEST_CASE("pictures give a band for each colour, at their own depth, and only of
   CHECK(bands->bands[3].samples == std::vector<double>{30, 30});
   CHECK(refusal(read_bands({grey, other}, kMegabyte)).find("is 1 x 1") != std::string::npos);
   CHECK(refusal(read_bands({grey, color}, 40)).find("--max-mb") != std::string::npos);
-  CHECK_FALSE(read_bands({directory.file("nothing.png")}, kMegabyte));
-  const std::string header = directory.file("huge.hdr");
-  write(header, "ENVI\nsamples = 16384\nlines = 16384\nbands = 512\ndata type = 5\n");
-  CHECK(refusal(read_bands({header}, kMegabyte)).find("--max-mb") != std::string::npos);
+}
+
+TEST_CASE("a band for each channel that is no alpha") {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("a.png");
+  REQUIRE(write_image(path, Image<Rgba8>(2, 1, {10, 20, 30, 40})));
+  const auto color = read_bands({path}, kMegabyte);
+  REQUIRE(color);
+  REQUIRE(color->count() == 3);
+  CHECK(color->bands[0].samples == std::vector<double>{10, 10});
+  CHECK(color->bands[1].name == "a green");
+  const StoredImage grey{2, 1, 2, std::vector<std::uint8_t>{7, 255, 9, 0}};
+  REQUIRE(encode_png(grey).and_then([&](const auto& png) { return write_file(path, png); }));
+  const auto bands = read_bands({path}, kMegabyte);
+  REQUIRE(bands);
+  REQUIRE(bands->count() == 1);
+  CHECK(bands->bands[0].samples == std::vector<double>{7, 9});
+}
+
+TEST_CASE("what files would take is asked of their headers, before anything is decoded") {
+  const TemporaryDirectory directory;
+  const std::string whole = directory.file("whole.png"), broken = directory.file("broken.png"),
+                    other = directory.file("other.pgm");
+  REQUIRE(write_image(whole, Image<Rgba8>(64, 48, {10, 20, 30, 255})));
+  // The check sums of its pixels are wrong, which only decoding finds.
+  auto bytes = *read_file(whole);
+  const std::size_t pixels =
+      std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()).find("IDAT");
+  REQUIRE(pixels != std::string_view::npos);
+  for (std::size_t i = pixels + 8; i < pixels + 24; ++i) bytes[i] ^= std::byte{0x55};
+  REQUIRE(write_file(broken, bytes));
+  write(other, "P5\n1 1\n255\nx");
+  const auto opened = open_bands({broken}, kMegabyte);
+  REQUIRE(opened);
+  CHECK(opened->width == 64);
+  CHECK(opened->height == 48);
+  CHECK(opened->count == 3);
+  CHECK(refusal(decode_bands(*opened)).find("broken.png: not a valid PNG") != std::string::npos);
+  // 64 x 48 x 3 doubles are 73728 bytes; of both files twice as many.
+  const std::uint64_t one = 73728;
+  CHECK(open_bands({broken}, one));
+  CHECK(refusal(open_bands({broken}, one - 1))
+            .find("the bands would take 0.0703 MB; allow for it with --max-mb 1") !=
+        std::string::npos);
+  CHECK(open_bands({broken, whole}, 2 * one));
+  CHECK(refusal(open_bands({broken, whole}, 2 * one - 1)).find("--max-mb") != std::string::npos);
+  CHECK(refusal(open_bands({broken, other}, kMegabyte)).find("is 1 x 1") != std::string::npos);
+  CHECK(refusal(open_bands({other}, 0)).find("7.63e-06 MB") != std::string::npos);
+}
+
+TEST_CASE("files that are none, cut off or of absurd sizes are refused with their name") {
+  const TemporaryDirectory directory;
+  const auto refused = [&](const std::string& name, const std::string& bytes, const char* says) {
+    const std::string path = directory.file(name);
+    write(path, bytes);
+    const std::string message = refusal(read_bands({path}, std::uint64_t(1) << 40));
+    INFO(name << ": " << message);
+    CHECK(message.find(name) != std::string::npos);
+    CHECK(message.find(says) != std::string::npos);
+  };
+  REQUIRE(write_image(directory.file("a.png"), Image<Rgba8>(9, 9, {10, 20, 30, 255})));
+  const auto png = *read_file(directory.file("a.png"));
+  const std::string text(reinterpret_cast<const char*>(png.data()), png.size());
+  refused("empty.png", "", "empty");
+  refused("text.png", "these are no pixels", "not a PNG");
+  refused("short.png", text.substr(0, 20), "cut off");
+  refused("half.png", text.substr(0, text.size() - 20), "cut off");
+  std::string huge = text;
+  huge[16] = huge[20] = char(0x7f);  // the high bytes of its sides
+  refused("huge.png", huge, "PNG");
+  refused("short.pgm", "P5\n4 4\n255\nabc", "cannot fit");
+  refused("huge.pgm", "P5\n4000000000 4000000000\n255\nabc", "limit");
+  refused("none.pgm", "P5\n0 4\n255\n", "size above zero");
+  refused("negative.pgm", "P5\n-4 4\n255\n", "not a valid");
+  CHECK(refusal(read_bands({directory.file("nothing.png")}, kMegabyte)).find("nothing.png") !=
+        std::string::npos);
+  CHECK(refusal(read_bands({directory.file("")}, kMegabyte)).find("is a directory") !=
+        std::string::npos);
+
+  const std::string header = directory.file("cube.hdr"), numbers = directory.file("cube.img");
   write(header, "ENVI\nsamples = 2\nlines = 2\nbands = 1\ndata type = 5\n");
   CHECK(refusal(read_bands({header}, kMegabyte)).find("no file with its numbers") !=
         std::string::npos);
-  write(directory.file("huge.img"), "short");
+  write(numbers, "short");
   CHECK(refusal(read_bands({header}, kMegabyte)).find("has 5 bytes") != std::string::npos);
+  write(numbers, std::string(32, '\0'));
+  CHECK(read_bands({header}, 32));
+  CHECK(refusal(read_bands({header}, 31)).find("--max-mb 1") != std::string::npos);
+  // Little may follow the numbers, but not a disk.
+  std::filesystem::resize_file(numbers, 32 + kMostBeyondCube);
+  CHECK(read_bands({header}, 32));
+  std::filesystem::resize_file(numbers, std::uintmax_t(1) << 40);
+  CHECK(refusal(read_bands({header}, 32)).find("has 1099511627776 bytes") != std::string::npos);
+  // 512 bands in all.
+  write(header, "ENVI\nsamples = 1\nlines = 1\nbands = 300\ndata type = 1\n");
+  write(numbers, std::string(300, 'x'));
+  CHECK(read_bands({header}, kMegabyte));
+  CHECK(refusal(read_bands({header, header}, kMegabyte)).find("more than 512 bands") !=
+        std::string::npos);
 }
 
 }  // namespace glassbox::views

@@ -16,6 +16,7 @@
 #include "views/two_view/polynomial.h"
 #include "views/two_view/pose.h"
 #include "views/two_view/residual.h"
+#include "views/two_view/rotation.h"
 
 namespace glassbox::views {
 namespace {

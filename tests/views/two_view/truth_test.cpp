@@ -12,6 +12,7 @@
 #include "views/two_view/estimate.h"
 #include "views/two_view/pose.h"
 #include "views/two_view/residual.h"
+#include "views/two_view/rotation.h"
 #include "views/two_view/truth.h"
 
 namespace glassbox::views {
