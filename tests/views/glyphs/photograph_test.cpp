@@ -81,6 +81,19 @@ TEST_CASE("JPEG's rounding is that of a file") {
   }
 }
 
+TEST_CASE("JPEG's chrominance is the mean of two by two pixels") {
+  const Rgba8 left{200, 60, 60, 255}, right{60, 60, 200, 255};
+  Image<Rgba8> columns(16, 16, left);
+  for (int y = 0; y < 16; ++y) {
+    for (int x = 1; x < 16; x += 2) columns.at(x, y) = right;
+  }
+  const Image<Rgba8> again = through_jpeg(columns, 100);
+  const auto luma = [](const Rgba8& p) { return 0.299 * p.r + 0.587 * p.g + 0.114 * p.b; };
+  const double red = (left.r + right.r) / 2.0 - (luma(left) + luma(right)) / 2;
+  // Steps of 1, then 1.402 times as much, and codes: off by little beside the 98 codes between the two columns.
+  for (const int x : {6, 7}) CHECK(std::abs(again.at(x, 7).r - luma(again.at(x, 7)) - red) < 4);
+}
+
 TEST_CASE("a blurred edge is the integral of a Gaussian, in light, along both axes") {
   constexpr double kDeviation = 1.5;
   for (const bool is_upright : {true, false}) {
