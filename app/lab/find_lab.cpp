@@ -99,7 +99,8 @@ Result<LabFolder> open_started(const std::string& folder) {
   const auto named = named_lab(*place);
   if (!named) return tl::unexpected(named.error());
   const bool own = named->empty();
-  const auto lab = find_lab(own ? place->filename().string() : *named);
+  const auto lab =
+      find_lab(own ? place->filename().string() : *named, (fs::path(folder) / "lab.json").string());
   if (!lab && own)
     return fail(folder, "is no lab: there is no lab.json in it",
                 "name the folder that glassbox lab start has made, or say with --lab which lab it "
@@ -127,7 +128,7 @@ Result<LabFolder> open_outside(const std::string& folder, const std::string& lab
 Result<LabFolder> open_submission(const std::string& folder, const std::string& name) {
   const auto place = open_directory(folder);
   if (!place) return tl::unexpected(place.error());
-  const auto lab = find_lab(name);
+  const auto lab = find_lab(name, "--lab");
   if (!lab) return tl::unexpected(lab.error());
   auto found = open_place(folder, *place, true);
   if (!found) return found;
@@ -147,7 +148,7 @@ std::string lab_names() {
   return names;
 }
 
-Result<const labs::Lab*> find_lab(const std::string& name) {
+Result<const labs::Lab*> find_lab(const std::string& name, const std::string& asked_by) {
   for (const labs::Lab& lab : labs::all_labs()) {
     const std::string& folder = lab.folder;
     const std::size_t dash = folder.find('-');
@@ -156,7 +157,7 @@ Result<const labs::Lab*> find_lab(const std::string& name) {
         name == folder || name == topic)
       return &lab;
   }
-  return fail("lab", fmt::format("there is no lab \"{}\"", name),
+  return fail(asked_by, fmt::format("there is no lab \"{}\"", name),
               fmt::format("the labs are {}", lab_names()));
 }
 

@@ -11,8 +11,8 @@
 
 namespace glassbox::app {
 
-// "5", "05", "05-clipping" or "clipping".
-Result<const labs::Lab*> find_lab(const std::string& name);
+// "5", "05", "05-clipping" or "clipping". `asked_by` is what named it, which an error begins with.
+Result<const labs::Lab*> find_lab(const std::string& name, const std::string& asked_by = "LAB");
 
 // A folder in which a lab is done, or the lab's own in the source tree.
 struct LabFolder {

@@ -10,9 +10,9 @@
 #include <glassbox/base/rounding.h>
 
 #include "exact/number.h"
+#include "labs/14-surfaces/borders.h"
 #include "labs/14-surfaces/cases.h"
 #include "labs/framework/lab.h"
-#include "views/polygons/cell_table.h"
 
 namespace glassbox::labs {
 
@@ -23,28 +23,10 @@ using exact::Rational;
 
 // ---- cells ----
 
-// The border of each piece of a cell's surface, from its lowest edge: sides of triangles that no other runs along the other way.
 std::vector<double> listed_polygons(unsigned inside) {
-  std::map<int, int> next;
-  const auto& triangles = views::consistent_table()[inside].triangles;
-  const auto has = [&](int a, int b) {
-    return std::ranges::any_of(triangles, [&](const views::CellTriangle& t) {
-      return (t[0] == a && t[1] == b) || (t[1] == a && t[2] == b) || (t[2] == a && t[0] == b);
-    });
-  };
-  for (const views::CellTriangle& t : triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (!has(t[(k + 1) % 3], t[k])) next[t[k]] = t[(k + 1) % 3];
-    }
-  }
   std::vector<double> all;
-  while (!next.empty()) {
-    for (int at = next.begin()->first; next.contains(at);) {
-      all.push_back(at);
-      const int after = next[at];
-      next.erase(at);
-      at = after;
-    }
+  for (const auto& polygon : borders_in_cell(inside)) {
+    all.insert(all.end(), polygon.begin(), polygon.end());
     all.push_back(-1);
   }
   return all;

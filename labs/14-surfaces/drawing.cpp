@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "labs/14-surfaces/borders.h"
 #include "labs/drawing/drawing.h"
-#include "views/polygons/cell_table.h"
 #include "views/polygons/occupancy.h"
 #include "views/polygons/polygonise.h"
 #include "views/voxels/truth.h"
@@ -26,27 +26,7 @@ constexpr double kLevel = 0.5;
 Numbers surface_polygons(RecordReader& in) {
   Numbers out;
   while (in.more()) {
-    const unsigned inside = unsigned(in.integer()) & 255u;
-    std::map<int, int> next;
-    const auto& triangles = views::consistent_table()[inside].triangles;
-    const auto has = [&](int a, int b) {
-      return std::ranges::any_of(triangles, [&](const views::CellTriangle& t) {
-        return (t[0] == a && t[1] == b) || (t[1] == a && t[2] == b) || (t[2] == a && t[0] == b);
-      });
-    };
-    for (const views::CellTriangle& t : triangles) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (!has(t[(k + 1) % 3], t[k])) next[t[k]] = t[(k + 1) % 3];
-      }
-    }
-    while (!next.empty()) {
-      Numbers polygon;
-      for (int at = next.begin()->first; next.contains(at);) {
-        polygon.push_back(at);
-        const int after = next[at];
-        next.erase(at);
-        at = after;
-      }
+    for (const auto& polygon : borders_in_cell(unsigned(in.integer()) & 255u)) {
       out.push_back(double(polygon.size()));
       out.insert(out.end(), polygon.begin(), polygon.end());
     }

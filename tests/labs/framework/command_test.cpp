@@ -173,6 +173,13 @@ TEST_CASE("wrong names are refused with what there is") {
   const auto none = desk.run({"lab", "start", "77", "mine"});
   CHECK(none.exit_code == 2);
   CHECK(none.err.find(all_labs().front().folder) != std::string::npos);
+  CHECK(none.err.starts_with("glassbox: LAB: there is no lab \"77\""));
+  fs::create_directories(desk.path / "work");
+  const auto other = desk.run({"lab", "check", "work", "--lab", "77"});
+  CHECK(other.exit_code == 2);
+  CHECK(other.err.starts_with("glassbox: --lab: there is no lab \"77\""));
+  std::ofstream(desk.path / "work/lab.json") << "{\"lab\": \"77-fog\"}";
+  CHECK(desk.run({"lab", "check", "work"}).err.starts_with("glassbox: work/lab.json: there is no"));
   CHECK(desk.run({"lab", "check", "nowhere"}).exit_code == 2);
   CHECK(desk.run({"lab", "check", "."}).exit_code == 2);
   std::ofstream(desk.path / "lab.json") << "[1, 2";
