@@ -251,20 +251,37 @@ std::vector<PinholeCamera> cameras_of_three(const Matrix3d& intrinsic,
       4 * (minus * (1 - minus) * cb - (1 - plus) * ca * cg + 2 * c_over_b * ca * ca * cb),
       (minus - 1) * (minus - 1) - 4 * c_over_b * ca * ca;
   std::vector<PinholeCamera> cameras;
-  for (const double v : real_roots(quartic)) {
-    const double below = 2 * (cg - v * ca);
-    if (!(v > 0) || below == 0) continue;
-    const double u = ((-1 + minus) * v * v - 2 * minus * cb * v + 1 + minus) / below;
-    const double s1 = std::sqrt(bb / (1 + v * v - 2 * v * cb));
-    if (!(u > 0) || !std::isfinite(s1)) continue;
+  std::vector<double> symmetric;
+  const auto add = [&](double s1, double u, double v) {
     const std::array<Vector3d, 3> seen{s1 * ray[0], u * s1 * ray[1], v * s1 * ray[2]};
     const auto seen_axes = axes_of(seen);
-    if (!seen_axes) continue;
+    if (!seen_axes) return;
     PinholeCamera camera;
     camera.intrinsic = intrinsic;
     camera.camera_from_world = *seen_axes * world_axes->transpose();
     camera.centre = world[0] - camera.camera_from_world.transpose() * seen[0];
     cameras.push_back(camera);
+  };
+  for (const double v : real_roots(quartic)) {
+    const double s1 = std::sqrt(bb / (1 + v * v - 2 * v * cb));
+    if (!(v > 0) || !std::isfinite(s1)) continue;
+    const double above = (-1 + minus) * v * v - 2 * minus * cb * v + 1 + minus;
+    const double below = 2 * (cg - v * ca);
+    // Where the three points are seen as mirrored in a plane through the second, both are 0: the two laws are one, which both its roots
+    // satisfy. As that v is a double root of the quartic, it comes twice, with half its digits.
+    constexpr double kHalfOfDigits = 0x1p-20;  // 2^-26, and room for the condition of the roots
+    if (std::abs(below) < kHalfOfDigits && std::abs(above) < kHalfOfDigits * (1 + v * v)) {
+      const double square = cg * cg - 1 + cc / (s1 * s1);
+      const bool is_second = std::ranges::any_of(
+          symmetric, [&](double other) { return std::abs(other - v) < 4 * kHalfOfDigits * v; });
+      symmetric.push_back(v);
+      if (is_second || square < 0) continue;
+      for (const double u : {cg - std::sqrt(square), cg + std::sqrt(square)})
+        if (u > 0) add(s1, u, v);
+      continue;
+    }
+    const double u = above / below;
+    if (u > 0 && std::isfinite(u)) add(s1, u, v);
   }
   return cameras;
 }

@@ -158,6 +158,32 @@ TEST_CASE("three points have up to four cameras, each of which sees them, one of
             .empty());
 }
 
+TEST_CASE("three points that are seen as mirrored have their camera among those found") {
+  PinholeCamera camera;
+  camera.intrinsic << 800, 0, 320, 0, 800, 240, 0, 0, 1;
+  for (const double height : {0.25, -0.5, 0.5}) {
+    // Mirrored in x = 0, in which the camera stands and looks, away from the cylinder through the three, where roots are more than double.
+    camera.camera_from_world = turned_by({radians_from_degrees(10), 0, 0});
+    camera.centre = {0, 0.1, -2};
+    std::array<SeenPoint, 3> points{SeenPoint{{-0.5, 0, 0}, {}}, SeenPoint{{0, height, 0}, {}},
+                                    SeenPoint{{0.5, 0, 0}, {}}};
+    for (SeenPoint& point : points) point.pixel = project(camera, point.world).head<2>();
+    for (int turn = 0; turn < 3; ++turn) {
+      INFO("height " << height << ", turn " << turn);
+      const auto cameras = cameras_of_three(camera.intrinsic, points);
+      REQUIRE(cameras.size() <= 4);
+      double least = INFINITY;
+      for (const PinholeCamera& one : cameras) {
+        least = std::min(least, pose_error(one, camera).distance);
+        for (const SeenPoint& point : points)
+          CHECK((project(one, point.world).head<2>() - point.pixel).norm() < 1e-3);
+      }
+      CHECK(least < 1e-5);
+      std::ranges::rotate(points, points.begin() + 1);
+    }
+  }
+}
+
 TEST_CASE("six points of two planes decide the camera and its lens, six of one plane do not") {
   const Wall wall = *make_wall({});
   Random random(6);
