@@ -179,7 +179,7 @@ TEST_CASE("three points that are seen as mirrored have their camera among those 
           CHECK((project(one, point.world).head<2>() - point.pixel).norm() < 1e-3);
       }
       CHECK(least < 1e-5);
-      std::ranges::rotate(points, points.begin() + 1);
+      std::rotate(points.begin(), points.begin() + 1, points.end());
     }
   }
 }
