@@ -28,7 +28,12 @@ inline std::vector<Camera> cameras() {
 
 // The first is accepted, so that it does not do to refuse everything.
 inline std::vector<std::vector<Camera>> refusals() {
-  return {{{1, 1, 1, 2}, {0, 1, 1, 2}, {-1, 1, 1, 2}, {3.2, 1, 1, 2}},
+  return {{{1, 1, 1, 2},
+           {0, 1, 1, 2},
+           {-1, 1, 1, 2},
+           {3.1415, 1, 1, 2},
+           {3.1415927, 1, 1, 2},
+           {3.2, 1, 1, 2}},
           {{1, 1, 1, 2}, {1, 0, 1, 2}, {1, -1, 1, 2}, {1, kInfinity, 1, 2}},
           {{1, 1, 1, kInfinity}, {1, 1, 0, 2}, {1, 1, -1, 2}, {1, 1, 2, 2}, {1, 1, 3, 2}},
           {{1, 1, 1, 2}, {kNaN, 1, 1, 2}, {1, kNaN, 1, 2}, {1, 1, kNaN, 2}, {1, 1, 1, kNaN}}};
@@ -68,6 +73,7 @@ inline std::vector<Box> more_boxes() {
 // END HIDDEN
 
 struct DialectCase {
+  const char* what;
   Dialect dialect;
   Projection m;
 };
@@ -96,13 +102,22 @@ inline Projection parallel() {
   return m;
 }
 
+// A third has no end in binary, and float ends it earlier than double.
+inline Projection of_thirds() {
+  Projection m = off_centre();
+  for (int i = 0; i < 16; ++i) m.at(i / 4, i % 4) /= 3;
+  return m;
+}
+
 inline std::vector<DialectCase> in_clip_space(Dialect dialect) {
-  return {{dialect, off_centre()}, {dialect, parallel()}};
+  return {{"perspective, off centre", dialect, off_centre()},
+          {"parallel", dialect, parallel()},
+          {"perspective, all numbers divided by three", dialect, of_thirds()}};
 }
 
 inline std::vector<Point<Clip, double>> points() {
-  return {{1, 2, 3, 4},  {-0.3, 0.7, 0.1, 1}, {5, -5, 0.2, 0.3},
-          {1, 2, 3, -4}, {1, 1, 1, 0},        {-1e-3, 2e-3, 5e-4, 7e-3}};
+  return {{1, 2, 3, 4}, {-0.3, 0.7, 0.1, 1},       {5, -5, 0.2, 0.3}, {1, 2, 3, -4},
+          {1, 1, 1, 0}, {-1e-3, 2e-3, 5e-4, 7e-3}, {1, 2, 3, kNaN}};
 }
 
 struct ViewportCase {
@@ -155,7 +170,7 @@ inline std::vector<DepthCase> stiff_depths() {
 }
 inline std::vector<Point<Clip, double>> random_points() {
   glassbox::Random random = glassbox::labs::varied(44);
-  std::vector<Point<Clip, double>> all;
+  std::vector<Point<Clip, double>> all{{3e-308, -1e-308, 5e-309, 1e-308}};
   for (int i = 0; i < 6; ++i) {
     const double x = random.between(-3, 3), y = random.between(-3, 3), z = random.between(-1, 2);
     all.push_back({x, y, z, random.between(-1, 4)});

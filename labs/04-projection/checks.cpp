@@ -114,7 +114,7 @@ Case expect_dialect(const lab_04::DialectCase& input) {
     const glm::dmat4& m = input.m.columns;
     return projection(Transform<Clip, Eye>(after ? adaptor.matrix * m : m * adaptor.matrix), 4);
   };
-  return {.where = input.m.at(3, 3) == 0 ? "perspective, off centre" : "parallel",
+  return {.where = input.what,
           .restated = adaptor.what,
           .expected = {adapted(adaptor.after)},
           .slipped = {{"multiplication-order", {adapted(!adaptor.after)}}}};
@@ -138,7 +138,7 @@ Case expect_divide(const Point<Clip, double>& p) {
   }
   return {.where = fmt::format("clip ({}, {}, {}, {})", p.x, p.y, p.z, p.w),
           .restated = p.w > 0 ? fmt::format("in front of the eye, at the distance {}", p.w)
-                              : "at the eye or behind it",
+                              : "at the eye or behind it, or nowhere",
           .expected = {ndc},
           .slipped = {{"opengl-depth", {opengl}}}};
 }

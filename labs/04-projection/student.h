@@ -50,8 +50,8 @@ Projection in_dialect(const Projection& m, Dialect dialect);
 
 // ---- 4.4 ----
 
-// Clip space to NDC; nothing where w <= 0, which is at the eye or behind it, where nothing is seen. Points with w = 1 keep their bits.
-// Within 4 u of the largest coordinate.
+// Clip space to NDC; nothing where w <= 0, which is at the eye or behind it, where nothing is seen, nor where w is NaN. Points with
+// w = 1 keep their bits. Within 4 u of the largest coordinate.
 std::optional<Point<Ndc, double>> divide(const Point<Clip, double>& p);
 
 // ---- 4.5 ----

@@ -34,8 +34,12 @@ inline std::vector<Planes> planes() {
 inline std::vector<Planes> more_planes() {
   std::vector<Planes> all;
   for (const Range range : {Range::kStandard, Range::kReversed}) {
-    for (const auto& [near, far] :
-         {std::pair{1e-3, 1e9}, {3.0, 3.0009765625}, {7.0, 11.0}, {1e5, kInfinity}})
+    for (const auto& [near, far] : {std::pair{1e-3, 1e9},
+                                    {3.0, 3.0009765625},
+                                    {7.0, 11.0},
+                                    {1e5, kInfinity},
+                                    {2.0, 3e40},
+                                    {3e160, 7e160}})
       all.push_back({near, far, range});
   }
   return all;
@@ -92,7 +96,7 @@ inline std::vector<CodeCase> codes() {
   for (const Format format : kFormats)
     all.push_back({std::string(name_of(format)) + ": the ends, the middle, outside (C-61)",
                    format,
-                   {0.0f, 1.0f, 0.5f, 0.75f, 0.1f, 1 - 0x1p-24f, -0.25f, 1.5f}});
+                   {0.0f, 1.0f, 0.5f, 0.75f, 0.1f, 1 - 0x1p-24f, -0.25f, 1.5f, -0.0f}});
   return all;
 }
 
@@ -206,6 +210,11 @@ inline std::vector<LadderCase> more_ladders() {
                    5,
                    10,
                    {5.7, 7, 9.5, 9.9999}});
+    all.push_back({std::string(name_of(format)) + ": depths next to a half (C-56)",
+                   format,
+                   1,
+                   kInfinity,
+                   {1.999999996, 2.000000004}});
   }
   return all;
 }

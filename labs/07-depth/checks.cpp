@@ -141,7 +141,7 @@ double rung(const LadderCase& input, double d) {
   const Decimal whole = at_near - at_far;
   const bool reversed = input.format == Format::kFloat32Reversed;
   const double depth = double((reversed ? here - at_far : at_near - here) / whole);
-  // No depth of the cases is near a power of two, so that ours and theirs have the same exponent.
+  // No depth of the cases is within 1e-10 of a power of two, so that ours and theirs in double have the same exponent.
   Decimal step = Decimal(std::ldexp(1.0, std::ilogb(depth) - 23));
   if (input.format == Format::kUnorm16 || input.format == Format::kUnorm24)
     step = Decimal(1) / Decimal(double(glassbox::depth_code(ours(input.format), 1.0f)));

@@ -129,7 +129,8 @@ inline std::vector<ParallaxCase> hidden_distances() {
           {"far behind it", pair, picture, 1e9},
           {"parallel eyes without skew: all is in front", {0.03, kInfinity}, picture, 7},
           {"no separation (C-71)", {0, 10}, picture, 3},
-          {"a small picture", pair, {1.37, 40}, 12}},
+          {"a small picture", pair, {1.37, 40}, 12},
+          {"very large units", {3e199, 1e200}, picture, 2.5e200}},
       92, 3, [](glassbox::Random& random) {
         const double half = random.between(0.01, 0.5), window = random.between(1, 20);
         const double screen = random.between(1, 2);
