@@ -1,7 +1,8 @@
 # embed_page(NAME DIR [BODY ...] STYLES ... [LIBRARIES ...] [SCRIPTS ...]): makes name_page.h in the current build directory,
 # kNamePage of html/page.h: the files of an HTML page as string literals, and the hashes by which its Content-Security-Policy
-# allows the style and the script, and no others. Files are looked for in DIR, then beside this one, where lies what several
-# pages share; LIBRARIES are paths, of scripts of any length that stand before the others.
+# allows the style and the script, and no others. Files, and those that a line "<!-- include FILE -->" of the body names, are
+# looked for in DIR, then beside this one, where lies what several pages share; LIBRARIES are paths, of scripts of any length that
+# stand before the others.
 set(GLASSBOX_HTML_DIR ${CMAKE_CURRENT_LIST_DIR} CACHE INTERNAL "")
 
 # base64 of bytes written as hexadecimal digits.
@@ -64,6 +65,12 @@ function(embed_page name dir)
   set(page_body "")
   if(PAGE_BODY)
     read_page_part(${dir} ${PAGE_BODY} page_body)
+    string(REGEX MATCHALL "<!-- include [a-z_.]+ -->\n" includes "${page_body}")
+    foreach(line ${includes})
+      string(REGEX REPLACE "^<!-- include (.*) -->\n$" "\\1" file "${line}")
+      read_page_part(${dir} ${file} text)
+      string(REPLACE "${line}" "${text}" page_body "${page_body}")
+    endforeach()
   endif()
   set(page_style "")
   foreach(file ${PAGE_STYLES})

@@ -2,18 +2,17 @@
 
 #include <cmath>
 #include <map>
-#include <span>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "app/report/exit_codes.h"
+#include "app/report/picture_uri.h"
 #include "app/views/matrix_report.h"
 #include "viewsglyphs_page.h"  // made by html/embed.cmake
 
 #include <glassbox/base/printable.h>
 #include <glassbox/html/blob.h>
-#include <glassbox/images/write.h>
 
 namespace glassbox::app {
 
@@ -138,14 +137,13 @@ Result<void> check_glyphs_page(const Image<Rgba8>& picture) {
 
 Result<std::string> make_glyphs_page(const Image<Rgba8>& picture, const GlyphsReport& report,
                                      const Json& json, const std::string& command) {
-  const auto png = encode_png(picture);
-  if (!png) return tl::unexpected(png.error());
-  const auto* first = reinterpret_cast<const std::uint8_t*>(png->data());
+  const auto uri = picture_uri(picture);
+  if (!uri) return tl::unexpected(uri.error());
   Json manifest = json;
   manifest["text"] = glyphs_text(report);
   manifest["program"] = "glassbox " GLASSBOX_VERSION;
   manifest["command"] = command;
-  manifest["uri"] = "data:image/png;base64," + base64(std::span(first, png->size()));
+  manifest["uri"] = *uri;
   return assemble_page(kViewsGlyphsPage, "glassbox views glyphs", json_block("manifest", manifest));
 }
 
