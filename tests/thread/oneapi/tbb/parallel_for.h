@@ -57,7 +57,7 @@ private:
 struct simple_partitioner {};
 
 template <class Index, class Body>
-void parallel_for(Index first, Index last, const Body& body, const simple_partitioner&) {
+void parallel_for(Index first, Index last, const Body& body, const simple_partitioner& = {}) {
   std::atomic<Index> next{first};
   const auto work = [&](Worker worker) {
     this_worker = worker;
@@ -74,7 +74,7 @@ void parallel_for(Index first, Index last, const Body& body, const simple_partit
 // In pieces of the range's grain size, each by one task.
 template <class Index, class Body>
 void parallel_for(const blocked_range<Index>& all, const Body& body,
-                  const simple_partitioner& partitioner) {
+                  const simple_partitioner& partitioner = {}) {
   const Index pieces = (all.size() + all.grainsize() - 1) / all.grainsize();
   const auto piece = [&](Index i) {
     const Index begin = all.begin() + i * all.grainsize();
