@@ -160,9 +160,11 @@ std::vector<Configuration> configurations(Effort effort) {
   const int count = effort == Effort::kFull ? 1'000'000 : 100'032;  // whole vectors
   constexpr int kRounds = 800;
   std::vector<Configuration> all;
-  for (const auto& [method, by, name] : kSeries) {
+  for (const Series& series : kSeries) {
+    const Reciprocal method = series.method;
+    const By by = series.by;
     for (const double from : {1e-3, 1e-2, 1e-1, 1.0, 1e1, 1e2}) {
-      Configuration each{.series = name,
+      Configuration each{.series = series.name,
                          .parameter = from,
                          .scene = is_root(method) ? "1/sqrt(w)" : "1/w",
                          .error = [=] { return largest_error(method, by, from, count); },
