@@ -8,6 +8,7 @@
 #endif
 
 #include <glassbox/raster/lanes/formulas-inl.h>
+#include <glassbox/raster/lanes/loads-inl.h>
 #include <glassbox/raster/lanes/tables.h>
 #include <glassbox/raster/lanes/tile_buffer.h>
 
@@ -24,28 +25,25 @@ HWY_INLINE Floats gather(const float* table, Ints at) {
   return hn::GatherIndex(kF, table, at.v);
 }
 
-// Words `at` and `at` + 1 of a table: where there are vectors, one gather of 64 bits for both.
+// Words `at` and `at` + 1 of a table, a column each.
 struct Pair {
   Ints first, second;
 };
 HWY_INLINE Pair gather_pair(const std::int32_t* table, Ints at) {
 #if HWY_TARGET == HWY_SCALAR
   return {gather(table, at), gather(table + 1, at)};
-#elif HWY_TARGET == HWY_AVX2
-  const Places places(at);
-  // Of lanes a and a + 1, and four lanes further those of the vector's other half.
-  const auto four = [&](int a) HWY_ATTR {
-    return _mm256_castsi256_ps(
-        _mm256_set_m128i(two_words<4>(table, places, a + 4), two_words<4>(table, places, a)));
-  };
-  const __m256 even = _mm256_shuffle_ps(four(0), four(2), 0x88);
-  const __m256 odd = _mm256_shuffle_ps(four(0), four(2), 0xdd);
-  return {hn::Vec<DI>{_mm256_castps_si256(even)}, hn::Vec<DI>{_mm256_castps_si256(odd)}};
 #else
-  const auto* from = reinterpret_cast<const std::int64_t*>(table);
-  const auto low = hn::BitCast(kI, gather_words<4>(from, hn::LowerHalf(kHalfI, at.v)));
-  const auto high = hn::BitCast(kI, gather_words<4>(from, hn::UpperHalf(kHalfI, at.v)));
-  return {hn::ConcatEven(kI, high, low), hn::ConcatOdd(kI, high, low)};
+  const Places places(at);
+  // Two lanes of each block of four.
+  const auto two = [&](int first) HWY_ATTR {
+    return of_blocks([&](int block) HWY_ATTR {
+      const std::int32_t* at_two = places.lane + block + first;
+      return two_words<4>(table, at_two[0], at_two[1]);
+    });
+  };
+  const auto a = two(0), b = two(2);
+  const auto even = hn::InterleaveLower(kI, a, b), odd = hn::InterleaveUpper(kI, a, b);
+  return {hn::InterleaveLower(kI, even, odd), hn::InterleaveUpper(kI, even, odd)};
 #endif
 }
 
@@ -71,23 +69,21 @@ struct Four {
   Ints first, second, third, fourth;
 };
 HWY_INLINE Four gather_four(const std::int32_t* table, Ints at) {
-#if HWY_TARGET == HWY_AVX2
-  const Places places(at);
-  const auto entry = [&](int lane) HWY_ATTR {
-    return _mm_loadu_si128(reinterpret_cast<const __m128i*>(table + places.lane[lane]));
-  };
-  const auto two = [&](int lane)
-                       HWY_ATTR { return _mm256_set_m128i(entry(lane + 4), entry(lane)); };
-  // Turned over within each half, as a matrix of 4 x 4 is.
-  const __m256i a = two(0), b = two(1), c = two(2), d = two(3);
-  const __m256i ab = _mm256_unpacklo_epi32(a, b), cd = _mm256_unpacklo_epi32(c, d);
-  const __m256i more_ab = _mm256_unpackhi_epi32(a, b), more_cd = _mm256_unpackhi_epi32(c, d);
-  return {hn::Vec<DI>{_mm256_unpacklo_epi64(ab, cd)}, hn::Vec<DI>{_mm256_unpackhi_epi64(ab, cd)},
-          hn::Vec<DI>{_mm256_unpacklo_epi64(more_ab, more_cd)},
-          hn::Vec<DI>{_mm256_unpackhi_epi64(more_ab, more_cd)}};
+#if HWY_TARGET == HWY_SCALAR
+  return {gather(table, at), gather(table + 1, at), gather(table + 2, at), gather(table + 3, at)};
 #else
-  const Pair two = gather_pair(table, at);
-  return {two.first, two.second, gather(table + 2, at), gather(table + 3, at)};
+  const Places places(at);
+  // One lane of each block of four.
+  const auto one = [&](int first) HWY_ATTR {
+    return of_blocks([&](int block)
+                         HWY_ATTR { return four_words(table, places.lane[block + first]); });
+  };
+  // Turned over within each block, as a matrix of 4 x 4 is.
+  const auto a = one(0), b = one(1), c = one(2), d = one(3);
+  const auto ac = hn::InterleaveLower(kI, a, c), more_ac = hn::InterleaveUpper(kI, a, c);
+  const auto bd = hn::InterleaveLower(kI, b, d), more_bd = hn::InterleaveUpper(kI, b, d);
+  return {hn::InterleaveLower(kI, ac, bd), hn::InterleaveUpper(kI, ac, bd),
+          hn::InterleaveLower(kI, more_ac, more_bd), hn::InterleaveUpper(kI, more_ac, more_bd)};
 #endif
 }
 

@@ -8,12 +8,11 @@
 #endif
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 
-#include <glassbox/raster/lanes/numbers-inl.h>
+#include <glassbox/raster/lanes/loads-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace glassbox {
@@ -126,48 +125,25 @@ HWY_INLINE Shorts four_times(Ints i) {
   });
 #endif
 }
-#if HWY_TARGET == HWY_AVX2
-// Places in a table, looked up one by one: AMD's processors make 20 to 40 operations of a gather, and loads are fewer.
-struct Places {
-  HWY_INLINE explicit Places(Ints at) { store(at, lane); }
-  HWY_ALIGN std::int32_t lane[kLanes];
-};
-// Words of 64 bits for lanes a and a + 1, kBytes times their places from the table's beginning.
-template <int kBytes>
-HWY_INLINE __m128i two_words(const void* table, const Places& at, int a) {
-  const auto word = [&](int lane) HWY_ATTR {
-    return static_cast<const char*>(table) + std::ptrdiff_t(at.lane[lane]) * kBytes;
-  };
-  const __m128i first = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(word(a)));
-  return _mm_castps_si128(
-      _mm_loadh_pi(_mm_castsi128_ps(first), reinterpret_cast<const __m64*>(word(a + 1))));
-}
 // Entry `at` of a table of four each.
 HWY_INLINE Shorts gather_shorts(const std::int64_t* table, Ints at) {
-  const Places places(at);
-  const auto four = [&](int a) HWY_ATTR {
-    return hn::BitCast(kS, hn::Vec<DW>{_mm256_set_m128i(two_words<8>(table, places, a + 2),
-                                                        two_words<8>(table, places, a))});
-  };
-  return {four(0), four(4)};
-}
-#else
-// Words of 64 bits, `kBytes` times `at` bytes from the table's beginning.
-template <int kBytes>
-HWY_INLINE hn::Vec<DW> gather_words(const std::int64_t* table, hn::Vec<hn::Half<DI> > at) {
 #if HWY_TARGET == HWY_AVX3
-  return hn::Vec<DW>{_mm512_i32gather_epi64(at.raw, table, kBytes)};
+  // Loads are no quicker on AMD's processors that have it; on Intel's they are not measured.
+  const auto half = [&](auto places) HWY_ATTR {
+    return hn::BitCast(kS, hn::Vec<DW>{_mm512_i32gather_epi64(places.raw, table, 8)});
+  };
+  return {half(hn::LowerHalf(kHalfI, at.v)), half(hn::UpperHalf(kHalfI, at.v))};
 #else
-  constexpr int kShift = std::countr_zero(unsigned(kBytes));
-  return hn::GatherOffset(kW, table, hn::ShiftLeft<kShift>(hn::PromoteTo(kW, at)));
+  const Places places(at);
+  const auto half = [&](int first) HWY_ATTR {
+    return hn::BitCast(kS, of_blocks([&](int block) HWY_ATTR {
+                         const std::int32_t* at_two = places.lane + first + block / 2;
+                         return two_words<8>(table, at_two[0], at_two[1]);
+                       }));
+  };
+  return {half(0), half(int(kLanes) / 2)};
 #endif
 }
-// Entry `at` of a table of four each.
-HWY_INLINE Shorts gather_shorts(const std::int64_t* table, Ints at) {
-  return {hn::BitCast(kS, gather_words<8>(table, hn::LowerHalf(kHalfI, at.v))),
-          hn::BitCast(kS, gather_words<8>(table, hn::UpperHalf(kHalfI, at.v)))};
-}
-#endif
 HWY_INLINE Shorts select(FloatMask condition, const Shorts& yes, const Shorts& no) {
   const Ints all_bits = hn::VecFromMask(kI, int_mask(condition).m);
   const Shorts where = shorts_of_words(all_bits, [](auto words) HWY_ATTR { return words; });
