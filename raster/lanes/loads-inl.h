@@ -38,7 +38,7 @@ HWY_INLINE hn::Vec<DBlock> two_words(const void* table, std::int32_t first, std:
   const auto word = [&](std::int32_t at) HWY_ATTR {
     return static_cast<const char*>(table) + std::ptrdiff_t(at) * kBytes;
   };
-#if HWY_ARCH_X86
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_SSE4
   // (Of hn::Combine g++ 12 makes two loads and a shuffle: S2 takes a fiftieth longer with AVX2.)
   const __m128i low = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(word(first)));
   const auto* high = reinterpret_cast<const __m64*>(word(second));
