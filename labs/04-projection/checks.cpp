@@ -144,7 +144,8 @@ Case expect_divide(const Point<Clip, double>& p) {
 }
 
 Case expect_screen(const lab_04::ViewportCase& input) {
-  const auto& [p, v] = input;
+  const Point<Ndc, double>& p = input.p;
+  const lab_04::Rectangle& v = input.viewport;
   const Rational half = Rational(1) / Rational(2);
   const Rational x = Rational(v.left) + (Rational(p.x) + Rational(1)) * half * Rational(v.width);
   const Rational y = Rational(v.top) + (Rational(1) - Rational(p.y)) * half * Rational(v.height);

@@ -86,7 +86,7 @@ Case expect_centre(const PoseCase& input) {
 
 Case expect_line(const LineCase& input) {
   const auto& [what, e, left, right, pixel] = input;
-  const auto expected = [&](const Matrix& m) {
+  const auto expected = [&left = left, &right = right, &pixel = pixel](const Matrix& m) {
     const Line l = epipolar::line_of(m, left, right, pixel);
     const double bound = epipolar::bound_of_line(m, left, right, pixel);
     return std::vector{numbers("a, b", {l.a, l.b}, bound), numbers("c", {l.c}, bound, "px")};

@@ -217,7 +217,7 @@ Case expect_size(const SizeCase& input) {
 Case expect_order(const OrderCase& input) {
   const auto& [what, epipole, w, count] = input;
   // Towards an epipole before the camera, away from one behind it; i + 1/2 and the epipole's place are compared without rounding.
-  const auto grows = [&](int i) {
+  const auto grows = [epipole = epipole, w = w](int i) {
     const Rational from_here = Rational(epipole) - Rational(2 * i + 1) / Rational(2) * Rational(w);
     return from_here.sign() > 0;
   };

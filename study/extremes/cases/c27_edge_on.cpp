@@ -62,7 +62,7 @@ Outcome judge_drawn(const Drawer& by) {
       const float x = place(-24, 24), y = place(-24, 24), dx = place(-4, 4), dy = place(-4, 4);
       EyeTriangle t;
       for (std::size_t k = 0; k < 3; ++k) {
-        const float steps = place(-2, 2), w = 1 << random.integer(0, 2);
+        const float steps = place(-2, 2), w = float(1 << random.integer(0, 2));
         t[k] = {(x + dx * steps) / 32 * w, (y + dy * steps) / 32 * w, -w};
       }
       // On the screen they are on one line, in space not: those would be no triangles.

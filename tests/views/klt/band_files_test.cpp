@@ -78,7 +78,7 @@ TEST_CASE("cubes of every type, byte order and order of samples are read") {
         INFO("type " << type << ", " << interleave << ", big " << big);
         std::vector<std::byte> bytes(5);
         // Sample (x, y) of band b is 20 b + 5 y + x.
-        const auto add = [&](int b, int y, int x) {
+        const auto add = [&, &bytes_of = bytes_of](int b, int y, int x) {
           for (const std::byte byte : bytes_of(20 * b + 5 * y + x, big)) bytes.push_back(byte);
         };
         for (int i = 0; i < 12; ++i) {
