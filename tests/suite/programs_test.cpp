@@ -8,6 +8,7 @@
 #include <sstream>
 #include <vector>
 
+#include "tests/images/temporary_directory.h"
 #include "tests/suite/program_words.h"
 #include "tests/support/run_program.h"
 #include "tests/support/skip.h"
@@ -123,6 +124,16 @@ Outcome dpkg_query(const std::vector<std::string>& words) {
   return run_program("/usr/bin/dpkg-query", words, "/");
 }
 
+// What Debian's alternatives could make `name` of, whichever it is now: "awk" is mawk's or gawk's. `options` say where they are.
+std::vector<std::string> alternatives_of(const std::string& name,
+                                         std::vector<std::string> options = {}) {
+  options.insert(options.end(), {"--list", name});
+  std::vector<std::string> files;
+  std::istringstream lines(run_program("/usr/bin/update-alternatives", options, "/").out);
+  for (std::string line; std::getline(lines, line);) files.push_back(line);
+  return files;
+}
+
 // The file, what it is a link to, and so on; and the same in the other of /bin and /usr/bin.
 std::vector<std::string> names_of(fs::path file) {
   std::vector<std::string> names;
@@ -191,6 +202,27 @@ TEST_CASE("every program of the table comes from a package that is installed whe
   }
 }
 
+TEST_CASE("a program of several packages is of each of them, whichever is chosen") {
+  if (!fs::exists("/usr/bin/update-alternatives")) SKIP_TEST("no dpkg here");
+  const TemporaryDirectory scratch;
+  const std::string folder = scratch.path().string();
+  const std::vector<std::string> here{"--altdir", folder + "/chosen", "--admindir",
+                                      folder + "/kept"};
+  for (const char* each : {"/chosen", "/kept"}) fs::create_directory(folder + each);
+  for (const std::string each : {"/mawk", "/gawk"}) {
+    std::ofstream(folder + each) << "#!/bin/sh\n";
+    std::vector<std::string> words = here;
+    words.insert(words.end(), {"--log", "/dev/null", "--install", folder + "/awk", "awk",
+                               folder + each, each == "/gawk" ? "10" : "5"});
+    REQUIRE(run_program("/usr/bin/update-alternatives", words, "/").exit_code == 0);
+  }
+  CHECK(fs::canonical(folder + "/awk") == folder + "/gawk");
+  std::vector<std::string> found = alternatives_of("awk", here);
+  std::ranges::sort(found);
+  CHECK(found == std::vector{folder + "/gawk", folder + "/mawk"});
+  CHECK(alternatives_of("sed", here).empty());
+}
+
 TEST_CASE("Debian's packages have the programs that the table says") {
   if (!fs::exists("/usr/bin/dpkg-query")) SKIP_TEST("no dpkg here");
   const auto programs = table();
@@ -202,6 +234,7 @@ TEST_CASE("Debian's packages have the programs that the table says") {
       if (!fs::exists(file)) continue;
       for (const std::string& each : names_of(file)) files[name].push_back(each);
     }
+    for (const std::string& each : alternatives_of(name)) files[name].push_back(each);
     all.insert(all.end(), files[name].begin(), files[name].end());
   }
   const auto owners = owners_of(all);
