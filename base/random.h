@@ -1,6 +1,7 @@
 // Numbers that look random, for studies, labs and tests: the same on every machine, from a seed.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 namespace glassbox {
@@ -20,6 +21,11 @@ public:
   // Uniform in [0, 1), a multiple of 2^-53.
   double unit() { return double(bits() >> 11) * 0x1p-53; }
   double between(double low, double high) { return low + (high - low) * unit(); }
+  // As between(), times a power of two of [lowest, highest], each as likely: numbers of many sizes.
+  double scaled(double low, double high, int lowest, int highest) {
+    const double significand = between(low, high);
+    return std::ldexp(significand, int(integer(lowest, highest)));
+  }
   // Uniform in [low, high], both included.
   std::int64_t integer(std::int64_t low, std::int64_t high) {
     return low + std::int64_t(bits() % std::uint64_t(high - low + 1));

@@ -330,7 +330,7 @@ inline std::vector<PairsCase> pairs_of_triangles() {
       // From a point in the picture to one behind the near plane; the apexes on both sides.
       const float ax = between(-1, 1), ay = between(-1, 1), bx = between(-2, 2),
                   by = between(-2, 2);
-      const Point<Clip> a(ax, ay, between(1, 2), 3), b(bx, by, between(-2, -1), between(0.5, 1));
+      const Point<Clip> a{ax, ay, between(1, 2), 3}, b{bx, by, between(-2, -1), between(0.5, 1)};
       const float cx = between(1, 2), dx = between(-2, -1);
       each.push_back({{a, b}, {Point<Clip>(cx, 0, 1, 3), Point<Clip>(dx, 0, 1, 3)}});
     }

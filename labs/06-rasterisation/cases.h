@@ -209,8 +209,10 @@ inline std::vector<CoverageCase> more_triangles() {
     CoverageCase lattice{"triangles with vertices on pixel centres (C-43)", {}};
     for (int i = 0; i < 60; ++i) {
       Triangle t;
-      for (SnappedVertex& v : t)
-        v = at(double(random.integer(0, 7)) + 0.5, double(random.integer(0, 7)) + 0.5);
+      for (SnappedVertex& v : t) {
+        const double x = double(random.integer(0, 7)) + 0.5, y = double(random.integer(0, 7)) + 0.5;
+        v = at(x, y);
+      }
       lattice.triangles.push_back(t);
     }
     all.push_back(lattice);

@@ -234,9 +234,10 @@ inline std::vector<CullCase> hidden_triangles() {
     const double distance = random.between(-2, 40), x = random.between(-1.5, 1.5) * distance;
     const double y = random.between(-1.2, 1.2) * distance;
     std::array<StereoPoint, 3> triangle;
-    for (StereoPoint& each : triangle)
-      each = seen_at(eyes, x + random.between(-1, 1), y + random.between(-1, 1),
-                     distance + random.between(-1, 1));
+    for (StereoPoint& each : triangle) {
+      const double right = x + random.between(-1, 1), up = y + random.between(-1, 1);
+      each = seen_at(eyes, right, up, distance + random.between(-1, 1));
+    }
     many.add("random", triangle);
   }
   return {odd, many};

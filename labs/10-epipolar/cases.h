@@ -244,7 +244,8 @@ inline std::vector<ChoiceCase> hidden_choices() {
   all.push_back(wrong);
   return glassbox::labs::with_varied(all, 105, 3, [](glassbox::Random& random) {
     const Pose pose = random_pose(random);
-    return choice("any two cameras", pose, random.unit() < 0.5 ? 1 : -1, 12, random.bits());
+    const double side = random.unit() < 0.5 ? 1 : -1;
+    return choice("any two cameras", pose, side, 12, random.bits());
   });
 }
 // END HIDDEN

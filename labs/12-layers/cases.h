@@ -127,10 +127,12 @@ inline std::vector<MatrixCase> matrices() {
 }
 // BEGIN HIDDEN
 inline MatrixCase random_matrix(glassbox::Random& random) {
-  const auto some = [&](double most) { return random.between(-most, most); };
-  const double focal = random.between(200, 900);
-  return {"any two eyes", camera(focal, 640, 480, 0.125, some(3), some(3), some(3), some(1)),
-          camera(random.between(200, 900), 640, 480, 0.25, some(3), some(3), some(3), some(1))};
+  const auto anywhere = [&](double near) {
+    const double focal = random.between(200, 900);
+    const double x = random.between(-3, 3), y = random.between(-3, 3), z = random.between(-3, 3);
+    return camera(focal, 640, 480, near, x, y, z, random.between(-1, 1));
+  };
+  return {"any two eyes", anywhere(0.125), anywhere(0.25)};
 }
 inline std::vector<MatrixCase> hidden_matrices() {
   glassbox::Random random = glassbox::labs::varied(123);
@@ -291,7 +293,8 @@ inline DrawCase random_picture(glassbox::Random& random) {
     const double side = double(random.integer(1, 6));
     const double off = std::fmod(side, 2) == 0 ? 0.125 : 0.625;
     const double x = double(random.integer(-4, 28)) + off, y = double(random.integer(-4, 20)) + off;
-    const double w = std::ldexp(random.integer(0, 9) == 0 ? -1.0 : 1.0, int(random.integer(-3, 3)));
+    const double sign = random.integer(0, 9) == 0 ? -1 : 1;
+    const double w = std::ldexp(sign, int(random.integer(-3, 3)));
     canvas.samples.push_back(placed(x, y, double(random.integer(1, 70)) / 64, w, side, i + 1));
   }
   return {"any samples", canvas};

@@ -27,10 +27,10 @@ struct Stage {
 
 Eigen::Isometry3d nearby_eye(Random& random) {
   const auto some = [&](double most) { return random.between(-most, most); };
-  const Eigen::Vector3d axis = Eigen::Vector3d(some(1), some(1), some(1)).normalized();
+  const Eigen::Vector3d axis = Eigen::Vector3d{some(1), some(1), some(1)}.normalized();
   Eigen::Isometry3d eye = Eigen::Isometry3d::Identity();
   eye.linear() = Eigen::AngleAxisd(some(0.1), axis).toRotationMatrix();
-  eye.translation() = Eigen::Vector3d(some(0.3), some(0.3), some(0.3));
+  eye.translation() = Eigen::Vector3d{some(0.3), some(0.3), some(0.3)};
   return eye;
 }
 
@@ -43,9 +43,12 @@ Stage make_stage(int width, int eyes) {
   views::LayerBuilder builder(from, 0);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      builder.add(x, y, float(near / random.between(2, 20)), random_color(random));
-      if (random.integer(0, 99) < 24)
-        builder.add(x, y, float(near / random.between(20, 40)), random_color(random));
+      const auto add = [&, x, y](double nearest, double furthest) {
+        const auto depth = float(near / random.between(nearest, furthest));
+        builder.add(x, y, depth, random_color(random));
+      };
+      add(2, 20);
+      if (random.integer(0, 99) < 24) add(20, 40);
     }
   }
   stage.image = builder.pack();

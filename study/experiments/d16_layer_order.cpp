@@ -107,8 +107,10 @@ Stage make_stage(const Move& move, double layers) {
   };
   const int each = move.to.z() > 0 ? int(layers) : 0;
   for (int i = 0; i < each * kSide * kSide; ++i) add(i % kSide, i / kSide % kSide);
-  for (int i = 0; each == 0 && i < int(layers * kSide * kSide); ++i)
-    add(int(random.integer(0, kSide - 1)), int(random.integer(0, kSide - 1)));
+  for (int i = 0; each == 0 && i < int(layers * kSide * kSide); ++i) {
+    const int u = int(random.integer(0, kSide - 1));
+    add(u, int(random.integer(0, kSide - 1)));
+  }
   stage.image = builder.pack();
   return stage;
 }

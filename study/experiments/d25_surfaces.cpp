@@ -90,8 +90,8 @@ Surfaces surfaces_of(const Solid& solid, double scale, Polygoniser polygoniser, 
   Random random(25);
   Surfaces mean;
   for (int i = 0; i < places; ++i) {
-    const Vector3d middle(random.between(-0.5, 0.5), random.between(-0.5, 0.5),
-                          random.between(-0.5, 0.5));
+    const Vector3d middle{random.between(-0.5, 0.5), random.between(-0.5, 0.5),
+                          random.between(-0.5, 0.5)};
     const views::PolygonMesh mesh =
         views::polygonise(field_of(solid, scale, middle), 0, polygoniser);
     mean.lost +=

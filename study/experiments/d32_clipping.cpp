@@ -27,7 +27,7 @@ std::vector<EyeTriangle> random_triangles(double size, std::size_t count) {
   std::vector<EyeTriangle> triangles(count);
   for (EyeTriangle& triangle : triangles) {
     const double x = random.between(-1.1, 1.1), y = random.between(-1.1, 1.1);
-    const double distance = std::ldexp(random.between(1, 2), int(random.integer(-1, 5)));
+    const double distance = random.scaled(1, 2, -1, 5);
     for (Point<Eye>& p : triangle) {
       const double z = distance * random.between(1 - size / 4, 1 + size / 4);
       p = {float((x + random.between(-2, 2) * size) * z / double(lens.a)),

@@ -90,8 +90,7 @@ TEST_CASE("the arctangent errs by less than an ulp") {
   Random random(21);
   std::vector<double> list;
   for (int i = 0; i < 20000; ++i) list.push_back(random.between(-2, 2));
-  for (int i = 0; i < 10000; ++i)
-    list.push_back(std::ldexp(random.between(1, 2), int(random.integer(-40, 60))));
+  for (int i = 0; i < 10000; ++i) list.push_back(random.scaled(1, 2, -40, 60));
   for (int k = 0; k <= 33; ++k) {  // where the table changes
     const double edge = k / 32.0;
     for (double x : {edge, 1 / edge}) {
@@ -111,8 +110,8 @@ TEST_CASE("the angle of a vector errs by less than two ulps in every quadrant") 
   Random random(22);
   Worst worst;
   for (int i = 0; i < 30000; ++i) {
-    const double y = std::ldexp(random.between(-1, 1), int(random.integer(-20, 20)));
-    const double x = std::ldexp(random.between(-1, 1), int(random.integer(-20, 20)));
+    const double y = random.scaled(-1, 1, -20, 20);
+    const double x = random.scaled(-1, 1, -20, 20);
     worst.see(y / x, arctan2(y, x), boost::multiprecision::atan2(Exact(y), Exact(x)));
   }
   INFO("worst " << worst.ulps << " ulps at y/x = " << worst.argument);

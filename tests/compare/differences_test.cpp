@@ -63,8 +63,8 @@ Case random_case(Random& random) {
          format,
          random.integer(0, 1) == 1};
   const auto anywhere = [&](StoredImage& image, double value) {
-    set_sample(image, int(random.integer(0, width - 1)), int(random.integer(0, height - 1)),
-               int(random.integer(0, channels - 1)), value);
+    const int x = int(random.integer(0, width - 1)), y = int(random.integer(0, height - 1));
+    set_sample(image, x, y, int(random.integer(0, channels - 1)), value);
   };
   for (auto i = random.integer(-5, 5); format == Format::kFloats && i > 0; --i) {
     anywhere(c.reference, odd_float(random));

@@ -98,8 +98,9 @@ TEST_CASE("a heat map has the level of each pixel's difference") {
     const StoredImage reference = random_picture(random, 9, 6, 3, format);
     StoredImage test = reference;
     for (int i = 0; i < 12; ++i) {
-      set_sample(test, int(random.integer(0, 8)), int(random.integer(0, 5)),
-                 int(random.integer(0, 2)), random_sample(random, format));
+      const int x = int(random.integer(0, 8)), y = int(random.integer(0, 5));
+      const int channel = int(random.integer(0, 2));
+      set_sample(test, x, y, channel, random_sample(random, format));
     }
     Selection selection(9, 6);
     REQUIRE(selection.leave_out(PixelBox{2, 1, 3, 3}));

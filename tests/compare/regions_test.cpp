@@ -139,7 +139,7 @@ void check(const Steps& steps) {
 TEST_CASE("random pictures of all densities have the regions that a flood fill finds") {
   Random random(21);
   for (int round = 0; round < 1500; ++round) {
-    Steps steps(int(random.integer(1, 30)), int(random.integer(1, 20)));
+    Steps steps{int(random.integer(1, 30)), int(random.integer(1, 20))};
     const double density = random.unit();
     const auto hottest = random.integer(1, 9);  // equal ones make ties
     for (std::uint32_t& value : steps.values) {

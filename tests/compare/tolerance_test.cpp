@@ -155,8 +155,8 @@ TEST_CASE("pictures that are the same pass only where a range starts at nothing"
 TEST_CASE("the tightest annotation passes, and each that is tighter does not") {
   Random random(32);
   for (int round = 0; round < 300; ++round) {
-    const Differences found = differences(std::uint32_t(random.integer(1, 65535)),
-                                          std::uint64_t(random.integer(1, 1 << 20)));
+    const auto largest = std::uint32_t(random.integer(1, 65535));
+    const Differences found = differences(largest, std::uint64_t(random.integer(1, 1 << 20)));
     const Fuzzy tight = tightest(found);
     CHECK(allows(tight, found));
     CHECK(allows(parsed(to_string(tight)), found));

@@ -1,16 +1,23 @@
 // What g++ 12 compiles and clang++ 14, Debian 12's, does not, so that it is found where no clang++ runs: algorithms that return a
 // subrange, and views (it checks the concepts of a view before the view is a complete class); lambdas that capture the names of a
-// structured binding.
+// structured binding. And what both compile, to different numbers.
 #include <string>
 #include <vector>
 
 #include "tests/docs/captured_bindings.h"
 #include "tests/docs/tree.h"
+#include "tests/docs/unordered_draws.h"
 #include "tests/support/catch.h"
 
 namespace glassbox::test {
 
 namespace {
+
+std::string text_of(const std::string& file) {
+  std::string text;
+  for (const std::string& line : lines_of(file)) text += line + "\n";
+  return text;
+}
 
 std::vector<std::string> not_compiled() {
   std::vector<std::string> words{std::string("std::") + "views::"};
@@ -68,10 +75,46 @@ TEST_CASE("no lambda captures a structured binding, which clang++ does not compi
   std::vector<std::string> found;
   for (const std::string& file : text_files()) {
     if (!file.ends_with(".cpp") && !file.ends_with(".h")) continue;
-    std::string source;
-    for (const std::string& line : lines_of(file)) source += line + "\n";
-    for (const CapturedBinding& each : captured_bindings(source))
+    for (const CapturedBinding& each : captured_bindings(text_of(file)))
       found.push_back(file + ":" + std::to_string(each.line) + ": " + each.name);
+  }
+  CHECK(found == std::vector<std::string>());
+}
+
+TEST_CASE("random numbers that a call or an expression draws in no order are told from others") {
+  const auto lines = [](const std::string& body) {
+    return unordered_draws("void f(Random& random) {\n" + body + "\n}\n");
+  };
+  const std::vector<std::size_t> second{2}, none;
+  CHECK(lines("f(random.unit(), random.unit());") == second);
+  CHECK(lines("const Vector2d v(2, random.unit() * a, b + random.bits());") == second);
+  CHECK(lines("f(g(random), random.unit());") == second);
+  CHECK(lines("f(place(random, 1), place(random, 2));") == second);
+  CHECK(lines("x = random.unit() - random.unit();") == second);
+  CHECK(lines("x = g(random) * h(2, random);") == second);
+  CHECK(lines("const auto some = [&] { return random.unit(); }; f(some(), some());") == second);
+  CHECK(lines("while (f({random.unit(), 1}, random.unit())) ;") == second);
+  CHECK(lines("Vector2d{random.unit(), random.unit()}; double x = random.unit(), y = "
+              "random.unit();") == none);
+  CHECK(lines("x = random.unit() < 0.5 ? random.unit() : 1 + random.unit();") == none);
+  CHECK(lines("if (random.unit() < 1 && random.unit() < 2) f(random.unit());") == none);
+  CHECK(lines("for (int i = random.bits(); i < 3; ++i) { f(random); } f(random);") == none);
+  CHECK(lines("f(place(random, 1), random); f(random, random.unit());") == none);
+  CHECK(lines("a[random.integer(0, 7)] = random.bits() >> random.integer(0, 63);") == none);
+  CHECK(lines("f(random.between(0, random.unit()), 1); f(random.integer(0, 1));") == none);
+  CHECK(lines("f([&] { return random.unit(); }, [&] { return random.unit(); });") == none);
+  CHECK(
+      lines("const auto one = [] { Random random(1); return random.unit(); }; f(one(), one());") ==
+      none);
+  CHECK(lines("// f(random.unit(), random.unit())") == none);
+}
+
+TEST_CASE("no two random numbers are drawn in an order that each compiler chooses for itself") {
+  std::vector<std::string> found;
+  for (const std::string& file : text_files()) {
+    if (!file.ends_with(".cpp") && !file.ends_with(".h")) continue;
+    for (const std::size_t line : unordered_draws(text_of(file)))
+      found.push_back(file + ":" + std::to_string(line));
   }
   CHECK(found == std::vector<std::string>());
 }

@@ -21,7 +21,7 @@ namespace {
 constexpr double kDecimalRoundoff = 0x1p-168;
 
 double any_double(Random& random) {
-  return std::ldexp(random.between(-1, 1), int(random.integer(-300, 300)));
+  return random.scaled(-1, 1, -300, 300);
 }
 
 }  // namespace
@@ -121,7 +121,7 @@ TEST_CASE("every double goes in and comes out unchanged, the smallest and the la
   INFO("seed " << seed);
   Random random(seed);
   for (int i = 0; i < 2000; ++i) {
-    const double value = std::ldexp(random.between(-1, 1), int(random.integer(-1060, 1020)));
+    const double value = random.scaled(-1, 1, -1060, 1020);
     REQUIRE(double(Rational(value)) == value);
     REQUIRE(double(Decimal(value)) == value);
   }

@@ -274,8 +274,8 @@ TEST_CASE("any closed outline whatever is cut into n - 2 triangles, the same one
     Points points;
     for (std::size_t i = 0; i < n; ++i) {
       // Few distinct coordinates, so that corners repeat and edges overlap.
-      points.emplace_back(float(random.integer(-2, 2)), float(random.integer(-2, 2)),
-                          float(random.integer(0, 1)));
+      const auto x = float(random.integer(-2, 2)), y = float(random.integer(-2, 2));
+      points.emplace_back(x, y, float(random.integer(0, 1)));
     }
     const Mesh mesh = make_polygon(points);
     const Triangulation t = triangulate(mesh);
@@ -368,8 +368,10 @@ TEST_CASE("a tangle of 20 000 corners comes to an end") {
   // Every edge crosses most others, so that nearly no corner is ever an ear.
   Random random(6);
   Points points;
-  for (int i = 0; i < 20000; ++i)
-    points.emplace_back(float(random.between(-1, 1)), float(random.between(-1, 1)), 0.0f);
+  for (int i = 0; i < 20000; ++i) {
+    const auto x = float(random.between(-1, 1)), y = float(random.between(-1, 1));
+    points.emplace_back(x, y, 0.0f);
+  }
   CHECK(work_for(points) < 5400);  // twice what it is
   const Triangulation t = triangulate(make_polygon(points));
   CHECK(t.triangles.size() + t.degenerate_triangles == points.size() - 2);

@@ -69,7 +69,8 @@ TEST_CASE(
 TEST_CASE("CIEDE2000 of a colour with itself is 0, of black and white 100") {
   glassbox::Random random(3);
   for (int i = 0; i < 100; ++i) {
-    const Lab lab = lab_of_linear(random.unit(), random.unit(), random.unit());
+    const double red = random.unit(), green = random.unit(), blue = random.unit();
+    const Lab lab = lab_of_linear(red, green, blue);
     CHECK(ciede2000(lab, lab) == 0);
   }
   CHECK(std::abs(ciede2000(lab_of_linear(0, 0, 0), lab_of_linear(1, 1, 1)) - 100) <= 1e-9);

@@ -107,10 +107,11 @@ TEST_CASE(
 TEST_CASE("the rigid inverse is the transpose and undoes the map to rounding (S4-03)") {
   Random random(31);
   for (int i = 0; i < 1000; ++i) {
-    const WorldMap m =
-        translate<World>({random.between(-9, 9), random.between(-9, 9), random.between(-9, 9)}) *
-        rotation({random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)},
-                 random.between(0, 360));
+    const Vector<World, double> to{random.between(-9, 9), random.between(-9, 9),
+                                   random.between(-9, 9)};
+    const Vector<World, double> axis{random.between(-1, 1), random.between(-1, 1),
+                                     random.between(-1, 1)};
+    const WorldMap m = translate<World>(to) * rotation(axis, random.between(0, 360));
     // Rotation part 8 u from orthogonal, translation |t| <= 16 times that and gamma_4.
     CHECK(largest_difference((inverse_rigid(m) * m).columns, glm::dmat4(1)) <= 16 * 24 * u);
   }
@@ -229,8 +230,8 @@ TEST_CASE(
     "mirrors (C-12)") {
   Random random(35);
   for (int i = 0; i < 500; ++i) {
-    const WorldMap r =
-        rotation({random.between(-1, 1), random.between(-1, 1), 0.1}, random.between(0, 360));
+    const Vector<World, double> axis{random.between(-1, 1), random.between(-1, 1), 0.1};
+    const WorldMap r = rotation(axis, random.between(0, 360));
     glm::dmat3 noisy(r.columns);
     for (int column = 0; column < 3; ++column) {
       for (int row = 0; row < 3; ++row) noisy[column][row] += random.between(-1e-6, 1e-6);
@@ -319,10 +320,11 @@ TEST_CASE(
   for (int level = 0; level < 100; ++level) {
     // Scales come in pairs of 2 and 1/2, so that nothing grows without end.
     const double s = level % 2 == 0 ? 2 : 0.5;
-    const WorldMap m =
-        translate<World>({random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)}) *
-        rotation({0, 0, 1}, double(random.integer(0, 3)) * 90) *
-        rotation({1, 1, 1}, 120.0 * double(random.integer(0, 2))) * scale<World>(s, s, s);
+    const Vector<World, double> to{random.between(-1, 1), random.between(-1, 1),
+                                   random.between(-1, 1)};
+    const double quarters = double(random.integer(0, 3)), thirds = double(random.integer(0, 2));
+    const WorldMap m = translate<World>(to) * rotation({0, 0, 1}, quarters * 90) *
+                       rotation({1, 1, 1}, thirds * 120) * scale<World>(s, s, s);
     down = down * m;
     const auto inverse = inverse_affine(m);
     REQUIRE(inverse);

@@ -172,9 +172,10 @@ TEST_CASE("nearly edge-on faces have the sign of rational arithmetic, and few ne
       const auto along = [&](float a, float b, double off) {
         return a + 1e4 * (double(b) - a) + 1e4 * sine * off;
       };
-      const ObjectViewer viewer = eye_at(along(face[0].x, face[1].x, random.between(-1, 1)),
-                                         along(face[0].y, face[1].y, random.between(-1, 1)),
-                                         along(face[0].z, face[1].z, random.between(-1, 1)));
+      const double x = along(face[0].x, face[1].x, random.between(-1, 1));
+      const double y = along(face[0].y, face[1].y, random.between(-1, 1));
+      const double z = along(face[0].z, face[1].z, random.between(-1, 1));
+      const ObjectViewer viewer = eye_at(x, y, z);
       const BackFaceTest test = test_back_face(face, viewer);
       CAPTURE(sine, i);
       check_against_rationals(test, face, viewer);
@@ -206,15 +207,14 @@ TEST_CASE(
     for (Point<Object>& p : polygon) {
       const auto coordinate = [&]() -> float {
         if (kind == 0) return float(random.integer(-2, 2));
-        if (kind == 1)
-          return float(std::ldexp(random.between(-1, 1), int(random.integer(-140, 120))));
+        if (kind == 1) return float(random.scaled(-1, 1, -140, 120));
         return 1e6f + float(random.unit());
       };
       p = {coordinate(), coordinate(), coordinate()};
     }
     const auto component = [&] {
       if (kind == 0) return double(random.integer(-3, 3));
-      if (kind == 1) return std::ldexp(random.between(-1, 1), int(random.integer(-150, 150)));
+      if (kind == 1) return random.scaled(-1, 1, -150, 150);
       return 1e6 + random.unit();
     };
     const ObjectViewer viewer{i % 2 == 0, {component(), component(), component()}, {0, 0, 0}};
@@ -305,7 +305,8 @@ TEST_CASE(
     std::int64_t back = 0, all = 0;
     for (int i = 0; i < 2000; ++i) {
       const auto coordinate = [&] { return random.between(-1000, 1000); };
-      const ObjectViewer viewer = eye_at(coordinate(), coordinate(), coordinate());
+      const double x = coordinate(), y = coordinate(), z = coordinate();
+      const ObjectViewer viewer = eye_at(x, y, z);
       int front_here = 0;
       // m is twice the vector area; over a closed surface it sums to zero. Seen from far away in direction g, front and
       // back faces have opposite shadows of the same size: culling loses nothing that is not covered by the front.

@@ -148,13 +148,13 @@ TEST_CASE(
   Random random(101);
   WorldMap m;
   for (int i = 0; i < 50; ++i) {
-    m = m *
-        translate<World>({random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)}) *
-        rotate_degrees<World>({random.between(-1, 1), 1, 0}, random.between(0, 360)).value() *
-        scale<World>(random.between(0.5, 2), random.between(-2, -0.5), 1) *
-        shear<World>(Axis::kY, Axis::kX, random.unit());
+    m = m * translate<World>({random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)});
+    const Vector<World, double> axis{random.between(-1, 1), 1, 0};
+    m = m * rotate_degrees<World>(axis, random.between(0, 360)).value();
+    const double larger = random.between(0.5, 2), mirrored = random.between(-2, -0.5);
+    m = m * scale<World>(larger, mirrored, 1) * shear<World>(Axis::kY, Axis::kX, random.unit());
     for (int column = 0; column < 4; ++column) CHECK(m.at(3, column) == (column == 3 ? 1 : 0));
-    CHECK((m.columns * glm::dvec4(random.unit(), random.unit(), random.unit(), 1)).w == 1);
+    CHECK((m.columns * glm::dvec4{random.unit(), random.unit(), random.unit(), 1}).w == 1);
   }
   // A column's last entry is another matter: the translation.
   CHECK(translate<World>({1, 2, 3}).at(0, 3) == 1);

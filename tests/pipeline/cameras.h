@@ -39,9 +39,9 @@ struct LensCase {
 inline LensCase random_lens(Random& random) {
   LensCase c;
   c.fovy_degrees = random.between(1, 175);
-  c.aspect = std::ldexp(random.between(1, 2), int(random.integer(-3, 2)));
-  c.near = std::ldexp(random.between(1, 2), int(random.integer(-10, 3)));
-  c.far = c.near * std::ldexp(random.between(1, 2), int(random.integer(1, 20)));
+  c.aspect = random.scaled(1, 2, -3, 2);
+  c.near = random.scaled(1, 2, -10, 3);
+  c.far = c.near * random.scaled(1, 2, 1, 20);
   return c;
 }
 

@@ -124,7 +124,8 @@ TEST_CASE("what is trivially accepted is not changed by clipping (C-42)") {
       return Point<Clip>{float(random.between(-200, 200)), float(random.between(-200, 200)),
                          float(random.between(-0.5, 2)), float(random.between(-0.5, 4))};
     };
-    const Triangle3 t = triangle(position(), position(), position());
+    const Point<Clip> a = position(), b = position(), c = position();
+    const Triangle3 t = triangle(a, b, c);
     const std::array<Outcode, 3> codes{outcode(t[0].position, planes),
                                        outcode(t[1].position, planes),
                                        outcode(t[2].position, planes)};
@@ -286,8 +287,8 @@ TEST_CASE("parallel projections keep w = 1 through clipping") {
   INFO("seed " << seed);
   Random random(seed);
   for (int i = 0; i < 5000; ++i) {
-    const Triangle3 t = triangle(random_position(random, 1, 1), random_position(random, 1, 1),
-                                 random_position(random, 1, 1));
+    const Point<Clip> a = random_position(random, 1, 1), b = random_position(random, 1, 1);
+    const Triangle3 t = triangle(a, b, random_position(random, 1, 1));
     const ClipPolygon polygon = clip_triangle(t, frustum_planes());
     for (int k = 0; k < polygon.count; ++k)
       REQUIRE(polygon.vertices[std::size_t(k)].position.w == 1);

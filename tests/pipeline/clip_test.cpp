@@ -227,7 +227,8 @@ TEST_CASE("vertices on planes are inside and are not repeated (C-35)") {
         return Point<Clip>{float(random.integer(-4, 4)) / 2, float(random.integer(-4, 4)) / 2,
                            float(random.integer(-2, 4)) / 2, float(random.integer(1, 2))};
       };
-      const Triangle3 t = triangle(position(), position(), position());
+      const Point<Clip> a = position(), b = position(), c = position();
+      const Triangle3 t = triangle(a, b, c);
       INFO(in_words(t));
       const ClipPolygon polygon = clip_triangle(t, planes);
       REQUIRE((polygon.count == 0 || (polygon.count >= 3 && polygon.count <= 9)));
@@ -282,7 +283,8 @@ TEST_CASE("each plane adds one vertex at most, even where rounding has bent the 
       const float y = i % 2 == 0 ? -float(65536.0 / 768 * w) : float(random.between(-1, 1));
       return Point<Clip>{x, y, float(random.between(-1, 4)), w};
     };
-    const Triangle3 t = triangle(position(), position(), position());
+    const Point<Clip> a = position(), b = position(), c = position();
+    const Triangle3 t = triangle(a, b, c);
     INFO(in_words(t));
     const ClipPolygon before = clip_triangle(t, first_two);
     const auto outside = [&](int k) {
@@ -345,7 +347,8 @@ TEST_CASE("any finite triangle divides to finite pixels (C-33, C-40)") {
             }
             return p;
           };
-          check(triangle(position(), position(), position()));
+          const Point<Clip> a = position(), b = position(), c = position();
+          check(triangle(a, b, c));
         }
       }
     }

@@ -24,7 +24,8 @@ struct Pair {
 // Of every size, now and then without error, as good as unknown, or an end of the range.
 Pair random_pair(Random& random) {
   const float sizes[] = {1.0f, 1e-3f, 1e3f, 1e-20f, 1e20f, 0x1p-140f};
-  float value = float(random.between(-1, 1)) * sizes[random.integer(0, 5)];
+  const float share = float(random.between(-1, 1));
+  float value = share * sizes[random.integer(0, 5)];
   if (random.unit() < 0.1) value = float(random.integer(-2, 2));
   const double shares[] = {0, 0x1p-24, 1e-5, 0.3, 1.5};
   const double bound = std::abs(double(value)) * shares[random.integer(0, 4)];

@@ -16,7 +16,7 @@ using bounded::Bounded;
 using in_full::Big;
 
 Image<Rgba8> random_image(Random& random) {
-  Image<Rgba8> image(int(random.integer(1, 17)), int(random.integer(1, 17)));
+  Image<Rgba8> image{int(random.integer(1, 17)), int(random.integer(1, 17))};
   const bool harsh = random.unit() < 0.3;  // black beside white
   for (Rgba8& c : image.pixels) {
     const auto byte = [&] {
@@ -43,7 +43,7 @@ double random_coordinate(Random& random, int size) {
     case 2:
       return random.between(-1e4, 1e4);
     case 3:
-      return -std::ldexp(random.unit(), -int(random.integer(20, 60)));
+      return -random.scaled(0, 1, -60, -20);
     default:
       return random.between(-1, 2);
   }
@@ -66,13 +66,13 @@ TEST_CASE("a texture sample is within its bound of real weights on real means") 
       const double v = random_coordinate(random, image.height);
       const double offs[] = {0, 1e-7, 1e-3, 0.2, 40};
       const auto near = [&](double x) {
-        const float given = float(x + offs[random.integer(0, 4)] * random.between(-1, 1));
+        const double off = offs[random.integer(0, 4)];
+        const float given = float(x + off * random.between(-1, 1));
         return Bounded(given, std::abs(double(given) - x));
       };
       const std::array<Bounded, 2> at{near(u), near(v)};
-      const double level = random.unit() < 0.2
-                               ? double(random.integer(-1, 4)) + 0.5 * double(random.integer(0, 1))
-                               : random.between(-1, 5);
+      const double level =
+          random.unit() < 0.2 ? double(random.integer(-2, 9)) / 2 : random.between(-1, 5);
       const float given = float(level + (random.unit() < 0.5 ? 0 : random.between(-1e-3, 1e-3)));
       const LevelBounds where{std::min(level, double(given)), std::max(level, double(given))};
       const double bound = sample_bound(chain, sampler, transfer, at, where);
@@ -101,7 +101,7 @@ TEST_CASE("the level of detail lies within its bounds") {
   Random random(69);
   int sharp = 0;
   for (int i = 0; i < 100'000; ++i) {
-    const float side = float(std::ldexp(random.between(0.5, 2), int(random.integer(-60, 60))));
+    const float side = float(random.scaled(0.5, 2, -60, 60));
     const float squared = side * side;
     const double shares[] = {0, 1e-7, 0.5, 1, 3};
     const double bound = double(squared) * shares[random.integer(0, 4)];

@@ -92,7 +92,7 @@ TEST_CASE("fixed-point depth rounds half up and reaches its end points (C-61)") 
 TEST_CASE("fixed-point depth is exactly floor(z (2^bits - 1) + 1/2)") {
   Random random(61);
   for (int i = 0; i < 20000; ++i) {
-    const float z = float(std::ldexp(random.unit(), int(random.integer(-32, 0))));
+    const float z = float(random.scaled(0, 1, -32, 0));
     for (const int bits : {16, 24}) {
       const std::int64_t code = unorm_depth_code(z, std::ldexp(1.0, bits) - 1);
       // 2 code <= 2 z (2^bits - 1) + 1 < 2 code + 2, where z = mantissa 2^-shift exactly.
@@ -115,7 +115,7 @@ TEST_CASE("fixed-point depth is exactly floor(z (2^bits - 1) + 1/2)") {
 TEST_CASE("a nearer fragment never has a larger code, in any format") {
   Random random(4);
   for (int i = 0; i < 20000; ++i) {
-    const float a = float(std::ldexp(random.unit(), int(random.integer(-40, 0))));
+    const float a = float(random.scaled(0, 1, -40, 0));
     const float b = random.integer(0, 1) == 0 ? std::nextafter(a, 2.0f) : float(random.unit());
     const float near = std::min(a, b), far = std::max(a, b);
     CAPTURE(near, far);

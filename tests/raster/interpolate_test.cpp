@@ -87,7 +87,7 @@ void require_within_bounds(const Worst& worst) {
 }
 
 float random_depth(Random& random) {
-  return float(std::ldexp(random.unit(), int(random.integer(-30, 0))));
+  return float(random.scaled(0, 1, -30, 0));
 }
 
 std::array<float, 3> plain_interpolation(const std::array<float, 3>& a,
@@ -113,11 +113,13 @@ TEST_CASE(
     const std::int64_t reach = kind == 1 ? 1 << 23 : 4000;
     const std::int64_t x = random.integer(-reach, reach), y = random.integer(-reach, reach);
     for (ScreenVertex& v : t) {
-      const float inverse_w = float(std::ldexp(1 + random.unit(), int(random.integer(-20, 10))));
+      const auto inverse_w = float(random.scaled(1, 2, -20, 10));
       const bool sliver = kind == 2 && &v != &t[0];
-      v = screen_vertex(sliver ? x + random.integer(-20, 20) : random.integer(-reach, reach),
-                        sliver ? y + random.integer(-20, 20) : random.integer(-reach, reach),
-                        random_depth(random), inverse_w);
+      const auto near = [&](std::int64_t at) {
+        return sliver ? at + random.integer(-20, 20) : random.integer(-reach, reach);
+      };
+      const std::int64_t at_x = near(x), at_y = near(y);
+      v = screen_vertex(at_x, at_y, random_depth(random), inverse_w);
     }
     const auto setup = setup_triangle(t);
     if (!setup) continue;
@@ -155,8 +157,8 @@ TEST_CASE("what is equal at the vertices is exactly that everywhere") {
     const float depth = random_depth(random), value = float(random.between(-1e6, 1e6));
     std::array<ScreenVertex, 3> t;
     for (ScreenVertex& v : t) {
-      v = screen_vertex(random.integer(-2000, 4000), random.integer(-2000, 4000), depth,
-                        float(random.between(1e-3, 1e3)));
+      const std::int64_t x = random.integer(-2000, 4000), y = random.integer(-2000, 4000);
+      v = screen_vertex(x, y, depth, float(random.between(1e-3, 1e3)));
     }
     const auto setup = setup_triangle(t);
     if (!setup) continue;
@@ -199,9 +201,9 @@ TEST_CASE("a fragment does not depend on winding or on where the vertices start 
   for (int i = 0; i < 2000; ++i) {
     std::array<ScreenVertex, 3> t;
     for (std::size_t k = 0; k < 3; ++k) {  // no two depths equal: the nearest vertex is one
-      t[k] = screen_vertex(random.integer(-2000, 4000), random.integer(-2000, 4000),
-                           float(k) * 0.25f + float(random.between(0.01, 0.2)),
-                           float(random.between(0.1, 10)));
+      const std::int64_t x = random.integer(-2000, 4000), y = random.integer(-2000, 4000);
+      const float z = float(k) * 0.25f + float(random.between(0.01, 0.2));
+      t[k] = screen_vertex(x, y, z, float(random.between(0.1, 10)));
     }
     const auto setup = setup_triangle(t);
     if (!setup) continue;
@@ -303,9 +305,13 @@ TEST_CASE(
   const PixelRect window{0, 0, 40, 40};
   for (int i = 0; i < 60; ++i) {
     const auto triangle = [&] {
-      return setup_triangle({on_plane(random.integer(0, 9000), random.integer(0, 3000)),
-                             on_plane(random.integer(0, 3000), random.integer(6000, 9000)),
-                             on_plane(random.integer(6000, 9000), random.integer(0, 9000))});
+      const auto within = [&](std::int64_t left, std::int64_t right, std::int64_t top,
+                              std::int64_t bottom) {
+        const std::int64_t x = random.integer(left, right);
+        return on_plane(x, random.integer(top, bottom));
+      };
+      return setup_triangle(
+          {within(0, 9000, 0, 3000), within(0, 3000, 6000, 9000), within(6000, 9000, 0, 9000)});
     };
     const auto first = triangle(), second = triangle();
     if (!first || !second) continue;

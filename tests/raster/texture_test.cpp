@@ -264,8 +264,8 @@ TEST_CASE("an image of one colour has that colour at every level, to the byte") 
 TEST_CASE("a texel of a level is the mean of exactly the area it covers in the level before") {
   Random random(6);
   for (int i = 0; i < 60; ++i) {
-    const Image<Rgba8> image =
-        random_image(random, int(random.integer(1, 24)), int(random.integer(1, 24)));
+    const int width = int(random.integer(1, 24)), height = int(random.integer(1, 24));
+    const Image<Rgba8> image = random_image(random, width, height);
     const Transfer transfer = i % 2 == 0 ? Transfer::kNone : Transfer::kSrgb;
     const std::vector<Image<Texel>> levels = levels_of(make_mip_chain(image, transfer, false));
     for (std::size_t k = 1; k < levels.size(); ++k) {
@@ -424,9 +424,7 @@ TEST_CASE("the level of detail chooses filter and level as the sampler says") {
 TEST_CASE("the level of detail is log2 of the longer side of the footprint") {
   Random random(9);
   for (int i = 0; i < 20000; ++i) {
-    const auto change = [&] {
-      return float(std::ldexp(random.between(-1, 1), int(random.integer(-25, 10))));
-    };
+    const auto change = [&] { return float(random.scaled(-1, 1, -25, 10)); };
     const TextureGradient g{{change(), change()}, {change(), change()}};
     const double x = std::hypot(double(g.along_x[0]) * 640, double(g.along_x[1]) * 480);
     const double y = std::hypot(double(g.along_y[0]) * 640, double(g.along_y[1]) * 480);
@@ -459,8 +457,8 @@ TEST_CASE("texture gradients are the exact derivatives, at the silhouette as ins
     std::array<ScreenVertex, 3> t;
     std::array<std::array<float, 2>, 3> texcoords;
     for (std::size_t k = 0; k < 3; ++k) {
-      t[k] = screen_vertex(random.integer(-3000, 9000), random.integer(-3000, 9000), 0.5f,
-                           float(random.between(0.01, 10)));
+      const std::int64_t x = random.integer(-3000, 9000), y = random.integer(-3000, 9000);
+      t[k] = screen_vertex(x, y, 0.5f, float(random.between(0.01, 10)));
       texcoords[k] = {float(random.between(-4, 4)), float(random.between(-4, 4))};
     }
     const auto setup = setup_triangle(t);

@@ -235,9 +235,8 @@ Scene soup(int triangles, Random& random) {
     mesh.faces.push_back({std::uint32_t(3 * i), 3});
   }
   Scene scene = test::scene_of(std::move(mesh));
-  const auto turn = rotate_degrees<World>(
-      Vector<Object, double>{random.between(-1, 1), random.between(-1, 1), 0.5},
-      random.between(-180, 180));
+  const Vector<Object, double> axis{random.between(-1, 1), random.between(-1, 1), 0.5};
+  const auto turn = rotate_degrees<World>(axis, random.between(-180, 180));
   REQUIRE(turn);
   scene.nodes[0].world_from_node =
       *turn * translate<Object, Object>(Vector<Object, double>{-offset, 0, offset});
@@ -309,7 +308,8 @@ TEST_CASE("every number of a trace lies within its bound, and no bound is idle: 
   Ratios ratios;
   for (int i = 0; i < kScenes; ++i) {
     CAPTURE(i);
-    compare_scene(soup(kTriangles, random), random_view(random), ratios);
+    const Scene scene = soup(kTriangles, random);
+    compare_scene(scene, random_view(random), ratios);
   }
   ratios.check();
 }

@@ -105,11 +105,12 @@ Scene random_scene(Random& random) {
   light.position = {2, 3, 4};
   light.direction = {0, -0.6, -0.8};
   scene.lights = {light};
-  const auto turn = rotate_degrees<World>(Vector<Object, double>{1, random.between(-1, 1), 0.5},
-                                          random.between(-180, 180));
+  const Vector<Object, double> axis{1, random.between(-1, 1), 0.5};
+  const auto turn = rotate_degrees<World>(axis, random.between(-180, 180));
   REQUIRE(turn);
+  const double height = random.between(0.5, 2);
   scene.nodes[0].world_from_node =
-      *turn * scale<Object, Object>(1, random.between(0.5, 2), random.unit() < 0.5 ? 1 : -1);
+      *turn * scale<Object, Object>(1, height, random.unit() < 0.5 ? 1 : -1);
   return scene;
 }
 
@@ -301,9 +302,9 @@ TEST_CASE("every colour of a run is within its bound") {
     CAPTURE(i);
     const Scene scene = random_scene(random);
     const PerspectiveLens lens{random.between(0.5, 1.5), std::pow(10, random.between(-4, -1)), {}};
-    const auto eye_from_world =
-        look_at(Point<World, double>{random.between(-1, 1), 0.5, random.between(0, 4)},
-                {0, random.between(-1, 1), 0}, {random.between(-0.5, 0.5), 1, 0});
+    const Point<World, double> eye{random.between(-1, 1), 0.5, random.between(0, 4)};
+    const Point<World, double> target{0, random.between(-1, 1), 0};
+    const auto eye_from_world = look_at(eye, target, {random.between(-0.5, 0.5), 1, 0});
     REQUIRE(eye_from_world);
     const auto view = make_view({"random", lens, inverse_rigid(*eye_from_world)}, 40, 30);
     REQUIRE(view);

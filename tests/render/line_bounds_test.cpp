@@ -104,8 +104,8 @@ Scene scene_of_lines(Random& random, bool textured) {
   light.intensity = 12;
   light.position = {2, 3, 4};
   scene.lights = {light};
-  const auto turn = rotate_degrees<World>(Vector<Object, double>{1, random.between(-1, 1), 0.5},
-                                          random.between(-180, 180));
+  const Vector<Object, double> axis{1, random.between(-1, 1), 0.5};
+  const auto turn = rotate_degrees<World>(axis, random.between(-180, 180));
   REQUIRE(turn);
   scene.nodes[0].world_from_node = *turn * scale<Object, Object>(1, random.between(0.5, 2), 1);
   return scene;
@@ -322,9 +322,9 @@ TEST_CASE("every fragment of lines, points and edges is within its bound") {
     const Scene scene = scene_of_lines(random, i % 3 == 0);
     const PerspectiveLens lens{random.between(0.7, 1.5), std::pow(10, random.between(-3, -0.5)),
                                8.0};
-    const auto eye_from_world =
-        look_at(Point<World, double>{random.between(-1, 1), 0.5, random.between(0, 3)},
-                {0, random.between(-1, 1), 0}, {random.between(-0.5, 0.5), 1, 0});
+    const Point<World, double> eye{random.between(-1, 1), 0.5, random.between(0, 3)};
+    const Point<World, double> target{0, random.between(-1, 1), 0};
+    const auto eye_from_world = look_at(eye, target, {random.between(-0.5, 0.5), 1, 0});
     REQUIRE(eye_from_world);
     const auto view = make_view({"random", lens, inverse_rigid(*eye_from_world)}, 80, 60);
     REQUIRE(view);

@@ -178,7 +178,8 @@ TEST_CASE("colours at a triangle's rim are its own: nothing is extrapolated") {
     const auto near = [&](float v) { return v + float(random.between(-0.7, 0.7)); };
     const auto first = std::uint32_t(mesh.positions.size());
     for (int k = 0; k < 3; ++k) {
-      mesh.positions.push_back(at_pixel(near(x), near(y), float(random.between(0.5, 5))));
+      const auto at_x = near(x), at_y = near(y);
+      mesh.positions.push_back(at_pixel(at_x, at_y, float(random.between(0.5, 5))));
       const auto shade = float(random.integer(0, 1) == 0 ? 0.25 : 0.75);
       mesh.colors.push_back({shade, shade, shade, 1});
     }

@@ -104,7 +104,7 @@ SampledMatches sample_matches(const Image<TrueMatch>& truth, const Image<float>&
     const auto width = std::size_t(truth.width);
     const Vector2d left(double(seen[i] % width) + 0.5, double(seen[i] / width) + 0.5);
     const bool is_outlier = random.unit() < sampling.outliers;
-    const Vector2d anywhere(random.unit() * right.width, random.unit() * right.height);
+    const Vector2d anywhere{random.unit() * right.width, random.unit() * right.height};
     const Vector2d place = is_outlier ? anywhere : Vector2d(match.x, match.y);
     sampled.matches.push_back(
         {left + gaussian(random, sampling.noise), place + gaussian(random, sampling.noise)});

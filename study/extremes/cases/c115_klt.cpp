@@ -71,8 +71,8 @@ void judge_space(const Subject115& subject, Worst& worst) {
   Random random(116);
   for (int turn = 0; turn < 20; ++turn) {
     views::Bands bands = empty_bands(3), turned = bands;
-    const Eigen::Vector3d axis(random.between(-1, 1), random.between(-1, 1),
-                               random.between(0.5, 1));
+    const Eigen::Vector3d axis{random.between(-1, 1), random.between(-1, 1),
+                               random.between(0.5, 1)};
     const Eigen::Matrix3d rotation =
         Eigen::AngleAxisd(random.between(0.2, 1.3), axis.normalized()).matrix();
     for (std::size_t i = 0; i < bands.pixels(); ++i) {

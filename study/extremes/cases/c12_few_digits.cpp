@@ -17,10 +17,9 @@ Outcome judge(ViewOf view_of) {
   double moved = 0;
   Worst worst;
   for (int i = 0; i < 200; ++i) {
-    const double x = random.between(-1, 1), y = random.between(-1, 1);
-    const auto exact = rotate_degrees<World, Eye>(Vector<Eye, double>(x, y, random.between(0.1, 1)),
-                                                  random.between(0, 360))
-                           .value();
+    const Vector<Eye, double> axis{random.between(-1, 1), random.between(-1, 1),
+                                   random.between(0.1, 1)};
+    const auto exact = rotate_degrees<World, Eye>(axis, random.between(0, 360)).value();
     auto printed = exact;
     for (int row = 0; row < 3; ++row) {
       for (int column = 0; column < 3; ++column) {

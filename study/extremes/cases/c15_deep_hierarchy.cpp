@@ -24,9 +24,9 @@ std::vector<WorldMap> hierarchy() {
     const WorldVector axis{random.between(-1, 1), random.between(-1, 1), random.between(0.1, 1)};
     // Scales of both directions in turn, so that the object keeps its size on the whole.
     const double s = i % 2 == 0 ? 1.25 : 0.8;
-    levels.push_back(rotate_degrees<World>(axis, random.between(0, 360)).value() *
-                     scale<World>(s, s, s) *
-                     translate<World>({random.between(-1, 1), random.between(-1, 1), 1}));
+    const WorldMap turn = rotate_degrees<World>(axis, random.between(0, 360)).value();
+    const WorldVector aside{random.between(-1, 1), random.between(-1, 1), 1};
+    levels.push_back(turn * scale<World>(s, s, s) * translate<World>(aside));
   }
   return levels;
 }

@@ -50,11 +50,14 @@ Outcome judge(TransformNormal transform, Observer* observer = nullptr) {
   Random random(717);
   int inward = 0, all = 0;
   for (int i = 0; i < 200; ++i) {
-    const auto sign = [&] { return random.integer(0, 1) == 0 ? -1.0 : 1.0; };
-    const auto map =
-        rotate_degrees<World>(axis_from(random), random.between(0, 360)).value() *
-        scale<World, Object>(sign() * random.between(0.1, 3), sign() * random.between(0.1, 3),
-                             sign() * random.between(0.1, 3));
+    const auto factor = [&] {
+      const double sign = random.integer(0, 1) == 0 ? -1 : 1;
+      return sign * random.between(0.1, 3);
+    };
+    const Vector<World, double> about = axis_from(random);
+    const auto turn = rotate_degrees<World>(about, random.between(0, 360)).value();
+    const double x = factor(), y = factor(), z = factor();
+    const auto map = turn * scale<World, Object>(x, y, z);
     for (int axis = 0; axis < 3; ++axis) {
       for (const float side : {-1.0f, 1.0f}) {
         const Normal<Object> n(axis == 0 ? side : 0, axis == 1 ? side : 0, axis == 2 ? side : 0);

@@ -84,9 +84,9 @@ Outcome judge_drawn(const Drawer& by) {
     for (int i = 0; i < 2000; ++i) {
       const double x = random.between(0, 250), y = random.between(0, 250);
       const double dx = random.between(-8, 8), dy = random.between(-8, 8), t = random.unit();
-      const auto aside = [&] { return random.between(-1, 1) / 512; };
+      const double right = random.between(-1, 1) / 512, down = random.between(-1, 1) / 512;
       slivers.push_back({screen_vertex(x, y), screen_vertex(x + dx, y + dy),
-                         screen_vertex(x + t * dx + aside(), y + t * dy + aside())});
+                         screen_vertex(x + t * dx + right, y + t * dy + down)});
     }
     std::vector<CoverageDrawn> all;
     for (const Cull cull : {Cull::kBack, Cull::kFront}) {

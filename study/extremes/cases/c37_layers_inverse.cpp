@@ -43,8 +43,8 @@ Outcome judge(const Way& way) {
   for (int i = 0; i < 400; ++i) {
     // Along the gaze from 100 to 900 units, evenly in its logarithm.
     const double z = 100 * std::pow(9, i / 399.0);
-    const Eigen::Vector4d world(random.between(-0.4, 0.4) * z, random.between(-0.3, 0.3) * z, -z,
-                                1);
+    const Eigen::Vector4d world{random.between(-0.4, 0.4) * z, random.between(-0.3, 0.3) * z, -z,
+                                1};
     const Eigen::Vector4d first = from * world, second = to * world;
     if (!(second.w() > 40)) continue;
     const Stored sample = way.store(first);

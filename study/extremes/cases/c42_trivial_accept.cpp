@@ -133,8 +133,9 @@ Vista panes_in_groups() {
     const auto coordinate = [&] { return random.between(-9, 9); };
     const double x = coordinate(), y = coordinate(), size = random.between(0.05, 0.3);
     // Not as far behind as before the eye, so that groups lie on both sides of it.
-    add_at(scene, translate<World>(WorldVector{x, y, coordinate() - 4}) *
-                      rotate_degrees<World>({0, 1, 0}, random.between(-60, 60)).value() *
+    const double z = coordinate() - 4, turn = random.between(-60, 60);
+    add_at(scene, translate<World>(WorldVector{x, y, z}) *
+                      rotate_degrees<World>({0, 1, 0}, turn).value() *
                       scale<World, Object>(size, size, size));
   }
   return vista_of(scene, camera_at({0, 0, 0}, {0, 0, -1}), 32, 32);

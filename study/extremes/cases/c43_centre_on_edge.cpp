@@ -61,7 +61,10 @@ Outcome judge_drawn(const Drawer& by) {
         std::vector<ScreenTriangle> triangles;
         for (int cell = 0; cell < 4096; ++cell) {
           const auto centre = [&](int at) { return at * 8 + double(random.integer(0, 7)) + 0.5; };
-          const auto corner = [&] { return screen_vertex(centre(cell % 64), centre(cell / 64)); };
+          const auto corner = [&] {
+            const double x = centre(cell % 64), y = centre(cell / 64);
+            return screen_vertex(x, y);
+          };
           triangles.push_back({corner(), corner(), corner()});
         }
         return triangles;

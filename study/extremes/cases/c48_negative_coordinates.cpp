@@ -10,7 +10,10 @@ namespace c48 {
 
 ScreenTriangle random_triangle(Random& random) {
   ScreenTriangle t;
-  for (ScreenVertex& v : t) v = screen_vertex(random.between(-9, 9), random.between(-9, 9));
+  for (ScreenVertex& v : t) {
+    const double x = random.between(-9, 9), y = random.between(-9, 9);
+    v = screen_vertex(x, y);
+  }
   return t;
 }
 

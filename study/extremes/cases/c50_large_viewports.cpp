@@ -38,7 +38,10 @@ Outcome judge_drawn(const Drawer& by) {
       [] {
         Random random(150);
         std::vector<ScreenTriangle> all;
-        const auto at = [&] { return double(random.integer(-4096 * 256, 8192 * 256)) / 256; };
+        const auto anywhere = [&] {
+          const double x = double(random.integer(-4096 * 256, 8192 * 256)) / 256;
+          return screen_vertex(x, double(random.integer(-4096 * 256, 8192 * 256)) / 256);
+        };
         // As narrow as a small triangle, and too high for 32 bits.
         for (int i = 0; i < 6; ++i) {
           const double x = 600 * i, width = double(random.integer(40, 63));
@@ -48,8 +51,7 @@ Outcome judge_drawn(const Drawer& by) {
                          screen_vertex(x + 100, 4100)});
         }
         for (int i = 0; i < 5; ++i) {
-          all.push_back(
-              {screen_vertex(at(), at()), screen_vertex(at(), at()), screen_vertex(at(), at())});
+          all.push_back({anywhere(), anywhere(), anywhere()});
         }
         return all;
       }(),

@@ -37,11 +37,12 @@ Outcome judge_drawn(const Drawer& by) {
         std::vector<ScreenTriangle> all;
         for (int cell = 0; cell < 4096; ++cell) {
           const auto near_centre = [&](int at) {
-            return at * 8 + double(random.integer(0, 7)) + 0.5 +
-                   double(random.integer(-3, 3)) / 1024;
+            const double centre = at * 8 + double(random.integer(0, 7)) + 0.5;
+            return centre + double(random.integer(-3, 3)) / 1024;
           };
           const auto corner = [&] {
-            return screen_vertex(near_centre(cell % 64), near_centre(cell / 64));
+            const double x = near_centre(cell % 64), y = near_centre(cell / 64);
+            return screen_vertex(x, y);
           };
           all.push_back({corner(), corner(), corner()});
         }

@@ -27,7 +27,8 @@ std::vector<std::vector<ScreenTriangle>> triangle_lists() {
             i % 2 == 0 ? random.integer(0, 16) : from + random.integer(0, 3);
         return double(corner) * 16 + double(random.integer(-3, 3)) * 0.5;
       };
-      v = screen_vertex(coordinate(left), coordinate(top));
+      const double x = coordinate(left), y = coordinate(top);
+      v = screen_vertex(x, y);
     }
     all[std::size_t(i) / 20].push_back(t);
   }

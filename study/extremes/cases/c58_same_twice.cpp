@@ -22,9 +22,9 @@ std::vector<ScreenTriangle> pairs() {
   for (int i = 0; i < 60; ++i) {
     ScreenTriangle t;
     for (ScreenVertex& v : t) {
-      v = screen_vertex(double(random.integer(0, 4 * kSide)) / 4,
-                        double(random.integer(0, 4 * kSide)) / 4,
-                        float(random.between(0.125, 0.875)));
+      const double x = double(random.integer(0, 4 * kSide)) / 4;
+      const double y = double(random.integer(0, 4 * kSide)) / 4;
+      v = screen_vertex(x, y, float(random.between(0.125, 0.875)));
       if (i % 3 == 0) v = shrunk(v, i);
     }
     all.push_back(t);

@@ -53,8 +53,8 @@ Outcome judge(OrderOf order_of) {
   std::int64_t counterexamples = 0, tried = 0;
   int missed = 0;
   const auto anywhere = [&](double far) {
-    return Vector3d(random.between(-far, far), random.between(-far, far),
-                    random.between(-far, far));
+    return Vector3d{random.between(-far, far), random.between(-far, far),
+                    random.between(-far, far)};
   };
   std::vector<Cameras> all{ring(0), ring(0.5), ring(3), ring(-3)};
   // Cameras beyond a plane that leaves a corner of the box on their side, but for the first.

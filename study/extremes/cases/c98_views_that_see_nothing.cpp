@@ -46,7 +46,8 @@ std::vector<Vector3d> asked(Random& random) {
       all.push_back((share * a + (1 - share) * b).normalized());
       all.push_back((share * a + share * b + c).normalized());
     }
-    all.push_back((random.between(0.1, 1) * a + random.between(0.1, 1) * b + c).normalized());
+    const double of_a = random.between(0.1, 1), of_b = random.between(0.1, 1);
+    all.push_back((of_a * a + of_b * b + c).normalized());
   }
   return all;
 }

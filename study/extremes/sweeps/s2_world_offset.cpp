@@ -94,7 +94,7 @@ SweepSeries series_of(const char* name, bool ours,
     SweepPoint worst{place.offset, 0, 0};
     for (int i = 0; i < 200; ++i) {
       const auto coordinate = [&] { return float(random.between(-1, 1)); };
-      const Point<Object> p(coordinate(), coordinate(), coordinate());
+      const Point<Object> p{coordinate(), coordinate(), coordinate()};
       const Computed found = compute(place, p);
       const LongVector exact = exactly(place, p);
       for (int k = 0; k < 3; ++k) {

@@ -58,7 +58,8 @@ bool sees(const FloatMatrix& clip_from_object, const std::vector<Point<Object>>&
 // A point at a random distance, within half a picture of the picture's edges.
 Point<Object> around_the_picture(Random& random, const View& view,
                                  const Transform<World, Eye>& pose = {}) {
-  const double z = test::random_distance(random, view) * random.between(0.5, 1.1);
+  const double distance = test::random_distance(random, view);
+  const double z = distance * random.between(0.5, 1.1);
   const Point<Eye, double> p = test::random_seen(random, view, z);
   const Point<World, double> world = pose * Point<Eye, double>{p.x * 1.5, p.y * 1.5, p.z};
   return {float(world.x), float(world.y), float(world.z)};

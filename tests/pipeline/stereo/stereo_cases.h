@@ -31,8 +31,9 @@ inline Transform<World, Eye> random_pose(Random& random) {
   const auto number = [&] { return random.between(-10, 10); };
   Result<Transform<World, Eye>> pose = tl::unexpected(Error{});
   while (!pose) {
-    pose = camera_pose(Point<World, double>{number(), number(), number()},
-                       Vector<World, double>{number(), number(), number()}, {0, 1, 0});
+    const Point<World, double> eye{number(), number(), number()};
+    const Vector<World, double> gaze{number(), number(), number()};
+    pose = camera_pose(eye, gaze, {0, 1, 0});
   }
   return *pose;
 }
@@ -57,8 +58,9 @@ inline View random_perspective(Random& random, const Transform<World, Eye>& pose
 
 inline View random_parallel(Random& random, const Transform<World, Eye>& pose = {}) {
   const double near = random.between(-1, 1);
-  return view_of(OrthographicLens{random.between(1, 20), near, near + random.between(5, 50)},
-                 int(random.integer(64, 4096)), int(random.integer(64, 4096)),
+  const OrthographicLens lens{random.between(1, 20), near, near + random.between(5, 50)};
+  const int width = int(random.integer(64, 4096)), height = int(random.integer(64, 4096));
+  return view_of(lens, width, height,
                  random.integer(0, 1) == 0 ? DepthRange::kStandard : DepthRange::kReversed, pose);
 }
 

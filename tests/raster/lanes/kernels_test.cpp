@@ -72,9 +72,10 @@ TEST_CASE("vertices over lanes are where the scalar stages put them, and inside 
     // Sizes that are no multiple of the lanes.
     std::vector<Point<Object>> positions;
     for (std::int64_t i = random.integer(1, 70); i > 0; --i) {
+      const double size = random.between(-2, 2);
       const double distance = random.integer(0, 3) == 0
                                   ? near * (1 + 1e-7 * double(random.integer(-3, 3)))
-                                  : random.between(-2, 2) * std::exp2(random.between(-8, 12));
+                                  : size * std::exp2(random.between(-8, 12));
       const double wide = distance * std::exp2(random.between(-3, 14));
       positions.push_back({float(random.between(-1, 1) * wide + job.anchor.x),
                            float(random.between(-1, 1) * wide), float(-distance + job.anchor.z)});

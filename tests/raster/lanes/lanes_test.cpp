@@ -141,7 +141,8 @@ TEST_CASE("lanes snap as the scalar stage does: halves, their neighbours, the gu
   append_neighbours(0.0f, pixels);
   Random random(3);
   for (int i = 0; i < 100000; ++i) {
-    pixels.push_back(float(random.between(-1, 1) * std::exp2(random.between(-12, 16))));
+    const double share = random.between(-1, 1);
+    pixels.push_back(float(share * std::exp2(random.between(-12, 16))));
   }
   // In the range of snap().
   std::erase_if(pixels, [](float p) { return !(std::abs(p) <= 65536); });
@@ -315,9 +316,7 @@ TEST_CASE("lanes find the level of detail of the scalar stage, whatever the grad
   }
   // Squares from below the smallest float to infinity.
   for (int i = 0; i < 20000; ++i) {
-    const auto change = [&] {
-      return float(std::ldexp(random.between(-1, 1), int(random.integer(-90, 70))));
-    };
+    const auto change = [&] { return float(random.scaled(-1, 1, -90, 70)); };
     gradients.push_back({{change(), change()}, {change(), change()}});
   }
   std::vector<float> expected, actual(gradients.size());

@@ -152,16 +152,17 @@ TEST_CASE(
     Random random(seed);
     Scene scene = rough_ball(24, seed % 2 == 0 ? 0 : 0.01, seed);
     const auto stretch = [&] {
-      return random.between(0.1, 2) * (random.integer(0, 1) == 0 ? -1 : 1);
+      const double size = random.between(0.1, 2);
+      return random.integer(0, 1) == 0 ? -size : size;
     };
-    const auto placed =
-        translate<World, World>({random.between(-1, 1), 0, random.between(-12, -2)}) *
-        scale<World, Object>(stretch(), stretch(), stretch());
+    const double x = random.between(-1, 1), z = random.between(-12, -2);
+    const double wide = stretch(), high = stretch(), deep = stretch();
+    const auto placed = translate<World, World>({x, 0, z}) * scale<World, Object>(wide, high, deep);
     scene.nodes[0] = Node{"placed", kNone, placed, placed};
     const Lens lens = seed % 3 == 0 ? Lens(OrthographicLens{2, 0.1, 40})
                                     : Lens(PerspectiveLens{random.between(0.1, 2.5), 0.1, 40.0});
-    const View view =
-        planned_view(lens, int(random.integer(40, 1000)), int(random.integer(40, 1000)));
+    const int width = int(random.integer(40, 1000)), height = int(random.integer(40, 1000));
+    const View view = planned_view(lens, width, height);
     const Planned planned = plan_of(scene, view);
     const Draw& draw = planned.list.draws[0];
     for (const Cull cull : {Cull::kBack, Cull::kFront}) {
@@ -217,17 +218,20 @@ Case random_case(Random& random) {
   Material material;
   material.double_sided = random.integer(0, 7) == 0;
   const double roughness = random.integer(0, 1) == 0 ? 0.001 : random.between(0, 0.5);
-  c.scene = rough_ball(int(random.integer(10, 24)), roughness, random.bits(), material);
+  const int rings = int(random.integer(10, 24));
+  c.scene = rough_ball(rings, roughness, random.bits(), material);
   const double offset = random.integer(0, 3) == 0 ? random.between(-1000, 1000) : 0;
   for (Point<Object>& p : c.scene.meshes[0].positions) p.x = float(double(p.x) + offset);
 
-  const double size = std::ldexp(random.between(0.5, 1), int(random.integer(-6, 4)));
+  const double size = random.scaled(0.5, 1, -6, 4);
   const auto stretch = [&] {
-    return size * random.between(0.05, 1) * (random.integer(0, 2) == 0 ? -1 : 1);
+    const double factor = size * random.between(0.05, 1);
+    return random.integer(0, 2) == 0 ? -factor : factor;
   };
   const double distance = -random.between(0, 12);
-  auto placed = translate<World, World>({random.between(-3, 3), random.between(-3, 3), distance}) *
-                scale<World, World>(stretch(), stretch(), stretch());
+  const double x = random.between(-3, 3), y = random.between(-3, 3);
+  const double wide = stretch(), high = stretch(), deep = stretch();
+  auto placed = translate<World, World>({x, y, distance}) * scale<World, World>(wide, high, deep);
   placed.at(0, 1) += size * random.between(-0.5, 0.5);
   const auto centred = translate<World, Object>({-offset, 0, 0});
   const auto world_from_object = placed * centred;
@@ -238,7 +242,8 @@ Case random_case(Random& random) {
                                 : Lens(OrthographicLens{random.between(0.1, 6), 0.1, 20});
   c.settings.depth =
       random.integer(0, 3) == 0 ? DepthFormat::kFloat32Reversed : DepthFormat::kFloat32;
-  c.view = planned_view(lens, int(random.integer(8, 200)), int(random.integer(8, 120)),
+  const int width = int(random.integer(8, 200)), height = int(random.integer(8, 120));
+  c.view = planned_view(lens, width, height,
                         c.settings.depth == DepthFormat::kFloat32Reversed ? DepthRange::kReversed
                                                                           : DepthRange::kStandard);
   const std::array<Cull, 4> culls{Cull::kMaterial, Cull::kBack, Cull::kFront, Cull::kNone};

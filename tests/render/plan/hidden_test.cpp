@@ -195,8 +195,8 @@ HiddenBalls judge_hidden(double margin_px, int tries) {
   Random random(20261123);
   for (int i = 0; i < tries; ++i) {
     const Scene scene = near_the_edge(random);
-    const View view = planned_view(PerspectiveLens{kDegrees45, 0.5, 20.0},
-                                   int(random.integer(60, 200)), int(random.integer(40, 150)));
+    const int width = int(random.integer(60, 200)), height = int(random.integer(40, 150));
+    const View view = planned_view(PerspectiveLens{kDegrees45, 0.5, 20.0}, width, height);
     RenderSettings settings = with_planes();
     settings.samples = random.integer(0, 3) == 0 ? 4 : 1;
     Planned planned = plan_of(scene, view, settings, false);
@@ -239,21 +239,22 @@ TEST_CASE("random balls and walls: the same bytes, hidden or not") {
     const auto coordinate = [&](double z) { return random.between(-0.6, 0.6) * z; };
     for (int ball = 0; ball < 4; ++ball) {
       const double z = -random.between(2, 18);
-      place(scene, 0, {coordinate(z), coordinate(z), z}, random.between(0.05, 1));
+      const double x = coordinate(z), y = coordinate(z);
+      place(scene, 0, {x, y, z}, random.between(0.05, 1));
     }
     for (int wall = 0; wall < 3; ++wall) {
       const double z = -random.between(1, 12);
       Material material = wall_material();
       material.double_sided = random.integer(0, 2) != 0;
-      add_wall(scene, {coordinate(z), coordinate(z), coordinate(z), coordinate(z)}, z, material,
-               int(random.integer(1, 3)));
+      const double a = coordinate(z), b = coordinate(z), c = coordinate(z), d = coordinate(z);
+      add_wall(scene, {a, b, c, d}, z, material, int(random.integer(1, 3)));
       // Some as large as the view.
       if (random.integer(0, 1) == 0) add_wall(scene, {5 * z, 5 * z, -5 * z, -5 * z}, z - 3);
     }
     RenderSettings settings = with_planes();
     settings.samples = random.integer(0, 2) == 0 ? 4 : 1;
-    const View view = planned_view(PerspectiveLens{kDegrees45, 0.5, 20.0},
-                                   int(random.integer(17, 120)), int(random.integer(17, 90)));
+    const int width = int(random.integer(17, 120)), height = int(random.integer(17, 90));
+    const View view = planned_view(PerspectiveLens{kDegrees45, 0.5, 20.0}, width, height);
     hidden += hidden_in(scene, view, settings);
     check_same(scene, view, settings);
   }

@@ -122,8 +122,9 @@ TEST_CASE("all depth codes of a draw lie within those that are foreseen for it")
       const View view =
           planned_view(lens, 64, 48, reversed ? DepthRange::kReversed : DepthRange::kStandard);
       Scene scene = ball_to_place({}, random.bits());
-      place(scene, 0, {random.between(-1, 1), random.between(-1, 1), -random.between(0, 21)},
-            std::exp(random.between(-5, 1)));
+      const double x = random.between(-1, 1), y = random.between(-1, 1);
+      const double z = -random.between(0, 21);
+      place(scene, 0, {x, y, z}, std::exp(random.between(-5, 1)));
       RenderSettings settings;
       settings.depth = format;
       const Planned planned = plan_of(scene, view, settings);

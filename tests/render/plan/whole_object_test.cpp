@@ -70,8 +70,8 @@ AtTheEdge at_the_edge(Random& random) {
   const double half = perspective ? -z * 0.41421356237309503 : 2;
   // Small, and its centre about as far from the edge as it is large.
   const double size = random.between(0.01, 0.6);
-  const double x =
-      (random.integer(0, 1) == 0 ? 1 : -1) * (half * aspect + random.between(-0.5, 2) * size);
+  const double beside = half * aspect + random.between(-0.5, 2) * size;
+  const double x = random.integer(0, 1) == 0 ? beside : -beside;
   const double y = random.between(-half, half);
   const bool upright = random.integer(0, 1) == 0;
   Scene scene = ball_to_place({}, random.bits());

@@ -99,8 +99,8 @@ TEST_CASE("rounding a position moves it on the screen by no more than half an ul
     const auto coordinate = [&] { return offset + random.between(-1, 1); };
     const double x = coordinate(), y = -coordinate(), z = coordinate();
     const Point<Object> rounded{float(x), float(y), float(z)};
-    const auto turn = rotate_degrees<World>(Vector<Object, double>{1, 2, random.between(-3, 3)},
-                                            random.between(-180, 180));
+    const Vector<Object, double> axis{1, 2, random.between(-3, 3)};
+    const auto turn = rotate_degrees<World>(axis, random.between(-180, 180));
     REQUIRE(turn);
     const auto near_origin =
         translate<Object, Object>(Vector<Object, double>{-offset, offset, -offset});

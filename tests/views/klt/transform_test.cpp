@@ -51,8 +51,8 @@ TEST_CASE(
   for (int i = 0; i < 200; ++i) {
     const int count = int(random.integer(1, 8));
     const double mean = i % 2 == 0 ? 0 : 1000;
-    const Bands bands =
-        random_bands(random, count, int(random.integer(2, 40)), int(random.integer(1, 30)), mean);
+    const int width = int(random.integer(2, 40)), height = int(random.integer(1, 30));
+    const Bands bands = random_bands(random, count, width, height, mean);
     const auto klt = klt_of(bands);
     REQUIRE(klt);
     for (int kept = 0; kept <= count; ++kept) {

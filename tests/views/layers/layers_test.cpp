@@ -58,8 +58,8 @@ TEST_CASE("S1-07: the warp matrix carries a pixel to where the world's point is 
     const LayerCamera c1 = layer_camera(from), c2 = layer_camera(to);
     const Eigen::Matrix4d warp = warp_matrix(c2, c1);
     for (int i = 0; i < 200; ++i) {
-      const Eigen::Vector4d world(random.between(-2, 2), random.between(-2, 2),
-                                  random.between(-2, 2), 1);
+      const Eigen::Vector4d world{random.between(-2, 2), random.between(-2, 2),
+                                  random.between(-2, 2), 1};
       const Eigen::Vector4d in1 = c1.screen_from_world * world, in2 = c2.screen_from_world * world;
       const float depth = float(in1.z() / in1.w());  // as it is stored
       CHECK(double(depth) == Approx(depth_of(from, in1.w())).epsilon(1e-6));
@@ -443,8 +443,9 @@ TEST_CASE("a wall on the near plane is drawn whole, from wherever its own view l
   Random random(83);
   for (int i = 0; i < 60; ++i) {
     const auto some = [&](double most) { return random.between(-most, most); };
-    const Camera camera = camera_at({some(9), some(9), some(9)}, {some(1), some(1), some(1)},
-                                    random.between(0.01, 3));
+    const Point<World, double> eye{some(9), some(9), some(9)};
+    const Point<World, double> target{some(1), some(1), some(1)};
+    const Camera camera = camera_at(eye, target, random.between(0.01, 3));
     const LayerCamera own = layer_camera(make_view(camera, 64, 48).value());
     LayerBuilder builder(own, 0);
     for (int y = 0; y < 48; ++y) {
@@ -505,7 +506,8 @@ TEST_CASE("S1-11: along a row of a stereo pair, what is visited later is nearer"
     for (int i = 0; i < 600; ++i) {
       // Parallaxes of whole pixels: near / distance = n near / (pixels * baseline), with a baseline of 1.
       const double depth = double(random.integer(1, 30)) * 0.5 / pixels;
-      builder.add(int(random.integer(0, 63)), int(random.integer(0, 7)), float(depth),
+      const int x = int(random.integer(0, 63)), y = int(random.integer(0, 7));
+      builder.add(x, y, float(depth),
                   {std::uint8_t(random.integer(0, 255)), std::uint8_t(i), std::uint8_t(i >> 8)});
     }
     const LayeredImage image = builder.pack();

@@ -114,9 +114,11 @@ TEST_CASE("centres of pixels on a side that two polygons share belong to one of 
     const auto coordinate = [&](int low, int high) {
       return double(random.integer(low, high)) + 0.5;
     };
-    const Vector3d middle = at(coordinate(-2, 2), coordinate(-2, 2));
-    const Vector3d corners[] = {at(-9, -9), at(coordinate(5, 9), coordinate(-9, -5)), at(9, 9),
-                                at(coordinate(-9, -5), coordinate(5, 9))};
+    const double x = coordinate(-2, 2), y = coordinate(-2, 2);
+    const double right = coordinate(5, 9), top = coordinate(-9, -5);
+    const double left = coordinate(-9, -5), bottom = coordinate(5, 9);
+    const Vector3d middle = at(x, y);
+    const Vector3d corners[] = {at(-9, -9), at(right, top), at(9, 9), at(left, bottom)};
     IdLayers layers(32, 32);
     for (std::size_t k = 0; k < 4; ++k)
       layers.add(PolygonId(k), {camera, 32, 32, {middle, corners[(k + 1) % 4], corners[k]}});

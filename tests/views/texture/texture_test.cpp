@@ -21,7 +21,7 @@ namespace {
 
 Vector3d any_direction(Random& random) {
   for (;;) {
-    const Vector3d d(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+    const Vector3d d{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
     if (d.norm() > 0.1 && d.norm() < 1) return d.normalized();
   }
 }

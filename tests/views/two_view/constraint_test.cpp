@@ -130,8 +130,8 @@ TEST_CASE("a view's camera projects to the pixels that the pipeline does") {
   const auto pinhole = camera_of(*view);
   REQUIRE(pinhole);
   for (int i = 0; i < 100; ++i) {
-    const Vector3d world(test::uniform(random, -1, 1), test::uniform(random, -1, 1),
-                         -test::uniform(random, 2, 9));
+    const Vector3d world{test::uniform(random, -1, 1), test::uniform(random, -1, 1),
+                         -test::uniform(random, 2, 9)};
     const Vector3d pixel = project(*pinhole, world);
     // The pipeline's matrix and these are the same doubles; a few roundings of 320.
     CHECK((pixel.head<2>() - pixel_by_pipeline(*view, world)).norm() < 1e-10);

@@ -25,16 +25,17 @@ inline double uniform(std::mt19937& random, double low, double high) {
 
 inline Vector3d random_direction(std::mt19937& random) {
   std::normal_distribution<double> normal;
-  return Vector3d(normal(random), normal(random), normal(random)).normalized();
+  return Vector3d{normal(random), normal(random), normal(random)}.normalized();
 }
 
 // Turned by up to `angle` radians, and 0.3 to 1 away in any direction.
 inline StereoRig random_rig(std::mt19937& random, double angle = 0.3) {
   StereoRig rig;
   rig.left_intrinsic = rig.right_intrinsic = sample_intrinsic();
-  rig.pose.rotation =
-      Eigen::AngleAxisd(uniform(random, -angle, angle), random_direction(random)).matrix();
-  rig.pose.translation = uniform(random, 0.3, 1) * random_direction(random);
+  const double turn = uniform(random, -angle, angle);
+  rig.pose.rotation = Eigen::AngleAxisd(turn, random_direction(random)).matrix();
+  const double length = uniform(random, 0.3, 1);
+  rig.pose.translation = length * random_direction(random);
   return rig;
 }
 
@@ -48,7 +49,7 @@ inline Match seen(const Vector3d& point, const StereoRig& rig) {
 inline Vector3d random_point(std::mt19937& random, const StereoRig& rig, double nearest = 2,
                              double farthest = 10) {
   for (;;) {
-    const Vector2d pixel(uniform(random, 0, 640), uniform(random, 0, 480));
+    const Vector2d pixel{uniform(random, 0, 640), uniform(random, 0, 480)};
     const Vector3d point =
         uniform(random, nearest, farthest) * ray_through(rig.left_intrinsic, pixel);
     if ((rig.pose.rotation * (point - rig.pose.translation)).z() > 1) return point;

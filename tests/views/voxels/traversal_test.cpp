@@ -48,8 +48,8 @@ TEST_CASE("no voxel that hides another comes after it in an order that is called
   for (int round = 0; round < 400; ++round) {
     std::vector<Vector3d> cameras;
     const auto anywhere = [&](double far) {
-      return Vector3d(random.between(-far, far), random.between(-far, far),
-                      random.between(-far, far));
+      return Vector3d{random.between(-far, far), random.between(-far, far),
+                      random.between(-far, far)};
     };
     const Vector3d middle = anywhere(4);
     const auto count = random.integer(1, 5);
@@ -68,7 +68,7 @@ TEST_CASE("no voxel that hides another comes after it in an order that is called
     oblique += traversal.kind == TraversalKind::kOblique;
     for (int pair = 0; pair < 50; ++pair) {
       // Q anywhere in the box, P on the way from a camera to it.
-      const Vector3d q(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+      const Vector3d q{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
       const Vector3d& camera =
           cameras[std::size_t(random.integer(0, std::int64_t(cameras.size()) - 1))];
       const Vector3d p = camera + random.between(0.01, 0.99) * (q - camera);
@@ -94,11 +94,11 @@ TEST_CASE("cameras that brute force finds an order for are not called surrounded
   for (int round = 0; round < 200; ++round) {
     // All beyond a plane through a corner of the box, which is a 20th away.
     const Vector3d direction =
-        Vector3d(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)).normalized();
+        Vector3d{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)}.normalized();
     const double least = -direction.cwiseAbs().sum() - 0.05;
     std::vector<Vector3d> cameras;
     for (int i = 0; i < 12; ++i) {
-      Vector3d place(random.between(-6, 6), random.between(-6, 6), random.between(-6, 6));
+      Vector3d place{random.between(-6, 6), random.between(-6, 6), random.between(-6, 6)};
       const double along = direction.dot(place);
       if (along > least) place -= (along - least + random.between(0, 2)) * direction;
       cameras.push_back(place);
@@ -130,7 +130,7 @@ TEST_CASE(
   CHECK(visited == grid.voxels() - 18);
   Random random(38);
   for (int round = 0; round < 5000; ++round) {
-    const Vector3d q(random.between(0, 20), random.between(0, 15), random.between(0, 11));
+    const Vector3d q{random.between(0, 20), random.between(0, 15), random.between(0, 11)};
     const Vector3d& camera = cameras[std::size_t(random.integer(0, 2))];
     const Vector3d p = camera + random.unit() * (q - camera);
     const auto shell = [&](const Vector3d& at) {
@@ -254,14 +254,14 @@ TEST_CASE("footprints have the pixels that brute force finds, and at least the c
     for (int round = 0; round < 15; ++round) {
       VoxelGrid grid;
       grid.axes =
-          axes_along(Vector3d(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1))
+          axes_along(Vector3d{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)}
                          .normalized());
       grid.size = size;
       // 100 px away with f = 100 px: a unit is a pixel.
       PackedPicture picture;
       PinholeCamera camera;
       camera.intrinsic << 100, 0, 32, 0, 100, 32, 0, 0, 1;
-      const Vector3d middle(random.between(-20, 20), random.between(-20, 20), 100);
+      const Vector3d middle{random.between(-20, 20), random.between(-20, 20), 100};
       grid.corner = middle - grid.axes * Vector3d::Constant(size / 2);
       picture.pixel_from_world = projection_of(camera);
       picture.width = picture.height = 64;
