@@ -227,6 +227,24 @@ Vector2d centre_seen(const PinholeCamera& camera, const SeenPoint& point) {
   return centre.head<2>() / centre.z();
 }
 
+// Two of Newton's steps in the distances of three points, by the laws of cosines: a root that has lost digits, a double one half of
+// them, then has distances that agree with each other to the square of what it is off.
+static Vector3d agreed(Vector3d distances, const Vector3d& cosines, const Vector3d& squares) {
+  for (int step = 0; step < 2; ++step) {
+    Matrix3d slopes = Matrix3d::Zero();
+    Vector3d excess;
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      const double s = distances[j], t = distances[k], cosine = cosines[i];
+      excess[i] = s * s + t * t - 2 * s * t * cosine - squares[i];
+      slopes(i, j) = 2 * (s - t * cosine);
+      slopes(i, k) = 2 * (t - s * cosine);
+    }
+    distances -= slopes.completeOrthogonalDecomposition().solve(excess);
+  }
+  return distances;
+}
+
 // s1 to s3 are the distances to the points; u = s2/s1, v = s3/s1. Two of the three laws of cosines give u as a quotient of polynomials in
 // v, the third then a quartic in v.
 std::vector<PinholeCamera> cameras_of_three(const Matrix3d& intrinsic,
@@ -253,7 +271,9 @@ std::vector<PinholeCamera> cameras_of_three(const Matrix3d& intrinsic,
   std::vector<PinholeCamera> cameras;
   std::vector<double> symmetric;
   const auto add = [&](double s1, double u, double v) {
-    const std::array<Vector3d, 3> seen{s1 * ray[0], u * s1 * ray[1], v * s1 * ray[2]};
+    const Vector3d s = agreed(s1 * Vector3d(1, u, v), {ca, cb, cg}, {aa, bb, cc});
+    if (!(s.minCoeff() > 0)) return;
+    const std::array<Vector3d, 3> seen{s[0] * ray[0], s[1] * ray[1], s[2] * ray[2]};
     const auto seen_axes = axes_of(seen);
     if (!seen_axes) return;
     PinholeCamera camera;
