@@ -32,10 +32,10 @@ const std::vector<std::string>& flags() {
   return words;
 }
 
-// The assembly is GNU's, without comments, and assembled by the GNU assembler.
+// The assembly is GNU's, without comments and what only LLVM knows, and assembled by the GNU assembler.
 std::vector<std::string> of_clang(const std::string& compiler) {
   if (!is_clang(compiler)) return {};
-  return {"-fno-integrated-as", "-fno-verbose-asm"};
+  return {"-fno-integrated-as", "-fno-verbose-asm", "-fno-addrsig", "-fno-autolink"};
 }
 
 // -O1 as for the others: an error that an optimiser turns into another is not told apart at -O0 either.
@@ -366,7 +366,7 @@ std::vector<std::string> preprocessor_command(const Kit& kit, const CompileWords
 
 std::vector<std::string> object_command(const Kit& kit) {
   std::vector<std::string> words{kit.compiler};
-  append(words, of_clang(kit.compiler));
+  if (is_clang(kit.compiler)) words.push_back("-fno-integrated-as");
   append(words, {"-c", kAssembly, "-o", kObject});
   return words;
 }

@@ -227,11 +227,12 @@ RunOutcome Sandbox::run_sanitized(const fs::path& program,
   command.insert(command.end(), arguments.begin(), arguments.end());
   command.insert(command.end(), {"--out-fd", std::to_string(kAnswersFd)});
   // A leak is no error of a stage; looking for one takes threads and tracing.
+  // g++'s sanitizers read a program's lines themselves, clang++'s ask the first of llvm-symbolizer and addr2line that is in PATH.
   const std::vector<std::string> environment{
-      "LC_ALL=C",
-      fmt::format("ASAN_OPTIONS=detect_leaks=0:hard_rss_limit_mb={}:color=never",
+      "LC_ALL=C", "PATH=/usr/bin:/bin",
+      fmt::format("ASAN_OPTIONS=detect_leaks=0:hard_rss_limit_mb={}:color=never:allow_addr2line=1",
                   limits.memory_bytes / kMiB),
-      "UBSAN_OPTIONS=print_stacktrace=1:color=never"};
+      "UBSAN_OPTIONS=print_stacktrace=1:color=never:allow_addr2line=1"};
   return launch_confined(command, "/", false, {program}, environment, own);
 }
 

@@ -13,10 +13,12 @@ namespace {
 
 // "    #1 0x55d0 in lab_05::f(int) student.cpp:24:3": the function without its arguments, the file's name, the line.
 std::optional<std::string> place_of(const std::string& frame) {
-  static const std::regex pattern(R"(^ *#\d+ 0x[0-9a-f]+ in (.*) (\S*?)([^/\s]+):(\d+)(:\d+)?$)");
+  static const std::regex pattern(R"(^ *#\d+ 0x[0-9a-f]+ in (.*) (\S*?)([^/\s:]+):(\d+)(:\d+)?$)");
   std::smatch parts;
   if (!std::regex_match(frame, parts, pattern) || parts[3] != kSource) return std::nullopt;
-  const std::string function = parts[1].str().substr(0, parts[1].str().find('('));
+  static const std::regex unnamed(R"(\(anonymous namespace\)::)");
+  const std::string called = std::regex_replace(parts[1].str(), unnamed, "");
+  const std::string function = called.substr(0, called.find('('));
   return fmt::format("{}:{}, in {}", kSource, parts[4].str(), function);
 }
 
