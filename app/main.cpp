@@ -1,7 +1,5 @@
 // glassbox: a software rasterizer you can see through.
-#include <cstdio>
 #include <exception>
-#include <new>
 #include <string>
 
 #include <fmt/format.h>
@@ -22,14 +20,13 @@
 #include "app/pixel/pixel_command.h"
 #include "app/render/render_command.h"
 #include "app/report/exit_codes.h"
+#include "app/report/whole_run.h"
 #include "app/step/step_command.h"
 #include "app/stereo/stereo_command.h"
 #include "app/study/study_command.h"
 #include "app/trace/trace_command.h"
 #include "app/views/views_command.h"
 #include "app/why/why_command.h"
-
-#include <glassbox/base/printable.h>
 
 namespace glassbox::app {
 
@@ -100,13 +97,10 @@ int run(int argc, char** argv) {
 }  // namespace glassbox::app
 
 int main(int argc, char** argv) {
+  glassbox::app::begin_run();
   try {
-    return glassbox::app::run(argc, argv);
-  } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "glassbox: out of memory; render a smaller --size or a smaller scene\n");
+    return glassbox::app::end_run(glassbox::app::run(argc, argv));
   } catch (const std::exception& error) {
-    fmt::print(stderr, "glassbox: {}\n",
-               glassbox::printable(error.what(), glassbox::app::kLongestMessage));
+    return glassbox::app::tell(error);
   }
-  return glassbox::app::kFailure;
 }

@@ -1,17 +1,14 @@
 // The program as far as its first picture needs it; ./glassbox runs it while the rest is not built yet.
-#include <cstdio>
 #include <exception>
 
-#include <fmt/format.h>
-
 #include "app/first/first_picture.h"
-#include "app/report/exit_codes.h"
+#include "app/report/whole_run.h"
 
 int main() {
+  glassbox::app::begin_run();
   try {
-    return glassbox::app::draw_first_picture();
+    return glassbox::app::end_run(glassbox::app::draw_first_picture());
   } catch (const std::exception& error) {
-    fmt::print(stderr, "glassbox: {}\n", error.what());
+    return glassbox::app::tell(error);
   }
-  return glassbox::app::kFailure;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/app/text.h"
+#include "tests/support/skip.h"
 
 namespace glassbox::test {
 namespace {
@@ -38,6 +39,40 @@ TEST_CASE("a scene that cannot be had is refused by name, with a remedy") {
     check_refused(here.run("info " + scene), parts);
   }
   CHECK(here.names() == before);
+}
+
+TEST_CASE("what is printed and does not arrive is an error, and no file takes its place") {
+  const Workplace here;
+  if (!std::filesystem::exists("/dev/full")) SKIP_TEST("there is no /dev/full");
+  for (const char* words :
+       {"info cube", "info cube --json -", "--help", "explain cube --size 8x8"}) {
+    INFO(words);
+    const std::string command = std::string("\"$0\" ") + words;
+    check_refused(in_shell(here, command + " > /dev/full"), {"standard output", "No space left"});
+    check_refused(in_shell(here, command + " >&-"), {"standard output", "Bad file descriptor"});
+  }
+  CHECK(in_shell(here, "\"$0\" render cube --size 8x8 -o a.png >&- 2>&-").exit_code != 1);
+  CHECK(here.read("a.png").starts_with("\x89PNG"));
+}
+
+TEST_CASE("a file that grows beyond its limit is an error, and nothing of it is left") {
+  const Workplace here;
+  const Outcome limited =
+      in_shell(here, "ulimit -f 4; exec \"$0\" render teapot --size 200x200 -o a.ppm");
+  check_refused(limited, {"a.ppm", "File too large", "make room"});
+  CHECK(here.names().empty());
+}
+
+TEST_CASE("a thread that cannot be started is told with what to do") {
+  const Workplace here;
+  const std::string within = "ulimit -v 300000; exec \"$0\" ";  // less than 64 stacks of 8 MiB
+  if (in_shell(here, within + "info cube").exit_code != 0)
+    SKIP_TEST("sanitizers reserve more than that");
+  const Outcome none = in_shell(here, within + "render room --size 320x200 -o a.png --threads 64");
+  INFO(none.err);
+  CHECK(none.exit_code == 1);
+  CHECK((contains(none.err, "give fewer --threads") || contains(none.err, "out of memory")));
+  CHECK(here.names().empty());
 }
 
 TEST_CASE("a GLB cut short anywhere is refused") {

@@ -53,9 +53,9 @@ TEST_CASE("correct sets of matrices raise neither alarm nor hint, in any dialect
     const book::Vector3 eye = random_place(random, 20), at = random_place(random, 5);
     const book::Vector3 up{0, 1, 0};
     const Rows right = book::look_at_right(eye, at, up), left = book::look_at_left(eye, at, up);
-    const Rows model = book::product(
-        book::translation(random.between(-3, 3), 0, 1),
-        book::product(book::turn_y(random.between(-180, 180)), book::scaling(1, 2, 0.5)));
+    const double x = random.between(-3, 3), turn = random.between(-180, 180);
+    const Rows model = book::product(book::translation(x, 0, 1),
+                                     book::product(book::turn_y(turn), book::scaling(1, 2, 0.5)));
     Rows eye_of_a_pair = book::identity();
     eye_of_a_pair[0][3] = random.between(-0.1, 0.1);
     eye_of_a_pair[0][2] = eye_of_a_pair[0][3] / random.between(1, 10);

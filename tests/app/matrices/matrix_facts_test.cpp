@@ -65,7 +65,8 @@ TEST_CASE("rotation, scale, mirror and translation are read back") {
 TEST_CASE("rotations printed with few digits are rigid, to the digits they have") {
   Random random(410);
   for (int i = 0; i < 1000; ++i) {
-    Rows view = book::look_at_right(random_place(random, 9), random_place(random, 1), {0, 1, 0});
+    const auto eye = random_place(random, 9), target = random_place(random, 1);
+    Rows view = book::look_at_right(eye, target, {0, 1, 0});
     CHECK(facts_of(given(view).m).orthogonality < 0x1p-21);
     for (auto& row : view) {
       for (double& entry : row) entry = std::round(entry * 1e4) / 1e4;

@@ -106,8 +106,8 @@ TEST_CASE(
 TEST_CASE("a product of projection and view is taken apart") {
   Random random(413);
   for (int i = 0; i < 500; ++i) {
-    const Rows view =
-        book::look_at_right(random_place(random, 9), random_place(random, 1), {0, 1, 0});
+    const auto eye = random_place(random, 9), target = random_place(random, 1);
+    const Rows view = book::look_at_right(eye, target, {0, 1, 0});
     const Rows projection = i % 2 == 0 ? book::perspective_gl(0.8, 1.5, 0.5, 60)
                                        : book::perspective_d3d_left(0.8, 1.5, 0.5, 60);
     const auto parts = factor_projection(given(book::product(projection, view)));

@@ -1,0 +1,18 @@
+// What every run of the program begins and ends with.
+#pragma once
+
+#include <exception>
+
+namespace glassbox::app {
+
+// Before anything is opened. A standard stream that is closed is none that a file could be opened in its place as; a file that grows
+// beyond its limit is an error and no signal; and what a thread throws that nobody else can catch is told, with exit code 1.
+void begin_run();
+
+// Whether all that was printed has arrived: `exit_code`, or kBadInput and why not.
+int end_run(int exit_code);
+
+// What no command expected, in one line: the exit code.
+int tell(const std::exception& error);
+
+}  // namespace glassbox::app
