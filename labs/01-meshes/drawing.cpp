@@ -71,6 +71,7 @@ std::string text_of(const Mesh& mesh) {
   for (const Point<Object>& p : mesh.positions)
     text += fmt::format("v {:.9g} {:.9g} {:.9g}\n", p.x, p.y, p.z);
   for (const Face& face : mesh.faces) {
+    if (face.count < 3) continue;  // read_mesh refuses them
     text += "f";
     for (std::uint32_t c = face.first; c < face.first + face.count; ++c)
       text += fmt::format(" {}", mesh.corners[c].position + 1);

@@ -22,6 +22,7 @@ namespace {
 constexpr double u = unit_roundoff<double>;
 constexpr double kDraw = 1, kCull = 2;  // lab_09::Verdict
 constexpr int kRows = 16;               // of the picture, in a question of "anaglyph"
+constexpr std::size_t kSizes = 2;       // width and height, before its answer's pixels
 using Projection = Transform<Clip, Eye>;
 
 // ---- the reference ----
@@ -77,7 +78,7 @@ Numbers anaglyph(RecordReader& in) {
     Pixel& pixel = eyes[i < of_left ? 0 : 1][y * width + x];
     if (depth < pixel.depth) pixel = {colour, depth};
   }
-  Numbers out;
+  Numbers out{double(width), double(height)};
   for (std::size_t p = 0; p < width * height; ++p)
     out.push_back(double((eyes[0][p].colour & 0xff0000) | (eyes[1][p].colour & 0x00ffff)));
   return out;
@@ -110,9 +111,12 @@ std::optional<WrongNumber> judge_anaglyph(const Numbers& in, const Numbers& your
   auto wrong = first_wrong(
       yours, reference, [](std::size_t) { return 0; }, "",
       [&](std::size_t i) {
-        return fmt::format("row {} of {}, column {}", i / width, kRows, i % width);
+        if (i < kSizes) return std::string(i == 0 ? "width" : "height");
+        const std::size_t p = i - kSizes;
+        return fmt::format("row {} of {}, column {}", p / width, kRows, p % width);
       });
-  if (wrong && wrong->explanation.empty())
+  const bool of_pixel = wrong && wrong->element.starts_with("row");
+  if (of_pixel && wrong->explanation.empty())
     wrong->explanation =
         fmt::format("#{:06x} for #{:06x}", std::uint32_t(std::abs(wrong->yours)) & 0xffffff,
                     std::uint32_t(wrong->reference));
@@ -277,7 +281,8 @@ Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
     const std::size_t of_band = std::size_t(kRows) * std::size_t(width);
     for (std::size_t p = 0; p < picture.color.pixels.size(); ++p) {
       const Numbers& band = bands[p / of_band];
-      if (p % of_band < band.size()) picture.color.pixels[p] = unpacked(band[p % of_band]);
+      const std::size_t at = kSizes + p % of_band;
+      if (at < band.size()) picture.color.pixels[p] = unpacked(band[at]);
     }
   };
   return made;

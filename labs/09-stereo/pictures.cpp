@@ -59,7 +59,8 @@ Case expect_anaglyph(const AnaglyphCase& input) {
         blue.push_back(pixel.b);
       }
     }
-    return std::vector{matrix("red", a.width, red), matrix("green", a.width, green),
+    return std::vector{numbers("width, height", {double(a.width), double(a.height)}, 0),
+                       matrix("red", a.width, red), matrix("green", a.width, green),
                        matrix("blue", a.width, blue)};
   };
   std::string text =

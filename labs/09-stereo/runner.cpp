@@ -46,6 +46,7 @@ void culled(const CullCase& input, Answer& answer) {
 
 void anaglyph(const AnaglyphCase& input, Answer& answer) {
   const Image<Rgba8> shown = draw_anaglyph(input.anaglyph);
+  answer.emit("width, height", {double(shown.width), double(shown.height)});
   std::vector<double> red, green, blue;
   for (const Rgba8& pixel : shown.pixels) {
     red.push_back(pixel.r);

@@ -35,7 +35,7 @@ Rgba8 colour(RecordReader& in) {
 }
 
 // Width, height, background, how many fragments are the left eye's, then fragments: x, y, depth, colour (65536 red + 256 green +
-// blue). The picture row by row.
+// blue). The picture's width and height, and the picture row by row.
 void anaglyph(RecordReader& in, Numbers& out) {
   Anaglyph asked;
   asked.width = in.integer();
@@ -50,8 +50,9 @@ void anaglyph(RecordReader& in, Numbers& out) {
     fragment.colour = colour(in);
     (i < of_left ? asked.left : asked.right).push_back(fragment);
   }
-  for (const Rgba8& p : draw_anaglyph(asked).pixels)
-    out.push_back(65536.0 * p.r + 256.0 * p.g + p.b);
+  const Image<Rgba8> shown = draw_anaglyph(asked);
+  out = {double(shown.width), double(shown.height)};
+  for (const Rgba8& p : shown.pixels) out.push_back(65536.0 * p.r + 256.0 * p.g + p.b);
 }
 
 }  // namespace

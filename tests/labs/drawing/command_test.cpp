@@ -212,3 +212,24 @@ TEST_CASE("lab stiff says where the functions give up, beside the reference") {
   CHECK(crashing.exit_code == 1);
   CHECK(has(crashing.out, "SIGSEGV"));
 }
+
+// C-25 has faces of one and two corners, which read_mesh refuses as its contract says.
+TEST_CASE("lab stiff asks lab 1 for no face that its contract refuses") {
+  const Folder folder("1", "01-meshes");
+  folder.write("newell_vector", "newell_vector");
+  const auto right = folder.run({"lab", "stiff", "mine"});
+  CAPTURE(right.out, right.err);
+  CHECK(right.exit_code == 0);
+  CHECK(has(right.out, "C-25"));
+}
+
+TEST_CASE("lab render names a picture of the wrong size") {
+  const Folder folder("9", "09-stereo");
+  folder.write("  return shown;",
+               "  Image<Rgba8> turned(anaglyph.height, anaglyph.width, "
+               "anaglyph.background);\n  turned.pixels = shown.pixels;\n  return turned;");
+  const auto wrong = folder.render({"--stereo", "anaglyph", "-o", "out.png"});
+  CAPTURE(wrong.out, wrong.err);
+  CHECK(wrong.exit_code == 1);
+  CHECK(has(wrong.out, "width"));
+}
