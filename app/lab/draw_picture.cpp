@@ -50,6 +50,12 @@ Result<labs::Drawn> chosen(const labs::Lab& lab, const Scene& scene, const Pictu
 Result<void> check_lab_picture(const LabPicture& asked) {
   if (const auto good = check_picture_output(asked.output, {}, asked.output); !good) return good;
   if (const auto good = check_report_outputs(asked.html, asked.json); !good) return good;
+  std::vector<std::string> files;
+  for (const std::optional<std::string>& file :
+       {std::optional(asked.output), asked.html, asked.json}) {
+    if (file && *file != "-") files.push_back(*file);
+  }
+  if (const auto good = check_outputs(files); !good) return good;
   if (!asked.picture.settings.wireframe) return {};
   return fail("--wireframe", "the labs' functions are of triangles, not of lines", "leave it out");
 }

@@ -130,6 +130,14 @@ Result<LabFolder> open_submission(const std::string& folder, const std::string& 
   if (!place) return tl::unexpected(place.error());
   const auto lab = find_lab(name, "--lab");
   if (!lab) return tl::unexpected(lab.error());
+  // A file that names no lab is the submission's own affair.
+  if (const auto named = named_lab(*place); named && !named->empty()) {
+    const auto other = find_lab(*named);
+    if (!other || *other != *lab)
+      return fail("--lab " + name,
+                  fmt::format("{}/lab.json says that it is lab {}", folder, *named),
+                  "leave --lab out, or name the folder of the other lab");
+  }
   auto found = open_place(folder, *place, true);
   if (!found) return found;
   found->lab = *lab;

@@ -179,6 +179,7 @@ Result<std::string> LabGradeCommand::digest_of(const labs::Lab& lab, const labs:
 
 int LabGradeCommand::run_one(const labs::Lab& lab, const labs::Sources& sources,
                              const Scratch& scratch) {
+  if (const auto legal = check_result_files(files_); !legal) return refuse(legal.error());
   // Before anything can go wrong, so that there is a result whatever happens from here on.
   if (const auto begun = begin_results(files_, unfinished_json()); !begun)
     return refuse(begun.error());

@@ -80,6 +80,14 @@ Result<void> write_all(const ResultFiles& files, const Json& results) {
 
 }  // namespace
 
+Result<void> check_result_files(const ResultFiles& files) {
+  std::vector<std::string> paths{files.output, mark_of(files.output).string()};
+  for (const std::string* more : {&files.classroom, &files.junit, &files.vpl}) {
+    if (!more->empty()) paths.push_back(*more);
+  }
+  return check_outputs(paths);
+}
+
 Result<void> begin_results(const ResultFiles& files, const Json& unfinished) {
   if (const auto marked = write_text(mark_of(files.output).string(), ""); !marked) return marked;
   if (const auto before = read_result(files.output); before && is_finished(*before)) return {};

@@ -21,6 +21,9 @@ struct ResultFiles {
   std::string output, classroom = {}, junit = {}, vpl = {};
 };
 
+// An error if the directory of one does not exist, or if two are the same file or the mark beside results.json.
+Result<void> check_result_files(const ResultFiles& files);
+
 // Before a submission is graded: a mark beside results.json that its grading is under way. The result of an
 // earlier grading stays until there is another; where there is none, `unfinished` takes its place.
 Result<void> begin_results(const ResultFiles& files, const nlohmann::ordered_json& unfinished);

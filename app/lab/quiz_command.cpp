@@ -10,6 +10,8 @@
 #include "app/report/exit_codes.h"
 #include "labs/quiz/quiz.h"
 
+#include <glassbox/base/printable.h>
+
 namespace glassbox::app {
 
 namespace {
@@ -46,8 +48,10 @@ Result<std::vector<bool>> answers_of(const std::string& letters, const Quiz& qui
     if (upper == 'T' || upper == 'F') answers.push_back(upper == 'T');
   }
   if (answers.size() == letters.size() && answers.size() == quiz.questions.size()) return answers;
-  return fail(letters, fmt::format("is no answer to {} questions", quiz.questions.size()),
-              "give a T or an F for each, in their order, without spaces");
+  return fail(
+      "ANSWERS",
+      fmt::format("{} is no answer to {} questions", in_quotes(letters), quiz.questions.size()),
+      "give a T or an F for each, in their order, without spaces");
 }
 
 int grade(const Quiz& quiz, const std::vector<bool>& answers) {
@@ -85,8 +89,8 @@ void LabQuizCommand::add_to(CLI::App& lab, int& exit_code) {
 int LabQuizCommand::run() const {
   const auto quiz = find_quiz(lab_);
   if (!quiz) return refuse(quiz.error());
-  if (!answers_.empty()) {
-    const auto answers = answers_of(answers_, **quiz);
+  if (answers_) {
+    const auto answers = answers_of(*answers_, **quiz);
     return answers ? grade(**quiz, *answers) : refuse(answers.error());
   }
   fmt::print("{}: true or false?\n\n", (*quiz)->title);

@@ -14,7 +14,8 @@ public:
 private:
   int run() const;
 
-  std::string lab_, answers_;
+  std::string lab_;
+  std::optional<std::string> answers_;
   bool show_ = false;
 };
 

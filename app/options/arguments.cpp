@@ -128,12 +128,12 @@ Result<void> check_rectangle(const std::string& option, const PixelRect& rectang
               "name a part of it, or another --size");
 }
 
-Rgba8 parse_background(const std::string& text) {
-  const std::array<double, 3> rgb = parse_numbers<3>("--background", text);
+Rgba8 parse_background(const std::string& text, const std::string& option) {
+  const std::array<double, 3> rgb = parse_numbers<3>(option, text);
   for (const double channel : rgb) {
     if (!(channel >= 0 && channel <= 1)) {
       throw CLI::ValidationError(
-          "--background",
+          option,
           fmt::format("needs three numbers from 0 to 1, not '{}'; divide bytes by 255", text));
     }
   }

@@ -47,7 +47,7 @@ Result<void> check_rectangle(const std::string& option, const PixelRect& rectang
                              const Size& size);
 
 // "r,g,b", each in [0, 1]: the colour as displayed, so that 0.5 becomes byte 128.
-Rgba8 parse_background(const std::string& text);
+Rgba8 parse_background(const std::string& text, const std::string& option = "--background");
 
 // A number, which may be "nan" or "inf": what is asked of it is for the camera to say.
 double parse_number(const std::string& option, const std::string& text);

@@ -13,6 +13,16 @@
 
 namespace glassbox::app {
 
+namespace {
+
+// Without links and dots, the same for two names of one file.
+std::filesystem::path whole_path(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
+}
+
+}  // namespace
+
 Result<void> write_text(const std::string& target, const std::string& text) {
   if (target == "-") {
     fmt::print("{}", text);
@@ -39,12 +49,27 @@ Result<void> check_extension(const std::string& path, const std::string& extensi
       Error{path, "", "this output is a " + extension + " file", "end the name in " + extension});
 }
 
+Result<void> check_distinct(const std::vector<std::string>& outputs,
+                            const std::vector<std::string>& inputs) {
+  std::set<std::filesystem::path> read, written;
+  for (const std::string& path : inputs) read.insert(whole_path(path));
+  for (const std::string& path : outputs) {
+    const std::filesystem::path whole = whole_path(path);
+    if (read.contains(whole)) {
+      return tl::unexpected(
+          Error{path, "", "is an input, and would be overwritten", "name another output"});
+    }
+    if (!written.insert(whole).second) {
+      return tl::unexpected(
+          Error{path, "", "two outputs would go to this file", "give each its own name"});
+    }
+  }
+  return {};
+}
+
 Result<void> check_outputs(const std::vector<std::string>& paths) {
-  std::set<std::filesystem::path> seen;
   for (const std::string& path : paths) {
     std::error_code ignored;
-    const std::filesystem::path whole =
-        std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
     const std::filesystem::path directory = std::filesystem::path(path).parent_path();
     if (!directory.empty() && !std::filesystem::is_directory(directory, ignored)) {
       return tl::unexpected(Error{path, "", "its directory does not exist", "make it first"});
@@ -52,12 +77,8 @@ Result<void> check_outputs(const std::vector<std::string>& paths) {
     if (std::filesystem::is_directory(path, ignored)) {
       return tl::unexpected(Error{path, "", "is a directory", "name a file"});
     }
-    if (!seen.insert(whole).second) {
-      return tl::unexpected(
-          Error{path, "", "two outputs would go to this file", "give each its own name"});
-    }
   }
-  return {};
+  return check_distinct(paths);
 }
 
 Result<void> check_report_outputs(const std::optional<std::string>& page,

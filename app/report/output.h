@@ -24,6 +24,10 @@ Result<void> check_extension(const std::string& path, const std::string& extensi
 // are the same file.
 Result<void> check_outputs(const std::vector<std::string>& paths);
 
+// The second half of it, also for files in a directory that is made later; and an error if an output is one of `inputs`.
+Result<void> check_distinct(const std::vector<std::string>& outputs,
+                            const std::vector<std::string>& inputs = {});
+
 // The check of a report's outputs before a long run: its page, an .html file, and its data, which may go to standard output.
 Result<void> check_report_outputs(const std::optional<std::string>& page,
                                   const std::optional<std::string>& data);

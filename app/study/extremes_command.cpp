@@ -172,7 +172,8 @@ int StudyExtremesCommand::run() const {
   progress.done();
 
   if (json_output_ != "-") {
-    fmt::print("{}", one_case_ ? case_text(report.cases.front()) : extremes_text(report));
+    if (one_case_) fmt::print("{}", case_text(report.cases.front()));
+    fmt::print("{}", extremes_text(one_case_ ? ExtremesReport{{}, report.sweeps} : report));
   }
   if (picture_directory_) {
     if (const auto written = write_pictures(report); !written) return refuse(written.error());

@@ -6,10 +6,9 @@
 
 #include "app/options/builtin_help.h"
 #include "app/options/output_options.h"
+#include "app/options/scene_input.h"
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
-
-#include <glassbox/mesh/formats/load.h>
 
 namespace glassbox::app {
 
@@ -24,7 +23,7 @@ void StudyRecommendCommand::add_to(CLI::App& study, int& exit_code) {
       "Everything is measured on this scene, seen by this camera; docs/study.md says how.\n"
       "Exit code 1: a budget cannot be met.\n\n" +
       builtin_help());
-  command.add_option("SCENE", scene_, "built-in, or a glTF, GLB, OBJ or PLY file")->required();
+  command.add_option("SCENE", scene_, kSceneHelp)->required();
   command
       .add_option("--error-budget", budgets_, "limits of position [px], depth and colour [shares]")
       ->type_name("LIMITS")
@@ -49,12 +48,11 @@ int StudyRecommendCommand::run() const {
   if (!budgets) return refuse(budgets.error());
   if (const auto legal = check_report_outputs({}, json_output_); !legal)
     return refuse(legal.error());
-  const Result<Scene> scene = load_scene(scene_);
-  if (!scene) return refuse(scene.error());
   std::vector<std::string> words{scene_};
   for (const std::string& word : words_of(picture_words_)) words.push_back(word);
   Progress progress;
-  for (const std::string& warning : scene->warnings) progress.say("warning: " + warning);
+  const Result<Scene> scene = load_asked_scene(scene_, progress);
+  if (!scene) return refuse(scene.error());
   const auto found = recommend(*scene, picture_, *budgets, words, progress);
   progress.done();
   if (!found) return refuse(found.error());

@@ -38,30 +38,37 @@ std::string file_name(const std::string& path) {
   return std::filesystem::path(path).filename().string();
 }
 
-Result<views::PinholeCamera> camera_named(const NamedCameras& cameras, const std::string& picture,
-                                          const std::string& file) {
+const views::NamedCamera* camera_named(const NamedCameras& cameras, const std::string& picture) {
   const auto found = std::ranges::find(
       cameras, file_name(picture), [](const auto& camera) { return file_name(camera.picture); });
-  if (found != cameras.end()) return found->camera;
-  return tl::unexpected(Error{
-      file, "", fmt::format("none of its {} cameras is of {}", cameras.size(), in_quotes(picture)),
-      "name the pictures as it does, or leave two cameras in it: left, right"});
+  return found == cameras.end() ? nullptr : &*found;
 }
 
+// The cameras of the pictures, in their order. Of two cameras the first is the left one where names do not tell: the file has neither,
+// or both pictures are named alike.
 Result<std::array<views::PinholeCamera, 2>> two_of(const NamedCameras& cameras,
                                                    const GeometryFiles& files) {
-  if (cameras.size() == 2) return std::array{cameras[0].camera, cameras[1].camera};
   const std::string& file = *files.cameras;
-  if (cameras.size() < 2 || !files.has_pair()) {
+  const bool are_two = cameras.size() == 2;
+  if (cameras.size() < 2 || (!are_two && !files.has_pair())) {
     return tl::unexpected(
         Error{file, "", fmt::format("it has {} cameras, and a pair has two", cameras.size()),
               cameras.size() < 2 ? "add the other" : "say which with --pair, or leave two in it"});
   }
-  const auto left = camera_named(cameras, files.pair.first, file);
-  if (!left) return tl::unexpected(left.error());
-  const auto right = camera_named(cameras, files.pair.second, file);
-  if (!right) return tl::unexpected(right.error());
-  return std::array{*left, *right};
+  const std::array in_order{cameras[0].camera, cameras[1].camera};
+  if (!files.has_pair()) return in_order;
+  const auto& [left_picture, right_picture] = files.pair;
+  if (are_two && file_name(left_picture) == file_name(right_picture)) return in_order;
+  const views::NamedCamera* left = camera_named(cameras, left_picture);
+  const views::NamedCamera* right = camera_named(cameras, right_picture);
+  if (left != nullptr && right != nullptr) return std::array{left->camera, right->camera};
+  if (are_two && left == right) return in_order;
+  return tl::unexpected(
+      Error{file, "",
+            fmt::format("none of its {} cameras is of {}", cameras.size(),
+                        in_quotes(left == nullptr ? left_picture : right_picture)),
+            are_two ? "name both pictures as it does"
+                    : "name the pictures as it does, or leave two cameras in it: left, right"});
 }
 
 Result<void> add_cameras(const GeometryFiles& files, GeometryInput& input) {

@@ -19,10 +19,10 @@ struct GeometryFiles {
   bool has_pair() const { return !pair.first.empty(); }
 };
 
-// The cameras of such a pair, from its file: two, or of more the two that are named as the pictures are.
+// The cameras of such a pair, from its file: those that are named as the pictures are. Where two have other names, left and right.
 Result<std::array<views::PinholeCamera, 2>> read_pair_cameras(const GeometryFiles& files);
 
-// Two cameras, or of more the two that are named as the pictures are. Refused: pictures of unequal sizes, and files that the
+// Cameras as read_pair_cameras takes them. Refused: pictures of unequal sizes, and files that the
 // readers of views/files refuse.
 Result<GeometryInput> read_geometry_files(const GeometryFiles& files);
 

@@ -114,6 +114,26 @@ Result<void> ViewsKltCommand::check_outputs() const {
   return app::check_outputs(files);
 }
 
+Result<void> ViewsKltCommand::check_files(int kept) const {
+  std::vector<std::string> inputs, outputs;
+  for (const views::BandFiles::File& file : files_.files) {
+    inputs.push_back(file.path);
+    if (file.cube) inputs.push_back(file.numbers);
+  }
+  for (const auto& file : {globe_, page_, json_output_}) {
+    if (file && *file != "-") outputs.push_back(*file);
+  }
+  if (output_) {
+    for (const char* name : {"components.hdr", "components.img", "again.hdr", "again.img"})
+      outputs.push_back(*output_ + "/" + name);
+    for (int k = 1; k <= kept; ++k)
+      outputs.push_back(fmt::format("{}/component{}.png", *output_, k));
+    for (int b = 1; is_planet_ && b <= files_.count; ++b)
+      outputs.push_back(fmt::format("{}/band{}.png", *output_, b));
+  }
+  return check_distinct(outputs, inputs);
+}
+
 Result<void> ViewsKltCommand::open() {
   const auto width = cloud_width(bands_.front());
   if (!width) return tl::unexpected(width.error());
@@ -217,7 +237,9 @@ int ViewsKltCommand::run() {
                    fmt::format("there are 1 to {} of them", count),
                    "ask for a number of them in that range"});
   }
-  if (const auto good = check_memory(kept); !good) return refuse(good.error());
+  for (const auto& good : {check_memory(kept), check_files(kept)}) {
+    if (!good) return refuse(good.error());
+  }
   if (page_) {
     const auto good = check_klt_page(std::uint64_t(files_.width), std::uint64_t(files_.height),
                                      std::uint64_t(count));

@@ -19,6 +19,8 @@ public:
 private:
   int run();
   Result<void> check_outputs() const;
+  // Of the files in the folder, too: none is an input, or there twice.
+  Result<void> check_files(int kept) const;
   // The sizes of the bands, into files_.
   Result<void> open();
   Result<void> check_memory(int kept) const;

@@ -72,7 +72,8 @@ void LayersDrawCommand::add_to(CLI::App& layers, int& exit_code) {
              "a rim that is seen through [projected]");
   command
       .add_option_function<std::string>(
-          "--holes", [this](const std::string& text) { holes_ = parse_background(text); },
+          "--holes",
+          [this](const std::string& text) { holes_ = parse_background(text, "--holes"); },
           "where no sample is, as displayed, each 0 .. 1 [the background of the layers]")
       ->type_name("R,G,B");
   command

@@ -27,6 +27,12 @@ views::Vector3d vector_of(const std::string& option, const std::string& text) {
   return {x, y, z};
 }
 
+std::vector<std::string> names_of(const std::vector<views::RingView>& ring) {
+  std::vector<std::string> names;
+  for (const views::RingView& view : ring) names.push_back(view.named.picture);
+  return names;
+}
+
 }  // namespace
 
 void ViewsRingCommand::add_to(CLI::App& views, int& exit_code) {
@@ -121,6 +127,11 @@ int ViewsRingCommand::run() {
   ring_.height = size_.height;
   const auto ring = views::ring_views(*scene, ring_);
   if (!ring) return refuse(ring.error());
+  if (json_output_ && *json_output_ != "-") {
+    std::vector<std::string> files = views::files_of_set(output_, names_of(*ring));
+    files.push_back(*json_output_);
+    if (const auto good = check_distinct(files); !good) return refuse(good.error());
+  }
 
   RenderSettings settings;
   const bool is_unlit = !shading_ && scene->lights.empty();

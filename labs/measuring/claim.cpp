@@ -40,17 +40,27 @@ std::string name_of(const ClaimedPoint& point) {
   return name;
 }
 
+// Why a file is no claim.
+struct Unread {
+  std::string cause;
+};
+
+const Json& field(const Json& json, const char* name) {
+  if (const auto found = json.find(name); found != json.end()) return *found;
+  throw Unread{fmt::format("has no '{}'", name)};
+}
+
 ClaimedPoint point_of(const Json& json) {
   ClaimedPoint point;
-  point.series = json.at("series").get<std::string>();
+  point.series = field(json, "series").get<std::string>();
   point.measure = json.value("measure", "");
   point.scene = json.value("scene", "");
-  point.parameter = json.at("parameter").get<double>();
-  point.error = number_in(json.at("error"));
-  const Json& ns = json.at("ns_quartiles");
-  point.ns = {number_in(ns.at(0)), number_in(json.at("ns")), number_in(ns.at(1))};
-  point.faster_than = json.at("faster_than").get<std::vector<std::string>>();
-  point.slower_than = json.at("slower_than").get<std::vector<std::string>>();
+  point.parameter = field(json, "parameter").get<double>();
+  point.error = number_in(field(json, "error"));
+  const Json& ns = field(json, "ns_quartiles");
+  point.ns = {number_in(ns.at(0)), number_in(field(json, "ns")), number_in(ns.at(1))};
+  point.faster_than = field(json, "faster_than").get<std::vector<std::string>>();
+  point.slower_than = field(json, "slower_than").get<std::vector<std::string>>();
   return point;
 }
 
@@ -112,19 +122,25 @@ Json claim_json(const Claim& claim) {
 }
 
 Result<Claim> read_claim(const std::string& path, const std::string& text) {
+  const auto refused = [&](const std::string& cause) {
+    return fail(path, "is no measurement of a lab: it " + cause,
+                "glassbox lab measure FOLDER --json FILE writes one");
+  };
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object()) return refused("is no JSON object");
   try {
-    const Json json = Json::parse(text);
-    Claim claim{json.at("lab").get<std::string>(),
-                json.at("code").get<std::string>(),
-                json.at("experiment").get<std::string>(),
+    Claim claim{field(json, "lab").get<std::string>(),
+                field(json, "code").get<std::string>(),
+                field(json, "experiment").get<std::string>(),
                 json.value("machine", ""),
                 json.value("version", ""),
                 {}};
-    for (const Json& each : json.at("points")) claim.points.push_back(point_of(each));
+    for (const Json& each : field(json, "points")) claim.points.push_back(point_of(each));
     return claim;
-  } catch (const nlohmann::json::exception& error) {
-    return fail(path, fmt::format("is no measurement of a lab: {}", error.what()),
-                "glassbox lab measure FOLDER --json FILE writes one");
+  } catch (const Unread& unread) {
+    return refused(unread.cause);
+  } catch (const Json::exception&) {
+    return refused("has a value of another kind than was written there");
   }
 }
 

@@ -1,15 +1,15 @@
 #include "study/experiment/result_file.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <span>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <glassbox/images/atomic_file.h>
+#include <glassbox/images/read.h>
 
 #include "study/experiment/results_json.h"
 
@@ -49,14 +49,10 @@ std::string first_difference(const Origin& there, const Origin& here) {
 }
 
 Result<StudyResults> read_results(const std::string& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
-    return in_file(path, {{}, "", "is a directory", "name a file of study run"});
-  }
-  std::ifstream in(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (!in) return in_file(path, {{}, "", "cannot be read", "check its name"});
-  const auto json = nlohmann::ordered_json::parse(text, nullptr, false);
+  constexpr std::uint64_t kMostBytes = std::uint64_t(1) << 28;
+  const auto bytes = read_file(path, kMostBytes);
+  if (!bytes) return tl::unexpected(bytes.error());
+  const auto json = nlohmann::ordered_json::parse(*bytes, nullptr, false);
   auto results = results_of(json);
   if (!results) return in_file(path, results.error());
   return results;

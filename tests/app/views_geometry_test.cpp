@@ -200,6 +200,30 @@ TEST_CASE("of a file of many cameras those of the pictures' names count") {
 }
 
 TEST_CASE(
+    "two cameras are told apart by the pictures' names, and by their order where there are none") {
+  const Workplace here;
+  geometry_of(here, kNoisy + "--matches-out m.csv --cameras-out c.txt --pair-out a.png b.png");
+  std::istringstream lines(here.read("c.txt"));
+  std::string count, left, right;
+  std::getline(lines, count), std::getline(lines, left), std::getline(lines, right);
+  here.write("swapped.txt", count + "\n" + right + "\n" + left + "\n");
+  for (const char* name : {"x.png", "y.png"})
+    here.write(name, here.read(name[0] == 'x' ? "a.png" : "b.png"));
+  const std::string words = "--matches m.csv --sigma 0.5 ";
+  const auto truth = [&](const std::string& more) {
+    return geometry_of(here, words + more)["truth"];
+  };
+  const Json right_way = truth("--pair a.png b.png --cameras c.txt");
+  CHECK(truth("--pair a.png b.png --cameras swapped.txt") == right_way);
+  CHECK(truth("--pair x.png y.png --cameras c.txt") == right_way);
+  CHECK(truth("--cameras c.txt") == right_way);
+  CHECK(truth("--cameras swapped.txt") != right_way);
+  const Outcome half = here.run("views geometry " + words + "--pair a.png y.png --cameras c.txt");
+  CHECK(half.exit_code == 2);
+  CHECK(half.err.find("c.txt: none of its 2 cameras is of 'y.png'") != std::string::npos);
+}
+
+TEST_CASE(
     "a turned camera, a plane and one point of view are named, not estimated (C-101, C-102)") {
   const Workplace here;
   const std::string turned = "--scene room --size 320x240 --turn 8,0,0";

@@ -115,6 +115,25 @@ TEST_CASE("bands that cannot be taken apart are refused in a line, and no file i
         std::string::npos);
 }
 
+TEST_CASE("no output of klt is an input or another output") {
+  const Workplace here;
+  klt_answer(here, "clouds:32 -o ki");
+  const std::string before = here.read("ki/components.img");
+  for (const char* words : {"ki/components.hdr -o ki --components 1",
+                            "ki/components.hdr -o ./ki/../ki", "ki/again.hdr -o ki",
+                            "ki/component1.png -o ki", "ki/component1.png --json ki/component1.png",
+                            "ki/components.hdr -o out --json ki/components.img"}) {
+    const Outcome outcome = here.run(std::string("views klt ") + words);
+    INFO(words << ": " << outcome.err);
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.err.find("is an input, and would be overwritten") != std::string::npos);
+  }
+  CHECK(here.read("ki/components.img") == before);
+  const Outcome twice = here.run("views klt clouds:32 -o ki --json ki/band1.png");
+  CHECK(twice.exit_code == 2);
+  CHECK(twice.err.find("two outputs would go to this file") != std::string::npos);
+}
+
 TEST_CASE("one band, and bands that do not vary, have components") {
   const Workplace here;
   here.write("two.pgm", "P5\n2 1\n255\nxy");

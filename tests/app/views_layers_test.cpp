@@ -308,6 +308,13 @@ TEST_CASE("a page without a picture has no use for what a picture is drawn by, a
   CHECK(std::ifstream(here.file("out.json")).good());
 }
 
+TEST_CASE("a colour that is none is refused by the option that has it") {
+  const Workplace here;
+  const Outcome outcome = here.run("views layers draw room.ldi -o q.png --holes 2,0,0");
+  CHECK(outcome.exit_code == 2);
+  CHECK(outcome.err.find("--holes: needs three numbers from 0 to 1") != std::string::npos);
+}
+
 TEST_CASE("what cannot be built or drawn is refused in a line, and no file is left") {
   const Workplace here;
   REQUIRE(here.run("views layers build cube --size 24x16 -o cube.ldi").exit_code == 0);

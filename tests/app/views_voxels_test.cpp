@@ -122,6 +122,21 @@ TEST_CASE("rings and voxels that cannot be made are refused in a line, and no fi
   }
 }
 
+TEST_CASE("the numbers of a ring go to no file of its pictures") {
+  const Workplace here;
+  const std::string ring = "views ring cube -o ring --views 2 --size 16x16";
+  REQUIRE(here.run(ring).exit_code == 0);
+  for (const char* name : {"box.txt", "ring_par.txt", "view001.png", "masks/view000.png"}) {
+    const std::string before = here.read("ring/" + std::string(name));
+    const Outcome outcome = here.run(ring + " --json ring/" + name);
+    INFO(name << ": " << outcome.err);
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.err.find("two outputs would go to this file") != std::string::npos);
+    CHECK(here.read("ring/" + std::string(name)) == before);
+  }
+  CHECK(here.run(ring + " --json ring/ring.json").exit_code == 0);
+}
+
 TEST_CASE("more voxels than fit into memory are refused by the option that asks for them") {
   const Workplace here;
   REQUIRE(here.run("views ring cube -o ring --views 3 --size 64x64").exit_code == 0);

@@ -282,6 +282,17 @@ Result<PictureSet> read_picture_set(const std::string& path, const PictureSetOpt
   return set;
 }
 
+std::vector<std::string> files_of_set(const std::string& folder,
+                                      const std::vector<std::string>& names) {
+  const fs::path place(folder);
+  std::vector<std::string> files{(place / kRingFile).string(), (place / kBoxFile).string()};
+  for (const std::string& name : names) {
+    files.push_back((place / name).string());
+    files.push_back((place / "masks" / name).string());
+  }
+  return files;
+}
+
 Result<PictureSetWriter> PictureSetWriter::open(const std::string& folder) {
   std::error_code error;
   fs::create_directories(fs::path(folder) / "masks", error);

@@ -58,6 +58,10 @@ Image<std::uint8_t> matte_where(int width, int height, const IsObject& is_object
   return matte;
 }
 
+// All files that a set of pictures of these names may have in its folder.
+std::vector<std::string> files_of_set(const std::string& folder,
+                                      const std::vector<std::string>& names);
+
 // Writes the files of a ring, a picture at a time: NAME.png, masks/NAME.png, box.txt and last ring_par.txt, in a folder that is made if
 // need be. What an earlier ring of the same names left there goes: its cameras at once, so that a folder that has cameras is whole.
 class PictureSetWriter {

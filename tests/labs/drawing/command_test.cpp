@@ -116,6 +116,7 @@ TEST_CASE("lab render refuses what it cannot draw with a line") {
   const Folder folder;
   for (const std::vector<std::string>& more : {std::vector<std::string>{"--wireframe"},
                                                {"-o", "x.gif"},
+                                               {"-o", "q.png", "--json", "q.png"},
                                                {"--json", "a.json", "-o", "."}}) {
     const auto outcome = folder.render(more);
     CAPTURE(outcome.err);
@@ -141,6 +142,9 @@ TEST_CASE("a submission without lab.json is drawn, and checked, as of the lab th
   // Half of the points, as the hidden checks are not put.
   const auto checked = folder.run({"lab", "check", "ann", "--lab", "rasterisation"});
   CHECK(has(checked.out, "50 of 50"));
+  const auto other = folder.run({"lab", "check", "mine", "--lab", "5"});
+  CHECK(other.exit_code == 2);
+  CHECK(has(other.err, "mine/lab.json says that it is lab 06-rasterisation"));
   // What is handed in stays as it is.
   CHECK(std::distance(fs::directory_iterator(folder.path() / "ann"), fs::directory_iterator()) ==
         1);

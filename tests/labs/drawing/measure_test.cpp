@@ -298,8 +298,11 @@ TEST_CASE("a file that is no claim is refused with a line") {
     REQUIRE_FALSE(read);
     const std::string message = read.error().message();
     CHECK(message.find("measured.json") != std::string::npos);
+    CHECK(message.find("exception") == std::string::npos);
     CHECK(message.find('\n') == std::string::npos);
   }
+  const auto missing = read_claim("measured.json", R"({"lab": "a"})");
+  CHECK(missing.error().message().find("it has no 'code'") != std::string::npos);
 }
 
 TEST_CASE(

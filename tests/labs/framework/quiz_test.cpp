@@ -65,6 +65,7 @@ TEST_CASE("lab quiz lists the statements, explains what is wrong, and says how m
     CHECK(wrong.out.find("0 of " + std::to_string(quiz.questions.size()) + " are right") !=
           std::string::npos);
     CHECK(run({"lab", "quiz", lab, "TX"}).exit_code == 2);
+    CHECK(run({"lab", "quiz", lab, ""}).exit_code == 2);
   }
   CHECK(run({"lab", "quiz", "5"}).exit_code == 2);
 }

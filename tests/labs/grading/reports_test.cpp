@@ -49,6 +49,21 @@ TEST_CASE("JUnit's XML and Moodle's text have the visible checks and nothing of 
   CHECK(is_in(read(place.path / "vpl.txt"), "student.cpp:1:9: error:"));
 }
 
+TEST_CASE("no two results of a submission go to one file") {
+  const Place place;
+  write(place.path / "one/student.cpp", solution());
+  for (const char* option : {"--junit", "--classroom", "--vpl"}) {
+    for (const char* file : {"r.json", "./r.json", "r.json.unfinished"}) {
+      INFO(option << " " << file);
+      const Outcome outcome = grader(
+          {"grade", "one", "--one", "--lab", "99", "-o", "r.json", option, file}, place.path);
+      CHECK(outcome.exit_code == 2);
+      CHECK(is_in(outcome.err, "two outputs would go to this file"));
+      CHECK_FALSE(fs::exists(place.path / "r.json"));
+    }
+  }
+}
+
 TEST_CASE("Moodle's scripts leave a program that grades and writes a grade out of the activity's") {
   const Place place;
   write(place.path / "student.cpp", solution());

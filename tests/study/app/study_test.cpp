@@ -273,6 +273,21 @@ TEST_CASE("study recommend says what fits on this scene, and with which options 
   CHECK(place.run(words).exit_code == 0);
 }
 
+TEST_CASE("study recommend reads a scene from standard input") {
+  const Workplace place;
+  place.write("corner.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const auto shell = [&](const std::string& words) {
+    return test::run_program("/bin/sh", {"-c", GLASSBOX_PROGRAM " study recommend " + words},
+                             place.path());
+  };
+  const std::string more = " --size 16x16 --error-budget 'position<0.1px' --json -";
+  const Outcome piped = shell("-" + more + " < corner.obj"), named = shell("corner.obj" + more);
+  INFO(piped.err);
+  REQUIRE(piped.exit_code == 0);
+  const json one = json::parse(piped.out), other = json::parse(named.out);
+  CHECK(one["budgets"][0]["recommended"] == other["budgets"][0]["recommended"]);
+}
+
 TEST_CASE("a budget that nothing meets ends in 1 and names the most accurate candidate") {
   const Workplace place;
   // What fits has more subpixel bits than render has.
@@ -307,16 +322,27 @@ TEST_CASE("more samples are drawn only until one number of them fits") {
 TEST_CASE("bad usage of study ends in 2, says why, and writes nothing") {
   const Workplace place;
   place.write("empty.json", "");
-  for (const char* words :
-       {"study", "study run D-999", "study run d", "study run --threads 0",
-        "study run D-13 --resume", "study run D-13 --quick --json - --csv -",
-        "study run D-13 --quick --json nowhere/out.json",
-        "study run D-13 --quick --json same --csv same", "study report", "study report -o page.txt",
-        "study report --from absent.json -o page.html",
-        "study report --from empty.json -o page.html",
-        "study report --from empty.json --quick -o page.html", "study report --quick --svg nowhere",
-        "study recommend teapot", "study recommend teapot --error-budget speed<1",
-        "study recommend absent.glb --error-budget depth<1", "study dance"}) {
+  for (const char* words : {"study",
+                            "study run D-999",
+                            "study run d",
+                            "study run --threads 0",
+                            "study run D-13 --resume",
+                            "study run D-13 --quick --json - --csv -",
+                            "study run D-13 --quick --json nowhere/out.json",
+                            "study run D-13 --quick --json same --csv same",
+                            "study report",
+                            "study report -o page.txt",
+                            "study report --from absent.json -o page.html",
+                            "study report --from empty.json -o page.html",
+                            "study report --from empty.json --quick -o page.html",
+                            "study agree /dev/zero empty.json",
+                            "study report --from /dev/zero",
+                            "study run D-13 --quick --resume /dev/full",
+                            "study report --quick --svg nowhere",
+                            "study recommend teapot",
+                            "study recommend teapot --error-budget speed<1",
+                            "study recommend absent.glb --error-budget depth<1",
+                            "study dance"}) {
     INFO(words);
     const Outcome run = place.run(words);
     CHECK(run.exit_code == 2);

@@ -46,6 +46,9 @@ TEST_CASE("study extremes --sweep prints the curve of one parameter") {
   REQUIRE(run.exit_code == 0);
   CHECK(run.out.find("gives up at") != std::string::npos);
   CHECK(run.out.find("C-43") == std::string::npos);
+  const Outcome both = place.run("study extremes --sweep near-far --case C-43");
+  CHECK(both.out.find("C-43") == 0);
+  CHECK(both.out.find(run.out.substr(0, run.out.find("\n\ncurves.html"))) != std::string::npos);
 }
 
 TEST_CASE("study extremes refuses cases and sweeps that there are not, with the reason") {
