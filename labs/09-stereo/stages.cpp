@@ -51,7 +51,8 @@ void anaglyph(RecordReader& in, Numbers& out) {
     (i < of_left ? asked.left : asked.right).push_back(fragment);
   }
   const Image<Rgba8> shown = draw_anaglyph(asked);
-  out = {double(shown.width), double(shown.height)};
+  out.push_back(shown.width);
+  out.push_back(shown.height);
   for (const Rgba8& p : shown.pixels) out.push_back(65536.0 * p.r + 256.0 * p.g + p.b);
 }
 

@@ -232,7 +232,7 @@ TEST_CASE("lab render names a picture of the wrong size") {
   folder.write("  return shown;",
                "  Image<Rgba8> turned(anaglyph.height, anaglyph.width, "
                "anaglyph.background);\n  turned.pixels = shown.pixels;\n  return turned;");
-  const auto wrong = folder.render({"--stereo", "anaglyph", "-o", "out.png"});
+  const auto wrong = folder.render({"-o", "out.png"});
   CAPTURE(wrong.out, wrong.err);
   CHECK(wrong.exit_code == 1);
   CHECK(has(wrong.out, "width"));
