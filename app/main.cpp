@@ -79,6 +79,7 @@ int run(int argc, char** argv) {
   man.add_to(app, exit_code);
   app.require_subcommand(0, 1);
   refuse_empty_names(app);
+  read_as_decimal(app);
 
   try {
     app.parse(argc, argv);

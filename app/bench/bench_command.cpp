@@ -1,6 +1,7 @@
 #include "app/bench/bench_command.h"
 
 #include <algorithm>
+#include <charconv>
 #include <memory>
 
 #include <fmt/format.h>
@@ -41,7 +42,8 @@ std::vector<int> parse_threads(const std::string& text) {
   std::vector<int> all;
   for (const std::string& word : CLI::detail::split(text, ',')) {
     int threads = 0;
-    const bool number = CLI::detail::lexical_cast(word, threads);
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), threads);
+    const bool number = error == std::errc() && end == word.data() + word.size();
     if (!number || threads < 1 || threads > kMostThreads) {
       throw CLI::ValidationError("--threads",
                                  fmt::format("needs numbers from 1 to {}, such as 1,2; not '{}'",

@@ -1,11 +1,15 @@
 #include "app/options/command_tree.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <string_view>
 
 #include <CLI/CLI.hpp>
 
 #include "app/options/arguments.h"
+
+#include <glassbox/base/printable.h>
 
 namespace glassbox::app {
 
@@ -34,6 +38,21 @@ bool is_literal(const std::string& word) {
     return std::islower(c) != 0 || std::isdigit(c) != 0 || c == '-' || c == '_';
   };
   return !word.empty() && word != "-" && std::ranges::all_of(word, is_one_of_them);
+}
+
+// 012 becomes 12; another base is an error, which the answer says.
+std::string without_leading_zeros(std::string& word) {
+  const std::size_t sign = word.starts_with('-') || word.starts_with('+') ? 1 : 0;
+  const std::size_t digits = word.find_first_not_of('0', sign);
+  if (digits == sign) return "";
+  if (digits == word.npos) {
+    if (word.size() > sign) word.erase(sign + 1);
+    return "";
+  }
+  const auto next = static_cast<unsigned char>(word[digits]);
+  if (std::isdigit(next) != 0) word.erase(sign, digits - sign);
+  const bool is_other_base = std::isalpha(next) != 0 && std::tolower(next) != 'e';
+  return is_other_base ? "needs a whole number, not " + in_quotes(word) : "";
 }
 
 }  // namespace
@@ -82,6 +101,20 @@ void refuse_empty_names(CLI::App& app) {
   for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) {
     refuse_empty_names(*command);
   }
+}
+
+bool takes_whole_number(const OptionFacts& option) {
+  constexpr std::array<std::string_view, 5> kTypes{"N", "K", "LEVEL", "INT", "UINT"};
+  return std::ranges::find(kTypes, option.value) != kTypes.end();
+}
+
+void read_as_decimal(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    if (takes_whole_number(facts_of(*option)))
+      option->transform(CLI::Validator(without_leading_zeros, ""));
+  }
+  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; }))
+    read_as_decimal(*command);
 }
 
 }  // namespace glassbox::app

@@ -48,4 +48,10 @@ ValueKinds kinds_of(const OptionFacts& option);
 // Makes an empty word an error of usage wherever an option takes the name of a file or directory.
 void refuse_empty_names(CLI::App& app);
 
+// Whether an option takes a whole number, as its type says.
+bool takes_whole_number(const OptionFacts& option);
+
+// Whole numbers are decimal wherever an option takes one: CLI11 reads 012 as octal and 0x10 as hexadecimal.
+void read_as_decimal(CLI::App& app);
+
 }  // namespace glassbox::app

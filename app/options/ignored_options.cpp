@@ -5,6 +5,7 @@
 #include <string>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 namespace glassbox::app {
 
@@ -45,6 +46,14 @@ void tell_of_ignored(const PictureOptions& picture) {
   }
   if (picture.eyes.separation == 0.0) {
     tell(given(picture, "--window"), "the eyes stand in one place, and nothing has parallax");
+  }
+}
+
+void tell_of_ignored(const CLI::App& command, const std::vector<IgnoredOptions>& all) {
+  for (const IgnoredOptions& some : all) {
+    for (const std::string& name : some.names) {
+      if (some.are_ignored && command.count(name) > 0) tell(name, some.why);
+    }
   }
 }
 

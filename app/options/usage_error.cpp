@@ -132,7 +132,11 @@ std::string in_plain_words(const CommandFacts& command, const CLI::ParseError& e
   }
   const std::string unread = "Could not convert: ", is = " = ";
   if (const std::size_t equals = what.find(is); what.starts_with(unread) && equals != what.npos) {
-    return what.substr(unread.size(), equals - unread.size()) + ": needs another value than " +
+    const std::string name = what.substr(unread.size(), equals - unread.size());
+    const bool is_whole = std::ranges::any_of(command.options, [&](const OptionFacts& option) {
+      return takes_whole_number(option) && std::ranges::count(option.names, name) > 0;
+    });
+    return name + (is_whole ? ": needs a whole number, not " : ": needs another value than ") +
            in_quotes(what.substr(equals + is.size()));
   }
   const std::size_t twice = what.find(": At Most 1 required but received ");

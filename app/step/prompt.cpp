@@ -68,6 +68,7 @@ Result<Staged> restage(const Scene& loaded, bool bits, const StepChoice& choice,
   CLI::App app;
   Request request;
   add_options(app, request);
+  read_as_decimal(app);
   std::vector<std::string> words = choice.words;
   words.insert(words.end(), more.begin(), more.end());
   try {

@@ -157,7 +157,7 @@ void ViewsGlyphsCommand::add_to(CLI::App& views, int& exit_code) {
       ->type_name("FILE")
       ->required();
   sheet.add_option("--panel", panel_, "of a picture: which, from 1 [1]")->type_name("N");
-  sheet.add_option("--dpi", dpi_, "pixels to an inch [300, of scenes 50]")->type_name("N");
+  sheet.add_option("--dpi", dpi_, "pixels to an inch [300, of scenes 50]")->type_name("R");
   add_layout(sheet);
   add_json_output(sheet, json_output_, "the table of glyphs");
   sheet.callback([this, &exit_code] { exit_code = this->sheet(); });
@@ -226,16 +226,19 @@ int ViewsGlyphsCommand::sheet() {
   if (const auto good = check_outputs(files); !good) return refuse(good.error());
   const auto wall = views::make_wall(layout_);
   if (!wall) return refuse(wall.error());
-  if (panel_ < 1 || panel_ > layout_.panels)
+  const int panel_number = panel_.value_or(1);
+  if (panel_number < 1 || panel_number > layout_.panels)
     return refuse({{}, "--panel", fmt::format("there are {}", layout_.panels), "count from 1"});
   const double dpi = dpi_.value_or(is_scene ? 50 : 300), per_metre = dpi / views::kMetresOfInch;
   if (const auto good = views::check_panel_picture(*wall, per_metre); !good)
     return refuse(good.error());
+  if (panel_ && is_scene)
+    fmt::print(stderr, "glassbox: note: --panel is ignored: a scene has all panels\n");
   Progress progress;
   progress.phase("drawing the wall");
-  const auto written = is_scene
-                           ? write_glb(views::wall_scene(*wall, per_metre), output_)
-                           : write_image(output_, views::draw_panel(*wall, panel_ - 1, per_metre));
+  const auto written =
+      is_scene ? write_glb(views::wall_scene(*wall, per_metre), output_)
+               : write_image(output_, views::draw_panel(*wall, panel_number - 1, per_metre));
   if (!written) return refuse(written.error());
   progress.done();
   if (json_output_) {
@@ -244,12 +247,13 @@ int ViewsGlyphsCommand::sheet() {
   }
   if (json_output_ == "-") return kSuccess;
   const views::WallPanel& panel = wall->panels.front();
-  fmt::print("{}: {} glyphs of {:.6g} mm, {} of {:.6g} x {:.6g} mm, {:.6g} px to an inch\n",
-             printable(output_, kLongestMessage),
-             is_scene ? wall->glyphs.size() : std::size_t(layout_.columns * layout_.rows),
-             1000 * layout_.diameter,
-             is_scene ? fmt::format("{} panels", layout_.panels) : fmt::format("panel {}", panel_),
-             1000 * panel.width, 1000 * panel.height, dpi);
+  fmt::print(
+      "{}: {} glyphs of {:.6g} mm, {} of {:.6g} x {:.6g} mm, {:.6g} px to an inch\n",
+      printable(output_, kLongestMessage),
+      is_scene ? wall->glyphs.size() : std::size_t(layout_.columns * layout_.rows),
+      1000 * layout_.diameter,
+      is_scene ? fmt::format("{} panels", layout_.panels) : fmt::format("panel {}", panel_number),
+      1000 * panel.width, 1000 * panel.height, dpi);
   return kSuccess;
 }
 

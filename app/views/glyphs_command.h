@@ -32,7 +32,7 @@ private:
   int sweep();
 
   views::WallLayout layout_;
-  int panel_ = 1;
+  std::optional<int> panel_;
   std::optional<double> dpi_, fov_;
   std::string output_, picture_;
   std::optional<std::string> against_, page_, json_output_;

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/options/choices.h"
+#include "app/options/ignored_options.h"
 #include "app/options/output_options.h"
 #include "app/options/picture_options.h"
 #include "app/options/scene_input.h"
@@ -77,6 +78,7 @@ void ViewsTextureCommand::add_to(CLI::App& views, int& exit_code) {
       "is\n"
       "that picture. docs/polygons.md has more.");
   command.add_option("MESH", mesh_, kSceneHelp)->required();
+  command_ = &command;
   const std::size_t before = command.get_options().size();
   add_picture_choice(command, choice_);
   command
@@ -93,7 +95,11 @@ void ViewsTextureCommand::add_to(CLI::App& views, int& exit_code) {
       ->type_name("K")
       ->check(CLI::Range(1, views::kMostNeighbours))
       ->group(group);
+  const std::size_t before_camera = command.get_options().size();
   add_camera_options(command, camera_);
+  const auto with_camera = command.get_options();
+  for (std::size_t i = before_camera; i < with_camera.size(); ++i)
+    camera_words_.push_back(with_camera[i]->get_name());
   command
       .add_option_function<std::string>(
           "--size", [this](const std::string& text) { size_ = parse_size(text); },
@@ -157,6 +163,17 @@ Result<void> ViewsTextureCommand::check_outputs() const {
   }
   if (json_output_ && *json_output_ != "-") files.push_back(*json_output_);
   return app::check_outputs(files);
+}
+
+void ViewsTextureCommand::tell_of_unused() const {
+  const bool no_picture = !output_;
+  tell_of_ignored(*command_,
+                  {{blend_ != Blend::kNeighbours && !each_,
+                    {"--neighbours"},
+                    "it is of --blend " + std::string(views::name_of(Blend::kNeighbours))},
+                   {!fixed_, {"--texels"}, "it is of --fixed"},
+                   {no_picture, camera_words_, "no picture is drawn without -o"},
+                   {no_picture, {"--size"}, "no picture is drawn without -o"}});
 }
 
 // Of all that is asked for: as if each came while the others are there.
@@ -349,6 +366,7 @@ int ViewsTextureCommand::run() {
   for (const auto& legal : {check_asked(), check_outputs()}) {
     if (!legal) return refuse(legal.error());
   }
+  tell_of_unused();
   Progress progress;
   const auto scene = load_asked_scene(mesh_, progress);
   if (!scene) return refuse(scene.error());

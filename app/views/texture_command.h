@@ -29,6 +29,7 @@ private:
   int run();
   Result<void> check_asked() const;
   Result<void> check_outputs() const;
+  void tell_of_unused() const;
   double bytes_for(const Scene& scene, const ChosenPictures& pictures) const;
   Result<Found> find(const Scene& scene, const ChosenPictures& pictures, Progress& progress) const;
   Result<void> write_outputs(const Scene& scene, const ChosenPictures& pictures,
@@ -46,6 +47,8 @@ private:
   std::optional<Size> size_;
   Rgba8 background_{26, 31, 38, 255};
   std::optional<std::string> output_, fixed_, left_out_output_, json_output_, page_;
+  const CLI::App* command_ = nullptr;
+  std::vector<std::string> camera_words_;  // names of the camera's options
   std::vector<const CLI::Option*> options_;
 };
 

@@ -11,6 +11,7 @@
 #include "app/options/arguments.h"
 #include "app/options/choices.h"
 #include "app/options/engine_options.h"
+#include "app/options/ignored_options.h"
 #include "app/options/output_options.h"
 #include "app/options/picture_options.h"
 #include "app/options/scene_input.h"
@@ -162,6 +163,7 @@ void ViewsVoxelsCommand::add_to(CLI::App& views, int& exit_code) {
       "on\n"
       "what is before it, so voxels are visited away from all cameras where there is such a\n"
       "direction, and carved from all sides where there is none. docs/voxels.md has more.");
+  command_ = &command;
   const std::size_t before = command.get_options().size();
   add_input_options(command);
   add_coloring_options(command);
@@ -218,6 +220,20 @@ Result<void> ViewsVoxelsCommand::check_outputs() const {
   }
   if (json_output_ && *json_output_ != "-") files.push_back(*json_output_);
   return app::check_outputs(files);
+}
+
+void ViewsVoxelsCommand::tell_of_unused() const {
+  const views::ColoringSettings& settings = request_.settings;
+  const Consistency test = settings.consistency;
+  const std::string another = "--test " + std::string(name_of(test)) + " does not ask for it";
+  tell_of_ignored(
+      *command_,
+      {{test != Consistency::kDeviation, {"--threshold"}, another},
+       {test != Consistency::kLikelihood, {"--noise", "--significance"}, another},
+       {test != Consistency::kAdaptive, {"--k1", "--k2"}, another},
+       {settings.space != views::ColorSpace::kLab, {"--lightness"}, "it is of --space lab"},
+       {request_.levels == 0, {"--slack"}, "there are no coarser levels without --levels"},
+       {!output_, {"--shape"}, "no file of voxels is written without -o"}});
 }
 
 Result<VoxelsInput> ViewsVoxelsCommand::read(Progress& progress) const {
@@ -281,6 +297,7 @@ int ViewsVoxelsCommand::run() {
   for (const auto& legal : {check_asked(), check_outputs()}) {
     if (!legal) return refuse(legal.error());
   }
+  tell_of_unused();
   Progress progress;
   const Result<VoxelsInput> input = read(progress);
   if (!input) return refuse(input.error());

@@ -28,6 +28,7 @@ private:
   int run();
   Result<void> check_asked() const;
   Result<void> check_outputs() const;
+  void tell_of_unused() const;
   Result<VoxelsInput> read(Progress& progress) const;
   Result<void> complete_request(const views::PictureSet& set);
   Result<void> write_outputs(const VoxelsInput& input, const VoxelsReport& report) const;
@@ -42,6 +43,7 @@ private:
   views::ColoringRequest request_;
   std::optional<std::string> output_, left_out_output_, json_output_, page_;
   views::VoxelShape shape_ = views::VoxelShape::kCubes;
+  const CLI::App* command_ = nullptr;
   std::vector<const CLI::Option*> options_;
 };
 

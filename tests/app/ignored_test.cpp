@@ -73,5 +73,44 @@ TEST_CASE("step names what points and what triangles have no use for") {
   CHECK(contains(with.err, "note: --proj is ignored"));
 }
 
+// Without the line that has milliseconds.
+std::string without_time(std::string text) {
+  const std::size_t ms = text.find(" ms on ");
+  if (ms == text.npos) return text;
+  const std::size_t start = text.rfind('\n', ms);
+  return text.erase(start, text.find('\n', ms) - start);
+}
+
+TEST_CASE("what pictures around a scene have no use for is named, and changes nothing") {
+  const Workplace here;
+  REQUIRE(here.run("views ring cube -o ring --views 5 --size 32x32").exit_code == 0);
+  REQUIRE(here.run("info cube --write cube.glb").exit_code == 0);
+  const auto check = [&](const std::string& words, const std::vector<std::string>& options) {
+    const Outcome plain = here.run(words);
+    INFO(words << ": " << plain.err);
+    REQUIRE(plain.exit_code == 0);
+    CHECK(plain.err.empty());
+    for (const std::string& option : options) {
+      const Outcome with = here.run(words + " " + option);
+      INFO(option << ": " << with.err);
+      CHECK(with.exit_code == 0);
+      const std::string name = option.substr(0, option.find(' '));
+      CHECK(contains(with.err, "note: " + name + " is ignored: "));
+      CHECK(without_time(with.out) == without_time(plain.out));
+    }
+  };
+  const std::string voxels = "views voxels ring --resolution 12";
+  check(voxels, {"--k1 1", "--k2 1", "--noise 3", "--significance 0.5", "--lightness 1",
+                 "--slack 5", "--shape points"});
+  check(voxels + " --test ratio", {"--threshold 1", "--k1 1"});
+  check(voxels + " --test adaptive", {"--threshold 1", "--noise 3"});
+  CHECK(here.run(voxels + " --test adaptive --k1 1 --space lab --lightness 1").err.empty());
+  check("views texture cube.glb ring",
+        {"--neighbours 2", "--texels 4", "--eye 1,2,3", "--size 9x9"});
+  check("views texture cube.glb ring --leave-out 1 --blend nearest", {"--neighbours 2"});
+  CHECK(here.run("views texture cube.glb ring --each --neighbours 2").err.empty());
+  check("views glyphs sheet -o wall.glb", {"--panel 2"});
+}
+
 }  // namespace
 }  // namespace glassbox::test

@@ -69,6 +69,27 @@ TEST_CASE("pictures have the size asked for, from 1x1 to 16384 wide or high") {
   }
 }
 
+TEST_CASE("whole numbers are decimal, with leading zeros too, and in no other base") {
+  const Workplace here;
+  const std::string ring = "views ring cube -o ring --size 8x8 --json - --views ";
+  const auto pictures = [&](const std::string& number) {
+    return nlohmann::json::parse(here.run(ring + number).out)["pictures"].get<int>();
+  };
+  CHECK(pictures("012") == 12);
+  CHECK(pictures("0008") == 8);
+  CHECK(pictures("3") == 3);
+  for (const char* number : {"0x10", "1x", "3.5", "0.5", "many", "0b11"}) {
+    const Outcome outcome = here.run(ring + number);
+    INFO(outcome.err);
+    CHECK(outcome.exit_code == 2);
+    CHECK(contains(outcome.err, "--views: needs a whole number, not '" + std::string(number)));
+  }
+  // What is bound by limits is decimal before they are asked; and what is no number is left alone.
+  CHECK(contains(here.run("views voxels ring --resolution 010").out, "10 x"));
+  CHECK(here.run("render cube --size 8x8 -o 007.png").exit_code == 0);
+  CHECK(std::ranges::count(here.names(), "007.png") == 1);
+}
+
 TEST_CASE("PNG and PPM hold the same pixels, in either case of the extension") {
   const Workplace here;
   for (const char* name : {"a.png", "b.ppm", "c.PNG", "d.PPM"}) {

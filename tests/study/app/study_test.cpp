@@ -336,7 +336,7 @@ TEST_CASE("bad usage of study ends in 2, says why, and writes nothing") {
                             "study report --from empty.json -o page.html",
                             "study report --from empty.json --quick -o page.html",
                             "study agree /dev/zero empty.json",
-                            "study report --from /dev/zero",
+                            "study report --from /dev/zero -o page.html",
                             "study run D-13 --quick --resume /dev/full",
                             "study report --quick --svg nowhere",
                             "study recommend teapot",
