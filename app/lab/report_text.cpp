@@ -144,8 +144,8 @@ std::string lab_report_text(const LabReport& report) {
     return text + fmt::format("\n{} does not compile:\n", report.student) +
            quoted_lines("  ", result.not_built, 60);
   }
-  for (const std::string& warning : result.warnings)
-    text += "\nThe compiler warns:\n" + quoted_lines("  ", warning, 30);
+  if (!result.warnings.empty()) text += "\nWarnings:\n";
+  for (const std::string& warning : result.warnings) text += quoted_lines("  ", warning, 30);
   for (const CheckResult& check : result.checks) {
     if (check.first || !check.said.empty()) text += check_text(report, check);
   }

@@ -18,10 +18,10 @@ namespace glassbox::app {
 
 namespace {
 
-// Reading from a standard output that was closed, and writing to an input, are the errors that they would have been.
+// To read from a closed standard input, and to write to a closed output, stays the error that it was.
 void keep_open(int stream) {
   if (::fcntl(stream, F_GETFD) != -1 || errno != EBADF) return;
-  static_cast<void>(::open("/dev/null", stream == STDOUT_FILENO ? O_RDONLY : O_RDWR));
+  static_cast<void>(::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
 }
 
 int refuse_output(int error) {
@@ -52,6 +52,7 @@ void begin_run() {
 }
 
 int end_run(int exit_code) {
+  if (exit_code == kBadInput) return exit_code;  // which is told
   errno = 0;
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
   return refuse_output(errno != 0 ? errno : EIO);

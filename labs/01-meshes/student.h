@@ -27,7 +27,8 @@ using glassbox::Vector;
 //                  read so far, -2 the one before it
 //   # anything     a comment; it may also end another line. Empty lines and further spaces mean nothing.
 //
-// Fills `positions`, `faces` and, of each corner, `position` (counted from 0); everything else stays empty or kNone.
+// Fills `positions`, `corners` and `faces` (<glassbox/mesh/mesh.h>): the corners of all faces stand in one table, a Face is
+// {the number of its first one, how many it has}, and a Corner has its `position`, counted from 0. Everything else stays empty or kNone.
 // Throws std::invalid_argument where a corner names no position read so far (number 0 included), a face has fewer than
 // three corners, or a position fewer than three numbers. Numbers are the nearest floats.
 Mesh read_mesh(const std::string& text);
