@@ -89,7 +89,9 @@ std::string ending_text(const RunOutcome& outcome, const RunLimits& limits) {
     case Ending::kTimeout:
       return fmt::format("still running after {} seconds{}", limits.seconds, detail);
     case Ending::kTooMuchOutput:
-      return fmt::format("more than {} MiB of answers{}", limits.output_bytes >> 20, detail);
+      return !outcome.detail.empty()
+                 ? outcome.detail
+                 : fmt::format("more than {} MiB of answers", limits.output_bytes >> 20);
     case Ending::kOutOfMemory:
       return "more memory than there may be" + detail;
     case Ending::kForbidden:

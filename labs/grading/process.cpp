@@ -192,6 +192,8 @@ RunOutcome launch(const Launch& launch) {
   const bool too_much = streams[0].too_much() || streams[1].too_much() || streams[2].too_much();
   if (too_much) {
     outcome.ending = RunOutcome::Ending::kTooMuchOutput;
+    if (streams[1].too_much())
+      outcome.detail = fmt::format("more than {} MiB printed", limits.said_bytes / kMiB);
   } else if (!followed.ended) {
     outcome.ending = RunOutcome::Ending::kTimeout;
   } else {
