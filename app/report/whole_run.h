@@ -5,8 +5,8 @@
 
 namespace glassbox::app {
 
-// Before anything is opened. A standard stream that is closed is none that a file could be opened in its place as; a file that grows
-// beyond its limit is an error and no signal; and what a thread throws that nobody else can catch is told, with exit code 1.
+// Before anything is opened. A closed standard stream stays closed, but no file that is opened later takes its number; a file that
+// grows beyond its limit is an error in place of a signal; what a thread throws and nobody catches is told, with exit code 1.
 void begin_run();
 
 // Whether all that was printed has arrived: `exit_code`, or kBadInput and why not.

@@ -34,9 +34,8 @@ struct RunOutcome {
     kNotStarted
   };
   Ending ending = Ending::kNotStarted;
-  int code = 0;  // the exit status or the signal
-  std::string
-      detail;  // why it was not started, what was forbidden, what was too much; may be empty
+  int code = 0;         // the exit status or the signal
+  std::string detail;   // why it was not started, what was forbidden or too much; may be empty
   std::string answers;  // what it wrote to the descriptor of the answers
   std::string said;     // standard output and standard error
   double seconds = 0;

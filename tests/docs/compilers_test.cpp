@@ -13,10 +13,28 @@ namespace glassbox::test {
 
 namespace {
 
+std::string in_words(std::size_t line) {
+  return std::to_string(line);
+}
+std::string in_words(const CapturedBinding& each) {
+  return in_words(each.line) + ": " + each.name;
+}
+
 std::string text_of(const std::string& file) {
   std::string text;
   for (const std::string& line : lines_of(file)) text += line + "\n";
   return text;
+}
+
+// "file:what", of all that `find` finds in a source.
+template <typename Find>
+std::vector<std::string> found_in_sources(Find find) {
+  std::vector<std::string> found;
+  for (const std::string& file : text_files()) {
+    if (!file.ends_with(".cpp") && !file.ends_with(".h")) continue;
+    for (const auto& each : find(text_of(file))) found.push_back(file + ":" + in_words(each));
+  }
+  return found;
 }
 
 std::vector<std::string> not_compiled() {
@@ -72,13 +90,7 @@ TEST_CASE("lambdas that capture a structured binding's names are told from those
 }
 
 TEST_CASE("no lambda captures a structured binding, which clang++ does not compile") {
-  std::vector<std::string> found;
-  for (const std::string& file : text_files()) {
-    if (!file.ends_with(".cpp") && !file.ends_with(".h")) continue;
-    for (const CapturedBinding& each : captured_bindings(text_of(file)))
-      found.push_back(file + ":" + std::to_string(each.line) + ": " + each.name);
-  }
-  CHECK(found == std::vector<std::string>());
+  CHECK(found_in_sources(captured_bindings) == std::vector<std::string>());
 }
 
 TEST_CASE("random numbers that a call or an expression draws in no order are told from others") {
@@ -110,13 +122,7 @@ TEST_CASE("random numbers that a call or an expression draws in no order are tol
 }
 
 TEST_CASE("no two random numbers are drawn in an order that each compiler chooses for itself") {
-  std::vector<std::string> found;
-  for (const std::string& file : text_files()) {
-    if (!file.ends_with(".cpp") && !file.ends_with(".h")) continue;
-    for (const std::size_t line : unordered_draws(text_of(file)))
-      found.push_back(file + ":" + std::to_string(line));
-  }
-  CHECK(found == std::vector<std::string>());
+  CHECK(found_in_sources(unordered_draws) == std::vector<std::string>());
 }
 
 }  // namespace glassbox::test
