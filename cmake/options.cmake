@@ -8,6 +8,12 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release)
 endif()
 
+# A second compilation of the same source, in another clone or with the tests, is a copy where ccache is installed.
+find_program(GLASSBOX_CCACHE ccache DOC "Keeps what was compiled; empty: nothing does")
+if(GLASSBOX_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${GLASSBOX_CCACHE})
+endif()
+
 option(GLASSBOX_WERROR "Treat warnings as errors, those of g++ 12 and clang++ 14: other compilers have others" OFF)
 option(GLASSBOX_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
 option(GLASSBOX_SOME_TESTS "Build only the tests that ./glassbox test runs under the sanitizers" OFF)
@@ -57,18 +63,22 @@ if(GLASSBOX_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 
-# add_part(NAME [FIRST ...] [SOURCES ...] [LINKS ...] [USES ...]): one folder of the library, glassbox::NAME. A folder of
-# headers only has no sources. FIRST are those sources that draw the first picture: a library of objects, which is built
-# without waiting for the rest. LINKS are parts, and what their headers include; USES is what the sources alone include.
+# add_part(NAME [FIRST ...] [SOURCES ...] [ONCE ...] [LINKS ...] [USES ...]): one folder of the library, glassbox::NAME. A folder
+# of headers only has no sources. FIRST are those sources that draw the first picture: a library of objects, which is built
+# without waiting for the rest. ONCE are those that nothing is timed by: what reads headers, and writes reports
+# (glassbox_runs_once). LINKS are parts, and what their headers include; USES is what the sources alone include.
 function(add_part name)
-  cmake_parse_arguments(PART "" "" "FIRST;SOURCES;LINKS;USES" ${ARGN})
+  cmake_parse_arguments(PART "" "" "FIRST;SOURCES;ONCE;LINKS;USES" ${ARGN})
   set(part glassbox_${name})
   set(scope PUBLIC)
-  if(PART_FIRST)
-    add_library(${part}_first OBJECT ${PART_FIRST})
-    list(APPEND PART_SOURCES $<TARGET_OBJECTS:${part}_first>)
-    set(first ${part}_first)
-  endif()
+  foreach(kind FIRST ONCE)
+    if(PART_${kind})
+      string(TOLOWER ${part}_${kind} objects)
+      add_library(${objects} OBJECT ${PART_${kind}})
+      list(APPEND PART_SOURCES $<TARGET_OBJECTS:${objects}>)
+      list(APPEND objects_of_part ${objects})
+    endif()
+  endforeach()
   if(PART_SOURCES)
     add_library(${part} STATIC ${PART_SOURCES})
   else()
@@ -77,14 +87,19 @@ function(add_part name)
   endif()
   add_library(glassbox::${name} ALIAS ${part})
   set_target_properties(${part} PROPERTIES EXPORT_NAME ${name})
-  foreach(target ${part} ${first})
+  foreach(target ${part} ${objects_of_part})
     target_include_directories(${target} ${scope}
       $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
     target_link_libraries(${target} ${scope} glassbox_flags glm::glm tl::expected)
     if(scope STREQUAL PUBLIC)
       target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:glassbox_warnings> ${PART_USES})
+      compile_together(${target})
     endif()
   endforeach()
+  if(PART_ONCE)
+    target_link_libraries(${part}_once PRIVATE glassbox_runs_once)
+    target_include_directories(${part}_once PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
+  endif()
   # Not the objects: they need no other part to be built.
   target_link_libraries(${part} ${scope} ${PART_LINKS})
 endfunction()
@@ -98,9 +113,17 @@ function(write_entries file name)
   file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${file} CONTENT "${entries}\n")
 endfunction()
 
-# compile_together(TARGET NAME FILE ...): these sources are one translation unit, because the headers that they share take
-# longer to compile than they do (docs/building.md has the figures). What is unnamed in one must not be in another.
-function(compile_together target name)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${GLASSBOX_TOGETHER} UNITY_BUILD_MODE GROUP)
-  set_source_files_properties(${ARGN} PROPERTIES UNITY_GROUP ${name})
+# compile_together(TARGET ...): their sources are compiled some at a time, because the headers that they share take longer to
+# compile than they do (docs/building.md has the figures). What is unnamed in one source must not be in another of the target.
+function(compile_together)
+  set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ${GLASSBOX_TOGETHER} UNITY_BUILD_BATCH_SIZE 10)
+  foreach(target ${ARGN})
+    # g++ takes included sources for headers, whose private types others would see.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  endforeach()
+endfunction()
+
+# compile_alone(FILE ...): what names something, privately, that another source of its target names too.
+function(compile_alone)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()

@@ -101,7 +101,10 @@ install_packages() {
 locked() {
   mkdir -p "$root/build" || return 1
   (
-    if command -v flock >/dev/null 2>&1; then flock 9; fi
+    if command -v flock >/dev/null 2>&1 && ! flock -n 9; then
+      say "waiting for another ./glassbox that is building ..."
+      flock 9
+    fi
     "$@"
   ) 9>"$root/build/.lock"
 }

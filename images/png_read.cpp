@@ -33,14 +33,14 @@ void read_bytes(png_structp png, png_bytep target, png_size_t size) {
 
 // libpng's errors leave by longjmp to the caller that set the jump. Between there and here are only libpng's own C
 // frames and read_bytes above: nothing with a destructor.
-[[noreturn]] void on_error(png_structp png, png_const_charp message) {
+[[noreturn]] void on_read_error(png_structp png, png_const_charp message) {
   auto* source = static_cast<Source*>(png_get_error_ptr(png));
   std::strncpy(source->message, message, sizeof source->message - 1);
   png_longjmp(png, 1);
 }
 
 // What libpng only warns about does no harm, except to tRNS: it would be left out, and with it the alpha.
-void on_warning(png_structp png, png_const_charp message) {
+void on_read_warning(png_structp png, png_const_charp message) {
   if (std::strncmp(message, "tRNS", 4) == 0) png_error(png, message);
 }
 
@@ -106,7 +106,7 @@ struct Reader {
   png_infop info = nullptr;
 
   explicit Reader(std::span<const std::byte> bytes) : source{bytes} {
-    png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, on_error, on_warning);
+    png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, on_read_error, on_read_warning);
     if (png) info = png_create_info_struct(png);
   }
   Reader(const Reader&) = delete;

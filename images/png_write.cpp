@@ -48,13 +48,13 @@ void flush(png_structp) {}
 
 // libpng's errors leave by longjmp to write_png. Between there and here are only libpng's own C frames and append
 // above, which has nothing left to destroy when it calls.
-[[noreturn]] void on_error(png_structp png, png_const_charp message) {
+[[noreturn]] void on_write_error(png_structp png, png_const_charp message) {
   auto* sink = static_cast<Sink*>(png_get_error_ptr(png));
   std::strncpy(sink->message, message, sizeof sink->message - 1);
   png_longjmp(png, 1);
 }
 
-void on_warning(png_structp, png_const_charp) {}
+void on_write_warning(png_structp, png_const_charp) {}
 
 struct Layout {
   int width = 0, height = 0, channels = 0;
@@ -191,7 +191,7 @@ struct Writer {
   png_infop info = nullptr;
 
   Writer() {
-    png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &sink, on_error, on_warning);
+    png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &sink, on_write_error, on_write_warning);
     if (png) info = png_create_info_struct(png);
   }
   Writer(const Writer&) = delete;

@@ -33,7 +33,7 @@ Result<Picture> read_as(const std::string& path, const DecodeLimits& limits,
   return picture;
 }
 
-Result<Image<Rgba8>> decode_any(std::span<const std::byte> bytes, const DecodeLimits& limits) {
+Result<Image<Rgba8>> decode_bytes(std::span<const std::byte> bytes, const DecodeLimits& limits) {
   return is_pnm(bytes) ? decode_pnm(bytes, limits) : decode_image(bytes, limits);
 }
 
@@ -84,7 +84,7 @@ Result<std::vector<std::byte>> read_file(const std::string& path, std::uint64_t 
 }
 
 Result<Image<Rgba8>> read_image(const std::string& path, const DecodeLimits& limits) {
-  return read_as<Image<Rgba8>>(path, limits, &decode_any);
+  return read_as<Image<Rgba8>>(path, limits, &decode_bytes);
 }
 Result<Image<float>> read_pfm(const std::string& path, const DecodeLimits& limits) {
   return read_as<Image<float>>(path, limits, &decode_pfm);

@@ -10,8 +10,6 @@
 namespace glassbox {
 namespace {
 
-constexpr double kRoundoff = unit_roundoff<double>;
-
 Facing facing_of(double value) {
   if (value > 0) return Facing::kBack;
   return value < 0 ? Facing::kFront : Facing::kEdgeOn;
@@ -170,7 +168,7 @@ BackFaceTest test_back_face(std::span<const Point<Object>> polygon, const Object
   // second gamma covers: N + 9 becomes N + 12.
   const double size = newell.size.x * std::abs(sight.x) + newell.size.y * std::abs(sight.y) +
                       newell.size.z * std::abs(sight.z);
-  test.bound = double(polygon.size() + 12) * kRoundoff * size;
+  test.bound = double(polygon.size() + 12) * unit_roundoff<double> * size;
   test.viewer_error_bound =
       (1 + 0x1p-40) * (newell.size.x * viewer.error.x + newell.size.y * viewer.error.y +
                        newell.size.z * viewer.error.z);

@@ -12,6 +12,7 @@
 #include "app/bench/matching.h"
 #include "app/bench/page.h"
 #include "app/bench/text.h"
+#include "app/options/add_command.h"
 #include "app/options/builtin_help.h"
 #include "app/options/choices.h"
 #include "app/options/engine_options.h"
@@ -19,6 +20,7 @@
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
 #include "app/report/progress.h"
+#include "app/subjects.h"
 #include "study/bench/machine.h"
 #include "study/bench/mesa/limits.h"
 #include "study/bench/peer_process.h"
@@ -65,8 +67,7 @@ Result<std::unique_ptr<PeerProcess>> start_mesa(const std::string& name,
 }  // namespace
 
 void BenchCommand::add_to(CLI::App& app, int& exit_code) {
-  CLI::App& command =
-      *app.add_subcommand("bench", "how fast it draws, against whom, and how its time grows");
+  CLI::App& command = *app.add_subcommand("bench", kBenchHelp);
   command.footer(
       "Examples:\n"
       "  glassbox bench\n"
@@ -258,6 +259,11 @@ void BenchPeerCommand::add_to(CLI::App& app, int& exit_code) {
     }
     exit_code = study::serve_mesa(*bench) ? kSuccess : kFailure;
   });
+}
+
+void add_bench_command(CLI::App& app, int& exit_code) {
+  add_command<BenchCommand>(app, exit_code);
+  add_command<BenchPeerCommand>(app, exit_code);
 }
 
 }  // namespace glassbox::app

@@ -34,7 +34,7 @@ std::string lines_of(const std::vector<Decision>& decisions) {
   return text;
 }
 
-std::string counted(std::uint64_t count, const std::string& thing) {
+std::string counted_with_separators(std::uint64_t count, const std::string& thing) {
   return grouped(count) + " " + inflected(count, thing);
 }
 
@@ -45,9 +45,9 @@ const std::string& name_of(const Scene& scene, const Draw& draw) {
 std::string title_of(const Scene& scene, const PlannedEye& eye, const DrawGroup& group) {
   const Draw& largest = eye.list.draws[group.draws.front()];
   const std::string name = printable(name_of(scene, largest), kLongName);
-  std::string title = counted(group.draws.size(), "draw");
+  std::string title = counted_with_separators(group.draws.size(), "draw");
   if (!name.empty()) title += (group.draws.size() == 1 ? ", " : ", the largest ") + name;
-  return title + ", " + counted(group.triangles, "triangle") + ": ";
+  return title + ", " + counted_with_separators(group.triangles, "triangle") + ": ";
 }
 
 }  // namespace
@@ -67,8 +67,9 @@ std::string plan_text(const Scene& scene, const Plan& plan, const PlannedEye& ey
   }
   if (draws_not_shown > 0) {
     text += fmt::format("\nand {} more of {} with {}: --json has them all\n",
-                        counted(groups.size() - kShownGroups, "group"),
-                        counted(draws_not_shown, "draw"), counted(triangles_not_shown, "triangle"));
+                        counted_with_separators(groups.size() - kShownGroups, "group"),
+                        counted_with_separators(draws_not_shown, "draw"),
+                        counted_with_separators(triangles_not_shown, "triangle"));
   }
   return text;
 }

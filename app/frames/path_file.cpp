@@ -19,8 +19,7 @@ namespace glassbox::app {
 
 namespace {
 
-using Json = nlohmann::json;
-using JsonEvent = Json::parse_event_t;
+using JsonEvent = nlohmann::json::parse_event_t;
 
 constexpr int kDeepest = 4;  // numbers of an array in a keyframe in the list in the whole
 constexpr double kMaxNumber = std::numeric_limits<float>::max();
@@ -30,7 +29,7 @@ constexpr double kMaxNumber = std::numeric_limits<float>::max();
 // Says what the parser does not: brackets nested deeper than a path's, and keys there twice.
 class Watch {
 public:
-  bool operator()(int depth, JsonEvent event, const Json& value) {
+  bool operator()(int depth, JsonEvent event, const nlohmann::json& value) {
     if (event == JsonEvent::object_start || event == JsonEvent::array_start) {
       if (depth >= kDeepest) problem_ = "brackets are nested deeper than a path's";
       if (event == JsonEvent::object_start) keys_.emplace_back();
@@ -64,17 +63,17 @@ std::string place_in(std::string_view text, std::size_t byte) {
   return fmt::format("line {}, column {}", std::ranges::count(before, '\n') + 1, column + 1);
 }
 
-Result<Json> parse_json(std::string_view text) {
+Result<nlohmann::json> parse_json(std::string_view text) {
   Watch watch;
   try {
-    return Json::parse(text, [&watch](int depth, JsonEvent event, Json& value) {
+    return nlohmann::json::parse(text, [&watch](int depth, JsonEvent event, nlohmann::json& value) {
       return watch(depth, event, value);
     });
   } catch (const Watch::Stop& stop) {
     return fail("", stop.problem, "see the format in docs/stereo.md");
-  } catch (const Json::parse_error& error) {
+  } catch (const nlohmann::json::parse_error& error) {
     return fail(place_in(text, error.byte), "this is no JSON", "mend it there");
-  } catch (const Json::exception&) {
+  } catch (const nlohmann::json::exception&) {
     return fail("", "a number is too large for a double", "make it smaller");
   }
 }
@@ -85,7 +84,7 @@ std::string quoted(std::string_view key) {
   return std::string("\"").append(key).append("\"");
 }
 
-Result<void> check_keys(const Json& object, const std::vector<std::string>& known,
+Result<void> check_keys(const nlohmann::json& object, const std::vector<std::string>& known,
                         const std::string& place) {
   for (const auto& [key, value] : object.items()) {
     if (std::ranges::find(known, key) != known.end()) continue;
@@ -96,7 +95,7 @@ Result<void> check_keys(const Json& object, const std::vector<std::string>& know
   return {};
 }
 
-Result<double> read_number(const Json& value, const std::string& place) {
+Result<double> read_number(const nlohmann::json& value, const std::string& place) {
   if (!value.is_number()) return fail(place, "is no number", "write a number");
   const double number = value.get<double>();
   if (!(std::abs(number) <= kMaxNumber)) {
@@ -106,7 +105,7 @@ Result<double> read_number(const Json& value, const std::string& place) {
   return number;
 }
 
-Result<std::array<double, 3>> read_triple(const Json& value, const std::string& place) {
+Result<std::array<double, 3>> read_triple(const nlohmann::json& value, const std::string& place) {
   if (!value.is_array() || value.size() != 3) {
     return fail(place, "is no list of three numbers", "write [x, y, z]");
   }
@@ -123,7 +122,7 @@ Result<std::array<double, 3>> read_triple(const Json& value, const std::string& 
 
 class KeyframeReader {
 public:
-  KeyframeReader(const Json& object, std::size_t number, PathClock clock)
+  KeyframeReader(const nlohmann::json& object, std::size_t number, PathClock clock)
       : object_(object), place_(fmt::format("keyframe {}", number)), clock_(clock) {}
 
   Result<Keyframe> read() const {
@@ -189,7 +188,7 @@ private:
 
   Result<void> read_window(Keyframe& keyframe) const {
     if (!object_.contains("window") || object_["window"] == "auto") return {};
-    const Json& value = object_["window"];
+    const nlohmann::json& value = object_["window"];
     const std::string place = place_of("window");
     const char* remedy = "write a distance along the gaze, or \"auto\"";
     if (!value.is_number()) return fail(place, "is neither a number nor \"auto\"", remedy);
@@ -213,14 +212,14 @@ private:
     return fail(place_, pose.error().cause, pose.error().remedy);
   }
 
-  const Json& object_;
+  const nlohmann::json& object_;
   const std::string place_;
   const PathClock clock_;
 };
 
 // ---- the whole ----
 
-Result<void> read_header(const Json& json, CameraPath& path) {
+Result<void> read_header(const nlohmann::json& json, CameraPath& path) {
   if (!json.is_object() || !json.contains("camera_path")) {
     return fail("", "is no camera path: it does not begin with {\"camera_path\": 1}",
                 "see the format in docs/stereo.md");
@@ -232,7 +231,7 @@ Result<void> read_header(const Json& json, CameraPath& path) {
   const auto known = check_keys(json, {"camera_path", "interpolation", "keyframes"}, "");
   if (!known) return known;
   if (!json.contains("interpolation")) return {};
-  const Json& interpolation = json["interpolation"];
+  const nlohmann::json& interpolation = json["interpolation"];
   if (interpolation != "linear" && interpolation != "smooth") {
     return fail("\"interpolation\"", "is neither \"linear\" nor \"smooth\"", "write one of them");
   }
@@ -241,7 +240,7 @@ Result<void> read_header(const Json& json, CameraPath& path) {
 }
 
 // Whether all keyframes have the key; an error where only some do.
-Result<bool> is_in_all(const Json& keyframes, const char* key) {
+Result<bool> is_in_all(const nlohmann::json& keyframes, const char* key) {
   const bool first = keyframes[0].contains(key);
   for (std::size_t i = 1; i < keyframes.size(); ++i) {
     if (keyframes[i].contains(key) == first) continue;
@@ -264,13 +263,13 @@ Result<void> check_order(const CameraPath& path, std::size_t i) {
       "write the keyframes in order, at least 1e-9 apart");
 }
 
-Result<CameraPath> read_path(const Json& json) {
+Result<CameraPath> read_path(const nlohmann::json& json) {
   CameraPath path;
   if (const auto header = read_header(json, path); !header) return tl::unexpected(header.error());
   if (!json.contains("keyframes") || !json["keyframes"].is_array() || json["keyframes"].empty()) {
     return fail("\"keyframes\"", "there are none", "write a list of at least one keyframe");
   }
-  const Json& keyframes = json["keyframes"];
+  const nlohmann::json& keyframes = json["keyframes"];
   if (keyframes.size() > kMaxKeyframes) {
     return fail("\"keyframes\"", fmt::format("there are {}", keyframes.size()),
                 fmt::format("write {} or fewer", kMaxKeyframes));

@@ -33,7 +33,7 @@ constexpr const char* kStyle = R"(
     }
 )";
 
-struct Curve {
+struct PlottedCurve {
   std::string style;
   std::vector<double> values;
 };
@@ -47,7 +47,7 @@ struct Label {
 struct Panel {
   std::string title;
   double height = 0;
-  std::vector<Curve> curves;
+  std::vector<PlottedCurve> curves;
   std::vector<double> limits;
   std::vector<Label> labels;
   double low = 0, high = 1;  // of the axis
@@ -91,7 +91,7 @@ void fit(Panel& panel) {
     low = std::min(low, value);
     high = std::max(high, value);
   };
-  for (const Curve& curve : panel.curves) std::ranges::for_each(curve.values, show);
+  for (const PlottedCurve& curve : panel.curves) std::ranges::for_each(curve.values, show);
   std::ranges::for_each(panel.limits, show);
   if (!(high - low > 0)) high = 1;
   const double margin = (high - low) * 0.06;
@@ -117,7 +117,7 @@ public:
     for (const double limit : panel.limits) {
       line("line limit", kLeft, y_of(limit), kLeft + kPlotWidth, y_of(limit));
     }
-    for (const Curve& curve : panel.curves) draw_curve(curve, y_of);
+    for (const PlottedCurve& curve : panel.curves) draw_curve(curve, y_of);
     for (const Label& label : panel.labels) {
       text(kLeft + kPlotWidth + 10, y_of(label.at) + 4, label.style, "start", label.text);
     }
@@ -154,7 +154,7 @@ private:
   }
 
   template <class YOf>
-  void draw_curve(const Curve& curve, const YOf& y_of) {
+  void draw_curve(const PlottedCurve& curve, const YOf& y_of) {
     std::string points;
     for (std::size_t i = 0; i < curve.values.size(); ++i) {
       points += fmt::format("{}{:.1f},{:.2f}", i == 0 ? "" : " ", x_of(i), y_of(curve.values[i]));

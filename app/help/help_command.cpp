@@ -3,7 +3,11 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "app/help/completion_command.h"
+#include "app/help/man_command.h"
+#include "app/options/add_command.h"
 #include "app/report/exit_codes.h"
+#include "app/subjects.h"
 
 #include <glassbox/base/near_word.h>
 #include <glassbox/base/printable.h>
@@ -59,6 +63,12 @@ int HelpCommand::run(const CLI::App& program) const {
   }
   fmt::print("{}", program.get_formatter()->make_help(asked, name, CLI::AppFormatMode::Normal));
   return kSuccess;
+}
+
+void add_help_commands(CLI::App& app, int& exit_code) {
+  add_command<HelpCommand>(app, exit_code);
+  add_command<CompletionCommand>(app, exit_code);
+  add_command<ManCommand>(app, exit_code);
 }
 
 }  // namespace glassbox::app

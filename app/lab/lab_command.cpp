@@ -3,11 +3,13 @@
 #include <CLI/CLI.hpp>
 
 #include "app/lab/for_students.h"
+#include "app/options/add_command.h"
+#include "app/subjects.h"
 
 namespace glassbox::app {
 
 void LabCommand::add_to(CLI::App& app, int& exit_code) {
-  CLI::App& command = *app.add_subcommand("lab", "assignments: start one, check it, hand one out");
+  CLI::App& command = *app.add_subcommand("lab", kLabHelp);
   command.footer(
       "Examples:\n"
       "  glassbox lab list\n"
@@ -28,6 +30,10 @@ void LabCommand::add_to(CLI::App& app, int& exit_code) {
   grade_.add_to(command, exit_code);
   gradescope_.add_to(command, exit_code);
   package_.add_to(command, exit_code);
+}
+
+void add_lab_command(CLI::App& app, int& exit_code) {
+  add_command<LabCommand>(app, exit_code);
 }
 
 }  // namespace glassbox::app

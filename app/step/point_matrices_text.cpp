@@ -37,32 +37,33 @@ std::string heading(const char* name, const char* from_to, const GivenMatrix& ma
                  from_to + (matrix.given ? "; " + matrix.origin : ": none given"));
 }
 
-std::string line(const std::string& text) {
+std::string indented(const std::string& text) {
   return wrapped("  ", text);
 }
 
 std::string model_text(const GivenMatrix& model) {
   std::string text = heading("MODEL", "world from object", model);
   if (!model.given) return text;
-  return text + matrix_rows(model.m, "  ") + line(affine_sentence(facts_of(model.m)));
+  return text + matrix_rows(model.m, "  ") + indented(affine_sentence(facts_of(model.m)));
 }
 
 // `lens`: the projection that goes with the view; ProjectionKind::kNone where none is known.
 std::string view_sentences(const GivenMatrix& view, const ProjectionFacts& lens) {
   const MatrixFacts facts = facts_of(view.m);
-  std::string text = line(affine_sentence(facts));
+  std::string text = indented(affine_sentence(facts));
   const auto eye = facts.affine ? eyepoint_of(view) : std::nullopt;
   if (!eye) return text;
-  text += line(fmt::format("the eye stands at {}; right is {}, up {}", position_text(*eye),
-                           brief_triple(eye->right, 4), brief_triple(eye->up, 4)));
+  text += indented(fmt::format("the eye stands at {}; right is {}, up {}", position_text(*eye),
+                               brief_triple(eye->right, 4), brief_triple(eye->up, 4)));
   if (lens.kind == ProjectionKind::kNone) {
-    return text + line(fmt::format("it looks along {} if it looks down -z, and the other way "
-                                   "if down +z: a projection decides",
-                                   brief_triple(-eye->back, 4)));
+    return text + indented(fmt::format("it looks along {} if it looks down -z, and the other way "
+                                       "if down +z: a projection decides",
+                                       brief_triple(-eye->back, 4)));
   }
-  return text + line(fmt::format("it looks along {}, because the projection looks down {}z",
-                                 brief_triple(lens.looks_down_minus_z ? -eye->back : eye->back, 4),
-                                 lens.looks_down_minus_z ? "-" : "+"));
+  return text +
+         indented(fmt::format("it looks along {}, because the projection looks down {}z",
+                              brief_triple(lens.looks_down_minus_z ? -eye->back : eye->back, 4),
+                              lens.looks_down_minus_z ? "-" : "+"));
 }
 
 std::string view_text(const MatrixSetup& setup) {
@@ -85,17 +86,17 @@ std::string reading_text(const DepthReading& r) {
 }
 
 std::string depth_text(const ProjectionFacts& p, const ApiDialect& dialect) {
-  if (p.depth_lost) return line("the depth is the same at all distances (rank 3)");
-  if (p.oblique_depth) return line("depth depends on x and y: an oblique near plane");
+  if (p.depth_lost) return indented("the depth is the same at all distances (rank 3)");
+  if (p.oblique_depth) return indented("depth depends on x and y: an oblique near plane");
   const DepthReading &ours = dialect.z_from_minus_w ? p.minus_one_to_one : p.zero_to_one,
                      &other = dialect.z_from_minus_w ? p.zero_to_one : p.minus_one_to_one;
-  return line(fmt::format("depth read as {} has it: {}", dialect.title, reading_text(ours))) +
-         line(fmt::format("read for {} instead, the same numbers mean {}",
-                          other.from_minus_one ? "-1 .. 1" : "0 .. 1", reading_text(other)));
+  return indented(fmt::format("depth read as {} has it: {}", dialect.title, reading_text(ours))) +
+         indented(fmt::format("read for {} instead, the same numbers mean {}",
+                              other.from_minus_one ? "-1 .. 1" : "0 .. 1", reading_text(other)));
 }
 
 std::string perspective_text(const ProjectionFacts& p) {
-  std::string text = line(
+  std::string text = indented(
       p.looks_down_minus_z ? "perspective; w grows along -z: a right-handed eye, looking down -z"
                            : "perspective; w grows along +z: a left-handed eye, looking down +z");
   std::string window = fmt::format("vertical angle of view {} degrees, aspect ratio {}",
@@ -108,18 +109,18 @@ std::string perspective_text(const ProjectionFacts& p) {
     window += fmt::format("; the eye is moved to x = {}, y = {}", brief(-p.shift.x / p.scale.x),
                           brief(-p.shift.y / p.scale.y));
   }
-  return text + line(window);
+  return text + indented(window);
 }
 
 std::string parallel_text(const ProjectionFacts& p, const ApiDialect& dialect) {
   const auto edge = [&](int axis, double side) {
     return brief((side - p.centre[axis]) / p.scale[axis]);
   };
-  return line("parallel: w is the same everywhere") +
-         line(fmt::format("the window is x from {} to {}, y from {} to {}", edge(0, -1), edge(0, 1),
-                          edge(1, -1), edge(1, 1))) +
-         line(fmt::format("with depth as {} has it, the eye looks down {}z", dialect.title,
-                          p.looks_down_minus_z ? "-" : "+"));
+  return indented("parallel: w is the same everywhere") +
+         indented(fmt::format("the window is x from {} to {}, y from {} to {}", edge(0, -1),
+                              edge(0, 1), edge(1, -1), edge(1, 1))) +
+         indented(fmt::format("with depth as {} has it, the eye looks down {}z", dialect.title,
+                              p.looks_down_minus_z ? "-" : "+"));
 }
 
 std::string lens_text(const ProjectionFacts& p, const ApiDialect& dialect) {
@@ -138,14 +139,14 @@ std::string projection_text(const GivenMatrix& given, const ApiDialect& dialect)
   }
   if (const auto parts = factor_projection(given); parts && !plain.looks_transposed) {
     const ProjectionFacts lens = projection_facts(parts->projection, dialect.depth);
-    return text + line("a projection with a view in it. The view's part:") +
-           view_sentences(parts->view, lens) + line("The projection's part:") +
+    return text + indented("a projection with a view in it. The view's part:") +
+           view_sentences(parts->view, lens) + indented("The projection's part:") +
            lens_text(lens, dialect);
   }
   const MatrixFacts facts = facts_of(given.m);
-  return text + line(facts.affine
-                         ? "as a matrix: " + affine_sentence(facts)
-                         : fmt::format("no projection as it stands (rank {})", facts.rank));
+  return text + indented(facts.affine
+                             ? "as a matrix: " + affine_sentence(facts)
+                             : fmt::format("no projection as it stands (rank {})", facts.rank));
 }
 
 }  // namespace

@@ -2,11 +2,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/options/add_command.h"
+#include "app/subjects.h"
+
 namespace glassbox::app {
 
 void StudyCommand::add_to(CLI::App& app, int& exit_code) {
-  CLI::App& command = *app.add_subcommand(
-      "study", "what accuracy costs: measured errors and times beside the theory");
+  CLI::App& command = *app.add_subcommand("study", kStudyHelp);
   command.footer(
       "Examples:\n"
       "  glassbox study list\n"
@@ -27,6 +29,10 @@ void StudyCommand::add_to(CLI::App& app, int& exit_code) {
   scene_.add_to(command, exit_code);
   recommend_.add_to(command, exit_code);
   stiffness_.add_to(command, exit_code);
+}
+
+void add_study_command(CLI::App& app, int& exit_code) {
+  add_command<StudyCommand>(app, exit_code);
 }
 
 }  // namespace glassbox::app

@@ -2,10 +2,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/options/add_command.h"
+#include "app/subjects.h"
+
 namespace glassbox::app {
 
 void ViewsCommand::add_to(CLI::App& app, int& exit_code) {
-  CLI::App& command = *app.add_subcommand("views", "what pictures of a scene are good for");
+  CLI::App& command = *app.add_subcommand("views", kViewsHelp);
   command.footer(
       "Examples:\n"
       "  glassbox views geometry --scene room --eye-separation 0.3\n"
@@ -31,6 +34,10 @@ void ViewsCommand::add_to(CLI::App& app, int& exit_code) {
   texture_.add_to(command, exit_code);
   klt_.add_to(command, exit_code);
   glyphs_.add_to(command, exit_code);
+}
+
+void add_views_command(CLI::App& app, int& exit_code) {
+  add_command<ViewsCommand>(app, exit_code);
 }
 
 }  // namespace glassbox::app

@@ -33,7 +33,7 @@ private:
 };
 
 // A thread's tile and what it has counted.
-struct Worker {
+struct FlipWorker {
   std::unique_ptr<FlipTile> tile = std::make_unique<FlipTile>();
   FixedSum sum;
   Histogram histogram;
@@ -46,13 +46,13 @@ struct Worker {
   }
 };
 
-using Workers = tbb::enumerable_thread_specific<Worker>;
+using FlipWorkers = tbb::enumerable_thread_specific<FlipWorker>;
 
-FlipErrors combine(const Workers& workers) {
+FlipErrors combine(const FlipWorkers& workers) {
   FixedSum sum;
   Histogram histogram;
   FlipErrors errors;
-  for (const Worker& worker : workers) {
+  for (const FlipWorker& worker : workers) {
     sum.add(worker.sum);
     histogram.add(worker.histogram);
     errors.max = std::max(errors.max, double(worker.largest));
@@ -68,9 +68,9 @@ FlipErrors combine(const Workers& workers) {
 }  // namespace
 
 FlipErrors flip(const PicturePair& pair, TileSize tiles) {
-  Workers workers;
+  FlipWorkers workers;
   for_each_tile(pair.reference.width, pair.reference.height, tiles, [&](const PixelBox& tile) {
-    Worker& worker = workers.local();
+    FlipWorker& worker = workers.local();
     worker.tile->compute(pair, tile);
     for (int y = 0; y < tile.height; ++y) {
       const float* error = worker.tile->error().row(y);

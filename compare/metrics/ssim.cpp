@@ -95,7 +95,7 @@ struct Totals {
 };
 
 // A thread's part of the picture and what it has counted.
-class Worker {
+class SsimWorker {
 public:
   // `tile` is a box of window centres.
   void add(const PicturePair& pair, const PixelBox& tile) {
@@ -141,8 +141,8 @@ SsimValues ssim(const PicturePair& pair, TileSize tiles) {
   const int columns = pair.reference.width - 2 * kRadius;
   const int rows = pair.reference.height - 2 * kRadius;
   if (columns <= 0 || rows <= 0) return {};
-  tbb::enumerable_thread_specific<std::unique_ptr<Worker>> workers(
-      [] { return std::make_unique<Worker>(); });
+  tbb::enumerable_thread_specific<std::unique_ptr<SsimWorker>> workers(
+      [] { return std::make_unique<SsimWorker>(); });
   for_each_tile(columns, rows, tiles, [&](const PixelBox& tile) {
     workers.local()->add(pair, {tile.x + kRadius, tile.y + kRadius, tile.width, tile.height});
   });

@@ -15,7 +15,7 @@
 
 namespace glassbox::labs {
 
-namespace {
+namespace lab_01_drawing {
 
 // ---- tables as numbers ----
 
@@ -360,9 +360,10 @@ Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
   return made;
 }
 
-}  // namespace
+}  // namespace lab_01_drawing
 
 LabDrawing drawing_01() {
+  using namespace lab_01_drawing;
   return {stages(), draw, ""};
 }
 

@@ -8,7 +8,7 @@
 
 namespace glassbox::labs {
 
-namespace {
+namespace lab_01_measured {
 
 using study::NormalCase;
 using MakeCase = NormalCase (*)(std::uint64_t seed, double parameter);
@@ -58,9 +58,10 @@ std::vector<MeasuredPlace> places() {
   return all;
 }
 
-}  // namespace
+}  // namespace lab_01_measured
 
 LabMeasure measured_01() {
+  using namespace lab_01_measured;
   return {"D-8", "newell_vector", places};
 }
 

@@ -13,7 +13,7 @@
 
 namespace glassbox::labs {
 
-namespace {
+namespace lab_02_drawing {
 
 constexpr double u = unit_roundoff<double>;
 using Map = Transform<World, Object>;
@@ -224,9 +224,10 @@ Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
   return made;
 }
 
-}  // namespace
+}  // namespace lab_02_drawing
 
 LabDrawing drawing_02() {
+  using namespace lab_02_drawing;
   return {stages(), draw, "turn_about and fit_affine, which are of the plane"};
 }
 

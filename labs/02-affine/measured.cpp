@@ -8,7 +8,7 @@
 
 namespace glassbox::labs {
 
-namespace {
+namespace lab_02_measured {
 
 constexpr int kTimedSteps = 100'000;  // as in the experiment
 
@@ -62,9 +62,10 @@ std::vector<MeasuredPlace> places() {
   return all;
 }
 
-}  // namespace
+}  // namespace lab_02_measured
 
 LabMeasure measured_02() {
+  using namespace lab_02_measured;
   return {"D-13", "repaired", places};
 }
 

@@ -14,7 +14,7 @@
 
 namespace glassbox::labs {
 
-namespace {
+namespace lab_03_drawing {
 
 constexpr double u = unit_roundoff<double>;
 constexpr double kRotation = 1, kMirror = 2;  // lab_03::Kind
@@ -214,9 +214,10 @@ Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
   return made;
 }
 
-}  // namespace
+}  // namespace lab_03_drawing
 
 LabDrawing drawing_03() {
+  using namespace lab_03_drawing;
   return {stages(), draw, "rotation_onto, but for what axis_angle_view makes of it"};
 }
 

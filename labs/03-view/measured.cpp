@@ -4,7 +4,7 @@
 
 namespace glassbox::labs {
 
-namespace {
+namespace lab_03_measured {
 
 using namespace study::d07;
 
@@ -42,9 +42,10 @@ std::vector<MeasuredPlace> places() {
   return all;
 }
 
-}  // namespace
+}  // namespace lab_03_measured
 
 LabMeasure measured_03() {
+  using namespace lab_03_measured;
   return {"D-7", "uvn_view, axis_angle_view", places};
 }
 

@@ -16,7 +16,7 @@
 
 namespace glassbox::labs {
 
-namespace {
+namespace lab_04_drawing {
 
 constexpr double u = unit_roundoff<double>;
 constexpr float kMostPixels = 32767;  // from the picture's corner: what the snap can carry
@@ -273,9 +273,10 @@ Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
   return made;
 }
 
-}  // namespace
+}  // namespace lab_04_drawing
 
 LabDrawing drawing_04() {
+  using namespace lab_04_drawing;
   return {stages(), draw, ""};
 }
 

@@ -6,7 +6,7 @@
 
 namespace glassbox::labs {
 
-namespace {
+namespace lab_04_measured {
 
 using namespace study::d07;
 
@@ -36,9 +36,10 @@ std::vector<MeasuredPlace> places() {
   return all;
 }
 
-}  // namespace
+}  // namespace lab_04_measured
 
 LabMeasure measured_04() {
+  using namespace lab_04_measured;
   return {"D-7", "perspective, in_dialect, divide", places};
 }
 

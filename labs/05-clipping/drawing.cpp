@@ -16,7 +16,7 @@
 
 namespace glassbox::labs {
 
-namespace {
+namespace lab_05_drawing {
 
 // An answer of "clip": three outcodes, the verdict, then vertices.
 constexpr std::size_t kVertices = 4;
@@ -237,9 +237,10 @@ Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
   return made;
 }
 
-}  // namespace
+}  // namespace lab_05_drawing
 
 LabDrawing drawing_05() {
+  using namespace lab_05_drawing;
   return {stages(), draw, "crossing and clip_by_plane, but for what clip_to_frustum makes of them"};
 }
 

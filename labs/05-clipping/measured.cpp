@@ -7,7 +7,7 @@
 
 namespace glassbox::labs {
 
-namespace {
+namespace lab_05_measured {
 
 using namespace study::d32;
 
@@ -115,9 +115,10 @@ std::vector<MeasuredPlace> places() {
   return all;
 }
 
-}  // namespace
+}  // namespace lab_05_measured
 
 LabMeasure measured_05() {
+  using namespace lab_05_measured;
   return {"D-32", "outcode, trivial_verdict, clip_to_frustum", places};
 }
 

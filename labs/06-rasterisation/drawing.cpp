@@ -17,7 +17,7 @@
 
 namespace glassbox::labs {
 
-namespace {
+namespace lab_06_drawing {
 
 constexpr int kTile = 64;  // pixels, as in stages.cpp
 constexpr std::size_t kFirstTile =
@@ -359,9 +359,10 @@ Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
   return made;
 }
 
-}  // namespace
+}  // namespace lab_06_drawing
 
 LabDrawing drawing_06() {
+  using namespace lab_06_drawing;
   return {stages(), draw, ""};
 }
 

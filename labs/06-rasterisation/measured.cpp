@@ -7,7 +7,7 @@
 
 namespace glassbox::labs {
 
-namespace {
+namespace lab_06_measured {
 
 using study::EdgeSample;
 
@@ -111,9 +111,10 @@ std::vector<MeasuredPlace> places() {
   return all;
 }
 
-}  // namespace
+}  // namespace lab_06_measured
 
 LabMeasure measured_06() {
+  using namespace lab_06_measured;
   return {"D-3", "edge, owns_edge, covered_pixels", places};
 }
 

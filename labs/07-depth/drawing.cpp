@@ -15,7 +15,7 @@
 
 namespace glassbox::labs {
 
-namespace {
+namespace lab_07_drawing {
 
 constexpr int kRows = 8;  // of the picture, in a question of "seen"
 constexpr double u53 = unit_roundoff<double>;
@@ -282,9 +282,10 @@ Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
   return made;
 }
 
-}  // namespace
+}  // namespace lab_07_drawing
 
 LabDrawing drawing_07() {
+  using namespace lab_07_drawing;
   return {stages(), draw, "separation"};
 }
 

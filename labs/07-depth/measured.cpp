@@ -9,7 +9,7 @@
 
 namespace glassbox::labs {
 
-namespace {
+namespace lab_07_measured {
 
 using namespace study::d06;
 
@@ -86,9 +86,10 @@ std::vector<MeasuredPlace> places() {
   return all;
 }
 
-}  // namespace
+}  // namespace lab_07_measured
 
 LabMeasure measured_07() {
+  using namespace lab_07_measured;
   return {"D-6", "depth_row, depth_code, visible", places};
 }
 

@@ -18,7 +18,7 @@
 
 namespace glassbox::labs {
 
-namespace {
+namespace lab_08_drawing {
 
 constexpr double u24 = double(unit_roundoff<float>);
 constexpr double u53 = unit_roundoff<double>;
@@ -455,9 +455,10 @@ Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
   return made;
 }
 
-}  // namespace
+}  // namespace lab_08_drawing
 
 LabDrawing drawing_08() {
+  using namespace lab_08_drawing;
   return {stages(), draw, "span_coordinates, longest_span, patch_level"};
 }
 

@@ -10,7 +10,7 @@
 
 namespace glassbox::labs {
 
-namespace {
+namespace lab_08_measured {
 
 using namespace study::d04;
 using study::PerspectiveLine;
@@ -86,9 +86,10 @@ std::vector<MeasuredPlace> places() {
   return all;
 }
 
-}  // namespace
+}  // namespace lab_08_measured
 
 LabMeasure measured_08() {
+  using namespace lab_08_measured;
   return {"D-4", "span_coordinates", places};
 }
 

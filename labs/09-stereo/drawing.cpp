@@ -17,7 +17,7 @@
 
 namespace glassbox::labs {
 
-namespace {
+namespace lab_09_drawing {
 
 constexpr double u = unit_roundoff<double>;
 constexpr double kDraw = 1, kCull = 2;  // lab_09::Verdict
@@ -288,9 +288,10 @@ Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
   return made;
 }
 
-}  // namespace
+}  // namespace lab_09_drawing
 
 LabDrawing drawing_09() {
+  using namespace lab_09_drawing;
   return {stages(), draw, "parallax_at, anaglyph_colour and comfortable_separations"};
 }
 

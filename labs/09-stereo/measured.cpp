@@ -8,7 +8,7 @@
 
 namespace glassbox::labs {
 
-namespace {
+namespace lab_09_measured {
 
 using namespace study::d10;
 
@@ -83,9 +83,10 @@ std::vector<MeasuredPlace> places() {
   return all;
 }
 
-}  // namespace
+}  // namespace lab_09_measured
 
 LabMeasure measured_09() {
+  using namespace lab_09_measured;
   return {"D-10", "cull", places};
 }
 

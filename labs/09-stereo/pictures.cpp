@@ -14,7 +14,7 @@ namespace glassbox::labs {
 using namespace lab_09;
 using exact::Rational;
 
-namespace {
+namespace lab_09_pictures {
 
 // Of equally near fragments the first is seen, or the last.
 enum class Ties { kFirst, kLast };
@@ -37,10 +37,11 @@ Image<Rgba8> picture_of(const Anaglyph& anaglyph, const std::vector<Fragment>& f
   return picture;
 }
 
-}  // namespace
+}  // namespace lab_09_pictures
 
 // Both eyes' own pictures, put together by make_anaglyph.
 Case expect_anaglyph(const AnaglyphCase& input) {
+  using namespace lab_09_pictures;
   const Anaglyph& a = input.anaglyph;
   const Glasses glasses = input.lenses == Lenses::kRedCyan        ? Glasses::kRedCyan
                           : input.lenses == Lenses::kGreenMagenta ? Glasses::kGreenMagenta
@@ -84,6 +85,7 @@ Case expect_anaglyph(const AnaglyphCase& input) {
 // Recoloured colours are at most 1 and right to 10 u; the sizes of a row add up to less than 1.5, and six products and their sum
 // round: 15 u + 9 u.
 Case expect_colour(const ColourCase& input) {
+  using namespace lab_09_pictures;
   const Rational k(input.recolour.desaturate), b(input.recolour.brighten), one(1);
   std::vector<Rational> eyes;
   for (const Colour& c : {input.left, input.right}) {

@@ -14,7 +14,7 @@
 
 namespace glassbox::labs {
 
-namespace {
+namespace lab_10_drawing {
 
 using views::Matrix3d;
 using views::Vector3d;
@@ -346,9 +346,10 @@ Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
   return made;
 }
 
-}  // namespace
+}  // namespace lab_10_drawing
 
 LabDrawing drawing_10() {
+  using namespace lab_10_drawing;
   return {stages(), draw, "essential and centre_from_shift"};
 }
 

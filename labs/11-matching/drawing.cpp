@@ -13,7 +13,7 @@
 
 namespace glassbox::labs {
 
-namespace {
+namespace lab_11_drawing {
 
 using lab_11::kNever;
 using lab_11::kNone;
@@ -341,9 +341,10 @@ Result<StandIn> draw(const Drawn& drawn, Answering& answering) {
   return made;
 }
 
-}  // namespace
+}  // namespace lab_11_drawing
 
 LabDrawing drawing_11() {
+  using namespace lab_11_drawing;
   return {stages(), draw, ""};
 }
 

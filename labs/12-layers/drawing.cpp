@@ -17,7 +17,7 @@
 
 namespace glassbox::labs {
 
-namespace {
+namespace lab_12_drawing {
 
 constexpr int kLayers = 3;
 constexpr int kRows = 16;  // of a picture, in a question
@@ -454,9 +454,10 @@ StandIn truth(const Drawn& drawn) {
   return right;
 }
 
-}  // namespace
+}  // namespace lab_12_drawing
 
 LabDrawing drawing_12() {
+  using namespace lab_12_drawing;
   return {.stages = stages(), .draw = draw, .not_drawn = "", .truth = truth};
 }
 

@@ -13,7 +13,7 @@
 
 namespace glassbox::labs {
 
-namespace {
+namespace lab_13_drawing {
 
 // An angle that no scene's planes of symmetry have, so that no voxel's middle is exactly between two pixels.
 constexpr int kViews = 8, kSide = 64, kResolution = 32;
@@ -222,9 +222,10 @@ StandIn truth(const Drawn& drawn) {
   return scene;
 }
 
-}  // namespace
+}  // namespace lab_13_drawing
 
 LabDrawing drawing_13() {
+  using namespace lab_13_drawing;
   return {.stages = stages(), .draw = draw, .not_drawn = "footprint", .truth = truth};
 }
 

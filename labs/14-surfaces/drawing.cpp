@@ -16,7 +16,7 @@
 
 namespace glassbox::labs {
 
-namespace {
+namespace lab_14_drawing {
 
 constexpr int kVoxelsAlong = 40;
 constexpr double kLevel = 0.5;
@@ -192,9 +192,10 @@ StandIn surface_truth(const Drawn& drawn) {
   return {drawn.scene, drawn.view, drawn.settings, nullptr, {}};
 }
 
-}  // namespace
+}  // namespace lab_14_drawing
 
 LabDrawing drawing_14() {
+  using namespace lab_14_drawing;
   return {.stages = surface_stages(),
           .draw = draw_surface,
           .not_drawn = "add, remove, view_weights, statistics, reconstruct",

@@ -11,7 +11,7 @@ constexpr std::uint32_t kJson = 0x4e4f534a;    // "JSON"
 constexpr std::uint32_t kBinary = 0x004e4942;  // "BIN\0"
 constexpr std::size_t kHeaderBytes = 12;
 constexpr std::size_t kChunkHeaderBytes = 8;
-constexpr const char* kExportAgain = "the file is damaged or cut short: copy or export it again";
+constexpr const char* kCopyAgain = "the file is damaged or cut short: copy or export it again";
 
 std::uint32_t little_endian(std::span<const std::byte> bytes, std::size_t at) {
   std::uint32_t value = 0;
@@ -25,7 +25,7 @@ std::string_view text(std::span<const std::byte> bytes) {
 }
 
 tl::unexpected<Error> damaged(std::string place, std::string cause) {
-  return fail(std::move(place), std::move(cause), kExportAgain);
+  return fail(std::move(place), std::move(cause), kCopyAgain);
 }
 
 }  // namespace

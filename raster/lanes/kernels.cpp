@@ -24,6 +24,7 @@ void resolve_tile(const ResolveJob& job, std::span<TileBuffer> tiles) {
   }
 }
 
+extern const Kernels kKernels;
 const Kernels kKernels{.transform_vertices = transform_vertices,
                        .transform_normals = transform_normals,
                        .transform_positions = transform_positions,
@@ -41,15 +42,3 @@ const Kernels kKernels{.transform_vertices = transform_vertices,
 }  // namespace HWY_NAMESPACE
 }  // namespace glassbox
 HWY_AFTER_NAMESPACE();
-
-#if HWY_ONCE
-
-namespace glassbox {
-
-const Kernels& kernels(Target target) {
-#include <glassbox/raster/lanes/kernels_of_target-inl.h>
-}
-
-}  // namespace glassbox
-
-#endif

@@ -1,26 +1,21 @@
-// The body of a function that returns the `kKernels` that were compiled for `target`, in the source that was compiled once for
-// each (#if HWY_ONCE): included between its braces.
+// The body of a function that returns the `kKernels` that were compiled for `target`: included between its braces.
 switch (target) {
-#if (HWY_TARGETS & HWY_AVX3) != 0
+#if (GLASSBOX_LANES & HWY_AVX3) != 0
   case Target::kAvx512:
     return N_AVX3::kKernels;
 #endif
-#if (HWY_TARGETS & HWY_AVX2) != 0
+#if (GLASSBOX_LANES & HWY_AVX2) != 0
   case Target::kAvx2:
     return N_AVX2::kKernels;
 #endif
-#if (HWY_TARGETS & HWY_SSE4) != 0
+#if (GLASSBOX_LANES & HWY_SSE4) != 0
   case Target::kSse4:
     return N_SSE4::kKernels;
 #endif
-#if (HWY_TARGETS & HWY_NEON) != 0
+#if (GLASSBOX_LANES & HWY_NEON) != 0
   case Target::kNeon:
     return N_NEON::kKernels;
 #endif
   default:
-#if (HWY_TARGETS & HWY_EMU128) != 0
-    return N_EMU128::kKernels;
-#else
     return N_SCALAR::kKernels;
-#endif
 }

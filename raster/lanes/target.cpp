@@ -18,7 +18,7 @@ struct Known {
   std::int64_t highway;  // its bit
 };
 
-constexpr std::array<Known, 5> kKnown{{{Target::kScalar, "scalar", HWY_EMU128 | HWY_SCALAR},
+constexpr std::array<Known, 5> kKnown{{{Target::kScalar, "scalar", HWY_SCALAR},
                                        {Target::kSse4, "sse4", HWY_SSE4},
                                        {Target::kAvx2, "avx2", HWY_AVX2},
                                        {Target::kAvx512, "avx512", HWY_AVX3},
@@ -26,7 +26,7 @@ constexpr std::array<Known, 5> kKnown{{{Target::kScalar, "scalar", HWY_EMU128 | 
 
 // Highway asks the processor anew in every call, and on virtual machines each of these instructions goes to the host.
 std::int64_t supported_targets() {
-  static const std::int64_t supported = hwy::SupportedTargets() | HWY_EMU128 | HWY_SCALAR;
+  static const std::int64_t supported = hwy::SupportedTargets() | HWY_SCALAR;
   return supported;
 }
 
@@ -36,7 +36,7 @@ std::vector<Target> available_targets() {
   const std::int64_t supported = supported_targets();
   std::vector<Target> available;
   for (const Known& known : kKnown) {
-    if ((known.highway & supported & HWY_TARGETS) != 0) available.push_back(known.target);
+    if ((known.highway & supported & GLASSBOX_LANES) != 0) available.push_back(known.target);
   }
   return available;
 }

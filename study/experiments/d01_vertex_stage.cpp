@@ -12,7 +12,7 @@
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study {
-namespace {
+namespace d01 {
 
 // ---- the error ----
 
@@ -249,9 +249,10 @@ std::vector<Configuration> configurations(Effort effort) {
   return all;
 }
 
-}  // namespace
+}  // namespace d01
 
 Experiment d01_vertex_stage() {
+  using namespace d01;
   return {
       .id = "D-1",
       .name = "Vertices: in which numbers they are carried to the screen",

@@ -16,7 +16,7 @@
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study {
-namespace {
+namespace d02 {
 
 constexpr int kSide = 256;      // px, of the square that all triangles lie in
 constexpr int kExactBits = 20;  // vertices are multiples of 2^-20 px: 28 bits, edge functions 61
@@ -291,9 +291,10 @@ std::vector<Configuration> configurations(Effort effort) {
   return all;
 }
 
-}  // namespace
+}  // namespace d02
 
 Experiment d02_subpixel_bits() {
+  using namespace d02;
   return {.id = "D-2",
           .name = "Snapping: how many subpixel bits",
           .question =

@@ -8,7 +8,7 @@
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study {
-namespace {
+namespace d03 {
 
 // ---- errors ----
 
@@ -119,9 +119,10 @@ std::vector<Configuration> configurations(Effort effort) {
   return all;
 }
 
-}  // namespace
+}  // namespace d03
 
 Experiment d03_edge_arithmetic() {
+  using namespace d03;
   return {
       .id = "D-3",
       .name = "Coverage: in which arithmetic edges are evaluated",

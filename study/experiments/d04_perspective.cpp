@@ -17,9 +17,7 @@
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study {
-namespace {
-
-using namespace d04;
+namespace d04 {
 
 // ---- the ways ----
 
@@ -249,9 +247,10 @@ std::vector<Configuration> configurations(Effort effort) {
   return all;
 }
 
-}  // namespace
+}  // namespace d04
 
 Experiment d04_perspective() {
+  using namespace d04;
   return {.id = "D-4",
           .name = "Perspective: where the divide is done",
           .question =

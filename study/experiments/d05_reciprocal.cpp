@@ -17,7 +17,7 @@
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study {
-namespace {
+namespace d05 {
 
 float approximation(Reciprocal method, float w) {
   switch (method) {
@@ -185,9 +185,10 @@ std::vector<Configuration> configurations(Effort effort) {
   return all;
 }
 
-}  // namespace
+}  // namespace d05
 
 Experiment d05_reciprocal() {
+  using namespace d05;
   return {.id = "D-5",
           .name = "Reciprocals: division, approximation, Newton's step",
           .question = "How many digits do approximate reciprocals have, over six decades of w?",

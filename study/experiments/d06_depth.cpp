@@ -19,9 +19,7 @@
 
 namespace glassbox::study {
 
-namespace {
-
-using namespace d06;
+namespace d06 {
 
 // ---- the ladder ----
 
@@ -193,9 +191,10 @@ std::vector<Configuration> configurations(Effort effort) {
   return all;
 }
 
-}  // namespace
+}  // namespace d06
 
 Experiment d06_depth() {
+  using namespace d06;
   return {
       .id = "D-6",
       .name = "Depth formats: what lies in front",

@@ -10,9 +10,7 @@
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study {
-namespace {
-
-using namespace d07;
+namespace d07 {
 
 // ---- the ways ----
 
@@ -147,9 +145,10 @@ std::vector<Configuration> configurations(Effort effort) {
   return all;
 }
 
-}  // namespace
+}  // namespace d07
 
 Experiment d07_composition() {
+  using namespace d07;
   return {
       .id = "D-7",
       .name = "View and projection: one matrix or two",

@@ -11,7 +11,7 @@
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study {
-namespace {
+namespace d08 {
 
 template <class T>
 using Corners = std::array<Point<Object, T>, kPolygonCorners>;
@@ -210,9 +210,10 @@ std::vector<Configuration> configurations(Effort effort) {
   return all;
 }
 
-}  // namespace
+}  // namespace d08
 
 Experiment d08_normals() {
+  using namespace d08;
   return {.id = "D-8",
           .name = "Normals of polygons",
           .question =

@@ -21,9 +21,7 @@
 
 namespace glassbox::study {
 
-namespace {
-
-using namespace d09;
+namespace d09 {
 
 constexpr const char* kFallbacks = "exact fallbacks";
 
@@ -168,9 +166,10 @@ std::vector<Configuration> configurations(Effort effort) {
   return all;
 }
 
-}  // namespace
+}  // namespace d09
 
 Experiment d09_culling() {
+  using namespace d09;
   return {
       .id = "D-9",
       .name = "Back faces: where they are found out",

@@ -18,9 +18,7 @@
 
 namespace glassbox::study {
 
-namespace {
-
-using namespace d10;
+namespace d10 {
 
 // ---- what is lost ----
 
@@ -98,9 +96,10 @@ std::vector<Configuration> configurations(Effort effort) {
   return all;
 }
 
-}  // namespace
+}  // namespace d10
 
 Experiment d10_stereo_culling() {
+  using namespace d10;
   return {
       .id = "D-10",
       .name = "Stereo culling: by whose frustum",

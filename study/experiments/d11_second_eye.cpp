@@ -22,9 +22,7 @@
 
 namespace glassbox::study {
 
-namespace {
-
-using namespace d11;
+namespace d11 {
 
 using Picture = Image<Rgba8>;
 
@@ -343,9 +341,10 @@ std::vector<Configuration> configurations(Effort effort) {
   return all;
 }
 
-}  // namespace
+}  // namespace d11
 
 Experiment d11_second_eye() {
+  using namespace d11;
   return {
       .id = "D-11",
       .name = "The second eye: drawn or warped",

@@ -25,9 +25,7 @@
 
 namespace glassbox::study {
 
-namespace {
-
-using namespace d12;
+namespace d12 {
 
 using Picture = Image<Rgba8>;
 
@@ -282,9 +280,10 @@ std::vector<Configuration> configurations(Effort effort) {
   return all;
 }
 
-}  // namespace
+}  // namespace d12
 
 Experiment d12_anaglyph() {
+  using namespace d12;
   return {
       .id = "D-12",
       .name = "Anaglyph: methods for red and cyan glasses",

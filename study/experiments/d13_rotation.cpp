@@ -10,7 +10,7 @@
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study {
-namespace {
+namespace d13 {
 
 // ---- the error ----
 
@@ -129,9 +129,10 @@ std::vector<Configuration> configurations(Effort effort) {
   return all;
 }
 
-}  // namespace
+}  // namespace d13
 
 Experiment d13_rotation() {
+  using namespace d13;
   return {.id = "D-13",
           .name = "Rotations that are kept for long",
           .question =

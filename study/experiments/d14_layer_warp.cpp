@@ -12,9 +12,7 @@
 
 namespace glassbox::study {
 
-namespace {
-
-using namespace d14;
+namespace d14 {
 
 constexpr const char* kMoved = "moved";
 
@@ -175,9 +173,10 @@ std::vector<Configuration> configurations(Effort effort) {
   return all;
 }
 
-}  // namespace
+}  // namespace d14
 
 Experiment d14_layer_warp() {
+  using namespace d14;
   return {
       .id = "D-14",
       .name = "Warping the samples of a layered image",

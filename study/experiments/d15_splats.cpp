@@ -12,9 +12,7 @@
 
 namespace glassbox::study {
 
-namespace {
-
-using namespace d15;
+namespace d15 {
 
 constexpr const char *kRms = "rms", *kPsnr = "PSNR", *kSharpness = "sharpness";
 
@@ -148,9 +146,10 @@ std::vector<Configuration> configurations(Effort effort) {
   return all;
 }
 
-}  // namespace
+}  // namespace d15
 
 Experiment d15_splats() {
+  using namespace d15;
   return {
       .id = "D-15",
       .name = "Splats: one pixel, a square, a bell",

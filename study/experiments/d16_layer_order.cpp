@@ -14,7 +14,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace d16 {
 
 constexpr int kSide = 128;  // px
 constexpr double kFocal = 128, kNear = 1e-3;
@@ -199,9 +199,10 @@ std::vector<Configuration> configurations(Effort effort) {
   return all;
 }
 
-}  // namespace
+}  // namespace d16
 
 Experiment d16_layer_order() {
+  using namespace d16;
   return {
       .id = "D-16",
       .name = "Who is in front: order or depth",

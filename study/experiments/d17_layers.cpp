@@ -18,9 +18,8 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace d17 {
 
-using namespace d17;
 using views::Layer;
 
 constexpr const char *kStorage = "storage", *kMerged = "merged";
@@ -215,9 +214,10 @@ std::vector<Configuration> configurations(Effort effort) {
   return all;
 }
 
-}  // namespace
+}  // namespace d17
 
 Experiment d17_layers() {
+  using namespace d17;
   return {
       .id = "D-17",
       .name = "How many layers, of how many eyes",

@@ -101,7 +101,7 @@ Experiment d19_coarse_to_fine() {
       .measures = {{.name = "judged",
                     .error = "share of all voxels that are looked at on the finest level",
                     .error_unit = ""}},
-      .configurations = configurations};
+      .configurations = d19::configurations};
 }
 
 }  // namespace glassbox::study

@@ -9,7 +9,7 @@
 #include "study/experiments/consume.h"
 
 namespace glassbox::study {
-namespace {
+namespace d20 {
 
 constexpr int kBits = 8;  // of a pixel's word
 
@@ -147,9 +147,10 @@ std::vector<Configuration> configurations(Effort effort) {
   return all;
 }
 
-}  // namespace
+}  // namespace d20
 
 Experiment d20_search() {
+  using namespace d20;
   return {
       .id = "D-20",
       .name = "Along the row or anywhere",

@@ -8,7 +8,7 @@
 #include "views/matching/match.h"
 
 namespace glassbox::study {
-namespace {
+namespace d21 {
 
 constexpr int kWidth = 160, kHeight = 96;
 constexpr double kFocal = 160;              // px
@@ -181,9 +181,10 @@ std::vector<Configuration> configurations(Effort effort) {
   return all;
 }
 
-}  // namespace
+}  // namespace d21
 
 Experiment d21_baseline() {
+  using namespace d21;
   return {
       .id = "D-21",
       .name = "How far apart the cameras stand",

@@ -9,7 +9,7 @@
 #include "views/two_view/linear_fit.h"
 
 namespace glassbox::study {
-namespace {
+namespace d22 {
 
 constexpr int kMatches = 200;
 
@@ -114,9 +114,10 @@ std::vector<Configuration> configurations(Effort effort) {
   return all;
 }
 
-}  // namespace
+}  // namespace d22
 
 Experiment d22_samples() {
+  using namespace d22;
   return {
       .id = "D-22",
       .name = "Random samples against outliers",

@@ -8,7 +8,7 @@
 #include "study/scenes/two_cameras.h"
 
 namespace glassbox::study {
-namespace {
+namespace d23 {
 
 constexpr double kNoise = 1;  // px
 constexpr double kPi = std::numbers::pi;
@@ -75,9 +75,10 @@ std::vector<Configuration> configurations(Effort effort) {
   return all;
 }
 
-}  // namespace
+}  // namespace d23
 
 Experiment d23_triangulation() {
+  using namespace d23;
   return {
       .id = "D-23",
       .name = "Where two lines of sight meet",

@@ -13,7 +13,7 @@
 #include "views/texture/textured_surface.h"
 
 namespace glassbox::study {
-namespace {
+namespace d24 {
 
 using views::Blend;
 using views::Vector3d;
@@ -206,9 +206,10 @@ std::vector<Configuration> configurations(Effort effort) {
   return all;
 }
 
-}  // namespace
+}  // namespace d24
 
 Experiment d24_view_blends() {
+  using namespace d24;
   return {
       .id = "D-24",
       .name = "Textures that depend on the view",

@@ -13,7 +13,7 @@
 #include "views/polygons/polygonise.h"
 
 namespace glassbox::study {
-namespace {
+namespace d25 {
 
 using views::Polygoniser;
 using views::ScalarField;
@@ -192,9 +192,10 @@ std::vector<Configuration> configurations(Effort effort) {
   return all;
 }
 
-}  // namespace
+}  // namespace d25
 
 Experiment d25_surfaces() {
+  using namespace d25;
   return {
       .id = "D-25",
       .name = "Marching cubes: which table",

@@ -27,7 +27,7 @@
 #include "study/experiments/rounding_model.h"
 
 namespace glassbox::study {
-namespace {
+namespace d26 {
 
 constexpr int kWidth = 1280, kHeight = 720;
 constexpr int kFineLevel =
@@ -370,9 +370,10 @@ std::vector<Configuration> configurations(Effort effort) {
   return all;
 }
 
-}  // namespace
+}  // namespace d26
 
 Experiment d26_tessellation() {
+  using namespace d26;
   return {
       .id = "D-26",
       .name = "Tessellation: into how many triangles",

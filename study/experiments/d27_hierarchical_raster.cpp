@@ -14,9 +14,7 @@
 
 namespace glassbox::study {
 
-namespace {
-
-using namespace d27;
+namespace d27 {
 
 // ---- the reference ----
 
@@ -135,9 +133,10 @@ std::vector<Configuration> configurations(Effort effort) {
   return all;
 }
 
-}  // namespace
+}  // namespace d27
 
 Experiment d27_hierarchical_raster() {
+  using namespace d27;
   return {
       .id = "D-27",
       .name = "Hierarchical raster: which pixels are looked at",

@@ -17,9 +17,7 @@
 
 namespace glassbox::study {
 
-namespace {
-
-using namespace d28;
+namespace d28 {
 
 // ---- scenes ----
 
@@ -227,9 +225,10 @@ std::vector<Configuration> configurations(Effort effort) {
   return all;
 }
 
-}  // namespace
+}  // namespace d28
 
 Experiment d28_elision() {
+  using namespace d28;
   return {
       .id = "D-28",
       .name = "Stage elision: leaving out what a scene does not need",

@@ -10,7 +10,7 @@
 
 namespace glassbox::study {
 
-namespace {
+namespace d29 {
 
 struct Watched {
   std::string name;
@@ -118,9 +118,10 @@ std::vector<Configuration> configurations(Effort effort) {
   return all;
 }
 
-}  // namespace
+}  // namespace d29
 
 Experiment d29_trace() {
+  using namespace d29;
   return {
       .id = "D-29",
       .name = "Trace: what being watched costs",

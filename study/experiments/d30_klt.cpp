@@ -10,7 +10,7 @@
 #include "views/klt/transform.h"
 
 namespace glassbox::study {
-namespace {
+namespace d30 {
 
 // What all configurations share.
 struct Planet {
@@ -108,9 +108,10 @@ std::vector<Configuration> configurations(Effort effort) {
   return all;
 }
 
-}  // namespace
+}  // namespace d30
 
 Experiment d30_klt() {
+  using namespace d30;
   return {.id = "D-30",
           .name = "How many components",
           .question = "How much of five bands do a few numbers a pixel keep?",

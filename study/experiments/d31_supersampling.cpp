@@ -21,9 +21,7 @@
 
 namespace glassbox::study {
 
-namespace {
-
-using namespace d31;
+namespace d31 {
 
 // ---- scenes: the pixels that an edge of a triangle crosses ----
 
@@ -178,9 +176,10 @@ std::vector<Configuration> configurations(Effort effort) {
   return all;
 }
 
-}  // namespace
+}  // namespace d31
 
 Experiment d31_supersampling() {
+  using namespace d31;
   return {
       .id = "D-31",
       .name = "Supersampling: where the samples of a pixel lie",

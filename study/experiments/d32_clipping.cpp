@@ -37,12 +37,6 @@ std::vector<EyeTriangle> random_triangles(double size, std::size_t count) {
   return triangles;
 }
 
-}  // namespace d32
-
-namespace {
-
-using namespace d32;
-
 template <class Space>
 double farthest_off(double size, std::size_t count) {
   const Space space{course_lens()};
@@ -91,9 +85,10 @@ std::vector<Configuration> configurations(Effort effort) {
   return all;
 }
 
-}  // namespace
+}  // namespace d32
 
 Experiment d32_clipping() {
+  using namespace d32;
   return {
       .id = "D-32",
       .name = "Clipping: in eye space or in clip space",

@@ -14,13 +14,13 @@ using study::CaseResult;
 using study::Outcome;
 using study::SweepSeries;
 
-std::string number(double value) {
+std::string number_text(double value) {
   if (std::isinf(value)) return "inf";
   return value == 0 ? "0" : fmt::format("{:.3g}", value);
 }
 
 std::string ratio(const Outcome& outcome) {
-  return outcome.bound > 0 ? number(outcome.error / outcome.bound) : "";
+  return outcome.bound > 0 ? number_text(outcome.error / outcome.bound) : "";
 }
 
 std::string shortened(const std::string& text, std::size_t most) {
@@ -44,8 +44,9 @@ std::string drawn(const CaseResult& r) {
 std::string row(const CaseResult& r) {
   return fmt::format(
       "{:<5} {:<36} {:>9} {:>9} {:>9} {:>6} {:>9}  {:<8} {:<7} {:<12} {}\n", r.what.id,
-      shortened(r.what.name, 36), number(r.naive.error), number(r.ours.error), number(r.ours.bound),
-      ratio(r.ours), r.ours.condition ? number(*r.ours.condition) : "",
+      shortened(r.what.name, 36), number_text(r.naive.error), number_text(r.ours.error),
+      number_text(r.ours.bound), ratio(r.ours),
+      r.ours.condition ? number_text(*r.ours.condition) : "",
       r.mutants.empty() ? "-" : fmt::format("{} of {}", r.mutants_caught(), r.mutants.size()),
       drawn(r), verdict(r), r.what.unit);
 }
@@ -53,8 +54,8 @@ std::string row(const CaseResult& r) {
 std::string judged(const char* kind, const std::string& name, const Outcome& outcome,
                    const std::string& unit) {
   std::string text =
-      fmt::format("{:<8}{}\n        {} {} {} {}, {}\n", kind, name, number(outcome.error),
-                  outcome.passes() ? "<=" : ">", number(outcome.bound), unit,
+      fmt::format("{:<8}{}\n        {} {} {} {}, {}\n", kind, name, number_text(outcome.error),
+                  outcome.passes() ? "<=" : ">", number_text(outcome.bound), unit,
                   outcome.passes() ? "within the bound" : "beyond it");
   if (!outcome.seen.empty()) text += wrapped("        ", outcome.seen);
   return text;
@@ -67,14 +68,14 @@ std::string sweep_text(const SweepResult& result) {
   text += wrapped("  gives up at  ", result.what.tolerance);
   for (const SweepSeries& series : result.series) {
     const bool within = study::within_bounds(series);
-    text +=
-        fmt::format("\n  {}{}: {}{}\n", series.name, series.ours ? " (ours)" : "",
-                    series.gives_up ? "gives up at " + number(*series.gives_up) : "never gives up",
-                    within ? "" : "; BEYOND ITS BOUND");
+    text += fmt::format(
+        "\n  {}{}: {}{}\n", series.name, series.ours ? " (ours)" : "",
+        series.gives_up ? "gives up at " + number_text(*series.gives_up) : "never gives up",
+        within ? "" : "; BEYOND ITS BOUND");
     text += fmt::format("    {:>12} {:>12} {:>12}\n", "at", "error", "bound");
     for (const study::SweepPoint& point : series.points) {
-      text += fmt::format("    {:>12.6g} {:>12} {:>12}\n", point.parameter, number(point.error),
-                          point.bound ? number(*point.bound) : "-");
+      text += fmt::format("    {:>12.6g} {:>12} {:>12}\n", point.parameter,
+                          number_text(point.error), point.bound ? number_text(*point.bound) : "-");
     }
   }
   return text;
@@ -138,7 +139,7 @@ std::string case_text(const CaseResult& r) {
   text += wrapped("right   ", r.what.right);
   text += wrapped("oracle  ", oracle_name(r.what.oracle));
   if (r.ours.condition)
-    text += fmt::format("        condition number {}\n", number(*r.ours.condition));
+    text += fmt::format("        condition number {}\n", number_text(*r.ours.condition));
   text += "\n" + judged("ours", r.what.ours.name, r.ours, r.what.unit);
   text += judged("naive", r.what.naive.name, r.naive, r.what.unit);
   for (std::size_t i = 0; i < r.mutants.size(); ++i) {

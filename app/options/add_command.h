@@ -1,0 +1,15 @@
+// Adding a subcommand to a program.
+#pragma once
+
+#include "app/options/cli_fwd.h"
+
+namespace glassbox::app {
+
+// The command lives as long as the program: CLI11 writes its options into it, and calls it back.
+template <class Command>
+void add_command(CLI::App& app, int& exit_code) {
+  static Command command;
+  command.add_to(app, exit_code);
+}
+
+}  // namespace glassbox::app

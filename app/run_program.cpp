@@ -1,0 +1,78 @@
+#include <exception>
+#include <string>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "app/first/first_picture.h"
+#include "app/options/command_tree.h"
+#include "app/options/usage_error.h"
+#include "app/report/exit_codes.h"
+#include "app/report/whole_run.h"
+#include "app/subjects.h"
+
+#include <glassbox/base/printable.h>
+
+namespace glassbox::app {
+
+namespace {
+
+// A subject that this program is without: it is listed, and says where it is.
+void add_name_of(const Subject& subject, CLI::App& app, int& exit_code) {
+  CLI::App& command = *app.add_subcommand(subject.name, subject.help);
+  command.prefix_command();
+  command.callback([name = subject.name, &exit_code] {
+    exit_code =
+        refuse({"", name, "this program was built without the subcommand " + in_quotes(name),
+                "./glassbox " + std::string(name) + " builds it"});
+  });
+}
+
+void add_subject(const Subject& subject, CLI::App& app, int& exit_code) {
+  if (subject.add == nullptr) {
+    add_name_of(subject, app, exit_code);
+  } else {
+    subject.add(app, exit_code);
+  }
+}
+
+int run(std::span<const Subject> subjects, int argc, char** argv) {
+  CLI::App app{"Glassbox: a software rasterizer you can see through.", "glassbox"};
+  app.set_version_flag("-V,--version", std::string("glassbox ") + GLASSBOX_VERSION);
+  app.footer(
+      "Without a subcommand the built-in teapot is rendered to teapot.png.\n"
+      "glassbox SUBCOMMAND --help shows the options and examples, glassbox help SUBCOMMAND the "
+      "same.");
+
+  int exit_code = kSuccess;
+  add_picture_commands(app, exit_code);
+  for (const Subject& subject : subjects) add_subject(subject, app, exit_code);
+  add_help_commands(app, exit_code);
+  app.require_subcommand(0, 1);
+  refuse_empty_names(app);
+  read_as_decimal(app);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    // Help and version are no errors; anything else is bad usage, whatever code CLI11 has for it.
+    if (error.get_exit_code() == 0) return app.exit(error), kSuccess;
+    fmt::print(stderr, "glassbox: {}\n", usage_problem(app, error));
+    return kBadInput;
+  }
+  if (app.get_subcommands().empty()) return draw_first_picture();
+  return exit_code;
+}
+
+}  // namespace
+
+int run_program(std::span<const Subject> subjects, int argc, char** argv) {
+  begin_run();
+  try {
+    return end_run(run(subjects, argc, argv));
+  } catch (const std::exception& error) {
+    return tell(error);
+  }
+}
+
+}  // namespace glassbox::app
