@@ -2,6 +2,8 @@
 // them, so that it can be compared with the others.
 #pragma once
 
+#include <glassbox/base/little_endian.h>  // lanes take a colour's four bytes for one number
+
 #define HWY_COMPILE_ALL_ATTAINABLE
 #ifdef GLASSBOX_FEW_TARGETS  // plain C++ and one other, whose source is that of all
 #define HWY_DISABLED_TARGETS \
