@@ -161,8 +161,9 @@ void carry(const EyeShift& shift, const EyeRow& row, float* HWY_RESTRICT scratch
   const auto is_empty = [&](int from) HWY_ATTR {
     return hn::Eq(hn::LoadU(u, row.depth + from), hn::Set(u, kEmptyDepth));
   };
-  // A vector from `from` on is empty and, where empty pixels are seen, has pixel `like`'s colour. (What is seen through stores no depth,
-  // and an edge that covers some samples but not the centre has none either: empty pixels may have any colour.)
+  // A vector from `from` on is empty and, where empty pixels are seen, has pixel `like`'s colour.
+  // (What is seen through stores no depth, and an edge that covers some samples but not the centre
+  // has none either: empty pixels may have any colour.)
   const auto is_plain = [&](int from, int like) HWY_ATTR {
     if (!row.is_first) return hn::AllTrue(u, is_empty(from));
     const auto same = hn::Eq(hn::LoadU(u, colors + from), hn::Set(u, colors[like]));
@@ -184,7 +185,8 @@ void carry(const EyeShift& shift, const EyeRow& row, float* HWY_RESTRICT scratch
       hn::StoreU(hn::Add(hn::Add(hn::Iota(f, float(i)), half), moved), f, place + i);
     }
   };
-  // Far enough within a run of plain pixels nobody asks for them: a vector and two neighbours are as far as a surface looks.
+  // Far enough within a run of plain pixels nobody asks for them: a vector and two neighbours are
+  // as far as a surface looks.
   const int reach = 3 + lanes;
   for (int begin = 0; begin < row.width;) {
     int run = begin;

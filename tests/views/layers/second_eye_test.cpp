@@ -196,7 +196,8 @@ TEST_CASE("the warped eye depends on neither threads nor target") {
   }
 }
 
-// What is seen through stores no depth, so that before the background its colours are those of empty pixels.
+// What is seen through stores no depth, so that before the background its colours are those of
+// empty pixels.
 TEST_CASE("what is seen through before the background keeps its colours in the warped eye") {
   constexpr int kWidth = 200;
   const Rgba8 background{20, 30, 40}, pane{120, 90, 40};
