@@ -297,7 +297,8 @@ int fill(const EyeTarget& row, int width) {
     while (end < width && row.nearness[end] == 0) ++end;
     holes += end - x;
     const bool from_right = x == 0 || (end < width && row.nearness[end] < row.nearness[x - 1]);
-    const int from = from_right ? end : x - 1;
+    // Where nothing came to the whole row, pixel 0 has what the caller put there.
+    const int from = holes == width ? 0 : from_right ? end : x - 1;
     if (from < width) {
       std::fill(row.color + x, row.color + end, row.color[from]);
       std::fill(row.nearness + x, row.nearness + end, row.nearness[from]);

@@ -196,6 +196,27 @@ TEST_CASE("the warped eye depends on neither threads nor target") {
   }
 }
 
+TEST_CASE(
+    "a row to which nothing comes shows the first eye's left edge, whatever was drawn before") {
+  const Image<Rgba8> color = striped(100, 64);
+  Camera camera;
+  camera.lens = PerspectiveLens{2 * std::atan(0.32), 1, 100.0};
+  const View view = make_view(camera, 100, 64).value();
+  const Image<std::uint32_t> nothing(100, 64, kEmptyDepth);
+  for (const Target target : available_targets()) {
+    for (const int threads : {1, 3}) {
+      INFO(name_of(target) << ", " << threads);
+      SecondEye second;
+      Image<Rgba8> right;
+      const Image<Rgba8> other(100, 64, {1, 2, 3});
+      second.warp({other, nothing}, view, {0.1, 4}, {1, threads, target}, right);
+      // Infinity moves by 2 s 100 px / window = 100 px, the picture's width.
+      CHECK(second.warp({color, nothing}, view, {2, 4}, {1, threads, target}, right) == 6400);
+      for (int y = 0; y < 64; ++y) REQUIRE(std::ranges::count(right.pixels, color.at(0, y)) == 100);
+    }
+  }
+}
+
 // What is seen through stores no depth, so that before the background its colours are those of
 // empty pixels.
 TEST_CASE("what is seen through before the background keeps its colours in the warped eye") {
