@@ -20,7 +20,8 @@ the format of the sources, and some tests of each folder under the
 sanitizers. --all adds what needs more tools and time: all tests with
 clang++, without optimisation and under the sanitizers,
 ThreadSanitizer, every planted fault against every extreme case,
-100,000 small scenes by each way of drawing, a minute of each fuzzer,
+100,000 small scenes by each way of drawing, thousands of pictures by
+each instruction set and number of threads, a minute of each fuzzer,
 the HTML pages in a browser, the pages that Doxygen makes of the
 headers, and clang-tidy.
 
@@ -32,7 +33,7 @@ Parts, for one of them again:
   mutants        all planted faults     api            Doxygen's pages
   browser        the HTML pages
   long-pages     slow lines of docs     tidy           clang-tidy
-  scenes         100,000 small scenes
+  scenes         100,000 small scenes  same-bytes     what pictures give
 TEXT
 }
 
@@ -206,7 +207,7 @@ run_tidy() {
 }
 
 plain="test format sanitize-some"
-all="test format debug clang++ sanitize threads mutants scenes fuzz browser long-pages api tidy"
+all="test format debug clang++ sanitize threads mutants scenes same-bytes fuzz browser long-pages api tidy"
 
 run_part() {
   case $1 in
@@ -221,6 +222,8 @@ run_part() {
   mutants) run_long mutants mutants "[.page]" "the page is what comes of it" ;;
   # All of the small scenes of which the tests have the first.
   scenes) run_long scenes render "[.small-scenes]" "100,000 small ones" ;;
+  # Whatever is computed from pictures, of more scenes than the tests have.
+  same-bytes) run_long same-bytes same_bytes "[.same-bytes]" "thousands of pictures in every way" ;;
   fuzz) run_fuzzers ;;
   browser) run_browser ;;
   long-pages) run_long long-pages docs "[.long]" "the lines of docs that take long" ;;

@@ -10,6 +10,7 @@
 
 #include "viewslayers_page.h"  // made by html/embed.cmake
 
+#include <glassbox/base/little_endian.h>
 #include <glassbox/html/blob.h>
 #include <glassbox/html/page.h>
 #include <glassbox/images/recipe.h>
@@ -26,7 +27,8 @@ nlohmann::ordered_json rows_of(const Eigen::Matrix4d& matrix) {
   return rows;
 }
 
-// Browsers' typed arrays are little-endian wherever they run today, and so is this program's memory.
+// Browsers' typed arrays are little-endian wherever they run today, and so is this program's memory
+// (base/little_endian.h).
 template <class Value>
 std::vector<std::uint8_t> bytes_of(const std::vector<Value>& values) {
   std::vector<std::uint8_t> bytes(values.size() * sizeof(Value));

@@ -4,12 +4,11 @@
 #include <cstddef>
 #include <vector>
 
+#include <glassbox/base/little_endian.h>
 #include <glassbox/html/blob.h>
 
 namespace glassbox {
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "samples are stored little-endian");
 
 using Bytes = std::vector<std::uint8_t>;
 

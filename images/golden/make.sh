@@ -1,5 +1,6 @@
 #!/bin/sh
-# Makes the golden images anew. Usage: make.sh PROGRAM [FILE...]; without FILE, all of them.
+# Makes the golden images anew. Usage: make.sh PROGRAM [FILE...]; without FILE, all of them. The file zlib-version has to name the
+# zlib that PROGRAM compresses them with (docs/diff.md).
 set -eu
 program=$(realpath "$1")
 shift

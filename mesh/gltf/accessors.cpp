@@ -7,6 +7,7 @@
 #include <string>
 #include <type_traits>
 
+#include <glassbox/base/little_endian.h>
 #include <glassbox/mesh/gltf/text.h>
 
 namespace glassbox::gltf {
@@ -152,7 +153,7 @@ void with_component(int component_type, Use use) {
   }
 }
 
-// Buffers are little-endian, and so is every machine that this is built for; they need not be aligned.
+// Buffers are little-endian, and so is memory (base/little_endian.h); they need not be aligned.
 template <class T>
 T load(std::span<const std::byte> bytes, std::size_t at) {
   T value;

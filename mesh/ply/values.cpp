@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <glassbox/base/little_endian.h>
 #include <glassbox/mesh/input/text.h>
 
 namespace glassbox::ply {
@@ -93,7 +94,6 @@ bool Values::next(Type type, double& number) {
 bool Values::next_binary(Type type, double& number) {
   const std::size_t bytes = bytes_of(type);
   if (rest_.size() < bytes) return refuse(kEnd);
-  static_assert(std::endian::native == std::endian::little);
   number = with_type(type, [&](auto value) {
     return from_bytes<decltype(value)>(rest_, format_ == Format::kBigEndian);
   });

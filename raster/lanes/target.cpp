@@ -1,12 +1,15 @@
 #include <glassbox/raster/lanes/target.h>
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 
 // The targets of foreach_target.h are needed here too.
 #include <glassbox/raster/lanes/compiled_targets.h>
 #include <hwy/highway.h>
 #include <hwy/targets.h>
+
+#include <glassbox/raster/lanes/preferred_target.h>
 
 namespace glassbox {
 
@@ -30,6 +33,9 @@ std::int64_t supported_targets() {
   return supported;
 }
 
+constexpr int kNobodyPrefers = -1;
+std::atomic<int> preferred = kNobodyPrefers;
+
 }  // namespace
 
 std::vector<Target> available_targets() {
@@ -42,7 +48,12 @@ std::vector<Target> available_targets() {
 }
 
 Target best_target() {
+  if (const int told = preferred; told != kNobodyPrefers) return Target(told);
   return available_targets().back();
+}
+
+void prefer_target(std::optional<Target> target) {
+  preferred = target ? int(*target) : kNobodyPrefers;
 }
 
 std::string_view name_of(Target target) {

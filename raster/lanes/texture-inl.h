@@ -7,8 +7,6 @@
 #define GLASSBOX_TEXTURE_INL_H_
 #endif
 
-#include <bit>
-
 #include <glassbox/raster/lanes/channels-inl.h>
 #include <glassbox/raster/lanes/transfer-inl.h>
 #include <glassbox/raster/texture.h>
@@ -23,8 +21,7 @@ using Float2 = std::array<Floats, 2>;
 // Red, green and blue; opaque surfaces have no use for alpha.
 using Rgb = std::array<Floats, 3>;
 
-// Stored bytes in linear light, red in the lowest.
-static_assert(std::endian::native == std::endian::little);
+// Stored bytes in linear light, red in the lowest (base/little_endian.h).
 HWY_INLINE Rgb decoded(Transfer transfer, Ints stored) {
   return {decode(transfer, stored & 255), decode(transfer, shifted_right<8>(stored) & 255),
           decode(transfer, shifted_right<16>(stored) & 255)};

@@ -1,5 +1,6 @@
 #include <glassbox/render/engine/threads.h>
 
+#include <atomic>
 #include <cstddef>
 #include <mutex>
 #include <optional>
@@ -7,10 +8,24 @@
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 
+#include <glassbox/render/engine/preferred_threads.h>
+
 namespace glassbox {
 
+namespace {
+
+constexpr int kNobodyPrefers = 0;
+std::atomic<int> preferred = kNobodyPrefers;
+
+}  // namespace
+
 int default_threads() {
+  if (const int told = preferred; told != kNobodyPrefers) return told;
   return tbb::info::default_concurrency();
+}
+
+void prefer_threads(std::optional<int> threads) {
+  preferred = threads.value_or(kNobodyPrefers);
 }
 
 // oneTBB keeps to the smallest limit in force, so there is one for the whole program and not one for each arena: as many as the
@@ -20,7 +35,7 @@ void allow_threads(int threads) {
   static std::mutex one_at_a_time;
   // Until the process is gone: a limit that ends at its exit wakes a thread.
   static auto& limit = *new std::optional<Control>;
-  static int allowed = default_threads();
+  static int allowed = tbb::info::default_concurrency();
   const std::lock_guard lock(one_at_a_time);
   if (threads <= allowed) return;
   allowed = threads;

@@ -1,10 +1,8 @@
 #include <glassbox/render/trace/column_pack.h>
 
-#include <bit>
+#include <glassbox/base/little_endian.h>  // columns are stored as they lie in memory
 
 namespace glassbox {
-
-static_assert(std::endian::native == std::endian::little, "columns are stored little-endian");
 
 void ColumnPack::append(std::span<const std::uint8_t> numbers, std::size_t size) {
   const std::size_t count = numbers.size() / size;

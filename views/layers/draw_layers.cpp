@@ -13,6 +13,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include <glassbox/base/little_endian.h>
 #include <glassbox/render/engine/threads.h>
 
 #include "views/layers/footprints.h"

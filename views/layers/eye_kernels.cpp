@@ -157,8 +157,17 @@ void carry(const EyeShift& shift, const EyeRow& row, float* HWY_RESTRICT scratch
   float* const nearness = scratch + row.width + 64;
   const Nearness nearness_of(shift);
   const auto half = hn::Set(f, 0.5f), one = hn::Set(f, 1.0f), zero = hn::Zero(f);
-  const auto empty = [&](int from) HWY_ATTR {
-    return hn::AllTrue(u, hn::Eq(hn::LoadU(u, row.depth + from), hn::Set(u, kEmptyDepth)));
+  const auto* const colors = reinterpret_cast<const std::uint32_t*>(row.color);
+  const auto is_empty = [&](int from) HWY_ATTR {
+    return hn::Eq(hn::LoadU(u, row.depth + from), hn::Set(u, kEmptyDepth));
+  };
+  // A vector from `from` on is empty and, where empty pixels are seen, has pixel `like`'s colour.
+  // (What is seen through stores no depth, and an edge that covers some samples but not the centre
+  // has none either: empty pixels may have any colour.)
+  const auto is_plain = [&](int from, int like) HWY_ATTR {
+    if (!row.is_first) return hn::AllTrue(u, is_empty(from));
+    const auto same = hn::Eq(hn::LoadU(u, colors + from), hn::Set(u, colors[like]));
+    return hn::AllTrue(u, hn::And(is_empty(from), same));
   };
   // Places and nearnesses of the pixels from `begin` on, up to `end` or the end of its vector.
   const auto fill_places = [&](int begin, int end) HWY_ATTR {
@@ -176,11 +185,12 @@ void carry(const EyeShift& shift, const EyeRow& row, float* HWY_RESTRICT scratch
       hn::StoreU(hn::Add(hn::Add(hn::Iota(f, float(i)), half), moved), f, place + i);
     }
   };
-  // Far enough within a run of empty pixels nobody asks for them: a vector and two neighbours are as far as a surface looks.
+  // Far enough within a run of plain pixels nobody asks for them: a vector and two neighbours are
+  // as far as a surface looks.
   const int reach = 3 + lanes;
   for (int begin = 0; begin < row.width;) {
     int run = begin;
-    while (run + lanes <= row.width && empty(run)) run += lanes;
+    while (run + lanes <= row.width && is_plain(run, begin)) run += lanes;
     if (run - begin > 2 * reach) {
       fill_places(begin, begin + reach);
       begin = run - reach;
@@ -194,15 +204,14 @@ void carry(const EyeShift& shift, const EyeRow& row, float* HWY_RESTRICT scratch
   carried.carry(0);
   int i = 1;
   const auto least = hn::Set(f, kLeastStep), most = hn::Set(f, kMostStep);
-  const auto* const colors = reinterpret_cast<const std::uint32_t*>(row.color);
   HWY_ALIGN std::int32_t to[kMostEyeLanes];
   HWY_ALIGN std::uint32_t color[kMostEyeLanes];
   HWY_ALIGN std::uint32_t depth[kMostEyeLanes];
   for (; i + lanes < row.width; i += lanes) {
-    if (empty(i - 1) && empty(i) && empty(i + 1)) {
-      // Nothing, or the background's one colour: a run of it goes to a run.
+    if (hn::AllTrue(u, is_empty(i - 1)) && is_plain(i, i) && is_plain(i + 1, i)) {
+      // Nothing, or background of one colour: a run of it goes to a run.
       const int first = i;
-      while (i + 2 * lanes < row.width && empty(i + lanes + 1)) i += lanes;
+      while (i + 2 * lanes < row.width && is_plain(i + lanes + 1, first)) i += lanes;
       if (row.is_first) {
         const auto pixel_after = [&](int k) {
           const float at = float(k) + 0.5f + shift.at_infinity;
@@ -288,7 +297,8 @@ int fill(const EyeTarget& row, int width) {
     while (end < width && row.nearness[end] == 0) ++end;
     holes += end - x;
     const bool from_right = x == 0 || (end < width && row.nearness[end] < row.nearness[x - 1]);
-    const int from = from_right ? end : x - 1;
+    // Where nothing came to the whole row, pixel 0 has what the caller put there.
+    const int from = holes == width ? 0 : from_right ? end : x - 1;
     if (from < width) {
       std::fill(row.color + x, row.color + end, row.color[from]);
       std::fill(row.nearness + x, row.nearness + end, row.nearness[from]);

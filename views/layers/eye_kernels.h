@@ -38,7 +38,8 @@ struct EyeKernels {
   // 2 width + 256 numbers.
   void (*carry)(const EyeShift& shift, const EyeRow& row, float* scratch, const EyeTarget& to);
 
-  // Holes get what is beside them, of both sides the farther. How many they were.
+  // Holes get what is beside them, of both sides the farther; a row to which nothing came, the colour
+  // that its pixel 0 has had from the beginning. How many pixels they were.
   int (*fill)(const EyeTarget& row, int width);
 };
 

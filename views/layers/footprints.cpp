@@ -4,6 +4,8 @@
 #include <bit>
 #include <cstdlib>
 
+#include <glassbox/base/little_endian.h>
+
 namespace glassbox::views {
 
 namespace {

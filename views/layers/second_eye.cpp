@@ -1,6 +1,7 @@
 #include "views/layers/second_eye.h"
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <cstring>
@@ -11,6 +12,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <glassbox/base/little_endian.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/pipeline/stereo/parallax.h>
 #include <glassbox/render/engine/threads.h>
@@ -51,9 +53,11 @@ EyeShift eye_shift_of(const View& centre, const StereoPair& pair, DepthFormat fo
 
 // A row of the other eye's picture and room beyond it.
 struct Row {
-  EyeTarget cleared(int width) {
+  // `beside`: what the whole row shows if nothing comes to it.
+  EyeTarget cleared(int width, const Rgba8& beside) {
     nearness.assign(std::size_t(width) + 1, 0);
     color.resize(std::size_t(width) + 1);
+    color[0] = std::bit_cast<std::uint32_t>(beside);
     return target();
   }
   EyeTarget target() { return {color.data(), nearness.data()}; }
@@ -169,7 +173,7 @@ void SecondEye::begin(const LayerView& first, const View& centre, const StereoPa
   s.begin(first.color, centre, pair, settings);
   if (s.rows.size() < std::size_t(s.height)) s.rows.resize(std::size_t(s.height));
   s.for_each_row([&](int y, State::Memory& memory) {
-    s.carry(first, true, y, memory, s.rows[std::size_t(y)].cleared(s.width));
+    s.carry(first, true, y, memory, s.rows[std::size_t(y)].cleared(s.width, first.color.at(0, y)));
     return 0;
   });
   // Surfaces that are nearer than those at the edge move by more: twice as many are a guess. (And one, for what lies between two samples is a
@@ -202,7 +206,7 @@ bool SecondEye::find_behind(const Image<std::uint32_t>& last, Image<std::uint32_
 void SecondEye::add(const LayerView& layer) {
   State& s = *state_;
   s.for_each_row([&](int y, State::Memory& memory) {
-    const EyeTarget row = memory.row.cleared(layer.color.width);
+    const EyeTarget row = memory.row.cleared(layer.color.width, layer.color.at(0, y));
     s.carry(layer, false, y, memory, row);
     take_nearer(row, s.width, s.rows[std::size_t(y)].target());
     return 0;
@@ -223,7 +227,7 @@ std::size_t SecondEye::warp(const LayerView& layer, const View& centre, const St
   s.begin(layer.color, centre, pair, settings);
   if (into.width != s.width || into.height != s.height) into = Image<Rgba8>(s.width, s.height);
   return s.for_each_row([&](int y, State::Memory& memory) {
-    const EyeTarget row = memory.row.cleared(s.width);
+    const EyeTarget row = memory.row.cleared(s.width, layer.color.at(0, y));
     s.carry(layer, true, y, memory, row);
     return s.finish_row(row, y, into);
   });

@@ -196,6 +196,104 @@ TEST_CASE("the warped eye depends on neither threads nor target") {
   }
 }
 
+TEST_CASE(
+    "a row to which nothing comes shows the first eye's left edge, whatever was drawn before") {
+  const Image<Rgba8> color = striped(100, 64);
+  Camera camera;
+  camera.lens = PerspectiveLens{2 * std::atan(0.32), 1, 100.0};
+  const View view = make_view(camera, 100, 64).value();
+  const Image<std::uint32_t> nothing(100, 64, kEmptyDepth);
+  for (const Target target : available_targets()) {
+    for (const int threads : {1, 3}) {
+      INFO(name_of(target) << ", " << threads);
+      SecondEye second;
+      Image<Rgba8> right;
+      const Image<Rgba8> other(100, 64, {1, 2, 3});
+      second.warp({other, nothing}, view, {0.1, 4}, {1, threads, target}, right);
+      // Infinity moves by 2 s 100 px / window = 100 px, the picture's width.
+      CHECK(second.warp({color, nothing}, view, {2, 4}, {1, threads, target}, right) == 6400);
+      for (int y = 0; y < 64; ++y) REQUIRE(std::ranges::count(right.pixels, color.at(0, y)) == 100);
+    }
+  }
+}
+
+// What is seen through stores no depth, so that before the background its colours are those of
+// empty pixels.
+TEST_CASE("what is seen through before the background keeps its colours in the warped eye") {
+  constexpr int kWidth = 200;
+  const Rgba8 background{20, 30, 40}, pane{120, 90, 40};
+  Image<Rgba8> color(kWidth, 10, background);
+  const Image<float> nothing(kWidth, 10, kInfinitelyFar);
+  // A pane, one that changes from pixel to pixel, and a single pixel.
+  for (int y = 0; y < 10; ++y) {
+    for (int x = 60; x < 130; ++x) color.at(x, y) = x < 90 ? pane : Rgba8{std::uint8_t(x), 0, 100};
+    color.at(160, y) = pane;
+  }
+  Camera camera;
+  camera.lens = PerspectiveLens{2 * std::atan(0.05), 1, 100.0};
+  const View wide = make_view(camera, kWidth, 10).value();
+  // The background is infinitely far: 2 s f / window = 0.2 * 100 px / 4 = 5 px to the right.
+  for (const Target target : available_targets()) {
+    INFO(name_of(target));
+    const WarpedEye eye = warped(color, nothing, wide, {0.1, 4}, {.target = target});
+    CHECK(eye.holes == 5 * 10);
+    for (int x = 5; x < kWidth; ++x) {
+      INFO(x);
+      REQUIRE(eye.color.at(x, 3) == color.at(x - 5, 3));
+    }
+  }
+}
+
+TEST_CASE("glass before the background is seen by both eyes, with glass before a wall beside it") {
+  Scene scene;
+  scene.nodes = {Node{"root", kNone, {}, {}}};
+  Material glass;
+  glass.alpha_mode = AlphaMode::kBlend;
+  glass.base_color = {1, 0, 0, 0.5f};
+  glass.unlit = true;
+  Material paint;
+  paint.base_color = {0, 0, 1, 1};
+  paint.unlit = true;
+  scene.materials = {paint, glass};
+  const auto add_card = [&](std::uint32_t material, float left, float right, float distance) {
+    Mesh mesh;
+    mesh.material = material;
+    for (const auto& [x, y] : {std::pair{left, -1.0f}, {right, -1.0f}, {right, 1.0f}, {left, 1.0f}})
+      mesh.positions.push_back({x, y, -distance});
+    mesh.faces.push_back({0, 4});
+    for (std::uint32_t i = 0; i < 4; ++i) mesh.corners.push_back({i});
+    scene.instances.push_back({std::uint32_t(scene.meshes.size()), 0});
+    scene.meshes.push_back(std::move(mesh));
+  };
+  add_card(0, 0.5f, 5, 6);      // the wall, in the right half of the picture
+  add_card(1, -1.5f, 1.5f, 4);  // the glass, in the middle
+  const Camera camera{"front", PerspectiveLens{1.0, 1, 50.0}, {}};
+  constexpr int kRows = 180;
+  const View view = make_view(camera, 320, kRows).value();
+  RenderSettings settings;
+  settings.background = {0, 60, 0, 255};
+  const StereoPair eyes{0.05, 4};
+  const auto count_of = [](const Image<Rgba8>& picture, const Rgba8& color) {
+    return std::ranges::count(picture.pixels, color);
+  };
+  for (const Target target : available_targets()) {
+    INFO(name_of(target));
+    Renderer renderer(scene, Transfer::kNone, EngineKind::kTile, {.target = target});
+    settings.transfer = Transfer::kNone;
+    SecondEye second;
+    PairByWarp both;
+    render_pair_by_warp(renderer, view, eyes, settings, {.target = target}, second, both);
+    const Image<Rgba8>&left = both.rendering.left.color, &right = both.rendering.right.color;
+    for (const Rgba8& color : {Rgba8{128, 30, 0, 255}, Rgba8{128, 0, 128, 255}}) {
+      const auto in_left = count_of(left, color), in_right = count_of(right, color);
+      INFO(in_left << " pixels in the left eye, " << in_right << " in the right one");
+      CHECK(in_left > 1000);
+      // An edge moves by less than 5 px (0.1 * 165 px / 4), and each of two edges may be a mixture.
+      CHECK(std::abs(in_left - in_right) <= kRows * (5 + 2));
+    }
+  }
+}
+
 namespace {
 
 // The errors of a right eye from 1, 2 and 4 layers.

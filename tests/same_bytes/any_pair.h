@@ -1,0 +1,40 @@
+// A generated scene and two eyes that may look at it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include <glassbox/base/random.h>
+#include <glassbox/pipeline/stereo/stereo_pair.h>
+
+#include "tests/render/tile/any_case.h"
+
+namespace glassbox::test {
+
+struct AnyPair {
+  AnyCase scene;  // its settings show colours, and write to all channels
+  StereoPair eyes;
+};
+
+// None where the eyes cannot stand there: in some cases of a hundred.
+inline std::optional<AnyPair> any_pair(std::uint64_t seed, int largest_side) {
+  Random random(0x2e7e5 + seed);
+  constexpr int kMostFaces = 24;
+  AnyPair made{any_case(random, kMostFaces, largest_side), {}};
+  RenderSettings& settings = made.scene.settings;
+  settings.show = Show::kColor;
+  settings.mask = {};
+  made.eyes.window = made.scene.view.near + random.unit() * 10;
+  made.eyes.half_separation = made.eyes.window * random.unit() / 20;
+  if (!check_pair(made.scene.view, made.eyes)) return {};
+  return made;
+}
+
+// What is seen through hides nothing, so it has no layer: masked in its place.
+inline void make_opaque_or_masked(Scene& scene) {
+  for (Material& material : scene.materials) {
+    if (material.alpha_mode == AlphaMode::kBlend) material.alpha_mode = AlphaMode::kMask;
+  }
+}
+
+}  // namespace glassbox::test

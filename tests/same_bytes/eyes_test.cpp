@@ -1,0 +1,212 @@
+// What render makes of two eyes: both drawn, one warped from the other, with what lies behind it or
+// without; and the maps that stereo makes of them.
+#include <algorithm>
+#include <cstdlib>
+
+#include <glassbox/render/renderer.h>
+#include <glassbox/render/stereo/disparity.h>
+#include <glassbox/render/stereo/monocular.h>
+#include <glassbox/render/stereo/window_violations.h>
+
+#include "tests/same_bytes/any_pair.h"
+#include "tests/same_bytes/ways.h"
+#include "views/layers/second_eye.h"
+
+namespace glassbox {
+namespace {
+
+using test::AnyPair;
+using test::Made;
+using test::Way;
+
+TileOptions options_of(const test::AnyCase& c, const Way& way) {
+  TileOptions options = c.options;
+  options.target = way.target;
+  options.threads = way.threads;
+  return options;
+}
+
+bool is_seen_through(const Scene& scene) {
+  return std::ranges::any_of(scene.materials, [](const Material& material) {
+    return material.alpha_mode == AlphaMode::kBlend;
+  });
+}
+
+// Pixels without a depth that have another colour than the background: what is seen through before
+// it, and edges.
+std::size_t colored_without_depth(const Framebuffer& buffers, const Rgba8& background) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < buffers.color.pixels.size(); ++i)
+    count += buffers.depth.pixels[i] == kEmptyDepth && buffers.color.pixels[i] != background;
+  return count;
+}
+
+struct Counts {
+  std::size_t pairs = 0, seen_through = 0, layered = 0, without_depth = 0;
+};
+
+// The left eye by the stages, and the right one warped from it in all ways. Engines are held
+// against each other elsewhere, so that the warp, which takes next to no time, has many pictures.
+void check_warp(std::uint64_t seed, Counts& counts) {
+  auto pair = test::any_pair(seed, 260);
+  if (!pair) return;
+  ++counts.pairs;
+  test::AnyCase& c = pair->scene;
+  c.settings.want_depth = true;
+  counts.seen_through += is_seen_through(c.scene);
+  Renderer renderer(c.scene, c.settings.transfer, EngineKind::kStaged);
+  const Rendering left = renderer.render(eye_view(c.view, pair->eyes, Side::kLeft), c.settings);
+  counts.without_depth += colored_without_depth(left.buffers, c.settings.background);
+  test::check_all_ways(seed, [&](const Way& way) {
+    views::SecondEye second;
+    Image<Rgba8> right;
+    Made made;
+    made.add_number("holes",
+                    second.warp({left.buffers.color, left.buffers.depth}, c.view, pair->eyes,
+                                {1, way.threads, way.target, c.settings.depth}, right));
+    made.add("right", right);
+    return made;
+  });
+}
+
+// The whole of `--stereo pair --second-eye warp:N`: with masked surfaces in place of those that are
+// seen through, where N is more than 1.
+void check_warped_pair(std::uint64_t seed, Counts& counts) {
+  auto pair = test::any_pair(seed, 130);
+  if (!pair) return;
+  ++counts.pairs;
+  test::AnyCase& c = pair->scene;
+  const int layers = 1 + int(seed % 3);
+  if (layers > 1) {
+    test::make_opaque_or_masked(c.scene);
+    c.settings.samples = 1;
+    ++counts.layered;
+  }
+  REQUIRE(views::check_second_eye(c.scene, c.settings, layers));
+  const auto warped_by = [&](EngineKind kind, const Way& way) {
+    Renderer renderer(c.scene, c.settings.transfer, kind, options_of(c, way));
+    views::SecondEye second;
+    views::PairByWarp both;
+    views::render_pair_by_warp(renderer, c.view, pair->eyes, c.settings,
+                               {layers, way.threads, way.target, c.settings.depth}, second, both);
+    Made made;
+    made.add("left", both.rendering.left.color);
+    made.add("right", both.rendering.right.color);
+    made.add("distance", both.rendering.right.distance);
+    made.add_number("holes", both.holes);
+    return made;
+  };
+  const Made staged = warped_by(EngineKind::kStaged, {});
+  test::check_all_ways(seed, [&](const Way& way) {
+    Made made = warped_by(EngineKind::kTile, way);
+    const std::string difference = made.difference_from(staged);
+    if (!difference.empty()) FAIL_CHECK("seed " << seed << ", by the stages: " << difference);
+    return made;
+  });
+}
+
+// What lies behind a picture, as the layers of a warp and of `views layers build` are drawn.
+void check_behind(std::uint64_t seed, Counts& counts) {
+  const auto pair = test::any_pair(seed, 130);
+  if (!pair) return;
+  ++counts.pairs;
+  test::AnyCase c = pair->scene;
+  test::make_opaque_or_masked(c.scene);  // EyePicture::behind asks for that
+  c.settings.want_depth = c.settings.want_distance = c.settings.want_id = true;
+  c.settings.samples = 1;
+  Renderer staged(c.scene, c.settings.transfer, EngineKind::kStaged);
+  Image<std::uint32_t> behind = staged.render(c.view, c.settings).buffers.depth;
+  for (std::size_t i = seed % 3; i < behind.pixels.size(); i += 3) behind.pixels[i] = kEmptyDepth;
+  const auto drawn_by = [&](Renderer& renderer) {
+    Rendering drawn;
+    renderer.render(c.view, c.settings, drawn, &behind);
+    Made made;
+    made.add("color", drawn.buffers.color);
+    made.add("depth", drawn.buffers.depth);
+    made.add("distance", drawn.buffers.distance);
+    made.add("id", drawn.buffers.id);
+    return made;
+  };
+  const Made expected = drawn_by(staged);
+  test::check_all_ways(seed, [&](const Way& way) {
+    Renderer tiled(c.scene, c.settings.transfer, EngineKind::kTile, options_of(c, way));
+    Made made = drawn_by(tiled);
+    const std::string difference = made.difference_from(expected);
+    if (!difference.empty()) FAIL_CHECK("seed " << seed << ", by the stages: " << difference);
+    return made;
+  });
+}
+
+void check_stereo_maps(std::uint64_t seed, Counts& counts) {
+  const auto pair = test::any_pair(seed, 100);
+  if (!pair) return;
+  ++counts.pairs;
+  const test::AnyCase& c = pair->scene;
+  StereoSettings settings{c.settings};
+  settings.render.want_distance = settings.render.want_id = true;
+  const auto maps_by = [&](EngineKind kind, const Way& way) {
+    Renderer renderer(c.scene, c.settings.transfer, kind, options_of(c, way));
+    const StereoRendering eyes = renderer.render_pair(c.view, pair->eyes, settings);
+    const Image<float> left = disparity_map(c.view, pair->eyes, eyes.left.distance),
+                       right = disparity_map(c.view, pair->eyes, eyes.right.distance);
+    const MonocularMaps alone = monocular_maps(left, right);
+    const WindowViolations cut = window_violations(c.scene, {eyes.left, left}, {eyes.right, right});
+    Made made;
+    made.add("left picture", eyes.left.color);
+    made.add("right picture", eyes.right.color);
+    made.add("left disparity", left);
+    made.add("right disparity", right);
+    made.add("seen by the left eye alone", alone.left);
+    made.add("seen by the right eye alone", alone.right);
+    made.add("cut by the left window", cut.left);
+    made.add("cut by the right window", cut.right);
+    return made;
+  };
+  const Made staged = maps_by(EngineKind::kStaged, {});
+  test::check_all_ways(seed, [&](const Way& way) {
+    Made made = maps_by(EngineKind::kTile, way);
+    const std::string difference = made.difference_from(staged);
+    if (!difference.empty()) FAIL_CHECK("seed " << seed << ", by the stages: " << difference);
+    return made;
+  });
+}
+
+template <class Check>
+Counts check_seeds(std::uint64_t count, const Check& check) {
+  Counts counts;
+  for (std::uint64_t seed = 0; seed < count; ++seed) check(seed, counts);
+  return counts;
+}
+
+TEST_CASE("a second eye that is warped has the same bytes by every target and number of threads",
+          "[eyes]") {
+  const Counts counts = check_seeds(400 / test::kShare, check_warp);
+  // Scenes in which the fault was that these colours were lost.
+  CHECK(counts.seen_through > counts.pairs / 8);
+  CHECK(counts.without_depth > 100 * counts.pairs);
+}
+
+TEST_CASE("a pair whose second eye is warped has the same bytes by both engines in every way",
+          "[eyes]") {
+  const Counts counts = check_seeds(30 / test::kShare, check_warped_pair);
+  CHECK(counts.layered > counts.pairs / 3);
+}
+
+TEST_CASE("what is behind any picture has the same bytes by both engines in every way", "[eyes]") {
+  CHECK(check_seeds(40 / test::kShare, check_behind).pairs > 25 / test::kShare);
+}
+
+TEST_CASE("what stereo sees in two pictures is the same by both engines in every way", "[eyes]") {
+  CHECK(check_seeds(20 / test::kShare, check_stereo_maps).pairs > 12 / test::kShare);
+}
+
+TEST_CASE("ten thousand warped eyes and some hundred of the rest", "[.same-bytes]") {
+  check_seeds(10000, check_warp);
+  check_seeds(800, check_warped_pair);
+  check_seeds(800, check_behind);
+  check_seeds(800, check_stereo_maps);
+  SUCCEED();
+}
+
+}  // namespace
+}  // namespace glassbox
