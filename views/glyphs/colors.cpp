@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include <glassbox/base/elementary.h>
 #include <glassbox/images/srgb.h>
 
 namespace glassbox::views {
@@ -64,7 +65,7 @@ Eigen::Array3f codes_of(const Light& light) {
   return light.unaryExpr([](float value) {
     const float clamped = std::clamp(value, 0.0f, 1.0f);
     return 255 * (clamped <= 0.0031308f ? 12.92f * clamped
-                                        : 1.055f * std::pow(clamped, 1 / 2.4f) - 0.055f);
+                                        : 1.055f * float(power(clamped, 1 / 2.4)) - 0.055f);
   });
 }
 
