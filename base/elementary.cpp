@@ -105,6 +105,10 @@ double whole_power(double x, int n) {
   return product;
 }
 
+double power_of_ten(int n) {
+  return n < 0 ? 1 / whole_power(10, -n) : whole_power(10, n);
+}
+
 double logarithm_2(double x) {
   int exponent = 0;
   if (x > 0 && x < kInfinity && std::frexp(x, &exponent) == 0.5) return exponent - 1;
@@ -115,8 +119,7 @@ double logarithm_10(double x) {
   const double found = logarithm(x) * 0.43429448190325182765;
   const double whole = std::floor(found + 0.5);
   if (!(std::abs(whole) <= 22)) return found;
-  const double power_of_ten = whole_power(10, int(std::abs(whole)));  // exact
-  return x == (whole < 0 ? 1 / power_of_ten : power_of_ten) ? whole : found;
+  return x == power_of_ten(int(whole)) ? whole : found;
 }
 
 // Newton's method on a number between 1 and 8, whose cube root is between 1 and 2, from a line that is off by at most 0.1. An error is

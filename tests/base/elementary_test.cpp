@@ -8,6 +8,7 @@
 #include <cstring>
 #include <initializer_list>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <glassbox/base/elementary.h>
@@ -110,6 +111,10 @@ TEST_CASE("a whole power is its product") {
   CHECK(whole_power(10, 22) == 1e22);
   CHECK(whole_power(0, 0) == 1);
   CHECK(whole_power(kNan, 0) == 1);
+  CHECK(power_of_ten(0) == 1);
+  CHECK(power_of_ten(22) == 1e22);
+  for (const auto& [n, value] : {std::pair{-1, 1e-1}, {-5, 1e-5}, {-9, 1e-9}, {-22, 1e-22}})
+    CHECK(power_of_ten(n) == value);
 }
 
 TEST_CASE("the cube root errs by less than two ulps, and not at all for small cubes") {
