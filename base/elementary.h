@@ -2,6 +2,8 @@
 // trigonometry: a C library's last digit is its own, and differs between processors with and without FMA. Polynomials and reductions
 // are IEEE double operations in one written order, and square roots, which IEEE 754 rounds correctly.
 //
+// For floats in loops there are cruder ones in images/colour/power.h, which overload cube_root and power.
+//
 // Errors are in ulps of the exact result for the arguments as given, unless the result is subnormal.
 // tests/base/elementary_test.cpp measures them against 50 digits.
 #pragma once
