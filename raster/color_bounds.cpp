@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <glassbox/base/elementary.h>
 #include <glassbox/base/rounding.h>
 
 namespace glassbox {
@@ -183,26 +184,26 @@ bool look_at_minified(const MipChain& texture, const Sampler& sampler, const Pos
 double encoded_bytes(Transfer transfer, double light) {
   const double x = std::clamp(light, 0.0, 1.0);
   if (transfer == Transfer::kNone) return 255 * x;
-  return 255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055);
+  return 255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * power(x, 1 / 2.4) - 0.055);
 }
 
 double decoded_bytes(Transfer transfer, double bytes) {
   const double x = std::clamp(bytes / 255, 0.0, 1.0);
   if (transfer == Transfer::kNone) return x;
-  return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+  return x <= 0.04045 ? x / 12.92 : power((x + 0.055) / 1.055, 2.4);
 }
 
 }  // namespace
 
 LevelBounds level_bounds(float level, const Bounded& squared_texels) {
   const double size = double(squared_texels.value), bound = squared_texels.bound;
-  const double log = size > 0 ? std::log2(size) : 0;
+  const double log = size > 0 ? logarithm_2(size) : 0;
   const double own =
       (0.5 * (5e-8 + 4 * kU + kU * (std::abs(log) + 1)) + kU * std::abs(log)) * kRoundUp;
   LevelBounds bounds{-kInfinity, kInfinity};
-  if (size > bound) bounds.low = 0.5 * std::log2(size - bound) - own;
+  if (size > bound) bounds.low = 0.5 * logarithm_2(size - bound) - own;
   if (size + bound <= std::numeric_limits<double>::max()) {
-    bounds.high = 0.5 * std::log2(size + bound) + own;  // of nothing at all: minus infinity
+    bounds.high = 0.5 * logarithm_2(size + bound) + own;  // of nothing at all: minus infinity
   }
   return {std::min(bounds.low, double(level)), std::max(bounds.high, double(level))};
 }

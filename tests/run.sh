@@ -23,7 +23,7 @@ ThreadSanitizer, every planted fault against every extreme case,
 100,000 small scenes by each way of drawing, thousands of pictures by
 each instruction set and number of threads, a minute of each fuzzer,
 the HTML pages in a browser, the pages that Doxygen makes of the
-headers, and clang-tidy.
+headers, what a 64-bit ARM machine draws, and clang-tidy.
 
 Parts, for one of them again:
   test           all tests, g++ -O3     sanitize-some  a few, sanitized
@@ -33,7 +33,8 @@ Parts, for one of them again:
   mutants        all planted faults     api            Doxygen's pages
   browser        the HTML pages
   long-pages     slow lines of docs     tidy           clang-tidy
-  scenes         100,000 small scenes  same-bytes     what pictures give
+  scenes         100,000 small scenes   same-bytes     what pictures give
+  arm64          the bytes of 64-bit ARM
 TEXT
 }
 
@@ -191,6 +192,44 @@ run_doxygen() {
   count "API pages" "$status"
 }
 
+# The program cross-compiled for 64-bit ARM and run by qemu gives the same bytes as this machine's (docs/building.md).
+run_arm64() {
+  locked install_packages arm64 || true
+  for command in aarch64-linux-gnu-g++ qemu-aarch64-static mmdebstrap; do
+    have "$command" || { skip "arm64 (no $command)"; return 0; }
+  done
+  sysroot=$root/build/arm64-root
+  if [ ! -d "$sysroot" ]; then
+    say "arm64: fetching its libraries ..."
+    # Libraries are that machine's, programs this one's.
+    # shellcheck disable=SC2046  # one word a package
+    if ! "$root/tests/arm64/make_sysroot.sh" "$sysroot" \
+      $(packages_of needed tests | grep -E '^lib|-dev$|^catch2$') >"$root/build/arm64-root.log" 2>&1 </dev/null; then
+      tail -n 5 "$root/build/arm64-root.log" >&2
+      skip "arm64 (mmdebstrap cannot run here: no network, or not allowed)"
+      return 0
+    fi
+  fi
+  say "arm64: building ..."
+  build_preset release glassbox_program || { count "arm64: build of this machine's program" 1; return 0; }
+  for target in glassbox_program test_render; do
+    build_preset arm64 "$target" || { count "arm64: build of $target" 1; return 0; }
+  done
+  say "arm64: comparing ..."
+  directory=$root/build/arm64
+  log=$directory/compare.log
+  status=0
+  "$root/tests/arm64/compare.sh" "$directory/compared" "$root/build/release/app/glassbox" \
+    qemu-aarch64-static -L "$sysroot" "$directory/app/glassbox" >"$log" 2>&1 </dev/null || status=$?
+  tail -n 60 "$log" >&2
+  count "arm64: the same bytes" "$status"
+  status=0
+  SEEDS=0-999 qemu-aarch64-static -L "$sysroot" "$directory/tests/render/test_render" "[.small-scenes]" \
+    >"$log" 2>&1 </dev/null || status=$?
+  if [ "$status" != 0 ]; then tail -n 60 "$log" >&2; fi
+  count "arm64: 1,000 small scenes" "$status"
+}
+
 # Checks that find bugs, none of style: .clang-tidy.
 run_tidy() {
   have clang-tidy || { skip "clang-tidy (there is no such program)"; return 0; }
@@ -207,7 +246,7 @@ run_tidy() {
 }
 
 plain="test format sanitize-some"
-all="test format debug clang++ sanitize threads mutants scenes same-bytes fuzz browser long-pages api tidy"
+all="test format debug clang++ sanitize threads mutants scenes same-bytes fuzz browser long-pages api arm64 tidy"
 
 run_part() {
   case $1 in
@@ -228,6 +267,7 @@ run_part() {
   browser) run_browser ;;
   long-pages) run_long long-pages docs "[.long]" "the lines of docs that take long" ;;
   api) run_doxygen ;;
+  arm64) run_arm64 ;;
   tidy) run_tidy ;;
   esac
 }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <glassbox/base/elementary.h>
 #include <glassbox/html/escaped.h>
 
 namespace glassbox::app {
@@ -71,7 +72,7 @@ std::string svg_line(const std::string& style, double x0, double y0, double x1, 
 // 1, 2 or 5 times a power of ten, so that the range has at most `most` steps.
 double tick_step(double range, int most) {
   const double least = range / most;
-  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  const double power = power_of_ten(int(std::floor(logarithm_10(least))));
   for (const double factor : {1.0, 2.0, 5.0}) {
     if (factor * power >= least) return factor * power;
   }

@@ -12,6 +12,7 @@
 #include "app/step/stage_parts.h"
 
 #include <glassbox/base/counted.h>
+#include <glassbox/base/elementary.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/base/rounding.h>
 #include <glassbox/base/trig.h>
@@ -81,9 +82,9 @@ std::string axis_angle_text(const Camera& camera, const View& view) {
   const AxisAngleFactors factors = axis_angle_factors(camera.world_from_eye);
   const glm::dmat4& pose = camera.world_from_eye.columns;
   const glm::dvec3 gaze = -glm::dvec3(pose[2]), axis(-gaze.y, gaze.x, 0);
-  const double turn = degrees_from_radians(std::atan2(std::hypot(axis.x, axis.y), -gaze.z));
+  const double turn = degrees_from_radians(arctan2(hypotenuse(axis.x, axis.y), -gaze.z));
   const double roll =
-      degrees_from_radians(std::atan2(factors.rolled.at(1, 0), factors.rolled.at(0, 0)));
+      degrees_from_radians(arctan2(factors.rolled.at(1, 0), factors.rolled.at(0, 0)));
   std::string text = sentence(fmt::format("the eye stands at {} and looks along {}",
                                           triple(glm::dvec3(pose[3])), triple(gaze + 0.0)));
   text += sentence(
@@ -174,7 +175,7 @@ std::string entries_text(const View& view, ProjectionForm form) {
           "[0][0] "
           "= cot theta, [1][1] = AR cot theta with AR = {}; alpha = f/(f-n) = {}, beta = f n/(n-f) "
           "= {}: z' = alpha + beta/z{}",
-          number(degrees_from_radians(std::atan(1 / a))), number(aspect),
+          number(degrees_from_radians(arctan(1 / a))), number(aspect),
           number(std::isinf(f) ? 1 : f / (f - n)), number(std::isinf(f) ? -n : f * n / (n - f)),
           left_handed));
   }

@@ -12,6 +12,7 @@
 #include "app/step/matrix_tokens.h"
 
 #include <glassbox/base/counted.h>
+#include <glassbox/base/elementary.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/base/rounding.h>
 
@@ -179,9 +180,9 @@ void estimate_uncertainty(const std::vector<Labelled>& numbers, MatrixText& matr
     const double size = std::abs(matrix.numbers[i]);
     double open = 0;
     if (fixed && decimals > 4) {
-      open = 0.5 * std::pow(10.0, -decimals);
+      open = 0.5 * power_of_ten(-decimals);
     } else if (!fixed && digits > 4 && size > 0 && std::isfinite(size)) {
-      open = 0.5 * std::pow(10.0, std::floor(std::log10(size)) + 1 - digits);
+      open = 0.5 * power_of_ten(int(std::floor(logarithm_10(size))) + 1 - digits);
     }
     matrix.uncertainty[i] = std::max(open, double(unit_roundoff<float>) * size);
   }

@@ -9,6 +9,7 @@
 
 #include "app/stereo/verdicts.h"
 
+#include <glassbox/base/elementary.h>
 #include <glassbox/pipeline/stereo/comfort.h>
 
 namespace glassbox::app {
@@ -20,7 +21,7 @@ constexpr double kWindowsPerSeparation = 30;
 
 // The next number of three digits towards zero; for numbers above 0.
 double rounded_down(double value) {
-  const double unit = std::pow(10, std::floor(std::log10(value)) - 2);
+  const double unit = power_of_ten(int(std::floor(logarithm_10(value))) - 2);
   return std::floor(value / unit) * unit;
 }
 

@@ -7,6 +7,7 @@
 #include "app/report/text_layout.h"
 #include "app/views/matrix_report.h"
 
+#include <glassbox/base/elementary.h>
 #include <glassbox/base/printable.h>
 
 namespace glassbox::app {
@@ -22,7 +23,7 @@ std::string heading(const std::string& name, const std::string& what) {
 
 // Rounded first: what is nothing but rounding is no -0.
 std::string number(double value, int decimals) {
-  const double unit = std::pow(10.0, decimals);
+  const double unit = power_of_ten(decimals);
   return fmt::format("{:12.{}f}", std::round(value * unit) / unit + 0.0, decimals);
 }
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include <glassbox/base/elementary.h>
 #include <glassbox/render/renderer.h>
 
 #include "views/layers/second_eye_error.h"
@@ -54,7 +55,7 @@ LayersAgainst against_scene(const views::LayerPicture& picture, const View& view
       views::warp_matrix(layers.image.camera, views::layer_camera(view));
   const views::EyeError error = views::eye_error(picture.color, truth.color);
   against.wrong = error.wrong;
-  against.psnr = 20 * std::log10(255 / error.rms);
+  against.psnr = 20 * logarithm_10(255 / error.rms);
   for (int y = 0; y < truth.color.height; ++y) {
     for (int x = 0; x < truth.color.width; ++x) {
       const float distance = truth.distance.at(x, y);

@@ -22,6 +22,7 @@
 #include "views/texture/static_texture.h"
 #include "views/texture/unlit_renderer.h"
 
+#include <glassbox/base/elementary.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/images/atomic_file.h>
 #include <glassbox/images/write.h>
@@ -49,7 +50,7 @@ struct ViewsTextureCommand::Found {
       if (covered > 0) squares += one.errors.rms * one.errors.rms * covered;
       pixels += covered;
     }
-    return 10 * std::log10(255 * 255 * pixels / squares);
+    return 10 * logarithm_10(255 * 255 * pixels / squares);
   }
 
   views::TexturedSurface surface;

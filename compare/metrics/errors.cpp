@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include <glassbox/base/elementary.h>
 #include <glassbox/compare/metrics/samples.h>
 
 namespace glassbox {
@@ -86,7 +87,7 @@ SampleErrors sample_errors(const PicturePair& pair) {
 
 double psnr(const SampleErrors& errors) {
   if (errors.rmse == 0) return kInfinity;
-  return 20 * std::log10(errors.peak / errors.rmse);
+  return 20 * logarithm_10(errors.peak / errors.rmse);
 }
 
 }  // namespace glassbox

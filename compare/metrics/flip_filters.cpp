@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <glassbox/base/elementary.h>
+
 namespace glassbox {
 namespace {
 
@@ -27,7 +29,7 @@ static_assert(kFeatureRadius - 1 < 3 * kFeatureDeviation &&
               3 * kFeatureDeviation <= kFeatureRadius);
 
 double contrast_gaussian(double width, int r) {
-  return std::exp(-square(kPi * r / kPixelsPerDegree) / width);
+  return exponential(-square(kPi * r / kPixelsPerDegree) / width);
 }
 
 // Over the square of the paper's radius, along one axis.
@@ -56,7 +58,7 @@ void set_blue_yellow(FlipFilters& filters) {
 }
 
 double feature_gaussian(int r) {
-  return std::exp(-square(r / kFeatureDeviation) / 2);
+  return exponential(-square(r / kFeatureDeviation) / 2);
 }
 double feature_slope(int r) {
   return r * feature_gaussian(r);

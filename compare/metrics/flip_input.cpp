@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include <glassbox/base/elementary.h>
 #include <glassbox/images/colour/flip_colour.h>
 #include <glassbox/images/srgb.h>
 
@@ -26,8 +27,7 @@ float linear_of(std::uint16_t code) {
     std::vector<float> linear(65536);
     for (std::size_t i = 0; i < linear.size(); ++i) {
       const double stored = double(i) / 65535;
-      linear[i] =
-          float(stored <= 0.04045 ? stored / 12.92 : std::pow((stored + 0.055) / 1.055, 2.4));
+      linear[i] = float(stored <= 0.04045 ? stored / 12.92 : power((stored + 0.055) / 1.055, 2.4));
     }
     return linear;
   }();

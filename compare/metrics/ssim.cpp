@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include <glassbox/base/elementary.h>
 #include <glassbox/compare/metrics/filter.h>
 #include <glassbox/compare/metrics/samples.h>
 #include <glassbox/images/colour/fixed_sum.h>
@@ -26,7 +27,7 @@ Window make_window() {
   Window window;
   double sum = 1;
   for (int r = 1; r <= kRadius; ++r) {
-    window[std::size_t(r - 1)] = std::exp(-r * r / (2 * kDeviation * kDeviation));
+    window[std::size_t(r - 1)] = exponential(-r * r / (2 * kDeviation * kDeviation));
     sum += 2 * window[std::size_t(r - 1)];
   }
   for (double& weight : window) weight /= sum;

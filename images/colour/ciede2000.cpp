@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <glassbox/base/elementary.h>
 #include <glassbox/base/trig.h>
 #include <glassbox/images/colour/flip_colour.h>
 
@@ -40,7 +41,7 @@ Lab lab_of_linear(double red, double green, double blue) {
   const auto root_of = [&](const double* row) {
     constexpr double kDelta = 6.0 / 29;
     const double relative = row[0] * red + row[1] * green + row[2] * blue;
-    return relative > kDelta * kDelta * kDelta ? std::cbrt(relative)
+    return relative > kDelta * kDelta * kDelta ? cube_root(relative)
                                                : relative / (3 * kDelta * kDelta) + 4.0 / 29;
   };
   const auto& rows = flip_colour::kRelativeFromRgb.at;
@@ -81,7 +82,7 @@ double ciede2000(const Lab& one, const Lab& other) {
   const double sl = 1 + 0.015 * l_50 / std::sqrt(20 + l_50);
   const double sc = 1 + 0.045 * mean_c_prime;
   const double sh = 1 + 0.015 * mean_c_prime * t;
-  const double rotation = 30 * std::exp(-square((mean_h - 275) / 25));
+  const double rotation = 30 * exponential(-square((mean_h - 275) / 25));
   const double rt = -sin_cos_degrees(2 * rotation).sin * 2 * saturation(mean_c_prime);
 
   const double l = dl / sl, c = dc / sc, h = dh / sh;

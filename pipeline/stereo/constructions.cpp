@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include <glassbox/base/elementary.h>
 #include <glassbox/pipeline/dialects.h>
 
 namespace glassbox {
@@ -100,7 +101,7 @@ Result<ClipSkew> clip_skew_of_pair(const View& centre, const StereoPair& pair) {
 View toe_in_view(const View& centre, const StereoPair& pair, Side side) {
   const double s = eye_shift(pair, side);
   const double tangent = s / pair.window;
-  const double cosine = 1 / std::hypot(1, tangent), sine = tangent * cosine;
+  const double cosine = 1 / hypotenuse(1, tangent), sine = tangent * cosine;
   Transform<Eye, Eye> turn;  // about y, the left camera to its right
   turn.at(0, 0) = cosine;
   turn.at(0, 2) = sine;

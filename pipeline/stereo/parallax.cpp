@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glassbox/base/elementary.h>
 #include <glassbox/base/trig.h>
 
 namespace glassbox {
@@ -24,7 +25,7 @@ double toe_in_vertical_parallax_px(const View& centre, const StereoPair& pair, c
   if (!centre.perspective) return 0;
   // sin and cos of the angle whose tangent is s/f.
   const double tangent = pair.half_separation / pair.window;
-  const double cosine = 1 / std::hypot(1, tangent), sine = tangent * cosine;
+  const double cosine = 1 / hypotenuse(1, tangent), sine = tangent * cosine;
   const double left = cosine + (sight.x + sight.half_separation) * sine;   // zL/z
   const double right = cosine - (sight.x - sight.half_separation) * sine;  // zR/z
   const double half_heights =
@@ -55,7 +56,7 @@ DisplayedParallax on_display(const Parallax& parallax, const Display& display) {
   DisplayedParallax shown;
   shown.mm = parallax.percent / 100 * display.width_mm;
   const auto convergence = [&](double mm) {
-    return 2 * std::atan((kPupilDistanceMm - mm) / 2 / display.viewing_distance_mm);
+    return 2 * arctan((kPupilDistanceMm - mm) / 2 / display.viewing_distance_mm);
   };
   shown.degrees = degrees_from_radians(convergence(0) - convergence(shown.mm));
   shown.diverges = shown.mm > kPupilDistanceMm;

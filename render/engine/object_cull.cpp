@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
 
+#include <glassbox/base/elementary.h>
 #include <glassbox/base/rounding.h>
 #include <glassbox/pipeline/affine.h>
 #include <glassbox/raster/stages.h>
@@ -218,7 +219,7 @@ Spread spread_of(const ObjectCull::Row& row, const Point<Object, double>& centre
 double slope_of(const ObjectCull::Row& row) {
   const auto& m = row.exact;
   const double squares = m[0] * m[0] + m[1] * m[1] + m[2] * m[2];
-  return squares > 0x1p-900 ? std::sqrt(squares) : std::hypot(m[0], m[1], m[2]);
+  return squares > 0x1p-900 ? std::sqrt(squares) : hypotenuse(m[0], m[1], m[2]);
 }
 
 }  // namespace

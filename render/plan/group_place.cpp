@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <glassbox/base/elementary.h>
 #include <glassbox/base/rounding.h>
 
 namespace glassbox {
@@ -61,7 +62,7 @@ GroupPlaces::GroupPlaces(const View& view) : view_(view) {
     Row& row = rows_[std::size_t(r)];
     for (int k = 0; k < 3; ++k) row.slope[std::size_t(k)] = clip_from_world.at(r, k);
     row.offset = clip_from_world.at(r, 3);
-    row.length = std::hypot(row.slope[0], row.slope[1], row.slope[2]) * (1 + gamma<double>(16));
+    row.length = hypotenuse(row.slope[0], row.slope[1], row.slope[2]) * (1 + gamma<double>(16));
     for (int j = 0; j < 4; ++j) {
       for (int k = 0; k < 3; ++k) row.by_far += std::abs(p.at(r, j) * e.at(j, k));
       row.by_one += std::abs(p.at(r, j) * e.at(j, 3));

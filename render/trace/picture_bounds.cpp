@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include <glassbox/base/elementary.h>
 #include <glassbox/raster/color_bounds.h>
 #include <glassbox/render/staged/vertex_stage.h>
 #include <glassbox/render/trace/vertex_bounds.h>
@@ -261,7 +262,7 @@ bool PictureBounds::is_near_edge(const TracedFragment& fragment,
   for (std::size_t k = 0; k < 3; ++k) {
     const EdgeFunction& edge = piece.setup->edges[k];
     // a and b are in 1/256 pixel, the edge function in 1/65536 square pixel.
-    const double length = std::hypot(double(edge.a), double(edge.b));
+    const double length = hypotenuse(double(edge.a), double(edge.b));
     const double away = double(fragment.coverage.edges[k]) / (length * kPixel);
     if (!(away > std::sqrt(2.0) * moved * kRoundUp)) return true;
   }

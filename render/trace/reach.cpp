@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <glassbox/base/elementary.h>
 #include <glassbox/raster/snap.h>
 
 namespace glassbox {
@@ -19,7 +20,7 @@ Miss furthest_outside(const TriangleSetup& triangle, int x, int y) {
   for (std::size_t k = 0; k < 3; ++k) {
     const EdgeFunction& edge = triangle.edges[k];
     const std::int64_t value = edge.at(centre_x, centre_y);
-    const double outside = -double(value) / std::hypot(double(edge.a), double(edge.b));
+    const double outside = -double(value) / hypotenuse(double(edge.a), double(edge.b));
     const bool unowned_tie = outside == miss.subpixels && value == 0 && !edge.owns_zero;
     if (outside > miss.subpixels || unowned_tie) {
       miss.edge = k;
@@ -96,7 +97,7 @@ std::optional<Outside> outside_of(const TracedPiece& piece, const PixelRect& pic
     }
     if (nearest > 0) continue;
     Outside outside;
-    outside.beyond_edge = -double(nearest) / std::hypot(double(edge.a), double(edge.b));
+    outside.beyond_edge = -double(nearest) / hypotenuse(double(edge.a), double(edge.b));
     return outside;
   }
   return std::nullopt;

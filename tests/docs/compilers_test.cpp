@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tests/docs/captured_bindings.h"
+#include "tests/docs/machine_numbers.h"
 #include "tests/docs/tree.h"
 #include "tests/docs/unordered_draws.h"
 #include "tests/support/catch.h"
@@ -17,6 +18,9 @@ std::string in_words(std::size_t line) {
   return std::to_string(line);
 }
 std::string in_words(const CapturedBinding& each) {
+  return in_words(each.line) + ": " + each.name;
+}
+std::string in_words(const MachineNumber& each) {
   return in_words(each.line) + ": " + each.name;
 }
 
@@ -45,6 +49,15 @@ std::vector<std::string> not_compiled() {
     for (const char* next : {"(", "<"}) words.push_back(std::string("ranges::") + name + next);
   }
   return words;
+}
+
+// Whether what a source computes reaches a picture, or a file that other commands read. Experiments, extreme cases and labs compare with
+// numbers of their own, wider than a double; charts and tables of times are for people.
+bool makes_pictures(const std::string& file) {
+  for (const char* other : {"tests/", "study/", "labs/", "exact/", "app/study/", "app/bench/"}) {
+    if (file.starts_with(other)) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -123,6 +136,28 @@ TEST_CASE("random numbers that a call or an expression draws in no order are tol
 
 TEST_CASE("no two random numbers are drawn in an order that each compiler chooses for itself") {
   CHECK(found_in_sources(unordered_draws) == std::vector<std::string>());
+}
+
+TEST_CASE("numbers of which each machine has its own are told from those that IEEE 754 defines") {
+  const auto names = [](const std::string& source) {
+    std::string all;
+    for (const MachineNumber& each : machine_numbers(source))
+      all += each.name + std::to_string(each.line) + " ";
+    return all;
+  };
+  CHECK(names("x = std::pow(2, y) +\n std::hypot(a, b);") == "pow1 hypot2 ");
+  CHECK(names("long double x = 1;") == "long double1 ");
+  CHECK(names("r = Eigen::AngleAxisd(a, v).matrix();") == "AngleAxisd1 ");
+  CHECK(names("x = std::sqrt(2) + std::floor(y) + std::ldexp(z, 3) + std::abs(-1);").empty());
+  CHECK(names("x = exact::sin(y) + multiprecision::log(z) + sum.exp(); std::exp_of(x);").empty());
+  CHECK(names("// std::pow(x, y)\nconst char* text = \"std::log(x)\";").empty());
+}
+
+TEST_CASE("no picture, and no file that a command reads, has a number that is a machine's own") {
+  std::vector<std::string> found = found_in_sources(machine_numbers);
+  CHECK(found.size() > 100);  // or they were not looked at: experiments have these
+  std::erase_if(found, [](const std::string& each) { return !makes_pictures(each); });
+  CHECK(found == std::vector<std::string>());
 }
 
 }  // namespace glassbox::test

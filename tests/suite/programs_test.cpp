@@ -103,7 +103,8 @@ fs::path found_in_path(const std::string& program) {
 }
 
 bool may_use_everything(const std::string& file) {
-  return file == "tests/run.sh" || file.starts_with("tests/browser/");
+  return file == "tests/run.sh" || file.starts_with("tests/arm64/") ||
+         file.starts_with("tests/browser/");
 }
 
 // What is wrong with the file's use of a program; empty: nothing. A word that is no program anywhere here is taken for a word.
@@ -113,7 +114,7 @@ std::string complaint(const std::string& file, const std::string& program,
   if (found == programs.end())
     return is_here ? file + " starts " + program + ", which tests/suite/programs.tsv lacks" : "";
   const std::string& from = found->second.from;
-  if (from == "all" || from == "browser" || from == "node") {
+  if (from == "all" || from == "arm64" || from == "browser" || from == "node") {
     if (!may_use_everything(file))
       return file + " starts " + program + ", which ./glassbox test does not install";
   }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include <glassbox/images/colour/power.h>
 #include <glassbox/images/srgb.h>
 
 namespace glassbox::views {
@@ -63,8 +64,8 @@ int prototype_of(const Eigen::Array3f& codes, float threshold) {
 Eigen::Array3f codes_of(const Light& light) {
   return light.unaryExpr([](float value) {
     const float clamped = std::clamp(value, 0.0f, 1.0f);
-    return 255 * (clamped <= 0.0031308f ? 12.92f * clamped
-                                        : 1.055f * std::pow(clamped, 1 / 2.4f) - 0.055f);
+    return 255 *
+           (clamped <= 0.0031308f ? 12.92f * clamped : 1.055f * power(clamped, 1 / 2.4f) - 0.055f);
   });
 }
 

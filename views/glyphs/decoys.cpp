@@ -4,7 +4,9 @@
 #include <cmath>
 #include <numeric>
 
+#include <glassbox/base/elementary.h>
 #include <glassbox/base/random.h>
+#include <glassbox/base/trig.h>
 #include <glassbox/images/srgb.h>
 
 #include "views/glyphs/colors.h"
@@ -32,7 +34,7 @@ std::array<int, 3> others_of(const GlyphCode& code) {
 // The light at (x, y) of something of radius 1; nothing beside it.
 std::optional<Light> light_at_decoy(const Decoy& decoy, double x, double y) {
   const GlyphCode code = code_of(decoy.identity);
-  const double radius = std::hypot(x, y);
+  const double radius = hypotenuse(x, y);
   const auto within = [&](double inner, double middle) {
     return light_of_prototype(code[radius < inner ? 0u : radius < middle ? 1u : 2u]);
   };
@@ -46,7 +48,7 @@ std::optional<Light> light_at_decoy(const Decoy& decoy, double x, double y) {
     }
     // Six wedges of the three other colours in the outer band.
     case GlyphRule::kOthers: {
-      const double turn = std::atan2(y, x) / 6.283185307179586 + 0.5;  // 0 .. 1
+      const double turn = arctan2(y, x) / 6.283185307179586 + 0.5;  // 0 .. 1
       const int wedge = int(6 * turn);
       if (radius >= kDiscRadii[1] && 6 * turn - wedge < 0.4)
         return light_of_prototype(others_of(code)[std::size_t(wedge % 3)]);
@@ -57,8 +59,8 @@ std::optional<Light> light_at_decoy(const Decoy& decoy, double x, double y) {
       return within(0.56, 0.79);
     // One centre for the outer disc, others for those in it.
     case GlyphRule::kCentroids: {
-      if (std::hypot(x - 0.55, y) < 1.0 / 3) return light_of_prototype(code[0]);
-      if (std::hypot(x - 0.3, y) < 2.0 / 3) return light_of_prototype(code[1]);
+      if (hypotenuse(x - 0.55, y) < 1.0 / 3) return light_of_prototype(code[0]);
+      if (hypotenuse(x - 0.3, y) < 2.0 / 3) return light_of_prototype(code[1]);
       return light_of_prototype(code[2]);
     }
     // The shares of discs in small squares, the same everywhere: an order by spread is one by chance.
@@ -134,7 +136,7 @@ DecoyScore score_decoys(const DecoyPicture& picture, const FindSettings& setting
     score.glyphs += !decoy.breaks;
     for (const GlyphRegion& region : found.regions) {
       const double off =
-          std::hypot(region.ellipse.centre.x() - decoy.x, region.ellipse.centre.y() - decoy.y);
+          hypotenuse(region.ellipse.centre.x() - decoy.x, region.ellipse.centre.y() - decoy.y);
       if (region.broken || off > kCell / 4.0) continue;
       if (decoy.breaks)
         ++score.taken[std::size_t(*decoy.breaks)];

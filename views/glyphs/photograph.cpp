@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <glassbox/base/elementary.h>
 #include <glassbox/base/random.h>
 #include <glassbox/base/trig.h>
 #include <glassbox/images/srgb.h>
@@ -119,9 +120,9 @@ Image<Rgba8> blurred(const Image<Rgba8>& picture, double deviation) {
   const int reach = int(std::ceil(3 * deviation));
   double all = 0;
   for (int k = 0; k <= reach; ++k)
-    all += (k == 0 ? 1 : 2) * std::exp(-k * k / (2 * deviation * deviation));
+    all += (k == 0 ? 1 : 2) * exponential(-k * k / (2 * deviation * deviation));
   for (int k = 0; k <= reach; ++k)
-    weights.push_back(float(std::exp(-k * k / (2 * deviation * deviation)) / all));
+    weights.push_back(float(exponential(-k * k / (2 * deviation * deviation)) / all));
   Lights lights;
   for (const Rgba8& pixel : picture.pixels) lights.emplace_back(light_of(pixel));
   lights = blurred_along(lights, picture.width, picture.height, true, weights);
@@ -182,7 +183,7 @@ Image<Rgba8> through_jpeg(const Image<Rgba8>& picture, int quality) {
 OccludedPicture occluded(const Image<Rgba8>& picture, double share, std::uint64_t seed) {
   OccludedPicture result{picture, Image<std::uint8_t>(picture.width, picture.height, 0)};
   Random random(seed);
-  const double half = picture.height / 32.0, size = std::hypot(picture.width, picture.height);
+  const double half = picture.height / 32.0, size = hypotenuse(picture.width, picture.height);
   const double wanted = std::min(share, 1.0) * double(picture.pixels.size());
   double covered = 0;
   while (covered < wanted) {

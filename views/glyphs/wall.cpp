@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <glassbox/base/elementary.h>
 #include <glassbox/images/srgb.h>
 #include <glassbox/mesh/builtin/placement.h>
 #include <glassbox/mesh/builtin/shapes.h>
@@ -33,7 +34,7 @@ Eigen::Vector3f light_at(const Wall& wall, int panel, double x, double y) {
   const int at = (panel * layout.rows + row) * layout.columns + column;
   if (at >= int(wall.glyphs.size())) return paper;
   const double radius =
-      std::hypot(x - (column + 0.5) * layout.pitch, y - (row + 0.5) * layout.pitch);
+      hypotenuse(x - (column + 0.5) * layout.pitch, y - (row + 0.5) * layout.pitch);
   const GlyphCode code = code_of(wall.glyphs[std::size_t(at)].identity);
   for (std::size_t band = 0; band < 3; ++band) {
     if (radius >= kDiscRadii[band] * wall.radius()) continue;
@@ -46,7 +47,7 @@ Eigen::Vector3f light_at(const Wall& wall, int panel, double x, double y) {
 // Whether no border of a disc is within `reach` of a point. Between the cells is paper.
 bool is_plain(const Wall& wall, double x, double y, double reach) {
   const double pitch = wall.layout.pitch;
-  const double radius = std::hypot(x - (std::floor(x / pitch) + 0.5) * pitch,
+  const double radius = hypotenuse(x - (std::floor(x / pitch) + 0.5) * pitch,
                                    y - (std::floor(y / pitch) + 0.5) * pitch);
   for (const double share : kDiscRadii) {
     if (std::abs(radius - share * wall.radius()) <= reach) return false;

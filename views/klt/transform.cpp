@@ -8,6 +8,7 @@
 #include <Eigen/SVD>
 
 #include <glassbox/base/rounding.h>
+#include <glassbox/base/trig.h>
 
 namespace glassbox::views {
 
@@ -177,7 +178,8 @@ std::vector<int> groups_of(const Eigen::VectorXd& eigenvalues, double resolution
 double angle_between(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   const Eigen::MatrixXd beside = b - a * (a.transpose() * b);
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(beside);
-  return std::asin(std::min(1.0, svd.singularValues()[0]));
+  const double sine = std::min(1.0, svd.singularValues()[0]);
+  return arctan2(sine, std::sqrt((1 - sine) * (1 + sine)));
 }
 
 double largest_correlation(const Bands& components) {

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include <glassbox/base/elementary.h>
+
 #include "views/polygons/cell_table.h"
 
 namespace glassbox::views {
@@ -62,7 +64,7 @@ struct Unexplained {
   // Bayesian information criterion (Schwarz 1978) a number must save the logarithm of how many pixels there are, in units of the variance that
   // one colour may have.
   double with_cost(std::int64_t of_pixels, double variance) const {
-    return squares + 3 * double(polygons) * std::log(double(of_pixels)) * variance;
+    return squares + 3 * double(polygons) * logarithm(double(of_pixels)) * variance;
   }
 };
 // Of two colours that are anywhere between 0 and 255: 2 * 255^2 / 12 for each of three channels.

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include <glassbox/base/elementary.h>
+
 namespace glassbox::views {
 
 namespace {
@@ -140,7 +142,7 @@ TextureErrors compare(const TexturedPicture& drawn, const CalibratedPicture& pic
   }
   errors.rms = covered > 0 ? std::sqrt(squares / (3 * double(covered)))
                            : std::numeric_limits<double>::quiet_NaN();
-  errors.psnr = 20 * std::log10(255 / errors.rms);
+  errors.psnr = 20 * logarithm_10(255 / errors.rms);
   if (errors.pixels > 0) errors.covered = double(covered) / double(errors.pixels);
   return errors;
 }

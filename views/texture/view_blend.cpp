@@ -7,13 +7,15 @@
 
 #include <Eigen/Geometry>
 
+#include <glassbox/base/trig.h>
+
 namespace glassbox::views {
 
 namespace {
 
 // Of two unit vectors, exact for small ones as well.
 double angle_between(const Vector3d& a, const Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
+  return arctan2(a.cross(b).norm(), a.dot(b));
 }
 
 void normalise(ViewWeights& weights) {

@@ -8,6 +8,8 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include <glassbox/base/trig.h>
+
 namespace glassbox::views {
 
 namespace {
@@ -144,7 +146,7 @@ void ViewSphere::join_circle(const std::vector<Vector3d>& apart,
   const Vector3d beside = normal.cross(apart[0]);
   std::vector<std::pair<double, std::size_t>> around;
   for (std::size_t i = 0; i < apart.size(); ++i)
-    around.emplace_back(std::atan2(apart[i].dot(beside), apart[i].dot(apart[0])), i);
+    around.emplace_back(arctan2(apart[i].dot(beside), apart[i].dot(apart[0])), i);
   std::ranges::sort(around);
   for (std::size_t i = 0; i < around.size(); ++i) {
     const std::size_t a = around[i].second, b = around[(i + 1) % around.size()].second;

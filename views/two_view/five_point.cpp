@@ -9,6 +9,8 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 
+#include <glassbox/base/elementary.h>
+
 #include "views/two_view/constraint.h"
 #include "views/two_view/linear_fit.h"
 
@@ -118,7 +120,7 @@ Eigen::Matrix<double, kMonomials, 1> monomials_at(const Vector3d& at) {
   Eigen::Matrix<double, kMonomials, 1> values;
   for (int i = 0; i < kMonomials; ++i) {
     const auto& [p, q, r] = kPowers[std::size_t(i)];
-    values[i] = std::pow(at.x(), p) * std::pow(at.y(), q) * std::pow(at.z(), r);
+    values[i] = whole_power(at.x(), p) * whole_power(at.y(), q) * whole_power(at.z(), r);
   }
   return values;
 }
@@ -131,8 +133,9 @@ Eigen::Matrix<double, kMonomials, 3> monomial_slopes_at(const Vector3d& at) {
       std::array<int, 3> powers = kPowers[std::size_t(i)];
       const int factor = powers[axis];
       powers[axis] = std::max(0, factor - 1);
-      slopes(i, Eigen::Index(axis)) = factor * std::pow(at.x(), powers[0]) *
-                                      std::pow(at.y(), powers[1]) * std::pow(at.z(), powers[2]);
+      slopes(i, Eigen::Index(axis)) = factor * whole_power(at.x(), powers[0]) *
+                                      whole_power(at.y(), powers[1]) *
+                                      whole_power(at.z(), powers[2]);
     }
   }
   return slopes;

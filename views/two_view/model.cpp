@@ -6,6 +6,8 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
+#include <glassbox/base/elementary.h>
+
 #include "views/two_view/homography.h"
 #include "views/two_view/linear_fit.h"
 #include "views/two_view/refinement.h"
@@ -26,7 +28,7 @@ constexpr ModelSize kFundamental{3, 7}, kHomography{2, 8}, kRotation{2, 3};
 template <class SquareOf>
 double criterion(const Matches& matches, double sigma, ModelSize size, const SquareOf& square_of) {
   const double count = double(matches.size());
-  double sum = std::log(4.0) * size.dimensions * count + std::log(4 * count) * size.parameters;
+  double sum = logarithm(4.0) * size.dimensions * count + logarithm(4 * count) * size.parameters;
   for (const Match& match : matches) {
     sum += std::min(square_of(match) / (sigma * sigma), 2.0 * (4 - size.dimensions));
   }
@@ -96,7 +98,7 @@ Result<PairJudgement> judge_pair(const Matches& pixels, const Matrix3d& left_int
   const double simpler = std::min(judgement.cost_of_homography, judgement.cost_of_rotation);
   const bool is_family = fit->system.rank() < 8 || judgement.eighth_over_ninth < 3;
   // Of a plane F is one of a family of two dimensions, whose best member has been fitted to the noise: two more parameters.
-  const double freedom = is_family ? 2 * std::log(4.0 * double(pixels.size())) : 0;
+  const double freedom = is_family ? 2 * logarithm(4.0 * double(pixels.size())) : 0;
   if (simpler <= judgement.cost_of_fundamental + freedom) {
     judgement.kind = judgement.cost_of_rotation == simpler ? PairKind::kTurned : PairKind::kPlane;
   } else if (is_family) {

@@ -7,6 +7,8 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
+#include <glassbox/base/trig.h>
+
 #include "views/two_view/triangulation.h"
 
 namespace glassbox::views {
@@ -54,7 +56,7 @@ std::optional<ChosenPose> pose_in_front(const Matrix3d& essential, const Matches
 }
 
 double direction_error(const Vector3d& estimated, const Vector3d& truth) {
-  return std::atan2(estimated.cross(truth).norm(), estimated.dot(truth));
+  return arctan2(estimated.cross(truth).norm(), estimated.dot(truth));
 }
 
 }  // namespace glassbox::views

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <glassbox/base/elementary.h>
 #include <glassbox/base/random.h>
 
 namespace glassbox::views {
@@ -42,10 +43,10 @@ Score score_of(const Matches& matches, const RansacModel& model, const Eigen::Ma
 }  // namespace
 
 double samples_needed(double inlier_share, int size, double confidence) {
-  const double good = std::pow(inlier_share, size);
+  const double good = whole_power(inlier_share, size);
   if (good >= 1) return 1;
   if (good <= 0) return std::numeric_limits<double>::infinity();
-  return std::max(1.0, std::log1p(-confidence) / std::log1p(-good));
+  return std::max(1.0, logarithm_1p(-confidence) / logarithm_1p(-good));
 }
 
 std::optional<RansacResult> ransac(const Matches& matches, const RansacModel& model,

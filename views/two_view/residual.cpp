@@ -4,6 +4,8 @@
 
 #include <Eigen/Geometry>
 
+#include <glassbox/base/elementary.h>
+
 namespace glassbox::views {
 
 namespace {
@@ -23,7 +25,7 @@ Lines lines_of(const Eigen::Matrix3d& matrix, const Match& match) {
 
 double sampson_distance(const Eigen::Matrix3d& matrix, const Match& match) {
   const Lines lines = lines_of(matrix, match);
-  return lines.value / std::hypot(lines.in_left.head<2>().norm(), lines.in_right.head<2>().norm());
+  return lines.value / hypotenuse(lines.in_left.head<2>().norm(), lines.in_right.head<2>().norm());
 }
 
 double epipolar_distance(const Eigen::Matrix3d& matrix, const Match& match) {
@@ -36,7 +38,7 @@ double transfer_distance(const Eigen::Matrix3d& homography, const Eigen::Matrix3
                          const Match& match) {
   const Eigen::Vector3d to_right = homography * match.left.homogeneous();
   const Eigen::Vector3d to_left = inverse * match.right.homogeneous();
-  return std::hypot((to_right.hnormalized() - match.right).norm(),
+  return hypotenuse((to_right.hnormalized() - match.right).norm(),
                     (to_left.hnormalized() - match.left).norm()) /
          std::sqrt(2.0);
 }

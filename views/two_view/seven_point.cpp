@@ -5,6 +5,8 @@
 
 #include <Eigen/LU>
 
+#include <glassbox/base/trig.h>
+
 #include "views/two_view/linear_fit.h"
 #include "views/two_view/polynomial.h"
 
@@ -42,7 +44,7 @@ Result<std::vector<Matrix3d>> seven_point(const Matches& pixels) {
   constexpr int kBases = 4;
   for (int i = 0; i < kBases; ++i) {
     const double angle = i * std::numbers::pi / kBases;
-    const double c = std::cos(angle), s = std::sin(angle);
+    const auto [s, c] = sin_cos(angle);
     const Matrix3d a = (c * kernel.col(0) + s * kernel.col(1)).reshaped<Eigen::RowMajor>(3, 3);
     const Matrix3d b = (-s * kernel.col(0) + c * kernel.col(1)).reshaped<Eigen::RowMajor>(3, 3);
     const Eigen::VectorXd determinant = determinant_of_pencil(a, b);

@@ -5,7 +5,9 @@
 #include <limits>
 #include <numbers>
 
+#include <glassbox/base/elementary.h>
 #include <glassbox/base/random.h>
+#include <glassbox/base/trig.h>
 #include <glassbox/render/renderer.h>
 
 namespace glassbox::views {
@@ -57,9 +59,10 @@ TrueMatch match_of(const KnownPicture& own, const KnownPicture& other, int x, in
 
 // Box and Muller.
 Vector2d gaussian(Random& random, double sigma) {
-  const double radius = sigma * std::sqrt(-2 * std::log1p(-random.unit()));
+  const double radius = sigma * std::sqrt(-2 * logarithm_1p(-random.unit()));
   const double angle = 2 * std::numbers::pi * random.unit();
-  return {radius * std::cos(angle), radius * std::sin(angle)};
+  const auto [sine, cosine] = sin_cos(angle);
+  return {radius * cosine, radius * sine};
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <glassbox/base/elementary.h>
+
 namespace glassbox::views {
 
 Result<VoxelGrid> grid_of(const WorldBox& box, double size, const Matrix3d& axes) {
@@ -42,7 +44,7 @@ double size_for(const WorldBox& box, int voxels_along) {
 }
 
 double size_for_total(const WorldBox& box, double voxels) {
-  return std::cbrt((box.high - box.low).prod() / voxels);
+  return cube_root((box.high - box.low).prod() / voxels);
 }
 
 }  // namespace glassbox::views

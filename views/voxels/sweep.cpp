@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include <glassbox/base/elementary.h>
+
 #include "views/voxels/blocks.h"
 
 namespace glassbox::views {
@@ -100,7 +102,7 @@ double Sweep::limit(std::int64_t pixels) const {
   if (pixels <= std::int64_t(kExactRatios)) return variance * ratios_[std::size_t(pixels)];
   const auto spread = [](double degrees) { return 2 / (9 * degrees); };
   const double known = 3 * double(kExactRatios - 1), degrees = 3 * double(pixels - 1);
-  const double normal = (std::cbrt(ratios_.back()) - 1 + spread(known)) / std::sqrt(spread(known));
+  const double normal = (cube_root(ratios_.back()) - 1 + spread(known)) / std::sqrt(spread(known));
   const double root = 1 - spread(degrees) + normal * std::sqrt(spread(degrees));
   return variance * root * root * root;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glassbox/base/elementary.h>
 #include <glassbox/render/renderer.h>
 
 namespace glassbox::views {
@@ -95,7 +96,7 @@ public:
     if (points.empty()) return;
     // About a point in a cell: few points far apart are not looked for in many empty ones.
     const Vector3d room = high - low_ + Vector3d::Constant(1);
-    cell_ = std::max(cell_, std::cbrt(room.prod() / double(points.size())));
+    cell_ = std::max(cell_, cube_root(room.prod() / double(points.size())));
     for (int axis = 0; axis < 3; ++axis)
       count_[std::size_t(axis)] = int((high[axis] - low_[axis]) / cell_) + 1;
     begin_.assign(std::size_t(count_[0]) * std::size_t(count_[1]) * std::size_t(count_[2]) + 1, 0);

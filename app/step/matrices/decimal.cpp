@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include <glassbox/base/elementary.h>
+
 namespace glassbox {
 
 Decimal simplest_decimal(double value, double uncertainty) {
@@ -36,7 +38,7 @@ std::string brief(double value, int digits) {
 
 std::string brief_triple(const glm::dvec3& v, int digits) {
   const double last =
-      std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) * std::pow(10.0, -digits);
+      std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) * power_of_ten(-digits);
   const auto shown = [&](double x) { return brief(std::abs(x) < last ? 0 : x, digits); };
   return "(" + shown(v.x) + ", " + shown(v.y) + ", " + shown(v.z) + ")";
 }

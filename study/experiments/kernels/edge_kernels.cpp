@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+// Before anything of Highway's: ARM's vectors whose size nobody knows (SVE), which fit into no array, are left out.
+#include <glassbox/raster/lanes/compiled_targets.h>
+
 // This file is compiled once for each instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "study/experiments/kernels/edge_kernels.cpp"

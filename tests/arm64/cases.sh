@@ -1,0 +1,40 @@
+#!/bin/sh
+# cases.sh: what the program of another machine is asked, one case a line: NAME<TAB>arguments of `glassbox`. They run in this order, in
+# a folder that has what images/golden has; some read what earlier ones wrote. All of it but the views comes from the golden images.
+set -eu
+
+golden=$(CDPATH='' cd -- "$(dirname -- "$0")/../../images/golden" && pwd -P)
+tab=$(printf '\t')
+
+# Every golden command by the engine that is fastest here, by the stages, and by vectors that the compiler makes of plain numbers.
+grep -v '^#' "$golden/commands.txt" | while IFS="$tab" read -r file arguments; do
+  name=${file%.png}
+  printf '%s\t%s -o %s-made.png\n' "$name" "$arguments" "$name"
+  case $arguments in
+  render*)
+    printf '%s by the stages\t%s --engine staged -o %s-staged.png\n' "$name" "$arguments" "$name"
+    printf '%s by plain numbers\t%s --engine tile --target scalar --threads 2 --no-plan -o %s-scalar.png\n' \
+      "$name" "$arguments" "$name"
+    ;;
+  esac
+done
+
+# Their scenes, step by step and as data.
+grep -v '^#' "$golden/commands.txt" | sed -n "s/^[^$tab]*${tab}render \([^ ]*\).*/\1/p" | sort -u | while read -r scene; do
+  name=$(printf %s "$scene" | tr '/:' '--')
+  printf 'step %s\tstep %s --size 320x180 --json\n' "$scene" "$scene"
+  printf 'trace %s\ttrace %s --size 64x36 -o %s-trace.json\n' "$scene" "$scene" "$name"
+  printf 'arrays %s\ttrace %s --size 64x36 -o %s-trace.npz\n' "$scene" "$scene" "$name"
+done
+
+# What is computed from pictures, as files: cameras, layers, shapes, textures, glyphs, depths.
+cat <<'TEXT' | sed "s/: /$tab/"
+cameras: views geometry --scene room --size 320x240 --move 0.3,0.02,0.03 --turn -6,1,2 --noise 0.2 --cameras-out cameras.txt --pair-out left.png right.png
+depths: views match left.png right.png --cameras cameras.txt --range -10,60 --rectified-out l.png r.png --depth-out turned.pfm
+layers: views layers build room --size 150x150 -o room.ldi
+warped: views layers draw room.ldi --eye 1.75,1.62,-0.3 --look-at 0.68,1.39,-2.46 -o warped.png
+ring: views ring teapot -o ring
+voxels: views voxels ring --resolution 32 -o voxels.ply
+polygons: views polygons ring --resolution 32 -o polygons.glb
+sheet: views glyphs sheet -o sheet.png --pitch 28 --diameter 21
+TEXT
