@@ -181,4 +181,21 @@ TEST_CASE("CMake configures the project without a warning, of what is deprecated
   CHECK(fine.out.find("Deprecation") == std::string::npos);
 }
 
+// Editors read more of it than is known here: it is JSON, and what it names is there.
+TEST_CASE("the container for editors in a cloud installs what the launcher would") {
+  const fs::path folder = kClone / ".devcontainer";
+  CHECK(run_program("/usr/bin/env",
+                    {"python3", "-c",
+                     "import json\n"
+                     "file = json.load(open('devcontainer.json'))\n"
+                     "assert file['postCreateCommand'] == './glassbox'\n"
+                     "open(file['build']['dockerfile'])\n"
+                     "open(file['build']['context'] + '/cmake/setup.sh')\n"},
+                    folder.string())
+            .exit_code == 0);
+  const std::string text = read_whole(folder / "Containerfile");
+  CHECK(text.find("FROM debian:trixie\n") != std::string::npos);
+  CHECK(text.find("install_packages needed tests") != std::string::npos);
+}
+
 }  // namespace glassbox::test
