@@ -22,7 +22,8 @@ clang++, without optimisation and under the sanitizers,
 ThreadSanitizer, every planted fault against every extreme case,
 100,000 small scenes by each way of drawing, a minute of each fuzzer,
 the HTML pages in a browser, the pages that Doxygen makes of the
-headers, and clang-tidy.
+headers, clang-tidy, and README's two commands and the packages on bare
+Debians 12 and 13 (root only, hours).
 
 Parts, for one of them again:
   test           all tests, g++ -O3     sanitize-some  a few, sanitized
@@ -32,7 +33,8 @@ Parts, for one of them again:
   mutants        all planted faults     api            Doxygen's pages
   browser        the HTML pages
   long-pages     slow lines of docs     tidy           clang-tidy
-  scenes         100,000 small scenes
+  scenes         100,000 small scenes   chroots        bare Debians 12, 13
+  package        installed on them
 TEXT
 }
 
@@ -153,11 +155,22 @@ run_browser() {
   count "browser" "$status"
 }
 
+# The version that the sources are formatted with: Debian 12 and 13 both have it. Others break some lines otherwise.
+formatter() {
+  for each in clang-format-19 clang-format; do
+    if have "$each" && "$each" --version | grep -q 'version 19\.'; then
+      echo "$each"
+      return
+    fi
+  done
+}
+
 check_format() {
-  have clang-format || { skip "format (no clang-format)"; return 0; }
+  formatter=$(formatter)
+  [ -n "$formatter" ] || { skip "format (no clang-format 19)"; return 0; }
   status=0
   find "$root" \( -path "$root/build" -o -path "$root/.git" \) -prune -o \
-    \( -name '*.h' -o -name '*.cpp' \) -exec clang-format --dry-run -Werror {} + >&2 || status=$?
+    \( -name '*.h' -o -name '*.cpp' \) -exec "$formatter" --dry-run -Werror {} + >&2 || status=$?
   count "format" "$status"
 }
 
@@ -205,8 +218,23 @@ run_tidy() {
   count "clang-tidy" "$status"
 }
 
+# run_in_chroots PART SCRIPT: a script of tests/chroots, for each Debian that is known to work.
+run_in_chroots() {
+  . "$root/tests/chroots/chroot.sh"
+  why=$(why_no_chroots)
+  if [ -n "$why" ]; then
+    skip "$1 ($why)"
+    return 0
+  fi
+  for suite in bookworm trixie; do
+    status=0
+    "$root/tests/chroots/$2.sh" "$suite" || status=$?
+    count "$1: $suite" "$status"
+  done
+}
+
 plain="test format sanitize-some"
-all="test format debug clang++ sanitize threads mutants scenes fuzz browser long-pages api tidy"
+all="test format debug clang++ sanitize threads mutants scenes fuzz browser long-pages api tidy chroots package"
 
 run_part() {
   case $1 in
@@ -226,6 +254,9 @@ run_part() {
   long-pages) run_long long-pages docs "[.long]" "the lines of docs that take long" ;;
   api) run_doxygen ;;
   tidy) run_tidy ;;
+  # README's two commands, and what is installed in place of them.
+  chroots) run_in_chroots chroots fresh ;;
+  package) run_in_chroots package package ;;
   esac
 }
 

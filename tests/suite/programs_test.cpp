@@ -58,7 +58,9 @@ std::map<std::string, Words> sections() {
     if (word.front() == '[') {
       section = word.substr(1, word.size() - 2);
     } else {
-      all[section].insert(word);
+      do {
+        if (word != "|") all[section].insert(word);
+      } while (words >> word);
     }
   }
   return all;
