@@ -9,10 +9,10 @@ foreach(part ${parts})
 endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/include/glassbox/glassbox.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/glassbox)
 
-set(targets ${parts})
-list(TRANSFORM targets PREPEND glassbox_)
+set(archives ${parts})
+list(TRANSFORM archives PREPEND glassbox_)
 set_target_properties(glassbox_flags PROPERTIES EXPORT_NAME flags)
-install(TARGETS glassbox glassbox_flags ${targets} EXPORT glassbox
+install(TARGETS glassbox glassbox_flags ${archives} EXPORT glassbox
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 # What `glassbox lab` hands out and compiles students' code with; the judges are in the program. Solutions and hidden cases are among
 # it, unless it is for students.

@@ -14,7 +14,7 @@ if(GLASSBOX_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${GLASSBOX_CCACHE})
 endif()
 
-option(GLASSBOX_WERROR "Treat warnings as errors, those of g++ 12 and clang++ 14: other compilers have others" OFF)
+option(GLASSBOX_WERROR "Treat warnings as errors, those of g++ 12, 14 and clang++ 14, 19: other compilers have others" OFF)
 option(GLASSBOX_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
 option(GLASSBOX_SOME_TESTS "Build only the tests that ./glassbox test runs under the sanitizers" OFF)
 option(GLASSBOX_TOGETHER "Compile sources together where that is quicker" ON)
@@ -35,7 +35,7 @@ target_compile_options(glassbox_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fno-tr
 target_compile_features(glassbox_flags INTERFACE cxx_std_20)
 
 add_library(glassbox_warnings INTERFACE)
-string(REGEX MATCH "^(GNU 12|Clang 14)\\." known "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
+string(REGEX MATCH "^(GNU 12|GNU 14|Clang 14|Clang 19)\\." known "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
 if(GLASSBOX_WERROR AND known)
   target_compile_options(glassbox_warnings INTERFACE -Werror)
 endif()

@@ -52,47 +52,79 @@ with_progress() {
   return $status
 }
 
-# packages_of SECTION...: their names in cmake/packages.txt.
+# packages_of SECTION...: their names in cmake/packages.txt, alternatives as one word, "a|b".
 packages_of() {
   for section in "$@"; do
-    sed -n "/^\[$section]/,/^\[/ { s/#.*//; s/[[:space:]]*\$//; /^\[/d; /^\$/d; p }" \
+    sed -n "/^\[$section]/,/^\[/ { s/#.*//; s/[[:space:]]//g; /^\[/d; /^\$/d; p }" \
       "$root/cmake/packages.txt"
   done
 }
 
-# missing_packages SECTION...: those not installed. Where there is no dpkg, CMake will say what it does not find.
+# missing_packages SECTION...: those not installed, alternatives as one word where none of them is. Where there is no dpkg, CMake will
+# say what it does not find.
 missing_packages() {
   command -v dpkg-query >/dev/null 2>&1 || return 0
   wanted=$(packages_of "$@")
-  # shellcheck disable=SC2086  # one word a package
-  installed=$(dpkg-query -W -f='${Package} ${db:Status-Status}\n' $wanted 2>/dev/null |
+  # shellcheck disable=SC2046  # one word a package
+  installed=$(dpkg-query -W -f='${Package} ${db:Status-Status}\n' $(printf '%s\n' "$wanted" | tr '|' ' ') 2>/dev/null |
     sed -n 's/ installed$//p')
   for package in $wanted; do
-    printf '%s\n' "$installed" | grep -qxF -e "$package" || printf '%s\n' "$package"
+    printf '%s\n' "$package" | tr '|' '\n' | grep -qxF -e "$installed" || printf '%s\n' "$package"
   done
+}
+
+# choose_packages WORD...: of each word "a|b" the first that apt knows, the first of all where it knows none. What apt knows is read
+# by "apt-get update".
+choose_packages() {
+  for word in "$@"; do
+    chosen=${word%%|*}
+    case $word in
+    *"|"*)
+      for package in $(printf '%s\n' "$word" | tr '|' ' '); do
+        if apt-cache show "$package" >/dev/null 2>&1; then
+          chosen=$package
+          break
+        fi
+      done
+      ;;
+    esac
+    printf '%s\n' "$chosen"
+  done
+}
+
+# install_command WORD...: what installs these packages.
+install_command() {
+  # shellcheck disable=SC2046  # one word a package
+  echo apt-get install --no-install-recommends -y $(choose_packages "$@")
 }
 
 # install_packages SECTION...: returns 3 after naming the command where it may not install.
 install_packages() {
-  missing=$(missing_packages "$@" | tr '\n' ' ')
-  missing=${missing% }
+  missing=$(missing_packages "$@")
   [ -n "$missing" ] || return 0
-  command="apt-get install --no-install-recommends -y $missing"
   if [ "$(id -u)" = 0 ]; then
     become=
   elif command -v sudo >/dev/null 2>&1; then
     become=sudo
   else
     say "These packages are missing and only root may install them. Run this as root, then try again:"
-    say "  apt-get update && $command"
+    # shellcheck disable=SC2086  # one word a package
+    say "  apt-get update && $(install_command $missing)"
     return 3
   fi
-  say "installing $missing ..."
-  for step in "apt-get update" "$command"; do
+  say "asking apt for packages ..."
+  for step in update install; do
+    command="apt-get update"
+    if [ $step = install ]; then
+      # shellcheck disable=SC2086
+      command=$(install_command $missing)
+      say "installing ${command#* -y } ..."
+    fi
     # shellcheck disable=SC2086
-    quietly "$root/build/packages.log" $become env DEBIAN_FRONTEND=noninteractive $step \
+    quietly "$root/build/packages.log" $become env DEBIAN_FRONTEND=noninteractive $command \
       -o DPkg::Lock::Timeout=300 && continue
-    say "Install them yourself, then try again: apt-get update && $command"
+    # shellcheck disable=SC2086
+    say "Install them yourself, then try again: apt-get update && $(install_command $missing)"
     return 3
   done
 }

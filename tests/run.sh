@@ -23,7 +23,8 @@ ThreadSanitizer, every planted fault against every extreme case,
 100,000 small scenes by each way of drawing, thousands of pictures by
 each instruction set and number of threads, a minute of each fuzzer,
 the HTML pages in a browser, the pages that Doxygen makes of the
-headers, what a 64-bit ARM machine draws, and clang-tidy.
+headers, what a 64-bit ARM machine draws, clang-tidy, and README's two
+commands and the packages on bare Debians 12 and 13 (root only, hours).
 
 Parts, for one of them again:
   test           all tests, g++ -O3     sanitize-some  a few, sanitized
@@ -34,7 +35,8 @@ Parts, for one of them again:
   browser        the HTML pages
   long-pages     slow lines of docs     tidy           clang-tidy
   scenes         100,000 small scenes   same-bytes     what pictures give
-  arm64          the bytes of 64-bit ARM
+  arm64          the bytes of ARM       chroots        bare Debians 12, 13
+  package        installed on them
 TEXT
 }
 
@@ -155,11 +157,22 @@ run_browser() {
   count "browser" "$status"
 }
 
+# The version that the sources are formatted with: Debian 12 and 13 both have it. Others break some lines otherwise.
+formatter() {
+  for each in clang-format-19 clang-format; do
+    if have "$each" && "$each" --version | grep -q 'version 19\.'; then
+      echo "$each"
+      return
+    fi
+  done
+}
+
 check_format() {
-  have clang-format || { skip "format (no clang-format)"; return 0; }
+  formatter=$(formatter)
+  [ -n "$formatter" ] || { skip "format (no clang-format 19)"; return 0; }
   status=0
   find "$root" \( -path "$root/build" -o -path "$root/.git" \) -prune -o \
-    \( -name '*.h' -o -name '*.cpp' \) -exec clang-format --dry-run -Werror {} + >&2 || status=$?
+    \( -name '*.h' -o -name '*.cpp' \) -exec "$formatter" --dry-run -Werror {} + >&2 || status=$?
   count "format" "$status"
 }
 
@@ -245,8 +258,23 @@ run_tidy() {
   count "clang-tidy" "$status"
 }
 
+# run_in_chroots PART SCRIPT: a script of tests/chroots, for each Debian that is known to work.
+run_in_chroots() {
+  . "$root/tests/chroots/chroot.sh"
+  why=$(why_no_chroots)
+  if [ -n "$why" ]; then
+    skip "$1 ($why)"
+    return 0
+  fi
+  for suite in bookworm trixie; do
+    status=0
+    "$root/tests/chroots/$2.sh" "$suite" || status=$?
+    count "$1: $suite" "$status"
+  done
+}
+
 plain="test format sanitize-some"
-all="test format debug clang++ sanitize threads mutants scenes same-bytes fuzz browser long-pages api arm64 tidy"
+all="test format debug clang++ sanitize threads mutants scenes same-bytes fuzz browser long-pages api arm64 tidy chroots package"
 
 run_part() {
   case $1 in
@@ -269,6 +297,9 @@ run_part() {
   api) run_doxygen ;;
   arm64) run_arm64 ;;
   tidy) run_tidy ;;
+  # README's two commands, and what is installed in place of them.
+  chroots) run_in_chroots chroots fresh ;;
+  package) run_in_chroots package package ;;
   esac
 }
 

@@ -1,4 +1,9 @@
 // The body of a function that returns the `kKernels` that were compiled for `target`: included between its braces.
+#if HWY_ARCH_X86
+static_assert((HWY_TARGETS & ~(HWY_AVX3 | HWY_AVX2 | HWY_SSE4 | HWY_SCALAR)) == 0,
+              "compiled for an instruction set that is never asked for: "
+              "raster/lanes/compiled_targets.h");
+#endif
 switch (target) {
 #if (GLASSBOX_LANES & HWY_AVX3) != 0
   case Target::kAvx512:

@@ -260,7 +260,7 @@ private:
       return;
     }
     for (int quad = 0; quad < kBlockQuads; ++quad) {
-      HWY_ALIGN std::int32_t of_quad[kQuadPixels];
+      HWY_ALIGN std::int32_t of_quad[kQuadPixels] = {};  // g++ 14 cannot see: all is loaded
       load_quad(of_quad, color_, tile_.window(), x + (quad % 2) * kQuadSide,
                 y + (quad / 2) * kQuadSide);
       for (std::size_t k = 0; k < kQuadVectors; ++k) {

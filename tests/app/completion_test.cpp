@@ -8,6 +8,7 @@
 
 #include "tests/app/text.h"
 #include "tests/support/skip.h"
+#include "tests/support/terminal.h"
 
 namespace glassbox::test {
 namespace {
@@ -101,6 +102,7 @@ TEST_CASE("every option of every subcommand is in the scripts and in the manual"
 
 // The keys are typed on a terminal, as script(1) gives it; what bash makes of the TAB is run.
 TEST_CASE("the TAB key completes in an interactive bash") {
+  NEED_PSEUDO_TERMINAL();
   Workplace here;
   with_script(here, "bash");
   here.write("rc",
@@ -116,7 +118,7 @@ TEST_CASE("the TAB key completes in an interactive bash") {
 
 // ---- zsh and fish ----
 
-TEST_CASE("zsh reads its script without a complaint and completes with it") {
+TEST_CASE("zsh reads its script without a complaint") {
   Workplace here;
   with_script(here, "zsh");
   const std::string script = here.read("script");
@@ -127,6 +129,13 @@ TEST_CASE("zsh reads its script without a complaint and completes with it") {
     SKIP_TEST("zsh is not there: only the script's structure was looked at");
   }
   CHECK(in_shell(here, "zsh -n script").exit_code == 0);
+}
+
+TEST_CASE("the TAB key completes in an interactive zsh") {
+  NEED_PSEUDO_TERMINAL();
+  if (!is_there("zsh")) SKIP_TEST("zsh is not there");
+  Workplace here;
+  with_script(here, "zsh");
   here.write("rc",
              "autoload -U compinit; compinit -u -d ./dump\nsource ./script\nPS1=\n"
              "unsetopt beep\nglassbox() { printf '<%s>' \"$@\" }\n");

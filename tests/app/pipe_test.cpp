@@ -8,6 +8,7 @@
 
 #include "tests/app/text.h"
 #include "tests/support/skip.h"
+#include "tests/support/terminal.h"
 
 #include <glassbox/mesh/formats/load_memory.h>
 
@@ -47,7 +48,7 @@ TEST_CASE("with -o - what is asked for in words goes to standard error or to fil
   CHECK(stereo.err.empty());
 }
 
-TEST_CASE("standard output takes one thing, and no picture goes to a terminal") {
+TEST_CASE("standard output takes one thing") {
   const Workplace here;
   check_refused(here.run("render cube -o - --json -"), {"--json -", "standard output"});
   check_refused(here.run("render cube --frames 3 --turntable -o -"), {"-o -", "many pictures"});
@@ -56,6 +57,11 @@ TEST_CASE("standard output takes one thing, and no picture goes to a terminal") 
   check_refused(here.run("render cube --frames 3 --turntable --format ppm"), {"--format"});
   check_refused(here.run("render cube -o - --format jpg"), {"png|ppm"});
   CHECK(here.names().empty());
+}
+
+TEST_CASE("no picture goes to a terminal") {
+  NEED_PSEUDO_TERMINAL();
+  const Workplace here;
   // script(1) of bsdutils gives the program a terminal.
   const Outcome terminal =
       in_shell(here, "script -qec \"$0 render cube --size 8x8 -o -\" /dev/null </dev/null");
@@ -149,6 +155,12 @@ TEST_CASE("standard input that is no scene is refused") {
     INFO(line);
     check_refused(in_shell(here, line), {part});
   }
+  CHECK(here.names().empty());
+}
+
+TEST_CASE("no scene is read from a terminal") {
+  NEED_PSEUDO_TERMINAL();
+  const Workplace here;
   const Outcome terminal = in_shell(here, "script -qec \"$0 info -\" /dev/null < /dev/null");
   CHECK(terminal.exit_code == 2);
   CHECK(contains(terminal.out, "standard input: is a terminal"));

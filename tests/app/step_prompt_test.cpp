@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/app/text.h"
+#include "tests/support/terminal.h"
 
 namespace glassbox::test {
 namespace {
@@ -100,6 +101,7 @@ private:
 const std::vector<std::string> kStep{"step", "cube", "--triangle", "10", "--size", "64x48"};
 
 TEST_CASE("arrow up recalls the last command, and it can be edited") {
+  NEED_PSEUDO_TERMINAL();
   PseudoTerminal terminal(kStep, "xterm");
   terminal.until("object 1/10> ");
   terminal.type("vertex 1\n");
@@ -123,6 +125,7 @@ TEST_CASE("arrow up recalls the last command, and it can be edited") {
 }
 
 TEST_CASE("the tabulator completes commands, stages, options and their words") {
+  NEED_PSEUDO_TERMINAL();
   PseudoTerminal terminal(kStep, "xterm");
   terminal.until("object 1/10> ");
   terminal.type("frag\t\n");
@@ -142,6 +145,7 @@ TEST_CASE("the tabulator completes commands, stages, options and their words") {
 
 // Between two prompts the terminal edits lines itself, and makes NUL of a Control-D that is read only afterwards.
 TEST_CASE("the end of the input ends the prompt also where it was typed ahead of it") {
+  NEED_PSEUDO_TERMINAL();
   PseudoTerminal terminal(kStep, "xterm");
   terminal.until("object 1/10> ");
   terminal.type(std::string(1, '\0'));
@@ -149,6 +153,7 @@ TEST_CASE("the end of the input ends the prompt also where it was typed ahead of
 }
 
 TEST_CASE("a terminal that can do nothing has the plain prompt") {
+  NEED_PSEUDO_TERMINAL();
   PseudoTerminal terminal(kStep, "dumb");
   terminal.until("object 1/10> ");
   terminal.type("\n");

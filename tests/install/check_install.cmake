@@ -5,6 +5,10 @@ function(run)
   if(NOT result EQUAL 0)
     message(FATAL_ERROR "${ARGV}\nended with ${result}:\n${output}")
   endif()
+  # CMake warns of policies and modules that a later one no longer has.
+  if(output MATCHES "CMake[A-Za-z ]* Warning")
+    message(FATAL_ERROR "${ARGV}\nwarns:\n${output}")
+  endif()
   message("${output}")
 endfunction()
 

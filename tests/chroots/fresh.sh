@@ -1,0 +1,34 @@
+#!/bin/sh
+# tests/chroots/fresh.sh SUITE: README's two commands on a Debian of that name (bookworm, trixie) that has nothing but git. Their lines
+# appear on standard error, each with the seconds since its command began; the whole of them is in build/chroots. Then builds the
+# packages there, which tests/chroots/package.sh installs. Ends with 0 if everything passed.
+set -eu
+
+root=$(CDPATH='' cd -- "$(dirname -- "$(readlink -f -- "$0")")/../.." && pwd -P)
+. "$root/cmake/setup.sh"
+. "$root/tests/chroots/chroot.sh"
+
+suite=$1
+chroot=$root/build/chroots/$suite
+log=$root/build/chroots/$suite-times
+
+# run_command COMMAND: in the clone. The last line of the log is how it ended.
+run_command() {
+  say "$suite: $1"
+  {
+    status=0
+    in_chroot "$chroot" "cd /root/glassbox && $1" 2>&1 || status=$?
+    echo "ended with $status"
+  } | with_times | tee -a "$log" | without_steps >&2
+  tail -n 1 "$log" | grep -q 's  ended with 0$'
+}
+
+: >"$log"
+bare_chroot "$suite" "$chroot" git
+clone_into "$chroot"
+failed=0
+run_command ./glassbox || failed=1
+run_command "./glassbox test" || failed=1
+if [ "$failed" = 0 ]; then keep_packages "$chroot" "$suite" || failed=1; fi
+rm -rf --one-file-system "$chroot"
+exit "$failed"

@@ -1,0 +1,31 @@
+#!/bin/sh
+# tests/chroots/package.sh SUITE: the packages that a Debian of that name (bookworm, trixie) makes, installed on another one that has
+# neither the sources nor git, and used there as a student and a programmer do. The packages of this commit are those that
+# tests/chroots/fresh.sh has left in build/chroots, or they are built now.
+set -eu
+
+root=$(CDPATH='' cd -- "$(dirname -- "$(readlink -f -- "$0")")/../.." && pwd -P)
+. "$root/cmake/setup.sh"
+. "$root/tests/chroots/chroot.sh"
+
+suite=$1
+chroot=$root/build/chroots/$suite
+kept=$root/build/chroots/$suite-packages
+
+if [ "$(cat "$kept/commit" 2>/dev/null)" != "$(git -C "$root" rev-parse HEAD)" ]; then
+  say "package: building it on $suite ..."
+  bare_chroot "$suite" "$chroot" git
+  clone_into "$chroot"
+  keep_packages "$chroot" "$suite"
+fi
+
+say "package: installing it on $suite ..."
+bare_chroot "$suite" "$chroot"
+mkdir "$chroot/root/trial"
+cp "$kept"/*.deb "$kept"/*.tar.gz "$root/images/golden/readme.png" "$root/tests/chroots/trial.sh" "$chroot/root/trial"
+cp -r "$root/tests/install/consumer" "$chroot/root/trial"
+status=0
+in_chroot "$chroot" "sh -eux /root/trial/trial.sh" >"$root/build/chroots/$suite-trial.log" 2>&1 || status=$?
+if [ "$status" != 0 ]; then tail -n 60 "$root/build/chroots/$suite-trial.log" >&2; fi
+rm -rf --one-file-system "$chroot"
+exit "$status"
