@@ -17,22 +17,26 @@ usage: ./glassbox test [--all | PART ...]
 
 Builds the tests with g++, every warning an error, and runs them; then
 the format of the sources, and some tests of each folder under the
-sanitizers. --all adds what needs more tools and time: all tests with
-clang++, without optimisation and under the sanitizers,
-ThreadSanitizer, every planted fault against every extreme case,
-100,000 small scenes by each way of drawing, thousands of pictures by
-each instruction set and number of threads, a minute of each fuzzer,
-the HTML pages in a browser, the pages that Doxygen makes of the
-headers, what a 64-bit ARM machine draws, clang-tidy, and README's two
-commands and the packages on bare Debians 12 and 13 (root only, hours).
+sanitizers. A run has a share of the faults that are planted in labs
+and engines, of the labs that draw and of the hostile submissions:
+another share every day, with some of each kind. SEED=N ./glassbox test
+repeats that of day N; a run prints its seed. --all adds what needs
+more tools and time: all tests with clang++, without optimisation and
+under the sanitizers, ThreadSanitizer, every planted fault of the labs,
+every one of the engines against every extreme case, 100,000 small
+scenes by each way of drawing, thousands of pictures by each
+instruction set and number of threads, a minute of each fuzzer, the
+HTML pages in a browser, the pages that Doxygen makes of the headers,
+what a 64-bit ARM machine draws, clang-tidy, and README's two commands
+and the packages on bare Debians 12 and 13 (root only, hours).
 
 Parts, for one of them again:
   test           all tests, g++ -O3     sanitize-some  a few, sanitized
   format         of the sources         sanitize       all, sanitized
   debug          all tests, g++ -O0     threads        ThreadSanitizer
   clang++        all tests, clang++     fuzz           a minute of each
-  mutants        all planted faults     api            Doxygen's pages
-  browser        the HTML pages
+  faults         all of the labs        api            Doxygen's pages
+  mutants        all of the engines     browser        the HTML pages
   long-pages     slow lines of docs     tidy           clang-tidy
   scenes         100,000 small scenes   same-bytes     what pictures give
   arm64          the bytes of ARM       chroots        bare Debians 12, 13
@@ -176,13 +180,13 @@ check_format() {
   count "format" "$status"
 }
 
-# run_long NAME SUITE TAG WHAT: cases that take too long for the tests of every day.
+# run_long NAME SUITE TAG WHAT [FOLDER]: cases that take too long for the tests of every day, of a suite that is in tests/FOLDER.
 run_long() {
   build_preset test "test_$2" || { count "$1: build" 1; return 0; }
   say "$1: running ..."
   log=$root/build/$1.log
   status=0
-  "$(directory_of test)/tests/$2/test_$2" "$3" >"$log" 2>&1 </dev/null || status=$?
+  "$(directory_of test)/tests/${5:-$2}/test_$2" "$3" >"$log" 2>&1 </dev/null || status=$?
   if [ "$status" != 0 ]; then tail -n 60 "$log" >&2; fi
   count "$1: $4" "$status"
 }
@@ -274,7 +278,7 @@ run_in_chroots() {
 }
 
 plain="test format sanitize-some"
-all="test format debug clang++ sanitize threads mutants scenes same-bytes fuzz browser long-pages api arm64 tidy chroots package"
+all="test format debug clang++ sanitize threads faults mutants scenes same-bytes fuzz browser long-pages api arm64 tidy chroots package"
 
 run_part() {
   case $1 in
@@ -285,7 +289,13 @@ run_part() {
   clang++) if have clang++; then run_suites clang "clang++ -O3"; else skip "clang++ -O3 (no clang++)"; fi ;;
   sanitize) run_suites sanitize "sanitizers" ;;
   threads) run_threads ;;
-  # Each fault against every extreme case. (The tests have each fault and the case that is named for it.)
+  # Of which the tests have a share a day: one in eight of the labs' faults, and one in three or four of what has a program of its own.
+  faults)
+    run_long faults all_labs "[.faults]" "all that are planted in the labs" labs/framework
+    run_long faults-drawn lab_drawings "[.faults]" "every lab draws and is measured" labs/drawing
+    run_long faults-graded lab_grading "[.faults]" "every hostile kind in every sandbox" labs/grading
+    ;;
+  # Each fault against every extreme case. (The tests have one fault in four, and the case that is named for it.)
   mutants) run_long mutants mutants "[.page]" "the page is what comes of it" ;;
   # All of the small scenes of which the tests have the first.
   scenes) run_long scenes render "[.small-scenes]" "100,000 small ones" ;;
@@ -321,6 +331,16 @@ for word in "$@"; do
     ;;
   esac
 done
+
+# Which share of the planted faults this run has (tests/support/share.h).
+SEED=${SEED:-$(($(date +%s) / 86400))}
+case $SEED in *[!0-9]* | ??????????????????*)
+  say "SEED is '$SEED', which is not a number of 1 to 17 digits: give one, or none"
+  exit 2
+  ;;
+esac
+export SEED
+say "planted faults: the share of SEED=$SEED"
 
 locked install_packages needed tests || exit
 if [ -n "$parts" ]; then

@@ -1,16 +1,19 @@
 // Every fault of faults.cmake is found by the extreme case that is named for it: drawn by some engine, the case is wrong. And
-// docs/mutants.md says so.
+// docs/mutants.md says so. Every run has one fault in four of every file, so that four days have them all; "[.page]" has each.
 #include <tests/support/catch.h>
 
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <map>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "study/extremes/run.h"
 #include "tests/mutants/planted.h"
+#include "tests/support/share.h"
 
 namespace glassbox::study {
 namespace {
@@ -79,21 +82,53 @@ std::string page() {
   return text.str();
 }
 
-TEST_CASE("each planted fault is found by its case, and the page has it") {
-  const std::string text = page();
-  REQUIRE(all_drawn_right());
-  CHECK(faults().size() >= 40);
+constexpr std::size_t kDays = 4;
+
+// Those faults of every file that have their turn.
+std::vector<const Fault*> faults_drawn(const test::Share& share) {
+  std::map<std::string, std::size_t> sizes, positions;
+  for (const Fault& fault : faults()) ++sizes[fault.file];
+  std::vector<const Fault*> all;
   for (const Fault& fault : faults()) {
-    const ExtremeCase* extreme = find_case(fault.found_by);
-    INFO(fault.number << ", " << fault.file << ": " << fault.what << "; " << fault.found_by);
+    if (share.has(positions[fault.file]++, sizes[fault.file])) all.push_back(&fault);
+  }
+  return all;
+}
+
+TEST_CASE("planted faults of every file are found by their cases, and the page has them") {
+  const test::Share share(kDays);
+  const std::string text = page();
+  std::set<const ExtremeCase*> seen;
+  for (const Fault* fault : faults_drawn(share)) {
+    const ExtremeCase* extreme = find_case(fault->found_by);
+    INFO(fault->number << ", " << fault->file << ": " << fault->what << "; " << fault->found_by
+                       << ", " << share.text());
     REQUIRE(extreme != nullptr);
     REQUIRE(extreme->drawn);
-    const Planted planted(fault.number);
+    // What is right is worked out once, when a case is first drawn.
+    if (seen.insert(extreme).second) REQUIRE_FALSE(any(drawn_wrong(*extreme)));
+    const Planted planted(fault->number);
     const std::vector<bool> wrong = drawn_wrong(*extreme);
     CHECK(any(wrong));
-    const std::string row = row_of(fault, engines_of(wrong), "");
+    const std::string row = row_of(*fault, engines_of(wrong), "");
     CHECK(text.find(row.substr(0, row.rfind(" | -"))) != std::string::npos);
   }
+}
+
+TEST_CASE("four days have every planted fault, and every day some of every file") {
+  CHECK(faults().size() >= 40);
+  std::set<std::string> files;
+  for (const Fault& fault : faults()) files.insert(fault.file);
+  std::set<const Fault*> all;
+  for (std::uint64_t seed = 20783; seed < 20783 + kDays; ++seed) {
+    std::set<std::string> today;
+    for (const Fault* fault : faults_drawn(test::Share(kDays, seed))) {
+      all.insert(fault);
+      today.insert(fault->file);
+    }
+    CHECK(today == files);
+  }
+  CHECK(all.size() == faults().size());
 }
 
 // FAULTS=45-72: these alone.

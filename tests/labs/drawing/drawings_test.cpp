@@ -11,6 +11,7 @@
 #include "labs/drawing/program.h"
 #include "labs/framework/lab.h"
 #include "tests/support/catch.h"
+#include "tests/support/share.h"
 
 #include <glassbox/mesh/builtin/scenes.h>
 #include <glassbox/pipeline/framing.h>
@@ -227,8 +228,10 @@ private:
 
 }  // namespace
 
-TEST_CASE("every lab draws: the solution as the reference, and what goes wrong is named") {
-  const Trial& trial = GENERATE(from_range(trials()));
+namespace {
+
+// The solution draws as the reference does, and what goes wrong is named.
+void draw_in_every_way(const Trial& trial) {
   CAPTURE(trial.lab);
   const Desk desk(trial);
 
@@ -269,4 +272,31 @@ TEST_CASE("every lab draws: the solution as the reference, and what goes wrong i
   REQUIRE(endless.broke);
   CAPTURE(*endless.broke);
   CHECK(endless.broke->find("still running after 0.5 seconds") != std::string::npos);
+}
+
+void draw_labs(const test::Share& share) {
+  INFO(share.text());
+  for (std::size_t i = 0; i < trials().size(); ++i) {
+    if (share.has(i, trials().size())) draw_in_every_way(trials()[i]);
+  }
+}
+
+}  // namespace
+
+// Each lab is a program of some ten seconds' compilation.
+TEST_CASE("labs draw, some every day: solutions as the reference, and what goes wrong is named") {
+  draw_labs(test::Share(3));
+}
+
+TEST_CASE("every lab draws: the solution as the reference, and what goes wrong is named",
+          "[.faults]") {
+  draw_labs(test::Share::everything());
+}
+
+TEST_CASE("every lab has a trial") {
+  for (const Lab& lab : all_labs()) {
+    INFO(lab.folder);
+    CHECK(std::count_if(trials().begin(), trials().end(),
+                        [&](const Trial& trial) { return trial.lab == lab.number; }) == 1);
+  }
 }

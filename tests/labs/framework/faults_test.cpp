@@ -1,13 +1,16 @@
 // The violation of every sentence of every contract is planted in the solutions (faults.json): a check finds each, a report names a
-// slip where it is one and none where it is not, and docs/lab_faults.md says which case finds it.
+// slip where it is one and none where it is not, and docs/lab_faults.md says which case finds it. Every run puts one fault in eight
+// of every task to the checks, so that a week and a day has them all; "[.faults]" puts all of them (./glassbox test faults).
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 #include <set>
 
 #include "labs/framework/slips.h"
 #include "tests/labs/framework/bench.h"
 #include "tests/labs/framework/planted.h"
+#include "tests/support/share.h"
 
 using namespace glassbox;
 using namespace glassbox::labs;
@@ -34,16 +37,17 @@ const CheckResult* found_by(const LabResult& result, const Fault& fault, bool hi
   return nullptr;
 }
 
+// A bar would end the table's cell.
+std::string in_cell(std::string text) {
+  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
+    text.replace(at, 1, "\\|");
+  return text;
+}
+
 std::string row_of(std::size_t number, const Fault& fault, const CheckResult& check) {
-  // A bar would end the table's cell.
-  const auto cell = [](std::string text) {
-    for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
-      text.replace(at, 1, "\\|");
-    return text;
-  };
-  return fmt::format("| {} | {} | {} | {}, case {}{} | {} |", number, fault.task, cell(fault.name),
-                     cell(check.name), check.first->index, check.hidden ? " (hidden)" : "",
-                     fault.slip.empty() ? "-" : fault.slip);
+  return fmt::format("| {} | {} | {} | {}, case {}{} | {} |", number, fault.task,
+                     in_cell(fault.name), in_cell(check.name), check.first->index,
+                     check.hidden ? " (hidden)" : "", fault.slip.empty() ? "-" : fault.slip);
 }
 
 struct Found {
@@ -52,13 +56,33 @@ struct Found {
   std::size_t faults = 0;
 };
 
-// Every fault of a lab, found or complained of.
-Found find_all(const Lab& lab) {
-  INFO("lab " << lab.folder);
+// A fault with its number in faults.json, from 1.
+struct Numbered {
+  std::size_t number;
+  Fault fault;
+};
+
+// Those faults of every task that have their turn.
+std::vector<Numbered> drawn(const std::vector<Fault>& faults, const test::Share& share) {
+  std::map<std::string, std::size_t> sizes, positions;
+  for (const Fault& fault : faults) ++sizes[fault.task];
+  std::vector<Numbered> all;
+  for (std::size_t i = 0; i < faults.size(); ++i) {
+    if (share.has(positions[faults[i].task]++, sizes[faults[i].task]))
+      all.push_back({i + 1, faults[i]});
+  }
+  return all;
+}
+
+// The share's faults of a lab, found or complained of.
+Found find_all(const Lab& lab, const test::Share& share) {
+  INFO("lab " << lab.folder << ", " << share.text());
   Bench& bench = Bench::of(lab);
   const auto header = read_text_file(bench.sources().labs / lab.folder / "student.h");
   REQUIRE(header);
-  const std::vector<Fault> faults = faults_of(bench.sources(), lab);
+  const std::vector<Numbered> chosen = drawn(faults_of(bench.sources(), lab), share);
+  std::vector<Fault> faults;
+  for (const Numbered& each : chosen) faults.push_back(each.fault);
   const BenchProgram program = bench.program(all_in_one(*header, bench.solution(), faults));
   {
     const LabResult result = bench.check(program);
@@ -66,12 +90,11 @@ Found find_all(const Lab& lab) {
     CHECK(result.score == result.max_score);
   }
   Found all;
-  std::set<std::string> headlines;
   for (std::size_t i = 0; i < faults.size(); ++i) {
     const Fault& fault = faults[i];
-    const Chosen chosen(i + 1);
+    const Chosen planted(i + 1);
     const LabResult result = bench.check(program);
-    INFO("fault " << i + 1 << ": " << fault.name << ", task " << fault.task);
+    INFO("fault " << chosen[i].number << ": " << fault.name << ", task " << fault.task);
     INFO(failures(result));
     const CheckResult* check = found_by(result, fault);
     CHECK(check != nullptr);
@@ -85,15 +108,8 @@ Found find_all(const Lab& lab) {
       }
     }
     CHECK(named);
-    if (fault.headline) {
-      headlines.insert(fault.task);
-      CHECK(found_by(result, fault, false) != nullptr);
-    }
-    all.rows.push_back(row_of(i + 1, fault, *check));
-  }
-  for (const Task& task : lab.tasks) {
-    INFO("task " << task.id << " has a headline");
-    CHECK(headlines.count(task.id) == 1);
+    if (fault.headline) CHECK(found_by(result, fault, false) != nullptr);
+    all.rows.push_back(row_of(chosen[i].number, fault, *check));
   }
   all.faults = faults.size();
   return all;
@@ -107,25 +123,85 @@ std::string page() {
 
 }  // namespace
 
-TEST_CASE(
-    "every sentence of a contract that is not kept is found, and the page says by which case") {
+namespace {
+
+// How many faults there were, and which slips were named; each is found by the case that the page says.
+Found find_in_all_labs(const test::Share& share) {
   const std::string text = page();
-  std::size_t faults = 0;
-  std::set<std::string> named;
+  Found all;
   for (const Lab& lab : all_labs()) {
-    const Found found = find_all(lab);
-    faults += found.faults;
-    named.insert(found.slips.begin(), found.slips.end());
+    const Found found = find_all(lab, share);
+    all.faults += found.faults;
+    all.slips.insert(found.slips.begin(), found.slips.end());
     for (const std::string& row : found.rows) {
       INFO(row);
       CHECK(text.find(row) != std::string::npos);
     }
   }
-  CHECK(faults >= 300);
+  return all;
+}
+
+constexpr std::size_t kDays = 8;
+
+}  // namespace
+
+TEST_CASE("a sentence of a contract that is not kept is found by the case that the page names") {
+  // One in eight of a thousand, and of each of the eighty tasks at least one.
+  CHECK(find_in_all_labs(test::Share(kDays)).faults >= 120);
+}
+
+TEST_CASE("every sentence of a contract that is not kept is found by the case that the page names",
+          "[.faults]") {
+  const Found found = find_in_all_labs(test::Share::everything());
+  CHECK(found.faults >= 1200);
   for (const Slip& slip : known_slips()) {
     if (slip.id == "normal-as-vector") continue;  // no lab asks for normals; slips_test.cpp
     INFO(slip.id << " is named of some fault");
-    CHECK(named.count(slip.id) == 1);
+    CHECK(found.slips.count(slip.id) == 1);
+  }
+}
+
+TEST_CASE("every task has a headline, every slip a fault, and every fault its row in the page") {
+  const std::string text = page();
+  std::set<std::string> slips;
+  for (const Lab& lab : all_labs()) {
+    INFO("lab " << lab.folder);
+    std::set<std::string> headlines;
+    std::size_t number = 0;
+    for (const Fault& fault : faults_of(find_sources().value(), lab)) {
+      const std::string row =
+          fmt::format("\n| {} | {} | {} | ", ++number, fault.task, in_cell(fault.name));
+      INFO(row);
+      CHECK(text.find(row) != std::string::npos);
+      if (fault.headline) headlines.insert(fault.task);
+      slips.insert(fault.slip);
+    }
+    for (const Task& task : lab.tasks) {
+      INFO("task " << task.id << " has a headline");
+      CHECK(headlines.count(task.id) == 1);
+    }
+  }
+  for (const Slip& slip : known_slips()) {
+    if (slip.id == "normal-as-vector") continue;
+    INFO(slip.id << " is the slip of some fault");
+    CHECK(slips.count(slip.id) == 1);
+  }
+}
+
+TEST_CASE("every day's share has a fault of every task, and eight days have every fault") {
+  for (const Lab& lab : all_labs()) {
+    INFO("lab " << lab.folder);
+    const std::vector<Fault> faults = faults_of(find_sources().value(), lab);
+    std::set<std::size_t> numbers;
+    for (std::uint64_t seed = 20783; seed < 20783 + kDays; ++seed) {
+      std::set<std::string> tasks;
+      for (const Numbered& each : drawn(faults, test::Share(kDays, seed))) {
+        tasks.insert(each.fault.task);
+        numbers.insert(each.number);
+      }
+      CHECK(tasks.size() == lab.tasks.size());
+    }
+    CHECK(numbers.size() == faults.size());
   }
 }
 
@@ -134,7 +210,7 @@ TEST_CASE("the tables of the page of faults", "[.page]") {
   const char* only = std::getenv("LAB");
   for (const Lab& lab : all_labs()) {
     if (only != nullptr && lab.number != std::atoi(only)) continue;
-    const Found found = find_all(lab);
+    const Found found = find_all(lab, test::Share::everything());
     std::printf("\n## Lab %d: %s\n\n| | task | what is wrong | found by | slip |\n", lab.number,
                 lab.title.c_str());
     std::printf("| --- | --- | --- | --- | --- |\n");

@@ -62,14 +62,13 @@ TEST_CASE("a class has the same results in two runs and with any number of jobs,
     INFO(outcome.err);
     REQUIRE(outcome.exit_code == 0);
   };
+  // Another kit and other numbers of jobs at once: what either changed would show.
   grade("a", "1", KitIs::kOwn);
-  grade("b", "1", KitIs::kShared);
-  grade("c", "5", KitIs::kShared);
+  grade("b", "5", KitIs::kShared);
   const std::string first = all_results(place.path / "a");
   CHECK(first.size() > 21 * 1000);
   CHECK(all_results(place.path / "b") == first);
-  CHECK(all_results(place.path / "c") == first);
-  CHECK(read(place.path / "c/class.csv") == read(place.path / "a/class.csv"));
+  CHECK(read(place.path / "b/class.csv") == read(place.path / "a/class.csv"));
 }
 
 TEST_CASE("partial credit is per case") {
@@ -87,7 +86,7 @@ TEST_CASE("partial credit is per case") {
 TEST_CASE("GNU parallel grades submissions as the class is") {
   if (!have_parallel()) SKIP_TEST("parallel is not installed");
   const Place place;
-  write_class(place.path / "class", 42);  // each kind twice
+  write_class(place.path / "class", 21);  // each kind once
   REQUIRE(grader({"grade", "class", "--lab", "99", "-o", "as-class"}, place.path).exit_code == 0);
   // The command of docs/grading.md.
   const std::string command =

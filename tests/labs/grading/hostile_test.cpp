@@ -4,6 +4,7 @@
 
 #include "tests/labs/grading/grading.h"
 #include "tests/support/catch.h"
+#include "tests/support/share.h"
 #include "tests/support/skip.h"
 
 namespace glassbox::test {
@@ -22,11 +23,25 @@ std::string class_of(const Hostile& each) {
   return each.outcome.starts_with("timeout") ? "hanging" : "class";
 }
 
-void grade_hostile_class(const std::string& sandbox) {
+std::vector<Hostile> drawn(const std::vector<Hostile>& all, const Share& share) {
+  std::vector<Hostile> some;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (share.has(i, all.size())) some.push_back(all[i]);
+  }
+  return some;
+}
+
+void grade_hostile_class(const std::string& sandbox, const Share& share) {
+  INFO(share.text());
+  const std::vector<Hostile> runs = drawn(hostile_runs(), share);
+  const std::vector<Hostile> sources = drawn(hostile_sources(TINY_SOLUTION), share);
   const Place place;
-  for (const Hostile& each : hostile_runs())
+  fs::create_directories(place.path / "hanging");
+  for (const Hostile& each : runs)
     write(place.path / class_of(each) / each.name / "student.cpp", source_of(each));
-  for (const Hostile& each : hostile_sources(TINY_SOLUTION))
+  write(place.path / "hanging" / "slow" / "student.cpp",
+        submission("return 2 * x;", "for (;;) {}"));
+  for (const Hostile& each : sources)
     write(place.path / "class" / each.name / "student.cpp", each.body);
   write(place.path / "class" / "the-solution" / "student.cpp", solution());
   const std::string reference = read(TINY_SOLUTION), program = read(TINY_GRADER);
@@ -52,7 +67,7 @@ void grade_hostile_class(const std::string& sandbox) {
     CHECK(outcome.err.find("sandbox: ") != std::string::npos);
   }
 
-  for (const Hostile& each : hostile_runs()) {
+  for (const Hostile& each : runs) {
     INFO(each.name << " in " << (sandbox.empty() ? "what there is" : sandbox));
     const auto results =
         read_json(place.path / (class_of(each) + "-results") / each.name / "results.json");
@@ -77,7 +92,7 @@ void grade_hostile_class(const std::string& sandbox) {
       CHECK(total(results) == 4);
     }
   }
-  for (const Hostile& each : hostile_sources(TINY_SOLUTION)) {
+  for (const Hostile& each : sources) {
     INFO(each.name << " in " << (sandbox.empty() ? "what there is" : sandbox));
     const auto results = read_json(place.path / "class-results" / each.name / "results.json");
     REQUIRE(results.is_object());
@@ -103,9 +118,14 @@ bool has(const std::string& sandbox) {
              .exit_code == 0;
 }
 
-void grade_where_there_is(const std::string& sandbox) {
+void grade_where_there_is(const std::string& sandbox, const Share& share) {
   if (!has(sandbox)) SKIP_TEST("no confinement by " << sandbox << " on this machine");
-  grade_hostile_class(sandbox);
+  grade_hostile_class(sandbox, share);
+}
+
+// Every day each kind is graded in one of the three sandboxes, and after three days in all.
+Share share_of(std::uint64_t sandbox) {
+  return Share(3, seed_of_shares() + sandbox);
 }
 
 }  // namespace
@@ -134,15 +154,20 @@ TEST_CASE("bubblewrap that is asked for and not permitted is named as the reason
 }
 
 TEST_CASE("hostile submissions are contained and named in bubblewrap") {
-  grade_where_there_is("bubblewrap");
+  grade_where_there_is("bubblewrap", share_of(0));
 }
 
 TEST_CASE("hostile submissions are contained and named in Landlock") {
-  grade_where_there_is("landlock");
+  grade_where_there_is("landlock", share_of(1));
 }
 
 TEST_CASE("hostile submissions are contained and named in limits") {
-  grade_where_there_is("limits");
+  grade_where_there_is("limits", share_of(2));
+}
+
+TEST_CASE("every kind of hostile submission is contained and named in every sandbox", "[.faults]") {
+  const std::string sandbox = GENERATE("bubblewrap", "landlock", "limits");
+  grade_where_there_is(sandbox, Share::everything());
 }
 
 }  // namespace glassbox::test
