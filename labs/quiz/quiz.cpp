@@ -30,7 +30,7 @@ std::vector<Map> affine_maps() {
   return {Map(), shift, turn, scaled, leaning, mirror, then(turn, shift), then(leaning, turn)};
 }
 
-std::vector<Point<Object, double>> places() {
+std::vector<Point<Object, double>> sample_points() {
   return {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2, -3, 1}, {-1, 4, 0.5}};
 }
 
@@ -77,8 +77,8 @@ bool for_all(const Items& items, const Test& test) {
 template <class Test>
 bool of_pairs(const Test& test) {
   return for_all(affine_maps(), [&](const Map& m) {
-    return for_all(places(), [&](const auto& p) {
-      return for_all(places(), [&](const auto& q) { return test(m, p, q); });
+    return for_all(sample_points(), [&](const auto& p) {
+      return for_all(sample_points(), [&](const auto& q) { return test(m, p, q); });
     });
   });
 }

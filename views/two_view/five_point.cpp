@@ -21,7 +21,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Basis = std::array<Matrix3d, 4>;  // X, Y, Z, W
-using Cubics = Eigen::Matrix<double, 10, 20>;
+using Cubics = Eigen::MatrixXd;         // 10 x 20
 
 // ---- polynomials of degree 3 or less in x, y and z ----
 
@@ -98,7 +98,7 @@ Cubics cubics_of(const Basis& basis) {
     }
     trace += square[i][i];
   }
-  Cubics rows;
+  Cubics rows(10, kMonomials);
   rows.row(0) = determinant(e).c;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
@@ -116,8 +116,8 @@ Matrix3d combined(const Basis& basis, const Vector3d& at) {
   return at.x() * basis[0] + at.y() * basis[1] + at.z() * basis[2] + basis[3];
 }
 
-Eigen::Matrix<double, kMonomials, 1> monomials_at(const Vector3d& at) {
-  Eigen::Matrix<double, kMonomials, 1> values;
+Eigen::VectorXd monomials_at(const Vector3d& at) {
+  Eigen::VectorXd values(kMonomials);
   for (int i = 0; i < kMonomials; ++i) {
     const auto& [p, q, r] = kPowers[std::size_t(i)];
     values[i] = whole_power(at.x(), p) * whole_power(at.y(), q) * whole_power(at.z(), r);
@@ -126,8 +126,8 @@ Eigen::Matrix<double, kMonomials, 1> monomials_at(const Vector3d& at) {
 }
 
 // d/dx, d/dy, d/dz of each monomial.
-Eigen::Matrix<double, kMonomials, 3> monomial_slopes_at(const Vector3d& at) {
-  Eigen::Matrix<double, kMonomials, 3> slopes;
+Eigen::MatrixXd monomial_slopes_at(const Vector3d& at) {
+  Eigen::MatrixXd slopes(kMonomials, 3);
   for (int i = 0; i < kMonomials; ++i) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       std::array<int, 3> powers = kPowers[std::size_t(i)];
@@ -144,11 +144,11 @@ Eigen::Matrix<double, kMonomials, 3> monomial_slopes_at(const Vector3d& at) {
 // Gauss and Newton, as long as the equations' residual falls.
 Vector3d improved(const Cubics& cubics, Vector3d at) {
   constexpr int kMostSteps = 10;
-  Eigen::Matrix<double, 10, 1> residual = cubics * monomials_at(at);
+  Eigen::VectorXd residual = cubics * monomials_at(at);
   for (int step = 0; step < kMostSteps; ++step) {
-    const Eigen::Matrix<double, 10, 3> slopes = cubics * monomial_slopes_at(at);
+    const Eigen::MatrixXd slopes = cubics * monomial_slopes_at(at);
     const Vector3d next = at - slopes.colPivHouseholderQr().solve(residual);
-    const Eigen::Matrix<double, 10, 1> next_residual = cubics * monomials_at(next);
+    const Eigen::VectorXd next_residual = cubics * monomials_at(next);
     if (!(next_residual.norm() < residual.norm())) break;
     at = next;
     residual = next_residual;
@@ -158,10 +158,11 @@ Vector3d improved(const Cubics& cubics, Vector3d at) {
 
 // Multiplication by x, on the ten smaller monomials: x times one of degree 2 is a cubic one, which the equations express by smaller
 // ones; x times one of degree 1 or 0 is among them.
-Eigen::Matrix<double, 10, 10> multiplication_by_x(const Cubics& cubics) {
-  const Eigen::Matrix<double, 10, 10> smaller =
-      -cubics.leftCols<10>().partialPivLu().solve(cubics.rightCols<10>());
-  Eigen::Matrix<double, 10, 10> action = Eigen::Matrix<double, 10, 10>::Zero();
+Eigen::MatrixXd multiplication_by_x(const Cubics& cubics) {
+  const Eigen::MatrixXd smaller = -Eigen::MatrixXd(cubics.leftCols(10))
+                                       .partialPivLu()
+                                       .solve(Eigen::MatrixXd(cubics.rightCols(10)));
+  Eigen::MatrixXd action = Eigen::MatrixXd::Zero(10, 10);
   for (int i = 0; i < 10; ++i) {
     std::array<int, 3> powers = kPowers[std::size_t(kFirstSmall + i)];
     ++powers[0];
@@ -178,12 +179,12 @@ Eigen::Matrix<double, 10, 10> multiplication_by_x(const Cubics& cubics) {
 // Where a solution has no W at all, x, y and z are infinite. Points in special positions have such solutions in the basis that the
 // decomposition gives; a turned one has none but by chance. Columns of an orthogonal matrix with no zero in it.
 Basis turned_basis(const Eigen::Matrix<double, 9, Eigen::Dynamic>& kernel) {
-  Eigen::Matrix4d mixed;
+  Eigen::MatrixXd mixed(4, 4);
   mixed << 0.8, 0.4, -0.4, 0.2,  //
       -0.4, 0.8, -0.2, -0.4,     //
       0.4, -0.2, 0.2, -0.8588,   //
       0.2, 0.4, 0.8588, 0.25;
-  const Eigen::Matrix4d turn = mixed.householderQr().householderQ();
+  const Eigen::MatrixXd turn = mixed.householderQr().householderQ();
   Basis basis;
   for (int k = 0; k < 4; ++k) {
     basis[std::size_t(k)] = (kernel * turn.col(k)).reshaped<Eigen::RowMajor>(3, 3);
@@ -203,14 +204,14 @@ Result<std::vector<Matrix3d>> five_point(const Matches& calibrated) {
   }
   const Basis basis = turned_basis(fit->kernel.rightCols(4));
   const Cubics cubics = cubics_of(basis);
-  const Eigen::EigenSolver<Eigen::Matrix<double, 10, 10>> solver(multiplication_by_x(cubics));
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(multiplication_by_x(cubics));
   // Pairs of roots that are one are found with imaginary parts of the root of the rounding error.
   const double close = 256 * std::sqrt(std::numeric_limits<double>::epsilon());
   std::vector<Matrix3d> found;
   for (int i = 0; i < 10; ++i) {
     const std::complex<double> x = solver.eigenvalues()[i];
     if (std::abs(x.imag()) > close * (1 + std::abs(x))) continue;
-    const Eigen::Matrix<double, 10, 1> values = solver.eigenvectors().col(i).real();
+    const Eigen::VectorXd values = solver.eigenvectors().col(i).real();
     const Vector3d at = values.segment<3>(kX - kFirstSmall) / values[kOne - kFirstSmall];
     if (!at.allFinite()) continue;
     const Matrix3d e = combined(basis, improved(cubics, at)).normalized();

@@ -76,7 +76,7 @@ Columns added_up(const views::LayeredImage& image, const views::LayerCamera& to,
                  int anchor_w) {
   const Eigen::Matrix4d matrix = views::warp_matrix(to, image.camera);
   const Eigen::Vector4f right = matrix.col(0).cast<float>(), depth = matrix.col(2).cast<float>();
-  Eigen::Vector4f start;
+  Eigen::Vector4f start = Eigen::Vector4f::Zero();  // the first pixel sets it
   Columns columns;
   for (int x = 0; x < kWidth; ++x, start += right) {
     const Eigen::Vector4d anew = matrix * Eigen::Vector4d(x + 0.5, 0.5, 0, 1);
