@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <Eigen/SVD>
 
 #include <glassbox/base/random.h>
@@ -51,16 +50,20 @@ Eigen::Matrix<double, N + 1, N + 1> normaliser(
   return matrix;
 }
 
-// M = K R, K upper triangular with a positive diagonal: the QR decomposition of M's inverse.
+// M = K R, K upper triangular with a positive diagonal: the rows of M made perpendicular, the last
+// one first (Gram and Schmidt). M is a camera's and so far from singular.
 void take_apart(const Matrix3d& matrix, Matrix3d& intrinsic, Matrix3d& rotation) {
-  const Eigen::HouseholderQR<Matrix3d> qr(matrix.inverse());
-  const Matrix3d q = qr.householderQ();
-  Matrix3d upper = qr.matrixQR().triangularView<Eigen::Upper>();
-  Matrix3d signs = Matrix3d::Identity();
-  for (int i = 0; i < 3; ++i) signs(i, i) = upper(i, i) < 0 ? -1 : 1;
-  upper = signs * upper;
-  rotation = (q * signs).transpose();
-  intrinsic = upper.inverse();
+  intrinsic = Matrix3d::Zero();
+  for (int row = 2; row >= 0; --row) {
+    Vector3d rest = matrix.row(row).transpose();
+    for (int below = row + 1; below < 3; ++below) {
+      const Vector3d axis = rotation.row(below).transpose();
+      intrinsic(row, below) = rest.dot(axis);
+      rest -= intrinsic(row, below) * axis;
+    }
+    intrinsic(row, row) = rest.norm();
+    rotation.row(row) = rest.transpose() / intrinsic(row, row);
+  }
   intrinsic /= intrinsic(2, 2);
 }
 
@@ -231,7 +234,7 @@ Vector2d centre_seen(const PinholeCamera& camera, const SeenPoint& point) {
 // them, then has distances that agree with each other to the square of what it is off.
 static Vector3d agreed(Vector3d distances, const Vector3d& cosines, const Vector3d& squares) {
   for (int step = 0; step < 2; ++step) {
-    Matrix3d slopes = Matrix3d::Zero();
+    Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(3, 3);
     Vector3d excess;
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -240,7 +243,8 @@ static Vector3d agreed(Vector3d distances, const Vector3d& cosines, const Vector
       slopes(i, j) = 2 * (s - t * cosine);
       slopes(i, k) = 2 * (t - s * cosine);
     }
-    distances -= slopes.completeOrthogonalDecomposition().solve(excess);
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(slopes, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    distances -= svd.solve(excess);
   }
   return distances;
 }
