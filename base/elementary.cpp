@@ -128,8 +128,10 @@ double logarithm_10(double x) {
 double cube_root(double x) {
   if (x == 0 || !std::isfinite(x)) return x;
   const double size = std::abs(x);
-  // Subnormal numbers have other bits; 2^54 and its cube root are powers of two.
+  // Subnormal numbers have other bits, and the largest ones overflow below; 2^54 and its cube root
+  // are powers of two.
   if (size < 0x1p-1022) return cube_root(x * 0x1p54) * 0x1p-18;
+  if (size > 0x1p1020) return cube_root(x * 0x1p-54) * 0x1p18;
   constexpr std::uint64_t kTwoThirdsOfOne = 0x2a9f7893ull << 32;
   double root = std::bit_cast<double>(std::bit_cast<std::uint64_t>(size) / 3 + kTwoThirdsOfOne);
   for (int step = 0; step < 3; ++step) {

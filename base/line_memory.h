@@ -18,10 +18,10 @@ struct LineAllocator {
   LineAllocator(const LineAllocator<U>&) {}
 
   T* allocate(std::size_t count) {
-    return static_cast<T*>(::operator new (bytes_of(count), std::align_val_t{kCacheLine}));
+    return static_cast<T*>(::operator new(bytes_of(count), std::align_val_t{kCacheLine}));
   }
   void deallocate(T* memory, std::size_t) {
-    ::operator delete (memory, std::align_val_t{kCacheLine});
+    ::operator delete(memory, std::align_val_t{kCacheLine});
   }
   friend bool operator==(const LineAllocator&, const LineAllocator&) { return true; }
 

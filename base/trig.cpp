@@ -249,6 +249,8 @@ double arctan2(double y, double x) {
   double angle = 0;
   if (ay == kInfinity && ax == kInfinity) {
     angle = std::signbit(x) ? 3 * (kHalfPi * 0.5) : kHalfPi * 0.5;
+  } else if (ax == 0 && ay != 0) {
+    angle = kHalfPi;  // without a division by zero
   } else if (!std::signbit(x)) {
     angle = ay == 0 ? 0 : arctan_positive(ay / ax);
   } else if (ay > ax) {

@@ -19,7 +19,7 @@ std::string amount(std::uint64_t bytes) {
 }
 
 std::string row(const std::string& stage, double ms, const TileReport& report,
-                double TileReport::Thread::*part, const StageBytes* bytes) {
+                double TileReport::Thread::* part, const StageBytes* bytes) {
   std::string text = fmt::format("  {:<26}{:>12.2f} ms", stage, ms);
   if (bytes != nullptr) {
     text += fmt::format("   {:>9} in {:>9} out  ", amount(bytes->read), amount(bytes->written));

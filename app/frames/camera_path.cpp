@@ -50,7 +50,7 @@ private:
   const ValueOf& value_of_;
 };
 
-std::array<double, 3> triple_at(const CameraPath& path, std::array<double, 3> Keyframe::*member,
+std::array<double, 3> triple_at(const CameraPath& path, std::array<double, 3> Keyframe::* member,
                                 double time) {
   std::array<double, 3> triple{};
   for (std::size_t k = 0; k < 3; ++k) {

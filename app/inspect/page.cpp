@@ -43,7 +43,8 @@ Json entries_json(const ColumnPack& pack) {
 
 // What a column gets of a record: a number, or several one after the other.
 template <class T>
-requires std::is_arithmetic_v<T> std::array<T, 1> numbers_of(T number) {
+  requires std::is_arithmetic_v<T>
+std::array<T, 1> numbers_of(T number) {
   return {number};
 }
 template <class T, std::size_t N>
@@ -71,7 +72,7 @@ void add_column(ColumnPack& pack, const char* name, const std::vector<Record>& r
 
 // The corners, vertices or pieces of all records, one after the other.
 template <class Record, class Parts>
-auto parts_of(const std::vector<Record>& records, Parts Record::*parts) {
+auto parts_of(const std::vector<Record>& records, Parts Record::* parts) {
   std::vector<typename Parts::value_type> all;
   for (const Record& record : records) {
     all.insert(all.end(), (record.*parts).begin(), (record.*parts).end());

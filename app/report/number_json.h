@@ -17,17 +17,13 @@ nlohmann::ordered_json numbers_json(const glm::vec<N, T>& v) {
 }
 
 template <class Place>
-requires requires(const Place& place) {
-  to_glm(place);
-}
+  requires requires(const Place& place) { to_glm(place); }
 nlohmann::ordered_json numbers_json(const Place& place) {
   return numbers_json(to_glm(place));
 }
 
 template <class Color>
-requires requires(const Color& color) {
-  color.r, color.a;
-}
+  requires requires(const Color& color) { color.r, color.a; }
 nlohmann::ordered_json numbers_json(const Color& c) {
   return {c.r, c.g, c.b, c.a};
 }

@@ -41,7 +41,7 @@ struct Corner {
 };
 
 // Whether an eye has all corners outside one of its planes.
-bool misses(const std::array<Corner, 3>& corners, double Corner::*x) {
+bool misses(const std::array<Corner, 3>& corners, double Corner::* x) {
   const auto all = [&](auto outside) {
     return std::all_of(corners.begin(), corners.end(), outside);
   };

@@ -34,7 +34,7 @@ struct Opaque {
 class Masked {
 public:
   static constexpr bool kKeepsAll = false, kIsBehind = false;
-  static constexpr std::uint64_t FragmentCounts::*kOthers = &FragmentCounts::discarded;
+  static constexpr std::uint64_t FragmentCounts::* kOthers = &FragmentCounts::discarded;
 
   HWY_INLINE explicit Masked(const AlphaTest& test) : test_(test) {}
 
@@ -69,7 +69,7 @@ private:
 class Behind {
 public:
   static constexpr bool kKeepsAll = false, kIsBehind = true;
-  static constexpr std::uint64_t FragmentCounts::*kOthers = Masked::kOthers;
+  static constexpr std::uint64_t FragmentCounts::* kOthers = Masked::kOthers;
 
   HWY_INLINE explicit Behind(const BehindTest& test) : codes_(*test.codes), alpha_(test.alpha) {}
 
@@ -112,7 +112,7 @@ struct BlendedBytes {
 class Blended {
 public:
   static constexpr bool kKeepsAll = false, kIsBehind = false;
-  static constexpr std::uint64_t FragmentCounts::*kOthers = &FragmentCounts::blended;
+  static constexpr std::uint64_t FragmentCounts::* kOthers = &FragmentCounts::blended;
 
   // `bytes`: of a triangle of one colour where nothing but colours is wanted, otherwise null.
   HWY_INLINE explicit Blended(const BlendJob& job, BlendedBytes* bytes = nullptr)

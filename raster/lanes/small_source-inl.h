@@ -24,7 +24,7 @@ HWY_INLINE Float3 gather_triple(const T* table, Ints at) {
 
 // A member of 32 bits of a table's entries.
 template <class T>
-HWY_INLINE Ints gather_member(const T* table, Ints at, std::uint32_t T::*member) {
+HWY_INLINE Ints gather_member(const T* table, Ints at, std::uint32_t T::* member) {
   constexpr int kWords = sizeof(T) / sizeof(std::int32_t);
   return gather(reinterpret_cast<const std::int32_t*>(&(table->*member)), at * kWords);
 }

@@ -46,7 +46,7 @@ inline constexpr TileDepth kEmptyTileDepth = std::numeric_limits<TileDepth>::max
 template <class T>
 class AlignedArray {
 public:
-  explicit AlignedArray(std::size_t size) : data_(new (std::align_val_t{kAlignment}) T[size]) {}
+  explicit AlignedArray(std::size_t size) : data_(new(std::align_val_t{kAlignment}) T[size]) {}
   T* get() { return data_.get(); }
   const T* get() const { return data_.get(); }
   T& operator[](std::size_t i) { return data_[i]; }

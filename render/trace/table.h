@@ -109,7 +109,7 @@ public:
 
 private:
   template <class T>
-  requires std::is_arithmetic_v<T>
+    requires std::is_arithmetic_v<T>
   static void describe(const T&, Array& array) {
     const bool one_byte = sizeof(T) == 1;
     const char order = one_byte ? '|' : std::endian::native == std::endian::little ? '<' : '>';
@@ -142,7 +142,7 @@ private:
   }
 
   template <class T>
-  requires std::is_arithmetic_v<T>
+    requires std::is_arithmetic_v<T>
   static void append(const T& value, std::string& bytes) {
     bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
   }

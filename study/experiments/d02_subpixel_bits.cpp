@@ -277,9 +277,7 @@ void add_scene(std::vector<Configuration>& all, const std::string& scene, MakeTr
          .scene = scene,
          .measure = kCrawl,
          .error =
-             [=] {
-               return crawl({triangles().begin(), triangles().begin() + count / 16}, bits);
-             },
+             [=] { return crawl({triangles().begin(), triangles().begin() + count / 16}, bits); },
          .predicted_error = predict_crawl(bits)});
   }
 }

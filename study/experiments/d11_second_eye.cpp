@@ -334,8 +334,7 @@ std::vector<Configuration> configurations(Effort effort) {
   for (const double share : shares) {
     const auto forest = std::make_shared<const Stage>(forest_stage(share));
     const LeftEye seen = seen_by_left_eye(*forest);
-    add_stage(
-        forest, [seen](const Way& way) { return predicted_among_trees(way, seen); }, all);
+    add_stage(forest, [seen](const Way& way) { return predicted_among_trees(way, seen); }, all);
   }
   add_setups(forest_stage(0.02), all);
   return all;

@@ -22,7 +22,8 @@ inline Scene any_object(std::uint64_t seed) {
   };
   Scene scene;
   scene.name = "any object";
-  Image<Rgba8> picture(int(random.integer(1, 9)), int(random.integer(1, 9)));
+  const int width = int(random.integer(1, 9)), height = int(random.integer(1, 9));
+  Image<Rgba8> picture(width, height);
   for (Rgba8& pixel : picture.pixels) {
     const std::uint64_t bits = random.bits();
     pixel = {std::uint8_t(bits), std::uint8_t(bits >> 8), std::uint8_t(bits >> 16),

@@ -68,8 +68,9 @@ void check_glyphs(std::uint64_t seed) {
   layout.columns = 3;
   layout.rows = 2;
   const views::Wall wall = views::make_wall(layout).value();
-  const views::PinholeCamera camera = views::camera_before(
-      random.between(0.4, 1.2), random.between(-30, 30), random.between(-20, 20), 160, 120);
+  const double distance = random.between(0.4, 1.2);
+  const double azimuth = random.between(-30, 30), elevation = random.between(-20, 20);
+  const views::PinholeCamera camera = views::camera_before(distance, azimuth, elevation, 160, 120);
   views::Sensor sensor{random.between(-0.05, 0.05), random.between(0, 0.3), seed % 2 == 0, 2000};
   test::check_all_ways(seed, [&](const Way&) {
     Made made;
@@ -137,7 +138,8 @@ void check_diff(std::uint64_t seed, double most) {
 // A picture file is compressed in bands side by side, which large pictures have several of.
 void check_file(std::uint64_t seed) {
   Random random(seed);
-  Image<Rgba8> picture(int(random.integer(1, 500)), int(random.integer(1, 900)));
+  const int width = int(random.integer(1, 500)), height = int(random.integer(1, 900));
+  Image<Rgba8> picture(width, height);
   for (Rgba8& pixel : picture.pixels) {
     const std::uint64_t bits = random.bits();
     if (bits % 8 == 0) pixel = {std::uint8_t(bits >> 8), std::uint8_t(bits >> 16), 7, 255};

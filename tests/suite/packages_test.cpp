@@ -70,7 +70,7 @@ const std::string kPackages =
 // What is wrong with a line of packages.txt; empty: nothing.
 std::string complaint_of(const std::string& line) {
   static const std::regex fine(
-      R"((\[[a-z]+\]|[a-z0-9][a-z0-9+.-]+( \| [a-z0-9][a-z0-9+.-]+)*)?( *#.*)?)");
+      R"((\[[a-z0-9]+\]|[a-z0-9][a-z0-9+.-]+( \| [a-z0-9][a-z0-9+.-]+)*)?( *#.*)?)");
   return std::regex_match(line, fine) ? "" : "no package, packages or [section]: " + line;
 }
 
@@ -187,10 +187,10 @@ TEST_CASE("the container for editors in a cloud installs what the launcher would
   CHECK(run_program("/usr/bin/env",
                     {"python3", "-c",
                      "import json\n"
-                     "file = json.load(open('devcontainer.json'))\n"
-                     "assert file['postCreateCommand'] == './glassbox'\n"
-                     "open(file['build']['dockerfile'])\n"
-                     "open(file['build']['context'] + '/cmake/setup.sh')\n"},
+                     "settings = json.load(open('devcontainer.json'))\n"
+                     "assert settings['postCreateCommand'] == './glassbox'\n"
+                     "open(settings['build']['dockerfile'])\n"
+                     "open(settings['build']['context'] + '/cmake/setup.sh')\n"},
                     folder.string())
             .exit_code == 0);
   const std::string text = read_whole(folder / "Containerfile");

@@ -136,12 +136,8 @@ PathSums sum_paths(const CostVolume& costs, const Planes& picture, int paths,
   const std::vector<Step> back = opposite(steps);
   const MatchKernels& kernels = match_kernels(target);
   tbb::parallel_invoke(
-      [&] {
-        sweep_all({picture, steps, jumps, penalties.p1, kernels}, costs, false, sums.down);
-      },
-      [&] {
-        sweep_all({picture, back, jumps, penalties.p1, kernels}, costs, true, sums.up);
-      });
+      [&] { sweep_all({picture, steps, jumps, penalties.p1, kernels}, costs, false, sums.down); },
+      [&] { sweep_all({picture, back, jumps, penalties.p1, kernels}, costs, true, sums.up); });
   return sums;
 }
 

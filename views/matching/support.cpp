@@ -51,9 +51,7 @@ void average_rows(CostVolume& volume, const Image<Arms>& arms, const MatchKernel
     thread_local LineVector<std::uint32_t> sums;
     average_line(
         volume.width, volume.stride, kernels, sums, [&](int x) { return volume.at(x, y); },
-        [&](int x) {
-          return Reach{arms.at(x, y).left, arms.at(x, y).right};
-        });
+        [&](int x) { return Reach{arms.at(x, y).left, arms.at(x, y).right}; });
   });
 }
 
@@ -62,9 +60,7 @@ void average_columns(CostVolume& volume, const Image<Arms>& arms, const MatchKer
     thread_local LineVector<std::uint32_t> sums;
     average_line(
         volume.height, volume.stride, kernels, sums, [&](int y) { return volume.at(x, y); },
-        [&](int y) {
-          return Reach{arms.at(x, y).up, arms.at(x, y).down};
-        });
+        [&](int y) { return Reach{arms.at(x, y).up, arms.at(x, y).down}; });
   });
 }
 

@@ -119,9 +119,8 @@ Result<LinearFit> linear_fit(const Matches& matches, int least) {
 
 Result<EightPointFit> fit_fundamental(const Matches& pixels, Conditioning conditioning) {
   if (conditioning == Conditioning::kRaw) {
-    return linear_fit(pixels).map([](const LinearFit& fit) {
-      return EightPointFit{with_rank_two(fit.matrix), fit};
-    });
+    return linear_fit(pixels).map(
+        [](const LinearFit& fit) { return EightPointFit{with_rank_two(fit.matrix), fit}; });
   }
   return normalised(pixels).and_then([](const Normalised& from) {
     return linear_fit(from.matches).map([&](const LinearFit& fit) {

@@ -38,7 +38,7 @@ bool transpose(GivenMatrix& matrix) {
 }
 
 // Scales x and y as the angle that was meant would have.
-bool set_angle(GivenMatrix& projection, std::optional<int> ProjectionFacts::*meant) {
+bool set_angle(GivenMatrix& projection, std::optional<int> ProjectionFacts::* meant) {
   const ProjectionFacts facts = projection_facts(projection);
   const std::optional<int>& degrees = facts.*meant;
   if (!degrees) return false;

@@ -22,12 +22,8 @@ namespace c03 {
 class FlushToZero {
 #if defined(__SSE2__)
 public:
-  FlushToZero() : before_(_mm_getcsr()) {
-    _mm_setcsr(before_ | 0x8040u);
-  }
-  ~FlushToZero() {
-    _mm_setcsr(before_);
-  }
+  FlushToZero() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040u); }
+  ~FlushToZero() { _mm_setcsr(before_); }
   FlushToZero(const FlushToZero&) = delete;
   FlushToZero& operator=(const FlushToZero&) = delete;
 
@@ -141,17 +137,13 @@ ExtremeCase c03_numbers_that_are_none() {
       .unit = "answers",
       .oracle = Oracle::kProperty,
       .ours = {"look_at, perspective, inverse_affine",
-               [] {
-                 return judge({look_at, checked_lens, checked_inverse});
-               }},
+               [] { return judge({look_at, checked_lens, checked_inverse}); }},
       .naive = {"nothing checked",
                 [] {
                   return judge({naive::unchecked_look_at, unchecked_lens, unchecked_inverse});
                 }},
       .mutants = {{"\"<= 0\" for \"not > 0\" in the checks of the lens",
-                   [] {
-                     return judge({look_at, lens_that_lets_nan_through, checked_inverse});
-                   }}},
+                   [] { return judge({look_at, lens_that_lets_nan_through, checked_inverse}); }}},
       .not_drawn = "files and cameras with such numbers are refused before anything is drawn",
       .exceptions_of_ours = FE_INVALID,  // NaN is compared
   };

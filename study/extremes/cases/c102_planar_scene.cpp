@@ -68,21 +68,12 @@ ExtremeCase c102_planar_scene() {
       .unit = "answers",
       .oracle = Oracle::kAnalytic,
       .ours = {"rank by singular values, five points",
-               [] {
-                 return judge({by_singular_values, five_points});
-               }},
+               [] { return judge({by_singular_values, five_points}); }},
       .naive = {"as many equations as matches, eight points",
-                [] {
-                  return judge({of_equations, eight_points});
-                }},
-      .mutants = {{"only an exact 0 is nothing",
-                   [] {
-                     return judge({of_zeros, five_points});
-                   }},
+                [] { return judge({of_equations, eight_points}); }},
+      .mutants = {{"only an exact 0 is nothing", [] { return judge({of_zeros, five_points}); }},
                   {"eight points for five",
-                   [] {
-                     return judge({by_singular_values, eight_points});
-                   }}},
+                   [] { return judge({by_singular_values, eight_points}); }}},
       .not_drawn = "an estimate from matches, which no engine draws",
   };
 }

@@ -71,26 +71,13 @@ ExtremeCase c114_unknown_truth() {
       .right = "the error of the three known pixels; Z = f B/(d + 31.086); four roundings of float",
       .unit = "relative",
       .oracle = Oracle::kAnalytic,
-      .ours = {"what is known, with the offset",
-               [] {
-                 return judge({of_known, with_offset});
-               }},
+      .ours = {"what is known, with the offset", [] { return judge({of_known, with_offset}); }},
       .naive = {"all pixels, f B/d",
-                [] {
-                  return judge({naive::rms_of_all, naive::depth_without_offset});
-                }},
-      .mutants = {{"only NaN is unknown",
-                   [] {
-                     return judge({nan_is_unknown, with_offset});
-                   }},
-                  {"0 is a disparity",
-                   [] {
-                     return judge({zero_is_far, with_offset});
-                   }},
+                [] { return judge({naive::rms_of_all, naive::depth_without_offset}); }},
+      .mutants = {{"only NaN is unknown", [] { return judge({nan_is_unknown, with_offset}); }},
+                  {"0 is a disparity", [] { return judge({zero_is_far, with_offset}); }},
                   {"the offset is forgotten",
-                   [] {
-                     return judge({of_known, naive::depth_without_offset});
-                   }}},
+                   [] { return judge({of_known, naive::depth_without_offset}); }}},
       .not_drawn = "pictures are only what it starts from: no engine draws what is matched",
   };
 }

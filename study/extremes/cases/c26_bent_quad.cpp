@@ -121,17 +121,11 @@ ExtremeCase c26_bent_quad() {
       .unit = "object unit",
       .oracle = Oracle::kExtended,
       .ours = {"planarity_deviation and triangulate",
-               [] {
-                 return judge({deviation_from_mean_plane, shared_corners});
-               }},
+               [] { return judge({deviation_from_mean_plane, shared_corners}); }},
       .naive = {"plane of the first three corners, diagonal from the first",
-                [] {
-                  return judge({deviation_from_first_three, from_the_first_corner});
-                }},
+                [] { return judge({deviation_from_first_three, from_the_first_corner}); }},
       .mutants = {{"the diagonal from the first corner",
-                   [] {
-                     return judge({deviation_from_mean_plane, from_the_first_corner});
-                   }}},
+                   [] { return judge({deviation_from_mean_plane, from_the_first_corner}); }}},
       .drawn = judge_drawn,
   };
 }

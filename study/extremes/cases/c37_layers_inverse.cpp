@@ -114,21 +114,12 @@ ExtremeCase c37_layers_inverse() {
       .unit = "px",
       .oracle = Oracle::kAnalytic,
       .ours = {"near/distance, C1^-1 in double",
-               [] {
-                 return judge({near_over_distance, in_double});
-               }},
-      .naive = {"0..1 depth, all in float",
-                [] {
-                  return judge({standard_depth, all_in_float});
-                }},
+               [] { return judge({near_over_distance, in_double}); }},
+      .naive = {"0..1 depth, all in float", [] { return judge({standard_depth, all_in_float}); }},
       .mutants = {{"0..1 depth, C1^-1 in double",
-                   [] {
-                     return judge({standard_depth, standard_in_double});
-                   }},
+                   [] { return judge({standard_depth, standard_in_double}); }},
                   {"near/distance, C1^-1 in float",
-                   [] {
-                     return judge({near_over_distance, inverse_in_float});
-                   }}},
+                   [] { return judge({near_over_distance, inverse_in_float}); }}},
       .not_drawn = "samples are warped by views/layers; no engine takes part",
   };
 }

@@ -85,9 +85,7 @@ ExtremeCase c78_eyes_swapped() {
       .oracle = Oracle::kProperty,
       .ours = {"pair and anaglyph as drawn", judge_ours},
       .naive = {"the pictures interchanged",
-                [] {
-                  return judge_pair({room().eyes.right, room().eyes.left});
-                }},
+                [] { return judge_pair({room().eyes.right, room().eyes.left}); }},
       .mutants = {{"the anaglyph's eyes interchanged",
                    [] { return judge_anaglyph(anaglyph(room().eyes.right, room().eyes.left)); }},
                   {"channel swap: red and blue interchanged, as BGR files have them",

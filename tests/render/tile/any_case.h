@@ -496,13 +496,13 @@ void shrink(AnyCase& failing, const Fails& still_fails) {
       }
     }
   };
-  shorten([](AnyCase & c) -> auto& { return c.scene.instances; });
+  shorten([](AnyCase& c) -> auto& { return c.scene.instances; });
   for (std::size_t i = 0; i < failing.scene.meshes.size(); ++i) {
-    shorten([i](AnyCase & c) -> auto& { return c.scene.meshes[i].faces; });
-    shorten([i](AnyCase & c) -> auto& { return c.scene.meshes[i].lines; });
-    shorten([i](AnyCase & c) -> auto& { return c.scene.meshes[i].points; });
+    shorten([i](AnyCase& c) -> auto& { return c.scene.meshes[i].faces; });
+    shorten([i](AnyCase& c) -> auto& { return c.scene.meshes[i].lines; });
+    shorten([i](AnyCase& c) -> auto& { return c.scene.meshes[i].points; });
   }
-  shorten([](AnyCase & c) -> auto& { return c.scene.lights; });
+  shorten([](AnyCase& c) -> auto& { return c.scene.lights; });
 }
 
 // The case in words: enough to build it by hand.

@@ -17,7 +17,8 @@ inline std::string in_words(const Rgba8& c) {
   return text.str();
 }
 template <class T>
-requires std::is_arithmetic_v<T> std::string in_words(T value) {
+  requires std::is_arithmetic_v<T>
+std::string in_words(T value) {
   std::ostringstream text;
   text.precision(9);
   text << value;
