@@ -42,7 +42,7 @@ with_progress() {
   what=$1
   shift
   : >"$1"
-  show_progress "$what" "$1" &
+  show_progress "$what" "$1" 9>&- & # without the lock, which would outlast the build by a second
   watcher=$!
   status=0
   quietly "$@" || status=$?

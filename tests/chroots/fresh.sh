@@ -10,20 +10,20 @@ root=$(CDPATH='' cd -- "$(dirname -- "$(readlink -f -- "$0")")/../.." && pwd -P)
 
 suite=$1
 chroot=$root/build/chroots/$suite
-log=$root/build/chroots/$suite-times
+times=$root/build/chroots/$suite-times
 
-# run_command COMMAND: in the clone. The last line of the log is how it ended.
+# run_command COMMAND: in the clone. The last line of them is how it ended.
 run_command() {
   say "$suite: $1"
   {
     status=0
     in_chroot "$chroot" "cd /root/glassbox && $1" 2>&1 || status=$?
     echo "ended with $status"
-  } | with_times | tee -a "$log" | without_steps >&2
-  tail -n 1 "$log" | grep -q 's  ended with 0$'
+  } | with_times | tee -a "$times" | without_steps >&2
+  tail -n 1 "$times" | grep -q 's  ended with 0$'
 }
 
-: >"$log"
+: >"$times"
 bare_chroot "$suite" "$chroot" git
 clone_into "$chroot"
 failed=0
