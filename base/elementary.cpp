@@ -12,11 +12,13 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// ln 2 in two pieces: the first has 32 bits, so that its product with an exponent, which has 11, is exact.
+// ln 2 in two pieces: the first has 32 bits, so that its product with an exponent, which has 11, is
+// exact.
 constexpr double kLn2High = 0x1.62e42feep-1;
 constexpr double kLn2Low = 0x1.a39ef35793c76p-33;
 
-// ln(1 + f) = 2 artanh(s) with s = f / (2 + f), 2 s (1 + s^2/3 + s^4/5 + ...). This is what the series is beyond its first term,
+// ln(1 + f) = 2 artanh(s) with s = f / (2 + f), 2 s (1 + s^2/3 + s^4/5 + ...). This is what the
+// series is beyond its first term,
 // s^2 (2/3 + s^2 2/5 + ...). With |s| <= 0.1716 the terms left out are below 2^-60 of ln(1 + f).
 double artanh_rest(double s) {
   const double z = s * s;
@@ -37,7 +39,8 @@ double exponential_rest(double r) {
   return c2 + r * (c3 + r * (c4 + r * (c5 + r * (c6 + r * (c7 + r * (c8 + r * high))))));
 }
 
-// Where the squares would not fit, all three are divided by the power of two in the largest, which is exact.
+// Where the squares would not fit, all three are divided by the power of two in the largest, which
+// is exact.
 double root_of_squares(double x, double y, double z) {
   if (std::isinf(x) || std::isinf(y) || std::isinf(z)) return kInfinity;
   const double largest = std::max({std::abs(x), std::abs(y), std::abs(z)});
@@ -67,13 +70,15 @@ double logarithm(double x) {
   const double f = fraction - 1;  // exact: within a factor of two of 1
   const double half_square = 0.5 * f * f;
   const double s = f / (2 + f);
-  // ln(1 + f) = f - (half_square - s (half_square + rest)): what is taken from f is small, so that its roundings count for little.
+  // ln(1 + f) = f - (half_square - s (half_square + rest)): what is taken from f is small, so that
+  // its roundings count for little.
   const double correction = s * (half_square + artanh_rest(s));
   const double k = exponent;
   return k * kLn2High - ((half_square - (correction + k * kLn2Low)) - f);
 }
 
-// 1 + x = u rounds x off to u - 1, exactly that, and ln(u) / (u - 1) hardly differs between the two.
+// 1 + x = u rounds x off to u - 1, exactly that, and ln(u) / (u - 1) hardly differs between the
+// two.
 double logarithm_1p(double x) {
   const double u = 1 + x;
   if (u == 1 || !std::isfinite(u) || !(u > 0)) return u == 1 ? x : logarithm(u);
@@ -85,7 +90,8 @@ double exponential(double x) {
   if (x > 709.79) return kInfinity;
   if (x < -745.14) return 0;
   const double k = std::floor(x * 1.4426950408889634074 + 0.5);
-  // x - k ln 2 = r + lost, |r| <= ln 2 / 2: the first difference is exact, and `lost` is what the second one rounds away.
+  // x - k ln 2 = r + lost, |r| <= ln 2 / 2: the first difference is exact, and `lost` is what the
+  // second one rounds away.
   const double high = x - k * kLn2High, low = k * kLn2Low;
   const double r = high - low;
   const double lost = (high - r) - low;
@@ -122,8 +128,10 @@ double logarithm_10(double x) {
   return x == power_of_ten(int(whole)) ? whole : found;
 }
 
-// A third of the bits, as of a number, is within 5 % of the root (Kahan's first guess). Halley's iteration cubes a relative error and
-// multiplies it by 2/3: 8e-5, 4e-13, and less than rounding. What it takes from a root that is nearly right is small, so that its
+// A third of the bits, as of a number, is within 5 % of the root (Kahan's first guess). Halley's
+// iteration cubes a relative error and
+// multiplies it by 2/3: 8e-5, 4e-13, and less than rounding. What it takes from a root that is
+// nearly right is small, so that its
 // own roundings count for little.
 double cube_root(double x) {
   if (x == 0 || !std::isfinite(x)) return x;

@@ -1,4 +1,5 @@
-// Logarithm, exponential, powers and roots against 50 digits (Boost.Multiprecision), in ulps of the exact result.
+// Logarithm, exponential, powers and roots against 50 digits (Boost.Multiprecision), in ulps of the
+// exact result.
 #include <glassbox/base/random.h>
 #include <tests/support/catch.h>
 
@@ -32,7 +33,7 @@ struct Worst {
   }
 };
 
-// Of all sizes, and near 1, where a logarithm vanishes.
+// Arguments are drawn of all sizes, and near 1, where a logarithm vanishes.
 std::vector<double> positive_numbers() {
   Random random(41);
   std::vector<double> list{kLargest, kSmallest, 0x1p-1022, 8, 27, 1000};

@@ -1,4 +1,5 @@
-// What lets Glassbox be built on another Debian than the one at hand, as far as this one can tell: names of packages with their
+// What lets Glassbox be built on another Debian than the one at hand, as far as this one can tell:
+// names of packages with their
 // alternatives, versions that are asked for, and what CMake says of the build's own files.
 #include <filesystem>
 #include <fstream>
@@ -25,7 +26,8 @@ std::string read_whole(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// A clone with these packages, and a machine with some of them: dpkg has `installed`, apt knows `known` beside them.
+// A clone with these packages, and a machine with some of them: dpkg has `installed`, apt knows
+// `known` beside them.
 class Machine {
 public:
   Machine(const std::string& packages, const std::string& installed, const std::string& known) {
@@ -33,7 +35,8 @@ public:
     fs::create_directories(root() / "bin");
     write("cmake/packages.txt", packages);
     fs::copy_file(kClone / "cmake/setup.sh", root() / "cmake/setup.sh");
-    // dpkg-query prints a line for each that it has of those it is asked for, and fails where it lacks one.
+    // dpkg-query prints a line for each that it has of those it is asked for, and fails where it
+    // lacks one.
     program("dpkg-query",
             "for name in " + installed +
                 "; do\n  case \" $* \" in\n"
@@ -74,7 +77,8 @@ std::string complaint_of(const std::string& line) {
   return std::regex_match(line, fine) ? "" : "no package, packages or [section]: " + line;
 }
 
-// The find_package(...), find_dependency(...) and pkg_check_modules(...) of a text that a later version of what they ask for, or a
+// The find_package(...), find_dependency(...) and pkg_check_modules(...) of a text that a later
+// version of what they ask for, or a
 // later CMake, would not satisfy.
 std::vector<std::string> narrow_requests(const std::string& text) {
   static const std::regex request(R"((find_package|find_dependency|pkg_check_modules)\(([^)]*)\))");

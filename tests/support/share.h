@@ -1,4 +1,5 @@
-// A share of many tests of one kind, another one every day, so that all have had their turn after a few days. The environment
+// A share of many tests of one kind, another one every day, so that all have had their turn after a
+// few days. The environment
 // variable SEED repeats the share of another day; tests/run.sh prints it.
 #pragma once
 
@@ -11,7 +12,8 @@
 
 namespace glassbox::test {
 
-// What SEED says, a number without a sign; where it is not set, the days since 1 January 1970. Throws std::invalid_argument with a
+// What SEED says, a number without a sign; where it is not set, the days since 1 January 1970.
+// Throws std::invalid_argument with a
 // message where it is no such number.
 inline std::uint64_t seed_of_shares() {
   const char* const said = std::getenv("SEED");
@@ -28,13 +30,16 @@ inline std::uint64_t seed_of_shares() {
 
 class Share {
 public:
-  // One test in `days` under this seed, and every test under one of `days` seeds that follow each other.
+  // One test in `days` under this seed, and every test under one of `days` seeds that follow each
+  // other.
   explicit Share(std::size_t days, std::uint64_t seed = seed_of_shares())
       : days_(days), seed_(seed) {}
   static Share everything() { return Share(1, 0); }
 
-  // Whether the test at `position`, from 0, of a group of `size` has its turn. Every group has at least one turn under every seed,
-  // so no group is ever left out: a group that is smaller than `days` takes its tests one after the other.
+  // Whether the test at `position`, from 0, of a group of `size` has its turn. Every group has at
+  // least one turn under every seed,
+  // so no group is ever left out: a group that is smaller than `days` takes its tests one after the
+  // other.
   bool has(std::size_t position, std::size_t size) const {
     const std::size_t step = size < days_ ? size : days_;
     return position % step == seed_ % step;

@@ -1,4 +1,5 @@
-// Whether a test can have a terminal: programs that behave otherwise on one are given a pseudo-terminal.
+// Whether a test can have a terminal: programs that behave otherwise on one are given a
+// pseudo-terminal.
 #pragma once
 
 #include <fcntl.h>
@@ -9,7 +10,8 @@
 
 namespace glassbox::test {
 
-// Opens both ends of a pseudo-terminal, as script(1) and forkpty(3) do, and closes them again. A chroot in which /dev/pts is not mounted
+// Opens both ends of a pseudo-terminal, as script(1) and forkpty(3) do, and closes them again. A
+// chroot in which /dev/pts is not mounted
 // lets the first be opened and not the second.
 inline bool has_pseudo_terminals() {
   const int master = ::posix_openpt(O_RDWR | O_NOCTTY);
