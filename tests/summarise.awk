@@ -1,4 +1,5 @@
-# From the log of ctest: one line "passed failed skipped", then a line for each reason why tests were skipped.
+# From the log of ctest: one line "passed failed skipped", then the name of each suite that failed, and each reason why tests
+# were skipped.
 #
 # A suite counts as many tests as Catch2 says that it has, less those that said "skipped: REASON -- TEST" (tests/support/skip.h),
 # which Catch2 counts as passed. What is no Catch2 suite, or ended before its summary, counts as one.
@@ -6,6 +7,7 @@ function close_test() {
   if (name == "") return
   if (ok && bad > 0) ok = 0
   if (!ok && bad == 0) bad = 1
+  if (bad > 0) failures[++failure_count] = name (absent ? " (its program was not built)" : "")
   if (ok && good == 0) good = 1
   if (left_out > good) left_out = good
   passed += good - left_out
@@ -35,10 +37,12 @@ function close_test() {
     tests[$0]++
   }
 }
-/^Test Passed\.$/ { ok = !absent }
+# The second is said of a test that passes by what it prints (PASS_REGULAR_EXPRESSION).
+/^Test (Passed\.|Pass Reason:)$/ { ok = !absent }
 END {
   close_test()
   print passed + 0, failed + 0, skipped + 0
+  for (i = 1; i <= failure_count; i++) print "failed: " failures[i]
   for (i = 1; i <= reason_count; i++) {
     count = tests[reasons[i]]
     print "skipped: " reasons[i] " (" count (count == 1 ? " test)" : " tests)")

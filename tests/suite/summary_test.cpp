@@ -39,13 +39,22 @@ TEST_CASE("a suite counts as its test cases, and what is no suite as one") {
   CHECK(summary_of(logged("a", kThree) + logged("b", "fine\n")) == "4 0 0\n");
   CHECK(summary_of(logged("a", "All tests passed (1 assertion in 1 test case)\n")) == "1 0 0\n");
   CHECK(summary_of(logged("a", "test cases: 5 | 3 passed | 2 failed\n", "Test Failed.")) ==
-        "3 2 0\n");
+        "3 2 0\nfailed: a\n");
+}
+
+TEST_CASE("a test that passes by what it prints counts as passed") {
+  CHECK(summary_of(logged("a", "said\n",
+                          "Test Pass Reason:\nRequired regular expression found.")) == "1 0 0\n");
+  CHECK(summary_of(logged("a", "said\n", "Test Fail Reason:\nError regular expression found.")) ==
+        "0 1 0\nfailed: a\n");
 }
 
 TEST_CASE("what fails is never counted as passed") {
-  CHECK(summary_of(logged("a", "no summary\n", "Test Failed.")) == "0 1 0\n");
-  CHECK(summary_of(logged("a", kThree, "Test Failed.")) == "3 1 0\n");
-  CHECK(summary_of("1/9 Test: a\nCommand: \"\"\nTest Passed.\n") == "0 1 0\n");
+  CHECK(summary_of(logged("a", "no summary\n", "Test Failed.")) == "0 1 0\nfailed: a\n");
+  CHECK(summary_of(logged("a", kThree, "Test Failed.") + logged("b", kThree)) ==
+        "6 1 0\nfailed: a\n");
+  CHECK(summary_of("1/9 Test: a\nCommand: \"\"\nTest Passed.\n") ==
+        "0 1 0\nfailed: a (its program was not built)\n");
 }
 
 TEST_CASE("skipped tests are counted as skipped and not as passed, each reason once") {
@@ -59,7 +68,7 @@ TEST_CASE("skipped tests are counted as skipped and not as passed, each reason o
   CHECK(summary_of(logged("a", "skipped: x -- a\nskipped: x -- b\nskipped: y -- c\n" + kThree)) ==
         "0 0 3\nskipped: x (2 tests)\nskipped: y (1 test)\n");
   CHECK(summary_of(logged("a", "skipped: x -- a\ntest cases: 5 | 4 passed | 1 failed\n",
-                          "Test Failed.")) == "3 1 1\nskipped: x (1 test)\n");
+                          "Test Failed.")) == "3 1 1\nfailed: a\nskipped: x (1 test)\n");
 }
 
 TEST_CASE("a test case that is left out says so in the words that are counted", "[.skipped]") {
