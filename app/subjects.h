@@ -1,6 +1,6 @@
 // The commands of glassbox by subject. A program has all of them, or those of one subject: so that
-// somebody who wants to look
-// at one picture need not wait until the rest is compiled (docs/building.md).
+// somebody who wants to look at one picture need not wait until the rest is compiled
+// (docs/building.md).
 #pragma once
 
 #include <span>

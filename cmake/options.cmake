@@ -116,7 +116,7 @@ endfunction()
 # compile_together(TARGET ...): their sources are compiled some at a time, because the headers that they share take longer to
 # compile than they do (docs/building.md has the figures). What is unnamed in one source must not be in another of the target.
 function(compile_together)
-  set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ${GLASSBOX_TOGETHER} UNITY_BUILD_BATCH_SIZE 10)
+  set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ${GLASSBOX_TOGETHER} UNITY_BUILD_BATCH_SIZE 40)
   foreach(target ${ARGN})
     # g++ takes included sources for headers, whose private types others would see.
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)

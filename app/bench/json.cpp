@@ -13,7 +13,7 @@ using study::Measurement;
 using study::Quartiles;
 using study::Scaling;
 
-Json range_of(const Quartiles& q) {
+Json quartiles_json(const Quartiles& q) {
   return Json::array({q.lower, q.upper});
 }
 
@@ -52,13 +52,13 @@ Json result_json(const BenchReport& report, const Measurement& result) {
   Json json{{"scene", result.scene},  {"threads", result.threads}, {"samples", result.samples},
             {"ms", result.ms.median}, {"peer", nullptr},           {"peer_ms", nullptr},
             {"ratio", nullptr}};
-  json["ms_quartiles"] = range_of(result.ms);
+  json["ms_quartiles"] = quartiles_json(result.ms);
   if (result.against) {
     json["peer"] = result.against->peer;
     json["peer_ms"] = result.against->ms.median;
     json["ratio"] = result.ratio();
-    json["peer_ms_quartiles"] = range_of(result.against->ms);
-    json["frame_ratio_quartiles"] = range_of(result.against->frame_ratio);
+    json["peer_ms_quartiles"] = quartiles_json(result.against->ms);
+    json["frame_ratio_quartiles"] = quartiles_json(result.against->frame_ratio);
     json["pictures"] = match_json(result.against->match);
   }
   if (result.stereo) {
@@ -84,7 +84,7 @@ Json scaling_json(const Scaling& scaling) {
   for (const study::ScalingPoint& point : scaling.points) {
     json["points"].push_back({{"x", point.x},
                               {"ms", point.ms.median},
-                              {"ms_quartiles", range_of(point.ms)},
+                              {"ms_quartiles", quartiles_json(point.ms)},
                               {"peak_bytes", point.peak_bytes}});
   }
   if (scaling.ratios) json["ratios"] = {{"x", scaling.ratios->x}, {"ms", scaling.ratios->ms}};

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bench/matching_peer.h"
+#include "app/report/elapsed.h"
 #include "app/report/progress.h"
 #include "app/report/scratch.h"
 #include "app/report/text_layout.h"
@@ -63,14 +64,14 @@ Result<Matcher> measure_ours(const MatchInput& input, const char* method,
     const auto start = std::chrono::steady_clock::now();
     const auto match = views::match_pictures(input.left, input.right, settings);
     if (!match) return tl::unexpected(match.error());
-    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+    const double took_ms = elapsed_ms(start);
     if (frame == 0) {
       matcher.visible =
           views::evaluate(match->disparity, input.truth->disparity, &input.truth->is_visible);
       continue;
     }
     cpu.push_back(processor_ms() - before);
-    wall.push_back(took.count());
+    wall.push_back(took_ms);
   }
   matcher.cpu_ms = study::median(cpu);
   matcher.wall_ms = study::median(wall);

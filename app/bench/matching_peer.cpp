@@ -23,7 +23,7 @@ namespace {
 // The interpreter that Debian's package is made for; another one in PATH has modules of its own.
 constexpr const char* kPython = "/usr/bin/python3";
 constexpr int kMissing = 3;  // exit code
-constexpr labs::ProcessLimits kLimits{.seconds = 600};
+constexpr labs::ProcessLimits kPeerLimits{.seconds = 600};
 
 // Says "version V", then of each time "CPU WALL" in milliseconds; 16ths of a pixel go to the file.
 constexpr const char* kScript = R"py(
@@ -49,7 +49,7 @@ disparity.astype("<i2").tofile(out)
 Result<std::string> run_script(const std::vector<std::string>& words) {
   std::vector<std::string> argv{kPython, "-c", kScript};
   argv.insert(argv.end(), words.begin(), words.end());
-  const labs::ProcessOutcome outcome = labs::run_process(argv, kLimits);
+  const labs::ProcessOutcome outcome = labs::run_process(argv, kPeerLimits);
   if (!outcome.started || (WIFEXITED(outcome.status) && WEXITSTATUS(outcome.status) == kMissing)) {
     return fail("OpenCV", kPeerIsMissing, "apt install python3-opencv, or leave --against out");
   }

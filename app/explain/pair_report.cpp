@@ -12,19 +12,20 @@ namespace glassbox::app {
 
 namespace {
 
-struct Eye {
+struct ReportedEye {
   const char* key;
   const char* heading;
   const Statistics& statistics;
 };
 
-std::vector<Eye> eyes_of(const StereoRendering& both) {
+std::vector<ReportedEye> eyes_of(const StereoRendering& both) {
   if (both.passes == 1) return {{"both", "both eyes", both.left_statistics}};
   return {{"left", "the left eye", both.left_statistics},
           {"right", "the right eye", both.right_statistics}};
 }
 
-std::string plans_text(const std::vector<Eye>& eyes, const std::vector<std::string>& plans) {
+std::string plans_text(const std::vector<ReportedEye>& eyes,
+                       const std::vector<std::string>& plans) {
   const bool same = std::ranges::all_of(plans, [&](const auto& p) { return p == plans.front(); });
   if (same) return "both eyes\n\n" + plans.front() + "\n";
   std::string text;
@@ -37,12 +38,12 @@ std::string plans_text(const std::vector<Eye>& eyes, const std::vector<std::stri
 }  // namespace
 
 std::string pair_text(const PairReport& pair) {
-  const std::vector<Eye> eyes = eyes_of(pair.both);
+  const std::vector<ReportedEye> eyes = eyes_of(pair.both);
   std::string text;
   if (pair.is_planned()) text += plans_text(eyes, pair.planned.texts);
   if (!pair.counted) return text;
   const EngineKind engine = pair.is_planned() ? EngineKind::kTile : EngineKind::kStaged;
-  for (const Eye& eye : eyes) {
+  for (const ReportedEye& eye : eyes) {
     text += eye.heading + std::string("\n") + stage_table(eye.statistics, engine) + "\n";
   }
   // What both share is counted and timed with the first.
@@ -51,7 +52,7 @@ std::string pair_text(const PairReport& pair) {
 }
 
 nlohmann::ordered_json pair_json(const PairReport& pair) {
-  const std::vector<Eye> eyes = eyes_of(pair.both);
+  const std::vector<ReportedEye> eyes = eyes_of(pair.both);
   nlohmann::ordered_json json;
   for (std::size_t i = 0; i < eyes.size(); ++i) {
     nlohmann::ordered_json& of_eye = json[eyes[i].key];

@@ -6,14 +6,12 @@
 
 #include <fmt/format.h>
 
+#include <glassbox/pipeline/stereo/comfort.h>
 #include <glassbox/render/depth_seen.h>
 
 namespace glassbox::app {
 
 namespace {
-
-// As for a single picture: stereo photography's one in thirty.
-constexpr double kWindowsPerSeparation = 30;
 
 // After so many rounds a frame that still shows more than was known gets the whole range, so that planning comes to an end.
 constexpr int kPatientRounds = 8;

@@ -16,6 +16,7 @@
 #include "app/frames/shots.h"
 #include "app/frames/stop_request.h"
 #include "app/options/scene_input.h"
+#include "app/report/elapsed.h"
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
 #include "app/report/progress.h"
@@ -196,7 +197,7 @@ private:
 
   Result<void> write_others() {
     say_what_is_odd();
-    report_.total_ms = std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
+    report_.total_ms = elapsed_ms(start_);
     if (!report_.plot.empty()) {
       const auto written = write_text(report_.plot, plot_svg(report_));
       if (!written) return written;

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/report/number_json.h"
+
 #include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/pipeline/stereo/parallax.h>
@@ -39,10 +41,6 @@ double largest_step(const FramesReport& report) {
         largest, std::abs(separation_of(report.frames[i]) - separation_of(report.frames[i - 1])));
   }
   return largest;
-}
-
-Json finite_or_inf(double value) {
-  return std::isinf(value) ? Json("inf") : Json(value);
 }
 
 std::string eyes_text(const FramesReport& report) {

@@ -1,7 +1,6 @@
 #include "app/inspect/manifest.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <variant>
 #include <vector>
@@ -30,11 +29,6 @@ Json rows(const Transform<Target, Source, T>& m) {
   return json;
 }
 
-// JSON has no infinity.
-Json distance(double d) {
-  return std::isinf(d) ? Json("inf") : Json(d);
-}
-
 Json lens_json(const Lens& lens) {
   if (const auto* l = std::get_if<PerspectiveLens>(&lens)) {
     return {{"kind", "perspective"},
@@ -46,7 +40,7 @@ Json lens_json(const Lens& lens) {
     return {{"kind", "parallel"},
             {"half_height", l->half_height},
             {"near", l->near},
-            {"far", distance(l->far)}};
+            {"far", finite_or_inf(l->far)}};
   }
   const auto& l = std::get<FrustumLens>(lens);
   return {{"kind", "frustum"},
@@ -76,7 +70,7 @@ Json view_json(const View& view) {
           {"reversed", view.depth_range == DepthRange::kReversed},
           {"perspective", view.perspective},
           {"near", view.near},
-          {"far", distance(view.far)}};
+          {"far", finite_or_inf(view.far)}};
 }
 
 // From the root down to the node itself: world_from_node is their product.

@@ -16,7 +16,6 @@ namespace glassbox::app {
 namespace {
 
 namespace fs = std::filesystem;
-using labs::grading::Row;
 using Json = nlohmann::ordered_json;
 
 // As far as the overview reads it.
@@ -110,12 +109,12 @@ bool is_up_to_date(const std::string& output, const std::string& digest) {
   return true;
 }
 
-Result<std::vector<Row>> read_results(const fs::path& results) {
+Result<std::vector<labs::grading::Row>> read_results(const fs::path& results) {
   const auto names = labs::grading::list_folders(results);
   if (!names) return tl::unexpected(names.error());
-  std::vector<Row> rows;
+  std::vector<labs::grading::Row> rows;
   for (const std::string& name : *names) {
-    Row row{name, labs::grading::unfinished_json()};
+    labs::grading::Row row{name, labs::grading::unfinished_json()};
     const fs::path file = results / name / "results.json";
     if (const auto result = read_result(file)) row.results = *result;
     std::error_code error;

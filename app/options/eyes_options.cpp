@@ -16,9 +16,6 @@ namespace glassbox::app {
 
 namespace {
 
-// Stereo photography's rule of one in thirty, for the window in place of the nearest thing.
-constexpr double kWindowsPerSeparation = 30;
-
 bool is_between_planes(const View& centre, double distance) {
   return distance > 0 && distance > centre.near && distance < centre.far;
 }

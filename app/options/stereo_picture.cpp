@@ -10,6 +10,7 @@
 
 #include "app/options/arguments.h"
 #include "app/options/choices.h"
+#include "app/report/number_json.h"
 
 #include <glassbox/pipeline/stereo/parallax.h>
 
@@ -180,10 +181,6 @@ struct NamedParallax {
 std::array<NamedParallax, 3> named_parallaxes(const ChosenEyes& chosen) {
   const ParallaxTable table = parallax_table(chosen.centre, chosen.eyes.pair);
   return {{{"near", table.near}, {"window", table.window}, {"far", table.far}}};
-}
-
-nlohmann::ordered_json finite_or_inf(double value) {
-  return std::isinf(value) ? nlohmann::ordered_json("inf") : nlohmann::ordered_json(value);
 }
 
 }  // namespace

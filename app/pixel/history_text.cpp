@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "app/report/text_layout.h"
+#include "app/report/value_text.h"
 #include "app/why/verdict_text.h"
 
 #include <glassbox/base/counted.h>
@@ -15,10 +16,6 @@ namespace glassbox::app {
 namespace {
 
 constexpr std::size_t kMissesShown = 3;
-
-std::string bytes_text(const Rgba8& c) {
-  return fmt::format("({}, {}, {}, {})", c.r, c.g, c.b, c.a);
-}
 
 std::string cut(const std::string& text, std::size_t width) {
   return printable(text, text.size() > width ? width - 3 : width);

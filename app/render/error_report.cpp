@@ -7,9 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/report/eye_error_json.h"
+#include "app/report/number_json.h"
 #include "app/report/shell_line.h"
 #include "app/report/stage_report.h"
 #include "app/report/text_layout.h"
+#include "app/report/value_text.h"
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
@@ -145,17 +147,13 @@ std::vector<std::string> left_out(const ErrorReport& report) {
 
 // ---- text ----
 
-std::string number_text(double value) {
-  return std::isfinite(value) ? fmt::format("{:.3g}", value) : "unknown";
-}
-
 std::string row_text(const Row& row) {
   const BoundSummary& bounds = row.bounds;
   const bool any = bounds.count() > bounds.unbounded();
-  std::string text =
-      fmt::format("  {:<27}{:<13}{:>10}{:>11}  {:<26}", row.number, row.unit,
-                  any ? number_text(bounds.largest() * row.units) : "unknown",
-                  number_text(bounds.typical() * row.units), any ? place_text(bounds.place()) : "");
+  std::string text = fmt::format("  {:<27}{:<13}{:>10}{:>11}  {:<26}", row.number, row.unit,
+                                 any ? number_or_unknown(bounds.largest() * row.units) : "unknown",
+                                 number_or_unknown(bounds.typical() * row.units),
+                                 any ? place_text(bounds.place()) : "");
   if (bounds.unbounded() > 0) {
     text += fmt::format("{} of {} unknown", grouped(bounds.unbounded()), grouped(bounds.count()));
   }
@@ -239,10 +237,6 @@ Json second_eye_json(const views::SecondEyeError& eye) {
           {"both_warped_ms", eye.both_warped_ms}};
 }
 
-Json finite(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
 Json row_json(const ErrorReport& report, const Row& row) {
   const BoundSummary& bounds = row.bounds;
   Json json{{"stage", row.stage},
@@ -251,7 +245,7 @@ Json row_json(const ErrorReport& report, const Row& row) {
             {"count", bounds.count()},
             {"unknown", bounds.unbounded()}};
   if (bounds.count() == 0) return json;
-  json["half_below"] = finite(bounds.typical() * row.units);
+  json["half_below"] = finite_json(bounds.typical() * row.units);
   if (bounds.count() == bounds.unbounded()) return json;
   json["at_most"] = bounds.largest() * row.units;
   json["where"] = place_json(report, bounds.place());

@@ -17,7 +17,9 @@
 #include "app/options/output_options.h"
 #include "app/options/scene_input.h"
 #include "app/render/error_report.h"
+#include "app/report/elapsed.h"
 #include "app/report/exit_codes.h"
+#include "app/report/number_json.h"
 #include "app/report/output.h"
 #include "app/report/picture_output.h"
 #include "app/report/progress.h"
@@ -51,10 +53,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 
-double elapsed_ms(Clock::time_point since) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - since).count();
-}
-
 // Every integer up to 2^24 is a float; id 2^24 - 1 is the last whose successor is one as well.
 constexpr std::uint64_t kMaxIdTriangles = (1u << 24) - 1;
 
@@ -73,7 +71,7 @@ Json camera_json(const Camera& camera, const View& view) {
   Json json{{"name", camera.name},
             {"projection", view.perspective ? "perspective" : "parallel"},
             {"near", view.near}};
-  json["far"] = std::isinf(view.far) ? Json("inf") : Json(view.far);
+  json["far"] = finite_or_inf(view.far);
   json["world_from_eye_rows"] = matrix;
   return json;
 }

@@ -1,6 +1,8 @@
 // Points, vectors, colours and rectangles as JSON arrays, matrices as arrays of rows. Numbers that are not finite become null.
 #pragma once
 
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include <glassbox/base/spaces.h>
@@ -8,6 +10,17 @@
 #include <glassbox/raster/stages.h>
 
 namespace glassbox {
+
+// A number, or null where it is not finite: JSON has no word for that.
+inline nlohmann::ordered_json finite_json(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
+// A number that may be infinite, such as the distance of the far plane: then the word "inf" or "-inf"; null where it is no number.
+inline nlohmann::ordered_json finite_or_inf(double value) {
+  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+  return finite_json(value);
+}
 
 template <int N, class T>
 nlohmann::ordered_json numbers_json(const glm::vec<N, T>& v) {

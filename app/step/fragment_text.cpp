@@ -1,6 +1,7 @@
 // Stage 9 of a stepped triangle: one of its fragments.
 #include <fmt/format.h>
 
+#include "app/report/value_text.h"
 #include "app/step/matrices/decimal.h"
 #include "app/step/number_text.h"
 #include "app/step/stage_parts.h"
@@ -16,10 +17,6 @@ std::string line(const std::string& text) {
 std::string color_text(const Rgba& c) {
   return fmt::format("({}, {}, {}, {})", brief(double(c.r)), brief(double(c.g)), brief(double(c.b)),
                      brief(double(c.a)));
-}
-
-std::string bytes_text(const Rgba8& c) {
-  return fmt::format("({}, {}, {}, {})", c.r, c.g, c.b, c.a);
 }
 
 std::string weights_text(const TracedFragment& traced, const TriangleSetup& setup,

@@ -132,7 +132,7 @@ void add_window(CLI::App& command, PointStepOptions& o) {
       ->excludes(command.get_option("--size"));
 }
 
-constexpr const char* kFooter =
+constexpr const char* kStepFooter =
     "Examples:\n"
     "  glassbox step teapot --triangle 1000\n"
     "  glassbox step room --size 320x180 --pick 160,90 --bits\n"
@@ -168,7 +168,7 @@ void tell_of_ignored(const CLI::App& command, bool of_points) {
 void StepCommand::add_to(CLI::App& app, int& exit_code) {
   CLI::App& command = *app.add_subcommand(
       "step", "a triangle of a scene, or a point through your own matrices, through every space");
-  command.footer(kFooter);
+  command.footer(kStepFooter);
   add_triangle(command);
   add_points(command, points_);
   add_matrices(command, points_);

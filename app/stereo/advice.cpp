@@ -16,9 +16,6 @@ namespace glassbox::app {
 
 namespace {
 
-// Stereo photography's rule of one in thirty.
-constexpr double kWindowsPerSeparation = 30;
-
 // The next number of three digits towards zero; for numbers above 0.
 double rounded_down(double value) {
   const double unit = power_of_ten(int(std::floor(logarithm_10(value))) - 2);

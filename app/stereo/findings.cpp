@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "app/report/elapsed.h"
+
 #include <glassbox/render/depth_seen.h>
 
 namespace glassbox::app {
@@ -12,10 +14,6 @@ namespace glassbox::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double elapsed_ms(Clock::time_point since) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - since).count();
-}
 
 // What `draw` makes, and how long that takes when the engine has its threads and memory: the second time.
 template <class Draw>

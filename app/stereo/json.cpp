@@ -1,8 +1,8 @@
 #include "app/stereo/json.h"
 
-#include <cmath>
-
 #include <nlohmann/json.hpp>
+
+#include "app/report/number_json.h"
 
 namespace glassbox::app {
 
@@ -10,22 +10,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// JSON has no infinity.
-Json number(double value) {
-  if (std::isnan(value)) return nullptr;
-  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
-  return value;
-}
-
 Json parallax_json(const StereoFindings& found) {
   Json rows = Json::array();
   for (const ParallaxRow& row : parallax_rows(found)) {
     rows.push_back({{"name", row.name},
-                    {"distance", number(row.parallax.distance)},
-                    {"px", number(row.parallax.px)},
-                    {"percent_of_width", number(row.parallax.percent)},
-                    {"display_mm", number(row.displayed.mm)},
-                    {"display_degrees", number(row.displayed.degrees)},
+                    {"distance", finite_or_inf(row.parallax.distance)},
+                    {"px", finite_or_inf(row.parallax.px)},
+                    {"percent_of_width", finite_or_inf(row.parallax.percent)},
+                    {"display_mm", finite_or_inf(row.displayed.mm)},
+                    {"display_degrees", finite_or_inf(row.displayed.degrees)},
                     {"diverges", row.displayed.diverges}});
   }
   return rows;
@@ -150,7 +143,7 @@ Json stereo_json(const Scene& scene, const StereoFindings& found, const StereoWo
       {"eyes",
        {{"separation", 2 * eyes.pair.half_separation},
         {"separation_is_from", eyes.separation_is_from},
-        {"window", number(eyes.pair.window)},
+        {"window", finite_or_inf(eyes.pair.window)},
         {"window_is_at", eyes.window_is_at},
         {"projection", found.chosen.centre.perspective ? "perspective" : "parallel"},
         {"passes", found.rendering.passes}}},

@@ -35,9 +35,9 @@ struct Compared {
 };
 
 // Measures candidates on one scene: what draws them, and the reference, serve all of them.
-class Measurement {
+class SceneMeasurement {
 public:
-  Measurement(const Scene& scene, const PictureOptions& picture, Progress& progress)
+  SceneMeasurement(const Scene& scene, const PictureOptions& picture, Progress& progress)
       : scene_(scene),
         picture_(picture),
         view_([this](const RenderSettings& settings, int factor) {
@@ -242,7 +242,7 @@ Result<Recommendation> recommend(const Scene& scene, const PictureOptions& pictu
   result.machine = study::machine_name();
   result.compiler = study::compiler_name();
   result.size = picture.size;
-  Measurement measurement(scene, picture, progress);
+  SceneMeasurement measurement(scene, picture, progress);
   for (const study::Budget& budget : budgets) {
     auto judged = measurement.judge(budget);
     if (!judged) return tl::unexpected(judged.error());

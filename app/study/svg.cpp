@@ -23,11 +23,11 @@ namespace fs = std::filesystem;
 
 constexpr const char* kRemedy = "apt install gnuplot-nox, or leave --svg out";
 
-constexpr labs::ProcessLimits kLimits{.seconds = 300};  // a chart takes a second
+constexpr labs::ProcessLimits kChartLimits{.seconds = 300};  // a chart takes a second
 
 // What it says goes where our own messages go.
 labs::ProcessOutcome run_gnuplot(const std::string& script) {
-  labs::ProcessOutcome outcome = labs::run_process({"gnuplot", script}, kLimits);
+  labs::ProcessOutcome outcome = labs::run_process({"gnuplot", script}, kChartLimits);
   fmt::print(stderr, "{}", outcome.said);
   return outcome;
 }
@@ -50,9 +50,9 @@ Result<void> draw(const fs::path& scratch,
   std::ofstream(script, std::ios::binary) << commands(result, drawn.string());
   const labs::ProcessOutcome outcome = run_gnuplot(script.string());
   if (outcome.timed_out) {
-    return tl::unexpected(Error{target, "",
-                                fmt::format("gnuplot was not done after {:g} s", kLimits.seconds),
-                                "give it a machine that is less busy, or leave --svg out"});
+    return tl::unexpected(
+        Error{target, "", fmt::format("gnuplot was not done after {:g} s", kChartLimits.seconds),
+              "give it a machine that is less busy, or leave --svg out"});
   }
   const std::string svg = text_of(drawn);
   if (!outcome.started || outcome.status != 0 || svg.empty()) {

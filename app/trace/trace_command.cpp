@@ -29,7 +29,7 @@ namespace glassbox::app {
 
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kTraceFooter =
     "Examples:\n"
     "  glassbox trace teapot --size 320x180 -o run.npz\n"
     "  glassbox trace room --size 320x180 --rect 150,80,170,100 -o run.json\n"
@@ -86,7 +86,7 @@ std::vector<std::string> names_of(const TraceArrays& arrays) {
 void TraceCommand::add_to(CLI::App& app, int& exit_code) {
   CLI::App& command = *app.add_subcommand(
       "trace", "a whole run as data: every stage's numbers as JSON or NumPy arrays");
-  command.footer(kFooter + builtin_help());
+  command.footer(kTraceFooter + builtin_help());
   command.add_option("SCENE", scene_, kSceneHelp)->required();
   command.add_option("-o,--output", output_, ".json or .npz; - is JSON on standard output")
       ->type_name("FILE|-")

@@ -7,6 +7,7 @@
 #include <glassbox/base/elementary.h>
 #include <glassbox/render/renderer.h>
 
+#include "app/report/elapsed.h"
 #include "views/layers/second_eye_error.h"
 
 namespace glassbox::app {
@@ -49,8 +50,7 @@ LayersAgainst against_scene(const views::LayerPicture& picture, const View& view
   const auto start = std::chrono::steady_clock::now();
   const Framebuffer truth = renderer.render(view, settings).buffers;
   LayersAgainst against;
-  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
-  against.render_ms = took.count();
+  against.render_ms = elapsed_ms(start);
   const Eigen::Matrix4d to_layers =
       views::warp_matrix(layers.image.camera, views::layer_camera(view));
   const views::EyeError error = views::eye_error(picture.color, truth.color);

@@ -12,6 +12,7 @@
 #include "app/options/engine_options.h"
 #include "app/options/output_options.h"
 #include "app/options/scene_input.h"
+#include "app/report/elapsed.h"
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
 #include "app/report/picture_output.h"
@@ -29,10 +30,6 @@ namespace glassbox::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double ms_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 }  // namespace
 
@@ -152,7 +149,7 @@ Result<LayersDrawCommand::Drawn> LayersDrawCommand::draw(const views::StoredLaye
     const double worked = processor_ms();
     drawer.draw(views::layer_camera(*view), drawing_, drawn.picture);
     processor.push_back(processor_ms() - worked);
-    times.push_back(ms_since(start));
+    times.push_back(elapsed_ms(start));
   }
   std::ranges::sort(times);
   std::ranges::sort(processor);

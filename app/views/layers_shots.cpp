@@ -11,6 +11,7 @@
 #include "app/frames/path_file.h"
 #include "app/frames/shots.h"
 #include "app/frames/stop_request.h"
+#include "app/report/elapsed.h"
 #include "app/report/output.h"
 #include "app/report/progress.h"
 
@@ -128,12 +129,12 @@ Result<std::vector<LayersFrame>> draw_layer_frames(const LayersFrames& asked,
     progress.phase(fmt::format("drawing frame {} of {}", shot.number, range.count));
     const auto start = std::chrono::steady_clock::now();
     drawer.draw(views::layer_camera(shot.centre), asked.drawing, picture);
-    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+    const double took_ms = elapsed_ms(start);
     const std::string name = names->name(shot.number);
     if (const auto written = write_image(name, picture.color, {}); !written)
       return tl::unexpected(written.error());
-    frames.push_back({shot.number, name,
-                      std::size_t(std::ranges::count(picture.depth.pixels, 0.0f)), took.count()});
+    frames.push_back(
+        {shot.number, name, std::size_t(std::ranges::count(picture.depth.pixels, 0.0f)), took_ms});
   }
   return frames;
 }

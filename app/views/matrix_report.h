@@ -1,12 +1,12 @@
 // A matrix in a report: three lines of text, or rows in JSON.
 #pragma once
 
-#include <cmath>
 #include <string>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/report/number_json.h"
 #include "views/two_view/camera.h"
 
 namespace glassbox::app {
@@ -21,11 +21,6 @@ inline std::string matrix_lines(const std::string& name, const views::Matrix3d& 
     text += row == 0 && !what.empty() ? "   " + what + "\n" : "\n";
   }
   return text;
-}
-
-// JSON has no infinity: null.
-inline nlohmann::ordered_json finite_json(double value) {
-  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
 }
 
 inline nlohmann::ordered_json matrix_json(const views::Matrix3d& matrix) {

@@ -33,13 +33,13 @@ bool read_range(std::string_view text, CountRange& range) {
          read_count(text.substr(dash + 1), range.highest) && range.lowest <= range.highest;
 }
 
-struct Part {
+struct NamedRange {
   std::string_view name;  // empty: by its place
   CountRange range;
 };
 
 // "name=range" or "range".
-bool read_part(std::string_view text, Part& part) {
+bool read_part(std::string_view text, NamedRange& part) {
   const auto equals = text.find('=');
   if (equals == std::string_view::npos) return read_range(text, part.range);
   part.name = trimmed(text.substr(0, equals));
@@ -57,7 +57,7 @@ std::string to_string(const CountRange& range) {
 Result<Fuzzy> parse_fuzzy(const std::string& text) {
   const std::string_view whole = text;
   const auto semicolon = std::min(whole.find(';'), whole.size());
-  Part first, second;
+  NamedRange first, second;
   const bool good = semicolon < whole.size() && read_part(whole.substr(0, semicolon), first) &&
                     read_part(whole.substr(semicolon + 1), second) &&
                     (first.name.empty() || first.name != second.name);

@@ -12,6 +12,10 @@
 
 namespace glassbox {
 
+// Stereo photography's rule of one in thirty: the eyes are a thirtieth of the nearest thing's distance apart. Here the
+// window stands in place of the nearest thing.
+inline constexpr double kWindowsPerSeparation = 30;
+
 // What is seen of the scene, world units along the gaze. Perspective: 0 < nearest <= farthest, which may be infinite;
 // parallel: finite.
 struct DepthSpan {

@@ -32,15 +32,15 @@ constexpr double kThinnest = 0x1p-20;
 constexpr double kLeastCosine = 0.125;
 
 // Lengths and directions of the Newell vectors.
-struct Surface {
+struct ClusterNormals {
   std::array<Vector3, kClusterTriangles> normals;
   Vector3 sum;
   double least_newell = std::numeric_limits<double>::infinity(), longest_edge = 0;
   bool sure = true;  // every normal is right within the slack
 };
 
-Surface surface_of(std::span<const Corners> triangles) {
-  Surface surface;
+ClusterNormals normals_of(std::span<const Corners> triangles) {
+  ClusterNormals surface;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const auto& [a, b, c] = triangles[i];
     const Vector3 ab = b - a, ac = c - a, bc = c - b;
@@ -59,7 +59,7 @@ Surface surface_of(std::span<const Corners> triangles) {
 
 // Left without a cone where it is wide, or where a normal is not sure.
 void add_cone(std::span<const Corners> triangles, Cluster& cluster) {
-  const Surface surface = surface_of(triangles);
+  const ClusterNormals surface = normals_of(triangles);
   const double size = length(surface.sum);
   if (!surface.sure || !(size > 0)) return;
   const Vector3 sum = surface.sum * (1 / size);

@@ -1,6 +1,26 @@
 # cmake -D whole=PROGRAM -D parts=PROGRAM,... -P partial_programs.cmake: what a program of one subject says of the others.
 execute_process(COMMAND ${whole} --help OUTPUT_VARIABLE whole_help COMMAND_ERROR_IS_FATAL ANY)
 string(REPLACE "," ";" parts "${parts}")
+# The launcher's own list of them: each command of the whole program goes to a program that has it.
+file(READ ${launcher} text)
+string(REGEX MATCH "program_of\\(\\) {\n.*\n}\n" program_of "${text}")
+string(REGEX REPLACE "\n}\n.*" "\n}\n" program_of "${program_of}")
+string(REGEX MATCHALL "\n  [a-z]+ " commands "${whole_help}")
+list(LENGTH commands count)
+if(count LESS 14)
+  message(FATAL_ERROR "${whole} --help lists ${count} commands:\n${whole_help}")
+endif()
+get_filename_component(folder ${whole} DIRECTORY)
+foreach(command ${commands})
+  string(STRIP "${command}" command)
+  execute_process(COMMAND /bin/sh -euc "${program_of}program_of ${command}" OUTPUT_VARIABLE program
+    OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND ${folder}/${program} ${command} --help OUTPUT_VARIABLE help RESULT_VARIABLE code)
+  execute_process(COMMAND ${whole} ${command} --help OUTPUT_VARIABLE right)
+  if(NOT code EQUAL 0 OR NOT help STREQUAL right)
+    message(FATAL_ERROR "${launcher} runs ${command} with ${program}, which lacks it")
+  endif()
+endforeach()
 foreach(part ${parts})
   # It lists all subcommands, with the same words.
   execute_process(COMMAND ${part} --help OUTPUT_VARIABLE help COMMAND_ERROR_IS_FATAL ANY)

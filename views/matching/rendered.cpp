@@ -13,17 +13,18 @@ namespace glassbox::views {
 
 namespace {
 
-constexpr int kAcross = 4, kDown = 3;  // px, of the window
-constexpr float kWithinSurface = 1;    // px of disparity
-constexpr int kContrast = 8;           // codes of grey
+constexpr int kContrastAcross = 4, kContrastDown = 3;  // px, of the window
+constexpr float kWithinSurface = 1;                    // px of disparity
+constexpr int kContrast = 8;                           // codes of grey
 
 // Within one row of the window and one surface.
 int contrast_at(const Planes& planes, const Image<float>& disparity, int x, int y) {
   int contrast = 0;
-  for (int row = std::max(y - kDown, 0); row <= std::min(y + kDown, planes.height - 1); ++row) {
+  for (int row = std::max(y - kContrastDown, 0);
+       row <= std::min(y + kContrastDown, planes.height - 1); ++row) {
     int least = 255, greatest = 0;
-    for (int column = std::max(x - kAcross, 0); column <= std::min(x + kAcross, planes.width - 1);
-         ++column) {
+    for (int column = std::max(x - kContrastAcross, 0);
+         column <= std::min(x + kContrastAcross, planes.width - 1); ++column) {
       if (!(std::abs(disparity.at(column, row) - disparity.at(x, y)) <= kWithinSurface)) continue;
       const int grey = planes.grey[disparity.index(column, row)];
       least = std::min(least, grey);

@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/report/number_json.h"
 #include "app/report/shell_line.h"
 #include "app/report/text_layout.h"
+#include "app/report/value_text.h"
 #include "stiffness_page.h"  // made by html/embed.cmake
 
 #include <glassbox/base/counted.h>
@@ -56,22 +58,19 @@ std::string command_for(const StiffnessReport& report, const StiffPlace& place) 
 
 // ---- text ----
 
-std::string number_text(double value) {
-  return std::isfinite(value) ? fmt::format("{:.3g}", value) : "unknown";
-}
 // Conditions may really be infinite: far over near.
 std::string condition_text(double value) {
   return std::isinf(value) ? "infinite" : fmt::format("{:.4g}", value);
 }
 
 std::string pixels_text(const StiffNumber& number) {
-  return number.pixels ? number_text(*number.pixels) + " px" : "";
+  return number.pixels ? number_or_unknown(*number.pixels) + " px" : "";
 }
 
 std::string errors_text(const StiffNumber& number) {
   if (!std::isfinite(number.bound)) return "errors without a bound";
-  return "errors of up to " +
-         (number.pixels ? pixels_text(number) : number_text(number.bound) + " " + number.unit);
+  return "errors of up to " + (number.pixels ? pixels_text(number)
+                                             : number_or_unknown(number.bound) + " " + number.unit);
 }
 
 std::string doubt_text(std::uint64_t tests) {
@@ -82,7 +81,7 @@ std::string doubt_text(std::uint64_t tests) {
 std::string number_lines(const Scene& scene, const StiffnessReport& report,
                          const StiffNumber& number) {
   const std::string bound =
-      std::isfinite(number.bound) ? number_text(number.bound) + " " + number.unit : "none";
+      std::isfinite(number.bound) ? number_or_unknown(number.bound) + " " + number.unit : "none";
   std::string text =
       fmt::format("{}{:<34}{:>12}{:>24}{:>14}\n", number.passes() ? "! " : "  ", number.name,
                   condition_text(number.condition), bound, pixels_text(number));
@@ -99,10 +98,6 @@ std::string number_lines(const Scene& scene, const StiffnessReport& report,
 }
 
 // ---- JSON ----
-
-Json finite(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
 
 Json place_json(const Scene& scene, const StiffnessReport& report, const StiffPlace& place) {
   const std::uint32_t mesh = scene.instances[place.instance].mesh;
@@ -121,10 +116,10 @@ Json place_json(const Scene& scene, const StiffnessReport& report, const StiffPl
 Json number_json(const Scene& scene, const StiffnessReport& report, const StiffNumber& number) {
   Json json{{"key", number.key},
             {"name", number.name},
-            {"condition", finite(number.condition)},
-            {"bound", finite(number.bound)},
+            {"condition", finite_json(number.condition)},
+            {"bound", finite_json(number.bound)},
             {"unit", number.unit}};
-  json["pixels"] = number.pixels ? finite(*number.pixels) : Json(nullptr);
+  json["pixels"] = number.pixels ? finite_json(*number.pixels) : Json(nullptr);
   json["passes"] = number.passes();
   json["formula"] = number.formula;
   json["source"] = number.source;
