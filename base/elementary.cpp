@@ -18,8 +18,8 @@ constexpr double kLn2High = 0x1.62e42feep-1;
 constexpr double kLn2Low = 0x1.a39ef35793c76p-33;
 
 // ln(1 + f) = 2 artanh(s) with s = f / (2 + f), 2 s (1 + s^2/3 + s^4/5 + ...). This is what the
-// series is beyond its first term,
-// s^2 (2/3 + s^2 2/5 + ...). With |s| <= 0.1716 the terms left out are below 2^-60 of ln(1 + f).
+// series is beyond its first term, s^2 (2/3 + s^2 2/5 + ...). With |s| <= 0.1716 the terms left out
+// are below 2^-60 of ln(1 + f).
 double artanh_rest(double s) {
   const double z = s * s;
   constexpr double c3 = 2.0 / 3, c5 = 2.0 / 5, c7 = 2.0 / 7, c9 = 2.0 / 9, c11 = 2.0 / 11,
@@ -129,10 +129,9 @@ double logarithm_10(double x) {
 }
 
 // A third of the bits, as of a number, is within 5 % of the root (Kahan's first guess). Halley's
-// iteration cubes a relative error and
-// multiplies it by 2/3: 8e-5, 4e-13, and less than rounding. What it takes from a root that is
-// nearly right is small, so that its
-// own roundings count for little.
+// iteration cubes a relative error and multiplies it by 2/3: 8e-5, 4e-13, and less than rounding.
+// What it takes from a root that is nearly right is small, so that its own roundings count for
+// little.
 double cube_root(double x) {
   if (x == 0 || !std::isfinite(x)) return x;
   const double size = std::abs(x);

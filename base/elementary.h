@@ -1,9 +1,7 @@
 // Logarithm, exponential, powers, cube root and hypotenuse that give the same bytes on every
-// machine, as base/trig.h has the
-// trigonometry: a C library's last digit is its own, and differs between processors with and
-// without FMA. Polynomials and reductions
-// are IEEE double operations in one written order, and square roots, which IEEE 754 rounds
-// correctly.
+// machine, as base/trig.h has the trigonometry: a C library's last digit is its own, and differs
+// between processors with and without FMA. Polynomials and reductions are IEEE double operations in
+// one written order, and square roots, which IEEE 754 rounds correctly.
 //
 // For floats in loops there are cruder ones in images/colour/power.h, which overload cube_root and
 // power.
@@ -26,8 +24,7 @@ double logarithm_1p(double x);
 double exponential(double x);
 
 // x^y = e^(y ln x) of x > 0. Error below 1 + 3 |y ln x| ulps: it grows with how far from 1 the
-// result is. 0^y is 0 for
-// y > 0; NaN for x < 0, for NaN, and for other powers of 0.
+// result is. 0^y is 0 for y > 0; NaN for x < 0, for NaN, and for other powers of 0.
 double power(double x, double y);
 
 // x^n by multiplications from left to right, n >= 0: n - 1 roundings. x^0 is 1.
@@ -48,8 +45,7 @@ double logarithm_10(double x);
 double cube_root(double x);
 
 // sqrt(x^2 + y^2) and sqrt(x^2 + y^2 + z^2), where squares would overflow or vanish too. Errors
-// below 2 and 2.5 ulps. +inf where one of
-// them is infinite, else NaN where one is NaN.
+// below 2 and 2.5 ulps. +inf where one of them is infinite, else NaN where one is NaN.
 double hypotenuse(double x, double y);
 double hypotenuse(double x, double y, double z);
 

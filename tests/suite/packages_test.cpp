@@ -1,6 +1,6 @@
 // What lets Glassbox be built on another Debian than the one at hand, as far as this one can tell:
-// names of packages with their
-// alternatives, versions that are asked for, and what CMake says of the build's own files.
+// names of packages with their alternatives, versions that are asked for, and what CMake says of
+// the build's own files.
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -78,8 +78,7 @@ std::string complaint_of(const std::string& line) {
 }
 
 // The find_package(...), find_dependency(...) and pkg_check_modules(...) of a text that a later
-// version of what they ask for, or a
-// later CMake, would not satisfy.
+// version of what they ask for, or a later CMake, would not satisfy.
 std::vector<std::string> narrow_requests(const std::string& text) {
   static const std::regex request(R"((find_package|find_dependency|pkg_check_modules)\(([^)]*)\))");
   static const std::regex versioned(R"(^\s*\S+\s+[0-9].*)");

@@ -1,6 +1,5 @@
 // A share of many tests of one kind, another one every day, so that all have had their turn after a
-// few days. The environment
-// variable SEED repeats the share of another day; tests/run.sh prints it.
+// few days. The environment variable SEED repeats the share of another day; tests/run.sh prints it.
 #pragma once
 
 #include <chrono>
@@ -37,9 +36,8 @@ public:
   static Share everything() { return Share(1, 0); }
 
   // Whether the test at `position`, from 0, of a group of `size` has its turn. Every group has at
-  // least one turn under every seed,
-  // so no group is ever left out: a group that is smaller than `days` takes its tests one after the
-  // other.
+  // least one turn under every seed, so no group is ever left out: a group that is smaller than
+  // `days` takes its tests one after the other.
   bool has(std::size_t position, std::size_t size) const {
     const std::size_t step = size < days_ ? size : days_;
     return position % step == seed_ % step;

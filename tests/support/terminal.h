@@ -11,8 +11,7 @@
 namespace glassbox::test {
 
 // Opens both ends of a pseudo-terminal, as script(1) and forkpty(3) do, and closes them again. A
-// chroot in which /dev/pts is not mounted
-// lets the first be opened and not the second.
+// chroot in which /dev/pts is not mounted lets the first be opened and not the second.
 inline bool has_pseudo_terminals() {
   const int master = ::posix_openpt(O_RDWR | O_NOCTTY);
   if (master < 0) return false;
