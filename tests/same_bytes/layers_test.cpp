@@ -131,24 +131,17 @@ std::size_t check_rays(std::uint64_t seed) {
   return samples;
 }
 
-template <class Check>
-std::size_t sum_over_seeds(std::uint64_t count, const Check& check) {
-  std::size_t sum = 0;
-  for (std::uint64_t seed = 0; seed < count; ++seed) sum += check(seed);
-  return sum;
-}
-
 TEST_CASE("layers have the same bytes in every way, built and drawn", "[layers]") {
-  CHECK(sum_over_seeds(20 / test::kShare, check_layers) > 5000 / test::kShare);
+  CHECK(test::sum_over_seeds(20 / test::kShare, check_layers) > 5000 / test::kShare);
 }
 
 TEST_CASE("layers of rays have the same bytes in every way", "[layers]") {
-  CHECK(sum_over_seeds(12 / test::kShare, check_rays) > 100 / test::kShare);
+  CHECK(test::sum_over_seeds(12 / test::kShare, check_rays) > 100 / test::kShare);
 }
 
 TEST_CASE("some hundred layered images", "[.same-bytes]") {
-  CHECK(sum_over_seeds(600, check_layers) > 0);
-  CHECK(sum_over_seeds(600, check_rays) > 0);
+  CHECK(test::sum_over_seeds(600, check_layers) > 0);
+  CHECK(test::sum_over_seeds(600, check_rays) > 0);
 }
 
 }  // namespace

@@ -127,24 +127,17 @@ std::size_t check_rendered_pair(std::uint64_t seed) {
   return 1;
 }
 
-template <class Check>
-std::size_t sum_of_matches(std::uint64_t count, const Check& check) {
-  std::size_t sum = 0;
-  for (std::uint64_t seed = 0; seed < count; ++seed) sum += check(seed);
-  return sum;
-}
-
 TEST_CASE("disparities have the same bytes in every way, whatever is asked for", "[matching]") {
-  CHECK(sum_of_matches(20 / test::kShare, check_match) > 5000 / test::kShare);
+  CHECK(test::sum_over_seeds(20 / test::kShare, check_match) > 5000 / test::kShare);
 }
 
 TEST_CASE("the pair that is drawn to be matched has the same bytes in every way", "[matching]") {
-  CHECK(sum_of_matches(20 / test::kShare, check_rendered_pair) > 10 / test::kShare);
+  CHECK(test::sum_over_seeds(20 / test::kShare, check_rendered_pair) > 10 / test::kShare);
 }
 
 TEST_CASE("a thousand matches", "[.same-bytes]") {
-  CHECK(sum_of_matches(1000, check_match) > 0);
-  CHECK(sum_of_matches(300, check_rendered_pair) > 0);
+  CHECK(test::sum_over_seeds(1000, check_match) > 0);
+  CHECK(test::sum_over_seeds(300, check_rendered_pair) > 0);
 }
 
 }  // namespace

@@ -132,18 +132,12 @@ std::size_t check_shapes(std::uint64_t seed) {
   return count;
 }
 
-std::size_t sum_of_shapes(std::uint64_t count) {
-  std::size_t sum = 0;
-  for (std::uint64_t seed = 0; seed < count; ++seed) sum += check_shapes(seed);
-  return sum;
-}
-
 TEST_CASE("rings, voxels, polygons and textures have the same bytes in every way", "[shapes]") {
-  CHECK(sum_of_shapes(5 / test::kShare + 1) > 300 / test::kShare);
+  CHECK(test::sum_over_seeds(5 / test::kShare + 1, check_shapes) > 300 / test::kShare);
 }
 
 TEST_CASE("some hundred rings, voxels, polygons and textures", "[.same-bytes]") {
-  CHECK(sum_of_shapes(300) > 0);
+  CHECK(test::sum_over_seeds(300, check_shapes) > 0);
 }
 
 }  // namespace

@@ -140,4 +140,12 @@ void check_all_ways(std::uint64_t seed, const Make& make) {
   if (!difference.empty()) FAIL_CHECK("seed " << seed << ": " << difference);
 }
 
+// What check(seed) returns, for the seeds from 0 to count - 1, added up: how much was compared.
+template <class Check>
+std::size_t sum_over_seeds(std::uint64_t count, const Check& check) {
+  std::size_t sum = 0;
+  for (std::uint64_t seed = 0; seed < count; ++seed) sum += check(seed);
+  return sum;
+}
+
 }  // namespace glassbox::test
