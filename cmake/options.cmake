@@ -113,10 +113,13 @@ function(write_entries file name)
   file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${file} CONTENT "${entries}\n")
 endfunction()
 
+# How many sources at a time.
+set(GLASSBOX_BATCH 40)
+
 # compile_together(TARGET ...): their sources are compiled some at a time, because the headers that they share take longer to
 # compile than they do (docs/building.md has the figures). What is unnamed in one source must not be in another of the target.
 function(compile_together)
-  set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ${GLASSBOX_TOGETHER} UNITY_BUILD_BATCH_SIZE 40)
+  set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ${GLASSBOX_TOGETHER} UNITY_BUILD_BATCH_SIZE ${GLASSBOX_BATCH})
   foreach(target ${ARGN})
     # g++ takes included sources for headers, whose private types others would see.
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
