@@ -7,6 +7,7 @@
 #include <csetjmp>
 #include <cstring>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glassbox/images/image_size.h>
@@ -39,9 +40,11 @@ void read_bytes(png_structp png, png_bytep target, png_size_t size) {
   png_longjmp(png, 1);
 }
 
-// What libpng only warns about does no harm, except to tRNS: it would be left out, and with it the alpha.
+// What libpng only warns about does no harm, except to tRNS: it would be left out, and with it the alpha. A wrong check sum
+// of IEND is an error of libpng 1.6.39 and a warning of 1.6.48: the same file is refused with both.
 void on_read_warning(png_structp png, png_const_charp message) {
-  if (std::strncmp(message, "tRNS", 4) == 0) png_error(png, message);
+  const std::string_view warning = message;
+  if (warning.starts_with("tRNS") || warning == "IEND: CRC error") png_error(png, message);
 }
 
 struct Header {

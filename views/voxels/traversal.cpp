@@ -97,7 +97,13 @@ Matrix3d axes_along(const Vector3d& direction) {
   int axis = 0;
   direction.cwiseAbs().maxCoeff(&axis);
   const Vector3d from = Vector3d::Unit(axis) * (direction[axis] > 0 ? 1 : -1);
-  const Matrix3d turn = Eigen::Quaterniond::FromTwoVectors(from, direction).toRotationMatrix();
+  // Eigen's FromTwoVectors, without what it does for opposite directions: this axis and `direction` are less than 55 degrees
+  // apart.
+  const Vector3d to = direction.normalized();
+  const double twice_cosine = std::sqrt((1 + to.dot(from)) * 2);  // of half the angle
+  const Vector3d along = from.cross(to) * (1 / twice_cosine);
+  const Matrix3d turn =
+      Eigen::Quaterniond(twice_cosine * 0.5, along.x(), along.y(), along.z()).toRotationMatrix();
   Matrix3d axes;
   axes.col(2) = turn * from;
   axes.col(0) = turn * Vector3d::Unit((axis + 1) % 3);
