@@ -43,7 +43,7 @@ TEST_CASE("a report changes no byte of the picture, and knows all stages with th
     double ms = 0;
     for (const Json& part : report["parts"]) ms += part["ms"].get<double>();
     CHECK(ms > 0);
-    const Json& picture = number(report, "bytes of the picture");
+    const Json picture = number(report, "bytes of the picture");
     CHECK(picture["count"] == 160 * 90);
     CHECK(picture["unknown"] == 0);
     CHECK(picture["at_most"].get<double>() >= 0.4);
