@@ -31,13 +31,11 @@ double power(double x, double y);
 double whole_power(double x, int n);
 
 // 10^n: exact from 10^0 to 10^22, correctly rounded from 10^-22, and of |n| + 1 roundings beyond.
-// +inf above 10^308, 0 below
-// 10^-308.
+// +inf above 10^308, 0 below 10^-308.
 double power_of_ten(int n);
 
 // The logarithms to base 2 and 10, of one more rounding each and the rounded factor's: error below
-// 2.5 ulps. Those of powers of two are
-// exact to base 2, those of 10^-22 .. 10^22 exact to base 10.
+// 2.5 ulps. Those of powers of two are exact to base 2, those of 10^-22 .. 10^22 exact to base 10.
 double logarithm_2(double x);
 double logarithm_10(double x);
 

@@ -113,11 +113,11 @@ function(write_entries file name)
   file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${file} CONTENT "${entries}\n")
 endfunction()
 
-# How many sources at a time.
+# How many sources are compiled at a time; docs/building.md has the times of 10 and of 40.
 set(GLASSBOX_BATCH 40)
 
 # compile_together(TARGET ...): their sources are compiled some at a time, because the headers that they share take longer to
-# compile than they do (docs/building.md has the figures). What is unnamed in one source must not be in another of the target.
+# compile than they do. So the unnamed namespaces of two sources of a target must not have different things of the same name.
 function(compile_together)
   set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ${GLASSBOX_TOGETHER} UNITY_BUILD_BATCH_SIZE ${GLASSBOX_BATCH})
   foreach(target ${ARGN})

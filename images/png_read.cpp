@@ -40,8 +40,9 @@ void read_bytes(png_structp png, png_bytep target, png_size_t size) {
   png_longjmp(png, 1);
 }
 
-// What libpng only warns about does no harm, except to tRNS: it would be left out, and with it the alpha. A wrong check sum
-// of IEND is an error of libpng 1.6.39 and a warning of 1.6.48: the same file is refused with both.
+// What libpng only warns about does no harm, except to tRNS: it would be left out, and with it the
+// alpha. A wrong check sum of IEND, the end of the file, is an error for libpng 1.6.39 and a warning
+// for 1.6.48; here it is an error with both, so that every machine refuses the same files.
 void on_read_warning(png_structp png, png_const_charp message) {
   const std::string_view warning = message;
   if (warning.starts_with("tRNS") || warning == "IEND: CRC error") png_error(png, message);

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bench/matching_peer.h"
-#include "app/report/elapsed.h"
 #include "app/report/progress.h"
 #include "app/report/scratch.h"
 #include "app/report/text_layout.h"
@@ -17,6 +16,7 @@
 #include "views/matching/match.h"
 
 #include <glassbox/base/counted.h>
+#include <glassbox/base/elapsed.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/base/processor_time.h>
 

@@ -10,6 +10,7 @@
 #include "app/report/program_name.h"
 #include "app/report/stage_report.h"
 
+#include <glassbox/base/elapsed.h>
 #include <glassbox/images/recipe.h>
 #include <glassbox/images/write.h>
 #include <glassbox/mesh/builtin/scenes.h>
@@ -65,7 +66,7 @@ int draw_first_picture() {
   const Result<Rendering> rendering = drawn_and_written();
   if (!rendering) return refuse(rendering.error());
   const Statistics& statistics = rendering->statistics;
-  const double total_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  const double total_ms = elapsed_ms(start);
   fmt::print("{}\n{}\n", stage_table(statistics, EngineKind::kTile), time_table(statistics));
   fmt::print("{} ({} x {}): {} triangles, {:.0f} ms\n\n{}", kFile, kWidth, kHeight,
              statistics.triangles, total_ms, next_steps());

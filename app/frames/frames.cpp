@@ -16,11 +16,11 @@
 #include "app/frames/shots.h"
 #include "app/frames/stop_request.h"
 #include "app/options/scene_input.h"
-#include "app/report/elapsed.h"
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
 #include "app/report/progress.h"
 
+#include <glassbox/base/elapsed.h>
 #include <glassbox/images/recipe.h>
 #include <glassbox/images/write.h>
 #include <glassbox/render/renderer.h>

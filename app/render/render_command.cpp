@@ -17,7 +17,6 @@
 #include "app/options/output_options.h"
 #include "app/options/scene_input.h"
 #include "app/render/error_report.h"
-#include "app/report/elapsed.h"
 #include "app/report/exit_codes.h"
 #include "app/report/number_json.h"
 #include "app/report/output.h"
@@ -25,6 +24,7 @@
 #include "app/report/progress.h"
 #include "app/report/stage_report.h"
 
+#include <glassbox/base/elapsed.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/images/atomic_file.h>
 #include <glassbox/images/recipe.h>

@@ -11,12 +11,13 @@
 
 namespace glassbox {
 
-// A number, or null where it is not finite: JSON has no word for that.
+// A number, or null where it is infinite or NaN: JSON has no numbers for those.
 inline nlohmann::ordered_json finite_json(double value) {
   return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
 }
 
-// A number that may be infinite, such as the distance of the far plane: then the word "inf" or "-inf"; null where it is no number.
+// A number that may be infinite, such as the distance of the far plane: then it is the word "inf" or
+// "-inf". NaN becomes null.
 inline nlohmann::ordered_json finite_or_inf(double value) {
   if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
   return finite_json(value);

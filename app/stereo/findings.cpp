@@ -5,8 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/report/elapsed.h"
-
+#include <glassbox/base/elapsed.h>
 #include <glassbox/render/depth_seen.h>
 
 namespace glassbox::app {

@@ -4,10 +4,10 @@
 #include <chrono>
 #include <cmath>
 
+#include <glassbox/base/elapsed.h>
 #include <glassbox/base/elementary.h>
 #include <glassbox/render/renderer.h>
 
-#include "app/report/elapsed.h"
 #include "views/layers/second_eye_error.h"
 
 namespace glassbox::app {

@@ -12,7 +12,6 @@
 #include "app/options/engine_options.h"
 #include "app/options/output_options.h"
 #include "app/options/scene_input.h"
-#include "app/report/elapsed.h"
 #include "app/report/exit_codes.h"
 #include "app/report/output.h"
 #include "app/report/picture_output.h"
@@ -21,6 +20,7 @@
 #include "app/views/layers_shots.h"
 #include "views/layers/second_eye_error.h"
 
+#include <glassbox/base/elapsed.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/base/processor_time.h>
 #include <glassbox/images/read.h>

@@ -11,10 +11,10 @@
 #include "app/frames/path_file.h"
 #include "app/frames/shots.h"
 #include "app/frames/stop_request.h"
-#include "app/report/elapsed.h"
 #include "app/report/output.h"
 #include "app/report/progress.h"
 
+#include <glassbox/base/elapsed.h>
 #include <glassbox/images/write.h>
 
 namespace glassbox::app {

@@ -39,12 +39,12 @@ struct NamedRange {
 };
 
 // "name=range" or "range".
-bool read_part(std::string_view text, NamedRange& part) {
+bool read_named_range(std::string_view text, NamedRange& named) {
   const auto equals = text.find('=');
-  if (equals == std::string_view::npos) return read_range(text, part.range);
-  part.name = trimmed(text.substr(0, equals));
-  const bool known = part.name == kMaxDifference || part.name == kTotalPixels;
-  return known && read_range(text.substr(equals + 1), part.range);
+  if (equals == std::string_view::npos) return read_range(text, named.range);
+  named.name = trimmed(text.substr(0, equals));
+  const bool known = named.name == kMaxDifference || named.name == kTotalPixels;
+  return known && read_range(text.substr(equals + 1), named.range);
 }
 
 std::string to_string(const CountRange& range) {
@@ -58,8 +58,9 @@ Result<Fuzzy> parse_fuzzy(const std::string& text) {
   const std::string_view whole = text;
   const auto semicolon = std::min(whole.find(';'), whole.size());
   NamedRange first, second;
-  const bool good = semicolon < whole.size() && read_part(whole.substr(0, semicolon), first) &&
-                    read_part(whole.substr(semicolon + 1), second) &&
+  const bool good = semicolon < whole.size() &&
+                    read_named_range(whole.substr(0, semicolon), first) &&
+                    read_named_range(whole.substr(semicolon + 1), second) &&
                     (first.name.empty() || first.name != second.name);
   if (!good) {
     return fail("", "not a tolerance: " + in_quotes(text),

@@ -12,8 +12,8 @@
 
 namespace glassbox {
 
-// Stereo photography's rule of one in thirty: the eyes are a thirtieth of the nearest thing's distance apart. Here the
-// window stands in place of the nearest thing.
+// Stereo photography's rule of one in thirty: the distance between the eyes is a thirtieth of the
+// distance to the nearest thing. Here it is a thirtieth of the distance to the window.
 inline constexpr double kWindowsPerSeparation = 30;
 
 // What is seen of the scene, world units along the gaze. Perspective: 0 < nearest <= farthest, which may be infinite;

@@ -32,15 +32,15 @@ constexpr double kThinnest = 0x1p-20;
 constexpr double kLeastCosine = 0.125;
 
 // Lengths and directions of the Newell vectors.
-struct ClusterNormals {
+struct NewellVectors {
   std::array<Vector3, kClusterTriangles> normals;
   Vector3 sum;
   double least_newell = std::numeric_limits<double>::infinity(), longest_edge = 0;
   bool sure = true;  // every normal is right within the slack
 };
 
-ClusterNormals normals_of(std::span<const Corners> triangles) {
-  ClusterNormals surface;
+NewellVectors newell_vectors_of(std::span<const Corners> triangles) {
+  NewellVectors vectors;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const auto& [a, b, c] = triangles[i];
     const Vector3 ab = b - a, ac = c - a, bc = c - b;
@@ -48,30 +48,30 @@ ClusterNormals normals_of(std::span<const Corners> triangles) {
     const Vector3 newell = cross(ab, ac);
     const double size = length(newell);
     const bool normal_number = size > 0x1p-500 && size < 0x1p500;
-    surface.sure = surface.sure && normal_number && size > kThinnest * longest * longest;
-    surface.normals[i] = newell * (1 / size);
-    surface.sum = surface.sum + newell;
-    surface.least_newell = std::min(surface.least_newell, size);
-    surface.longest_edge = std::max(surface.longest_edge, longest);
+    vectors.sure = vectors.sure && normal_number && size > kThinnest * longest * longest;
+    vectors.normals[i] = newell * (1 / size);
+    vectors.sum = vectors.sum + newell;
+    vectors.least_newell = std::min(vectors.least_newell, size);
+    vectors.longest_edge = std::max(vectors.longest_edge, longest);
   }
-  return surface;
+  return vectors;
 }
 
 // Left without a cone where it is wide, or where a normal is not sure.
 void add_cone(std::span<const Corners> triangles, Cluster& cluster) {
-  const ClusterNormals surface = normals_of(triangles);
-  const double size = length(surface.sum);
-  if (!surface.sure || !(size > 0)) return;
-  const Vector3 sum = surface.sum * (1 / size);
+  const NewellVectors vectors = newell_vectors_of(triangles);
+  const double size = length(vectors.sum);
+  if (!vectors.sure || !(size > 0)) return;
+  const Vector3 sum = vectors.sum * (1 / size);
   cluster.axis = {float(sum.x), float(sum.y), float(sum.z)};
-  cluster.least_newell = surface.least_newell * (1 - kSlack);
-  cluster.longest_edge = surface.longest_edge * (1 + kSlack);
+  cluster.least_newell = vectors.least_newell * (1 - kSlack);
+  cluster.longest_edge = vectors.longest_edge * (1 + kSlack);
 
   const Vector3 axis = axis_of(cluster);
   const Point<Object, double> centre = centre_of(cluster);
   double cosine = 1, backs = std::numeric_limits<double>::infinity(), fronts = -backs;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const Vector3& normal = surface.normals[i];
+    const Vector3& normal = vectors.normals[i];
     const double along = dot(triangles[i][0] - centre, normal) / dot(axis, normal);
     cosine = std::min(cosine, dot(axis, normal));
     backs = std::min(backs, along);

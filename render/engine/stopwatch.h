@@ -3,15 +3,15 @@
 
 #include <chrono>
 
+#include <glassbox/base/elapsed.h>
+
 namespace glassbox {
 
 // Adds the wall-clock time of its own life to a statistic.
 class Stopwatch {
 public:
   explicit Stopwatch(double& total_ms) : total_ms_(total_ms), start_(Clock::now()) {}
-  ~Stopwatch() {
-    total_ms_ += std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
-  }
+  ~Stopwatch() { total_ms_ += elapsed_ms(start_); }
   Stopwatch(const Stopwatch&) = delete;
   Stopwatch& operator=(const Stopwatch&) = delete;
 

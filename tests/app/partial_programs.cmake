@@ -1,13 +1,15 @@
-# cmake -D whole=PROGRAM -D parts=PROGRAM,... -P partial_programs.cmake: what a program of one subject says of the others.
+# cmake -D whole=PROGRAM -D launcher=FILE -D parts=PROGRAM,... -P partial_programs.cmake: what a program of one subject says of the
+# others.
 execute_process(COMMAND ${whole} --help OUTPUT_VARIABLE whole_help COMMAND_ERROR_IS_FATAL ANY)
 string(REPLACE "," ";" parts "${parts}")
-# The launcher's own list of them: each command of the whole program goes to a program that has it.
+# The launcher (./glassbox) has a list of its own, the function program_of: for each command of the whole program it must name a
+# program that has the command.
 file(READ ${launcher} text)
 string(REGEX MATCH "program_of\\(\\) {\n.*\n}\n" program_of "${text}")
 string(REGEX REPLACE "\n}\n.*" "\n}\n" program_of "${program_of}")
 string(REGEX MATCHALL "\n  [a-z]+ " commands "${whole_help}")
 list(LENGTH commands count)
-if(count LESS 14)
+if(count LESS 14) # ten of one picture, and four subjects
   message(FATAL_ERROR "${whole} --help lists ${count} commands:\n${whole_help}")
 endif()
 get_filename_component(folder ${whole} DIRECTORY)

@@ -12,8 +12,7 @@
 namespace glassbox::test {
 
 // What SEED says, a number without a sign; where it is not set, the days since 1 January 1970.
-// Throws std::invalid_argument with a
-// message where it is no such number.
+// Throws std::invalid_argument with a message where it is no such number.
 inline std::uint64_t seed_of_shares() {
   const char* const said = std::getenv("SEED");
   if (said == nullptr) {

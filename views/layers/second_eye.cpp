@@ -12,6 +12,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <glassbox/base/elapsed.h>
 #include <glassbox/base/little_endian.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/pipeline/stereo/parallax.h>
@@ -83,10 +84,6 @@ View widened(const View& view, int width) {
   }
   wide.viewport.right = wide.viewport.left + float(width);
   return wide;
-}
-
-double ms_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
 }  // namespace
@@ -262,7 +259,7 @@ void render_pair_by_warp(Renderer& renderer, const View& centre, const StereoPai
   renderer.render(left_view, with_depth, drawn);
   both.left = std::move(drawn.buffers);
   both.left_statistics = drawn.statistics;
-  into.left_ms = ms_since(start);
+  into.left_ms = elapsed_ms(start);
   into.layers_ms = into.warp_ms = 0;
   into.holes = 0;
   both.passes = 1;
@@ -274,7 +271,7 @@ void render_pair_by_warp(Renderer& renderer, const View& centre, const StereoPai
   const auto warping = [&](const auto& work) {
     const Clock::time_point began = Clock::now();
     work();
-    into.warp_ms += ms_since(began);
+    into.warp_ms += elapsed_ms(began);
   };
   if (by.layers == 1) {
     warping([&] { into.holes = second.warp(first, centre, pair, how, both.right.color); });
@@ -288,7 +285,7 @@ void render_pair_by_warp(Renderer& renderer, const View& centre, const StereoPai
       if (!any) break;
       const Clock::time_point peeling = Clock::now();
       renderer.render(widened(left_view, into.behind.width), with_depth, into.layer, &into.behind);
-      into.layers_ms += ms_since(peeling);
+      into.layers_ms += elapsed_ms(peeling);
       last = &into.layer.buffers.depth;
       warping([&] { second.add({into.layer.buffers.color, *last}); });
     }

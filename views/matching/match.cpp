@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <tbb/task_arena.h>
 
+#include <glassbox/base/elapsed.h>
 #include <glassbox/render/engine/threads.h>
 
 #include "views/matching/byte_sweep.h"
@@ -27,9 +28,8 @@ public:
   explicit Clock(std::vector<MatchStep>& steps) : steps_(steps) {}
   // What was done since the last call, or since the beginning.
   void done(const char* name) {
-    const auto now = std::chrono::steady_clock::now();
-    steps_.push_back({name, std::chrono::duration<double, std::milli>(now - last_).count()});
-    last_ = now;
+    steps_.push_back({name, elapsed_ms(last_)});
+    last_ = std::chrono::steady_clock::now();
   }
 
 private:

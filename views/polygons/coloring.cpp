@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <glassbox/base/elapsed.h>
 #include <glassbox/base/elementary.h>
 
 #include "views/polygons/cell_table.h"
@@ -349,8 +350,7 @@ Result<PolygonColoring> color_polygons(const PictureSet& set, const Occupancy& o
   }
   color_unseen(result.mesh, result.colors);
   result.solid = solid;
-  result.milliseconds =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  result.milliseconds = elapsed_ms(start);
   return result;
 }
 

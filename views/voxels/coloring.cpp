@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <glassbox/base/elapsed.h>
+
 #include "views/voxels/blocks.h"
 #include "views/voxels/carving.h"
 #include "views/voxels/layers_of.h"
@@ -250,7 +252,7 @@ Coloring color_voxels(const PictureSet& set, const ColoringRequest& request,
     run_levels(set, request, watch, result);
     result.passes = 1;
   }
-  result.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  result.milliseconds = elapsed_ms(start);
   return result;
 }
 

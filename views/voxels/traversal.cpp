@@ -97,10 +97,11 @@ Matrix3d axes_along(const Vector3d& direction) {
   int axis = 0;
   direction.cwiseAbs().maxCoeff(&axis);
   const Vector3d from = Vector3d::Unit(axis) * (direction[axis] > 0 ? 1 : -1);
-  // Eigen's FromTwoVectors, without what it does for opposite directions: this axis and `direction` are less than 55 degrees
-  // apart.
+  // The quaternion that turns `from` into `to`, a unit vector: cos(a/2) and sin(a/2) n, from cos a and
+  // the cross product sin(a) n. Eigen's FromTwoVectors computes the same, and has a solver besides for
+  // opposite vectors; these two are at most 55 degrees apart.
   const Vector3d to = direction.normalized();
-  const double twice_cosine = std::sqrt((1 + to.dot(from)) * 2);  // of half the angle
+  const double twice_cosine = std::sqrt((1 + to.dot(from)) * 2);  // 2 cos(a/2)
   const Vector3d along = from.cross(to) * (1 / twice_cosine);
   const Matrix3d turn =
       Eigen::Quaterniond(twice_cosine * 0.5, along.x(), along.y(), along.z()).toRotationMatrix();

@@ -151,6 +151,25 @@ TEST_CASE("a grid along a direction has right-handed unit axes") {
   }
 }
 
+TEST_CASE("the axes along any direction are those of Eigen's rotation, to the last bit") {
+  Random random(41);
+  for (int i = 0; i < 20000; ++i) {
+    // Components of many sizes, some of them 0.
+    Vector3d direction;
+    for (double& component : direction)
+      component = random.integer(0, 4) == 0 ? 0 : random.scaled(-1, 1, -10, 10);
+    if (direction.isZero()) continue;
+    const Matrix3d axes = axes_along(direction);
+    int axis = 0;
+    direction.cwiseAbs().maxCoeff(&axis);
+    const Vector3d from = Vector3d::Unit(axis) * (direction[axis] > 0 ? 1 : -1);
+    Eigen::Quaterniond turn;
+    turn.setFromTwoVectors(from, direction);
+    CHECK(axes.col(2) == turn.toRotationMatrix() * from);
+    CHECK(axes.col(0) == turn.toRotationMatrix() * Vector3d::Unit((axis + 1) % 3));
+  }
+}
+
 TEST_CASE("the variance of numbers far from 0 is theirs, where E[x^2] - E[x]^2 cancels (C-93)") {
   constexpr int kCount = 1000;
   Random random(93);

@@ -1,0 +1,14 @@
+// How long something took, by a clock that nobody sets.
+#pragma once
+
+#include <chrono>
+
+namespace glassbox {
+
+// Milliseconds since then, >= 0.
+inline double elapsed_ms(std::chrono::steady_clock::time_point since) {
+  const auto now = std::chrono::steady_clock::now();
+  return std::chrono::duration<double, std::milli>(now - since).count();
+}
+
+}  // namespace glassbox
