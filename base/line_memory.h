@@ -17,12 +17,15 @@ struct LineAllocator {
   template <class U>
   LineAllocator(const LineAllocator<U>&) {}
 
+  // Versions of clang-format put other blanks around these operators.
+  // clang-format off
   T* allocate(std::size_t count) {
     return static_cast<T*>(::operator new(bytes_of(count), std::align_val_t{kCacheLine}));
   }
   void deallocate(T* memory, std::size_t) {
     ::operator delete(memory, std::align_val_t{kCacheLine});
   }
+  // clang-format on
   friend bool operator==(const LineAllocator&, const LineAllocator&) { return true; }
 
 private:

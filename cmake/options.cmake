@@ -8,10 +8,11 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release)
 endif()
 
-# A second compilation of the same source, in another clone or with the tests, is a copy where ccache is installed.
+# A second compilation of the same source, in another clone or with the tests, is a copy where ccache is installed. What is compiled with
+# -g is not copied between clones, which ccache sees to: a debugger would look for its sources in the other clone.
 find_program(GLASSBOX_CCACHE ccache DOC "Keeps what was compiled; empty: nothing does")
 if(GLASSBOX_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${GLASSBOX_CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} ${GLASSBOX_CCACHE})
 endif()
 
 option(GLASSBOX_WERROR "Treat warnings as errors, those of g++ 12, 14 and clang++ 14, 19: other compilers have others" OFF)

@@ -113,7 +113,7 @@ bool names_device(const std::string& path) {
 
 Result<void> write_file(const std::string& path, std::span<const std::byte> bytes) {
   if (path.empty()) return file_error("", "the file has no name", "name the file to be written");
-  struct stat status{};
+  struct stat status = {};
   const bool exists = ::stat(path.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) {
     return file_error(path, "is a directory", "name a file in it");

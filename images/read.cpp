@@ -48,7 +48,7 @@ std::uint64_t longest_file(const DecodeLimits& limits) {
 }  // namespace
 
 Result<std::vector<std::byte>> read_file(const std::string& path, std::uint64_t max_bytes) {
-  struct stat status{};
+  struct stat status = {};
   if (::stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode)) {
     return file_error(path, "is a directory", "name a file in it");
   }

@@ -65,11 +65,15 @@ struct Projected {
   double near = 0, far = 0;
   bool perspective = true;
 };
+Projected projected(const Transform<Clip, Eye>& clip_from_eye, double near, double far,
+                    bool perspective) {
+  return {clip_from_eye, near, far, perspective};
+}
 
 Result<Projected> project(const PerspectiveLens& lens, Pixels size, DepthRange range) {
   const double far = lens.far.value_or(kInfinity);
   return perspective(lens.fovy_radians, size.width / size.height, {lens.near, far, range})
-      .map([&](const Transform<Clip, Eye>& m) { return Projected{m, lens.near, far, true}; });
+      .map([&](const Transform<Clip, Eye>& m) { return projected(m, lens.near, far, true); });
 }
 
 Result<Projected> project(const OrthographicLens& lens, Pixels size, DepthRange range) {
@@ -81,13 +85,13 @@ Result<Projected> project(const OrthographicLens& lens, Pixels size, DepthRange 
   const double half_width = lens.half_height * size.width / size.height;
   return orthographic({-half_width, half_width, -lens.half_height, lens.half_height},
                       {lens.near, lens.far, range})
-      .map([&](const Transform<Clip, Eye>& m) { return Projected{m, lens.near, lens.far, false}; });
+      .map([&](const Transform<Clip, Eye>& m) { return projected(m, lens.near, lens.far, false); });
 }
 
 Result<Projected> project(const FrustumLens& lens, Pixels, DepthRange range) {
   const double far = lens.far.value_or(kInfinity);
   return frustum({lens.left, lens.right, lens.bottom, lens.top}, {lens.near, far, range})
-      .map([&](const Transform<Clip, Eye>& m) { return Projected{m, lens.near, far, true}; });
+      .map([&](const Transform<Clip, Eye>& m) { return projected(m, lens.near, far, true); });
 }
 
 // Depth is (that entry times z + the next) / w, and |z| is w: a subnormal slope is rounded by less than 2^-149, and so is the depth,

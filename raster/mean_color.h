@@ -18,12 +18,13 @@ namespace glassbox {
 // then nothing is rounded.
 inline Rgba8 mean_color(Transfer transfer, std::span<const Rgba8> samples) {
   const unsigned count = unsigned(samples.size());
-  const auto mean_byte = [&](std::uint8_t Rgba8::* channel) {
+  using Channel = std::uint8_t Rgba8::*;
+  const auto mean_byte = [&](Channel channel) {
     unsigned sum = 0;
     for (const Rgba8& one : samples) sum += one.*channel;
     return std::uint8_t((2 * sum + count) / (2 * count));
   };
-  const auto mean = [&](std::uint8_t Rgba8::* channel) {
+  const auto mean = [&](Channel channel) {
     if (transfer == Transfer::kNone) return mean_byte(channel);
     double sum = 0;
     for (const Rgba8& one : samples) sum += double(decode_srgb(one.*channel));

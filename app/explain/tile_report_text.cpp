@@ -18,8 +18,10 @@ std::string amount(std::uint64_t bytes) {
                          : fmt::format("{:.1f} MB", double(bytes) / 1e6);
 }
 
-std::string row(const std::string& stage, double ms, const TileReport& report,
-                double TileReport::Thread::* part, const StageBytes* bytes) {
+using ThreadTime = double TileReport::Thread::*;
+
+std::string row(const std::string& stage, double ms, const TileReport& report, ThreadTime part,
+                const StageBytes* bytes) {
   std::string text = fmt::format("  {:<26}{:>12.2f} ms", stage, ms);
   if (bytes != nullptr) {
     text += fmt::format("   {:>9} in {:>9} out  ", amount(bytes->read), amount(bytes->written));

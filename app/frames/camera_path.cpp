@@ -50,8 +50,9 @@ private:
   const ValueOf& value_of_;
 };
 
-std::array<double, 3> triple_at(const CameraPath& path, std::array<double, 3> Keyframe::* member,
-                                double time) {
+using TripleOf = std::array<double, 3> Keyframe::*;
+
+std::array<double, 3> triple_at(const CameraPath& path, TripleOf member, double time) {
   std::array<double, 3> triple{};
   for (std::size_t k = 0; k < 3; ++k) {
     const auto value_of = [&](std::size_t i) { return (path.keyframes[i].*member)[k]; };

@@ -10,7 +10,7 @@ class StopRequest {
 public:
   StopRequest() {
     asked_ = 0;
-    struct sigaction note{};
+    struct sigaction note = {};
     note.sa_handler = [](int) { asked_ = 1; };
     note.sa_flags = static_cast<int>(SA_RESETHAND);
     ::sigaction(SIGINT, &note, &interrupt_before_);
@@ -27,7 +27,7 @@ public:
 
 private:
   static inline volatile std::sig_atomic_t asked_ = 0;
-  struct sigaction interrupt_before_{}, terminate_before_{};
+  struct sigaction interrupt_before_ = {}, terminate_before_ = {};
 };
 
 }  // namespace glassbox::app

@@ -14,6 +14,7 @@
 #include "app/report/number_json.h"
 #include "inspect_page.h"  // made by html/embed.cmake
 
+#include <glassbox/base/arithmetic.h>
 #include <glassbox/compare/report/page_blob.h>
 #include <glassbox/html/blob.h>
 #include <glassbox/render/staged/staged.h>
@@ -42,8 +43,7 @@ Json entries_json(const ColumnPack& pack) {
 // ---- columns ----
 
 // What a column gets of a record: a number, or several one after the other.
-template <class T>
-  requires std::is_arithmetic_v<T>
+template <Arithmetic T>
 std::array<T, 1> numbers_of(T number) {
   return {number};
 }
@@ -71,8 +71,9 @@ void add_column(ColumnPack& pack, const char* name, const std::vector<Record>& r
 }
 
 // The corners, vertices or pieces of all records, one after the other.
-template <class Record, class Parts>
-auto parts_of(const std::vector<Record>& records, Parts Record::* parts) {
+template <class Record, class PartsOf>
+auto parts_of(const std::vector<Record>& records, PartsOf parts) {
+  using Parts = std::remove_cvref_t<std::invoke_result_t<PartsOf, const Record&>>;
   std::vector<typename Parts::value_type> all;
   for (const Record& record : records) {
     all.insert(all.end(), (record.*parts).begin(), (record.*parts).end());

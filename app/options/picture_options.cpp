@@ -156,7 +156,10 @@ Result<ChosenEyes> choose_eyes(const Scene& scene, const PictureOptions& picture
                    .z;
   }
   return choose_pair(scene, centre->view, picture.settings, picture.eyes, look_at)
-      .map([&](const ChosenPair& eyes) { return ChosenEyes{centre->camera, centre->view, eyes}; });
+      .map([&](const ChosenPair& eyes) {
+        ChosenEyes chosen{centre->camera, centre->view, eyes};
+        return chosen;
+      });
 }
 
 }  // namespace glassbox::app

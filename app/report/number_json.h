@@ -30,14 +30,22 @@ nlohmann::ordered_json numbers_json(const glm::vec<N, T>& v) {
   return json;
 }
 
-template <class Place>
-  requires requires(const Place& place) { to_glm(place); }
+template <class T>
+concept HasPlace = requires(const T& place) {
+  typename T;
+  to_glm(place);
+};
+template <HasPlace Place>
 nlohmann::ordered_json numbers_json(const Place& place) {
   return numbers_json(to_glm(place));
 }
 
-template <class Color>
-  requires requires(const Color& color) { color.r, color.a; }
+template <class T>
+concept HasChannels = requires(const T& color) {
+  color.r;
+  color.a;
+};
+template <HasChannels Color>
 nlohmann::ordered_json numbers_json(const Color& c) {
   return {c.r, c.g, c.b, c.a};
 }

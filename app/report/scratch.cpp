@@ -29,7 +29,7 @@ int take_lock(const fs::path& path, int flags) {
 
 // Whether the directory is this user's and nobody's any more. One without a lock is being made, unless it is an hour old.
 bool is_abandoned(const fs::path& directory) {
-  struct stat status{};
+  struct stat status = {};
   if (::lstat(directory.c_str(), &status) != 0 || !S_ISDIR(status.st_mode) ||
       status.st_uid != ::geteuid())
     return false;

@@ -184,7 +184,8 @@ Numbers normal(RecordReader& in) {
 
 std::optional<WrongNumber> judge_exactly(const Numbers& yours, const Numbers& reference,
                                          const std::function<std::string(std::size_t)>& name) {
-  return first_wrong(yours, reference, [](std::size_t) { return 0; }, "", name);
+  const auto nothing = [](std::size_t) { return 0; };
+  return first_wrong(yours, reference, nothing, "", name);
 }
 
 std::optional<WrongNumber> judge_read(const Numbers&, const Numbers& yours,

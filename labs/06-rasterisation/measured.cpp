@@ -90,7 +90,8 @@ std::vector<MeasuredPlace> places() {
   std::vector<MeasuredPlace> all;
   for (const int width : {1920, 7680, 32768}) {
     const auto kept = std::make_shared<std::optional<Rates>>();
-    const auto add = [&](const char* scene, double Rates::* rate) {
+    using Rate = double Rates::*;
+    const auto add = [&](const char* scene, Rate rate) {
       all.push_back({"yours", double(width), scene, "",
                      [=](const Ask& ask) -> Result<double> {
                        if (!*kept) {

@@ -171,7 +171,9 @@ struct ExactGradient {
   Rational along_x, along_y;
 };
 
-ExactGradient exact_gradient(const FootprintCase& input, double TexturedVertex::* attribute) {
+using Attribute = double TexturedVertex::*;
+
+ExactGradient exact_gradient(const FootprintCase& input, Attribute attribute) {
   Rational n, d, nx, ny, dx, dy;
   for (std::size_t k = 0; k < 3; ++k) {
     const TexturedVertex& vertex = input.triangle[k];
@@ -190,7 +192,7 @@ ExactGradient exact_gradient(const FootprintCase& input, double TexturedVertex::
 // With the largest 1/w as unit, e the longer side of the box and s = e^2 / area: a plane's slope is right to 20 u s / e, its
 // value at the pixel to 48 u s, which is 48 u k of the value there. (P' - (P/Q) Q') / Q has terms up to 4 k U / e each, U
 // doubled where coordinates are taken from vertex 0; with the errors of P/Q, Q' and 1/Q that makes 1600 k^2 (U/e) u.
-double gradient_bound(const FootprintCase& input, double TexturedVertex::* attribute) {
+double gradient_bound(const FootprintCase& input, Attribute attribute) {
   const auto& [a, b, c] = input.triangle;
   const auto [left, right] = std::minmax({a.x, b.x, c.x});
   const auto [top, bottom] = std::minmax({a.y, b.y, c.y});

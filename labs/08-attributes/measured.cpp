@@ -59,7 +59,8 @@ void add_lines(const std::string& scene, const Lines& lines, double parameter,
   const Lines timed = some(lines, kTimed);
   for (const int every : {8, 16, 32}) {
     const auto kept = std::make_shared<std::optional<Errors>>();
-    const auto error = [=](double Errors::* which) {
+    using ErrorOf = double Errors::*;
+    const auto error = [=](ErrorOf which) {
       return [=](const Ask& ask) -> Result<double> {
         if (!*kept) {
           const auto found = errors_of(ask, every, lines);

@@ -40,8 +40,10 @@ struct Corner {
   double left_x = 0, right_x = 0, y = 0, z = 0, w = 0;
 };
 
+using AcrossOf = double Corner::*;
+
 // Whether an eye has all corners outside one of its planes.
-bool misses(const std::array<Corner, 3>& corners, double Corner::* x) {
+bool misses(const std::array<Corner, 3>& corners, AcrossOf x) {
   const auto all = [&](auto outside) {
     return std::all_of(corners.begin(), corners.end(), outside);
   };

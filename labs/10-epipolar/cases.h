@@ -58,8 +58,10 @@ inline std::vector<PoseCase> hidden_poses() {
                             {"a quarter turn", {turned_by(1, 0, 0, 1), {0.3, 0.7, -1.1}}},
                             {"one point of view", {turned_by(9, 1, 2, -1), {0, 0, 0}}},
                             {"far apart", {turned_by(3, -1, 2, 1), {700, -300, 90}}}},
-      101, 3,
-      [](glassbox::Random& random) { return PoseCase{"any two cameras", random_pose(random)}; });
+      101, 3, [](glassbox::Random& random) {
+        PoseCase any{"any two cameras", random_pose(random)};
+        return any;
+      });
 }
 // END HIDDEN
 

@@ -127,7 +127,8 @@ std::optional<WrongNumber> judge_left(const Numbers&, const Numbers& yours,
 
 std::optional<WrongNumber> judge_exactly(const Numbers&, const Numbers& yours,
                                          const Numbers& reference) {
-  return first_wrong(yours, reference, [](std::size_t) { return 0; }, "px", pixel_name);
+  const auto nothing = [](std::size_t) { return 0; };
+  return first_wrong(yours, reference, nothing, "px", pixel_name);
 }
 
 std::optional<WrongNumber> judge_depth(const Numbers&, const Numbers& yours,

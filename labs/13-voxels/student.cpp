@@ -11,12 +11,13 @@ namespace lab_13 {
 Order classify(const std::vector<Place>& cameras, const Box& box) {
   // BEGIN SOLUTION
   const auto all = [&](auto test) { return std::all_of(cameras.begin(), cameras.end(), test); };
-  double Place::* const axes[] = {&Place::x, &Place::y, &Place::z};
+  using Axis = double Place::*;
+  const Axis axes[] = {&Place::x, &Place::y, &Place::z};
   Order order;
   int orders = 0;
   bool all_inside = true;
   for (std::size_t i = 0; i < 3; ++i) {
-    double Place::* const axis = axes[i];
+    const Axis axis = axes[i];
     const double low = box.low.*axis, high = box.high.*axis;
     if (all([&](const Place& c) { return c.*axis < low; })) order.away[i] = 1;
     if (all([&](const Place& c) { return c.*axis > high; })) order.away[i] = -1;

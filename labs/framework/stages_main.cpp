@@ -105,7 +105,7 @@ int main(int argc, char** argv) {
     if (std::strcmp(argv[i], "--rounds") == 0) rounds = std::atoi(argv[i + 1]);
     if (std::strcmp(argv[i], "--out-fd") == 0) to = std::atoi(argv[i + 1]);
   }
-  struct stat file{};
+  struct stat file = {};
   if (::fstat(0, &file) != 0 || file.st_size < off_t(2 * sizeof(double))) return 2;
   const auto bytes = std::size_t(file.st_size);
   void* const input = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, 0, 0);

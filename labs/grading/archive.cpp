@@ -103,7 +103,7 @@ Contents read_all(archive* reader, const std::string& name) {
 // Opened once and asked about afterwards; -1 and why.
 int open_ordinary(const fs::path& file, std::string& why) {
   const int opened = ::open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-  struct stat status{};
+  struct stat status = {};
   if (opened < 0 || ::fstat(opened, &status) != 0 || !S_ISREG(status.st_mode)) {
     why = "is no ordinary file";
   } else if (status.st_size > static_cast<off_t>(kLargestArchive)) {

@@ -37,7 +37,7 @@ constexpr std::uint64_t kOfFiles =
 bool allow(int ruleset, const std::filesystem::path& path, std::uint64_t access) {
   const int opened = ::open(path.c_str(), O_PATH | O_CLOEXEC);
   if (opened < 0) return true;  // what does not exist cannot be reached either
-  struct stat status{};
+  struct stat status = {};
   if (::fstat(opened, &status) == 0 && !S_ISDIR(status.st_mode)) access &= kOfFiles;
   landlock_path_beneath_attr rule{};
   rule.allowed_access = access;

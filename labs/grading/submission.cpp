@@ -73,7 +73,7 @@ Result<std::string> read_ordinary(const fs::path& path) {
                              ? "is a link"
                              : fmt::format("cannot be opened: {}", std::strerror(errno)));
   }
-  struct stat status{};
+  struct stat status = {};
   std::string text, cause;
   if (::fstat(file, &status) != 0 || !S_ISREG(status.st_mode)) {
     cause = "is no ordinary file";

@@ -61,7 +61,7 @@ void on_no_memory() {
 }
 
 void handle(int signal, void (*handler)(int, siginfo_t*, void*)) {
-  struct sigaction action{};
+  struct sigaction action = {};
   action.sa_sigaction = handler;
   action.sa_flags = int(SA_SIGINFO | SA_ONSTACK | SA_RESETHAND);
   ::sigaction(signal, &action, nullptr);

@@ -306,7 +306,8 @@ private:
 
   // Some exporters write the indices of normals or texture coordinates but not these themselves. If
   // there are none in the whole file, what is meant is clear.
-  void drop_references_to(IndexedTable& absent, std::uint32_t Reference::* index) {
+  using IndexOf = std::uint32_t Reference::*;
+  void drop_references_to(IndexedTable& absent, IndexOf index) {
     if (absent.size > 0 || absent.largest < 0) return;
     for (Reference& corner : tables_.references) corner.*index = kNone;
     warnings_.add(std::string("corners name ") + absent.name +

@@ -31,10 +31,13 @@ struct Opaque {
 };
 
 // Those whose alpha reaches the material's cutoff, asked where they are shaded.
+// Which pixels that are not drawn, or drawn otherwise, are counted beside those that are.
+using CountOf = std::uint64_t FragmentCounts::*;
+
 class Masked {
 public:
   static constexpr bool kKeepsAll = false, kIsBehind = false;
-  static constexpr std::uint64_t FragmentCounts::* kOthers = &FragmentCounts::discarded;
+  static constexpr CountOf kOthers = &FragmentCounts::discarded;
 
   HWY_INLINE explicit Masked(const AlphaTest& test) : test_(test) {}
 
@@ -69,7 +72,7 @@ private:
 class Behind {
 public:
   static constexpr bool kKeepsAll = false, kIsBehind = true;
-  static constexpr std::uint64_t FragmentCounts::* kOthers = Masked::kOthers;
+  static constexpr CountOf kOthers = Masked::kOthers;
 
   HWY_INLINE explicit Behind(const BehindTest& test) : codes_(*test.codes), alpha_(test.alpha) {}
 
@@ -112,7 +115,7 @@ struct BlendedBytes {
 class Blended {
 public:
   static constexpr bool kKeepsAll = false, kIsBehind = false;
-  static constexpr std::uint64_t FragmentCounts::* kOthers = &FragmentCounts::blended;
+  static constexpr CountOf kOthers = &FragmentCounts::blended;
 
   // `bytes`: of a triangle of one colour where nothing but colours is wanted, otherwise null.
   HWY_INLINE explicit Blended(const BlendJob& job, BlendedBytes* bytes = nullptr)

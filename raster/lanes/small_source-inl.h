@@ -23,8 +23,9 @@ HWY_INLINE Float3 gather_triple(const T* table, Ints at) {
 }
 
 // A member of 32 bits of a table's entries.
-template <class T>
-HWY_INLINE Ints gather_member(const T* table, Ints at, std::uint32_t T::* member) {
+template <class T, class Member>
+HWY_INLINE Ints gather_member(const T* table, Ints at, Member member) {
+  static_assert(std::is_same_v<Member, std::uint32_t T::*>);
   constexpr int kWords = sizeof(T) / sizeof(std::int32_t);
   return gather(reinterpret_cast<const std::int32_t*>(&(table->*member)), at * kWords);
 }

@@ -46,7 +46,10 @@ inline constexpr TileDepth kEmptyTileDepth = std::numeric_limits<TileDepth>::max
 template <class T>
 class AlignedArray {
 public:
+  // Versions of clang-format put other blanks around these operators.
+  // clang-format off
   explicit AlignedArray(std::size_t size) : data_(new(std::align_val_t{kAlignment}) T[size]) {}
+  // clang-format on
   T* get() { return data_.get(); }
   const T* get() const { return data_.get(); }
   T& operator[](std::size_t i) { return data_[i]; }

@@ -43,7 +43,8 @@ CornerIndices corner_indices(const Mesh& mesh, const Triangulation& triangulatio
                      }),
       indices.positions);
   // An attribute that corners may lack.
-  const auto gather_optional = [&](std::uint32_t Corner::* member, bool& has_any) {
+  using IndexOf = std::uint32_t Corner::*;
+  const auto gather_optional = [&](IndexOf member, bool& has_any) {
     std::vector<std::uint32_t> found = gather_indices(
         mesh, triangulation, [&](const Corner& c, const Triangle&) { return c.*member; });
     const auto lacking = std::size_t(std::ranges::count(found, kNone));

@@ -113,7 +113,8 @@ std::size_t TileEngine::State::begin_round(const Pictures& pictures, std::size_t
   const std::size_t end =
       make_slots(run, pictures.front().plan().order, first, options.round_size, slots);
   VertexTables& tables = rounds.front().tables;
-  const auto entries = [&](std::size_t DrawSlot::* begin, std::size_t DrawSlot::* of_draw) {
+  using CountOf = std::size_t DrawSlot::*;
+  const auto entries = [&](CountOf begin, CountOf of_draw) {
     if (slots.empty()) return std::size_t{0};
     const DrawSlot& last = slots.back();
     return last.*begin + last.draws.size() * last.*of_draw;

@@ -18,6 +18,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <glassbox/base/arithmetic.h>
+
 namespace glassbox {
 
 struct Array {
@@ -108,8 +110,7 @@ public:
   }
 
 private:
-  template <class T>
-    requires std::is_arithmetic_v<T>
+  template <Arithmetic T>
   static void describe(const T&, Array& array) {
     const bool one_byte = sizeof(T) == 1;
     const char order = one_byte ? '|' : std::endian::native == std::endian::little ? '<' : '>';
@@ -141,8 +142,7 @@ private:
     describe(values[0], array);
   }
 
-  template <class T>
-    requires std::is_arithmetic_v<T>
+  template <Arithmetic T>
   static void append(const T& value, std::string& bytes) {
     bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
   }

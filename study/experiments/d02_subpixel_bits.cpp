@@ -271,14 +271,16 @@ void add_scene(std::vector<Configuration>& all, const std::string& scene, MakeTr
                    .measure = kOverlap,
                    .error = [=] { return changes().lost; },
                    .predicted_error = predict_lost(bits, triangles())});
-    all.push_back(
-        {.series = series,
-         .parameter = double(bits),
-         .scene = scene,
-         .measure = kCrawl,
-         .error =
-             [=] { return crawl({triangles().begin(), triangles().begin() + count / 16}, bits); },
-         .predicted_error = predict_crawl(bits)});
+    all.push_back({.series = series,
+                   .parameter = double(bits),
+                   .scene = scene,
+                   .measure = kCrawl,
+                   .error =
+                       [=] {
+                         const auto first = triangles().begin();
+                         return crawl({first, first + count / 16}, bits);
+                       },
+                   .predicted_error = predict_crawl(bits)});
   }
 }
 

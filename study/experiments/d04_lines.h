@@ -108,7 +108,8 @@ inline void add_rows(const std::array<SeenCorner, 3>& t, Lines& lines) {
     }
     const int first = int(std::ceil(left - 0.5)), end = int(std::ceil(right - 0.5));
     if (first >= end) continue;
-    const auto at = [&](int x, double SeenCorner::* value) {
+    using ValueOf = double SeenCorner::*;
+    const auto at = [&](int x, ValueOf value) {
       const double dx = x - t[0].x, dy = y + 0.5 - t[0].y;
       const double b = (dx * (t[2].y - t[0].y) - dy * (t[2].x - t[0].x)) / area,
                    c = (dy * (t[1].x - t[0].x) - dx * (t[1].y - t[0].y)) / area;

@@ -334,7 +334,8 @@ std::vector<Configuration> configurations(Effort effort) {
   for (const double share : shares) {
     const auto forest = std::make_shared<const Stage>(forest_stage(share));
     const LeftEye seen = seen_by_left_eye(*forest);
-    add_stage(forest, [seen](const Way& way) { return predicted_among_trees(way, seen); }, all);
+    const auto predicted = [seen](const Way& way) { return predicted_among_trees(way, seen); };
+    add_stage(forest, predicted, all);
   }
   add_setups(forest_stage(0.02), all);
   return all;

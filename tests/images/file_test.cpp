@@ -34,7 +34,7 @@ std::string content(const std::string& path) {
 }
 
 unsigned permissions(const std::string& path) {
-  struct stat status{};
+  struct stat status = {};
   return ::stat(path.c_str(), &status) == 0 ? status.st_mode & 0777u : 0u;
 }
 

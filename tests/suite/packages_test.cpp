@@ -190,10 +190,11 @@ TEST_CASE("the container for editors in a cloud installs what the launcher would
   CHECK(run_program("/usr/bin/env",
                     {"python3", "-c",
                      "import json\n"
-                     "settings = json.load(open('devcontainer.json'))\n"
+                     "from pathlib import Path\n"
+                     "settings = json.loads(Path('devcontainer.json').read_text())\n"
                      "assert settings['postCreateCommand'] == './glassbox'\n"
-                     "open(settings['build']['dockerfile'])\n"
-                     "open(settings['build']['context'] + '/cmake/setup.sh')\n"},
+                     "Path(settings['build']['dockerfile']).stat()\n"
+                     "Path(settings['build']['context'] + '/cmake/setup.sh').stat()\n"},
                     folder.string())
             .exit_code == 0);
   const std::string text = read_whole(folder / "Containerfile");

@@ -135,9 +135,10 @@ PathSums sum_paths(const CostVolume& costs, const Planes& picture, int paths,
   PathSums sums{like(), like()};
   const std::vector<Step> back = opposite(steps);
   const MatchKernels& kernels = match_kernels(target);
-  tbb::parallel_invoke(
-      [&] { sweep_all({picture, steps, jumps, penalties.p1, kernels}, costs, false, sums.down); },
-      [&] { sweep_all({picture, back, jumps, penalties.p1, kernels}, costs, true, sums.up); });
+  const Sweep down{picture, steps, jumps, penalties.p1, kernels};
+  const Sweep up{picture, back, jumps, penalties.p1, kernels};
+  tbb::parallel_invoke([&] { sweep_all(down, costs, false, sums.down); },
+                       [&] { sweep_all(up, costs, true, sums.up); });
   return sums;
 }
 

@@ -51,7 +51,10 @@ void average_rows(CostVolume& volume, const Image<Arms>& arms, const MatchKernel
     thread_local LineVector<std::uint32_t> sums;
     average_line(
         volume.width, volume.stride, kernels, sums, [&](int x) { return volume.at(x, y); },
-        [&](int x) { return Reach{arms.at(x, y).left, arms.at(x, y).right}; });
+        [&](int x) {
+          const Arms& of = arms.at(x, y);
+          return Reach{of.left, of.right};
+        });
   });
 }
 
@@ -60,7 +63,10 @@ void average_columns(CostVolume& volume, const Image<Arms>& arms, const MatchKer
     thread_local LineVector<std::uint32_t> sums;
     average_line(
         volume.height, volume.stride, kernels, sums, [&](int y) { return volume.at(x, y); },
-        [&](int y) { return Reach{arms.at(x, y).up, arms.at(x, y).down}; });
+        [&](int y) {
+          const Arms& of = arms.at(x, y);
+          return Reach{of.up, of.down};
+        });
   });
 }
 

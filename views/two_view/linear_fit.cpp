@@ -119,8 +119,10 @@ Result<LinearFit> linear_fit(const Matches& matches, int least) {
 
 Result<EightPointFit> fit_fundamental(const Matches& pixels, Conditioning conditioning) {
   if (conditioning == Conditioning::kRaw) {
-    return linear_fit(pixels).map(
-        [](const LinearFit& fit) { return EightPointFit{with_rank_two(fit.matrix), fit}; });
+    return linear_fit(pixels).map([](const LinearFit& fit) {
+      const Matrix3d matrix = with_rank_two(fit.matrix);
+      return EightPointFit{matrix, fit};
+    });
   }
   return normalised(pixels).and_then([](const Normalised& from) {
     return linear_fit(from.matches).map([&](const LinearFit& fit) {

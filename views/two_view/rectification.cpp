@@ -101,7 +101,8 @@ Rgba8 sample_between(const Image<Rgba8>& picture, const Vector2d& at) {
   const int right = std::min(left + 1, picture.width - 1);
   const int bottom = std::min(top + 1, picture.height - 1);
   const double across = x - left, down = y - top;
-  const auto mixed = [&](std::uint8_t Rgba8::* channel) {
+  using Channel = std::uint8_t Rgba8::*;
+  const auto mixed = [&](Channel channel) {
     const double upper =
         picture.at(left, top).*channel * (1 - across) + picture.at(right, top).*channel * across;
     const double lower = picture.at(left, bottom).*channel * (1 - across) +

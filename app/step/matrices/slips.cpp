@@ -37,8 +37,10 @@ bool transpose(GivenMatrix& matrix) {
   return true;
 }
 
+using MeantAngle = std::optional<int> ProjectionFacts::*;
+
 // Scales x and y as the angle that was meant would have.
-bool set_angle(GivenMatrix& projection, std::optional<int> ProjectionFacts::* meant) {
+bool set_angle(GivenMatrix& projection, MeantAngle meant) {
   const ProjectionFacts facts = projection_facts(projection);
   const std::optional<int>& degrees = facts.*meant;
   if (!degrees) return false;

@@ -18,21 +18,30 @@
 namespace glassbox::study {
 namespace c03 {
 
+// The processor's word on how it computes with floats, where it has one of this form.
+unsigned float_control() {
+#if defined(__SSE2__)
+  return _mm_getcsr();
+#else
+  return 0;
+#endif
+}
+void set_float_control([[maybe_unused]] unsigned word) {
+#if defined(__SSE2__)
+  _mm_setcsr(word);
+#endif
+}
+
 // Subnormal numbers count as zero while one of these lives, where the processor can do that.
 class FlushToZero {
-#if defined(__SSE2__)
 public:
-  FlushToZero() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040u); }
-  ~FlushToZero() { _mm_setcsr(before_); }
+  FlushToZero() : before_(float_control()) { set_float_control(before_ | 0x8040u); }
+  ~FlushToZero() { set_float_control(before_); }
   FlushToZero(const FlushToZero&) = delete;
   FlushToZero& operator=(const FlushToZero&) = delete;
 
 private:
   unsigned before_;
-#else
-public:
-  ~FlushToZero() {}
-#endif
 };
 
 struct Cameras {
@@ -87,7 +96,8 @@ bool same_bytes(const std::vector<glm::dmat4>& a, const std::vector<glm::dmat4>&
   return true;
 }
 
-Outcome judge(const Cameras& cameras) {
+Outcome judge(auto look_at_by, auto lens_by, auto inverse_by) {
+  const Cameras cameras{look_at_by, lens_by, inverse_by};
   const int accepted = int(answers(cameras, true).size());
   const auto good = answers(cameras, false);
   const auto flushed = [&] {
@@ -137,13 +147,11 @@ ExtremeCase c03_numbers_that_are_none() {
       .unit = "answers",
       .oracle = Oracle::kProperty,
       .ours = {"look_at, perspective, inverse_affine",
-               [] { return judge({look_at, checked_lens, checked_inverse}); }},
+               [] { return judge(look_at, checked_lens, checked_inverse); }},
       .naive = {"nothing checked",
-                [] {
-                  return judge({naive::unchecked_look_at, unchecked_lens, unchecked_inverse});
-                }},
+                [] { return judge(naive::unchecked_look_at, unchecked_lens, unchecked_inverse); }},
       .mutants = {{"\"<= 0\" for \"not > 0\" in the checks of the lens",
-                   [] { return judge({look_at, lens_that_lets_nan_through, checked_inverse}); }}},
+                   [] { return judge(look_at, lens_that_lets_nan_through, checked_inverse); }}},
       .not_drawn = "files and cameras with such numbers are refused before anything is drawn",
       .exceptions_of_ours = FE_INVALID,  // NaN is compared
   };

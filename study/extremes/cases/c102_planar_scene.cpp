@@ -32,7 +32,8 @@ std::vector<views::Matrix3d> eight_points(const views::Matches& matches) {
   return {views::fit_essential(matches, views::Conditioning::kNormalised)->matrix};
 }
 
-Outcome judge(const Subject102& subject) {
+Outcome judge(auto rank_by, auto essentials_by) {
+  const Subject102 subject{rank_by, essentials_by};
   Random random(102);
   int wrong = 0, tried = 0;
   for (int i = 0; i < 30; ++i) {
@@ -68,12 +69,12 @@ ExtremeCase c102_planar_scene() {
       .unit = "answers",
       .oracle = Oracle::kAnalytic,
       .ours = {"rank by singular values, five points",
-               [] { return judge({by_singular_values, five_points}); }},
+               [] { return judge(by_singular_values, five_points); }},
       .naive = {"as many equations as matches, eight points",
-                [] { return judge({of_equations, eight_points}); }},
-      .mutants = {{"only an exact 0 is nothing", [] { return judge({of_zeros, five_points}); }},
+                [] { return judge(of_equations, eight_points); }},
+      .mutants = {{"only an exact 0 is nothing", [] { return judge(of_zeros, five_points); }},
                   {"eight points for five",
-                   [] { return judge({by_singular_values, eight_points}); }}},
+                   [] { return judge(by_singular_values, eight_points); }}},
       .not_drawn = "an estimate from matches, which no engine draws",
   };
 }

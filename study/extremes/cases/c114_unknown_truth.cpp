@@ -41,7 +41,8 @@ double with_offset(double disparity, const views::Calibration& calibration) {
 }
 
 // Three of seven pixels are known, one of them is 3 px off. Depths are floats: a sum, a product, a quotient and a rounding.
-Outcome judge(const Subject114& subject) {
+Outcome judge(auto rms_by, auto depth_by) {
+  const Subject114 subject{rms_by, depth_by};
   Image<float> truth(7, 1), disparity(7, 1);
   truth.pixels = {10, 0, INFINITY, NAN, 20, 2, INFINITY};
   disparity.pixels = {10, 50, 50, 50, 20, 5, 40};
@@ -71,13 +72,13 @@ ExtremeCase c114_unknown_truth() {
       .right = "the error of the three known pixels; Z = f B/(d + 31.086); four roundings of float",
       .unit = "relative",
       .oracle = Oracle::kAnalytic,
-      .ours = {"what is known, with the offset", [] { return judge({of_known, with_offset}); }},
+      .ours = {"what is known, with the offset", [] { return judge(of_known, with_offset); }},
       .naive = {"all pixels, f B/d",
-                [] { return judge({naive::rms_of_all, naive::depth_without_offset}); }},
-      .mutants = {{"only NaN is unknown", [] { return judge({nan_is_unknown, with_offset}); }},
-                  {"0 is a disparity", [] { return judge({zero_is_far, with_offset}); }},
+                [] { return judge(naive::rms_of_all, naive::depth_without_offset); }},
+      .mutants = {{"only NaN is unknown", [] { return judge(nan_is_unknown, with_offset); }},
+                  {"0 is a disparity", [] { return judge(zero_is_far, with_offset); }},
                   {"the offset is forgotten",
-                   [] { return judge({of_known, naive::depth_without_offset}); }}},
+                   [] { return judge(of_known, naive::depth_without_offset); }}},
       .not_drawn = "pictures are only what it starts from: no engine draws what is matched",
   };
 }

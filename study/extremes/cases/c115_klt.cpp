@@ -96,7 +96,8 @@ void judge_space(const Subject115& subject, Worst& worst) {
   }
 }
 
-Outcome judge(const Subject115& subject) {
+Outcome judge(auto covariance_by, auto angle_by) {
+  const Subject115 subject{covariance_by, angle_by};
   Worst worst;
   judge_mean(subject, worst);
   judge_space(subject, worst);
@@ -122,23 +123,24 @@ ExtremeCase c115_klt() {
       .unit = "of the trace, radian",
       .oracle = Oracle::kInteger,
       .ours = {"two passes, angles of spaces",
-               [] { return judge({two_passes, views::angle_between}); }},
+               [] { return judge(two_passes, views::angle_between); }},
       .naive = {"E[xy] - E[x] E[y], angles of vectors",
                 [] {
-                  return judge({naive::covariance_by_moments<double>, naive::angle_of_vectors});
+                  return judge(naive::covariance_by_moments<double>, naive::angle_of_vectors);
                 }},
-      .mutants =
-          {{"E[xy] - E[x] E[y] in float",
-            [] { return judge({naive::covariance_by_moments<float>, views::angle_between}); }},
-           {"E[xy] - E[x] E[y] in double",
-            [] { return judge({naive::covariance_by_moments<double>, views::angle_between}); }},
-           {"divided by N - 1",
-            [] { return judge({naive::covariance_of_a_sample, views::angle_between}); }},
-           {"the mean stays",
-            [] { return judge({naive::covariance_about_zero, views::angle_between}); }},
-           {"angles of vectors",
-            [] { return judge({two_passes, naive::largest_angle_of_vectors}); }},
-           {"arc cosines", [] { return judge({two_passes, naive::angle_by_cosine}); }}},
+      .mutants = {{"E[xy] - E[x] E[y] in float",
+                   [] { return judge(naive::covariance_by_moments<float>, views::angle_between); }},
+                  {"E[xy] - E[x] E[y] in double",
+                   [] {
+                     return judge(naive::covariance_by_moments<double>, views::angle_between);
+                   }},
+                  {"divided by N - 1",
+                   [] { return judge(naive::covariance_of_a_sample, views::angle_between); }},
+                  {"the mean stays",
+                   [] { return judge(naive::covariance_about_zero, views::angle_between); }},
+                  {"angles of vectors",
+                   [] { return judge(two_passes, naive::largest_angle_of_vectors); }},
+                  {"arc cosines", [] { return judge(two_passes, naive::angle_by_cosine); }}},
       .not_drawn = "numbers of pictures are what it asks for: no engine draws components",
   };
 }

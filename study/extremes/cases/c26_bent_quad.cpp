@@ -21,7 +21,8 @@ struct Quads {
   std::array<std::size_t, 2> (*diagonal)(const Polygon& square);  // corners that it joins
 };
 
-Outcome judge(const Quads& quads) {
+Outcome judge(auto deviation_by, auto diagonal_by) {
+  const Quads quads{deviation_by, diagonal_by};
   Worst worst;
   int unsteady = 0;
   for (const float h : {0.5f, 0x1p-5f, 0x1p-10f}) {
@@ -121,11 +122,11 @@ ExtremeCase c26_bent_quad() {
       .unit = "object unit",
       .oracle = Oracle::kExtended,
       .ours = {"planarity_deviation and triangulate",
-               [] { return judge({deviation_from_mean_plane, shared_corners}); }},
+               [] { return judge(deviation_from_mean_plane, shared_corners); }},
       .naive = {"plane of the first three corners, diagonal from the first",
-                [] { return judge({deviation_from_first_three, from_the_first_corner}); }},
+                [] { return judge(deviation_from_first_three, from_the_first_corner); }},
       .mutants = {{"the diagonal from the first corner",
-                   [] { return judge({deviation_from_mean_plane, from_the_first_corner}); }}},
+                   [] { return judge(deviation_from_mean_plane, from_the_first_corner); }}},
       .drawn = judge_drawn,
   };
 }

@@ -33,7 +33,8 @@ struct Way {
                           const Stored& sample);
 };
 
-Outcome judge(const Way& way) {
+Outcome judge(auto store_by, auto warp_by) {
+  const Way way{store_by, warp_by};
   const Eigen::Matrix4d from = views::layer_camera(view_from({0, 0, 0})).screen_from_world;
   const Eigen::Matrix4d to = views::layer_camera(view_from({120, 40, -60})).screen_from_world;
   const Eigen::Matrix4d warp = to * from.inverse();
@@ -114,12 +115,12 @@ ExtremeCase c37_layers_inverse() {
       .unit = "px",
       .oracle = Oracle::kAnalytic,
       .ours = {"near/distance, C1^-1 in double",
-               [] { return judge({near_over_distance, in_double}); }},
-      .naive = {"0..1 depth, all in float", [] { return judge({standard_depth, all_in_float}); }},
+               [] { return judge(near_over_distance, in_double); }},
+      .naive = {"0..1 depth, all in float", [] { return judge(standard_depth, all_in_float); }},
       .mutants = {{"0..1 depth, C1^-1 in double",
-                   [] { return judge({standard_depth, standard_in_double}); }},
+                   [] { return judge(standard_depth, standard_in_double); }},
                   {"near/distance, C1^-1 in float",
-                   [] { return judge({near_over_distance, inverse_in_float}); }}},
+                   [] { return judge(near_over_distance, inverse_in_float); }}},
       .not_drawn = "samples are warped by views/layers; no engine takes part",
   };
 }

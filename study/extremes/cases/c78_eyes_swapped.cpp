@@ -42,8 +42,8 @@ Outcome outcome_of(const OrderEvidence& evidence) {
       fmt::format("{}: {} windows for, {} against", verdict, evidence.in_order, evidence.swapped)};
 }
 
-Outcome judge_pair(const EyePictures& eyes) {
-  return outcome_of(pair_order(eyes.left, eyes.right, room().disparity).value());
+Outcome judge_pair(const Image<Rgba8>& left, const Image<Rgba8>& right) {
+  return outcome_of(pair_order(left, right, room().disparity).value());
 }
 Outcome judge_anaglyph(const Image<Rgba8>& anaglyph) {
   return outcome_of(anaglyph_order(anaglyph, Glasses::kRedCyan, room().disparity).value());
@@ -65,7 +65,7 @@ Outcome judge_drawn(const Drawer& by) {
 }
 
 Outcome judge_ours() {
-  return worse_of(judge_pair(room().eyes),
+  return worse_of(judge_pair(room().eyes.left, room().eyes.right),
                   judge_anaglyph(anaglyph(room().eyes.left, room().eyes.right)));
 }
 
@@ -85,7 +85,7 @@ ExtremeCase c78_eyes_swapped() {
       .oracle = Oracle::kProperty,
       .ours = {"pair and anaglyph as drawn", judge_ours},
       .naive = {"the pictures interchanged",
-                [] { return judge_pair({room().eyes.right, room().eyes.left}); }},
+                [] { return judge_pair(room().eyes.right, room().eyes.left); }},
       .mutants = {{"the anaglyph's eyes interchanged",
                    [] { return judge_anaglyph(anaglyph(room().eyes.right, room().eyes.left)); }},
                   {"channel swap: red and blue interchanged, as BGR files have them",

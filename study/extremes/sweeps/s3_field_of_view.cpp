@@ -41,10 +41,12 @@ double condition(double degrees) {
   return fov_condition(radians_from_degrees(degrees));
 }
 
+constexpr DepthPlanes kPlanes{1, 100};
+
 std::vector<SweepSeries> field_of_view_series() {
   const Way ways[] = {
       {"degrees, cot from sine and cosine", true,
-       [](double degrees) { return perspective_degrees(degrees, 1, {1, 100})->at(1, 1); },
+       [](double degrees) { return perspective_degrees(degrees, 1, kPlanes)->at(1, 1); },
        [](double) { return 8 * unit_roundoff<double>; }},
       // Two roundings of the angle, times the condition; tangent and quotient.
       {"double, tangent of radians", false,

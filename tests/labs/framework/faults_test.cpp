@@ -145,6 +145,28 @@ constexpr std::size_t kDays = 8;
 
 }  // namespace
 
+// Under every seed, of all faults: one whose text has changed under it would be missed only on the day of its turn.
+TEST_CASE(
+    "the code that a fault replaces stands in the solution once, and the page has a row for it") {
+  const std::string text = page();
+  std::size_t faults = 0;
+  for (const Lab& lab : all_labs()) {
+    const Bench& bench = Bench::of(lab);
+    const std::vector<Fault> all = faults_of(bench.sources(), lab);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      INFO("lab " << lab.folder << ", fault " << i + 1 << ": " << all[i].name);
+      const std::string& solution = bench.solution();
+      const std::size_t at = solution.find(all[i].find);
+      CHECK(at != std::string::npos);
+      CHECK(at == solution.rfind(all[i].find));
+      CHECK(text.find(fmt::format("| {} | {} | {} |", i + 1, all[i].task, in_cell(all[i].name))) !=
+            std::string::npos);
+    }
+    faults += all.size();
+  }
+  CHECK(faults > 1000);
+}
+
 TEST_CASE("a sentence of a contract that is not kept is found by the case that the page names") {
   // One in eight of a thousand, and of each of the eighty tasks at least one.
   CHECK(find_in_all_labs(test::Share(kDays)).faults >= 120);

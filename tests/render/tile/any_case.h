@@ -482,10 +482,10 @@ AnyCase any_case(Source& source, int most_faces, int largest_side) {
 template <class Fails>
 void shrink(AnyCase& failing, const Fails& still_fails) {
   const auto shorten = [&](auto get) {
-    for (std::size_t part = get(failing).size(); part > 0; part /= 2) {
-      for (std::size_t at = 0; at < get(failing).size();) {
+    for (std::size_t part = get(failing)->size(); part > 0; part /= 2) {
+      for (std::size_t at = 0; at < get(failing)->size();) {
         AnyCase smaller = failing;
-        auto& list = get(smaller);
+        auto& list = *get(smaller);
         const auto first = list.begin() + std::ptrdiff_t(at);
         list.erase(first, first + std::ptrdiff_t(std::min(part, list.size() - at)));
         if (still_fails(smaller)) {
@@ -496,13 +496,13 @@ void shrink(AnyCase& failing, const Fails& still_fails) {
       }
     }
   };
-  shorten([](AnyCase& c) -> auto& { return c.scene.instances; });
+  shorten([](auto& c) { return &c.scene.instances; });
   for (std::size_t i = 0; i < failing.scene.meshes.size(); ++i) {
-    shorten([i](AnyCase& c) -> auto& { return c.scene.meshes[i].faces; });
-    shorten([i](AnyCase& c) -> auto& { return c.scene.meshes[i].lines; });
-    shorten([i](AnyCase& c) -> auto& { return c.scene.meshes[i].points; });
+    shorten([i](auto& c) { return &c.scene.meshes[i].faces; });
+    shorten([i](auto& c) { return &c.scene.meshes[i].lines; });
+    shorten([i](auto& c) { return &c.scene.meshes[i].points; });
   }
-  shorten([](AnyCase& c) -> auto& { return c.scene.lights; });
+  shorten([](auto& c) { return &c.scene.lights; });
 }
 
 // The case in words: enough to build it by hand.

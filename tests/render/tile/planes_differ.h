@@ -5,8 +5,8 @@
 #include <cstring>
 #include <sstream>
 #include <string>
-#include <type_traits>
 
+#include <glassbox/base/arithmetic.h>
 #include <glassbox/render/engine/framebuffer.h>
 
 namespace glassbox::test {
@@ -16,8 +16,7 @@ inline std::string in_words(const Rgba8& c) {
   text << int(c.r) << " " << int(c.g) << " " << int(c.b) << " " << int(c.a);
   return text.str();
 }
-template <class T>
-  requires std::is_arithmetic_v<T>
+template <Arithmetic T>
 std::string in_words(T value) {
   std::ostringstream text;
   text.precision(9);
