@@ -20,8 +20,6 @@ using exact::Decimal;
 using exact::decimal_from;
 using exact::Rational;
 
-constexpr double u53 = unit_roundoff<double>;
-
 // ---- positions ----
 
 using Place = std::array<Rational, 3>;
@@ -71,7 +69,7 @@ double position_bound(const Patch& patch) {
     for (const auto& p : row)
       largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   }
-  return 64 * u53 * largest;
+  return 64 * unit_roundoff<double> * largest;
 }
 
 std::string patch_text(const Patch& patch) {
