@@ -23,6 +23,7 @@ run_command() {
   tail -n 1 "$times" | grep -q 's  ended with 0$'
 }
 
+mkdir -p "$root/build/chroots"
 : >"$times"
 bare_chroot "$suite" "$chroot" git
 clone_into "$chroot"
