@@ -125,7 +125,7 @@ TEST_CASE("three points have up to four cameras, each of which sees them, one of
     const PinholeCamera camera = camera_before(distance, aside, above, 640, 480);
     std::array<SeenPoint, 3> points;
     for (SeenPoint& point : points) {
-      point = {wall.glyphs[std::size_t(random.integer(0, kGlyphs - 1))].centre, {}};
+      point.world = wall.glyphs[std::size_t(random.integer(0, kGlyphs - 1))].centre;
       point.pixel = project(camera, point.world).head<2>();
     }
     const double area =
