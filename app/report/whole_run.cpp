@@ -3,11 +3,13 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <new>
 #include <string>
 #include <string_view>
@@ -30,13 +32,31 @@ int refuse_output(int error) {
                                                    : "send it to what can be written"});
 }
 
-// oneTBB's workers start each other, so that an error in it reaches no caller.
+bool is_about_threads(const std::exception& error) {
+  return std::string_view(error.what()).find("pthread") != std::string_view::npos;
+}
+
+std::atomic<bool> a_worker_waits = false;
+
+// For a thread that cannot go on while the others can.
+[[noreturn]] void wait_for_the_end() {
+  a_worker_waits = true;
+  for (;;) ::pause();
+}
+
+// What no function catches. oneTBB's workers start each other, so that an error in it reaches no caller: a worker that cannot start
+// another one has no task at that moment, and the threads that there are draw the picture. One that is still starting threads
+// when the process ends finds oneTBB's objects gone, and is here without an error.
 [[noreturn]] void end_in_words() noexcept {
+  const bool is_main_thread = ::gettid() == ::getpid();
+  const std::exception_ptr error = std::current_exception();
+  if (!error && !is_main_thread) wait_for_the_end();
   int exit_code = kFailure;
   try {
-    if (const auto error = std::current_exception()) std::rethrow_exception(error);
-  } catch (const std::exception& error) {
-    exit_code = tell(error);
+    if (error) std::rethrow_exception(error);
+  } catch (const std::exception& told) {
+    if (is_about_threads(told) && !is_main_thread) wait_for_the_end();
+    exit_code = tell(told);
   } catch (...) {
     fmt::print(stderr, "glassbox: an error without a name\n");
   }
@@ -54,23 +74,25 @@ void begin_run() {
 int end_run(int exit_code) {
   if (exit_code == kBadInput) return exit_code;  // which is told
   errno = 0;
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
-  return refuse_output(errno != 0 ? errno : EIO);
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    return refuse_output(errno != 0 ? errno : EIO);
+  // Other workers may be starting threads still, while oneTBB's destructors take away what they use.
+  if (a_worker_waits) std::_Exit(exit_code);
+  return exit_code;
 }
 
 int tell(const std::exception& error) {
   const int reason = errno;
   if (std::ferror(stdout) != 0) return refuse_output(reason);
-  const std::string_view what = error.what();
   if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) {
     fmt::print(stderr, "glassbox: out of memory; render a smaller --size or a smaller scene\n");
-  } else if (what.find("pthread") != what.npos) {
+  } else if (is_about_threads(error)) {
     fmt::print(stderr,
                "glassbox: a thread cannot be started ({}); give fewer --threads, or allow more "
                "processes and memory\n",
-               printable(what, kLongestMessage));
+               printable(error.what(), kLongestMessage));
   } else {
-    fmt::print(stderr, "glassbox: {}\n", printable(what, kLongestMessage));
+    fmt::print(stderr, "glassbox: {}\n", printable(error.what(), kLongestMessage));
   }
   return kFailure;
 }
