@@ -187,15 +187,18 @@ public:
   Result<void> compile(const fs::path& source, const fs::path& object) const {
     return compile_own(kit_.compiler, source, includes(), object);
   }
-  // What the solution includes, of the lab's and of the library's headers.
+  // What the solution includes, of the lab's and of the library's headers. -M, since -MM leaves out what an installed library has
+  // in the compiler's own /usr/include: the kit would be of no use after the library has moved.
   Result<void> copy_headers() const {
     std::vector<std::string> listing = own_words(kit_.compiler, includes());
-    append(listing, {"-MM", (place_ / kSource).string()});
+    append(listing, {"-M", (place_ / kSource).string()});
     const auto rule = call(listing);
     if (!rule) return tl::unexpected(rule.error());
     for (const fs::path& header : headers_of(*rule)) {
-      for (const fs::path& root : {place_, sources_.include}) {
-        const auto copied = copy_below(header, root, kit_.include);
+      for (const auto& [from, to] :
+           {std::pair{place_, kit_.include},
+            std::pair{sources_.include / "glassbox", kit_.include / "glassbox"}}) {
+        const auto copied = copy_below(header, from, to);
         if (!copied) return tl::unexpected(copied.error());
         if (*copied) break;
       }
