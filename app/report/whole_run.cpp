@@ -38,15 +38,16 @@ bool is_about_threads(const std::exception& error) {
 
 std::atomic<bool> a_worker_waits = false;
 
-// For a thread that cannot go on while the others can.
+// For a thread that cannot go on while the others can: it does nothing until the process ends.
 [[noreturn]] void wait_for_the_end() {
   a_worker_waits = true;
   for (;;) ::pause();
 }
 
-// What no function catches. oneTBB's workers start each other, so that an error in it reaches no caller: a worker that cannot start
-// another one has no task at that moment, and the threads that there are draw the picture. One that is still starting threads
-// when the process ends finds oneTBB's objects gone, and is here without an error.
+// Called for an exception that no function catches. oneTBB's worker threads start each other, so
+// that no caller sees it when one of them cannot. Such a worker has no task at that moment, and
+// the other threads draw the picture. A worker that starts threads while the process ends may call
+// a function of an object that is gone: it comes here without an exception.
 [[noreturn]] void end_in_words() noexcept {
   const bool is_main_thread = ::gettid() == ::getpid();
   const std::exception_ptr error = std::current_exception();
@@ -76,7 +77,7 @@ int end_run(int exit_code) {
   errno = 0;
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     return refuse_output(errno != 0 ? errno : EIO);
-  // Other workers may be starting threads still, while oneTBB's destructors take away what they use.
+  // Other workers may still be starting threads, which oneTBB's destructors do not expect.
   if (a_worker_waits) std::_Exit(exit_code);
   return exit_code;
 }

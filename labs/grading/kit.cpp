@@ -85,17 +85,6 @@ std::vector<std::string> own_words(const std::string& compiler,
   return words;
 }
 
-// Copies what lies in `from` to the same place in `to`; false if it does not lie there.
-Result<bool> copy_below(const fs::path& file, const fs::path& from, const fs::path& to) {
-  const fs::path relative = file.lexically_normal().lexically_relative(from.lexically_normal());
-  if (relative.empty() || *relative.begin() == "..") return false;
-  const auto text = read_text_file(file);
-  if (!text) return tl::unexpected(text.error());
-  const auto written = write_if_changed(to / relative, *text);
-  if (!written) return tl::unexpected(written.error());
-  return true;
-}
-
 Kit kit_in(const fs::path& directory, const std::string& compiler, const std::string& fingerprint) {
   Kit kit;
   kit.compiler = compiler;
@@ -187,24 +176,6 @@ public:
   Result<void> compile(const fs::path& source, const fs::path& object) const {
     return compile_own(kit_.compiler, source, includes(), object);
   }
-  // What the solution includes, of the lab's and of the library's headers. -M, since -MM leaves out what an installed library has
-  // in the compiler's own /usr/include: the kit would be of no use after the library has moved.
-  Result<void> copy_headers() const {
-    std::vector<std::string> listing = own_words(kit_.compiler, includes());
-    append(listing, {"-M", (place_ / kSource).string()});
-    const auto rule = call(listing);
-    if (!rule) return tl::unexpected(rule.error());
-    for (const fs::path& header : headers_of(*rule)) {
-      for (const auto& [from, to] :
-           {std::pair{place_, kit_.include},
-            std::pair{sources_.include / "glassbox", kit_.include / "glassbox"}}) {
-        const auto copied = copy_below(header, from, to);
-        if (!copied) return tl::unexpected(copied.error());
-        if (*copied) break;
-      }
-    }
-    return {};
-  }
 
 private:
   std::vector<fs::path> includes() const { return {place_, sources_.include}; }
@@ -213,6 +184,25 @@ private:
   const Sources& sources_;
   fs::path place_;
 };
+
+// The headers that the solution includes: the lab's student.h, and those of the library.
+Result<void> write_headers(const Kit& kit, const Sources& sources,
+                           const std::vector<SourceFile>& files) {
+  std::vector<SourceFile> own;
+  for (const SourceFile& file : files) {
+    if (file.path == "student.h" || file.path == kSource) own.push_back(file);
+  }
+  auto headers = library_headers(sources, own);
+  if (!headers) return tl::unexpected(headers.error());
+  for (const SourceFile& file : own) {
+    if (file.path != kSource) headers->push_back(file);
+  }
+  for (const SourceFile& header : *headers) {
+    if (const auto written = write_if_changed(kit.include / header.path, header.text); !written)
+      return written;
+  }
+  return {};
+}
 
 // Half a kit beside its place is what a killed program left; none takes an hour to make.
 void remove_leftovers(const fs::path& directory) {
@@ -241,8 +231,8 @@ Result<void> fill(const Kit& kit, const Sources& sources, const Parts& parts,
   const Workshop visible(kit, sources, own / "visible"), all(kit, sources, own / "all");
   const fs::path starter = own / "visible/starter.cpp";
   if (const auto written = write_if_changed(starter, parts.starter); !written) return written;
-  for (const auto& done :
-       {visible.lay_out(parts.visible), all.lay_out(parts.all), visible.copy_headers()}) {
+  for (const auto& done : {visible.lay_out(parts.visible), all.lay_out(parts.all),
+                           write_headers(kit, sources, parts.visible)}) {
     if (!done) return done;
   }
   const std::vector<std::pair<fs::path, fs::path>> compiled{

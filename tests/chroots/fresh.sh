@@ -23,9 +23,8 @@ run_command() {
   tail -n 1 "$times" | grep -q 's  ended with 0$'
 }
 
-mkdir -p "$root/build/chroots"
-: >"$times"
 bare_chroot "$suite" "$chroot" git
+: >"$times"
 clone_into "$chroot"
 failed=0
 run_command ./glassbox || failed=1
