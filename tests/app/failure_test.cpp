@@ -84,6 +84,42 @@ TEST_CASE("with threads that cannot be started the picture is whole, or it is to
   }
 }
 
+// few_threads.cpp lets a program start FEW_THREADS threads and no more.
+TEST_CASE("where some threads cannot be started an output is whole, or there is none") {
+  const Workplace here;
+  const std::string few =
+      std::string("export LD_PRELOAD='") + GLASSBOX_FEW_THREADS + "' FEW_THREADS=";
+  const std::string program = "; exec timeout 60 \"$0\" ";
+  if (in_shell(here, few + "100" + program + "render cube --size 8x8 -o -").exit_code != 0)
+    SKIP_TEST("sanitizers want to be loaded first");
+  int whole = 0;
+  const std::vector<std::pair<std::string, std::string>> commands{
+      {"render room --size 320x200", "a.png"},
+      {"render room --size 320x200 --stereo anaglyph --samples 4", "a.png"},
+      {"views match --scene room --size 200x120 --eye-separation 0.2", "a.pfm"}};
+  for (const auto& [words, output] : commands) {
+    const std::string command = words + " --threads 8 -o " + output;
+    REQUIRE(here.run(command).exit_code == 0);
+    const std::string right = here.read(output);
+    for (int threads = 0; threads < 8; ++threads) {
+      std::filesystem::remove(here.file(output));
+      const Outcome outcome = in_shell(here, few + std::to_string(threads) + program + command);
+      INFO(command << ", " << threads << " threads: " << outcome.exit_code << " " << outcome.err);
+      if (outcome.exit_code == 0) {
+        CHECK(here.read(output) == right);
+        if (threads < 7) ++whole;
+      } else {
+        CHECK(outcome.exit_code == 1);
+        CHECK(here.names().empty());
+        CHECK(contains(outcome.err, "give fewer --threads"));
+      }
+    }
+    std::filesystem::remove(here.file(output));
+  }
+  // A worker that cannot start another one leaves the picture to the others.
+  CHECK(whole > 0);
+}
+
 TEST_CASE("a GLB cut short anywhere is refused") {
   const Workplace here;
   REQUIRE(here.run("info f-glyph --write f.glb").exit_code == 0);
