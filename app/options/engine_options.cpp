@@ -61,7 +61,7 @@ Target parse_target(const std::string& text) {
   }
   if (std::ranges::find(available, *target) == available.end()) {
     throw CLI::ValidationError(
-        "--target", fmt::format("this program on this machine has no {}, but {}", name_of(*target),
+        "--target", fmt::format("{} is not available here; use one of {}", name_of(*target),
                                 names_of(available, ", ")));
   }
   return *target;

@@ -146,7 +146,7 @@ TEST_CASE("an engine, a target or a number of threads that cannot be is refused"
   for (const Target target : {Target::kSse4, Target::kAvx2, Target::kAvx512, Target::kNeon}) {
     if (std::find(available.begin(), available.end(), target) != available.end()) continue;
     const std::string name(name_of(target));
-    cases.push_back({"--target " + name, {name, "on this machine has no", "scalar"}});
+    cases.push_back({"--target " + name, {name, "is not available here", "scalar"}});
   }
   for (const auto& [options, parts] : cases) {
     for (const char* command : {"render", "stereo"}) {
